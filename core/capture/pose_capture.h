@@ -1,0 +1,32 @@
+#pragma once
+
+#include "hexoderm/device/sample_frame.h"
+#include "hexoderm/util/ids.h"
+
+#include <Eigen/Core>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace hexoderm {
+
+/// The mean of a cell's readings in one pose, eq. (19) of the paper.
+struct GravitySample {
+  CellId cell;
+  Eigen::Vector3d mean_g = Eigen::Vector3d::Zero();     ///< cell frame; not normalised
+  Eigen::Matrix3d cov_g2 = Eigen::Matrix3d::Zero();     ///< covariance of the mean; zero: not known
+  std::uint32_t count = 0;                              ///< samples averaged; 0: not known
+};
+
+/// One captured pose: gravity as every cell saw it while the part was held still. Immutable once captured.
+struct PoseCapture {
+  PoseId id;
+  std::string label;
+  std::vector<GravitySample> samples;
+};
+
+/// Averages frames into a pose, per cell: mean, covariance of the mean (sample covariance / count) and count.
+/// Cells without a sample do not appear. Samples that are not finite are left out.
+PoseCapture averageFrames(std::span<const SampleFrame> frames, PoseId id, std::string label);
+
+}  // namespace hexoderm

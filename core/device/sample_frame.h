@@ -1,0 +1,22 @@
+#pragma once
+
+#include "hexoderm/util/ids.h"
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace hexoderm {
+
+/// What one cell's accelerometer read at one moment, in its own frame, g.
+struct CellSample {
+  CellId cell;
+  Eigen::Vector3d acceleration_g;
+};
+
+/// What a skin delivers at one tick of the device's clock: samples of any subset of its cells.
+struct SampleFrame {
+  double time_s = 0;  ///< device time
+  std::vector<CellSample> samples;
+};
+
+}  // namespace hexoderm

@@ -1,0 +1,100 @@
+#pragma once
+
+#include "hexoderm/device/sample_frame.h"
+#include "hexoderm/geometry/se3.h"
+#include "hexoderm/graph/cell_model.h"
+#include "hexoderm/graph/neighbor_list.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hexoderm {
+
+/// How the simulated mould lets neighbours lie on the surface. It is a law of the simulator, independent of any
+/// estimator's gap model.
+enum class LinkLaw {
+  Bend,     ///< rigid cells; only the gap bends, as an arc of constant length: next centre (2/k) atan(k e) along
+  Surface,  ///< neighbouring centres one pitch (2 e) apart along the surface
+};
+
+enum class SkinFault { Dead, Stuck, StuckAxis, Saturated, Noisy, NoSamples };
+
+/// One cell's sensor is broken in a known way.
+struct CellFault {
+  SkinFault kind{};
+  CellId cell;
+};
+
+struct SimulatedSkinOptions {
+  std::string patch = "x17";                    ///< x17 | ring8 | sheet:ROWSxCOLS
+  std::string surface = "";                     ///< plane | cylinder:r=M | sphere:r=M | cone:r=M,angle=RAD | torus:R=M,r=M
+                                                ///< empty: x17 on cylinder r=0.0501, ring8 on the cup that closes it, sheets on a plane
+  LinkLaw link_law = LinkLaw::Bend;
+  std::uint64_t seed = 1;
+  double position_jitter_m = 0.0002;            ///< 1 sigma, along the surface and normal to it
+  double yaw_jitter_rad = 0;                    ///< set by the constructor to 1 degree
+  double tilt_jitter_rad = 0;                   ///< 0.5 degrees
+  bool sensor_errors = true;                    ///< offset, scale and cross-axis drawn with the model's sigmas
+  bool sensor_noise = true;                     ///< white noise and quantisation
+  bool hand_held = true;                        ///< orientation error, tremor and drift from the second pose on
+  double hand_orientation_sigma_rad = 0;        ///< 3 degrees
+  double tremor_angle_sigma_rad = 0;            ///< 0.05 degrees, 4 to 12 Hz
+  double tremor_acceleration_g = 0.010;         ///< translational, rms, 4 to 12 Hz
+  double drift_rad_per_s = 0;                   ///< 0.5 degrees per second
+  std::vector<CellFault> faults;
+
+  SimulatedSkinOptions();
+  /// Throws InvalidArgument naming the option.
+  void validate() const;
+  /// No jitter, no sensor errors, no noise, no hand.
+  static SimulatedSkinOptions ideal();
+};
+
+struct TrueCell {
+  CellId id;
+  SE3 T_b_u;  ///< from the cell frame to the body frame
+  Eigen::Vector3d offset_g = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d gain = Eigen::Matrix3d::Identity();  ///< reading = gain * specific force + offset
+};
+
+/// A skin that exists only here: cells laid on a real surface, with the errors of real sensors and of a person's hands.
+/// Everything it produces follows from its options and seed. It is simulation and says so.
+///
+/// The body frame b is the surface's own: a cylinder's or cone's axis is z; the patch's middle is at +x for closed
+/// surfaces and the plane is z = 0 with the cells' fronts to +z.
+class SimulatedSkin {
+ public:
+  /// Throws InvalidArgument if options or model make no skin (unknown patch, too small a surface, no opposite ports).
+  SimulatedSkin(CellModel model, SimulatedSkinOptions options);
+  ~SimulatedSkin();
+  SimulatedSkin(SimulatedSkin&&) noexcept;
+  SimulatedSkin& operator=(SimulatedSkin&&) noexcept;
+
+  [[nodiscard]] const CellModel& model() const;
+  [[nodiscard]] const SimulatedSkinOptions& options() const;
+  [[nodiscard]] const NeighborList& neighbors() const;
+  [[nodiscard]] const std::vector<TrueCell>& truth() const;
+  /// "Simulated x17 on cylinder:r=0.0501, link law bend, seed 1".
+  [[nodiscard]] std::string description() const;
+  /// The two free ports whose distance is the loop gap of an open ring (ring8); nullopt for other patches.
+  [[nodiscard]] std::optional<std::pair<LinkEnd, LinkEnd>> loop() const;
+
+  /// Holds the part so that `up_b` (unit, body frame) points up, and records `frame_count` frames at the model's rate.
+  /// A real hand misses by a few degrees and trembles; the first recording of a skin stands on a table and does not.
+  /// Each call draws new hand motion from the seed and the number of calls made so far.
+  std::vector<SampleFrame> record(const Eigen::Vector3d& up_b, std::size_t frame_count = 100);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Directions (unit, body frame) of a scripted calibration with P poses for a part whose front is +x or +z: standing
+/// first, then on its side, then the poses that add most (3: orthogonal; 4 and more: as the six faces of a cube, and
+/// after that spread over the sphere).
+std::vector<Eigen::Vector3d> scriptedUpDirections(std::size_t pose_count);
+
+}  // namespace hexoderm

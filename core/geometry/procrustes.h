@@ -1,0 +1,23 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace hexoderm {
+
+/// Solution of the constrained orthogonal Procrustes problem.
+struct ProcrustesSolution {
+  Eigen::Matrix3d R_c_n = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d singular_values = Eigen::Vector3d::Zero();  ///< of H, descending, not negative
+};
+
+/// The rotation that best turns the columns of N onto those of C, eqs. (13) to (15) of the paper:
+/// with H = sum_p n_p c_p^T = U S V^T,  R_c_n = V diag(1, 1, det(V U^T)) U^T  minimises  sum_p |c_p - R_c_n n_p|^2.
+/// (Eq. (14) as printed gives the transpose for row-stacked data; this convention is fixed by a test.)
+///
+/// `N`, `C`: 3 x P, vector p of cell n and of cell c in that cell's frame; P may be 0. Weights are put into the vectors
+/// by the caller. Throws InvalidArgument if the shapes differ or a value is not finite.
+/// Degenerate: with rank(H) < 2 the rotation is one of many minimisers (P = 0 gives the identity); the singular values
+/// tell. Never NaN.
+ProcrustesSolution solveProcrustes(const Eigen::Matrix3Xd& N, const Eigen::Matrix3Xd& C);
+
+}  // namespace hexoderm

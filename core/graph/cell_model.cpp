@@ -1,0 +1,108 @@
+#include "hexoderm/graph/cell_model.h"
+
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace hexoderm {
+namespace {
+
+/// Direction of a port in the surface: ports lie in the cell's plane but for what a model's vector says.
+Eigen::Vector3d outwardDirection(const Port& port) { return port.vector_m.normalized(); }
+
+double headingOf(const Port& port) { return std::atan2(port.vector_m.y(), port.vector_m.x()); }
+
+}  // namespace
+
+const Port* CellModel::findPort(PortNumber number) const {
+  const auto found = std::ranges::find(ports, number, &Port::number);
+  return found == ports.end() ? nullptr : &*found;
+}
+
+const Port& CellModel::port(PortNumber number) const {
+  const Port* found = findPort(number);
+  if (found == nullptr) throw InvalidArgument("cell model " + name + " has no port " + toString(number));
+  return *found;
+}
+
+bool CellModel::isForbidden(PortNumber a, PortNumber b) const {
+  return std::ranges::any_of(forbidden_port_pairs, [&](const auto& pair) {
+    return pair == std::pair(a, b) || pair == std::pair(b, a);
+  });
+}
+
+double CellModel::reach_m() const {
+  double reach = 0;
+  for (const Port& port : ports) reach = std::max(reach, port.vector_m.norm());
+  return reach;
+}
+
+std::array<Eigen::Vector3d, 6> CellModel::outline() const {
+  std::array<Eigen::Vector3d, 6> corners;
+  for (int k = 0; k < 6; ++k) {
+    const double angle = side_angle_rad + k * kPi / 3;
+    corners.at(static_cast<std::size_t>(k)) = {side_m * std::cos(angle), side_m * std::sin(angle), 0};
+  }
+  return corners;
+}
+
+void CellModel::validate() const {
+  const auto require = [&](bool holds, const std::string& what) {
+    if (!holds) throw InvalidArgument("cell model " + name + ": " + what);
+  };
+  const auto positive = [&](double value, const std::string& what) {
+    require(std::isfinite(value) && value > 0, what + " must be above 0");
+  };
+  const auto notNegative = [&](double value, const std::string& what) {
+    require(std::isfinite(value) && value >= 0, what + " must not be negative");
+  };
+  require(!name.empty(), "name must not be empty");
+  positive(side_m, "side_m");
+  notNegative(thickness_m, "thickness_m");
+  notNegative(gap_m, "gap_m");
+  require(!ports.empty(), "there must be at least one port");
+  std::set<PortNumber> numbers;
+  for (const Port& port : ports) {
+    require(numbers.insert(port.number).second, "port " + toString(port.number) + " is listed twice");
+    require(port.vector_m.allFinite() && port.vector_m.head<2>().norm() > 1e-9,
+            "port " + toString(port.number) + ": vector_m must point out of the cell's side");
+  }
+  for (const auto& [a, b] : forbidden_port_pairs) {
+    require(findPort(a) != nullptr && findPort(b) != nullptr, "forbidden_port_pairs names an unknown port");
+  }
+  require(interface_id.value() > 0, "interface_id must be above 0");
+  positive(accelerometer.range_g, "accelerometer.range_g");
+  notNegative(accelerometer.lsb_g, "accelerometer.lsb_g");
+  positive(accelerometer.rate_hz, "accelerometer.rate_hz");
+  notNegative(accelerometer.noise_g_per_sqrt_hz, "accelerometer.noise_g_per_sqrt_hz");
+  notNegative(accelerometer.offset_sigma_g, "accelerometer.offset_sigma_g");
+  notNegative(accelerometer.scale_sigma, "accelerometer.scale_sigma");
+  notNegative(accelerometer.cross_axis_sigma, "accelerometer.cross_axis_sigma");
+  positive(link_sigma_m, "link_sigma_m");
+  positive(bend_sigma_rad, "bend_sigma_rad");
+  positive(twist_sigma_rad, "twist_sigma_rad");
+  positive(yaw_sigma_rad, "yaw_sigma_rad");
+}
+
+Eigen::Matrix3d nominalAlignment(const Port& source, const Port& target) {
+  const double angle = headingOf(source) + kPi - headingOf(target);
+  Eigen::Matrix3d R;
+  R << std::cos(angle), -std::sin(angle), 0, std::sin(angle), std::cos(angle), 0, 0, 0, 1;
+  return R;
+}
+
+LinkAngles linkAngles(const Eigen::Matrix3d& R_c_n, const Port& source, const Port& target) {
+  const Eigen::Vector3d u = outwardDirection(source);
+  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d w = logSO3(R_c_n * nominalAlignment(source, target).transpose());
+  return {w.dot(u), w.dot(z.cross(u)), w.dot(z)};
+}
+
+SE3 linkTransform(const Eigen::Matrix3d& R_c_n, const Port& source, const Port& target) {
+  return {R_c_n, source.vector_m - R_c_n * target.vector_m};
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,156 @@
+#include "built_in_models.h"
+#include "hexoderm/graph/cell_model.h"
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/file.h"
+#include "hexoderm/util/json_reader.h"
+#include "hexoderm/util/units.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace hexoderm {
+namespace {
+
+// How the elastomer is believed to bend, twist and yaw where a model does not say (SPEC, step 10).
+constexpr double kBendSigma = 30 * kDegree;
+constexpr double kTwistSigma = 10 * kDegree;
+constexpr double kYawSigma = 2 * kDegree;
+
+SE3 readPlacement(const JsonReader& json, const std::string& t_key, const std::string& q_key) {
+  SE3 T;
+  if (const auto t = json.find(t_key)) T.t = t->vector3();
+  if (const auto q = json.find(q_key)) {
+    const std::vector<double> v = q->numbers(4);
+    const Eigen::Quaterniond quaternion(v[0], v[1], v[2], v[3]);
+    if (std::abs(quaternion.norm() - 1) > 1e-6) q->fail("a unit quaternion (w, x, y, z)");
+    T.R = quaternion.normalized().toRotationMatrix();
+  }
+  return T;
+}
+
+Accelerometer readAccelerometer(const JsonReader& json) {
+  Accelerometer a;
+  a.range_g = json.at("range_g").positiveNumber();
+  a.lsb_g = json.at("lsb_g").nonNegativeNumber();
+  a.rate_hz = json.at("rate_hz").positiveNumber();
+  a.noise_g_per_sqrt_hz = json.at("noise_g_per_sqrt_hz").nonNegativeNumber();
+  a.offset_sigma_g = json.at("offset_sigma_g").nonNegativeNumber();
+  a.scale_sigma = json.at("scale_sigma").nonNegativeNumber();
+  if (const auto sigma = json.find("cross_axis_sigma")) a.cross_axis_sigma = sigma->nonNegativeNumber();
+  a.T_u_a = readPlacement(json, "t_u_m", "q_u_wxyz");
+  return a;
+}
+
+CellModel readModel(const JsonReader& json) {
+  CellModel model;
+  model.name = json.at("name").string();
+  model.side_m = json.at("side_m").positiveNumber();
+  model.thickness_m = json.at("thickness_m").nonNegativeNumber();
+  model.gap_m = json.at("gap_m").nonNegativeNumber();
+  for (const JsonReader& port : json.at("ports").items()) {
+    model.ports.push_back({PortNumber(port.at("port").unsignedInteger(1)), port.at("vector_m").vector3()});
+  }
+  model.interface_id = CellId(json.at("interface_id").unsignedInteger(1));
+  model.accelerometer = readAccelerometer(json.at("accelerometer"));
+  if (const auto sensors = json.find("sensors")) {
+    for (const JsonReader& sensor : sensors->items()) {
+      model.sensors.push_back(
+          {sensor.at("name").string(), sensor.at("type").string(), readPlacement(sensor, "t_u_m", "q_u_wxyz")});
+    }
+  }
+  if (const auto pairs = json.find("forbidden_port_pairs")) {
+    for (const JsonReader& pair : pairs->items()) {
+      const std::vector<JsonReader> ports = pair.items();
+      if (ports.size() != 2) pair.fail("two port numbers");
+      model.forbidden_port_pairs.emplace_back(ports[0].unsignedInteger(1), ports[1].unsignedInteger(1));
+    }
+  }
+  if (const auto angle = json.find("side_angle_rad")) model.side_angle_rad = angle->number();
+  const auto sigma = [&](const std::string& key, double fallback) {
+    const auto value = json.find(key);
+    return value ? value->positiveNumber() : fallback;
+  };
+  model.link_sigma_m = sigma("link_sigma_m", model.link_sigma_m);
+  model.bend_sigma_rad = sigma("bend_sigma_rad", kBendSigma);
+  model.twist_sigma_rad = sigma("twist_sigma_rad", kTwistSigma);
+  model.yaw_sigma_rad = sigma("yaw_sigma_rad", kYawSigma);
+  try {
+    model.validate();
+  } catch (const InvalidArgument& error) {
+    json.fail(std::string("a cell model that makes sense (") + error.what() + ")");
+  }
+  return model;
+}
+
+}  // namespace
+
+CellModel cellModelFromJson(std::string_view text, const std::string& file) {
+  const nlohmann::json json = parseJson(text, file);
+  return readModel(JsonReader(json, file));
+}
+
+std::string cellModelToJson(const CellModel& model) {
+  nlohmann::ordered_json json;
+  json["name"] = model.name;
+  json["side_m"] = model.side_m;
+  json["thickness_m"] = model.thickness_m;
+  json["gap_m"] = model.gap_m;
+  json["ports"] = nlohmann::ordered_json::array();
+  for (const Port& port : model.ports) {
+    json["ports"].push_back({{"port", port.number.value()}, {"vector_m", toJson(port.vector_m)}});
+  }
+  json["interface_id"] = model.interface_id.value();
+  const Accelerometer& a = model.accelerometer;
+  json["accelerometer"] = {{"range_g", a.range_g},
+                           {"lsb_g", a.lsb_g},
+                           {"rate_hz", a.rate_hz},
+                           {"noise_g_per_sqrt_hz", a.noise_g_per_sqrt_hz},
+                           {"offset_sigma_g", a.offset_sigma_g},
+                           {"scale_sigma", a.scale_sigma},
+                           {"cross_axis_sigma", a.cross_axis_sigma},
+                           {"t_u_m", toJson(a.T_u_a.t)},
+                           {"q_u_wxyz", quaternionWxyz(a.T_u_a.R)}};
+  json["sensors"] = nlohmann::ordered_json::array();
+  for (const CellSensor& sensor : model.sensors) {
+    json["sensors"].push_back({{"name", sensor.name},
+                               {"type", sensor.type},
+                               {"t_u_m", toJson(sensor.T_u_s.t)},
+                               {"q_u_wxyz", quaternionWxyz(sensor.T_u_s.R)}});
+  }
+  if (!model.forbidden_port_pairs.empty()) {
+    json["forbidden_port_pairs"] = nlohmann::ordered_json::array();
+    for (const auto& [a_port, b_port] : model.forbidden_port_pairs) {
+      json["forbidden_port_pairs"].push_back({a_port.value(), b_port.value()});
+    }
+  }
+  json["side_angle_rad"] = model.side_angle_rad;
+  json["link_sigma_m"] = model.link_sigma_m;
+  json["bend_sigma_rad"] = model.bend_sigma_rad;
+  json["twist_sigma_rad"] = model.twist_sigma_rad;
+  json["yaw_sigma_rad"] = model.yaw_sigma_rad;
+  return json.dump(1);
+}
+
+CellModel builtInCellModel(std::string_view name) {
+  for (const BuiltInModel& model : builtInModels()) {
+    if (model.name == name) return cellModelFromJson(model.json, "built-in cell model " + std::string(name));
+  }
+  std::string known;
+  for (const std::string& other : builtInCellModelNames()) known += " " + other;
+  throw InvalidArgument("there is no built-in cell model \"" + std::string(name) + "\"; there are:" + known);
+}
+
+std::vector<std::string> builtInCellModelNames() {
+  std::vector<std::string> names;
+  for (const BuiltInModel& model : builtInModels()) names.emplace_back(model.name);
+  return names;
+}
+
+CellModel loadCellModel(const std::string& name_or_path) {
+  const std::vector<std::string> names = builtInCellModelNames();
+  if (std::ranges::find(names, name_or_path) != names.end()) return builtInCellModel(name_or_path);
+  return cellModelFromJson(readFile(name_or_path), name_or_path);
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,74 @@
+#pragma once
+
+#include "hexoderm/geometry/surface_fit.h"
+#include "hexoderm/reconstruction/reconstruction.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hexoderm {
+
+enum class SurfaceKind { Plane, Sphere, Cylinder };
+/// Throws InvalidArgument listing the kinds there are.
+SurfaceKind surfaceKindFromName(std::string_view name);
+std::string_view surfaceKindName(SurfaceKind kind);
+
+/// A surface through the centres of a patch's cells, in the patch frame, with the paper's metrics where the true radius
+/// is known: Delta = r_est - r_real, eq. (20); epsilon = sqrt(1/U sum (d_u + Delta)^2), eq. (21).
+struct SurfaceEvaluation {
+  SurfaceKind kind{};
+  PatchId patch;
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< on plane or axis; the sphere's centre
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< the plane's normal; unused for the sphere
+  std::optional<double> radius_m;                   ///< none for the plane
+  std::vector<CellId> cells;
+  std::vector<double> distance_m;                   ///< signed, per cell
+  double rms_m = 0;
+  std::optional<double> delta_m;
+  std::optional<double> epsilon_m;
+};
+
+/// Throws InvalidArgument if the patch has too few cells for the fit, or `true_radius_m` is given for a plane.
+SurfaceEvaluation evaluateSurface(const PatchReconstruction& patch, SurfaceKind kind,
+                                  std::optional<double> true_radius_m = std::nullopt);
+
+/// The gap between the link points of two ports (paper, Fig. 9).
+struct LoopEvaluation {
+  LinkEnd first;
+  LinkEnd second;
+  Eigen::Vector3d gap_m = Eigen::Vector3d::Zero();  ///< first link point minus second, patch frame
+  double length_m = 0;
+  double loop_length_m = 0;  ///< accumulated length of the port vectors along the chain, both ends included
+  double percent = 0;        ///< of the loop length
+};
+
+/// Throws InvalidArgument if a cell or port does not exist, the ports are joined to something, or the cells lie in
+/// different patches.
+LoopEvaluation evaluateLoop(const Reconstruction& reconstruction, LinkEnd first, LinkEnd second);
+
+/// Per-cell differences between two placements of the same cells, after alignment: positions after their best rigid fit,
+/// orientations after the one rotation that fits all of them best (chordal mean of R_ref R_est^T). SPEC step 14.
+struct CellDifference {
+  CellId cell;
+  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  ///< reference frame: reference - aligned estimate
+  double orientation_rad = 0;
+  std::optional<double> sigma_t_m;    ///< stated: root of the trace of the position covariance
+  std::optional<double> sigma_r_rad;
+};
+struct Comparison {
+  PatchId patch;
+  SE3 T_ref_o;  ///< of the positions' fit
+  std::vector<CellDifference> cells;
+  double position_rms_m = 0;
+  double orientation_rms_rad = 0;
+};
+
+/// One comparison for each patch that shares a cell with the reference.
+std::vector<Comparison> compareToTruth(const Reconstruction& reconstruction, const GroundTruth& truth);
+std::vector<Comparison> compareToReconstruction(const Reconstruction& reconstruction, const Reconstruction& reference);
+
+/// The link points' gap in the truth: what a perfect estimate of an open ring would show.
+double trueLoopGap(const CellModel& model, const GroundTruth& truth, LinkEnd first, LinkEnd second);
+
+}  // namespace hexoderm

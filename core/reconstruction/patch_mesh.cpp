@@ -1,0 +1,44 @@
+#include "hexoderm/reconstruction/patch_mesh.h"
+
+namespace hexoderm {
+
+PatchMesh makePatchMesh(const Reconstruction& reconstruction) {
+  constexpr std::uint32_t kSides = 6;
+  const auto outline = reconstruction.model->outline();
+  const Eigen::Vector3d down(0, 0, -reconstruction.model->thickness_m);
+  PatchMesh mesh;
+  for (const PatchReconstruction& patch : reconstruction.patches) {
+    for (const CellPlacement& placement : patch.cells) {
+      const auto cell = static_cast<std::uint32_t>(mesh.cells.size());
+      const auto first = static_cast<std::uint32_t>(mesh.points.size());
+      mesh.cells.push_back(placement.cell);
+      for (const Eigen::Vector3d& corner : outline) mesh.points.push_back(placement.T_o_u * corner);
+      for (const Eigen::Vector3d& corner : outline) mesh.points.push_back(placement.T_o_u * (corner + down));
+      PatchMesh::Polygon front{{}, cell};
+      PatchMesh::Polygon back{{}, cell};
+      for (std::uint32_t k = 0; k < kSides; ++k) {
+        front.points.push_back(first + k);
+        back.points.push_back(first + 2 * kSides - 1 - k);
+      }
+      mesh.polygons.push_back(std::move(front));
+      mesh.polygons.push_back(std::move(back));
+      for (std::uint32_t k = 0; k < kSides; ++k) {
+        const std::uint32_t next = (k + 1) % kSides;
+        mesh.polygons.push_back({{first + next, first + k, first + kSides + k, first + kSides + next}, cell});
+      }
+    }
+  }
+  return mesh;
+}
+
+std::vector<std::array<std::uint32_t, 3>> triangulate(const PatchMesh& mesh) {
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (const PatchMesh::Polygon& polygon : mesh.polygons) {
+    for (std::size_t k = 2; k < polygon.points.size(); ++k) {
+      triangles.push_back({polygon.points[0], polygon.points[k - 1], polygon.points[k]});
+    }
+  }
+  return triangles;
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "hexoderm/reconstruction/reconstruction.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hexoderm {
+
+/// Which orientation would help most (SPEC step 12).
+struct PoseAdvice {
+  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< unit, in the frame of `seen`: the direction to point up
+  double sigma_now_rad = 0;                       ///< predicted rms orientation error of an edge with the poses so far
+  double sigma_then_rad = 0;                      ///< and with this pose
+};
+
+/// The direction that lowers the predicted error of an edge's rotation most: with each cell's offset as a nuisance of
+/// its prior's size, the information about the rotation is the Schur complement
+///   sum [g]x^T[g]x - (sum [g]x)^T (P + noise^2/offset^2)^-1 (sum [g]x)   (+ the elastomer prior),
+/// and its inverse's trace is minimised over directions spread evenly over the sphere. Without any pose: +z.
+///
+/// `seen`: unit up directions of the poses so far, all in one frame.
+PoseAdvice adviseNextPose(const CellModel& model, const std::vector<Eigen::Vector3d>& seen);
+
+/// "Turn the part so that cell 7 faces the floor": the cell of the largest patch whose front points most exactly up or
+/// down when `advice` is followed. Empty if there is no patch.
+std::string adviceInWords(const PoseAdvice& advice, const Reconstruction& reconstruction);
+
+}  // namespace hexoderm

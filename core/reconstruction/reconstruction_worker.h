@@ -1,0 +1,37 @@
+#pragma once
+
+#include "hexoderm/reconstruction/reconstruction.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace hexoderm {
+
+/// What the worker has to say about one snapshot: a result, or the message of the error that prevented it.
+struct ReconstructionOutcome {
+  std::uint64_t revision = 0;
+  std::shared_ptr<const Reconstruction> reconstruction;  ///< null if it failed
+  std::string error;                                     ///< empty if it did not
+};
+
+/// A thread with a one-slot mailbox: the newest snapshot wins, one that is being solved is never cancelled (a quick
+/// operator would never see a result). `report` is called on the worker's thread, for every snapshot that was solved,
+/// in order of submission. The destructor finishes the running solve, drops what waits and joins.
+class ReconstructionWorker {
+ public:
+  using Report = std::function<void(ReconstructionOutcome)>;
+  explicit ReconstructionWorker(Report report);
+  ~ReconstructionWorker();
+  ReconstructionWorker(const ReconstructionWorker&) = delete;
+  ReconstructionWorker& operator=(const ReconstructionWorker&) = delete;
+
+  /// Never waits for a solve.
+  void submit(std::shared_ptr<const SessionSnapshot> snapshot, SolverOptions options);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace hexoderm

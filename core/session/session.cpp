@@ -1,0 +1,54 @@
+#include "hexoderm/session/session.h"
+
+#include "hexoderm/util/error.h"
+
+#include <algorithm>
+
+namespace hexoderm {
+
+Session::Session(CellModel model, NeighborList neighbors, SourceDescription source)
+    : model_(std::make_shared<const CellModel>(std::move(model))),
+      neighbors_(std::make_shared<const NeighborList>(std::move(neighbors))),
+      source_(std::move(source)) {}
+
+void Session::setTruth(GroundTruth truth) {
+  truth_ = std::make_shared<const GroundTruth>(std::move(truth));
+  ++revision_;
+}
+
+void Session::setSource(SourceDescription source) {
+  source_ = std::move(source);
+  ++revision_;
+}
+
+PoseId Session::nextPoseId() const { return PoseId(largest_pose_id_ + 1); }
+
+void Session::addPose(SessionPose pose, std::optional<std::size_t> index) {
+  if (!pose.capture) throw InvalidArgument("a pose must hold a capture");
+  const std::size_t at = index.value_or(poses_.size());
+  if (at > poses_.size()) throw InvalidArgument("there is no place " + std::to_string(at) + " among the poses");
+  largest_pose_id_ = std::max(largest_pose_id_, pose.capture->id.value());
+  poses_.insert(poses_.begin() + static_cast<std::ptrdiff_t>(at), std::move(pose));
+  ++revision_;
+}
+
+SessionPose Session::removePose(std::size_t index) {
+  if (index >= poses_.size()) throw InvalidArgument("there is no pose at place " + std::to_string(index));
+  SessionPose pose = std::move(poses_[index]);
+  poses_.erase(poses_.begin() + static_cast<std::ptrdiff_t>(index));
+  ++revision_;
+  return pose;
+}
+
+void Session::setPoseDisabled(std::size_t index, bool disabled) {
+  if (index >= poses_.size()) throw InvalidArgument("there is no pose at place " + std::to_string(index));
+  poses_[index].disabled = disabled;
+  ++revision_;
+}
+
+std::shared_ptr<const SessionSnapshot> Session::snapshot() const {
+  return std::make_shared<const SessionSnapshot>(
+      SessionSnapshot{revision_, model_, neighbors_, poses_, source_, truth_});
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,84 @@
+#pragma once
+
+#include "hexoderm/capture/pose_capture.h"
+#include "hexoderm/graph/cell_model.h"
+#include "hexoderm/graph/neighbor_list.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hexoderm {
+
+/// Where the cells really are, as a simulator or a measurement knows it. Maps cell to body coordinates.
+struct TrueCellPlacement {
+  CellId id;
+  SE3 T_b_u;
+};
+struct GroundTruth {
+  std::string frame = "body";
+  std::vector<TrueCellPlacement> cells;
+};
+
+/// A pose of a session with what the operator decided about it.
+struct SessionPose {
+  std::shared_ptr<const PoseCapture> capture;  ///< never null
+  bool disabled = false;
+};
+
+/// Where a session came from: written into every calibration made of it.
+struct SourceDescription {
+  std::string text;    ///< for people, for example "Simulated x17 on cylinder:r=0.0501, ..."
+  std::string file;    ///< name of the file it was read from, without folders; empty if none
+  std::string sha256;  ///< of that file's bytes
+};
+
+/// Everything a reconstruction is computed from, as it was at one revision. Immutable: whoever holds the shared pointer
+/// can read it on any thread for as long as it likes.
+struct SessionSnapshot {
+  std::uint64_t revision = 0;
+  std::shared_ptr<const CellModel> model;         ///< never null
+  std::shared_ptr<const NeighborList> neighbors;  ///< never null
+  std::vector<SessionPose> poses;
+  SourceDescription source;
+  std::shared_ptr<const GroundTruth> truth;  ///< null if not known
+};
+
+/// The session while it is worked on: owned by one thread; every change makes a new revision.
+class Session {
+ public:
+  Session(CellModel model, NeighborList neighbors, SourceDescription source = {});
+
+  [[nodiscard]] const CellModel& model() const { return *model_; }
+  [[nodiscard]] const NeighborList& neighbors() const { return *neighbors_; }
+  [[nodiscard]] const std::vector<SessionPose>& poses() const { return poses_; }
+  [[nodiscard]] const SourceDescription& source() const { return source_; }
+  [[nodiscard]] const std::shared_ptr<const GroundTruth>& truth() const { return truth_; }
+  [[nodiscard]] std::uint64_t revision() const { return revision_; }
+
+  void setTruth(GroundTruth truth);
+  void setSource(SourceDescription source);
+
+  /// The ID a next pose should carry: one more than the largest ever used here.
+  [[nodiscard]] PoseId nextPoseId() const;
+  /// Appends, or inserts at `index`. Several poses of one ID are possible in a file; they become a finding.
+  void addPose(SessionPose pose, std::optional<std::size_t> index = std::nullopt);
+  /// Throws InvalidArgument if there is no such index.
+  SessionPose removePose(std::size_t index);
+  void setPoseDisabled(std::size_t index, bool disabled);
+
+  [[nodiscard]] std::shared_ptr<const SessionSnapshot> snapshot() const;
+
+ private:
+  std::shared_ptr<const CellModel> model_;
+  std::shared_ptr<const NeighborList> neighbors_;
+  std::vector<SessionPose> poses_;
+  SourceDescription source_;
+  std::shared_ptr<const GroundTruth> truth_;
+  std::uint32_t largest_pose_id_ = 0;
+  std::uint64_t revision_ = 1;
+};
+
+}  // namespace hexoderm

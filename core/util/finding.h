@@ -1,0 +1,83 @@
+#pragma once
+
+#include "hexoderm/util/ids.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hexoderm {
+
+enum class Severity { Info, Warning, Error };
+
+/// Everything the program can find wrong or worth knowing about a skin, its topology and its poses. The names in files
+/// are `codeName(code)`; `findingTable()` documents each of them and is the table in `core/util/README.md`.
+enum class FindingCode {
+  // topology
+  DuplicateCell,
+  ReservedCellId,
+  UnknownPort,
+  UnknownCell,
+  SelfLink,
+  OneSidedLink,
+  ContradictoryLink,
+  DuplicateLink,
+  ForbiddenPortPair,
+  InterfaceLink,
+  BodyPartBoundary,
+  // links, judged by their geometry and their measurements
+  ImplausibleBend,
+  ImplausibleTwist,
+  ImplausibleYaw,
+  LinkNotRigid,
+  // cells, judged by their readings
+  NoSamples,
+  MissingSamples,
+  DeadSensor,
+  StuckSensor,
+  SaturatedSensor,
+  NoisySensor,
+  WrongNorm,
+  // poses
+  SampleOfUnknownCell,
+  DuplicateSample,
+  DuplicatePose,
+  NoPoses,
+  TooFewDirections,
+  RepeatedPose,
+  PartMoved,
+};
+
+struct FindingDescription {
+  FindingCode code;
+  std::string_view name;  ///< as written in files, for example "one-sided-link"
+  Severity severity;
+  std::string_view meaning;  ///< one sentence
+};
+
+/// One entry per code, in the order of the enumeration.
+std::span<const FindingDescription> findingTable();
+std::string_view codeName(FindingCode code);
+std::optional<FindingCode> codeFromName(std::string_view name);
+std::string_view severityName(Severity severity);
+std::optional<Severity> severityFromName(std::string_view name);
+
+/// Something the operator or engineer should know, in words, with the cells, ports and poses it is about.
+/// `ports[i]` belongs to `cells[i]` where ports are given.
+struct Finding {
+  FindingCode code{};
+  Severity severity = Severity::Info;
+  std::string text;
+  std::vector<CellId> cells;
+  std::vector<PortNumber> ports;
+  std::vector<PoseId> poses;
+  friend bool operator==(const Finding&, const Finding&) = default;
+};
+
+/// A finding with its code's own severity.
+Finding makeFinding(FindingCode code, std::string text, std::vector<CellId> cells = {},
+                    std::vector<PortNumber> ports = {}, std::vector<PoseId> poses = {});
+
+}  // namespace hexoderm

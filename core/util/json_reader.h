@@ -1,0 +1,58 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hexoderm {
+
+/// Parses JSON text; `file` is named in errors. Throws FormatError with line and column.
+nlohmann::json parseJson(std::string_view text, const std::string& file);
+
+/// A JSON value that knows where it is, so that every complaint names file, key path and expectation:
+/// "arm.session.json: cells[3].ports[0].port: expected a whole number from 1 to 4294967295, found "two"".
+/// Only for use in .cpp files: it carries nlohmann's header.
+class JsonReader {
+ public:
+  JsonReader(const nlohmann::json& value, std::string file, std::string path = "")
+      : value_(&value), file_(std::move(file)), path_(std::move(path)) {}
+
+  [[nodiscard]] JsonReader at(const std::string& key) const;                       ///< must be there
+  [[nodiscard]] std::optional<JsonReader> find(const std::string& key) const;      ///< absent or null: nullopt
+  [[nodiscard]] std::vector<JsonReader> items() const;                             ///< of an array
+  [[nodiscard]] bool isObject() const { return value_->is_object(); }
+  [[nodiscard]] bool isString() const { return value_->is_string(); }
+
+  [[nodiscard]] double number() const;  ///< finite
+  [[nodiscard]] double positiveNumber() const;
+  [[nodiscard]] double nonNegativeNumber() const;
+  [[nodiscard]] std::uint32_t unsignedInteger(std::uint32_t min = 0, std::uint32_t max = UINT32_MAX) const;
+  [[nodiscard]] bool boolean() const;
+  [[nodiscard]] std::string string() const;
+  [[nodiscard]] std::vector<double> numbers(std::size_t count) const;  ///< exactly `count` finite numbers
+  [[nodiscard]] Eigen::Vector3d vector3() const;
+  [[nodiscard]] Eigen::Matrix3d matrix3() const;          ///< nine numbers, row-major
+  [[nodiscard]] Eigen::Matrix3d rotation() const;         ///< nine numbers, row-major, orthogonal to 1e-6, det +1
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+  /// Checks `"format": format` and that the version's major number is not newer than `newest`.
+  void requireFormat(std::string_view format, std::uint32_t newest) const;
+
+  /// Throws FormatError: file, key path and what was expected.
+  [[noreturn]] void fail(const std::string& expected) const;
+
+ private:
+  const nlohmann::json* value_;
+  std::string file_;
+  std::string path_;
+};
+
+nlohmann::json toJson(const Eigen::Vector3d& v);
+nlohmann::json toJson(const Eigen::Matrix3d& m);  ///< row-major
+nlohmann::json quaternionWxyz(const Eigen::Matrix3d& R);  ///< w >= 0
+
+}  // namespace hexoderm

@@ -1,0 +1,62 @@
+#include "hexoderm/util/text.h"
+
+#include "hexoderm/util/error.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace hexoderm {
+namespace {
+
+template <class Number>
+Number parseWhole(std::string_view text, std::string_view what, std::string_view expected) {
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || text.empty()) {
+    throw InvalidArgument(std::string(what) + ": expected " + std::string(expected) + ", found \"" + std::string(text) +
+                          "\"");
+  }
+  return value;
+}
+
+}  // namespace
+
+std::string formatFixed(double value, int decimals) {
+  std::array<char, 400> buffer{};
+  const auto result =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals);
+  std::string text(buffer.data(), result.ptr);
+  // "-0.00" says nothing that "0.00" does not.
+  if (text.starts_with('-') && text.find_first_not_of("-0.") == std::string::npos) text.erase(0, 1);
+  return text;
+}
+
+std::string formatExact(double value) {
+  std::array<char, 64> buffer{};
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  return {buffer.data(), result.ptr};
+}
+
+double parseNumber(std::string_view text, std::string_view what) {
+  const auto value = parseWhole<double>(text, what, "a number");
+  if (!std::isfinite(value)) throw InvalidArgument(std::string(what) + ": expected a finite number");
+  return value;
+}
+
+unsigned parseUnsigned(std::string_view text, std::string_view what) {
+  return parseWhole<unsigned>(text, what, "a whole number");
+}
+
+std::vector<std::string> split(std::string_view text, char separator) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  while (true) {
+    const std::size_t end = text.find(separator, begin);
+    parts.emplace_back(text.substr(begin, end - begin));
+    if (end == std::string_view::npos) return parts;
+    begin = end + 1;
+  }
+}
+
+}  // namespace hexoderm

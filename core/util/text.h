@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hexoderm {
+
+/// `value` with `decimals` digits after the point, independent of the locale.
+std::string formatFixed(double value, int decimals);
+
+/// The shortest text that reads back as the same double, independent of the locale.
+std::string formatExact(double value);
+
+/// Parses a whole string as a finite number, independent of the locale. Throws InvalidArgument naming `what`.
+double parseNumber(std::string_view text, std::string_view what);
+
+/// The same for an unsigned integer of 32 bits.
+unsigned parseUnsigned(std::string_view text, std::string_view what);
+
+std::vector<std::string> split(std::string_view text, char separator);
+
+/// "1, 2 and 3" of items that have a `toString`.
+template <class Items>
+std::string listInWords(const Items& items) {
+  std::string words;
+  std::size_t index = 0;
+  for (const auto& item : items) {
+    if (index > 0) words += index + 1 == items.size() ? " and " : ", ";
+    words += toString(item);
+    ++index;
+  }
+  return words;
+}
+
+}  // namespace hexoderm

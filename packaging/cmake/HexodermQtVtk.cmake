@@ -1,0 +1,7 @@
+# Qt must be the one that VTK's widgets were built with; the sources compile with Qt 5.15 and Qt 6.
+
+find_package(VTK 9.1 REQUIRED COMPONENTS
+  CommonColor CommonCore CommonDataModel CommonTransforms FiltersCore FiltersGeneral FiltersSources GUISupportQt
+  IOImage InteractionStyle InteractionWidgets RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2)
+find_package(Qt${VTK_QT_VERSION} 5.15 REQUIRED COMPONENTS Core Gui Widgets Svg Test)
+set(HEXODERM_QT Qt${VTK_QT_VERSION})

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "hexoderm/util/ids.h"
+
+#include <QObject>
+#include <optional>
+#include <utility>
+
+namespace hexoderm {
+
+/// What is picked, shared by all views: a cell or a link picked anywhere is picked everywhere. At most one of the two.
+class Selection : public QObject {
+  Q_OBJECT
+
+ public:
+  using Link = std::pair<LinkEnd, LinkEnd>;  ///< ordered: the smaller (ID, port) first
+
+  explicit Selection(QObject* parent = nullptr);
+
+  [[nodiscard]] std::optional<CellId> cell() const { return cell_; }
+  [[nodiscard]] std::optional<Link> link() const { return link_; }
+
+  void selectCell(CellId cell);
+  void selectLink(LinkEnd a, LinkEnd b);
+  void clear();
+
+ signals:
+  void changed();
+
+ private:
+  void set(std::optional<CellId> cell, std::optional<Link> link);
+
+  std::optional<CellId> cell_;
+  std::optional<Link> link_;
+};
+
+}  // namespace hexoderm
