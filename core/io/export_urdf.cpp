@@ -33,7 +33,7 @@ std::string sanitised(std::string_view text) {
       name += '_';
     }
   }
-  return name;
+  return name.empty() ? "sensor" : name;
 }
 
 /// Gives each name once; a second one of the same spelling gets a number.
