@@ -210,6 +210,12 @@ void MainWindow::connectActions() {
 
 void MainWindow::connectController() {
   connect(&controller_, &SessionController::changed, this, &MainWindow::refresh);
+  connect(
+      &controller_, &SessionController::changed, this,
+      [this] {
+        if (close_when_written_ && !controller_.isWriting()) close();
+      },
+      Qt::QueuedConnection);
   connect(&controller_, &SessionController::reconstructionChanged, this, &MainWindow::showReconstruction);
   connect(&controller_, &SessionController::opened, this, [this] {
     message_bar_->hide();
@@ -224,6 +230,7 @@ void MainWindow::connectController() {
           [this](const QString& path) { showDone(tr("Exported to %1").arg(path), path); });
   connect(&controller_, &SessionController::failed, this, [this](const QString& message) {
     after_saving_ = nullptr;
+    may_close_ = close_when_written_ = false;
     message_bar_->showMessage(Tone::Bad, message);
   });
 }

@@ -171,7 +171,6 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   if (controller_.isWriting()) {
     // A file that is being written is finished first; it takes moments, and nothing waits for it here.
     event->ignore();
-    may_close_ = true;
     close_when_written_ = true;
     return;
   }
