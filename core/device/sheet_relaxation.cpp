@@ -12,6 +12,13 @@ using Matrix43 = Eigen::Matrix<double, 4, 3>;
 
 /// A step this short changes nothing that matters: jitter is 200 times larger.
 constexpr double kSmallStep_m = 1e-6;
+/// Rms misfit of a link below which the sheet as laid is exact: planes, cylinders.
+constexpr double kExact_m = 1e-10;
+/// Steps need not be exact, only downhill: sparse factorisation of 100,000 cells would take much longer.
+constexpr double kStepTolerance = 1e-3;
+constexpr int kMaxStepIterations = 1000;
+/// A step that lowers the cost by less than this part is the last one.
+constexpr double kSettled = 1e-4;
 
 /// The world's view of one end of a link.
 struct End {
@@ -122,14 +129,16 @@ SE3 SheetRelaxation::moved(const SE3& T_b_u, const Eigen::Vector3d& step) const 
 }
 
 void SheetRelaxation::fitCell(std::size_t cell, std::span<const PlannedLink> links, std::vector<SE3>& cells) const {
+  // A sheet that grows cell by cell amplifies every turn of a cell; a stiff yaw keeps it from folding.
+  const Eigen::Vector4d weights = law_ == LinkLaw::Bend ? Eigen::Vector4d(1, 1, 1, 30) : Eigen::Vector4d::Ones();
   for (int iteration = 0; iteration < 10; ++iteration) {
     Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
     Eigen::Vector3d g = Eigen::Vector3d::Zero();
     for (const PlannedLink& link : links) {
       const LinkMisfit m = misfit(link, cells[link.source], cells[link.target]);
       const Matrix43& J = link.source == cell ? m.by_source : m.by_target;
-      H += J.transpose() * J;
-      g += J.transpose() * m.value;
+      H += J.transpose() * weights.asDiagonal() * J;
+      g += J.transpose() * weights.cwiseProduct(m.value);
     }
     const Eigen::Vector3d step = H.ldlt().solve(-g);
     // A cell that would have to jump has neighbours that contradict each other: relaxation sorts that out for all.
@@ -151,6 +160,7 @@ void SheetRelaxation::relax(std::vector<SE3>& cells) const {
   using Sparse = Eigen::SparseMatrix<double>;
   const auto unknowns = static_cast<Eigen::Index>(3 * cells.size());
   double current = cost(cells);
+  if (current < kExact_m * kExact_m * static_cast<double>(plan_.links.size())) return;
   double damping = 1e-9;
   for (int iteration = 0; iteration < 50; ++iteration) {
     std::vector<Eigen::Triplet<double>> entries;
@@ -177,9 +187,9 @@ void SheetRelaxation::relax(std::vector<SE3>& cells) const {
     Sparse H(unknowns, unknowns);
     H.setFromTriplets(entries.begin(), entries.end());
 
-    Eigen::ConjugateGradient<Sparse, Eigen::Lower | Eigen::Upper, Eigen::IncompleteCholesky<double>> solver;
-    solver.setTolerance(1e-6);
-    solver.setMaxIterations(1000);
+    Eigen::ConjugateGradient<Sparse, Eigen::Lower | Eigen::Upper> solver;
+    solver.setTolerance(kStepTolerance);
+    solver.setMaxIterations(kMaxStepIterations);
     solver.compute(H);
     const Eigen::VectorXd step = solver.solve(-g);
     if (!step.allFinite()) return;
@@ -191,7 +201,7 @@ void SheetRelaxation::relax(std::vector<SE3>& cells) const {
     }
     const double next = cost(candidate);
     if (next < current) {
-      const bool settled = current - next < 1e-9 * current;
+      const bool settled = current - next < kSettled * current;
       cells = std::move(candidate);
       current = next;
       damping = std::max(damping / 10, 1e-9);
