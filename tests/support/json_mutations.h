@@ -9,7 +9,8 @@
 namespace hexoderm::test {
 
 /// Calls `check(text, what)` with the document after each single change: every value replaced by each of some that
-/// readers must be ready for, and every key or item left out. Returns how many there were.
+/// readers must be ready for, and every key or item left out. Of an array the first and the last item stand for all.
+/// Returns how many there were.
 template <class Check>
 std::size_t forEachMutation(const nlohmann::json& document, Check check) {
   static const std::array kValues = {
@@ -28,6 +29,7 @@ std::size_t forEachMutation(const nlohmann::json& document, Check check) {
     }
     if (!value.is_structured()) return;
     for (const auto& [key, item] : value.items()) {
+      if (value.is_array() && key != "0" && key != std::to_string(value.size() - 1)) continue;
       nlohmann::json changed = document;
       if (value.is_object()) {
         changed[at].erase(key);
