@@ -65,7 +65,8 @@ std::vector<Material> materials() {
 }
 
 std::string numbers(const Eigen::Vector3d& v) {
-  return formatExact(v.x()) + " " + formatExact(v.y()) + " " + formatExact(v.z());
+  const Eigen::Vector3d w = v.array() + 0.0;  // no "-0"
+  return formatExact(w.x()) + " " + formatExact(w.y()) + " " + formatExact(w.z());
 }
 
 void appendOrigin(pugi::xml_node parent, const SE3& T) {
