@@ -46,7 +46,7 @@ TEST_F(ExportCsv, HoldsLinksAndTheirFigures) {
   EXPECT_THAT(column(links, "used"), ElementsAre("1", "0", "1", "0"));
   EXPECT_THAT(column(links, "muted_by"), ElementsAre("", "one-sided-link", "", "body-part-boundary"));
   EXPECT_EQ(column(links, "singular_2")[0], "0.5000000000000001");
-  EXPECT_EQ(std::stod(column(links, "yaw_deg")[0]), 1.0 / 3 * 180 / kPi);
+  EXPECT_EQ(std::stod(column(links, "yaw_deg")[0]), toDegrees(1.0 / 3));
 }
 
 TEST_F(ExportCsv, LeavesResidualsEmptyWhereThereAreNone) {

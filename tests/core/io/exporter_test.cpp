@@ -62,15 +62,14 @@ TEST_P(EveryExport, NamesATargetThatCannotBeWritten) {
   EXPECT_THROW(exportReconstruction(makeTestReconstruction(), GetParam(), ""), InvalidArgument);
 }
 
+std::string nameOf(const ::testing::TestParamInfo<ExportFormat>& parameter) {
+  return std::string(std::ranges::find(exportFormats(), parameter.param, &ExportFormatDescription::format)->name);
+}
+
 INSTANTIATE_TEST_SUITE_P(Formats, EveryExport,
                          ::testing::Values(ExportFormat::Csv, ExportFormat::Dot, ExportFormat::Ply, ExportFormat::Stl,
                                            ExportFormat::Vtp, ExportFormat::Urdf),
-                         [](const auto& info) {
-                           for (const ExportFormatDescription& format : exportFormats()) {
-                             if (format.format == info.param) return std::string(format.name);
-                           }
-                           return std::string("unknown");
-                         });
+                         nameOf);
 
 TEST(ExportFormats, AreFoundByName) {
   for (const ExportFormatDescription& format : exportFormats()) {
