@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kSides = 6;
 constexpr std::size_t kPointsPerCell = 2 * kSides;
-constexpr double kSideShade = 0.62;       // of the front face's colour
+constexpr double kSideShade = 0.70;       // of the front face's colour
 constexpr double kMarkLift = 0.015;       // of the side length, so that marks lie on the face and not in it
 constexpr double kPortInset = 0.86;       // of the extended port vector: on the face, beside the gap
 constexpr double kPortRadius = 0.075;     // of the side length

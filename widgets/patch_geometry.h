@@ -36,8 +36,8 @@ struct PrismData {
 };
 PrismData makePrisms(const SceneLayout& layout, const std::vector<Rgb>& front_colors, bool front_faces_only);
 
-/// Ports as discs (joined to a neighbour by a used link) or rings (free), and a ring about the origin, flat on the front
-/// faces in the colour that stands out from each face.
+/// Ports as discs (joined to a neighbour by a used link) or rings (free), and a ring about the origin, flat on the
+/// front faces in the colour that stands out from each face.
 vtkSmartPointer<vtkPolyData> makeMarks(const Reconstruction& reconstruction, const SceneLayout& layout,
                                        const std::vector<Rgb>& front_colors, const SceneColors& colors);
 

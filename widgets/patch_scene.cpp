@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <unordered_set>
 #include <vector>
 
 namespace hexoderm {
@@ -52,6 +53,14 @@ ViewDirection directionOf(PatchScene::View view) {
       break;
   }
   return {Eigen::Vector3d(0.45, 0.42, 1.0).normalized(), Eigen::Vector3d::UnitY()};
+}
+
+/// Fewer than half of the cells are the same: not a skin that lost or gained some cells.
+bool isOtherSkin(const std::vector<SceneCell>& before, const std::vector<SceneCell>& after) {
+  std::unordered_set<CellId> known;
+  for (const SceneCell& cell : before) known.insert(cell.id);
+  const auto kept = std::ranges::count_if(after, [&](const SceneCell& cell) { return known.contains(cell.id); });
+  return 2 * static_cast<std::size_t>(kept) < std::max(before.size(), after.size());
 }
 
 struct Label {
@@ -119,8 +128,8 @@ PatchScene::Parts::Parts() {
 
   vtkProperty* prism = prism_actor->GetProperty();
   prism->SetInterpolationToFlat();
-  prism->SetAmbient(0.42);
-  prism->SetDiffuse(0.62);
+  prism->SetAmbient(0.58);
+  prism->SetDiffuse(0.46);
   prism->SetSpecular(0.0);
   prism->SetLineWidth(1.2F);
   // Marks and outlines lie on the faces and keep their colour in any light.
@@ -130,7 +139,7 @@ PatchScene::Parts::Parts() {
 
   vtkNew<vtkLight> light;
   light->SetLightTypeToCameraLight();
-  light->SetPosition(-0.35, 0.55, 1.0);
+  light->SetPosition(-0.3, 0.45, 1.0);
   light->SetFocalPoint(0, 0, 0);
   renderer->AddLight(light);
   renderer->GradientBackgroundOn();
@@ -139,7 +148,7 @@ PatchScene::Parts::Parts() {
 
   picker->PickFromListOn();
   picker->AddPickList(prism_actor);
-  picker->SetTolerance(0);
+  picker->SetTolerance(1e-5);  // not 0: a hit on a tilted face is off its plane by rounding
   observer = renderer->AddObserver(vtkCommand::StartEvent, this, &Parts::beforeRender);
   lookFrom(View::Oblique);
 }
@@ -181,7 +190,8 @@ void PatchScene::Parts::fitNow() {
   fit_pending = false;
   vtkCamera* camera = renderer->GetActiveCamera();
   const Eigen::Vector3d back = -toEigen(camera->GetDirectionOfProjection());
-  const Eigen::Vector3d up = (toEigen(camera->GetViewUp()) - toEigen(camera->GetViewUp()).dot(back) * back).normalized();
+  const Eigen::Vector3d up =
+      (toEigen(camera->GetViewUp()) - toEigen(camera->GetViewUp()).dot(back) * back).normalized();
   const Eigen::Vector3d right = up.cross(back);
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& p : layout.points) box.extend(Eigen::Vector3d(right.dot(p), up.dot(p), back.dot(p)));
@@ -202,8 +212,8 @@ void PatchScene::Parts::fitNow() {
 
 void PatchScene::Parts::beforeRender() {
   vtkCamera* camera = renderer->GetActiveCamera();
-  const bool untouched = fitted && fitted->position == toEigen(camera->GetPosition()) &&
-                         fitted->focus == toEigen(camera->GetFocalPoint());
+  const bool untouched =
+      fitted && fitted->position == toEigen(camera->GetPosition()) && fitted->focus == toEigen(camera->GetFocalPoint());
   if (fit_pending || (untouched && fitted->size != size())) fitNow();
   renderer->ResetCameraClippingRange();
   updateLabels();
@@ -223,14 +233,14 @@ void PatchScene::Parts::updateLabels() {
     const Eigen::Vector3d toward = sight / distance;
     const double facing = label->normal.dot(toward);
     // Even sizes only, so that zooming does not make new letters at every step.
-    const double wanted = 0.58 * side_m * pixels_at_one_m / distance / text_scale;
+    const double wanted = 0.52 * side_m * pixels_at_one_m / distance / text_scale;
     const int font = 2 * (std::min(static_cast<int>(wanted), kMaxLabelPixels) / 2);
     const bool visible = text_visible && facing > kMinLabelFacing && font >= kMinLabelPixels;
     label->actor->SetVisibility(visible);
     if (!visible) continue;
     if (label->actor->GetTextProperty()->GetFontSize() != font) label->actor->GetTextProperty()->SetFontSize(font);
-    // The text stands upright to the viewer: it moves along the line of sight until its own tilted face can't cut it, and
-    // stays behind everything that really is in front.
+    // The text stands upright to the viewer: it moves along the line of sight until its own tilted face can't cut it,
+    // and stays behind everything that really is in front.
     const double tilt = std::sqrt(std::max(0.0, 1 - facing * facing)) / facing;
     const Eigen::Vector3d p = label->anchor + side_m * (0.05 + 0.4 * tilt) * toward;
     label->actor->SetPosition(p.x(), p.y(), p.z());
@@ -332,7 +342,7 @@ void PatchScene::setReconstruction(std::shared_ptr<const Reconstruction> reconst
   parts_->reconstruction = std::move(reconstruction);
   parts_->layout = parts_->reconstruction ? layOutScene(*parts_->reconstruction) : SceneLayout{};
   const std::vector<SceneCell>& after = parts_->layout.cells;
-  if (before.empty() && !after.empty()) {
+  if (isOtherSkin(before, after)) {
     parts_->lookFrom(View::Oblique);
   } else if (!std::ranges::equal(before, after, {}, &SceneCell::id, &SceneCell::id)) {
     parts_->fit_pending = true;

@@ -12,12 +12,12 @@ class vtkRenderWindow;
 
 namespace hexoderm {
 
-/// The patch in 3D without Qt: prisms, ports, IDs, origin, axes and the direction of gravity, drawn with VTK into whatever
-/// render window it is attached to. Nothing is drawn until the window renders; every setter is cheap enough to be called
-/// for each new result.
+/// The patch in 3D without Qt: prisms, ports, IDs, origin, axes and the direction of gravity, drawn with VTK into
+/// whatever render window it is attached to. Nothing is drawn until the window renders; every setter is cheap enough to
+/// be called for each new result.
 ///
-/// Up to kMaxPrismCells cells are prisms with ports, up to kMaxLabelledCells carry their ID; a larger skin is drawn as its
-/// front faces only.
+/// Up to kMaxPrismCells cells are prisms with ports, up to kMaxLabelledCells carry their ID; a larger skin is drawn as
+/// its front faces only.
 class PatchScene {
  public:
   static constexpr std::size_t kMaxPrismCells = 2000;

@@ -29,8 +29,7 @@ namespace {
 class SceneInteractorStyle : public vtkInteractorStyleTrackballCamera {
  public:
   static SceneInteractorStyle* New();
-  vtkTypeMacro(SceneInteractorStyle, vtkInteractorStyleTrackballCamera)
-  void OnChar() override {}
+  vtkTypeMacro(SceneInteractorStyle, vtkInteractorStyleTrackballCamera) void OnChar() override {}
   void OnKeyPress() override {}
 };
 vtkStandardNewMacro(SceneInteractorStyle);
@@ -54,7 +53,7 @@ SceneColors sceneColors(Theme theme) {
   const bool dark = theme == Theme::Dark;
   // Large faces in a link's full colour would shout: they are calmed towards black.
   const Rgb black{};
-  const double calm = dark ? 0.30 : 0.14;
+  const double calm = dark ? 0.38 : 0.12;
   SceneColors scene;
   scene.background_top = toRgb(colors.scene_top);
   scene.background_bottom = toRgb(colors.scene_bottom);
@@ -270,11 +269,13 @@ void PatchView::setTheme(Theme theme) {
   setAutoFillBackground(true);
   if (parts_->bar != nullptr) {
     const Colors& named = Colors::of(theme);
-    parts_->bar->setStyleSheet(QStringLiteral("QToolButton, QComboBox { background: %1; color: %2; border: 1px solid %3; "
-                                              "border-radius: 4px; padding: 4px 10px; } "
-                                              "QToolButton:hover, QComboBox:hover, QToolButton:focus, QComboBox:focus "
-                                              "{ border-color: %4; }")
-                                   .arg(named.panel.name(), named.text.name(), named.border.name(), named.accent.name()));
+    parts_->bar->setStyleSheet(
+        QStringLiteral("QToolButton, QComboBox { background: %1; color: %2; border: 1px solid %3; "
+                       "border-radius: 4px; padding: 4px 8px; } "
+                       "QComboBox::drop-down { border: none; width: 20px; } "
+                       "QToolButton:hover, QComboBox:hover, QToolButton:focus, QComboBox:focus "
+                       "{ border-color: %4; }")
+            .arg(named.panel.name(), named.text.name(), named.border.name(), named.accent.name()));
   }
   parts_->requestRender();
 }
@@ -288,6 +289,8 @@ void PatchView::setPose(std::optional<PoseId> pose) {
 
 QImage PatchView::screenshot() {
   if (parts_->gl == nullptr) return grab().toImage();
+  // A view that was shown keeps its last picture until it is told to draw; one that never was draws for the first time.
+  if (parts_->gl->isValid()) parts_->window->Render();
   QImage image = parts_->gl->grabFramebuffer();
   QPainter painter(&image);
   parts_->overlay->paint(painter, parts_->gl->size());

@@ -34,14 +34,16 @@ Rgb onScale(const std::vector<Rgb>& scale, double t) {
 }
 
 Rgb patchColor(const SceneColors& colors, std::size_t patch, std::size_t patch_count) {
-  if (patch_count < 2) return onScale(colors.scale, 0.5);
-  return onScale(colors.scale, static_cast<double>(patch) / static_cast<double>(patch_count - 1));
+  return onScale(colors.scale, (static_cast<double>(patch) + 0.5) / static_cast<double>(patch_count));
 }
 
 const Rgb& markOn(const Rgb& face, const SceneColors& colors) {
-  // The light mark is calmer on a middle tone: the dark one must be clearly better.
-  return contrast(colors.mark_on_light, face) > 1.6 * contrast(colors.mark_on_dark, face) ? colors.mark_on_light
-                                                                                         : colors.mark_on_dark;
+  // The light mark is calmer and gains where a face turns into the shade; the dark one is for faces that are too
+  // bright.
+  constexpr double kEnoughContrast = 2.6;
+  return contrast(colors.mark_on_light, face) < kEnoughContrast || contrast(colors.mark_on_dark, face) > kEnoughContrast
+             ? colors.mark_on_dark
+             : colors.mark_on_light;
 }
 
 }  // namespace hexoderm

@@ -79,7 +79,7 @@ SceneCorners::SceneCorners() : parts_(std::make_unique<Parts>()) {
   for (int k = 0; k < 3; ++k) {
     const auto index = static_cast<std::size_t>(k);
     const Eigen::Vector3d tip = 0.7 * Eigen::Vector3d::Unit(k);
-    parts_->axis_sticks.push_back(std::make_unique<Stick>(Eigen::Vector3d::Zero(), tip, 0.035));
+    parts_->axis_sticks.push_back(std::make_unique<Stick>(Eigen::Vector3d::Zero(), tip, 0.045));
     Rgb color = kAxisColors.at(index);
     parts_->axis_sticks.back()->actor->GetProperty()->SetColor(color.data());
     parts_->axes->AddActor(parts_->axis_sticks.back()->actor);

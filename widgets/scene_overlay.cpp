@@ -5,7 +5,9 @@
 #include <QLinearGradient>
 #include <QPainter>
 #include <QPen>
+#include <algorithm>
 #include <array>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -88,23 +90,24 @@ void SceneOverlay::paintQualityLegend(QPainter& painter, const QSize& area) cons
   const QFontMetrics metrics = painter.fontMetrics();
   constexpr std::array kClasses = {EdgeQuality::Undefined, EdgeQuality::Partially, EdgeQuality::Fully,
                                    EdgeQuality::Over};
-  int widest = 0;
-  for (const EdgeQuality quality : kClasses) {
-    widest = std::max(widest, entryWidth(metrics, qualityWord(quality)) + kBetween);
-  }
-  // Columns of one width read as a table also where they need two rows.
-  const int per_row = 4 * widest - kBetween + 24 <= area.width() ? 4 : 2;
-  const int rows = 4 / per_row;
+  std::array<int, 4> widths{};
+  for (std::size_t k = 0; k < 4; ++k) widths.at(k) = entryWidth(metrics, qualityWord(kClasses.at(k)));
+  const int total = std::accumulate(widths.begin(), widths.end(), 3 * kBetween);
+  const bool one_row = total + 24 <= area.width();
+  // In two rows the columns have one width.
+  const int column = *std::ranges::max_element(widths) + kBetween;
   const int row_height = metrics.height() + 2;
-  const int left = (area.width() - per_row * widest + kBetween) / 2;
-  for (int k = 0; k < 4; ++k) {
-    const EdgeQuality quality = kClasses.at(static_cast<std::size_t>(k));
-    const double x = left + (k % per_row) * widest;
-    const double middle = area.height() - kBottomMargin - (rows - k / per_row - 0.5) * row_height;
-    drawSample(painter, linkStroke(quality, theme_), x, middle);
+  const double left = 0.5 * (area.width() - (one_row ? total : 2 * column - kBetween));
+  double x = left;
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (!one_row) x = left + static_cast<double>(k % 2) * column;
+    const double rows_below = one_row || k >= 2 ? 0.5 : 1.5;
+    const double middle = area.height() - kBottomMargin - rows_below * row_height;
+    drawSample(painter, linkStroke(kClasses.at(k), theme_), x, middle);
     painter.setPen(Colors::of(theme_).text);
-    painter.drawText(QRectF(x + kSample + kSpace, middle - 0.5 * row_height, widest, row_height),
-                     Qt::AlignLeft | Qt::AlignVCenter, qualityWord(quality));
+    painter.drawText(QRectF(x + kSample + kSpace, middle - 0.5 * row_height, widths.at(k), row_height),
+                     Qt::AlignLeft | Qt::AlignVCenter, qualityWord(kClasses.at(k)));
+    x += widths.at(k) + kBetween;
   }
 }
 

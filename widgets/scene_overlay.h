@@ -8,15 +8,15 @@
 
 namespace hexoderm {
 
-/// What is written over the 3D scene: the legend of its colours, the word beside the gravity arrow, and a hint where there
-/// is nothing to see. Lets the mouse through.
+/// What is written over the 3D scene: the legend of its colours, the word beside the gravity arrow, and a hint where
+/// there is nothing to see. Lets the mouse through.
 class SceneOverlay : public QWidget {
   Q_OBJECT
 
  public:
   struct Content {
-    QString hint;           ///< instead of everything else, where not empty
-    bool gravity = false;   ///< the arrow is there
+    QString hint;          ///< instead of everything else, where not empty
+    bool gravity = false;  ///< the arrow is there
     CellColoring coloring = CellColoring::LinkQuality;
     std::size_t patches = 0;
   };

@@ -11,9 +11,9 @@ namespace hexoderm {
 
 /// How a hand-made skin for the tests of views looks; it comes from no solver and no simulator.
 struct DemoOptions {
-  double radius_m = 0.0501;      ///< of the cylinder (axis along y of the origin cell)
-  std::uint32_t arm_cells = 4;   ///< cells in each of the four arms; 4 makes an X17, 0 a single cell
-  std::uint32_t first_id = 1;    ///< the origin; the arms are numbered in turns, as the X17's cells are
+  double radius_m = 0.0501;     ///< of the cylinder (axis along y of the origin cell)
+  std::uint32_t arm_cells = 4;  ///< cells in each of the four arms; 4 makes an X17, 0 a single cell
+  std::uint32_t first_id = 1;   ///< the origin; the arms are numbered in turns, as the X17's cells are
   std::array<EdgeQuality, 4> arm_quality = {EdgeQuality::Fully, EdgeQuality::Fully, EdgeQuality::Fully,
                                             EdgeQuality::Fully};
 };
@@ -30,7 +30,8 @@ inline PatchReconstruction demoPatch(const CellModel& model, const DemoOptions& 
   for (std::uint32_t arm = 0; arm < 4; ++arm) {
     const Port& out = model.port(PortNumber(arm + 1));
     const Port& in = model.port(PortNumber(4 - arm));  // opposite: 1-4, 2-3
-    const double bend_rad = std::copysign(2 * std::atan(std::abs(out.vector_m.x()) / options.radius_m), out.vector_m.x());
+    const double bend_rad =
+        std::copysign(2 * std::atan(std::abs(out.vector_m.x()) / options.radius_m), out.vector_m.x());
     const Eigen::Matrix3d R_c_n = expSO3(bend_rad * Eigen::Vector3d::UnitY());
     std::size_t source = 0;
     for (std::uint32_t step = 0; step < options.arm_cells; ++step) {

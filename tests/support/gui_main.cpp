@@ -1,9 +1,10 @@
-// main() of the tests of widgets: an application with the surface format that VTK needs. Listing tests needs no display.
+// main() of the tests of widgets: an application with the surface format that VTK needs. Listing tests needs no
+// display.
 
-#include <QApplication>
-#include <QSurfaceFormat>
 #include <QVTKOpenGLNativeWidget.h>
 #include <gtest/gtest.h>
+#include <QApplication>
+#include <QSurfaceFormat>
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);

@@ -3,12 +3,12 @@
 #include "support/demo_reconstruction.h"
 #include "widgets/selection.h"
 
+#include <QVTKOpenGLNativeWidget.h>
+#include <gtest/gtest.h>
 #include <QComboBox>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
-#include <QVTKOpenGLNativeWidget.h>
-#include <gtest/gtest.h>
 #include <set>
 
 namespace hexoderm {
