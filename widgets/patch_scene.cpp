@@ -129,7 +129,7 @@ PatchScene::Parts::Parts() {
   vtkProperty* prism = prism_actor->GetProperty();
   prism->SetInterpolationToFlat();
   prism->SetAmbient(0.58);
-  prism->SetDiffuse(0.46);
+  prism->SetDiffuse(0.42);
   prism->SetSpecular(0.0);
   prism->SetLineWidth(1.2F);
   // Marks and outlines lie on the faces and keep their colour in any light.
@@ -137,13 +137,18 @@ PatchScene::Parts::Parts() {
   selection_actor->GetProperty()->LightingOff();
   selection_actor->GetProperty()->SetLineWidth(3.5F);
 
-  vtkNew<vtkLight> light;
-  light->SetLightTypeToCameraLight();
-  light->SetPosition(-0.3, 0.45, 1.0);
-  light->SetFocalPoint(0, 0, 0);
-  renderer->AddLight(light);
+  vtkNew<vtkLight> key;
+  key->SetLightTypeToCameraLight();
+  key->SetPosition(-0.3, 0.45, 1.0);
+  key->SetFocalPoint(0, 0, 0);
+  key->SetIntensity(0.75);
+  renderer->AddLight(key);
+  // Straight from the viewer: together they give text, which VTK lights like a surface, its full colour.
+  vtkNew<vtkLight> fill;
+  fill->SetLightTypeToHeadlight();
+  fill->SetIntensity(0.4);
+  renderer->AddLight(fill);
   renderer->GradientBackgroundOn();
-  renderer->UseFXAAOn();
   renderer->GetActiveCamera()->SetViewAngle(kViewAngle_deg);
 
   picker->PickFromListOn();
@@ -283,8 +288,9 @@ void PatchScene::Parts::recolor() {
   prism_mapper->SetInputData(prisms.surface);
   prism_actor->GetProperty()->SetEdgeVisibility(!many);
   prism_actor->SetVisibility(!layout.cells.empty());
-  if (!many) mark_mapper->SetInputData(makeMarks(*reconstruction, layout, front_colors, colors));
-  mark_actor->SetVisibility(!many && !layout.cells.empty());
+  const bool marked = !layout.cells.empty() && layout.cells.size() <= kMaxMarkedCells;
+  if (marked) mark_mapper->SetInputData(makeMarks(*reconstruction, layout, front_colors, colors));
+  mark_actor->SetVisibility(marked);
   for (std::size_t k = 0; k < labels.size(); ++k) {
     Rgb mark = markOn(front_colors[k], colors);
     labels[k]->actor->GetTextProperty()->SetColor(mark.data());
@@ -326,7 +332,7 @@ void PatchScene::Parts::updateGravity() {
   corners.setDown(direction == nullptr ? std::nullopt : std::optional<Eigen::Vector3d>(-direction->g_o));
 }
 
-PatchScene::PatchScene() : parts_(std::make_unique<Parts>()) {}
+PatchScene::PatchScene() : parts_(std::make_unique<Parts>()) { setSmoothed(true); }
 PatchScene::~PatchScene() = default;
 
 void PatchScene::attachTo(vtkRenderWindow* window) {
@@ -383,6 +389,11 @@ void PatchScene::setPose(std::optional<PoseId> pose) {
 void PatchScene::setTextVisible(bool visible) {
   parts_->text_visible = visible;
   parts_->corners.setTextVisible(visible);
+}
+
+void PatchScene::setSmoothed(bool smoothed) {
+  parts_->renderer->SetUseFXAA(smoothed);
+  parts_->corners.setSmoothed(smoothed);
 }
 
 void PatchScene::fit() { parts_->fit_pending = true; }

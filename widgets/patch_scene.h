@@ -21,6 +21,7 @@ namespace hexoderm {
 class PatchScene {
  public:
   static constexpr std::size_t kMaxPrismCells = 2000;
+  static constexpr std::size_t kMaxMarkedCells = 500;
   static constexpr std::size_t kMaxLabelledCells = 200;
 
   /// Where the camera looks from, in the patch frame: Front from +z (out of the origin cell's skin), Side from +x, Top
@@ -45,6 +46,10 @@ class PatchScene {
   void setPose(std::optional<PoseId> pose);
   /// IDs and the letters of the axes; pictures that are compared go without.
   void setTextVisible(bool visible);
+
+  /// Smooths edges after drawing (FXAA); on by default. It doubles the time of a picture in software OpenGL, so whoever
+  /// turns the camera with the mouse switches it off meanwhile.
+  void setSmoothed(bool smoothed);
 
   /// Moves the camera along its direction until everything fits into the window.
   void fit();

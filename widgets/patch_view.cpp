@@ -5,20 +5,22 @@
 #include "widgets/selection.h"
 
 #include <QVTKOpenGLNativeWidget.h>
-#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkRenderWindowInteractor.h>
-#include <QComboBox>
+#include <QAction>
+#include <QActionGroup>
 #include <QFrame>
 #include <QGridLayout>
 #include <QHBoxLayout>
-#include <QLabel>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QPainter>
+#include <QTimer>
 #include <QToolButton>
 #include <utility>
 
@@ -43,7 +45,7 @@ QSurfaceFormat surfaceFormat() {
 bool hasOpenGl() {
   QOpenGLContext context;
   context.setFormat(surfaceFormat());
-  return context.create() && context.format().version() >= qMakePair(3, 2);
+  return context.create() && 10 * context.format().majorVersion() + context.format().minorVersion() >= 32;
 }
 
 Rgb toRgb(const QColor& color) { return {color.redF(), color.greenF(), color.blueF()}; }
@@ -53,7 +55,7 @@ SceneColors sceneColors(Theme theme) {
   const bool dark = theme == Theme::Dark;
   // Large faces in a link's full colour would shout: they are calmed towards black.
   const Rgb black{};
-  const double calm = dark ? 0.38 : 0.12;
+  const double calm = dark ? 0.36 : 0.10;
   SceneColors scene;
   scene.background_top = toRgb(colors.scene_top);
   scene.background_bottom = toRgb(colors.scene_bottom);
@@ -67,8 +69,8 @@ SceneColors sceneColors(Theme theme) {
   }
   scene.edge = toRgb(dark ? colors.scene_top : colors.text);
   scene.selection = toRgb(colors.selection);
-  scene.mark_on_dark = toRgb(dark ? colors.text : colors.panel);
-  scene.mark_on_light = toRgb(dark ? colors.scene_top : colors.text);
+  scene.light_mark = toRgb(dark ? colors.selection : colors.panel);
+  scene.dark_mark = toRgb(dark ? colors.scene_top : colors.text);
   scene.arrow_shaft = toRgb(colors.text_muted);
   scene.arrow_head = toRgb(colors.accent);
   return scene;
@@ -90,12 +92,19 @@ struct PatchView::Parts : public QObject {
   std::unique_ptr<PatchScene> scene;     ///< likewise
   SceneOverlay* overlay = nullptr;
   QFrame* bar = nullptr;
-  QComboBox* coloring_box = nullptr;
+  QTimer at_rest;
   bool render_queued = false;
   QPoint pressed_at;
 
   void build();
   void buildControls(QGridLayout* layout);
+  void buildColoringMenu(QHBoxLayout* row);
+  void smoothWhenAtRest();
+  void startInteraction() {
+    at_rest.stop();
+    scene->setSmoothed(false);
+  }
+  void endInteraction() { at_rest.start(); }
   QToolButton* addButton(QHBoxLayout* row, const QString& text, const QString& tip);
   void updateOverlay();
   void updateSelection();
@@ -121,6 +130,7 @@ void PatchView::Parts::build() {
     scene = std::make_unique<PatchScene>();
     scene->attachTo(window);
     layout->addWidget(gl, 0, 0, 2, 1);
+    smoothWhenAtRest();
     buildControls(layout);
   }
   layout->addWidget(overlay, 0, 0, 2, 1);
@@ -128,14 +138,14 @@ void PatchView::Parts::build() {
   overlay->raise();
   if (bar != nullptr) bar->raise();
   QObject::connect(selection, &Selection::changed, this, [this] { updateSelection(); });
-  view->setMinimumSize(240, 180);
+  view->setMinimumHeight(180);
+  updateOverlay();
 }
 
 QToolButton* PatchView::Parts::addButton(QHBoxLayout* row, const QString& text, const QString& tip) {
   auto* button = new QToolButton(bar);
   button->setText(text);
   button->setToolTip(tip);
-  button->setAutoRaise(true);
   button->setFocusPolicy(Qt::TabFocus);
   row->addWidget(button);
   return button;
@@ -145,12 +155,7 @@ void PatchView::Parts::buildControls(QGridLayout* layout) {
   bar = new QFrame(view);
   auto* row = new QHBoxLayout(bar);
   row->setContentsMargins(10, 10, 10, 0);
-  coloring_box = new QComboBox(bar);
-  coloring_box->setAccessibleName(PatchView::tr("What the cells' colour shows"));
-  coloring_box->addItem(PatchView::tr("Colour: link quality"));
-  coloring_box->addItem(PatchView::tr("Colour: predicted deviation"));
-  coloring_box->addItem(PatchView::tr("Colour: patch"));
-  row->addWidget(coloring_box);
+  buildColoringMenu(row);
   row->addStretch(1);
   auto* fit_button = addButton(row, PatchView::tr("Fit"), PatchView::tr("Show the whole skin"));
   auto* front = addButton(row, PatchView::tr("Front"), PatchView::tr("Look at the origin cell's front face"));
@@ -163,12 +168,45 @@ void PatchView::Parts::buildControls(QGridLayout* layout) {
   QObject::connect(front, &QToolButton::clicked, this, show(StandardView::Front));
   QObject::connect(side, &QToolButton::clicked, this, show(StandardView::Side));
   QObject::connect(top, &QToolButton::clicked, this, show(StandardView::Top));
-  QObject::connect(coloring_box, qOverload<int>(&QComboBox::currentIndexChanged), this, [this](int index) {
-    coloring = static_cast<CellColoring>(index);
-    scene->setColoring(coloring);
-    updateOverlay();
+}
+
+void PatchView::Parts::buildColoringMenu(QHBoxLayout* row) {
+  auto* button = addButton(row, {}, PatchView::tr("What the cells' colour shows"));
+  button->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(button);
+  auto* group = new QActionGroup(menu);
+  const auto add = [&](CellColoring value, const QString& name) {
+    QAction* action = menu->addAction(name);
+    action->setCheckable(true);
+    group->addAction(action);
+    QObject::connect(action, &QAction::triggered, this, [this, button, value, name] {
+      button->setText(PatchView::tr("Colour: %1 ▾").arg(name));
+      coloring = value;
+      scene->setColoring(value);
+      updateOverlay();
+      requestRender();
+    });
+    return action;
+  };
+  QAction* first = add(CellColoring::LinkQuality, PatchView::tr("link quality"));
+  add(CellColoring::Deviation, PatchView::tr("predicted deviation"));
+  add(CellColoring::Patch, PatchView::tr("patch"));
+  button->setMenu(menu);
+  first->trigger();
+}
+
+/// While the mouse turns the scene, pictures come without smoothing, which costs half their time.
+void PatchView::Parts::smoothWhenAtRest() {
+  constexpr int kRest_ms = 150;
+  at_rest.setSingleShot(true);
+  at_rest.setInterval(kRest_ms);
+  QObject::connect(&at_rest, &QTimer::timeout, this, [this] {
+    scene->setSmoothed(true);
     requestRender();
   });
+  vtkInteractorObserver* style = window->GetInteractor()->GetInteractorStyle();
+  style->AddObserver(vtkCommand::StartInteractionEvent, this, &Parts::startInteraction);
+  style->AddObserver(vtkCommand::EndInteractionEvent, this, &Parts::endInteraction);
 }
 
 void PatchView::Parts::updateOverlay() {
@@ -267,16 +305,6 @@ void PatchView::setTheme(Theme theme) {
   own.setColor(QPalette::Window, Colors::of(theme).scene_bottom);
   setPalette(own);
   setAutoFillBackground(true);
-  if (parts_->bar != nullptr) {
-    const Colors& named = Colors::of(theme);
-    parts_->bar->setStyleSheet(
-        QStringLiteral("QToolButton, QComboBox { background: %1; color: %2; border: 1px solid %3; "
-                       "border-radius: 4px; padding: 4px 8px; } "
-                       "QComboBox::drop-down { border: none; width: 20px; } "
-                       "QToolButton:hover, QComboBox:hover, QToolButton:focus, QComboBox:focus "
-                       "{ border-color: %4; }")
-            .arg(named.panel.name(), named.text.name(), named.border.name(), named.accent.name()));
-  }
   parts_->requestRender();
 }
 
@@ -290,6 +318,7 @@ void PatchView::setPose(std::optional<PoseId> pose) {
 QImage PatchView::screenshot() {
   if (parts_->gl == nullptr) return grab().toImage();
   // A view that was shown keeps its last picture until it is told to draw; one that never was draws for the first time.
+  parts_->scene->setSmoothed(true);
   if (parts_->gl->isValid()) parts_->window->Render();
   QImage image = parts_->gl->grabFramebuffer();
   QPainter painter(&image);

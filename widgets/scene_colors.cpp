@@ -38,12 +38,9 @@ Rgb patchColor(const SceneColors& colors, std::size_t patch, std::size_t patch_c
 }
 
 const Rgb& markOn(const Rgb& face, const SceneColors& colors) {
-  // The light mark is calmer and gains where a face turns into the shade; the dark one is for faces that are too
-  // bright.
-  constexpr double kEnoughContrast = 2.6;
-  return contrast(colors.mark_on_light, face) < kEnoughContrast || contrast(colors.mark_on_dark, face) > kEnoughContrast
-             ? colors.mark_on_dark
-             : colors.mark_on_light;
+  // The light mark is calmer and gains where a face turns into the shade; the dark one is for bright faces.
+  constexpr double kEnoughContrast = 3.0;  // what the WCAG asks of large text
+  return contrast(colors.light_mark, face) >= kEnoughContrast ? colors.light_mark : colors.dark_mark;
 }
 
 }  // namespace hexoderm

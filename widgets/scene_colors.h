@@ -25,8 +25,8 @@ struct SceneColors {
   std::vector<Rgb> scale;        ///< from small to large, not empty
   Rgb edge{};                    ///< of the prisms
   Rgb selection{};               ///< outline of what is picked
-  Rgb mark_on_dark{};            ///< IDs, ports and the origin on dark faces
-  Rgb mark_on_light{};
+  Rgb light_mark{};              ///< IDs, ports and the origin on dark faces
+  Rgb dark_mark{};
   Rgb text{};
   Rgb arrow_shaft{};
   Rgb arrow_head{};

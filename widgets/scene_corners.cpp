@@ -72,7 +72,6 @@ SceneCorners::SceneCorners() : parts_(std::make_unique<Parts>()) {
   for (vtkRenderer* renderer : {parts_->axes.Get(), parts_->gravity.Get()}) {
     renderer->SetLayer(1);
     renderer->InteractiveOff();
-    renderer->UseFXAAOn();
     renderer->GetActiveCamera()->ParallelProjectionOn();
     renderer->GetActiveCamera()->SetParallelScale(kLengthRange);
   }
@@ -146,6 +145,11 @@ void SceneCorners::setVisible(bool visible) {
 
 void SceneCorners::setTextVisible(bool visible) {
   for (auto& letter : parts_->letters) letter->SetVisibility(visible);
+}
+
+void SceneCorners::setSmoothed(bool smoothed) {
+  parts_->axes->SetUseFXAA(smoothed);
+  parts_->gravity->SetUseFXAA(smoothed);
 }
 
 void SceneCorners::follow(vtkCamera* camera, vtkRenderWindow* window) {

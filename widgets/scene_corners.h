@@ -33,6 +33,7 @@ class SceneCorners {
   void setDown(const std::optional<Eigen::Vector3d>& down_o);
   void setVisible(bool visible);
   void setTextVisible(bool visible);
+  void setSmoothed(bool smoothed);
   /// Looks the same way as `camera`, and keeps the size in pixels; called before each rendering.
   void follow(vtkCamera* camera, vtkRenderWindow* window);
 

@@ -45,6 +45,7 @@ SceneOverlay::SceneOverlay(QWidget* parent) : QWidget(parent) {
 
 void SceneOverlay::setContent(const Content& content) {
   content_ = content;
+  setAccessibleName(content.hint);
   update();
 }
 

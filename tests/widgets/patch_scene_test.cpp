@@ -36,8 +36,8 @@ SceneColors testColors(bool dark) {
   colors.scale = {{0.27, 0.0, 0.33}, {0.13, 0.57, 0.55}, {0.99, 0.91, 0.14}};
   colors.edge = dark ? Rgb{0.08, 0.09, 0.11} : Rgb{0.11, 0.14, 0.17};
   colors.selection = dark ? Rgb{1, 1, 1} : Rgb{0, 0, 0};
-  colors.mark_on_dark = {1, 1, 1};
-  colors.mark_on_light = {0.08, 0.09, 0.11};
+  colors.light_mark = {1, 1, 1};
+  colors.dark_mark = {0.08, 0.09, 0.11};
   colors.arrow_shaft = {0.6, 0.65, 0.7};
   colors.arrow_head = {0.37, 0.7, 0.91};
   return colors;
