@@ -183,7 +183,7 @@ void GraphPainter::drawCutCurves(QPainter& painter) const {
 QPainterPath GraphPainter::cutCurve(const GraphScene::Link& link) const {
   const QPointF from = camera_.toScreen(link.from);
   const QPointF to = camera_.toScreen(link.to);
-  const double bulge = 0.22 * std::hypot(to.x() - from.x(), to.y() - from.y());
+  const double bulge = 0.15 * std::hypot(to.x() - from.x(), to.y() - from.y());
   const QPointF start = scene_.directionFrom(link.source, link);
   const QPointF end = scene_.directionFrom(link.target, link);
   QPointF aside = normalOf(from, to);
@@ -230,7 +230,7 @@ void GraphPainter::drawIds(QPainter& painter) const {
   QFont font = font_;
   font.setPixelSize(static_cast<int>(pixels));
   QFont starred = font;  // the star needs room, too
-  starred.setPixelSize(static_cast<int>(std::min(pixels, 1.6 * radius_px_ / (0.62 * digits + 0.7))));
+  starred.setPixelSize(static_cast<int>(std::min(pixels, 1.62 * radius_px_ / (0.62 * digits + 1.0))));
   painter.setPen(colors_.text);
   for (const GraphScene::Cell& cell : scene_.cells()) {
     const QPointF center = camera_.toScreen(cell.center);

@@ -7,6 +7,9 @@
 #include <array>
 #include <utility>
 
+/// A static library's resources have to be asked for, and from outside of any namespace.
+static void initStyleResources() { Q_INIT_RESOURCE(widgets_style); }
+
 namespace hexoderm {
 namespace {
 
@@ -60,6 +63,13 @@ QComboBox:hover { background: @hover@; }
 QComboBox:focus { border-color: @accent@; }
 QComboBox:disabled { color: @disabled@; }
 QComboBox::drop-down { border: 0; width: 20px; }
+QComboBox::down-arrow { image: url(:/hexoderm/style/chevron-down.svg); width: 10px; height: 10px; }
+QCheckBox { spacing: 7px; }
+QCheckBox::indicator { width: 14px; height: 14px; border: 1px solid @text_muted@; border-radius: 3px;
+                       background: @panel@; }
+QCheckBox::indicator:checked { background: @accent@; border-color: @accent@; image: url(@check@); }
+QCheckBox::indicator:focus { border: 2px solid @text@; }
+QCheckBox:disabled { color: @disabled@; }
 
 QLineEdit, QPlainTextEdit, QTextEdit { background: @panel@; border: 1px solid @border@;
     border-radius: 4px; padding: 4px 7px; selection-background-color: @accent@; selection-color: @accent_text@; }
@@ -106,6 +116,7 @@ QColor mixed(const QColor& a, const QColor& b, double part) {
 }  // namespace
 
 QString styleSheet(Theme theme) {
+  initStyleResources();
   const Colors& colors = Colors::of(theme);
   QString sheet = QString::fromUtf8(kSheet);
   const std::array<std::pair<const char*, QColor>, 18> named = {{
@@ -130,6 +141,10 @@ QString styleSheet(Theme theme) {
   }};
   for (const auto& [name, color] : named) sheet.replace(QStringLiteral("@%1@").arg(QLatin1String(name)), color.name());
 
+  sheet.replace(QStringLiteral("@check@"),
+                QStringLiteral(":/hexoderm/style/check-on-%1.svg")
+                    .arg(theme == Theme::Dark ? QLatin1String("dark") : QLatin1String("light")));
+
   // Sizes follow the system's; the family is Inter where it is installed.
   double points = 10;
   QString font_rule;
@@ -137,7 +152,7 @@ QString styleSheet(Theme theme) {
     const QFont font = QApplication::font();
     if (font.pointSizeF() > 0) points = font.pointSizeF();
     if (QFontInfo(QFont(QStringLiteral("Inter"))).family() == QLatin1String("Inter")) {
-      font_rule = QStringLiteral("QWidget { font-family: \"Inter\"; }");
+      font_rule = QStringLiteral("QWidget, QToolTip { font-family: \"Inter\"; }");
     }
   }
   sheet.replace(QStringLiteral("@font@"), font_rule);

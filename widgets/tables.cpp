@@ -29,9 +29,9 @@ const Colors& colors() { return Colors::of(currentTheme()); }
 
 /// A mark drawn at twice its size, so that it is sharp on fine screens, too.
 template <class Draw>
-QIcon drawMark(int width, Draw&& draw) {
+QIcon drawMark(Draw&& draw) {
   constexpr int kFine = 2;
-  QPixmap mark(kFine * width, kFine * kMark);
+  QPixmap mark(kFine * kMark, kFine * kMark);
   mark.setDevicePixelRatio(kFine);
   mark.fill(Qt::transparent);
   QPainter painter(&mark);
@@ -44,7 +44,7 @@ QIcon drawMark(int width, Draw&& draw) {
 }
 
 QIcon checkMark(bool enabled) {
-  return drawMark(kMark, [enabled](QPainter& painter) {
+  return drawMark([enabled](QPainter& painter) {
     painter.setPen(QPen(enabled ? colors().good : colors().text_muted, 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     if (enabled) {
       painter.drawPolyline(QPolygonF({QPointF(3.5, 8.5), QPointF(6.5, 11.5), QPointF(12.5, 4.5)}));
@@ -56,22 +56,21 @@ QIcon checkMark(bool enabled) {
 
 /// A piece of the line that the link has in the graph.
 QIcon strokeMark(EdgeQuality quality) {
-  constexpr int kWidth = 26;
-  return drawMark(kWidth, [quality](QPainter& painter) {
+  return drawMark([quality](QPainter& painter) {
     const LinkStroke stroke = linkStroke(quality, currentTheme());
-    QPen pen(stroke.color, stroke.doubled ? 1.8 : 2.6, stroke.style, Qt::FlatCap);
-    if (stroke.style == Qt::DashLine) pen.setDashPattern({2.6, 1.2});
-    if (stroke.style == Qt::DotLine) pen.setDashPattern({1.0, 1.1});
+    QPen pen(stroke.color, stroke.doubled ? 2.0 : 2.8, stroke.style, Qt::FlatCap);
+    if (stroke.style == Qt::DashLine) pen.setDashPattern({2.1, 1.1});
+    if (stroke.style == Qt::DotLine) pen.setDashPattern({1.0, 0.8});
     painter.setPen(pen);
-    for (const double y : stroke.doubled ? std::array{6.0, 10.0} : std::array{8.0, 8.0}) {
-      painter.drawLine(QPointF(1, y), QPointF(kWidth - 3, y));
+    for (const double y : stroke.doubled ? std::array{5.5, 10.5} : std::array{8.0, 8.0}) {
+      painter.drawLine(QPointF(0.5, y), QPointF(kMark - 0.5, y));
     }
   });
 }
 
 /// Shape and colour together: a cross, a triangle, a ring.
 QIcon severityMark(Severity severity) {
-  return drawMark(kMark, [severity](QPainter& painter) {
+  return drawMark([severity](QPainter& painter) {
     switch (severity) {
       case Severity::Error:
         painter.setPen(QPen(colors().bad, 2.4, Qt::SolidLine, Qt::RoundCap));

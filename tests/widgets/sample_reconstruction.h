@@ -100,15 +100,18 @@ inline std::shared_ptr<Reconstruction> sampleSheet(std::uint32_t rows, std::uint
 /// Two patches with a muted link between them and one inside of the first.
 inline std::shared_ptr<Reconstruction> sampleTwoPatches() {
   const std::vector<LinkEstimate> first = {sampleLink(1, 1, 2, 4, EdgeQuality::Over), sampleLink(2, 2, 3, 3),
-                                           sampleLink(1, 2, 4, 3, EdgeQuality::Undefined),
-                                           mutedLink(3, 4, 4, 1), mutedLink(3, 1, 21, 4)};
+                                           sampleLink(1, 2, 4, 3, EdgeQuality::Undefined), mutedLink(3, 4, 4, 1),
+                                           mutedLink(3, 1, 21, 4)};
   const std::vector<LinkEstimate> second = {sampleLink(21, 1, 22, 4, EdgeQuality::Partially),
                                             sampleLink(21, 2, 23, 3, EdgeQuality::Fully)};
-  auto reconstruction = sampleReconstruction({samplePatch(0, {1, 2, 3, 4}, first), samplePatch(1, {21, 22, 23}, second)});
+  auto reconstruction =
+      sampleReconstruction({samplePatch(0, {1, 2, 3, 4}, first), samplePatch(1, {21, 22, 23}, second)});
   reconstruction->patches[1].cells[1].placed_by = PlacedBy::Links;
   reconstruction->findings = {
-      makeFinding(FindingCode::InterfaceLink, "A computer interface (ID 16383) is connected at cell 1 port 4.", {CellId(1)}),
-      makeFinding(FindingCode::OneSidedLink, "Only cell 3 reports the link 3 port 1 - 21 port 4.", {CellId(3), CellId(21)}),
+      makeFinding(FindingCode::InterfaceLink, "A computer interface (ID 16383) is connected at cell 1 port 4.",
+                  {CellId(1)}),
+      makeFinding(FindingCode::OneSidedLink, "Only cell 3 reports the link 3 port 1 - 21 port 4.",
+                  {CellId(3), CellId(21)}),
       makeFinding(FindingCode::DeadSensor, "Cell 22 reads nothing like gravity.", {CellId(22)}, {}, {PoseId(1)}),
       makeFinding(FindingCode::NoPoses, "No pose has been captured yet."),
   };
