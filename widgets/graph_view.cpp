@@ -139,12 +139,11 @@ struct GraphView::Parts {
 
   [[nodiscard]] Hit hitAt(const QPointF& position) const {
     const QPointF point = camera.toSheet(position);
+    // Nobody can aim at the links between dots that are smaller than a hand is steady.
+    const double radius_px = scene.radius_m() * camera.scale;
+    if (radius_px < 0.6 * kGrasp_px) return {scene.cellNear(point, kGrasp_px / camera.scale), std::nullopt};
     if (const auto cell = scene.cellAt(point)) return {cell, std::nullopt};
-    if (const auto link = scene.linkAt(point, kGrasp_px / camera.scale)) return {std::nullopt, link};
-    // Dots of a large skin are smaller than a finger's or a mouse's precision.
-    if (scene.radius_m() * camera.scale < kGrasp_px)
-      return {scene.cellNear(point, kGrasp_px / camera.scale), std::nullopt};
-    return {};
+    return {std::nullopt, scene.linkAt(point, kGrasp_px / camera.scale)};
   }
 
   void pick(const Hit& hit) {

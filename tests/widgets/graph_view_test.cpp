@@ -303,6 +303,8 @@ TEST_F(GraphViewTest, DrawsTenThousandCellsAtEveryZoomAndPicksAmongThem) {
   show(sampleSheet(100, 100));
   QTest::mouseClick(&view_, Qt::LeftButton, Qt::NoModifier, cell(5050));
   EXPECT_EQ(selection_.cell(), CellId(5050));
+  QTest::mouseClick(&view_, Qt::LeftButton, Qt::NoModifier, (cell(5050) + cell(5060)) / 2);
+  EXPECT_TRUE(selection_.cell()) << "between dots a cell is meant, not a link";
   for (int step = 0; step < 12; ++step) {
     wheel(cell(5050), 240);
     EXPECT_FALSE(image().isNull());
