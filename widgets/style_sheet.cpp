@@ -2,7 +2,7 @@
 
 #include <QApplication>
 #include <QFont>
-#include <QFontDatabase>
+#include <QFontInfo>
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -55,9 +55,15 @@ QPushButton[primary="true"]:pressed { background: @accent_pressed@; border-color
 QPushButton[primary="true"]:focus { border: 2px solid @text@; padding: 7px 14px; }
 QPushButton[primary="true"]:disabled { background: @pressed@; color: @disabled@; border-color: @border@; }
 
-QLineEdit, QPlainTextEdit, QTextEdit, QAbstractSpinBox { background: @panel@; border: 1px solid @border@;
+QComboBox { background: @panel@; color: @text@; border: 1px solid @border@; border-radius: 4px; padding: 4px 9px; }
+QComboBox:hover { background: @hover@; }
+QComboBox:focus { border-color: @accent@; }
+QComboBox:disabled { color: @disabled@; }
+QComboBox::drop-down { border: 0; width: 20px; }
+
+QLineEdit, QPlainTextEdit, QTextEdit { background: @panel@; border: 1px solid @border@;
     border-radius: 4px; padding: 4px 7px; selection-background-color: @accent@; selection-color: @accent_text@; }
-QLineEdit:focus, QPlainTextEdit:focus, QTextEdit:focus, QAbstractSpinBox:focus { border-color: @accent@; }
+QLineEdit:focus, QPlainTextEdit:focus, QTextEdit:focus { border-color: @accent@; }
 
 QAbstractItemView { background: @panel@; border: 0; outline: 0; }
 QTableView { gridline-color: transparent; selection-background-color: @panel_active@; selection-color: @text@; }
@@ -67,9 +73,8 @@ QTableView::item:selected { background: @panel_active@; color: @text@; border-to
                             border-bottom: 1px solid @selection@; }
 QHeaderView { background: @panel@; border: 0; }
 QHeaderView::section { background: @panel@; color: @text_muted@; border: 0; border-bottom: 1px solid @border@;
-                       padding: 4px 6px; font-weight: 500; }
+                       padding: 4px 9px; font-weight: 400; }
 QTableCornerButton::section { background: @panel@; border: 0; }
-QTableView:focus QHeaderView::section, QTableView QHeaderView::section:focus { color: @text@; }
 
 QTabWidget::pane { border: 0; }
 QTabBar { background: transparent; }
@@ -131,7 +136,7 @@ QString styleSheet(Theme theme) {
   if (qApp != nullptr) {
     const QFont font = QApplication::font();
     if (font.pointSizeF() > 0) points = font.pointSizeF();
-    if (QFontDatabase().families().contains(QStringLiteral("Inter"))) {
+    if (QFontInfo(QFont(QStringLiteral("Inter"))).family() == QLatin1String("Inter")) {
       font_rule = QStringLiteral("QWidget { font-family: \"Inter\"; }");
     }
   }
