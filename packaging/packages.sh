@@ -15,6 +15,7 @@ core_packages=(
   libpugixml-dev
   libssl-dev
   nlohmann-json3-dev
+  zlib1g-dev # named in the CMake files of libassimp-dev, which does not bring it
 )
 
 # The window and its tests. VTK's CMake files ask for everything VTK was built with; its packages bring all of that.
