@@ -23,7 +23,7 @@ struct SolverOptions {
   double max_twist_rad = 0.6981317007977318;  ///< 40 degrees
   double max_yaw_rad = 0.6981317007977318;    ///< 40 degrees
   /// A link is no rigid link if its residual is larger than this many times the residual that the priors predict.
-  double max_residual_ratio = 4.0;
+  double max_residual_ratio = 3.0;
 
   /// Throws InvalidArgument naming the first value out of range.
   void validate() const;
