@@ -29,21 +29,21 @@ struct CellFault {
 };
 
 struct SimulatedSkinOptions {
-  std::string patch = "x17";                    ///< x17 | ring8 | sheet:ROWSxCOLS
-  std::string surface = "";                     ///< plane | cylinder:r=M | sphere:r=M | cone:r=M,angle=RAD | torus:R=M,r=M
-                                                ///< empty: x17 on cylinder r=0.0501, ring8 on the cup that closes it, sheets on a plane
+  std::string patch = "x17";  ///< x17 | ring8 | sheet:ROWSxCOLS
+  std::string surface = "";   ///< plane | cylinder:r=M | sphere:r=M | cone:r=M,angle=RAD | torus:R=M,r=M
+                              ///< empty: x17 on cylinder r=0.0501, ring8 on the cup that closes it, sheets on a plane
   LinkLaw link_law = LinkLaw::Bend;
   std::uint64_t seed = 1;
-  double position_jitter_m = 0.0002;            ///< 1 sigma, along the surface and normal to it
-  double yaw_jitter_rad = 0;                    ///< set by the constructor to 1 degree
-  double tilt_jitter_rad = 0;                   ///< 0.5 degrees
-  bool sensor_errors = true;                    ///< offset, scale and cross-axis drawn with the model's sigmas
-  bool sensor_noise = true;                     ///< white noise and quantisation
-  bool hand_held = true;                        ///< orientation error, tremor and drift from the second pose on
-  double hand_orientation_sigma_rad = 0;        ///< 3 degrees
-  double tremor_angle_sigma_rad = 0;            ///< 0.05 degrees, 4 to 12 Hz
-  double tremor_acceleration_g = 0.010;         ///< translational, rms, 4 to 12 Hz
-  double drift_rad_per_s = 0;                   ///< 0.5 degrees per second
+  double position_jitter_m = 0.0002;      ///< 1 sigma, along the surface and normal to it
+  double yaw_jitter_rad = 0;              ///< set by the constructor to 1 degree
+  double tilt_jitter_rad = 0;             ///< 0.5 degrees
+  bool sensor_errors = true;              ///< offset, scale and cross-axis drawn with the model's sigmas
+  bool sensor_noise = true;               ///< white noise and quantisation
+  bool hand_held = true;                  ///< orientation error, tremor and drift from the second pose on
+  double hand_orientation_sigma_rad = 0;  ///< 3 degrees
+  double tremor_angle_sigma_rad = 0;      ///< 0.05 degrees, 4 to 12 Hz
+  double tremor_acceleration_g = 0.010;   ///< translational, rms, 4 to 12 Hz
+  double drift_rad_per_s = 0;             ///< 0.5 degrees per second
   std::vector<CellFault> faults;
 
   SimulatedSkinOptions();

@@ -33,8 +33,8 @@ PlaneFit fitPlane(std::span<const Eigen::Vector3d> points_m);
 /// At least 4 points not in a plane; throws InvalidArgument otherwise (a plane is no sphere of finite radius).
 SphereFit fitSphere(std::span<const Eigen::Vector3d> points_m);
 
-/// At least 5 points that are not in a plane; throws InvalidArgument otherwise. Several starting axes are tried, because
-/// the problem has local minima; the best is returned.
+/// At least 5 points that are not in a plane; throws InvalidArgument otherwise. Several starting axes are tried,
+/// because the problem has local minima; the best is returned.
 CylinderFit fitCylinder(std::span<const Eigen::Vector3d> points_m);
 
 double rms(std::span<const double> values);

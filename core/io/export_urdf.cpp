@@ -65,7 +65,8 @@ std::vector<Material> materials() {
 }
 
 std::string numbers(const Eigen::Vector3d& v) {
-  return formatExact(v.x()) + " " + formatExact(v.y()) + " " + formatExact(v.z());
+  const Eigen::Vector3d w = v.array() + 0.0;  // no "-0"
+  return formatExact(w.x()) + " " + formatExact(w.y()) + " " + formatExact(w.z());
 }
 
 void appendOrigin(pugi::xml_node parent, const SE3& T) {
@@ -268,6 +269,9 @@ void verifyUrdf(std::string_view bytes, const UrdfModel& model, const std::strin
   for (const UrdfLink& meant : model.links) {
     const auto link = links.find(meant.name);
     requireMeant(link != links.end(), file, "link " + meant.name + " is missing");
+    const auto own_joint = joints.find(meant.name);
+    requireMeant((own_joint == joints.end() ? "" : own_joint->second.parent) == meant.parent, file,
+                 "link " + meant.name + " hangs on another link");
     SE3 T_root_link;
     std::string at = meant.name;
     // A chain longer than there are links would be a circle.

@@ -8,6 +8,7 @@
 #include <openssl/evp.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -43,7 +44,6 @@ class CellArrays {
     for (const double value : {q.w(), q.x(), q.y(), q.z()}) orientation_.push_back(value);
     for (Eigen::Index k = 0; k < 6; ++k) {
       (k < 3 ? sigma_t_ : sigma_r_).push_back(cell.cov_t_r ? std::sqrt((*cell.cov_t_r)(k, k)) : kUnknown);
-      for (Eigen::Index j = k; j < 6; ++j) cov_.push_back(cell.cov_t_r ? (*cell.cov_t_r)(k, j) : kUnknown);
     }
   }
 
@@ -57,7 +57,6 @@ class CellArrays {
             {"orientation_wxyz", 4, std::move(orientation_)},
             {"sigma_position_m", 3, std::move(sigma_t_)},
             {"sigma_rotation_rad", 3, std::move(sigma_r_)},
-            {"cov_t_r", 21, std::move(cov_)},
             {"body_part", 1, std::move(body_part_)},
             {"sensor", 1, std::move(sensor_)},
             {"sensor_type", 1, std::move(sensor_type_)}};
@@ -65,7 +64,7 @@ class CellArrays {
 
  private:
   std::vector<std::int64_t> cell_id_, patch_, patch_origin_, placed_by_, quality_;
-  std::vector<double> position_, orientation_, sigma_t_, sigma_r_, cov_;
+  std::vector<double> position_, orientation_, sigma_t_, sigma_r_;
   std::vector<std::string> body_part_, sensor_, sensor_type_;
 };
 
@@ -78,26 +77,36 @@ struct Cells {
   }
 };
 
-std::string base64(const std::string& bytes) {
-  std::string text((bytes.size() + 2) / 3 * 4 + 1, '\0');
-  const int length =
-      EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()),
-                      reinterpret_cast<const unsigned char*>(bytes.data()), static_cast<int>(bytes.size()));
-  text.resize(static_cast<std::size_t>(length));
+/// OpenSSL counts in int: large arrays go block by block, each a whole number of base64 groups.
+constexpr std::size_t kBlockGroups = std::size_t{1} << 24U;
+
+std::string base64(std::string_view bytes) {
+  std::string text;
+  for (; !bytes.empty(); bytes.remove_prefix(std::min(bytes.size(), 3 * kBlockGroups))) {
+    const std::string_view block = bytes.substr(0, 3 * kBlockGroups);
+    std::string encoded((block.size() + 2) / 3 * 4 + 1, '\0');
+    const int length =
+        EVP_EncodeBlock(reinterpret_cast<unsigned char*>(encoded.data()),
+                        reinterpret_cast<const unsigned char*>(block.data()), static_cast<int>(block.size()));
+    text.append(encoded, 0, static_cast<std::size_t>(length));
+  }
   return text;
 }
 
-/// Empty if the text is no base64: no block here is empty, each starts with its length.
+/// Empty if the text is no base64: no array here is empty, each starts with its length.
 std::string fromBase64(std::string_view text) {
-  std::string bytes(text.size() / 4 * 3, '\0');
-  const int length =
-      EVP_DecodeBlock(reinterpret_cast<unsigned char*>(bytes.data()),
-                      reinterpret_cast<const unsigned char*>(text.data()), static_cast<int>(text.size()));
-  if (length < 0) return {};
-  // OpenSSL counts the padding as zeros.
-  bytes.resize(static_cast<std::size_t>(length));
-  if (text.ends_with("==")) bytes.pop_back();
-  if (text.ends_with('=')) bytes.pop_back();
+  const std::size_t padding = text.ends_with("==") ? 2 : text.ends_with('=') ? 1 : 0;
+  std::string bytes;
+  for (; !text.empty(); text.remove_prefix(std::min(text.size(), 4 * kBlockGroups))) {
+    const std::string_view block = text.substr(0, 4 * kBlockGroups);
+    std::string decoded(block.size() / 4 * 3, '\0');
+    const int length =
+        EVP_DecodeBlock(reinterpret_cast<unsigned char*>(decoded.data()),
+                        reinterpret_cast<const unsigned char*>(block.data()), static_cast<int>(block.size()));
+    if (length < 0) return {};
+    bytes.append(decoded, 0, static_cast<std::size_t>(length));
+  }
+  bytes.resize(bytes.size() - std::min(bytes.size(), padding));  // OpenSSL counts the padding as zeros
   return bytes;
 }
 
@@ -192,6 +201,17 @@ VtpData vtpData(const Reconstruction& reconstruction) {
       }
     }
   }
+  // One covariance a cell is enough: on every polygon it would be most of the file.
+  std::vector<std::int64_t> ids;
+  std::vector<double> covariances;
+  for (const auto& [patch, cell] : cells) {
+    ids.push_back(cell->cell.value());
+    for (Eigen::Index row = 0; row < 6; ++row) {
+      for (Eigen::Index col = row; col < 6; ++col) {
+        covariances.push_back(cell->cov_t_r ? (*cell->cov_t_r)(row, col) : kUnknown);
+      }
+    }
+  }
   Cells polys;
   for (const PatchMesh::Polygon& polygon : prisms.polygons) {
     polys.connectivity.insert(polys.connectivity.end(), polygon.points.begin(), polygon.points.end());
@@ -211,7 +231,9 @@ VtpData vtpData(const Reconstruction& reconstruction) {
                      textArray("verdict", std::string(verdictName(reconstruction.verdict.level))),
                      textArray("source", reconstruction.source.text),
                      textArray("source_file", reconstruction.source.file),
-                     textArray("source_sha256", reconstruction.source.sha256)};
+                     textArray("source_sha256", reconstruction.source.sha256),
+                     {"cells", 1, std::move(ids)},
+                     {"cov_t_r", 21, std::move(covariances)}};
   data.sections.push_back({"CellData", cell_arrays.take()});
   data.sections.push_back({"Points", {{"Points", 3, std::move(points)}}});
   data.sections.push_back(verts.take("Verts"));

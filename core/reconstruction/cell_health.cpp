@@ -10,12 +10,12 @@
 namespace hexoderm {
 namespace {
 
-constexpr double kDeadNorm_g = 0.5;              // no offset and no pose leaves less of 1 g than this
-constexpr double kLeastNormTolerance_g = 0.15;   // a good sensor may read 0.9 g (SPEC, step 11)
-constexpr double kStuckAngle = 2 * kDegree;      // a stuck sensor turns less than this ...
-constexpr double kMovedAngle = 15 * kDegree;     // ... while the other cells turned at least this
+constexpr double kDeadNorm_g = 0.5;             // no offset and no pose leaves less of 1 g than this
+constexpr double kLeastNormTolerance_g = 0.15;  // a good sensor may read 0.9 g (SPEC, step 11)
+constexpr double kStuckAngle = 2 * kDegree;     // a stuck sensor turns less than this ...
+constexpr double kMovedAngle = 15 * kDegree;    // ... while the other cells turned at least this
 constexpr double kNoisyTimesOthers = 4;
-constexpr double kMovingSigma_g = 0.1;           // hand-held tremor is 10 mg, a moving part far above
+constexpr double kMovingSigma_g = 0.1;  // hand-held tremor is 10 mg, a moving part far above
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
@@ -58,10 +58,10 @@ class Judge {
         if (!table_.at(cell, pose).measured) missing.push_back(pose);
       }
       if (missing.size() == enabled.size()) {
-        findings_.push_back(makeFinding(FindingCode::NoSamples,
-                                        "Cell " + toString(id(cell)) +
-                                            " delivered no reading in any pose; it is placed through its links.",
-                                        {id(cell)}));
+        findings_.push_back(makeFinding(
+            FindingCode::NoSamples,
+            "Cell " + toString(id(cell)) + " delivered no reading in any pose; it is placed through its links.",
+            {id(cell)}));
       } else if (!missing.empty()) {
         const std::vector<PoseId> poses = poseIds(missing);
         findings_.push_back(makeFinding(FindingCode::MissingSamples,
@@ -75,8 +75,7 @@ class Judge {
   /// Range and norm: a reading that can't be gravity is not used.
   void judgeReadings(std::size_t cell) {
     const Accelerometer& a = snapshot_.model->accelerometer;
-    const double tolerance =
-        std::max(kLeastNormTolerance_g, 5 * std::hypot(a.offset_sigma_g, a.scale_sigma));
+    const double tolerance = std::max(kLeastNormTolerance_g, 5 * std::hypot(a.offset_sigma_g, a.scale_sigma));
     std::vector<std::size_t> saturated;
     std::vector<std::size_t> dead;
     std::vector<std::size_t> off_norm;
@@ -180,13 +179,13 @@ class Judge {
         const std::vector<std::size_t> poses = table_.usablePoses(cell);
         if (poses.size() < 2 || turned(cell) >= kStuckAngle) continue;
         for (const std::size_t pose : poses) table_.at(cell, pose).usable = false;
-        findings_.push_back(makeFinding(
-            FindingCode::StuckSensor,
-            "Cell " + toString(id(cell)) + " reads the same direction in all poses (within " +
-                formatFixed(toDegrees(turned(cell)), 1) + " degrees) while the other cells turn by " +
-                formatFixed(toDegrees(usual), 0) +
-                " degrees: its accelerometer is stuck. The cell is placed through its links.",
-            {id(cell)}, {}, poseIds(poses)));
+        findings_.push_back(
+            makeFinding(FindingCode::StuckSensor,
+                        "Cell " + toString(id(cell)) + " reads the same direction in all poses (within " +
+                            formatFixed(toDegrees(turned(cell)), 1) + " degrees) while the other cells turn by " +
+                            formatFixed(toDegrees(usual), 0) +
+                            " degrees: its accelerometer is stuck. The cell is placed through its links.",
+                        {id(cell)}, {}, poseIds(poses)));
       }
     }
   }

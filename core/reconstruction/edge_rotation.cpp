@@ -11,9 +11,9 @@
 namespace hexoderm {
 namespace {
 
-constexpr double kSupportScale = 0.1;           // the paper's 10 %
+constexpr double kSupportScale = 0.1;                       // the paper's 10 %
 constexpr double kUniformSigma = kPi / 1.7320508075688772;  // of an angle nobody knows
-constexpr double kShortestCentred_g = 0.05;     // a shorter difference has no direction worth comparing
+constexpr double kShortestCentred_g = 0.05;                 // a shorter difference has no direction worth comparing
 // What keeps the normal equations invertible where no support axis does.
 constexpr double kUnsupportedInformation = 1e-9;
 
@@ -35,8 +35,8 @@ Eigen::Matrix3d rotationInformation(const Eigen::Matrix3Xd& v) {
   return v.squaredNorm() * Eigen::Matrix3d::Identity() - v * v.transpose();
 }
 
-/// Scatter of sum_p v_p x e_p for one cell's sensor errors e_p (offset, scale, cross-axis), `x`: its readings, `basis`:
-/// its axes in the frame of v.
+/// Scatter of sum_p v_p x e_p for one cell's sensor errors e_p (offset, scale, cross-axis). `x`: its readings in its
+/// own frame, `basis`: its axes in the frame of v.
 Eigen::Matrix3d sensorScatter(const Accelerometer& a, const Eigen::Matrix3Xd& v, const Eigen::Matrix3Xd& x,
                               const Eigen::Matrix3d& basis) {
   const Eigen::Matrix3d S = skew(v.rowwise().sum());
@@ -101,9 +101,9 @@ class EdgeSolver {
         angle = angleBetween(C.col(p), edge.R_c_n * N.col(p));
         const double offset = edge.centred ? 0 : a.offset_sigma_g;
         // Two cells, two directions across the vector; gains act on the whole reading, not on what centring leaves.
-        const double per_axis = readings_.variance_g2[static_cast<std::size_t>(p)] +
-                                2 * (offset * offset + a.scale_sigma * a.scale_sigma +
-                                     a.cross_axis_sigma * a.cross_axis_sigma);
+        const double per_axis =
+            readings_.variance_g2[static_cast<std::size_t>(p)] +
+            2 * (offset * offset + a.scale_sigma * a.scale_sigma + a.cross_axis_sigma * a.cross_axis_sigma);
         sum += angle * angle;
         expected += 2 * per_axis / (length * length);
         ++counted;
@@ -121,10 +121,9 @@ class EdgeSolver {
   void predict(EdgeRotation& edge, const Eigen::Matrix3Xd& C, const Eigen::Matrix3d& axes) const {
     const double support = edge.supported ? 2 * kSupportScale * kSupportScale : kUnsupportedInformation;
     const Eigen::Matrix3d inverse = (rotationInformation(C) + support * Eigen::Matrix3d::Identity()).inverse();
-    const Eigen::Matrix3d scatter =
-        noiseScatter(C, readings_.variance_g2) +
-        sensorScatter(model_.accelerometer, C, readings_.c_g, Eigen::Matrix3d::Identity()) +
-        sensorScatter(model_.accelerometer, C, edge.R_c_n * readings_.n_g, edge.R_c_n);
+    const Eigen::Matrix3d scatter = noiseScatter(C, readings_.variance_g2) +
+                                    sensorScatter(model_.accelerometer, C, readings_.c_g, Eigen::Matrix3d::Identity()) +
+                                    sensorScatter(model_.accelerometer, C, readings_.n_g, edge.R_c_n);
     // Support axes pull towards the nominal alignment, which is wrong by what the elastomer really bends.
     Eigen::Vector3d prior(model_.twist_sigma_rad, model_.bend_sigma_rad, model_.yaw_sigma_rad);
     if (!edge.supported) prior.setConstant(kUniformSigma);
@@ -191,14 +190,16 @@ EdgeRotation estimateEdgeRotation(const CellModel& model, const Port& source, co
 }
 
 Eigen::Matrix3d cellAttitudeCovariance(const Accelerometer& accelerometer, const Eigen::Matrix3Xd& g_g,
-                                       const std::vector<double>& variance_g2, bool centred, bool supported) {
+                                       const std::vector<double>& variance_g2, bool centred, bool supported,
+                                       double prior_sigma_rad) {
   if (g_g.cols() == 0) return Eigen::Matrix3d::Zero();
   const Eigen::Matrix3Xd v = centred ? lessMean(g_g) : unitColumns(g_g);
   const double support = supported ? 2 * kSupportScale * kSupportScale : kUnsupportedInformation;
   const Eigen::Matrix3d inverse = (rotationInformation(v) + support * Eigen::Matrix3d::Identity()).inverse();
   const Eigen::Matrix3d scatter =
       noiseScatter(v, variance_g2) + sensorScatter(accelerometer, v, g_g, Eigen::Matrix3d::Identity());
-  return inverse * scatter * inverse;
+  const double pull = support * prior_sigma_rad;
+  return inverse * (scatter + pull * pull * Eigen::Matrix3d::Identity()) * inverse;
 }
 
 }  // namespace hexoderm

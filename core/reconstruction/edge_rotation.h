@@ -9,8 +9,8 @@ namespace hexoderm {
 
 /// Readings of the two cells of a link in the poses both have usable ones in.
 struct EdgeReadings {
-  Eigen::Matrix3Xd n_g;           ///< 3 x P: target cell, in its frame, not normalised
-  Eigen::Matrix3Xd c_g;           ///< 3 x P: source cell, in its frame
+  Eigen::Matrix3Xd n_g;             ///< 3 x P: target cell, in its frame, not normalised
+  Eigen::Matrix3Xd c_g;             ///< 3 x P: source cell, in its frame
   std::vector<double> variance_g2;  ///< per pose: sum of both means' variances, per axis
 };
 
@@ -21,7 +21,8 @@ struct EdgeRotation {
   EdgeQuality quality = EdgeQuality::Undefined;
   bool centred = false;
   bool supported = false;
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of the left error d, R_true = exp(d) R, source frame, rad^2
+  Eigen::Matrix3d covariance =
+      Eigen::Matrix3d::Zero();  ///< of the left error d, R_true = exp(d) R, source frame, rad^2
   Eigen::Matrix3d prior_part = Eigen::Matrix3d::Zero();  ///< share of `covariance` that the elastomer prior stands for
   double residual_rad = 0;
   double expected_residual_rad = 0;  ///< what noise and the sensors' priors lead one to expect
@@ -44,7 +45,10 @@ EdgeRotation estimateEdgeRotation(const CellModel& model, const Port& source, co
 /// Error of a cell's own attitude due to its noise, offset and gains: R_true = exp(e) R in the cell frame. Errors of
 /// edges are differences of these, which is why offsets telescope along a chain instead of adding up.
 /// `g_g`: 3 x P raw readings; `variance_g2` per pose; empty: zero (what is missing is the links' to say).
+/// `prior_sigma_rad`: what a direction that the poses leave open is uncertain by where support axes hold it; 0 leaves
+/// that to the edges (EdgeRotation::prior_part).
 Eigen::Matrix3d cellAttitudeCovariance(const Accelerometer& accelerometer, const Eigen::Matrix3Xd& g_g,
-                                       const std::vector<double>& variance_g2, bool centred, bool supported);
+                                       const std::vector<double>& variance_g2, bool centred, bool supported,
+                                       double prior_sigma_rad = 0);
 
 }  // namespace hexoderm

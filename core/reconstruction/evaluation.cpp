@@ -22,7 +22,8 @@ using ReferenceCells = std::unordered_map<CellId, ReferenceCell>;
 
 std::optional<double> rootTrace(const CellPlacement& cell, bool rotation) {
   if (!cell.cov_t_r) return std::nullopt;
-  const Eigen::Matrix3d block = rotation ? cell.cov_t_r->bottomRightCorner<3, 3>() : cell.cov_t_r->topLeftCorner<3, 3>();
+  const Eigen::Matrix3d block =
+      rotation ? cell.cov_t_r->bottomRightCorner<3, 3>() : cell.cov_t_r->topLeftCorner<3, 3>();
   return std::sqrt(std::max(0.0, block.trace()));
 }
 

@@ -9,6 +9,8 @@ namespace {
 
 /// A hand's tremor is not white: averaging does not bring a mean below this (SPEC, step 10).
 constexpr double kTremorFloor_g = 0.003;
+/// The paper's K, where a file does not say how many samples were averaged.
+constexpr double kDefaultCount = 100;
 
 }  // namespace
 
@@ -16,8 +18,8 @@ GravityTable::GravityTable(const SessionSnapshot& snapshot, const SkinGraph& gra
     : cells_(graph.cells().size()), poses_(snapshot.poses.size()), entries_(cells_ * poses_) {
   const Accelerometer& accelerometer = snapshot.model->accelerometer;
   const double step_variance = accelerometer.lsb_g * accelerometer.lsb_g / 12;
-  const double white_variance = accelerometer.noise_g_per_sqrt_hz * accelerometer.noise_g_per_sqrt_hz *
-                                accelerometer.rate_hz / 2;
+  const double white_variance =
+      accelerometer.noise_g_per_sqrt_hz * accelerometer.noise_g_per_sqrt_hz * accelerometer.rate_hz / 2;
   std::map<PoseId, std::size_t> first_of;
   for (std::size_t p = 0; p < poses_; ++p) {
     const PoseCapture& capture = *snapshot.poses[p].capture;
@@ -45,7 +47,7 @@ GravityTable::GravityTable(const SessionSnapshot& snapshot, const SkinGraph& gra
         continue;
       }
       if (!sample.mean_g.allFinite() || !sample.cov_g2.allFinite()) continue;
-      const double count = std::max(1.0, static_cast<double>(sample.count));
+      const double count = sample.count > 0 ? sample.count : kDefaultCount;
       const double stated_variance = std::max(0.0, sample.cov_g2.diagonal().maxCoeff());
       entry.mean_g = accelerometer.T_u_a.R * sample.mean_g;
       entry.sample_sigma_g = std::sqrt(stated_variance * count);

@@ -1,38 +1,48 @@
 #include "hexoderm/reconstruction/pose_advisor.h"
 
-#include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
-#include <Eigen/LU>
+#include "edge_rotation.h"
+
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
 namespace hexoderm {
 namespace {
 
-/// What an edge's rotation is known to with these up directions: rms over the three axes, radians.
-double predictedSigma(const CellModel& model, const std::vector<Eigen::Vector3d>& directions) {
-  // Of a difference of two cells, per axis; the floor is tremor's, which averaging does not take away.
-  const double noise = 0.003 * std::sqrt(2.0);
-  const double gain = model.accelerometer.scale_sigma * std::sqrt(2.0);
-  const double noise_sq = noise * noise + gain * gain;
-  const double offset = std::max(model.accelerometer.offset_sigma_g, 1e-6) * std::sqrt(2.0);
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-  Eigen::Matrix3d shift = Eigen::Matrix3d::Zero();
-  for (const Eigen::Vector3d& g : directions) {
-    const Eigen::Matrix3d G = skew(g);
-    information += G.transpose() * G;
-    shift += G;
-  }
-  const double poses = static_cast<double>(directions.size());
-  // Offsets are a nuisance of known size: the Schur complement takes out what they may have caused.
-  information -= shift.transpose() * shift / (poses + noise_sq / (offset * offset));
+/// What an edge's rotation is known to with these up directions: rms over the three axes, radians. The same prediction
+/// that the solver makes for its edges, with the elastomer prior taken alike in all directions, because the cells of a
+/// patch face many ways.
+double predictedSigma(const CellModel& model, const Eigen::Matrix3Xd& directions) {
+  const auto poses = static_cast<std::size_t>(directions.cols());
   const double prior_sq = (model.bend_sigma_rad * model.bend_sigma_rad + model.twist_sigma_rad * model.twist_sigma_rad +
                            model.yaw_sigma_rad * model.yaw_sigma_rad) /
                           3;
-  const Eigen::Matrix3d posterior = information / noise_sq + Eigen::Matrix3d::Identity() / prior_sq;
-  return std::sqrt(posterior.inverse().trace() / 3);
+  const double prior_sigma = std::sqrt(prior_sq);
+  if (poses == 0) return prior_sigma;
+  // Averaging does not take away a hand's tremor (SPEC, step 10).
+  constexpr double kTremor_g = 0.003;
+  const std::vector<double> variance(poses, kTremor_g * kTremor_g);
+  const double uncentred =
+      cellAttitudeCovariance(model.accelerometer, directions, variance, false, true, prior_sigma / std::sqrt(2.0))
+          .trace();
+  constexpr std::size_t kFewestToCentre = 3;
+  const double centred = poses < kFewestToCentre ? uncentred
+                                                 : cellAttitudeCovariance(model.accelerometer, directions, variance,
+                                                                          true, true, prior_sigma / std::sqrt(2.0))
+                                                       .trace();
+  // An edge joins two cells that err alike; nothing is ever known worse than the prior has it.
+  return std::min(prior_sigma, std::sqrt(2 * std::min(uncentred, centred) / 3));
 }
+
+/// Share of the directions that lies off their main line: the second singular value of eq. (17), as the solver has it.
+double secondDirection(const Eigen::Matrix3Xd& directions) {
+  if (directions.cols() == 0) return 0;
+  return Eigen::JacobiSVD<Eigen::Matrix3d>(directions * directions.transpose()).singularValues().y();
+}
+constexpr double kDefined = 0.5;
+constexpr double kClearlyDefined = 0.9;
 
 /// Points spread evenly over the sphere (a Fibonacci lattice).
 std::vector<Eigen::Vector3d> sphereCandidates() {
@@ -50,19 +60,23 @@ std::vector<Eigen::Vector3d> sphereCandidates() {
 }  // namespace
 
 PoseAdvice adviseNextPose(const CellModel& model, const std::vector<Eigen::Vector3d>& seen) {
+  const auto count = static_cast<Eigen::Index>(seen.size());
+  Eigen::Matrix3Xd directions(3, count + 1);
+  for (Eigen::Index k = 0; k < count; ++k) directions.col(k) = seen[static_cast<std::size_t>(k)];
+  directions.col(count) = Eigen::Vector3d::UnitZ();
+
   PoseAdvice advice;
-  advice.sigma_now_rad = predictedSigma(model, seen);
-  advice.sigma_then_rad = advice.sigma_now_rad;
-  std::vector<Eigen::Vector3d> with = seen;
-  with.push_back(Eigen::Vector3d::UnitZ());
-  if (seen.empty()) {
-    advice.sigma_then_rad = predictedSigma(model, with);
-    return advice;
-  }
+  advice.sigma_now_rad = predictedSigma(model, directions.leftCols(count));
+  advice.sigma_then_rad = predictedSigma(model, directions);
+  if (seen.empty()) return advice;
   bool found = false;
+  const bool one_line = secondDirection(directions.leftCols(count)) < kDefined;
   for (const Eigen::Vector3d& candidate : sphereCandidates()) {
-    with.back() = candidate;
-    const double sigma = predictedSigma(model, with);
+    directions.col(count) = candidate;
+    // To first order two poses 45 degrees apart suffer least from offsets, but leave the turn about their middle to a
+    // single small angle: while there is one line only, a second one comes first (SPEC, step 12).
+    if (one_line && secondDirection(directions) < kClearlyDefined) continue;
+    const double sigma = predictedSigma(model, directions);
     if (found && sigma >= advice.sigma_then_rad) continue;
     found = true;
     advice.sigma_then_rad = sigma;

@@ -184,13 +184,13 @@ class TreeReconstructor {
       if (edge.residual_rad > options_.max_residual_ratio * edge.expected_residual_rad &&
           edge.expected_residual_rad > 0) {
         bad[FindingCode::LinkNotRigid].push_back(k);
-        findings_.push_back(makeFinding(
-            FindingCode::LinkNotRigid,
-            "The cells of the " + linkInWords(source, target) + " moved against each other by about " +
-                formatFixed(toDegrees(edge.residual_rad), 1) + "° between poses (limit " +
-                formatFixed(toDegrees(options_.max_residual_ratio * edge.expected_residual_rad), 1) +
-                "°): probably a joint or a cable, or one of the two sensors is bad. The link is not used.",
-            {source.cell, target.cell}, {source.port, target.port}));
+        findings_.push_back(
+            makeFinding(FindingCode::LinkNotRigid,
+                        "The cells of the " + linkInWords(source, target) + " moved against each other by about " +
+                            formatFixed(toDegrees(edge.residual_rad), 1) + "° between poses (limit " +
+                            formatFixed(toDegrees(options_.max_residual_ratio * edge.expected_residual_rad), 1) +
+                            "°): probably a joint or a cable, or one of the two sensors is bad. The link is not used.",
+                        {source.cell, target.cell}, {source.port, target.port}));
       }
     }
     for (const auto& [code, links] : bad) graph_.mute(links, code);
@@ -305,10 +305,7 @@ class TreeReconstructor {
   }
 
   [[nodiscard]] std::vector<PoseSummary> summarisePoses(const Reconstruction& result) const {
-    const PatchReconstruction* largest = nullptr;
-    for (const PatchReconstruction& patch : result.patches) {
-      if (largest == nullptr || patch.cells.size() > largest->cells.size()) largest = &patch;
-    }
+    const PatchReconstruction* largest = largestPatch(result);
     std::vector<PoseSummary> summaries;
     std::vector<Eigen::Vector3d> earlier;
     std::size_t next_direction = 0;
@@ -369,15 +366,35 @@ class TreeReconstructor {
                                       "pose in which the part is turned by about 90 degrees about a horizontal axis.",
                                       {}, {}, enabledIds()));
     }
-    for (const PoseSummary& pose : result.poses) {
-      if (!pose.new_by_rad || *pose.new_by_rad > kRepeatedAngle) continue;
-      // From the third pose on an opposite direction helps to separate offsets; a repeated one still doesn't.
-      findings_.push_back(makeFinding(FindingCode::RepeatedPose,
-                                      "Pose " + toString(pose.pose) + " shows gravity along nearly the same line as an "
-                                      "earlier one (" + formatFixed(toDegrees(*pose.new_by_rad), 0) +
-                                          "° from it), which adds no new direction.",
-                                      {}, {}, {pose.pose}));
+    judgeRepetitions(largestPatch(result)->gravity);
+  }
+
+  /// From the third pose on the opposite of an earlier direction helps to separate offsets; a repeated one never does.
+  void judgeRepetitions(const std::vector<GravityDirection>& gravity) {
+    for (std::size_t later = 1; later < gravity.size(); ++later) {
+      for (std::size_t earlier = 0; earlier < later; ++earlier) {
+        const double angle = angleBetween(gravity[later].g_o, gravity[earlier].g_o);
+        const bool opposite = gravity.size() == 2 && kPi - angle < kRepeatedAngle;
+        if (angle >= kRepeatedAngle && !opposite) continue;
+        findings_.push_back(
+            makeFinding(FindingCode::RepeatedPose,
+                        "Pose " + toString(gravity[later].pose) +
+                            (opposite ? " is pose " + toString(gravity[earlier].pose) + " upside down"
+                                      : " shows gravity where pose " + toString(gravity[earlier].pose) + " does") +
+                            " (within " + formatFixed(toDegrees(opposite ? kPi - angle : angle), 0) +
+                            "°), which adds no new direction.",
+                        {}, {}, {gravity[earlier].pose, gravity[later].pose}));
+        break;
+      }
     }
+  }
+
+  [[nodiscard]] static const PatchReconstruction* largestPatch(const Reconstruction& result) {
+    const PatchReconstruction* largest = nullptr;
+    for (const PatchReconstruction& patch : result.patches) {
+      if (largest == nullptr || patch.cells.size() > largest->cells.size()) largest = &patch;
+    }
+    return largest;
   }
 
   [[nodiscard]] std::vector<PoseId> enabledIds() const {
@@ -392,12 +409,12 @@ class TreeReconstructor {
   SkinGraph graph_;
   std::vector<Finding> findings_;
   GravityTable table_;
-  std::vector<bool> measured_;                           ///< per cell: has usable readings of its own
-  std::vector<std::vector<Eigen::Vector3d>> gravity_;    ///< per cell and pose; zero: none; blind cells interpolated
-  std::vector<EdgeRotation> edges_;                      ///< per link of the graph
+  std::vector<bool> measured_;                         ///< per cell: has usable readings of its own
+  std::vector<std::vector<Eigen::Vector3d>> gravity_;  ///< per cell and pose; zero: none; blind cells interpolated
+  std::vector<EdgeRotation> edges_;                    ///< per link of the graph
   std::vector<std::vector<std::optional<double>>> pose_residuals_;
-  std::vector<double> weights_;                          ///< per link
-  std::vector<bool> in_tree_;                            ///< per link
+  std::vector<double> weights_;  ///< per link
+  std::vector<bool> in_tree_;    ///< per link
 };
 
 }  // namespace

@@ -3,8 +3,8 @@
 namespace hexoderm {
 namespace {
 
-/// What is carried from a cell to its children, all in the patch frame. With e_k the attitude error of cell k and k_j the
-/// elastomer's part on link j, the position error of cell n is
+/// What is carried from a cell to its children, all in the patch frame. With e_k the attitude error of cell k and k_j
+/// the elastomer's part on link j, the position error of cell n is
 ///   u_n - e_n x b_n - e_o x (t_n - f_n) + tau_n + link errors,
 /// b_n: from n's centre to its incoming link point, f_n: the first port vector of its branch.
 struct Carried {
@@ -60,7 +60,7 @@ std::vector<TreePlacement> placeAlongTree(const SkinGraph& graph, const CellMode
     now.prior_covariance = F * before.prior_covariance * F.transpose() + G * prior * G.transpose();
 
     const Eigen::Matrix3d own = T_o_n.R * attitude_covariance[n] * T_o_n.R.transpose();
-    const Eigen::Matrix3d lever_n = skew(now.b);             // -e_n x b_n = [b]x e_n
+    const Eigen::Matrix3d lever_n = skew(now.b);                // -e_n x b_n = [b]x e_n
     const Eigen::Matrix3d lever_o = skew(T_o_n.t - now.first);  // -e_o x (t - f) = [t - f]x e_o
     const double link_variance = now.links * model.link_sigma_m * model.link_sigma_m;
     Matrix6d left = now.prior_covariance;

@@ -15,9 +15,9 @@ struct TreePlacement {
 };
 
 /// Orientations and positions along the shortest-path tree, eqs. (3), (5), (6), with first-order covariances: every
-/// cell has an attitude error of its own (offset, gains, noise), so the orientation error of a cell is the difference of
-/// its own and the origin's; what the poses don't show is the elastomer's to vary, link by link, and adds up; link points
-/// meet within the model's link_sigma_m.
+/// cell has an attitude error of its own (offset, gains, noise), so the orientation error of a cell is the difference
+/// of its own and the origin's; what the poses don't show is the elastomer's to vary, link by link, and adds up; link
+/// points meet within the model's link_sigma_m.
 ///
 /// `edges`: per link of the graph. `attitude_covariance`: per cell, in the cell frame. Result: per cell of the graph;
 /// entries of other patches stay at their defaults.

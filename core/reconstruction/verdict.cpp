@@ -34,8 +34,8 @@ Spread worstSpread(const Reconstruction& r) {
       if (!cell.cov_t_r) continue;
       worst.position_95_m =
           std::max(worst.position_95_m, kSigmasFor95Percent * worstAxis(cell.cov_t_r->topLeftCorner<3, 3>()));
-      worst.orientation_95_rad = std::max(worst.orientation_95_rad,
-                                          kSigmasFor95Percent * worstAxis(cell.cov_t_r->bottomRightCorner<3, 3>()));
+      worst.orientation_95_rad =
+          std::max(worst.orientation_95_rad, kSigmasFor95Percent * worstAxis(cell.cov_t_r->bottomRightCorner<3, 3>()));
     }
   }
   worst.orientation_95_rad = std::min(worst.orientation_95_rad, kPi);
@@ -129,7 +129,8 @@ Verdict judge(const Reconstruction& r) {
     verdict.level = VerdictLevel::NotEnough;
     verdict.reason = "Not enough poses: " + pose_count + " along one line leave the turn about gravity open (" +
                      plusMinus(spread) + ").";
-    if (poses == 1) verdict.reason = "Not enough poses: one leaves the turn about gravity open (" + plusMinus(spread) + ").";
+    if (poses == 1)
+      verdict.reason = "Not enough poses: one leaves the turn about gravity open (" + plusMinus(spread) + ").";
     verdict.next_action = turn;
   } else if (spread.orientation_95_rad > kUsableOrientation) {
     verdict.level = VerdictLevel::NotEnough;
@@ -143,7 +144,9 @@ Verdict judge(const Reconstruction& r) {
                      " at the worst cell (95 %), " + pose_count + ".";
     if (finding != nullptr) verdict.reason += " " + finding->text;
     const bool worth_it = advice.sigma_then_rad < 0.9 * advice.sigma_now_rad;
-    verdict.next_action = !precise && worth_it ? turn : finding != nullptr ? "Look at the findings, then export." : "Export.";
+    verdict.next_action = !precise && worth_it ? turn
+                          : finding != nullptr ? "Look at the findings, then export."
+                                               : "Export.";
   }
   return verdict;
 }

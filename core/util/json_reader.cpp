@@ -49,8 +49,10 @@ class PathTracker : public nlohmann::json_sax<nlohmann::json> {
   [[nodiscard]] const std::string& lastToken() const { return last_token_; }
   [[nodiscard]] const std::optional<std::string>& format() const { return format_; }
   [[nodiscard]] std::string path() const {
+    constexpr std::size_t kLongest = 200;  // of hostile nesting; nobody reads further
     std::string path;
     for (const Level& level : levels_) {
+      if (path.size() > kLongest) return path + "...";
       if (level.is_array) {
         path += "[" + std::to_string(level.index) + "]";
       } else if (!level.key.empty()) {

@@ -11,6 +11,10 @@
 
 namespace hexoderm {
 
+inline void PrintTo(const Reconstruction& reconstruction, std::ostream* out) {
+  *out << "a reconstruction of " << sizeInWords(reconstruction);
+}
+
 MATCHER_P2(RotationNear, expected, tolerance_rad, "") {
   const Eigen::Matrix3d difference = Eigen::Matrix3d(expected).transpose() * Eigen::Matrix3d(arg);
   const double angle = rotationAngle(difference);

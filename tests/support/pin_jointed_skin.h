@@ -32,8 +32,8 @@ class PinJointedSkin {
       const Port& target = model.port(PortNumber(joint.target_port));
       const Eigen::Vector3d u = source.vector_m.normalized();
       const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
-      const Eigen::Matrix3d R =
-          expSO3(joint.twist_rad * u + joint.bend_rad * z.cross(u) + joint.yaw_rad * z) * nominalAlignment(source, target);
+      const Eigen::Matrix3d R = expSO3(joint.twist_rad * u + joint.bend_rad * z.cross(u) + joint.yaw_rad * z) *
+                                nominalAlignment(source, target);
       truth[CellId(joint.target)] = truth.at(CellId(joint.source)) * linkTransform(R, source, target);
       connect({CellId(joint.source), source.number}, {CellId(joint.target), target.number});
     }

@@ -251,13 +251,12 @@ TEST(SkinFaults, ACableIsMutedByItsBendAndSplitsThePatch) {
 TEST(SkinFaults, AJointThatTurnedBetweenPosesIsFoundByItsResidualAndMuted) {
   const PinJointedSkin skin = bentX17();
   // Cells 4 and 5, the end of an arm, are on another body part that turns by 50 degrees in poses 3 and 4.
-  const Session session =
-      changed(skin.session(orthogonalUps(4)), [&](std::size_t pose, GravitySample& sample) {
-        if (sample.cell != CellId(4) && sample.cell != CellId(5)) return;
-        const Eigen::Matrix3d& R = skin.truth.at(sample.cell).R;
-        const Eigen::Matrix3d turn = expSO3(Eigen::Vector3d(pose >= 2 ? 50 * kDegree : 0, 0, 0));
-        sample.mean_g = (R.transpose() * turn * R * sample.mean_g).eval();
-      });
+  const Session session = changed(skin.session(orthogonalUps(4)), [&](std::size_t pose, GravitySample& sample) {
+    if (sample.cell != CellId(4) && sample.cell != CellId(5)) return;
+    const Eigen::Matrix3d& R = skin.truth.at(sample.cell).R;
+    const Eigen::Matrix3d turn = expSO3(Eigen::Vector3d(pose >= 2 ? 50 * kDegree : 0, 0, 0));
+    sample.mean_g = (R.transpose() * turn * R * sample.mean_g).eval();
+  });
   const auto result = solve(session);
   const Finding* finding = findFinding(*result, FindingCode::LinkNotRigid);
   ASSERT_NE(finding, nullptr);
@@ -308,8 +307,8 @@ TEST(SkinFaults, HundredThousandCellsWithSixPosesWork) {
   EXPECT_EQ(result->cellCount(), kRows * kColumns);
   const CellPlacement* corner = result->find(id(kRows - 1, kColumns - 1)).cell;
   const CellPlacement* first = result->find(id(0, 0)).cell;
-  const Eigen::Vector3d expected = (kColumns - 1) * Eigen::Vector3d(0.024, 0.014, 0) +
-                                   (kRows - 1) * Eigen::Vector3d(0.024, -0.014, 0);
+  const Eigen::Vector3d expected =
+      (kColumns - 1) * Eigen::Vector3d(0.024, 0.014, 0) + (kRows - 1) * Eigen::Vector3d(0.024, -0.014, 0);
   EXPECT_THAT(corner->T_o_u.t - first->T_o_u.t, VectorNear(expected, 1e-9));
 }
 

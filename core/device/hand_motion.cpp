@@ -1,0 +1,70 @@
+#include "hexoderm/device/hand_motion.h"
+
+#include "hexoderm/util/units.h"
+
+#include <cmath>
+
+namespace hexoderm {
+namespace {
+
+constexpr int kWavesPerAxis = 6;
+constexpr double kLowestTremor_hz = 4;
+constexpr double kHighestTremor_hz = 12;
+
+}  // namespace
+
+HandMotion::HandMotion(const Eigen::Vector3d& up_b) : R_w_b_(shortestRotation(up_b, Eigen::Vector3d::UnitZ())) {}
+
+HandMotion::HandMotion(const Eigen::Vector3d& up_b, const SimulatedSkinOptions& options, std::mt19937_64& random)
+    : HandMotion(up_b) {
+  std::normal_distribution<double> normal;
+  // Drawn one after the other: the order of evaluation inside a call would be the compiler's choice.
+  Eigen::Vector3d miss(normal(random), normal(random), 0);
+  miss *= options.hand_orientation_sigma_rad;
+  R_w_b_ = expSO3(miss) * R_w_b_;
+  Eigen::Vector3d drift{normal(random), normal(random), normal(random)};
+  drift_rad_s_ = options.drift_rad_per_s * drift.normalized();
+  turn_ = drawWaves(options.tremor_angle_sigma_rad, random);
+  shake_ = drawWaves(options.tremor_acceleration_g, random);
+  moves_ = true;
+}
+
+HandMotion::Axes HandMotion::drawWaves(double rms, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> rate(2 * kPi * kLowestTremor_hz, 2 * kPi * kHighestTremor_hz);
+  std::uniform_real_distribution<double> phase(0, 2 * kPi);
+  Axes axes;
+  for (std::vector<Wave>& waves : axes) {
+    for (int k = 0; k < kWavesPerAxis; ++k) {
+      const double rate_rad_s = rate(random);
+      waves.push_back({rms * std::sqrt(2.0 / kWavesPerAxis), rate_rad_s, phase(random)});
+    }
+  }
+  return axes;
+}
+
+BodyMotion HandMotion::at(double time_s) const {
+  if (!moves_) return {R_w_b_.transpose() * Eigen::Vector3d::UnitZ(), Eigen::Matrix3d::Zero()};
+  Eigen::Vector3d turn = drift_rad_s_ * time_s;
+  Eigen::Vector3d rate = drift_rad_s_;
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();
+  Eigen::Vector3d force = Eigen::Vector3d::UnitZ();
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const Wave& wave : turn_.at(static_cast<std::size_t>(axis))) {
+      const double angle = wave.rate_rad_s * time_s + wave.phase_rad;
+      turn(axis) += wave.amplitude * std::sin(angle);
+      rate(axis) += wave.amplitude * wave.rate_rad_s * std::cos(angle);
+      acceleration(axis) -= wave.amplitude * wave.rate_rad_s * wave.rate_rad_s * std::sin(angle);
+    }
+    for (const Wave& wave : shake_.at(static_cast<std::size_t>(axis))) {
+      force(axis) += wave.amplitude * std::sin(wave.rate_rad_s * time_s + wave.phase_rad);
+    }
+  }
+  // Angular velocity and acceleration of exp(turn), to second order in the small turn.
+  const Eigen::Vector3d omega = rate + turn.cross(rate) / 2;
+  const Eigen::Vector3d alpha = acceleration + turn.cross(acceleration) / 2;
+  const Eigen::Matrix3d R_b_w = (expSO3(turn) * R_w_b_).transpose();
+  const Eigen::Matrix3d field_w = (skew(alpha) + skew(omega) * skew(omega)) / kStandardGravity;
+  return {R_b_w * force, R_b_w * field_w * R_b_w.transpose()};
+}
+
+}  // namespace hexoderm

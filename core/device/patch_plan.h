@@ -1,0 +1,42 @@
+#pragma once
+
+// Private to device/: which cells a simulated patch has and how they are joined.
+
+#include "hexoderm/graph/cell_model.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hexoderm {
+
+/// Cell k gets the ID k + 1.
+struct PlannedLink {
+  std::size_t source = 0;
+  std::size_t target = 0;
+  Port source_port;
+  Port target_port;
+};
+
+struct PatchPlan {
+  std::size_t cell_count = 0;
+  std::vector<PlannedLink> links;
+  std::size_t start = 0;     ///< the cell that is laid first, in the middle of the surface
+  double start_yaw_rad = 0;  ///< turn of its x axis from "around the body"
+  bool has_loops = false;
+  std::optional<std::pair<LinkEnd, LinkEnd>> loop;  ///< free ports that would close a ring
+};
+
+/// x17 | ring8 | sheet:ROWSxCOLS, made of the model's pairs of opposite ports. Throws InvalidArgument for any other
+/// text, a sheet of more than 100,000 cells, or a model with too few opposite ports.
+PatchPlan planPatch(const std::string& patch, const CellModel& model);
+
+/// Radius of the cylinder around which eight cells in a line just close to a ring: by a link that bends (tangents of
+/// extended port length that meet) or by pitch along the circumference.
+double closingRadius(const CellModel& model, bool bends);
+
+/// Length of the extended port vector in the cell's plane.
+inline double reachOf(const Port& port) { return port.vector_m.head<2>().norm(); }
+
+}  // namespace hexoderm

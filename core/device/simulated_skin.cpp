@@ -1,0 +1,317 @@
+#include "hexoderm/device/simulated_skin.h"
+
+#include "hexoderm/device/hand_motion.h"
+#include "hexoderm/device/patch_layout.h"
+#include "hexoderm/device/patch_plan.h"
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/text.h"
+#include "hexoderm/util/units.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+#include <unordered_map>
+
+namespace hexoderm {
+namespace {
+
+constexpr double kPauseBetweenRecordings_s = 10;
+constexpr double kNoisyFactor = 20;
+constexpr double kSaturatedGain = 20;
+constexpr double kHandOffset_m = 0.02;
+
+/// One stream of random numbers per purpose, so that, say, switching the jitter off leaves the sensors' errors as they
+/// were.
+enum class Stream : std::uint32_t { Placement, Sensors, Faults, Hand, Noise };
+
+std::mt19937_64 randomStream(std::uint64_t seed, Stream stream, std::size_t recording = 0) {
+  std::seed_seq sequence{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
+                         static_cast<std::uint32_t>(stream), static_cast<std::uint32_t>(recording)};
+  return std::mt19937_64(sequence);
+}
+
+class NormalSource {
+ public:
+  explicit NormalSource(std::mt19937_64 engine) : engine_(engine) {}
+  double next() { return normal_(engine_); }
+  Eigen::Vector3d nextVector() {
+    const double x = next();
+    const double y = next();
+    return {x, y, next()};
+  }
+
+ private:
+  std::mt19937_64 engine_;
+  std::normal_distribution<double> normal_;
+};
+
+/// What is broken about one cell.
+struct Health {
+  bool dead = false, stuck = false, saturated = false, noisy = false, silent = false;
+  int stuck_axis = -1;
+  std::optional<Eigen::Vector3d> first_reading_g;  ///< of a stuck cell
+};
+
+/// What turns the body's motion into a cell's reading.
+struct SensorChain {
+  Eigen::Matrix3d gain_R_u_b;
+  Eigen::Vector3d offset_g;
+  Eigen::Vector3d position_b;  ///< of the accelerometer
+};
+
+std::string_view lawName(LinkLaw law) { return law == LinkLaw::Bend ? "bend" : "surface"; }
+
+}  // namespace
+
+SimulatedSkinOptions::SimulatedSkinOptions()
+    : yaw_jitter_rad(1 * kDegree),
+      tilt_jitter_rad(0.5 * kDegree),
+      hand_orientation_sigma_rad(3 * kDegree),
+      tremor_angle_sigma_rad(0.05 * kDegree),
+      drift_rad_per_s(0.5 * kDegree) {}
+
+void SimulatedSkinOptions::validate() const {
+  const auto notNegative = [](double value, const std::string& name) {
+    if (!std::isfinite(value) || value < 0) throw InvalidArgument("simulated skin: " + name + " must not be negative");
+  };
+  notNegative(position_jitter_m, "position_jitter_m");
+  notNegative(yaw_jitter_rad, "yaw_jitter_rad");
+  notNegative(tilt_jitter_rad, "tilt_jitter_rad");
+  notNegative(hand_orientation_sigma_rad, "hand_orientation_sigma_rad");
+  notNegative(tremor_angle_sigma_rad, "tremor_angle_sigma_rad");
+  notNegative(tremor_acceleration_g, "tremor_acceleration_g");
+  notNegative(drift_rad_per_s, "drift_rad_per_s");
+}
+
+SimulatedSkinOptions SimulatedSkinOptions::ideal() {
+  SimulatedSkinOptions options;
+  options.position_jitter_m = 0;
+  options.yaw_jitter_rad = 0;
+  options.tilt_jitter_rad = 0;
+  options.sensor_errors = false;
+  options.sensor_noise = false;
+  options.hand_held = false;
+  return options;
+}
+
+struct SimulatedSkin::State {
+  CellModel model;
+  SimulatedSkinOptions options;
+  std::string surface_text;
+  NeighborList neighbors;
+  std::optional<std::pair<LinkEnd, LinkEnd>> loop;
+  std::vector<TrueCell> truth;
+  std::vector<Health> health;
+  std::vector<SensorChain> sensors;
+  Eigen::Vector3d middle_b = Eigen::Vector3d::Zero();
+  std::size_t recordings = 0;
+  double clock_s = 0;
+
+  State(CellModel cell_model, SimulatedSkinOptions skin_options);
+
+ private:
+  void reportNeighbors(const PatchPlan& plan);
+  void drawCells(const std::vector<SE3>& placements);
+  void breakCells();
+};
+
+SimulatedSkin::State::State(CellModel cell_model, SimulatedSkinOptions skin_options)
+    : model(std::move(cell_model)), options(std::move(skin_options)) {
+  model.validate();
+  options.validate();
+  const PatchPlan plan = planPatch(options.patch, model);
+  surface_text = options.surface;
+  if (options.surface.empty() && options.patch == "x17") options.surface = surface_text = "cylinder:r=0.0501";
+  if (options.surface.empty() && options.patch == "ring8") {
+    const double radius = closingRadius(model, options.link_law == LinkLaw::Bend);
+    options.surface = "cylinder:r=" + formatExact(radius);
+    surface_text = "cylinder:r=" + formatFixed(radius, 4);
+  }
+  if (options.surface.empty()) options.surface = surface_text = "plane";
+  const std::unique_ptr<Surface> surface = makeSurface(options.surface);
+
+  // IDs run from 1 without gaps, and none may be an interface's: a skin larger than the model's range of IDs gets a
+  // wider range.
+  const CellId above_all(static_cast<std::uint32_t>(plan.cell_count) + 1);
+  model.interface_id = std::max(model.interface_id, above_all);
+  loop = plan.loop;
+  reportNeighbors(plan);
+  drawCells(layPatch(plan, *surface, options.link_law));
+  breakCells();
+}
+
+void SimulatedSkin::State::reportNeighbors(const PatchPlan& plan) {
+  neighbors.resize(plan.cell_count);
+  for (std::size_t k = 0; k < plan.cell_count; ++k) neighbors[k].id = CellId(static_cast<std::uint32_t>(k + 1));
+  for (const PlannedLink& link : plan.links) {
+    CellReport& source = neighbors[link.source];
+    CellReport& target = neighbors[link.target];
+    source.neighbors.push_back({link.source_port.number, target.id, link.target_port.number});
+    target.neighbors.push_back({link.target_port.number, source.id, link.source_port.number});
+  }
+  for (CellReport& cell : neighbors) std::ranges::sort(cell.neighbors, {}, &NeighborReport::port);
+}
+
+void SimulatedSkin::State::drawCells(const std::vector<SE3>& placements) {
+  NormalSource jitter(randomStream(options.seed, Stream::Placement));
+  NormalSource errors(randomStream(options.seed, Stream::Sensors));
+  const Accelerometer& accelerometer = model.accelerometer;
+  truth.reserve(placements.size());
+  for (std::size_t k = 0; k < placements.size(); ++k) {
+    TrueCell cell{CellId(static_cast<std::uint32_t>(k + 1)), placements[k]};
+    const Eigen::Vector3d shift = options.position_jitter_m * jitter.nextVector();
+    const Eigen::Vector3d sigma(options.tilt_jitter_rad, options.tilt_jitter_rad, options.yaw_jitter_rad);
+    const Eigen::Vector3d turn = sigma.cwiseProduct(jitter.nextVector());
+    cell.T_b_u.t += cell.T_b_u.R * shift;
+    cell.T_b_u.R *= expSO3(turn);
+    if (options.sensor_errors) {
+      cell.offset_g = accelerometer.offset_sigma_g * errors.nextVector();
+      for (int row = 0; row < 3; ++row) {
+        for (int col = 0; col < 3; ++col) {
+          cell.gain(row, col) +=
+              (row == col ? accelerometer.scale_sigma : accelerometer.cross_axis_sigma) * errors.next();
+        }
+      }
+    }
+    middle_b += cell.T_b_u.t / static_cast<double>(placements.size());
+    sensors.push_back({cell.gain * cell.T_b_u.R.transpose(), cell.offset_g, cell.T_b_u * accelerometer.T_u_a.t});
+    truth.push_back(cell);
+  }
+}
+
+void SimulatedSkin::State::breakCells() {
+  health.resize(truth.size());
+  std::mt19937_64 random = randomStream(options.seed, Stream::Faults);
+  std::uniform_int_distribution<int> any_axis(0, 2);
+  for (const CellFault& fault : options.faults) {
+    if (fault.cell.value() == 0 || fault.cell.value() > truth.size()) {
+      throw InvalidArgument("simulated skin: there is no cell " + toString(fault.cell) + " to break; cells are 1 to " +
+                            std::to_string(truth.size()));
+    }
+    Health& cell = health[fault.cell.value() - 1];
+    switch (fault.kind) {
+      case SkinFault::Dead:
+        cell.dead = true;
+        break;
+      case SkinFault::Stuck:
+        cell.stuck = true;
+        break;
+      case SkinFault::StuckAxis:
+        cell.stuck_axis = any_axis(random);
+        break;
+      case SkinFault::Saturated:
+        cell.saturated = true;
+        break;
+      case SkinFault::Noisy:
+        cell.noisy = true;
+        break;
+      case SkinFault::NoSamples:
+        cell.silent = true;
+        break;
+    }
+  }
+}
+
+SimulatedSkin::SimulatedSkin(CellModel model, SimulatedSkinOptions options)
+    : state_(std::make_unique<State>(std::move(model), std::move(options))) {}
+SimulatedSkin::~SimulatedSkin() = default;
+SimulatedSkin::SimulatedSkin(SimulatedSkin&&) noexcept = default;
+SimulatedSkin& SimulatedSkin::operator=(SimulatedSkin&&) noexcept = default;
+
+const CellModel& SimulatedSkin::model() const { return state_->model; }
+const SimulatedSkinOptions& SimulatedSkin::options() const { return state_->options; }
+const NeighborList& SimulatedSkin::neighbors() const { return state_->neighbors; }
+const std::vector<TrueCell>& SimulatedSkin::truth() const { return state_->truth; }
+std::optional<std::pair<LinkEnd, LinkEnd>> SimulatedSkin::loop() const { return state_->loop; }
+
+std::string SimulatedSkin::description() const {
+  return "Simulated " + state_->options.patch + " on " + state_->surface_text + ", link law " +
+         std::string(lawName(state_->options.link_law)) + ", seed " + std::to_string(state_->options.seed);
+}
+
+std::vector<SampleFrame> SimulatedSkin::record(const Eigen::Vector3d& up_b, std::size_t frame_count) {
+  if (!up_b.allFinite() || up_b.norm() < 1e-9) {
+    throw InvalidArgument("simulated skin: the direction that points up must be a finite vector other than zero");
+  }
+  State& state = *state_;
+  const SimulatedSkinOptions& options = state.options;
+  const Accelerometer& accelerometer = state.model.accelerometer;
+  const std::size_t recording = state.recordings++;
+  std::mt19937_64 hand_random = randomStream(options.seed, Stream::Hand, recording);
+  NormalSource noise(randomStream(options.seed, Stream::Noise, recording));
+
+  const Eigen::Vector3d up = up_b.normalized();
+  const bool in_hand = options.hand_held && recording > 0;
+  const HandMotion motion = in_hand ? HandMotion(up, options, hand_random) : HandMotion(up);
+  // A hand holds the part near its middle, not in it.
+  const Eigen::Vector3d hand_b = state.middle_b + kHandOffset_m * NormalSource(hand_random).nextVector();
+
+  // White noise of a density d, sampled at a rate f, has the variance d^2 f / 2.
+  const double white_g = accelerometer.noise_g_per_sqrt_hz * std::sqrt(accelerometer.rate_hz / 2);
+  const auto asOutput = [&](const Eigen::Vector3d& value_g) {
+    Eigen::Vector3d output = value_g;
+    if (options.sensor_noise && accelerometer.lsb_g > 0) {
+      output = accelerometer.lsb_g * (output / accelerometer.lsb_g).array().round();
+    }
+    return Eigen::Vector3d(output.cwiseMin(accelerometer.range_g).cwiseMax(-accelerometer.range_g));
+  };
+
+  std::vector<SampleFrame> frames(frame_count);
+  for (std::size_t k = 0; k < frame_count; ++k) {
+    const double time_s = static_cast<double>(k) / accelerometer.rate_hz;
+    const BodyMotion body = motion.at(time_s);
+    SampleFrame& frame = frames[k];
+    frame.time_s = state.clock_s + time_s;
+    frame.samples.reserve(state.truth.size());
+    for (std::size_t c = 0; c < state.truth.size(); ++c) {
+      const SensorChain& sensor = state.sensors[c];
+      Health& health = state.health[c];
+      // Drawn also where it is not used: a fault of one cell leaves the others' noise as it was.
+      const Eigen::Vector3d unit_noise =
+          options.sensor_noise || health.noisy ? noise.nextVector() : Eigen::Vector3d::Zero();
+      if (health.silent) continue;
+      Eigen::Vector3d reading =
+          sensor.gain_R_u_b * (body.up_b + body.field_b * (sensor.position_b - hand_b)) + sensor.offset_g;
+      if (health.dead) reading.setZero();
+      if (health.saturated) reading *= kSaturatedGain;
+      reading += (health.noisy ? kNoisyFactor : 1) * white_g * unit_noise;
+      reading = asOutput(reading);
+      if (health.stuck || health.stuck_axis >= 0) {
+        if (!health.first_reading_g) health.first_reading_g = reading;
+        if (health.stuck) reading = *health.first_reading_g;
+        if (health.stuck_axis >= 0) reading(health.stuck_axis) = (*health.first_reading_g)(health.stuck_axis);
+      }
+      frame.samples.push_back({state.truth[c].id, reading});
+    }
+  }
+  state.clock_s += static_cast<double>(frame_count) / accelerometer.rate_hz + kPauseBetweenRecordings_s;
+  return frames;
+}
+
+std::vector<Eigen::Vector3d> scriptedUpDirections(std::size_t pose_count) {
+  // Three orthogonal ones first, then their opposites (which separate offsets), then the corners of the cube.
+  std::vector<Eigen::Vector3d> directions = {
+      Eigen::Vector3d::UnitZ(),  Eigen::Vector3d::UnitY(),  Eigen::Vector3d::UnitX(),
+      -Eigen::Vector3d::UnitZ(), -Eigen::Vector3d::UnitY(), -Eigen::Vector3d::UnitX(),
+  };
+  for (const Eigen::Vector3d& corner :
+       {Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(-1, -1, 1), Eigen::Vector3d(-1, 1, -1), Eigen::Vector3d(1, -1, -1),
+        Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1, 1, -1), Eigen::Vector3d(1, -1, 1), Eigen::Vector3d(-1, 1, 1)}) {
+    directions.push_back(corner.normalized());
+  }
+  // Beyond that, a sequence without end that fills the sphere evenly (Roberts' R2: powers of the plastic number).
+  constexpr double kPlastic = 1.32471795724474602596;
+  for (std::size_t k = 1; directions.size() < pose_count; ++k) {
+    const double n = static_cast<double>(k);
+    const double u = n / kPlastic - std::floor(n / kPlastic);
+    const double v = n / (kPlastic * kPlastic) - std::floor(n / (kPlastic * kPlastic));
+    const double z = 1 - 2 * u;
+    const double s = std::sqrt(1 - z * z);
+    directions.emplace_back(s * std::cos(2 * kPi * v), s * std::sin(2 * kPi * v), z);
+  }
+  directions.resize(pose_count);
+  return directions;
+}
+
+}  // namespace hexoderm
