@@ -54,7 +54,7 @@ for format in urdf ply stl vtp dot; do
   step export "$calibration" --to "$format" -o "$out/x17.$format"
 done
 for theme in light dark; do
-  on_virtual_display "$window" --demo --poses 2 --theme "$theme" --screenshot "$out/window-$theme.png"
+  on_virtual_display "$window" --demo --poses 3 --theme "$theme" --screenshot "$out/window-$theme.png"
 done
 
 echo

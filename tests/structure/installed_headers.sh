@@ -7,7 +7,7 @@ failed=0
 
 foreign='^[[:space:]]*#[[:space:]]*include[[:space:]]*[<"](boost|nlohmann|assimp|openssl|ceres|google|pugi|sqlite|CLI|Q|vtk)'
 if grep -rnE "$foreign" hexoderm; then
-  echo "These includes are in installed headers; if a header is private, list it in core/CMakeLists.txt"
+  echo "These includes are in installed headers; core/CMakeLists.txt lists which those are"
   failed=1
 fi
 if grep -rnE '\b(boost|nlohmann|pugi|Assimp|ceres)::' hexoderm; then
