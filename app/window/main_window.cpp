@@ -219,6 +219,11 @@ void MainWindow::connectActions() {
     const std::optional<int> row = pickedPoseRow();
     if (const auto index = row ? controller_.sessionIndexOfPoseRow(*row) : std::nullopt) controller_.removePose(*index);
   });
+  connect(actions_.find_cell, &QAction::triggered, this, [this] {
+    graph_dock_->show();
+    graph_dock_->raise();
+    graph_view_->findCell();
+  });
   connect(actions_.fit, &QAction::triggered, graph_view_, &GraphView::fit);
   connect(actions_.fit, &QAction::triggered, patch_view_, &PatchView::fit);
   const auto look = [this](QAction* action, PatchView::StandardView view) {
