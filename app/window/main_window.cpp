@@ -134,7 +134,7 @@ void MainWindow::buildLayout() {
   docks_->addDockWidget(Qt::RightDockWidgetArea, graph_dock_);
   docks_->addDockWidget(Qt::RightDockWidgetArea, pose_dock_);
   docks_->addDockWidget(Qt::BottomDockWidgetArea, details);
-  docks_->resizeDocks({steps, graph_dock_}, {286, 400}, Qt::Horizontal);
+  docks_->resizeDocks({steps, graph_dock_}, {286, 440}, Qt::Horizontal);
   docks_->resizeDocks({graph_dock_, pose_dock_}, {440, 320}, Qt::Vertical);
   docks_->resizeDocks({details}, {170}, Qt::Vertical);
 
@@ -164,7 +164,7 @@ QWidget* MainWindow::buildTopBar(const std::vector<QAction*>& panels) {
   auto* top_bar = new QFrame;
   top_bar->setObjectName(QStringLiteral("topBar"));
   auto* layout = new QHBoxLayout(top_bar);
-  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setContentsMargins(0, 0, 0, 1);  // the line below
   layout->setSpacing(0);
   layout->addWidget(app_name);
   layout->addWidget(menu_bar, 1);

@@ -35,8 +35,7 @@ class WindowTest : public testing::Test {
   void openWindow() {
     window_ = std::make_unique<MainWindow>();
     window_->show();
-    window_->activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get()));
+    activateWindow();
   }
 
   SessionController& controller() { return window_->controller(); }
@@ -68,7 +67,14 @@ class WindowTest : public testing::Test {
 
   void click(QWidget* widget) { QTest::mouseClick(widget, Qt::LeftButton); }
   void clickBanner() { click(find<QPushButton>("bannerButton")); }
+  /// Where there is no window manager, nobody gives the focus back when a dialog has closed.
+  void activateWindow() {
+    window_->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get()));
+  }
+  /// A key for the window itself, whichever of its parts has the focus.
   void press(int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    activateWindow();
     QTest::keyClick(QApplication::focusWidget() ? QApplication::focusWidget() : window_.get(), Qt::Key(key), modifiers);
   }
   void clickRow(const char* view_name, int row) {
