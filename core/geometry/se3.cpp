@@ -50,12 +50,18 @@ Eigen::Matrix3d shortestRotation(const Eigen::Vector3d& from, const Eigen::Vecto
 }
 
 Eigen::Vector3d rpyFromRotation(const Eigen::Matrix3d& R) {
-  const double pitch = std::atan2(-R(2, 0), std::hypot(R(2, 1), R(2, 2)));
-  if (std::hypot(R(2, 1), R(2, 2)) < 1e-9) {
+  const double cos_pitch = std::hypot(R(2, 1), R(2, 2));
+  const double pitch = std::atan2(-R(2, 0), cos_pitch);
+  if (cos_pitch < 1e-12) {
     // Gimbal lock: only yaw -+ roll is defined; put all of it into roll.
     return {std::atan2(R(2, 0) < 0 ? R(0, 1) : -R(0, 1), R(1, 1)), pitch, 0};
   }
-  return {std::atan2(R(2, 1), R(2, 2)), pitch, std::atan2(R(1, 0), R(0, 0))};
+  const double roll = std::atan2(R(2, 1), R(2, 2));
+  // Yaw from what is left when the roll is taken off, not from the first column: near the lock both are mostly
+  // rounding, and only so do their errors cancel.
+  const double s = std::sin(roll);
+  const double c = std::cos(roll);
+  return {roll, pitch, std::atan2(s * R(0, 2) - c * R(0, 1), c * R(1, 1) - s * R(1, 2))};
 }
 
 Eigen::Matrix3d rotationFromRpy(const Eigen::Vector3d& rpy_rad) {

@@ -1,13 +1,12 @@
+#include "hexoderm/graph/cell_model_json.h"
+
 #include "built_in_models.h"
-#include "hexoderm/graph/cell_model.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
-#include "hexoderm/util/json_reader.h"
 #include "hexoderm/util/units.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 
 namespace hexoderm {
 namespace {
@@ -20,12 +19,7 @@ constexpr double kYawSigma = 2 * kDegree;
 SE3 readPlacement(const JsonReader& json, const std::string& t_key, const std::string& q_key) {
   SE3 T;
   if (const auto t = json.find(t_key)) T.t = t->vector3();
-  if (const auto q = json.find(q_key)) {
-    const std::vector<double> v = q->numbers(4);
-    const Eigen::Quaterniond quaternion(v[0], v[1], v[2], v[3]);
-    if (std::abs(quaternion.norm() - 1) > 1e-6) q->fail("a unit quaternion (w, x, y, z)");
-    T.R = quaternion.normalized().toRotationMatrix();
-  }
+  if (const auto q = json.find(q_key)) T.R = q->unitQuaternion().toRotationMatrix();
   return T;
 }
 
@@ -42,7 +36,9 @@ Accelerometer readAccelerometer(const JsonReader& json) {
   return a;
 }
 
-CellModel readModel(const JsonReader& json) {
+}  // namespace
+
+CellModel readCellModel(const JsonReader& json) {
   CellModel model;
   model.name = json.at("name").string();
   model.side_m = json.at("side_m").positiveNumber();
@@ -83,14 +79,12 @@ CellModel readModel(const JsonReader& json) {
   return model;
 }
 
-}  // namespace
-
 CellModel cellModelFromJson(std::string_view text, const std::string& file) {
   const nlohmann::json json = parseJson(text, file);
-  return readModel(JsonReader(json, file));
+  return readCellModel(JsonReader(json, file));
 }
 
-std::string cellModelToJson(const CellModel& model) {
+nlohmann::ordered_json cellModelJson(const CellModel& model) {
   nlohmann::ordered_json json;
   json["name"] = model.name;
   json["side_m"] = model.side_m;
@@ -129,8 +123,10 @@ std::string cellModelToJson(const CellModel& model) {
   json["bend_sigma_rad"] = model.bend_sigma_rad;
   json["twist_sigma_rad"] = model.twist_sigma_rad;
   json["yaw_sigma_rad"] = model.yaw_sigma_rad;
-  return json.dump(1);
+  return json;
 }
+
+std::string cellModelToJson(const CellModel& model) { return dumpReadable(cellModelJson(model)); }
 
 CellModel builtInCellModel(std::string_view name) {
   for (const BuiltInModel& model : builtInModels()) {

@@ -23,7 +23,7 @@ struct SurfaceEvaluation {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< the plane's normal; unused for the sphere
   std::optional<double> radius_m;                   ///< none for the plane
   std::vector<CellId> cells;
-  std::vector<double> distance_m;                   ///< signed, per cell
+  std::vector<double> distance_m;  ///< signed, per cell
   double rms_m = 0;
   std::optional<double> delta_m;
   std::optional<double> epsilon_m;
@@ -47,13 +47,13 @@ struct LoopEvaluation {
 /// different patches.
 LoopEvaluation evaluateLoop(const Reconstruction& reconstruction, LinkEnd first, LinkEnd second);
 
-/// Per-cell differences between two placements of the same cells, after alignment: positions after their best rigid fit,
-/// orientations after the one rotation that fits all of them best (chordal mean of R_ref R_est^T). SPEC step 14.
+/// Per-cell differences between two placements of the same cells, after alignment: positions after their best rigid
+/// fit, orientations after the one rotation that fits all of them best (chordal mean of R_ref R_est^T). SPEC step 14.
 struct CellDifference {
   CellId cell;
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  ///< reference frame: reference - aligned estimate
   double orientation_rad = 0;
-  std::optional<double> sigma_t_m;    ///< stated: root of the trace of the position covariance
+  std::optional<double> sigma_t_m;  ///< stated: root of the trace of the position covariance
   std::optional<double> sigma_r_rad;
 };
 struct Comparison {

@@ -8,8 +8,8 @@
 
 namespace hexoderm {
 
-/// The skin as true hexagonal prisms in the patch frames, for drawing and for mesh files. Per cell in order of patch and
-/// ID: 12 points (front corners counter-clockwise seen from outside, then the back corners below them), 8 polygons
+/// The skin as true hexagonal prisms in the patch frames, for drawing and for mesh files. Per cell in order of patch
+/// and ID: 12 points (front corners counter-clockwise seen from outside, then the back corners below them), 8 polygons
 /// (front, back, six sides) wound so that normals point outwards. Metres.
 struct PatchMesh {
   std::vector<Eigen::Vector3d> points;

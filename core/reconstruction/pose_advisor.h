@@ -15,10 +15,9 @@ struct PoseAdvice {
   double sigma_then_rad = 0;                      ///< and with this pose
 };
 
-/// The direction that lowers the predicted error of an edge's rotation most: with each cell's offset as a nuisance of
-/// its prior's size, the information about the rotation is the Schur complement
-///   sum [g]x^T[g]x - (sum [g]x)^T (P + noise^2/offset^2)^-1 (sum [g]x)   (+ the elastomer prior),
-/// and its inverse's trace is minimised over directions spread evenly over the sphere. Without any pose: +z.
+/// The direction that lowers the predicted error of an edge's rotation most, over directions spread evenly over the
+/// sphere. The prediction is the solver's own (offset, gains, tremor; centred where that is better), with the elastomer
+/// prior for what the poses leave open. Without any pose: +z.
 ///
 /// `seen`: unit up directions of the poses so far, all in one frame.
 PoseAdvice adviseNextPose(const CellModel& model, const std::vector<Eigen::Vector3d>& seen);

@@ -24,7 +24,7 @@ std::optional<EdgeQuality> qualityFromName(std::string_view name);
 struct LinkEstimate {
   LinkEnd source;  ///< the smaller (ID, port)
   LinkEnd target;
-  Eigen::Matrix3d R_c_n = Eigen::Matrix3d::Identity();        ///< target to source frame
+  Eigen::Matrix3d R_c_n = Eigen::Matrix3d::Identity();  ///< target to source frame
   EdgeQuality quality = EdgeQuality::Undefined;
   Eigen::Vector3d singular_values = Eigen::Vector3d::Zero();  ///< of the unit vectors, uncentred, without support axes
   double weight = 3;
@@ -33,10 +33,10 @@ struct LinkEstimate {
   double bend_rad = 0;
   double twist_rad = 0;
   double yaw_rad = 0;
-  bool centred = false;     ///< each cell's mean vector was subtracted
-  bool supported = false;   ///< support axes were appended
-  bool used = false;        ///< in the solution; false for muted links
-  bool in_tree = false;     ///< on the shortest-path tree
+  bool centred = false;    ///< each cell's mean vector was subtracted
+  bool supported = false;  ///< support axes were appended
+  bool used = false;       ///< in the solution; false for muted links
+  bool in_tree = false;    ///< on the shortest-path tree
   std::optional<FindingCode> muted_by;
   /// Angle between c_p and R_c_n n_p per entry of Reconstruction::poses; absent where a cell has no sample.
   std::vector<std::optional<double>> pose_residual_rad;
@@ -56,8 +56,9 @@ struct CellPlacement {
   std::string body_part;
   PlacedBy placed_by = PlacedBy::Samples;
   SE3 T_o_u;
-  /// Covariance relative to the origin: order position (m, patch frame) then rotation (rad, right-multiplied error in the
-  /// cell frame: R_true = R exp(e)). Zero for the origin. Absent where a solver or an imported file does not state it.
+  /// Covariance relative to the origin: order position (m, patch frame) then rotation (rad, right-multiplied error in
+  /// the cell frame: R_true = R exp(e)). Zero for the origin. Absent where a solver or an imported file does not state
+  /// it.
   std::optional<Matrix6d> cov_t_r;
   std::vector<CellId> path;  ///< from the origin to this cell, both included; empty if imported
   std::vector<SensorPlacement> sensors;
@@ -86,9 +87,9 @@ struct PoseSummary {
   std::string label;
   bool enabled = true;
   std::size_t cells_measured = 0;
-  double noise_g = 0;                   ///< rms over cells of the mean's standard deviation, worst axis
-  std::optional<double> new_by_rad;     ///< angle to the nearest earlier enabled pose's direction (either sign)
-  std::optional<double> residual_rad;   ///< rms over links
+  double noise_g = 0;                  ///< rms over cells of the mean's standard deviation, worst axis
+  std::optional<double> new_by_rad;    ///< angle to the nearest earlier enabled pose's direction (either sign)
+  std::optional<double> residual_rad;  ///< rms over links
 };
 
 enum class VerdictLevel { Good, Usable, NotEnough, Failed };
@@ -99,7 +100,7 @@ std::optional<VerdictLevel> verdictFromName(std::string_view name);
 struct Verdict {
   VerdictLevel level = VerdictLevel::Failed;
   std::string reason;
-  std::optional<double> position_95_m;       ///< at the worst cell, relative to the origin; absent if not known
+  std::optional<double> position_95_m;  ///< at the worst cell, relative to the origin; absent if not known
   std::optional<double> orientation_95_rad;
   std::string next_action;
 };
@@ -125,8 +126,8 @@ struct FlatLayout {
 
 /// The result: everything views and exporters show. Immutable once made; also what a calibration file holds.
 struct Reconstruction {
-  std::uint64_t revision = 0;      ///< of the snapshot it was computed from
-  std::string solver = "tree";     ///< "tree" or "imported"
+  std::uint64_t revision = 0;   ///< of the snapshot it was computed from
+  std::string solver = "tree";  ///< "tree" or "imported"
   SolverOptions options;
   SourceDescription source;
   std::shared_ptr<const CellModel> model;  ///< never null

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "hexoderm/reconstruction/reconstruction.h"
+#include "hexoderm/reconstruction/reconstructor.h"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -21,7 +22,9 @@ struct ReconstructionOutcome {
 class ReconstructionWorker {
  public:
   using Report = std::function<void(ReconstructionOutcome)>;
-  explicit ReconstructionWorker(Report report);
+  using Solve = std::function<std::shared_ptr<const Reconstruction>(const SessionSnapshot&, const SolverOptions&)>;
+  /// `solve` is what the thread does with a snapshot; whatever it throws becomes the outcome's error.
+  explicit ReconstructionWorker(Report report, Solve solve = reconstruct);
   ~ReconstructionWorker();
   ReconstructionWorker(const ReconstructionWorker&) = delete;
   ReconstructionWorker& operator=(const ReconstructionWorker&) = delete;

@@ -1,11 +1,12 @@
 #include "hexoderm/util/json_reader.h"
 
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/text.h"
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hexoderm {
 namespace {
@@ -19,27 +20,221 @@ std::string shortened(const nlohmann::json& value) {
   return text;
 }
 
+/// Follows the parser through a text and remembers the key path of the value it was at when it stopped.
+class PathTracker : public nlohmann::json_sax<nlohmann::json> {
+ public:
+  bool null() override { return valueDone(); }
+  bool boolean(bool /*value*/) override { return valueDone(); }
+  bool number_integer(number_integer_t /*value*/) override { return valueDone(); }
+  bool number_unsigned(number_unsigned_t /*value*/) override { return valueDone(); }
+  bool number_float(number_float_t /*value*/, const string_t& /*text*/) override { return valueDone(); }
+  bool string(string_t& value) override {
+    if (levels_.size() == 1 && levels_.front().key == "format") format_ = value;
+    return valueDone();
+  }
+  bool binary(binary_t& /*value*/) override { return valueDone(); }
+  bool start_object(std::size_t /*size*/) override { return push(false); }
+  bool start_array(std::size_t /*size*/) override { return push(true); }
+  bool end_object() override { return pop(); }
+  bool end_array() override { return pop(); }
+  bool key(string_t& value) override {
+    levels_.back().key = value;
+    return true;
+  }
+  bool parse_error(std::size_t /*position*/, const std::string& last_token,
+                   const nlohmann::json::exception& /*error*/) override {
+    last_token_ = last_token;
+    return false;
+  }
+
+  [[nodiscard]] const std::string& lastToken() const { return last_token_; }
+  [[nodiscard]] const std::optional<std::string>& format() const { return format_; }
+  [[nodiscard]] std::string path() const {
+    constexpr std::size_t kLongest = 200;  // of hostile nesting; nobody reads further
+    std::string path;
+    for (const Level& level : levels_) {
+      if (path.size() > kLongest) return path + "...";
+      if (level.is_array) {
+        path += "[" + std::to_string(level.index) + "]";
+      } else if (!level.key.empty()) {
+        path += (path.empty() ? "" : ".") + level.key;
+      }
+    }
+    return path;
+  }
+
+ protected:
+  virtual bool valueDone() {
+    if (!levels_.empty()) {
+      ++levels_.back().index;
+      levels_.back().key.clear();
+    }
+    return true;
+  }
+
+ private:
+  struct Level {
+    bool is_array = false;
+    std::size_t index = 0;
+    std::string key;
+  };
+
+  bool push(bool is_array) {
+    levels_.push_back({is_array, 0, {}});
+    return true;
+  }
+  bool pop() {
+    levels_.pop_back();
+    return valueDone();
+  }
+
+  std::vector<Level> levels_;
+  std::string last_token_;
+  std::optional<std::string> format_;
+};
+
+/// Stops as soon as the document has said what it is.
+class FormatFinder : public PathTracker {
+ protected:
+  bool valueDone() override { return PathTracker::valueDone() && !format(); }
+};
+
+/// The word of letters, digits, signs and points around a byte, to name what was found there.
+std::string wordAround(std::string_view text, std::size_t position) {
+  const auto isPart = [](char c) {
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '+' || c == '-' ||
+           c == '.';
+  };
+  std::size_t begin = std::min(position, text.size());
+  while (begin > 0 && isPart(text[begin - 1])) --begin;
+  std::size_t end = std::min(position, text.size());
+  while (end < text.size() && isPart(text[end])) ++end;
+  constexpr std::size_t kMost = 40;
+  return std::string(text.substr(begin, std::min(end - begin, kMost)));
+}
+
+bool isNotFinite(std::string_view word) {
+  while (word.starts_with('-') || word.starts_with('+')) word.remove_prefix(1);
+  std::string lower(word);
+  std::ranges::transform(lower, lower.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  return lower == "nan" || lower == "inf" || lower == "infinity";
+}
+
+[[noreturn]] void throwParseError(std::string_view text, const std::string& file,
+                                  const nlohmann::json::exception& error) {
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+    throw FormatError(file + ": the file is empty, expected JSON");
+  }
+  PathTracker tracker;
+  nlohmann::json::sax_parse(text, &tracker);
+  const std::string path = tracker.path();
+  const auto* syntax = dynamic_cast<const nlohmann::json::parse_error*>(&error);
+  if (syntax == nullptr) {
+    throw FormatError(file + ": " + (path.empty() ? "top level" : path) + ": expected a finite number, found " +
+                      tracker.lastToken().substr(0, 40));
+  }
+  const std::size_t position = std::min(syntax->byte == 0 ? 0 : syntax->byte - 1, text.size());
+  const std::string word = wordAround(text, position);
+  if (isNotFinite(word)) {
+    throw FormatError(file + ": " + (path.empty() ? "top level" : path) + ": expected a finite number, found " + word);
+  }
+  const std::string_view before = text.substr(0, position);
+  const auto line = std::ranges::count(before, '\n') + 1;
+  const std::size_t line_start = before.rfind('\n');
+  const std::size_t column = before.size() - (line_start == std::string_view::npos ? 0 : line_start + 1) + 1;
+  throw FormatError(file + ": line " + std::to_string(line) + ", column " + std::to_string(column) +
+                    (path.empty() ? "" : ", at " + path) +
+                    (syntax->byte > text.size() ? ": the file ends in the middle (truncated?), expected complete JSON"
+                                                : ": this is not JSON, expected a JSON value here"));
+}
+
+bool isFlatArray(const nlohmann::ordered_json& json) {
+  return json.is_array() && std::ranges::none_of(json, [](const auto& item) { return item.is_structured(); });
+}
+
+bool isFlatObject(const nlohmann::ordered_json& json) {
+  return json.is_object() && std::ranges::all_of(json, [](const auto& item) {
+           return !item.is_structured() || item.empty() || isFlatArray(item);
+         });
+}
+
+std::string scalarText(const nlohmann::ordered_json& json) {
+  // Large files are mostly numbers, and dump() sets up a serializer for each.
+  if (json.is_number_unsigned()) return std::to_string(json.get<std::uint64_t>());
+  if (json.is_number_float()) {
+    const double value = json.get<double>();
+    if (!std::isfinite(value)) {
+      throw InvalidArgument("a value that is not a finite number can't be written to a file");
+    }
+    std::string text = formatExact(value);
+    if (text.find_first_of(".e") == std::string::npos) text += ".0";
+    return text;
+  }
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+void appendKey(const std::string& key, std::string& out) {
+  out += scalarText(key);
+  out += ": ";
+}
+
+void appendLine(const nlohmann::ordered_json& json, std::string& out) {
+  if (!json.is_structured()) {
+    out += scalarText(json);
+    return;
+  }
+  out += json.is_object() ? '{' : '[';
+  for (auto item = json.begin(); item != json.end(); ++item) {
+    if (item != json.begin()) out += ", ";
+    if (json.is_object()) appendKey(item.key(), out);
+    appendLine(*item, out);
+  }
+  out += json.is_object() ? '}' : ']';
+}
+
+void appendReadable(const nlohmann::ordered_json& json, std::size_t indent, std::string& out) {
+  constexpr std::size_t kWidth = 120;
+  if (!json.is_structured() || json.empty() || isFlatArray(json)) {
+    appendLine(json, out);
+    return;
+  }
+  if (isFlatObject(json)) {
+    const std::size_t begin = out.size();
+    appendLine(json, out);
+    if (indent + out.size() - begin <= kWidth) return;
+    out.resize(begin);
+  }
+  out += json.is_object() ? '{' : '[';
+  for (auto item = json.begin(); item != json.end(); ++item) {
+    out += item == json.begin() ? "\n" : ",\n";
+    out.append(indent + 1, ' ');
+    if (json.is_object()) appendKey(item.key(), out);
+    appendReadable(*item, indent + 1, out);
+  }
+  out += '\n';
+  out.append(indent, ' ');
+  out += json.is_object() ? '}' : ']';
+}
+
 }  // namespace
 
 nlohmann::json parseJson(std::string_view text, const std::string& file) {
   try {
     return nlohmann::json::parse(text);
-  } catch (const nlohmann::json::parse_error& error) {
-    const std::string_view before = text.substr(0, std::min(error.byte == 0 ? 0 : error.byte - 1, text.size()));
-    const auto line = std::count(before.begin(), before.end(), '\n') + 1;
-    const std::size_t line_start = before.rfind('\n');
-    const std::size_t column = before.size() - (line_start == std::string_view::npos ? 0 : line_start + 1) + 1;
-    const bool at_end = error.byte > text.size();
-    throw FormatError(file + ": line " + std::to_string(line) + ", column " + std::to_string(column) +
-                      (at_end ? ": the file ends in the middle (truncated?), expected complete JSON"
-                              : ": this is not JSON, expected a JSON value here (numbers must be finite)"));
-  } catch (const nlohmann::json::out_of_range&) {
-    throw FormatError(file + ": a number is too large, expected finite numbers");
+  } catch (const nlohmann::json::exception& error) {
+    throwParseError(text, file, error);
   }
 }
 
+std::optional<std::string> findJsonFormat(std::string_view text) {
+  FormatFinder finder;
+  nlohmann::json::sax_parse(text, &finder);
+  return finder.format();
+}
+
 void JsonReader::fail(const std::string& expected) const {
-  throw FormatError(file_ + ": " + (path_.empty() ? "top level" : path_) + ": expected " + expected + ", found " +
+  throw FormatError(*file_ + ": " + (path_.empty() ? "top level" : path_) + ": expected " + expected + ", found " +
                     shortened(*value_));
 }
 
@@ -47,7 +242,7 @@ JsonReader JsonReader::at(const std::string& key) const {
   if (!value_->is_object()) fail("an object");
   const auto found = value_->find(key);
   const std::string path = path_.empty() ? key : path_ + "." + key;
-  if (found == value_->end()) throw FormatError(file_ + ": " + path + ": is missing");
+  if (found == value_->end()) throw FormatError(*file_ + ": " + path + ": is missing");
   return {*found, file_, path};
 }
 
@@ -63,7 +258,7 @@ std::vector<JsonReader> JsonReader::items() const {
   std::vector<JsonReader> items;
   items.reserve(value_->size());
   for (std::size_t i = 0; i < value_->size(); ++i) {
-    items.emplace_back((*value_)[i], file_, path_ + "[" + std::to_string(i) + "]");
+    items.push_back({(*value_)[i], file_, path_ + "[" + std::to_string(i) + "]"});
   }
   return items;
 }
@@ -110,7 +305,14 @@ std::vector<double> JsonReader::numbers(std::size_t count) const {
   if (!value_->is_array() || value_->size() != count) fail("an array of " + std::to_string(count) + " numbers");
   std::vector<double> values;
   values.reserve(count);
-  for (const JsonReader& item : items()) values.push_back(item.number());
+  for (const nlohmann::json& item : *value_) {
+    // A reader for each item would cost a path for each number; only a bad one needs it.
+    const double value = item.is_number() ? item.get<double>() : std::numeric_limits<double>::quiet_NaN();
+    if (!std::isfinite(value)) {
+      JsonReader(item, file_, path_ + "[" + std::to_string(values.size()) + "]").fail("a finite number");
+    }
+    values.push_back(value);
+  }
   return values;
 }
 
@@ -133,17 +335,32 @@ Eigen::Matrix3d JsonReader::rotation() const {
   return R;
 }
 
+Eigen::Quaterniond JsonReader::unitQuaternion() const {
+  constexpr double kTolerance = 1e-6;
+  const std::vector<double> v = numbers(4);
+  const Eigen::Quaterniond q(v[0], v[1], v[2], v[3]);
+  if (!(std::abs(q.norm() - 1) <= kTolerance)) fail("a unit quaternion (w, x, y, z)");
+  return q.normalized();
+}
+
 void JsonReader::requireFormat(std::string_view format, std::uint32_t newest) const {
   const auto name = find("format");
   if (!name || !name->isString() || name->string() != format) {
-    throw FormatError(file_ + ": format: expected \"" + std::string(format) + "\"" +
+    throw FormatError(*file_ + ": format: expected \"" + std::string(format) + "\"" +
                       (name ? ", found " + shortened(*name->value_) : ", but there is none"));
   }
   const std::uint32_t version = at("version").unsignedInteger(1);
   if (version > newest) {
-    throw FormatError(file_ + ": version: this file has version " + std::to_string(version) +
+    throw FormatError(*file_ + ": version: this file has version " + std::to_string(version) +
                       ", this program reads up to version " + std::to_string(newest));
   }
+}
+
+std::string dumpReadable(const nlohmann::ordered_json& json) {
+  std::string text;
+  appendReadable(json, 0, text);
+  text += '\n';
+  return text;
 }
 
 nlohmann::json toJson(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstdint>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -10,8 +12,12 @@
 
 namespace hexoderm {
 
-/// Parses JSON text; `file` is named in errors. Throws FormatError with line and column.
+/// Parses JSON text; `file` is named in errors. Throws FormatError with line, column and key path.
 nlohmann::json parseJson(std::string_view text, const std::string& file);
+
+/// The text's top-level "format" without parsing the rest; nullopt if there is none before the text ends or stops being
+/// JSON.
+std::optional<std::string> findJsonFormat(std::string_view text);
 
 /// A JSON value that knows where it is, so that every complaint names file, key path and expectation:
 /// "arm.session.json: cells[3].ports[0].port: expected a whole number from 1 to 4294967295, found "two"".
@@ -19,13 +25,14 @@ nlohmann::json parseJson(std::string_view text, const std::string& file);
 class JsonReader {
  public:
   JsonReader(const nlohmann::json& value, std::string file, std::string path = "")
-      : value_(&value), file_(std::move(file)), path_(std::move(path)) {}
+      : JsonReader(value, std::make_shared<const std::string>(std::move(file)), std::move(path)) {}
 
-  [[nodiscard]] JsonReader at(const std::string& key) const;                       ///< must be there
-  [[nodiscard]] std::optional<JsonReader> find(const std::string& key) const;      ///< absent or null: nullopt
-  [[nodiscard]] std::vector<JsonReader> items() const;                             ///< of an array
+  [[nodiscard]] JsonReader at(const std::string& key) const;                   ///< must be there
+  [[nodiscard]] std::optional<JsonReader> find(const std::string& key) const;  ///< absent or null: nullopt
+  [[nodiscard]] std::vector<JsonReader> items() const;                         ///< of an array
   [[nodiscard]] bool isObject() const { return value_->is_object(); }
   [[nodiscard]] bool isString() const { return value_->is_string(); }
+  [[nodiscard]] bool isNull() const { return value_->is_null(); }
 
   [[nodiscard]] double number() const;  ///< finite
   [[nodiscard]] double positiveNumber() const;
@@ -35,8 +42,9 @@ class JsonReader {
   [[nodiscard]] std::string string() const;
   [[nodiscard]] std::vector<double> numbers(std::size_t count) const;  ///< exactly `count` finite numbers
   [[nodiscard]] Eigen::Vector3d vector3() const;
-  [[nodiscard]] Eigen::Matrix3d matrix3() const;          ///< nine numbers, row-major
-  [[nodiscard]] Eigen::Matrix3d rotation() const;         ///< nine numbers, row-major, orthogonal to 1e-6, det +1
+  [[nodiscard]] Eigen::Matrix3d matrix3() const;            ///< nine numbers, row-major
+  [[nodiscard]] Eigen::Matrix3d rotation() const;           ///< nine numbers, row-major, orthogonal to 1e-6, det +1
+  [[nodiscard]] Eigen::Quaterniond unitQuaternion() const;  ///< four numbers w, x, y, z of norm 1 (to 1e-6); normalised
   [[nodiscard]] const std::string& path() const { return path_; }
 
   /// Checks `"format": format` and that the version's major number is not newer than `newest`.
@@ -46,13 +54,20 @@ class JsonReader {
   [[noreturn]] void fail(const std::string& expected) const;
 
  private:
+  JsonReader(const nlohmann::json& value, std::shared_ptr<const std::string> file, std::string path)
+      : value_(&value), file_(std::move(file)), path_(std::move(path)) {}
+
   const nlohmann::json* value_;
-  std::string file_;
+  std::shared_ptr<const std::string> file_;
   std::string path_;
 };
 
+/// JSON text for files that people read too: arrays of numbers and short objects on one line each, a space of indent a
+/// level, numbers that read back as the same double. Throws InvalidArgument for a number that is not finite.
+std::string dumpReadable(const nlohmann::ordered_json& json);
+
 nlohmann::json toJson(const Eigen::Vector3d& v);
-nlohmann::json toJson(const Eigen::Matrix3d& m);  ///< row-major
+nlohmann::json toJson(const Eigen::Matrix3d& m);          ///< row-major
 nlohmann::json quaternionWxyz(const Eigen::Matrix3d& R);  ///< w >= 0
 
 }  // namespace hexoderm

@@ -1,0 +1,164 @@
+#include "app/window/actions.h"
+
+#include <QMenu>
+
+namespace hexoderm {
+namespace {
+
+/// What an action is for is kept apart from its tool tip, which says why not while the action can't be used.
+constexpr const char* kPurpose = "purpose";
+
+void allow(QAction* action, const QString& why_not) {
+  const bool can = why_not.isEmpty();
+  QString tip = can ? action->property(kPurpose).toString() : why_not;
+  action->setStatusTip(tip);
+  if (can && !action->shortcut().isEmpty()) {
+    tip += QStringLiteral(" (%1)").arg(action->shortcut().toString(QKeySequence::NativeText));
+  }
+  action->setToolTip(tip);
+  action->setEnabled(can);
+}
+
+QAction* make(QWidget* owner, const char* name, const QString& text, const QString& purpose,
+              const QList<QKeySequence>& keys = {}) {
+  auto* action = new QAction(text, owner);
+  action->setObjectName(QLatin1String(name));
+  action->setProperty(kPurpose, purpose);
+  action->setShortcuts(keys);
+  owner->addAction(action);
+  allow(action, {});
+  return action;
+}
+
+}  // namespace
+
+WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
+    : demo(make(owner, "actionDemo", tr("Start the &demo skin"), tr("A simulated skin to try everything with"))),
+      open(make(owner, "actionOpen", tr("&Open…"), tr("Open a session or a calibration"), {QKeySequence::Open})),
+      save(make(owner, "actionSave", tr("&Save session"), tr("Save the poses taken so far"), {QKeySequence::Save})),
+      save_as(make(owner, "actionSaveAs", tr("Save session &as…"), tr("Save the session under another name"),
+                   {QKeySequence(QStringLiteral("Ctrl+Shift+S"))})),
+      save_calibration(make(owner, "actionSaveCalibration", tr("Save &calibration…"),
+                            tr("Save the reconstruction, complete enough to export and draw from it alone"))),
+      export_to(make(owner, "actionExport", tr("&Export…"), tr("Write the calibration in a form that others read"),
+                     {QKeySequence(QStringLiteral("Ctrl+E"))})),
+      quit(make(owner, "actionQuit", tr("&Quit"), tr("Close the window"), {QKeySequence(QStringLiteral("Ctrl+Q"))})),
+      undo(undo_stack->createUndoAction(owner, tr("&Undo"))),
+      redo(undo_stack->createRedoAction(owner, tr("&Redo"))),
+      toggle_pose(make(owner, "actionTogglePose", tr("&Disable pose"), tr("Leave the picked pose out, or take it back"),
+                       {QKeySequence(Qt::Key_Delete)})),
+      delete_pose(make(owner, "actionDeletePose", tr("De&lete pose"), tr("Take the picked pose out of the session"),
+                       {QKeySequence(QStringLiteral("Shift+Del"))})),
+      next_pose(make(owner, "actionNextPose", tr("Take the &next pose"),
+                     tr("Turn the simulated part to its next orientation and take the pose"),
+                     {QKeySequence(Qt::Key_Space)})),
+      fit(make(owner, "actionFit", tr("&Fit"), tr("Show the whole skin"), {QKeySequence(Qt::Key_F)})),
+      front(make(owner, "actionFront", tr("F&ront view"), tr("Look at the patch from the front"))),
+      side(make(owner, "actionSide", tr("&Side view"), tr("Look at the patch from its side"))),
+      top(make(owner, "actionTop", tr("&Top view"), tr("Look at the patch from above"))),
+      screenshot(make(owner, "actionScreenshot", tr("&Picture of the window"), tr("Save a picture of this window"),
+                      {QKeySequence(Qt::Key_F12)})),
+      keys(make(owner, "actionKeys", tr("&Keys"), tr("The list of keys"),
+                {QKeySequence(Qt::Key_F1), QKeySequence(Qt::Key_H)})),
+      about(make(owner, "actionAbout", tr("&About Hexoderm"), tr("Version and licence"))),
+      themes(new QActionGroup(owner)) {
+  undo->setObjectName(QStringLiteral("actionUndo"));
+  redo->setObjectName(QStringLiteral("actionRedo"));
+  undo->setShortcut(QKeySequence::Undo);
+  redo->setShortcuts({QKeySequence(QStringLiteral("Ctrl+Shift+Z")), QKeySequence(QStringLiteral("Ctrl+Y"))});
+  owner->addActions({undo, redo});
+  next_pose->setIconText(tr("Take the next pose"));
+  demo->setIconText(tr("Start the demo skin"));
+  // A key that is held must not take a row of poses.
+  for (QAction* action : {next_pose, toggle_pose, delete_pose, screenshot}) action->setAutoRepeat(false);
+
+  theme = {make(owner, "actionThemeSystem", tr("Like the &system"), tr("Light or dark, as the system asks for")),
+           make(owner, "actionThemeLight", tr("&Light"), tr("Dark text on a light ground")),
+           make(owner, "actionThemeDark", tr("&Dark"), tr("Light text on a dark ground"))};
+  for (QAction* action : theme) {
+    action->setCheckable(true);
+    themes->addAction(action);
+  }
+}
+
+void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& panels) const {
+  QMenu* file = bar->addMenu(tr("&File"));
+  file->addActions({demo, open});
+  file->addSeparator();
+  file->addActions({save, save_as, save_calibration, export_to});
+  file->addSeparator();
+  file->addAction(quit);
+
+  QMenu* edit = bar->addMenu(tr("&Edit"));
+  edit->addActions({undo, redo});
+  edit->addSeparator();
+  edit->addActions({toggle_pose, delete_pose});
+
+  QMenu* session = bar->addMenu(tr("&Session"));
+  session->addAction(next_pose);
+
+  QMenu* view = bar->addMenu(tr("&View"));
+  view->addActions({fit, front, side, top});
+  view->addSeparator();
+  for (QAction* panel : panels) view->addAction(panel);
+  view->addSeparator();
+  view->addMenu(tr("T&heme"))->addActions(themes->actions());
+  view->addAction(screenshot);
+
+  QMenu* help = bar->addMenu(tr("&Help"));
+  help->addActions({keys, about});
+  for (QMenu* menu : {file, edit, session, view, help}) menu->setToolTipsVisible(true);
+}
+
+std::vector<QAction*> WindowActions::withKeys() const {
+  std::vector<QAction*> found;
+  for (QAction* action :
+       {next_pose, toggle_pose, delete_pose, undo, redo, open, save, save_as, export_to, fit, screenshot, keys, quit}) {
+    if (!action->shortcuts().isEmpty()) found.push_back(action);
+  }
+  return found;
+}
+
+void WindowActions::refresh(const SessionController& controller, std::optional<int> pose_row) {
+  const Session* session = controller.session();
+  QString no_session;
+  if (!session) {
+    no_session = controller.isEmpty() ? tr("Nothing is open yet")
+                                      : tr("A calibration is open: it holds the result, not the poses");
+  }
+  QString no_result;
+  if (!controller.reconstruction()) {
+    no_result = controller.isEmpty() ? tr("Nothing is open yet") : tr("There is no reconstruction yet");
+  } else if (controller.isSolving()) {
+    no_result = tr("The reconstruction is being brought up to date");
+  }
+  allow(save, no_session);
+  allow(save_as, no_session);
+  allow(save_calibration, no_result);
+  allow(export_to, no_result);
+
+  QString no_pose = no_session;
+  const std::optional<std::size_t> index = pose_row ? controller.sessionIndexOfPoseRow(*pose_row) : std::nullopt;
+  if (no_pose.isEmpty() && !index) no_pose = tr("Pick a pose in the table of poses first");
+  const bool disabled = index && session->poses()[*index].disabled;
+  toggle_pose->setText(disabled ? tr("&Enable pose") : tr("&Disable pose"));
+  allow(toggle_pose, no_pose);
+  allow(delete_pose, no_pose);
+
+  QString no_next = no_session;
+  if (no_next.isEmpty() && !controller.isDemo()) no_next = tr("This session came from a file; no skin is connected");
+  if (no_next.isEmpty() && controller.isTakingPose()) no_next = tr("The part is being turned");
+  allow(next_pose, no_next);
+
+  const QString nothing = controller.reconstruction() ? QString() : tr("There is nothing to look at yet");
+  for (QAction* action : {fit, front, side, top}) allow(action, nothing);
+  for (QAction* action : {undo, redo}) {
+    const bool can = action->isEnabled();
+    const QString tip = can ? action->text().remove(QLatin1Char('&'))
+                            : (action == undo ? tr("Nothing to undo") : tr("Nothing to redo"));
+    action->setToolTip(tip);
+    action->setStatusTip(tip);
+  }
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "app/window/session_controller.h"
+#include "app/window/theme.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QCoreApplication>
+#include <QMenuBar>
+#include <vector>
+
+namespace hexoderm {
+
+/// Everything the window can do, each with its key. An action that can't be used says why in its tool tip.
+class WindowActions {
+  Q_DECLARE_TR_FUNCTIONS(hexoderm::WindowActions)
+
+ public:
+  /// Creates the actions as children of `owner`, with their keys active in its window.
+  WindowActions(QWidget* owner, QUndoStack* undo_stack);
+
+  QAction* demo;
+  QAction* open;
+  QAction* save;
+  QAction* save_as;
+  QAction* save_calibration;
+  QAction* export_to;
+  QAction* quit;
+  QAction* undo;
+  QAction* redo;
+  QAction* toggle_pose;
+  QAction* delete_pose;
+  QAction* next_pose;
+  QAction* fit;
+  QAction* front;
+  QAction* side;
+  QAction* top;
+  QAction* screenshot;
+  QAction* keys;
+  QAction* about;
+  QActionGroup* themes;
+  std::vector<QAction*> theme;  ///< in the order of ThemeChoice
+
+  /// `panels`: the docks' own actions.
+  void fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& panels) const;
+  [[nodiscard]] std::vector<QAction*> withKeys() const;
+
+  /// Which can be used now, and why the others can't. `pose_row`: the row picked in the table of poses.
+  void refresh(const SessionController& controller, std::optional<int> pose_row);
+};
+
+}  // namespace hexoderm

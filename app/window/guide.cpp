@@ -1,0 +1,196 @@
+#include "app/window/guide.h"
+
+#include "app/window/actions.h"
+#include "app/window/session_controller.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+namespace hexoderm {
+namespace {
+
+struct Guide {
+  Q_DECLARE_TR_FUNCTIONS(hexoderm::Guide)
+};
+
+/// The first set of directions that tells offsets apart is a tetrahedron's (SPEC step 12): the demo leads there.
+constexpr std::size_t kGoodPoseCount = 4;
+
+Tone toneOf(VerdictLevel level) {
+  switch (level) {
+    case VerdictLevel::Good:
+      return Tone::Good;
+    case VerdictLevel::Usable:
+    case VerdictLevel::NotEnough:
+      return Tone::Caution;
+    case VerdictLevel::Failed:
+      return Tone::Bad;
+  }
+  return Tone::Neutral;
+}
+
+bool isExportable(const Reconstruction& reconstruction) {
+  return reconstruction.verdict.level == VerdictLevel::Good || reconstruction.verdict.level == VerdictLevel::Usable;
+}
+
+std::size_t enabledPoses(const Session& session) {
+  return static_cast<std::size_t>(std::count_if(session.poses().begin(), session.poses().end(),
+                                                [](const SessionPose& pose) { return !pose.disabled; }));
+}
+
+bool wantsMorePoses(const SessionController& controller) {
+  return controller.isDemo() && enabledPoses(*controller.session()) < kGoodPoseCount;
+}
+
+QAction* bestAction(const SessionController& controller, const WindowActions& actions) {
+  if (controller.isEmpty()) return actions.demo;
+  const Reconstruction* result = controller.reconstruction().get();
+  if (wantsMorePoses(controller)) {
+    return result && result->verdict.level == VerdictLevel::Good ? actions.export_to : actions.next_pose;
+  }
+  if (controller.isDemo() && result && !isExportable(*result)) return actions.next_pose;
+  return result && (isExportable(*result) || !controller.session()) ? actions.export_to : actions.open;
+}
+
+QString findingsInWords(const Reconstruction& reconstruction) {
+  return reconstruction.findings.empty()
+             ? Guide::tr("no findings")
+             : Guide::tr("%n finding(s)", nullptr, static_cast<int>(reconstruction.findings.size()));
+}
+
+Step connectStep(const SessionController& controller, const WindowActions& actions) {
+  Step step;
+  step.title = Guide::tr("Connect");
+  step.actions = {actions.demo, actions.open};
+  if (controller.isEmpty()) {
+    step.state = StepState::Current;
+    step.what = Guide::tr("Start the demo skin, or open a session or a calibration.");
+    step.why = Guide::tr(
+        "A file can also be dropped onto this window. The demo is a simulation of 17 cells on a "
+        "cylinder; everything can be tried with it.");
+    return step;
+  }
+  step.state = StepState::Done;
+  step.note = controller.name();
+  step.why = controller.session() ? QString::fromStdString(controller.session()->source().text)
+                                  : QString::fromStdString(controller.reconstruction()->source.text);
+  return step;
+}
+
+Step checkStep(const SessionController& controller) {
+  Step step;
+  step.title = Guide::tr("Check the skin");
+  const Reconstruction* result = controller.reconstruction().get();
+  if (!result) {
+    step.why = Guide::tr("Waits for a skin.");
+    return step;
+  }
+  step.state = StepState::Done;
+  step.note = QString::fromStdString(sizeInWords(*result));
+  step.what = Guide::tr("Compare the skin graph with the skin in front of you.");
+  step.why = Guide::tr(
+      "Every cell and every link should be there. What was reported but can't be a skin link is listed "
+      "under Findings and kept out.");
+  return step;
+}
+
+Step captureStep(const SessionController& controller, const WindowActions& actions) {
+  Step step;
+  step.title = Guide::tr("Capture poses");
+  const Reconstruction* result = controller.reconstruction().get();
+  if (!controller.session()) {
+    if (result) {
+      step.state = StepState::Done;
+      step.note = Guide::tr("%n pose(s)", nullptr, static_cast<int>(result->poses.size()));
+      step.why = Guide::tr("A calibration is open. It holds the result; the poses are in its session.");
+    } else {
+      step.why = Guide::tr("Waits for a skin.");
+    }
+    return step;
+  }
+  const std::size_t enabled = enabledPoses(*controller.session());
+  const bool more = wantsMorePoses(controller);
+  step.note = more ? Guide::tr("%1 of %2").arg(enabled).arg(kGoodPoseCount)
+                   : Guide::tr("%n pose(s)", nullptr, static_cast<int>(enabled));
+  if (controller.isDemo()) step.actions = {actions.next_pose};
+  step.state = more || (result && !isExportable(*result)) ? StepState::Current : StepState::Done;
+  if (result) step.what = QString::fromStdString(result->verdict.next_action);
+  step.why = controller.isDemo()
+                 ? Guide::tr(
+                       "Gravity seen from several directions tells how every cell is turned against its "
+                       "neighbours. In the demo, the simulated part is turned for you.")
+                 : Guide::tr(
+                       "Gravity seen from several directions tells how every cell is turned against its "
+                       "neighbours. This session came from a file; no skin is connected to take more.");
+  return step;
+}
+
+Step reviewStep(const SessionController& controller, const WindowActions& actions) {
+  Step step;
+  step.title = Guide::tr("Review");
+  const Reconstruction* result = controller.reconstruction().get();
+  if (!result) {
+    step.why = Guide::tr("Waits for a reconstruction.");
+    return step;
+  }
+  step.note = findingsInWords(*result);
+  step.state = isExportable(*result) ? StepState::Done : StepState::Waiting;
+  step.what = QString::fromStdString(result->verdict.reason);
+  if (controller.session()) {
+    step.why = Guide::tr(
+        "A pose that does not fit can be disabled or deleted in the table of poses, and taken back with "
+        "undo. A click on a finding shows the cell or link it is about.");
+    step.actions = {actions.toggle_pose, actions.delete_pose};
+  } else {
+    step.why = Guide::tr("A click on a finding shows the cell or link it is about.");
+  }
+  return step;
+}
+
+Step exportStep(const SessionController& controller, const WindowActions& actions) {
+  Step step;
+  step.title = Guide::tr("Export");
+  const Reconstruction* result = controller.reconstruction().get();
+  if (!result) {
+    step.why = Guide::tr("Waits for a reconstruction.");
+    return step;
+  }
+  step.actions = {actions.export_to, actions.save_calibration};
+  if (controller.session()) step.actions.push_back(actions.save);
+  step.what = Guide::tr("Write the placements in the form you need.");
+  step.why =
+      isExportable(*result)
+          ? Guide::tr("Every file is read back and compared before it is called written.")
+          : Guide::tr("It can be exported as it is, but the result is not good enough yet: see the line on top.");
+  return step;
+}
+
+}  // namespace
+
+Banner::Content describeStand(const SessionController& controller, const WindowActions& actions) {
+  Banner::Content content;
+  content.action = bestAction(controller, actions);
+  if (const Reconstruction* result = controller.reconstruction().get()) {
+    content.tone = toneOf(result->verdict.level);
+    content.sentence = QString::fromStdString(result->verdict.reason);
+  } else if (!controller.isEmpty()) {
+    content.sentence = Guide::tr("The placements are being worked out…");
+  } else if (!controller.activity().isEmpty()) {
+    content.sentence = Guide::tr("%1…").arg(controller.activity());
+  } else {
+    content.sentence = Guide::tr("No skin yet: start the demo, or open a session or a calibration.");
+  }
+  return content;
+}
+
+std::vector<Step> describeSteps(const SessionController& controller, const WindowActions& actions) {
+  std::vector<Step> steps = {connectStep(controller, actions), checkStep(controller), captureStep(controller, actions),
+                             reviewStep(controller, actions), exportStep(controller, actions)};
+  // With everything before it done, exporting is what is left to do.
+  if (std::all_of(steps.begin(), steps.end() - 1, [](const Step& step) { return step.state == StepState::Done; })) {
+    steps.back().state = StepState::Current;
+  }
+  return steps;
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "widgets/banner.h"
+#include "widgets/step_panel.h"
+
+#include <vector>
+
+namespace hexoderm {
+
+class SessionController;
+class WindowActions;
+
+/// Where the operator stands and what is best done next, in words, from what the controller knows. Nothing is judged
+/// here: how good a result is, core's verdict says.
+Banner::Content describeStand(const SessionController& controller, const WindowActions& actions);
+std::vector<Step> describeSteps(const SessionController& controller, const WindowActions& actions);
+
+}  // namespace hexoderm

@@ -1,0 +1,140 @@
+#include "app/window/main_window.h"
+
+#include <QVTKOpenGLNativeWidget.h>
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QSurfaceFormat>
+#include <QTextStream>
+#include <QTimer>
+#include <cstdio>
+
+namespace {
+
+using namespace hexoderm;
+
+// Exit codes as hexoderm-cli has them.
+constexpr int kUsage = 2;
+constexpr int kBadInput = 3;
+constexpr int kStorage = 5;
+
+int complain(const QString& message, int code) {
+  QTextStream(stderr) << "hexoderm: " << message << '\n';
+  return code;
+}
+
+/// Multisampling costs a factor of three in software OpenGL, so it is off unless asked for, and the surface format must
+/// be set before there is an application.
+int samplesFromArguments(int argc, char** argv) {
+  for (int k = 1; k < argc; ++k) {
+    const QString argument = QString::fromLocal8Bit(argv[k]);
+    if (argument == QStringLiteral("--msaa") && k + 1 < argc) return QString::fromLocal8Bit(argv[k + 1]).toInt();
+    if (argument.startsWith(QStringLiteral("--msaa="))) return argument.mid(7).toInt();
+  }
+  return 0;
+}
+
+/// Takes the demo's poses one after another, then the picture, as the command line asks.
+class Script : public QObject {
+ public:
+  Script(MainWindow& window, int poses, const QString& picture) : window_(window), poses_(poses), picture_(picture) {
+    connect(&window_.controller(), &SessionController::changed, this, &Script::step, Qt::QueuedConnection);
+    connect(&window_.controller(), &SessionController::failed, this, [this](const QString& message) {
+      if (!picture_.isEmpty()) QCoreApplication::exit(complain(message, kBadInput));
+    });
+  }
+
+ private:
+  void step() {
+    SessionController& controller = window_.controller();
+    if (done_ || !controller.reconstruction() || controller.isSolving() || !controller.activity().isEmpty()) return;
+    if (controller.isDemo() && static_cast<int>(controller.session()->poses().size()) < poses_) {
+      controller.takeNextPose();
+      return;
+    }
+    done_ = true;
+    if (picture_.isEmpty()) return;
+    // The views draw what they have just been given when the events before this one are through.
+    QTimer::singleShot(0, this, [this] {
+      QCoreApplication::exit(window_.picture().save(picture_, "PNG")
+                                 ? 0
+                                 : complain(tr("The picture %1 could not be written.").arg(picture_), kStorage));
+    });
+  }
+
+  MainWindow& window_;
+  int poses_;
+  QString picture_;
+  bool done_ = false;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+  format.setSamples(samplesFromArguments(argc, argv));
+  QSurfaceFormat::setDefaultFormat(format);
+  QApplication::setStyle(QStringLiteral("Fusion"));
+  QApplication app(argc, argv);
+  QCoreApplication::setOrganizationName(QStringLiteral("Hexoderm"));
+  QCoreApplication::setApplicationName(QStringLiteral("hexoderm"));
+  QCoreApplication::setApplicationVersion(QStringLiteral(HEXODERM_VERSION));
+
+  QCommandLineParser parser;
+  parser.setApplicationDescription(
+      QCoreApplication::translate("main", "Finds out where every cell of a robot's artificial skin is."));
+  parser.addHelpOption();
+  parser.addVersionOption();
+  parser.addPositionalArgument(QStringLiteral("FILE"),
+                               QCoreApplication::translate("main", "A session or calibration to open."),
+                               QStringLiteral("[FILE]"));
+  const QCommandLineOption demo(QStringLiteral("demo"), QCoreApplication::translate("main", "Start the demo skin."));
+  const QCommandLineOption poses(QStringLiteral("poses"),
+                                 QCoreApplication::translate("main", "Let the demo take N poses at once."),
+                                 QStringLiteral("N"), QStringLiteral("0"));
+  const QCommandLineOption theme(QStringLiteral("theme"),
+                                 QCoreApplication::translate("main", "light, dark or system, for this time."),
+                                 QStringLiteral("THEME"));
+  const QCommandLineOption screenshot(
+      QStringLiteral("screenshot"),
+      QCoreApplication::translate("main", "Save a picture of the window after the first result, and quit."),
+      QStringLiteral("FILE"));
+  const QCommandLineOption msaa(QStringLiteral("msaa"),
+                                QCoreApplication::translate("main", "Samples per pixel of the 3D view; 0 is fastest."),
+                                QStringLiteral("N"), QStringLiteral("0"));
+  parser.addOptions({demo, poses, theme, screenshot, msaa});
+  parser.process(app);
+
+  if (parser.positionalArguments().size() > 1) {
+    return complain(QCoreApplication::translate("main", "One file at a time; see --help."), kUsage);
+  }
+  if (parser.isSet(demo) && !parser.positionalArguments().isEmpty()) {
+    return complain(QCoreApplication::translate("main", "Give either --demo or a file, not both."), kUsage);
+  }
+  bool is_number = false;
+  const int pose_count = parser.value(poses).toInt(&is_number);
+  if (!is_number || pose_count < 0 || pose_count > 1000) {
+    return complain(QCoreApplication::translate("main", "--poses takes a number from 0 to 1000."), kUsage);
+  }
+  if (pose_count > 0 && !parser.isSet(demo)) {
+    return complain(QCoreApplication::translate("main", "--poses goes with --demo."), kUsage);
+  }
+  const int samples = parser.value(msaa).toInt(&is_number);
+  if (!is_number || samples < 0 || samples > 16) {
+    return complain(QCoreApplication::translate("main", "--msaa takes a number from 0 to 16."), kUsage);
+  }
+  const std::optional<ThemeChoice> choice = themeChoiceFromName(parser.value(theme));
+  if (parser.isSet(theme) && !choice) {
+    return complain(QCoreApplication::translate("main", "--theme takes light, dark or system."), kUsage);
+  }
+  if (parser.isSet(screenshot) && !parser.isSet(demo) && parser.positionalArguments().isEmpty()) {
+    return complain(QCoreApplication::translate("main", "--screenshot needs a file or --demo to show."), kUsage);
+  }
+
+  MainWindow window;
+  if (choice) window.setThemeChoice(*choice, false);
+  window.show();
+  const Script script(window, pose_count, parser.value(screenshot));
+  if (parser.isSet(demo)) window.startDemo();
+  if (!parser.positionalArguments().isEmpty()) window.openFile(parser.positionalArguments().front());
+  return QApplication::exec();
+}

@@ -1,0 +1,376 @@
+#include "app/window/main_window.h"
+
+#include "app/window/guide.h"
+#include "hexoderm/util/text.h"
+#include "widgets/banner.h"
+#include "widgets/card_dock.h"
+#include "widgets/graph_view.h"
+#include "widgets/message_bar.h"
+#include "widgets/patch_view.h"
+#include "widgets/step_panel.h"
+#include "widgets/tables.h"
+
+#include <QApplication>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMenuBar>
+#include <QSettings>
+#include <QStatusBar>
+#include <QTabWidget>
+#include <QTableView>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+namespace hexoderm {
+namespace {
+
+/// Raised when docks come or go, so that an older layout is not forced onto a newer window.
+constexpr int kLayoutVersion = 1;
+
+QTableView* makeTable(QAbstractItemModel* model, const char* object_name, const QString& accessible_name) {
+  auto* view = new QTableView;
+  view->setObjectName(QLatin1String(object_name));
+  view->setAccessibleName(accessible_name);
+  view->setModel(model);
+  view->setSelectionBehavior(QAbstractItemView::SelectRows);
+  view->setSelectionMode(QAbstractItemView::SingleSelection);
+  view->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  view->setShowGrid(false);
+  view->setWordWrap(false);
+  view->setTabKeyNavigation(false);
+  view->setFrameShape(QFrame::NoFrame);
+  view->verticalHeader()->hide();
+  view->horizontalHeader()->setHighlightSections(false);
+  view->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  view->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  // Measuring every row of a large skin on each update would take longer than solving it.
+  view->horizontalHeader()->setResizeContentsPrecision(40);
+  return view;
+}
+
+}  // namespace
+
+MainWindow::MainWindow(QWidget* parent)
+    : QMainWindow(parent),
+      actions_(this, controller_.undoStack()),
+      banner_(new Banner),
+      message_bar_(new MessageBar),
+      step_panel_(new StepPanel),
+      patch_view_(new PatchView(&selection_)),
+      graph_view_(new GraphView(&selection_)),
+      pose_table_(new PoseTable(this)),
+      link_table_(new LinkTable(this)),
+      finding_table_(new FindingTable(this)),
+      pose_view_(makeTable(pose_table_, "poseView", tr("Poses"))),
+      link_view_(makeTable(link_table_, "linkView", tr("Links"))),
+      finding_view_(makeTable(finding_table_, "findingView", tr("Findings"))),
+      details_(nullptr),
+      session_name_(new QLabel),
+      source_status_(new QLabel),
+      cells_status_(new QLabel),
+      solve_status_(new QLabel),
+      saved_status_(new QLabel) {
+  setObjectName(QStringLiteral("mainWindow"));
+  setAcceptDrops(true);
+  setContextMenuPolicy(Qt::PreventContextMenu);
+  buildLayout();
+  buildStatusBar();
+  connectActions();
+  connectController();
+  connectSelection();
+  qApp->installEventFilter(this);
+  const QSettings settings;
+  setThemeChoice(
+      themeChoiceFromName(settings.value(QStringLiteral("view/theme")).toString()).value_or(ThemeChoice::System),
+      false);
+  restoreLayout();
+  refresh();
+}
+
+MainWindow::~MainWindow() {
+  qApp->removeEventFilter(this);
+  // Views outlive this part of the window and must not hear from it any more.
+  disconnect(&controller_, nullptr, this, nullptr);
+  disconnect(&selection_, nullptr, this, nullptr);
+  // The views refer to the selection, a member; left to QObject they would go after it.
+  delete takeCentralWidget();
+  qDeleteAll(findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly));
+}
+
+void MainWindow::buildLayout() {
+  auto* banner_bar = new QToolBar(tr("Where we stand"));
+  banner_bar->setObjectName(QStringLiteral("bannerBar"));
+  banner_bar->setMovable(false);
+  banner_bar->setFloatable(false);
+  banner_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  banner_bar->addWidget(banner_);
+  addToolBar(Qt::TopToolBarArea, banner_bar);
+
+  auto* card = new QFrame;
+  card->setProperty("card", true);
+  auto* card_layout = new QVBoxLayout(card);
+  card_layout->setContentsMargins(1, 1, 1, 1);
+  card_layout->addWidget(patch_view_);
+  patch_view_->setAccessibleName(tr("The patch in three dimensions"));
+  patch_view_->setMinimumSize(320, 240);
+  auto* centre = new QWidget;
+  auto* centre_layout = new QVBoxLayout(centre);
+  centre_layout->setContentsMargins(0, 8, 0, 0);
+  centre_layout->setSpacing(8);
+  centre_layout->addWidget(message_bar_);
+  centre_layout->addWidget(card, 1);
+  setCentralWidget(centre);
+
+  setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  auto* steps = new CardDock(tr("Steps"), QStringLiteral("stepsDock"), step_panel_, this);
+  graph_dock_ = new CardDock(tr("Skin graph"), QStringLiteral("graphDock"), graph_view_, this);
+  pose_dock_ = new CardDock(tr("Poses"), QStringLiteral("poseDock"), pose_view_, this);
+  auto* details = new CardDock(tr("Details"), QStringLiteral("detailsDock"), buildDetails(), this);
+  addDockWidget(Qt::LeftDockWidgetArea, steps);
+  addDockWidget(Qt::RightDockWidgetArea, graph_dock_);
+  addDockWidget(Qt::RightDockWidgetArea, pose_dock_);
+  addDockWidget(Qt::BottomDockWidgetArea, details);
+  resizeDocks({steps, graph_dock_}, {286, 380}, Qt::Horizontal);
+  resizeDocks({graph_dock_, pose_dock_}, {420, 330}, Qt::Vertical);
+  resizeDocks({details}, {190}, Qt::Vertical);
+  pose_view_->horizontalHeader()->setStretchLastSection(true);
+  link_view_->horizontalHeader()->setStretchLastSection(true);
+  finding_view_->horizontalHeader()->setStretchLastSection(true);
+
+  auto* app_name = new QLabel(QStringLiteral("Hexoderm"));
+  app_name->setObjectName(QStringLiteral("appName"));
+  session_name_->setObjectName(QStringLiteral("sessionName"));
+  session_name_->setTextFormat(Qt::PlainText);
+  menuBar()->setCornerWidget(app_name, Qt::TopLeftCorner);
+  menuBar()->setCornerWidget(session_name_, Qt::TopRightCorner);
+  actions_.fillMenuBar(menuBar(), {steps->toggleViewAction(), graph_dock_->toggleViewAction(),
+                                   pose_dock_->toggleViewAction(), details->toggleViewAction()});
+}
+
+QWidget* MainWindow::buildDetails() {
+  details_ = new QTabWidget;
+  details_->setObjectName(QStringLiteral("details"));
+  details_->setDocumentMode(true);
+  details_->addTab(finding_view_, tr("Findings"));
+  details_->addTab(link_view_, tr("Links"));
+  return details_;
+}
+
+void MainWindow::buildStatusBar() {
+  for (QLabel* label : {source_status_, cells_status_, solve_status_, saved_status_}) {
+    label->setTextFormat(Qt::PlainText);
+    label->setContentsMargins(10, 2, 10, 2);
+  }
+  source_status_->setObjectName(QStringLiteral("sourceStatus"));
+  cells_status_->setObjectName(QStringLiteral("cellsStatus"));
+  solve_status_->setObjectName(QStringLiteral("solveStatus"));
+  saved_status_->setObjectName(QStringLiteral("savedStatus"));
+  statusBar()->setSizeGripEnabled(false);
+  statusBar()->addWidget(source_status_);
+  statusBar()->addWidget(cells_status_);
+  statusBar()->addWidget(solve_status_);
+  statusBar()->addPermanentWidget(saved_status_);
+}
+
+void MainWindow::connectActions() {
+  connect(actions_.demo, &QAction::triggered, this, &MainWindow::startDemo);
+  connect(actions_.open, &QAction::triggered, this, &MainWindow::askToOpen);
+  connect(actions_.save, &QAction::triggered, this, [this] { saveSession(false); });
+  connect(actions_.save_as, &QAction::triggered, this, [this] { saveSession(true); });
+  connect(actions_.save_calibration, &QAction::triggered, this, &MainWindow::saveCalibration);
+  connect(actions_.export_to, &QAction::triggered, this, &MainWindow::showExportDialog);
+  connect(actions_.quit, &QAction::triggered, this, &QWidget::close);
+  connect(actions_.next_pose, &QAction::triggered, &controller_, &SessionController::takeNextPose);
+  connect(actions_.toggle_pose, &QAction::triggered, this, [this] {
+    const std::optional<int> row = pickedPoseRow();
+    const std::optional<std::size_t> index = row ? controller_.sessionIndexOfPoseRow(*row) : std::nullopt;
+    if (index) controller_.setPoseDisabled(*index, !controller_.session()->poses()[*index].disabled);
+  });
+  connect(actions_.delete_pose, &QAction::triggered, this, [this] {
+    const std::optional<int> row = pickedPoseRow();
+    if (const auto index = row ? controller_.sessionIndexOfPoseRow(*row) : std::nullopt) controller_.removePose(*index);
+  });
+  connect(actions_.fit, &QAction::triggered, graph_view_, &GraphView::fit);
+  connect(actions_.fit, &QAction::triggered, patch_view_, &PatchView::fit);
+  const auto look = [this](QAction* action, PatchView::StandardView view) {
+    connect(action, &QAction::triggered, patch_view_, [this, view] { patch_view_->showStandardView(view); });
+  };
+  look(actions_.front, PatchView::StandardView::Front);
+  look(actions_.side, PatchView::StandardView::Side);
+  look(actions_.top, PatchView::StandardView::Top);
+  connect(actions_.screenshot, &QAction::triggered, this, &MainWindow::savePicture);
+  connect(actions_.keys, &QAction::triggered, this, &MainWindow::showKeys);
+  connect(actions_.about, &QAction::triggered, this, &MainWindow::showAbout);
+  connect(actions_.themes, &QActionGroup::triggered, this, [this](QAction* action) {
+    setThemeChoice(static_cast<ThemeChoice>(actions_.themes->actions().indexOf(action)), true);
+  });
+}
+
+void MainWindow::connectController() {
+  connect(&controller_, &SessionController::changed, this, &MainWindow::refresh);
+  connect(
+      &controller_, &SessionController::changed, this,
+      [this] {
+        if (close_when_written_ && !controller_.isWriting()) close();
+      },
+      Qt::QueuedConnection);
+  connect(&controller_, &SessionController::reconstructionChanged, this, &MainWindow::showReconstruction);
+  connect(&controller_, &SessionController::opened, this, [this] {
+    message_bar_->hide();
+    selection_.clear();
+    picked_pose_.reset();
+  });
+  connect(&controller_, &SessionController::sessionSaved, this, [this](const QString& path) {
+    showDone(tr("Saved to %1").arg(path), path);
+    if (const auto proceed = std::exchange(after_saving_, nullptr)) proceed();
+  });
+  connect(&controller_, &SessionController::exported, this,
+          [this](const QString& path) { showDone(tr("Exported to %1").arg(path), path); });
+  connect(&controller_, &SessionController::failed, this, [this](const QString& message) {
+    after_saving_ = nullptr;
+    may_close_ = close_when_written_ = false;
+    message_bar_->showMessage(Tone::Bad, message);
+  });
+}
+
+void MainWindow::connectSelection() {
+  connect(&selection_, &Selection::changed, this, &MainWindow::showPickedLink);
+  connect(finding_view_, &QTableView::clicked, this,
+          [this](const QModelIndex& index) { pickFromFinding(index.row()); });
+  connect(finding_view_, &QTableView::activated, this,
+          [this](const QModelIndex& index) { pickFromFinding(index.row()); });
+  connect(link_view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+          [this](const QModelIndex& current) {
+            if (!current.isValid()) return;
+            const LinkEstimate& link = link_table_->linkAt(current.row());
+            selection_.selectLink(link.source, link.target);
+          });
+  connect(pose_view_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &MainWindow::showPickedPose);
+}
+
+void MainWindow::showReconstruction(const std::shared_ptr<const Reconstruction>& reconstruction) {
+  // The pose stays picked although the tables start anew.
+  const std::optional<PoseId> picked = picked_pose_;
+  pose_table_->setReconstruction(reconstruction);
+  link_table_->setReconstruction(reconstruction);
+  finding_table_->setReconstruction(reconstruction);
+  graph_view_->setReconstruction(reconstruction);
+  patch_view_->setReconstruction(reconstruction);
+  picked_pose_ = picked;
+  if (reconstruction && picked) {
+    for (std::size_t row = 0; row < reconstruction->poses.size(); ++row) {
+      if (reconstruction->poses[row].pose == *picked) pose_view_->selectRow(static_cast<int>(row));
+    }
+  }
+  showPickedPose();
+  showPickedLink();
+}
+
+void MainWindow::showPickedPose() {
+  const std::optional<int> row = pickedPoseRow();
+  if (row && pose_table_->reconstruction()) {
+    picked_pose_ = pose_table_->reconstruction()->poses[static_cast<std::size_t>(*row)].pose;
+  }
+  patch_view_->setPose(row ? picked_pose_ : std::nullopt);
+  refresh();
+}
+
+std::optional<int> MainWindow::pickedPoseRow() const {
+  const QModelIndexList rows = pose_view_->selectionModel()->selectedRows();
+  return rows.isEmpty() ? std::nullopt : std::optional(rows.front().row());
+}
+
+void MainWindow::showPickedLink() {
+  const int row = selection_.link() ? link_table_->rowOf(selection_.link()->first, selection_.link()->second) : -1;
+  if (row < 0) {
+    link_view_->clearSelection();
+    link_view_->selectionModel()->clearCurrentIndex();
+  } else if (link_view_->currentIndex().row() != row) {
+    link_view_->selectRow(row);
+  }
+}
+
+void MainWindow::pickFromFinding(int row) {
+  const Finding& finding = finding_table_->findingAt(row);
+  if (finding.cells.size() >= 2 && finding.ports.size() >= 2) {
+    selection_.selectLink({finding.cells[0], finding.ports[0]}, {finding.cells[1], finding.ports[1]});
+  } else if (!finding.cells.empty()) {
+    selection_.selectCell(finding.cells.front());
+  }
+}
+
+void MainWindow::refresh() {
+  actions_.refresh(controller_, pickedPoseRow());
+  banner_->setContent(describeStand(controller_, actions_));
+  step_panel_->setSteps(describeSteps(controller_, actions_));
+  refreshStatus();
+}
+
+void MainWindow::refreshStatus() {
+  const Reconstruction* result = controller_.reconstruction().get();
+  const QString name = controller_.isEmpty() ? tr("No skin") : controller_.name();
+  session_name_->setText(controller_.isEmpty() ? QString() : name);
+  setWindowTitle(controller_.isEmpty() ? tr("Hexoderm") : tr("%1[*] · Hexoderm").arg(name));
+  setWindowModified(controller_.hasUnsavedChanges());
+
+  source_status_->setText(QStringLiteral("● ") +
+                          (controller_.activity().isEmpty() ? name : controller_.activity() + "…"));
+  cells_status_->setVisible(result != nullptr);
+  solve_status_->setVisible(result != nullptr);
+  if (result) {
+    std::size_t measured = 0;
+    for (const PoseSummary& pose : result->poses) {
+      if (pose.enabled) measured = std::max(measured, pose.cells_measured);
+    }
+    cells_status_->setText(tr("cells %1/%2").arg(measured).arg(result->cellCount()));
+    cells_status_->setToolTip(tr("Cells that were measured in the fullest pose, of all cells"));
+    solve_status_->setText(controller_.session()
+                               ? tr("solved in %1 ms · %2")
+                                     .arg(QString::fromStdString(formatFixed(1e3 * result->solve_seconds, 1)),
+                                          QString::fromStdString(result->solver))
+                               : tr("%1, read from the file").arg(QString::fromStdString(result->solver)));
+    solve_status_->setToolTip(tr("A direction counts as defined from a singular value of %1 on")
+                                  .arg(QString::fromStdString(formatFixed(result->options.class_threshold, 2))));
+  }
+  QString saved;
+  if (controller_.hasUnsavedChanges()) {
+    saved = tr("not saved");
+  } else if (controller_.savedAt().isValid()) {
+    saved = tr("saved at %1").arg(controller_.savedAt().toString(QStringLiteral("HH:mm")));
+  }
+  saved_status_->setText(saved);
+
+  graph_dock_->setRemark(result ? QString::fromStdString(sizeInWords(*result)) : QString());
+  pose_dock_->setRemark(controller_.session() ? tr("Del disable · Ctrl+Z undo") : QString());
+  details_->setTabText(0, result ? tr("Findings %1").arg(result->findings.size()) : tr("Findings"));
+  details_->setTabText(1, result ? tr("Links %1").arg(result->linkCount()) : tr("Links"));
+}
+
+void MainWindow::setThemeChoice(ThemeChoice choice, bool remember) {
+  theme_ = resolveTheme(choice);
+  applyTheme(theme_);
+  banner_->setTheme(theme_);
+  message_bar_->setTheme(theme_);
+  step_panel_->setTheme(theme_);
+  patch_view_->setTheme(theme_);
+  graph_view_->setTheme(theme_);
+  actions_.theme[static_cast<std::size_t>(choice)]->setChecked(true);
+  if (remember) QSettings().setValue(QStringLiteral("view/theme"), themeChoiceName(choice));
+}
+
+void MainWindow::restoreLayout() {
+  resize(1440, 900);
+  const QSettings settings;
+  restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+  restoreState(settings.value(QStringLiteral("window/state")).toByteArray(), kLayoutVersion);
+}
+
+void MainWindow::rememberLayout() const {
+  QSettings settings;
+  settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
+  settings.setValue(QStringLiteral("window/state"), saveState(kLayoutVersion));
+}
+
+}  // namespace hexoderm

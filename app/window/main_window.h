@@ -1,0 +1,119 @@
+#pragma once
+
+#include "app/window/actions.h"
+#include "app/window/session_controller.h"
+#include "app/window/theme.h"
+#include "widgets/selection.h"
+
+#include <QMainWindow>
+#include <functional>
+#include <memory>
+
+class QLabel;
+class QTableView;
+class QTabWidget;
+
+namespace hexoderm {
+
+class Banner;
+class CardDock;
+class FindingTable;
+class GraphView;
+class LinkTable;
+class MessageBar;
+class PatchView;
+class PoseTable;
+class StepPanel;
+
+/// The one window. Wires the controller's signals to the views and the actions to the controller; decides nothing.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit MainWindow(QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  [[nodiscard]] SessionController& controller() { return controller_; }
+  [[nodiscard]] Selection& selection() { return selection_; }
+  [[nodiscard]] const WindowActions& actions() const { return actions_; }
+
+  /// Both ask first if poses would be lost.
+  void openFile(const QString& path);
+  void startDemo();
+
+  /// `remember`: also for the next start.
+  void setThemeChoice(ThemeChoice choice, bool remember);
+  [[nodiscard]] Theme theme() const { return theme_; }
+
+  /// The whole window as it looks now.
+  [[nodiscard]] QImage picture();
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void buildLayout();
+  void buildStatusBar();
+  QWidget* buildDetails();
+  void connectActions();
+  void connectController();
+  void connectSelection();
+  void restoreLayout();
+  void rememberLayout() const;
+
+  void refresh();
+  void refreshStatus();
+  void showReconstruction(const std::shared_ptr<const Reconstruction>& reconstruction);
+  void showPickedPose();
+  void showPickedLink();
+  void pickFromFinding(int row);
+  [[nodiscard]] std::optional<int> pickedPoseRow() const;
+
+  void askToOpen();
+  void saveSession(bool always_ask);
+  void askForPath(const QString& title, const QString& name, const QString& filter, const QString& extension,
+                  std::function<void(QString)> chosen);
+  void saveCalibration();
+  void showExportDialog();
+  void savePicture();
+  void showDone(const QString& text, const QString& path);
+  void afterAskingToSave(std::function<void()> proceed);
+  void showKeys();
+  void showAbout();
+  [[nodiscard]] QString suggestedName() const;
+
+  SessionController controller_;
+  Selection selection_;
+  WindowActions actions_;
+  Theme theme_ = Theme::Light;
+
+  Banner* banner_;
+  MessageBar* message_bar_;
+  StepPanel* step_panel_;
+  PatchView* patch_view_;
+  GraphView* graph_view_;
+  PoseTable* pose_table_;
+  LinkTable* link_table_;
+  FindingTable* finding_table_;
+  QTableView* pose_view_;
+  QTableView* link_view_;
+  QTableView* finding_view_;
+  QTabWidget* details_;
+  CardDock* graph_dock_ = nullptr;
+  CardDock* pose_dock_ = nullptr;
+  QLabel* session_name_;
+  QLabel* source_status_;
+  QLabel* cells_status_;
+  QLabel* solve_status_;
+  QLabel* saved_status_;
+
+  std::optional<PoseId> picked_pose_;
+  std::function<void()> after_saving_;  ///< what waits for the session to be on disk
+  bool may_close_ = false;
+  bool close_when_written_ = false;
+};
+
+}  // namespace hexoderm

@@ -1,0 +1,233 @@
+#include "app/window/session_controller.h"
+
+#include "app/window/session_commands.h"
+#include "hexoderm/io/calibration_json.h"
+#include "hexoderm/io/session_json.h"
+#include "hexoderm/util/error.h"
+
+#include <QFileInfo>
+#include <QMetaObject>
+#include <filesystem>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+std::filesystem::path toPath(const QString& path) { return {path.toStdU16String()}; }
+
+}  // namespace
+
+SessionController::SessionController(QObject* parent)
+    : QObject(parent), undo_stack_(this), worker_([this](ReconstructionOutcome outcome) {
+        QMetaObject::invokeMethod(
+            this, [this, outcome = std::move(outcome)] { receive(outcome); }, Qt::QueuedConnection);
+      }) {
+  connect(&undo_stack_, &QUndoStack::indexChanged, this, [this] {
+    if (session_) submit();
+  });
+  connect(&undo_stack_, &QUndoStack::cleanChanged, this, &SessionController::changed);
+}
+
+SessionController::~SessionController() {
+  // The stack says so when it is cleared, and by then the worker is gone.
+  disconnect(&undo_stack_, nullptr, this, nullptr);
+}
+
+std::optional<std::size_t> SessionController::sessionIndexOfPoseRow(int row) const {
+  if (!session_ || !reconstruction_ || row < 0 || static_cast<std::size_t>(row) >= reconstruction_->poses.size()) {
+    return std::nullopt;
+  }
+  const auto index = static_cast<std::size_t>(row);
+  const PoseId id = reconstruction_->poses[index].pose;
+  const std::vector<SessionPose>& poses = session_->poses();
+  if (index < poses.size() && poses[index].capture->id == id) return index;
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    if (poses[k].capture->id == id) return k;
+  }
+  return std::nullopt;
+}
+
+void SessionController::startDemo() {
+  const std::uint64_t ticket = ++asked_count_;
+  start(tr("Setting up the demo skin"),
+        [this, ticket]() -> Continuation {
+          auto demo = std::make_shared<DemoSkin>();
+          return [this, ticket, demo] {
+            if (ticket != asked_count_) return;
+            showSession(std::make_unique<Session>(demo->makeSession()), demo, tr("Demo skin (simulated)"), {});
+          };
+        },
+        {});
+}
+
+void SessionController::openFile(const QString& path) {
+  const std::uint64_t ticket = ++asked_count_;
+  const QString name = QFileInfo(path).fileName();
+  start(tr("Opening %1").arg(name),
+        [this, ticket, name, path]() -> Continuation {
+          auto file = std::make_shared<OpenedFile>(hexoderm::openFile(toPath(path), builtInCellModel("hex-bma150")));
+          return [this, ticket, name, path, file] {
+            if (ticket != asked_count_) return;
+            if (auto* session = std::get_if<Session>(file.get())) {
+              showSession(std::make_unique<Session>(std::move(*session)), nullptr, name, path);
+            } else {
+              showCalibration(std::get<std::shared_ptr<const Reconstruction>>(*file), name);
+            }
+          };
+        },
+        {});
+}
+
+void SessionController::saveSession(const QString& path) {
+  if (!session_) return;
+  // The copy shares the captures; what the operator does meanwhile is not in it and stays unsaved.
+  startWriting(tr("Saving %1").arg(QFileInfo(path).fileName()),
+               [this, path, session = *session_, ticket = opened_count_]() -> Continuation {
+                 writeSessionJson(session, toPath(path));
+                 return [this, path, ticket, revision = session.revision()] {
+                   if (ticket != opened_count_ || !session_) return;
+                   session_path_ = path;
+                   name_ = QFileInfo(path).fileName();
+                   saved_at_ = QTime::currentTime();
+                   if (session_->revision() == revision) {
+                     undo_stack_.setClean();
+                   } else {
+                     undo_stack_.resetClean();
+                   }
+                   emit sessionSaved(path);
+                 };
+               });
+}
+
+void SessionController::exportTo(const ExportRequest& request) {
+  if (!reconstruction_) return;
+  startWriting(tr("Exporting %1").arg(QFileInfo(request.path).fileName()),
+               [this, request, reconstruction = reconstruction_]() -> Continuation {
+                 if (request.format) {
+                   exportReconstruction(*reconstruction, *request.format, toPath(request.path), request.options);
+                 } else {
+                   writeCalibrationJson(*reconstruction, toPath(request.path));
+                 }
+                 return [this, path = request.path] { emit exported(path); };
+               });
+}
+
+void SessionController::saveImage(const QImage& image, const QString& path) {
+  startWriting(tr("Saving %1").arg(QFileInfo(path).fileName()), [this, image, path]() -> Continuation {
+    if (!image.save(path, "PNG")) {
+      throw StorageError("The picture " + path.toStdString() + " could not be written: is the folder writable?");
+    }
+    return [this, path] { emit exported(path); };
+  });
+}
+
+void SessionController::takeNextPose() {
+  if (!isDemo() || taking_pose_) return;
+  taking_pose_ = true;
+  const DemoSkin::Hold hold = demo_->nextHold(*session_);
+  const PoseId id = session_->nextPoseId();
+  demo_->remember(id, hold);
+  start(
+      tr("Turning the part: %1").arg(hold.label),
+      [this, demo = demo_, hold, id, ticket = opened_count_]() -> Continuation {
+        auto capture = std::make_shared<const PoseCapture>(demo->record(id, hold));
+        return [this, capture, ticket] {
+          if (ticket == opened_count_ && session_) {
+            undo_stack_.push(new AddPoseCommand(*session_, {capture, false}));
+          }
+        };
+      },
+      [this] { taking_pose_ = false; });
+}
+
+void SessionController::setPoseDisabled(std::size_t index, bool disabled) {
+  if (!session_ || index >= session_->poses().size() || session_->poses()[index].disabled == disabled) return;
+  undo_stack_.push(new SetPoseDisabledCommand(*session_, index, disabled));
+}
+
+void SessionController::removePose(std::size_t index) {
+  if (!session_ || index >= session_->poses().size()) return;
+  undo_stack_.push(new RemovePoseCommand(*session_, index));
+}
+
+void SessionController::start(const QString& activity, std::function<Continuation()> work, Continuation finally) {
+  activities_.push_back(activity);
+  emit changed();
+  jobs_.add([this, work = std::move(work), finally = std::move(finally)] {
+    Continuation then;
+    try {
+      then = work();
+    } catch (const std::exception& error) {
+      then = [this, message = QString::fromUtf8(error.what())] { emit failed(message); };
+    }
+    QMetaObject::invokeMethod(
+        this,
+        [this, then = std::move(then), finally] {
+          activities_.pop_front();
+          if (finally) finally();
+          then();
+          emit changed();
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void SessionController::startWriting(const QString& activity, std::function<Continuation()> work) {
+  ++writing_;
+  start(activity, std::move(work), [this] { --writing_; });
+}
+
+void SessionController::closeCurrent() {
+  ++opened_count_;
+  // The stack's commands refer to the session, so they go first; while there is no session nothing is submitted.
+  const std::unique_ptr<Session> old = std::move(session_);
+  undo_stack_.clear();
+  demo_.reset();
+  reconstruction_.reset();
+  session_path_.clear();
+  saved_at_ = {};
+  first_revision_ = submitted_revision_ + 1;
+  shown_revision_ = submitted_revision_;
+}
+
+void SessionController::showSession(std::unique_ptr<Session> session, std::shared_ptr<DemoSkin> demo,
+                                    const QString& name, const QString& path) {
+  closeCurrent();
+  session_ = std::move(session);
+  demo_ = std::move(demo);
+  name_ = name;
+  session_path_ = path;
+  emit reconstructionChanged(nullptr);
+  submit();
+  emit opened(name);
+}
+
+void SessionController::showCalibration(std::shared_ptr<const Reconstruction> calibration, const QString& name) {
+  closeCurrent();
+  name_ = name;
+  reconstruction_ = std::move(calibration);
+  emit reconstructionChanged(reconstruction_);
+  emit opened(name);
+}
+
+void SessionController::submit() {
+  auto snapshot = std::make_shared<SessionSnapshot>(*session_->snapshot());
+  // Sessions count their own revisions from 1; results must be told apart across sessions too.
+  snapshot->revision = ++submitted_revision_;
+  worker_.submit(std::move(snapshot), {});
+  emit changed();
+}
+
+void SessionController::receive(const ReconstructionOutcome& outcome) {
+  if (outcome.revision < first_revision_ || outcome.revision <= shown_revision_) return;
+  shown_revision_ = outcome.revision;
+  if (outcome.reconstruction) {
+    reconstruction_ = outcome.reconstruction;
+    emit reconstructionChanged(reconstruction_);
+  } else {
+    emit failed(QString::fromStdString(outcome.error));
+  }
+  emit changed();
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,116 @@
+#pragma once
+
+#include "app/window/demo.h"
+#include "app/window/job_queue.h"
+#include "hexoderm/io/exporter.h"
+#include "hexoderm/io/open_file.h"
+#include "hexoderm/reconstruction/reconstruction_worker.h"
+
+#include <QImage>
+#include <QObject>
+#include <QStringList>
+#include <QTime>
+#include <QUndoStack>
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace hexoderm {
+
+/// What an export dialog asks for. Without a format: Hexoderm's own calibration file.
+struct ExportRequest {
+  std::optional<ExportFormat> format;
+  QString path;
+  ExportOptions options;
+};
+
+/// The only bridge between core and Qt. Owns the session (on the GUI thread), the worker that reconstructs it, the undo
+/// stack and the thread that files and the simulated skin work on. Nothing here waits for any of them.
+class SessionController : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit SessionController(QObject* parent = nullptr);
+  ~SessionController() override;
+
+  /// Null if nothing is open, or a calibration is.
+  [[nodiscard]] const Session* session() const { return session_.get(); }
+  /// The newest result; null until there is one.
+  [[nodiscard]] const std::shared_ptr<const Reconstruction>& reconstruction() const { return reconstruction_; }
+  [[nodiscard]] QUndoStack* undoStack() { return &undo_stack_; }
+
+  [[nodiscard]] bool isEmpty() const { return !session_ && !reconstruction_; }
+  [[nodiscard]] bool isDemo() const { return session_ && demo_; }
+  /// A change of the session has no result yet.
+  [[nodiscard]] bool isSolving() const { return session_ && shown_revision_ < submitted_revision_; }
+  /// What is being done in the background, in words; empty if nothing is.
+  [[nodiscard]] QString activity() const { return activities_.isEmpty() ? QString() : activities_.front(); }
+  [[nodiscard]] bool isTakingPose() const { return taking_pose_; }
+  [[nodiscard]] bool isWriting() const { return writing_ > 0; }
+  [[nodiscard]] QString name() const { return name_; }
+  /// Where Save goes without asking; empty if it must ask.
+  [[nodiscard]] QString sessionPath() const { return session_path_; }
+  [[nodiscard]] bool hasUnsavedChanges() const { return session_ && !undo_stack_.isClean(); }
+  /// When this session was saved last; invalid if it never was.
+  [[nodiscard]] QTime savedAt() const { return saved_at_; }
+
+  /// Place of a pose of the shown reconstruction among the session's poses, which may be ahead of it.
+  [[nodiscard]] std::optional<std::size_t> sessionIndexOfPoseRow(int row) const;
+
+ public slots:
+  void startDemo();
+  void openFile(const QString& path);
+  void saveSession(const QString& path);
+  void exportTo(const hexoderm::ExportRequest& request);
+  void saveImage(const QImage& image, const QString& path);
+  /// The demo's next pose. Nothing happens elsewhere, or while one is being taken.
+  void takeNextPose();
+  void setPoseDisabled(std::size_t index, bool disabled);
+  void removePose(std::size_t index);
+
+ signals:
+  /// Anything about session, files or background work changed.
+  void changed();
+  void reconstructionChanged(std::shared_ptr<const hexoderm::Reconstruction> reconstruction);
+  void opened(const QString& name);
+  void sessionSaved(const QString& path);
+  void exported(const QString& path);
+  /// One message for a person, as core said it.
+  void failed(const QString& message);
+
+ private:
+  using Continuation = std::function<void()>;
+  /// Runs `work` on the job thread, then `finally` and what `work` returned on the GUI thread; what it throws becomes
+  /// `failed`.
+  void start(const QString& activity, std::function<Continuation()> work, Continuation finally);
+  void startWriting(const QString& activity, std::function<Continuation()> work);
+  void showSession(std::unique_ptr<Session> session, std::shared_ptr<DemoSkin> demo, const QString& name,
+                   const QString& path);
+  void showCalibration(std::shared_ptr<const Reconstruction> calibration, const QString& name);
+  void closeCurrent();
+  void submit();
+  void receive(const ReconstructionOutcome& outcome);
+
+  std::unique_ptr<Session> session_;
+  std::shared_ptr<DemoSkin> demo_;
+  std::shared_ptr<const Reconstruction> reconstruction_;
+  QUndoStack undo_stack_;
+  QString name_;
+  QString session_path_;
+  QTime saved_at_;
+  QStringList activities_;
+  int writing_ = 0;
+  bool taking_pose_ = false;
+
+  std::uint64_t asked_count_ = 0;         ///< the last request to open something: earlier ones are dropped
+  std::uint64_t opened_count_ = 0;        ///< which session or calibration this is: late answers for others are dropped
+  std::uint64_t submitted_revision_ = 0;  ///< counts over all sessions, unlike the session's own
+  std::uint64_t first_revision_ = 1;      ///< of the session that is open
+  std::uint64_t shown_revision_ = 0;
+
+  // Last, so that both threads have ended before anything they report to goes.
+  ReconstructionWorker worker_;
+  JobQueue jobs_;
+};
+
+}  // namespace hexoderm

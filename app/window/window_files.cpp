@@ -1,0 +1,215 @@
+// The part of MainWindow that asks: which file, save first, close now.
+#include "app/window/export_dialog.h"
+#include "app/window/keys_dialog.h"
+#include "app/window/main_window.h"
+#include "widgets/message_bar.h"
+
+#include <QAbstractButton>
+#include <QAbstractSpinBox>
+#include <QCloseEvent>
+#include <QComboBox>
+#include <QDateTime>
+#include <QDesktopServices>
+#include <QDir>
+#include <QFileDialog>
+#include <QKeyEvent>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QUrl>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+const QString kSessionExtension = QStringLiteral(".session.json");
+const QString kCalibrationExtension = QStringLiteral(".calibration.json");
+
+QString lastFolder() {
+  const QString folder = QSettings().value(QStringLiteral("paths/last")).toString();
+  if (!folder.isEmpty() && QDir(folder).exists()) return folder;
+  const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  return QDir(documents).exists() ? documents : QDir::homePath();
+}
+
+void rememberFolder(const QString& path) {
+  QSettings().setValue(QStringLiteral("paths/last"), QFileInfo(path).absolutePath());
+}
+
+/// The one local file of a drag, if that is what is dragged.
+QString droppedFile(const QMimeData* data) {
+  return data->urls().size() == 1 && data->urls().front().isLocalFile() ? data->urls().front().toLocalFile()
+                                                                        : QString();
+}
+
+}  // namespace
+
+void MainWindow::openFile(const QString& path) {
+  rememberFolder(path);
+  afterAskingToSave([this, path] { controller_.openFile(path); });
+}
+
+void MainWindow::startDemo() {
+  afterAskingToSave([this] { controller_.startDemo(); });
+}
+
+void MainWindow::askToOpen() {
+  auto* dialog = new QFileDialog(this, tr("Open a session or a calibration"), lastFolder());
+  dialog->setObjectName(QStringLiteral("openDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  dialog->setNameFilters({tr("Sessions and calibrations (*.json *.xml)"), tr("All files (*)")});
+  connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::openFile);
+  dialog->open();
+}
+
+QString MainWindow::suggestedName() const {
+  if (controller_.isDemo() && controller_.sessionPath().isEmpty()) return QStringLiteral("demo");
+  QString name = controller_.name();
+  for (const QString& extension : {kSessionExtension, kCalibrationExtension, QStringLiteral(".xml")}) {
+    if (name.endsWith(extension)) name.chop(extension.size());
+  }
+  return name;
+}
+
+void MainWindow::askForPath(const QString& title, const QString& name, const QString& filter, const QString& extension,
+                            std::function<void(QString)> chosen) {
+  auto* dialog = new QFileDialog(this, title, lastFolder(), filter);
+  dialog->setObjectName(QStringLiteral("saveDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(extension.mid(1));
+  dialog->selectFile(name + extension);
+  connect(dialog, &QFileDialog::fileSelected, this, [chosen = std::move(chosen)](const QString& path) {
+    rememberFolder(path);
+    chosen(path);
+  });
+  connect(dialog, &QFileDialog::rejected, this, [this] { after_saving_ = nullptr; });
+  dialog->open();
+}
+
+void MainWindow::saveSession(bool always_ask) {
+  if (!controller_.session()) return;
+  if (!always_ask && controller_.sessionPath().endsWith(kSessionExtension)) {
+    controller_.saveSession(controller_.sessionPath());
+    return;
+  }
+  askForPath(tr("Save the session"), suggestedName(), tr("Sessions (*.session.json)"), kSessionExtension,
+             [this](const QString& path) { controller_.saveSession(path); });
+}
+
+void MainWindow::saveCalibration() {
+  askForPath(tr("Save the calibration"), suggestedName(), tr("Calibrations (*.calibration.json)"),
+             kCalibrationExtension, [this](const QString& path) {
+               controller_.exportTo({std::nullopt, path, {}});
+             });
+}
+
+void MainWindow::showExportDialog() {
+  auto* dialog = new ExportDialog(QDir(lastFolder()).filePath(suggestedName()), this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &ExportDialog::exportRequested, this, [this](const ExportRequest& request) {
+    rememberFolder(request.path);
+    controller_.exportTo(request);
+  });
+  dialog->open();
+}
+
+QImage MainWindow::picture() { return grab().toImage(); }
+
+void MainWindow::savePicture() {
+  const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
+  const QDir folder(QDir(pictures).exists() ? pictures : lastFolder());
+  const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz"));
+  controller_.saveImage(picture(), folder.filePath(QStringLiteral("hexoderm-%1.png").arg(stamp)));
+}
+
+void MainWindow::showDone(const QString& text, const QString& path) {
+  message_bar_->showMessage(Tone::Good, text, tr("Open folder"), [this, path] {
+    const QString folder = QFileInfo(path).absolutePath();
+    if (!QDesktopServices::openUrl(QUrl::fromLocalFile(folder))) {
+      message_bar_->showMessage(Tone::Caution,
+                                tr("No program to show folders was found. The folder is %1.").arg(folder));
+    }
+  });
+}
+
+void MainWindow::afterAskingToSave(std::function<void()> proceed) {
+  if (!controller_.hasUnsavedChanges()) {
+    proceed();
+    return;
+  }
+  auto* box = new QMessageBox(QMessageBox::Question, tr("Unsaved poses"),
+                              tr("Save the session first? Its latest changes are not on disk yet."),
+                              QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+  box->setObjectName(QStringLiteral("unsavedBox"));
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setDefaultButton(QMessageBox::Save);
+  box->setEscapeButton(QMessageBox::Cancel);
+  connect(box, &QMessageBox::finished, this, [this, proceed = std::move(proceed)](int answer) {
+    if (answer == QMessageBox::Discard) {
+      proceed();
+    } else if (answer == QMessageBox::Save) {
+      after_saving_ = proceed;
+      saveSession(false);
+    }
+  });
+  box->open();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!may_close_ && controller_.hasUnsavedChanges()) {
+    event->ignore();
+    if (findChild<QMessageBox*>(QStringLiteral("unsavedBox"))) return;
+    afterAskingToSave([this] {
+      may_close_ = true;
+      close();
+    });
+    return;
+  }
+  if (controller_.isWriting()) {
+    // A file that is being written is finished first; it takes moments, and nothing waits for it here.
+    event->ignore();
+    close_when_written_ = true;
+    return;
+  }
+  rememberLayout();
+  QMainWindow::closeEvent(event);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (!droppedFile(event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const QString path = droppedFile(event->mimeData());
+  if (path.isEmpty()) return;
+  event->acceptProposedAction();
+  openFile(path);
+}
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+  // Space presses the button that has the focus before it takes a pose.
+  if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space &&
+      (qobject_cast<QAbstractButton*>(watched) || qobject_cast<QComboBox*>(watched) ||
+       qobject_cast<QAbstractSpinBox*>(watched))) {
+    event->accept();
+    return true;
+  }
+  return QMainWindow::eventFilter(watched, event);
+}
+
+void MainWindow::showKeys() { showKeysDialog(this, actions_); }
+
+void MainWindow::showAbout() {
+  QMessageBox* box = new QMessageBox(QMessageBox::NoIcon, tr("About Hexoderm"),
+                                     tr("<b>Hexoderm %1</b><p>Finds out where every cell of a robot's artificial skin "
+                                        "is.</p><p>BSD 3-Clause licence.</p>")
+                                         .arg(QLatin1String(HEXODERM_VERSION)),
+                                     QMessageBox::Close, this);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->open();
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,29 @@
+#include "hexoderm/io/export_support.h"
+
+#include "hexoderm/util/error.h"
+
+#include <algorithm>
+
+namespace hexoderm {
+
+std::unordered_map<CellId, EdgeQuality> worstUsedQuality(const Reconstruction& reconstruction) {
+  std::unordered_map<CellId, EdgeQuality> worst;
+  for (const PatchReconstruction& patch : reconstruction.patches) {
+    for (const LinkEstimate& link : patch.links) {
+      if (!link.used) continue;
+      for (const CellId cell : {link.source.cell, link.target.cell}) {
+        const auto [entry, added] = worst.try_emplace(cell, link.quality);
+        if (!added) entry->second = std::min(entry->second, link.quality);
+      }
+    }
+  }
+  return worst;
+}
+
+SE3 rigid(const SE3& T) { return {projectToSO3(T.R), T.t}; }
+
+void requireMeant(bool holds, const std::string& file, const std::string& what) {
+  if (!holds) throw FormatError(file + ": read back after writing, it does not hold what was meant: " + what);
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,144 @@
+#include "hexoderm/io/exporter.h"
+
+#include "hexoderm/io/export_csv.h"
+#include "hexoderm/io/export_dot.h"
+#include "hexoderm/io/export_ply.h"
+#include "hexoderm/io/export_staging.h"
+#include "hexoderm/io/export_stl.h"
+#include "hexoderm/io/export_urdf.h"
+#include "hexoderm/io/export_vtp.h"
+#include "hexoderm/util/error.h"
+
+#include <algorithm>
+#include <array>
+
+namespace hexoderm {
+namespace {
+
+constexpr std::array<ExportFormatDescription, 6> kFormats = {{
+    {ExportFormat::Csv, "csv", "", "folder of tables: cells, sensors, links, poses, residuals"},
+    {ExportFormat::Dot, "dot", ".dot", "skin graph for Graphviz, with ports and quality"},
+    {ExportFormat::Ply, "ply", ".ply", "mesh of the cells in metres, coloured by quality"},
+    {ExportFormat::Stl, "stl", ".stl", "mesh of the cells for CAD, in millimetres or metres"},
+    {ExportFormat::Vtp, "vtp", ".vtp", "everything about the cells and sensors for ParaView and VTK, lossless"},
+    {ExportFormat::Urdf, "urdf", ".urdf", "links for every cell and sensor, or for every patch, for ROS"},
+}};
+
+void requireName(const char* option, const std::string& name) {
+  if (!isUrdfName(name)) {
+    throw InvalidArgument(std::string(option) + ": expected letters, digits and _ - . /, found \"" + name + "\"");
+  }
+}
+
+/// A file could hold such numbers, but no reader could use them.
+void requireFinite(const Reconstruction& reconstruction) {
+  const auto require = [](bool finite, CellId cell, const std::string& what) {
+    if (!finite)
+      throw InvalidArgument("cell " + toString(cell) + ": " + what + " is not a finite number, nothing written");
+  };
+  for (const PatchReconstruction& patch : reconstruction.patches) {
+    for (const CellPlacement& cell : patch.cells) {
+      require(cell.T_o_u.R.allFinite() && cell.T_o_u.t.allFinite(), cell.cell, "its placement");
+      require(!cell.cov_t_r || cell.cov_t_r->allFinite(), cell.cell, "its covariance");
+      for (const SensorPlacement& sensor : cell.sensors) {
+        require(sensor.T_o_s.R.allFinite() && sensor.T_o_s.t.allFinite(), cell.cell,
+                "the placement of its sensor " + sensor.name);
+      }
+    }
+  }
+  for (const FlatCell& cell : reconstruction.layout.cells) {
+    require(cell.center.allFinite(), cell.cell, "its place in the layout");
+  }
+}
+
+void requireCells(const Reconstruction& reconstruction, std::string_view format) {
+  if (reconstruction.cellCount() == 0) {
+    throw InvalidArgument("there are no cells, and so nothing to draw in a " + std::string(format) +
+                          " file: export csv, dot, vtp or urdf instead");
+  }
+}
+
+std::vector<std::filesystem::path> exportCsv(const Reconstruction& reconstruction, const std::filesystem::path& path) {
+  std::vector<StagedFile> files;
+  for (const CsvTable& table : csvTables(reconstruction)) {
+    files.push_back({table.file, csvText(table), [table](const std::string& bytes) { verifyCsv(bytes, table); }});
+  }
+  return publishFolder(path, files);
+}
+
+}  // namespace
+
+void ExportOptions::validate() const {
+  requireName("urdf_robot", urdf_robot);
+  requireName("urdf_parent_link", urdf_parent_link);
+  if (!urdf_prefix.empty()) requireName("urdf_prefix", urdf_prefix);
+}
+
+std::span<const ExportFormatDescription> exportFormats() { return kFormats; }
+
+ExportFormat exportFormatFromName(std::string_view name) {
+  const auto* const found = std::ranges::find(kFormats, name, &ExportFormatDescription::name);
+  if (found != kFormats.end()) return found->format;
+  std::string names;
+  for (const ExportFormatDescription& format : kFormats) {
+    names += (names.empty() ? "" : ", ") + std::string(format.name);
+  }
+  throw InvalidArgument("export format \"" + std::string(name) + "\" is not known, expected one of " + names);
+}
+
+std::vector<std::filesystem::path> exportReconstruction(const Reconstruction& reconstruction, ExportFormat format,
+                                                        const std::filesystem::path& path,
+                                                        const ExportOptions& options) {
+  options.validate();
+  if (path.empty()) throw InvalidArgument("expected the name of a file or folder to export to");
+  requireFinite(reconstruction);
+  const std::string file = path.string();
+  switch (format) {
+    case ExportFormat::Csv:
+      return exportCsv(reconstruction, path);
+    case ExportFormat::Dot: {
+      const DotGraph graph = dotGraph(reconstruction);
+      publishFile(path, dotText(graph), [&](const std::string& bytes) { verifyDot(bytes, graph, file); });
+      break;
+    }
+    case ExportFormat::Ply: {
+      requireCells(reconstruction, "PLY");
+      const ExportMesh mesh = plyMesh(reconstruction);
+      publishFile(path, plyBytes(mesh, file), [&](const std::string& bytes) { verifyPly(bytes, mesh, file); });
+      break;
+    }
+    case ExportFormat::Stl: {
+      requireCells(reconstruction, "STL");
+      const ExportMesh mesh = stlMesh(reconstruction, options.stl_unit);
+      publishFile(path, stlBytes(mesh, file), [&](const std::string& bytes) { verifyStl(bytes, mesh, file); });
+      break;
+    }
+    case ExportFormat::Vtp: {
+      const VtpData data = vtpData(reconstruction);
+      publishFile(path, vtpBytes(data), [&](const std::string& bytes) { verifyVtp(bytes, data, file); });
+      break;
+    }
+    case ExportFormat::Urdf: {
+      const UrdfModel model = urdfModel(reconstruction, options);
+      publishFile(path, urdfBytes(model), [&](const std::string& bytes) { verifyUrdf(bytes, model, file); });
+      break;
+    }
+  }
+  return {path};
+}
+
+std::uint32_t qualityColor(EdgeQuality quality, bool dark) {
+  switch (quality) {
+    case EdgeQuality::Undefined:
+      return dark ? 0xD64A45 : 0x7F0D14;
+    case EdgeQuality::Partially:
+      return dark ? 0xFFDE3E : 0xE66F15;
+    case EdgeQuality::Fully:
+      return dark ? 0x87F5FA : 0x17A1CA;
+    case EdgeQuality::Over:
+      return dark ? 0x7A6BE8 : 0x3A1FB0;
+  }
+  throw InvalidArgument("qualityColor: no such quality");
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,49 @@
+#include "hexoderm/io/open_file.h"
+
+#include "hexoderm/io/calibration_json.h"
+#include "hexoderm/io/session_json.h"
+#include "hexoderm/io/tum_xml.h"
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/file.h"
+#include "hexoderm/util/json_reader.h"
+
+namespace hexoderm {
+namespace {
+
+constexpr std::string_view kExpected =
+    "expected a Hexoderm session (format \"hexoderm-session\"), a calibration (format \"hexoderm-calibration\") or a "
+    "TUM "
+    "SkinConfig XML";
+
+/// The first character that says something: byte order mark and white space skipped, 0 if there is none.
+char firstCharacter(std::string_view text) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first == std::string_view::npos ? '\0' : text[first];
+}
+
+}  // namespace
+
+OpenedFile openFile(const std::filesystem::path& path, const CellModel& model_for_tum) {
+  const std::string text = readFile(path);
+  const std::string file = path.string();
+  switch (firstCharacter(text)) {
+    case '<':
+      return calibrationFromTum(parseTumXml(text, file), model_for_tum, file);
+    case '{':
+      break;
+    case '\0':
+      throw FormatError(file + ": the file is empty, " + std::string(kExpected));
+    default:
+      throw FormatError(file + ": is none of the files that Hexoderm reads, " + std::string(kExpected));
+  }
+  const std::optional<std::string> format = findJsonFormat(text);
+  if (format == "hexoderm-session") return parseSessionJson(text, file);
+  if (format == "hexoderm-calibration") return parseCalibrationJson(text, file);
+  if (!format) static_cast<void>(parseJson(text, file));  // what is not even JSON is said first
+  throw FormatError(file + ": format: " + std::string(kExpected) +
+                    (format ? ", found \"" + *format + "\"" : ", but there is none"));
+}
+
+}  // namespace hexoderm

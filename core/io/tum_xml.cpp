@@ -1,0 +1,177 @@
+#include "hexoderm/io/tum_xml.h"
+
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/file.h"
+#include "hexoderm/util/text.h"
+
+#include <pugixml.hpp>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <set>
+
+namespace hexoderm {
+namespace {
+
+constexpr double kRotationTolerance = 1e-6;
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kSpace = " \t\r\n";
+  const std::size_t begin = text.find_first_not_of(kSpace);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(kSpace) - begin + 1);
+}
+
+/// Reads one file; knows where it is for its complaints.
+class TumReader {
+ public:
+  TumReader(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+
+  TumSkinConfig read() {
+    const pugi::xml_parse_result parsed = document_.load_buffer(text_.data(), text_.size());
+    if (!parsed) {
+      throw FormatError(file_ + ": line " + lineAt(parsed.offset) + ": this is not well-formed XML (" +
+                        parsed.description() + "; truncated?), expected a TUM SkinConfig");
+    }
+    const pugi::xml_node root = document_.document_element();
+    if (std::strcmp(root.name(), "SkinConfig") != 0) {
+      fail(root, "", "expected the root element SkinConfig, found " + std::string(root.name()));
+    }
+    TumSkinConfig config;
+    std::set<CellId> known;
+    for (const pugi::xml_node node : root.children("cell")) {
+      config.cells.push_back(readCell(node));
+      const CellId id = config.cells.back().report.id;
+      if (!known.insert(id).second) fail(node, "cell " + toString(id), "expected each cell once, found this ID again");
+    }
+    const unsigned count = wholeAttribute(root, "numberOfCells", "SkinConfig");
+    if (count != config.cells.size()) {
+      fail(root, "SkinConfig",
+           "expected numberOfCells=\"" + std::to_string(count) + "\" cells, found " +
+               std::to_string(config.cells.size()));
+    }
+    config.sha256 = sha256Hex(text_);
+    return config;
+  }
+
+ private:
+  [[nodiscard]] std::string lineAt(std::ptrdiff_t offset) const {
+    const auto end = std::min(static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0)), text_.size());
+    return std::to_string(std::ranges::count(text_.substr(0, end), '\n') + 1);
+  }
+
+  [[noreturn]] void fail(const pugi::xml_node& node, const std::string& where, const std::string& what) const {
+    throw FormatError(file_ + ": line " + lineAt(node.offset_debug()) + ": " + (where.empty() ? "" : where + ": ") +
+                      what);
+  }
+
+  [[nodiscard]] pugi::xml_node child(const pugi::xml_node& parent, const char* name, const std::string& where) const {
+    const pugi::xml_node node = parent.child(name);
+    if (!node) fail(parent, where, "expected an element <" + std::string(name) + ">, but there is none");
+    if (node.next_sibling(name)) fail(node.next_sibling(name), where, "expected only one <" + std::string(name) + ">");
+    return node;
+  }
+
+  /// Turns the complaint of a parser of plain text into one that says where it is.
+  template <class Parse>
+  auto parse(const pugi::xml_node& node, const std::string& where, const std::string& what, std::string_view text,
+             Parse parse_text) const {
+    try {
+      return parse_text(trimmed(text), what);
+    } catch (const InvalidArgument& error) {
+      fail(node, where, error.what());
+    }
+  }
+
+  [[nodiscard]] unsigned wholeAttribute(const pugi::xml_node& node, const char* name, const std::string& where) const {
+    const pugi::xml_attribute attribute = node.attribute(name);
+    if (!attribute) fail(node, where, "expected an attribute " + std::string(name) + ", but there is none");
+    return parse(node, where, name, attribute.value(), parseUnsigned);
+  }
+
+  TumSkinConfig::Cell readCell(const pugi::xml_node& node) const {
+    TumSkinConfig::Cell cell;
+    cell.report.id = CellId(wholeAttribute(node, "id", "cell"));
+    const std::string where = "cell " + toString(cell.report.id);
+    cell.patch = wholeAttribute(node, "patch", where);
+    cell.segment = wholeAttribute(node, "segment", where);
+    const pugi::xml_node root = child(node, "rootCellId", where);
+    cell.root = CellId(parse(root, where, "rootCellId", root.child_value(), parseUnsigned));
+    cell.report.neighbors = readNeighbors(child(node, "neighbors", where), cell.report.id, where);
+    cell.T_root_u.t = readMatrix<3, 1>(child(node, "pos", where), where + ", pos");
+    const pugi::xml_node rot = child(node, "rot", where);
+    cell.T_root_u.R = readMatrix<3, 3>(rot, where + ", rot");
+    const Eigen::Matrix3d& R = cell.T_root_u.R;
+    if (!(R * R.transpose()).isIdentity(kRotationTolerance) || R.determinant() < 0) {
+      fail(rot, where + ", rot", "expected a rotation matrix (orthogonal to 1e-6, determinant +1)");
+    }
+    return cell;
+  }
+
+  std::vector<NeighborReport> readNeighbors(const pugi::xml_node& node, CellId cell, const std::string& where) const {
+    const unsigned id = wholeAttribute(node, "id", where + ", neighbors");
+    if (id != cell.value()) {
+      fail(node, where + ", neighbors", "expected id=\"" + toString(cell) + "\", found " + std::to_string(id));
+    }
+    std::vector<NeighborReport> neighbors;
+    std::set<PortNumber> ports;
+    for (const pugi::xml_node item : node.children("neighbor")) {
+      const PortNumber port(wholeAttribute(item, "port", where + ", neighbor"));
+      const std::string at = where + ", neighbor at port " + toString(port);
+      if (!ports.insert(port).second) fail(item, at, "expected each port once, found it again");
+      neighbors.push_back({port, CellId(wholeAttribute(item, "id", at)), std::nullopt});
+    }
+    const unsigned size = wholeAttribute(node, "size", where + ", neighbors");
+    if (size != neighbors.size()) {
+      fail(node, where + ", neighbors",
+           "expected size=\"" + std::to_string(size) + "\" neighbors, found " + std::to_string(neighbors.size()));
+    }
+    return neighbors;
+  }
+
+  template <int Rows, int Cols>
+  Eigen::Matrix<double, Rows, Cols> readMatrix(const pugi::xml_node& parent, const std::string& where) const {
+    const pugi::xml_node node = child(parent, "matrix", where);
+    const unsigned rows = wholeAttribute(node, "rows", where);
+    const unsigned cols = wholeAttribute(node, "cols", where);
+    if (rows != Rows || cols != Cols) {
+      fail(node, where,
+           "expected a matrix of " + std::to_string(Rows) + " x " + std::to_string(Cols) + ", found " +
+               std::to_string(rows) + " x " + std::to_string(cols));
+    }
+    Eigen::Matrix<double, Rows, Cols> matrix;
+    std::array<bool, static_cast<std::size_t>(Rows * Cols)> is_set{};
+    for (const pugi::xml_node element : node.children("element")) {
+      const unsigned row = wholeAttribute(element, "row", where);
+      const unsigned col = wholeAttribute(element, "col", where);
+      const std::string name = "element row " + std::to_string(row) + " col " + std::to_string(col);
+      if (row >= Rows || col >= Cols) {
+        fail(element, where,
+             name + ": lies outside the matrix of " + std::to_string(Rows) + " x " + std::to_string(Cols));
+      }
+      bool& seen = is_set.at(row * Cols + col);
+      if (seen) fail(element, where, name + ": expected each element once, found it again");
+      seen = true;
+      matrix(static_cast<int>(row), static_cast<int>(col)) =
+          parse(element, where, name, element.child_value(), parseNumber);
+    }
+    if (!std::ranges::all_of(is_set, [](bool set) { return set; })) {
+      fail(node, where, "expected " + std::to_string(Rows * Cols) + " elements, but some are missing");
+    }
+    return matrix;
+  }
+
+  std::string_view text_;
+  const std::string& file_;
+  pugi::xml_document document_;
+};
+
+}  // namespace
+
+TumSkinConfig parseTumXml(std::string_view text, const std::string& file) { return TumReader(text, file).read(); }
+
+TumSkinConfig readTumXml(const std::filesystem::path& path) { return parseTumXml(readFile(path), path.string()); }
+
+}  // namespace hexoderm

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "hexoderm/graph/skin_graph.h"
+#include "hexoderm/session/session.h"
+
+#include <span>
+#include <vector>
+
+namespace hexoderm {
+
+/// The readings of all cells in all poses of a snapshot, laid out for the solver: cells as in the graph, poses as in
+/// the snapshot, turned into the cell frame.
+class GravityTable {
+ public:
+  struct Entry {
+    Eigen::Vector3d mean_g = Eigen::Vector3d::Zero();  ///< cell frame, not normalised
+    double variance_g2 = 0;     ///< of the mean, per axis: the worst axis, never below what tremor and steps leave
+    double sample_sigma_g = 0;  ///< scatter of single samples, worst axis; 0 if the file doesn't say
+    bool measured = false;      ///< there is a finite reading
+    bool usable = false;        ///< and nothing speaks against it
+  };
+
+  /// Findings: samples of unknown cells, two samples of one cell in a pose, two poses of one ID.
+  GravityTable(const SessionSnapshot& snapshot, const SkinGraph& graph, std::vector<Finding>& findings);
+
+  [[nodiscard]] std::size_t cellCount() const { return cells_; }
+  [[nodiscard]] std::size_t poseCount() const { return poses_; }
+  /// Poses that are not disabled, ascending.
+  [[nodiscard]] const std::vector<std::size_t>& enabledPoses() const { return enabled_; }
+  [[nodiscard]] const Entry& at(std::size_t cell, std::size_t pose) const { return entries_[cell * poses_ + pose]; }
+  [[nodiscard]] Entry& at(std::size_t cell, std::size_t pose) { return entries_[cell * poses_ + pose]; }
+  /// Enabled poses in which the cell has a usable reading.
+  [[nodiscard]] std::vector<std::size_t> usablePoses(std::size_t cell) const;
+
+ private:
+  std::size_t cells_;
+  std::size_t poses_;
+  std::vector<std::size_t> enabled_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace hexoderm

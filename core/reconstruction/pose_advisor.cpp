@@ -1,0 +1,111 @@
+#include "hexoderm/reconstruction/pose_advisor.h"
+
+#include "hexoderm/util/units.h"
+
+#include "edge_rotation.h"
+
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+
+namespace hexoderm {
+namespace {
+
+/// What an edge's rotation is known to with these up directions: rms over the three axes, radians. The same prediction
+/// that the solver makes for its edges, with the elastomer prior taken alike in all directions, because the cells of a
+/// patch face many ways.
+double predictedSigma(const CellModel& model, const Eigen::Matrix3Xd& directions) {
+  const auto poses = static_cast<std::size_t>(directions.cols());
+  const double prior_sq = (model.bend_sigma_rad * model.bend_sigma_rad + model.twist_sigma_rad * model.twist_sigma_rad +
+                           model.yaw_sigma_rad * model.yaw_sigma_rad) /
+                          3;
+  const double prior_sigma = std::sqrt(prior_sq);
+  if (poses == 0) return prior_sigma;
+  // Averaging does not take away a hand's tremor (SPEC, step 10).
+  constexpr double kTremor_g = 0.003;
+  const std::vector<double> variance(poses, kTremor_g * kTremor_g);
+  const double uncentred =
+      cellAttitudeCovariance(model.accelerometer, directions, variance, false, true, prior_sigma / std::sqrt(2.0))
+          .trace();
+  constexpr std::size_t kFewestToCentre = 3;
+  const double centred = poses < kFewestToCentre ? uncentred
+                                                 : cellAttitudeCovariance(model.accelerometer, directions, variance,
+                                                                          true, true, prior_sigma / std::sqrt(2.0))
+                                                       .trace();
+  // An edge joins two cells that err alike; nothing is ever known worse than the prior has it.
+  return std::min(prior_sigma, std::sqrt(2 * std::min(uncentred, centred) / 3));
+}
+
+/// Share of the directions that lies off their main line: the second singular value of eq. (17), as the solver has it.
+double secondDirection(const Eigen::Matrix3Xd& directions) {
+  if (directions.cols() == 0) return 0;
+  return Eigen::JacobiSVD<Eigen::Matrix3d>(directions * directions.transpose()).singularValues().y();
+}
+constexpr double kDefined = 0.5;
+constexpr double kClearlyDefined = 0.9;
+
+/// Points spread evenly over the sphere (a Fibonacci lattice).
+std::vector<Eigen::Vector3d> sphereCandidates() {
+  constexpr int kCount = 400;
+  const double golden = kPi * (3 - std::sqrt(5.0));
+  std::vector<Eigen::Vector3d> candidates;
+  for (int k = 0; k < kCount; ++k) {
+    const double z = 1 - (2 * k + 1.0) / kCount;
+    const double r = std::sqrt(1 - z * z);
+    candidates.emplace_back(r * std::cos(golden * k), r * std::sin(golden * k), z);
+  }
+  return candidates;
+}
+
+}  // namespace
+
+PoseAdvice adviseNextPose(const CellModel& model, const std::vector<Eigen::Vector3d>& seen) {
+  const auto count = static_cast<Eigen::Index>(seen.size());
+  Eigen::Matrix3Xd directions(3, count + 1);
+  for (Eigen::Index k = 0; k < count; ++k) directions.col(k) = seen[static_cast<std::size_t>(k)];
+  directions.col(count) = Eigen::Vector3d::UnitZ();
+
+  PoseAdvice advice;
+  advice.sigma_now_rad = predictedSigma(model, directions.leftCols(count));
+  advice.sigma_then_rad = predictedSigma(model, directions);
+  if (seen.empty()) return advice;
+  bool found = false;
+  const bool one_line = secondDirection(directions.leftCols(count)) < kDefined;
+  for (const Eigen::Vector3d& candidate : sphereCandidates()) {
+    directions.col(count) = candidate;
+    // To first order two poses 45 degrees apart suffer least from offsets, but leave the turn about their middle to a
+    // single small angle: while there is one line only, a second one comes first (SPEC, step 12).
+    if (one_line && secondDirection(directions) < kClearlyDefined) continue;
+    const double sigma = predictedSigma(model, directions);
+    if (found && sigma >= advice.sigma_then_rad) continue;
+    found = true;
+    advice.sigma_then_rad = sigma;
+    advice.up = candidate;
+  }
+  return advice;
+}
+
+std::string adviceInWords(const PoseAdvice& advice, const Reconstruction& reconstruction) {
+  const PatchReconstruction* largest = nullptr;
+  for (const PatchReconstruction& patch : reconstruction.patches) {
+    if (largest == nullptr || patch.cells.size() > largest->cells.size()) largest = &patch;
+  }
+  if (largest == nullptr || largest->cells.empty()) return {};
+  const CellPlacement* chosen = nullptr;
+  double most_upright = 0;
+  for (const CellPlacement& cell : largest->cells) {
+    const double upright = cell.T_o_u.R.col(2).dot(advice.up);
+    if (chosen == nullptr || std::abs(upright) > std::abs(most_upright) + 1e-9) {
+      chosen = &cell;
+      most_upright = upright;
+    }
+  }
+  const std::string name = "cell " + toString(chosen->cell);
+  const double off = toDegrees(std::acos(std::min(1.0, std::abs(most_upright))));
+  // On a nearly flat patch no cell may face up or down: then its edge does, and the wall is what it faces.
+  constexpr double kClearly = 45;
+  if (off > kClearly) return "Turn the part so that " + name + " faces a wall, its side towards the ceiling.";
+  return "Turn the part so that " + name + (most_upright > 0 ? " faces the ceiling." : " faces the floor.");
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,154 @@
+#include "verdict.h"
+
+#include "hexoderm/reconstruction/pose_advisor.h"
+#include "hexoderm/util/text.h"
+#include "hexoderm/util/units.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+namespace hexoderm {
+namespace {
+
+constexpr double kSigmasFor95Percent = 1.96;
+// What robot software can use without a second thought, and what it can use at all.
+constexpr double kGoodOrientation = 2 * kDegree;
+constexpr double kGoodPosition_m = 3 * kMillimetre;
+constexpr double kUsableOrientation = 20 * kDegree;
+
+double worstAxis(const Eigen::Matrix3d& covariance) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance, Eigen::EigenvaluesOnly);
+  return std::sqrt(std::max(0.0, solver.eigenvalues().maxCoeff()));
+}
+
+struct Spread {
+  double position_95_m = 0;
+  double orientation_95_rad = 0;
+};
+
+Spread worstSpread(const Reconstruction& r) {
+  Spread worst;
+  for (const PatchReconstruction& patch : r.patches) {
+    for (const CellPlacement& cell : patch.cells) {
+      if (!cell.cov_t_r) continue;
+      worst.position_95_m =
+          std::max(worst.position_95_m, kSigmasFor95Percent * worstAxis(cell.cov_t_r->topLeftCorner<3, 3>()));
+      worst.orientation_95_rad =
+          std::max(worst.orientation_95_rad, kSigmasFor95Percent * worstAxis(cell.cov_t_r->bottomRightCorner<3, 3>()));
+    }
+  }
+  worst.orientation_95_rad = std::min(worst.orientation_95_rad, kPi);
+  return worst;
+}
+
+std::vector<Eigen::Vector3d> directionsSeen(const Reconstruction& r) {
+  std::vector<Eigen::Vector3d> seen;
+  if (r.patches.empty()) return seen;
+  const auto largest = std::ranges::max_element(r.patches, {}, [](const auto& patch) { return patch.cells.size(); });
+  for (const GravityDirection& gravity : largest->gravity) seen.push_back(gravity.g_o);
+  return seen;
+}
+
+std::size_t enabledPoses(const Reconstruction& r) {
+  return static_cast<std::size_t>(std::ranges::count(r.poses, true, &PoseSummary::enabled));
+}
+
+/// Links of which the poses don't show the whole rotation although both cells read.
+std::size_t undeterminedLinks(const Reconstruction& r) {
+  std::size_t count = 0;
+  for (const PatchReconstruction& patch : r.patches) {
+    for (const LinkEstimate& link : patch.links) {
+      if (link.used && (link.quality == EdgeQuality::Undefined || link.quality == EdgeQuality::Partially)) ++count;
+    }
+  }
+  return count;
+}
+
+/// Every cell of every patch sits alone: there is nothing between them to estimate.
+bool nothingToEstimate(const Reconstruction& r) {
+  return std::ranges::all_of(r.patches, [](const auto& patch) { return patch.cells.size() == 1; });
+}
+
+const Finding* worstFinding(const Reconstruction& r) {
+  const Finding* worst = nullptr;
+  for (const Finding& finding : r.findings) {
+    if (finding.severity == Severity::Info) continue;
+    if (worst == nullptr || finding.severity > worst->severity) worst = &finding;
+  }
+  return worst;
+}
+
+std::string plusMinus(const Spread& spread) {
+  return "±" + formatFixed(toMillimetres(spread.position_95_m), 1) + " mm, ±" +
+         formatFixed(toDegrees(spread.orientation_95_rad), 1) + "°";
+}
+
+}  // namespace
+
+Verdict judge(const Reconstruction& r) {
+  Verdict verdict;
+  if (r.cellCount() == 0) {
+    verdict.level = VerdictLevel::Failed;
+    verdict.reason = "The skin has no cells.";
+    verdict.next_action = "Check the connection to the skin and explore it again.";
+    return verdict;
+  }
+  const std::size_t poses = enabledPoses(r);
+  const PoseAdvice advice = adviseNextPose(*r.model, directionsSeen(r));
+  const std::string turn = adviceInWords(advice, r);
+
+  if (nothingToEstimate(r)) {
+    verdict.level = VerdictLevel::Usable;
+    verdict.reason = r.cellCount() == 1 ? "One cell: it is its own origin, there is nothing to estimate."
+                                        : "No cell is linked to another: each is its own origin.";
+    verdict.position_95_m = 0;
+    verdict.orientation_95_rad = 0;
+    verdict.next_action = r.cellCount() == 1 ? "Export." : "Check the links between the cells.";
+    return verdict;
+  }
+
+  const Spread spread = worstSpread(r);
+  verdict.position_95_m = spread.position_95_m;
+  verdict.orientation_95_rad = spread.orientation_95_rad;
+  const std::size_t undetermined = undeterminedLinks(r);
+  const std::size_t used = [&] {
+    std::size_t count = 0;
+    for (const PatchReconstruction& patch : r.patches) {
+      count += static_cast<std::size_t>(std::ranges::count(patch.links, true, &LinkEstimate::used));
+    }
+    return count;
+  }();
+  const std::string pose_count = std::to_string(poses) + (poses == 1 ? " pose" : " poses");
+
+  if (poses == 0) {
+    verdict.level = VerdictLevel::NotEnough;
+    verdict.reason = "Not enough poses: none yet. The surface shown follows from ports alone.";
+    verdict.next_action = "Hold the part still and take a first pose.";
+  } else if (2 * undetermined > used) {
+    verdict.level = VerdictLevel::NotEnough;
+    verdict.reason = "Not enough poses: " + pose_count + " along one line leave the turn about gravity open (" +
+                     plusMinus(spread) + ").";
+    if (poses == 1)
+      verdict.reason = "Not enough poses: one leaves the turn about gravity open (" + plusMinus(spread) + ").";
+    verdict.next_action = turn;
+  } else if (spread.orientation_95_rad > kUsableOrientation) {
+    verdict.level = VerdictLevel::NotEnough;
+    verdict.reason = pose_count + " are not enough: known to " + plusMinus(spread) + " only.";
+    verdict.next_action = turn;
+  } else {
+    const bool precise = spread.orientation_95_rad <= kGoodOrientation && spread.position_95_m <= kGoodPosition_m;
+    const Finding* finding = worstFinding(r);
+    verdict.level = precise && finding == nullptr ? VerdictLevel::Good : VerdictLevel::Usable;
+    verdict.reason = (verdict.level == VerdictLevel::Good ? "Good: " : "Usable: ") + plusMinus(spread) +
+                     " at the worst cell (95 %), " + pose_count + ".";
+    if (finding != nullptr) verdict.reason += " " + finding->text;
+    const bool worth_it = advice.sigma_then_rad < 0.9 * advice.sigma_now_rad;
+    verdict.next_action = !precise && worth_it ? turn
+                          : finding != nullptr ? "Look at the findings, then export."
+                                               : "Export.";
+  }
+  return verdict;
+}
+
+}  // namespace hexoderm

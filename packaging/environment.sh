@@ -1,0 +1,23 @@
+# Shared by run.sh and test.sh: where the project is, how many jobs fit, and whether there is a display.
+
+root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
+jobs="$(nproc)"
+export LC_ALL=C.UTF-8
+
+# With these, one ccache serves every build folder and every clone.
+export CCACHE_BASEDIR="$root" CCACHE_NOHASHDIR=1
+
+# VTK's windows need X11, also under Wayland (through Xwayland, which sets DISPLAY). A local DISPLAY without a socket is
+# left over from somewhere else.
+has_display() {
+  [ -n "${DISPLAY:-}" ] || return 1
+  [[ "$DISPLAY" =~ ^(unix)?:([0-9]+) ]] || return 0
+  local socket="/tmp/.X11-unix/X${BASH_REMATCH[2]}"
+  [ -S "$socket" ] || grep -qsF "@$socket" /proc/net/unix
+}
+
+# Runs a command on a virtual display of its own, drawn in software, so that it looks the same on every machine.
+on_virtual_display() {
+  env -u WAYLAND_DISPLAY -u QT_STYLE_OVERRIDE -u QT_SCALE_FACTOR QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1 \
+    xvfb-run --auto-servernum --server-args="-screen 0 1600x1000x24 -nolisten tcp" "$@"
+}

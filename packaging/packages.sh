@@ -1,0 +1,40 @@
+# The Debian 12 packages that Hexoderm is built from. Sourced by setup.sh; each list says what it is for.
+
+# Library, command line and their tests.
+core_packages=(
+  build-essential
+  cmake
+  ninja-build
+  ccache
+  libassimp-dev
+  libboost-graph-dev
+  libcli11-dev
+  libeigen3-dev
+  libgmock-dev
+  libgtest-dev
+  libpugixml-dev
+  libssl-dev
+  nlohmann-json3-dev
+  zlib1g-dev # named in the CMake files of libassimp-dev, which does not bring it
+)
+
+# The window and its tests. VTK's CMake files ask for everything VTK was built with; its packages bring all of that.
+gui_packages=(
+  libqt5svg5-dev
+  libvtk9-dev
+  libvtk9-qt-dev
+  qtbase5-dev
+  fonts-dejavu-core
+  fonts-inter
+  libgl1-mesa-dri
+  xauth
+  xvfb
+)
+
+# Only for working on Hexoderm: the presets dev (benchmarks) and tidy, and the formatting test.
+developer_packages=(
+  clang
+  clang-format
+  clang-tidy
+  libbenchmark-dev
+)

@@ -1,0 +1,85 @@
+#!/bin/bash
+# Sets up, builds and runs all tests; the last line is "N passed, M failed".
+# Usage: packaging/test.sh [--quick]
+#   (nothing)  release: library, command line, window; core: without Qt and VTK; asan: core under the address and
+#              undefined-behaviour sanitizers; tsan: what runs on several threads under the thread sanitizer
+#   --quick    release alone
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
+
+stages=(release core asan tsan)
+case "${1:-}" in
+  "") ;;
+  --quick) stages=(release) ;;
+  *)
+    sed -n '2,6s/^# //p' "${BASH_SOURCE[0]}" >&2
+    exit 2
+    ;;
+esac
+
+"$root/packaging/setup.sh"
+cd "$root"
+
+# Tests must neither read nor change what the user has set.
+home="$root/build/test-home"
+rm -rf "$home"
+mkdir -p "$home/runtime"
+chmod 700 "$home/runtime"
+test_environment=(XDG_CONFIG_HOME="$home/config" XDG_DATA_HOME="$home/data" XDG_RUNTIME_DIR="$home/runtime"
+  UBSAN_OPTIONS=print_stacktrace=1 TSAN_OPTIONS=halt_on_error=1)
+
+passed=0
+failed=0
+# Builds and tests one preset, and adds its tests to the counts. A stage that can't be built counts as one failure.
+run_stage() {
+  local preset="$1" targets=() select=() results="$root/build/$1/test-results.xml" start=$SECONDS ok
+  if [ "$preset" = tsan ]; then
+    targets=(--target hexoderm_threaded_tests)
+    select=(--label-regex '^threads$')
+  fi
+  rm -f "$results"
+  echo "== $preset"
+  if ! cmake --preset "$preset" >"$root/build/configure.log" 2>&1; then
+    cat "$root/build/configure.log"
+    echo "== $preset: could not be configured"
+    failed=$((failed + 1))
+    return
+  fi
+  grep -A4 'CMake Warning' "$root/build/configure.log" || true
+  if ! cmake --build --preset "$preset" --parallel "$jobs" "${targets[@]}"; then
+    echo "== $preset: could not be built"
+    failed=$((failed + 1))
+    return
+  fi
+  ok=yes
+  local display=env
+  [ "$preset" != release ] || display=on_virtual_display  # the others have no windows
+  $display env "${test_environment[@]}" ctest --preset "$preset" "${select[@]}" --parallel "$jobs" \
+    --output-junit "$results" || ok=no
+
+  local all=0 run=0
+  if [ -f "$results" ]; then
+    all=$(grep -c '<testcase ' "$results" || true)
+    run=$(grep -c '<testcase .*status="run"' "$results" || true)
+  fi
+  # A test that did not run, for whatever reason, has not passed.
+  passed=$((passed + run))
+  failed=$((failed + all - run))
+  if [ $ok = no ] && [ "$all" -eq "$run" ]; then
+    echo "== $preset: ctest failed before or after its tests"
+    failed=$((failed + 1))
+  fi
+  echo "== $preset: $run of $all passed, $((SECONDS - start)) s"
+}
+
+mkdir -p build
+for stage in "${stages[@]}"; do
+  run_stage "$stage"
+done
+
+unregistered="$(cat build/release/tests/unregistered_tests.txt 2>/dev/null || echo 0)"
+if [ "$unregistered" -gt 0 ]; then
+  echo "$unregistered tests are not registered, because the reference data (HEXODERM_REFERENCE_DATA) is absent"
+fi
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ] && [ "$passed" -gt 0 ]

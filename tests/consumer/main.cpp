@@ -1,0 +1,46 @@
+// Two cells side by side, measured in two poses: built in memory, solved, and checked, as another program would do it.
+
+#include "hexoderm/reconstruction/reconstructor.h"
+
+#include <cstdio>
+#include <memory>
+
+int main() {
+  using namespace hexoderm;
+
+  const CellModel model = loadCellModel(CELL_MODELS "/hex-bma150.json");
+  const NeighborList neighbors = {
+      {CellId(1), "", {{PortNumber(2), CellId(2), PortNumber(3)}}},
+      {CellId(2), "", {{PortNumber(3), CellId(1), PortNumber(2)}}},
+  };
+  Session session(model, neighbors);
+
+  // Cell 2 is bent against cell 1 by this rotation, so it sees every vector turned back by it.
+  const Eigen::Matrix3d R_1_2 = expSO3({0.05, 0.25, 0.0});
+  const Eigen::Vector3d ups[] = {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()};
+  for (const Eigen::Vector3d& up : ups) {
+    auto capture = std::make_shared<PoseCapture>();
+    capture->id = session.nextPoseId();
+    capture->samples = {{CellId(1), up, Eigen::Matrix3d::Zero(), 100},
+                        {CellId(2), R_1_2.transpose() * up, Eigen::Matrix3d::Zero(), 100}};
+    session.addPose({capture, false});
+  }
+
+  SolverOptions options;
+  options.centring = Centring::Off;
+  options.support_axes = SupportAxes::Off;
+  const std::shared_ptr<const Reconstruction> result = reconstruct(*session.snapshot(), options);
+  const auto* cell_1 = result->find(CellId(1)).cell;
+  const auto* cell_2 = result->find(CellId(2)).cell;
+  if (cell_1 == nullptr || cell_2 == nullptr) {
+    std::puts("A cell was not placed");
+    return 1;
+  }
+
+  const SE3 T_1_2 = cell_1->T_o_u.inverse() * cell_2->T_o_u;
+  const SE3 expected = linkTransform(R_1_2, model.port(PortNumber(2)), model.port(PortNumber(3)));
+  const double angle_rad = rotationAngle(expected.R.transpose() * T_1_2.R);
+  const double distance_m = (expected.t - T_1_2.t).norm();
+  std::printf("%s: off by %.1e rad, %.1e m\n", sizeInWords(*result).c_str(), angle_rad, distance_m);
+  return angle_rad < 1e-9 && distance_m < 1e-9 ? 0 : 1;
+}

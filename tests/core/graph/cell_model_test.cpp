@@ -1,0 +1,192 @@
+#include "hexoderm/graph/cell_model.h"
+
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/units.h"
+#include "support/error_matchers.h"
+#include "support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace hexoderm {
+namespace {
+
+using test::messageOf;
+using test::saysAll;
+
+CellModel hex() { return builtInCellModel("hex-bma150"); }
+
+/// Five ports, some out of the plane's symmetry, with everything optional given.
+CellModel ownModel() {
+  CellModel model = hex();
+  model.name = "own";
+  model.ports.push_back({PortNumber(9), {0, 0.0141, 0}});
+  model.accelerometer.T_u_a = {expSO3({0, 0, kPi}), {0.001, -0.002, -0.003}};
+  model.accelerometer.cross_axis_sigma = 0.001;
+  model.sensors = {{"force 1", "force", {expSO3({kPi, 0, 0}), {0.004, 0.1 / 3, 0}}}};
+  model.forbidden_port_pairs = {{PortNumber(1), PortNumber(9)}};
+  model.side_angle_rad = 0.1;
+  model.link_sigma_m = 0.0007;
+  model.bend_sigma_rad = 0.3;
+  model.twist_sigma_rad = 0.2;
+  model.yaw_sigma_rad = 0.1;
+  return model;
+}
+
+TEST(CellModel, BuiltInHexAgreesWithThePaper) {
+  const CellModel model = hex();
+  ASSERT_EQ(model.ports.size(), 4U);
+  EXPECT_EQ(model.port(PortNumber(2)).vector_m, Eigen::Vector3d(0.012, -0.007, 0));
+  EXPECT_NEAR(16 * model.reach_m(), 0.22228, 1e-5);
+  EXPECT_NEAR(model.side_m * std::sqrt(3.0) / 2, 0.013007, 1e-6) << "centre to side";
+  EXPECT_NEAR(model.reach_m() - model.gap_m / 2, 0.013007, 1e-6);
+  EXPECT_EQ(model.interface_id, CellId(16383));
+  EXPECT_FALSE(model.isForbidden(PortNumber(2), PortNumber(3)));
+  EXPECT_FALSE(model.isForbidden(PortNumber(3), PortNumber(3)));
+}
+
+TEST(CellModel, NamesTheBuiltInOnesWhenAskedForAnother) {
+  EXPECT_THAT(messageOf<InvalidArgument>([] { builtInCellModel("oct"); }), saysAll("\"oct\"", "hex-bma150"));
+  EXPECT_THAT(messageOf<StorageError>([] { loadCellModel("no-such-model"); }), saysAll("no-such-model"));
+}
+
+TEST(CellModel, KnowsItsPorts) {
+  EXPECT_EQ(hex().findPort(PortNumber(5)), nullptr);
+  EXPECT_THAT(messageOf<InvalidArgument>([] { static_cast<void>(hex().port(PortNumber(5))); }),
+              saysAll("hex-bma150", "port 5"));
+}
+
+TEST(CellModel, OutlineRunsCounterClockwiseFromX) {
+  const CellModel model = hex();
+  const auto corners = model.outline();
+  EXPECT_TRUE(corners[0].isApprox(Eigen::Vector3d(model.side_m, 0, 0)));
+  double area = 0;
+  for (std::size_t k = 0; k < 6; ++k) area += corners[k].cross(corners[(k + 1) % 6]).z() / 2;
+  EXPECT_NEAR(area, 1.5 * std::sqrt(3.0) * model.side_m * model.side_m, 1e-12);
+}
+
+TEST(CellModel, ForbiddenPairsHaveNoOrder) {
+  const CellModel model = ownModel();
+  EXPECT_TRUE(model.isForbidden(PortNumber(1), PortNumber(9)));
+  EXPECT_TRUE(model.isForbidden(PortNumber(9), PortNumber(1)));
+  EXPECT_FALSE(model.isForbidden(PortNumber(1), PortNumber(2)));
+}
+
+TEST(CellModelJson, ComesBackAsItWas) {
+  const CellModel model = ownModel();
+  const std::string text = cellModelToJson(model);
+  const CellModel back = cellModelFromJson(text, "own.json");
+  EXPECT_EQ(cellModelToJson(back), text);
+  EXPECT_EQ(back.name, "own");
+  ASSERT_EQ(back.ports.size(), 5U);
+  for (std::size_t k = 0; k < 5; ++k) {
+    EXPECT_EQ(back.ports[k].number, model.ports[k].number);
+    EXPECT_EQ(back.ports[k].vector_m, model.ports[k].vector_m);
+  }
+  EXPECT_EQ(back.forbidden_port_pairs, model.forbidden_port_pairs);
+  ASSERT_EQ(back.sensors.size(), 1U);
+  EXPECT_EQ(back.sensors[0].name, "force 1");
+  EXPECT_EQ(back.sensors[0].type, "force");
+  EXPECT_EQ(back.sensors[0].T_u_s.t, model.sensors[0].T_u_s.t);
+  EXPECT_TRUE(back.sensors[0].T_u_s.R.isApprox(model.sensors[0].T_u_s.R, 1e-15));
+  EXPECT_EQ(back.accelerometer.T_u_a.t, model.accelerometer.T_u_a.t);
+  EXPECT_EQ(back.accelerometer.cross_axis_sigma, 0.001);
+  EXPECT_EQ(back.side_angle_rad, 0.1);
+  EXPECT_EQ(back.link_sigma_m, 0.0007);
+  EXPECT_EQ(back.bend_sigma_rad, 0.3);
+  EXPECT_EQ(back.twist_sigma_rad, 0.2);
+  EXPECT_EQ(back.yaw_sigma_rad, 0.1);
+}
+
+TEST(CellModelJson, FillsInWhatAFileMayLeaveOut) {
+  const CellModel model = hex();  // its file has none of these keys
+  EXPECT_EQ(model.accelerometer.cross_axis_sigma, 0.005);
+  EXPECT_EQ(model.link_sigma_m, 0.0005);
+  EXPECT_EQ(model.bend_sigma_rad, 30 * kDegree);
+  EXPECT_EQ(model.twist_sigma_rad, 10 * kDegree);
+  EXPECT_EQ(model.yaw_sigma_rad, 2 * kDegree);
+}
+
+TEST(CellModelJson, IsLoadedFromAFileOfTheUsersOwn) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.put("own.json", cellModelToJson(ownModel()));
+  EXPECT_EQ(loadCellModel(path.string()).name, "own");
+}
+
+/// The complaint about the built-in model with one text replaced.
+std::string complaintWith(const std::string& from, const std::string& to) {
+  std::string text = cellModelToJson(hex());
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  text.replace(at, from.size(), to);
+  return messageOf<FormatError>([&] { cellModelFromJson(text, "m.json"); });
+}
+
+TEST(CellModelJson, NamesTheKeyPathOfWhatIsWrong) {
+  EXPECT_THAT(complaintWith("\"side_m\": 0.01502", "\"side_m\": -1"), saysAll("m.json: side_m: expected", "found -1"));
+  EXPECT_THAT(complaintWith("\"side_m\"", "\"sidem\""), saysAll("m.json: side_m: is missing"));
+  EXPECT_THAT(complaintWith("[0.012, -0.007, 0.0]", "[0.012, -0.007]"), saysAll("m.json: ports[1].vector_m: expected"));
+  EXPECT_THAT(complaintWith("[0.012, -0.007, 0.0]", "[0.012, 1e999, 0]"), saysAll("m.json: ports[1].vector_m[1]"));
+  EXPECT_THAT(complaintWith("\"port\": 2", "\"port\": 0"), saysAll("m.json: ports[1].port: expected a whole number"));
+  EXPECT_THAT(complaintWith("\"port\": 2", "\"port\": 1"), saysAll("m.json", "port 1 is listed twice"));
+  EXPECT_THAT(complaintWith("[0.012, -0.007, 0.0]", "[0, 0, 0]"), saysAll("m.json", "port 2", "vector_m"));
+  EXPECT_THAT(complaintWith("\"range_g\": 2.0", "\"range_g\": \"2\""), saysAll("m.json: accelerometer.range_g"));
+  EXPECT_THAT(complaintWith("\"interface_id\": 16383", "\"interface_id\": 0"), saysAll("m.json: interface_id"));
+}
+
+TEST(NominalAlignment, TurnsTheTargetsPortOntoTheSources) {
+  const CellModel model = ownModel();
+  for (const Port& source : model.ports) {
+    for (const Port& target : model.ports) {
+      const Eigen::Matrix3d R = nominalAlignment(source, target);
+      EXPECT_NEAR((R * target.vector_m.normalized() + source.vector_m.normalized()).norm(), 0, 1e-15);
+      EXPECT_EQ(R.col(2), Eigen::Vector3d(Eigen::Vector3d::UnitZ()));
+    }
+  }
+}
+
+TEST(LinkAngles, AreZeroForTheNominalAlignment) {
+  const CellModel model = hex();
+  const Port& source = model.port(PortNumber(1));
+  const Port& target = model.port(PortNumber(3));
+  const LinkAngles angles = linkAngles(nominalAlignment(source, target), source, target);
+  EXPECT_NEAR(angles.bend_rad, 0, 1e-15);
+  EXPECT_NEAR(angles.twist_rad, 0, 1e-15);
+  EXPECT_NEAR(angles.yaw_rad, 0, 1e-15);
+}
+
+TEST(LinkAngles, SeparateTheThreeAxesOfALink) {
+  const CellModel model = hex();
+  const Port& source = model.port(PortNumber(2));
+  const Port& target = model.port(PortNumber(3));
+  const Eigen::Vector3d u = source.vector_m.normalized();
+  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d w = 0.1 * u + 0.4 * z.cross(u) - 0.2 * z;
+  const LinkAngles angles = linkAngles(expSO3(w) * nominalAlignment(source, target), source, target);
+  EXPECT_NEAR(angles.twist_rad, 0.1, 1e-12);
+  EXPECT_NEAR(angles.bend_rad, 0.4, 1e-12);
+  EXPECT_NEAR(angles.yaw_rad, -0.2, 1e-12);
+}
+
+TEST(LinkAngles, BendIsPositiveAroundAConvexBody) {
+  // Rolled over the outside of a cylinder, the neighbour's z leans towards it, away from the source.
+  const CellModel model = hex();
+  const Port& source = model.port(PortNumber(2));
+  const Port& target = model.port(PortNumber(3));
+  const Eigen::Vector3d u = source.vector_m.normalized();
+  const Eigen::Matrix3d R_c_n = expSO3(0.3 * Eigen::Vector3d::UnitZ().cross(u)) * nominalAlignment(source, target);
+  EXPECT_GT(R_c_n.col(2).dot(u), 0);
+  EXPECT_NEAR(linkAngles(R_c_n, source, target).bend_rad, 0.3, 1e-12);
+}
+
+TEST(LinkTransform, LetsBothExtendedPortVectorsEndInOnePoint) {
+  const CellModel model = ownModel();
+  const Port& source = model.port(PortNumber(9));
+  const Port& target = model.port(PortNumber(1));
+  const SE3 T_c_n = linkTransform(expSO3({0.3, -0.2, 1.0}), source, target);
+  EXPECT_NEAR((T_c_n * target.vector_m - source.vector_m).norm(), 0, 1e-17);
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,141 @@
+#include "hexoderm/io/export_csv.h"
+
+#include "core/io/export_test_folder.h"
+#include "hexoderm/io/exporter.h"
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/text.h"
+#include "hexoderm/util/units.h"
+#include "support/reconstruction_builder.h"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+
+namespace hexoderm {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ExportCsv = ExportTest;
+
+/// The fields of column `name` below the header, by a reader of the test's own that knows no quoting.
+std::vector<std::string> column(const std::string& text, const std::string& name) {
+  std::vector<std::string> lines = split(text, '\n');
+  const std::vector<std::string> header = split(lines.front(), ',');
+  const auto at = static_cast<std::size_t>(std::ranges::find(header, name) - header.begin());
+  std::vector<std::string> values;
+  for (std::size_t k = 1; k + 1 < lines.size(); ++k) values.push_back(split(lines[k], ',').at(at));
+  return values;
+}
+
+TEST_F(ExportCsv, WritesFiveTables) {
+  const auto paths = exportReconstruction(makeTestReconstruction(), ExportFormat::Csv, in("out"));
+  EXPECT_THAT(paths, ElementsAre(in("out/cells.csv"), in("out/sensors.csv"), in("out/links.csv"), in("out/poses.csv"),
+                                 in("out/residuals.csv")));
+  EXPECT_THAT(names(), ElementsAre("out", "out/cells.csv", "out/links.csv", "out/poses.csv", "out/residuals.csv",
+                                   "out/sensors.csv"));
+}
+
+TEST_F(ExportCsv, HoldsLinksAndTheirFigures) {
+  exportReconstruction(makeTestReconstruction(), ExportFormat::Csv, in("out"));
+  const std::string links = read(in("out/links.csv"));
+  EXPECT_THAT(column(links, "source_cell"), ElementsAre("3", "7", "7", "7"));
+  EXPECT_THAT(column(links, "target_port"), ElementsAre("3", "4", "3", "1"));
+  EXPECT_THAT(column(links, "quality"), ElementsAre("fully", "un", "over", "un"));
+  EXPECT_THAT(column(links, "used"), ElementsAre("1", "0", "1", "0"));
+  EXPECT_THAT(column(links, "muted_by"), ElementsAre("", "one-sided-link", "", "body-part-boundary"));
+  EXPECT_EQ(column(links, "singular_2")[0], "0.5000000000000001");
+  EXPECT_EQ(std::stod(column(links, "yaw_deg")[0]), toDegrees(1.0 / 3));
+}
+
+TEST_F(ExportCsv, LeavesResidualsEmptyWhereThereAreNone) {
+  exportReconstruction(makeTestReconstruction(), ExportFormat::Csv, in("out"));
+  const std::string residuals = read(in("out/residuals.csv"));
+  EXPECT_THAT(residuals,
+              ::testing::StartsWith("source_cell,source_port,target_cell,target_port,pose1_deg,pose2_deg,pose4_deg\n"));
+  EXPECT_THAT(column(residuals, "pose2_deg")[0], "");
+  EXPECT_DOUBLE_EQ(std::stod(column(residuals, "pose1_deg")[0]), toDegrees(0.011));
+  EXPECT_DOUBLE_EQ(std::stod(column(residuals, "pose4_deg")[0]), toDegrees(0.5));
+  EXPECT_THAT(column(residuals, "pose1_deg")[1], "");
+}
+
+TEST_F(ExportCsv, QuotesTextsOfUsers) {
+  exportReconstruction(makeTestReconstruction(), ExportFormat::Csv, in("out"));
+  EXPECT_THAT(read(in("out/cells.csv")), HasSubstr(R"(,12,"left ""arm"", Bernd's <R&D> \ größer",links,)"));
+  EXPECT_THAT(read(in("out/sensors.csv")), HasSubstr(R"(0,7,"force ""1""/größe","force, normal",0.004,)"));
+  const std::string poses = read(in("out/poses.csv"));
+  EXPECT_THAT(poses, HasSubstr("\n1,\"standing, \"\"arm\"\"\nhanging\",1,4,0.001,,"));
+  EXPECT_THAT(poses, HasSubstr("\n4,\" größer\",0,4,0.002,,,"));
+}
+
+TEST_F(ExportCsv, HoldsPlacementsToTheLastBit) {
+  const Reconstruction reconstruction = makeTestReconstruction();
+  const auto rows = parseCsv(csvText(csvTables(reconstruction).front()), "cells.csv");
+  ASSERT_EQ(rows.size(), 5U);
+  EXPECT_EQ(rows[3][5], "0.0123456789012345");
+  EXPECT_EQ(rows[3][7], "-0.012");
+  const Eigen::Quaterniond q(std::stod(rows[1][8]), std::stod(rows[1][9]), std::stod(rows[1][10]),
+                             std::stod(rows[1][11]));
+  EXPECT_LT((q.toRotationMatrix() - reconstruction.patches[0].cells[0].T_o_u.R).norm(), 1e-15);
+  EXPECT_EQ(rows[1][12], "0.001");   // sigma_x_m
+  EXPECT_EQ(rows[3][12], "");        // not known
+  EXPECT_EQ(rows[1].back(), "7 3");  // path
+}
+
+TEST_F(ExportCsv, HoldsTheUpDirectionOfEveryPatch) {
+  const auto rows = parseCsv(csvText(csvTables(makeTestReconstruction())[3]), "poses.csv");
+  EXPECT_EQ(rows[0][7], "patch0_up_x");
+  EXPECT_THAT(rows[2], ElementsAre("2", "", "1", "3", "0.0015", formatExact(toDegrees(0.6435011087932844)),
+                                   formatExact(toDegrees(0.02)), "0.6", "0", "0.8", formatExact(toDegrees(0.02)), "",
+                                   "", "", ""));
+}
+
+TEST_F(ExportCsv, EmptyReconstructionGivesHeadersOnly) {
+  const auto paths = exportReconstruction(makeEmptyReconstruction(), ExportFormat::Csv, in("out"));
+  for (const auto& path : paths) {
+    const std::string text = read(path);
+    EXPECT_EQ(std::ranges::count(text, '\n'), 1) << path;
+  }
+}
+
+TEST_F(ExportCsv, DetectsATamperedTable) {
+  const CsvTable table = csvTables(makeTestReconstruction()).front();
+  const std::string text = csvText(table);
+  EXPECT_NO_THROW(verifyCsv(text, table));
+  const std::vector<std::string> tampered = {replaced(text, "0.0123456789012345", "0.0123456789012346"),
+                                             replaced(text, "0.0123456789012345", "0.0123456789012345x"),
+                                             replaced(text, "\"\"arm\"\"", "\"\"leg\"\""),
+                                             replaced(text, "\"\"arm\"\"", "\"arm\""),
+                                             replaced(text, "x_m", "x_mm"),
+                                             replaced(text, ",links,", ",links,,"),
+                                             text + text.substr(text.find('\n') + 1),
+                                             text.substr(0, text.size() / 2),
+                                             ""};
+  for (const std::string& bytes : tampered) EXPECT_THROW(verifyCsv(bytes, table), FormatError) << bytes;
+}
+
+TEST_F(ExportCsv, ParserIsStrict) {
+  EXPECT_THAT(parseCsv("a,\"b\r\n\"\r\n,\n", "t.csv"), ElementsAre(ElementsAre("a", "b\r\n"), ElementsAre("", "")));
+  EXPECT_THAT(parseCsv("", "t.csv"), IsEmpty());
+  for (const char* bytes : {"a", "a\"b\n", "\"a\n", "\"a\"b\n", "a\rb\n", "a,b\n\"c"}) {
+    EXPECT_THAT(messageOf<FormatError>([&] { parseCsv(bytes, "t.csv"); }), HasSubstr("t.csv: line "));
+  }
+}
+
+TEST_F(ExportCsv, FailedComparisonLeavesNoFolderAndKeepsAnEarlierOne) {
+  Reconstruction reconstruction = makeTestReconstruction();
+  exportReconstruction(reconstruction, ExportFormat::Csv, in("earlier"));
+  const std::string earlier = read(in("earlier/cells.csv"));
+  reconstruction.patches[0].cells[0].T_o_u.t.x() = 1;
+  reconstruction.patches[0].links[0].sigma_rad = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(messageOf<FormatError>([&] { exportReconstruction(reconstruction, ExportFormat::Csv, in("new")); }),
+              HasSubstr("links.csv: read back after writing"));
+  EXPECT_THROW(exportReconstruction(reconstruction, ExportFormat::Csv, in("earlier")), FormatError);
+  EXPECT_FALSE(std::filesystem::exists(in("new")));
+  EXPECT_EQ(read(in("earlier/cells.csv")), earlier);
+  EXPECT_EQ(names().size(), 6U);
+}
+
+}  // namespace
+}  // namespace hexoderm

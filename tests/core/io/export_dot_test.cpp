@@ -1,0 +1,152 @@
+#include "hexoderm/io/export_dot.h"
+
+#include "core/io/export_test_folder.h"
+#include "hexoderm/io/exporter.h"
+#include "hexoderm/util/error.h"
+#include "support/reconstruction_builder.h"
+
+#include <gmock/gmock.h>
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/graphviz.hpp>
+#include <map>
+
+namespace hexoderm {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ExportDot = ExportTest;
+
+struct BoostNode {
+  std::string name, label, pos, peripheries;
+};
+struct BoostEdge {
+  std::string taillabel, headlabel, label, color, style;
+};
+using BoostGraph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, BoostNode, BoostEdge>;
+
+/// The file as Boost.Graph's reader understands it.
+BoostGraph readWithBoost(const std::string& text) {
+  BoostGraph graph;
+  boost::dynamic_properties properties(boost::ignore_other_properties);
+  properties.property("node_id", boost::get(&BoostNode::name, graph));
+  properties.property("label", boost::get(&BoostNode::label, graph));
+  properties.property("pos", boost::get(&BoostNode::pos, graph));
+  properties.property("peripheries", boost::get(&BoostNode::peripheries, graph));
+  properties.property("taillabel", boost::get(&BoostEdge::taillabel, graph));
+  properties.property("headlabel", boost::get(&BoostEdge::headlabel, graph));
+  properties.property("label", boost::get(&BoostEdge::label, graph));
+  properties.property("color", boost::get(&BoostEdge::color, graph));
+  properties.property("style", boost::get(&BoostEdge::style, graph));
+  EXPECT_TRUE(boost::read_graphviz(text, graph, properties, "node_id"));
+  return graph;
+}
+
+TEST_F(ExportDot, HoldsCellsAtTheirPlaceInTheLayout) {
+  exportReconstruction(makeTestReconstruction(), ExportFormat::Dot, in("skin.dot"));
+  const BoostGraph graph = readWithBoost(read(in("skin.dot")));
+  std::map<std::string, BoostNode> nodes;
+  for (const auto vertex : boost::make_iterator_range(boost::vertices(graph)))
+    nodes[graph[vertex].name] = graph[vertex];
+  ASSERT_EQ(nodes.size(), 4U);
+  double x_in = 0;
+  double y_in = 0;
+  char end = 0;
+  ASSERT_EQ(std::sscanf(nodes["12"].pos.c_str(), "%lf,%lf%c", &x_in, &y_in, &end), 3);
+  EXPECT_DOUBLE_EQ(x_in * 0.0254, 0.024);
+  EXPECT_DOUBLE_EQ(y_in * 0.0254, -0.001);
+  EXPECT_EQ(end, '!');
+  EXPECT_EQ(nodes["7"].peripheries, "2");  // the origin
+  EXPECT_NE(nodes["3"].peripheries, "2");
+}
+
+TEST_F(ExportDot, HoldsTwoDirectedEdgesALinkWithPortsAndQuality) {
+  exportReconstruction(makeTestReconstruction(), ExportFormat::Dot, in("skin.dot"));
+  const BoostGraph graph = readWithBoost(read(in("skin.dot")));
+  std::map<std::string, BoostEdge> edges;  // by "cell:port-cell:port"
+  for (const auto edge : boost::make_iterator_range(boost::edges(graph))) {
+    const BoostEdge& properties = graph[edge];
+    edges[graph[boost::source(edge, graph)].name + ":" + properties.taillabel + "-" +
+          graph[boost::target(edge, graph)].name + ":" + properties.headlabel] = properties;
+  }
+  ASSERT_EQ(boost::num_edges(graph), 8U);
+  ASSERT_EQ(edges.size(), 8U);
+  for (const char* name : {"3:2-7:3", "7:3-3:2"}) {
+    ASSERT_TRUE(edges.contains(name)) << name;
+    EXPECT_EQ(edges[name].color, "#17A1CA");
+    EXPECT_EQ(edges[name].style, "solid");
+  }
+  for (const char* name : {"7:2-12:3", "12:3-7:2"}) EXPECT_EQ(edges[name].color, "#3A1FB0:#3A1FB0") << name;
+  for (const char* name : {"7:1-12:4", "12:4-7:1", "7:4-20:1", "20:1-7:4"}) {
+    EXPECT_EQ(edges[name].color, "#9A9A9A") << name;
+    EXPECT_EQ(edges[name].style, "dashed") << name;
+    EXPECT_EQ(edges[name].label, "x") << name;
+  }
+}
+
+TEST_F(ExportDot, DrawsTheWeakClassesAsDotsAndDashes) {
+  Reconstruction reconstruction = makeTestReconstruction();
+  reconstruction.patches[0].links[0].quality = EdgeQuality::Undefined;
+  reconstruction.patches[0].links[2].quality = EdgeQuality::Partially;
+  const DotGraph graph = dotGraph(reconstruction);
+  EXPECT_EQ(graph.edges[0].attributes.at("style"), "dotted");
+  EXPECT_EQ(graph.edges[0].attributes.at("color"), "#7F0D14");
+  EXPECT_EQ(graph.edges[4].attributes.at("style"), "dashed");
+  EXPECT_EQ(graph.edges[4].attributes.at("color"), "#E66F15");
+}
+
+TEST_F(ExportDot, GroupsCellsByPatch) {
+  exportReconstruction(makeTestReconstruction(), ExportFormat::Dot, in("skin.dot"));
+  const std::string text = read(in("skin.dot"));
+  const std::size_t first = text.find("subgraph \"cluster_0\"");
+  const std::size_t second = text.find("subgraph \"cluster_1\"");
+  ASSERT_NE(first, std::string::npos);
+  ASSERT_NE(second, std::string::npos);
+  EXPECT_LT(first, text.find("\"12\" [label"));
+  EXPECT_LT(text.find("\"12\" [label"), second);
+  EXPECT_LT(second, text.find("\"20\" [label"));
+}
+
+TEST_F(ExportDot, EscapesTextsOfUsers) {
+  exportReconstruction(makeTestReconstruction(), ExportFormat::Dot, in("skin.dot"));
+  EXPECT_THAT(read(in("skin.dot")), HasSubstr(R"(label="12\nleft \"arm\", Bernd's <R&amp;D> \\ größer")"));
+  Reconstruction reconstruction = makeTestReconstruction();
+  reconstruction.patches[0].cells[0].body_part = "ends in \\";
+  reconstruction.patches[0].cells[1].body_part = "\"];}\r\n&quot;";
+  exportReconstruction(reconstruction, ExportFormat::Dot, in("odd.dot"));
+  EXPECT_EQ(boost::num_vertices(readWithBoost(read(in("odd.dot")))), 4U);
+}
+
+TEST_F(ExportDot, CellsWithoutALayoutHaveNoPlace) {
+  Reconstruction reconstruction = makeTestReconstruction();
+  reconstruction.layout = {};
+  exportReconstruction(reconstruction, ExportFormat::Dot, in("skin.dot"));
+  EXPECT_THAT(read(in("skin.dot")), Not(HasSubstr("pos=")));
+}
+
+TEST_F(ExportDot, EmptyReconstructionGivesAnEmptyGraph) {
+  exportReconstruction(makeEmptyReconstruction(), ExportFormat::Dot, in("empty.dot"));
+  EXPECT_EQ(boost::num_vertices(readWithBoost(read(in("empty.dot")))), 0U);
+}
+
+TEST_F(ExportDot, DetectsATamperedGraph) {
+  const DotGraph graph = dotGraph(makeTestReconstruction());
+  const std::string text = dotText(graph);
+  EXPECT_NO_THROW(verifyDot(text, graph, "skin.dot"));
+  const std::vector<std::string> tampered = {replaced(text, "headlabel=\"3\"", "headlabel=\"2\""),
+                                             replaced(text, "\"3\" -> \"7\"", "\"3\" -> \"12\""),
+                                             replaced(text, "#17A1CA", "#17A1CB"),
+                                             replaced(text, "peripheries=\"2\", ", ""),
+                                             replaced(text, "cluster_1", "cluster_2"),
+                                             replaced(text, "    \"20\" [", "    \"21\" ["),
+                                             replaced(text, "<R&amp;D>", "<R&D>"),
+                                             replaced(text, "\\\"arm\\\"", "\"arm\""),
+                                             text + "}",
+                                             text.substr(0, text.size() / 2),
+                                             ""};
+  for (const std::string& bytes : tampered) EXPECT_THROW(verifyDot(bytes, graph, "skin.dot"), FormatError) << bytes;
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,132 @@
+#include "hexoderm/io/export_ply.h"
+
+#include "core/io/export_test_folder.h"
+#include "hexoderm/reconstruction/patch_mesh.h"
+#include "hexoderm/util/error.h"
+#include "support/reconstruction_builder.h"
+
+#include <gmock/gmock.h>
+
+#include <map>
+#include <set>
+#include <sstream>
+
+namespace hexoderm {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ExportPly = ExportTest;
+
+struct PlainPly {
+  struct Vertex {
+    Eigen::Vector3d point;
+    std::uint32_t color = 0;
+  };
+  std::vector<Vertex> vertices;
+  std::vector<std::vector<unsigned>> faces;
+};
+
+/// Reads an ASCII PLY line by line, without any library.
+PlainPly readPly(const std::string& text) {
+  std::istringstream in(text);
+  std::string line;
+  std::size_t vertices = 0;
+  std::size_t faces = 0;
+  std::vector<std::string> properties;
+  EXPECT_TRUE(std::getline(in, line) && line == "ply");
+  EXPECT_TRUE(std::getline(in, line) && line == "format ascii 1.0");
+  while (std::getline(in, line) && line != "end_header") {
+    std::istringstream words(line);
+    std::string first, second, third;
+    words >> first >> second >> third;
+    if (first == "element" && second == "vertex") vertices = std::stoul(third);
+    if (first == "element" && second == "face") faces = std::stoul(third);
+    if (first == "property" && second != "list") properties.push_back(second + " " + third);
+  }
+  EXPECT_THAT(properties,
+              ElementsAre("float x", "float y", "float z", "uchar red", "uchar green", "uchar blue", "uchar alpha"));
+  PlainPly ply;
+  for (std::size_t k = 0; k < vertices; ++k) {
+    PlainPly::Vertex vertex;
+    std::uint32_t red = 0, green = 0, blue = 0, alpha = 0;
+    in >> vertex.point.x() >> vertex.point.y() >> vertex.point.z() >> red >> green >> blue >> alpha;
+    EXPECT_EQ(alpha, 255U);
+    vertex.color = red << 16U | green << 8U | blue;
+    ply.vertices.push_back(vertex);
+  }
+  for (std::size_t k = 0; k < faces; ++k) {
+    std::size_t count = 0;
+    in >> count;
+    std::vector<unsigned> face(count);
+    for (unsigned& index : face) in >> index;
+    ply.faces.push_back(face);
+  }
+  EXPECT_TRUE(in);
+  EXPECT_FALSE(in >> line) << "something follows the faces: " << line;
+  return ply;
+}
+
+TEST_F(ExportPly, HoldsThePrismsInMetres) {
+  const Reconstruction reconstruction = makeTestReconstruction();
+  EXPECT_THAT(exportReconstruction(reconstruction, ExportFormat::Ply, in("skin.ply")), ElementsAre(in("skin.ply")));
+  const PlainPly ply = readPly(read(in("skin.ply")));
+  ASSERT_EQ(ply.vertices.size(), 4U * 12U);
+  ASSERT_EQ(ply.faces.size(), 4U * 8U);
+  // First corner of cell 3, and the back corner below it, straight from the definition.
+  const SE3& T = reconstruction.patches[0].cells[0].T_o_u;
+  EXPECT_LT((ply.vertices[0].point - T * Eigen::Vector3d(0.01502, 0, 0)).norm(), 1e-8);
+  EXPECT_LT((ply.vertices[6].point - T * Eigen::Vector3d(0.01502, 0, -0.0034)).norm(), 1e-8);
+  EXPECT_THAT(ply.faces[0], ElementsAre(0, 1, 2, 3, 4, 5));
+  EXPECT_THAT(read(in("skin.ply")), HasSubstr("\ncomment metres, each patch in the frame of its origin cell\n"));
+}
+
+TEST_F(ExportPly, ColoursCellsByTheirWorstUsedLink) {
+  exportReconstruction(makeTestReconstruction(), ExportFormat::Ply, in("skin.ply"));
+  const PlainPly ply = readPly(read(in("skin.ply")));
+  std::vector<std::uint32_t> colors;
+  for (std::size_t cell = 0; cell < 4; ++cell) {
+    colors.push_back(ply.vertices[12 * cell].color);
+    for (std::size_t k = 0; k < 12; ++k) EXPECT_EQ(ply.vertices[12 * cell + k].color, colors.back());
+  }
+  // Cell 7 has links of both classes; the muted links of 7, 12 and 20 don't count.
+  EXPECT_THAT(colors, ElementsAre(0x17A1CA, 0x17A1CA, 0x3A1FB0, 0x9A9A9A));
+}
+
+TEST_F(ExportPly, KeepsEveryByteOfEveryColour) {
+  ExportMesh mesh;
+  for (std::uint32_t byte = 0; byte < 256; ++byte) {
+    mesh.points.emplace_back(byte, 1, 2);
+    mesh.colors.push_back(byte << 16U | (255 - byte) << 8U | byte);
+  }
+  for (std::uint32_t k = 0; k + 2 < 256; ++k) mesh.polygons.push_back({k, k + 1, k + 2});
+  const std::string bytes = plyBytes(mesh, "colours.ply");
+  const PlainPly ply = readPly(bytes);
+  for (std::size_t k = 0; k < 256; ++k) EXPECT_EQ(ply.vertices[k].color, mesh.colors[k]);
+  EXPECT_NO_THROW(verifyPly(bytes, mesh, "colours.ply"));
+}
+
+TEST_F(ExportPly, RefusesAReconstructionWithoutCells) {
+  EXPECT_THAT(messageOf<InvalidArgument>(
+                  [&] { exportReconstruction(makeEmptyReconstruction(), ExportFormat::Ply, in("a.ply")); }),
+              HasSubstr("no cells"));
+  EXPECT_TRUE(names().empty());
+}
+
+TEST_F(ExportPly, DetectsATamperedMesh) {
+  const ExportMesh mesh = plyMesh(makeTestReconstruction());
+  const std::string text = plyBytes(mesh, "skin.ply");
+  EXPECT_NO_THROW(verifyPly(text, mesh, "skin.ply"));
+  const std::vector<std::string> tampered = {replaced(text, " 23 161 202 255", " 23 161 203 255"),
+                                             replaced(text, "-0.00972227938", "-0.00972327938"),
+                                             replaced(text, "-0.00972227938", "nan"),
+                                             replaced(text, "6 0 1 2 3 4 5", "6 0 1 2 3 5 4"),
+                                             replaced(text, "element vertex 48", "element vertex 47"),
+                                             replaced(text, "6 0 1 2 3 4 5\n", "5 0 1 2 3 4\n"),
+                                             text.substr(0, text.size() / 2),
+                                             ""};
+  for (const std::string& bytes : tampered) EXPECT_THROW(verifyPly(bytes, mesh, "skin.ply"), FormatError) << bytes;
+}
+
+}  // namespace
+}  // namespace hexoderm

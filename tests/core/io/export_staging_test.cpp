@@ -1,0 +1,104 @@
+#include "hexoderm/io/export_staging.h"
+
+#include "core/io/export_test_folder.h"
+#include "hexoderm/util/error.h"
+
+#include <gmock/gmock.h>
+
+namespace hexoderm {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ExportStaging = ExportTest;
+
+void accept(const std::string& /*bytes*/) {}
+void refuse(const std::string& /*bytes*/) { throw FormatError("differs"); }
+
+TEST_F(ExportStaging, VerifiesWhatIsOnTheDiskBeforeTheFileHasItsName) {
+  std::string seen;
+  publishFile(in("a.stl"), "content", [&](const std::string& bytes) {
+    seen = bytes;
+    EXPECT_FALSE(std::filesystem::exists(in("a.stl")));
+  });
+  EXPECT_EQ(seen, "content");
+  EXPECT_EQ(read(in("a.stl")), "content");
+  EXPECT_THAT(names(), ElementsAre("a.stl"));
+}
+
+TEST_F(ExportStaging, LeavesNoFileIfVerificationFails) {
+  EXPECT_THROW(publishFile(in("a.stl"), "content", refuse), FormatError);
+  EXPECT_THAT(names(), IsEmpty());
+}
+
+TEST_F(ExportStaging, KeepsAnEarlierFileIfVerificationFails) {
+  write(in("a.stl"), "earlier");
+  EXPECT_THROW(publishFile(in("a.stl"), "content", refuse), FormatError);
+  EXPECT_EQ(read(in("a.stl")), "earlier");
+  EXPECT_THAT(names(), ElementsAre("a.stl"));
+}
+
+TEST_F(ExportStaging, NamesATargetThatCannotBeWritten) {
+  write(in("file"), "");
+  std::filesystem::create_directory(in("folder"));
+  for (const char* name : {"missing/a.stl", "file/a.stl", "folder"}) {
+    EXPECT_THAT(messageOf<StorageError>([&] { publishFile(in(name), "content", accept); }),
+                HasSubstr(in(name).string()));
+  }
+  EXPECT_THAT(names(), ElementsAre("file", "folder"));
+}
+
+TEST_F(ExportStaging, MakesAFolderForItsFiles) {
+  const auto paths = publishFolder(in("out/"), {{"a.csv", "1", accept}, {"b.csv", "2", accept}});
+  EXPECT_THAT(paths, ElementsAre(in("out/a.csv"), in("out/b.csv")));
+  EXPECT_EQ(read(paths[1]), "2");
+  EXPECT_THAT(names(), ElementsAre("out", "out/a.csv", "out/b.csv"));
+  // Others may look into it as into any folder that the user makes.
+  std::filesystem::create_directory(in("reference"));
+  EXPECT_EQ(std::filesystem::status(in("out")).permissions(), std::filesystem::status(in("reference")).permissions());
+}
+
+TEST_F(ExportStaging, ReplacesOnlyItsOwnFilesInAFolder) {
+  std::filesystem::create_directory(in("out"));
+  write(in("out/a.csv"), "earlier");
+  write(in("out/notes.txt"), "mine");
+  publishFolder(in("out"), {{"a.csv", "1", accept}, {"b.csv", "2", accept}});
+  EXPECT_EQ(read(in("out/a.csv")), "1");
+  EXPECT_EQ(read(in("out/notes.txt")), "mine");
+  EXPECT_THAT(names(), ElementsAre("out", "out/a.csv", "out/b.csv", "out/notes.txt"));
+}
+
+TEST_F(ExportStaging, LeavesNoFolderIfOneOfItsFilesFails) {
+  EXPECT_THROW(publishFolder(in("out"), {{"a.csv", "1", accept}, {"b.csv", "2", refuse}}), FormatError);
+  EXPECT_THAT(names(), IsEmpty());
+}
+
+TEST_F(ExportStaging, KeepsEarlierFilesOfAFolderIfOneFails) {
+  std::filesystem::create_directory(in("out"));
+  write(in("out/a.csv"), "earlier");
+  EXPECT_THROW(publishFolder(in("out"), {{"a.csv", "1", accept}, {"b.csv", "2", refuse}}), FormatError);
+  EXPECT_EQ(read(in("out/a.csv")), "earlier");
+  EXPECT_THAT(names(), ElementsAre("out", "out/a.csv"));
+}
+
+TEST_F(ExportStaging, PutsFilesBackIfALaterOneCannotBeReplaced) {
+  std::filesystem::create_directories(in("out/c.csv"));  // a folder where the third file should go
+  write(in("out/a.csv"), "earlier");
+  EXPECT_THROW(publishFolder(in("out"), {{"a.csv", "1", accept}, {"b.csv", "2", accept}, {"c.csv", "3", accept}}),
+               StorageError);
+  EXPECT_EQ(read(in("out/a.csv")), "earlier");
+  EXPECT_THAT(names(), ElementsAre("out", "out/a.csv", "out/c.csv"));
+}
+
+TEST_F(ExportStaging, RefusesAFileWhereAFolderIsMeant) {
+  write(in("out"), "mine");
+  EXPECT_THAT(messageOf<StorageError>([&] {
+                publishFolder(in("out"), {{"a.csv", "1", accept}});
+              }),
+              HasSubstr("is a file, expected a folder"));
+  EXPECT_EQ(read(in("out")), "mine");
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,104 @@
+#include "hexoderm/io/export_stl.h"
+
+#include "core/io/export_test_folder.h"
+#include "hexoderm/util/error.h"
+#include "support/reconstruction_builder.h"
+
+#include <gmock/gmock.h>
+
+#include <cstring>
+
+namespace hexoderm {
+namespace {
+
+using ::testing::HasSubstr;
+using ExportStl = ExportTest;
+
+struct Triangle {
+  Eigen::Vector3f normal;
+  std::array<Eigen::Vector3f, 3> corners;
+};
+
+/// Reads a binary STL byte by byte, without any library.
+std::vector<Triangle> readStl(const std::string& bytes) {
+  std::uint32_t count = 0;
+  EXPECT_GE(bytes.size(), 84U);
+  std::memcpy(&count, bytes.data() + 80, sizeof count);
+  EXPECT_EQ(bytes.size(), 84U + 50U * count);
+  std::vector<Triangle> triangles(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    std::array<float, 12> numbers{};
+    std::memcpy(numbers.data(), bytes.data() + 84 + 50 * k, sizeof numbers);
+    triangles[k].normal = Eigen::Map<Eigen::Vector3f>(numbers.data());
+    for (std::size_t c = 0; c < 3; ++c)
+      triangles[k].corners.at(c) = Eigen::Map<Eigen::Vector3f>(&numbers.at(3 + 3 * c));
+  }
+  return triangles;
+}
+
+/// Enclosed volume; right only if the surface is closed and wound outwards.
+double volume(const std::vector<Triangle>& triangles) {
+  double sum = 0;
+  for (const Triangle& t : triangles) {
+    sum += t.corners[0].cast<double>().dot(t.corners[1].cast<double>().cross(t.corners[2].cast<double>())) / 6;
+  }
+  return sum;
+}
+
+constexpr double kPrismVolume_m3 = 2.598076211353316 * 0.01502 * 0.01502 * 0.0034;
+
+TEST_F(ExportStl, HoldsClosedPrismsInMillimetresByDefault) {
+  exportReconstruction(makeTestReconstruction(), ExportFormat::Stl, in("skin.stl"));
+  const auto triangles = readStl(read(in("skin.stl")));
+  ASSERT_EQ(triangles.size(), 4U * (4 + 4 + 12));
+  EXPECT_NEAR(volume(triangles), 4 * kPrismVolume_m3 * 1e9, 1e-6 * kPrismVolume_m3 * 1e9 * 4);
+}
+
+TEST_F(ExportStl, WritesMetresIfAskedFor) {
+  const Reconstruction reconstruction = makeTestReconstruction();
+  ExportOptions options;
+  options.stl_unit = LengthUnit::Metres;
+  exportReconstruction(reconstruction, ExportFormat::Stl, in("skin.stl"), options);
+  const auto triangles = readStl(read(in("skin.stl")));
+  EXPECT_NEAR(volume(triangles), 4 * kPrismVolume_m3, 1e-6 * kPrismVolume_m3 * 4);
+  const SE3& T = reconstruction.patches[0].cells[0].T_o_u;
+  EXPECT_EQ(triangles[0].corners[0], (T * Eigen::Vector3d(0.01502, 0, 0)).cast<float>());
+}
+
+TEST_F(ExportStl, NormalsPointOutOfTheSkin) {
+  const Reconstruction reconstruction = makeTestReconstruction();
+  exportReconstruction(reconstruction, ExportFormat::Stl, in("skin.stl"));
+  const auto triangles = readStl(read(in("skin.stl")));
+  const Eigen::Vector3d front = reconstruction.patches[0].cells[0].T_o_u.R.col(2);
+  EXPECT_LT((triangles[0].normal.cast<double>() - front).norm(), 1e-5);
+  for (const Triangle& t : triangles) {
+    const Eigen::Vector3f wound = (t.corners[1] - t.corners[0]).cross(t.corners[2] - t.corners[0]).normalized();
+    EXPECT_LT((t.normal - wound).norm(), 1e-4F);
+  }
+}
+
+TEST_F(ExportStl, RefusesAReconstructionWithoutCells) {
+  EXPECT_THAT(messageOf<InvalidArgument>(
+                  [&] { exportReconstruction(makeEmptyReconstruction(), ExportFormat::Stl, in("a.stl")); }),
+              HasSubstr("no cells"));
+  EXPECT_TRUE(names().empty());
+}
+
+TEST_F(ExportStl, DetectsATamperedMesh) {
+  const ExportMesh mesh = stlMesh(makeTestReconstruction(), LengthUnit::Millimetres);
+  const std::string bytes = stlBytes(mesh, "skin.stl");
+  EXPECT_NO_THROW(verifyStl(bytes, mesh, "skin.stl"));
+  std::string moved = bytes;
+  const float elsewhere = 1.5F;
+  std::memcpy(moved.data() + 84 + 12, &elsewhere, sizeof elsewhere);
+  std::string fewer = bytes;
+  const std::uint32_t count = 79;
+  std::memcpy(fewer.data() + 80, &count, sizeof count);
+  for (const std::string& tampered :
+       {moved, fewer, bytes + "x", bytes.substr(0, bytes.size() - 50), bytes.substr(0, 60), std::string()}) {
+    EXPECT_THROW(verifyStl(tampered, mesh, "skin.stl"), FormatError);
+  }
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace hexoderm {
+
+/// A folder of a test's own, gone at its end.
+class ExportTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (std::filesystem::temp_directory_path() / "hexoderm-export.XXXXXX").string();
+    ASSERT_NE(::mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  [[nodiscard]] std::filesystem::path in(const std::string& name) const { return folder_ / name; }
+  /// Names of everything in the folder and below, hidden things too.
+  [[nodiscard]] std::vector<std::string> names() const {
+    std::vector<std::string> found;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_)) {
+      found.push_back(std::filesystem::relative(entry.path(), folder_).string());
+    }
+    std::ranges::sort(found);
+    return found;
+  }
+
+  static std::string read(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    EXPECT_TRUE(file) << path;
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  static void write(const std::filesystem::path& path, const std::string& content) {
+    std::ofstream(path, std::ios::binary) << content;
+  }
+
+  std::filesystem::path folder_;
+};
+
+/// `text` with its first `from` replaced; fails the test if there is none.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << "nothing to tamper with: " << from;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+/// What the callable throws as an Error of the given kind; fails the test if it throws nothing or something else.
+template <class Expected, class Callable>
+std::string messageOf(Callable&& callable) {
+  try {
+    callable();
+  } catch (const Expected& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << "nothing was thrown";
+  return {};
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,191 @@
+#include "hexoderm/io/export_urdf.h"
+
+#include "core/io/export_test_folder.h"
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/units.h"
+#include "support/reconstruction_builder.h"
+
+#include <gmock/gmock.h>
+
+#include <map>
+#include <pugixml.hpp>
+#include <set>
+#include <sstream>
+
+namespace hexoderm {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::UnorderedElementsAre;
+using ExportUrdf = ExportTest;
+
+/// An <origin> by Eigen's own rotations.
+SE3 originOf(pugi::xml_node node) {
+  Eigen::Vector3d xyz, rpy;
+  std::istringstream(node.child("origin").attribute("xyz").value()) >> xyz.x() >> xyz.y() >> xyz.z();
+  std::istringstream(node.child("origin").attribute("rpy").value()) >> rpy.x() >> rpy.y() >> rpy.z();
+  return {rotationFromRpy(rpy), xyz};
+}
+
+/// Where every link is in the root, by following the joints.
+std::map<std::string, SE3> chained(const pugi::xml_document& document) {
+  std::map<std::string, SE3> T_root;
+  const pugi::xml_node robot = document.child("robot");
+  for (const pugi::xml_node link : robot.children("link")) {
+    SE3 T;
+    std::string at = link.attribute("name").value();
+    for (int steps = 0; steps < 10; ++steps) {
+      for (const pugi::xml_node joint : robot.children("joint")) {
+        if (joint.child("child").attribute("link").value() != at) continue;
+        EXPECT_STREQ(joint.attribute("type").value(), "fixed");
+        T = originOf(joint) * T;
+        at = joint.child("parent").attribute("link").value();
+        break;
+      }
+    }
+    EXPECT_EQ(at, "base_link");
+    T_root[link.attribute("name").value()] = T;
+  }
+  return T_root;
+}
+
+void expectNear(const SE3& found, const SE3& expected, const std::string& what) {
+  EXPECT_LT((found.R - expected.R).norm(), 1e-9) << what;
+  EXPECT_LT((found.t - expected.t).norm(), 1e-12) << what;
+}
+
+pugi::xml_document load(const std::filesystem::path& path) {
+  pugi::xml_document document;
+  EXPECT_TRUE(document.load_file(path.c_str()));
+  return document;
+}
+
+TEST_F(ExportUrdf, ChainsToEveryCellAndSensor) {
+  const Reconstruction reconstruction = makeTestReconstruction();
+  exportReconstruction(reconstruction, ExportFormat::Urdf, in("skin.urdf"));
+  const auto T_root = chained(load(in("skin.urdf")));
+  std::vector<std::string> link_names;
+  for (const auto& [name, T] : T_root) link_names.push_back(name);
+  EXPECT_THAT(link_names,
+              UnorderedElementsAre("base_link", "skin_patch0", "skin_patch1", "skin_cell3", "skin_cell7", "skin_cell12",
+                                   "skin_cell20", "skin_cell3_accelerometer", "skin_cell7_force_1_gr_e",
+                                   "skin_cell7_force_1_gr_e_2", "skin_cell12_sensor"));
+  const auto& cells = reconstruction.patches[0].cells;
+  expectNear(T_root.at("skin_patch0"), {}, "patch");
+  expectNear(T_root.at("skin_cell3"), cells[0].T_o_u, "cell 3");
+  expectNear(T_root.at("skin_cell12"), cells[2].T_o_u, "cell 12, pitched by 90 degrees");
+  expectNear(T_root.at("skin_cell3_accelerometer"), cells[0].sensors[0].T_o_s, "sensor of cell 3");
+  expectNear(T_root.at("skin_cell12_sensor"), cells[2].sensors[0].T_o_s, "sensor of cell 12");
+}
+
+TEST_F(ExportUrdf, DrawsCellsBelowTheirFrontFace) {
+  exportReconstruction(makeTestReconstruction(), ExportFormat::Urdf, in("skin.urdf"));
+  const auto document = load(in("skin.urdf"));
+  const pugi::xml_node link = document.child("robot").find_child_by_attribute("link", "name", "skin_cell12");
+  expectNear(originOf(link.child("visual")), {Eigen::Matrix3d::Identity(), {0, 0, -0.0017}}, "visual");
+  const pugi::xml_node cylinder = link.child("visual").child("geometry").child("cylinder");
+  EXPECT_STREQ(cylinder.attribute("radius").value(), "0.01502");
+  EXPECT_STREQ(cylinder.attribute("length").value(), "0.0034");
+  EXPECT_STREQ(link.child("visual").child("material").attribute("name").value(), "hexoderm_over");
+}
+
+TEST_F(ExportUrdf, OneLinkAPatchHoldsCellsAsVisualsAndSensorsAsElements) {
+  const Reconstruction reconstruction = makeTestReconstruction();
+  ExportOptions options;
+  options.urdf_link_per_cell = false;
+  exportReconstruction(reconstruction, ExportFormat::Urdf, in("skin.urdf"), options);
+  const auto document = load(in("skin.urdf"));
+  EXPECT_EQ(chained(document).size(), 3U);
+  const pugi::xml_node robot = document.child("robot");
+  const pugi::xml_node patch = robot.find_child_by_attribute("link", "name", "skin_patch0");
+  const pugi::xml_node visual = patch.find_child_by_attribute("visual", "name", "skin_cell12");
+  const SE3& T_o_u = reconstruction.patches[0].cells[2].T_o_u;
+  expectNear(originOf(visual), T_o_u * SE3{Eigen::Matrix3d::Identity(), {0, 0, -0.0017}}, "cell 12");
+  const pugi::xml_node sensor = robot.find_child_by_attribute("sensor", "name", "skin_cell3_accelerometer");
+  EXPECT_STREQ(sensor.child("parent").attribute("link").value(), "skin_patch0");
+  expectNear(originOf(sensor), reconstruction.patches[0].cells[0].sensors[0].T_o_s, "sensor of cell 3");
+}
+
+TEST_F(ExportUrdf, UsesTheNamesOfTheOptions) {
+  ExportOptions options;
+  options.urdf_robot = "nao-6";
+  options.urdf_parent_link = "l_forearm";
+  options.urdf_prefix = "";
+  exportReconstruction(makeTestReconstruction(), ExportFormat::Urdf, in("skin.urdf"), options);
+  const auto document = load(in("skin.urdf"));
+  const pugi::xml_node robot = document.child("robot");
+  EXPECT_STREQ(robot.attribute("name").value(), "nao-6");
+  EXPECT_STREQ(robot.child("link").attribute("name").value(), "l_forearm");
+  EXPECT_STREQ(robot.child("joint").attribute("name").value(), "patch0_joint");
+  EXPECT_STREQ(robot.child("joint").child("parent").attribute("link").value(), "l_forearm");
+}
+
+TEST_F(ExportUrdf, RefusesAParentLinkThatTheSkinNeedsItself) {
+  ExportOptions options;
+  options.urdf_parent_link = "skin_cell7";
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { urdfModel(makeTestReconstruction(), options); }),
+              HasSubstr("urdf_parent_link: \"skin_cell7\""));
+}
+
+TEST_F(ExportUrdf, EveryOrientationComesBack) {
+  Reconstruction reconstruction = makeTestReconstruction();
+  for (const double pitch_deg : {-90.0, -89.9999999, -45.0, 0.0, 89.99999, 89.9999999, 90.0}) {
+    for (const double roll_deg : {-180.0, -170.0, 0.0, 33.0, 180.0}) {
+      for (const double yaw_deg : {-180.0, -91.0, 0.0, 77.0}) {
+        reconstruction.patches[0].cells[0].T_o_u.R =
+            rotationFromRpy(kDegree * Eigen::Vector3d(roll_deg, pitch_deg, yaw_deg));
+        const UrdfModel model = urdfModel(reconstruction, {});
+        EXPECT_NO_THROW(verifyUrdf(urdfBytes(model), model, "skin.urdf"))
+            << roll_deg << " " << pitch_deg << " " << yaw_deg;
+      }
+    }
+  }
+}
+
+TEST_F(ExportUrdf, TakesRotationsOfFewDecimals) {
+  Reconstruction reconstruction = makeTestReconstruction();
+  Eigen::Matrix3d& R = reconstruction.patches[0].cells[0].T_o_u.R;
+  R = (R * 1e7).array().round() / 1e7;
+  EXPECT_NO_THROW(exportReconstruction(reconstruction, ExportFormat::Urdf, in("skin.urdf")));
+}
+
+TEST_F(ExportUrdf, EmptyReconstructionGivesTheParentLinkAlone) {
+  exportReconstruction(makeEmptyReconstruction(), ExportFormat::Urdf, in("empty.urdf"));
+  EXPECT_EQ(chained(load(in("empty.urdf"))).size(), 1U);
+}
+
+TEST_F(ExportUrdf, DetectsATamperedModel) {
+  for (const bool link_per_cell : {true, false}) {
+    ExportOptions options;
+    options.urdf_link_per_cell = link_per_cell;
+    const UrdfModel model = urdfModel(makeTestReconstruction(), options);
+    const std::string text = urdfBytes(model);
+    EXPECT_NO_THROW(verifyUrdf(text, model, "skin.urdf"));
+    std::vector<std::string> tampered = {
+        replaced(text, "<parent link=\"base_link\"", "<parent link=\"skin_patch1\""),
+        replaced(text, "type=\"fixed\"", "type=\"floating\""),
+        replaced(text, "name=\"skin_patch1_joint\"", "name=\"skin_patch0_joint\""),
+        replaced(text, "radius=\"0.01502\"", "radius=\"0.0150\""),
+        replaced(text, "name=\"skin_cell12\"", "name=\"skin_cell13\""),
+        replaced(text, "\"hexoderm_over\" />\n    </visual>", "\"hexoderm_un\" />\n    </visual>"),
+        replaced(text, "rpy=\"0 0 0\"", "rpy=\"0 0 0.00000001\""),
+        replaced(text, "rpy=\"0 0 0\"", "rpy=\"0 0\""),
+        replaced(text, "rpy=\"0 0 0\"", "rpy=\"0 0 nan\""),
+        replaced(text, "</robot>", "<link name=\"more\"/></robot>"),
+        text.substr(0, text.size() / 2),
+        ""};
+    const std::size_t sensor = text.find(link_per_cell ? "skin_cell3_accelerometer_joint" : "<sensor");
+    ASSERT_NE(sensor, std::string::npos);
+    tampered.push_back(text.substr(0, sensor) + replaced(text.substr(sensor), "xyz=\"", "xyz=\"1"));
+    for (const std::string& bytes : tampered) EXPECT_THROW(verifyUrdf(bytes, model, "skin.urdf"), FormatError) << bytes;
+  }
+}
+
+TEST(UrdfName, TakesWhatUrdfAndTfTake) {
+  for (const char* name : {"base_link", "r-arm.2", "left/forearm", "7"}) EXPECT_TRUE(isUrdfName(name)) << name;
+  for (const char* name : {"", "/base", "base link", "größe", "a\"b", "a<b"}) EXPECT_FALSE(isUrdfName(name)) << name;
+}
+
+}  // namespace
+}  // namespace hexoderm

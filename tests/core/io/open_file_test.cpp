@@ -1,0 +1,93 @@
+#include "hexoderm/io/open_file.h"
+
+#include "hexoderm/io/calibration_json.h"
+#include "hexoderm/io/session_json.h"
+#include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/file.h"
+#include "support/error_matchers.h"
+#include "support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+namespace hexoderm {
+namespace {
+
+using test::messageOf;
+using test::saysAll;
+using test::TemporaryFolder;
+
+const std::filesystem::path kData = HEXODERM_TEST_DATA;
+
+OpenedFile open(const std::filesystem::path& path) { return openFile(path, builtInCellModel("hex-bma150")); }
+
+std::string complaint(const std::string& content) {
+  const TemporaryFolder folder;
+  const auto path = folder.put("f.dat", content);
+  return messageOf<FormatError>([&] { open(path); });
+}
+
+TEST(OpenFile, TellsFilesApartByTheirContent) {
+  const TemporaryFolder folder;
+  const auto session = folder.put("a.dat", readFile(kData / "three_cells.session.json"));
+  const auto calibration = folder.put(
+      "b.dat", calibrationToJson(*reconstruct(*readSessionJson(kData / "three_cells.session.json").snapshot())));
+  const auto tum = folder.put("c.dat", readFile(kData / "two_patches.tum.xml"));
+
+  OpenedFile opened = open(session);
+  ASSERT_TRUE(std::holds_alternative<Session>(opened));
+  EXPECT_EQ(std::get<Session>(opened).neighbors().size(), 3U);
+  EXPECT_EQ(std::get<Session>(opened).source().file, "a.dat");
+
+  opened = open(calibration);
+  ASSERT_TRUE(std::holds_alternative<std::shared_ptr<const Reconstruction>>(opened));
+  EXPECT_EQ(std::get<std::shared_ptr<const Reconstruction>>(opened)->solver, "tree");
+
+  opened = open(tum);
+  ASSERT_TRUE(std::holds_alternative<std::shared_ptr<const Reconstruction>>(opened));
+  EXPECT_EQ(std::get<std::shared_ptr<const Reconstruction>>(opened)->solver, "imported");
+}
+
+TEST(OpenFile, SkipsAByteOrderMarkAndWhiteSpace) {
+  const TemporaryFolder folder;
+  const std::string text = readFile(kData / "three_cells.session.json");
+  EXPECT_TRUE(std::holds_alternative<Session>(open(folder.put("a", "\xEF\xBB\xBF" + text))));
+  EXPECT_TRUE(std::holds_alternative<Session>(open(folder.put("b", "\r\n \t" + text))));
+}
+
+TEST(OpenFile, FindsTheFormatAtTheEndToo) {
+  const TemporaryFolder folder;
+  const std::string text =
+      R"({"cells": [], "poses": [], "cell_model": "hex-bma150", "version": 1, "format": "hexoderm-session"})";
+  EXPECT_TRUE(std::holds_alternative<Session>(open(folder.put("a", text))));
+}
+
+TEST(OpenFile, SaysWhatItReadsWhenAFileIsNoneOfIt) {
+  EXPECT_THAT(complaint("\x7f"
+                        "ELF"),
+              saysAll("f.dat", "none of the files", "session", "calibration", "SkinConfig"));
+  EXPECT_THAT(complaint(""), saysAll("f.dat", "empty", "session", "calibration"));
+  EXPECT_THAT(complaint("{\"a\": 1}"), saysAll("f.dat", "format", "there is none"));
+  EXPECT_THAT(complaint("{\"format\": \"hexoderm-manifest\"}"), saysAll("f.dat", "format", "\"hexoderm-manifest\""));
+  EXPECT_THAT(complaint("<robot/>"), saysAll("f.dat", "SkinConfig", "robot"));
+}
+
+TEST(OpenFile, NamesWhatIsWrongInsideAFile) {
+  EXPECT_THAT(complaint("{\"a\": [1, 2"), saysAll("f.dat", "at a[2]", "ends in the middle"));
+  EXPECT_THAT(complaint("{\"format\": \"hexoderm-session\", \"version\": 3}"),
+              saysAll("f.dat", "version 3", "version 1"));
+  EXPECT_THAT(complaint("{\"format\": \"hexoderm-calibration\", \"version\": 2}"),
+              saysAll("f.dat", "version 2", "version 1"));
+  EXPECT_THAT(complaint("{\"format\": \"hexoderm-session\", \"version\": 1, \"cells\": [NaN]}"),
+              saysAll("f.dat: cells[0]", "finite", "NaN"));
+}
+
+TEST(OpenFile, NamesAFileThatIsNotThere) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(messageOf<StorageError>([&] { open(folder.path() / "none.hexo"); }),
+              saysAll("none.hexo", "No such file"));
+  EXPECT_THAT(messageOf<StorageError>([&] { open(folder.path()); }), saysAll("is a folder"));
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,259 @@
+#include "hexoderm/io/session_json.h"
+
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/file.h"
+#include "support/error_matchers.h"
+#include "support/json_mutations.h"
+#include "support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace hexoderm {
+namespace {
+
+using test::messageOf;
+using test::saysAll;
+using test::TemporaryFolder;
+
+const std::filesystem::path kThreeCells = std::filesystem::path(HEXODERM_TEST_DATA) / "three_cells.session.json";
+
+nlohmann::json threeCells() { return nlohmann::json::parse(readFile(kThreeCells)); }
+
+/// What the reader says of the file with one value replaced.
+std::string complaint(const std::string& pointer, const nlohmann::json& value) {
+  nlohmann::json json = threeCells();
+  json.at(nlohmann::json::json_pointer(pointer)) = value;
+  return messageOf<FormatError>([&] { parseSessionJson(json.dump(), "s.json"); });
+}
+
+std::string complaintWithout(const std::string& parent, const std::string& key) {
+  nlohmann::json json = threeCells();
+  EXPECT_EQ(json.at(nlohmann::json::json_pointer(parent)).erase(key), 1U);
+  return messageOf<FormatError>([&] { parseSessionJson(json.dump(), "s.json"); });
+}
+
+TEST(SessionJson, ReadsAFileWrittenByHand) {
+  const Session session = readSessionJson(kThreeCells);
+  EXPECT_EQ(session.model().name, "hex-bma150");
+  EXPECT_EQ(session.source().text, "Three cells in a row, bent by 20 degrees at each link");
+
+  ASSERT_EQ(session.neighbors().size(), 3U);
+  const CellReport& second = session.neighbors()[1];
+  EXPECT_EQ(second.id, CellId(2));
+  EXPECT_EQ(second.body_part, "forearm");
+  ASSERT_EQ(second.neighbors.size(), 2U);
+  EXPECT_EQ(second.neighbors[0], (NeighborReport{PortNumber(3), CellId(1), std::nullopt}));
+  EXPECT_EQ(second.neighbors[1], (NeighborReport{PortNumber(2), CellId(5), PortNumber(3)}));
+
+  ASSERT_EQ(session.poses().size(), 3U);
+  const PoseCapture& first = *session.poses()[0].capture;
+  EXPECT_EQ(first.id, PoseId(1));
+  EXPECT_EQ(first.label, "lying on the table");
+  EXPECT_FALSE(session.poses()[0].disabled);
+  ASSERT_EQ(first.samples.size(), 3U);
+  EXPECT_EQ(first.samples[0].mean_g, Eigen::Vector3d(0.1, 0.2, 0.9746794344808963));
+  EXPECT_EQ(first.samples[0].count, 100U);
+  Eigen::Matrix3d cov_g2;
+  cov_g2 << 1e-6, 1e-8, 0, 1e-8, 2e-6, -1e-8, 0, -1e-8, 3e-6;
+  EXPECT_EQ(first.samples[0].cov_g2, cov_g2);
+  EXPECT_EQ(first.samples[1].count, 0U);
+  EXPECT_TRUE(first.samples[1].cov_g2.isZero(0));
+  EXPECT_TRUE(session.poses()[1].disabled);
+  EXPECT_EQ(session.nextPoseId(), PoseId(6));
+
+  ASSERT_NE(session.truth(), nullptr);
+  EXPECT_EQ(session.truth()->frame, "arm");
+  ASSERT_EQ(session.truth()->cells.size(), 3U);
+  EXPECT_EQ(session.truth()->cells[1].T_b_u.R * Eigen::Vector3d::UnitX(), Eigen::Vector3d(Eigen::Vector3d::UnitY()));
+  EXPECT_EQ(session.truth()->cells[1].T_b_u.t, Eigen::Vector3d(0.024, -0.014, 0.001));
+}
+
+TEST(SessionJson, RemembersWhichBytesItCameFrom) {
+  const Session session = readSessionJson(kThreeCells);
+  EXPECT_EQ(session.source().file, "three_cells.session.json");
+  EXPECT_EQ(session.source().sha256, sha256Hex(readFile(kThreeCells)));
+}
+
+TEST(SessionJson, ComesBackAsItWas) {
+  Session session = readSessionJson(kThreeCells);
+  PoseCapture capture;
+  capture.id = PoseId(9);
+  capture.label = "\"quoted\" and ümläut\n";
+  GravitySample sample;
+  sample.cell = CellId(4'294'967'295);
+  sample.mean_g = {0.1 + 0.2, -5e-324, 1.0 / 3.0};
+  sample.cov_g2 << 1e-300, 2e-17, 1.1, 2e-17, 3e-9, -7.7, 1.1, -7.7, 0.3;
+  sample.count = 4'294'967'295;
+  capture.samples = {sample};
+  session.addPose({std::make_shared<const PoseCapture>(capture), true});
+
+  const std::string text = sessionToJson(session);
+  const Session back = parseSessionJson(text, "back.json");
+  EXPECT_EQ(sessionToJson(back), text);
+  EXPECT_EQ(back.neighbors(), session.neighbors());
+  ASSERT_EQ(back.poses().size(), 4U);
+  const PoseCapture& last = *back.poses()[3].capture;
+  EXPECT_TRUE(back.poses()[3].disabled);
+  EXPECT_EQ(last.label, capture.label);
+  ASSERT_EQ(last.samples.size(), 1U);
+  EXPECT_EQ(last.samples[0].cell, sample.cell);
+  EXPECT_EQ(last.samples[0].mean_g, sample.mean_g);
+  EXPECT_EQ(last.samples[0].cov_g2, sample.cov_g2);
+  EXPECT_EQ(last.samples[0].count, sample.count);
+  ASSERT_NE(back.truth(), nullptr);
+  EXPECT_EQ(back.truth()->cells[2].T_b_u.R, session.truth()->cells[2].T_b_u.R);
+}
+
+TEST(SessionJson, KeepsACellModelOfItsOwn) {
+  CellModel model = builtInCellModel("hex-bma150");
+  model.accelerometer.offset_sigma_g = 0.02;  // the same name, but no longer the built-in one
+  const Session session(model, {});
+  const std::string text = sessionToJson(session);
+  EXPECT_TRUE(nlohmann::json::parse(text).at("cell_model").is_object());
+  EXPECT_EQ(parseSessionJson(text, "s.json").model().accelerometer.offset_sigma_g, 0.02);
+
+  const Session built_in(builtInCellModel("hex-bma150"), {});
+  EXPECT_EQ(nlohmann::json::parse(sessionToJson(built_in)).at("cell_model"), "hex-bma150");
+}
+
+TEST(SessionJson, TakesAnEmptySkin) {
+  const Session session = parseSessionJson(
+      R"({"format": "hexoderm-session", "version": 1, "cell_model": "hex-bma150", "cells": [], "poses": []})",
+      "s.json");
+  EXPECT_TRUE(session.neighbors().empty());
+  EXPECT_TRUE(session.poses().empty());
+  EXPECT_EQ(session.truth(), nullptr);
+  EXPECT_EQ(session.source().text, "");
+}
+
+TEST(SessionJson, LeavesContradictionsOfTheSkinToTheGraph) {
+  nlohmann::json json = threeCells();
+  json["cells"].push_back(json["cells"][0]);                                    // duplicate cell
+  json["cells"][2]["ports"][0] = {{"port", 3}, {"cell", 5}};                    // self link
+  json["cells"][2]["ports"][1] = {{"port", 42}, {"cell", 4711}};                // unknown port and cell
+  json["poses"][0]["samples"].push_back({{"cell", 1}, {"mean_g", {0, 0, 1}}});  // duplicate sample
+  json["poses"].push_back(json["poses"][0]);                                    // duplicate pose
+  const Session session = parseSessionJson(json.dump(), "s.json");
+  EXPECT_EQ(session.neighbors().size(), 4U);
+  EXPECT_EQ(session.poses().size(), 4U);
+}
+
+TEST(SessionJson, NamesTheKeyPathOfWrongTypes) {
+  EXPECT_THAT(complaint("/cells", 3), saysAll("s.json: cells: expected an array, found 3"));
+  EXPECT_THAT(complaint("/cells/1", "two"), saysAll("s.json: cells[1]: expected an object", "two"));
+  EXPECT_THAT(complaint("/cells/1/id", "two"), saysAll("s.json: cells[1].id: expected a whole number"));
+  EXPECT_THAT(complaint("/cells/1/ports/0/port", 1.5), saysAll("s.json: cells[1].ports[0].port: expected a whole"));
+  EXPECT_THAT(complaint("/cells/0/body_part", 7), saysAll("s.json: cells[0].body_part: expected a text"));
+  EXPECT_THAT(complaint("/poses/1/disabled", "yes"), saysAll("s.json: poses[1].disabled: expected true or false"));
+  EXPECT_THAT(complaint("/poses/0/samples/1/mean_g/2", "1"), saysAll("s.json: poses[0].samples[1].mean_g[2]"));
+  EXPECT_THAT(complaint("/description", 1), saysAll("s.json: description: expected a text"));
+  EXPECT_THAT(complaint("/cell_model", 4), saysAll("s.json: cell_model: expected", "found 4"));
+}
+
+TEST(SessionJson, NamesTheKeyPathOfWrongLengths) {
+  EXPECT_THAT(complaint("/poses/0/samples/1/mean_g", {0, 1}), saysAll("poses[0].samples[1].mean_g", "3", "array of 2"));
+  EXPECT_THAT(complaint("/poses/0/samples/0/cov_g2", {1, 2, 3}), saysAll("poses[0].samples[0].cov_g2", "6"));
+  EXPECT_THAT(complaint("/truth/cells/0/R", {1, 0, 0}), saysAll("truth.cells[0].R", "9"));
+  EXPECT_THAT(complaint("/truth/cells/2/t_m", {1, 0, 0, 0}), saysAll("truth.cells[2].t_m", "3"));
+}
+
+TEST(SessionJson, NamesTheKeyPathOfNumbersOutOfRange) {
+  EXPECT_THAT(complaint("/cells/1/id", -2), saysAll("s.json: cells[1].id", "0 to 4294967295, found -2"));
+  EXPECT_THAT(complaint("/cells/1/id", 4294967296), saysAll("s.json: cells[1].id", "found 4294967296"));
+  EXPECT_THAT(complaint("/cells/0/ports/0/cell", -1), saysAll("s.json: cells[0].ports[0].cell", "found -1"));
+  EXPECT_THAT(complaint("/cells/0/ports/0/cell_port", -1), saysAll("s.json: cells[0].ports[0].cell_port"));
+  EXPECT_THAT(complaint("/poses/0/samples/0/count", -100), saysAll("s.json: poses[0].samples[0].count", "-100"));
+  EXPECT_THAT(complaint("/poses/0/id", 4294967295), saysAll("s.json: poses[0].id", "0 to 4294967294"));
+  EXPECT_THAT(complaint("/poses/0/samples/0/cov_g2/3", -1e-9), saysAll("poses[0].samples[0].cov_g2", "at least 0"));
+  EXPECT_THAT(complaint("/truth/cells/0/R/0", 1.01), saysAll("s.json: truth.cells[0].R: expected a rotation matrix"));
+  EXPECT_THAT(complaint("/truth/cells/1/id", 1), saysAll("s.json: truth.cells[1].id: expected each cell once"));
+}
+
+TEST(SessionJson, NamesTheKeyPathOfNumbersThatAreNotFinite) {
+  const std::string text = readFile(kThreeCells);
+  for (const char* number : {"NaN", "-Infinity", "1e999"}) {
+    std::string bad = text;
+    bad.replace(bad.find("0.9486832980505138"), 18, number);
+    EXPECT_THAT(messageOf<FormatError>([&] { parseSessionJson(bad, "s.json"); }),
+                saysAll("s.json: poses[0].samples[1].mean_g[2]", "finite", number));
+  }
+}
+
+TEST(SessionJson, NamesWhatIsMissing) {
+  EXPECT_THAT(complaintWithout("", "cells"), saysAll("s.json: cells: is missing"));
+  EXPECT_THAT(complaintWithout("", "poses"), saysAll("s.json: poses: is missing"));
+  EXPECT_THAT(complaintWithout("", "cell_model"), saysAll("s.json: cell_model: is missing"));
+  EXPECT_THAT(complaintWithout("/cells/2", "ports"), saysAll("s.json: cells[2].ports: is missing"));
+  EXPECT_THAT(complaintWithout("/poses/2/samples/0", "mean_g"), saysAll("poses[2].samples[0].mean_g: is missing"));
+}
+
+TEST(SessionJson, RefusesANewerVersionNamingBoth) {
+  EXPECT_THAT(complaint("/version", 2), saysAll("s.json: version", "version 2", "up to version 1"));
+}
+
+TEST(SessionJson, RefusesAnotherFormat) {
+  EXPECT_THAT(complaint("/format", "hexoderm-calibration"),
+              saysAll("s.json: format: expected \"hexoderm-session\", found \"hexoderm-calibration\""));
+}
+
+TEST(SessionJson, NamesCellModelsItDoesNotKnow) {
+  EXPECT_THAT(complaint("/cell_model", "oct-9"), saysAll("s.json: cell_model", "hex-bma150", "found \"oct-9\""));
+  EXPECT_THAT(complaint("/cell_model", {{"name", "x"}}), saysAll("s.json: cell_model.side_m: is missing"));
+}
+
+TEST(SessionJson, IsRefusedWhereverItIsCutOff) {
+  const std::string text = readFile(kThreeCells);
+  const std::size_t end = text.find_last_of('}');
+  for (std::size_t size = 0; size <= end; ++size) {
+    EXPECT_THAT(messageOf<FormatError>([&] { parseSessionJson(std::string_view(text).substr(0, size), "s.json"); }),
+                saysAll("s.json: "))
+        << "cut after " << size << " bytes";
+  }
+}
+
+TEST(SessionJson, RefusesOrTakesAnyValueInAnyPlace) {
+  const std::size_t count = test::forEachMutation(threeCells(), [](const std::string& text, const std::string& what) {
+    try {
+      const std::string again = sessionToJson(parseSessionJson(text, "s.json"));
+      EXPECT_NO_THROW(parseSessionJson(again, "s.json")) << what;
+    } catch (const FormatError& error) {
+      EXPECT_THAT(error.what(), saysAll("s.json: ")) << what;
+    }
+  });
+  EXPECT_GT(count, 500U);
+}
+
+TEST(SessionJson, NamesAFileThatIsNotThere) {
+  const TemporaryFolder folder;
+  EXPECT_THAT(messageOf<StorageError>([&] { readSessionJson(folder.path() / "none.session.json"); }),
+              saysAll("none.session.json", "No such file"));
+  EXPECT_THAT(messageOf<StorageError>([&] { readSessionJson(folder.path()); }), saysAll("is a folder"));
+}
+
+TEST(SessionJson, NamesTheWholePathOfABadFile) {
+  const TemporaryFolder folder;
+  const auto path = folder.put("bad.session.json", "{");
+  EXPECT_THAT(messageOf<FormatError>([&] { readSessionJson(path); }), saysAll(path.string()));
+}
+
+TEST(SessionJson, IsWrittenWholeOrNotAtAll) {
+  const TemporaryFolder folder;
+  const Session session = readSessionJson(kThreeCells);
+  const auto path = folder.path() / "out.session.json";
+  writeSessionJson(session, path);
+  EXPECT_EQ(readFile(path), sessionToJson(session));
+
+  Session bad(builtInCellModel("hex-bma150"), {});
+  PoseCapture capture;
+  capture.samples = {{CellId(1), {0, std::numeric_limits<double>::quiet_NaN(), 1}, Eigen::Matrix3d::Zero(), 1}};
+  bad.addPose({std::make_shared<const PoseCapture>(capture), false});
+  EXPECT_THROW(writeSessionJson(bad, path), InvalidArgument);
+  EXPECT_EQ(readFile(path), sessionToJson(session)) << "the earlier file is intact";
+  EXPECT_THROW(writeSessionJson(session, folder.path()), StorageError);
+  EXPECT_EQ(folder.entryCount(), 1U);
+}
+
+}  // namespace
+}  // namespace hexoderm

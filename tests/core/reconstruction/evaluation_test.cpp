@@ -1,0 +1,116 @@
+#include "hexoderm/reconstruction/evaluation.h"
+
+#include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/units.h"
+#include "support/matchers.h"
+#include "support/pin_jointed_skin.h"
+
+namespace hexoderm {
+namespace {
+
+using ::testing::SizeIs;
+
+/// A straight line of eight cells, bent into an open or nearly closed ring.
+PinJointedSkin ring(double bend_rad) {
+  std::vector<PinJoint> joints;
+  for (std::uint32_t k = 1; k < 8; ++k) joints.push_back({k, 2, k + 1, 3, bend_rad, 0, 0});
+  return PinJointedSkin(joints);
+}
+
+std::shared_ptr<const Reconstruction> solved(const PinJointedSkin& skin) {
+  return reconstruct(*skin.session(orthogonalUps(3)).snapshot());
+}
+
+GroundTruth truthOf(const PinJointedSkin& skin) {
+  GroundTruth truth;
+  for (const auto& [id, T] : skin.truth) truth.cells.push_back({id, T});
+  return truth;
+}
+
+constexpr LinkEnd kFirst{CellId(1), PortNumber(3)};
+constexpr LinkEnd kLast{CellId(8), PortNumber(2)};
+
+TEST(Evaluation, CylinderThroughARingHasTheRingsRadius) {
+  const PinJointedSkin skin = ring(45 * kDegree);
+  const auto result = solved(skin);
+  // Centres of a regular octagon of pin-jointed cells lie on a circle of apothem radius e / tan(22.5 degrees). A ring
+  // alone is flat and has no cylinder axis of its own, so a second ring's worth of points comes from X17.
+  const double e = skin.model.port(PortNumber(2)).vector_m.norm();
+  const double radius = e / std::tan(22.5 * kDegree);
+  EXPECT_THROW(evaluateSurface(result->patches.front(), SurfaceKind::Sphere), InvalidArgument);
+  EXPECT_NEAR(radius, 0.03354, 1e-5);
+  const SurfaceEvaluation plane = evaluateSurface(result->patches.front(), SurfaceKind::Plane);
+  EXPECT_LT(plane.rms_m, 1e-9) << "the centres of an untwisted ring lie in a plane";
+  EXPECT_FALSE(plane.radius_m.has_value());
+  EXPECT_THROW(evaluateSurface(result->patches.front(), SurfaceKind::Plane, 0.05), InvalidArgument);
+}
+
+TEST(Evaluation, PaperMetricsFollowEquations20And21) {
+  const auto result = solved(bentX17());
+  const SurfaceEvaluation sphere = evaluateSurface(result->patches.front(), SurfaceKind::Sphere, 0.05);
+  ASSERT_TRUE(sphere.delta_m && sphere.epsilon_m && sphere.radius_m);
+  EXPECT_NEAR(*sphere.delta_m, *sphere.radius_m - 0.05, 1e-15);
+  double sum = 0;
+  for (const double distance : sphere.distance_m) sum += std::pow(distance + *sphere.delta_m, 2);
+  EXPECT_NEAR(*sphere.epsilon_m, std::sqrt(sum / 17), 1e-15);
+  EXPECT_THAT(sphere.distance_m, SizeIs(17));
+}
+
+TEST(Evaluation, LoopOfAClosedRingIsClosed) {
+  const PinJointedSkin skin = ring(45 * kDegree);
+  const LoopEvaluation loop = evaluateLoop(*solved(skin), kFirst, kLast);
+  EXPECT_NEAR(loop.length_m, 0, 1e-9);
+  // The paper: 16 port vectors accumulate to 222.28 mm.
+  EXPECT_NEAR(loop.loop_length_m, 0.22228, 1e-5);
+}
+
+TEST(Evaluation, LoopOfAnOpenRingIsItsGap) {
+  const PinJointedSkin skin = ring(44 * kDegree);
+  const LoopEvaluation loop = evaluateLoop(*solved(skin), kFirst, kLast);
+  const double expected = trueLoopGap(skin.model, truthOf(skin), kFirst, kLast);
+  EXPECT_GT(expected, 0.001);
+  EXPECT_NEAR(loop.length_m, expected, 1e-9);
+  EXPECT_NEAR(loop.percent, 100 * expected / loop.loop_length_m, 1e-9);
+  EXPECT_NEAR(loop.gap_m.norm(), loop.length_m, 1e-15);
+}
+
+TEST(Evaluation, LoopRefusesWhatIsNoFreePort) {
+  const auto result = solved(ring(44 * kDegree));
+  EXPECT_THROW(evaluateLoop(*result, {CellId(9), PortNumber(2)}, kLast), InvalidArgument);
+  EXPECT_THROW(evaluateLoop(*result, {CellId(1), PortNumber(5)}, kLast), InvalidArgument);
+  EXPECT_THROW(evaluateLoop(*result, {CellId(1), PortNumber(2)}, kLast), InvalidArgument) << "joined to cell 2";
+  EXPECT_THROW(evaluateLoop(*result, kLast, kLast), InvalidArgument);
+}
+
+TEST(Evaluation, ComparisonIgnoresTheFramesAndSeesTheDifference) {
+  const PinJointedSkin skin = bentX17();
+  const auto result = solved(skin);
+  GroundTruth truth = truthOf(skin);
+  const SE3 T_body{expSO3({1, 2, 0.5}), {0.3, -0.2, 1}};
+  for (TrueCellPlacement& cell : truth.cells) cell.T_b_u = T_body * cell.T_b_u;
+  auto comparison = compareToTruth(*result, truth);
+  ASSERT_THAT(comparison, SizeIs(1));
+  EXPECT_LT(comparison[0].position_rms_m, 1e-9);
+  EXPECT_LT(comparison[0].orientation_rms_rad, 1e-9);
+
+  // One of 17 cells turned by 0.1 rad: the best rotation takes up 1/17 of it.
+  truth.cells[3].T_b_u.R *= expSO3({0, 0, 0.1});
+  comparison = compareToTruth(*result, truth);
+  EXPECT_NEAR(comparison[0].cells[3].orientation_rad, 0.1 * 16 / 17, 1e-4);
+  EXPECT_NEAR(comparison[0].orientation_rms_rad, 0.1 * std::sqrt(16.0) / 17, 1e-4);
+}
+
+TEST(Evaluation, ReconstructionsComparePatchByPatch) {
+  const auto a = solved(bentX17());
+  const auto b = reconstruct(*bentX17().session(orthogonalUps(6)).snapshot());
+  const auto comparison = compareToReconstruction(*a, *b);
+  ASSERT_THAT(comparison, SizeIs(1));
+  EXPECT_THAT(comparison[0].cells, SizeIs(17));
+  EXPECT_LT(comparison[0].position_rms_m, 1e-9);
+  EXPECT_TRUE(comparison[0].cells[5].sigma_t_m.has_value());
+  EXPECT_GT(*comparison[0].cells[5].sigma_r_rad, 0);
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,169 @@
+#include "hexoderm/reconstruction/reconstruction_worker.h"
+
+#include "hexoderm/util/error.h"
+
+#include <gmock/gmock.h>
+
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace hexoderm {
+namespace {
+
+using testing::ElementsAre;
+
+std::shared_ptr<const SessionSnapshot> snapshotOf(std::uint64_t revision) {
+  auto snapshot = std::make_shared<SessionSnapshot>();
+  snapshot->revision = revision;
+  snapshot->model = std::make_shared<const CellModel>(builtInCellModel("hex-bma150"));
+  snapshot->neighbors = std::make_shared<const NeighborList>();
+  return snapshot;
+}
+
+/// Collects outcomes from the worker's thread and lets the test wait for them.
+class Outcomes {
+ public:
+  ReconstructionWorker::Report report() {
+    return [this](ReconstructionOutcome outcome) {
+      const std::lock_guard lock(mutex_);
+      outcomes_.push_back(std::move(outcome));
+      changed_.notify_all();
+    };
+  }
+  std::vector<ReconstructionOutcome> waitFor(std::size_t count) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return outcomes_.size() >= count; });
+    return outcomes_;
+  }
+  std::vector<std::uint64_t> revisions() {
+    const std::lock_guard lock(mutex_);
+    std::vector<std::uint64_t> revisions;
+    for (const ReconstructionOutcome& outcome : outcomes_) revisions.push_back(outcome.revision);
+    return revisions;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<ReconstructionOutcome> outcomes_;
+};
+
+/// A solve that says when it has begun and ends when the test allows it.
+class HeldSolve {
+ public:
+  ReconstructionWorker::Solve solve() {
+    return [this](const SessionSnapshot& snapshot, const SolverOptions&) {
+      std::unique_lock lock(mutex_);
+      ++begun_;
+      changed_.notify_all();
+      changed_.wait(lock, [this] { return released_; });
+      auto result = std::make_shared<Reconstruction>();
+      result->revision = snapshot.revision;
+      return std::shared_ptr<const Reconstruction>(result);
+    };
+  }
+  void waitUntilBegun() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return begun_ > 0; });
+  }
+  void release() {
+    const std::lock_guard lock(mutex_);
+    released_ = true;
+    changed_.notify_all();
+  }
+  int begun() {
+    const std::lock_guard lock(mutex_);
+    return begun_;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  int begun_ = 0;
+  bool released_ = false;
+};
+
+TEST(ReconstructionWorker, SolvesASnapshotAndSaysWhichRevisionItWas) {
+  Outcomes outcomes;
+  ReconstructionWorker worker(outcomes.report());
+  worker.submit(snapshotOf(7), {});
+  const std::vector<ReconstructionOutcome> seen = outcomes.waitFor(1);
+  ASSERT_EQ(seen.size(), 1U);
+  EXPECT_EQ(seen[0].revision, 7U);
+  EXPECT_EQ(seen[0].error, "");
+  ASSERT_NE(seen[0].reconstruction, nullptr);
+  EXPECT_EQ(seen[0].reconstruction->revision, 7U);
+}
+
+TEST(ReconstructionWorker, NewestWinsAndTheRunningSolveIsNotCancelled) {
+  Outcomes outcomes;
+  HeldSolve held;
+  {
+    ReconstructionWorker worker(outcomes.report(), held.solve());
+    worker.submit(snapshotOf(1), {});
+    held.waitUntilBegun();
+    for (std::uint64_t revision = 2; revision <= 5; ++revision) worker.submit(snapshotOf(revision), {});
+    held.release();
+    outcomes.waitFor(2);
+  }
+  EXPECT_THAT(outcomes.revisions(), ElementsAre(1, 5));
+}
+
+TEST(ReconstructionWorker, OptionsTravelWithTheirSnapshot) {
+  Outcomes outcomes;
+  std::vector<double> thresholds;
+  {
+    ReconstructionWorker worker(outcomes.report(), [&](const SessionSnapshot&, const SolverOptions& options) {
+      thresholds.push_back(options.class_threshold);
+      return std::make_shared<const Reconstruction>();
+    });
+    SolverOptions options;
+    options.class_threshold = 0.75;
+    worker.submit(snapshotOf(1), options);
+    outcomes.waitFor(1);
+  }
+  EXPECT_THAT(thresholds, ElementsAre(0.75));
+}
+
+TEST(ReconstructionWorker, AnErrorBecomesAnOutcomeAndTheWorkerGoesOn) {
+  Outcomes outcomes;
+  ReconstructionWorker worker(outcomes.report());
+  SolverOptions impossible;
+  impossible.class_threshold = -1;
+  worker.submit(snapshotOf(1), impossible);
+  outcomes.waitFor(1);
+  worker.submit(snapshotOf(2), {});
+  const std::vector<ReconstructionOutcome> seen = outcomes.waitFor(2);
+  EXPECT_EQ(seen[0].revision, 1U);
+  EXPECT_EQ(seen[0].reconstruction, nullptr);
+  EXPECT_THAT(seen[0].error, testing::HasSubstr("threshold"));
+  EXPECT_EQ(seen[1].error, "");
+  EXPECT_NE(seen[1].reconstruction, nullptr);
+}
+
+TEST(ReconstructionWorker, TheDestructorFinishesTheRunningSolveAndDropsWhatWaits) {
+  Outcomes outcomes;
+  HeldSolve held;
+  auto worker = std::make_unique<ReconstructionWorker>(outcomes.report(), held.solve());
+  worker->submit(snapshotOf(1), {});
+  held.waitUntilBegun();
+  worker->submit(snapshotOf(2), {});
+  // The destructor must be able to begin while the solve still runs; it asks the thread to stop before it joins.
+  std::thread destroyer([&worker] { worker.reset(); });
+  held.release();
+  destroyer.join();
+  // Revision 2 may have been taken up before the destructor began, never dropped halfway.
+  EXPECT_EQ(outcomes.revisions().size(), static_cast<std::size_t>(held.begun()));
+  EXPECT_EQ(outcomes.revisions().front(), 1U);
+}
+
+TEST(ReconstructionWorker, GoesAwayWithoutEverHavingWorked) {
+  Outcomes outcomes;
+  { const ReconstructionWorker worker(outcomes.report()); }
+  EXPECT_TRUE(outcomes.revisions().empty());
+}
+
+}  // namespace
+}  // namespace hexoderm

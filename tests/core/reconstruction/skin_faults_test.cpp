@@ -1,0 +1,316 @@
+// SPEC section 7, the rows that concern topology and poses: bad reports and bad sensors become findings, the rest is
+// solved, and nothing is NaN.
+
+#include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/util/units.h"
+#include "support/matchers.h"
+#include "support/pin_jointed_skin.h"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+namespace hexoderm {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::SizeIs;
+
+std::shared_ptr<const Reconstruction> solve(const Session& session) { return reconstruct(*session.snapshot(), {}); }
+
+const Finding* findFinding(const Reconstruction& result, FindingCode code) {
+  const auto found = std::ranges::find(result.findings, code, &Finding::code);
+  return found == result.findings.end() ? nullptr : &*found;
+}
+
+Session changed(const Session& session, const std::function<void(std::size_t pose, GravitySample&)>& change) {
+  Session result(session.model(), session.neighbors());
+  for (std::size_t p = 0; p < session.poses().size(); ++p) {
+    PoseCapture capture = *session.poses()[p].capture;
+    for (GravitySample& sample : capture.samples) change(p, sample);
+    result.addPose({std::make_shared<const PoseCapture>(capture), false});
+  }
+  return result;
+}
+
+Session withNeighbors(const Session& session, const NeighborList& neighbors) {
+  Session result(session.model(), neighbors);
+  for (const SessionPose& pose : session.poses()) result.addPose(pose);
+  return result;
+}
+
+/// Cell 3 of X17 lies on an arm: 1 - 2 - 3 - 4 - 5.
+constexpr CellId kBad{3};
+
+class BadCell : public ::testing::Test {
+ protected:
+  void expectPlacedThroughLinks(const Session& session, FindingCode code) {
+    const auto result = solve(session);
+    EXPECT_THAT(*result, IsFinite());
+    const Finding* finding = findFinding(*result, code);
+    ASSERT_NE(finding, nullptr);
+    EXPECT_THAT(finding->cells, ElementsAre(kBad));
+    ASSERT_THAT(result->patches, SizeIs(1));
+    EXPECT_EQ(result->find(kBad).cell->placed_by, PlacedBy::Links);
+    // Beyond the bad cell orientations are still measured: the chain is not cut.
+    const SE3 T_origin_root = skin_.truth.at(result->patches.front().origin).inverse();
+    for (const CellPlacement& cell : result->patches.front().cells) {
+      if (cell.cell == kBad) continue;
+      EXPECT_THAT(cell.T_o_u.R, RotationNear((T_origin_root * skin_.truth.at(cell.cell)).R, 1e-9)) << cell.cell;
+      EXPECT_EQ(cell.placed_by, PlacedBy::Samples);
+    }
+    // The bad cell itself lies between its neighbours: half of each joint's bend is what it can be wrong by.
+    EXPECT_THAT(result->find(kBad).cell->T_o_u,
+                SE3Near(T_origin_root * skin_.truth.at(kBad), 10 * kDegree, 3 * kMillimetre));
+  }
+
+  PinJointedSkin skin_ = bentX17();
+  Session session_ = skin_.session(orthogonalUps(4));
+};
+
+TEST_F(BadCell, DeadSensorIsNamedAndTheCellPlacedThroughItsLinks) {
+  expectPlacedThroughLinks(changed(session_,
+                                   [](std::size_t, GravitySample& sample) {
+                                     if (sample.cell == kBad) sample.mean_g = {0.01, -0.02, 0.004};
+                                   }),
+                           FindingCode::DeadSensor);
+}
+
+TEST_F(BadCell, StuckSensorIsNamedAndTheCellPlacedThroughItsLinks) {
+  expectPlacedThroughLinks(changed(session_,
+                                   [](std::size_t, GravitySample& sample) {
+                                     if (sample.cell == kBad) sample.mean_g = {0.04, -1.02, 0.02};
+                                   }),
+                           FindingCode::StuckSensor);
+}
+
+TEST_F(BadCell, SaturatedSensorIsNamedAndTheCellPlacedThroughItsLinks) {
+  expectPlacedThroughLinks(changed(session_,
+                                   [](std::size_t, GravitySample& sample) {
+                                     if (sample.cell == kBad) sample.mean_g = {2.0, 0.1, 0.3};
+                                   }),
+                           FindingCode::SaturatedSensor);
+}
+
+TEST_F(BadCell, WrongNormIsNamedAndTheCellPlacedThroughItsLinks) {
+  expectPlacedThroughLinks(changed(session_,
+                                   [](std::size_t, GravitySample& sample) {
+                                     if (sample.cell == kBad) sample.mean_g *= 1.6;
+                                   }),
+                           FindingCode::WrongNorm);
+}
+
+TEST_F(BadCell, NoisySensorIsNamedAndTheCellPlacedThroughItsLinks) {
+  const Session session = changed(session_, [](std::size_t, GravitySample& sample) {
+    const double sigma_g = sample.cell == kBad ? 0.3 : 0.012;
+    sample.count = 100;
+    sample.cov_g2 = Eigen::Matrix3d::Identity() * sigma_g * sigma_g / sample.count;
+  });
+  expectPlacedThroughLinks(session, FindingCode::NoisySensor);
+}
+
+TEST_F(BadCell, CellWithoutAnySampleIsNamedAndPlacedThroughItsLinks) {
+  Session session(session_.model(), session_.neighbors());
+  for (const SessionPose& pose : session_.poses()) {
+    PoseCapture capture = *pose.capture;
+    std::erase_if(capture.samples, [](const GravitySample& sample) { return sample.cell == kBad; });
+    session.addPose({std::make_shared<const PoseCapture>(capture), false});
+  }
+  expectPlacedThroughLinks(session, FindingCode::NoSamples);
+}
+
+TEST_F(BadCell, NotANumberIsNoReading) {
+  expectPlacedThroughLinks(changed(session_,
+                                   [](std::size_t, GravitySample& sample) {
+                                     if (sample.cell == kBad) {
+                                       sample.mean_g.y() = std::numeric_limits<double>::quiet_NaN();
+                                     }
+                                   }),
+                           FindingCode::NoSamples);
+}
+
+TEST_F(BadCell, CellWithoutASampleInOnePoseIsPlacedFromTheOthers) {
+  Session session(session_.model(), session_.neighbors());
+  for (std::size_t p = 0; p < 4; ++p) {
+    PoseCapture capture = *session_.poses()[p].capture;
+    if (p == 1) std::erase_if(capture.samples, [](const GravitySample& sample) { return sample.cell == kBad; });
+    session.addPose({std::make_shared<const PoseCapture>(capture), false});
+  }
+  const auto result = solve(session);
+  const Finding* finding = findFinding(*result, FindingCode::MissingSamples);
+  ASSERT_NE(finding, nullptr);
+  EXPECT_THAT(finding->cells, ElementsAre(kBad));
+  EXPECT_THAT(finding->poses, ElementsAre(PoseId(2)));
+  EXPECT_EQ(result->find(kBad).cell->placed_by, PlacedBy::Samples);
+  const SE3 T_origin_root = skin_.truth.at(result->patches.front().origin).inverse();
+  EXPECT_THAT(result->find(kBad).cell->T_o_u, SE3Near(T_origin_root * skin_.truth.at(kBad), 1e-9, 1e-9));
+}
+
+TEST(SkinFaults, ALeafWithoutReadingsIsPlacedByItsOneLink) {
+  const PinJointedSkin skin({{1, 1, 2, 4, 0.2, 0, 0}, {2, 1, 3, 4, 0.2, 0, 0}});
+  const Session session = changed(skin.session(orthogonalUps(3)), [](std::size_t, GravitySample& sample) {
+    if (sample.cell == CellId(3)) sample.mean_g.setZero();
+  });
+  const auto result = solve(session);
+  const CellPlacement* cell = result->find(CellId(3)).cell;
+  EXPECT_EQ(cell->placed_by, PlacedBy::Links);
+  EXPECT_THAT(*result, IsFinite());
+  // Placed straight on, and as uncertain as the elastomer: 30 degrees of bend.
+  EXPECT_NEAR(rotationAngle(result->find(CellId(2)).cell->T_o_u.R.transpose() * cell->T_o_u.R), 0, 1e-9);
+  EXPECT_GT(std::sqrt(cell->cov_t_r->bottomRightCorner<3, 3>().trace()), 25 * kDegree);
+}
+
+TEST(SkinFaults, AllCellsDeadIsAFlatSheetAndNotEnough) {
+  const Session session =
+      changed(bentX17().session(orthogonalUps(3)), [](std::size_t, GravitySample& sample) { sample.mean_g.setZero(); });
+  const auto result = solve(session);
+  EXPECT_THAT(*result, IsFinite());
+  EXPECT_EQ(result->verdict.level, VerdictLevel::NotEnough);
+}
+
+TEST(SkinFaults, APartThatMovedIsThePosesFaultNotTheCells) {
+  const Session session = changed(bentX17().session(orthogonalUps(3)), [](std::size_t pose, GravitySample& sample) {
+    sample.count = 100;
+    const double sigma_g = pose == 1 ? 0.4 : 0.012;
+    sample.cov_g2 = Eigen::Matrix3d::Identity() * sigma_g * sigma_g / sample.count;
+  });
+  const auto result = solve(session);
+  const Finding* finding = findFinding(*result, FindingCode::PartMoved);
+  ASSERT_NE(finding, nullptr);
+  EXPECT_THAT(finding->poses, ElementsAre(PoseId(2)));
+  EXPECT_EQ(findFinding(*result, FindingCode::NoisySensor), nullptr);
+}
+
+TEST(SkinFaults, SamplesOfUnknownCellsAndDoubledSamplesAreNamed) {
+  const Session exact = bentX17().session(orthogonalUps(2));
+  Session session(exact.model(), exact.neighbors());
+  PoseCapture first = *exact.poses()[0].capture;
+  first.samples.push_back({CellId(99), {0, 0, 1}, Eigen::Matrix3d::Zero(), 0});
+  first.samples.push_back({CellId(5), {1, 0, 0}, Eigen::Matrix3d::Zero(), 0});
+  session.addPose({std::make_shared<const PoseCapture>(first), false});
+  session.addPose(exact.poses()[1]);
+  const auto result = solve(session);
+  ASSERT_NE(findFinding(*result, FindingCode::SampleOfUnknownCell), nullptr);
+  EXPECT_THAT(findFinding(*result, FindingCode::SampleOfUnknownCell)->cells, ElementsAre(CellId(99)));
+  ASSERT_NE(findFinding(*result, FindingCode::DuplicateSample), nullptr);
+  EXPECT_THAT(*result, ReconstructionNear(*solve(exact), 1e-12, 1e-12)) << "the first sample counts";
+}
+
+TEST(SkinFaults, BadReportsAreMutedAndTheRestIsSolved) {
+  const PinJointedSkin skin = bentX17();
+  const Session exact = skin.session(orthogonalUps(3));
+  NeighborList neighbors = exact.neighbors();
+  const auto cell = [&](std::uint32_t id) -> CellReport& {
+    return *std::ranges::find(neighbors, CellId(id), &CellReport::id);
+  };
+  // Cell 17's side of its only link is gone; 9 reports itself; 13 an unknown port; 5 a cell that was never found.
+  cell(17).neighbors.clear();
+  cell(9).neighbors.push_back({PortNumber(2), CellId(9), PortNumber(3)});
+  cell(13).neighbors.push_back({PortNumber(7), CellId(12), PortNumber(1)});
+  cell(5).neighbors.push_back({PortNumber(3), CellId(77), PortNumber(1)});
+  neighbors.push_back(neighbors.front());
+  const auto result = solve(withNeighbors(exact, neighbors));
+  for (const FindingCode code : {FindingCode::OneSidedLink, FindingCode::SelfLink, FindingCode::UnknownPort,
+                                 FindingCode::UnknownCell, FindingCode::DuplicateCell}) {
+    EXPECT_NE(findFinding(*result, code), nullptr) << codeName(code);
+  }
+  ASSERT_THAT(result->patches, SizeIs(2));
+  EXPECT_THAT(result->patches[0].cells, SizeIs(16));
+  EXPECT_THAT(result->patches[1].cells, SizeIs(1));
+  const LinkEstimate* muted = result->findLink({CellId(16), PortNumber(3)}, {CellId(17), PortNumber(2)});
+  ASSERT_NE(muted, nullptr) << "a muted link is still shown";
+  EXPECT_FALSE(muted->used);
+  EXPECT_EQ(muted->muted_by, FindingCode::OneSidedLink);
+  EXPECT_THAT(*result, IsFinite());
+}
+
+TEST(SkinFaults, BodyPartsSplitThePatchWhereTheyMeet) {
+  const Session exact = bentX17().session(orthogonalUps(3));
+  NeighborList neighbors = exact.neighbors();
+  for (CellReport& report : neighbors) {
+    report.body_part = report.id == CellId(4) || report.id == CellId(5) ? "hand" : "forearm";
+  }
+  const auto result = solve(withNeighbors(exact, neighbors));
+  ASSERT_THAT(result->patches, SizeIs(2));
+  EXPECT_THAT(result->patches[1].cells, SizeIs(2));
+  EXPECT_EQ(result->find(CellId(4)).cell->body_part, "hand");
+  EXPECT_NE(findFinding(*result, FindingCode::BodyPartBoundary), nullptr);
+}
+
+TEST(SkinFaults, ACableIsMutedByItsBendAndSplitsThePatch) {
+  PinJointedSkin skin({{1, 1, 2, 4, 0.2, 0, 0}, {2, 1, 3, 4, 100 * kDegree, 0, 0}, {3, 1, 4, 4, 0.2, 0, 0}});
+  const auto result = solve(skin.session(orthogonalUps(4)));
+  const Finding* finding = findFinding(*result, FindingCode::ImplausibleBend);
+  ASSERT_NE(finding, nullptr);
+  EXPECT_THAT(finding->cells, ElementsAre(CellId(2), CellId(3)));
+  ASSERT_THAT(result->patches, SizeIs(2));
+  EXPECT_EQ(result->verdict.level, VerdictLevel::Usable);
+}
+
+TEST(SkinFaults, AJointThatTurnedBetweenPosesIsFoundByItsResidualAndMuted) {
+  const PinJointedSkin skin = bentX17();
+  // Cells 4 and 5, the end of an arm, are on another body part that turns by 50 degrees in poses 3 and 4.
+  const Session session = changed(skin.session(orthogonalUps(4)), [&](std::size_t pose, GravitySample& sample) {
+    if (sample.cell != CellId(4) && sample.cell != CellId(5)) return;
+    const Eigen::Matrix3d& R = skin.truth.at(sample.cell).R;
+    const Eigen::Matrix3d turn = expSO3(Eigen::Vector3d(pose >= 2 ? 50 * kDegree : 0, 0, 0));
+    sample.mean_g = (R.transpose() * turn * R * sample.mean_g).eval();
+  });
+  const auto result = solve(session);
+  const Finding* finding = findFinding(*result, FindingCode::LinkNotRigid);
+  ASSERT_NE(finding, nullptr);
+  EXPECT_THAT(finding->cells, ElementsAre(CellId(3), CellId(4)));
+  EXPECT_THAT(result->patches, SizeIs(2));
+  EXPECT_EQ(std::ranges::count(result->findings, FindingCode::LinkNotRigid, &Finding::code), 1);
+}
+
+TEST(SkinFaults, HundredCellsWithAThousandPosesWork) {
+  std::vector<PinJoint> joints;
+  for (std::uint32_t k = 1; k < 100; ++k) joints.push_back({k, 1, k + 1, 4, 0.05, 0.01, 0});
+  const PinJointedSkin skin(joints);
+  std::vector<Eigen::Vector3d> ups;
+  for (int k = 0; k < 1000; ++k) ups.emplace_back(std::cos(0.1 * k), std::sin(0.37 * k), std::cos(1.3 * k) + 0.01);
+  const auto result = solve(skin.session(ups));
+  EXPECT_EQ(result->poses.size(), 1000);
+  EXPECT_THAT(*result, IsFinite());
+  const SE3 T_origin_root = skin.truth.at(result->patches.front().origin).inverse();
+  EXPECT_THAT(result->find(CellId(100)).cell->T_o_u, SE3Near(T_origin_root * skin.truth.at(CellId(100)), 1e-9, 1e-9));
+}
+
+TEST(SkinFaults, HundredThousandCellsWithSixPosesWork) {
+  // A flat sheet of rhombic lattice: 250 rows of 400 cells, all links 1-4 and 2-3.
+  constexpr std::uint32_t kRows = 250;
+  constexpr std::uint32_t kColumns = 400;
+  CellModel model = builtInCellModel("hex-bma150");
+  model.interface_id = CellId(kRows * kColumns + 1);
+  NeighborList neighbors;
+  const auto id = [](std::uint32_t row, std::uint32_t column) { return CellId(1 + row * kColumns + column); };
+  for (std::uint32_t row = 0; row < kRows; ++row) {
+    for (std::uint32_t column = 0; column < kColumns; ++column) {
+      CellReport report{id(row, column), "", {}};
+      if (column + 1 < kColumns) report.neighbors.push_back({PortNumber(1), id(row, column + 1), PortNumber(4)});
+      if (column > 0) report.neighbors.push_back({PortNumber(4), id(row, column - 1), PortNumber(1)});
+      if (row + 1 < kRows) report.neighbors.push_back({PortNumber(2), id(row + 1, column), PortNumber(3)});
+      if (row > 0) report.neighbors.push_back({PortNumber(3), id(row - 1, column), PortNumber(2)});
+      neighbors.push_back(std::move(report));
+    }
+  }
+  Session session(model, neighbors);
+  for (const Eigen::Vector3d& up : orthogonalUps(6)) {
+    PoseCapture pose{session.nextPoseId(), "", {}};
+    for (const CellReport& report : neighbors) pose.samples.push_back({report.id, up, Eigen::Matrix3d::Zero(), 0});
+    session.addPose({std::make_shared<const PoseCapture>(std::move(pose)), false});
+  }
+  const auto result = solve(session);
+  ASSERT_THAT(result->patches, SizeIs(1));
+  EXPECT_EQ(result->cellCount(), kRows * kColumns);
+  const CellPlacement* corner = result->find(id(kRows - 1, kColumns - 1)).cell;
+  const CellPlacement* first = result->find(id(0, 0)).cell;
+  const Eigen::Vector3d expected =
+      (kColumns - 1) * Eigen::Vector3d(0.024, 0.014, 0) + (kRows - 1) * Eigen::Vector3d(0.024, -0.014, 0);
+  EXPECT_THAT(corner->T_o_u.t - first->T_o_u.t, VectorNear(expected, 1e-9));
+}
+
+}  // namespace
+}  // namespace hexoderm

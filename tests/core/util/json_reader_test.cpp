@@ -1,0 +1,185 @@
+#include "hexoderm/util/json_reader.h"
+
+#include "hexoderm/util/error.h"
+#include "support/error_matchers.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace hexoderm {
+namespace {
+
+using test::messageOf;
+using test::saysAll;
+
+/// What a reader of the value at key "k" complains about.
+template <class Read>
+std::string complaint(const std::string& value, Read read) {
+  const nlohmann::json json = parseJson("{\"k\": " + value + "}", "f.json");
+  const JsonReader reader(json, "f.json");
+  return messageOf<FormatError>([&] { static_cast<void>(read(reader.at("k"))); });
+}
+
+TEST(ParseJson, SaysWhereTheTextIsNotJson) {
+  const std::string message = messageOf<FormatError>([] { parseJson("{\"a\": 1,\n \"b\": [1, ?]}", "f.json"); });
+  EXPECT_THAT(message, saysAll("f.json", "line 2, column 11", "at b[1]", "not JSON"));
+}
+
+TEST(ParseJson, SaysThatAFileIsTruncated) {
+  EXPECT_THAT(messageOf<FormatError>([] { parseJson("{\"a\": {\"b\": [1, 2,", "f.json"); }),
+              saysAll("f.json", "at a.b[2]", "ends in the middle"));
+  EXPECT_THAT(messageOf<FormatError>([] { parseJson(" \n", "f.json"); }), saysAll("f.json", "empty"));
+}
+
+TEST(ParseJson, NamesTheKeyPathOfNumbersThatAreNotFinite) {
+  for (const char* number : {"NaN", "nan", "Infinity", "-Infinity", "inf", "1e999", "-1e999"}) {
+    const std::string text = "{\"a\": [{\"b\": 1}, {\"b\": " + std::string(number) + "}]}";
+    EXPECT_THAT(messageOf<FormatError>([&] { parseJson(text, "f.json"); }),
+                saysAll("f.json: a[1].b: expected a finite number", "found " + std::string(number)));
+  }
+}
+
+TEST(ParseJson, SurvivesDeepNesting) { EXPECT_THROW(parseJson(std::string(1'000'000, '['), "f.json"), FormatError); }
+
+TEST(FindJsonFormat, FindsTheTopLevelKeyOnly) {
+  EXPECT_EQ(findJsonFormat(R"({"a": {"format": "inner"}, "format": "outer", "b": )"), "outer");
+  EXPECT_EQ(findJsonFormat(R"({"a": {"format": "inner"}})"), std::nullopt);
+  EXPECT_EQ(findJsonFormat(R"({"format": 1})"), std::nullopt);
+  EXPECT_EQ(findJsonFormat("nonsense"), std::nullopt);
+  EXPECT_EQ(findJsonFormat(""), std::nullopt);
+}
+
+TEST(JsonReader, NamesTheKeyPathOfAMissingKey) {
+  EXPECT_THAT(complaint(R"([{"x": 1}])", [](const JsonReader& k) { return k.items().at(0).at("y"); }),
+              saysAll("f.json: k[0].y", "missing"));
+  EXPECT_THAT(complaint("3", [](const JsonReader& k) { return k.at("y"); }),
+              saysAll("k", "expected an object, found 3"));
+}
+
+TEST(JsonReader, TakesNullForAbsent) {
+  const nlohmann::json json = parseJson(R"({"a": null, "b": 2})", "f.json");
+  const JsonReader reader(json, "f.json");
+  EXPECT_FALSE(reader.find("a").has_value());
+  EXPECT_FALSE(reader.find("c").has_value());
+  ASSERT_TRUE(reader.find("b").has_value());
+  EXPECT_EQ(reader.find("b")->number(), 2);
+}
+
+TEST(JsonReader, ChecksNumbers) {
+  EXPECT_THAT(complaint("\"1\"", [](const JsonReader& k) { return k.number(); }),
+              saysAll("k: expected a number", "\"1\""));
+  EXPECT_THAT(complaint("0", [](const JsonReader& k) { return k.positiveNumber(); }),
+              saysAll("k: expected a number above 0"));
+  EXPECT_THAT(complaint("-0.5", [](const JsonReader& k) { return k.nonNegativeNumber(); }),
+              saysAll("at least 0, found -0.5"));
+  EXPECT_THAT(complaint("true", [](const JsonReader& k) { return k.number(); }), saysAll("k: expected a number"));
+}
+
+TEST(JsonReader, ChecksWholeNumbers) {
+  for (const char* value :
+       {"-1", "4294967296", "1.0", "1.5", "\"1\"", "18446744073709551615", "99999999999999999999"}) {
+    EXPECT_THAT(complaint(value, [](const JsonReader& k) { return k.unsignedInteger(); }),
+                saysAll("f.json: k: expected a whole number from 0 to 4294967295"))
+        << value;
+  }
+  EXPECT_THAT(complaint("0", [](const JsonReader& k) { return k.unsignedInteger(1, 7); }),
+              saysAll("from 1 to 7, found 0"));
+  const nlohmann::json json = parseJson("4294967295", "f.json");
+  EXPECT_EQ(JsonReader(json, "f.json").unsignedInteger(), 4294967295U);
+}
+
+TEST(JsonReader, ChecksTexts) {
+  EXPECT_THAT(complaint("1", [](const JsonReader& k) { return k.string(); }), saysAll("k: expected a text, found 1"));
+  EXPECT_THAT(complaint("\"yes\"", [](const JsonReader& k) { return k.boolean(); }),
+              saysAll("k: expected true or false"));
+}
+
+TEST(JsonReader, ChecksLengthsAndEveryItem) {
+  EXPECT_THAT(complaint("[1, 2]", [](const JsonReader& k) { return k.vector3(); }),
+              saysAll("k: expected an array of 3 numbers, found an array of 2"));
+  EXPECT_THAT(complaint("[1, 2, \"3\"]", [](const JsonReader& k) { return k.vector3(); }), saysAll("k[2]: expected a"));
+  EXPECT_THAT(complaint("{}", [](const JsonReader& k) { return k.vector3(); }), saysAll("k: expected an array"));
+  EXPECT_THAT(complaint("{}", [](const JsonReader& k) { return k.items(); }),
+              saysAll("k: expected an array, found an object"));
+}
+
+TEST(JsonReader, RefusesWhatIsNoRotation) {
+  const auto rotation = [](const JsonReader& k) { return k.rotation(); };
+  EXPECT_THAT(complaint("[1,0,0, 0,1,0, 0,0,1.001]", rotation), saysAll("k: expected a rotation matrix"));
+  EXPECT_THAT(complaint("[1,0,0, 0,1,0, 0,0,-1]", rotation), saysAll("k: expected a rotation matrix"));
+  EXPECT_THAT(complaint("[1e200,0,0, 0,1,0, 0,0,1]", rotation), saysAll("k: expected a rotation matrix"));
+  EXPECT_THAT(complaint("[1, 1, 0, 0]", [](const JsonReader& k) { return k.unitQuaternion(); }),
+              saysAll("unit quaternion"));
+}
+
+TEST(JsonReader, ReadsMatricesRowByRow) {
+  const nlohmann::json json = parseJson("[0,-1,0, 1,0,0, 0,0,1]", "f.json");
+  const Eigen::Matrix3d R = JsonReader(json, "f.json").rotation();
+  EXPECT_EQ(R * Eigen::Vector3d::UnitX(), Eigen::Vector3d(Eigen::Vector3d::UnitY()));
+}
+
+TEST(RequireFormat, NamesBothVersions) {
+  const nlohmann::json json = parseJson(R"({"format": "hexoderm-x", "version": 3})", "f.json");
+  const JsonReader reader(json, "f.json");
+  EXPECT_NO_THROW(reader.requireFormat("hexoderm-x", 3));
+  EXPECT_NO_THROW(reader.requireFormat("hexoderm-x", 4)) << "older files are read";
+  EXPECT_THAT(messageOf<FormatError>([&] { reader.requireFormat("hexoderm-x", 2); }),
+              saysAll("f.json: version", "version 3", "up to version 2"));
+  EXPECT_THAT(messageOf<FormatError>([&] { reader.requireFormat("hexoderm-y", 3); }),
+              saysAll("f.json: format: expected \"hexoderm-y\", found \"hexoderm-x\""));
+}
+
+TEST(RequireFormat, WantsFormatAndVersion) {
+  const auto require = [](const char* text) {
+    const nlohmann::json json = parseJson(text, "f.json");
+    return messageOf<FormatError>([&] { JsonReader(json, "f.json").requireFormat("hexoderm-x", 1); });
+  };
+  EXPECT_THAT(require("{}"), saysAll("format: expected \"hexoderm-x\"", "there is none"));
+  EXPECT_THAT(require(R"({"format": "hexoderm-x"})"), saysAll("version: is missing"));
+  EXPECT_THAT(require(R"({"format": "hexoderm-x", "version": "1"})"), saysAll("version: expected a whole number"));
+  EXPECT_THAT(require(R"({"format": "hexoderm-x", "version": 0})"), saysAll("version: expected a whole number"));
+  EXPECT_THAT(require("[]"), saysAll("top level: expected an object"));
+}
+
+TEST(DumpReadable, PutsShortThingsOnOneLine) {
+  nlohmann::ordered_json json;
+  json["b"] = {1, 2.5, nullptr};
+  json["a"] = {{"x", 0.1}, {"y", "\"q\""}};
+  json["list"] = nlohmann::ordered_json::array({{{"id", 1}}, {{"id", 2}}});
+  json["none"] = nlohmann::ordered_json::array();
+  EXPECT_EQ(dumpReadable(json),
+            "{\n"
+            " \"b\": [1, 2.5, null],\n"
+            " \"a\": {\"x\": 0.1, \"y\": \"\\\"q\\\"\"},\n"
+            " \"list\": [\n"
+            "  {\"id\": 1},\n"
+            "  {\"id\": 2}\n"
+            " ],\n"
+            " \"none\": []\n"
+            "}\n");
+}
+
+TEST(DumpReadable, KeepsDoublesExactly) {
+  for (const double value : {0.1, 1.0 / 3.0, -5e-324, 1.7976931348623157e308, 0.30000000000000004}) {
+    EXPECT_EQ(parseJson(dumpReadable(value), "f.json").get<double>(), value);
+  }
+}
+
+TEST(DumpReadable, RefusesWhatIsNotFinite) {
+  nlohmann::ordered_json json;
+  json["x"] = {1.0, std::numeric_limits<double>::quiet_NaN()};
+  EXPECT_THROW(dumpReadable(json), InvalidArgument);
+  EXPECT_THROW(dumpReadable(std::numeric_limits<double>::infinity()), InvalidArgument);
+}
+
+TEST(QuaternionWxyz, HasANonNegativeW) {
+  // Three quarters of a turn about z: the same as a quarter backwards.
+  const Eigen::Matrix3d R = Eigen::AngleAxisd(4.71238898038469, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  const auto q = quaternionWxyz(R).get<std::vector<double>>();
+  EXPECT_NEAR(q[0], 0.70710678118654757, 1e-15);
+  EXPECT_NEAR(q[3], -0.70710678118654757, 1e-15);
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,41 @@
+#include "widgets/card_dock.h"
+
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+#include <QVariant>
+
+namespace hexoderm {
+
+CardDock::CardDock(const QString& heading, const QString& object_name, QWidget* content, QWidget* parent)
+    : QDockWidget(heading, parent), remark_(new QLabel) {
+  setObjectName(object_name);
+  setAccessibleName(heading);
+  content->setAccessibleName(heading);
+  // The heading is inside the card, so that a dock looks like one thing; it is still what one drags.
+  auto* bar = new QFrame;
+  bar->setProperty("cardHead", true);
+  auto* title = new QLabel(heading.toUpper());
+  title->setProperty("caption", true);
+  remark_->setProperty("muted", true);
+  remark_->setTextFormat(Qt::PlainText);
+  auto* head = new QHBoxLayout(bar);
+  head->setContentsMargins(13, 9, 13, 5);
+  head->addWidget(title);
+  head->addStretch(1);
+  head->addWidget(remark_);
+  bar->setToolTip(tr("Drag to move this panel, double-click to take it out of the window"));
+  setTitleBarWidget(bar);
+
+  auto* body = new QFrame;
+  body->setProperty("cardBody", true);
+  auto* layout = new QVBoxLayout(body);
+  layout->setContentsMargins(1, 0, 1, 1);
+  layout->addWidget(content);
+  setWidget(body);
+}
+
+void CardDock::setRemark(const QString& remark) { remark_->setText(remark); }
+
+}  // namespace hexoderm

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <QDockWidget>
+
+class QLabel;
+
+namespace hexoderm {
+
+/// A panel that can be moved: a card with a small heading on the left and a remark on the right.
+class CardDock : public QDockWidget {
+  Q_OBJECT
+
+ public:
+  /// `object_name` names the dock where the layout is remembered. Takes over `content`.
+  CardDock(const QString& heading, const QString& object_name, QWidget* content, QWidget* parent = nullptr);
+
+  void setRemark(const QString& remark);
+
+ private:
+  QLabel* remark_;
+};
+
+}  // namespace hexoderm

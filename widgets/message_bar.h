@@ -1,0 +1,37 @@
+#pragma once
+
+#include "widgets/banner.h"
+
+#include <QFrame>
+#include <functional>
+
+class QLabel;
+class QPushButton;
+
+namespace hexoderm {
+
+/// Says what has just happened, without stopping anybody: "Exported to ...", or what went wrong and where. Stays until
+/// it is closed or the next message comes.
+class MessageBar : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit MessageBar(QWidget* parent = nullptr);
+
+  void showMessage(Tone tone, const QString& text, const QString& button = {}, std::function<void()> pressed = {});
+  [[nodiscard]] QString text() const;
+  void setTheme(Theme theme);
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QLabel* text_;
+  QPushButton* button_;
+  std::function<void()> pressed_;
+  Tone tone_ = Tone::Neutral;
+  Theme theme_ = Theme::Light;
+};
+
+}  // namespace hexoderm

@@ -1,0 +1,242 @@
+#include "widgets/step_panel.h"
+
+#include "widgets/action_button.h"
+
+#include <QAbstractButton>
+#include <QEvent>
+#include <QLabel>
+#include <QPainter>
+#include <QVBoxLayout>
+#include <QVariant>
+#include <algorithm>
+
+namespace hexoderm {
+namespace {
+
+constexpr int kBadge = 24;
+constexpr int kMargin = 14;
+constexpr int kIndent = kMargin + kBadge + 10;
+
+QString stateInWords(StepState state) {
+  switch (state) {
+    case StepState::Waiting:
+      return StepPanel::tr("waiting");
+    case StepState::Current:
+      return StepPanel::tr("current");
+    case StepState::Done:
+      return StepPanel::tr("done");
+  }
+  return {};
+}
+
+/// Number or tick, title and note; pressing it opens the step.
+class StepHead : public QAbstractButton {
+ public:
+  StepHead(int number, QWidget* parent) : QAbstractButton(parent), number_(number) {
+    setFocusPolicy(Qt::TabFocus);
+    setCursor(Qt::PointingHandCursor);
+  }
+
+  void set(const Step& step, bool last_known_open) {
+    title_ = step.title;
+    note_ = step.note;
+    state_ = step.state;
+    open_ = last_known_open;
+    setAccessibleName(StepPanel::tr("Step %1, %2: %3").arg(number_).arg(title_, stateInWords(state_)));
+    setAccessibleDescription(note_);
+    updateGeometry();
+    update();
+  }
+  void setOpen(bool open) {
+    open_ = open;
+    update();
+  }
+  void setTheme(Theme theme) {
+    theme_ = theme;
+    update();
+  }
+
+  QSize sizeHint() const override {
+    const int lines = fontMetrics().height() * (note_.isEmpty() ? 1 : 2) + (note_.isEmpty() ? 0 : 2);
+    return {kIndent + 150, std::max(kBadge, lines) + 16};
+  }
+
+ protected:
+  void paintEvent(QPaintEvent* /*event*/) override {
+    const Colors& colors = Colors::of(theme_);
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (open_ || underMouse()) painter.fillRect(rect(), colors.panel_active);
+    if (hasFocus()) {
+      painter.setPen(QPen(colors.accent, 2));
+      painter.drawRoundedRect(rect().adjusted(2, 2, -2, -2), 4, 4);
+    }
+    paintBadge(painter, colors);
+    const int width_left = width() - kIndent - kMargin;
+    QFont bold = font();
+    bold.setWeight(QFont::DemiBold);
+    const QFontMetrics metrics(bold);
+    painter.setFont(bold);
+    painter.setPen(colors.text);
+    const int top = note_.isEmpty() ? 8 + (kBadge - metrics.height()) / 2 : 8;
+    painter.drawText(QRect(kIndent, top, width_left, metrics.height()), Qt::AlignLeft | Qt::AlignVCenter,
+                     metrics.elidedText(title_, Qt::ElideRight, width_left));
+    painter.setFont(font());
+    painter.setPen(colors.text_muted);
+    painter.drawText(QRect(kIndent, top + metrics.height() + 2, width_left, fontMetrics().height()),
+                     Qt::AlignLeft | Qt::AlignVCenter, fontMetrics().elidedText(note_, Qt::ElideRight, width_left));
+  }
+  bool event(QEvent* event) override {
+    // enterEvent has another argument in Qt 6.
+    if (event->type() == QEvent::Enter || event->type() == QEvent::Leave) update();
+    return QAbstractButton::event(event);
+  }
+
+ private:
+  void paintBadge(QPainter& painter, const Colors& colors) const {
+    const QRectF circle(kMargin + 0.5, 8.5, kBadge - 1, kBadge - 1);
+    const bool waiting = state_ == StepState::Waiting;
+    painter.setPen(waiting ? QPen(colors.border, 1.5) : QPen(Qt::NoPen));
+    painter.setBrush(waiting ? QBrush(Qt::NoBrush) : QBrush(state_ == StepState::Done ? colors.good : colors.accent));
+    painter.drawEllipse(circle);
+    painter.setBrush(Qt::NoBrush);
+    const QColor ink = waiting ? colors.text_muted : colors.accent_text;
+    if (state_ == StepState::Done) {
+      painter.setPen(QPen(ink, 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+      const QPointF c = circle.center();
+      const QPointF tick[] = {c + QPointF(-4.2, 0.3), c + QPointF(-1.2, 3.3), c + QPointF(4.4, -3.2)};
+      painter.drawPolyline(tick, 3);
+      return;
+    }
+    QFont bold = font();
+    bold.setWeight(QFont::DemiBold);
+    painter.setFont(bold);
+    painter.setPen(ink);
+    painter.drawText(circle, Qt::AlignCenter, QString::number(number_));
+  }
+
+  int number_;
+  QString title_;
+  QString note_;
+  StepState state_ = StepState::Waiting;
+  bool open_ = false;
+  Theme theme_ = Theme::Light;
+};
+
+}  // namespace
+
+class StepPanel::Row : public QWidget {
+ public:
+  Row(int number, QWidget* parent)
+      : QWidget(parent),
+        head_(new StepHead(number, this)),
+        body_(new QFrame(this)),
+        what_(new QLabel(body_)),
+        why_(new QLabel(body_)),
+        buttons_(new QVBoxLayout) {
+    setObjectName(QStringLiteral("step%1").arg(number));
+    head_->setObjectName(QStringLiteral("stepHead%1").arg(number));
+    body_->setProperty("stepBody", true);
+    what_->setWordWrap(true);
+    what_->setTextFormat(Qt::PlainText);
+    what_->setProperty("stepWhat", true);
+    why_->setWordWrap(true);
+    why_->setTextFormat(Qt::PlainText);
+    why_->setProperty("muted", true);
+    auto* body = new QVBoxLayout(body_);
+    body->setContentsMargins(kMargin + 6, 2, kMargin, 14);
+    body->setSpacing(8);
+    body->addWidget(what_);
+    body->addWidget(why_);
+    body->addLayout(buttons_);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(head_);
+    layout->addWidget(body_);
+    head_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  }
+
+  void set(const Step& step) {
+    head_->set(step, !body_->isHidden());
+    what_->setText(step.what);
+    what_->setVisible(!step.what.isEmpty());
+    why_->setText(step.why);
+    why_->setVisible(!step.why.isEmpty());
+    while (buttons_shown_.size() < step.actions.size()) {
+      auto* button = new ActionButton(body_);
+      button->setFocusPolicy(Qt::TabFocus);
+      buttons_->addWidget(button, 0, Qt::AlignLeft);
+      buttons_shown_.push_back(button);
+    }
+    for (std::size_t k = 0; k < buttons_shown_.size(); ++k) {
+      buttons_shown_[k]->setAction(k < step.actions.size() ? step.actions[k] : nullptr);
+    }
+  }
+  void setOpen(bool open) {
+    body_->setVisible(open);
+    head_->setOpen(open);
+  }
+  void setTheme(Theme theme) { head_->setTheme(theme); }
+  [[nodiscard]] QAbstractButton* head() const { return head_; }
+
+ private:
+  StepHead* head_;
+  QFrame* body_;
+  QLabel* what_;
+  QLabel* why_;
+  QVBoxLayout* buttons_;
+  std::vector<ActionButton*> buttons_shown_;
+};
+
+StepPanel::StepPanel(QWidget* parent) : QScrollArea(parent), layout_(nullptr) {
+  setObjectName(QStringLiteral("stepPanel"));
+  setAccessibleName(tr("Steps"));
+  setWidgetResizable(true);
+  setFrameShape(QFrame::NoFrame);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* content = new QWidget;
+  content->setObjectName(QStringLiteral("stepContent"));
+  layout_ = new QVBoxLayout(content);
+  layout_->setContentsMargins(0, 4, 0, 4);
+  layout_->setSpacing(0);
+  layout_->addStretch(1);
+  setWidget(content);
+}
+
+void StepPanel::setSteps(const std::vector<Step>& steps) {
+  const bool first_time = rows_.empty();
+  while (rows_.size() < steps.size()) {
+    const std::size_t index = rows_.size();
+    auto* row = new Row(static_cast<int>(index) + 1, widget());
+    row->setTheme(theme_);
+    connect(row->head(), &QAbstractButton::clicked, this, [this, index] {
+      open_ = index;
+      showOpenRow();
+    });
+    layout_->insertWidget(static_cast<int>(index), row);
+    rows_.push_back(row);
+  }
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    rows_[k]->setVisible(k < steps.size());
+    if (k < steps.size()) rows_[k]->set(steps[k]);
+  }
+  const auto current =
+      std::find_if(steps.begin(), steps.end(), [](const Step& step) { return step.state == StepState::Current; });
+  const auto index = static_cast<std::size_t>(current - steps.begin());
+  // What the operator opened stays open until the work itself moves on.
+  if (first_time || index != current_) open_ = index;
+  current_ = index;
+  showOpenRow();
+}
+
+void StepPanel::setTheme(Theme theme) {
+  theme_ = theme;
+  for (Row* row : rows_) row->setTheme(theme);
+}
+
+void StepPanel::showOpenRow() {
+  for (std::size_t k = 0; k < rows_.size(); ++k) rows_[k]->setOpen(k == open_);
+}
+
+}  // namespace hexoderm
