@@ -9,20 +9,19 @@
 namespace hexoderm {
 
 CardDock::CardDock(const QString& heading, const QString& object_name, QWidget* content, QWidget* parent)
-    : QDockWidget(heading, parent), remark_(new QLabel) {
+    : QDockWidget(heading, parent), title_(new QLabel(heading.toUpper())), remark_(new QLabel) {
   setObjectName(object_name);
   setAccessibleName(heading);
   content->setAccessibleName(heading);
   // The heading is inside the card, so that a dock looks like one thing; it is still what one drags.
   auto* bar = new QFrame;
   bar->setProperty("cardHead", true);
-  auto* title = new QLabel(heading.toUpper());
-  title->setProperty("caption", true);
+  title_->setProperty("caption", true);
   remark_->setProperty("muted", true);
   remark_->setTextFormat(Qt::PlainText);
   auto* head = new QHBoxLayout(bar);
   head->setContentsMargins(13, 9, 13, 5);
-  head->addWidget(title);
+  head->addWidget(title_);
   head->addStretch(1);
   head->addWidget(remark_);
   bar->setToolTip(tr("Drag to move this panel, double-click to take it out of the window"));
@@ -37,5 +36,12 @@ CardDock::CardDock(const QString& heading, const QString& object_name, QWidget* 
 }
 
 void CardDock::setRemark(const QString& remark) { remark_->setText(remark); }
+
+void CardDock::setHead(QWidget* widget) {
+  auto* head = qobject_cast<QHBoxLayout*>(titleBarWidget()->layout());
+  head->insertWidget(0, widget);
+  head->setContentsMargins(5, 5, 13, 0);
+  title_->hide();
+}
 
 }  // namespace hexoderm

@@ -15,8 +15,11 @@ class CardDock : public QDockWidget {
   CardDock(const QString& heading, const QString& object_name, QWidget* content, QWidget* parent = nullptr);
 
   void setRemark(const QString& remark);
+  /// Shows `widget`, for example tabs, in the place of the heading.
+  void setHead(QWidget* widget);
 
  private:
+  QLabel* title_;
   QLabel* remark_;
 };
 

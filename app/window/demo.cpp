@@ -1,6 +1,10 @@
 #include "app/window/demo.h"
 
-#include <set>
+#include "hexoderm/capture/pose_capture.h"
+#include "hexoderm/reconstruction/pose_advisor.h"
+
+#include <algorithm>
+#include <vector>
 
 namespace hexoderm {
 
@@ -14,31 +18,28 @@ Session DemoSkin::makeSession() const {
   return session;
 }
 
-DemoSkin::Hold DemoSkin::nextHold(const Session& session) const {
-  std::set<std::size_t> seen;
-  for (const SessionPose& pose : session.poses()) {
-    const auto hold = hold_of_.find(pose.capture->id);
-    if (!pose.disabled && hold != hold_of_.end()) seen.insert(hold->second);
-  }
-  Hold hold;
-  while (seen.contains(hold.index)) ++hold.index;
-  // The script depends on how many poses are meant; six, the faces of a cube, is what the demo aims at.
-  constexpr std::size_t kAim = 6;
-  hold.up_b = scriptedUpDirections(std::max(kAim, hold.index + 1))[hold.index];
-  if (hold.index == 0) {
-    hold.label = tr("standing");
-  } else if (hold.index == 1) {
-    hold.label = tr("on its side");
-  } else {
-    hold.label = tr("pose %1").arg(hold.index + 1);
-  }
-  return hold;
+QString DemoSkin::nextLabel(const Session& session) {
+  const auto enabled = std::count_if(session.poses().begin(), session.poses().end(),
+                                     [](const SessionPose& pose) { return !pose.disabled; });
+  if (enabled == 0) return tr("standing");
+  // The second direction advised is always about square to the first.
+  if (enabled == 1) return tr("on its side");
+  return tr("pose %1").arg(session.nextPoseId().value());
 }
 
-void DemoSkin::remember(PoseId pose, const Hold& hold) { hold_of_[pose] = hold.index; }
-
-PoseCapture DemoSkin::record(PoseId pose, const Hold& hold) {
-  return averageFrames(skin_.record(hold.up_b), pose, hold.label.toStdString());
+PoseCapture DemoSkin::takePose(PoseId id, const QString& label, const Reconstruction& seen) {
+  Eigen::Vector3d up_b = scriptedUpDirections(1).front();
+  // The demo is one patch.
+  if (!seen.patches.empty() && !seen.patches.front().gravity.empty()) {
+    const PatchReconstruction& patch = seen.patches.front();
+    std::vector<Eigen::Vector3d> directions_o;
+    for (const GravityDirection& gravity : patch.gravity) directions_o.push_back(gravity.g_o);
+    const auto origin = std::find_if(skin_.truth().begin(), skin_.truth().end(),
+                                     [&](const TrueCell& cell) { return cell.id == patch.origin; });
+    // Who holds a real part sees where its cells are; the simulated hand has to be told.
+    up_b = origin->T_b_u.R * adviseNextPose(skin_.model(), directions_o).up;
+  }
+  return averageFrames(skin_.record(up_b), id, label.toStdString());
 }
 
 }  // namespace hexoderm

@@ -118,7 +118,7 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
   step.why = controller.isDemo()
                  ? Guide::tr(
                        "Gravity seen from several directions tells how every cell is turned against its "
-                       "neighbours. In the demo, the simulated part is turned for you.")
+                       "neighbours. In the demo, the simulated part is turned as the advice says.")
                  : Guide::tr(
                        "Gravity seen from several directions tells how every cell is turned against its "
                        "neighbours. This session came from a file; no skin is connected to take more.");

@@ -11,14 +11,15 @@
 #include "widgets/tables.h"
 
 #include <QApplication>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenuBar>
 #include <QSettings>
+#include <QStackedWidget>
 #include <QStatusBar>
-#include <QTabWidget>
+#include <QTabBar>
 #include <QTableView>
-#include <QToolBar>
 #include <QVBoxLayout>
 
 namespace hexoderm {
@@ -41,11 +42,25 @@ QTableView* makeTable(QAbstractItemModel* model, const char* object_name, const 
   view->setFrameShape(QFrame::NoFrame);
   view->verticalHeader()->hide();
   view->horizontalHeader()->setHighlightSections(false);
-  view->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  view->horizontalHeader()->setStretchLastSection(true);
   view->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   // Measuring every row of a large skin on each update would take longer than solving it.
   view->horizontalHeader()->setResizeContentsPrecision(40);
   return view;
+}
+
+/// The table, or a word on why it is empty.
+QWidget* withHint(QTableView* view, const QString& hint) {
+  auto* label = new QLabel(hint);
+  label->setProperty("hint", true);
+  label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  auto* pages = new QStackedWidget;
+  pages->addWidget(view);
+  pages->addWidget(label);
+  const auto choose = [pages, view] { pages->setCurrentIndex(view->model()->rowCount() > 0 ? 0 : 1); };
+  QObject::connect(view->model(), &QAbstractItemModel::modelReset, pages, choose);
+  choose();
+  return pages;
 }
 
 }  // namespace
@@ -53,6 +68,7 @@ QTableView* makeTable(QAbstractItemModel* model, const char* object_name, const 
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
       actions_(this, controller_.undoStack()),
+      docks_(new QMainWindow(this)),
       banner_(new Banner),
       message_bar_(new MessageBar),
       step_panel_(new StepPanel),
@@ -64,7 +80,7 @@ MainWindow::MainWindow(QWidget* parent)
       pose_view_(makeTable(pose_table_, "poseView", tr("Poses"))),
       link_view_(makeTable(link_table_, "linkView", tr("Links"))),
       finding_view_(makeTable(finding_table_, "findingView", tr("Findings"))),
-      details_(nullptr),
+      detail_tabs_(new QTabBar),
       session_name_(new QLabel),
       source_status_(new QLabel),
       cells_status_(new QLabel),
@@ -72,7 +88,6 @@ MainWindow::MainWindow(QWidget* parent)
       saved_status_(new QLabel) {
   setObjectName(QStringLiteral("mainWindow"));
   setAcceptDrops(true);
-  setContextMenuPolicy(Qt::PreventContextMenu);
   buildLayout();
   buildStatusBar();
   connectActions();
@@ -94,18 +109,9 @@ MainWindow::~MainWindow() {
   disconnect(&selection_, nullptr, this, nullptr);
   // The views refer to the selection, a member; left to QObject they would go after it.
   delete takeCentralWidget();
-  qDeleteAll(findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly));
 }
 
 void MainWindow::buildLayout() {
-  auto* banner_bar = new QToolBar(tr("Where we stand"));
-  banner_bar->setObjectName(QStringLiteral("bannerBar"));
-  banner_bar->setMovable(false);
-  banner_bar->setFloatable(false);
-  banner_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-  banner_bar->addWidget(banner_);
-  addToolBar(Qt::TopToolBarArea, banner_bar);
-
   auto* card = new QFrame;
   card->setProperty("card", true);
   auto* card_layout = new QVBoxLayout(card);
@@ -113,55 +119,76 @@ void MainWindow::buildLayout() {
   card_layout->addWidget(patch_view_);
   patch_view_->setAccessibleName(tr("The patch in three dimensions"));
   patch_view_->setMinimumSize(320, 240);
+
+  docks_->setWindowFlags(Qt::Widget);
+  docks_->setContextMenuPolicy(Qt::PreventContextMenu);
+  docks_->setCentralWidget(card);
+  docks_->setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+  docks_->setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  docks_->setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  auto* steps = new CardDock(tr("Steps"), QStringLiteral("stepsDock"), step_panel_, docks_);
+  graph_dock_ = new CardDock(tr("Skin graph"), QStringLiteral("graphDock"), graph_view_, docks_);
+  pose_dock_ = new CardDock(tr("Poses"), QStringLiteral("poseDock"), withHint(pose_view_, tr("No poses yet.")), docks_);
+  CardDock* details = buildDetails();
+  docks_->addDockWidget(Qt::LeftDockWidgetArea, steps);
+  docks_->addDockWidget(Qt::RightDockWidgetArea, graph_dock_);
+  docks_->addDockWidget(Qt::RightDockWidgetArea, pose_dock_);
+  docks_->addDockWidget(Qt::BottomDockWidgetArea, details);
+  docks_->resizeDocks({steps, graph_dock_}, {286, 400}, Qt::Horizontal);
+  docks_->resizeDocks({graph_dock_, pose_dock_}, {440, 320}, Qt::Vertical);
+  docks_->resizeDocks({details}, {170}, Qt::Vertical);
+
+  auto* work = new QVBoxLayout;
+  work->setContentsMargins(8, 8, 8, 8);
+  work->setSpacing(8);
+  work->addWidget(message_bar_);
+  work->addWidget(docks_, 1);
   auto* centre = new QWidget;
-  auto* centre_layout = new QVBoxLayout(centre);
-  centre_layout->setContentsMargins(0, 8, 0, 0);
-  centre_layout->setSpacing(8);
-  centre_layout->addWidget(message_bar_);
-  centre_layout->addWidget(card, 1);
+  auto* layout = new QVBoxLayout(centre);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(banner_);
+  layout->addLayout(work, 1);
   setCentralWidget(centre);
+  setMenuWidget(buildTopBar({steps->toggleViewAction(), graph_dock_->toggleViewAction(), pose_dock_->toggleViewAction(),
+                             details->toggleViewAction()}));
+}
 
-  setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
-  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
-  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-  auto* steps = new CardDock(tr("Steps"), QStringLiteral("stepsDock"), step_panel_, this);
-  graph_dock_ = new CardDock(tr("Skin graph"), QStringLiteral("graphDock"), graph_view_, this);
-  pose_dock_ = new CardDock(tr("Poses"), QStringLiteral("poseDock"), pose_view_, this);
-  auto* details = new CardDock(tr("Details"), QStringLiteral("detailsDock"), buildDetails(), this);
-  addDockWidget(Qt::LeftDockWidgetArea, steps);
-  addDockWidget(Qt::RightDockWidgetArea, graph_dock_);
-  addDockWidget(Qt::RightDockWidgetArea, pose_dock_);
-  addDockWidget(Qt::BottomDockWidgetArea, details);
-  resizeDocks({steps, graph_dock_}, {286, 380}, Qt::Horizontal);
-  resizeDocks({graph_dock_, pose_dock_}, {420, 330}, Qt::Vertical);
-  resizeDocks({details}, {190}, Qt::Vertical);
-  pose_view_->horizontalHeader()->setStretchLastSection(true);
-  link_view_->horizontalHeader()->setStretchLastSection(true);
-  finding_view_->horizontalHeader()->setStretchLastSection(true);
-
+QWidget* MainWindow::buildTopBar(const std::vector<QAction*>& panels) {
   auto* app_name = new QLabel(QStringLiteral("Hexoderm"));
   app_name->setObjectName(QStringLiteral("appName"));
   session_name_->setObjectName(QStringLiteral("sessionName"));
   session_name_->setTextFormat(Qt::PlainText);
-  menuBar()->setCornerWidget(app_name, Qt::TopLeftCorner);
-  menuBar()->setCornerWidget(session_name_, Qt::TopRightCorner);
-  actions_.fillMenuBar(menuBar(), {steps->toggleViewAction(), graph_dock_->toggleViewAction(),
-                                   pose_dock_->toggleViewAction(), details->toggleViewAction()});
+  auto* menu_bar = new QMenuBar;
+  actions_.fillMenuBar(menu_bar, panels);
+  auto* top_bar = new QFrame;
+  top_bar->setObjectName(QStringLiteral("topBar"));
+  auto* layout = new QHBoxLayout(top_bar);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(app_name);
+  layout->addWidget(menu_bar, 1);
+  layout->addWidget(session_name_);
+  return top_bar;
 }
 
-QWidget* MainWindow::buildDetails() {
-  details_ = new QTabWidget;
-  details_->setObjectName(QStringLiteral("details"));
-  details_->setDocumentMode(true);
-  details_->addTab(finding_view_, tr("Findings"));
-  details_->addTab(link_view_, tr("Links"));
-  return details_;
+CardDock* MainWindow::buildDetails() {
+  auto* pages = new QStackedWidget;
+  pages->addWidget(withHint(finding_view_, tr("Nothing was found wrong with cells, links or poses.")));
+  pages->addWidget(withHint(link_view_, tr("No links yet.")));
+  detail_tabs_->setObjectName(QStringLiteral("detailTabs"));
+  detail_tabs_->setDrawBase(false);
+  detail_tabs_->addTab(tr("Findings"));
+  detail_tabs_->addTab(tr("Links"));
+  connect(detail_tabs_, &QTabBar::currentChanged, pages, &QStackedWidget::setCurrentIndex);
+  auto* dock = new CardDock(tr("Findings and links"), QStringLiteral("detailsDock"), pages, docks_);
+  dock->setHead(detail_tabs_);
+  return dock;
 }
 
 void MainWindow::buildStatusBar() {
   for (QLabel* label : {source_status_, cells_status_, solve_status_, saved_status_}) {
     label->setTextFormat(Qt::PlainText);
-    label->setContentsMargins(10, 2, 10, 2);
   }
   source_status_->setObjectName(QStringLiteral("sourceStatus"));
   cells_status_->setObjectName(QStringLiteral("cellsStatus"));
@@ -344,8 +371,8 @@ void MainWindow::refreshStatus() {
 
   graph_dock_->setRemark(result ? QString::fromStdString(sizeInWords(*result)) : QString());
   pose_dock_->setRemark(controller_.session() ? tr("Del disable · Ctrl+Z undo") : QString());
-  details_->setTabText(0, result ? tr("Findings %1").arg(result->findings.size()) : tr("Findings"));
-  details_->setTabText(1, result ? tr("Links %1").arg(result->linkCount()) : tr("Links"));
+  detail_tabs_->setTabText(0, result ? tr("Findings %1").arg(result->findings.size()) : tr("Findings"));
+  detail_tabs_->setTabText(1, result ? tr("Links %1").arg(result->linkCount()) : tr("Links"));
 }
 
 void MainWindow::setThemeChoice(ThemeChoice choice, bool remember) {
@@ -364,13 +391,13 @@ void MainWindow::restoreLayout() {
   resize(1440, 900);
   const QSettings settings;
   restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
-  restoreState(settings.value(QStringLiteral("window/state")).toByteArray(), kLayoutVersion);
+  docks_->restoreState(settings.value(QStringLiteral("window/state")).toByteArray(), kLayoutVersion);
 }
 
 void MainWindow::rememberLayout() const {
   QSettings settings;
   settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
-  settings.setValue(QStringLiteral("window/state"), saveState(kLayoutVersion));
+  settings.setValue(QStringLiteral("window/state"), docks_->saveState(kLayoutVersion));
 }
 
 }  // namespace hexoderm

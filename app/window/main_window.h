@@ -11,7 +11,7 @@
 
 class QLabel;
 class QTableView;
-class QTabWidget;
+class QTabBar;
 
 namespace hexoderm {
 
@@ -57,7 +57,8 @@ class MainWindow : public QMainWindow {
  private:
   void buildLayout();
   void buildStatusBar();
-  QWidget* buildDetails();
+  QWidget* buildTopBar(const std::vector<QAction*>& panels);
+  CardDock* buildDetails();
   void connectActions();
   void connectController();
   void connectSelection();
@@ -90,6 +91,7 @@ class MainWindow : public QMainWindow {
   WindowActions actions_;
   Theme theme_ = Theme::Light;
 
+  QMainWindow* docks_;  ///< holds the panels, so that banner and messages stay above them all
   Banner* banner_;
   MessageBar* message_bar_;
   StepPanel* step_panel_;
@@ -101,7 +103,7 @@ class MainWindow : public QMainWindow {
   QTableView* pose_view_;
   QTableView* link_view_;
   QTableView* finding_view_;
-  QTabWidget* details_;
+  QTabBar* detail_tabs_;
   CardDock* graph_dock_ = nullptr;
   CardDock* pose_dock_ = nullptr;
   QLabel* session_name_;

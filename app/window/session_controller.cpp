@@ -122,19 +122,17 @@ void SessionController::saveImage(const QImage& image, const QString& path) {
 }
 
 void SessionController::takeNextPose() {
-  if (!isDemo() || taking_pose_) return;
+  // The advice for the next pose is in the result of the last.
+  if (!isDemo() || taking_pose_ || !reconstruction_ || isSolving()) return;
   taking_pose_ = true;
-  const DemoSkin::Hold hold = demo_->nextHold(*session_);
-  const PoseId id = session_->nextPoseId();
-  demo_->remember(id, hold);
+  const QString label = DemoSkin::nextLabel(*session_);
   start(
-      tr("Turning the part: %1").arg(hold.label),
-      [this, demo = demo_, hold, id, ticket = opened_count_]() -> Continuation {
-        auto capture = std::make_shared<const PoseCapture>(demo->record(id, hold));
+      tr("Turning the part: %1").arg(label),
+      [this, demo = demo_, label, id = session_->nextPoseId(), seen = reconstruction_,
+       ticket = opened_count_]() -> Continuation {
+        auto capture = std::make_shared<const PoseCapture>(demo->takePose(id, label, *seen));
         return [this, capture, ticket] {
-          if (ticket == opened_count_ && session_) {
-            undo_stack_.push(new AddPoseCommand(*session_, {capture, false}));
-          }
+          if (ticket == opened_count_ && session_) undo_stack_.push(new AddPoseCommand(*session_, {capture, false}));
         };
       },
       [this] { taking_pose_ = false; });

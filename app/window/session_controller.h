@@ -63,7 +63,7 @@ class SessionController : public QObject {
   void saveSession(const QString& path);
   void exportTo(const hexoderm::ExportRequest& request);
   void saveImage(const QImage& image, const QString& path);
-  /// The demo's next pose. Nothing happens elsewhere, or while one is being taken.
+  /// The demo's next pose. Nothing happens elsewhere, while one is being taken, or while the last has no result yet.
   void takeNextPose();
   void setPoseDisabled(std::size_t index, bool disabled);
   void removePose(std::size_t index);

@@ -15,9 +15,12 @@ QString panelSheet(const Colors& colors) {
              "QScrollArea#stepPanel, QWidget#stepContent { background: %1; border: 0; }"
              "QFrame[stepBody=\"true\"] { background: %3; border: 0; }"
              "QLabel[stepWhat=\"true\"] { font-weight: 600; }"
-             "QToolBar#bannerBar { background: %1; border: 0; padding: 0; spacing: 0; }"
-             "QLabel#appName { color: %4; font-weight: 700; padding-left: 14px; }"
-             "QLabel#sessionName { color: %5; padding-right: 14px; }")
+             "QWidget#topBar { background: %1; border-bottom: 1px solid %2; }"
+             "QWidget#topBar QMenuBar { border: 0; }"
+             "QLabel#appName { color: %4; font-weight: 700; padding: 0 4px 0 16px; }"
+             "QLabel#sessionName { color: %5; padding: 0 16px; }"
+             "QStatusBar QLabel { padding: 4px 8px; }"
+             "QLabel[hint=\"true\"] { color: %5; padding: 12px 14px; background: %1; }")
       .arg(colors.panel.name(), colors.border.name(), colors.panel_active.name(), colors.text.name(),
            colors.text_muted.name());
 }
