@@ -175,7 +175,7 @@ PrismData makePrisms(const SceneLayout& layout, const std::vector<Rgb>& front_co
     data.cell_of_polygon.push_back(cell);
   };
   for (std::size_t cell = 0; cell < layout.cells.size(); ++cell) {
-    const auto first = static_cast<vtkIdType>(kPointsPerCell * cell);
+    const vtkIdType first = static_cast<vtkIdType>(kPointsPerCell) * static_cast<vtkIdType>(cell);
     const Rgb& color = front_colors[cell];
     add(cell, {first, first + 1, first + 2, first + 3, first + 4, first + 5}, color);
     if (front_faces_only) continue;

@@ -93,7 +93,7 @@ struct PatchView::Parts : public QObject {
   SceneOverlay* overlay = nullptr;
   QFrame* bar = nullptr;
   QTimer at_rest;
-  bool render_queued = false;
+  QTimer render_soon;
   QPoint pressed_at;
 
   void build();
@@ -130,6 +130,8 @@ void PatchView::Parts::build() {
     scene = std::make_unique<PatchScene>();
     scene->attachTo(window);
     layout->addWidget(gl, 0, 0, 2, 1);
+    render_soon.setSingleShot(true);
+    connect(&render_soon, &QTimer::timeout, this, [this] { window->Render(); });
     smoothWhenAtRest();
     buildControls(layout);
   }
@@ -137,7 +139,7 @@ void PatchView::Parts::build() {
   layout->setRowStretch(1, 1);
   overlay->raise();
   if (bar != nullptr) bar->raise();
-  QObject::connect(selection, &Selection::changed, this, [this] { updateSelection(); });
+  connect(selection, &Selection::changed, this, [this] { updateSelection(); });
   view->setMinimumHeight(180);
   updateOverlay();
 }
@@ -163,11 +165,11 @@ void PatchView::Parts::buildControls(QGridLayout* layout) {
   auto* top = addButton(row, PatchView::tr("Top"), PatchView::tr("Look along the origin cell's y axis"));
   layout->addWidget(bar, 0, 0);
 
-  QObject::connect(fit_button, &QToolButton::clicked, view, &PatchView::fit);
+  connect(fit_button, &QToolButton::clicked, view, &PatchView::fit);
   const auto show = [this](StandardView standard) { return [this, standard] { view->showStandardView(standard); }; };
-  QObject::connect(front, &QToolButton::clicked, this, show(StandardView::Front));
-  QObject::connect(side, &QToolButton::clicked, this, show(StandardView::Side));
-  QObject::connect(top, &QToolButton::clicked, this, show(StandardView::Top));
+  connect(front, &QToolButton::clicked, this, show(StandardView::Front));
+  connect(side, &QToolButton::clicked, this, show(StandardView::Side));
+  connect(top, &QToolButton::clicked, this, show(StandardView::Top));
 }
 
 void PatchView::Parts::buildColoringMenu(QHBoxLayout* row) {
@@ -179,7 +181,7 @@ void PatchView::Parts::buildColoringMenu(QHBoxLayout* row) {
     QAction* action = menu->addAction(name);
     action->setCheckable(true);
     group->addAction(action);
-    QObject::connect(action, &QAction::triggered, this, [this, button, value, name] {
+    connect(action, &QAction::triggered, this, [this, button, value, name] {
       button->setText(PatchView::tr("Colour: %1 ▾").arg(name));
       coloring = value;
       scene->setColoring(value);
@@ -200,7 +202,7 @@ void PatchView::Parts::smoothWhenAtRest() {
   constexpr int kRest_ms = 150;
   at_rest.setSingleShot(true);
   at_rest.setInterval(kRest_ms);
-  QObject::connect(&at_rest, &QTimer::timeout, this, [this] {
+  connect(&at_rest, &QTimer::timeout, this, [this] {
     scene->setSmoothed(true);
     requestRender();
   });
@@ -234,15 +236,7 @@ void PatchView::Parts::updateSelection() {
 }
 
 void PatchView::Parts::requestRender() {
-  if (gl == nullptr || render_queued || !gl->isVisible()) return;
-  render_queued = true;
-  QMetaObject::invokeMethod(
-      this,
-      [this] {
-        render_queued = false;
-        window->Render();
-      },
-      Qt::QueuedConnection);
+  if (gl != nullptr && gl->isVisible()) render_soon.start();
 }
 
 void PatchView::Parts::pickAt(const QPoint& position) {
@@ -262,6 +256,9 @@ bool PatchView::Parts::eventFilter(QObject*, QEvent* event) {
     case QEvent::KeyRelease:
       event->ignore();  // so that it goes on to the window
       return true;
+    case QEvent::Show:  // what changed while it was hidden
+      requestRender();
+      return false;
     case QEvent::MouseButtonPress:
       pressed_at = static_cast<QMouseEvent*>(event)->pos();
       return false;

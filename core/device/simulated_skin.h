@@ -37,7 +37,7 @@ struct CellFault {
 
 struct SimulatedSkinOptions {
   std::string patch = "x17";  ///< x17 | ring8 | sheet:ROWSxCOLS
-  std::string surface = "";   ///< plane | cylinder:r=M | sphere:r=M | cone:r=M,angle=RAD | torus:R=M,r=M
+  std::string surface;        ///< plane | cylinder:r=M | sphere:r=M | cone:r=M,angle=RAD | torus:R=M,r=M
                               ///< empty: x17 on cylinder r=0.0501, ring8 on the cup that closes it, sheets on a plane
   LinkLaw link_law = LinkLaw::Bend;
   std::uint64_t seed = 1;

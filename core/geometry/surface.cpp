@@ -237,8 +237,9 @@ std::map<std::string, double> readParameters(const std::string& description, std
       if (equals == std::string::npos) fail("\"" + item + "\" is not name=value");
       const std::string name = item.substr(0, equals);
       if (std::ranges::find(names, name) == names.end()) fail("there is no \"" + name + "\" here");
-      const double value =
-          parseNumber(std::string_view(item).substr(equals + 1), "surface \"" + description + "\", " + name);
+      std::string what = "surface \"" + description + "\", ";
+      what += name;
+      const double value = parseNumber(std::string_view(item).substr(equals + 1), what);
       if (value <= 0) fail(name + " must be above 0");
       if (!values.emplace(name, value).second) fail(name + " is given twice");
     }

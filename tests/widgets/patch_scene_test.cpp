@@ -260,7 +260,7 @@ TEST_F(PatchSceneTest, EmptySkinShowsTheBackgroundOnly) {
   const auto* middle = static_cast<const unsigned char*>(empty->GetScalarPointer(kWidth / 2, kHeight / 2, 0));
   EXPECT_NEAR(first[1], middle[1], 2);
   EXPECT_FALSE(scene.showsGravity());
-  EXPECT_EQ(scene.pick(kWidth / 2, kHeight / 2), std::nullopt);
+  EXPECT_EQ(scene.pick(0.5 * kWidth, 0.5 * kHeight), std::nullopt);
 }
 
 TEST_F(PatchSceneTest, SingleCellFillsTheMiddleAndCanBePicked) {
@@ -268,7 +268,7 @@ TEST_F(PatchSceneTest, SingleCellFillsTheMiddleAndCanBePicked) {
   options.arm_cells = 0;
   scene.setReconstruction(shared(demoReconstruction(options)));
   window->Render();
-  EXPECT_EQ(scene.pick(kWidth / 2, kHeight / 2), CellId(1));
+  EXPECT_EQ(scene.pick(0.5 * kWidth, 0.5 * kHeight), CellId(1));
 }
 
 TEST_F(PatchSceneTest, TenThousandCellsAreDrawnAndPicked) {
@@ -291,7 +291,7 @@ TEST_F(PatchSceneTest, PatchesStandSideBySide) {
   std::optional<CellId> left;
   std::optional<CellId> right;
   for (int x = 0; x < kWidth; ++x) {
-    const auto cell = scene.pick(x, kHeight / 2);
+    const auto cell = scene.pick(x, 0.5 * kHeight);
     if (!cell) continue;
     if (!left) left = cell;
     right = cell;

@@ -69,6 +69,22 @@ TEST_F(PatchViewTest, ScreenshotShowsTheSkinInBothThemes) {
   EXPECT_LT(qGray(dark.pixel(3, 3)), 60);
 }
 
+TEST(PatchViewInAWindow, ChangesMadeWhileHiddenAreDrawnWhenShownAgain) {
+  Selection selection;
+  QWidget window;
+  auto* view = new PatchView(&selection, &window);  // hidden as in a tab: its window stays
+  view->resize(640, 480);
+  window.resize(640, 480);
+  window.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  auto* gl = view->findChild<QVTKOpenGLNativeWidget*>();
+  ASSERT_TRUE(QTest::qWaitFor([gl] { return qGray(gl->grabFramebuffer().pixel(3, 3)) > 180; }));
+  view->hide();
+  view->setTheme(Theme::Dark);
+  view->show();
+  EXPECT_TRUE(QTest::qWaitFor([gl] { return qGray(gl->grabFramebuffer().pixel(3, 3)) < 60; }));
+}
+
 TEST_F(PatchViewTest, ScreenshotWorksBeforeTheViewWasShown) {
   view.resize(400, 300);
   view.setReconstruction(demo());
