@@ -133,6 +133,8 @@ void WindowActions::refresh(const SessionController& controller, std::optional<i
     no_result = controller.isEmpty() ? tr("Nothing is open yet") : tr("There is no reconstruction yet");
   } else if (controller.isSolving()) {
     no_result = tr("The reconstruction is being brought up to date");
+  } else if (!controller.isCurrent()) {
+    no_result = tr("The last change could not be reconstructed; undo it first");
   }
   allow(save, no_session);
   allow(save_as, no_session);

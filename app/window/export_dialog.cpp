@@ -14,6 +14,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QStackedWidget>
+#include <QStyle>
 
 namespace hexoderm {
 namespace {
@@ -61,6 +62,9 @@ ExportDialog::ExportDialog(const QString& suggestion, QWidget* parent)
   export_->setObjectName(QStringLiteral("exportButton"));
   export_->setProperty("primary", true);
   export_->setDefault(true);
+  // The button box has already had it styled as any other.
+  export_->style()->unpolish(export_);
+  export_->style()->polish(export_);
   summary_->setWordWrap(true);
   summary_->setProperty("muted", true);
   note_->setWordWrap(true);

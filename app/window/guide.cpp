@@ -39,23 +39,38 @@ std::size_t enabledPoses(const Session& session) {
 }
 
 bool wantsMorePoses(const SessionController& controller) {
-  return controller.isDemo() && enabledPoses(*controller.session()) < kGoodPoseCount;
+  if (!controller.isDemo()) return false;
+  const Reconstruction* result = controller.reconstruction().get();
+  if (!result || !isExportable(*result)) return true;
+  return result->verdict.level != VerdictLevel::Good && enabledPoses(*controller.session()) < kGoodPoseCount;
 }
 
 QAction* bestAction(const SessionController& controller, const WindowActions& actions) {
   if (controller.isEmpty()) return actions.demo;
   const Reconstruction* result = controller.reconstruction().get();
-  if (wantsMorePoses(controller)) {
-    return result && result->verdict.level == VerdictLevel::Good ? actions.export_to : actions.next_pose;
-  }
-  if (controller.isDemo() && result && !isExportable(*result)) return actions.next_pose;
+  if (wantsMorePoses(controller)) return actions.next_pose;
   return result && (isExportable(*result) || !controller.session()) ? actions.export_to : actions.open;
 }
 
 QString findingsInWords(const Reconstruction& reconstruction) {
-  return reconstruction.findings.empty()
-             ? Guide::tr("no findings")
-             : Guide::tr("%n finding(s)", nullptr, static_cast<int>(reconstruction.findings.size()));
+  const std::size_t count = reconstruction.findings.size();
+  if (count == 0) return Guide::tr("no findings");
+  return count == 1 ? Guide::tr("1 finding") : Guide::tr("%1 findings").arg(count);
+}
+
+QString posesInWords(std::size_t count) {
+  if (count == 0) return Guide::tr("no poses");
+  return count == 1 ? Guide::tr("1 pose") : Guide::tr("%1 poses").arg(count);
+}
+
+/// What the operator should look at before anything else; null if it is nothing.
+const Finding* worstFinding(const Reconstruction& reconstruction) {
+  const Finding* worst = nullptr;
+  for (const Finding& finding : reconstruction.findings) {
+    if (finding.severity == Severity::Info) continue;
+    if (!worst || finding.severity > worst->severity) worst = &finding;
+  }
+  return worst;
 }
 
 Step connectStep(const SessionController& controller, const WindowActions& actions) {
@@ -101,7 +116,7 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
   if (!controller.session()) {
     if (result) {
       step.state = StepState::Done;
-      step.note = Guide::tr("%n pose(s)", nullptr, static_cast<int>(result->poses.size()));
+      step.note = posesInWords(result->poses.size());
       step.why = Guide::tr("A calibration is open. It holds the result; the poses are in its session.");
     } else {
       step.why = Guide::tr("Waits for a skin.");
@@ -110,11 +125,12 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
   }
   const std::size_t enabled = enabledPoses(*controller.session());
   const bool more = wantsMorePoses(controller);
-  step.note = more ? Guide::tr("%1 of %2").arg(enabled).arg(kGoodPoseCount)
-                   : Guide::tr("%n pose(s)", nullptr, static_cast<int>(enabled));
+  step.note =
+      more && enabled < kGoodPoseCount ? Guide::tr("%1 of %2").arg(enabled).arg(kGoodPoseCount) : posesInWords(enabled);
   if (controller.isDemo()) step.actions = {actions.next_pose};
   step.state = more || (result && !isExportable(*result)) ? StepState::Current : StepState::Done;
-  if (result) step.what = QString::fromStdString(result->verdict.next_action);
+  // Once there are enough, what is next is no longer about poses.
+  if (result && step.state == StepState::Current) step.what = QString::fromStdString(result->verdict.next_action);
   step.why = controller.isDemo()
                  ? Guide::tr(
                        "Gravity seen from several directions tells how every cell is turned against its "
@@ -134,10 +150,9 @@ Step reviewStep(const SessionController& controller, const WindowActions& action
     return step;
   }
   step.note = findingsInWords(*result);
-  const bool has_something = std::any_of(result->findings.begin(), result->findings.end(),
-                                         [](const Finding& finding) { return finding.severity != Severity::Info; });
-  if (captured) step.state = has_something ? StepState::Current : StepState::Done;
-  step.what = QString::fromStdString(result->verdict.reason);
+  const Finding* finding = worstFinding(*result);
+  if (captured) step.state = finding ? StepState::Current : StepState::Done;
+  step.what = QString::fromStdString(finding ? finding->text : result->verdict.reason);
   if (controller.session()) {
     step.why = Guide::tr(
         "A pose that does not fit can be disabled or deleted in the table of poses, and taken back with "

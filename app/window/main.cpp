@@ -73,7 +73,7 @@ int main(int argc, char** argv) {
   QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
   format.setSamples(samplesFromArguments(argc, argv));
   QSurfaceFormat::setDefaultFormat(format);
-  QApplication::setStyle(QStringLiteral("Fusion"));
+  installStyle();
   QApplication app(argc, argv);
   QCoreApplication::setOrganizationName(QStringLiteral("Hexoderm"));
   QCoreApplication::setApplicationName(QStringLiteral("hexoderm"));

@@ -15,6 +15,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenuBar>
+#include <QScreen>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -42,11 +43,28 @@ QTableView* makeTable(QAbstractItemModel* model, const char* object_name, const 
   view->setFrameShape(QFrame::NoFrame);
   view->verticalHeader()->hide();
   view->horizontalHeader()->setHighlightSections(false);
-  view->horizontalHeader()->setStretchLastSection(true);
   view->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   // Measuring every row of a large skin on each update would take longer than solving it.
   view->horizontalHeader()->setResizeContentsPrecision(40);
   return view;
+}
+
+/// One column takes the room that the others leave.
+void stretchColumn(QTableView* view, int column) {
+  view->horizontalHeader()->setSectionResizeMode(column, QHeaderView::Stretch);
+}
+
+/// Long texts take as many lines as they need, as long as measuring them is quick.
+void wrapRows(QTableView* view) {
+  constexpr int kManyRows = 300;
+  view->setWordWrap(true);
+  view->setTextElideMode(Qt::ElideRight);
+  const auto choose = [view] {
+    view->verticalHeader()->setSectionResizeMode(view->model()->rowCount() <= kManyRows ? QHeaderView::ResizeToContents
+                                                                                        : QHeaderView::Fixed);
+  };
+  QObject::connect(view->model(), &QAbstractItemModel::modelReset, view, choose);
+  choose();
 }
 
 /// The table, or a word on why it is empty.
@@ -88,6 +106,9 @@ MainWindow::MainWindow(QWidget* parent)
       saved_status_(new QLabel) {
   setObjectName(QStringLiteral("mainWindow"));
   setAcceptDrops(true);
+  // At first no part has the focus, so that keys mean what the list of keys says.
+  setFocusPolicy(Qt::StrongFocus);
+  setFocus();
   buildLayout();
   buildStatusBar();
   connectActions();
@@ -120,6 +141,11 @@ void MainWindow::buildLayout() {
   patch_view_->setAccessibleName(tr("The patch in three dimensions"));
   patch_view_->setMinimumSize(320, 240);
 
+  stretchColumn(pose_view_, 1);
+  stretchColumn(link_view_, link_table_->columnCount() - 1);
+  stretchColumn(finding_view_, 1);
+  wrapRows(finding_view_);
+
   docks_->setWindowFlags(Qt::Widget);
   docks_->setContextMenuPolicy(Qt::PreventContextMenu);
   docks_->setCentralWidget(card);
@@ -134,7 +160,7 @@ void MainWindow::buildLayout() {
   docks_->addDockWidget(Qt::RightDockWidgetArea, graph_dock_);
   docks_->addDockWidget(Qt::RightDockWidgetArea, pose_dock_);
   docks_->addDockWidget(Qt::BottomDockWidgetArea, details);
-  docks_->resizeDocks({steps, graph_dock_}, {286, 440}, Qt::Horizontal);
+  docks_->resizeDocks({steps, graph_dock_}, {286, 436}, Qt::Horizontal);
   docks_->resizeDocks({graph_dock_, pose_dock_}, {440, 320}, Qt::Vertical);
   docks_->resizeDocks({details}, {170}, Qt::Vertical);
 
@@ -271,8 +297,10 @@ void MainWindow::connectSelection() {
   connect(&selection_, &Selection::changed, this, &MainWindow::showPickedLink);
   connect(finding_view_, &QTableView::clicked, this,
           [this](const QModelIndex& index) { pickFromFinding(index.row()); });
-  connect(finding_view_, &QTableView::activated, this,
-          [this](const QModelIndex& index) { pickFromFinding(index.row()); });
+  connect(finding_view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+          [this](const QModelIndex& current) {
+            if (current.isValid()) pickFromFinding(current.row());
+          });
   connect(link_view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           [this](const QModelIndex& current) {
             if (!current.isValid()) return;
@@ -290,7 +318,6 @@ void MainWindow::showReconstruction(const std::shared_ptr<const Reconstruction>&
   finding_table_->setReconstruction(reconstruction);
   graph_view_->setReconstruction(reconstruction);
   patch_view_->setReconstruction(reconstruction);
-  picked_pose_ = picked;
   if (reconstruction && picked) {
     for (std::size_t row = 0; row < reconstruction->poses.size(); ++row) {
       if (reconstruction->poses[row].pose == *picked) pose_view_->selectRow(static_cast<int>(row));
@@ -301,11 +328,11 @@ void MainWindow::showReconstruction(const std::shared_ptr<const Reconstruction>&
 }
 
 void MainWindow::showPickedPose() {
-  const std::optional<int> row = pickedPoseRow();
-  if (row && pose_table_->reconstruction()) {
+  picked_pose_.reset();
+  if (const std::optional<int> row = pickedPoseRow()) {
     picked_pose_ = pose_table_->reconstruction()->poses[static_cast<std::size_t>(*row)].pose;
   }
-  patch_view_->setPose(row ? picked_pose_ : std::nullopt);
+  patch_view_->setPose(picked_pose_);
   refresh();
 }
 
@@ -349,7 +376,7 @@ void MainWindow::refreshStatus() {
 
   source_status_->setText(QStringLiteral("● ") +
                           (controller_.activity().isEmpty() ? name : controller_.activity() + "…"));
-  cells_status_->setVisible(result != nullptr);
+  cells_status_->setVisible(result != nullptr && !result->poses.empty());
   solve_status_->setVisible(result != nullptr);
   if (result) {
     std::size_t measured = 0;
@@ -393,7 +420,7 @@ void MainWindow::setThemeChoice(ThemeChoice choice, bool remember) {
 }
 
 void MainWindow::restoreLayout() {
-  resize(1440, 900);
+  resize(QSize(1440, 900).boundedTo(screen()->availableSize()));
   const QSettings settings;
   restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
   docks_->restoreState(settings.value(QStringLiteral("window/state")).toByteArray(), kLayoutVersion);

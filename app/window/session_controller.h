@@ -43,6 +43,10 @@ class SessionController : public QObject {
   [[nodiscard]] bool isDemo() const { return session_ && demo_; }
   /// A change of the session has no result yet.
   [[nodiscard]] bool isSolving() const { return session_ && shown_revision_ < submitted_revision_; }
+  /// The shown result is that of the session as it is now: no change is being solved, none failed.
+  [[nodiscard]] bool isCurrent() const {
+    return reconstruction_ && (!session_ || reconstruction_->revision == submitted_revision_);
+  }
   /// What is being done in the background, in words; empty if nothing is.
   [[nodiscard]] QString activity() const { return activities_.isEmpty() ? QString() : activities_.front(); }
   [[nodiscard]] bool isTakingPose() const { return taking_pose_; }

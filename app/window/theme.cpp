@@ -1,9 +1,22 @@
 #include "app/window/theme.h"
 
 #include <QApplication>
+#include <QProxyStyle>
+#include <QStyleFactory>
 
 namespace hexoderm {
 namespace {
+
+/// Fusion, whose dialog buttons would carry icons of another style than ours.
+class WindowStyle : public QProxyStyle {
+ public:
+  WindowStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
+  int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                QStyleHintReturn* data) const override {
+    if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
+    return QProxyStyle::styleHint(hint, option, widget, data);
+  }
+};
 
 /// What the panels of the main window add to the application's sheet.
 QString panelSheet(const Colors& colors) {
@@ -19,10 +32,13 @@ QString panelSheet(const Colors& colors) {
              "QWidget#topBar QMenuBar { border: 0; }"
              "QLabel#appName { color: %4; font-weight: 700; padding: 0 4px 0 16px; }"
              "QLabel#sessionName { color: %5; padding: 0 16px; }"
+             "QListWidget#exportFormats { border: 1px solid %2; border-radius: 5px; padding: 4px; }"
+             "QListWidget#exportFormats::item { padding: 6px 9px; border-radius: 4px; }"
+             "QListWidget#exportFormats::item:selected { background: %6; color: %7; }"
              "QStatusBar QLabel { padding: 4px 8px; }"
              "QLabel[hint=\"true\"] { color: %5; padding: 12px 14px; background: %1; }")
       .arg(colors.panel.name(), colors.border.name(), colors.panel_active.name(), colors.text.name(),
-           colors.text_muted.name());
+           colors.text_muted.name(), colors.accent.name(), colors.accent_text.name());
 }
 
 }  // namespace
@@ -59,6 +75,8 @@ Theme resolveTheme(ThemeChoice choice) {
   }
   return kSystem;
 }
+
+void installStyle() { QApplication::setStyle(new WindowStyle); }
 
 void applyTheme(Theme theme) {
   QApplication::setPalette(qtPalette(theme));

@@ -16,6 +16,9 @@ std::optional<ThemeChoice> themeChoiceFromName(const QString& name);
 /// The theme that a choice means now.
 Theme resolveTheme(ThemeChoice choice);
 
+/// How widgets are drawn, the same on every desktop. Before the first window.
+void installStyle();
+
 /// Gives the whole application the palette and style sheet of a theme.
 void applyTheme(Theme theme);
 

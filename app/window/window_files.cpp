@@ -3,6 +3,7 @@
 #include "app/window/keys_dialog.h"
 #include "app/window/main_window.h"
 #include "widgets/message_bar.h"
+#include "widgets/patch_view.h"
 
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
@@ -116,7 +117,11 @@ void MainWindow::showExportDialog() {
   dialog->open();
 }
 
-QImage MainWindow::picture() { return grab().toImage(); }
+QImage MainWindow::picture() {
+  // The 3D view draws when there is time; until then a picture of the window would show its last state.
+  patch_view_->screenshot();
+  return grab().toImage();
+}
 
 void MainWindow::savePicture() {
   const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);

@@ -252,6 +252,12 @@ TEST_F(MainWindowTest, PicturesOfBothThemesAreKept) {
     const QImage picture = window_->picture();
     EXPECT_EQ(picture.size(), window_->size() * window_->devicePixelRatioF());
     EXPECT_TRUE(picture.save(folder.filePath(QStringLiteral("window-%1.png").arg(QLatin1String(name)))));
+    press(Qt::Key_E, Qt::ControlModifier);
+    auto* dialog = waitForDialog<QDialog>("exportDialog");
+    ASSERT_NE(dialog, nullptr);
+    EXPECT_TRUE(dialog->grab().save(folder.filePath(QStringLiteral("export-%1.png").arg(QLatin1String(name)))));
+    QTest::keyClick(dialog, Qt::Key_Escape);
+    ASSERT_TRUE(waitUntil([&] { return window_->findChild<QDialog*>("exportDialog") == nullptr; }));
   }
 }
 

@@ -1,6 +1,8 @@
 // main() of the tests of the window: the surface format that VTK needs, settings and standard folders that are not the
 // user's. Listing tests needs no display.
 
+#include "app/window/theme.h"
+
 #include <QVTKOpenGLNativeWidget.h>
 #include <gtest/gtest.h>
 #include <QApplication>
@@ -15,7 +17,7 @@ int main(int argc, char** argv) {
   QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
   format.setSamples(0);
   QSurfaceFormat::setDefaultFormat(format);
-  QApplication::setStyle(QStringLiteral("Fusion"));
+  hexoderm::installStyle();
   const QApplication application(argc, argv);
   QCoreApplication::setOrganizationName(QStringLiteral("HexodermTests"));
   QCoreApplication::setApplicationName(QStringLiteral("main_window_test"));
