@@ -52,6 +52,8 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
       next_pose(make(owner, "actionNextPose", tr("Take the &next pose"),
                      tr("Turn the simulated part to its next orientation and take the pose"),
                      {QKeySequence(Qt::Key_Space)})),
+      find_cell(
+          make(owner, "actionFindCell", tr("Find &cell…"), tr("Pick a cell by typing its ID"), {QKeySequence::Find})),
       fit(make(owner, "actionFit", tr("&Fit"), tr("Show the whole skin"), {QKeySequence(Qt::Key_F)})),
       front(make(owner, "actionFront", tr("F&ront view"), tr("Look at the patch from the front"))),
       side(make(owner, "actionSide", tr("&Side view"), tr("Look at the patch from its side"))),
@@ -98,7 +100,7 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   session->addAction(next_pose);
 
   QMenu* view = bar->addMenu(tr("&View"));
-  view->addActions({fit, front, side, top});
+  view->addActions({find_cell, fit, front, side, top});
   view->addSeparator();
   for (QAction* panel : panels) view->addAction(panel);
   view->addSeparator();
@@ -112,8 +114,8 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
 
 std::vector<QAction*> WindowActions::withKeys() const {
   std::vector<QAction*> found;
-  for (QAction* action :
-       {next_pose, toggle_pose, delete_pose, undo, redo, open, save, save_as, export_to, fit, screenshot, keys, quit}) {
+  for (QAction* action : {next_pose, toggle_pose, delete_pose, undo, redo, open, save, save_as, export_to, find_cell,
+                          fit, screenshot, keys, quit}) {
     if (!action->shortcuts().isEmpty()) found.push_back(action);
   }
   return found;
@@ -152,7 +154,7 @@ void WindowActions::refresh(const SessionController& controller, std::optional<i
   allow(next_pose, no_next);
 
   const QString nothing = controller.reconstruction() ? QString() : tr("There is nothing to look at yet");
-  for (QAction* action : {fit, front, side, top}) allow(action, nothing);
+  for (QAction* action : {find_cell, fit, front, side, top}) allow(action, nothing);
   for (QAction* action : {undo, redo}) {
     const bool can = action->isEnabled();
     const QString tip = can ? action->text().remove(QLatin1Char('&'))

@@ -31,6 +31,7 @@ class WindowActions {
   QAction* toggle_pose;
   QAction* delete_pose;
   QAction* next_pose;
+  QAction* find_cell;
   QAction* fit;
   QAction* front;
   QAction* side;

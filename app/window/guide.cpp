@@ -125,7 +125,7 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
   return step;
 }
 
-Step reviewStep(const SessionController& controller, const WindowActions& actions) {
+Step reviewStep(const SessionController& controller, const WindowActions& actions, bool captured) {
   Step step;
   step.title = Guide::tr("Review");
   const Reconstruction* result = controller.reconstruction().get();
@@ -134,7 +134,9 @@ Step reviewStep(const SessionController& controller, const WindowActions& action
     return step;
   }
   step.note = findingsInWords(*result);
-  step.state = isExportable(*result) ? StepState::Done : StepState::Waiting;
+  const bool has_something = std::any_of(result->findings.begin(), result->findings.end(),
+                                         [](const Finding& finding) { return finding.severity != Severity::Info; });
+  if (captured) step.state = has_something ? StepState::Current : StepState::Done;
   step.what = QString::fromStdString(result->verdict.reason);
   if (controller.session()) {
     step.why = Guide::tr(
@@ -184,8 +186,10 @@ Banner::Content describeStand(const SessionController& controller, const WindowA
 }
 
 std::vector<Step> describeSteps(const SessionController& controller, const WindowActions& actions) {
-  std::vector<Step> steps = {connectStep(controller, actions), checkStep(controller), captureStep(controller, actions),
-                             reviewStep(controller, actions), exportStep(controller, actions)};
+  std::vector<Step> steps = {connectStep(controller, actions), checkStep(controller), captureStep(controller, actions)};
+  const bool captured = steps.back().state == StepState::Done;
+  steps.push_back(reviewStep(controller, actions, captured));
+  steps.push_back(exportStep(controller, actions));
   // With everything before it done, exporting is what is left to do.
   if (std::all_of(steps.begin(), steps.end() - 1, [](const Step& step) { return step.state == StepState::Done; })) {
     steps.back().state = StepState::Current;

@@ -33,6 +33,8 @@ void showKeysDialog(QWidget* parent, const WindowActions& actions) {
   layout->addLayout(form);
   layout->addWidget(buttons);
   dialog->show();
+  dialog->raise();
+  dialog->activateWindow();
 }
 
 }  // namespace hexoderm

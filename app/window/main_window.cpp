@@ -134,7 +134,7 @@ void MainWindow::buildLayout() {
   docks_->addDockWidget(Qt::RightDockWidgetArea, graph_dock_);
   docks_->addDockWidget(Qt::RightDockWidgetArea, pose_dock_);
   docks_->addDockWidget(Qt::BottomDockWidgetArea, details);
-  docks_->resizeDocks({steps, graph_dock_}, {286, 400}, Qt::Horizontal);
+  docks_->resizeDocks({steps, graph_dock_}, {286, 440}, Qt::Horizontal);
   docks_->resizeDocks({graph_dock_, pose_dock_}, {440, 320}, Qt::Vertical);
   docks_->resizeDocks({details}, {170}, Qt::Vertical);
 
@@ -164,7 +164,7 @@ QWidget* MainWindow::buildTopBar(const std::vector<QAction*>& panels) {
   auto* top_bar = new QFrame;
   top_bar->setObjectName(QStringLiteral("topBar"));
   auto* layout = new QHBoxLayout(top_bar);
-  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setContentsMargins(0, 0, 0, 1);  // the line below
   layout->setSpacing(0);
   layout->addWidget(app_name);
   layout->addWidget(menu_bar, 1);
@@ -218,6 +218,11 @@ void MainWindow::connectActions() {
   connect(actions_.delete_pose, &QAction::triggered, this, [this] {
     const std::optional<int> row = pickedPoseRow();
     if (const auto index = row ? controller_.sessionIndexOfPoseRow(*row) : std::nullopt) controller_.removePose(*index);
+  });
+  connect(actions_.find_cell, &QAction::triggered, this, [this] {
+    graph_dock_->show();
+    graph_dock_->raise();
+    graph_view_->findCell();
   });
   connect(actions_.fit, &QAction::triggered, graph_view_, &GraphView::fit);
   connect(actions_.fit, &QAction::triggered, patch_view_, &PatchView::fit);
