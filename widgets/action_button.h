@@ -1,9 +1,8 @@
 #pragma once
 
+#include <QAction>
 #include <QPointer>
 #include <QPushButton>
-
-class QAction;
 
 namespace hexoderm {
 

@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <QPushButton>
 #include <QToolButton>
+#include <QVariant>
 #include <utility>
 
 namespace hexoderm {

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QPainter>
 #include <QVBoxLayout>
+#include <QVariant>
 #include <algorithm>
 
 namespace hexoderm {

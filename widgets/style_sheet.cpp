@@ -2,10 +2,13 @@
 
 #include <QApplication>
 #include <QFont>
-#include <QFontDatabase>
+#include <QFontInfo>
 #include <algorithm>
 #include <array>
 #include <utility>
+
+/// A static library's resources have to be asked for, and from outside of any namespace.
+static void initStyleResources() { Q_INIT_RESOURCE(widgets_style); }
 
 namespace hexoderm {
 namespace {
@@ -55,9 +58,22 @@ QPushButton[primary="true"]:pressed { background: @accent_pressed@; border-color
 QPushButton[primary="true"]:focus { border: 2px solid @text@; padding: 7px 14px; }
 QPushButton[primary="true"]:disabled { background: @pressed@; color: @disabled@; border-color: @border@; }
 
-QLineEdit, QPlainTextEdit, QTextEdit, QAbstractSpinBox { background: @panel@; border: 1px solid @border@;
+QComboBox { background: @panel@; color: @text@; border: 1px solid @border@; border-radius: 4px; padding: 4px 9px; }
+QComboBox:hover { background: @hover@; }
+QComboBox:focus { border-color: @accent@; }
+QComboBox:disabled { color: @disabled@; }
+QComboBox::drop-down { border: 0; width: 20px; }
+QComboBox::down-arrow { image: url(:/hexoderm/style/chevron-down.svg); width: 10px; height: 10px; }
+QCheckBox { spacing: 7px; }
+QCheckBox::indicator { width: 14px; height: 14px; border: 1px solid @text_muted@; border-radius: 3px;
+                       background: @panel@; }
+QCheckBox::indicator:checked { background: @accent@; border-color: @accent@; image: url(@check@); }
+QCheckBox::indicator:focus { border: 2px solid @text@; }
+QCheckBox:disabled { color: @disabled@; }
+
+QLineEdit, QPlainTextEdit, QTextEdit { background: @panel@; border: 1px solid @border@;
     border-radius: 4px; padding: 4px 7px; selection-background-color: @accent@; selection-color: @accent_text@; }
-QLineEdit:focus, QPlainTextEdit:focus, QTextEdit:focus, QAbstractSpinBox:focus { border-color: @accent@; }
+QLineEdit:focus, QPlainTextEdit:focus, QTextEdit:focus { border-color: @accent@; }
 
 QAbstractItemView { background: @panel@; border: 0; outline: 0; }
 QTableView { gridline-color: transparent; selection-background-color: @panel_active@; selection-color: @text@; }
@@ -67,9 +83,8 @@ QTableView::item:selected { background: @panel_active@; color: @text@; border-to
                             border-bottom: 1px solid @selection@; }
 QHeaderView { background: @panel@; border: 0; }
 QHeaderView::section { background: @panel@; color: @text_muted@; border: 0; border-bottom: 1px solid @border@;
-                       padding: 4px 6px; font-weight: 500; }
+                       padding: 4px 9px; font-weight: 400; }
 QTableCornerButton::section { background: @panel@; border: 0; }
-QTableView:focus QHeaderView::section, QTableView QHeaderView::section:focus { color: @text@; }
 
 QTabWidget::pane { border: 0; }
 QTabBar { background: transparent; }
@@ -79,6 +94,7 @@ QTabBar::tab:hover { color: @text@; }
 QTabBar::tab:selected { color: @text@; font-weight: 600; border-bottom-color: @accent@; }
 QTabBar::tab:focus { color: @accent@; }
 
+QAbstractScrollArea::corner { background: transparent; border: 0; }
 QScrollBar { background: transparent; border: 0; }
 QScrollBar:vertical { width: 10px; }
 QScrollBar:horizontal { height: 10px; }
@@ -101,6 +117,7 @@ QColor mixed(const QColor& a, const QColor& b, double part) {
 }  // namespace
 
 QString styleSheet(Theme theme) {
+  initStyleResources();
   const Colors& colors = Colors::of(theme);
   QString sheet = QString::fromUtf8(kSheet);
   const std::array<std::pair<const char*, QColor>, 18> named = {{
@@ -125,14 +142,18 @@ QString styleSheet(Theme theme) {
   }};
   for (const auto& [name, color] : named) sheet.replace(QStringLiteral("@%1@").arg(QLatin1String(name)), color.name());
 
+  sheet.replace(QStringLiteral("@check@"),
+                QStringLiteral(":/hexoderm/style/check-on-%1.svg")
+                    .arg(theme == Theme::Dark ? QLatin1String("dark") : QLatin1String("light")));
+
   // Sizes follow the system's; the family is Inter where it is installed.
   double points = 10;
   QString font_rule;
   if (qApp != nullptr) {
     const QFont font = QApplication::font();
     if (font.pointSizeF() > 0) points = font.pointSizeF();
-    if (QFontDatabase().families().contains(QStringLiteral("Inter"))) {
-      font_rule = QStringLiteral("QWidget { font-family: \"Inter\"; }");
+    if (QFontInfo(QFont(QStringLiteral("Inter"))).family() == QLatin1String("Inter")) {
+      font_rule = QStringLiteral("QWidget, QToolTip { font-family: \"Inter\"; }");
     }
   }
   sheet.replace(QStringLiteral("@font@"), font_rule);

@@ -37,18 +37,18 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
       open(make(owner, "actionOpen", tr("&Open…"), tr("Open a session or a calibration"), {QKeySequence::Open})),
       save(make(owner, "actionSave", tr("&Save session"), tr("Save the poses taken so far"), {QKeySequence::Save})),
       save_as(make(owner, "actionSaveAs", tr("Save session &as…"), tr("Save the session under another name"),
-                   {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)})),
+                   {QKeySequence(QStringLiteral("Ctrl+Shift+S"))})),
       save_calibration(make(owner, "actionSaveCalibration", tr("Save &calibration…"),
                             tr("Save the reconstruction, complete enough to export and draw from it alone"))),
       export_to(make(owner, "actionExport", tr("&Export…"), tr("Write the calibration in a form that others read"),
-                     {QKeySequence(Qt::CTRL | Qt::Key_E)})),
-      quit(make(owner, "actionQuit", tr("&Quit"), tr("Close the window"), {QKeySequence(Qt::CTRL | Qt::Key_Q)})),
+                     {QKeySequence(QStringLiteral("Ctrl+E"))})),
+      quit(make(owner, "actionQuit", tr("&Quit"), tr("Close the window"), {QKeySequence(QStringLiteral("Ctrl+Q"))})),
       undo(undo_stack->createUndoAction(owner, tr("&Undo"))),
       redo(undo_stack->createRedoAction(owner, tr("&Redo"))),
       toggle_pose(make(owner, "actionTogglePose", tr("&Disable pose"), tr("Leave the picked pose out, or take it back"),
                        {QKeySequence(Qt::Key_Delete)})),
       delete_pose(make(owner, "actionDeletePose", tr("De&lete pose"), tr("Take the picked pose out of the session"),
-                       {QKeySequence(Qt::SHIFT | Qt::Key_Delete)})),
+                       {QKeySequence(QStringLiteral("Shift+Del"))})),
       next_pose(make(owner, "actionNextPose", tr("Take the &next pose"),
                      tr("Turn the simulated part to its next orientation and take the pose"),
                      {QKeySequence(Qt::Key_Space)})),
@@ -65,7 +65,7 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
   undo->setObjectName(QStringLiteral("actionUndo"));
   redo->setObjectName(QStringLiteral("actionRedo"));
   undo->setShortcut(QKeySequence::Undo);
-  redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
+  redo->setShortcuts({QKeySequence(QStringLiteral("Ctrl+Shift+Z")), QKeySequence(QStringLiteral("Ctrl+Y"))});
   owner->addActions({undo, redo});
   next_pose->setIconText(tr("Take the next pose"));
   demo->setIconText(tr("Start the demo skin"));

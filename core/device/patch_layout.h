@@ -18,7 +18,7 @@ namespace hexoderm {
 ///
 /// How far eq. (2) of the paper holds between the placements: on a plane exactly, with either law. Bend law: exactly
 /// along circumferences and generators of a cylinder and on spheres; sheets on a cylinder are relaxed until it is exact
-/// in every direction. A tree's links that run obliquely on a cylinder miss by the geodesic's torsion (0.08 mm for X17
+/// in every direction. A tree's links that run obliquely on a cylinder miss by the geodesic's torsion (0.23 mm for X17
 /// at r = 50.1 mm). Surface law: never on a curved surface; link points lie about (2/3) e a^2 apart, a = half the bend.
 ///
 /// Throws InvalidArgument where the surface is too small: curved more sharply than a cell is wide, or the patch meets

@@ -34,9 +34,9 @@ class SheetRelaxation {
   /// Fits one cell to those of its links whose other ends are laid.
   void fitCell(std::size_t cell, std::span<const PlannedLink> links, std::vector<SE3>& cells) const;
 
-  /// Fits all cells to all links: damped Gauss-Newton, each step by conjugate gradients, whose shortest
-  /// solution keeps the patch from wandering on a sphere. Where the curvature changes (torus, cone) the patch may slide
-  /// to a place where it fits better.
+  /// Fits all cells to all links: damped Gauss-Newton, each step by conjugate gradients, whose shortest solution keeps
+  /// the patch from wandering on a sphere. Where the curvature changes (torus, cone) it may slide to where it fits
+  /// better.
   void relax(std::vector<SE3>& cells) const;
 
  private:

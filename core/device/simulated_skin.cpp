@@ -8,10 +8,8 @@
 #include "hexoderm/util/units.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <random>
-#include <unordered_map>
 
 namespace hexoderm {
 namespace {
@@ -300,15 +298,22 @@ std::vector<Eigen::Vector3d> scriptedUpDirections(std::size_t pose_count) {
         Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1, 1, -1), Eigen::Vector3d(1, -1, 1), Eigen::Vector3d(-1, 1, 1)}) {
     directions.push_back(corner.normalized());
   }
-  // Beyond that, a sequence without end that fills the sphere evenly (Roberts' R2: powers of the plastic number).
+  // Beyond that, a sequence without end that fills the sphere evenly (Roberts' R2: powers of the plastic number), less
+  // what would nearly repeat one of the directions above.
   constexpr double kPlastic = 1.32471795724474602596;
+  constexpr double kTooNear = 8 * kDegree;
+  const std::size_t regular = directions.size();
   for (std::size_t k = 1; directions.size() < pose_count; ++k) {
     const double n = static_cast<double>(k);
     const double u = n / kPlastic - std::floor(n / kPlastic);
     const double v = n / (kPlastic * kPlastic) - std::floor(n / (kPlastic * kPlastic));
     const double z = 1 - 2 * u;
     const double s = std::sqrt(1 - z * z);
-    directions.emplace_back(s * std::cos(2 * kPi * v), s * std::sin(2 * kPi * v), z);
+    const Eigen::Vector3d up(s * std::cos(2 * kPi * v), s * std::sin(2 * kPi * v), z);
+    const auto repeats = [&](const Eigen::Vector3d& other) { return angleBetween(up, other) < kTooNear; };
+    if (std::none_of(directions.begin(), directions.begin() + static_cast<std::ptrdiff_t>(regular), repeats)) {
+      directions.push_back(up);
+    }
   }
   directions.resize(pose_count);
   return directions;

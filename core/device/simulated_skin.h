@@ -20,7 +20,14 @@ enum class LinkLaw {
   Surface,  ///< neighbouring centres one pitch (2 e) apart along the surface
 };
 
-enum class SkinFault { Dead, Stuck, StuckAxis, Saturated, Noisy, NoSamples };
+enum class SkinFault {
+  Dead,       ///< reads 0 and noise
+  Stuck,      ///< repeats its first reading for ever
+  StuckAxis,  ///< one axis does
+  Saturated,  ///< amplifies 20 times and ends at its range
+  Noisy,      ///< 20 times the noise
+  NoSamples,
+};
 
 /// One cell's sensor is broken in a known way.
 struct CellFault {
@@ -64,7 +71,14 @@ struct TrueCell {
 /// Everything it produces follows from its options and seed. It is simulation and says so.
 ///
 /// The body frame b is the surface's own: a cylinder's or cone's axis is z; the patch's middle is at +x for closed
-/// surfaces and the plane is z = 0 with the cells' fronts to +z.
+/// surfaces and the plane is z = 0 with the cells' fronts to +z. The bisector of the lines of x17 and of sheets, and
+/// the line of ring8, run around the body (+y at the middle; +x on the plane). Cells have the IDs 1, 2, ...: x17's
+/// middle first, then arm by arm from the middle outwards; sheets row by row.
+///
+/// Without jitter, eq. (2) holds exactly on a plane. With LinkLaw::Bend it also holds for ring8, for sheets on
+/// cylinders and for trees on spheres; X17's oblique links on a cylinder miss by the geodesic's torsion (0.23 mm at r
+/// = 50.1 mm). With LinkLaw::Surface link points lie about (2/3) e a^2 apart (a: half the bend), as cells keep the
+/// pitch instead.
 class SimulatedSkin {
  public:
   /// Throws InvalidArgument if options or model make no skin (unknown patch, too small a surface, no opposite ports).
@@ -73,7 +87,9 @@ class SimulatedSkin {
   SimulatedSkin(SimulatedSkin&&) noexcept;
   SimulatedSkin& operator=(SimulatedSkin&&) noexcept;
 
+  /// As given, but for interface_id, which is raised where the skin has more cells than IDs below it.
   [[nodiscard]] const CellModel& model() const;
+  /// As given, with the default surface filled in.
   [[nodiscard]] const SimulatedSkinOptions& options() const;
   [[nodiscard]] const NeighborList& neighbors() const;
   [[nodiscard]] const std::vector<TrueCell>& truth() const;
@@ -84,7 +100,8 @@ class SimulatedSkin {
 
   /// Holds the part so that `up_b` (unit, body frame) points up, and records `frame_count` frames at the model's rate.
   /// A real hand misses by a few degrees and trembles; the first recording of a skin stands on a table and does not.
-  /// Each call draws new hand motion from the seed and the number of calls made so far.
+  /// Each call draws new hand motion from the seed and the number of calls made so far. Readings are in the cell frame.
+  /// Throws InvalidArgument if `up_b` is zero or not finite.
   std::vector<SampleFrame> record(const Eigen::Vector3d& up_b, std::size_t frame_count = 100);
 
  private:

@@ -158,7 +158,7 @@ class Cone final : public Surface {
   double r_, sine_, cosine_, apex_z_;
 };
 
-/// Geodesics have no closed form here: they are integrated (Runge-Kutta, steps of r/25 at most).
+/// Geodesics have no closed form here: they are integrated (Runge-Kutta, steps of r/50 at most).
 class Torus final : public Surface {
  public:
   Torus(double ring_m, double tube_m) : R_(ring_m), r_(tube_m) {}
@@ -178,7 +178,7 @@ class Torus final : public Surface {
   }
   [[nodiscard]] GeodesicPoint walk(const Eigen::Vector3d& from, const Eigen::Vector3d& direction,
                                    double length_m) const override {
-    const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(length_m) / (r_ / 25))));
+    const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(length_m) / (r_ / 50))));
     const double h = length_m / steps;
     Eigen::Vector3d x = from;
     Eigen::Vector3d u = direction;

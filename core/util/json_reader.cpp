@@ -1,6 +1,7 @@
 #include "hexoderm/util/json_reader.h"
 
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/text.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -159,44 +160,56 @@ bool isFlatObject(const nlohmann::ordered_json& json) {
 }
 
 std::string scalarText(const nlohmann::ordered_json& json) {
-  if (json.is_number_float() && !std::isfinite(json.get<double>())) {
-    throw InvalidArgument("a value that is not a finite number can't be written to a file");
+  // Large files are mostly numbers, and dump() sets up a serializer for each.
+  if (json.is_number_unsigned()) return std::to_string(json.get<std::uint64_t>());
+  if (json.is_number_float()) {
+    const double value = json.get<double>();
+    if (!std::isfinite(value)) {
+      throw InvalidArgument("a value that is not a finite number can't be written to a file");
+    }
+    std::string text = formatExact(value);
+    if (text.find_first_of(".e") == std::string::npos) text += ".0";
+    return text;
   }
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
-std::string keyText(const std::string& key) { return scalarText(key) + ": "; }
+void appendKey(const std::string& key, std::string& out) {
+  out += scalarText(key);
+  out += ": ";
+}
 
-/// On one line.
-std::string lineText(const nlohmann::ordered_json& json) {
-  if (!json.is_structured()) return scalarText(json);
-  std::string text;
-  for (auto item = json.begin(); item != json.end(); ++item) {
-    if (!text.empty()) text += ", ";
-    if (json.is_object()) text += keyText(item.key());
-    text += lineText(*item);
+void appendLine(const nlohmann::ordered_json& json, std::string& out) {
+  if (!json.is_structured()) {
+    out += scalarText(json);
+    return;
   }
-  return json.is_object() ? "{" + text + "}" : "[" + text + "]";
+  out += json.is_object() ? '{' : '[';
+  for (auto item = json.begin(); item != json.end(); ++item) {
+    if (item != json.begin()) out += ", ";
+    if (json.is_object()) appendKey(item.key(), out);
+    appendLine(*item, out);
+  }
+  out += json.is_object() ? '}' : ']';
 }
 
 void appendReadable(const nlohmann::ordered_json& json, std::size_t indent, std::string& out) {
   constexpr std::size_t kWidth = 120;
   if (!json.is_structured() || json.empty() || isFlatArray(json)) {
-    out += lineText(json);
+    appendLine(json, out);
     return;
   }
   if (isFlatObject(json)) {
-    const std::string line = lineText(json);
-    if (indent + line.size() <= kWidth) {
-      out += line;
-      return;
-    }
+    const std::size_t begin = out.size();
+    appendLine(json, out);
+    if (indent + out.size() - begin <= kWidth) return;
+    out.resize(begin);
   }
   out += json.is_object() ? '{' : '[';
   for (auto item = json.begin(); item != json.end(); ++item) {
     out += item == json.begin() ? "\n" : ",\n";
     out.append(indent + 1, ' ');
-    if (json.is_object()) out += keyText(item.key());
+    if (json.is_object()) appendKey(item.key(), out);
     appendReadable(*item, indent + 1, out);
   }
   out += '\n';

@@ -43,7 +43,7 @@ template <class T>
 std::vector<T> values(pugi::xml_node section, const char* name) {
   const std::string bytes = decode(section.find_child_by_attribute("Name", name));
   std::vector<T> result(bytes.size() / sizeof(T));
-  std::memcpy(result.data(), bytes.data(), bytes.size());
+  if (!bytes.empty()) std::memcpy(result.data(), bytes.data(), bytes.size());
   return result;
 }
 

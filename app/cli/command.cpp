@@ -1,0 +1,103 @@
+#include "command.h"
+
+#include "hexoderm/util/text.h"
+#include "hexoderm/util/units.h"
+
+#include <unistd.h>
+
+#include <iostream>
+
+namespace hexoderm::cli {
+
+void Common::addTo(CLI::App& command) {
+  command.add_flag("--json", json, "Print the result as JSON on standard output");
+  command.add_flag("--quiet", quiet, "No progress and no remarks on standard error");
+}
+
+void Common::progress(const std::string& text) const {
+  if (!quiet && ::isatty(STDERR_FILENO) != 0) std::cerr << "\r\033[K" << text << std::flush;
+}
+
+void Common::endProgress() const { progress(""); }
+
+void Common::note(const std::string& text) const {
+  if (!quiet) std::cerr << text << '\n';
+}
+
+OpenedFile openInput(const std::string& path, const std::string& cell_model) {
+  const CellModel model = asInput([&] { return loadCellModel(cell_model); });
+  return asInput([&] { return openFile(path, model); });
+}
+
+Session openSession(const std::string& path) {
+  OpenedFile opened = openInput(path);
+  if (auto* session = std::get_if<Session>(&opened)) return std::move(*session);
+  throw BadInput(path + ": this is a calibration, expected a session (*.session.json)");
+}
+
+std::shared_ptr<const Reconstruction> openCalibration(const std::string& path, const std::string& cell_model) {
+  OpenedFile opened = openInput(path, cell_model);
+  if (auto* calibration = std::get_if<std::shared_ptr<const Reconstruction>>(&opened)) return std::move(*calibration);
+  throw BadInput(path + ": this is a session, expected a calibration; \"hexoderm-cli solve\" makes one of it");
+}
+
+int exitCodeOf(const Verdict& verdict) {
+  return verdict.level == VerdictLevel::NotEnough || verdict.level == VerdictLevel::Failed ? kNotGoodEnough : kDone;
+}
+
+void printFindings(const std::vector<Finding>& findings) {
+  if (findings.empty()) {
+    std::cout << "Findings: none\n";
+    return;
+  }
+  std::cout << "Findings: " << findings.size() << '\n';
+  for (const Finding& finding : findings) {
+    std::cout << "  " << severityName(finding.severity) << "  " << codeName(finding.code) << ": " << finding.text << '\n';
+  }
+}
+
+void printVerdict(const Verdict& verdict) {
+  std::cout << "Verdict: " << verdictName(verdict.level) << ". " << verdict.reason << '\n';
+  if (!verdict.next_action.empty()) std::cout << "Next: " << verdict.next_action << '\n';
+}
+
+nlohmann::ordered_json toJson(const Finding& finding) {
+  nlohmann::ordered_json json;
+  json["code"] = codeName(finding.code);
+  json["severity"] = severityName(finding.severity);
+  json["text"] = finding.text;
+  const auto numbers = [](const auto& ids) {
+    auto array = nlohmann::ordered_json::array();
+    for (const auto& id : ids) array.push_back(id.value());
+    return array;
+  };
+  json["cells"] = numbers(finding.cells);
+  json["ports"] = numbers(finding.ports);
+  json["poses"] = numbers(finding.poses);
+  return json;
+}
+
+nlohmann::ordered_json toJson(const std::vector<Finding>& findings) {
+  auto array = nlohmann::ordered_json::array();
+  for (const Finding& finding : findings) array.push_back(toJson(finding));
+  return array;
+}
+
+nlohmann::ordered_json toJson(const Verdict& verdict) {
+  nlohmann::ordered_json json;
+  json["level"] = verdictName(verdict.level);
+  json["reason"] = verdict.reason;
+  json["position_95_mm"] = nullptr;
+  json["orientation_95_deg"] = nullptr;
+  if (verdict.position_95_m) json["position_95_mm"] = toMillimetres(*verdict.position_95_m);
+  if (verdict.orientation_95_rad) json["orientation_95_deg"] = toDegrees(*verdict.orientation_95_rad);
+  json["next_action"] = verdict.next_action;
+  return json;
+}
+
+void printJson(const nlohmann::ordered_json& json) { std::cout << json.dump(1) << '\n'; }
+
+std::string millimetres(double length_m, int decimals) { return formatFixed(toMillimetres(length_m), decimals) + " mm"; }
+std::string degrees(double angle_rad, int decimals) { return formatFixed(toDegrees(angle_rad), decimals) + "°"; }
+
+}  // namespace hexoderm::cli

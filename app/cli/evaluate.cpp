@@ -1,0 +1,195 @@
+#include "command.h"
+
+#include "hexoderm/reconstruction/evaluation.h"
+#include "hexoderm/util/text.h"
+#include "hexoderm/util/units.h"
+
+#include <iostream>
+#include <optional>
+
+namespace hexoderm::cli {
+namespace {
+
+struct EvaluateOptions {
+  std::string input;
+  std::string fit;
+  double true_radius_m = 0;
+  std::string loop;
+  std::string against;
+};
+
+LinkEnd parseEnd(const std::string& text) {
+  const std::vector<std::string> parts = split(text, ':');
+  if (parts.size() != 2) throw InvalidArgument("--loop: expected CELL:PORT,CELL:PORT, found \"" + text + "\"");
+  return {CellId(parseUnsigned(parts[0], "--loop")), PortNumber(parseUnsigned(parts[1], "--loop"))};
+}
+
+nlohmann::ordered_json vectorInMm(const Eigen::Vector3d& v) {
+  return {toMillimetres(v.x()), toMillimetres(v.y()), toMillimetres(v.z())};
+}
+
+std::string inMm(const Eigen::Vector3d& v) {
+  return "[" + formatFixed(toMillimetres(v.x()), 2) + "; " + formatFixed(toMillimetres(v.y()), 2) + "; " +
+         formatFixed(toMillimetres(v.z()), 2) + "] mm";
+}
+
+class Evaluation {
+ public:
+  Evaluation(const Reconstruction& calibration, bool json) : calibration_(calibration), json_(json) {
+    if (!json_) std::cout << sizeInWords(calibration) << '\n';
+    result_["patches"] = calibration.patches.size();
+  }
+
+  void fit(SurfaceKind kind, std::optional<double> true_radius_m) {
+    auto fits = nlohmann::ordered_json::array();
+    for (const PatchReconstruction& patch : calibration_.patches) {
+      const SurfaceEvaluation surface = evaluateSurface(patch, kind, true_radius_m);
+      fits.push_back(toJson(surface));
+      if (json_) continue;
+      std::cout << "Patch " << patch.id << ", " << surfaceKindName(kind) << " through " << surface.cells.size()
+                << " cell centres: ";
+      if (surface.radius_m) std::cout << "radius " << millimetres(*surface.radius_m) << ", ";
+      std::cout << "distances " << millimetres(surface.rms_m, 3) << " rms\n";
+      std::cout << "  point " << inMm(surface.point);
+      if (kind != SurfaceKind::Sphere) {
+        std::cout << (kind == SurfaceKind::Plane ? ", normal [" : ", axis [") << formatFixed(surface.axis.x(), 4) << "; "
+                  << formatFixed(surface.axis.y(), 4) << "; " << formatFixed(surface.axis.z(), 4) << "]";
+      }
+      std::cout << '\n';
+      if (surface.delta_m) {
+        std::cout << "  Delta, eq. (20): " << millimetres(*surface.delta_m, 3) << "; eps, eq. (21): "
+                  << millimetres(*surface.epsilon_m, 3) << '\n';
+      }
+    }
+    result_["fits"] = fits;
+  }
+
+  void loop(LinkEnd first, LinkEnd second) {
+    const LoopEvaluation loop = evaluateLoop(calibration_, first, second);
+    result_["loop"] = {{"gap_mm", vectorInMm(loop.gap_m)},
+                       {"length_mm", toMillimetres(loop.length_m)},
+                       {"loop_length_mm", toMillimetres(loop.loop_length_m)},
+                       {"percent", loop.percent}};
+    if (json_) return;
+    std::cout << "Loop gap between cell " << first.cell << " port " << first.port << " and cell " << second.cell
+              << " port " << second.port << ": " << inMm(loop.gap_m) << ", " << millimetres(loop.length_m) << " long, "
+              << formatFixed(loop.percent, 2) << " % of the loop's " << millimetres(loop.loop_length_m) << '\n';
+  }
+
+  void against(const OpenedFile& other, const std::string& path) {
+    std::vector<Comparison> comparisons;
+    if (const auto* session = std::get_if<Session>(&other)) {
+      if (!session->truth()) throw BadInput(path + ": this session holds no truth to compare with");
+      comparisons = compareToTruth(calibration_, *session->truth());
+    } else {
+      comparisons = compareToReconstruction(calibration_, *std::get<std::shared_ptr<const Reconstruction>>(other));
+    }
+    if (comparisons.empty()) throw BadInput(path + ": has no cell in common with the calibration");
+    auto array = nlohmann::ordered_json::array();
+    for (const Comparison& comparison : comparisons) {
+      array.push_back(toJson(comparison));
+      if (!json_) print(comparison);
+    }
+    result_["against"] = array;
+  }
+
+  void findingsAndVerdict() {
+    result_["findings"] = cli::toJson(calibration_.findings);
+    result_["verdict"] = cli::toJson(calibration_.verdict);
+    if (json_) {
+      printJson(result_);
+    } else {
+      printVerdict(calibration_.verdict);
+    }
+  }
+
+ private:
+  static nlohmann::ordered_json toJson(const SurfaceEvaluation& surface) {
+    nlohmann::ordered_json json;
+    json["patch"] = surface.patch.value();
+    json["surface"] = surfaceKindName(surface.kind);
+    json["point_mm"] = vectorInMm(surface.point);
+    if (surface.kind != SurfaceKind::Sphere) json["axis"] = {surface.axis.x(), surface.axis.y(), surface.axis.z()};
+    if (surface.radius_m) json["radius_mm"] = toMillimetres(*surface.radius_m);
+    json["rms_mm"] = toMillimetres(surface.rms_m);
+    if (surface.delta_m) json["delta_mm"] = toMillimetres(*surface.delta_m);
+    if (surface.epsilon_m) json["epsilon_mm"] = toMillimetres(*surface.epsilon_m);
+    json["cells"] = nlohmann::ordered_json::array();
+    for (std::size_t k = 0; k < surface.cells.size(); ++k) {
+      json["cells"].push_back({{"id", surface.cells[k].value()}, {"distance_mm", toMillimetres(surface.distance_m[k])}});
+    }
+    return json;
+  }
+
+  static nlohmann::ordered_json toJson(const Comparison& comparison) {
+    nlohmann::ordered_json json;
+    json["patch"] = comparison.patch.value();
+    json["position_rms_mm"] = toMillimetres(comparison.position_rms_m);
+    json["orientation_rms_deg"] = toDegrees(comparison.orientation_rms_rad);
+    json["cells"] = nlohmann::ordered_json::array();
+    for (const CellDifference& cell : comparison.cells) {
+      nlohmann::ordered_json entry;
+      entry["id"] = cell.cell.value();
+      entry["position_mm"] = vectorInMm(cell.position_m);
+      entry["orientation_deg"] = toDegrees(cell.orientation_rad);
+      if (cell.sigma_t_m) entry["sigma_t_mm"] = toMillimetres(*cell.sigma_t_m);
+      if (cell.sigma_r_rad) entry["sigma_r_deg"] = toDegrees(*cell.sigma_r_rad);
+      json["cells"].push_back(std::move(entry));
+    }
+    return json;
+  }
+
+  static void print(const Comparison& comparison) {
+    std::cout << "Patch " << comparison.patch << ", after alignment: position "
+              << millimetres(comparison.position_rms_m, 3) << " rms, orientation "
+              << degrees(comparison.orientation_rms_rad, 3) << " rms\n";
+    std::cout << "  cell   position  (stated)   orientation  (stated)\n";
+    for (const CellDifference& cell : comparison.cells) {
+      const auto stated = [](std::optional<double> sigma, auto format) {
+        return sigma ? "(" + format(*sigma, 2) + ")" : std::string("(-)");
+      };
+      std::cout << "  " << cell.cell << "   " << millimetres(cell.position_m.norm()) << " "
+                << stated(cell.sigma_t_m, millimetres) << "   " << degrees(cell.orientation_rad) << " "
+                << stated(cell.sigma_r_rad, degrees) << '\n';
+    }
+  }
+
+  const Reconstruction& calibration_;
+  bool json_;
+  nlohmann::ordered_json result_;
+};
+
+int run(const EvaluateOptions& options, bool has_radius, const Common& common) {
+  if (has_radius && options.fit.empty()) throw InvalidArgument("--true-radius: needs --fit cylinder or --fit sphere");
+  const auto calibration = openCalibration(options.input);
+  Evaluation evaluation(*calibration, common.json);
+  if (!options.fit.empty()) {
+    evaluation.fit(surfaceKindFromName(options.fit),
+                   has_radius ? std::optional(options.true_radius_m) : std::nullopt);
+  }
+  if (!options.loop.empty()) {
+    const std::vector<std::string> ends = split(options.loop, ',');
+    if (ends.size() != 2) throw InvalidArgument("--loop: expected CELL:PORT,CELL:PORT, found \"" + options.loop + "\"");
+    evaluation.loop(parseEnd(ends[0]), parseEnd(ends[1]));
+  }
+  if (!options.against.empty()) evaluation.against(openInput(options.against), options.against);
+  evaluation.findingsAndVerdict();
+  return kDone;
+}
+
+}  // namespace
+
+void addEvaluate(CLI::App& app, Common& common) {
+  const auto options = std::make_shared<EvaluateOptions>();
+  CLI::App* command = app.add_subcommand("evaluate", "Surface fits, loop closure, comparison with a truth or a calibration");
+  command->add_option("calibration", options->input, "Calibration (*.calibration.json, or TUM XML)")->required();
+  command->add_option("--fit", options->fit, "plane, sphere or cylinder through the cell centres");
+  CLI::Option* radius = command->add_option("--true-radius", options->true_radius_m, "Known radius in metres: gives eqs. (20), (21)");
+  command->add_option("--loop", options->loop, "Gap between two free ports: CELL:PORT,CELL:PORT");
+  command->add_option("--against", options->against, "Calibration, or session with truth, to compare with");
+  common.addTo(*command);
+  command->footer("Example:\n  hexoderm-cli evaluate arm.calibration.json --fit cylinder --true-radius 0.0501");
+  command->callback([options, radius, &common] { common.exit_code = run(*options, radius->count() > 0, common); });
+}
+
+}  // namespace hexoderm::cli

@@ -1,0 +1,58 @@
+#include "command.h"
+
+#include "hexoderm/util/error.h"
+
+#include <iostream>
+
+namespace {
+
+/// One line that says what is wrong, where and what was expected; the exit code says whose fault it is.
+int fail(const std::exception& error, int code) {
+  std::cerr << "hexoderm-cli: " << error.what() << '\n';
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace hexoderm;
+  cli::Common common;
+  CLI::App app("Finds where every cell of a robot's artificial skin is", "hexoderm-cli");
+  app.set_version_flag("--version", "hexoderm-cli " HEXODERM_VERSION);
+  app.require_subcommand(1);
+  app.footer(
+      "Exit codes: 0 done; 1 the verdict is not_enough or failed (the output is still written);\n"
+      "2 usage; 3 bad input; 4 device; 5 storage.\n\n"
+      "A first calibration, of a simulated skin:\n"
+      "  hexoderm-cli simulate --poses 3 -o arm.session.json\n"
+      "  hexoderm-cli solve arm.session.json -o arm.calibration.json\n"
+      "  hexoderm-cli export arm.calibration.json --to urdf -o arm.urdf");
+  cli::addSimulate(app, common);
+  cli::addSolve(app, common);
+  cli::addEvaluate(app, common);
+  cli::addExport(app, common);
+  cli::addConvert(app, common);
+  cli::addInspect(app, common);
+  cli::addReproduce(app, common);
+
+  try {
+    app.parse(argc, argv);
+    std::cout.flush();
+    if (!std::cout) throw StorageError("standard output: cannot be written");
+    return common.exit_code;
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? cli::kDone : cli::kUsage;
+  } catch (const cli::BadInput& error) {
+    return fail(error, cli::kBadInput);
+  } catch (const FormatError& error) {
+    return fail(error, cli::kStorage);  // what was written did not read back as meant
+  } catch (const InvalidArgument& error) {
+    return fail(error, cli::kUsage);
+  } catch (const DeviceError& error) {
+    return fail(error, cli::kDevice);
+  } catch (const StorageError& error) {
+    return fail(error, cli::kStorage);
+  } catch (const std::bad_alloc& error) {
+    return fail(error, cli::kStorage);
+  }
+}

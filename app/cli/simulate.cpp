@@ -1,0 +1,106 @@
+#include "command.h"
+
+#include "hexoderm/device/simulated_skin.h"
+#include "hexoderm/io/session_json.h"
+#include "hexoderm/session/simulated_session.h"
+#include "hexoderm/util/text.h"
+
+#include <array>
+#include <iostream>
+
+namespace hexoderm::cli {
+namespace {
+
+struct SimulateOptions {
+  SimulatedSkinOptions skin;
+  std::string cell_model = "hex-bma150";
+  std::string link_law = "bend";
+  std::size_t poses = 2;
+  std::size_t samples = 100;
+  double offset_sigma_mg = -1;
+  bool ideal = false;
+  std::vector<std::string> faults;
+  std::string output;
+};
+
+constexpr std::array<std::pair<std::string_view, SkinFault>, 6> kFaults = {{{"dead", SkinFault::Dead},
+                                                                           {"stuck", SkinFault::Stuck},
+                                                                           {"stuck-axis", SkinFault::StuckAxis},
+                                                                           {"saturated", SkinFault::Saturated},
+                                                                           {"noisy", SkinFault::Noisy},
+                                                                           {"no-samples", SkinFault::NoSamples}}};
+
+CellFault parseFault(const std::string& text) {
+  const std::vector<std::string> parts = split(text, ':');
+  std::string known;
+  for (const auto& [name, kind] : kFaults) {
+    if (parts.size() == 2 && parts[0] == name) return {kind, CellId(parseUnsigned(parts[1], "--fault"))};
+    known += (known.empty() ? "" : ", ") + std::string(name);
+  }
+  throw InvalidArgument("--fault: expected KIND:CELL with KIND one of " + known + ", found \"" + text + "\"");
+}
+
+int run(const SimulateOptions& options, const Common& common) {
+  if (!options.output.ends_with(".json")) {
+    throw InvalidArgument("-o: expected a name that ends in .session.json, found \"" + options.output + "\"");
+  }
+  CellModel model = asInput([&] { return loadCellModel(options.cell_model); });
+  if (options.offset_sigma_mg >= 0) model.accelerometer.offset_sigma_g = options.offset_sigma_mg / 1000;
+  SimulatedSkinOptions skin_options = options.ideal ? SimulatedSkinOptions::ideal() : SimulatedSkinOptions();
+  skin_options.patch = options.skin.patch;
+  skin_options.surface = options.skin.surface;
+  skin_options.seed = options.skin.seed;
+  skin_options.link_law = options.link_law == "surface" ? LinkLaw::Surface : LinkLaw::Bend;
+  for (const std::string& fault : options.faults) skin_options.faults.push_back(parseFault(fault));
+
+  common.progress("Laying the skin ...");
+  SimulatedSkin skin(std::move(model), skin_options);
+  common.progress("Taking poses ...");
+  const Session session = simulateSession(skin, options.poses, options.samples);
+  common.progress("Writing ...");
+  writeSessionJson(session, options.output);
+  common.endProgress();
+  if (common.json) {
+    printJson({{"file", options.output},
+               {"description", skin.description()},
+               {"cells", skin.truth().size()},
+               {"poses", session.poses().size()}});
+  } else {
+    std::cout << skin.description() << ": " << skin.truth().size() << " cells, " << session.poses().size()
+              << " poses, with truth. Written to " << options.output << '\n';
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void addSimulate(CLI::App& app, Common& common) {
+  const auto options = std::make_shared<SimulateOptions>();
+  CLI::App* command = app.add_subcommand("simulate", "Make a session of a simulated skin, with the truth beside it");
+  command->add_option("--patch", options->skin.patch, "x17, ring8 or sheet:ROWSxCOLS")->capture_default_str();
+  command->add_option("--surface", options->skin.surface,
+                      "plane, cylinder:r=M, sphere:r=M, cone:r=M,angle=RAD or torus:R=M,r=M "
+                      "(default: what suits the patch)");
+  command->add_option("--link-law", options->link_law, "How the mould lets neighbours lie: bend or surface")
+      ->check(CLI::IsMember({"bend", "surface"}))
+      ->capture_default_str();
+  command->add_option("--poses", options->poses, "Number of poses")->check(CLI::Range(0, 1000))->capture_default_str();
+  command->add_option("--samples", options->samples, "Samples averaged in a pose")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  command->add_option("--seed", options->skin.seed, "Seed of everything random")->capture_default_str();
+  command->add_option("--cell-model", options->cell_model, "Built-in name or JSON file")->capture_default_str();
+  command->add_option("--offset-sigma", options->offset_sigma_mg,
+                      "Accelerometer offsets, 1 sigma, in mg (default: the cell model's)")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--fault", options->faults,
+                      "KIND:CELL with KIND dead, stuck, stuck-axis, saturated, noisy or no-samples; may be repeated");
+  command->add_flag("--ideal", options->ideal, "No jitter, no sensor errors, no noise, no hand");
+  command->add_option("-o,--output", options->output, "Session to write (*.session.json)")->required();
+  common.addTo(*command);
+  command->footer("Example:\n  hexoderm-cli simulate --patch x17 --surface cylinder:r=0.0501 --poses 2 --seed 1 "
+                  "-o arm.session.json");
+  command->callback([options, &common] { common.exit_code = run(*options, common); });
+}
+
+}  // namespace hexoderm::cli

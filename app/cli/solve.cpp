@@ -1,0 +1,92 @@
+#include "command.h"
+
+#include "hexoderm/io/calibration_json.h"
+#include "hexoderm/reconstruction/evaluation.h"
+#include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/util/text.h"
+
+#include <iostream>
+
+namespace hexoderm::cli {
+namespace {
+
+struct SolveOptions {
+  std::string input;
+  std::string output;
+  std::string solver = "tree";
+  std::string centring = "auto";
+  std::string support_axes = "auto";
+  std::string weights = "paper";
+  double class_threshold = SolverOptions().class_threshold;
+};
+
+void printSummary(const Reconstruction& r, const Session& session) {
+  std::cout << sizeInWords(r) << ", " << session.poses().size() << " poses, solved in "
+            << formatFixed(r.solve_seconds * 1000, 1) << " ms (" << r.solver << ")\n";
+  for (const PatchReconstruction& patch : r.patches) {
+    std::cout << "Patch " << patch.id << ": " << patch.cells.size() << (patch.cells.size() == 1 ? " cell" : " cells")
+              << ", origin cell " << patch.origin << '\n';
+  }
+  if (session.truth()) {
+    for (const Comparison& comparison : compareToTruth(r, *session.truth())) {
+      std::cout << "Against the truth, patch " << comparison.patch << ": position "
+                << millimetres(comparison.position_rms_m, 3) << " rms, orientation "
+                << degrees(comparison.orientation_rms_rad, 3) << " rms (after alignment)\n";
+    }
+  }
+  printFindings(r.findings);
+  printVerdict(r.verdict);
+}
+
+int run(const SolveOptions& options, const Common& common) {
+  SolverOptions solver;
+  solver.solver = solverFromName(options.solver);
+  solver.centring = centringFromName(options.centring);
+  solver.support_axes = supportAxesFromName(options.support_axes);
+  solver.weights = linkWeightsFromName(options.weights);
+  solver.class_threshold = options.class_threshold;
+  solver.validate();
+
+  common.progress("Reading " + options.input + " ...");
+  const Session session = openSession(options.input);
+  common.progress("Solving ...");
+  const auto result = reconstruct(*session.snapshot(), solver);
+  if (!options.output.empty()) {
+    common.progress("Writing " + options.output + " ...");
+    writeCalibrationJson(*result, options.output);
+  }
+  common.endProgress();
+  if (common.json) {
+    std::cout << calibrationToJson(*result) << '\n';
+  } else {
+    printSummary(*result, session);
+    if (!options.output.empty()) std::cout << "Written to " << options.output << '\n';
+  }
+  return exitCodeOf(result->verdict);
+}
+
+}  // namespace
+
+void addSolve(CLI::App& app, Common& common) {
+  const auto options = std::make_shared<SolveOptions>();
+  CLI::App* command = app.add_subcommand("solve", "Find the placement of every cell of a session");
+  command->add_option("input", options->input, "Session (*.session.json)")->required();
+  command->add_option("-o,--output", options->output, "Calibration to write (*.calibration.json)");
+  command->add_option("--solver", options->solver, "tree: the paper's way, along shortest paths")
+      ->capture_default_str();
+  command->add_option("--centre", options->centring, "Subtract each cell's mean reading: auto, on or off")
+      ->capture_default_str();
+  command->add_option("--support-axes", options->support_axes, "Support weakly defined edges by the gap's axes: auto, on, off")
+      ->capture_default_str();
+  command->add_option("--weights", options->weights, "What makes a path short: paper (classes) or residual")
+      ->capture_default_str();
+  command->add_option("--class-threshold", options->class_threshold,
+                      "Singular value from which a direction counts as defined; 1 is the paper's")
+      ->capture_default_str();
+  common.addTo(*command);
+  command->footer("Example:\n  hexoderm-cli solve arm.session.json -o arm.calibration.json\n"
+                  "The paper's own method:\n  hexoderm-cli solve arm.session.json --solver tree --centre off");
+  command->callback([options, &common] { common.exit_code = run(*options, common); });
+}
+
+}  // namespace hexoderm::cli

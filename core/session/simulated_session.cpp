@@ -1,0 +1,24 @@
+#include "hexoderm/session/simulated_session.h"
+
+namespace hexoderm {
+
+Session beginSimulatedSession(const SimulatedSkin& skin) {
+  Session session(skin.model(), skin.neighbors(), {skin.description(), {}, {}});
+  GroundTruth truth;
+  truth.cells.reserve(skin.truth().size());
+  for (const TrueCell& cell : skin.truth()) truth.cells.push_back({cell.id, cell.T_b_u});
+  session.setTruth(std::move(truth));
+  return session;
+}
+
+Session simulateSession(SimulatedSkin& skin, std::size_t pose_count, std::size_t frame_count) {
+  Session session = beginSimulatedSession(skin);
+  for (const Eigen::Vector3d& up : scriptedUpDirections(pose_count)) {
+    const PoseId id = session.nextPoseId();
+    const std::string label = id.value() == 1 ? "standing" : id.value() == 2 ? "on its side" : "pose " + toString(id);
+    session.addPose({std::make_shared<const PoseCapture>(averageFrames(skin.record(up, frame_count), id, label)), false});
+  }
+  return session;
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,194 @@
+// The real program, run as a user would: what it prints, what it leaves, what it ends with.
+
+#include "hexoderm/io/calibration_json.h"
+#include "hexoderm/io/session_json.h"
+#include "hexoderm/util/file.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+
+namespace hexoderm {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+struct Run {
+  int exit_code = -1;
+  std::string out;
+  std::string err;
+};
+
+class Cli : public ::testing::Test {
+ protected:
+  Cli() : folder_(std::filesystem::temp_directory_path() / ("hexoderm-cli-test-" + std::to_string(::getpid()))) {
+    std::filesystem::create_directories(folder_);
+  }
+  ~Cli() override { std::filesystem::remove_all(folder_); }
+
+  [[nodiscard]] Run run(const std::string& arguments) const {
+    const std::string errors = path("stderr.txt");
+    const std::string command = "cd '" + folder_.string() + "' && '" HEXODERM_CLI "' " + arguments + " 2>" + errors;
+    Run result;
+    std::FILE* pipe = ::popen(command.c_str(), "r");
+    std::array<char, 4096> buffer{};
+    while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
+      result.out.append(buffer.data(), count);
+    }
+    result.exit_code = WEXITSTATUS(::pclose(pipe));
+    result.err = readFile(errors);
+    return result;
+  }
+  [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  [[nodiscard]] bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(Cli, WholeWayFromASimulatedSkinToAnExport) {
+  EXPECT_EQ(run("simulate --poses 3 --seed 4 -o arm.session.json").exit_code, 0);
+  const Run solve = run("solve arm.session.json -o arm.calibration.json");
+  EXPECT_EQ(solve.exit_code, 0) << solve.err;
+  EXPECT_THAT(solve.out, AllOf(HasSubstr("17 cells, 16 links, 1 patch"), HasSubstr("Against the truth")));
+  const Run evaluate = run("evaluate arm.calibration.json --fit cylinder --true-radius 0.0501 --against arm.session.json --json");
+  ASSERT_EQ(evaluate.exit_code, 0) << evaluate.err;
+  const auto json = nlohmann::json::parse(evaluate.out);
+  EXPECT_NEAR(json.at("fits").at(0).at("radius_mm").get<double>(), 50.1, 5);
+  EXPECT_LT(json.at("against").at(0).at("orientation_rms_deg").get<double>(), 10);
+  for (const std::string format : {"dot", "ply", "stl", "vtp", "urdf"}) {
+    EXPECT_EQ(run("export arm.calibration.json --to " + format + " -o arm." + format).exit_code, 0);
+    EXPECT_TRUE(exists("arm." + format));
+  }
+  EXPECT_EQ(run("export arm.calibration.json --to csv -o tables").exit_code, 0);
+  EXPECT_TRUE(exists("tables/cells.csv"));
+  EXPECT_THAT(run("inspect arm.session.json").out, AllOf(HasSubstr("Poses: 3"), HasSubstr("Next: ")));
+  EXPECT_THAT(run("inspect arm.calibration.json").out, HasSubstr("calibration"));
+}
+
+TEST_F(Cli, SameSeedSameFile) {
+  run("simulate --seed 7 -o a.session.json");
+  run("simulate --seed 7 -o b.session.json");
+  run("simulate --seed 8 -o c.session.json");
+  EXPECT_EQ(readFile(path("a.session.json")), readFile(path("b.session.json")));
+  EXPECT_NE(readFile(path("a.session.json")), readFile(path("c.session.json")));
+}
+
+TEST_F(Cli, AVerdictOfNotEnoughEndsWithOneAndStillWrites) {
+  run("simulate --poses 1 -o one.session.json");
+  EXPECT_EQ(run("solve one.session.json -o one.calibration.json").exit_code, 1);
+  EXPECT_EQ(readCalibrationJson(path("one.calibration.json"))->verdict.level, VerdictLevel::NotEnough);
+}
+
+TEST_F(Cli, UsageEndsWithTwo) {
+  EXPECT_EQ(run("").exit_code, 2);
+  EXPECT_EQ(run("frobnicate").exit_code, 2);
+  EXPECT_EQ(run("simulate").exit_code, 2);
+  EXPECT_EQ(run("simulate --patch circle -o a.session.json").exit_code, 2);
+  EXPECT_EQ(run("simulate -o a.xyz").exit_code, 2);
+  EXPECT_FALSE(exists("a.session.json"));
+  run("simulate -o arm.session.json");
+  const Run global = run("solve arm.session.json --solver global");
+  EXPECT_EQ(global.exit_code, 2);
+  EXPECT_THAT(global.err, HasSubstr("no global solver"));
+  EXPECT_EQ(run("solve arm.session.json --centre sometimes").exit_code, 2);
+}
+
+TEST_F(Cli, BadInputEndsWithThreeOneLineAndNothingWritten) {
+  writeFileAtomically(path("broken.session.json"), "{\"format\": \"hexoderm-session\", \"version\": 1, \"cells\": [");
+  writeFileAtomically(path("newer.session.json"), "{\"format\": \"hexoderm-session\", \"version\": 9}");
+  for (const std::string name : {"missing.session.json", "broken.session.json", "newer.session.json", "."}) {
+    const Run result = run("solve " + name + " -o out.calibration.json");
+    EXPECT_EQ(result.exit_code, 3) << name;
+    EXPECT_THAT(result.err, HasSubstr(name == "." ? "folder" : name));
+    EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
+    EXPECT_FALSE(exists("out.calibration.json"));
+  }
+  EXPECT_THAT(run("solve newer.session.json").err, AllOf(HasSubstr("version 9"), HasSubstr("version 1")));
+}
+
+TEST_F(Cli, StorageThatCannotBeWrittenEndsWithFive) {
+  run("simulate -o arm.session.json");
+  const Run result = run("solve arm.session.json -o nowhere/arm.calibration.json");
+  EXPECT_EQ(result.exit_code, 5);
+  EXPECT_THAT(result.err, HasSubstr("nowhere/arm.calibration.json"));
+}
+
+TEST_F(Cli, ASessionIsNoCalibrationAndSaysWhatToDo) {
+  run("simulate -o arm.session.json");
+  const Run result = run("export arm.session.json --to ply -o arm.ply");
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("solve"));
+  EXPECT_FALSE(exists("arm.ply"));
+}
+
+TEST_F(Cli, FaultsAreNamedByInspect) {
+  run("simulate --poses 4 --fault stuck:7 --fault dead:12 -o faulty.session.json");
+  const Run result = run("inspect faulty.session.json --json");
+  ASSERT_EQ(result.exit_code, 0);
+  const auto json = nlohmann::json::parse(result.out);
+  std::map<std::string, std::vector<int>> found;
+  for (const auto& finding : json.at("findings")) {
+    found[finding.at("code").get<std::string>()] = finding.at("cells").get<std::vector<int>>();
+  }
+  EXPECT_EQ(found["stuck-sensor"], std::vector<int>{7});
+  EXPECT_EQ(found["dead-sensor"], std::vector<int>{12});
+}
+
+TEST_F(Cli, LoopGapOfTheRingIsPrinted) {
+  run("simulate --patch ring8 --poses 2 -o ring.session.json");
+  run("solve ring.session.json -o ring.calibration.json");
+  const Run result = run("evaluate ring.calibration.json --loop 1:3,8:2");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, AllOf(HasSubstr("Loop gap"), HasSubstr("222.2")));
+}
+
+TEST_F(Cli, ConvertTakesTumFilesBothWays) {
+  const std::string tum = HEXODERM_TEST_DATA "/two_patches.tum.xml";
+  EXPECT_EQ(run("convert '" + tum + "' -o tum.calibration.json").exit_code, 0);
+  EXPECT_EQ(readCalibrationJson(path("tum.calibration.json"))->solver, "imported");
+  EXPECT_EQ(run("convert '" + tum + "' -o tum.session.json").exit_code, 0);
+  EXPECT_TRUE(readSessionJson(path("tum.session.json")).poses().empty());
+  EXPECT_EQ(run("convert '" + tum + "' -o tum.hexo").exit_code, 2);
+}
+
+TEST_F(Cli, ReproducePrintsThePapersFiguresBesideOurs) {
+  const Run result = run("reproduce --seeds 3");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, AllOf(HasSubstr("-0.30"), HasSubstr("1.62"), HasSubstr("10.46"), HasSubstr("4.71"),
+                                HasSubstr("20 mg"), HasSubstr("60 mg"), HasSubstr("100 mg")));
+  EXPECT_EQ(nlohmann::json::parse(run("reproduce --seeds 3 --json").out).at("rows").size(), 12);
+}
+
+TEST_F(Cli, EveryCommandHasHelpWithAnExampleThatWorks) {
+  // The examples build on one another in this order.
+  run("simulate --seed 1 -o arm.session.json");
+  run("solve arm.session.json -o arm.calibration.json");
+  std::filesystem::copy_file(HEXODERM_TEST_DATA "/two_patches.tum.xml", folder_ / "skin_config.xml");
+  for (const std::string command : {"simulate", "solve", "evaluate", "export", "convert", "inspect", "reproduce"}) {
+    const Run help = run(command + " --help");
+    EXPECT_EQ(help.exit_code, 0);
+    const std::size_t at = help.out.find("\n  hexoderm-cli " + command);
+    ASSERT_NE(at, std::string::npos) << command;
+    const std::size_t begin = at + std::string("\n  hexoderm-cli ").size();
+    std::string example = help.out.substr(begin, help.out.find('\n', begin) - begin);
+    if (command == "reproduce") example = "reproduce --seeds 2";  // the example itself takes a while
+    const Run result = run(example);
+    EXPECT_EQ(result.exit_code, 0) << example << '\n' << result.err;
+  }
+}
+
+TEST_F(Cli, QuietAndPipedRunsPrintNoProgress) {
+  const Run result = run("simulate --quiet -o arm.session.json");
+  EXPECT_EQ(result.err, "");
+  EXPECT_THAT(run("solve arm.session.json").err, Not(HasSubstr("\r")));
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,111 @@
+#include "hexoderm/geometry/procrustes.h"
+
+#include "hexoderm/geometry/se3.h"
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/units.h"
+
+#include <gtest/gtest.h>
+#include <Eigen/LU>
+#include <limits>
+#include <random>
+
+namespace hexoderm {
+namespace {
+
+Eigen::Matrix3Xd columns(std::initializer_list<Eigen::Vector3d> vectors) {
+  Eigen::Matrix3Xd matrix(3, static_cast<Eigen::Index>(vectors.size()));
+  Eigen::Index k = 0;
+  for (const Eigen::Vector3d& v : vectors) matrix.col(k++) = v;
+  return matrix;
+}
+
+const Eigen::Matrix3Xd kTwoPoses = columns({{0, 0, 1}, {1, 0, 0}});
+
+TEST(Procrustes, DirectionConventionIsFromNToC) {
+  // A quarter turn about z takes x to y. Its transpose takes x to -y: a transposed implementation fails here.
+  const Eigen::Matrix3Xd N = columns({{1, 0, 0}, {0, 0, 1}});
+  const Eigen::Matrix3Xd C = columns({{0, 1, 0}, {0, 0, 1}});
+  Eigen::Matrix3d R_c_n;
+  R_c_n << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  EXPECT_LT((solveProcrustes(N, C).R_c_n - R_c_n).norm(), 1e-15);
+}
+
+TEST(Procrustes, RecoversAnyRotationFromTwoOrthogonalVectorsWithoutNoise) {
+  for (const double angle : {0.0, 1e-8, 0.3, 1.5, 3.0, kPi}) {
+    const Eigen::Matrix3d R = expSO3(angle * Eigen::Vector3d(0.6, 0, 0.8));
+    EXPECT_LT((solveProcrustes(kTwoPoses, R * kTwoPoses).R_c_n - R).norm(), 1e-14) << angle;
+  }
+}
+
+TEST(Procrustes, SwappedSetsGiveTheTranspose) {
+  const Eigen::Matrix3Xd C = expSO3({0.2, 0.4, -1}) * kTwoPoses + 0.01 * Eigen::Matrix3Xd::Ones(3, 2);
+  const Eigen::Matrix3d forwards = solveProcrustes(kTwoPoses, C).R_c_n;
+  EXPECT_LT((solveProcrustes(C, kTwoPoses).R_c_n - forwards.transpose()).norm(), 1e-14);
+}
+
+TEST(Procrustes, SingularValuesOfTwoPosesDependOnTheirAngleAlone) {
+  for (const double angle : {0.4, 1.0, kPi / 2, 2.6}) {
+    const Eigen::Matrix3Xd N = columns({{1, 0, 0}, {std::cos(angle), std::sin(angle), 0}});
+    const Eigen::Vector3d s = solveProcrustes(N, expSO3({1, 2, 0.5}) * N).singular_values;
+    const double c = std::abs(std::cos(angle));
+    EXPECT_LT((s - Eigen::Vector3d(1 + c, 1 - c, 0)).norm(), 1e-14) << angle;
+  }
+}
+
+TEST(Procrustes, MinimisesTheResidualOfNoisyVectors) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  Eigen::Matrix3Xd N(3, 6);
+  Eigen::Matrix3Xd C(3, 6);
+  const Eigen::Matrix3d R = expSO3({0.5, -1, 0.2});
+  for (Eigen::Index p = 0; p < 6; ++p) {
+    N.col(p) = Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized();
+    C.col(p) = R * N.col(p) + 0.05 * Eigen::Vector3d(normal(random), normal(random), normal(random));
+  }
+  const Eigen::Matrix3d best = solveProcrustes(N, C).R_c_n;
+  EXPECT_LT(rotationAngle(best * R.transpose()), 0.1);
+  const double residual = (C - best * N).squaredNorm();
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double step : {-1e-3, 1e-3}) {
+      EXPECT_GT((C - best * expSO3(step * Eigen::Vector3d::Unit(axis)) * N).squaredNorm(), residual);
+    }
+  }
+}
+
+TEST(Procrustes, NeverReflects) {
+  // The best orthogonal matrix here is a mirror; the best rotation is asked for.
+  const Eigen::Matrix3Xd N = Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3Xd C = Eigen::Vector3d(1, 1, -1).asDiagonal();
+  const ProcrustesSolution solution = solveProcrustes(N, C);
+  EXPECT_NEAR(solution.R_c_n.determinant(), 1, 1e-14);
+  EXPECT_LT((solution.singular_values - Eigen::Vector3d::Ones()).norm(), 1e-14);
+}
+
+TEST(Procrustes, WithoutVectorsGivesTheIdentity) {
+  const ProcrustesSolution solution = solveProcrustes(Eigen::Matrix3Xd(3, 0), Eigen::Matrix3Xd(3, 0));
+  EXPECT_EQ(solution.R_c_n, Eigen::Matrix3d::Identity());
+  EXPECT_EQ(solution.singular_values, Eigen::Vector3d::Zero());
+}
+
+TEST(Procrustes, DegenerateVectorsStillGiveARotationThatFitsThem) {
+  const Eigen::Matrix3d R = expSO3({0.3, 0.4, 0.5});
+  for (const Eigen::Matrix3Xd& N : {columns({{0, 0, 1}}), columns({{0, 0, 1}, {0, 0, 1}}),
+                                    columns({{0, 0, 1}, {0, 0, -1}}), columns({{0, 0, 0}, {0, 0, 0}})}) {
+    const ProcrustesSolution solution = solveProcrustes(N, R * N);
+    ASSERT_TRUE(solution.R_c_n.allFinite());
+    EXPECT_NEAR(solution.R_c_n.determinant(), 1, 1e-14);
+    EXPECT_LT((solution.R_c_n * N - R * N).norm(), 1e-14);
+    EXPECT_LT(solution.singular_values.y(), 1e-14);
+  }
+}
+
+TEST(Procrustes, RefusesDifferentShapesAndValuesThatAreNotFinite) {
+  EXPECT_THROW(solveProcrustes(kTwoPoses, Eigen::Matrix3Xd::Zero(3, 3)), InvalidArgument);
+  Eigen::Matrix3Xd bad = kTwoPoses;
+  bad(1, 1) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(solveProcrustes(bad, kTwoPoses), InvalidArgument);
+  EXPECT_THROW(solveProcrustes(kTwoPoses, bad), InvalidArgument);
+}
+
+}  // namespace
+}  // namespace hexoderm

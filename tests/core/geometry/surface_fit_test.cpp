@@ -1,0 +1,230 @@
+#include "hexoderm/geometry/surface_fit.h"
+
+#include "hexoderm/geometry/se3.h"
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/units.h"
+
+#include <gtest/gtest.h>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace hexoderm {
+namespace {
+
+using Points = std::vector<Eigen::Vector3d>;
+
+const SE3 kSomewhere{expSO3({0.4, -1.1, 0.7}), {0.3, -0.2, 0.5}};
+
+Points moved(const SE3& T, const Points& points) {
+  Points result;
+  for (const Eigen::Vector3d& x : points) result.push_back(T * x);
+  return result;
+}
+
+Points scaled(double factor, const Points& points) {
+  Points result;
+  for (const Eigen::Vector3d& x : points) result.emplace_back(factor * x);
+  return result;
+}
+
+Points noisy(double sigma, const Points& points) {
+  std::mt19937 random(11);
+  std::normal_distribution<double> normal(0, sigma);
+  Points result = points;
+  for (Eigen::Vector3d& x : result) {
+    for (double& value : x) value += normal(random);
+  }
+  return result;
+}
+
+/// An X of 17 points on a cylinder about z, `span_rad` wide: a patch as the paper's.
+Points crossOnCylinder(double radius, double span_rad) {
+  Points points = {{radius, 0, 0}};
+  for (int k = 1; k <= 4; ++k) {
+    for (const double side : {-1.0, 1.0}) {
+      for (const double height : {-1.0, 1.0}) {
+        const double angle = side * span_rad / 2 * k / 4;
+        points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), height * 0.014 * k);
+      }
+    }
+  }
+  return points;
+}
+
+Points onSphere(double radius, double cap_rad) {
+  Points points;
+  for (int ring = 0; ring <= 3; ++ring) {
+    for (int k = 0; k < 6; ++k) {
+      const double a = cap_rad * ring / 3;
+      const double b = kPi / 3 * k + 0.2 * ring;
+      points.emplace_back(radius * std::sin(a) * std::cos(b), radius * std::sin(a) * std::sin(b), radius * std::cos(a));
+    }
+  }
+  return points;
+}
+
+Points onPlane() { return {{0, 0, 0}, {0.1, 0, 0}, {0, 0.2, 0}, {0.1, 0.15, 0}, {-0.1, 0.05, 0}, {0.03, -0.1, 0}}; }
+
+double angleBetweenAxes(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::asin(std::min(1.0, a.cross(b).norm()));
+}
+
+TEST(PlaneFit, IsExactWithoutNoise) {
+  const PlaneFit fit = fitPlane(moved(kSomewhere, onPlane()));
+  EXPECT_LT(angleBetweenAxes(fit.normal, kSomewhere.R.col(2)), 1e-14);
+  EXPECT_LT(rms(fit.distance_m), 1e-15);
+}
+
+TEST(PlaneFit, DistancesAreSignedAndMinimal) {
+  Points points = onPlane();
+  for (Eigen::Vector3d& x : points) x.z() = 0;
+  points.emplace_back(0.02, 0.05, 0.01);
+  const PlaneFit fit = fitPlane(points);
+  EXPECT_NEAR(fit.normal.norm(), 1, 1e-14);
+  double sum = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    EXPECT_NEAR(fit.distance_m[k], fit.normal.dot(points[k] - fit.point), 1e-15);
+    sum += fit.distance_m[k];
+  }
+  EXPECT_NEAR(sum, 0, 1e-15);
+  EXPECT_GT(fit.distance_m.back() * fit.normal.z(), 0);
+}
+
+TEST(PlaneFit, RefusesPointsOnALine) {
+  EXPECT_THROW(fitPlane(Points{{0, 0, 0}, {1, 1, 1}}), InvalidArgument);
+  EXPECT_THROW(fitPlane(moved(kSomewhere, Points{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {-3, -3, -3}})), InvalidArgument);
+  EXPECT_THROW(fitPlane(Points{{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}), InvalidArgument);
+}
+
+TEST(SphereFit, IsExactWithoutNoiseAlsoOnASmallCap) {
+  for (const double cap_rad : {0.3, 1.0, 2.5}) {
+    const SphereFit fit = fitSphere(moved(kSomewhere, onSphere(0.08, cap_rad)));
+    EXPECT_NEAR(fit.radius_m, 0.08, 1e-12) << cap_rad;
+    EXPECT_LT((fit.center - kSomewhere.t).norm(), 1e-12) << cap_rad;
+    EXPECT_LT(rms(fit.distance_m), 1e-13) << cap_rad;
+  }
+}
+
+TEST(SphereFit, IsGeometricNotAlgebraic) {
+  // At the minimum of the orthogonal distances their sum is zero (the radius' derivative).
+  const SphereFit fit = fitSphere(noisy(0.002, onSphere(0.08, 0.8)));
+  double sum = 0;
+  for (const double d : fit.distance_m) sum += d;
+  EXPECT_NEAR(sum, 0, 1e-10);
+  EXPECT_NEAR(fit.radius_m, 0.08, 0.01);
+}
+
+TEST(SphereFit, DistanceIsPositiveOutside) {
+  Points points = onSphere(0.08, 2.5);
+  points.emplace_back(0, 0, -0.09);
+  EXPECT_GT(fitSphere(points).distance_m.back(), 0);
+}
+
+TEST(SphereFit, RefusesPointsInAPlane) {
+  EXPECT_THROW(fitSphere(Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), InvalidArgument);
+  EXPECT_THROW(fitSphere(moved(kSomewhere, onPlane())), InvalidArgument);
+}
+
+class CylinderArc : public testing::TestWithParam<double> {};
+
+TEST_P(CylinderArc, IsExactWithoutNoise) {
+  const CylinderFit fit = fitCylinder(moved(kSomewhere, crossOnCylinder(0.0501, GetParam() * kDegree)));
+  EXPECT_NEAR(fit.radius_m, 0.0501, 1e-9);
+  EXPECT_LT(angleBetweenAxes(fit.axis, kSomewhere.R.col(2)), 1e-9);
+  const Eigen::Vector3d from_axis = kSomewhere.inverse() * fit.point;
+  EXPECT_LT(from_axis.head<2>().norm(), 1e-9);
+  EXPECT_LT(rms(fit.distance_m), 1e-10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Spans, CylinderArc, testing::Values(20, 60, 120, 220, 360));
+
+TEST(CylinderFit, PointIsTheFootOfTheCentroid) {
+  const Points points = moved(kSomewhere, crossOnCylinder(0.0501, 2));
+  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& x : points) centroid += x / static_cast<double>(points.size());
+  const CylinderFit fit = fitCylinder(points);
+  EXPECT_NEAR(fit.axis.dot(centroid - fit.point), 0, 1e-12);
+  EXPECT_NEAR(fit.axis.norm(), 1, 1e-14);
+}
+
+TEST(CylinderFit, IsAMinimumWithNoise) {
+  const Points points = noisy(0.0005, crossOnCylinder(0.0501, 120 * kDegree));
+  const CylinderFit fit = fitCylinder(points);
+  EXPECT_NEAR(fit.radius_m, 0.0501, 0.002);
+  EXPECT_LT(angleBetweenAxes(fit.axis, Eigen::Vector3d::UnitZ()), 2 * kDegree);
+  const auto cost = [&](const Eigen::Vector3d& point, const Eigen::Vector3d& axis, double radius) {
+    double sum = 0;
+    for (const Eigen::Vector3d& x : points) sum += std::pow(axis.normalized().cross(x - point).norm() - radius, 2);
+    return sum;
+  };
+  const double best = cost(fit.point, fit.axis, fit.radius_m);
+  EXPECT_NEAR(std::sqrt(best / static_cast<double>(points.size())), rms(fit.distance_m), 1e-12);
+  const double step = 1e-5;
+  EXPECT_GT(cost(fit.point, fit.axis, fit.radius_m + step), best);
+  EXPECT_GT(cost(fit.point, fit.axis, fit.radius_m - step), best);
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector3d across = fit.axis.cross(Eigen::Vector3d::Unit(k));
+    if (across.norm() < 0.5) continue;
+    EXPECT_GT(cost(fit.point + step * across, fit.axis, fit.radius_m), best);
+    EXPECT_GT(cost(fit.point, fit.axis + step * across, fit.radius_m), best);
+  }
+}
+
+TEST(CylinderFit, DoesNotDependOnUnitsPlaceOrOrder) {
+  const Points points = noisy(0.0005, crossOnCylinder(0.0501, 2));
+  const CylinderFit fit = fitCylinder(points);
+  Points reversed(points.rbegin(), points.rend());
+  EXPECT_NEAR(fitCylinder(reversed).radius_m, fit.radius_m, 1e-9);
+  EXPECT_NEAR(fitCylinder(moved(kSomewhere, points)).radius_m, fit.radius_m, 1e-9);
+  EXPECT_LT(angleBetweenAxes(fitCylinder(moved(kSomewhere, points)).axis, kSomewhere.R * fit.axis), 1e-7);
+  EXPECT_NEAR(fitCylinder(scaled(1e6, points)).radius_m / 1e6, fit.radius_m, 1e-9);
+  EXPECT_NEAR(fitCylinder(scaled(1e-6, points)).radius_m * 1e6, fit.radius_m, 1e-9);
+}
+
+TEST(CylinderFit, DistanceIsPositiveOutside) {
+  Points points = crossOnCylinder(0.05, 3);
+  points.emplace_back(0.055, 0, 0.01);
+  EXPECT_GT(fitCylinder(points).distance_m.back(), 0);
+}
+
+TEST(CylinderFit, FindsALongThinAndAShortWideCylinder) {
+  for (const double height : {0.004, 1.0}) {
+    Points points;
+    for (int k = 0; k < 24; ++k) {
+      points.emplace_back(0.05 * std::cos(0.26 * k), 0.05 * std::sin(0.26 * k), height * ((k * 7) % 5 - 2));
+    }
+    const CylinderFit fit = fitCylinder(moved(kSomewhere, points));
+    EXPECT_NEAR(fit.radius_m, 0.05, 1e-9) << height;
+    EXPECT_LT(angleBetweenAxes(fit.axis, kSomewhere.R.col(2)), 1e-8) << height;
+  }
+}
+
+TEST(CylinderFit, NearlyFlatPointsGiveFiniteNumbers) {
+  const CylinderFit fit = fitCylinder(noisy(1e-6, onPlane()));
+  EXPECT_TRUE(std::isfinite(fit.radius_m));
+  EXPECT_TRUE(fit.point.allFinite());
+  EXPECT_TRUE(fit.axis.allFinite());
+  EXPECT_LT(rms(fit.distance_m), 1e-5);
+}
+
+TEST(CylinderFit, RefusesTooFewPointsAndPointsInAPlane) {
+  EXPECT_THROW(fitCylinder(Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}), InvalidArgument);
+  EXPECT_THROW(fitCylinder(moved(kSomewhere, onPlane())), InvalidArgument);
+}
+
+TEST(SurfaceFits, RefusePointsThatAreNotFinite) {
+  Points points = crossOnCylinder(0.05, 2);
+  points[3].y() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(fitPlane(points), InvalidArgument);
+  EXPECT_THROW(fitSphere(points), InvalidArgument);
+  EXPECT_THROW(fitCylinder(points), InvalidArgument);
+}
+
+TEST(Rms, IsTheRootOfTheMeanSquare) {
+  EXPECT_EQ(rms(std::vector<double>{}), 0);
+  EXPECT_DOUBLE_EQ(rms(std::vector<double>{3, -4}), std::sqrt(12.5));
+}
+
+}  // namespace
+}  // namespace hexoderm

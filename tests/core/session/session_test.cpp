@@ -1,0 +1,65 @@
+#include "hexoderm/session/session.h"
+
+#include "hexoderm/session/simulated_session.h"
+#include "hexoderm/util/error.h"
+
+#include <gmock/gmock.h>
+
+namespace hexoderm {
+namespace {
+
+SessionPose pose(std::uint32_t id) {
+  return {std::make_shared<const PoseCapture>(PoseCapture{PoseId(id), "", {}}), false};
+}
+
+Session emptySession() { return {builtInCellModel("hex-bma150"), {{CellId(1), "", {}}}}; }
+
+TEST(Session, EveryChangeMakesANewRevisionAndOldSnapshotsStayAsTheyWere) {
+  Session session = emptySession();
+  session.addPose(pose(1));
+  const auto before = session.snapshot();
+  session.setPoseDisabled(0, true);
+  const auto after = session.snapshot();
+  EXPECT_LT(before->revision, after->revision);
+  EXPECT_FALSE(before->poses[0].disabled);
+  EXPECT_TRUE(after->poses[0].disabled);
+  EXPECT_EQ(before->poses[0].capture, after->poses[0].capture) << "captures are shared, not copied";
+}
+
+TEST(Session, PoseNumbersAreNeverUsedAgain) {
+  Session session = emptySession();
+  session.addPose(pose(session.nextPoseId().value()));
+  session.addPose(pose(session.nextPoseId().value()));
+  session.removePose(1);
+  EXPECT_EQ(session.nextPoseId(), PoseId(3));
+}
+
+TEST(Session, ARemovedPoseCanBePutBackWhereItWas) {
+  Session session = emptySession();
+  for (std::uint32_t id = 1; id <= 3; ++id) session.addPose(pose(id));
+  SessionPose removed = session.removePose(1);
+  session.addPose(std::move(removed), 1);
+  EXPECT_EQ(session.poses()[1].capture->id, PoseId(2));
+}
+
+TEST(Session, PlacesThatAreNotThereAreRefused) {
+  Session session = emptySession();
+  EXPECT_THROW(session.removePose(0), InvalidArgument);
+  EXPECT_THROW(session.setPoseDisabled(0, true), InvalidArgument);
+  EXPECT_THROW(session.addPose(pose(1), 1), InvalidArgument);
+  EXPECT_THROW(session.addPose({}), InvalidArgument);
+}
+
+TEST(SimulatedSession, HoldsSkinPosesAndTruth) {
+  SimulatedSkin skin(builtInCellModel("hex-bma150"), SimulatedSkinOptions());
+  const Session session = simulateSession(skin, 3);
+  EXPECT_EQ(session.poses().size(), 3);
+  EXPECT_EQ(session.poses()[0].capture->samples.size(), 17);
+  EXPECT_EQ(session.poses()[0].capture->samples[0].count, 100);
+  ASSERT_NE(session.truth(), nullptr);
+  EXPECT_EQ(session.truth()->cells.size(), 17);
+  EXPECT_THAT(session.source().text, ::testing::HasSubstr("imulated")) << "simulation is called simulation";
+}
+
+}  // namespace
+}  // namespace hexoderm

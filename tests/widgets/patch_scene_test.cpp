@@ -1,0 +1,366 @@
+#include "widgets/patch_scene.h"
+
+#include "support/demo_reconstruction.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <vtkCamera.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGReader.h>
+#include <vtkPNGWriter.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkWindowToImageFilter.h>
+#include <cstdlib>
+#include <filesystem>
+
+namespace hexoderm {
+namespace {
+
+constexpr int kWidth = 400;
+constexpr int kHeight = 300;
+// A pixel differs if a channel is off by more than this; edges move by a pixel between drivers, faces don't.
+constexpr int kChannelSlack = 32;
+constexpr double kMaxDifferingShare = 0.002;
+
+/// Colours of the tests' own, so that a new palette does not change the baselines.
+SceneColors testColors(bool dark) {
+  SceneColors colors;
+  colors.background_top = dark ? Rgb{0.08, 0.09, 0.11} : Rgb{0.93, 0.95, 0.96};
+  colors.background_bottom = dark ? Rgb{0.12, 0.14, 0.17} : Rgb{0.87, 0.90, 0.93};
+  colors.quality =
+      dark ? std::array<Rgb, 4>{{{0.59, 0.20, 0.19}, {0.70, 0.61, 0.17}, {0.37, 0.67, 0.69}, {0.34, 0.29, 0.64}}}
+           : std::array<Rgb, 4>{{{0.43, 0.04, 0.07}, {0.78, 0.37, 0.07}, {0.08, 0.54, 0.68}, {0.20, 0.10, 0.60}}};
+  colors.neutral = {0.5, 0.55, 0.6};
+  colors.scale = {{0.27, 0.0, 0.33}, {0.13, 0.57, 0.55}, {0.99, 0.91, 0.14}};
+  colors.edge = dark ? Rgb{0.08, 0.09, 0.11} : Rgb{0.11, 0.14, 0.17};
+  colors.selection = dark ? Rgb{1, 1, 1} : Rgb{0, 0, 0};
+  colors.light_mark = {1, 1, 1};
+  colors.dark_mark = {0.08, 0.09, 0.11};
+  colors.arrow_shaft = {0.6, 0.65, 0.7};
+  colors.arrow_head = {0.37, 0.7, 0.91};
+  return colors;
+}
+
+DemoOptions mixedQualities() {
+  DemoOptions options;
+  options.arm_quality = {EdgeQuality::Fully, EdgeQuality::Partially, EdgeQuality::Over, EdgeQuality::Undefined};
+  return options;
+}
+
+std::shared_ptr<const Reconstruction> shared(Reconstruction reconstruction) {
+  return std::make_shared<const Reconstruction>(std::move(reconstruction));
+}
+
+/// A scene in a window of its own that is never shown.
+class PatchSceneTest : public testing::Test {
+ protected:
+  PatchSceneTest() {
+    window->SetOffScreenRendering(1);
+    window->SetSize(kWidth, kHeight);
+    window->SetDPI(72);
+    scene.setTextVisible(false);
+    scene.setColors(testColors(true));
+    scene.attachTo(window);
+  }
+
+  vtkSmartPointer<vtkImageData> picture() {
+    window->Render();
+    vtkNew<vtkWindowToImageFilter> filter;
+    filter->SetInput(window);
+    filter->SetInputBufferTypeToRGB();
+    filter->ReadFrontBufferOff();
+    filter->Update();
+    return filter->GetOutput();
+  }
+
+  std::array<double, 3> cameraPosition() const {
+    std::array<double, 3> position{};
+    scene.renderer()->GetActiveCamera()->GetPosition(position.data());
+    return position;
+  }
+
+  /// Where the centre of a cell's front face is drawn.
+  std::array<double, 2> pixelOf(const Reconstruction& reconstruction, CellId id) {
+    const Eigen::Vector3d center = reconstruction.find(id).cell->T_o_u.t;
+    scene.renderer()->SetWorldPoint(center.x(), center.y(), center.z(), 1);
+    scene.renderer()->WorldToDisplay();
+    const double* display = scene.renderer()->GetDisplayPoint();
+    return {display[0], display[1]};
+  }
+
+  vtkNew<vtkRenderWindow> window;
+  PatchScene scene;
+};
+
+/// Share of the pixels that differ; 1 if the sizes do.
+double differingShare(vtkImageData* a, vtkImageData* b) {
+  const int* size = a->GetDimensions();
+  const int* other = b->GetDimensions();
+  if (size[0] != other[0] || size[1] != other[1]) return 1;
+  int differing = 0;
+  for (int y = 0; y < size[1]; ++y) {
+    for (int x = 0; x < size[0]; ++x) {
+      const auto* p = static_cast<const unsigned char*>(a->GetScalarPointer(x, y, 0));
+      const auto* q = static_cast<const unsigned char*>(b->GetScalarPointer(x, y, 0));
+      bool same = true;
+      for (int channel = 0; channel < 3; ++channel) same = same && std::abs(p[channel] - q[channel]) <= kChannelSlack;
+      if (!same) ++differing;
+    }
+  }
+  return static_cast<double>(differing) / (static_cast<double>(size[0]) * size[1]);
+}
+
+void writePng(vtkImageData* image, const std::string& path) {
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetFileName(path.c_str());
+  writer->SetInputData(image);
+  writer->Write();
+}
+
+/// Compares with tests/baselines/NAME.png. HEXODERM_UPDATE_BASELINES=1 writes it instead.
+double differenceToBaseline(vtkImageData* image, const std::string& name) {
+  const std::string path = std::string(HEXODERM_BASELINES) + "/" + name + ".png";
+  if (std::getenv("HEXODERM_UPDATE_BASELINES") != nullptr) writePng(image, path);
+  if (!std::filesystem::exists(path)) return 1;
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  const double share = differingShare(image, reader->GetOutput());
+  if (share > kMaxDifferingShare) writePng(image, name + "-actual.png");
+  return share;
+}
+
+TEST_F(PatchSceneTest, LooksLikeTheBaselineInTheDark) {
+  scene.setReconstruction(shared(demoReconstruction(mixedQualities())));
+  EXPECT_LE(differenceToBaseline(picture(), "patch_scene_dark"), kMaxDifferingShare);
+}
+
+TEST_F(PatchSceneTest, LooksLikeTheBaselineInTheLightWithAPickedCell) {
+  scene.setColors(testColors(false));
+  scene.setReconstruction(shared(demoReconstruction(mixedQualities())));
+  scene.setSelection(CellId(6), std::nullopt);
+  EXPECT_LE(differenceToBaseline(picture(), "patch_scene_light"), kMaxDifferingShare);
+}
+
+TEST_F(PatchSceneTest, LooksLikeTheBaselineColouredByDeviation) {
+  scene.setReconstruction(shared(demoReconstruction(mixedQualities())));
+  scene.setColoring(CellColoring::Deviation);
+  scene.showStandardView(PatchScene::View::Front);
+  EXPECT_LE(differenceToBaseline(picture(), "patch_scene_deviation"), kMaxDifferingShare);
+}
+
+/// The negative controls of the three tests above: small changes must be seen.
+TEST_F(PatchSceneTest, TheBaselineComparisonSeesOneMovedCell) {
+  const Reconstruction demo = demoReconstruction(mixedQualities());
+  scene.setReconstruction(shared(demo));
+  const auto before = picture();
+  Reconstruction moved = demo;
+  moved.patches[0].cells[1].T_o_u.t.z() += 0.004;
+  scene.setReconstruction(shared(moved));
+  EXPECT_GT(differingShare(before, picture()), 1.5 * kMaxDifferingShare);
+}
+
+TEST_F(PatchSceneTest, TheBaselineComparisonSeesOneChangedColour) {
+  const Reconstruction demo = demoReconstruction(mixedQualities());
+  scene.setReconstruction(shared(demo));
+  const auto before = picture();
+  Reconstruction changed = demo;
+  changed.patches[0].links[3].quality = EdgeQuality::Undefined;  // the last link of an arm that was fully defined
+  scene.setReconstruction(shared(changed));
+  EXPECT_GT(differingShare(before, picture()), 1.5 * kMaxDifferingShare);
+}
+
+TEST_F(PatchSceneTest, PicksTheCellUnderThePixel) {
+  const Reconstruction demo = demoReconstruction();
+  scene.setReconstruction(shared(demo));
+  scene.showStandardView(PatchScene::View::Front);
+  window->Render();
+  for (const std::uint32_t id : {1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U, 9U}) {
+    const auto [x, y] = pixelOf(demo, CellId(id));
+    EXPECT_EQ(scene.pick(x, y), CellId(id));
+  }
+  EXPECT_EQ(scene.pick(2, kHeight - 2), std::nullopt);
+}
+
+TEST_F(PatchSceneTest, PicksTheNearestCellWhereTwoOverlap) {
+  Reconstruction demo = demoReconstruction();
+  demo.patches[0].cells[1].T_o_u = demo.patches[0].cells[0].T_o_u;
+  demo.patches[0].cells[1].T_o_u.t.z() -= 0.02;  // cell 2 hides behind cell 1
+  scene.setReconstruction(shared(demo));
+  scene.showStandardView(PatchScene::View::Front);
+  window->Render();
+  const auto [x, y] = pixelOf(demo, CellId(1));
+  EXPECT_EQ(scene.pick(x, y), CellId(1));
+}
+
+TEST_F(PatchSceneTest, KeepsTheCameraWhileTheCellsAreTheSame) {
+  Reconstruction demo = demoReconstruction();
+  scene.setReconstruction(shared(demo));
+  window->Render();
+  scene.renderer()->GetActiveCamera()->Azimuth(30);
+  const auto turned = cameraPosition();
+  demo.patches[0].cells[1].T_o_u.t.z() += 0.05;
+  demo.patches[0].links[0].quality = EdgeQuality::Over;
+  scene.setReconstruction(shared(demo));
+  window->Render();
+  EXPECT_EQ(cameraPosition(), turned);
+}
+
+TEST_F(PatchSceneTest, FitsAgainWhenCellsComeOrGo) {
+  DemoOptions options;
+  scene.setReconstruction(shared(demoReconstruction(options)));
+  window->Render();
+  const auto before = cameraPosition();
+  options.arm_cells = 2;
+  scene.setReconstruction(shared(demoReconstruction(options)));
+  window->Render();
+  EXPECT_NE(cameraPosition(), before);
+}
+
+TEST_F(PatchSceneTest, FitsAgainInAResizedWindowUntilTheCameraIsMoved) {
+  scene.setReconstruction(shared(demoReconstruction()));
+  window->Render();
+  const auto wide = cameraPosition();
+  window->SetSize(kWidth / 3, kHeight);
+  window->Render();
+  const auto narrow = cameraPosition();
+  EXPECT_NE(narrow, wide);
+  scene.renderer()->GetActiveCamera()->Azimuth(10);
+  const auto moved = cameraPosition();
+  window->SetSize(kWidth, kHeight);
+  window->Render();
+  EXPECT_EQ(cameraPosition(), moved);
+}
+
+TEST_F(PatchSceneTest, FitShowsEveryCellFromEverySide) {
+  const Reconstruction demo = demoReconstruction();
+  scene.setReconstruction(shared(demo));
+  for (const auto view :
+       {PatchScene::View::Oblique, PatchScene::View::Front, PatchScene::View::Side, PatchScene::View::Top}) {
+    scene.showStandardView(view);
+    window->Render();
+    for (const CellPlacement& cell : demo.patches[0].cells) {
+      const auto [x, y] = pixelOf(demo, cell.cell);
+      EXPECT_THAT(x, testing::AllOf(testing::Gt(0), testing::Lt(kWidth))) << "cell " << cell.cell;
+      EXPECT_THAT(y, testing::AllOf(testing::Gt(0), testing::Lt(kHeight))) << "cell " << cell.cell;
+    }
+  }
+}
+
+TEST_F(PatchSceneTest, EmptySkinShowsTheBackgroundOnly) {
+  scene.setReconstruction(shared(demoReconstruction()));
+  window->Render();
+  scene.setReconstruction(nullptr);
+  const auto empty = picture();
+  scene.setReconstruction(shared(demoReconstruction(std::vector<PatchReconstruction>{})));
+  EXPECT_EQ(differingShare(empty, picture()), 0);
+  const auto* first = static_cast<const unsigned char*>(empty->GetScalarPointer(0, kHeight / 2, 0));
+  const auto* middle = static_cast<const unsigned char*>(empty->GetScalarPointer(kWidth / 2, kHeight / 2, 0));
+  EXPECT_NEAR(first[1], middle[1], 2);
+  EXPECT_FALSE(scene.showsGravity());
+  EXPECT_EQ(scene.pick(kWidth / 2, kHeight / 2), std::nullopt);
+}
+
+TEST_F(PatchSceneTest, SingleCellFillsTheMiddleAndCanBePicked) {
+  DemoOptions options;
+  options.arm_cells = 0;
+  scene.setReconstruction(shared(demoReconstruction(options)));
+  window->Render();
+  EXPECT_EQ(scene.pick(kWidth / 2, kHeight / 2), CellId(1));
+}
+
+TEST_F(PatchSceneTest, TenThousandCellsAreDrawnAndPicked) {
+  const Reconstruction sheet = sheetReconstruction(100, 100);
+  scene.setReconstruction(shared(sheet));
+  scene.showStandardView(PatchScene::View::Front);
+  window->Render();
+  const auto [x, y] = pixelOf(sheet, CellId(5050));
+  EXPECT_EQ(scene.pick(x, y), CellId(5050));
+}
+
+TEST_F(PatchSceneTest, PatchesStandSideBySide) {
+  const CellModel model = builtInCellModel("hex-bma150");
+  DemoOptions second;
+  second.first_id = 101;
+  const Reconstruction two = demoReconstruction({demoPatch(model), demoPatch(model, second)});
+  scene.setReconstruction(shared(two));
+  scene.showStandardView(PatchScene::View::Front);
+  window->Render();
+  std::optional<CellId> left;
+  std::optional<CellId> right;
+  for (int x = 0; x < kWidth; ++x) {
+    const auto cell = scene.pick(x, kHeight / 2);
+    if (!cell) continue;
+    if (!left) left = cell;
+    right = cell;
+  }
+  ASSERT_TRUE(left && right);
+  EXPECT_LT(left->value(), 100U);
+  EXPECT_GT(right->value(), 100U);
+}
+
+TEST_F(PatchSceneTest, SelectionIsOutlinedAndTakenBack) {
+  scene.setReconstruction(shared(demoReconstruction()));
+  const auto plain = picture();
+  scene.setSelection(CellId(3), std::nullopt);
+  EXPECT_GT(differingShare(plain, picture()), 0.001);
+  scene.setSelection(std::nullopt, std::pair(LinkEnd{CellId(1), PortNumber(1)}, LinkEnd{CellId(2), PortNumber(4)}));
+  EXPECT_GT(differingShare(plain, picture()), 0.0005);
+  scene.setSelection(CellId(999), std::nullopt);  // of another skin
+  EXPECT_EQ(differingShare(plain, picture()), 0);
+  scene.setSelection(std::nullopt, std::nullopt);
+  EXPECT_EQ(differingShare(plain, picture()), 0);
+}
+
+TEST_F(PatchSceneTest, GravityArrowFollowsThePose) {
+  const Reconstruction demo = demoReconstruction();
+  scene.setReconstruction(shared(demo));
+  const auto last = picture();
+  EXPECT_TRUE(scene.showsGravity());
+  scene.setPose(PoseId(2));
+  EXPECT_EQ(differingShare(last, picture()), 0);  // the last pose is what is shown by default
+  scene.setPose(PoseId(1));
+  EXPECT_GT(differingShare(last, picture()), 0.0005);
+  scene.setPose(PoseId(77));
+  EXPECT_FALSE(scene.showsGravity());
+}
+
+TEST_F(PatchSceneTest, NumbersAppearOnFacesThatLookAtTheCameraOnly) {
+  DemoOptions options;
+  options.arm_cells = 0;
+  Reconstruction single = demoReconstruction(options);
+  single.patches[0].gravity.clear();
+  scene.setReconstruction(shared(single));
+  scene.showStandardView(PatchScene::View::Front);
+  const auto without = picture();
+  scene.setTextVisible(true);
+  const auto with = picture();
+  int changed = 0;
+  for (int y = kHeight / 2 - 20; y < kHeight / 2 + 20; ++y) {
+    for (int x = kWidth / 2 - 20; x < kWidth / 2 + 20; ++x) {
+      const auto* p = static_cast<const unsigned char*>(without->GetScalarPointer(x, y, 0));
+      const auto* q = static_cast<const unsigned char*>(with->GetScalarPointer(x, y, 0));
+      if (std::abs(p[0] - q[0]) > kChannelSlack) ++changed;
+    }
+  }
+  EXPECT_GT(changed, 10);
+
+  // From behind there is nothing to read.
+  single.patches[0].cells[0].T_o_u.R = expSO3(kPi * Eigen::Vector3d::UnitY());
+  scene.setReconstruction(shared(single));
+  const auto behind = picture();
+  scene.setTextVisible(false);
+  const auto behind_without = picture();
+  for (int y = kHeight / 2 - 20; y < kHeight / 2 + 20; ++y) {
+    for (int x = kWidth / 2 - 20; x < kWidth / 2 + 20; ++x) {
+      const auto* p = static_cast<const unsigned char*>(behind->GetScalarPointer(x, y, 0));
+      const auto* q = static_cast<const unsigned char*>(behind_without->GetScalarPointer(x, y, 0));
+      ASSERT_EQ(p[0], q[0]);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hexoderm

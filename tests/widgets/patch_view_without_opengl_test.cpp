@@ -1,0 +1,36 @@
+#include "support/demo_reconstruction.h"
+#include "widgets/patch_view.h"
+#include "widgets/scene_overlay.h"
+#include "widgets/selection.h"
+
+#include <gtest/gtest.h>
+#include <QGuiApplication>
+#include <QOpenGLContext>
+
+namespace hexoderm {
+namespace {
+
+TEST(PatchViewWithoutOpenGl, SaysSoAndStaysUsable) {
+  ASSERT_EQ(QGuiApplication::platformName(), "minimal") << "run by CTest, which sets QT_QPA_PLATFORM";
+  ASSERT_FALSE(QOpenGLContext().create());
+  Selection selection;
+  PatchView view(&selection);
+  view.resize(500, 300);
+  view.show();
+  auto* overlay = view.findChild<SceneOverlay*>();
+  ASSERT_NE(overlay, nullptr);
+  EXPECT_TRUE(overlay->accessibleName().contains("OpenGL"));
+
+  view.setReconstruction(std::make_shared<const Reconstruction>(demoReconstruction()));
+  view.setTheme(Theme::Dark);
+  view.setPose(PoseId(1));
+  view.fit();
+  view.showStandardView(PatchView::StandardView::Front);
+  selection.selectCell(CellId(2));
+  EXPECT_TRUE(overlay->accessibleName().contains("OpenGL"));
+  EXPECT_EQ(view.screenshot().size(), view.size());
+  EXPECT_EQ(selection.cell(), CellId(2));
+}
+
+}  // namespace
+}  // namespace hexoderm

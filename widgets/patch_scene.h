@@ -1,0 +1,70 @@
+#pragma once
+
+#include "hexoderm/reconstruction/reconstruction.h"
+#include "widgets/scene_colors.h"
+
+#include <memory>
+#include <optional>
+#include <utility>
+
+class vtkRenderer;
+class vtkRenderWindow;
+
+namespace hexoderm {
+
+/// The patch in 3D without Qt: prisms, ports, IDs, origin, axes and the direction of gravity, drawn with VTK into
+/// whatever render window it is attached to. Nothing is drawn until the window renders; every setter is cheap enough to
+/// be called for each new result.
+///
+/// Up to kMaxPrismCells cells are prisms with ports, up to kMaxLabelledCells carry their ID; a larger skin is drawn as
+/// its front faces only.
+class PatchScene {
+ public:
+  static constexpr std::size_t kMaxPrismCells = 2000;
+  static constexpr std::size_t kMaxMarkedCells = 500;
+  static constexpr std::size_t kMaxLabelledCells = 200;
+
+  /// Where the camera looks from, in the patch frame: Front from +z (out of the origin cell's skin), Side from +x, Top
+  /// from +y.
+  enum class View { Oblique, Front, Side, Top };
+
+  PatchScene();
+  ~PatchScene();
+  PatchScene(const PatchScene&) = delete;
+  PatchScene& operator=(const PatchScene&) = delete;
+
+  /// Adds the scene's renderers to the window; once. The scene must outlive the window's last rendering.
+  void attachTo(vtkRenderWindow* window);
+
+  /// Null empties the scene. The camera moves only when the set of cells has changed.
+  void setReconstruction(std::shared_ptr<const Reconstruction> reconstruction);
+  void setColors(const SceneColors& colors);
+  void setColoring(CellColoring coloring);
+  /// An outline about the cell, a line along the link. What is not in the reconstruction is not shown.
+  void setSelection(std::optional<CellId> cell, std::optional<std::pair<LinkEnd, LinkEnd>> link);
+  /// Whose gravity the arrow shows; none: the last pose of the patch.
+  void setPose(std::optional<PoseId> pose);
+  /// IDs and the letters of the axes; pictures that are compared go without.
+  void setTextVisible(bool visible);
+
+  /// Smooths edges after drawing (FXAA); on by default. It doubles the time of a picture in software OpenGL, so whoever
+  /// turns the camera with the mouse switches it off meanwhile.
+  void setSmoothed(bool smoothed);
+
+  /// Moves the camera along its direction until everything fits into the window.
+  void fit();
+  void showStandardView(View view);
+
+  /// The cell at a pixel of the window (origin lower left); none beside the skin.
+  [[nodiscard]] std::optional<CellId> pick(double x, double y);
+  /// Whether the arrow is there: not without a pose.
+  [[nodiscard]] bool showsGravity() const;
+
+  [[nodiscard]] vtkRenderer* renderer() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace hexoderm

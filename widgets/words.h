@@ -1,0 +1,37 @@
+#pragma once
+
+#include "hexoderm/reconstruction/reconstruction.h"
+
+#include <QString>
+#include <optional>
+
+namespace hexoderm {
+
+// How figures and things are written in tables and tooltips: degrees and millimetres, in the user's locale, an en dash
+// for what is not known.
+
+QString noValue();
+QString degreesInWords(std::optional<double> angle_rad);
+QString wholeDegreesInWords(double angle_rad);
+/// "5:2 – 9:3", cell and port of both ends, as on the command line.
+QString shortLinkName(const LinkEstimate& link);
+/// "Link 5 · port 2 — 9 · port 3".
+QString longLinkName(const LinkEstimate& link);
+/// Why a link is muted, one sentence; empty if it is not.
+QString mutedBecause(const LinkEstimate& link);
+/// True if the link was measured or solved, so that its angles mean something.
+bool hasFigures(const LinkEstimate& link);
+/// The residual and the predicted deviation, absent where none was computed (imported files, unmeasured links).
+std::optional<double> knownResidual(const LinkEstimate& link);
+std::optional<double> knownSigma(const LinkEstimate& link);
+
+QString severityWord(Severity severity);
+/// "cells 5, 9; pose 3"; an en dash if the finding is about the whole skin.
+QString placeInWords(const Finding& finding);
+
+/// Several lines for a tooltip (rich text).
+QString linkToolTip(const LinkEstimate& link);
+QString findingToolTip(const Finding& finding);
+QString cellToolTip(const Reconstruction& reconstruction, CellId cell);
+
+}  // namespace hexoderm
