@@ -3,6 +3,7 @@
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/reconstruction/reconstruction.h"
 #include "hexoderm/session/session.h"
+#include "hexoderm/util/error.h"
 
 #include <CLI/CLI.hpp>
 

@@ -136,7 +136,7 @@ class TreeReconstructor {
           if (gravity_[link.source][pose].isZero() || gravity_[link.target][pose].isZero()) continue;
           residuals[pose] = edge.pose_residual_rad[k++];
         }
-      } else {
+      } else if (readings.n_g.cols() > 0) {
         markAsGuessed(edge, link);
       }
       edges_.push_back(std::move(edge));
@@ -150,13 +150,18 @@ class TreeReconstructor {
     edge.singular_values.setZero();
     edge.residual_rad = 0;
     edge.expected_residual_rad = 0;
-    const Eigen::Vector3d u = sourcePort(link).vector_m.normalized();
+    edge.prior_part.setZero();  // it is the blind cell that may lie otherwise, not what comes after it
+    edge.covariance = elastomerPrior(sourcePort(link));
+  }
+
+  /// How far a link may bend, twist and yaw, as a covariance in the frame of the cell that the port belongs to.
+  [[nodiscard]] Eigen::Matrix3d elastomerPrior(const Port& port) const {
+    const Eigen::Vector3d u = port.vector_m.normalized();
     const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
     Eigen::Matrix3d axes;
     axes << u, z.cross(u), z;
     const Eigen::Vector3d prior(model_.twist_sigma_rad, model_.bend_sigma_rad, model_.yaw_sigma_rad);
-    edge.prior_part = axes * prior.cwiseAbs2().asDiagonal() * axes.transpose();
-    edge.covariance = edge.prior_part;
+    return axes * prior.cwiseAbs2().asDiagonal() * axes.transpose();
   }
 
   [[nodiscard]] static double worstSigma(const Eigen::Matrix3d& covariance) {
@@ -203,7 +208,20 @@ class TreeReconstructor {
     return std::max(kLeast, toDegrees(std::hypot(worstSigma(edge.covariance), edge.residual_rad)));
   }
 
-  [[nodiscard]] Eigen::Matrix3d attitudeCovariance(std::size_t cell, const EdgeRotation* edge) const {
+  /// `link_index`: the link that the cell is placed by; of the origin, one of its own; kNoIndex if it has none.
+  [[nodiscard]] Eigen::Matrix3d attitudeCovariance(std::size_t cell, std::size_t link_index) const {
+    const bool interpolated = !measured_[cell] && std::ranges::any_of(gravity_[cell], [](const Eigen::Vector3d& g) {
+      return !g.isZero();
+    });
+    if (interpolated && link_index != kNoIndex) {
+      const GraphLink& link = graph_.links()[link_index];
+      const auto sides = std::ranges::count_if(graph_.linksAt(cell), [&](std::size_t k) {
+        return !graph_.links()[k].muted() && measured_[graph_.links()[k].other(cell)];
+      });
+      // Half way between two neighbours, half of each link's bend is what may be wrong.
+      return elastomerPrior(link.source == cell ? sourcePort(link) : targetPort(link)) / (sides >= 2 ? 2 : 1);
+    }
+    const EdgeRotation* edge = link_index == kNoIndex ? nullptr : &edges_[link_index];
     const std::vector<std::size_t> poses = table_.usablePoses(cell);
     Eigen::Matrix3Xd g(3, static_cast<Eigen::Index>(poses.size()));
     std::vector<double> variance;
@@ -221,15 +239,14 @@ class TreeReconstructor {
     const ShortestPaths paths = findShortestPaths(graph_, weights_, origin);
 
     std::vector<Eigen::Matrix3d> attitude(graph_.cells().size(), Eigen::Matrix3d::Zero());
-    const EdgeRotation* first_edge = nullptr;
+    std::size_t first_link = kNoIndex;
     for (const std::size_t cell : paths.order) {
       if (cell == origin) continue;
-      const EdgeRotation& edge = edges_[paths.link[cell]];
-      if (first_edge == nullptr) first_edge = &edge;
+      if (first_link == kNoIndex) first_link = paths.link[cell];
       in_tree_[paths.link[cell]] = true;
-      attitude[cell] = attitudeCovariance(cell, &edge);
+      attitude[cell] = attitudeCovariance(cell, paths.link[cell]);
     }
-    attitude[origin] = attitudeCovariance(origin, first_edge);
+    attitude[origin] = attitudeCovariance(origin, first_link);
     const std::vector<TreePlacement> placements = placeAlongTree(graph_, model_, paths, edges_, attitude);
 
     PatchReconstruction result;

@@ -27,11 +27,16 @@ struct Spread {
   double orientation_95_rad = 0;
 };
 
+/// Of the cells that were measured; cells placed through their links are named by findings of their own. Where none was
+/// measured, of all.
 Spread worstSpread(const Reconstruction& r) {
+  const auto measured = [](const CellPlacement& cell) { return cell.placed_by == PlacedBy::Samples; };
+  const bool any_measured = std::ranges::any_of(
+      r.patches, [&](const PatchReconstruction& patch) { return std::ranges::any_of(patch.cells, measured); });
   Spread worst;
   for (const PatchReconstruction& patch : r.patches) {
     for (const CellPlacement& cell : patch.cells) {
-      if (!cell.cov_t_r) continue;
+      if (!cell.cov_t_r || (any_measured && !measured(cell))) continue;
       worst.position_95_m =
           std::max(worst.position_95_m, kSigmasFor95Percent * worstAxis(cell.cov_t_r->topLeftCorner<3, 3>()));
       worst.orientation_95_rad =

@@ -8,9 +8,12 @@
 #include <nlohmann/json.hpp>
 
 #include <sys/wait.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
+#include <map>
 #include <filesystem>
 
 namespace hexoderm {
@@ -20,7 +23,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-struct Run {
+struct Outcome {
   int exit_code = -1;
   std::string out;
   std::string err;
@@ -33,10 +36,10 @@ class Cli : public ::testing::Test {
   }
   ~Cli() override { std::filesystem::remove_all(folder_); }
 
-  [[nodiscard]] Run run(const std::string& arguments) const {
+  Outcome run(const std::string& arguments) const {
     const std::string errors = path("stderr.txt");
     const std::string command = "cd '" + folder_.string() + "' && '" HEXODERM_CLI "' " + arguments + " 2>" + errors;
-    Run result;
+    Outcome result;
     std::FILE* pipe = ::popen(command.c_str(), "r");
     std::array<char, 4096> buffer{};
     while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
@@ -54,10 +57,10 @@ class Cli : public ::testing::Test {
 
 TEST_F(Cli, WholeWayFromASimulatedSkinToAnExport) {
   EXPECT_EQ(run("simulate --poses 3 --seed 4 -o arm.session.json").exit_code, 0);
-  const Run solve = run("solve arm.session.json -o arm.calibration.json");
+  const Outcome solve = run("solve arm.session.json -o arm.calibration.json");
   EXPECT_EQ(solve.exit_code, 0) << solve.err;
   EXPECT_THAT(solve.out, AllOf(HasSubstr("17 cells, 16 links, 1 patch"), HasSubstr("Against the truth")));
-  const Run evaluate = run("evaluate arm.calibration.json --fit cylinder --true-radius 0.0501 --against arm.session.json --json");
+  const Outcome evaluate = run("evaluate arm.calibration.json --fit cylinder --true-radius 0.0501 --against arm.session.json --json");
   ASSERT_EQ(evaluate.exit_code, 0) << evaluate.err;
   const auto json = nlohmann::json::parse(evaluate.out);
   EXPECT_NEAR(json.at("fits").at(0).at("radius_mm").get<double>(), 50.1, 5);
@@ -94,7 +97,7 @@ TEST_F(Cli, UsageEndsWithTwo) {
   EXPECT_EQ(run("simulate -o a.xyz").exit_code, 2);
   EXPECT_FALSE(exists("a.session.json"));
   run("simulate -o arm.session.json");
-  const Run global = run("solve arm.session.json --solver global");
+  const Outcome global = run("solve arm.session.json --solver global");
   EXPECT_EQ(global.exit_code, 2);
   EXPECT_THAT(global.err, HasSubstr("no global solver"));
   EXPECT_EQ(run("solve arm.session.json --centre sometimes").exit_code, 2);
@@ -104,7 +107,7 @@ TEST_F(Cli, BadInputEndsWithThreeOneLineAndNothingWritten) {
   writeFileAtomically(path("broken.session.json"), "{\"format\": \"hexoderm-session\", \"version\": 1, \"cells\": [");
   writeFileAtomically(path("newer.session.json"), "{\"format\": \"hexoderm-session\", \"version\": 9}");
   for (const std::string name : {"missing.session.json", "broken.session.json", "newer.session.json", "."}) {
-    const Run result = run("solve " + name + " -o out.calibration.json");
+    const Outcome result = run("solve " + name + " -o out.calibration.json");
     EXPECT_EQ(result.exit_code, 3) << name;
     EXPECT_THAT(result.err, HasSubstr(name == "." ? "folder" : name));
     EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
@@ -115,14 +118,14 @@ TEST_F(Cli, BadInputEndsWithThreeOneLineAndNothingWritten) {
 
 TEST_F(Cli, StorageThatCannotBeWrittenEndsWithFive) {
   run("simulate -o arm.session.json");
-  const Run result = run("solve arm.session.json -o nowhere/arm.calibration.json");
+  const Outcome result = run("solve arm.session.json -o nowhere/arm.calibration.json");
   EXPECT_EQ(result.exit_code, 5);
   EXPECT_THAT(result.err, HasSubstr("nowhere/arm.calibration.json"));
 }
 
 TEST_F(Cli, ASessionIsNoCalibrationAndSaysWhatToDo) {
   run("simulate -o arm.session.json");
-  const Run result = run("export arm.session.json --to ply -o arm.ply");
+  const Outcome result = run("export arm.session.json --to ply -o arm.ply");
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_THAT(result.err, HasSubstr("solve"));
   EXPECT_FALSE(exists("arm.ply"));
@@ -130,7 +133,7 @@ TEST_F(Cli, ASessionIsNoCalibrationAndSaysWhatToDo) {
 
 TEST_F(Cli, FaultsAreNamedByInspect) {
   run("simulate --poses 4 --fault stuck:7 --fault dead:12 -o faulty.session.json");
-  const Run result = run("inspect faulty.session.json --json");
+  const Outcome result = run("inspect faulty.session.json --json");
   ASSERT_EQ(result.exit_code, 0);
   const auto json = nlohmann::json::parse(result.out);
   std::map<std::string, std::vector<int>> found;
@@ -144,7 +147,7 @@ TEST_F(Cli, FaultsAreNamedByInspect) {
 TEST_F(Cli, LoopGapOfTheRingIsPrinted) {
   run("simulate --patch ring8 --poses 2 -o ring.session.json");
   run("solve ring.session.json -o ring.calibration.json");
-  const Run result = run("evaluate ring.calibration.json --loop 1:3,8:2");
+  const Outcome result = run("evaluate ring.calibration.json --loop 1:3,8:2");
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, AllOf(HasSubstr("Loop gap"), HasSubstr("222.2")));
 }
@@ -159,7 +162,7 @@ TEST_F(Cli, ConvertTakesTumFilesBothWays) {
 }
 
 TEST_F(Cli, ReproducePrintsThePapersFiguresBesideOurs) {
-  const Run result = run("reproduce --seeds 3");
+  const Outcome result = run("reproduce --seeds 3");
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, AllOf(HasSubstr("-0.30"), HasSubstr("1.62"), HasSubstr("10.46"), HasSubstr("4.71"),
                                 HasSubstr("20 mg"), HasSubstr("60 mg"), HasSubstr("100 mg")));
@@ -172,20 +175,20 @@ TEST_F(Cli, EveryCommandHasHelpWithAnExampleThatWorks) {
   run("solve arm.session.json -o arm.calibration.json");
   std::filesystem::copy_file(HEXODERM_TEST_DATA "/two_patches.tum.xml", folder_ / "skin_config.xml");
   for (const std::string command : {"simulate", "solve", "evaluate", "export", "convert", "inspect", "reproduce"}) {
-    const Run help = run(command + " --help");
+    const Outcome help = run(command + " --help");
     EXPECT_EQ(help.exit_code, 0);
     const std::size_t at = help.out.find("\n  hexoderm-cli " + command);
     ASSERT_NE(at, std::string::npos) << command;
     const std::size_t begin = at + std::string("\n  hexoderm-cli ").size();
     std::string example = help.out.substr(begin, help.out.find('\n', begin) - begin);
     if (command == "reproduce") example = "reproduce --seeds 2";  // the example itself takes a while
-    const Run result = run(example);
+    const Outcome result = run(example);
     EXPECT_EQ(result.exit_code, 0) << example << '\n' << result.err;
   }
 }
 
 TEST_F(Cli, QuietAndPipedRunsPrintNoProgress) {
-  const Run result = run("simulate --quiet -o arm.session.json");
+  const Outcome result = run("simulate --quiet -o arm.session.json");
   EXPECT_EQ(result.err, "");
   EXPECT_THAT(run("solve arm.session.json").err, Not(HasSubstr("\r")));
 }
