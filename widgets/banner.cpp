@@ -39,6 +39,8 @@ Banner::Banner(QWidget* parent)
   sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   button_->setObjectName(QStringLiteral("bannerButton"));
   button_->setProperty("primary", true);
+  // A click leaves the keys where they were.
+  button_->setFocusPolicy(Qt::TabFocus);
 
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(16, 8, 16, 8);

@@ -151,8 +151,6 @@ void WindowActions::refresh(const SessionController& controller, std::optional<i
 
   QString no_next = no_session;
   if (no_next.isEmpty() && !controller.isDemo()) no_next = tr("This session came from a file; no skin is connected");
-  if (no_next.isEmpty() && controller.isTakingPose()) no_next = tr("The part is being turned");
-  if (no_next.isEmpty() && !no_result.isEmpty()) no_next = no_result;
   allow(next_pose, no_next);
 
   const QString nothing = controller.reconstruction() ? QString() : tr("There is nothing to look at yet");

@@ -200,7 +200,7 @@ QWidget* MainWindow::buildTopBar(const std::vector<QAction*>& panels) {
 
 CardDock* MainWindow::buildDetails() {
   auto* pages = new QStackedWidget;
-  pages->addWidget(withHint(finding_view_, tr("Nothing was found wrong with cells, links or poses.")));
+  pages->addWidget(withHint(finding_view_, tr("No findings.")));
   pages->addWidget(withHint(link_view_, tr("No links yet.")));
   detail_tabs_->setObjectName(QStringLiteral("detailTabs"));
   detail_tabs_->setDrawBase(false);

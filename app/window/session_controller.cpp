@@ -122,8 +122,10 @@ void SessionController::saveImage(const QImage& image, const QString& path) {
 }
 
 void SessionController::takeNextPose() {
+  if (!isDemo()) return;
   // The advice for the next pose is in the result of the last.
-  if (!isDemo() || taking_pose_ || !reconstruction_ || isSolving()) return;
+  pose_wanted_ = taking_pose_ || !reconstruction_ || isSolving();
+  if (pose_wanted_) return;
   taking_pose_ = true;
   const QString label = DemoSkin::nextLabel(*session_);
   start(
@@ -177,6 +179,7 @@ void SessionController::startWriting(const QString& activity, std::function<Cont
 
 void SessionController::closeCurrent() {
   ++opened_count_;
+  pose_wanted_ = false;
   // The stack's commands refer to the session, so they go first; while there is no session nothing is submitted.
   const std::unique_ptr<Session> old = std::move(session_);
   undo_stack_.clear();
@@ -226,6 +229,7 @@ void SessionController::receive(const ReconstructionOutcome& outcome) {
     emit failed(QString::fromStdString(outcome.error));
   }
   emit changed();
+  if (std::exchange(pose_wanted_, false)) takeNextPose();
 }
 
 }  // namespace hexoderm

@@ -49,7 +49,6 @@ class SessionController : public QObject {
   }
   /// What is being done in the background, in words; empty if nothing is.
   [[nodiscard]] QString activity() const { return activities_.isEmpty() ? QString() : activities_.front(); }
-  [[nodiscard]] bool isTakingPose() const { return taking_pose_; }
   [[nodiscard]] bool isWriting() const { return writing_ > 0; }
   [[nodiscard]] QString name() const { return name_; }
   /// Where Save goes without asking; empty if it must ask.
@@ -67,7 +66,7 @@ class SessionController : public QObject {
   void saveSession(const QString& path);
   void exportTo(const hexoderm::ExportRequest& request);
   void saveImage(const QImage& image, const QString& path);
-  /// The demo's next pose. Nothing happens elsewhere, while one is being taken, or while the last has no result yet.
+  /// The demo's next pose, as soon as the one before has a result. Nothing happens elsewhere.
   void takeNextPose();
   void setPoseDisabled(std::size_t index, bool disabled);
   void removePose(std::size_t index);
@@ -105,6 +104,7 @@ class SessionController : public QObject {
   QStringList activities_;
   int writing_ = 0;
   bool taking_pose_ = false;
+  bool pose_wanted_ = false;  ///< asked for while the one before was not through
 
   std::uint64_t asked_count_ = 0;         ///< the last request to open something: earlier ones are dropped
   std::uint64_t opened_count_ = 0;        ///< which session or calibration this is: late answers for others are dropped

@@ -119,7 +119,7 @@ void MainWindow::showExportDialog() {
 
 QImage MainWindow::picture() {
   // The 3D view draws when there is time; until then a picture of the window would show its last state.
-  patch_view_->screenshot();
+  static_cast<void>(patch_view_->screenshot());
   return grab().toImage();
 }
 

@@ -71,6 +71,7 @@ TEST_F(WindowFilesTest, ABadFileIsNamedAndNothingIsLost) {
   ASSERT_TRUE(waitForMessage("broken.session.json")) << message().toStdString();
   EXPECT_EQ(controller().name(), "Demo skin (simulated)");
   EXPECT_EQ(posesShown(), 1U);
+  keepPicture(window_->picture(), "message-light");
 
   window_->openFile(pathTo("missing.session.json"));
   ASSERT_TRUE(waitForMessage("missing.session.json")) << message().toStdString();

@@ -119,6 +119,13 @@ class WindowTest : public testing::Test {
     QTest::keyClick(edit, Qt::Key_Return);
   }
 
+  /// Keeps a picture of a window or dialog as a build artefact.
+  static void keepPicture(const QImage& picture, const QString& name) {
+    const QDir folder(QStringLiteral(HEXODERM_SCREENSHOTS));
+    ASSERT_TRUE(folder.mkpath("."));
+    EXPECT_TRUE(picture.save(folder.filePath(name + ".png")));
+  }
+
   bool waitForMessage(const QString& part) {
     return waitUntil([&] { return message().contains(part); });
   }
