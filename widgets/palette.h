@@ -19,9 +19,9 @@ struct LinkStroke {
 
 /// The one place where a theme becomes colours. Hexoderm draws with these and nothing else.
 struct Colors {
-  QColor window;       ///< behind the panels
-  QColor panel;        ///< of cards, tables, docks
-  QColor panel_active; ///< of the current step, hovered rows
+  QColor window;        ///< behind the panels
+  QColor panel;         ///< of cards, tables, docks
+  QColor panel_active;  ///< of the current step, hovered rows
   QColor border;
   QColor text;
   QColor text_muted;
@@ -30,10 +30,10 @@ struct Colors {
   QColor good;
   QColor caution;
   QColor bad;
-  QColor scene_top;    ///< background of the 3D scene
+  QColor scene_top;  ///< background of the 3D scene
   QColor scene_bottom;
-  QColor cell_fill;    ///< hexagons of the graph
-  QColor selection;    ///< outline of what is picked: black or white, not a hue
+  QColor cell_fill;  ///< hexagons of the graph
+  QColor selection;  ///< outline of what is picked: black or white, not a hue
   QColor muted_link;
 
   static const Colors& of(Theme theme);

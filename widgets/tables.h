@@ -24,8 +24,8 @@ class ReconstructionTable : public QAbstractTableModel {
   std::shared_ptr<const Reconstruction> reconstruction_;
 };
 
-/// Pose | Label | Cells | Noise mg | New by | Residual. Row k is Reconstruction::poses[k]; disabled poses are greyed and
-/// their mark says so.
+/// Pose | Label | Cells | Noise mg | New by | Residual. Row k is Reconstruction::poses[k]; disabled poses are greyed
+/// and their mark says so.
 class PoseTable : public ReconstructionTable {
   Q_OBJECT
 

@@ -52,7 +52,8 @@ void printFindings(const std::vector<Finding>& findings) {
   }
   std::cout << "Findings: " << findings.size() << '\n';
   for (const Finding& finding : findings) {
-    std::cout << "  " << severityName(finding.severity) << "  " << codeName(finding.code) << ": " << finding.text << '\n';
+    std::cout << "  " << severityName(finding.severity) << "  " << codeName(finding.code) << ": " << finding.text
+              << '\n';
   }
 }
 
@@ -97,7 +98,9 @@ nlohmann::ordered_json toJson(const Verdict& verdict) {
 
 void printJson(const nlohmann::ordered_json& json) { std::cout << json.dump(1) << '\n'; }
 
-std::string millimetres(double length_m, int decimals) { return formatFixed(toMillimetres(length_m), decimals) + " mm"; }
+std::string millimetres(double length_m, int decimals) {
+  return formatFixed(toMillimetres(length_m), decimals) + " mm";
+}
 std::string degrees(double angle_rad, int decimals) { return formatFixed(toDegrees(angle_rad), decimals) + "°"; }
 
 }  // namespace hexoderm::cli

@@ -52,13 +52,13 @@ class Evaluation {
       std::cout << "distances " << millimetres(surface.rms_m, 3) << " rms\n";
       std::cout << "  point " << inMm(surface.point);
       if (kind != SurfaceKind::Sphere) {
-        std::cout << (kind == SurfaceKind::Plane ? ", normal [" : ", axis [") << formatFixed(surface.axis.x(), 4) << "; "
-                  << formatFixed(surface.axis.y(), 4) << "; " << formatFixed(surface.axis.z(), 4) << "]";
+        std::cout << (kind == SurfaceKind::Plane ? ", normal [" : ", axis [") << formatFixed(surface.axis.x(), 4)
+                  << "; " << formatFixed(surface.axis.y(), 4) << "; " << formatFixed(surface.axis.z(), 4) << "]";
       }
       std::cout << '\n';
       if (surface.delta_m) {
-        std::cout << "  Delta, eq. (20): " << millimetres(*surface.delta_m, 3) << "; eps, eq. (21): "
-                  << millimetres(*surface.epsilon_m, 3) << '\n';
+        std::cout << "  Delta, eq. (20): " << millimetres(*surface.delta_m, 3)
+                  << "; eps, eq. (21): " << millimetres(*surface.epsilon_m, 3) << '\n';
       }
     }
     result_["fits"] = fits;
@@ -116,7 +116,8 @@ class Evaluation {
     if (surface.epsilon_m) json["epsilon_mm"] = toMillimetres(*surface.epsilon_m);
     json["cells"] = nlohmann::ordered_json::array();
     for (std::size_t k = 0; k < surface.cells.size(); ++k) {
-      json["cells"].push_back({{"id", surface.cells[k].value()}, {"distance_mm", toMillimetres(surface.distance_m[k])}});
+      json["cells"].push_back(
+          {{"id", surface.cells[k].value()}, {"distance_mm", toMillimetres(surface.distance_m[k])}});
     }
     return json;
   }
@@ -164,8 +165,7 @@ int run(const EvaluateOptions& options, bool has_radius, const Common& common) {
   const auto calibration = openCalibration(options.input);
   Evaluation evaluation(*calibration, common.json);
   if (!options.fit.empty()) {
-    evaluation.fit(surfaceKindFromName(options.fit),
-                   has_radius ? std::optional(options.true_radius_m) : std::nullopt);
+    evaluation.fit(surfaceKindFromName(options.fit), has_radius ? std::optional(options.true_radius_m) : std::nullopt);
   }
   if (!options.loop.empty()) {
     const std::vector<std::string> ends = split(options.loop, ',');
@@ -181,10 +181,12 @@ int run(const EvaluateOptions& options, bool has_radius, const Common& common) {
 
 void addEvaluate(CLI::App& app, Common& common) {
   const auto options = std::make_shared<EvaluateOptions>();
-  CLI::App* command = app.add_subcommand("evaluate", "Surface fits, loop closure, comparison with a truth or a calibration");
+  CLI::App* command =
+      app.add_subcommand("evaluate", "Surface fits, loop closure, comparison with a truth or a calibration");
   command->add_option("calibration", options->input, "Calibration (*.calibration.json, or TUM XML)")->required();
   command->add_option("--fit", options->fit, "plane, sphere or cylinder through the cell centres");
-  CLI::Option* radius = command->add_option("--true-radius", options->true_radius_m, "Known radius in metres: gives eqs. (20), (21)");
+  CLI::Option* radius =
+      command->add_option("--true-radius", options->true_radius_m, "Known radius in metres: gives eqs. (20), (21)");
   command->add_option("--loop", options->loop, "Gap between two free ports: CELL:PORT,CELL:PORT");
   command->add_option("--against", options->against, "Calibration, or session with truth, to compare with");
   common.addTo(*command);

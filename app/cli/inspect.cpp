@@ -76,8 +76,8 @@ int run(const InspectOptions& options, const Common& common) {
   const OpenedFile opened = openInput(options.input, options.cell_model);
   const auto* session = std::get_if<Session>(&opened);
   const std::string kind = session != nullptr ? "session" : "calibration";
-  const auto result = session != nullptr ? reconstruct(*session->snapshot())
-                                         : std::get<std::shared_ptr<const Reconstruction>>(opened);
+  const auto result =
+      session != nullptr ? reconstruct(*session->snapshot()) : std::get<std::shared_ptr<const Reconstruction>>(opened);
   if (common.json) {
     printJson(describe(*result, kind));
   } else {

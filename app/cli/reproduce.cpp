@@ -62,7 +62,8 @@ SolverOptions papersMethod() {
   return options;
 }
 
-SimulatedSkin makeSkin(const std::string& patch, const std::string& surface, double offset_sigma_mg, std::uint64_t seed) {
+SimulatedSkin makeSkin(const std::string& patch, const std::string& surface, double offset_sigma_mg,
+                       std::uint64_t seed) {
   CellModel model = builtInCellModel("hex-bma150");
   model.accelerometer.offset_sigma_g = offset_sigma_mg / 1000;
   SimulatedSkinOptions options;

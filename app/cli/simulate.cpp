@@ -24,11 +24,11 @@ struct SimulateOptions {
 };
 
 constexpr std::array<std::pair<std::string_view, SkinFault>, 6> kFaults = {{{"dead", SkinFault::Dead},
-                                                                           {"stuck", SkinFault::Stuck},
-                                                                           {"stuck-axis", SkinFault::StuckAxis},
-                                                                           {"saturated", SkinFault::Saturated},
-                                                                           {"noisy", SkinFault::Noisy},
-                                                                           {"no-samples", SkinFault::NoSamples}}};
+                                                                            {"stuck", SkinFault::Stuck},
+                                                                            {"stuck-axis", SkinFault::StuckAxis},
+                                                                            {"saturated", SkinFault::Saturated},
+                                                                            {"noisy", SkinFault::Noisy},
+                                                                            {"no-samples", SkinFault::NoSamples}}};
 
 CellFault parseFault(const std::string& text) {
   const std::vector<std::string> parts = split(text, ':');
@@ -90,16 +90,18 @@ void addSimulate(CLI::App& app, Common& common) {
       ->capture_default_str();
   command->add_option("--seed", options->skin.seed, "Seed of everything random")->capture_default_str();
   command->add_option("--cell-model", options->cell_model, "Built-in name or JSON file")->capture_default_str();
-  command->add_option("--offset-sigma", options->offset_sigma_mg,
-                      "Accelerometer offsets, 1 sigma, in mg (default: the cell model's)")
+  command
+      ->add_option("--offset-sigma", options->offset_sigma_mg,
+                   "Accelerometer offsets, 1 sigma, in mg (default: the cell model's)")
       ->check(CLI::NonNegativeNumber);
   command->add_option("--fault", options->faults,
                       "KIND:CELL with KIND dead, stuck, stuck-axis, saturated, noisy or no-samples; may be repeated");
   command->add_flag("--ideal", options->ideal, "No jitter, no sensor errors, no noise, no hand");
   command->add_option("-o,--output", options->output, "Session to write (*.session.json)")->required();
   common.addTo(*command);
-  command->footer("Example:\n  hexoderm-cli simulate --patch x17 --surface cylinder:r=0.0501 --poses 2 --seed 1 "
-                  "-o arm.session.json");
+  command->footer(
+      "Example:\n  hexoderm-cli simulate --patch x17 --surface cylinder:r=0.0501 --poses 2 --seed 1 "
+      "-o arm.session.json");
   command->callback([options, &common] { common.exit_code = run(*options, common); });
 }
 

@@ -76,16 +76,20 @@ void addSolve(CLI::App& app, Common& common) {
       ->capture_default_str();
   command->add_option("--centre", options->centring, "Subtract each cell's mean reading: auto, on or off")
       ->capture_default_str();
-  command->add_option("--support-axes", options->support_axes, "Support weakly defined edges by the gap's axes: auto, on, off")
+  command
+      ->add_option("--support-axes", options->support_axes,
+                   "Support weakly defined edges by the gap's axes: auto, on, off")
       ->capture_default_str();
   command->add_option("--weights", options->weights, "What makes a path short: paper (classes) or residual")
       ->capture_default_str();
-  command->add_option("--class-threshold", options->class_threshold,
-                      "Singular value from which a direction counts as defined; 1 is the paper's")
+  command
+      ->add_option("--class-threshold", options->class_threshold,
+                   "Singular value from which a direction counts as defined; 1 is the paper's")
       ->capture_default_str();
   common.addTo(*command);
-  command->footer("Example:\n  hexoderm-cli solve arm.session.json -o arm.calibration.json\n"
-                  "The paper's own method:\n  hexoderm-cli solve arm.session.json --solver tree --centre off");
+  command->footer(
+      "Example:\n  hexoderm-cli solve arm.session.json -o arm.calibration.json\n"
+      "The paper's own method:\n  hexoderm-cli solve arm.session.json --solver tree --centre off");
   command->callback([options, &common] { common.exit_code = run(*options, common); });
 }
 

@@ -13,9 +13,9 @@ namespace hexoderm {
 /// The mean of a cell's readings in one pose, eq. (19) of the paper.
 struct GravitySample {
   CellId cell;
-  Eigen::Vector3d mean_g = Eigen::Vector3d::Zero();     ///< cell frame; not normalised
-  Eigen::Matrix3d cov_g2 = Eigen::Matrix3d::Zero();     ///< covariance of the mean; zero: not known
-  std::uint32_t count = 0;                              ///< samples averaged; 0: not known
+  Eigen::Vector3d mean_g = Eigen::Vector3d::Zero();  ///< cell frame; not normalised
+  Eigen::Matrix3d cov_g2 = Eigen::Matrix3d::Zero();  ///< covariance of the mean; zero: not known
+  std::uint32_t count = 0;                           ///< samples averaged; 0: not known
 };
 
 /// One captured pose: gravity as every cell saw it while the part was held still. Immutable once captured.

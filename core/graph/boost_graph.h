@@ -21,8 +21,7 @@ struct EdgeProperties {
   PortNumber target_port;
   double weight = 1;
 };
-using BoostGraph =
-    boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, VertexProperties, EdgeProperties>;
+using BoostGraph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, VertexProperties, EdgeProperties>;
 
 /// Two directed edges per link that is not muted; vertex k is cell k. Weights of 1 where none are given.
 inline BoostGraph makeBoostGraph(std::span<const GraphCell> cells, std::span<const GraphLink> links,

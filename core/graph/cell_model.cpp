@@ -29,9 +29,8 @@ const Port& CellModel::port(PortNumber number) const {
 }
 
 bool CellModel::isForbidden(PortNumber a, PortNumber b) const {
-  return std::ranges::any_of(forbidden_port_pairs, [&](const auto& pair) {
-    return pair == std::pair(a, b) || pair == std::pair(b, a);
-  });
+  return std::ranges::any_of(forbidden_port_pairs,
+                             [&](const auto& pair) { return pair == std::pair(a, b) || pair == std::pair(b, a); });
 }
 
 double CellModel::reach_m() const {

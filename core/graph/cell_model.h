@@ -24,10 +24,10 @@ struct Accelerometer {
   double lsb_g = 0.004;
   double rate_hz = 1000.0;
   double noise_g_per_sqrt_hz = 0.0005;
-  double offset_sigma_g = 0.06;      ///< 1 sigma of the uncalibrated offset, per axis
-  double scale_sigma = 0.02;         ///< 1 sigma of the relative scale error, per axis
-  double cross_axis_sigma = 0.005;   ///< 1 sigma of each off-diagonal element
-  SE3 T_u_a;                         ///< placement of the accelerometer in the cell frame
+  double offset_sigma_g = 0.06;     ///< 1 sigma of the uncalibrated offset, per axis
+  double scale_sigma = 0.02;        ///< 1 sigma of the relative scale error, per axis
+  double cross_axis_sigma = 0.005;  ///< 1 sigma of each off-diagonal element
+  SE3 T_u_a;                        ///< placement of the accelerometer in the cell frame
 };
 
 /// A sensor on a cell, placed in the cell frame.

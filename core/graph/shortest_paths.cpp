@@ -22,6 +22,7 @@ std::vector<double> distancesFrom(const BoostGraph& graph, std::size_t root) {
   boost::dijkstra_shortest_paths_no_color_map(
       graph, root,
       boost::weight_map(boost::get(&EdgeProperties::weight, graph))
+          .distance_inf(kInfinity)
           .distance_map(boost::make_iterator_property_map(distance.begin(), boost::get(boost::vertex_index, graph))));
   return distance;
 }

@@ -196,9 +196,7 @@ class ReportSorter {
         {claim.from.cell, claim.to}, {claim.from.port});
   }
 
-  static std::pair<LinkEnd, LinkEnd> ordered(LinkEnd a, LinkEnd b) {
-    return a < b ? std::pair(a, b) : std::pair(b, a);
-  }
+  static std::pair<LinkEnd, LinkEnd> ordered(LinkEnd a, LinkEnd b) { return a < b ? std::pair(a, b) : std::pair(b, a); }
 
   void keep(LinkEnd a, LinkEnd b) {
     const auto [entry, is_new] = links_.try_emplace(ordered(a, b), std::nullopt);
@@ -252,10 +250,10 @@ SkinGraph::SkinGraph(const CellModel& model, const NeighborList& neighbors) {
     const std::string& part_b = cells_[link.target].body_part;
     if (!link.muted() && part_a != part_b && !part_a.empty() && !part_b.empty()) {
       link.muted_by = FindingCode::BodyPartBoundary;
-      findings_.push_back(makeFinding(
-          FindingCode::BodyPartBoundary,
-          "The " + linkInWords(a, b) + " joins " + part_a + " and " + part_b + "; the patch ends there.",
-          {a.cell, b.cell}, {a.port, b.port}));
+      findings_.push_back(
+          makeFinding(FindingCode::BodyPartBoundary,
+                      "The " + linkInWords(a, b) + " joins " + part_a + " and " + part_b + "; the patch ends there.",
+                      {a.cell, b.cell}, {a.port, b.port}));
     }
     links_.push_back(link);
   }
@@ -291,8 +289,8 @@ void SkinGraph::findPatches() {
 }
 
 std::string linkInWords(LinkEnd source, LinkEnd target) {
-  return "link " + toString(source.cell) + " port " + toString(source.port) + " - " + toString(target.cell) +
-         " port " + toString(target.port);
+  return "link " + toString(source.cell) + " port " + toString(source.port) + " - " + toString(target.cell) + " port " +
+         toString(target.port);
 }
 
 }  // namespace hexoderm

@@ -210,9 +210,8 @@ class TreeReconstructor {
 
   /// `link_index`: the link that the cell is placed by; of the origin, one of its own; kNoIndex if it has none.
   [[nodiscard]] Eigen::Matrix3d attitudeCovariance(std::size_t cell, std::size_t link_index) const {
-    const bool interpolated = !measured_[cell] && std::ranges::any_of(gravity_[cell], [](const Eigen::Vector3d& g) {
-      return !g.isZero();
-    });
+    const bool interpolated =
+        !measured_[cell] && std::ranges::any_of(gravity_[cell], [](const Eigen::Vector3d& g) { return !g.isZero(); });
     if (interpolated && link_index != kNoIndex) {
       const GraphLink& link = graph_.links()[link_index];
       const auto sides = std::ranges::count_if(graph_.linksAt(cell), [&](std::size_t k) {

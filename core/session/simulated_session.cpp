@@ -16,7 +16,8 @@ Session simulateSession(SimulatedSkin& skin, std::size_t pose_count, std::size_t
   for (const Eigen::Vector3d& up : scriptedUpDirections(pose_count)) {
     const PoseId id = session.nextPoseId();
     const std::string label = id.value() == 1 ? "standing" : id.value() == 2 ? "on its side" : "pose " + toString(id);
-    session.addPose({std::make_shared<const PoseCapture>(averageFrames(skin.record(up, frame_count), id, label)), false});
+    session.addPose(
+        {std::make_shared<const PoseCapture>(averageFrames(skin.record(up, frame_count), id, label)), false});
   }
   return session;
 }

@@ -6,7 +6,8 @@
 namespace hexoderm {
 
 /// Base of everything Hexoderm throws. The message says what is wrong, where (file, key, cell, port) and what was
-/// expected, so that a person can act on it. Outcomes that are expected in the field are values (`Finding`), not errors.
+/// expected, so that a person can act on it. Outcomes that are expected in the field are values (`Finding`), not
+/// errors.
 class Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -68,7 +68,8 @@ void writeFileAtomically(const std::filesystem::path& path, std::string_view con
     throw StorageError(path.string() + ": " + what + ": " + why);
   };
 
-  if (std::filesystem::is_directory(path)) throw StorageError(path.string() + ": is a folder, cannot be written as a file");
+  if (std::filesystem::is_directory(path))
+    throw StorageError(path.string() + ": is a folder, cannot be written as a file");
   FileDescriptor file(::mkostemp(temporary.data(), O_CLOEXEC));
   if (!file.valid()) throw StorageError(path.string() + ": cannot be written: " + reason());
   // mkostemp makes a private file; a saved document follows the user's umask like any other.

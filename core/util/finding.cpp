@@ -18,7 +18,8 @@ constexpr std::array kTable = {
                        "A link names a port that the cell model does not have; it is left out."},
     FindingDescription{UnknownCell, "unknown-cell", Severity::Error,
                        "A link names a neighbour that is not in the list of cells; it is left out."},
-    FindingDescription{SelfLink, "self-link", Severity::Error, "A cell names itself as its neighbour; the link is left out."},
+    FindingDescription{SelfLink, "self-link", Severity::Error,
+                       "A cell names itself as its neighbour; the link is left out."},
     FindingDescription{OneSidedLink, "one-sided-link", Severity::Warning,
                        "Only one of two cells reports the link; it is muted."},
     FindingDescription{ContradictoryLink, "contradictory-link", Severity::Error,
@@ -35,8 +36,9 @@ constexpr std::array kTable = {
                        "A link bends further than a skin link can; it is probably a cable or crosses a joint."},
     FindingDescription{ImplausibleTwist, "implausible-twist", Severity::Warning,
                        "A link twists further than a skin link can; it is probably a cable or a wrong port."},
-    FindingDescription{ImplausibleYaw, "implausible-yaw", Severity::Warning,
-                       "A link is turned in the surface further than a skin link can be; probably a wrong port or a cable."},
+    FindingDescription{
+        ImplausibleYaw, "implausible-yaw", Severity::Warning,
+        "A link is turned in the surface further than a skin link can be; probably a wrong port or a cable."},
     FindingDescription{LinkNotRigid, "link-not-rigid", Severity::Warning,
                        "The two cells of a link moved against each other between poses; it is probably a joint."},
     FindingDescription{NoSamples, "no-samples", Severity::Warning,
@@ -45,8 +47,9 @@ constexpr std::array kTable = {
                        "A cell has no reading in some enabled poses; it is placed from the others."},
     FindingDescription{DeadSensor, "dead-sensor", Severity::Error,
                        "A cell's accelerometer reads nothing like gravity; the cell is placed through its links."},
-    FindingDescription{StuckSensor, "stuck-sensor", Severity::Error,
-                       "A cell's accelerometer does not change while the part moves; the cell is placed through its links."},
+    FindingDescription{
+        StuckSensor, "stuck-sensor", Severity::Error,
+        "A cell's accelerometer does not change while the part moves; the cell is placed through its links."},
     FindingDescription{SaturatedSensor, "saturated-sensor", Severity::Warning,
                        "A reading lies at the end of the accelerometer's range; it is not used."},
     FindingDescription{NoisySensor, "noisy-sensor", Severity::Warning,
@@ -97,8 +100,12 @@ std::optional<Severity> severityFromName(std::string_view name) {
 
 Finding makeFinding(FindingCode code, std::string text, std::vector<CellId> cells, std::vector<PortNumber> ports,
                     std::vector<PoseId> poses) {
-  return {code,           kTable.at(static_cast<std::size_t>(code)).severity, std::move(text), std::move(cells),
-          std::move(ports), std::move(poses)};
+  return {code,
+          kTable.at(static_cast<std::size_t>(code)).severity,
+          std::move(text),
+          std::move(cells),
+          std::move(ports),
+          std::move(poses)};
 }
 
 }  // namespace hexoderm

@@ -5,8 +5,8 @@
 namespace hexoderm {
 
 inline constexpr double kPi = std::numbers::pi;
-inline constexpr double kDegree = kPi / 180.0;    ///< radians in a degree
-inline constexpr double kMillimetre = 1e-3;       ///< metres in a millimetre
+inline constexpr double kDegree = kPi / 180.0;       ///< radians in a degree
+inline constexpr double kMillimetre = 1e-3;          ///< metres in a millimetre
 inline constexpr double kStandardGravity = 9.80665;  ///< m/s^2 in 1 g
 
 constexpr double toDegrees(double angle_rad) { return angle_rad / kDegree; }

@@ -50,7 +50,7 @@ std::size_t originByAllPairs(const SkinGraph& graph, const std::vector<double>& 
     const ShortestPaths paths = findShortestPaths(graph, weights, cell);
     double sum = 0;
     for (const std::size_t other : graph.patches()[patch]) sum += paths.distance[other];
-    if (sum < best_sum - 1e-9 * best_sum) {
+    if (best == kNoIndex || sum < best_sum * (1 - 1e-9)) {
       best = cell;
       best_sum = sum;
     }

@@ -36,9 +36,7 @@ std::size_t usedLinks(const SkinGraph& graph) {
 }
 
 /// 1 - 2 - 3 in a line, ports 1 -> 4.
-NeighborList line() {
-  return {cell(1, {to(1, 2, 4)}), cell(2, {to(4, 1, 1), to(1, 3, 4)}), cell(3, {to(4, 2, 1)})};
-}
+NeighborList line() { return {cell(1, {to(1, 2, 4)}), cell(2, {to(4, 1, 1), to(1, 3, 4)}), cell(3, {to(4, 2, 1)})}; }
 
 TEST(SkinGraph, ALinkReportedByBothSidesIsOneLinkWithTheSmallerEndAsSource) {
   const SkinGraph graph(model(), line());
@@ -111,11 +109,11 @@ TEST(SkinGraph, APortThatMeetsTwoCellsIsUsedForNeither) {
 }
 
 TEST(SkinGraph, SelfUnknownPortUnknownCellAndZeroAreFindings) {
-  const SkinGraph graph(model(), {cell(1, {to(1, 1, 4), to(9, 2, 4), to(2, 50, 3), to(3, 0), to(4, 2, 8)}),
-                                  cell(2, {}), cell(0, {})});
-  EXPECT_THAT(codes(graph), UnorderedElementsAre(FindingCode::SelfLink, FindingCode::UnknownPort,
-                                                 FindingCode::UnknownPort, FindingCode::UnknownCell,
-                                                 FindingCode::ReservedCellId));
+  const SkinGraph graph(
+      model(), {cell(1, {to(1, 1, 4), to(9, 2, 4), to(2, 50, 3), to(3, 0), to(4, 2, 8)}), cell(2, {}), cell(0, {})});
+  EXPECT_THAT(codes(graph),
+              UnorderedElementsAre(FindingCode::SelfLink, FindingCode::UnknownPort, FindingCode::UnknownPort,
+                                   FindingCode::UnknownCell, FindingCode::ReservedCellId));
   EXPECT_THAT(graph.links(), IsEmpty());
   EXPECT_THAT(graph.cells(), SizeIs(2));
 }
