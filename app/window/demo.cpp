@@ -2,6 +2,7 @@
 
 #include "hexoderm/capture/pose_capture.h"
 #include "hexoderm/reconstruction/pose_advisor.h"
+#include "hexoderm/session/simulated_session.h"
 
 #include <algorithm>
 #include <vector>
@@ -10,13 +11,7 @@ namespace hexoderm {
 
 DemoSkin::DemoSkin() : skin_(builtInCellModel("hex-bma150"), SimulatedSkinOptions()) {}
 
-Session DemoSkin::makeSession() const {
-  Session session(skin_.model(), skin_.neighbors(), {skin_.description(), {}, {}});
-  GroundTruth truth;
-  for (const TrueCell& cell : skin_.truth()) truth.cells.push_back({cell.id, cell.T_b_u});
-  session.setTruth(std::move(truth));
-  return session;
-}
+Session DemoSkin::makeSession() const { return beginSimulatedSession(skin_); }
 
 QString DemoSkin::nextLabel(const Session& session) {
   const auto enabled = std::count_if(session.poses().begin(), session.poses().end(),
