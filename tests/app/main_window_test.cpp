@@ -72,7 +72,7 @@ TEST_F(MainWindowTest, GoesFromTheDemoSkinThroughTwoPosesToAnExportedFile) {
 }
 
 TEST_F(MainWindowTest, ExportsTablesAndReplacesThemWhenAsked) {
-  takeDemoPoses(2);
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
   for (const QString& label : {QStringLiteral("Export"), QStringLiteral("Replace")}) {
     press(Qt::Key_E, Qt::ControlModifier);
     auto* dialog = waitForDialog<QDialog>("exportDialog");
@@ -98,7 +98,7 @@ TEST_F(MainWindowTest, ExportsTablesAndReplacesThemWhenAsked) {
 }
 
 TEST_F(MainWindowTest, ExportDialogSaysWhatIsMissing) {
-  takeDemoPoses(1);
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
   press(Qt::Key_E, Qt::ControlModifier);
   auto* dialog = waitForDialog<QDialog>("exportDialog");
   ASSERT_NE(dialog, nullptr);
@@ -127,7 +127,7 @@ TEST_F(MainWindowTest, ExportDialogSaysWhatIsMissing) {
 }
 
 TEST_F(MainWindowTest, PosesAreDisabledDeletedAndBroughtBackByKeys) {
-  takeDemoPoses(2);
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
   EXPECT_FALSE(action("actionTogglePose")->isEnabled());
   EXPECT_TRUE(action("actionTogglePose")->toolTip().contains("Pick a pose"));
 
@@ -159,7 +159,7 @@ TEST_F(MainWindowTest, PosesAreDisabledDeletedAndBroughtBackByKeys) {
 }
 
 TEST_F(MainWindowTest, SpaceTakesAPoseUnlessAButtonHasTheFocus) {
-  takeDemoPoses(0);
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(0));
   find<QTableView>("poseView")->setFocus();
   window_->setFocus();
   press(Qt::Key_Space);
@@ -172,14 +172,14 @@ TEST_F(MainWindowTest, SpaceTakesAPoseUnlessAButtonHasTheFocus) {
 }
 
 TEST_F(MainWindowTest, AQuickOperatorGetsEveryPoseTheyAskFor) {
-  takeDemoPoses(0);
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(0));
   clickBanner();
   clickBanner();
   EXPECT_TRUE(waitForPoses(2));
 }
 
 TEST_F(MainWindowTest, DelWhileTypingEditsTheText) {
-  takeDemoPoses(1);
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
   clickRow("poseView", 0);
   press(Qt::Key_F, Qt::ControlModifier);
   auto* field = qobject_cast<QLineEdit*>(QApplication::focusWidget());
@@ -194,8 +194,8 @@ TEST_F(MainWindowTest, DelWhileTypingEditsTheText) {
 }
 
 TEST_F(MainWindowTest, WhatIsPickedAnywhereIsPickedEverywhere) {
-  takeDemoPoses(2);
-  clickCellInGraph(CellId(7));
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
+  ASSERT_NO_FATAL_FAILURE(clickCellInGraph(CellId(7)));
   EXPECT_EQ(window_->selection().cell(), CellId(7));
 
   auto* tabs = find<QTabBar>("detailTabs");
@@ -205,13 +205,13 @@ TEST_F(MainWindowTest, WhatIsPickedAnywhereIsPickedEverywhere) {
   EXPECT_EQ(window_->selection().cell(), std::nullopt);
   EXPECT_EQ(find<QTableView>("linkView")->selectionModel()->selectedRows().front().row(), 3);
 
-  clickCellInGraph(CellId(1));
+  ASSERT_NO_FATAL_FAILURE(clickCellInGraph(CellId(1)));
   EXPECT_EQ(window_->selection().cell(), CellId(1));
   EXPECT_TRUE(find<QTableView>("linkView")->selectionModel()->selectedRows().isEmpty());
 }
 
 TEST_F(MainWindowTest, ThemesSwitchAndAreRemembered) {
-  takeDemoPoses(1);
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
   // Beside the panels, and in a corner of the 3D view, which draws when it has time and must be up to date all the
   // same.
   const auto* patch_view = window_->findChild<PatchView*>();
@@ -259,7 +259,7 @@ TEST_F(MainWindowTest, EveryKeyIsListedAndEscapeClosesTheListOnly) {
 }
 
 TEST_F(MainWindowTest, PicturesOfBothThemesAreKept) {
-  takeDemoPoses(3);
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(3));
   for (const QString& theme : {QStringLiteral("light"), QStringLiteral("dark")}) {
     action(theme == "light" ? "actionThemeLight" : "actionThemeDark")->trigger();
     const QImage picture = window_->picture();

@@ -64,7 +64,7 @@ TEST_F(WindowFilesTest, AClickOnAFindingPicksWhatItIsAbout) {
 }
 
 TEST_F(WindowFilesTest, ABadFileIsNamedAndNothingIsLost) {
-  takeDemoPoses(1);
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
   controller().undoStack()->setClean();
   const QString bad = writeFile("broken.session.json", "{\"format\": \"hexoderm-session\", \"version\": 1,");
   drop(window_.get(), bad);
@@ -80,11 +80,11 @@ TEST_F(WindowFilesTest, ABadFileIsNamedAndNothingIsLost) {
 }
 
 TEST_F(WindowFilesTest, SavesByKeysAndReopensTheSame) {
-  takeDemoPoses(2);
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
   EXPECT_TRUE(window_->isWindowModified());
   press(Qt::Key_S, Qt::ControlModifier);
   const QString path = pathTo("mine.session.json");
-  typeIntoFileDialog("saveDialog", path);
+  ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("saveDialog", path));
   ASSERT_TRUE(waitForMessage("Saved to " + path)) << message().toStdString();
   EXPECT_FALSE(controller().hasUnsavedChanges());
   EXPECT_FALSE(window_->isWindowModified());
@@ -100,21 +100,21 @@ TEST_F(WindowFilesTest, SavesByKeysAndReopensTheSame) {
   EXPECT_TRUE(readSessionJson(path.toStdString()).poses()[0].disabled);
 
   press(Qt::Key_O, Qt::ControlModifier);
-  typeIntoFileDialog("openDialog", path);
+  ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("openDialog", path));
   ASSERT_TRUE(waitUntil([this] { return controller().session() && !controller().isDemo(); }));
   ASSERT_TRUE(waitForPoses(2));
   EXPECT_FALSE(controller().reconstruction()->poses[0].enabled);
 }
 
 TEST_F(WindowFilesTest, AFailedSaveIsSaidAndTheWorkStaysUnsaved) {
-  takeDemoPoses(1);
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
   controller().saveSession(pathTo("no/such/folder/a.session.json"));
   ASSERT_TRUE(waitForMessage("a.session.json")) << message().toStdString();
   EXPECT_TRUE(controller().hasUnsavedChanges());
 }
 
 TEST_F(WindowFilesTest, ACalibrationIsShownWithoutASession) {
-  takeDemoPoses(2);
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
   const QString path = pathTo("arm.calibration.json");
   controller().exportTo({std::nullopt, path, {}});
   ASSERT_TRUE(waitForMessage("Exported to " + path)) << message().toStdString();
@@ -132,7 +132,7 @@ TEST_F(WindowFilesTest, ACalibrationIsShownWithoutASession) {
 }
 
 TEST_F(WindowFilesTest, ClosingAsksForUnsavedPosesAndEscapeGoesBack) {
-  takeDemoPoses(1);
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
   press(Qt::Key_Q, Qt::ControlModifier);
   auto* box = waitForDialog<QMessageBox>("unsavedBox");
   ASSERT_NE(box, nullptr);
@@ -148,19 +148,19 @@ TEST_F(WindowFilesTest, ClosingAsksForUnsavedPosesAndEscapeGoesBack) {
 }
 
 TEST_F(WindowFilesTest, ClosingCanSaveFirst) {
-  takeDemoPoses(1);
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
   window_->close();
   auto* box = waitForDialog<QMessageBox>("unsavedBox");
   ASSERT_NE(box, nullptr);
   click(box->button(QMessageBox::Save));
   const QString path = pathTo("last.session.json");
-  typeIntoFileDialog("saveDialog", path);
+  ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("saveDialog", path));
   EXPECT_TRUE(waitUntil([&] { return !window_->isVisible(); }));
   EXPECT_EQ(readSessionJson(path.toStdString()).poses().size(), 1U);
 }
 
 TEST_F(WindowFilesTest, AnotherFileAsksForUnsavedPosesToo) {
-  takeDemoPoses(1);
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
   const QString path = writeFile("row.session.json", kSessionWithOneSidedLink);
   drop(window_.get(), path);
   auto* box = waitForDialog<QMessageBox>("unsavedBox");
