@@ -97,13 +97,16 @@ struct PatchScene::Parts {
   SceneCorners corners;
 
   bool fit_pending = false;
-  /// Camera and window as the last fit left them: while nobody has moved the camera, a resized window is fitted again.
+  /// Camera, window and patch as the last fit left them: while nobody has moved the camera, a resized window or a patch
+  /// that has taken another shape (flat at first, bent from the first poses on) is fitted again.
   struct Fitted {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
     Eigen::Vector3d focus = Eigen::Vector3d::Zero();
     std::array<int, 2> size{};
+    double extent_m = 0;
   };
   std::optional<Fitted> fitted;
+  double extent_m = 0;  ///< diagonal of the patch's bounding box
 
   Parts();
   ~Parts();
@@ -212,14 +215,17 @@ void PatchScene::Parts::fitNow() {
   const Eigen::Vector3d position = focus + distance * back;
   camera->SetFocalPoint(focus.x(), focus.y(), focus.z());
   camera->SetPosition(position.x(), position.y(), position.z());
-  fitted = Fitted{position, focus, {width, height}};
+  fitted = Fitted{position, focus, {width, height}, extent_m};
 }
 
 void PatchScene::Parts::beforeRender() {
   vtkCamera* camera = renderer->GetActiveCamera();
   const bool untouched =
       fitted && fitted->position == toEigen(camera->GetPosition()) && fitted->focus == toEigen(camera->GetFocalPoint());
-  if (fit_pending || (untouched && fitted->size != size())) fitNow();
+  // Small changes, as every new pose brings them, must not make the picture jump.
+  constexpr double kOtherShape = 0.1;
+  const bool reshaped = fitted && std::abs(extent_m - fitted->extent_m) > kOtherShape * fitted->extent_m;
+  if (fit_pending || (untouched && (reshaped || fitted->size != size()))) fitNow();
   renderer->ResetCameraClippingRange();
   updateLabels();
   if (window) corners.follow(camera, window);
@@ -348,6 +354,9 @@ void PatchScene::setReconstruction(std::shared_ptr<const Reconstruction> reconst
   parts_->reconstruction = std::move(reconstruction);
   parts_->layout = parts_->reconstruction ? layOutScene(*parts_->reconstruction) : SceneLayout{};
   const std::vector<SceneCell>& after = parts_->layout.cells;
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& point : parts_->layout.points) box.extend(point);
+  parts_->extent_m = box.isEmpty() ? 0 : box.diagonal().norm();
   if (isOtherSkin(before, after)) {
     parts_->lookFrom(View::Oblique);
   } else if (!std::ranges::equal(before, after, {}, &SceneCell::id, &SceneCell::id)) {

@@ -208,6 +208,21 @@ TEST_F(PatchSceneTest, KeepsTheCameraWhileTheCellsAreTheSame) {
   EXPECT_EQ(cameraPosition(), turned);
 }
 
+TEST_F(PatchSceneTest, FollowsThePatchIntoAnotherShapeUntilTheCameraIsMoved) {
+  Reconstruction demo = demoReconstruction();
+  scene.setReconstruction(shared(demo));
+  window->Render();
+  const auto first = cameraPosition();
+  for (CellPlacement& cell : demo.patches[0].cells) cell.T_o_u.t *= 1.02;
+  scene.setReconstruction(shared(demo));
+  window->Render();
+  EXPECT_EQ(cameraPosition(), first) << "a new pose's small changes don't make the picture jump";
+  for (CellPlacement& cell : demo.patches[0].cells) cell.T_o_u.t *= 1.3;
+  scene.setReconstruction(shared(demo));
+  window->Render();
+  EXPECT_NE(cameraPosition(), first);
+}
+
 TEST_F(PatchSceneTest, FitsAgainWhenCellsComeOrGo) {
   DemoOptions options;
   scene.setReconstruction(shared(demoReconstruction(options)));
