@@ -31,10 +31,9 @@ gui_packages=(
   xvfb
 )
 
-# Only for working on Hexoderm: the presets dev (benchmarks) and tidy, and the formatting test.
+# Only for working on Hexoderm: the preset tidy and the formatting test.
 developer_packages=(
   clang
   clang-format
   clang-tidy
-  libbenchmark-dev
 )

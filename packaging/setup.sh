@@ -2,7 +2,7 @@
 # Installs the Debian packages that are missing; does nothing, quickly, if none is.
 # Usage: packaging/setup.sh [--core] [--developer]
 #   --core       only what library and command line need: neither Qt nor VTK
-#   --developer  also clang, clang-tidy, clang-format and Google Benchmark
+#   --developer  also clang, clang-tidy and clang-format
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/packages.sh"
 
