@@ -42,7 +42,7 @@ Cloud normalise(std::span<const Eigen::Vector3d> points, std::size_t least, cons
   cloud.scale = cloud.points.norm() / std::sqrt(static_cast<double>(points.size()));
   if (!(cloud.scale > 0)) throw InvalidArgument(what + ": all points are the same");
   cloud.points /= cloud.scale;
-  const Eigen::JacobiSVD<Eigen::MatrixX3d> svd(cloud.points.transpose(), Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(cloud.points.transpose(), Eigen::ComputeThinV);
   cloud.axes = svd.matrixV();
   cloud.spread = svd.singularValues();
   // Coordinates far from zero carry rounding errors that no spread below them can beat.
