@@ -13,7 +13,7 @@ namespace hexoderm {
 /// The mean of a cell's readings in one pose, eq. (19) of the paper.
 struct GravitySample {
   CellId cell;
-  Eigen::Vector3d mean_g = Eigen::Vector3d::Zero();  ///< cell frame; not normalised
+  Eigen::Vector3d mean_g = Eigen::Vector3d::Zero();  ///< accelerometer's axes; not normalised
   Eigen::Matrix3d cov_g2 = Eigen::Matrix3d::Zero();  ///< covariance of the mean; zero: not known
   std::uint32_t count = 0;                           ///< samples averaged; 0: not known
 };

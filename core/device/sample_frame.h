@@ -7,7 +7,7 @@
 
 namespace hexoderm {
 
-/// What one cell's accelerometer read at one moment, in its own frame, g.
+/// What one cell's accelerometer read at one moment, along its own axes (CellModel: accelerometer.T_u_a), g.
 struct CellSample {
   CellId cell;
   Eigen::Vector3d acceleration_g;

@@ -53,7 +53,7 @@ struct Health {
 
 /// What turns the body's motion into a cell's reading.
 struct SensorChain {
-  Eigen::Matrix3d gain_R_u_b;
+  Eigen::Matrix3d gain_R_a_b;
   Eigen::Vector3d offset_g;
   Eigen::Vector3d position_b;  ///< of the accelerometer
 };
@@ -173,7 +173,8 @@ void SimulatedSkin::State::drawCells(const std::vector<SE3>& placements) {
       }
     }
     middle_b += cell.T_b_u.t / static_cast<double>(placements.size());
-    sensors.push_back({cell.gain * cell.T_b_u.R.transpose(), cell.offset_g, cell.T_b_u * accelerometer.T_u_a.t});
+    const SE3 T_b_a = cell.T_b_u * accelerometer.T_u_a;
+    sensors.push_back({cell.gain * T_b_a.R.transpose(), cell.offset_g, T_b_a.t});
     truth.push_back(cell);
   }
 }
@@ -270,7 +271,7 @@ std::vector<SampleFrame> SimulatedSkin::record(const Eigen::Vector3d& up_b, std:
           options.sensor_noise || health.noisy ? noise.nextVector() : Eigen::Vector3d::Zero();
       if (health.silent) continue;
       Eigen::Vector3d reading =
-          sensor.gain_R_u_b * (body.up_b + body.field_b * (sensor.position_b - hand_b)) + sensor.offset_g;
+          sensor.gain_R_a_b * (body.up_b + body.field_b * (sensor.position_b - hand_b)) + sensor.offset_g;
       if (health.dead) reading.setZero();
       if (health.saturated) reading *= kSaturatedGain;
       reading += (health.noisy ? kNoisyFactor : 1) * white_g * unit_noise;

@@ -1,6 +1,7 @@
 #include "hexoderm/reconstruction/reconstructor.h"
 
 #include "hexoderm/reconstruction/evaluation.h"
+#include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
 #include "support/matchers.h"
@@ -226,6 +227,17 @@ TEST(Reconstructor, EverySensorIsPlacedInThePatchFrame) {
   ASSERT_THAT(cell->sensors, SizeIs(model.sensors.size()));
   EXPECT_EQ(cell->sensors.back().name, "proximity");
   EXPECT_THAT(cell->sensors.back().T_o_s, SE3Near(skin.truth.at(CellId(2)) * T_u_s, 1e-9, 1e-9));
+}
+
+TEST(Reconstructor, AnAccelerometerMountedTurnedInTheCellChangesNothing) {
+  const auto solveWith = [](const CellModel& model) {
+    SimulatedSkin skin(model, SimulatedSkinOptions::ideal());
+    return solve(simulateSession(skin, 3));
+  };
+  const CellModel straight = builtInCellModel("hex-bma150");
+  CellModel turned = straight;
+  turned.accelerometer.T_u_a.R = expSO3({0.3, -0.2, 1.2});
+  EXPECT_THAT(*solveWith(turned), ReconstructionNear(*solveWith(straight), 1e-9, 1e-9));
 }
 
 TEST(Reconstructor, ResidualWeightsAvoidABadEdge) {
