@@ -135,7 +135,7 @@ std::vector<SE3> layPatch(const PatchPlan& plan, const Surface& surface, LinkLaw
     }
   }
   if (plan.has_loops) relaxation.relax(cells);
-  requireNoOverlap(cells, reach);
+  if (cells.size() > 1) requireNoOverlap(cells, reach);  // a single cell has no links and thus no reach
   return cells;
 }
 
