@@ -2,6 +2,7 @@
 
 #include "hexoderm/device/sheet_relaxation.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/text.h"
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
@@ -92,6 +93,18 @@ void requireNoOverlap(const std::vector<SE3>& cells, double closest_m) {
   }
 }
 
+/// A closed ring's last link may be about as far apart as its others: 1 / 10 of the reach is half a gap in hex-bma150.
+void requireClosed(const PatchPlan& plan, const std::vector<SE3>& cells) {
+  const auto gapOf = [&](const PlannedLink& link) {
+    return (cells[link.source] * link.source_port.vector_m - cells[link.target] * link.target_port.vector_m).norm();
+  };
+  const double gap = gapOf(*plan.closure);
+  if (std::abs(gap - gapOf(plan.links.front())) > 0.1 * reachOf(plan.closure->source_port)) {
+    throw InvalidArgument("the surface does not close this ring: its two ends would be " + formatFixed(gap * 1000, 1) +
+                          " mm apart; leave the surface out for a cylinder that closes it");
+  }
+}
+
 }  // namespace
 
 std::vector<SE3> layPatch(const PatchPlan& plan, const Surface& surface, LinkLaw law) {
@@ -136,6 +149,7 @@ std::vector<SE3> layPatch(const PatchPlan& plan, const Surface& surface, LinkLaw
   }
   if (plan.has_loops) relaxation.relax(cells);
   if (cells.size() > 1) requireNoOverlap(cells, reach);  // a single cell has no links and thus no reach
+  if (plan.closure) requireClosed(plan, cells);
   return cells;
 }
 

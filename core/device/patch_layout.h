@@ -22,7 +22,7 @@ namespace hexoderm {
 /// at r = 50.1 mm). Surface law: never on a curved surface; link points lie about (2/3) e a^2 apart, a = half the bend.
 ///
 /// Throws InvalidArgument where the surface is too small: curved more sharply than a cell is wide, or the patch meets
-/// itself.
+/// itself; and where it leaves a closed ring open.
 std::vector<SE3> layPatch(const PatchPlan& plan, const Surface& surface, LinkLaw law);
 
 }  // namespace hexoderm

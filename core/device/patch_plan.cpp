@@ -10,8 +10,8 @@ namespace hexoderm {
 namespace {
 
 constexpr std::size_t kMaxCells = 100'000;
-constexpr std::size_t kRingCells = 8;
 constexpr std::size_t kArmCells = 4;
+constexpr std::string_view kClosed = ":closed";
 
 /// A straight line of cells leaves each through `out` and enters the next through `in`.
 struct Line {
@@ -83,14 +83,19 @@ Line ringLine(const CellModel& model, const std::string& patch) {
   return {line.in, line.out};
 }
 
-PatchPlan planRing8(const CellModel& model, const std::string& patch) {
+PatchPlan planRing(std::size_t cells, bool closed, const CellModel& model, const std::string& patch) {
   const Line line = ringLine(model, patch);
   PatchPlan plan;
-  plan.cell_count = kRingCells;
-  plan.start = kRingCells / 2 - 1;
+  plan.cell_count = cells;
+  plan.start = (cells - 1) / 2;
   plan.start_yaw_rad = -headingOf(line.out.vector_m);
-  for (std::size_t k = 0; k + 1 < kRingCells; ++k) join(plan, k, k + 1, line);
-  plan.loop = {{CellId(1), line.in.number}, {CellId(kRingCells), line.out.number}};
+  plan.is_ring = true;
+  for (std::size_t k = 0; k + 1 < cells; ++k) join(plan, k, k + 1, line);
+  if (closed) {
+    plan.closure = {cells - 1, 0, line.out, line.in};
+  } else {
+    plan.loop = {{CellId(1), line.in.number}, {CellId(static_cast<std::uint32_t>(cells)), line.out.number}};
+  }
   return plan;
 }
 
@@ -125,7 +130,15 @@ PatchPlan planSheet(std::size_t rows, std::size_t cols, const CellModel& model, 
 
 PatchPlan planPatch(const std::string& patch, const CellModel& model) {
   if (patch == "x17") return planX17(model, patch);
-  if (patch == "ring8") return planRing8(model, patch);
+  const std::string ring = "ring";
+  if (patch.starts_with(ring) && patch.size() > ring.size()) {
+    std::string_view count = std::string_view(patch).substr(ring.size());
+    const bool closed = count.ends_with(kClosed);
+    if (closed) count.remove_suffix(kClosed.size());
+    const std::size_t cells = parseUnsigned(count, "patch \"" + patch + "\", cells");
+    if (cells < 3 || cells > kMaxCells) throw InvalidArgument("patch \"" + patch + "\": a ring has 3 to 100000 cells");
+    return planRing(cells, closed, model, patch);
+  }
   const std::string sheet = "sheet:";
   if (patch.starts_with(sheet)) {
     const std::vector<std::string> sizes = split(std::string_view(patch).substr(sheet.size()), 'x');
@@ -137,16 +150,24 @@ PatchPlan planPatch(const std::string& patch, const CellModel& model) {
     }
     return planSheet(rows, cols, model, patch);
   }
-  throw InvalidArgument("patch \"" + patch + "\" is not known; expected x17, ring8 or sheet:ROWSxCOLS");
+  throw InvalidArgument("patch \"" + patch + "\" is not known; expected x17, ringN, ringN:closed or sheet:ROWSxCOLS");
 }
 
-double closingRadius(const CellModel& model, bool bends) {
-  const Line line = ringLine(model, "ring8");
+std::vector<PlannedLink> PatchPlan::allLinks() const {
+  std::vector<PlannedLink> all = links;
+  if (closure) all.push_back(*closure);
+  return all;
+}
+
+double closingRadius(const CellModel& model, std::size_t ring_cells, bool bends) {
+  const Line line = ringLine(model, "ring");
   const double a = reachOf(line.out);
   const double b = reachOf(line.in);
-  if (!bends) return kRingCells * (a + b) / (2 * kPi);
-  // atan(a / r) + atan(b / r) = 45 degrees.
-  return (a + b + std::sqrt((a + b) * (a + b) + 4 * a * b)) / 2;
+  const double angle = 2 * kPi / static_cast<double>(ring_cells);
+  if (!bends) return (a + b) / angle;
+  // atan(a / r) + atan(b / r) = angle. The cotangent of 45 degrees is 1, which rounding would miss.
+  const double sum = (a + b) * (ring_cells == 8 ? 1 : std::cos(angle) / std::sin(angle));
+  return (sum + std::sqrt(sum * sum + 4 * a * b)) / 2;
 }
 
 }  // namespace hexoderm

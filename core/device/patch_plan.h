@@ -25,16 +25,22 @@ struct PatchPlan {
   std::size_t start = 0;     ///< the cell that is laid first, in the middle of the surface
   double start_yaw_rad = 0;  ///< turn of its x axis from "around the body"
   bool has_loops = false;
+  bool is_ring = false;
   std::optional<std::pair<LinkEnd, LinkEnd>> loop;  ///< free ports that would close a ring
+  std::optional<PlannedLink> closure;               ///< of a closed ring; not in `links`, as it places no cell
+
+  /// `links` and `closure`.
+  [[nodiscard]] std::vector<PlannedLink> allLinks() const;
 };
 
-/// x17 | ring8 | sheet:ROWSxCOLS, made of the model's pairs of opposite ports. Throws InvalidArgument for any other
-/// text, a sheet of more than 100,000 cells, or a model with too few opposite ports.
+/// x17 | ringN | ringN:closed | sheet:ROWSxCOLS, made of the model's pairs of opposite ports. Throws InvalidArgument
+/// for any other text, a ring of less than 3 cells, a patch of more than 100,000, or a model with too few opposite
+/// ports.
 PatchPlan planPatch(const std::string& patch, const CellModel& model);
 
-/// Radius of the cylinder around which eight cells in a line just close to a ring: by a link that bends (tangents of
-/// extended port length that meet) or by pitch along the circumference.
-double closingRadius(const CellModel& model, bool bends);
+/// Radius of the cylinder around which that many cells in a line just close to a ring: by a link that bends (tangents
+/// of extended port length that meet) or by pitch along the circumference.
+double closingRadius(const CellModel& model, std::size_t ring_cells, bool bends);
 
 /// Length of the extended port vector in the cell's plane.
 inline double reachOf(const Port& port) { return port.vector_m.head<2>().norm(); }

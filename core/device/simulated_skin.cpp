@@ -121,8 +121,8 @@ SimulatedSkin::State::State(CellModel cell_model, SimulatedSkinOptions skin_opti
   const PatchPlan plan = planPatch(options.patch, model);
   surface_text = options.surface;
   if (options.surface.empty() && options.patch == "x17") options.surface = surface_text = "cylinder:r=0.0501";
-  if (options.surface.empty() && options.patch == "ring8") {
-    const double radius = closingRadius(model, options.link_law == LinkLaw::Bend);
+  if (options.surface.empty() && plan.is_ring) {
+    const double radius = closingRadius(model, plan.cell_count, options.link_law == LinkLaw::Bend);
     options.surface = "cylinder:r=" + formatExact(radius);
     surface_text = "cylinder:r=" + formatFixed(radius, 4);
   }
@@ -142,7 +142,7 @@ SimulatedSkin::State::State(CellModel cell_model, SimulatedSkinOptions skin_opti
 void SimulatedSkin::State::reportNeighbors(const PatchPlan& plan) {
   neighbors.resize(plan.cell_count);
   for (std::size_t k = 0; k < plan.cell_count; ++k) neighbors[k].id = CellId(static_cast<std::uint32_t>(k + 1));
-  for (const PlannedLink& link : plan.links) {
+  for (const PlannedLink& link : plan.allLinks()) {
     CellReport& source = neighbors[link.source];
     CellReport& target = neighbors[link.target];
     source.neighbors.push_back({link.source_port.number, target.id, link.target_port.number});

@@ -36,9 +36,9 @@ struct CellFault {
 };
 
 struct SimulatedSkinOptions {
-  std::string patch = "x17";  ///< x17 | ring8 | sheet:ROWSxCOLS
+  std::string patch = "x17";  ///< x17 | ringN | ringN:closed | sheet:ROWSxCOLS
   std::string surface;        ///< plane | cylinder:r=M | sphere:r=M | cone:r=M,angle=RAD | torus:R=M,r=M
-                              ///< empty: x17 on cylinder r=0.0501, ring8 on the cup that closes it, sheets on a plane
+                              ///< empty: x17 on cylinder r=0.0501, rings on the cup that closes them, else a plane
   LinkLaw link_law = LinkLaw::Bend;
   std::uint64_t seed = 1;
   double position_jitter_m = 0.0002;      ///< 1 sigma, along the surface and normal to it
@@ -72,10 +72,11 @@ struct TrueCell {
 ///
 /// The body frame b is the surface's own: a cylinder's or cone's axis is z; the patch's middle is at +x for closed
 /// surfaces and the plane is z = 0 with the cells' fronts to +z. The bisector of the lines of x17 and of sheets, and
-/// the line of ring8, run around the body (+y at the middle; +x on the plane). Cells have the IDs 1, 2, ...: x17's
-/// middle first, then arm by arm from the middle outwards; sheets row by row.
+/// the line of a ring, run around the body (+y at the middle; +x on the plane). Cells have the IDs 1, 2, ...: x17's
+/// middle first, then arm by arm from the middle outwards; sheets row by row. ringN is an open chain of N cells whose
+/// ends face each other; ringN:closed lies alike, and its ends are joined. Flat cells need N >= 5 to fit on a cup.
 ///
-/// Without jitter, eq. (2) holds exactly on a plane. With LinkLaw::Bend it also holds for ring8, for sheets on
+/// Without jitter, eq. (2) holds exactly on a plane. With LinkLaw::Bend it also holds for rings, for sheets on
 /// cylinders and for trees on spheres; X17's oblique links on a cylinder miss by the geodesic's torsion (0.23 mm at r
 /// = 50.1 mm). With LinkLaw::Surface link points lie about (2/3) e a^2 apart (a: half the bend), as cells keep the
 /// pitch instead.
@@ -95,7 +96,7 @@ class SimulatedSkin {
   [[nodiscard]] const std::vector<TrueCell>& truth() const;
   /// "Simulated x17 on cylinder:r=0.0501, link law bend, seed 1".
   [[nodiscard]] std::string description() const;
-  /// The two free ports whose distance is the loop gap of an open ring (ring8); nullopt for other patches.
+  /// The two free ports whose distance is the loop gap of an open ring (ringN); nullopt for other patches.
   [[nodiscard]] std::optional<std::pair<LinkEnd, LinkEnd>> loop() const;
 
   /// Holds the part so that `up_b` (unit, body frame) points up, and records `frame_count` frames at the model's rate.

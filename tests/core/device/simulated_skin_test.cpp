@@ -8,6 +8,7 @@
 #include "hexoderm/util/units.h"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <limits>
 
 namespace hexoderm {
@@ -144,6 +145,7 @@ TEST(SimulatedSkin, BendLawShortensThePitchByTheCurvatureAlongTheLink) {
 
 TEST(SimulatedSkin, BendLawMakesLinkPointsMeet) {
   EXPECT_LT(largestMisfit(SimulatedSkin(kModel, ideal("ring8"))), 1e-13);
+  EXPECT_LT(largestMisfit(SimulatedSkin(kModel, ideal("ring8:closed"))), 1e-13);
   EXPECT_LT(largestMisfit(SimulatedSkin(kModel, ideal("x17", "sphere:r=0.1"))), 1e-13);
   EXPECT_LT(largestMisfit(SimulatedSkin(kModel, ideal("sheet:10x10", "cylinder:r=0.1"))), 1e-12);
   // Oblique links of a tree are laid along geodesics, whose torsion keeps the points a little apart.
@@ -176,6 +178,33 @@ TEST_P(LinkLaws, RingOfEightCloses) {
     for (const NeighborReport& neighbor : skin.neighbors()[end.cell.value() - 1].neighbors) {
       EXPECT_NE(neighbor.port, end.port);
     }
+  }
+}
+
+TEST_P(LinkLaws, ClosedRingsLieAsOpenOnesAndAllTheirLinksAreAlike) {
+  for (const std::size_t cells : {5U, 8U, 13U}) {
+    const std::string patch = "ring" + std::to_string(cells);
+    const SimulatedSkin open(kModel, ideal(patch, "", GetParam()));
+    const SimulatedSkin closed(kModel, ideal(patch + ":closed", "", GetParam()));
+    EXPECT_FALSE(closed.loop().has_value());
+    ASSERT_TRUE(open.loop().has_value());
+    const std::vector<TrueLink> links = linksOf(closed);
+    EXPECT_EQ(links.size(), cells);
+    EXPECT_EQ(linksOf(open).size(), cells - 1);
+    for (const TrueLink& link : links) {
+      EXPECT_NEAR(misfit(closed, link), misfit(open, linksOf(open).front()), 1e-12);
+      EXPECT_NEAR(rotationAngle(link.T_b_c.R.transpose() * link.T_b_n.R), 2 * kPi / static_cast<double>(cells), 1e-12);
+    }
+    for (std::size_t k = 0; k < cells; ++k) {
+      EXPECT_EQ(closed.truth()[k].T_b_u.R, open.truth()[k].T_b_u.R);
+      EXPECT_EQ(closed.truth()[k].T_b_u.t, open.truth()[k].T_b_u.t);
+    }
+    // The two ports that an open ring leaves facing each other are joined.
+    const auto [first, last] = *open.loop();
+    const NeighborReport joined{first.port, last.cell, last.port};
+    const std::vector<NeighborReport>& of_first = closed.neighbors().front().neighbors;
+    EXPECT_NE(std::ranges::find(of_first, joined), of_first.end());
+    EXPECT_TRUE(SkinGraph(closed.model(), closed.neighbors()).findings().empty());
   }
 }
 
@@ -282,8 +311,8 @@ TEST_P(ImpossibleSkin, IsRefusedWithAReason) {
 
 INSTANTIATE_TEST_SUITE_P(
     Cases, ImpossibleSkin,
-    testing::Values(std::tuple("x18", "", "expected x17, ring8 or sheet:ROWSxCOLS"),
-                    std::tuple("", "", "expected x17, ring8 or sheet:ROWSxCOLS"),
+    testing::Values(std::tuple("x18", "", "expected x17, ringN, ringN:closed or sheet:ROWSxCOLS"),
+                    std::tuple("", "", "expected x17, ringN, ringN:closed or sheet:ROWSxCOLS"),
                     std::tuple("sheet:5", "", "expected sheet:ROWSxCOLS"),
                     std::tuple("sheet:2x2x2", "", "expected sheet:ROWSxCOLS"),
                     std::tuple("sheet:0x3", "", "1 to 100000"), std::tuple("sheet:-1x3", "", "whole number"),
@@ -292,7 +321,11 @@ INSTANTIATE_TEST_SUITE_P(
                     std::tuple("x17", "cube", "expected plane"), std::tuple("x17", "cylinder:r=0.01", "too small"),
                     std::tuple("ring8", "cylinder:r=0.02", "too small"),
                     std::tuple("sheet:20x20", "sphere:r=0.06", "too small"),
-                    std::tuple("x17", "cone:r=0.01,angle=0.3", "too small")));
+                    std::tuple("x17", "cone:r=0.01,angle=0.3", "too small"), std::tuple("ring2", "", "3 to 100000"),
+                    std::tuple("ring100001", "", "3 to 100000"), std::tuple("ringo", "", "whole number"),
+                    std::tuple("ring8:open", "", "whole number"), std::tuple("ring", "", "expected x17"),
+                    std::tuple("ring4", "", "too small"), std::tuple("ring8:closed", "plane", "does not close"),
+                    std::tuple("ring8:closed", "cylinder:r=0.037", "would be 20.9 mm apart")));
 
 TEST(SimulatedSkin, RefusesAModelWithoutOppositePorts) {
   CellModel model = kModel;
