@@ -3,6 +3,8 @@
 #include "hexoderm/device/hand_motion.h"
 #include "hexoderm/device/patch_layout.h"
 #include "hexoderm/device/patch_plan.h"
+#include "hexoderm/device/random_streams.h"
+#include "hexoderm/device/simulated_faults.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
@@ -15,41 +17,7 @@ namespace hexoderm {
 namespace {
 
 constexpr double kPauseBetweenRecordings_s = 10;
-constexpr double kNoisyFactor = 20;
-constexpr double kSaturatedGain = 20;
 constexpr double kHandOffset_m = 0.02;
-
-/// One stream of random numbers per purpose, so that, say, switching the jitter off leaves the sensors' errors as they
-/// were.
-enum class Stream : std::uint32_t { Placement, Sensors, Faults, Hand, Noise };
-
-std::mt19937_64 randomStream(std::uint64_t seed, Stream stream, std::size_t recording = 0) {
-  std::seed_seq sequence{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
-                         static_cast<std::uint32_t>(stream), static_cast<std::uint32_t>(recording)};
-  return std::mt19937_64(sequence);
-}
-
-class NormalSource {
- public:
-  explicit NormalSource(std::mt19937_64 engine) : engine_(engine) {}
-  double next() { return normal_(engine_); }
-  Eigen::Vector3d nextVector() {
-    const double x = next();
-    const double y = next();
-    return {x, y, next()};
-  }
-
- private:
-  std::mt19937_64 engine_;
-  std::normal_distribution<double> normal_;
-};
-
-/// What is broken about one cell.
-struct Health {
-  bool dead = false, stuck = false, saturated = false, noisy = false, silent = false;
-  int stuck_axis = -1;
-  std::optional<Eigen::Vector3d> first_reading_g;  ///< of a stuck cell
-};
 
 /// What turns the body's motion into a cell's reading.
 struct SensorChain {
@@ -67,7 +35,8 @@ SimulatedSkinOptions::SimulatedSkinOptions()
       tilt_jitter_rad(0.5 * kDegree),
       hand_orientation_sigma_rad(3 * kDegree),
       tremor_angle_sigma_rad(0.05 * kDegree),
-      drift_rad_per_s(0.5 * kDegree) {}
+      drift_rad_per_s(0.5 * kDegree),
+      joint_angle_rad(20 * kDegree) {}
 
 void SimulatedSkinOptions::validate() const {
   const auto notNegative = [](double value, const std::string& name) {
@@ -80,6 +49,7 @@ void SimulatedSkinOptions::validate() const {
   notNegative(tremor_angle_sigma_rad, "tremor_angle_sigma_rad");
   notNegative(tremor_acceleration_g, "tremor_acceleration_g");
   notNegative(drift_rad_per_s, "drift_rad_per_s");
+  if (!std::isfinite(joint_angle_rad)) throw InvalidArgument("simulated skin: joint_angle_rad must be finite");
 }
 
 SimulatedSkinOptions SimulatedSkinOptions::ideal() {
@@ -100,8 +70,9 @@ struct SimulatedSkin::State {
   NeighborList neighbors;
   std::optional<std::pair<LinkEnd, LinkEnd>> loop;
   std::vector<TrueCell> truth;
-  std::vector<Health> health;
+  std::vector<CellHealth> health;
   std::vector<SensorChain> sensors;
+  std::vector<SensorChain> bent_sensors;  ///< with the joints bent; empty without joints
   Eigen::Vector3d middle_b = Eigen::Vector3d::Zero();
   std::size_t recordings = 0;
   double clock_s = 0;
@@ -109,9 +80,9 @@ struct SimulatedSkin::State {
   State(CellModel cell_model, SimulatedSkinOptions skin_options);
 
  private:
-  void reportNeighbors(const PatchPlan& plan);
+  void reportNeighbors(const std::vector<PlannedLink>& links);
   void drawCells(const std::vector<SE3>& placements);
-  void breakCells();
+  [[nodiscard]] std::vector<SensorChain> sensorsOf(const std::vector<SE3>& bending) const;
 };
 
 SimulatedSkin::State::State(CellModel cell_model, SimulatedSkinOptions skin_options)
@@ -134,15 +105,21 @@ SimulatedSkin::State::State(CellModel cell_model, SimulatedSkinOptions skin_opti
   const CellId above_all(static_cast<std::uint32_t>(plan.cell_count) + 1);
   model.interface_id = std::max(model.interface_id, above_all);
   loop = plan.loop;
-  reportNeighbors(plan);
+  const LinkFaults link_faults(plan, model, options);
+  neighbors.resize(plan.cell_count);
+  reportNeighbors(link_faults.reportedLinks());
   drawCells(layPatch(plan, *surface, options.link_law));
-  breakCells();
+  link_faults.pullCables(truth);
+  sensors = sensorsOf({});
+  if (const std::vector<SE3> bending = link_faults.bendingOf(truth); !bending.empty()) {
+    bent_sensors = sensorsOf(bending);
+  }
+  health = breakCells(options, truth.size());
 }
 
-void SimulatedSkin::State::reportNeighbors(const PatchPlan& plan) {
-  neighbors.resize(plan.cell_count);
-  for (std::size_t k = 0; k < plan.cell_count; ++k) neighbors[k].id = CellId(static_cast<std::uint32_t>(k + 1));
-  for (const PlannedLink& link : plan.allLinks()) {
+void SimulatedSkin::State::reportNeighbors(const std::vector<PlannedLink>& links) {
+  for (std::size_t k = 0; k < neighbors.size(); ++k) neighbors[k].id = CellId(static_cast<std::uint32_t>(k + 1));
+  for (const PlannedLink& link : links) {
     CellReport& source = neighbors[link.source];
     CellReport& target = neighbors[link.target];
     source.neighbors.push_back({link.source_port.number, target.id, link.target_port.number});
@@ -173,43 +150,19 @@ void SimulatedSkin::State::drawCells(const std::vector<SE3>& placements) {
       }
     }
     middle_b += cell.T_b_u.t / static_cast<double>(placements.size());
-    const SE3 T_b_a = cell.T_b_u * accelerometer.T_u_a;
-    sensors.push_back({cell.gain * T_b_a.R.transpose(), cell.offset_g, T_b_a.t});
     truth.push_back(cell);
   }
 }
 
-void SimulatedSkin::State::breakCells() {
-  health.resize(truth.size());
-  std::mt19937_64 random = randomStream(options.seed, Stream::Faults);
-  std::uniform_int_distribution<int> any_axis(0, 2);
-  for (const CellFault& fault : options.faults) {
-    if (fault.cell.value() == 0 || fault.cell.value() > truth.size()) {
-      throw InvalidArgument("simulated skin: there is no cell " + toString(fault.cell) + " to break; cells are 1 to " +
-                            std::to_string(truth.size()));
-    }
-    Health& cell = health[fault.cell.value() - 1];
-    switch (fault.kind) {
-      case SkinFault::Dead:
-        cell.dead = true;
-        break;
-      case SkinFault::Stuck:
-        cell.stuck = true;
-        break;
-      case SkinFault::StuckAxis:
-        cell.stuck_axis = any_axis(random);
-        break;
-      case SkinFault::Saturated:
-        cell.saturated = true;
-        break;
-      case SkinFault::Noisy:
-        cell.noisy = true;
-        break;
-      case SkinFault::NoSamples:
-        cell.silent = true;
-        break;
-    }
+std::vector<SensorChain> SimulatedSkin::State::sensorsOf(const std::vector<SE3>& bending) const {
+  std::vector<SensorChain> chains;
+  chains.reserve(truth.size());
+  for (std::size_t k = 0; k < truth.size(); ++k) {
+    SE3 T_b_a = truth[k].T_b_u * model.accelerometer.T_u_a;
+    if (!bending.empty()) T_b_a = bending[k] * T_b_a;
+    chains.push_back({truth[k].gain * T_b_a.R.transpose(), truth[k].offset_g, T_b_a.t});
   }
+  return chains;
 }
 
 SimulatedSkin::SimulatedSkin(CellModel model, SimulatedSkinOptions options)
@@ -256,6 +209,8 @@ std::vector<SampleFrame> SimulatedSkin::record(const Eigen::Vector3d& up_b, std:
     return Eigen::Vector3d(output.cwiseMin(accelerometer.range_g).cwiseMax(-accelerometer.range_g));
   };
 
+  const bool is_bent = !state.bent_sensors.empty() && recording % 2 == 1;
+  const std::vector<SensorChain>& sensors = is_bent ? state.bent_sensors : state.sensors;
   std::vector<SampleFrame> frames(frame_count);
   for (std::size_t k = 0; k < frame_count; ++k) {
     const double time_s = static_cast<double>(k) / accelerometer.rate_hz;
@@ -264,23 +219,16 @@ std::vector<SampleFrame> SimulatedSkin::record(const Eigen::Vector3d& up_b, std:
     frame.time_s = state.clock_s + time_s;
     frame.samples.reserve(state.truth.size());
     for (std::size_t c = 0; c < state.truth.size(); ++c) {
-      const SensorChain& sensor = state.sensors[c];
-      Health& health = state.health[c];
+      const SensorChain& sensor = sensors[c];
+      CellHealth& health = state.health[c];
       // Drawn also where it is not used: a fault of one cell leaves the others' noise as it was.
       const Eigen::Vector3d unit_noise =
           options.sensor_noise || health.noisy ? noise.nextVector() : Eigen::Vector3d::Zero();
       if (health.silent) continue;
       Eigen::Vector3d reading =
           sensor.gain_R_a_b * (body.up_b + body.field_b * (sensor.position_b - hand_b)) + sensor.offset_g;
-      if (health.dead) reading.setZero();
-      if (health.saturated) reading *= kSaturatedGain;
-      reading += (health.noisy ? kNoisyFactor : 1) * white_g * unit_noise;
-      reading = asOutput(reading);
-      if (health.stuck || health.stuck_axis >= 0) {
-        if (!health.first_reading_g) health.first_reading_g = reading;
-        if (health.stuck) reading = *health.first_reading_g;
-        if (health.stuck_axis >= 0) reading(health.stuck_axis) = (*health.first_reading_g)(health.stuck_axis);
-      }
+      reading = health.sensed(reading) + health.noiseFactor() * white_g * unit_noise;
+      reading = health.sent(asOutput(reading));
       frame.samples.push_back({state.truth[c].id, reading});
     }
   }

@@ -20,6 +20,8 @@ enum class LinkLaw {
   Surface,  ///< neighbouring centres one pitch (2 e) apart along the surface
 };
 
+/// WrongGain is chosen so that the norm of the readings need not give it away: five sigma of 60 mg of offset and 2 % of
+/// scale excuse 1 +- 0.32 g.
 enum class SkinFault {
   Dead,       ///< reads 0 and noise
   Stuck,      ///< repeats its first reading for ever
@@ -27,12 +29,36 @@ enum class SkinFault {
   Saturated,  ///< amplifies 20 times and ends at its range
   Noisy,      ///< 20 times the noise
   NoSamples,
+  WrongGain,  ///< amplifies 1.25 times, see above
+  DeadAxis,   ///< one axis, drawn from the seed, reads 0 and noise
 };
 
 /// One cell's sensor is broken in a known way.
 struct CellFault {
   SkinFault kind{};
   CellId cell;
+};
+
+enum class LinkFaultKind {
+  /// Both cells report the link at another of the cell's ports, which is free; drawn from the seed. Only measurements
+  /// can tell.
+  WrongPort,
+  /// The body part has a hinge: in every second recording (the 2nd, 4th ...) the far side is turned by joint_angle_rad,
+  /// as one rigid piece, about the line through the link's middle that runs along the surface, perpendicular to the
+  /// link. The truth is that of the unbent part.
+  Joint,
+  /// The cells are no neighbours in the mould: the far side lies elsewhere, turned by 40 to 120 degrees about any axis
+  /// and moved by 0.1 m, always alike; drawn from the seed. The truth says where.
+  Cable,
+};
+
+/// The link at this end is broken in a known way. The far side of a joint or cable is the side without the patch's
+/// middle (the cell that was laid first). Where other links hold both sides together too, as in a sheet, it is all that
+/// lies behind the line through the link's middle and perpendicular to it when the sheet is laid flat, so that this
+/// line cuts them as well. A closed ring has neither.
+struct LinkFault {
+  LinkFaultKind kind{};
+  LinkEnd at;
 };
 
 struct SimulatedSkinOptions {
@@ -52,6 +78,8 @@ struct SimulatedSkinOptions {
   double tremor_acceleration_g = 0.010;   ///< translational, rms, 4 to 12 Hz
   double drift_rad_per_s = 0;             ///< 0.5 degrees per second
   std::vector<CellFault> faults;
+  std::vector<LinkFault> link_faults;
+  double joint_angle_rad = 0;  ///< 20 degrees; positive bends the part's front outwards, as around a cylinder
 
   SimulatedSkinOptions();
   /// Throws InvalidArgument naming the option.
@@ -64,7 +92,7 @@ struct TrueCell {
   CellId id;
   SE3 T_b_u;  ///< from the cell frame to the body frame
   Eigen::Vector3d offset_g = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d gain = Eigen::Matrix3d::Identity();  ///< reading = gain * specific force + offset
+  Eigen::Matrix3d gain = Eigen::Matrix3d::Identity();  ///< reading = gain * specific force + offset, but for faults
 };
 
 /// A skin that exists only here: cells laid on a real surface, with the errors of real sensors and of a person's hands.
@@ -82,7 +110,8 @@ struct TrueCell {
 /// pitch instead.
 class SimulatedSkin {
  public:
-  /// Throws InvalidArgument if options or model make no skin (unknown patch, too small a surface, no opposite ports).
+  /// Throws InvalidArgument if options or model make no skin (unknown patch, too small a surface, no opposite
+  /// ports, a fault of what is not there).
   SimulatedSkin(CellModel model, SimulatedSkinOptions options);
   ~SimulatedSkin();
   SimulatedSkin(SimulatedSkin&&) noexcept;

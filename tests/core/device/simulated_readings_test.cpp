@@ -6,6 +6,7 @@
 #include "hexoderm/util/units.h"
 
 #include <gtest/gtest.h>
+#include <array>
 #include <limits>
 
 namespace hexoderm {
@@ -278,7 +279,7 @@ TEST(SimulatedSkinSeed, RepeatsEverythingAndAnotherOneNothing) {
 TEST(SimulatedFault, LeavesTheOtherCellsAsTheyWere) {
   SimulatedSkin healthy(kModel, SimulatedSkinOptions());
   for (const SkinFault kind : {SkinFault::Dead, SkinFault::Stuck, SkinFault::StuckAxis, SkinFault::Saturated,
-                               SkinFault::Noisy, SkinFault::NoSamples}) {
+                               SkinFault::Noisy, SkinFault::NoSamples, SkinFault::WrongGain, SkinFault::DeadAxis}) {
     SimulatedSkin whole(kModel, SimulatedSkinOptions());
     SimulatedSkin broken(kModel, withFault(kind, 4));
     for (int pose = 0; pose < 2; ++pose) {
@@ -328,6 +329,44 @@ TEST(SimulatedFault, NoisyScattersTwentyTimesAsMuch) {
   SimulatedSkin skin(kModel, withFault(SkinFault::Noisy, 4));
   const Eigen::Vector3d scatter = scatterOf(readingsOf(skin.record(kUp, 2000), 4));
   for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(scatter(axis) / (20 * kWhite_g), 1, 0.07);
+}
+
+TEST(SimulatedFault, WrongGainAmplifiesAllAxesAlike) {
+  SimulatedSkinOptions options = withFault(SkinFault::WrongGain, 4);
+  options.sensor_noise = false;
+  SimulatedSkin broken(kModel, options);
+  options.faults.clear();
+  SimulatedSkin whole(kModel, options);
+  for (const Eigen::Vector3d& up : scriptedUpDirections(4)) {
+    const Eigen::Vector3d as_whole = readingsOf(whole.record(up, 1), 4).front();
+    EXPECT_LT((readingsOf(broken.record(up, 1), 4).front() - 1.25 * as_whole).norm(), 1e-12);
+  }
+}
+
+TEST(SimulatedFault, WrongGainIsWithinWhatAnOffsetMayDoToTheNorm) {
+  const Accelerometer& a = kModel.accelerometer;
+  EXPECT_LT(1.25 - 1, 5 * std::hypot(a.offset_sigma_g, a.scale_sigma));
+}
+
+TEST(SimulatedFault, DeadAxisReadsNoiseAboutZeroInEveryPose) {
+  std::array<int, 3> drawn{};
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    SimulatedSkinOptions options = withFault(SkinFault::DeadAxis, 4);
+    options.seed = seed;
+    SimulatedSkin skin(kModel, options);
+    std::vector<Eigen::Vector3d> readings;
+    for (const Eigen::Vector3d& up : scriptedUpDirections(3)) {
+      for (const Eigen::Vector3d& reading : readingsOf(skin.record(up), 4)) readings.push_back(reading);
+    }
+    const Eigen::Vector3d scatter = scatterOf(readings);
+    int axis = 0;
+    scatter.minCoeff(&axis);
+    ++drawn[axis];
+    EXPECT_NEAR(meanOf(readings)(axis), 0, 0.003);
+    EXPECT_NEAR(scatter(axis) / kWhite_g, 1, 0.2);
+    EXPECT_EQ((scatter.array() > 0.2).count(), 2);
+  }
+  for (const int count : drawn) EXPECT_GT(count, 0);
 }
 
 TEST(SimulatedFault, NoSamplesLeavesTheCellOut) {

@@ -360,5 +360,13 @@ TEST(SimulatedSkin, RefusesNegativeOptionsByName) {
   }
 }
 
+TEST(SimulatedSkin, RefusesAJointAngleThatIsNoNumber) {
+  SimulatedSkinOptions options;
+  options.joint_angle_rad = -0.1;
+  EXPECT_NO_THROW(options.validate());
+  options.joint_angle_rad = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(options.validate(), InvalidArgument);
+}
+
 }  // namespace
 }  // namespace hexoderm
