@@ -23,21 +23,44 @@ struct SimulateOptions {
   std::string output;
 };
 
-constexpr std::array<std::pair<std::string_view, SkinFault>, 6> kFaults = {{{"dead", SkinFault::Dead},
-                                                                            {"stuck", SkinFault::Stuck},
-                                                                            {"stuck-axis", SkinFault::StuckAxis},
-                                                                            {"saturated", SkinFault::Saturated},
-                                                                            {"noisy", SkinFault::Noisy},
-                                                                            {"no-samples", SkinFault::NoSamples}}};
+constexpr std::array<std::pair<std::string_view, SkinFault>, 8> kCellFaults = {{{"dead", SkinFault::Dead},
+                                                                                {"stuck", SkinFault::Stuck},
+                                                                                {"stuck-axis", SkinFault::StuckAxis},
+                                                                                {"dead-axis", SkinFault::DeadAxis},
+                                                                                {"saturated", SkinFault::Saturated},
+                                                                                {"noisy", SkinFault::Noisy},
+                                                                                {"wrong-gain", SkinFault::WrongGain},
+                                                                                {"no-samples", SkinFault::NoSamples}}};
+constexpr std::array<std::pair<std::string_view, LinkFaultKind>, 3> kLinkFaults = {
+    {{"wrong-port", LinkFaultKind::WrongPort}, {"joint", LinkFaultKind::Joint}, {"cable", LinkFaultKind::Cable}}};
 
-CellFault parseFault(const std::string& text) {
-  const std::vector<std::string> parts = split(text, ':');
-  std::string known;
-  for (const auto& [name, kind] : kFaults) {
-    if (parts.size() == 2 && parts[0] == name) return {kind, CellId(parseUnsigned(parts[1], "--fault"))};
-    known += (known.empty() ? "" : ", ") + std::string(name);
+template <class Kinds>
+std::string namesOf(const Kinds& kinds) {
+  std::string names;
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    names += std::string(k == 0 ? "" : k + 1 == kinds.size() ? " or " : ", ") + std::string(kinds[k].first);
   }
-  throw InvalidArgument("--fault: expected KIND:CELL with KIND one of " + known + ", found \"" + text + "\"");
+  return names;
+}
+
+std::string faultSyntax() {
+  return "KIND:CELL with KIND " + namesOf(kCellFaults) + ", or KIND:CELL:PORT with KIND " + namesOf(kLinkFaults);
+}
+
+void addFault(const std::string& text, SimulatedSkinOptions& skin) {
+  const std::vector<std::string> parts = split(text, ':');
+  const auto number = [&](std::size_t part) { return parseUnsigned(parts[part], "--fault " + text); };
+  for (const auto& [name, kind] : kCellFaults) {
+    if (parts.size() != 2 || parts[0] != name) continue;
+    skin.faults.push_back({kind, CellId(number(1))});
+    return;
+  }
+  for (const auto& [name, kind] : kLinkFaults) {
+    if (parts.size() != 3 || parts[0] != name) continue;
+    skin.link_faults.push_back({kind, {CellId(number(1)), PortNumber(number(2))}});
+    return;
+  }
+  throw InvalidArgument("--fault: expected " + faultSyntax() + ", found \"" + text + "\"");
 }
 
 int run(const SimulateOptions& options, const Common& common) {
@@ -51,7 +74,7 @@ int run(const SimulateOptions& options, const Common& common) {
   skin_options.surface = options.skin.surface;
   skin_options.seed = options.skin.seed;
   skin_options.link_law = options.link_law == "surface" ? LinkLaw::Surface : LinkLaw::Bend;
-  for (const std::string& fault : options.faults) skin_options.faults.push_back(parseFault(fault));
+  for (const std::string& fault : options.faults) addFault(fault, skin_options);
 
   common.progress("Laying the skin ...");
   SimulatedSkin skin(std::move(model), skin_options);
@@ -77,7 +100,8 @@ int run(const SimulateOptions& options, const Common& common) {
 void addSimulate(CLI::App& app, Common& common) {
   const auto options = std::make_shared<SimulateOptions>();
   CLI::App* command = app.add_subcommand("simulate", "Make a session of a simulated skin, with the truth beside it");
-  command->add_option("--patch", options->skin.patch, "x17, ring8 or sheet:ROWSxCOLS")->capture_default_str();
+  command->add_option("--patch", options->skin.patch, "x17, ringN, ringN:closed or sheet:ROWSxCOLS")
+      ->capture_default_str();
   command->add_option("--surface", options->skin.surface,
                       "plane, cylinder:r=M, sphere:r=M, cone:r=M,angle=RAD or torus:R=M,r=M "
                       "(default: what suits the patch)");
@@ -94,8 +118,7 @@ void addSimulate(CLI::App& app, Common& common) {
       ->add_option("--offset-sigma", options->offset_sigma_mg,
                    "Accelerometer offsets, 1 sigma, in mg (default: the cell model's)")
       ->check(CLI::NonNegativeNumber);
-  command->add_option("--fault", options->faults,
-                      "KIND:CELL with KIND dead, stuck, stuck-axis, saturated, noisy or no-samples; may be repeated");
+  command->add_option("--fault", options->faults, faultSyntax() + "; may be repeated");
   command->add_flag("--ideal", options->ideal, "No jitter, no sensor errors, no noise, no hand");
   command->add_option("-o,--output", options->output, "Session to write (*.session.json)")->required();
   common.addTo(*command);

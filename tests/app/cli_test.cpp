@@ -145,6 +145,38 @@ TEST_F(Cli, FaultsAreNamedByInspect) {
   EXPECT_EQ(found["dead-sensor"], std::vector<int>{12});
 }
 
+TEST_F(Cli, FaultsOfLinksAreSimulated) {
+  run("simulate --ideal --poses 2 -o whole.session.json");
+  const Outcome result =
+      run("simulate --ideal --poses 2 --fault wrong-port:3:1 --fault joint:10:2 -o broken.session.json");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Session whole = readSessionJson(path("whole.session.json"));
+  const Session broken = readSessionJson(path("broken.session.json"));
+  EXPECT_NE(broken.neighbors().at(2), whole.neighbors().at(2));
+  EXPECT_EQ(broken.neighbors().at(10), whole.neighbors().at(10));
+  const auto turned = [&](std::size_t pose, std::size_t cell) {
+    return broken.poses()[pose].capture->samples[cell].mean_g != whole.poses()[pose].capture->samples[cell].mean_g;
+  };
+  EXPECT_FALSE(turned(0, 10));
+  EXPECT_TRUE(turned(1, 10));
+  EXPECT_FALSE(turned(1, 9));
+  EXPECT_EQ(run("simulate --fault cable:5:4 -o cable.session.json").exit_code, 0);
+}
+
+TEST_F(Cli, FaultsThatAreNoneAreRefusedWithWhatThereIs) {
+  for (const std::string bad : {"broken:3", "joint:3", "dead:3:1", "joint:3:1:2", "joint", ""}) {
+    const Outcome result = run("simulate --fault '" + bad + "' -o a.session.json");
+    EXPECT_EQ(result.exit_code, 2) << bad;
+    EXPECT_THAT(result.err, AllOf(HasSubstr("KIND:CELL with KIND dead, stuck, stuck-axis, dead-axis, saturated, noisy, "
+                                            "wrong-gain or no-samples"),
+                                  HasSubstr("KIND:CELL:PORT with KIND wrong-port, joint or cable")))
+        << bad;
+  }
+  EXPECT_THAT(run("simulate --fault joint:5:2 -o a.session.json").err, HasSubstr("cell 5, port 2 has no link"));
+  EXPECT_THAT(run("simulate --fault joint:5:x -o a.session.json").err, HasSubstr("--fault joint:5:x"));
+  EXPECT_THAT(run("simulate --help").out, AllOf(HasSubstr("dead-axis"), HasSubstr("wrong-port"), HasSubstr("ringN")));
+}
+
 TEST_F(Cli, LoopGapOfTheRingIsPrinted) {
   run("simulate --patch ring8 --poses 2 -o ring.session.json");
   run("solve ring.session.json -o ring.calibration.json");
