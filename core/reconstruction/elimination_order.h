@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace hexoderm {
+
+/// Two different block rows of a symmetric matrix between which there is a block that need not be zero.
+struct BlockCouple {
+  std::size_t row = 0;
+  std::size_t column = 0;
+};
+
+// Orders in which to eliminate the rows of a symmetric matrix so that its Cholesky factor stays sparse: the row by its
+// place in the order. Both are deterministic, for any graph.
+
+/// Approximate minimum degree (Eigen's): best for small and for thin, ragged graphs.
+std::vector<std::size_t> minimumDegreeOrder(std::size_t size, const std::vector<BlockCouple>& couples);
+
+/// Nested dissection by the levels of breadth-first searches: half the work of minimum degree for sheets of 100,000
+/// cells. George and Liu, "An automatic nested dissection algorithm for irregular finite element problems", SIAM J.
+/// Numer. Anal. 15, 1978; the level is chosen by its size and balance.
+std::vector<std::size_t> dissectionOrder(std::size_t size, const std::vector<BlockCouple>& couples);
+
+}  // namespace hexoderm
