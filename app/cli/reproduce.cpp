@@ -58,7 +58,7 @@ SolverOptions papersMethod() {
   options.max_bend_rad = kPi;
   options.max_twist_rad = kPi;
   options.max_yaw_rad = kPi;
-  options.max_residual_ratio = 1e6;
+  options.max_misfit = 1e6;
   return options;
 }
 

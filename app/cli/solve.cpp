@@ -13,10 +13,12 @@ namespace {
 struct SolveOptions {
   std::string input;
   std::string output;
-  std::string solver = "tree";
+  std::string solver = "global";
   std::string centring = "auto";
   std::string support_axes = "auto";
   std::string weights = "paper";
+  std::string gap_model = "fit";
+  std::vector<std::uint32_t> without;
   double class_threshold = SolverOptions().class_threshold;
 };
 
@@ -25,7 +27,12 @@ void printSummary(const Reconstruction& r, const Session& session) {
             << formatFixed(r.solve_seconds * 1000, 1) << " ms (" << r.solver << ")\n";
   for (const PatchReconstruction& patch : r.patches) {
     std::cout << "Patch " << patch.id << ": " << patch.cells.size() << (patch.cells.size() == 1 ? " cell" : " cells")
-              << ", origin cell " << patch.origin << '\n';
+              << ", origin cell " << patch.origin;
+    if (patch.gap_share && patch.gap_share->sigma > 0) {
+      std::cout << ", gap share " << formatFixed(patch.gap_share->share, 2) << " +- "
+                << formatFixed(patch.gap_share->sigma, 2) << " (0 pivot, 1 arc)";
+    }
+    std::cout << '\n';
   }
   if (session.truth()) {
     for (const Comparison& comparison : compareToTruth(r, *session.truth())) {
@@ -44,6 +51,8 @@ int run(const SolveOptions& options, const Common& common) {
   solver.centring = centringFromName(options.centring);
   solver.support_axes = supportAxesFromName(options.support_axes);
   solver.weights = linkWeightsFromName(options.weights);
+  solver.gap_model = gapModelFromName(options.gap_model);
+  for (const std::uint32_t id : options.without) solver.left_out.emplace_back(id);
   solver.class_threshold = options.class_threshold;
   solver.validate();
 
@@ -72,7 +81,9 @@ void addSolve(CLI::App& app, Common& common) {
   CLI::App* command = app.add_subcommand("solve", "Find the placement of every cell of a session");
   command->add_option("input", options->input, "Session (*.session.json)")->required();
   command->add_option("-o,--output", options->output, "Calibration to write (*.calibration.json)");
-  command->add_option("--solver", options->solver, "tree: the paper's way, along shortest paths")
+  command
+      ->add_option("--solver", options->solver,
+                   "global: all cells, poses and links together; tree: the paper's way, along shortest paths")
       ->capture_default_str();
   command->add_option("--centre", options->centring, "Subtract each cell's mean reading: auto, on or off")
       ->capture_default_str();
@@ -82,6 +93,11 @@ void addSolve(CLI::App& app, Common& common) {
       ->capture_default_str();
   command->add_option("--weights", options->weights, "What makes a path short: paper (classes) or residual")
       ->capture_default_str();
+  command
+      ->add_option("--gap-model", options->gap_model,
+                   "What the mould does when it is bent: arc (the pitch stays), pivot (nothing stretches) or fit")
+      ->capture_default_str();
+  command->add_option("--without", options->without, "Leave this cell's readings out; may be repeated");
   command
       ->add_option("--class-threshold", options->class_threshold,
                    "Singular value from which a direction counts as defined; 1 is the paper's")

@@ -31,7 +31,13 @@ Accelerometer readAccelerometer(const JsonReader& json) {
   a.noise_g_per_sqrt_hz = json.at("noise_g_per_sqrt_hz").nonNegativeNumber();
   a.offset_sigma_g = json.at("offset_sigma_g").nonNegativeNumber();
   a.scale_sigma = json.at("scale_sigma").nonNegativeNumber();
-  if (const auto sigma = json.find("cross_axis_sigma")) a.cross_axis_sigma = sigma->nonNegativeNumber();
+  if (const auto sigma = json.find("cross_axis_sigma")) {
+    a.cross_axis_sigma = sigma->nonNegativeNumber();
+  } else {
+    // Who knows the scales has calibrated the axes too: the default keeps its ratio to an uncalibrated sensor's scale.
+    constexpr double kLargestShareOfScale = 0.25;
+    a.cross_axis_sigma = std::min(a.cross_axis_sigma, kLargestShareOfScale * a.scale_sigma);
+  }
   a.T_u_a = readPlacement(json, "t_u_m", "q_u_wxyz");
   return a;
 }

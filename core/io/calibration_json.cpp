@@ -60,7 +60,8 @@ SolverOptions readOptions(const JsonReader& json) {
   if (const auto value = json.find("max-bend-deg")) options.max_bend_rad = nonNegativeAngle(*value);
   if (const auto value = json.find("max-twist-deg")) options.max_twist_rad = nonNegativeAngle(*value);
   if (const auto value = json.find("max-yaw-deg")) options.max_yaw_rad = nonNegativeAngle(*value);
-  if (const auto value = json.find("max-residual-ratio")) options.max_residual_ratio = value->positiveNumber();
+  if (const auto value = json.find("max-misfit")) options.max_misfit = value->positiveNumber();
+  if (const auto value = json.find("without")) options.left_out = readIds<CellId>(*value);
   try {
     options.validate();
   } catch (const InvalidArgument& error) {

@@ -32,10 +32,12 @@ Json idsJson(const Ids& ids) {
 }
 
 Json optionsJson(const SolverOptions& options) {
-  return {{"centre", centringName(options.centring)},      {"support-axes", supportAxesName(options.support_axes)},
-          {"weights", linkWeightsName(options.weights)},   {"class-threshold", options.class_threshold},
-          {"max-bend-deg", degrees(options.max_bend_rad)}, {"max-twist-deg", degrees(options.max_twist_rad)},
-          {"max-yaw-deg", degrees(options.max_yaw_rad)},   {"max-residual-ratio", options.max_residual_ratio}};
+  Json json = {{"centre", centringName(options.centring)},      {"support-axes", supportAxesName(options.support_axes)},
+               {"weights", linkWeightsName(options.weights)},   {"class-threshold", options.class_threshold},
+               {"max-bend-deg", degrees(options.max_bend_rad)}, {"max-twist-deg", degrees(options.max_twist_rad)},
+               {"max-yaw-deg", degrees(options.max_yaw_rad)},   {"max-misfit", options.max_misfit}};
+  if (!options.left_out.empty()) json["without"] = idsJson(options.left_out);
+  return json;
 }
 
 Json sourceJson(const SourceDescription& source) {

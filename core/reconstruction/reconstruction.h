@@ -2,6 +2,7 @@
 
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/graph/cell_model.h"
+#include "hexoderm/reconstruction/placement_covariance.h"
 #include "hexoderm/reconstruction/solver_options.h"
 #include "hexoderm/session/session.h"
 #include "hexoderm/util/finding.h"
@@ -28,8 +29,10 @@ struct LinkEstimate {
   EdgeQuality quality = EdgeQuality::Undefined;
   Eigen::Vector3d singular_values = Eigen::Vector3d::Zero();  ///< of the unit vectors, uncentred, without support axes
   double weight = 3;
-  double residual_rad = 0;  ///< rms over poses of the angle between c_p and R_c_n n_p
-  double sigma_rad = 0;     ///< predicted standard deviation about the worst axis
+  /// Rms over poses of the angle between c_p and R_c_n n_p; with the global solver of readings freed from the estimated
+  /// errors of their sensors.
+  double residual_rad = 0;
+  double sigma_rad = 0;  ///< predicted standard deviation about the worst axis
   double bend_rad = 0;
   double twist_rad = 0;
   double yaw_rad = 0;
@@ -60,6 +63,10 @@ struct CellPlacement {
   /// the cell frame: R_true = R exp(e)). Zero for the origin. Absent where a solver or an imported file does not state
   /// it.
   std::optional<Matrix6d> cov_t_r;
+  /// What the accelerometer reads is scale * force + offset along its axes, cross-axis sensitivity apart. Estimated by
+  /// the global solver where the cell was measured.
+  std::optional<Eigen::Vector3d> accel_offset_g;
+  std::optional<Eigen::Vector3d> accel_scale;
   std::vector<CellId> path;  ///< from the origin to this cell, both included; empty if imported
   std::vector<SensorPlacement> sensors;
 };
@@ -68,15 +75,24 @@ struct CellPlacement {
 struct GravityDirection {
   PoseId pose;
   Eigen::Vector3d g_o = Eigen::Vector3d::UnitZ();  ///< unit, points up (specific force)
-  double sigma_rad = 0;                            ///< scatter of the cells about it, divided by sqrt(cells)
+  /// Tree: scatter of the cells about it, divided by sqrt(cells). Global: predicted, worst axis.
+  double sigma_rad = 0;
+};
+
+/// How much of the way from pivot (0) to arc (1) the gaps of a patch go (SPEC step 10), and how well that is known.
+struct GapShareEstimate {
+  double share = 0;
+  double sigma = 0;  ///< 0 where it was given
 };
 
 struct PatchReconstruction {
   PatchId id;
   CellId origin;
   std::vector<GravityDirection> gravity;
-  std::vector<CellPlacement> cells;  ///< in ascending order of ID
-  std::vector<LinkEstimate> links;   ///< muted links too; a link between two patches is listed with its source
+  std::vector<CellPlacement> cells;           ///< in ascending order of ID
+  std::vector<LinkEstimate> links;            ///< muted links too; a link between two patches is listed with its source
+  std::optional<GapShareEstimate> gap_share;  ///< of the global solver
+  std::shared_ptr<const PlacementCovariance> covariance;  ///< null but for a fresh result of the global solver
 
   [[nodiscard]] const CellPlacement* findCell(CellId cell_id) const;
 };
@@ -127,7 +143,7 @@ struct FlatLayout {
 /// The result: everything views and exporters show. Immutable once made; also what a calibration file holds.
 struct Reconstruction {
   std::uint64_t revision = 0;   ///< of the snapshot it was computed from
-  std::string solver = "tree";  ///< "tree" or "imported"
+  std::string solver = "tree";  ///< "global", "tree" or "imported"
   SolverOptions options;
   SourceDescription source;
   std::shared_ptr<const CellModel> model;  ///< never null

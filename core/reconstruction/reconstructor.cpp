@@ -1,13 +1,17 @@
 #include "hexoderm/reconstruction/reconstructor.h"
 
 #include "hexoderm/geometry/alignment.h"
-#include "hexoderm/reconstruction/link_plausibility.h"
+#include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
 #include "cell_health.h"
 #include "edge_rotation.h"
 #include "gravity_table.h"
+#include "joint_refinement.h"
+#include "pose_summary.h"
+#include "skin_readings.h"
+#include "suspects.h"
 #include "tree_placement.h"
 #include "verdict.h"
 
@@ -17,31 +21,44 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace hexoderm {
 namespace {
 
-// A link is judged by its angles only where the poses fix them.
-constexpr double kJudgeableSigma = 15 * kDegree;
-// Two poses whose gravity lines are closer than this tell little more than one.
-constexpr double kRepeatedAngle = 10 * kDegree;
+/// One patch on its way: placed along the tree, then perhaps jointly.
+struct PatchWork {
+  std::size_t patch = 0;
+  std::size_t origin = 0;
+  ShortestPaths paths;
+  std::vector<TreePlacement> placements;  ///< per cell of the graph
+  std::unique_ptr<JointRefinement> joint;
+};
 
-class TreeReconstructor {
+class Reconstructor {
  public:
-  TreeReconstructor(const SessionSnapshot& snapshot, const SolverOptions& options)
+  Reconstructor(const SessionSnapshot& snapshot, const SolverOptions& options, std::stop_token stop)
       : snapshot_(snapshot),
         options_(options),
+        stop_(std::move(stop)),
         model_(*snapshot.model),
         graph_(model_, *snapshot.neighbors),
         findings_(graph_.findings()),
-        table_(snapshot, graph_, findings_) {}
+        table_(snapshot, graph_, findings_),
+        readings_(model_, graph_, table_) {}
 
   std::shared_ptr<const Reconstruction> run() {
     const auto start = std::chrono::steady_clock::now();
     judgeCells(snapshot_, graph_, table_, findings_);
-    fillMissingReadings();
+    leaveOutCells();
     estimateEdges();
-    muteBadLinks();
+    findSuspects();
+    for (const EdgeRotation& edge : edges_) weights_.push_back(weightOf(edge));
+    in_tree_.resize(edges_.size(), false);
+
+    std::vector<PatchWork> works;
+    for (std::size_t patch = 0; patch < graph_.patches().size(); ++patch) works.push_back(placePatch(patch));
+    if (options_.solver == Solver::Global) refine(works);
 
     auto result = std::make_shared<Reconstruction>();
     result->revision = snapshot_.revision;
@@ -49,12 +66,10 @@ class TreeReconstructor {
     result->options = options_;
     result->source = snapshot_.source;
     result->model = snapshot_.model;
-    for (const EdgeRotation& edge : edges_) weights_.push_back(weightOf(edge));
-    in_tree_.resize(edges_.size(), false);
-    for (std::size_t patch = 0; patch < graph_.patches().size(); ++patch) result->patches.push_back(solvePatch(patch));
-    addLinks(*result);
-    result->poses = summarisePoses(*result);
-    judgePoses(*result);
+    for (const PatchWork& work : works) result->patches.push_back(describe(work));
+    addLinks(works, *result);
+    result->poses = summarisePoses(snapshot_, table_, result->patches);
+    judgePoses(result->poses, result->patches, findings_);
     result->findings = std::move(findings_);
     result->layout = computeFlatLayout(model_, result->patches);
     result->verdict = judge(*result);
@@ -67,75 +82,31 @@ class TreeReconstructor {
   [[nodiscard]] const Port& sourcePort(const GraphLink& link) const { return model_.port(link.source_port); }
   [[nodiscard]] const Port& targetPort(const GraphLink& link) const { return model_.port(link.target_port); }
 
-  /// A cell without any usable reading would cut its chain: its gravity is taken half way between its neighbours', as
-  /// their nominal alignment brings it over. Such a cell is placed by its links and says so.
-  void fillMissingReadings() {
-    const std::size_t cells = graph_.cells().size();
-    measured_.assign(cells, false);
-    gravity_.assign(cells, {});
-    std::vector<std::size_t> blind;
-    for (std::size_t cell = 0; cell < cells; ++cell) {
-      const std::vector<std::size_t> poses = table_.usablePoses(cell);
-      measured_[cell] = !poses.empty();
-      gravity_[cell].assign(table_.poseCount(), Eigen::Vector3d::Zero());
-      for (const std::size_t pose : poses) gravity_[cell][pose] = table_.at(cell, pose).mean_g;
-      if (!measured_[cell]) blind.push_back(cell);
-    }
-    if (blind.empty() || table_.enabledPoses().empty()) return;
-
-    // First outwards from the cells that read, then a few rounds for chains of several blind ones.
-    constexpr int kRounds = 20;
-    for (int round = 0; round < kRounds; ++round) {
-      for (const std::size_t cell : blind) {
-        for (const std::size_t pose : table_.enabledPoses()) {
-          Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-          for (const std::size_t link_index : graph_.linksAt(cell)) {
-            const GraphLink& link = graph_.links()[link_index];
-            if (link.muted()) continue;
-            const Eigen::Vector3d& g = gravity_[link.other(cell)][pose];
-            if (g.isZero()) continue;
-            Eigen::Matrix3d R_nom = nominalAlignment(sourcePort(link), targetPort(link));
-            if (link.source != cell) R_nom.transposeInPlace();
-            sum += R_nom * g.normalized();
-          }
-          if (sum.norm() > 1e-6) gravity_[cell][pose] = sum.normalized();
-        }
-      }
+  void leaveOutCells() {
+    for (const CellId id : options_.left_out) {
+      const std::optional<std::size_t> cell = graph_.indexOf(id);
+      if (!cell) throw InvalidArgument("there is no cell " + toString(id) + " to be left out");
+      dropReadings(*cell);
+      findings_.push_back(makeFinding(FindingCode::LeftOut,
+                                      "Cell " + toString(id) + " was left out; it is placed through its links.", {id}));
     }
   }
 
-  [[nodiscard]] EdgeReadings readingsOf(const GraphLink& link) const {
-    std::vector<std::size_t> poses;
-    for (const std::size_t pose : table_.enabledPoses()) {
-      if (!gravity_[link.source][pose].isZero() && !gravity_[link.target][pose].isZero()) poses.push_back(pose);
-    }
-    EdgeReadings readings;
-    const auto count = static_cast<Eigen::Index>(poses.size());
-    readings.c_g.resize(3, count);
-    readings.n_g.resize(3, count);
-    for (Eigen::Index k = 0; k < count; ++k) {
-      const std::size_t pose = poses[static_cast<std::size_t>(k)];
-      readings.c_g.col(k) = gravity_[link.source][pose];
-      readings.n_g.col(k) = gravity_[link.target][pose];
-      readings.variance_g2.push_back(table_.at(link.source, pose).variance_g2 +
-                                     table_.at(link.target, pose).variance_g2);
-    }
-    return readings;
+  void dropReadings(std::size_t cell) {
+    for (std::size_t pose = 0; pose < table_.poseCount(); ++pose) table_.at(cell, pose).usable = false;
   }
 
   void estimateEdges() {
+    readings_ = SkinReadings(model_, graph_, table_);
     edges_.clear();
     pose_residuals_.clear();
     for (const GraphLink& link : graph_.links()) {
-      const EdgeReadings readings = readingsOf(link);
+      const EdgeReadings readings = readings_.readingsOf(link);
       EdgeRotation edge = estimateEdgeRotation(model_, sourcePort(link), targetPort(link), readings, options_);
       std::vector<std::optional<double>> residuals(table_.poseCount());
-      if (measured_[link.source] && measured_[link.target]) {
+      if (readings_.measured(link)) {
         std::size_t k = 0;
-        for (const std::size_t pose : table_.enabledPoses()) {
-          if (gravity_[link.source][pose].isZero() || gravity_[link.target][pose].isZero()) continue;
-          residuals[pose] = edge.pose_residual_rad[k++];
-        }
+        for (const std::size_t pose : readings_.posesOf(link)) residuals[pose] = edge.pose_residual_rad[k++];
       } else if (readings.n_g.cols() > 0) {
         markAsGuessed(edge, link);
       }
@@ -169,36 +140,24 @@ class TreeReconstructor {
     return std::min(kPi, std::sqrt(std::max(0.0, solver.eigenvalues().maxCoeff())));
   }
 
-  /// Links that no skin link can be: their angles, or cells that moved against each other between poses.
-  void muteBadLinks() {
-    std::map<FindingCode, std::vector<std::size_t>> bad;
-    for (std::size_t k = 0; k < edges_.size(); ++k) {
-      const GraphLink& link = graph_.links()[k];
-      const EdgeRotation& edge = edges_[k];
-      if (link.muted() || !measured_[link.source] || !measured_[link.target]) continue;
-      const LinkEnd source = graph_.sourceEnd(link);
-      const LinkEnd target = graph_.targetEnd(link);
-      const double sigma = worstSigma(edge.covariance);
-      if (sigma < kJudgeableSigma && !edge.supported) {
-        const std::vector<Finding> implausible = judgeLinkAngles(
-            linkAngles(edge.R_c_n, sourcePort(link), targetPort(link)), source, target, options_, sigma);
-        if (!implausible.empty()) bad[implausible.front().code].push_back(k);
-        findings_.insert(findings_.end(), implausible.begin(), implausible.end());
-        if (!implausible.empty()) continue;
+  /// Removes the worst cell and looks again, until what is left to blame are links.
+  void findSuspects() {
+    for (;;) {
+      const SuspectSearch search(model_, graph_, table_, readings_, edges_, options_);
+      if (const auto cell = search.worstCell()) {
+        findings_.push_back(describeBadSensor(graph_, table_, snapshot_, *cell, false));
+        dropReadings(*cell);
+        estimateEdges();
+        continue;
       }
-      if (edge.residual_rad > options_.max_residual_ratio * edge.expected_residual_rad &&
-          edge.expected_residual_rad > 0) {
-        bad[FindingCode::LinkNotRigid].push_back(k);
-        findings_.push_back(
-            makeFinding(FindingCode::LinkNotRigid,
-                        "The cells of the " + linkInWords(source, target) + " moved against each other by about " +
-                            formatFixed(toDegrees(edge.residual_rad), 1) + "° between poses (limit " +
-                            formatFixed(toDegrees(options_.max_residual_ratio * edge.expected_residual_rad), 1) +
-                            "°): probably a joint or a cable, or one of the two sensors is bad. The link is not used.",
-                        {source.cell, target.cell}, {source.port, target.port}));
+      std::map<FindingCode, std::vector<std::size_t>> bad;
+      for (const SuspectSearch::BadLink& link : search.badLinks()) {
+        bad[link.findings.front().code].push_back(link.link);
+        findings_.insert(findings_.end(), link.findings.begin(), link.findings.end());
       }
+      for (const auto& [code, links] : bad) graph_.mute(links, code);
+      return;
     }
-    for (const auto& [code, links] : bad) graph_.mute(links, code);
   }
 
   [[nodiscard]] double weightOf(const EdgeRotation& edge) const {
@@ -210,12 +169,10 @@ class TreeReconstructor {
 
   /// `link_index`: the link that the cell is placed by; of the origin, one of its own; kNoIndex if it has none.
   [[nodiscard]] Eigen::Matrix3d attitudeCovariance(std::size_t cell, std::size_t link_index) const {
-    const bool interpolated =
-        !measured_[cell] && std::ranges::any_of(gravity_[cell], [](const Eigen::Vector3d& g) { return !g.isZero(); });
-    if (interpolated && link_index != kNoIndex) {
+    if (readings_.interpolated(cell) && link_index != kNoIndex) {
       const GraphLink& link = graph_.links()[link_index];
       const auto sides = std::ranges::count_if(graph_.linksAt(cell), [&](std::size_t k) {
-        return !graph_.links()[k].muted() && measured_[graph_.links()[k].other(cell)];
+        return !graph_.links()[k].muted() && readings_.measured(graph_.links()[k].other(cell));
       });
       // Half way between two neighbours, half of each link's bend is what may be wrong.
       return elastomerPrior(link.source == cell ? sourcePort(link) : targetPort(link)) / (sides >= 2 ? 2 : 1);
@@ -233,32 +190,110 @@ class TreeReconstructor {
     return cellAttitudeCovariance(model_.accelerometer, g, variance, centred, supported);
   }
 
-  PatchReconstruction solvePatch(std::size_t patch) {
-    const std::size_t origin = findOrigin(graph_, weights_, patch);
-    const ShortestPaths paths = findShortestPaths(graph_, weights_, origin);
-
+  PatchWork placePatch(std::size_t patch) {
+    PatchWork work;
+    work.patch = patch;
+    work.origin = findOrigin(graph_, weights_, patch);
+    work.paths = findShortestPaths(graph_, weights_, work.origin);
     std::vector<Eigen::Matrix3d> attitude(graph_.cells().size(), Eigen::Matrix3d::Zero());
     std::size_t first_link = kNoIndex;
-    for (const std::size_t cell : paths.order) {
-      if (cell == origin) continue;
-      if (first_link == kNoIndex) first_link = paths.link[cell];
-      in_tree_[paths.link[cell]] = true;
-      attitude[cell] = attitudeCovariance(cell, paths.link[cell]);
+    for (const std::size_t cell : work.paths.order) {
+      if (cell == work.origin) continue;
+      if (first_link == kNoIndex) first_link = work.paths.link[cell];
+      in_tree_[work.paths.link[cell]] = true;
+      attitude[cell] = attitudeCovariance(cell, work.paths.link[cell]);
     }
-    attitude[origin] = attitudeCovariance(origin, first_link);
-    const std::vector<TreePlacement> placements = placeAlongTree(graph_, model_, paths, edges_, attitude);
+    attitude[work.origin] = attitudeCovariance(work.origin, first_link);
+    work.placements = placeAlongTree(graph_, model_, work.paths, edges_, attitude);
+    return work;
+  }
 
+  /// The joint estimate of every patch. A cell whose readings fit the gravity of all others in no position is left out
+  /// and the rest solved again, the worst cell first.
+  void refine(std::vector<PatchWork>& works) {
+    std::vector<Finding> found;
+    for (PatchWork& work : works) {
+      const std::vector<std::size_t>& cells = graph_.patches()[work.patch];
+      std::vector<SE3> placements(graph_.cells().size());
+      for (const std::size_t cell : cells) placements[cell] = work.placements[cell].T_o_u;
+      work.joint = std::make_unique<JointRefinement>(model_, graph_, table_, options_, cells, work.origin, placements);
+      work.joint->solve(stop_);
+      bool dropped = false;
+      while (const auto cell = worstSensor(*work.joint, cells)) {
+        const auto links =
+            std::ranges::count_if(graph_.linksAt(*cell), [&](std::size_t k) { return !graph_.links()[k].muted(); });
+        findings_.push_back(describeBadSensor(graph_, table_, snapshot_, *cell, links == 1));
+        dropReadings(*cell);
+        work.joint->leaveOut(*cell);
+        work.joint->solve(stop_);
+        dropped = true;
+      }
+      if (dropped) estimateEdges();
+      findInconsistentPoses(*work.joint);
+    }
+  }
+
+  [[nodiscard]] std::optional<std::size_t> worstSensor(const JointRefinement& joint,
+                                                       const std::vector<std::size_t>& cells) const {
+    // Of two cells neither is the odd one out.
+    constexpr std::size_t kFewestForAVote = 3;
+    if (cells.size() < kFewestForAVote || stop_.stop_requested()) return std::nullopt;
+    std::optional<std::size_t> worst;
+    double worst_misfit = options_.max_misfit;
+    for (const std::size_t cell : cells) {
+      if (!readings_.measured(cell) || table_.usablePoses(cell).size() < 2) continue;
+      const double misfit = joint.misfitOf(cell).deviate();
+      if (misfit <= worst_misfit) continue;
+      worst = cell;
+      worst_misfit = misfit;
+    }
+    return worst;
+  }
+
+  /// A part that moved while it was sampled leaves contradictions between all cells of that pose.
+  void findInconsistentPoses(const JointRefinement& joint) {
+    // Tremor leaves a few standard deviations everywhere; one pose far beyond the others is the odd one out.
+    constexpr double kLargest = 8;
+    constexpr double kTimesOthers = 3;
+    if (joint.poses().size() < 3) return;
+    std::vector<double> misfits;
+    for (const std::size_t pose : joint.poses()) misfits.push_back(joint.poseMisfit(pose));
+    std::vector<double> sorted = misfits;
+    std::ranges::sort(sorted);
+    const double usual = sorted[sorted.size() / 2];
+    for (std::size_t k = 0; k < misfits.size(); ++k) {
+      if (misfits[k] < std::max(kLargest, kTimesOthers * usual)) continue;
+      const PoseId id = poseId(joint.poses()[k]);
+      findings_.push_back(makeFinding(FindingCode::InconsistentPose,
+                                      "In pose " + toString(id) + " the cells contradict each other by " +
+                                          formatFixed(misfits[k], 0) + " times their noise (other poses " +
+                                          formatFixed(usual, 1) +
+                                          "): the part probably moved while it was sampled. Take the pose again.",
+                                      {}, {}, {id}));
+    }
+  }
+
+  PatchReconstruction describe(const PatchWork& work) const {
     PatchReconstruction result;
-    result.id = PatchId(static_cast<std::uint32_t>(patch));
-    result.origin = graph_.cells()[origin].id;
-    for (const std::size_t cell : graph_.patches()[patch]) {
+    result.id = PatchId(static_cast<std::uint32_t>(work.patch));
+    result.origin = graph_.cells()[work.origin].id;
+    for (const std::size_t cell : graph_.patches()[work.patch]) {
       CellPlacement placement;
       placement.cell = graph_.cells()[cell].id;
       placement.body_part = graph_.cells()[cell].body_part;
-      placement.placed_by = measured_[cell] ? PlacedBy::Samples : PlacedBy::Links;
-      placement.T_o_u = placements[cell].T_o_u;
-      placement.cov_t_r = placements[cell].covariance;
-      for (std::size_t step = cell; step != kNoIndex; step = paths.predecessor[step]) {
+      placement.placed_by = readings_.measured(cell) ? PlacedBy::Samples : PlacedBy::Links;
+      if (work.joint) {
+        placement.T_o_u = work.joint->placementOf(cell);
+        placement.cov_t_r = work.joint->covarianceOf(cell);
+        if (readings_.measured(cell)) {
+          placement.accel_offset_g = work.joint->sensorOf(cell).offset_g;
+          placement.accel_scale = work.joint->sensorOf(cell).gain.diagonal();
+        }
+      } else {
+        placement.T_o_u = work.placements[cell].T_o_u;
+        placement.cov_t_r = work.placements[cell].covariance;
+      }
+      for (std::size_t step = cell; step != kNoIndex; step = work.paths.predecessor[step]) {
         placement.path.push_back(graph_.cells()[step].id);
       }
       std::ranges::reverse(placement.path);
@@ -267,18 +302,29 @@ class TreeReconstructor {
       }
       result.cells.push_back(std::move(placement));
     }
-    result.gravity = gravityDirections(patch, placements);
+    if (work.joint) {
+      const JointSolution& solution = work.joint->solution();
+      for (std::size_t k = 0; k < work.joint->poses().size(); ++k) {
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(solution.covariance->direction(k),
+                                                                    Eigen::EigenvaluesOnly);
+        result.gravity.push_back({poseId(work.joint->poses()[k]), solution.state.g_o[k],
+                                  std::sqrt(std::max(0.0, solver.eigenvalues().maxCoeff()))});
+      }
+      result.gap_share = GapShareEstimate{solution.state.gap_share, solution.covariance->gapShareSigma()};
+      result.covariance = work.joint->placementCovariance(graph_);
+    } else {
+      result.gravity = gravityDirections(work);
+    }
     return result;
   }
 
-  [[nodiscard]] std::vector<GravityDirection> gravityDirections(std::size_t patch,
-                                                                const std::vector<TreePlacement>& placements) const {
+  [[nodiscard]] std::vector<GravityDirection> gravityDirections(const PatchWork& work) const {
     std::vector<GravityDirection> directions;
     for (const std::size_t pose : table_.enabledPoses()) {
       std::vector<Eigen::Vector3d> seen;
-      for (const std::size_t cell : graph_.patches()[patch]) {
+      for (const std::size_t cell : graph_.patches()[work.patch]) {
         if (table_.at(cell, pose).usable) {
-          seen.push_back(placements[cell].T_o_u.R * table_.at(cell, pose).mean_g.normalized());
+          seen.push_back(work.placements[cell].T_o_u.R * table_.at(cell, pose).mean_g.normalized());
         }
       }
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -293,7 +339,7 @@ class TreeReconstructor {
     return directions;
   }
 
-  void addLinks(Reconstruction& result) const {
+  void addLinks(const std::vector<PatchWork>& works, Reconstruction& result) const {
     for (std::size_t k = 0; k < edges_.size(); ++k) {
       const GraphLink& link = graph_.links()[k];
       const EdgeRotation& edge = edges_[k];
@@ -306,128 +352,55 @@ class TreeReconstructor {
       estimate.weight = weights_[k];
       estimate.residual_rad = edge.residual_rad;
       estimate.sigma_rad = worstSigma(edge.covariance);
-      const LinkAngles angles = linkAngles(edge.R_c_n, sourcePort(link), targetPort(link));
-      estimate.bend_rad = angles.bend_rad;
-      estimate.twist_rad = angles.twist_rad;
-      estimate.yaw_rad = angles.yaw_rad;
       estimate.centred = edge.centred;
       estimate.supported = edge.supported;
       estimate.used = !link.muted();
       estimate.in_tree = !link.muted() && in_tree_[k];
       estimate.muted_by = link.muted_by;
       estimate.pose_residual_rad = pose_residuals_[k];
-      result.patches[graph_.cells()[link.source].patch.value()].links.push_back(std::move(estimate));
-    }
-  }
-
-  [[nodiscard]] std::vector<PoseSummary> summarisePoses(const Reconstruction& result) const {
-    const PatchReconstruction* largest = largestPatch(result);
-    std::vector<PoseSummary> summaries;
-    std::vector<Eigen::Vector3d> earlier;
-    std::size_t next_direction = 0;
-    for (std::size_t pose = 0; pose < table_.poseCount(); ++pose) {
-      PoseSummary summary;
-      summary.pose = poseId(pose);
-      summary.label = snapshot_.poses[pose].capture->label;
-      summary.enabled = !snapshot_.poses[pose].disabled;
-      double noise = 0;
-      for (std::size_t cell = 0; cell < table_.cellCount(); ++cell) {
-        const GravityTable::Entry& entry = table_.at(cell, pose);
-        if (!entry.usable) continue;
-        ++summary.cells_measured;
-        noise += entry.variance_g2;
+      const std::uint32_t patch = graph_.cells()[link.source].patch.value();
+      if (const JointRefinement* joint = works[patch].joint.get(); joint != nullptr && !link.muted()) {
+        estimateJointly(*joint, k, estimate);
       }
-      if (summary.cells_measured > 0) summary.noise_g = std::sqrt(noise / static_cast<double>(summary.cells_measured));
-      if (summary.enabled && largest != nullptr && next_direction < largest->gravity.size() &&
-          largest->gravity[next_direction].pose == summary.pose) {
-        const Eigen::Vector3d& g = largest->gravity[next_direction++].g_o;
-        for (const Eigen::Vector3d& other : earlier) {
-          // Opposite directions are the same line: no new rank.
-          const double angle = std::min(angleBetween(g, other), angleBetween(g, -other));
-          summary.new_by_rad = std::min(angle, summary.new_by_rad.value_or(angle));
-        }
-        earlier.push_back(g);
-      }
-      double residual = 0;
-      std::size_t links = 0;
-      for (const auto& residuals : pose_residuals_) {
-        if (!residuals[pose]) continue;
-        residual += *residuals[pose] * *residuals[pose];
-        ++links;
-      }
-      if (links > 0) summary.residual_rad = std::sqrt(residual / static_cast<double>(links));
-      summaries.push_back(std::move(summary));
-    }
-    return summaries;
-  }
-
-  void judgePoses(const Reconstruction& result) {
-    if (result.cellCount() == 0) return;
-    if (table_.enabledPoses().empty()) {
-      findings_.push_back(makeFinding(FindingCode::NoPoses,
-                                      "There is no pose yet: the surface shown follows from ports and priors alone."));
-      return;
-    }
-    std::size_t open = 0;
-    std::size_t used = 0;
-    for (std::size_t k = 0; k < edges_.size(); ++k) {
-      const GraphLink& link = graph_.links()[k];
-      if (link.muted() || !measured_[link.source] || !measured_[link.target]) continue;
-      ++used;
-      if (edges_[k].quality == EdgeQuality::Undefined || edges_[k].quality == EdgeQuality::Partially) ++open;
-    }
-    if (2 * open > used) {
-      findings_.push_back(makeFinding(FindingCode::TooFewDirections,
-                                      "Gravity was seen along one line only, so the turn about it is a guess: take a "
-                                      "pose in which the part is turned by about 90 degrees about a horizontal axis.",
-                                      {}, {}, enabledIds()));
-    }
-    judgeRepetitions(largestPatch(result)->gravity);
-  }
-
-  /// From the third pose on the opposite of an earlier direction helps to separate offsets; a repeated one never does.
-  void judgeRepetitions(const std::vector<GravityDirection>& gravity) {
-    for (std::size_t later = 1; later < gravity.size(); ++later) {
-      for (std::size_t earlier = 0; earlier < later; ++earlier) {
-        const double angle = angleBetween(gravity[later].g_o, gravity[earlier].g_o);
-        const bool opposite = gravity.size() == 2 && kPi - angle < kRepeatedAngle;
-        if (angle >= kRepeatedAngle && !opposite) continue;
-        findings_.push_back(
-            makeFinding(FindingCode::RepeatedPose,
-                        "Pose " + toString(gravity[later].pose) +
-                            (opposite ? " is pose " + toString(gravity[earlier].pose) + " upside down"
-                                      : " shows gravity where pose " + toString(gravity[earlier].pose) + " does") +
-                            " (within " + formatFixed(toDegrees(opposite ? kPi - angle : angle), 0) +
-                            "°), which adds no new direction.",
-                        {}, {}, {gravity[earlier].pose, gravity[later].pose}));
-        break;
-      }
+      const LinkAngles angles = linkAngles(estimate.R_c_n, sourcePort(link), targetPort(link));
+      estimate.bend_rad = angles.bend_rad;
+      estimate.twist_rad = angles.twist_rad;
+      estimate.yaw_rad = angles.yaw_rad;
+      result.patches[patch].links.push_back(std::move(estimate));
     }
   }
 
-  [[nodiscard]] static const PatchReconstruction* largestPatch(const Reconstruction& result) {
-    const PatchReconstruction* largest = nullptr;
-    for (const PatchReconstruction& patch : result.patches) {
-      if (largest == nullptr || patch.cells.size() > largest->cells.size()) largest = &patch;
+  /// A link's rotation and predicted deviation follow from the placements; its residuals are of readings freed from the
+  /// estimated errors of their sensors.
+  void estimateJointly(const JointRefinement& joint, std::size_t index, LinkEstimate& estimate) const {
+    const GraphLink& link = graph_.links()[index];
+    estimate.R_c_n = joint.placementOf(link.source).R.transpose() * joint.placementOf(link.target).R;
+    estimate.sigma_rad = worstSigma(joint.linkCovariance(index));
+    estimate.centred = false;
+    estimate.supported = false;
+    if (!readings_.measured(link)) return;
+    double sum = 0;
+    std::size_t count = 0;
+    for (const std::size_t pose : readings_.posesOf(link)) {
+      const Eigen::Vector3d c = joint.correctedReading(link.source, table_.at(link.source, pose).mean_g);
+      const Eigen::Vector3d n = joint.correctedReading(link.target, table_.at(link.target, pose).mean_g);
+      const double angle = angleBetween(c, estimate.R_c_n * n);
+      estimate.pose_residual_rad[pose] = angle;
+      sum += angle * angle;
+      ++count;
     }
-    return largest;
-  }
-
-  [[nodiscard]] std::vector<PoseId> enabledIds() const {
-    std::vector<PoseId> ids;
-    for (const std::size_t pose : table_.enabledPoses()) ids.push_back(poseId(pose));
-    return ids;
+    if (count > 0) estimate.residual_rad = std::sqrt(sum / static_cast<double>(count));
   }
 
   const SessionSnapshot& snapshot_;
   const SolverOptions& options_;
+  std::stop_token stop_;
   const CellModel& model_;
   SkinGraph graph_;
   std::vector<Finding> findings_;
   GravityTable table_;
-  std::vector<bool> measured_;                         ///< per cell: has usable readings of its own
-  std::vector<std::vector<Eigen::Vector3d>> gravity_;  ///< per cell and pose; zero: none; blind cells interpolated
-  std::vector<EdgeRotation> edges_;                    ///< per link of the graph
+  SkinReadings readings_;
+  std::vector<EdgeRotation> edges_;  ///< per link of the graph
   std::vector<std::vector<std::optional<double>>> pose_residuals_;
   std::vector<double> weights_;  ///< per link
   std::vector<bool> in_tree_;    ///< per link
@@ -437,7 +410,7 @@ class TreeReconstructor {
 
 std::shared_ptr<const Reconstruction> reconstruct(const SessionSnapshot& snapshot, const SolverOptions& options) {
   options.validate();
-  return TreeReconstructor(snapshot, options).run();
+  return Reconstructor(snapshot, options, {}).run();
 }
 
 }  // namespace hexoderm

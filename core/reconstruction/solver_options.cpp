@@ -9,7 +9,8 @@
 namespace hexoderm {
 namespace {
 
-constexpr std::array<std::string_view, 1> kSolvers = {"tree"};
+constexpr std::array<std::string_view, 2> kSolvers = {"global", "tree"};
+constexpr std::array<std::string_view, 3> kGapModels = {"fit", "arc", "pivot"};
 constexpr std::array<std::string_view, 3> kAutoOnOff = {"auto", "on", "off"};
 constexpr std::array<std::string_view, 2> kWeights = {"paper", "residual"};
 
@@ -37,20 +38,17 @@ void SolverOptions::validate() const {
   inRange(max_bend_rad, 0, kHalfTurn, "largest bend");
   inRange(max_twist_rad, 0, kHalfTurn, "largest twist");
   inRange(max_yaw_rad, 0, kHalfTurn, "largest yaw");
-  inRange(max_residual_ratio, 1, 1e6, "largest residual ratio");
+  inRange(max_misfit, 0, 1e6, "largest misfit");
 }
 
 std::string_view solverName(Solver solver) { return kSolvers.at(static_cast<std::size_t>(solver)); }
+std::string_view gapModelName(GapModel model) { return kGapModels.at(static_cast<std::size_t>(model)); }
 std::string_view centringName(Centring centring) { return kAutoOnOff.at(static_cast<std::size_t>(centring)); }
 std::string_view supportAxesName(SupportAxes axes) { return kAutoOnOff.at(static_cast<std::size_t>(axes)); }
 std::string_view linkWeightsName(LinkWeights weights) { return kWeights.at(static_cast<std::size_t>(weights)); }
 
-Solver solverFromName(std::string_view name) {
-  if (name == "global") {
-    throw InvalidArgument("solver: this version of Hexoderm has no global solver; use --solver tree");
-  }
-  return fromName<Solver>(kSolvers, name, "solver");
-}
+Solver solverFromName(std::string_view name) { return fromName<Solver>(kSolvers, name, "solver"); }
+GapModel gapModelFromName(std::string_view name) { return fromName<GapModel>(kGapModels, name, "gap-model"); }
 Centring centringFromName(std::string_view name) { return fromName<Centring>(kAutoOnOff, name, "centre"); }
 SupportAxes supportAxesFromName(std::string_view name) {
   return fromName<SupportAxes>(kAutoOnOff, name, "support-axes");

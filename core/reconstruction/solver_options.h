@@ -1,17 +1,27 @@
 #pragma once
 
+#include "hexoderm/util/ids.h"
+
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace hexoderm {
 
-enum class Solver { Tree };                  ///< the paper's way (SPEC step 9)
+enum class Solver {
+  Global,  ///< all cells, poses and links together, with the sensors' errors (SPEC step 10)
+  Tree,    ///< the paper's way, along shortest paths (step 9)
+};
+/// What a mould does when it is bent (step 10): nothing stretches and both extended port vectors end in one point; the
+/// pitch is kept along the arc; or the data say how much of the way from the one to the other.
+enum class GapModel { Fit, Arc, Pivot };
 enum class Centring { Auto, On, Off };       ///< subtract each cell's mean vector before the SVD (step 6)
 enum class SupportAxes { Auto, On, Off };    ///< append the gap's axes, scaled to 10 % (step 8)
 enum class LinkWeights { Paper, Residual };  ///< 3, 2, 1, 1 by class, or by predicted deviation and residual (2.2)
 
 struct SolverOptions {
-  Solver solver = Solver::Tree;
+  Solver solver = Solver::Global;
+  GapModel gap_model = GapModel::Fit;  ///< of the global solver; the tree's is always Pivot
   Centring centring = Centring::Auto;
   SupportAxes support_axes = SupportAxes::Auto;
   LinkWeights weights = LinkWeights::Paper;
@@ -23,19 +33,24 @@ struct SolverOptions {
   double max_bend_rad = 1.0471975511965976;   ///< 60 degrees
   double max_twist_rad = 0.6981317007977318;  ///< 40 degrees
   double max_yaw_rad = 0.6981317007977318;    ///< 40 degrees
-  /// A link is no rigid link if its residual is larger than this many times the residual that the priors predict.
-  double max_residual_ratio = 3.0;
+  /// A link is no rigid link, and a cell's sensor is broken, if what they read is less likely than a normal deviate of
+  /// this many standard deviations, the priors of the sensors' errors granted.
+  double max_misfit = 5.0;
+  /// Cells whose readings are not to be used; they are placed through their links.
+  std::vector<CellId> left_out;
 
   /// Throws InvalidArgument naming the first value out of range.
   void validate() const;
 };
 
 std::string_view solverName(Solver solver);
+std::string_view gapModelName(GapModel gap_model);
 std::string_view centringName(Centring centring);
 std::string_view supportAxesName(SupportAxes support_axes);
 std::string_view linkWeightsName(LinkWeights weights);
-/// Throw InvalidArgument listing the names there are. "global" is refused: it is not in this version.
+/// Throw InvalidArgument listing the names there are.
 Solver solverFromName(std::string_view name);
+GapModel gapModelFromName(std::string_view name);
 Centring centringFromName(std::string_view name);
 SupportAxes supportAxesFromName(std::string_view name);
 LinkWeights linkWeightsFromName(std::string_view name);

@@ -56,6 +56,16 @@ constexpr std::array kTable = {
                        "A cell's readings scatter far more than its sensor's noise and the other cells'."},
     FindingDescription{WrongNorm, "wrong-norm", Severity::Warning,
                        "A cell's readings are further from 1 g than its sensor's offset and scale allow."},
+    FindingDescription{
+        DeadAxis, "dead-axis", Severity::Error,
+        "One axis of a cell's accelerometer does not follow gravity; the cell is placed through its links."},
+    FindingDescription{WrongGain, "wrong-gain", Severity::Error,
+                       "A cell's accelerometer reads too much or too little in every pose; it is placed by its links."},
+    FindingDescription{
+        InconsistentSensor, "inconsistent-sensor", Severity::Error,
+        "A cell's readings fit no position of the cell in the patch; the cell is placed through its links."},
+    FindingDescription{LeftOut, "left-out", Severity::Info,
+                       "A cell was left out on request; it is placed through its links."},
     FindingDescription{SampleOfUnknownCell, "sample-of-unknown-cell", Severity::Warning,
                        "A pose holds a reading of a cell that is not in the skin; it is not used."},
     FindingDescription{DuplicateSample, "duplicate-sample", Severity::Warning,
@@ -69,9 +79,11 @@ constexpr std::array kTable = {
                        "Two poses show gravity along nearly the same line, which adds little."},
     FindingDescription{PartMoved, "part-moved", Severity::Warning,
                        "Most cells scattered far beyond their noise in this pose: the part was probably moving."},
+    FindingDescription{InconsistentPose, "inconsistent-pose", Severity::Warning,
+                       "The cells contradict each other in one pose far more than in the others; the part moved."},
 };
 
-static_assert(kTable.size() == static_cast<std::size_t>(PartMoved) + 1);
+static_assert(kTable.size() == static_cast<std::size_t>(InconsistentPose) + 1);
 
 constexpr std::array<std::pair<Severity, std::string_view>, 3> kSeverities = {
     {{Severity::Info, "info"}, {Severity::Warning, "warning"}, {Severity::Error, "error"}}};

@@ -40,6 +40,10 @@ enum class FindingCode {
   SaturatedSensor,
   NoisySensor,
   WrongNorm,
+  DeadAxis,
+  WrongGain,
+  InconsistentSensor,
+  LeftOut,
   // poses
   SampleOfUnknownCell,
   DuplicateSample,
@@ -48,6 +52,7 @@ enum class FindingCode {
   TooFewDirections,
   RepeatedPose,
   PartMoved,
+  InconsistentPose,
 };
 
 struct FindingDescription {

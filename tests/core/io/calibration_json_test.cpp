@@ -125,7 +125,7 @@ TEST(CalibrationJson, ComesBackAsItWas) {
   EXPECT_EQ(back->options.max_bend_rad, result.options.max_bend_rad);
   EXPECT_EQ(back->options.max_twist_rad, result.options.max_twist_rad);
   EXPECT_EQ(back->options.max_yaw_rad, result.options.max_yaw_rad);
-  EXPECT_EQ(back->options.max_residual_ratio, result.options.max_residual_ratio);
+  EXPECT_EQ(back->options.max_misfit, result.options.max_misfit);
   EXPECT_EQ(back->source.file, "three_cells.session.json");
   EXPECT_EQ(back->source.sha256, result.source.sha256);
   EXPECT_EQ(back->source.text, result.source.text);

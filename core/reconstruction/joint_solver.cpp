@@ -1,0 +1,223 @@
+#include "joint_solver.h"
+
+#include "block_cholesky.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+/// Which block of the sparse matrix a link adds to: two links may join the same two cells.
+struct CouplePlan {
+  std::vector<BlockCholesky::Couple> couples;
+  struct Place {
+    std::size_t couple = 0;
+    bool transposed = false;
+  };
+  std::vector<Place> of_link;
+
+  explicit CouplePlan(const JointProblem& problem) {
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> known;
+    for (const JointLink& link : problem.links) {
+      const auto key = std::minmax(link.c, link.n);
+      const auto [place, is_new] = known.emplace(key, couples.size());
+      if (is_new) couples.push_back({key.first, key.second});
+      of_link.push_back({place->second, link.c != key.first});
+    }
+  }
+};
+
+/// The sparse block of the cells with its dense border: A x + E y = a, E^T x + F y = f.
+class BorderedFactor {
+ public:
+  BorderedFactor(const JointProblem& problem, const CouplePlan& plan)
+      : problem_(problem), plan_(plan), factor_(problem.cellCount(), plan.couples) {}
+
+  /// With the diagonal raised by `damping` times itself.
+  bool factorize(const NormalEquations& equations, double damping) {
+    std::vector<Matrix6d> diagonal = equations.cells;
+    if (damping > 0) {
+      for (Matrix6d& block : diagonal) block.diagonal() *= 1 + damping;
+    }
+    std::vector<Matrix6d> couples(plan_.couples.size(), Matrix6d::Zero());
+    for (std::size_t k = 0; k < equations.links.size(); ++k) {
+      const CouplePlan::Place place = plan_.of_link[k];
+      if (place.transposed) {
+        couples[place.couple] += equations.links[k].transpose();
+      } else {
+        couples[place.couple] += equations.links[k];
+      }
+    }
+    if (!factor_.factorize(diagonal, couples)) return false;
+    solved_border_ = equations.border_cells;
+    factor_.solve(solved_border_);
+    Eigen::MatrixXd schur = equations.border;
+    schur.diagonal() *= 1 + damping;
+    schur.noalias() -= equations.border_cells.transpose() * solved_border_;
+    schur_.compute(schur);
+    return schur.size() == 0 || schur_.info() == Eigen::Success;
+  }
+
+  /// The step that takes the gradient away.
+  void solve(const NormalEquations& equations, Eigen::VectorXd& cells, Eigen::VectorXd& border) const {
+    Eigen::MatrixXd right = -equations.gradient_cells;
+    factor_.solve(right);
+    border = -equations.gradient_border - equations.border_cells.transpose() * right.col(0);
+    if (border.size() > 0) schur_.solveInPlace(border);
+    cells = right.col(0) - solved_border_ * border;
+  }
+
+  [[nodiscard]] const BlockCholesky& cells() const { return factor_; }
+  [[nodiscard]] const Eigen::MatrixXd& solvedBorder() const { return solved_border_; }
+  [[nodiscard]] const Eigen::LLT<Eigen::MatrixXd>& schur() const { return schur_; }
+
+ private:
+  const JointProblem& problem_;
+  const CouplePlan& plan_;
+  BlockCholesky factor_;
+  Eigen::MatrixXd solved_border_;  // A^-1 E
+  Eigen::LLT<Eigen::MatrixXd> schur_;
+};
+
+}  // namespace
+
+struct JointCovariance::State {
+  std::size_t origin;
+  BorderLayout layout;
+  bool estimates_gap_share;
+  CouplePlan plan;
+  BorderedFactor factor;
+  Eigen::MatrixXd border_covariance;
+  Eigen::MatrixXd border_root;  // A^-1 E L^-T: the border's part of the cells' covariance is its outer product
+  std::vector<Matrix6d> cells;
+  std::vector<Matrix6d> links;
+
+  State(const JointProblem& problem, const NormalEquations& equations)
+      : origin(problem.origin),
+        layout(problem),
+        estimates_gap_share(problem.gap.sigma.has_value()),
+        plan(problem),
+        factor(problem, plan) {
+    // Priors keep the matrix positive definite; rounding may not, where hardly anything but priors speaks.
+    double damping = 0;
+    while (!factor.factorize(equations, damping)) {
+      constexpr double kLeast = 1e-12;
+      constexpr double kLargest = 1e-3;
+      damping = std::max(kLeast, 10 * damping);
+      if (damping > kLargest) throw std::runtime_error("the information matrix is not positive definite");
+    }
+    border_covariance = factor.schur().solve(Eigen::MatrixXd::Identity(layout.size(), layout.size()));
+    border_root = factor.schur().matrixL().solve(factor.solvedBorder().transpose()).transpose();
+    const BlockCholesky::SelectedInverse inverse = factor.cells().selectedInverse();
+    cells.resize(problem.cellCount());
+    for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) {
+      cells[cell].setZero();
+      if (cell == origin) continue;
+      cells[cell] = inverse.diagonal[cell] + borderPart(cell, cell);
+      cells[cell] = (cells[cell] + cells[cell].transpose()).eval() / 2;
+    }
+    links.assign(problem.links.size(), Matrix6d::Zero());
+    for (std::size_t k = 0; k < links.size(); ++k) {
+      const JointLink& link = problem.links[k];
+      if (link.c == origin || link.n == origin) continue;
+      const CouplePlan::Place place = plan.of_link[k];
+      links[k] = borderPart(link.c, link.n);
+      if (place.transposed) {
+        links[k] += inverse.couples[place.couple].transpose();
+      } else {
+        links[k] += inverse.couples[place.couple];
+      }
+    }
+  }
+
+  [[nodiscard]] Matrix6d borderPart(std::size_t a, std::size_t b) const {
+    return border_root.middleRows<6>(static_cast<Eigen::Index>(6 * a)) *
+           border_root.middleRows<6>(static_cast<Eigen::Index>(6 * b)).transpose();
+  }
+};
+
+JointCovariance::JointCovariance(const JointProblem& problem, NormalEquations equations)
+    : state_(std::make_unique<State>(problem, equations)) {}
+JointCovariance::~JointCovariance() = default;
+
+const Matrix6d& JointCovariance::cell(std::size_t cell) const { return state_->cells[cell]; }
+const Matrix6d& JointCovariance::link(std::size_t link) const { return state_->links[link]; }
+
+Matrix6d JointCovariance::between(std::size_t a, std::size_t b) const {
+  if (a == state_->origin || b == state_->origin) return Matrix6d::Zero();
+  Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(6 * state_->cells.size()), 6);
+  unit.middleRows<6>(static_cast<Eigen::Index>(6 * b)).setIdentity();
+  state_->factor.cells().solve(unit);
+  return unit.middleRows<6>(static_cast<Eigen::Index>(6 * a)) + state_->borderPart(a, b);
+}
+
+Eigen::Matrix2d JointCovariance::direction(std::size_t pose) const {
+  const Eigen::Index at = state_->layout.direction(pose);
+  return state_->border_covariance.block<2, 2>(at, at);
+}
+
+double JointCovariance::gapShareSigma() const {
+  if (!state_->estimates_gap_share) return 0;
+  const Eigen::Index at = state_->layout.gapShare();
+  return std::sqrt(state_->border_covariance(at, at));
+}
+
+JointSolution solveJointly(const JointProblem& problem, const JointState& initial, const JointSolverOptions& options) {
+  // Below this the cost is rounding: residuals of a millionth of a standard deviation.
+  constexpr double kNoCost = 1e-14;
+  constexpr double kFirstDamping = 1e-4;
+  constexpr double kLargestDamping = 1e12;
+
+  JointSolution solution;
+  solution.state = initial;
+  const CouplePlan plan(problem);
+  BorderedFactor factor(problem, plan);
+  NormalEquations equations;
+  NormalEquations next_equations;
+  linearize(problem, solution.state, equations);
+  Eigen::VectorXd cells;
+  Eigen::VectorXd border;
+  double damping = 0;
+  solution.termination = JointTermination::StepLimit;
+  while (solution.iterations < options.max_iterations) {
+    if (options.stop.stop_requested()) {
+      solution.termination = JointTermination::Stopped;
+      break;
+    }
+    ++solution.iterations;
+    bool lowered = false;
+    bool nothing_left = false;
+    if (factor.factorize(equations, damping)) {
+      factor.solve(equations, cells, border);
+      const double promised = -(equations.gradient_cells.dot(cells) + equations.gradient_border.dot(border)) / 2;
+      nothing_left = promised <= options.cost_tolerance * equations.cost + kNoCost;
+      JointState next = moved(problem, solution.state, cells, border);
+      linearize(problem, next, next_equations);
+      lowered = next_equations.cost <= equations.cost;  // false for NaN
+      if (lowered) {
+        solution.state = std::move(next);
+        std::swap(equations, next_equations);
+      }
+    }
+    // Damped steps promise little even far from the optimum; undamped ones that can't lower the cost have met rounding.
+    if ((nothing_left && damping == 0) || damping > kLargestDamping) {
+      solution.termination = JointTermination::Converged;
+      break;
+    }
+    if (!lowered) {
+      damping = std::max(kFirstDamping, 10 * damping);
+    } else {
+      damping = damping > 2 * kFirstDamping ? damping / 5 : 0;
+    }
+  }
+  solution.cost = equations.cost;
+  solution.covariance = std::make_shared<JointCovariance>(problem, std::move(equations));
+  return solution;
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "hexoderm/geometry/se3.h"
+#include "hexoderm/util/ids.h"
+
+namespace hexoderm {
+
+/// How well any two cells of a patch are known relative to each other. Holds the factor of the information matrix, so
+/// it exists for a fresh joint reconstruction only, not for one read from a file.
+class PlacementCovariance {
+ public:
+  PlacementCovariance() = default;
+  virtual ~PlacementCovariance() = default;
+  PlacementCovariance(const PlacementCovariance&) = delete;
+  PlacementCovariance& operator=(const PlacementCovariance&) = delete;
+
+  /// Covariance of T_a_b, the placement of b in a's frame: order position (m, frame of a) then rotation (rad,
+  /// right-multiplied error in the frame of b). Costs a few triangular solves with the sparse factor. Zero for a = b.
+  /// Throws InvalidArgument if a cell is not in the patch.
+  [[nodiscard]] virtual Matrix6d relative(CellId a, CellId b) const = 0;
+};
+
+}  // namespace hexoderm
