@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hexoderm {
 namespace {
@@ -43,6 +44,7 @@ void fitAccelerometer(const AccelerometerPrior& prior, std::span<const CellReadi
   for (std::size_t k = 0; k < count; ++k) fit.precision[k] = 1 / readings[k].variance_g2;
 
   Eigen::Matrix<double, 4, 3> parameters = Eigen::Matrix<double, 4, 3>::Zero();
+  std::vector<double> next_precision;
   double previous = std::numeric_limits<double>::infinity();
   for (int round = 0; round < kRounds; ++round) {
     Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
@@ -69,17 +71,20 @@ void fitAccelerometer(const AccelerometerPrior& prior, std::span<const CellReadi
     fit.gain = Eigen::Matrix3d::Identity() + parameters.bottomRows<3>().transpose();
 
     bool reweighted = false;
+    next_precision.resize(count);
     for (std::size_t k = 0; k < count; ++k) {
       fit.residual_g[k] = readings[k].y_g - fit.gain * v_g[k] - fit.offset_g;
       const double squared = fit.residual_g[k].squaredNorm() / readings[k].variance_g2;
       cost += loss.cost(squared);
-      const double precision = loss.weight(squared) / readings[k].variance_g2;
-      reweighted = reweighted || std::abs(precision - fit.precision[k]) > kConverged * precision;
-      fit.precision[k] = precision;
+      next_precision[k] = loss.weight(squared) / readings[k].variance_g2;
+      reweighted = reweighted || std::abs(next_precision[k] - fit.precision[k]) > kConverged * next_precision[k];
     }
     fit.cost = cost / 2;
     if (!reweighted || std::abs(previous - cost) <= kConverged * cost) break;
     previous = cost;
+    // The last round's stay, because the covariance is theirs: what is taken out of the information is then never more
+    // than there is.
+    if (round + 1 < kRounds) fit.precision.swap(next_precision);
   }
 }
 

@@ -156,9 +156,9 @@ Matrix6d JointCovariance::between(std::size_t a, std::size_t b) const {
   return unit.middleRows<6>(static_cast<Eigen::Index>(6 * a)) + state_->borderPart(a, b);
 }
 
-Eigen::Matrix2d JointCovariance::direction(std::size_t pose) const {
-  const Eigen::Index at = state_->layout.direction(pose);
-  return state_->border_covariance.block<2, 2>(at, at);
+Eigen::Matrix3d JointCovariance::force(std::size_t pose) const {
+  const Eigen::Index at = state_->layout.force(pose);
+  return state_->border_covariance.block<3, 3>(at, at);
 }
 
 double JointCovariance::gapShareSigma() const {
@@ -216,7 +216,7 @@ JointSolution solveJointly(const JointProblem& problem, const JointState& initia
     }
   }
   solution.cost = equations.cost;
-  solution.covariance = std::make_shared<JointCovariance>(problem, std::move(equations));
+  if (options.covariance) solution.covariance = std::make_shared<JointCovariance>(problem, std::move(equations));
   return solution;
 }
 
