@@ -131,6 +131,13 @@ class CellLinearizer {
         prior_(problem.model->accelerometer),
         R_a_u_(problem.model->accelerometer.T_u_a.R.transpose()) {
     border_root_.resize(12, layout_.size());
+    pending_.resize(12 * kBatch, layout_.size());
+  }
+
+  /// To be called after the last cell: the border is complete then.
+  void finish() {
+    subtractPending();
+    equations_.border.triangularView<Eigen::StrictlyUpper>() = equations_.border.transpose();
   }
 
   void add(std::size_t cell) {
@@ -192,7 +199,7 @@ class CellLinearizer {
       own_root.middleRows<4>(4 * axis).noalias() = root * own_mixed[index];
       border_root_.middleRows<4>(4 * axis) = (root * border_root_.middleRows<4>(4 * axis)).eval();
     }
-    equations_.border.noalias() -= border_root_.transpose() * border_root_;
+    subtractLater(border_root_);
     if (fixed) return;
     own.noalias() -= own_root.transpose() * own_root;
     equations_.cells[cell] += own;
@@ -218,12 +225,27 @@ class CellLinearizer {
     }
   }
 
+  /// With many poses the border is large: its lower triangle takes the products of several cells at once.
+  void subtractLater(const Eigen::MatrixXd& root) {
+    pending_.middleRows<12>(pending_rows_) = root;
+    pending_rows_ += 12;
+    if (pending_rows_ == pending_.rows()) subtractPending();
+  }
+
+  void subtractPending() {
+    equations_.border.selfadjointView<Eigen::Lower>().rankUpdate(pending_.topRows(pending_rows_).transpose(), -1);
+    pending_rows_ = 0;
+  }
+
+  static constexpr Eigen::Index kBatch = 16;
   const JointProblem& problem_;
   const JointState& state_;
   NormalEquations& equations_;
   BorderLayout layout_;
   AccelerometerPrior prior_;
   Eigen::Matrix3d R_a_u_;
+  Eigen::MatrixXd pending_;
+  Eigen::Index pending_rows_ = 0;
   Eigen::MatrixXd border_root_;  // B^T W J per axis, then its covariance root applied
   SensorState sensor_;
 };
@@ -354,6 +376,7 @@ void linearize(const JointProblem& problem, const JointState& state, NormalEquat
 
   CellLinearizer cells(problem, state, equations);
   for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) cells.add(cell);
+  cells.finish();
   LinkResidual residual;
   for (std::size_t k = 0; k < problem.links.size(); ++k) {
     addLink(problem, state, k, layout.gapShare(), residual, equations);

@@ -13,6 +13,8 @@ namespace {
 // A hand turns the part while it is sampled; over a patch of this size its lever arm shows in the readings.
 constexpr std::size_t kCellsForAccelerations = 100;
 constexpr std::size_t kPosesForAccelerations = 3;  // with two they do harm
+// With many poses tremor averages out, and the dense part of the equations is small enough without them.
+constexpr std::size_t kMostPosesForAccelerations = 50;
 // What a hand's translation leaves in a mean; and on a large part, what its turning does at the middle of a patch.
 constexpr double kForceSigma_g = 0.003;
 constexpr double kForceSigmaOfLargePart_g = 0.03;
@@ -104,7 +106,8 @@ JointRefinement::JointRefinement(const CellModel& model, const SkinGraph& graph,
   }
   problem_->poses = poses_.size();
   const bool large = cells_.size() >= kCellsForAccelerations;
-  problem_->accelerations = large && poses_.size() >= kPosesForAccelerations;
+  problem_->accelerations =
+      large && poses_.size() >= kPosesForAccelerations && poses_.size() <= kMostPosesForAccelerations;
   problem_->force_sigma_g = large ? kForceSigmaOfLargePart_g : kForceSigma_g;
 
   for (const std::size_t cell : cells_) {
@@ -176,7 +179,9 @@ void JointRefinement::solveWithLinkSpread(const JointSolverOptions& options) {
 }
 
 bool JointRefinement::accelerationsShow() const {
-  if (problem_->poses < kPosesForAccelerations || cells_.size() < 2) return false;
+  if (problem_->poses < kPosesForAccelerations || problem_->poses > kMostPosesForAccelerations || cells_.size() < 2) {
+    return false;
+  }
   // What a first step with accelerations would gain, against what chance gains.
   JointProblem with = *problem_;
   with.accelerations = true;

@@ -18,12 +18,14 @@ struct JointSolverOptions {
 
 enum class JointTermination { Converged, Stopped, StepLimit };
 
+struct JointSolution;
+
 /// The inverse of the information matrix at the optimum: how uncertain every unknown is, and how they depend on each
 /// other. Keeps the sparse factor, so that the covariance of any two cells can still be asked for.
 class JointCovariance {
  public:
   /// `equations` at the optimum. Throws std::runtime_error if they are not positive definite, which priors prevent.
-  JointCovariance(const JointProblem& problem, NormalEquations equations);
+  JointCovariance(const JointProblem& problem, const NormalEquations& equations);
   ~JointCovariance();
   JointCovariance(const JointCovariance&) = delete;
   JointCovariance& operator=(const JointCovariance&) = delete;
@@ -39,7 +41,10 @@ class JointCovariance {
   [[nodiscard]] double gapShareSigma() const;  ///< 0 if it is not estimated
 
  private:
+  friend JointSolution solveJointly(const JointProblem& problem, const JointState& initial,
+                                    const JointSolverOptions& options);
   struct State;
+  explicit JointCovariance(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
 
