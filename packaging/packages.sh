@@ -8,6 +8,7 @@ core_packages=(
   ccache
   libassimp-dev
   libboost-graph-dev
+  libceres-dev # test oracle; the library does not use it
   libcli11-dev
   libeigen3-dev
   libgmock-dev
