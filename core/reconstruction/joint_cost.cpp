@@ -386,11 +386,6 @@ void linearize(const JointProblem& problem, const JointState& state, NormalEquat
     equations.border(layout.gapShare(), layout.gapShare()) += precision;
     equations.gradient_border[layout.gapShare()] += precision * (state.gap_share - problem.gap.mean);
   }
-  // A direction that no reading shows any more must not make the matrix singular; next to any reading this is nothing.
-  constexpr double kLeastPrecision = 1e-3;
-  for (std::size_t pose = 0; pose < problem.poses; ++pose) {
-    equations.border.diagonal().segment<2>(layout.direction(pose)).array() += kLeastPrecision;
-  }
   if (problem.accelerations) {
     constexpr double kPrecision = 1 / (kAccelerationSigma * kAccelerationSigma);
     for (std::size_t pose = 0; pose < problem.poses; ++pose) {
