@@ -105,6 +105,8 @@ void addSolve(CLI::App& app, Common& common) {
   common.addTo(*command);
   command->footer(
       "Example:\n  hexoderm-cli solve arm.session.json -o arm.calibration.json\n"
+      "With a mould that stretches, and cell 7 placed through its links:\n"
+      "  hexoderm-cli solve arm.session.json --gap-model arc --without 7\n"
       "The paper's own method:\n  hexoderm-cli solve arm.session.json --solver tree --centre off");
   command->callback([options, &common] { common.exit_code = run(*options, common); });
 }

@@ -84,6 +84,43 @@ TEST_F(Cli, SameSeedSameFile) {
   EXPECT_NE(readFile(path("a.session.json")), readFile(path("c.session.json")));
 }
 
+TEST_F(Cli, SolverAndGapModelAreChosenAndKept) {
+  run("simulate --poses 3 --seed 4 -o arm.session.json");
+  EXPECT_EQ(run("solve arm.session.json --solver tree --centre off -o tree.calibration.json").exit_code, 0);
+  const auto tree = readCalibrationJson(path("tree.calibration.json"));
+  EXPECT_EQ(tree->options.solver, Solver::Tree);
+  EXPECT_FALSE(tree->patches.at(0).gap_share.has_value());
+  for (const GapModel model : {GapModel::Fit, GapModel::Arc, GapModel::Pivot}) {
+    const std::string name(gapModelName(model));
+    const Outcome solve =
+        run("solve arm.session.json --solver global --gap-model " + name + " -o " + name + ".calibration.json");
+    EXPECT_EQ(solve.exit_code, 0) << solve.err;
+    const auto result = readCalibrationJson(path(name + ".calibration.json"));
+    EXPECT_EQ(result->options.solver, Solver::Global);
+    EXPECT_EQ(result->options.gap_model, model);
+    EXPECT_EQ(result->patches.at(0).gap_share.value().sigma > 0, model == GapModel::Fit);
+    EXPECT_EQ(solve.out.find("gap share") != std::string::npos, model == GapModel::Fit) << solve.out;
+    EXPECT_TRUE(result->find(CellId(7)).cell->accel_offset_g.has_value());
+  }
+  EXPECT_EQ(run("solve arm.session.json -o default.calibration.json").exit_code, 0);
+  EXPECT_EQ(readCalibrationJson(path("default.calibration.json"))->options.gap_model, GapModel::Fit);
+  EXPECT_EQ(readCalibrationJson(path("default.calibration.json"))->solver, "global");
+}
+
+TEST_F(Cli, CellsAreLeftOutOnRequest) {
+  run("simulate --poses 3 --seed 4 -o arm.session.json");
+  for (const std::string solver : {"global", "tree"}) {
+    const Outcome solve =
+        run("solve arm.session.json --solver " + solver + " --without 7 --without 12 -o out.calibration.json");
+    EXPECT_EQ(solve.exit_code, 0) << solve.err;
+    EXPECT_THAT(solve.out, AllOf(HasSubstr("Cell 7 was left out"), HasSubstr("Cell 12 was left out")));
+    const auto result = readCalibrationJson(path("out.calibration.json"));
+    EXPECT_EQ(result->options.left_out, (std::vector<CellId>{CellId(7), CellId(12)}));
+    EXPECT_EQ(result->find(CellId(7)).cell->placed_by, PlacedBy::Links);
+    EXPECT_EQ(result->find(CellId(8)).cell->placed_by, PlacedBy::Samples);
+  }
+}
+
 TEST_F(Cli, AVerdictOfNotEnoughEndsWithOneAndStillWrites) {
   run("simulate --poses 1 -o one.session.json");
   EXPECT_EQ(run("solve one.session.json -o one.calibration.json").exit_code, 1);
@@ -98,9 +135,17 @@ TEST_F(Cli, UsageEndsWithTwo) {
   EXPECT_EQ(run("simulate -o a.xyz").exit_code, 2);
   EXPECT_FALSE(exists("a.session.json"));
   run("simulate -o arm.session.json");
-  const Outcome global = run("solve arm.session.json --solver global");
-  EXPECT_EQ(global.exit_code, 2);
-  EXPECT_THAT(global.err, HasSubstr("no global solver"));
+  const Outcome magic = run("solve arm.session.json --solver magic");
+  EXPECT_EQ(magic.exit_code, 2);
+  EXPECT_THAT(magic.err, HasSubstr("global or tree"));
+  const Outcome rubber = run("solve arm.session.json --gap-model rubber");
+  EXPECT_EQ(rubber.exit_code, 2);
+  EXPECT_THAT(rubber.err, HasSubstr("fit, arc or pivot"));
+  const Outcome without = run("solve arm.session.json --without 99 -o arm.calibration.json");
+  EXPECT_EQ(without.exit_code, 2);
+  EXPECT_THAT(without.err, HasSubstr("cell 99"));
+  EXPECT_FALSE(exists("arm.calibration.json"));
+  EXPECT_EQ(run("solve arm.session.json --without seven").exit_code, 2);
   EXPECT_EQ(run("solve arm.session.json --centre sometimes").exit_code, 2);
 }
 

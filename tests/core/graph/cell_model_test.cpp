@@ -99,13 +99,29 @@ TEST(CellModelJson, ComesBackAsItWas) {
   EXPECT_EQ(back.yaw_sigma_rad, 0.1);
 }
 
+/// Only the keys that every file has; `scale_sigma` as text.
+CellModel sparseModel(const std::string& scale_sigma) {
+  return cellModelFromJson(R"({"name": "sparse", "side_m": 0.015, "thickness_m": 0.003, "gap_m": 0.002,
+      "ports": [{"port": 1, "vector_m": [0.014, 0, 0]}], "interface_id": 16383,
+      "accelerometer": {"range_g": 2, "lsb_g": 0.004, "rate_hz": 1000, "noise_g_per_sqrt_hz": 0.0005,
+                        "offset_sigma_g": 0.06, "scale_sigma": )" +
+                               scale_sigma + "}}",
+                           "sparse.json");
+}
+
 TEST(CellModelJson, FillsInWhatAFileMayLeaveOut) {
-  const CellModel model = hex();  // its file has none of these keys
+  const CellModel model = sparseModel("0.02");
   EXPECT_EQ(model.accelerometer.cross_axis_sigma, 0.005);
   EXPECT_EQ(model.link_sigma_m, 0.0005);
   EXPECT_EQ(model.bend_sigma_rad, 30 * kDegree);
   EXPECT_EQ(model.twist_sigma_rad, 10 * kDegree);
   EXPECT_EQ(model.yaw_sigma_rad, 2 * kDegree);
+}
+
+TEST(CellModelJson, TakesCalibratedScalesForCalibratedAxes) {
+  EXPECT_EQ(sparseModel("0").accelerometer.cross_axis_sigma, 0);
+  EXPECT_DOUBLE_EQ(sparseModel("0.004").accelerometer.cross_axis_sigma, 0.001);
+  EXPECT_EQ(sparseModel("0.2").accelerometer.cross_axis_sigma, 0.005);
 }
 
 TEST(CellModelJson, IsLoadedFromAFileOfTheUsersOwn) {

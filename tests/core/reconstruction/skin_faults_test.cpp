@@ -17,7 +17,25 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::SizeIs;
 
-std::shared_ptr<const Reconstruction> solve(const Session& session) { return reconstruct(*session.snapshot(), {}); }
+/// Every fault is one for every solver. The skins are pin-jointed, which is the gap model that the global one gets.
+class SolverTest : public ::testing::TestWithParam<Solver> {
+ protected:
+  [[nodiscard]] static std::shared_ptr<const Reconstruction> solve(const Session& session) {
+    SolverOptions options;
+    options.solver = GetParam();
+    options.gap_model = GapModel::Pivot;
+    return reconstruct(*session.snapshot(), options);
+  }
+  /// The elastomer's prior pulls every joint a little towards straight.
+  [[nodiscard]] static double tolerance_rad() { return GetParam() == Solver::Tree ? 1e-9 : 0.03 * kDegree; }
+  [[nodiscard]] static double tolerance_m() { return GetParam() == Solver::Tree ? 1e-9 : 0.03 * kMillimetre; }
+};
+
+class SkinFaults : public SolverTest {};
+
+const auto kEverySolver = ::testing::Values(Solver::Global, Solver::Tree);
+std::string nameOf(const ::testing::TestParamInfo<Solver>& test) { return std::string(solverName(test.param)); }
+INSTANTIATE_TEST_SUITE_P(Solvers, SkinFaults, kEverySolver, nameOf);
 
 const Finding* findFinding(const Reconstruction& result, FindingCode code) {
   const auto found = std::ranges::find(result.findings, code, &Finding::code);
@@ -43,7 +61,7 @@ Session withNeighbors(const Session& session, const NeighborList& neighbors) {
 /// Cell 3 of X17 lies on an arm: 1 - 2 - 3 - 4 - 5.
 constexpr CellId kBad{3};
 
-class BadCell : public ::testing::Test {
+class BadCell : public SolverTest {
  protected:
   void expectPlacedThroughLinks(const Session& session, FindingCode code) {
     const auto result = solve(session);
@@ -57,7 +75,8 @@ class BadCell : public ::testing::Test {
     const SE3 T_origin_root = skin_.truth.at(result->patches.front().origin).inverse();
     for (const CellPlacement& cell : result->patches.front().cells) {
       if (cell.cell == kBad) continue;
-      EXPECT_THAT(cell.T_o_u.R, RotationNear((T_origin_root * skin_.truth.at(cell.cell)).R, 1e-9)) << cell.cell;
+      EXPECT_THAT(cell.T_o_u.R, RotationNear((T_origin_root * skin_.truth.at(cell.cell)).R, tolerance_rad()))
+          << cell.cell;
       EXPECT_EQ(cell.placed_by, PlacedBy::Samples);
     }
     // The bad cell itself lies between its neighbours: half of each joint's bend is what it can be wrong by.
@@ -69,7 +88,9 @@ class BadCell : public ::testing::Test {
   Session session_ = skin_.session(orthogonalUps(4));
 };
 
-TEST_F(BadCell, DeadSensorIsNamedAndTheCellPlacedThroughItsLinks) {
+INSTANTIATE_TEST_SUITE_P(Solvers, BadCell, kEverySolver, nameOf);
+
+TEST_P(BadCell, DeadSensorIsNamedAndTheCellPlacedThroughItsLinks) {
   expectPlacedThroughLinks(changed(session_,
                                    [](std::size_t, GravitySample& sample) {
                                      if (sample.cell == kBad) sample.mean_g = {0.01, -0.02, 0.004};
@@ -77,7 +98,7 @@ TEST_F(BadCell, DeadSensorIsNamedAndTheCellPlacedThroughItsLinks) {
                            FindingCode::DeadSensor);
 }
 
-TEST_F(BadCell, StuckSensorIsNamedAndTheCellPlacedThroughItsLinks) {
+TEST_P(BadCell, StuckSensorIsNamedAndTheCellPlacedThroughItsLinks) {
   expectPlacedThroughLinks(changed(session_,
                                    [](std::size_t, GravitySample& sample) {
                                      if (sample.cell == kBad) sample.mean_g = {0.04, -1.02, 0.02};
@@ -85,7 +106,7 @@ TEST_F(BadCell, StuckSensorIsNamedAndTheCellPlacedThroughItsLinks) {
                            FindingCode::StuckSensor);
 }
 
-TEST_F(BadCell, SaturatedSensorIsNamedAndTheCellPlacedThroughItsLinks) {
+TEST_P(BadCell, SaturatedSensorIsNamedAndTheCellPlacedThroughItsLinks) {
   expectPlacedThroughLinks(changed(session_,
                                    [](std::size_t, GravitySample& sample) {
                                      if (sample.cell == kBad) sample.mean_g = {2.0, 0.1, 0.3};
@@ -93,7 +114,7 @@ TEST_F(BadCell, SaturatedSensorIsNamedAndTheCellPlacedThroughItsLinks) {
                            FindingCode::SaturatedSensor);
 }
 
-TEST_F(BadCell, WrongNormIsNamedAndTheCellPlacedThroughItsLinks) {
+TEST_P(BadCell, WrongNormIsNamedAndTheCellPlacedThroughItsLinks) {
   expectPlacedThroughLinks(changed(session_,
                                    [](std::size_t, GravitySample& sample) {
                                      if (sample.cell == kBad) sample.mean_g *= 1.6;
@@ -101,7 +122,7 @@ TEST_F(BadCell, WrongNormIsNamedAndTheCellPlacedThroughItsLinks) {
                            FindingCode::WrongNorm);
 }
 
-TEST_F(BadCell, NoisySensorIsNamedAndTheCellPlacedThroughItsLinks) {
+TEST_P(BadCell, NoisySensorIsNamedAndTheCellPlacedThroughItsLinks) {
   const Session session = changed(session_, [](std::size_t, GravitySample& sample) {
     const double sigma_g = sample.cell == kBad ? 0.3 : 0.012;
     sample.count = 100;
@@ -110,7 +131,7 @@ TEST_F(BadCell, NoisySensorIsNamedAndTheCellPlacedThroughItsLinks) {
   expectPlacedThroughLinks(session, FindingCode::NoisySensor);
 }
 
-TEST_F(BadCell, CellWithoutAnySampleIsNamedAndPlacedThroughItsLinks) {
+TEST_P(BadCell, CellWithoutAnySampleIsNamedAndPlacedThroughItsLinks) {
   Session session(session_.model(), session_.neighbors());
   for (const SessionPose& pose : session_.poses()) {
     PoseCapture capture = *pose.capture;
@@ -120,7 +141,7 @@ TEST_F(BadCell, CellWithoutAnySampleIsNamedAndPlacedThroughItsLinks) {
   expectPlacedThroughLinks(session, FindingCode::NoSamples);
 }
 
-TEST_F(BadCell, NotANumberIsNoReading) {
+TEST_P(BadCell, NotANumberIsNoReading) {
   expectPlacedThroughLinks(changed(session_,
                                    [](std::size_t, GravitySample& sample) {
                                      if (sample.cell == kBad) {
@@ -130,7 +151,7 @@ TEST_F(BadCell, NotANumberIsNoReading) {
                            FindingCode::NoSamples);
 }
 
-TEST_F(BadCell, CellWithoutASampleInOnePoseIsPlacedFromTheOthers) {
+TEST_P(BadCell, CellWithoutASampleInOnePoseIsPlacedFromTheOthers) {
   Session session(session_.model(), session_.neighbors());
   for (std::size_t p = 0; p < 4; ++p) {
     PoseCapture capture = *session_.poses()[p].capture;
@@ -144,10 +165,14 @@ TEST_F(BadCell, CellWithoutASampleInOnePoseIsPlacedFromTheOthers) {
   EXPECT_THAT(finding->poses, ElementsAre(PoseId(2)));
   EXPECT_EQ(result->find(kBad).cell->placed_by, PlacedBy::Samples);
   const SE3 T_origin_root = skin_.truth.at(result->patches.front().origin).inverse();
-  EXPECT_THAT(result->find(kBad).cell->T_o_u, SE3Near(T_origin_root * skin_.truth.at(kBad), 1e-9, 1e-9));
+  // The poses that are left show this cell's offset along one line only, so the priors count for more.
+  const bool exact = GetParam() == Solver::Tree;
+  EXPECT_THAT(
+      result->find(kBad).cell->T_o_u,
+      SE3Near(T_origin_root * skin_.truth.at(kBad), exact ? 1e-9 : 0.08 * kDegree, exact ? 1e-9 : 0.05 * kMillimetre));
 }
 
-TEST(SkinFaults, ALeafWithoutReadingsIsPlacedByItsOneLink) {
+TEST_P(SkinFaults, ALeafWithoutReadingsIsPlacedByItsOneLink) {
   const PinJointedSkin skin({{1, 1, 2, 4, 0.2, 0, 0}, {2, 1, 3, 4, 0.2, 0, 0}});
   const Session session = changed(skin.session(orthogonalUps(3)), [](std::size_t, GravitySample& sample) {
     if (sample.cell == CellId(3)) sample.mean_g.setZero();
@@ -161,7 +186,7 @@ TEST(SkinFaults, ALeafWithoutReadingsIsPlacedByItsOneLink) {
   EXPECT_GT(std::sqrt(cell->cov_t_r->bottomRightCorner<3, 3>().trace()), 25 * kDegree);
 }
 
-TEST(SkinFaults, AllCellsDeadIsAFlatSheetAndNotEnough) {
+TEST_P(SkinFaults, AllCellsDeadIsAFlatSheetAndNotEnough) {
   const Session session =
       changed(bentX17().session(orthogonalUps(3)), [](std::size_t, GravitySample& sample) { sample.mean_g.setZero(); });
   const auto result = solve(session);
@@ -169,7 +194,7 @@ TEST(SkinFaults, AllCellsDeadIsAFlatSheetAndNotEnough) {
   EXPECT_EQ(result->verdict.level, VerdictLevel::NotEnough);
 }
 
-TEST(SkinFaults, APartThatMovedIsThePosesFaultNotTheCells) {
+TEST_P(SkinFaults, APartThatMovedIsThePosesFaultNotTheCells) {
   const Session session = changed(bentX17().session(orthogonalUps(3)), [](std::size_t pose, GravitySample& sample) {
     sample.count = 100;
     const double sigma_g = pose == 1 ? 0.4 : 0.012;
@@ -182,7 +207,7 @@ TEST(SkinFaults, APartThatMovedIsThePosesFaultNotTheCells) {
   EXPECT_EQ(findFinding(*result, FindingCode::NoisySensor), nullptr);
 }
 
-TEST(SkinFaults, SamplesOfUnknownCellsAndDoubledSamplesAreNamed) {
+TEST_P(SkinFaults, SamplesOfUnknownCellsAndDoubledSamplesAreNamed) {
   const Session exact = bentX17().session(orthogonalUps(2));
   Session session(exact.model(), exact.neighbors());
   PoseCapture first = *exact.poses()[0].capture;
@@ -197,7 +222,7 @@ TEST(SkinFaults, SamplesOfUnknownCellsAndDoubledSamplesAreNamed) {
   EXPECT_THAT(*result, ReconstructionNear(*solve(exact), 1e-12, 1e-12)) << "the first sample counts";
 }
 
-TEST(SkinFaults, BadReportsAreMutedAndTheRestIsSolved) {
+TEST_P(SkinFaults, BadReportsAreMutedAndTheRestIsSolved) {
   const PinJointedSkin skin = bentX17();
   const Session exact = skin.session(orthogonalUps(3));
   NeighborList neighbors = exact.neighbors();
@@ -225,7 +250,7 @@ TEST(SkinFaults, BadReportsAreMutedAndTheRestIsSolved) {
   EXPECT_THAT(*result, IsFinite());
 }
 
-TEST(SkinFaults, BodyPartsSplitThePatchWhereTheyMeet) {
+TEST_P(SkinFaults, BodyPartsSplitThePatchWhereTheyMeet) {
   const Session exact = bentX17().session(orthogonalUps(3));
   NeighborList neighbors = exact.neighbors();
   for (CellReport& report : neighbors) {
@@ -238,7 +263,7 @@ TEST(SkinFaults, BodyPartsSplitThePatchWhereTheyMeet) {
   EXPECT_NE(findFinding(*result, FindingCode::BodyPartBoundary), nullptr);
 }
 
-TEST(SkinFaults, ACableIsMutedByItsBendAndSplitsThePatch) {
+TEST_P(SkinFaults, ACableIsMutedByItsBendAndSplitsThePatch) {
   PinJointedSkin skin({{1, 1, 2, 4, 0.2, 0, 0}, {2, 1, 3, 4, 100 * kDegree, 0, 0}, {3, 1, 4, 4, 0.2, 0, 0}});
   const auto result = solve(skin.session(orthogonalUps(4)));
   const Finding* finding = findFinding(*result, FindingCode::ImplausibleBend);
@@ -248,7 +273,7 @@ TEST(SkinFaults, ACableIsMutedByItsBendAndSplitsThePatch) {
   EXPECT_EQ(result->verdict.level, VerdictLevel::Usable);
 }
 
-TEST(SkinFaults, AJointThatTurnedBetweenPosesIsFoundByItsResidualAndMuted) {
+TEST_P(SkinFaults, AJointThatTurnedBetweenPosesIsFoundByItsResidualAndMuted) {
   const PinJointedSkin skin = bentX17();
   // Cells 4 and 5, the end of an arm, are on another body part that turns by 50 degrees in poses 3 and 4.
   const Session session = changed(skin.session(orthogonalUps(4)), [&](std::size_t pose, GravitySample& sample) {
@@ -265,7 +290,7 @@ TEST(SkinFaults, AJointThatTurnedBetweenPosesIsFoundByItsResidualAndMuted) {
   EXPECT_EQ(std::ranges::count(result->findings, FindingCode::LinkNotRigid, &Finding::code), 1);
 }
 
-TEST(SkinFaults, HundredCellsWithAThousandPosesWork) {
+TEST_P(SkinFaults, HundredCellsWithAThousandPosesWork) {
   std::vector<PinJoint> joints;
   for (std::uint32_t k = 1; k < 100; ++k) joints.push_back({k, 1, k + 1, 4, 0.05, 0.01, 0});
   const PinJointedSkin skin(joints);
@@ -275,10 +300,12 @@ TEST(SkinFaults, HundredCellsWithAThousandPosesWork) {
   EXPECT_EQ(result->poses.size(), 1000);
   EXPECT_THAT(*result, IsFinite());
   const SE3 T_origin_root = skin.truth.at(result->patches.front().origin).inverse();
-  EXPECT_THAT(result->find(CellId(100)).cell->T_o_u, SE3Near(T_origin_root * skin.truth.at(CellId(100)), 1e-9, 1e-9));
+  // The end of a chain of 50 links: their little deviations add up.
+  EXPECT_THAT(result->find(CellId(100)).cell->T_o_u,
+              SE3Near(T_origin_root * skin.truth.at(CellId(100)), tolerance_rad(), 4 * tolerance_m()));
 }
 
-TEST(SkinFaults, HundredThousandCellsWithSixPosesWork) {
+TEST_P(SkinFaults, HundredThousandCellsWithSixPosesWork) {
   // A flat sheet of rhombic lattice: 250 rows of 400 cells, all links 1-4 and 2-3.
   constexpr std::uint32_t kRows = 250;
   constexpr std::uint32_t kColumns = 400;
