@@ -70,6 +70,34 @@ SolverOptions readOptions(const JsonReader& json) {
   return options;
 }
 
+/// The solver and its gap model stand above the options in the file. An imported file's gap model is nobody's option.
+void readSolver(const JsonReader& json, Reconstruction& result) {
+  const JsonReader name = json.at("solver");
+  result.solver = name.string();
+  const auto gap_model = json.find("gap_model");
+  if (result.solver == "imported") {
+    if (gap_model) static_cast<void>(gap_model->string());
+    return;
+  }
+  if (result.solver != "global" && result.solver != "tree") name.fail("\"global\", \"tree\" or \"imported\"");
+  result.options.solver = option(name, solverFromName);
+  if (!gap_model) return;
+  const GapModel model = option(*gap_model, gapModelFromName);
+  if (result.options.solver == Solver::Global) {
+    result.options.gap_model = model;
+  } else if (model != GapModel::Pivot) {
+    gap_model->fail("\"pivot\", which is what the tree solver has");
+  }
+}
+
+std::optional<GapShareEstimate> readGapShare(const JsonReader& json) {
+  const auto share = json.find("gap_s");
+  if (!share) return std::nullopt;
+  GapShareEstimate estimate{share->number(), 0};
+  if (const auto sigma = json.find("gap_s_sigma")) estimate.sigma = sigma->nonNegativeNumber();
+  return estimate;
+}
+
 SourceDescription readSource(const JsonReader& json) {
   SourceDescription source;
   if (const auto file = json.find("file")) source.file = file->string();
@@ -148,6 +176,8 @@ CellPlacement readCell(const JsonReader& json) {
   if (const auto cov = json.find("cov_t_r")) cell.cov_t_r = readCovariance(*cov);
   if (const auto sigma = json.find("sigma_t_m")) static_cast<void>(nonNegativeVector(*sigma));
   if (const auto sigma = json.find("sigma_r_rad")) static_cast<void>(nonNegativeVector(*sigma));
+  if (const auto offset = json.find("accel_offset_g")) cell.accel_offset_g = offset->vector3();
+  if (const auto scale = json.find("accel_scale")) cell.accel_scale = scale->vector3();
   cell.path = readIds<CellId>(json.at("path"));
   for (const JsonReader& sensor : json.at("sensors").items()) cell.sensors.push_back(readSensor(sensor));
   return cell;
@@ -235,6 +265,7 @@ class PatchReader {
     patch.id = PatchId(json.at("id").unsignedInteger());
     if (!patch_ids_.insert(patch.id).second) json.at("id").fail("each patch once");
     patch.origin = CellId(json.at("origin").unsignedInteger());
+    patch.gap_share = readGapShare(json);
     for (const JsonReader& item : json.at("gravity").items()) patch.gravity.push_back(readGravity(item));
     for (const JsonReader& item : json.at("cells").items()) {
       patch.cells.push_back(readCell(item));
@@ -288,11 +319,9 @@ std::shared_ptr<const Reconstruction> parseCalibrationJson(std::string_view text
   json.requireFormat(kFormat, kVersion);
 
   Reconstruction result;
-  result.solver = json.at("solver").string();
-  if (result.solver != "global" && result.solver != "tree" && result.solver != "imported") {
-    json.at("solver").fail("\"global\", \"tree\" or \"imported\"");
-  }
   if (const auto options = json.find("options")) result.options = readOptions(*options);
+  readSolver(json, result);
+  if (const auto share = json.find("gap_s")) static_cast<void>(share->number());  // the patches have their own
   if (const auto source = json.find("source")) result.source = readSource(*source);
   result.model = std::make_shared<const CellModel>(readCellModel(json.at("cell_model")));
   const JsonReader patches = json.at("patches");

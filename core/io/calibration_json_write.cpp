@@ -3,6 +3,7 @@
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/units.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hexoderm {
@@ -80,6 +81,8 @@ Json cellJson(const CellPlacement& cell) {
     json["sigma_t_m"] = toJson(Eigen::Vector3d(sigma.head<3>()));
     json["sigma_r_rad"] = toJson(Eigen::Vector3d(sigma.tail<3>()));
   }
+  if (cell.accel_offset_g) json["accel_offset_g"] = toJson(*cell.accel_offset_g);
+  if (cell.accel_scale) json["accel_scale"] = toJson(*cell.accel_scale);
   json["path"] = idsJson(cell.path);
   json["sensors"] = Json::array();
   for (const SensorPlacement& sensor : cell.sensors) {
@@ -122,6 +125,10 @@ Json patchJson(const PatchReconstruction& patch) {
   Json json;
   json["id"] = patch.id.value();
   json["origin"] = patch.origin.value();
+  if (patch.gap_share) {
+    json["gap_s"] = patch.gap_share->share;
+    json["gap_s_sigma"] = patch.gap_share->sigma;
+  }
   json["gravity"] = Json::array();
   for (const GravityDirection& gravity : patch.gravity) {
     json["gravity"].push_back(
@@ -132,6 +139,13 @@ Json patchJson(const PatchReconstruction& patch) {
   json["links"] = Json::array();
   for (const LinkEstimate& link : patch.links) json["links"].push_back(linkJson(link));
   return json;
+}
+
+/// The first of those with the most cells; null for an empty skin.
+const PatchReconstruction* largestPatch(const Reconstruction& reconstruction) {
+  const auto largest = std::ranges::max_element(reconstruction.patches, {},
+                                                [](const PatchReconstruction& patch) { return patch.cells.size(); });
+  return largest == reconstruction.patches.end() ? nullptr : &*largest;
 }
 
 Json findingJson(const Finding& finding) {
@@ -162,7 +176,10 @@ std::string calibrationToJson(const Reconstruction& reconstruction) {
   json["version"] = 1;
   json["solver"] = reconstruction.solver;
   // The tree lets both extended port vectors of a link end in one point, eq. (3); an imported file doesn't say.
-  if (reconstruction.solver == "tree") json["gap_model"] = "pivot";
+  if (reconstruction.solver == "tree") json["gap_model"] = gapModelName(GapModel::Pivot);
+  if (reconstruction.solver == "global") json["gap_model"] = gapModelName(reconstruction.options.gap_model);
+  const PatchReconstruction* const largest = largestPatch(reconstruction);
+  if (largest != nullptr && largest->gap_share) json["gap_s"] = largest->gap_share->share;
   json["options"] = optionsJson(reconstruction.options);
   json["source"] = sourceJson(reconstruction.source);
   json["cell_model"] = cellModelJson(*reconstruction.model);

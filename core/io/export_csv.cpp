@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -42,11 +43,33 @@ void appendRotation(Row& row, const Eigen::Matrix3d& R) {
 }
 
 CsvTable cellTable(const Reconstruction& reconstruction) {
-  CsvTable table{
-      "cells.csv",
-      {"patch", "patch_origin_cell", "cell", "body_part", "placed_by", "x_m", "y_m", "z_m", "qw", "qx", "qy", "qz",
-       "sigma_x_m", "sigma_y_m", "sigma_z_m", "sigma_rx_deg", "sigma_ry_deg", "sigma_rz_deg", "path_from_origin"},
-      {}};
+  CsvTable table{"cells.csv",
+                 {"patch",
+                  "patch_origin_cell",
+                  "cell",
+                  "body_part",
+                  "placed_by",
+                  "x_m",
+                  "y_m",
+                  "z_m",
+                  "qw",
+                  "qx",
+                  "qy",
+                  "qz",
+                  "sigma_x_m",
+                  "sigma_y_m",
+                  "sigma_z_m",
+                  "sigma_rx_deg",
+                  "sigma_ry_deg",
+                  "sigma_rz_deg",
+                  "accel_offset_x_g",
+                  "accel_offset_y_g",
+                  "accel_offset_z_g",
+                  "accel_scale_x",
+                  "accel_scale_y",
+                  "accel_scale_z",
+                  "path_from_origin"},
+                 {}};
   for (const PatchReconstruction& patch : reconstruction.patches) {
     for (const CellPlacement& cell : patch.cells) {
       Row row{number(patch.id), number(patch.origin), number(cell.cell), text(cell.body_part),
@@ -58,12 +81,41 @@ CsvTable cellTable(const Reconstruction& reconstruction) {
           row.emplace_back();
           continue;
         }
-        const double sigma = std::sqrt((*cell.cov_t_r)(k, k));
+        const double sigma = std::sqrt(std::max(0.0, (*cell.cov_t_r)(k, k)));
         row.emplace_back(k < 3 ? sigma : toDegrees(sigma));
+      }
+      for (const std::optional<Eigen::Vector3d>& values : {cell.accel_offset_g, cell.accel_scale}) {
+        if (values) {
+          append(row, *values);
+        } else {
+          row.resize(row.size() + 3);
+        }
       }
       std::string path;
       for (const CellId id : cell.path) path += (path.empty() ? "" : " ") + toString(id);
       row.push_back(text(path));
+      table.rows.push_back(std::move(row));
+    }
+  }
+  return table;
+}
+
+/// The upper triangle of each cell's covariance, in SI units throughout: a covariance mixes positions and rotations.
+CsvTable covarianceTable(const Reconstruction& reconstruction) {
+  constexpr std::array kAxes = {"x", "y", "z", "rx", "ry", "rz"};
+  CsvTable table{"covariances.csv", {"patch", "patch_origin_cell", "cell"}, {}};
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t j = i; j < 6; ++j) {
+      const char* unit = j < 3 ? "_m2" : i < 3 ? "_m_rad" : "_rad2";
+      table.header.push_back("cov_" + std::string(kAxes.at(i)) + "_" + kAxes.at(j) + unit);
+    }
+  }
+  for (const PatchReconstruction& patch : reconstruction.patches) {
+    for (const CellPlacement& cell : patch.cells) {
+      Row row{number(patch.id), number(patch.origin), number(cell.cell)};
+      for (Eigen::Index i = 0; i < 6; ++i) {
+        for (Eigen::Index j = i; j < 6; ++j) row.push_back(cell.cov_t_r ? CsvField((*cell.cov_t_r)(i, j)) : CsvField());
+      }
       table.rows.push_back(std::move(row));
     }
   }
@@ -189,8 +241,8 @@ std::string mismatch(const CsvField& field, const std::string& found) {
 }  // namespace
 
 std::vector<CsvTable> csvTables(const Reconstruction& reconstruction) {
-  return {cellTable(reconstruction), sensorTable(reconstruction), linkTable(reconstruction), poseTable(reconstruction),
-          residualTable(reconstruction)};
+  return {cellTable(reconstruction), sensorTable(reconstruction),   linkTable(reconstruction),
+          poseTable(reconstruction), residualTable(reconstruction), covarianceTable(reconstruction)};
 }
 
 std::string csvText(const CsvTable& table) {

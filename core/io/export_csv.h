@@ -20,7 +20,9 @@ struct CsvTable {
   std::vector<std::vector<CsvField>> rows;
 };
 
-/// cells.csv, sensors.csv, links.csv, poses.csv and residuals.csv (links x poses). Metres, degrees, g.
+/// cells.csv, sensors.csv, links.csv, poses.csv and residuals.csv (links x poses), in metres, degrees and g; and
+/// covariances.csv, each cell's upper triangle (order and frames as in CellPlacement), in metres and radians. A field
+/// is empty where its figure is not known.
 std::vector<CsvTable> csvTables(const Reconstruction& reconstruction);
 
 /// RFC 4180 quoting, UTF-8, lines ended by a line feed, every number exact.

@@ -43,7 +43,8 @@ class CellArrays {
     if (q.w() < 0) q.coeffs() = -q.coeffs();
     for (const double value : {q.w(), q.x(), q.y(), q.z()}) orientation_.push_back(value);
     for (Eigen::Index k = 0; k < 6; ++k) {
-      (k < 3 ? sigma_t_ : sigma_r_).push_back(cell.cov_t_r ? std::sqrt((*cell.cov_t_r)(k, k)) : kUnknown);
+      (k < 3 ? sigma_t_ : sigma_r_)
+          .push_back(cell.cov_t_r ? std::sqrt(std::max(0.0, (*cell.cov_t_r)(k, k))) : kUnknown);
     }
   }
 
@@ -201,11 +202,15 @@ VtpData vtpData(const Reconstruction& reconstruction) {
       }
     }
   }
-  // One covariance a cell is enough: on every polygon it would be most of the file.
+  // Once a cell is enough: on every polygon these would be most of the file.
   std::vector<std::int64_t> ids;
-  std::vector<double> covariances;
+  std::vector<double> covariances, accel_offsets, accel_scales;
   for (const auto& [patch, cell] : cells) {
     ids.push_back(cell->cell.value());
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      accel_offsets.push_back(cell->accel_offset_g ? (*cell->accel_offset_g)(axis) : kUnknown);
+      accel_scales.push_back(cell->accel_scale ? (*cell->accel_scale)(axis) : kUnknown);
+    }
     for (Eigen::Index row = 0; row < 6; ++row) {
       for (Eigen::Index col = row; col < 6; ++col) {
         covariances.push_back(cell->cov_t_r ? (*cell->cov_t_r)(row, col) : kUnknown);
@@ -233,7 +238,9 @@ VtpData vtpData(const Reconstruction& reconstruction) {
                      textArray("source_file", reconstruction.source.file),
                      textArray("source_sha256", reconstruction.source.sha256),
                      {"cells", 1, std::move(ids)},
-                     {"cov_t_r", 21, std::move(covariances)}};
+                     {"cov_t_r", 21, std::move(covariances)},
+                     {"accel_offset_g", 3, std::move(accel_offsets)},
+                     {"accel_scale", 3, std::move(accel_scales)}};
   data.sections.push_back({"CellData", cell_arrays.take()});
   data.sections.push_back({"Points", {{"Points", 3, std::move(points)}}});
   data.sections.push_back(verts.take("Verts"));

@@ -28,8 +28,9 @@ struct VtpSection {
 /// Every polygon and vertex carries cell_id, patch, patch_origin, body_part, sensor and sensor_type (empty on the
 /// cell's own polygons), placed_by (0 samples, 1 links), quality of the worst used link (0 un to 3 over, -1 none),
 /// position_m and orientation_wxyz of the cell or sensor, sigma_position_m and sigma_rotation_rad of the cell
-/// (not-a-number where not known). Field data: units, frame, cell model, solver, verdict and source as texts; cells and
-/// cov_t_r, the IDs and covariances of all cells (upper triangle, order as in CellPlacement).
+/// (not-a-number where not known). Field data: units, frame, cell model, solver, verdict and source as texts; cells,
+/// the IDs of all cells, with cov_t_r, their covariances (upper triangle, order as in CellPlacement), accel_offset_g
+/// and accel_scale.
 struct VtpData {
   std::size_t points = 0;
   std::size_t verts = 0;

@@ -40,6 +40,9 @@ void requireFinite(const Reconstruction& reconstruction) {
     for (const CellPlacement& cell : patch.cells) {
       require(cell.T_o_u.R.allFinite() && cell.T_o_u.t.allFinite(), cell.cell, "its placement");
       require(!cell.cov_t_r || cell.cov_t_r->allFinite(), cell.cell, "its covariance");
+      require((!cell.accel_offset_g || cell.accel_offset_g->allFinite()) &&
+                  (!cell.accel_scale || cell.accel_scale->allFinite()),
+              cell.cell, "its accelerometer's offset or scale");
       for (const SensorPlacement& sensor : cell.sensors) {
         require(sensor.T_o_s.R.allFinite() && sensor.T_o_s.t.allFinite(), cell.cell,
                 "the placement of its sensor " + sensor.name);

@@ -36,7 +36,7 @@ std::span<const ExportFormatDescription> exportFormats();
 ExportFormat exportFormatFromName(std::string_view name);
 
 /// Writes the reconstruction in one format, reads the file back and compares it with what was meant. Returns the files
-/// written (one; for CSV cells.csv, sensors.csv, links.csv, poses.csv and residuals.csv in the folder `path`).
+/// written (one; for CSV the tables of export_csv.h in the folder `path`).
 /// All-or-nothing: a failed comparison throws FormatError and leaves no file, an earlier one stays as it was; storage
 /// problems throw StorageError. Atomic. InvalidArgument: an option or number makes no sense, or a mesh format (PLY,
 /// STL) is asked for without any cells; the other formats then hold none.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hexoderm {
 namespace {
@@ -15,7 +16,8 @@ constexpr double kLeastNormTolerance_g = 0.15;  // a good sensor may read 0.9 g 
 constexpr double kStuckAngle = 2 * kDegree;     // a stuck sensor turns less than this ...
 constexpr double kMovedAngle = 15 * kDegree;    // ... while the other cells turned at least this
 constexpr double kNoisyTimesOthers = 4;
-constexpr double kMovingSigma_g = 0.1;  // hand-held tremor is 10 mg, a moving part far above
+constexpr double kMovingSigma_g =
+    0.25;  // tremor is 10 mg, at the end of an arm's length 100 mg; a moving part far above
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
@@ -33,6 +35,7 @@ class Judge {
 
   void run() {
     findMissing();
+    for (std::size_t cell = 0; cell < table_.cellCount(); ++cell) findDeadAxis(cell);
     for (std::size_t cell = 0; cell < table_.cellCount(); ++cell) judgeReadings(cell);
     for (const std::size_t pose : table_.enabledPoses()) judgeScatter(pose);
     findStuck();
@@ -72,6 +75,41 @@ class Judge {
     }
   }
 
+  /// An axis that reads the same in all poses although the length of what the cell reads rises and falls with them. (An
+  /// axis along which gravity happens not to change leaves the length as it is.)
+  void findDeadAxis(std::size_t cell) {
+    constexpr double kConstant_g = 0.02;
+    constexpr double kChanging_g = 0.3;
+    constexpr std::size_t kFewestPoses = 3;
+    const Accelerometer& a = snapshot_.model->accelerometer;
+    const std::vector<std::size_t> poses = table_.usablePoses(cell);
+    if (poses.size() < kFewestPoses) return;
+    Eigen::Vector3d lowest = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+    Eigen::Vector3d highest = -lowest;
+    double shortest_g = std::numeric_limits<double>::infinity();
+    double longest_g = 0;
+    for (const std::size_t pose : poses) {
+      const Eigen::Vector3d y_g = a.T_u_a.R.transpose() * table_.at(cell, pose).mean_g;
+      lowest = lowest.cwiseMin(y_g);
+      highest = highest.cwiseMax(y_g);
+      shortest_g = std::min(shortest_g, y_g.norm());
+      longest_g = std::max(longest_g, y_g.norm());
+    }
+    if (longest_g < kDeadNorm_g || longest_g - shortest_g < kChanging_g) return;
+    const Eigen::Vector3d range_g = highest - lowest;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (range_g[axis] > kConstant_g || range_g.maxCoeff() < kChanging_g) continue;
+      for (const std::size_t pose : poses) table_.at(cell, pose).usable = false;
+      findings_.push_back(makeFinding(
+          FindingCode::DeadAxis,
+          "Cell " + toString(id(cell)) + " reads " + inMilliG(lowest[axis]) + " on its " + std::string(1, "xyz"[axis]) +
+              " axis in all poses, while what it reads in all ranges from " + inMilliG(shortest_g) + " to " +
+              inMilliG(longest_g) + ": the axis is dead. The cell is placed through its links.",
+          {id(cell)}, {}, poseIds(poses)));
+      return;
+    }
+  }
+
   /// Range and norm: a reading that can't be gravity is not used.
   void judgeReadings(std::size_t cell) {
     const Accelerometer& a = snapshot_.model->accelerometer;
@@ -83,7 +121,7 @@ class Judge {
     std::size_t measured = 0;
     for (const std::size_t pose : table_.enabledPoses()) {
       GravityTable::Entry& entry = table_.at(cell, pose);
-      if (!entry.measured) continue;
+      if (!entry.usable) continue;
       ++measured;
       const double norm = entry.mean_g.norm();
       if ((a.T_u_a.R.transpose() * entry.mean_g).cwiseAbs().maxCoeff() >= a.range_g - 1.5 * a.lsb_g) {

@@ -15,9 +15,9 @@ constexpr double kAccelerationSigma = 3;
 
 /// v in accelerometer axes = R_a_o f.
 Eigen::Vector3d specificForce(const JointState& state, std::size_t cell, std::size_t pose, bool accelerations) {
-  if (!accelerations) return state.g_o[pose];
+  if (!accelerations) return state.force_o[pose];
   const Eigen::Vector3d lever = state.cells[cell].t - state.middle_o;
-  return state.g_o[pose] + state.acceleration_o[pose].cross(lever) / kStandardGravity;
+  return state.force_o[pose] + state.acceleration_o[pose].cross(lever) / kStandardGravity;
 }
 
 /// The share of the arc in a link's closure, k = (2/3) e a^2 m, with its derivatives to the outward directions U_c and
@@ -113,6 +113,7 @@ void evaluateLink(const JointProblem& problem, const JointState& state, const Jo
 double priorCost(const JointProblem& problem, const JointState& state) {
   double squared = 0;
   if (problem.gap.sigma) squared += std::pow((state.gap_share - problem.gap.mean) / *problem.gap.sigma, 2);
+  for (const Eigen::Vector3d& f : state.force_o) squared += std::pow((f.norm() - 1) / problem.force_sigma_g, 2);
   if (problem.accelerations) {
     for (const Eigen::Vector3d& a : state.acceleration_o) squared += a.squaredNorm() / std::pow(kAccelerationSigma, 2);
   }
@@ -129,8 +130,14 @@ class CellLinearizer {
         layout_(problem),
         prior_(problem.model->accelerometer),
         R_a_u_(problem.model->accelerometer.T_u_a.R.transpose()) {
-    for (const Eigen::Vector3d& g : state.g_o) tangents_.push_back(tangentBasis(g));
     border_root_.resize(12, layout_.size());
+    pending_.resize(12 * kBatch, layout_.size());
+  }
+
+  /// To be called after the last cell: the border is complete then.
+  void finish() {
+    subtractPending();
+    equations_.border.triangularView<Eigen::StrictlyUpper>() = equations_.border.transpose();
   }
 
   void add(std::size_t cell) {
@@ -169,14 +176,13 @@ class CellLinearizer {
       }
       if (fixed) J.setZero();
       // ... and to the pose.
-      const Eigen::Matrix<double, 3, 2> Jg = G * tangents_[pose];
-      addPose(layout_.direction(pose), at, J, Jg, precision, weighted, row);
+      addPose(layout_.force(pose), at, J, G, precision, weighted, row);
       if (problem_.accelerations) {
         const Eigen::Matrix3d Ja = -G * skew(lever) / kStandardGravity;
         addPose(layout_.acceleration(pose), at, J, Ja, precision, weighted, row);
-        const Eigen::Matrix<double, 2, 3> both = precision * Jg.transpose() * Ja;
-        equations_.border.block<2, 3>(layout_.direction(pose), layout_.acceleration(pose)) += both;
-        equations_.border.block<3, 2>(layout_.acceleration(pose), layout_.direction(pose)) += both.transpose();
+        const Eigen::Matrix3d both = precision * G.transpose() * Ja;
+        equations_.border.block<3, 3>(layout_.force(pose), layout_.acceleration(pose)) += both;
+        equations_.border.block<3, 3>(layout_.acceleration(pose), layout_.force(pose)) += both.transpose();
       }
       own.noalias() += precision * J.transpose() * J;
       own_gradient.noalias() += J.transpose() * weighted;
@@ -193,7 +199,7 @@ class CellLinearizer {
       own_root.middleRows<4>(4 * axis).noalias() = root * own_mixed[index];
       border_root_.middleRows<4>(4 * axis) = (root * border_root_.middleRows<4>(4 * axis)).eval();
     }
-    equations_.border.noalias() -= border_root_.transpose() * border_root_;
+    subtractLater(border_root_);
     if (fixed) return;
     own.noalias() -= own_root.transpose() * own_root;
     equations_.cells[cell] += own;
@@ -203,8 +209,8 @@ class CellLinearizer {
 
  private:
   [[nodiscard]] Eigen::Vector3d force(std::size_t pose, const Eigen::Vector3d& lever) const {
-    if (!problem_.accelerations) return state_.g_o[pose];
-    return state_.g_o[pose] + state_.acceleration_o[pose].cross(lever) / kStandardGravity;
+    if (!problem_.accelerations) return state_.force_o[pose];
+    return state_.force_o[pose] + state_.acceleration_o[pose].cross(lever) / kStandardGravity;
   }
 
   template <typename Jacobian>
@@ -219,13 +225,27 @@ class CellLinearizer {
     }
   }
 
+  /// With many poses the border is large: its lower triangle takes the products of several cells at once.
+  void subtractLater(const Eigen::MatrixXd& root) {
+    pending_.middleRows<12>(pending_rows_) = root;
+    pending_rows_ += 12;
+    if (pending_rows_ == pending_.rows()) subtractPending();
+  }
+
+  void subtractPending() {
+    equations_.border.selfadjointView<Eigen::Lower>().rankUpdate(pending_.topRows(pending_rows_).transpose(), -1);
+    pending_rows_ = 0;
+  }
+
+  static constexpr Eigen::Index kBatch = 16;
   const JointProblem& problem_;
   const JointState& state_;
   NormalEquations& equations_;
   BorderLayout layout_;
   AccelerometerPrior prior_;
   Eigen::Matrix3d R_a_u_;
-  std::vector<Eigen::Matrix<double, 3, 2>> tangents_;
+  Eigen::MatrixXd pending_;
+  Eigen::Index pending_rows_ = 0;
   Eigen::MatrixXd border_root_;  // B^T W J per axis, then its covariance root applied
   SensorState sensor_;
 };
@@ -289,16 +309,7 @@ void addLink(const JointProblem& problem, const JointState& state, std::size_t i
 
 BorderLayout::BorderLayout(const JointProblem& problem)
     : poses_(problem.poses),
-      size_(static_cast<Eigen::Index>((problem.accelerations ? 5 : 2) * problem.poses + (problem.gap.sigma ? 1 : 0))) {}
-
-Eigen::Matrix<double, 3, 2> tangentBasis(const Eigen::Vector3d& g) {
-  int smallest = 0;
-  g.cwiseAbs().minCoeff(&smallest);
-  Eigen::Matrix<double, 3, 2> basis;
-  basis.col(0) = g.cross(Eigen::Vector3d::Unit(smallest)).normalized();
-  basis.col(1) = g.cross(basis.col(0)).normalized();
-  return basis;
-}
+      size_(static_cast<Eigen::Index>((problem.accelerations ? 6 : 3) * problem.poses + (problem.gap.sigma ? 1 : 0))) {}
 
 void fitCell(const JointProblem& problem, const AccelerometerPrior& prior, const JointState& state, std::size_t cell,
              SensorState& sensor) {
@@ -351,8 +362,21 @@ void linearize(const JointProblem& problem, const JointState& state, NormalEquat
   equations.gradient_border.setZero(layout.size());
   equations.cost = priorCost(problem, state);
 
+  const double force_precision = 1 / std::pow(problem.force_sigma_g, 2);
+  for (std::size_t pose = 0; pose < problem.poses; ++pose) {
+    // A pose of which the last reading was left out has no direction; a little curvature keeps it where it is.
+    constexpr double kLeastCurvature = 1e-3;
+    const Eigen::Index at = layout.force(pose);
+    const double norm = state.force_o[pose].norm();
+    const Eigen::Vector3d up = state.force_o[pose] / norm;
+    equations.border.block<3, 3>(at, at) =
+        force_precision * up * up.transpose() + kLeastCurvature * Eigen::Matrix3d::Identity();
+    equations.gradient_border.segment<3>(at) = force_precision * (norm - 1) * up;
+  }
+
   CellLinearizer cells(problem, state, equations);
   for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) cells.add(cell);
+  cells.finish();
   LinkResidual residual;
   for (std::size_t k = 0; k < problem.links.size(); ++k) {
     addLink(problem, state, k, layout.gapShare(), residual, equations);
@@ -361,11 +385,6 @@ void linearize(const JointProblem& problem, const JointState& state, NormalEquat
     const double precision = 1 / (*problem.gap.sigma * *problem.gap.sigma);
     equations.border(layout.gapShare(), layout.gapShare()) += precision;
     equations.gradient_border[layout.gapShare()] += precision * (state.gap_share - problem.gap.mean);
-  }
-  // A direction that no reading shows any more must not make the matrix singular; next to any reading this is nothing.
-  constexpr double kLeastPrecision = 1e-3;
-  for (std::size_t pose = 0; pose < problem.poses; ++pose) {
-    equations.border.diagonal().segment<2>(layout.direction(pose)).array() += kLeastPrecision;
   }
   if (problem.accelerations) {
     constexpr double kPrecision = 1 / (kAccelerationSigma * kAccelerationSigma);
@@ -390,8 +409,7 @@ JointState moved(const JointProblem& problem, const JointState& state, const Eig
         Eigen::Quaterniond(state.cells[cell].R * expSO3(cells.segment<3>(at + 3))).normalized().toRotationMatrix();
   }
   for (std::size_t pose = 0; pose < problem.poses; ++pose) {
-    next.g_o[pose] =
-        (state.g_o[pose] + tangentBasis(state.g_o[pose]) * border.segment<2>(layout.direction(pose))).normalized();
+    next.force_o[pose] += border.segment<3>(layout.force(pose));
     if (problem.accelerations) next.acceleration_o[pose] += border.segment<3>(layout.acceleration(pose));
   }
   if (problem.gap.sigma) next.gap_share += border[layout.gapShare()];

@@ -35,17 +35,18 @@ struct JointProblem {
   std::vector<JointLink> links;
   double link_sigma_m = 0;  ///< how far link points are apart, per axis
   GapShare gap;
-  bool accelerations = false;  ///< every pose has an angular acceleration of its own
+  double force_sigma_g = 0.005;  ///< how far the force at the patch's middle may be from 1 g
+  bool accelerations = false;    ///< every pose has an angular acceleration of its own
   HuberLoss loss;
 
   [[nodiscard]] std::size_t cellCount() const { return readings.size(); }
 };
 
-/// The unknowns: placements T_o_u, per pose the specific force's direction at the patch's middle and the angular
-/// acceleration, and the gap share.
+/// The unknowns: placements T_o_u, per pose the specific force at the patch's middle and the angular acceleration, and
+/// the gap share. A hand's translation adds to gravity, so the force's length is not exactly 1 g.
 struct JointState {
   std::vector<SE3> cells;
-  std::vector<Eigen::Vector3d> g_o;                    ///< unit
+  std::vector<Eigen::Vector3d> force_o;                ///< specific force at the patch's middle, g; about 1 long
   std::vector<Eigen::Vector3d> acceleration_o;         ///< rad/s^2; zero where not estimated
   Eigen::Vector3d middle_o = Eigen::Vector3d::Zero();  ///< where accelerations have no lever arm; a constant
   double gap_share = 0.5;
@@ -66,9 +67,9 @@ struct NormalEquations {
 /// Places of the unknowns in the border.
 struct BorderLayout {
   explicit BorderLayout(const JointProblem& problem);
-  [[nodiscard]] Eigen::Index direction(std::size_t pose) const { return static_cast<Eigen::Index>(2 * pose); }
+  [[nodiscard]] Eigen::Index force(std::size_t pose) const { return static_cast<Eigen::Index>(3 * pose); }
   [[nodiscard]] Eigen::Index acceleration(std::size_t pose) const {
-    return static_cast<Eigen::Index>(2 * poses_ + 3 * pose);
+    return static_cast<Eigen::Index>(3 * poses_ + 3 * pose);
   }
   [[nodiscard]] Eigen::Index gapShare() const { return size_ - 1; }
   [[nodiscard]] Eigen::Index size() const { return size_; }
@@ -80,11 +81,11 @@ struct BorderLayout {
 
 /// Negative logarithm of the posterior, up to a constant:
 ///   1/2 sum over readings of rho(|y - (I + D)(R^T f) - b|^2 / V) + accelerometer priors,
-///       f = g_p + a_p x (t - middle) / 9.80665, b and D eliminated (accelerometer_fit.h);
+///       f = f_p + a_p x (t - middle) / 9.80665, b and D eliminated (accelerometer_fit.h);
 ///   1/2 sum over links of rho(|t_n + R_n p_n - t_c - R_c p_c - s k|^2 / link_sigma^2),
 ///       k = (2/3) e a^2 m, the arc's share (SPEC step 10);
 ///   1/2 sum over links of rho of twist, bend and yaw in their priors' sigmas;
-///   1/2 of the gap share's and the accelerations' squared deviations from their priors.
+///   1/2 of the squared deviations from their priors: the gap share, the accelerations, the forces' lengths from 1 g.
 double jointCost(const JointProblem& problem, const JointState& state);
 
 /// Squared distances of all links' end points in units of link_sigma, losses applied.
@@ -93,12 +94,9 @@ double closureCost(const JointProblem& problem, const JointState& state);
 /// The same cost with its gradient (exact) and its Gauss-Newton matrix (of the eliminated problem: Kaufman's).
 void linearize(const JointProblem& problem, const JointState& state, NormalEquations& equations);
 
-/// state (+) step: t + dt, R exp(dr), directions along their tangents, the rest added.
+/// state (+) step: R exp(dr), the rest added.
 JointState moved(const JointProblem& problem, const JointState& state, const Eigen::VectorXd& cells,
                  const Eigen::VectorXd& border);
-
-/// Two unit vectors that span the plane perpendicular to g.
-Eigen::Matrix<double, 3, 2> tangentBasis(const Eigen::Vector3d& g);
 
 /// The accelerometers of the patch at a state: forces in their axes and their most probable errors.
 struct SensorState {

@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hexoderm {
 namespace {
@@ -12,6 +13,11 @@ namespace {
 // A hand turns the part while it is sampled; over a patch of this size its lever arm shows in the readings.
 constexpr std::size_t kCellsForAccelerations = 100;
 constexpr std::size_t kPosesForAccelerations = 3;  // with two they do harm
+// With many poses tremor averages out, and the dense part of the equations is small enough without them.
+constexpr std::size_t kMostPosesForAccelerations = 50;
+// What a hand's translation leaves in a mean; and on a large part, what its turning does at the middle of a patch.
+constexpr double kForceSigma_g = 0.003;
+constexpr double kForceSigmaOfLargePart_g = 0.03;
 
 GapShare gapShareOf(GapModel model) {
   switch (model) {
@@ -95,11 +101,14 @@ JointRefinement::JointRefinement(const CellModel& model, const SkinGraph& graph,
     }
     if (!any) continue;
     poses_.push_back(pose);
-    state.g_o.push_back(sum.norm() > 1e-6 ? Eigen::Vector3d(sum.normalized()) : Eigen::Vector3d(0, 0, 1));
+    state.force_o.push_back(sum.norm() > 1e-6 ? Eigen::Vector3d(sum.normalized()) : Eigen::Vector3d(0, 0, 1));
     state.acceleration_o.push_back(Eigen::Vector3d::Zero());
   }
   problem_->poses = poses_.size();
-  problem_->accelerations = poses_.size() >= kPosesForAccelerations && cells_.size() >= kCellsForAccelerations;
+  const bool large = cells_.size() >= kCellsForAccelerations;
+  problem_->accelerations =
+      large && poses_.size() >= kPosesForAccelerations && poses_.size() <= kMostPosesForAccelerations;
+  problem_->force_sigma_g = large ? kForceSigmaOfLargePart_g : kForceSigma_g;
 
   for (const std::size_t cell : cells_) {
     for (const std::size_t k : graph.linksAt(cell)) {
@@ -131,8 +140,23 @@ void JointRefinement::solve(std::stop_token stop) {
   fitSensors();
 }
 
-/// Where links close loops, their end points show how well this mould really keeps them together: better or worse than
-/// the model has it. The estimate weighs that against what the model says, as if it had been seen on so many axes.
+/// The tree leaves all loops open, by far more than links allow; stiff links would have to be bent round to close them.
+/// Soft ones and readings first turn the cells to where gravity wants them.
+void JointRefinement::startWhereLoopsAreOpen(const JointSolverOptions& options) {
+  constexpr double kSofter = 10;
+  JointProblem soft = *problem_;
+  soft.link_sigma_m *= kSofter;
+  soft.loss.threshold = std::numeric_limits<double>::infinity();
+  JointSolverOptions start = options;
+  start.cost_tolerance = 1e-2;
+  start.covariance = false;
+  solution_ = solveJointly(soft, solution_.state, start);
+}
+
+/// Where links close loops, their end points show whether this mould keeps them together as well as the model has it:
+/// strongly curved surfaces do not. The estimate weighs that against what the model says, as if it had been seen on so
+/// many axes. It never goes below the model: cells that sit askew in the mould err alike on all their links, which
+/// neighbouring loops don't show and distant cells feel.
 void JointRefinement::solveWithLinkSpread(const JointSolverOptions& options) {
   constexpr double kWeightOfModel = 30;
   constexpr int kRounds = 3;
@@ -140,27 +164,30 @@ void JointRefinement::solveWithLinkSpread(const JointSolverOptions& options) {
   const double links = static_cast<double>(problem_->links.size());
   const double redundancy = 3 * (links - static_cast<double>(cells_.size()) + 1) - 1;
   const double model_sq = std::pow(problem_->model->link_sigma_m, 2);
-  JointSolverOptions roughly = options;
-  roughly.cost_tolerance = 1e-4;
+  if (!started_ && redundancy > 0) startWhereLoopsAreOpen(options);
+  started_ = true;
   for (int round = 0;; ++round) {
-    const bool last = redundancy <= 0 || round == kRounds;
-    solution_ = solveJointly(*problem_, solution_.state, last ? options : roughly);
-    if (last || solution_.termination == JointTermination::Stopped) return;
+    solution_ = solveJointly(*problem_, solution_.state, options);
+    if (redundancy <= 0 || round == kRounds || solution_.termination == JointTermination::Stopped) return;
     const double now_sq = problem_->link_sigma_m * problem_->link_sigma_m;
-    const double next_sq =
+    const double seen_sq =
         (kWeightOfModel * model_sq + closureCost(*problem_, solution_.state) * now_sq) / (kWeightOfModel + redundancy);
+    const double next_sq = std::max(model_sq, seen_sq);
+    if (std::abs(next_sq - now_sq) < kSettled * now_sq) return;
     problem_->link_sigma_m = std::sqrt(next_sq);
-    if (std::abs(next_sq - now_sq) < kSettled * now_sq) round = kRounds - 1;
   }
 }
 
 bool JointRefinement::accelerationsShow() const {
-  if (problem_->poses < kPosesForAccelerations || cells_.size() < 2) return false;
+  if (problem_->poses < kPosesForAccelerations || problem_->poses > kMostPosesForAccelerations || cells_.size() < 2) {
+    return false;
+  }
   // What a first step with accelerations would gain, against what chance gains.
   JointProblem with = *problem_;
   with.accelerations = true;
   JointSolverOptions one_step;
   one_step.max_iterations = 1;
+  one_step.covariance = false;
   const double gain = 2 * (solution_.cost - solveJointly(with, solution_.state, one_step).cost);
   constexpr double kClearly = 4;
   return Misfit{gain, 3 * static_cast<double>(problem_->poses)}.deviate() > kClearly;

@@ -49,6 +49,7 @@ class JointRefinement {
   /// Place of a cell of the graph in the problem.
   [[nodiscard]] std::size_t localOf(std::size_t cell) const;
   void fitSensors();
+  void startWhereLoopsAreOpen(const JointSolverOptions& options);
   void solveWithLinkSpread(const JointSolverOptions& options);
   [[nodiscard]] bool accelerationsShow() const;
 
@@ -57,6 +58,7 @@ class JointRefinement {
   std::vector<std::size_t> poses_;
   std::shared_ptr<JointProblem> problem_;
   JointSolution solution_;
+  bool started_ = false;
   std::vector<SensorState> sensors_;
 };
 

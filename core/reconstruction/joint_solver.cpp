@@ -35,8 +35,7 @@ struct CouplePlan {
 /// The sparse block of the cells with its dense border: A x + E y = a, E^T x + F y = f.
 class BorderedFactor {
  public:
-  BorderedFactor(const JointProblem& problem, const CouplePlan& plan)
-      : problem_(problem), plan_(plan), factor_(problem.cellCount(), plan.couples) {}
+  explicit BorderedFactor(const JointProblem& problem) : plan_(problem), factor_(problem.cellCount(), plan_.couples) {}
 
   /// With the diagonal raised by `damping` times itself.
   bool factorize(const NormalEquations& equations, double damping) {
@@ -58,7 +57,7 @@ class BorderedFactor {
     factor_.solve(solved_border_);
     Eigen::MatrixXd schur = equations.border;
     schur.diagonal() *= 1 + damping;
-    schur.noalias() -= equations.border_cells.transpose() * solved_border_;
+    schur.triangularView<Eigen::Lower>() -= equations.border_cells.transpose() * solved_border_;
     schur_.compute(schur);
     return schur.size() == 0 || schur_.info() == Eigen::Success;
   }
@@ -72,13 +71,13 @@ class BorderedFactor {
     cells = right.col(0) - solved_border_ * border;
   }
 
+  [[nodiscard]] const CouplePlan& plan() const { return plan_; }
   [[nodiscard]] const BlockCholesky& cells() const { return factor_; }
   [[nodiscard]] const Eigen::MatrixXd& solvedBorder() const { return solved_border_; }
   [[nodiscard]] const Eigen::LLT<Eigen::MatrixXd>& schur() const { return schur_; }
 
  private:
-  const JointProblem& problem_;
-  const CouplePlan& plan_;
+  CouplePlan plan_;
   BlockCholesky factor_;
   Eigen::MatrixXd solved_border_;  // A^-1 E
   Eigen::LLT<Eigen::MatrixXd> schur_;
@@ -90,30 +89,20 @@ struct JointCovariance::State {
   std::size_t origin;
   BorderLayout layout;
   bool estimates_gap_share;
-  CouplePlan plan;
-  BorderedFactor factor;
+  std::unique_ptr<const BorderedFactor> factor;
   Eigen::MatrixXd border_covariance;
   Eigen::MatrixXd border_root;  // A^-1 E L^-T: the border's part of the cells' covariance is its outer product
   std::vector<Matrix6d> cells;
   std::vector<Matrix6d> links;
 
-  State(const JointProblem& problem, const NormalEquations& equations)
+  State(const JointProblem& problem, std::unique_ptr<const BorderedFactor> factor_at_optimum)
       : origin(problem.origin),
         layout(problem),
         estimates_gap_share(problem.gap.sigma.has_value()),
-        plan(problem),
-        factor(problem, plan) {
-    // Priors keep the matrix positive definite; rounding may not, where hardly anything but priors speaks.
-    double damping = 0;
-    while (!factor.factorize(equations, damping)) {
-      constexpr double kLeast = 1e-12;
-      constexpr double kLargest = 1e-3;
-      damping = std::max(kLeast, 10 * damping);
-      if (damping > kLargest) throw std::runtime_error("the information matrix is not positive definite");
-    }
-    border_covariance = factor.schur().solve(Eigen::MatrixXd::Identity(layout.size(), layout.size()));
-    border_root = factor.schur().matrixL().solve(factor.solvedBorder().transpose()).transpose();
-    const BlockCholesky::SelectedInverse inverse = factor.cells().selectedInverse();
+        factor(std::move(factor_at_optimum)) {
+    border_covariance = factor->schur().solve(Eigen::MatrixXd::Identity(layout.size(), layout.size()));
+    border_root = factor->schur().matrixL().solve(factor->solvedBorder().transpose()).transpose();
+    const BlockCholesky::SelectedInverse inverse = factor->cells().selectedInverse();
     cells.resize(problem.cellCount());
     for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) {
       cells[cell].setZero();
@@ -125,7 +114,7 @@ struct JointCovariance::State {
     for (std::size_t k = 0; k < links.size(); ++k) {
       const JointLink& link = problem.links[k];
       if (link.c == origin || link.n == origin) continue;
-      const CouplePlan::Place place = plan.of_link[k];
+      const CouplePlan::Place place = factor->plan().of_link[k];
       links[k] = borderPart(link.c, link.n);
       if (place.transposed) {
         links[k] += inverse.couples[place.couple].transpose();
@@ -141,8 +130,19 @@ struct JointCovariance::State {
   }
 };
 
-JointCovariance::JointCovariance(const JointProblem& problem, NormalEquations equations)
-    : state_(std::make_unique<State>(problem, equations)) {}
+JointCovariance::JointCovariance(const JointProblem& problem, const NormalEquations& equations) {
+  auto factor = std::make_unique<BorderedFactor>(problem);
+  // Priors keep the matrix positive definite; rounding may not, where hardly anything but priors speaks.
+  double damping = 0;
+  while (!factor->factorize(equations, damping)) {
+    constexpr double kLeast = 1e-12;
+    constexpr double kLargest = 1e-3;
+    damping = std::max(kLeast, 10 * damping);
+    if (damping > kLargest) throw std::runtime_error("the information matrix is not positive definite");
+  }
+  state_ = std::make_unique<State>(problem, std::move(factor));
+}
+JointCovariance::JointCovariance(std::unique_ptr<State> state) : state_(std::move(state)) {}
 JointCovariance::~JointCovariance() = default;
 
 const Matrix6d& JointCovariance::cell(std::size_t cell) const { return state_->cells[cell]; }
@@ -152,13 +152,13 @@ Matrix6d JointCovariance::between(std::size_t a, std::size_t b) const {
   if (a == state_->origin || b == state_->origin) return Matrix6d::Zero();
   Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(6 * state_->cells.size()), 6);
   unit.middleRows<6>(static_cast<Eigen::Index>(6 * b)).setIdentity();
-  state_->factor.cells().solve(unit);
+  state_->factor->cells().solve(unit);
   return unit.middleRows<6>(static_cast<Eigen::Index>(6 * a)) + state_->borderPart(a, b);
 }
 
-Eigen::Matrix2d JointCovariance::direction(std::size_t pose) const {
-  const Eigen::Index at = state_->layout.direction(pose);
-  return state_->border_covariance.block<2, 2>(at, at);
+Eigen::Matrix3d JointCovariance::force(std::size_t pose) const {
+  const Eigen::Index at = state_->layout.force(pose);
+  return state_->border_covariance.block<3, 3>(at, at);
 }
 
 double JointCovariance::gapShareSigma() const {
@@ -175,15 +175,16 @@ JointSolution solveJointly(const JointProblem& problem, const JointState& initia
 
   JointSolution solution;
   solution.state = initial;
-  const CouplePlan plan(problem);
-  BorderedFactor factor(problem, plan);
+  auto factor = std::make_unique<BorderedFactor>(problem);
   NormalEquations equations;
   NormalEquations next_equations;
   linearize(problem, solution.state, equations);
+  solution.cost = equations.cost;
+  solution.termination = JointTermination::StepLimit;
   Eigen::VectorXd cells;
   Eigen::VectorXd border;
   double damping = 0;
-  solution.termination = JointTermination::StepLimit;
+  bool factor_is_at_optimum = false;
   while (solution.iterations < options.max_iterations) {
     if (options.stop.stop_requested()) {
       solution.termination = JointTermination::Stopped;
@@ -191,21 +192,28 @@ JointSolution solveJointly(const JointProblem& problem, const JointState& initia
     }
     ++solution.iterations;
     bool lowered = false;
-    bool nothing_left = false;
-    if (factor.factorize(equations, damping)) {
-      factor.solve(equations, cells, border);
+    if (factor->factorize(equations, damping)) {
+      factor->solve(equations, cells, border);
       const double promised = -(equations.gradient_cells.dot(cells) + equations.gradient_border.dot(border)) / 2;
-      nothing_left = promised <= options.cost_tolerance * equations.cost + kNoCost;
       JointState next = moved(problem, solution.state, cells, border);
+      // Damped steps promise little even far from the optimum. The last undamped one is too small to be looked at
+      // again.
+      if (damping == 0 && promised <= options.cost_tolerance * equations.cost + kNoCost) {
+        solution.state = std::move(next);
+        solution.cost = equations.cost - promised;
+        solution.termination = JointTermination::Converged;
+        factor_is_at_optimum = true;
+        break;
+      }
       linearize(problem, next, next_equations);
       lowered = next_equations.cost <= equations.cost;  // false for NaN
       if (lowered) {
         solution.state = std::move(next);
         std::swap(equations, next_equations);
+        solution.cost = equations.cost;
       }
     }
-    // Damped steps promise little even far from the optimum; undamped ones that can't lower the cost have met rounding.
-    if ((nothing_left && damping == 0) || damping > kLargestDamping) {
+    if (damping > kLargestDamping) {
       solution.termination = JointTermination::Converged;
       break;
     }
@@ -215,8 +223,13 @@ JointSolution solveJointly(const JointProblem& problem, const JointState& initia
       damping = damping > 2 * kFirstDamping ? damping / 5 : 0;
     }
   }
-  solution.cost = equations.cost;
-  solution.covariance = std::make_shared<JointCovariance>(problem, std::move(equations));
+  if (!options.covariance) return solution;
+  if (factor_is_at_optimum) {
+    solution.covariance.reset(
+        new JointCovariance(std::make_unique<JointCovariance::State>(problem, std::move(factor))));
+  } else {
+    solution.covariance = std::make_shared<JointCovariance>(problem, equations);
+  }
   return solution;
 }
 

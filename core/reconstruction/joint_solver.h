@@ -12,17 +12,20 @@ struct JointSolverOptions {
   int max_iterations = 100;
   /// A step that promises to lower the cost by less than this share of it is the last.
   double cost_tolerance = 1e-9;
-  std::stop_token stop;  ///< checked before every step; the state so far is the result
+  bool covariance = true;  ///< compute JointSolution::covariance
+  std::stop_token stop;    ///< checked before every step; the state so far is the result
 };
 
 enum class JointTermination { Converged, Stopped, StepLimit };
+
+struct JointSolution;
 
 /// The inverse of the information matrix at the optimum: how uncertain every unknown is, and how they depend on each
 /// other. Keeps the sparse factor, so that the covariance of any two cells can still be asked for.
 class JointCovariance {
  public:
   /// `equations` at the optimum. Throws std::runtime_error if they are not positive definite, which priors prevent.
-  JointCovariance(const JointProblem& problem, NormalEquations equations);
+  JointCovariance(const JointProblem& problem, const NormalEquations& equations);
   ~JointCovariance();
   JointCovariance(const JointCovariance&) = delete;
   JointCovariance& operator=(const JointCovariance&) = delete;
@@ -33,12 +36,15 @@ class JointCovariance {
   [[nodiscard]] const Matrix6d& link(std::size_t link) const;
   /// Cross-covariance of any two cells, rows a, columns b. Two triangular solves each.
   [[nodiscard]] Matrix6d between(std::size_t a, std::size_t b) const;
-  /// 2 x 2, along tangentBasis of the pose's direction.
-  [[nodiscard]] Eigen::Matrix2d direction(std::size_t pose) const;
+  /// Of the specific force of a pose, patch frame, g^2.
+  [[nodiscard]] Eigen::Matrix3d force(std::size_t pose) const;
   [[nodiscard]] double gapShareSigma() const;  ///< 0 if it is not estimated
 
  private:
+  friend JointSolution solveJointly(const JointProblem& problem, const JointState& initial,
+                                    const JointSolverOptions& options);
   struct State;
+  explicit JointCovariance(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
 
@@ -47,7 +53,7 @@ struct JointSolution {
   double cost = 0;
   int iterations = 0;
   JointTermination termination = JointTermination::Converged;
-  std::shared_ptr<const JointCovariance> covariance;
+  std::shared_ptr<const JointCovariance> covariance;  ///< null if it was not asked for
 };
 
 /// Levenberg-Marquardt on jointCost from `initial`: plain Gauss-Newton steps while they lower the cost, damped ones

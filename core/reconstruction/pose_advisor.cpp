@@ -2,8 +2,9 @@
 
 #include "hexoderm/util/units.h"
 
-#include "edge_rotation.h"
+#include "rigidity_test.h"
 
+#include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
@@ -11,29 +12,25 @@
 namespace hexoderm {
 namespace {
 
-/// What an edge's rotation is known to with these up directions: rms over the three axes, radians. The same prediction
-/// that the solver makes for its edges, with the elastomer prior taken alike in all directions, because the cells of a
-/// patch face many ways.
+/// What an edge's rotation is known to with these up directions: rms over the three axes, radians. The elastomer prior
+/// is taken alike in all directions, because the cells of a patch face many ways.
 double predictedSigma(const CellModel& model, const Eigen::Matrix3Xd& directions) {
-  const auto poses = static_cast<std::size_t>(directions.cols());
+  // Averaging does not take away a hand's tremor (SPEC, step 10).
+  constexpr double kTremor_g = 0.003;
   const double prior_sq = (model.bend_sigma_rad * model.bend_sigma_rad + model.twist_sigma_rad * model.twist_sigma_rad +
                            model.yaw_sigma_rad * model.yaw_sigma_rad) /
                           3;
-  const double prior_sigma = std::sqrt(prior_sq);
-  if (poses == 0) return prior_sigma;
-  // Averaging does not take away a hand's tremor (SPEC, step 10).
-  constexpr double kTremor_g = 0.003;
-  const std::vector<double> variance(poses, kTremor_g * kTremor_g);
-  const double uncentred =
-      cellAttitudeCovariance(model.accelerometer, directions, variance, false, true, prior_sigma / std::sqrt(2.0))
-          .trace();
-  constexpr std::size_t kFewestToCentre = 3;
-  const double centred = poses < kFewestToCentre ? uncentred
-                                                 : cellAttitudeCovariance(model.accelerometer, directions, variance,
-                                                                          true, true, prior_sigma / std::sqrt(2.0))
-                                                       .trace();
-  // An edge joins two cells that err alike; nothing is ever known worse than the prior has it.
-  return std::min(prior_sigma, std::sqrt(2 * std::min(uncentred, centred) / 3));
+  std::vector<CellReading> readings;
+  std::vector<Eigen::Vector3d> forces;
+  for (Eigen::Index k = 0; k < directions.cols(); ++k) {
+    forces.emplace_back(directions.col(k));
+    readings.push_back({static_cast<std::size_t>(k), directions.col(k), kTremor_g * kTremor_g});
+  }
+  AccelerometerFit fit;
+  fitAccelerometer(AccelerometerPrior(model.accelerometer), readings, forces, {}, fit);
+  // An edge joins two cells that err alike.
+  const Eigen::Matrix3d information = attitudeInformation(fit, forces) / 2 + Eigen::Matrix3d::Identity() / prior_sq;
+  return std::sqrt(information.inverse().trace() / 3);
 }
 
 /// Share of the directions that lies off their main line: the second singular value of eq. (17), as the solver has it.
@@ -59,7 +56,9 @@ std::vector<Eigen::Vector3d> sphereCandidates() {
 
 }  // namespace
 
-PoseAdvice adviseNextPose(const CellModel& model, const std::vector<Eigen::Vector3d>& seen) {
+PoseAdvice adviseNextPose(const CellModel& model, const std::vector<Eigen::Vector3d>& seen,
+                          const std::vector<Eigen::Vector3d>& unreachable) {
+  constexpr double kOutOfReach = 30 * kDegree;
   const auto count = static_cast<Eigen::Index>(seen.size());
   Eigen::Matrix3Xd directions(3, count + 1);
   for (Eigen::Index k = 0; k < count; ++k) directions.col(k) = seen[static_cast<std::size_t>(k)];
@@ -68,10 +67,14 @@ PoseAdvice adviseNextPose(const CellModel& model, const std::vector<Eigen::Vecto
   PoseAdvice advice;
   advice.sigma_now_rad = predictedSigma(model, directions.leftCols(count));
   advice.sigma_then_rad = predictedSigma(model, directions);
-  if (seen.empty()) return advice;
+  if (seen.empty() && unreachable.empty()) return advice;
   bool found = false;
-  const bool one_line = secondDirection(directions.leftCols(count)) < kDefined;
+  const bool one_line = !seen.empty() && secondDirection(directions.leftCols(count)) < kDefined;
   for (const Eigen::Vector3d& candidate : sphereCandidates()) {
+    const bool out_of_reach = std::ranges::any_of(unreachable, [&](const Eigen::Vector3d& direction) {
+      return angleBetween(candidate, direction) < kOutOfReach;
+    });
+    if (out_of_reach) continue;
     directions.col(count) = candidate;
     // To first order two poses 45 degrees apart suffer least from offsets, but leave the turn about their middle to a
     // single small angle: while there is one line only, a second one comes first (SPEC, step 12).

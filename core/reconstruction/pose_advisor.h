@@ -16,11 +16,14 @@ struct PoseAdvice {
 };
 
 /// The direction that lowers the predicted error of an edge's rotation most, over directions spread evenly over the
-/// sphere. The prediction is the solver's own (offset, gains, tremor; centred where that is better), with the elastomer
-/// prior for what the poses leave open. Without any pose: +z.
+/// sphere. The prediction is the global solver's own: what readings along these directions say about the attitude of a
+/// cell whose offset, gains and cross-axis sensitivity are unknown, with the elastomer prior for what the poses leave
+/// open. Without any pose: +z.
 ///
-/// `seen`: unit up directions of the poses so far, all in one frame.
-PoseAdvice adviseNextPose(const CellModel& model, const std::vector<Eigen::Vector3d>& seen);
+/// `seen`: unit up directions of the poses so far, all in one frame. `unreachable`: directions that the part can't be
+/// brought to; nothing within 30 degrees of one is advised, unless nothing else is left.
+PoseAdvice adviseNextPose(const CellModel& model, const std::vector<Eigen::Vector3d>& seen,
+                          const std::vector<Eigen::Vector3d>& unreachable = {});
 
 /// "Turn the part so that cell 7 faces the floor": the cell of the largest patch whose front points most exactly up or
 /// down when `advice` is followed. Empty if there is no patch.

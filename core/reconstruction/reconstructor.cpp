@@ -305,10 +305,11 @@ class Reconstructor {
     if (work.joint) {
       const JointSolution& solution = work.joint->solution();
       for (std::size_t k = 0; k < work.joint->poses().size(); ++k) {
-        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(solution.covariance->direction(k),
-                                                                    Eigen::EigenvaluesOnly);
-        result.gravity.push_back({poseId(work.joint->poses()[k]), solution.state.g_o[k],
-                                  std::sqrt(std::max(0.0, solver.eigenvalues().maxCoeff()))});
+        const Eigen::Vector3d& force = solution.state.force_o[k];
+        const Eigen::Vector3d up = force.normalized();
+        // Across the direction: [up]x takes what lies along it away.
+        const Eigen::Matrix3d across = skew(up) * solution.covariance->force(k) * skew(up).transpose();
+        result.gravity.push_back({poseId(work.joint->poses()[k]), up, worstSigma(across) / force.norm()});
       }
       result.gap_share = GapShareEstimate{solution.state.gap_share, solution.covariance->gapShareSigma()};
       result.covariance = work.joint->placementCovariance(graph_);

@@ -15,22 +15,14 @@ double Misfit::deviate() const {
   return (std::cbrt(chi_squared / degrees) - (1 - spread)) / std::sqrt(spread);
 }
 
-Misfit testRigidity(const AccelerometerPrior& prior, std::span<const CellReading> readings,
-                    std::span<const Eigen::Vector3d> v_g) {
-  Misfit misfit;
-  if (readings.size() < 2) return misfit;
-  AccelerometerFit fit;
-  fitAccelerometer(prior, readings, v_g, HuberLoss{std::numeric_limits<double>::infinity()}, fit);
-
+Eigen::Matrix3d attitudeInformation(const AccelerometerFit& fit, std::span<const Eigen::Vector3d> v_g) {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
   std::array<Eigen::Matrix<double, 4, 3>, 3> mixed;
   for (auto& block : mixed) block.setZero();
-  for (std::size_t k = 0; k < readings.size(); ++k) {
+  for (std::size_t k = 0; k < v_g.size(); ++k) {
     const Eigen::Vector4d row(1, v_g[k].x(), v_g[k].y(), v_g[k].z());
     const Eigen::Matrix3d J = fit.gain * skew(v_g[k]);
     information.noalias() += fit.precision[k] * J.transpose() * J;
-    gradient.noalias() += fit.precision[k] * J.transpose() * fit.residual_g[k];
     for (int axis = 0; axis < 3; ++axis) {
       mixed[static_cast<std::size_t>(axis)].noalias() += fit.precision[k] * row * J.row(axis);
     }
@@ -38,6 +30,21 @@ Misfit testRigidity(const AccelerometerPrior& prior, std::span<const CellReading
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Eigen::Matrix<double, 4, 3> root = fit.covariance_root[axis].transpose() * mixed[axis];
     information.noalias() -= root.transpose() * root;
+  }
+  return information;
+}
+
+Misfit testRigidity(const AccelerometerPrior& prior, std::span<const CellReading> readings,
+                    std::span<const Eigen::Vector3d> v_g) {
+  Misfit misfit;
+  if (readings.size() < 2) return misfit;
+  AccelerometerFit fit;
+  fitAccelerometer(prior, readings, v_g, HuberLoss{std::numeric_limits<double>::infinity()}, fit);
+
+  Eigen::Matrix3d information = attitudeInformation(fit, v_g);
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    gradient.noalias() += fit.precision[k] * (fit.gain * skew(v_g[k])).transpose() * fit.residual_g[k];
   }
   // A turn that no reading shows takes nothing away; the smallest information keeps the algebra finite.
   information.diagonal().array() += 1e-6;

@@ -23,6 +23,11 @@ struct Misfit {
 Misfit testRigidity(const AccelerometerPrior& prior, std::span<const CellReading> readings,
                     std::span<const Eigen::Vector3d> v_g);
 
+/// What readings of the specific forces `v_g` (accelerometer axes), each as uncertain as `readings` has it, say about
+/// the attitude of a cell whose offset, gains and cross-axis sensitivity are not known: the information of a small turn
+/// in the accelerometer's axes, rad^-2. `fit` must belong to these readings.
+Eigen::Matrix3d attitudeInformation(const AccelerometerFit& fit, std::span<const Eigen::Vector3d> v_g);
+
 /// What two cells' accelerometers together differ by, as one accelerometer's prior: for testing a cell's readings
 /// against its neighbour's, turned by their relative rotation.
 Accelerometer pairOf(const Accelerometer& accelerometer);

@@ -64,28 +64,32 @@ double SuspectSearch::misfitOf(std::size_t link_index) const {
 }
 
 std::optional<std::size_t> SuspectSearch::worstCell() const {
-  // At the edge of a sheet two of a cell's three links may cross a joint; a broken sensor fails at all of them.
   constexpr double kNearlyAll = 0.74;
   constexpr std::size_t kFewestWitnesses = 2;
+  std::vector<std::size_t> tested(graph_.cells().size(), 0);
+  std::vector<std::size_t> bad(graph_.cells().size(), 0);
+  for (std::size_t link = 0; link < verdicts_.size(); ++link) {
+    for (const std::size_t cell : {graph_.links()[link].source, graph_.links()[link].target}) {
+      if (verdicts_[link].tested) ++tested[cell];
+      if (verdicts_[link].bad()) ++bad[cell];
+    }
+  }
   std::optional<std::size_t> worst;
   double worst_misfit = 0;
   for (std::size_t cell = 0; cell < graph_.cells().size(); ++cell) {
-    std::size_t tested = 0;
-    std::size_t bad = 0;
+    if (bad[cell] < kFewestWitnesses || static_cast<double>(bad[cell]) < kNearlyAll * static_cast<double>(tested[cell]))
+      continue;
     double misfit = 0;
+    // Neighbours at odds with others too speak for a joint that runs between all of them.
+    std::size_t unreliable = 0;
     for (const std::size_t link : graph_.linksAt(cell)) {
-      const Verdict& verdict = verdicts_[link];
-      if (!verdict.tested) continue;
-      ++tested;
-      if (!verdict.bad()) continue;
-      ++bad;
-      misfit += std::max(verdict.misfit, options_.max_misfit);
+      if (!verdicts_[link].bad()) continue;
+      misfit += std::max(verdicts_[link].misfit, options_.max_misfit);
+      if (bad[graph_.links()[link].other(cell)] > 1) ++unreliable;
     }
-    if (bad < kFewestWitnesses || static_cast<double>(bad) < kNearlyAll * static_cast<double>(tested)) continue;
-    if (misfit > worst_misfit) {
-      worst = cell;
-      worst_misfit = misfit;
-    }
+    if (2 * unreliable >= bad[cell] || misfit <= worst_misfit) continue;
+    worst = cell;
+    worst_misfit = misfit;
   }
   return worst;
 }

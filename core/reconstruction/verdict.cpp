@@ -101,7 +101,7 @@ Verdict judge(const Reconstruction& r) {
   }
   const std::size_t poses = enabledPoses(r);
   const PoseAdvice advice = adviseNextPose(*r.model, directionsSeen(r));
-  const std::string turn = adviceInWords(advice, r);
+  std::string turn = adviceInWords(advice, r);
 
   if (nothingToEstimate(r)) {
     verdict.level = VerdictLevel::Usable;
@@ -116,6 +116,10 @@ Verdict judge(const Reconstruction& r) {
   const Spread spread = worstSpread(r);
   verdict.position_95_m = spread.position_95_m;
   verdict.orientation_95_rad = spread.orientation_95_rad;
+  if (poses > 0 && advice.sigma_now_rad > 0) {
+    turn += " That should bring ±" + formatFixed(toDegrees(spread.orientation_95_rad), 1) + "° to about ±" +
+            formatFixed(toDegrees(spread.orientation_95_rad * advice.sigma_then_rad / advice.sigma_now_rad), 1) + "°.";
+  }
   const std::size_t undetermined = undeterminedLinks(r);
   const std::size_t used = [&] {
     std::size_t count = 0;

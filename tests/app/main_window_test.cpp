@@ -92,7 +92,7 @@ TEST_F(MainWindowTest, ExportsTablesAndReplacesThemWhenAsked) {
     click(find<QWidget>("messageClose"));
     ASSERT_TRUE(waitUntil([&] { return window_->findChild<QDialog*>("exportDialog") == nullptr; }));
   }
-  for (const char* table : {"cells.csv", "links.csv", "poses.csv", "residuals.csv"}) {
+  for (const char* table : {"cells.csv", "links.csv", "poses.csv", "residuals.csv", "covariances.csv"}) {
     EXPECT_TRUE(QFile::exists(pathTo("tables/") + table)) << table;
   }
 }

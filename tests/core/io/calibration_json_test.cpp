@@ -35,10 +35,18 @@ Reconstruction richCalibration() {
   result.options.weights = LinkWeights::Residual;
   result.options.class_threshold = 0.75;
   result.options.max_bend_rad = 1.1;
+  result.options.gap_model = GapModel::Arc;
+  result.options.max_misfit = 4.5;
+  result.options.left_out = {CellId(5), CellId(2)};
   PatchReconstruction& patch = result.patches.at(0);
+  patch.gap_share = {1.0 / 3, 0.123456789};
   patch.cells.at(1).placed_by = PlacedBy::Links;
   patch.cells.at(1).cov_t_r = someCovariance();
+  patch.cells.at(1).accel_offset_g = {0.06, -1.0 / 3, 1e-9};
+  patch.cells.at(1).accel_scale = {1.02, 0.98, 2.0 / 3};
   patch.cells.at(2).cov_t_r.reset();
+  patch.cells.at(2).accel_offset_g.reset();
+  patch.cells.at(2).accel_scale.reset();
   patch.cells.at(2).sensors.push_back({"force 1", "force", {expSO3({0.1, -0.7, 2}), {0.1, 1.0 / 3, -2e-9}}});
   LinkEstimate& link = patch.links.at(1);
   link.used = false;
@@ -80,6 +88,8 @@ void expectSamePlacement(const CellPlacement& a, const CellPlacement& b) {
     EXPECT_EQ(upper_a, upper_b);
     EXPECT_EQ(*b.cov_t_r, b.cov_t_r->transpose());
   }
+  EXPECT_EQ(a.accel_offset_g, b.accel_offset_g);
+  EXPECT_EQ(a.accel_scale, b.accel_scale);
   EXPECT_EQ(a.path, b.path);
   ASSERT_EQ(a.sensors.size(), b.sensors.size());
   for (std::size_t k = 0; k < a.sensors.size(); ++k) {
@@ -118,6 +128,9 @@ TEST(CalibrationJson, ComesBackAsItWas) {
   const Reconstruction result = richCalibration();
   const auto back = parseCalibrationJson(calibrationToJson(result), "c.json");
   EXPECT_EQ(back->solver, result.solver);
+  EXPECT_EQ(back->options.solver, Solver::Global);
+  EXPECT_EQ(back->options.gap_model, GapModel::Arc);
+  EXPECT_EQ(back->options.left_out, result.options.left_out);
   EXPECT_EQ(back->options.centring, result.options.centring);
   EXPECT_EQ(back->options.support_axes, result.options.support_axes);
   EXPECT_EQ(back->options.weights, result.options.weights);
@@ -149,6 +162,11 @@ TEST(CalibrationJson, ComesBackAsItWas) {
     const PatchReconstruction& b = back->patches[p];
     EXPECT_EQ(a.id, b.id);
     EXPECT_EQ(a.origin, b.origin);
+    ASSERT_EQ(a.gap_share.has_value(), b.gap_share.has_value());
+    if (a.gap_share) {
+      EXPECT_EQ(a.gap_share->share, b.gap_share->share);
+      EXPECT_EQ(a.gap_share->sigma, b.gap_share->sigma);
+    }
     ASSERT_EQ(a.gravity.size(), b.gravity.size());
     for (std::size_t k = 0; k < a.gravity.size(); ++k) {
       EXPECT_EQ(a.gravity[k].pose, b.gravity[k].pose);
@@ -181,16 +199,17 @@ TEST(CalibrationJson, IsDrawnAsBefore) {
 
 TEST(CalibrationJson, HasTheKeysOfTheFormat) {
   const nlohmann::json json = richJson();
-  for (const char* key : {"format", "version", "solver", "gap_model", "options", "source", "cell_model", "patches",
-                          "findings", "verdict"}) {
+  for (const char* key : {"format", "version", "solver", "gap_model", "gap_s", "options", "source", "cell_model",
+                          "patches", "findings", "verdict"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }
   const nlohmann::json& patch = json["patches"][0];
-  for (const char* key : {"id", "origin", "gravity", "cells", "links"}) EXPECT_TRUE(patch.contains(key)) << key;
+  for (const char* key : {"id", "origin", "gap_s", "gap_s_sigma", "gravity", "cells", "links"})
+    EXPECT_TRUE(patch.contains(key)) << key;
   for (const char* key : {"pose", "g_o", "sigma_deg"}) EXPECT_TRUE(patch["gravity"][0].contains(key)) << key;
   const nlohmann::json& cell = patch["cells"][1];
   for (const char* key : {"id", "body_part", "placed_by", "R_o_u", "q_o_u_wxyz", "t_o_u_m", "cov_t_r", "sigma_t_m",
-                          "sigma_r_rad", "path", "sensors"}) {
+                          "sigma_r_rad", "path", "sensors", "accel_offset_g", "accel_scale"}) {
     EXPECT_TRUE(cell.contains(key)) << key;
   }
   for (const char* key : {"name", "t_o_m", "q_o_wxyz"}) EXPECT_TRUE(cell["sensors"][0].contains(key)) << key;
@@ -235,23 +254,80 @@ TEST(CalibrationJson, LeavesOutWhatIsNotKnown) {
   EXPECT_FALSE(cell.contains("cov_t_r"));
   EXPECT_FALSE(cell.contains("sigma_t_m"));
   EXPECT_FALSE(cell.contains("sigma_r_rad"));
+  EXPECT_FALSE(cell.contains("accel_offset_g"));
+  EXPECT_FALSE(cell.contains("accel_scale"));
   EXPECT_TRUE(json["verdict"]["position_95_mm"].is_null());
   const auto back = parseCalibrationJson(json.dump(), "c.json");
   EXPECT_FALSE(back->verdict.position_95_m.has_value());
   EXPECT_FALSE(back->verdict.orientation_95_rad.has_value());
 }
 
+TEST(CalibrationJson, KeepsEveryGapModelOfTheGlobalSolver) {
+  for (const auto& [model, name] :
+       {std::pair(GapModel::Fit, "fit"), {GapModel::Arc, "arc"}, {GapModel::Pivot, "pivot"}}) {
+    Reconstruction result = richCalibration();
+    result.options.gap_model = model;
+    const std::string text = calibrationToJson(result);
+    EXPECT_EQ(nlohmann::json::parse(text)["gap_model"], name);
+    const auto back = parseCalibrationJson(text, "c.json");
+    EXPECT_EQ(back->options.gap_model, model);
+    EXPECT_EQ(back->options.solver, Solver::Global);
+  }
+}
+
+TEST(CalibrationJson, TreesGapModelIsPivotWhateverTheOptionSays) {
+  const Session session = readSessionJson(std::filesystem::path(HEXODERM_TEST_DATA) / "three_cells.session.json");
+  SolverOptions options;
+  options.solver = Solver::Tree;
+  options.gap_model = GapModel::Arc;
+  const std::string text = calibrationToJson(*reconstruct(*session.snapshot(), options));
+  const nlohmann::json json = nlohmann::json::parse(text);
+  EXPECT_EQ(json["solver"], "tree");
+  EXPECT_EQ(json["gap_model"], "pivot");
+  EXPECT_FALSE(json.contains("gap_s"));
+  EXPECT_FALSE(json["patches"][0].contains("gap_s"));
+  EXPECT_FALSE(json["patches"][0]["cells"][0].contains("accel_offset_g"));
+  const auto back = parseCalibrationJson(text, "c.json");
+  EXPECT_EQ(back->solver, "tree");
+  EXPECT_EQ(back->options.solver, Solver::Tree);
+  EXPECT_FALSE(back->patches[0].gap_share.has_value());
+}
+
+TEST(CalibrationJson, StatesTheGapShareOfTheLargestPatch) {
+  Reconstruction result = richCalibration();
+  PatchReconstruction other;
+  other.id = PatchId(1);
+  other.origin = CellId(9);
+  other.cells.resize(1);
+  other.cells[0].cell = CellId(9);
+  other.gap_share = {0.75, 0.25};
+  result.patches.insert(result.patches.begin(), other);
+  const std::string text = calibrationToJson(result);
+  EXPECT_EQ(nlohmann::json::parse(text)["gap_s"], 1.0 / 3);
+  const auto back = parseCalibrationJson(text, "c.json");
+  EXPECT_EQ(back->patches[0].gap_share.value().share, 0.75);
+  EXPECT_EQ(back->patches[1].gap_share.value().share, 1.0 / 3);
+  result.patches[1].gap_share.reset();
+  EXPECT_FALSE(nlohmann::json::parse(calibrationToJson(result)).contains("gap_s"));
+}
+
 TEST(CalibrationJson, ReadsFilesWithoutWhatWeAdd) {
   nlohmann::json json = richJson();
-  json.erase("poses");
+  for (const char* key : {"poses", "gap_model", "gap_s"}) json.erase(key);
+  for (const char* key : {"gap_s", "gap_s_sigma"}) json["patches"][0].erase(key);
   json["verdict"].erase("position_95_mm");
   for (nlohmann::json& link : json["patches"][0]["links"]) {
     for (const char* key : {"centred", "supported", "in_tree", "pose_residual_deg"}) link.erase(key);
   }
   for (nlohmann::json& cell : json["patches"][0]["cells"]) {
     for (nlohmann::json& sensor : cell["sensors"]) sensor.erase("type");
+    for (const char* key : {"accel_offset_g", "accel_scale"}) cell.erase(key);
   }
   const auto back = parseCalibrationJson(json.dump(), "c.json");
+  EXPECT_EQ(back->options.gap_model, GapModel::Fit) << "the default";
+  EXPECT_FALSE(back->patches[0].gap_share.has_value());
+  EXPECT_FALSE(back->patches[0].cells[1].accel_offset_g.has_value());
+  EXPECT_FALSE(back->patches[0].cells[1].accel_scale.has_value());
   ASSERT_EQ(back->poses.size(), 2U) << "those that the gravity directions name";
   EXPECT_EQ(back->poses[0].pose, PoseId(1));
   EXPECT_EQ(back->poses[1].pose, PoseId(5));
@@ -275,6 +351,14 @@ TEST(CalibrationJson, TakesAnEmptySkin) {
 
 TEST(CalibrationJson, NamesTheKeyPathOfWhatIsWrong) {
   EXPECT_THAT(complaint("/solver", "magic"), saysAll("c.json: solver: expected", "found \"magic\""));
+  EXPECT_THAT(complaint("/gap_model", "rubber"), saysAll("c.json: gap_model", "fit, arc or pivot", "rubber"));
+  EXPECT_THAT(complaint("/gap_model", 1), saysAll("c.json: gap_model: expected a"));
+  EXPECT_THAT(complaint("/solver", "tree"), saysAll("c.json: gap_model: expected \"pivot\"", "tree", "found \"arc\""));
+  EXPECT_THAT(complaint("/gap_s", "half"), saysAll("c.json: gap_s: expected a"));
+  EXPECT_THAT(complaint("/patches/0/gap_s", nlohmann::json::array()), saysAll("c.json: patches[0].gap_s: expected a"));
+  EXPECT_THAT(complaint("/patches/0/gap_s_sigma", -0.1), saysAll("patches[0].gap_s_sigma", "at least 0"));
+  EXPECT_THAT(complaint("/patches/0/cells/1/accel_offset_g", {0, 1}), saysAll("patches[0].cells[1].accel_offset_g"));
+  EXPECT_THAT(complaint("/patches/0/cells/1/accel_scale/2", "1"), saysAll("patches[0].cells[1].accel_scale[2]"));
   EXPECT_THAT(complaint("/options/centre", "maybe"), saysAll("c.json: options.centre", "maybe"));
   EXPECT_THAT(complaint("/patches", 1), saysAll("c.json: patches: expected an array"));
   EXPECT_THAT(complaint("/patches/0/origin", 99), saysAll("c.json: patches[0].origin: expected a cell of this patch"));
@@ -308,6 +392,19 @@ TEST(CalibrationJson, NamesTheKeyPathOfNumbersThatAreNotFinite) {
   text.replace(at, 3, "1e999");
   EXPECT_THAT(messageOf<FormatError>([&] { parseCalibrationJson(text, "c.json"); }),
               saysAll("c.json: patches[0].links[0].weight: expected a finite number, found 1e999"));
+  for (const auto& [key, path] : {std::pair("\n \"gap_s\": ", "gap_s"),
+                                  {"\n   \"gap_s\": ", "patches[0].gap_s"},
+                                  {"\"gap_s_sigma\": ", "patches[0].gap_s_sigma"},
+                                  {"\"accel_offset_g\": [", "accel_offset_g[0]"},
+                                  {"\"accel_scale\": [", "accel_scale[0]"}}) {
+    text = calibrationToJson(richCalibration());
+    const std::size_t begin = text.find(key);
+    ASSERT_NE(begin, std::string::npos) << key;
+    const std::size_t number = begin + std::string(key).size();
+    text.replace(number, text.find_first_of(",]\n", number) - number, "-1e999");
+    EXPECT_THAT(messageOf<FormatError>([&] { parseCalibrationJson(text, "c.json"); }),
+                saysAll(std::string(path) + ": expected", "-1e999"));
+  }
 }
 
 TEST(CalibrationJson, IsRefusedWhereverItIsCutOff) {

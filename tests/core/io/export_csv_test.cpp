@@ -29,12 +29,12 @@ std::vector<std::string> column(const std::string& text, const std::string& name
   return values;
 }
 
-TEST_F(ExportCsv, WritesFiveTables) {
+TEST_F(ExportCsv, WritesSixTables) {
   const auto paths = exportReconstruction(makeTestReconstruction(), ExportFormat::Csv, in("out"));
   EXPECT_THAT(paths, ElementsAre(in("out/cells.csv"), in("out/sensors.csv"), in("out/links.csv"), in("out/poses.csv"),
-                                 in("out/residuals.csv")));
-  EXPECT_THAT(names(), ElementsAre("out", "out/cells.csv", "out/links.csv", "out/poses.csv", "out/residuals.csv",
-                                   "out/sensors.csv"));
+                                 in("out/residuals.csv"), in("out/covariances.csv")));
+  EXPECT_THAT(names(), ElementsAre("out", "out/cells.csv", "out/covariances.csv", "out/links.csv", "out/poses.csv",
+                                   "out/residuals.csv", "out/sensors.csv"));
 }
 
 TEST_F(ExportCsv, HoldsLinksAndTheirFigures) {
@@ -81,6 +81,33 @@ TEST_F(ExportCsv, HoldsPlacementsToTheLastBit) {
   EXPECT_EQ(rows[1][12], "0.001");   // sigma_x_m
   EXPECT_EQ(rows[3][12], "");        // not known
   EXPECT_EQ(rows[1].back(), "7 3");  // path
+}
+
+TEST_F(ExportCsv, HoldsDeviationsAndSensorErrorsWhereTheyAreKnown) {
+  Reconstruction reconstruction = makeTestReconstruction();
+  CellPlacement& cell = reconstruction.patches[0].cells[0];
+  cell.cov_t_r->diagonal() << 1e-6, 4e-6, 9e-6, 0.01, 0.04, 0.09;
+  (*cell.cov_t_r)(1, 4) = (*cell.cov_t_r)(4, 1) = -2e-5;
+  cell.accel_offset_g = {0.06, -1.0 / 3, 0};
+  cell.accel_scale = {1.02, 0.98, 1};
+  exportReconstruction(reconstruction, ExportFormat::Csv, in("out"));
+  const std::string cells = read(in("out/cells.csv"));
+  EXPECT_EQ(column(cells, "sigma_y_m")[0], "0.002");
+  EXPECT_DOUBLE_EQ(std::stod(column(cells, "sigma_rz_deg")[0]), toDegrees(0.3));
+  EXPECT_EQ(column(cells, "accel_offset_x_g")[0], "0.06");
+  EXPECT_EQ(column(cells, "accel_offset_y_g")[0], formatExact(-1.0 / 3));
+  EXPECT_EQ(column(cells, "accel_scale_y")[0], "0.98");
+  EXPECT_EQ(column(cells, "accel_offset_z_g")[1], "");
+  EXPECT_EQ(column(cells, "accel_scale_z")[1], "");
+  EXPECT_DOUBLE_EQ(std::stod(column(read(in("out/links.csv")), "sigma_deg")[0]), toDegrees(0.02));
+
+  const std::string covariances = read(in("out/covariances.csv"));
+  EXPECT_THAT(column(covariances, "cell"), ElementsAre("3", "7", "12", "20"));
+  EXPECT_EQ(parseCsv(covariances, "covariances.csv").front().size(), 3U + 21U);
+  EXPECT_EQ(column(covariances, "cov_y_y_m2")[0], "4e-06");
+  EXPECT_EQ(column(covariances, "cov_y_ry_m_rad")[0], "-2e-05");
+  EXPECT_EQ(column(covariances, "cov_rz_rz_rad2")[0], "0.09");
+  EXPECT_EQ(column(covariances, "cov_x_x_m2")[2], "") << "not known";
 }
 
 TEST_F(ExportCsv, HoldsTheUpDirectionOfEveryPatch) {
@@ -134,7 +161,7 @@ TEST_F(ExportCsv, FailedComparisonLeavesNoFolderAndKeepsAnEarlierOne) {
   EXPECT_THROW(exportReconstruction(reconstruction, ExportFormat::Csv, in("earlier")), FormatError);
   EXPECT_FALSE(std::filesystem::exists(in("new")));
   EXPECT_EQ(read(in("earlier/cells.csv")), earlier);
-  EXPECT_EQ(names().size(), 6U);
+  EXPECT_EQ(names().size(), 7U);
 }
 
 }  // namespace

@@ -133,6 +133,22 @@ TEST_F(ExportVtpFile, HoldsTheCovarianceOfEachCell) {
   EXPECT_TRUE(std::isnan(covariances[42]));
 }
 
+TEST_F(ExportVtpFile, HoldsTheErrorsOfEachCellsSensor) {
+  reconstruction_.patches[0].cells[1].accel_offset_g = {0.06, -0.01, 0.02};
+  reconstruction_.patches[0].cells[1].accel_scale = {1.02, 0.98, 1};
+  exportReconstruction(reconstruction_, ExportFormat::Vtp, in("skin.vtp"));
+  ASSERT_TRUE(document_.load_file(in("skin.vtp").c_str()));
+  const pugi::xml_node field_data = document_.child("VTKFile").child("PolyData").child("FieldData");
+  const auto offsets = values<double>(field_data, "accel_offset_g");
+  const auto scales = values<double>(field_data, "accel_scale");
+  ASSERT_EQ(offsets.size(), 4U * 3U);
+  ASSERT_EQ(scales.size(), 4U * 3U);
+  EXPECT_EQ(offsets[4], -0.01);
+  EXPECT_EQ(scales[3], 1.02);
+  EXPECT_TRUE(std::isnan(offsets[0])) << "not known";
+  EXPECT_TRUE(std::isnan(scales[11]));
+}
+
 TEST_F(ExportVtpFile, SaysUnitsAndFrames) {
   const pugi::xml_node field_data = document_.child("VTKFile").child("PolyData").child("FieldData");
   EXPECT_THAT(strings(field_data, "units"), ElementsAre("positions in metres, rotations in radians"));

@@ -1,6 +1,9 @@
 #include "hexoderm/io/exporter.h"
 
 #include "core/io/export_test_folder.h"
+#include "hexoderm/io/calibration_json.h"
+#include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/error.h"
 #include "support/reconstruction_builder.h"
 
@@ -49,6 +52,22 @@ TEST_P(EveryExport, RefusesNumbersThatAreNotFiniteAndKeepsTheEarlierFile) {
   EXPECT_THAT(messageOf<InvalidArgument>([&] { exportReconstruction(reconstruction, GetParam(), target()); }),
               HasSubstr("cell 7: its placement is not a finite number"));
   EXPECT_EQ(read(paths.front()), earlier);
+}
+
+TEST_P(EveryExport, TakesWhatEverySolverFinds) {
+  SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
+  const Session session = simulateSession(skin, 3);
+  for (const Solver solver : {Solver::Global, Solver::Tree}) {
+    SolverOptions options;
+    options.solver = solver;
+    const auto result = reconstruct(*session.snapshot(), options);
+    const auto paths = exportReconstruction(*result, GetParam(), target());
+    ASSERT_FALSE(paths.empty());
+    for (const auto& path : paths) EXPECT_FALSE(read(path).empty()) << path;
+    // What was written to a file and read again is exported just the same.
+    const auto back = parseCalibrationJson(calibrationToJson(*result), "c.json");
+    EXPECT_NO_THROW(exportReconstruction(*back, GetParam(), target()));
+  }
 }
 
 TEST_P(EveryExport, NamesATargetThatCannotBeWritten) {

@@ -41,7 +41,7 @@ TEST(OpenFile, TellsFilesApartByTheirContent) {
 
   opened = open(calibration);
   ASSERT_TRUE(std::holds_alternative<std::shared_ptr<const Reconstruction>>(opened));
-  EXPECT_EQ(std::get<std::shared_ptr<const Reconstruction>>(opened)->solver, "tree");
+  EXPECT_EQ(std::get<std::shared_ptr<const Reconstruction>>(opened)->solver, "global");
 
   opened = open(tum);
   ASSERT_TRUE(std::holds_alternative<std::shared_ptr<const Reconstruction>>(opened));

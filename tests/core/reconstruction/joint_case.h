@@ -78,7 +78,7 @@ inline void addExactReadings(JointCase& example, const std::vector<Eigen::Vector
     }
   }
   for (const Eigen::Vector3d& up : ups_o) {
-    example.truth.g_o.push_back(up.normalized());
+    example.truth.force_o.push_back(up.normalized());
     example.truth.acceleration_o.push_back(Eigen::Vector3d::Zero());
   }
 }
@@ -166,13 +166,13 @@ inline JointCase simulatedCase(const SimulatedSkinOptions& options, std::size_t 
     for (const GravitySample& sample : session.poses()[pose].capture->samples) {
       problem.readings[sample.cell.value() - 1].push_back({pose, R_a_u * sample.mean_g, 1e-5});
     }
-    example.truth.g_o.push_back(T_o_b.R * ups_b[pose]);
+    example.truth.force_o.push_back(T_o_b.R * ups_b[pose]);
     example.truth.acceleration_o.push_back(Eigen::Vector3d::Zero());
   }
   return example;
 }
 
-/// A state some way off, of the unknowns that are free. Directions turn by about as much as cells.
+/// A state some way off, of the unknowns that are free. Forces turn by about as much as cells.
 inline JointState perturbed(const JointProblem& problem, const JointState& state, double turn_rad, double shift_m,
                             std::uint64_t seed) {
   JointDraw draw(seed);
@@ -184,7 +184,7 @@ inline JointState perturbed(const JointProblem& problem, const JointState& state
   }
   Eigen::VectorXd border(layout.size());
   for (std::size_t pose = 0; pose < problem.poses; ++pose) {
-    border.segment<2>(layout.direction(pose)) = turn_rad * draw.vector().head<2>();
+    border.segment<3>(layout.force(pose)) = turn_rad * draw.vector();
     if (problem.accelerations) border.segment<3>(layout.acceleration(pose)) = 3 * draw.vector();
   }
   if (problem.gap.sigma) border[layout.gapShare()] = 0.3 * draw.normal();

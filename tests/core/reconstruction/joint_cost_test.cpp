@@ -117,7 +117,7 @@ TEST(JointCost, GradientIsRightWhereLinksAreStraight) {
     addExactReadings(example, {Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX()});
     JointState state = example.truth;
     for (std::size_t cell = 1; cell < state.cells.size(); ++cell) state.cells[cell].t += Eigen::Vector3d(1e-4, 0, 2e-4);
-    for (Eigen::Vector3d& g : state.g_o) g = (g + Eigen::Vector3d(0.01, 0.02, 0.01)).normalized();
+    for (Eigen::Vector3d& force : state.force_o) force += Eigen::Vector3d(0.01, 0.02, 0.01);
     EXPECT_LT(gradientError(example.problem, state), 1e-7) << nameOf(gap);
   }
 }
@@ -275,7 +275,7 @@ TEST(JointCost, AFrameOfAnotherChoiceCostsTheSame) {
     const SE3 turn{expSO3({0.5, -1.2, 0.7}), {0.3, -0.1, 0.2}};
     JointState turned = state;
     for (SE3& cell : turned.cells) cell = turn * cell;
-    for (Eigen::Vector3d& g : turned.g_o) g = (turn.R * g).eval();
+    for (Eigen::Vector3d& force : turned.force_o) force = (turn.R * force).eval();
     for (Eigen::Vector3d& acceleration : turned.acceleration_o) acceleration = (turn.R * acceleration).eval();
     turned.middle_o = turn * state.middle_o;
     const double cost = jointCost(example.problem, state);

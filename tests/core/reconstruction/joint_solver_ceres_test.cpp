@@ -57,6 +57,16 @@ struct PriorCost {
   }
 };
 
+struct ForceLengthCost {
+  double sigma_g;
+
+  template <typename T>
+  bool operator()(const T* force, T* residual) const {
+    residual[0] = (ConstVector<T>(force).norm() - T(1)) / T(sigma_g);
+    return true;
+  }
+};
+
 struct ClosureCost {
   JointLink link;
   double sigma_m;
@@ -121,7 +131,7 @@ class Oracle {
     }
     for (std::size_t pose = 0; pose < problem.poses; ++pose) {
       Pose unknowns;
-      Eigen::Map<Eigen::Vector3d>(unknowns.g.data()) = start.g_o[pose];
+      Eigen::Map<Eigen::Vector3d>(unknowns.force.data()) = start.force_o[pose];
       Eigen::Map<Eigen::Vector3d>(unknowns.acceleration.data()) = start.acceleration_o[pose];
       poses_.push_back(unknowns);
     }
@@ -154,7 +164,7 @@ class Oracle {
                              Eigen::Map<const Eigen::Vector3d>(cell.t.data())});
     }
     for (const Pose& pose : poses_) {
-      state.g_o.emplace_back(pose.g.data());
+      state.force_o.emplace_back(pose.force.data());
       state.acceleration_o.emplace_back(pose.acceleration.data());
     }
     return state;
@@ -168,7 +178,7 @@ class Oracle {
     std::array<double, 9> errors{};  // I + D, D row by row
   };
   struct Pose {
-    std::array<double, 3> g{};
+    std::array<double, 3> force{};
     std::array<double, 3> acceleration{};
   };
 
@@ -182,7 +192,10 @@ class Oracle {
       ceres_.SetParameterBlockConstant(cell.q.data());
     }
     for (Pose& pose : poses_) {
-      ceres_.AddParameterBlock(pose.g.data(), 3, new ceres::SphereManifold<3>);
+      ceres_.AddParameterBlock(pose.force.data(), 3);
+      ceres_.AddResidualBlock(
+          new ceres::AutoDiffCostFunction<ForceLengthCost, 1, 3>(new ForceLengthCost{problem_.force_sigma_g}), nullptr,
+          pose.force.data());
       ceres_.AddParameterBlock(pose.acceleration.data(), 3);
       if (problem_.accelerations) {
         addPrior<3>({kAccelerationSigma, kAccelerationSigma, kAccelerationSigma}, 0, pose.acceleration.data());
@@ -222,7 +235,7 @@ class Oracle {
         ceres_.AddResidualBlock(new ceres::AutoDiffCostFunction<ReadingCost, 3, 3, 4, 3, 9, 3, 3>(
                                     new ReadingCost{reading, R_a_u, middle_o_}),
                                 newLoss(), cell.t.data(), cell.q.data(), cell.offset.data(), cell.errors.data(),
-                                pose.g.data(), pose.acceleration.data());
+                                pose.force.data(), pose.acceleration.data());
       }
     }
   }
