@@ -128,9 +128,8 @@ std::size_t JointRefinement::localOf(std::size_t cell) const {
   return static_cast<std::size_t>(std::ranges::lower_bound(cells_, cell) - cells_.begin());
 }
 
-void JointRefinement::solve(std::stop_token stop) {
-  JointSolverOptions options;
-  options.stop = std::move(stop);
+void JointRefinement::solve() {
+  const JointSolverOptions options;
   solveWithLinkSpread(options);
   if (!problem_->accelerations && accelerationsShow()) {
     problem_->accelerations = true;

@@ -21,7 +21,7 @@ class JointRefinement {
 
   /// Solves from the latest state. Angular accelerations are estimated where the patch is large enough to show them, or
   /// where the data say so.
-  void solve(std::stop_token stop = {});
+  void solve();
 
   /// From now on the cell is placed by its links. Needs another solve().
   void leaveOut(std::size_t cell);
