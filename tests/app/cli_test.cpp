@@ -206,7 +206,7 @@ TEST_F(Cli, EveryCommandHasHelpWithAnExampleThatWorks) {
     ASSERT_NE(at, std::string::npos) << command;
     const std::size_t begin = at + std::string("\n  hexoderm-cli ").size();
     std::string example = help.out.substr(begin, help.out.find('\n', begin) - begin);
-    if (command == "reproduce") example = "reproduce --seeds 2";  // the example itself takes a while
+    if (command == "reproduce") example = "reproduce --seeds 2 --only paper";  // the example itself takes a while
     const Outcome result = run(example);
     EXPECT_EQ(result.exit_code, 0) << example << '\n' << result.err;
   }

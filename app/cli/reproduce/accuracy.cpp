@@ -259,7 +259,7 @@ void print(const std::vector<Row>& rows, std::size_t seeds) {
       << "Accuracy on simulated skins, offsets of 60 mg, hand-held: medians over " << seeds << " skins.\n"
       << "Paper: --solver tree --centre off, no link judged. The others: the global solver with the gap model that\n"
       << "the simulator's link law obeys, with the other one, and with fit (default). Bars: for the matching model\n"
-      << "and for fit. Bound: Cramer-Rao, rms; a median lies a little below.\n\n";
+      << "and for fit. Bound: Cramer-Rao, rms, from an earlier study, not computed here; medians may lie below.\n\n";
   TextTable table({"figure", "law", "poses", "paper", "match", "other", "fit", "unit", "bars", "bound", "reached"});
   for (const Row& row : rows) {
     const int decimals = row.bar_matching == row.bar_fit && row.bar_fit ? 3 : 2;
@@ -279,8 +279,7 @@ void print(const std::vector<Row>& rows, std::size_t seeds) {
       << millimetres(2 * builtInCellModel("hex-bma150").reach_m(), 1) << " per\n"
       << "    cell (half at both ends), and both ends 0.2 mm beside their places. By hand "
       << millimetres(jitterBound_m()) << " rms for 8 cells.\n"
-      << "    Gravity says nothing about it, so with this jitter no method that takes cells to sit straight in\n"
-      << "    their links gets below; without jitter the same figure shows the method alone.\n";
+      << "    Gravity says nothing about it. Without jitter the same figure shows what orientations leave.\n";
 }
 
 }  // namespace
