@@ -239,14 +239,6 @@ TEST_F(Cli, ConvertTakesTumFilesBothWays) {
   EXPECT_EQ(run("convert '" + tum + "' -o tum.hexo").exit_code, 2);
 }
 
-TEST_F(Cli, ReproducePrintsThePapersFiguresBesideOurs) {
-  const Outcome result = run("reproduce --seeds 3");
-  EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.out, AllOf(HasSubstr("-0.30"), HasSubstr("1.62"), HasSubstr("10.46"), HasSubstr("4.71"),
-                                HasSubstr("20 mg"), HasSubstr("60 mg"), HasSubstr("100 mg")));
-  EXPECT_EQ(nlohmann::json::parse(run("reproduce --seeds 3 --json").out).at("rows").size(), 12);
-}
-
 TEST_F(Cli, EveryCommandHasHelpWithAnExampleThatWorks) {
   // The examples build on one another in this order.
   run("simulate --seed 1 -o arm.session.json");
@@ -259,7 +251,7 @@ TEST_F(Cli, EveryCommandHasHelpWithAnExampleThatWorks) {
     ASSERT_NE(at, std::string::npos) << command;
     const std::size_t begin = at + std::string("\n  hexoderm-cli ").size();
     std::string example = help.out.substr(begin, help.out.find('\n', begin) - begin);
-    if (command == "reproduce") example = "reproduce --seeds 2";  // the example itself takes a while
+    if (command == "reproduce") example = "reproduce --seeds 2 --only paper";  // the example itself takes a while
     const Outcome result = run(example);
     EXPECT_EQ(result.exit_code, 0) << example << '\n' << result.err;
   }

@@ -1,0 +1,186 @@
+#include "experiments.h"
+
+#include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/util/text.h"
+
+#include <algorithm>
+#include <iostream>
+#include <set>
+
+namespace hexoderm::cli {
+namespace {
+
+constexpr std::size_t kFullRun = 200;  ///< from so many seeds on, rare events are counted in
+constexpr std::size_t kFullSessions = 500;
+
+struct Case {
+  std::string name;
+  std::size_t poses = 3;
+  std::optional<SkinFault> sensor;
+  std::optional<LinkFaultKind> link;
+  CellId cell;                      ///< 0: healthy
+  std::optional<double> bar_found;  ///< percent, at least
+  std::optional<double> bar_false;  ///< percent of links, at most
+};
+
+struct Count {
+  std::size_t sessions = 0;
+  std::size_t found = 0;
+  std::size_t links = 0;  ///< sound ones
+  std::size_t false_links = 0;
+  std::size_t cells = 0;
+  std::size_t false_cells = 0;
+};
+
+struct Row {
+  Case what;
+  Count count;
+  [[nodiscard]] static double percent(std::size_t part, std::size_t whole) {
+    return whole == 0 ? 0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+  }
+  [[nodiscard]] double found() const { return percent(count.found, count.sessions); }
+  [[nodiscard]] double falseLinks() const { return percent(count.false_links, count.links); }
+  [[nodiscard]] double falseCells() const { return percent(count.false_cells, count.cells); }
+  [[nodiscard]] bool healthy() const { return what.cell.value() == 0; }
+  [[nodiscard]] bool reached() const {
+    return (!what.bar_found || found() >= *what.bar_found) && (!what.bar_false || falseLinks() <= *what.bar_false);
+  }
+};
+
+/// The link of a cell that leads away from the middle; of a leaf its only one.
+std::pair<LinkEnd, LinkEnd> outwardLink(const NeighborList& neighbors, CellId cell) {
+  std::pair<LinkEnd, LinkEnd> ends;
+  for (const NeighborReport& link : std::ranges::find(neighbors, cell, &CellReport::id)->neighbors) {
+    if (link.cell.value() == 0 || link.cell < ends.second.cell) continue;
+    ends = {{cell, link.port}, {link.cell, *link.cell_port}};
+  }
+  return ends;
+}
+
+using Pair = std::pair<CellId, CellId>;
+
+Count judge(const Case& what, const std::optional<Pair>& bad_link, bool is_leaf, const Reconstruction& result) {
+  Count count{.sessions = 1};
+  bool link_named = false;
+  for (const PatchReconstruction& patch : result.patches) {
+    for (const LinkEstimate& link : patch.links) {
+      const bool is_bad =
+          bad_link && std::minmax(link.source.cell, link.target.cell) == std::minmax(bad_link->first, bad_link->second);
+      if (is_bad) {
+        link_named = link_named || link.muted_by;
+      } else {
+        ++count.links;
+        if (link.muted_by) ++count.false_links;
+      }
+    }
+  }
+  std::set<CellId> blamed;
+  for (const Finding& finding : result.findings) {
+    if (finding.severity != Severity::Info && finding.cells.size() == 1) blamed.insert(finding.cells.front());
+  }
+  const bool cell_named = blamed.contains(what.cell);
+  // At a leaf, a turned link and a broken sensor look alike.
+  const bool either = is_leaf && (link_named || cell_named);
+  if (what.link) count.found = link_named || either ? 1 : 0;
+  if (what.sensor) count.found = cell_named || either ? 1 : 0;
+  const bool cell_may_be_named = what.sensor || is_leaf;
+  count.cells = result.cellCount() - (cell_may_be_named ? 1 : 0);
+  count.false_cells = blamed.size() - (cell_may_be_named && cell_named ? 1 : 0);
+  return count;
+}
+
+Row runRow(const Trials& trials, const Case& what, std::size_t sessions) {
+  const auto results = trials.run(what.name, sessions, [&](std::size_t seed) {
+    SkinCase skin_case = {.patch = "x17", .surface = "cylinder:r=0.0501", .poses = what.poses};
+    std::optional<Pair> bad_link;
+    bool is_leaf = false;
+    if (what.cell.value() != 0) {
+      const SimulatedSkin healthy = makeSkin(skin_case, seed);
+      const auto [end, other] = outwardLink(healthy.neighbors(), what.cell);
+      is_leaf = std::ranges::count_if(std::ranges::find(healthy.neighbors(), what.cell, &CellReport::id)->neighbors,
+                                      [](const NeighborReport& link) { return link.cell.value() != 0; }) == 1;
+      if (what.link) skin_case.link_faults.push_back({*what.link, end});
+      if (what.sensor) skin_case.faults.push_back({*what.sensor, what.cell});
+      // A leaf's broken sensor excuses its link.
+      if (what.link || is_leaf) bad_link = Pair(end.cell, other.cell);
+    }
+    SimulatedSkin skin = makeSkin(skin_case, seed);
+    return judge(what, bad_link, is_leaf, *reconstruct(*measure(skin, skin_case).snapshot(), globalSolver()));
+  });
+  Row row{what, {}};
+  for (const Count& count : results) {
+    row.count.sessions += count.sessions;
+    row.count.found += count.found;
+    row.count.links += count.links;
+    row.count.false_links += count.false_links;
+    row.count.cells += count.cells;
+    row.count.false_cells += count.false_cells;
+  }
+  return row;
+}
+
+std::vector<Case> cases() {
+  const CellId middle(2);
+  const CellId inner(3);
+  const CellId leaf(17);
+  constexpr auto kJoint = LinkFaultKind::Joint;
+  constexpr auto kPort = LinkFaultKind::WrongPort;
+  constexpr double kFalse = 0.2;
+  return {{"joint turned by 20 deg, middle (cell 2)", 4, {}, kJoint, middle, 90, kFalse},
+          {"wrong port, cell 3", 3, {}, kPort, inner, 99, {}},
+          {"wrong port, leaf 17", 3, {}, kPort, leaf, 99, {}},
+          {"stuck sensor, cell 3", 3, SkinFault::Stuck, {}, inner, 99, {}},
+          {"stuck sensor, leaf 17", 3, SkinFault::Stuck, {}, leaf, 99, {}},
+          {"one axis dead, cell 3", 3, SkinFault::DeadAxis, {}, inner, 99, {}},
+          {"one axis dead, leaf 17", 3, SkinFault::DeadAxis, {}, leaf, 99, {}},
+          {"one axis stuck, cell 3", 3, SkinFault::StuckAxis, {}, inner, {}, {}},
+          {"one axis stuck, leaf 17", 3, SkinFault::StuckAxis, {}, leaf, {}, {}},
+          {"healthy", 3, {}, {}, CellId(), {}, kFalse},
+          {"healthy", 4, {}, {}, CellId(), {}, kFalse}};
+}
+
+std::string barInWords(const Case& what) {
+  std::string bar;
+  if (what.bar_found) bar += ">= " + formatFixed(*what.bar_found, 0) + " %";
+  if (what.bar_false) bar += std::string(bar.empty() ? "" : ", ") + "<= " + formatFixed(*what.bar_false, 1) + " %";
+  return bar.empty() ? "-" : bar;
+}
+
+}  // namespace
+
+nlohmann::ordered_json countDetections(const Trials& trials, bool prints) {
+  const std::size_t sessions = trials.seeds() < kFullRun ? trials.seeds() : std::max(trials.seeds(), kFullSessions);
+  std::vector<Row> rows;
+  for (const Case& what : cases()) rows.push_back(runRow(trials, what, sessions));
+  if (prints) {
+    std::cout
+        << "What is broken is found, on a simulated X17, global solver, defaults: " << sessions
+        << " sessions per row.\n"
+        << "Found: named as what it is; at a leaf, cell or link. False: sound links muted, sound cells blamed.\n\n";
+    TextTable table({"fault", "poses", "found", "false, per link", "false, per cell", "bars", "reached"});
+    for (const Row& row : rows) {
+      table.add({row.what.name, std::to_string(row.what.poses),
+                 row.healthy() ? "-" : formatFixed(row.found(), 1) + " %", formatFixed(row.falseLinks(), 3) + " %",
+                 formatFixed(row.falseCells(), 3) + " %", barInWords(row.what),
+                 row.what.bar_found || row.what.bar_false ? (row.reached() ? "yes" : "NO") : "-"});
+    }
+    table.print();
+  }
+  nlohmann::ordered_json json = {{"sessions", sessions}, {"rows", nlohmann::ordered_json::array()}};
+  for (const Row& row : rows) {
+    nlohmann::ordered_json entry = {{"fault", row.what.name},
+                                    {"poses", row.what.poses},
+                                    {"found_percent", nullptr},
+                                    {"false_per_link_percent", row.falseLinks()},
+                                    {"false_per_cell_percent", row.falseCells()},
+                                    {"bar_found_percent", numberOrNull(row.what.bar_found)},
+                                    {"bar_false_percent", numberOrNull(row.what.bar_false)},
+                                    {"reached", nullptr}};
+    if (!row.healthy()) entry["found_percent"] = row.found();
+    if (row.what.bar_found || row.what.bar_false) entry["reached"] = row.reached();
+    json["rows"].push_back(std::move(entry));
+  }
+  return json;
+}
+
+}  // namespace hexoderm::cli

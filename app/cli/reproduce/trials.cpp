@@ -1,0 +1,118 @@
+#include "trials.h"
+
+#include "hexoderm/session/simulated_session.h"
+#include "hexoderm/util/text.h"
+#include "hexoderm/util/units.h"
+
+#include <algorithm>
+#include <iostream>
+#include <numeric>
+
+namespace hexoderm::cli {
+
+SimulatedSkin makeSkin(const SkinCase& skin_case, std::size_t seed) {
+  CellModel model = builtInCellModel("hex-bma150");
+  model.accelerometer.offset_sigma_g = skin_case.offset_sigma_mg / 1000;
+  SimulatedSkinOptions options;
+  options.patch = skin_case.patch;
+  options.surface = skin_case.surface;
+  options.link_law = skin_case.law;
+  options.seed = seed;
+  options.faults = skin_case.faults;
+  options.link_faults = skin_case.link_faults;
+  if (!skin_case.jitter) options.position_jitter_m = options.yaw_jitter_rad = options.tilt_jitter_rad = 0;
+  return {std::move(model), options};
+}
+
+Session measure(SimulatedSkin& skin, const SkinCase& skin_case) { return simulateSession(skin, skin_case.poses); }
+
+SolverOptions papersMethod() {
+  SolverOptions options;
+  options.solver = Solver::Tree;
+  options.centring = Centring::Off;
+  options.max_bend_rad = kPi;
+  options.max_twist_rad = kPi;
+  options.max_yaw_rad = kPi;
+  options.max_misfit = 1e6;
+  return options;
+}
+
+SolverOptions globalSolver(GapModel gap_model) {
+  SolverOptions options;
+  options.gap_model = gap_model;
+  return options;
+}
+
+GapModel matchingModel(LinkLaw law) { return law == LinkLaw::Bend ? GapModel::Pivot : GapModel::Arc; }
+GapModel otherModel(LinkLaw law) { return law == LinkLaw::Bend ? GapModel::Arc : GapModel::Pivot; }
+std::string_view lawName(LinkLaw law) { return law == LinkLaw::Bend ? "bend" : "surface"; }
+
+const PatchReconstruction& largestPatch(const Reconstruction& reconstruction) {
+  return *std::ranges::max_element(reconstruction.patches, {},
+                                   [](const PatchReconstruction& patch) { return patch.cells.size(); });
+}
+
+SE3 truePlacement(const GroundTruth& truth, CellId cell) {
+  return std::ranges::find(truth.cells, cell, &TrueCellPlacement::id)->T_b_u;
+}
+
+std::optional<SurfaceEvaluation> fitCylinder(const Reconstruction& reconstruction, double true_radius_m) {
+  try {
+    return evaluateSurface(largestPatch(reconstruction), SurfaceKind::Cylinder, true_radius_m);
+  } catch (const InvalidArgument&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<LoopEvaluation> measureLoop(const SimulatedSkin& skin, const Reconstruction& reconstruction) {
+  try {
+    return evaluateLoop(reconstruction, skin.loop()->first, skin.loop()->second);
+  } catch (const InvalidArgument&) {
+    return std::nullopt;
+  }
+}
+
+double quantile(std::vector<double> values, double fraction) {
+  if (values.empty()) return 0;
+  std::ranges::sort(values);
+  const double place = fraction * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, values.size() - 1);
+  return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
+}
+
+double median(std::vector<double> values) { return quantile(std::move(values), 0.5); }
+
+double mean(const std::vector<double>& values) {
+  return values.empty() ? 0 : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+void Trials::report(const std::string& what, std::size_t seed, std::size_t count) const {
+  common_.progress(what + ": seed " + std::to_string(seed) + " of " + std::to_string(count));
+}
+
+void TextTable::print() const {
+  std::vector<std::size_t> width(rows_.front().size(), 0);
+  for (const auto& row : rows_) {
+    for (std::size_t k = 0; k < row.size(); ++k) width[k] = std::max(width[k], row[k].size());
+  }
+  for (const auto& row : rows_) {
+    std::string line;
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      line += row[k];
+      if (k + 1 < row.size()) line.append(width[k] - row[k].size() + 2, ' ');
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    std::cout << line << '\n';
+  }
+}
+
+std::string numberOrDash(const std::optional<double>& value, int decimals) {
+  return value ? formatFixed(*value, decimals) : "-";
+}
+
+nlohmann::ordered_json numberOrNull(const std::optional<double>& value) {
+  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+}
+
+}  // namespace hexoderm::cli

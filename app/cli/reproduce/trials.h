@@ -1,0 +1,113 @@
+#pragma once
+
+#include "hexoderm/device/simulated_skin.h"
+#include "hexoderm/reconstruction/evaluation.h"
+#include "hexoderm/reconstruction/reconstruction.h"
+#include "hexoderm/session/session.h"
+
+#include "../command.h"
+
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace hexoderm::cli {
+
+/// A simulated skin and how it is measured; what is not named here is the simulator's default.
+struct SkinCase {
+  std::string patch;
+  std::string surface;
+  LinkLaw law = LinkLaw::Bend;
+  std::size_t poses = 3;
+  double offset_sigma_mg = 60;
+  bool jitter = true;  ///< cells lie where a mould puts them: a little off, a little askew
+  std::vector<CellFault> faults = {};
+  std::vector<LinkFault> link_faults = {};
+};
+
+SimulatedSkin makeSkin(const SkinCase& skin_case, std::size_t seed);
+/// What a calibration of the skin delivers, and the truth.
+Session measure(SimulatedSkin& skin, const SkinCase& skin_case);
+
+/// --solver tree --centre off, and as in the paper no link is judged and muted: every skin counts.
+SolverOptions papersMethod();
+SolverOptions globalSolver(GapModel gap_model = GapModel::Fit);
+/// The gap model that the simulator's law obeys, and the one it doesn't.
+GapModel matchingModel(LinkLaw law);
+GapModel otherModel(LinkLaw law);
+std::string_view lawName(LinkLaw law);
+
+/// The patch with the most cells: the whole skin, unless links were taken for broken.
+const PatchReconstruction& largestPatch(const Reconstruction& reconstruction);
+SE3 truePlacement(const GroundTruth& truth, CellId cell);
+/// Nothing where links taken for broken left too little of the skin.
+std::optional<SurfaceEvaluation> fitCylinder(const Reconstruction& reconstruction, double true_radius_m);
+std::optional<LoopEvaluation> measureLoop(const SimulatedSkin& skin, const Reconstruction& reconstruction);
+
+/// Order statistics, linearly interpolated; of nothing 0.
+double quantile(std::vector<double> values, double fraction);
+double median(std::vector<double> values);
+double mean(const std::vector<double>& values);
+
+/// Repeats trials over seeds on all processors. Every trial depends on its seed alone, so the outcome depends on
+/// neither their number nor their order.
+class Trials {
+ public:
+  Trials(std::size_t seeds, const Common& common) : seeds_(seeds), common_(common) {}
+  [[nodiscard]] std::size_t seeds() const { return seeds_; }
+
+  /// trial(seed) for the seeds 1 to `count`, in their order.
+  template <class Trial>
+  auto run(const std::string& what, std::size_t count, const Trial& trial) const {
+    std::vector<decltype(trial(std::size_t{}))> results(count);
+    std::atomic<std::size_t> next = 0;
+    std::exception_ptr failure;
+    std::mutex failure_mutex;
+    const auto work = [&](bool reports) {
+      for (std::size_t k = next++; k < count; k = next++) {
+        if (reports) report(what, k + 1, count);
+        try {
+          results[k] = trial(k + 1);
+        } catch (...) {
+          const std::lock_guard lock(failure_mutex);
+          failure = std::current_exception();
+          next = count;
+        }
+      }
+    };
+    std::vector<std::thread> helpers;
+    const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
+    for (std::size_t k = 1; k < std::min(threads, count); ++k) helpers.emplace_back(work, false);
+    work(true);
+    for (std::thread& helper : helpers) helper.join();
+    if (failure) std::rethrow_exception(failure);
+    return results;
+  }
+
+ private:
+  void report(const std::string& what, std::size_t seed, std::size_t count) const;
+
+  std::size_t seeds_;
+  const Common& common_;
+};
+
+/// Columns as wide as their widest entry.
+class TextTable {
+ public:
+  explicit TextTable(std::vector<std::string> head) : rows_{std::move(head)} {}
+  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+  void print() const;
+
+ private:
+  std::vector<std::vector<std::string>> rows_;
+};
+
+/// "-" for what does not exist.
+std::string numberOrDash(const std::optional<double>& value, int decimals = 2);
+nlohmann::ordered_json numberOrNull(const std::optional<double>& value);
+
+}  // namespace hexoderm::cli

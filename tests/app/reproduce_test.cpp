@@ -1,0 +1,97 @@
+// `hexoderm-cli reproduce` with so few skins that it is quick: its form, and what few skins can tell.
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <sys/wait.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace hexoderm {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::string outputOf(const std::string& arguments) {
+  std::FILE* pipe = ::popen(("'" HEXODERM_CLI "' reproduce --quiet " + arguments).c_str(), "r");
+  std::string output;
+  std::array<char, 4096> buffer{};
+  while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
+    output.append(buffer.data(), count);
+  }
+  EXPECT_EQ(WEXITSTATUS(::pclose(pipe)), 0) << arguments;
+  return output;
+}
+
+/// JSON has no words for NaN and infinity: they are written as null, which only some keys may be.
+void expectFinite(const nlohmann::json& row, const std::vector<std::string>& keys) {
+  for (const std::string& key : keys) {
+    ASSERT_TRUE(row.at(key).is_number()) << key << " of " << row;
+    EXPECT_TRUE(std::isfinite(row.at(key).get<double>())) << key << " of " << row;
+  }
+}
+
+TEST(Reproduce, PrintsThePapersFiguresBesideOurs) {
+  const std::string text = outputOf("--seeds 3 --only paper");
+  EXPECT_THAT(text, AllOf(HasSubstr("-0.30"), HasSubstr("1.62"), HasSubstr("10.46"), HasSubstr("4.71"),
+                          HasSubstr("20 mg"), HasSubstr("60 mg"), HasSubstr("100 mg"), HasSubstr("imulated")));
+  const auto json = nlohmann::json::parse(outputOf("--seeds 3 --only paper --json"));
+  EXPECT_EQ(json.at("simulated"), true);
+  EXPECT_FALSE(json.contains("accuracy"));
+  ASSERT_EQ(json.at("paper").at("rows").size(), 12);
+  for (const auto& row : json.at("paper").at("rows")) {
+    for (const std::string method : {"papers_method", "global"}) {
+      EXPECT_EQ(row.at(method).at("skins"), 3) << row;
+      expectFinite(row.at(method), {"p5", "median", "p95"});
+    }
+  }
+}
+
+TEST(Reproduce, AccuracyTableIsWholeAndTheGlobalSolverBeatsThePapersMethod) {
+  const auto json = nlohmann::json::parse(outputOf("--seeds 2 --only accuracy --json"));
+  const auto& rows = json.at("accuracy").at("rows");
+  // 4 of orientation; per law 2 of X17, 3 of the ring twice, 2 of the closed one, 1 of 1,000 cells.
+  ASSERT_EQ(rows.size(), 4 + 2 * (2 + 2 * 3 + 2 + 1));
+  bool compared = false;
+  for (const auto& row : rows) {
+    EXPECT_GE(row.at("skins"), 1) << row;
+    const bool about_s = !row.at("fit").is_null() && row.at("papers_method").is_null();
+    const bool known_orientations = row.at("fit").is_null();
+    if (!about_s && !known_orientations) expectFinite(row, {"papers_method", "matching", "mismatching", "fit"});
+    if (row.at("figure") != "X17: orientation" || row.at("poses") != 3) continue;
+    compared = true;
+    EXPECT_LT(row.at("fit").get<double>(), row.at("papers_method").get<double>());
+    EXPECT_LT(row.at("matching").get<double>(), row.at("papers_method").get<double>());
+  }
+  EXPECT_TRUE(compared);
+}
+
+TEST(Reproduce, UncertaintyAndDetectionAreCounted) {
+  const auto uncertainty = nlohmann::json::parse(outputOf("--seeds 1 --only uncertainty --json")).at("uncertainty");
+  EXPECT_EQ(uncertainty.at("rows").size(), 4 * 2 * 2 * 3);
+  EXPECT_EQ(uncertainty.at("wrong_prior").size(), 4);
+  for (const auto& row : uncertainty.at("rows")) {
+    expectFinite(row, {"nees_position", "nees_orientation"});
+    EXPECT_GT(row.at("nees_position").get<double>(), 0);
+  }
+  const auto detection = nlohmann::json::parse(outputOf("--seeds 2 --only detection --json")).at("detection");
+  EXPECT_EQ(detection.at("sessions"), 2);
+  EXPECT_EQ(detection.at("rows").size(), 11);
+  for (const auto& row : detection.at("rows")) expectFinite(row, {"false_per_link_percent", "false_per_cell_percent"});
+}
+
+TEST(Reproduce, TextHasEveryPart) {
+  EXPECT_THAT(outputOf("--seeds 1"),
+              AllOf(HasSubstr("The paper's two experiments"), HasSubstr("Accuracy on simulated skins"),
+                    HasSubstr("Stated uncertainty"), HasSubstr("What is broken is found"), HasSubstr("By hand"),
+                    Not(HasSubstr("nan")), Not(HasSubstr("inf "))));
+}
+
+}  // namespace
+}  // namespace hexoderm
