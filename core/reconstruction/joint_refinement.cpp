@@ -5,7 +5,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace hexoderm {
 namespace {
@@ -129,28 +128,14 @@ std::size_t JointRefinement::localOf(std::size_t cell) const {
   return static_cast<std::size_t>(std::ranges::lower_bound(cells_, cell) - cells_.begin());
 }
 
-void JointRefinement::solve(std::stop_token stop) {
-  JointSolverOptions options;
-  options.stop = std::move(stop);
+void JointRefinement::solve() {
+  const JointSolverOptions options;
   solveWithLinkSpread(options);
   if (!problem_->accelerations && accelerationsShow()) {
     problem_->accelerations = true;
     solution_ = solveJointly(*problem_, solution_.state, options);
   }
   fitSensors();
-}
-
-/// The tree leaves all loops open, by far more than links allow; stiff links would have to be bent round to close them.
-/// Soft ones and readings first turn the cells to where gravity wants them.
-void JointRefinement::startWhereLoopsAreOpen(const JointSolverOptions& options) {
-  constexpr double kSofter = 10;
-  JointProblem soft = *problem_;
-  soft.link_sigma_m *= kSofter;
-  soft.loss.threshold = std::numeric_limits<double>::infinity();
-  JointSolverOptions start = options;
-  start.cost_tolerance = 1e-2;
-  start.covariance = false;
-  solution_ = solveJointly(soft, solution_.state, start);
 }
 
 /// Where links close loops, their end points show whether this mould keeps them together as well as the model has it:
@@ -164,8 +149,6 @@ void JointRefinement::solveWithLinkSpread(const JointSolverOptions& options) {
   const double links = static_cast<double>(problem_->links.size());
   const double redundancy = 3 * (links - static_cast<double>(cells_.size()) + 1) - 1;
   const double model_sq = std::pow(problem_->model->link_sigma_m, 2);
-  if (!started_ && redundancy > 0) startWhereLoopsAreOpen(options);
-  started_ = true;
   for (int round = 0;; ++round) {
     solution_ = solveJointly(*problem_, solution_.state, options);
     if (redundancy <= 0 || round == kRounds || solution_.termination == JointTermination::Stopped) return;

@@ -21,7 +21,7 @@ class JointRefinement {
 
   /// Solves from the latest state. Angular accelerations are estimated where the patch is large enough to show them, or
   /// where the data say so.
-  void solve(std::stop_token stop = {});
+  void solve();
 
   /// From now on the cell is placed by its links. Needs another solve().
   void leaveOut(std::size_t cell);
@@ -49,7 +49,6 @@ class JointRefinement {
   /// Place of a cell of the graph in the problem.
   [[nodiscard]] std::size_t localOf(std::size_t cell) const;
   void fitSensors();
-  void startWhereLoopsAreOpen(const JointSolverOptions& options);
   void solveWithLinkSpread(const JointSolverOptions& options);
   [[nodiscard]] bool accelerationsShow() const;
 
@@ -58,7 +57,6 @@ class JointRefinement {
   std::vector<std::size_t> poses_;
   std::shared_ptr<JointProblem> problem_;
   JointSolution solution_;
-  bool started_ = false;
   std::vector<SensorState> sensors_;
 };
 

@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -84,6 +85,14 @@ class BorderedFactor {
 };
 
 }  // namespace
+
+/// The steps of solveJointly.
+struct JointSolver {
+  static JointState startingPoint(const JointProblem& problem, const JointState& initial,
+                                  const JointSolverOptions& options);
+  static JointSolution descend(const JointProblem& problem, const JointState& initial,
+                               const JointSolverOptions& options);
+};
 
 struct JointCovariance::State {
   std::size_t origin;
@@ -167,7 +176,8 @@ double JointCovariance::gapShareSigma() const {
   return std::sqrt(state_->border_covariance(at, at));
 }
 
-JointSolution solveJointly(const JointProblem& problem, const JointState& initial, const JointSolverOptions& options) {
+JointSolution JointSolver::descend(const JointProblem& problem, const JointState& initial,
+                                   const JointSolverOptions& options) {
   // Below this the cost is rounding: residuals of a millionth of a standard deviation.
   constexpr double kNoCost = 1e-14;
   constexpr double kFirstDamping = 1e-4;
@@ -231,6 +241,26 @@ JointSolution solveJointly(const JointProblem& problem, const JointState& initia
     solution.covariance = std::make_shared<JointCovariance>(problem, equations);
   }
   return solution;
+}
+
+/// Where links are open by far more than they allow, as a tree leaves its loops, stiff links would have to be bent
+/// round to close them. Soft ones and the readings first turn the cells to where gravity wants them.
+JointState JointSolver::startingPoint(const JointProblem& problem, const JointState& initial,
+                                      const JointSolverOptions& options) {
+  constexpr double kOpen = 25;  // mean square, in link sigmas
+  constexpr double kSofter = 10;
+  JointProblem soft = problem;
+  soft.loss.threshold = std::numeric_limits<double>::infinity();
+  if (closureCost(soft, initial) <= kOpen * static_cast<double>(problem.links.size())) return initial;
+  soft.link_sigma_m *= kSofter;
+  JointSolverOptions roughly = options;
+  roughly.cost_tolerance = 1e-2;
+  roughly.covariance = false;
+  return descend(soft, initial, roughly).state;
+}
+
+JointSolution solveJointly(const JointProblem& problem, const JointState& initial, const JointSolverOptions& options) {
+  return JointSolver::descend(problem, JointSolver::startingPoint(problem, initial, options), options);
 }
 
 }  // namespace hexoderm

@@ -18,8 +18,6 @@ struct JointSolverOptions {
 
 enum class JointTermination { Converged, Stopped, StepLimit };
 
-struct JointSolution;
-
 /// The inverse of the information matrix at the optimum: how uncertain every unknown is, and how they depend on each
 /// other. Keeps the sparse factor, so that the covariance of any two cells can still be asked for.
 class JointCovariance {
@@ -41,8 +39,7 @@ class JointCovariance {
   [[nodiscard]] double gapShareSigma() const;  ///< 0 if it is not estimated
 
  private:
-  friend JointSolution solveJointly(const JointProblem& problem, const JointState& initial,
-                                    const JointSolverOptions& options);
+  friend struct JointSolver;
   struct State;
   explicit JointCovariance(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
@@ -57,7 +54,8 @@ struct JointSolution {
 };
 
 /// Levenberg-Marquardt on jointCost from `initial`: plain Gauss-Newton steps while they lower the cost, damped ones
-/// where they don't. Every step factors one sparse matrix of 6 x 6 blocks (cells) and one dense one (poses).
+/// where they don't; first with softer links where they are far from closed. Every step factors one sparse matrix of 6
+/// x 6 blocks (cells) and one dense one (poses).
 JointSolution solveJointly(const JointProblem& problem, const JointState& initial,
                            const JointSolverOptions& options = {});
 

@@ -50,6 +50,14 @@ ReconstructionWorker::ReconstructionWorker(Report report, Solve solve) : state_(
   state_->thread = std::jthread([state = state_.get()](const std::stop_token& stop) { state->run(stop); });
 }
 
+ReconstructionWorker::Solve ReconstructionWorker::startingFromTheLast() {
+  return [last = std::shared_ptr<const Reconstruction>()](const SessionSnapshot& snapshot,
+                                                          const SolverOptions& options) mutable {
+    last = reconstruct(snapshot, options, last.get());
+    return last;
+  };
+}
+
 ReconstructionWorker::~ReconstructionWorker() = default;
 
 void ReconstructionWorker::submit(std::shared_ptr<const SessionSnapshot> snapshot, SolverOptions options) {

@@ -23,8 +23,10 @@ class ReconstructionWorker {
  public:
   using Report = std::function<void(ReconstructionOutcome)>;
   using Solve = std::function<std::shared_ptr<const Reconstruction>(const SessionSnapshot&, const SolverOptions&)>;
+  /// reconstruct(), each time from where the last one ended: what changed is usually one pose.
+  static Solve startingFromTheLast();
   /// `solve` is what the thread does with a snapshot; whatever it throws becomes the outcome's error.
-  explicit ReconstructionWorker(Report report, Solve solve = reconstruct);
+  explicit ReconstructionWorker(Report report, Solve solve = startingFromTheLast());
   ~ReconstructionWorker();
   ReconstructionWorker(const ReconstructionWorker&) = delete;
   ReconstructionWorker& operator=(const ReconstructionWorker&) = delete;

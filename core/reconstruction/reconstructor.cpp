@@ -37,10 +37,10 @@ struct PatchWork {
 
 class Reconstructor {
  public:
-  Reconstructor(const SessionSnapshot& snapshot, const SolverOptions& options, std::stop_token stop)
+  Reconstructor(const SessionSnapshot& snapshot, const SolverOptions& options, const Reconstruction* earlier)
       : snapshot_(snapshot),
         options_(options),
-        stop_(std::move(stop)),
+        earlier_(earlier),
         model_(*snapshot.model),
         graph_(model_, *snapshot.neighbors),
         findings_(graph_.findings()),
@@ -214,10 +214,9 @@ class Reconstructor {
     std::vector<Finding> found;
     for (PatchWork& work : works) {
       const std::vector<std::size_t>& cells = graph_.patches()[work.patch];
-      std::vector<SE3> placements(graph_.cells().size());
-      for (const std::size_t cell : cells) placements[cell] = work.placements[cell].T_o_u;
-      work.joint = std::make_unique<JointRefinement>(model_, graph_, table_, options_, cells, work.origin, placements);
-      work.joint->solve(stop_);
+      work.joint = std::make_unique<JointRefinement>(model_, graph_, table_, options_, cells, work.origin,
+                                                     startingPlacements(work));
+      work.joint->solve();
       bool dropped = false;
       while (const auto cell = worstSensor(*work.joint, cells)) {
         const auto links =
@@ -225,7 +224,7 @@ class Reconstructor {
         findings_.push_back(describeBadSensor(graph_, table_, snapshot_, *cell, links == 1));
         dropReadings(*cell);
         work.joint->leaveOut(*cell);
-        work.joint->solve(stop_);
+        work.joint->solve();
         dropped = true;
       }
       if (dropped) estimateEdges();
@@ -233,11 +232,26 @@ class Reconstructor {
     }
   }
 
+  /// Where the earlier result had the cells of this patch, if it had just these from the same origin; else the tree's.
+  [[nodiscard]] std::vector<SE3> startingPlacements(const PatchWork& work) const {
+    const std::vector<std::size_t>& cells = graph_.patches()[work.patch];
+    std::vector<SE3> placements(graph_.cells().size());
+    for (const std::size_t cell : cells) placements[cell] = work.placements[cell].T_o_u;
+    if (earlier_ == nullptr || earlier_->solver != solverName(Solver::Global)) return placements;
+    const PatchReconstruction* patch = earlier_->find(graph_.cells()[work.origin].id).patch;
+    const bool same =
+        patch != nullptr && patch->origin == graph_.cells()[work.origin].id &&
+        std::ranges::equal(
+            cells, patch->cells, {}, [&](std::size_t cell) { return graph_.cells()[cell].id; }, &CellPlacement::cell);
+    for (std::size_t k = 0; same && k < cells.size(); ++k) placements[cells[k]] = patch->cells[k].T_o_u;
+    return placements;
+  }
+
   [[nodiscard]] std::optional<std::size_t> worstSensor(const JointRefinement& joint,
                                                        const std::vector<std::size_t>& cells) const {
     // Of two cells neither is the odd one out.
     constexpr std::size_t kFewestForAVote = 3;
-    if (cells.size() < kFewestForAVote || stop_.stop_requested()) return std::nullopt;
+    if (cells.size() < kFewestForAVote) return std::nullopt;
     std::optional<std::size_t> worst;
     double worst_misfit = options_.max_misfit;
     for (const std::size_t cell : cells) {
@@ -395,7 +409,7 @@ class Reconstructor {
 
   const SessionSnapshot& snapshot_;
   const SolverOptions& options_;
-  std::stop_token stop_;
+  const Reconstruction* earlier_;
   const CellModel& model_;
   SkinGraph graph_;
   std::vector<Finding> findings_;
@@ -409,9 +423,10 @@ class Reconstructor {
 
 }  // namespace
 
-std::shared_ptr<const Reconstruction> reconstruct(const SessionSnapshot& snapshot, const SolverOptions& options) {
+std::shared_ptr<const Reconstruction> reconstruct(const SessionSnapshot& snapshot, const SolverOptions& options,
+                                                  const Reconstruction* earlier) {
   options.validate();
-  return Reconstructor(snapshot, options, {}).run();
+  return Reconstructor(snapshot, options, earlier).run();
 }
 
 }  // namespace hexoderm

@@ -193,9 +193,12 @@ TEST(JointCost, MatrixIsTheHessianWhereNothingIsLeftOver) {
   for (const GapShare& gap : kGaps) {
     for (const bool accelerations : {false, true}) {
       JointCase example = exactX17(builtInCellModel("hex-bma150"), gap.mean, 0, 0, 0, 1);
+      // The first arm and a cell of the second are enough.
+      example.truth.cells.resize(6);
+      example.problem.links.resize(5);
       example.problem.gap = gap;
       example.problem.accelerations = accelerations;
-      example.problem.origin = 5;
+      example.problem.origin = 2;
       addExactReadings(example, {{0.2, 0.1, 1}, {1, 0.3, -0.1}, {0.1, -1, 0.4}});
       EXPECT_NEAR(jointCost(example.problem, example.truth), 0, 1e-20);
       EXPECT_LT(hessianError(example.problem, example.truth), 1e-5) << nameOf(gap);
