@@ -274,7 +274,8 @@ QVariant LinkTable::headerData(int section, Qt::Orientation orientation, int rol
   const std::array<std::pair<QString, QString>, kLinkColumns> headers = {{
       {tr("Link"), tr("Cell and port of both ends")},
       {tr("Quality"), tr("How well the poses determine the link's rotation")},
-      {tr("Residual"), tr("How badly the readings of the two cells fit together: rms over the poses")},
+      {tr("Residual"), tr("How badly the readings of the two cells fit together, the estimated errors of their sensors "
+                          "taken away: rms over the poses")},
       {tr("Predicted"), tr("Expected standard deviation of the link's rotation about its worst axis")},
       {tr("Bend"), tr("Angle by which the surface folds at the link")},
       {tr("Twist"), tr("Angle by which the cells are turned about the line that joins them")},

@@ -247,7 +247,7 @@ JointSolution JointSolver::descend(const JointProblem& problem, const JointState
 /// round to close them. Soft ones and the readings first turn the cells to where gravity wants them.
 JointState JointSolver::startingPoint(const JointProblem& problem, const JointState& initial,
                                       const JointSolverOptions& options) {
-  constexpr double kOpen = 25;  // mean square, in link sigmas
+  constexpr double kOpen = 6;  // mean square, in link sigmas; 3 is what closed links have
   constexpr double kSofter = 10;
   JointProblem soft = problem;
   soft.loss.threshold = std::numeric_limits<double>::infinity();

@@ -11,6 +11,8 @@
 
 namespace hexoderm {
 
+inline void PrintTo(Solver solver, std::ostream* out) { *out << solverName(solver); }
+
 inline void PrintTo(const Reconstruction& reconstruction, std::ostream* out) {
   *out << "a reconstruction of " << sizeInWords(reconstruction);
 }

@@ -304,7 +304,7 @@ TEST_P(EverySolver, AnAccelerometerMountedTurnedInTheCellChangesNothing) {
   // The global solver's priors of gains and cross-axis sensitivity are along the accelerometer's axes.
   const bool exact = GetParam() == Solver::Tree;
   EXPECT_THAT(*solveWith(turned), ReconstructionNear(*solveWith(straight), exact ? 1e-9 : 0.02 * kDegree,
-                                                     exact ? 1e-9 : 0.005 * kMillimetre));
+                                                     exact ? 1e-9 : 0.02 * kMillimetre));
 }
 
 TEST(Reconstructor, ResidualWeightsAvoidABadEdge) {
