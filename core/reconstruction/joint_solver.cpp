@@ -182,6 +182,7 @@ JointSolution JointSolver::descend(const JointProblem& problem, const JointState
   constexpr double kNoCost = 1e-14;
   constexpr double kFirstDamping = 1e-4;
   constexpr double kLargestDamping = 1e12;
+  constexpr double kLittle = 1e-3;
 
   JointSolution solution;
   solution.state = initial;
@@ -195,6 +196,7 @@ JointSolution JointSolver::descend(const JointProblem& problem, const JointState
   Eigen::VectorXd border;
   double damping = 0;
   bool factor_is_at_optimum = false;
+  bool settled = false;  // the last step changed so little that its matrix still serves
   while (solution.iterations < options.max_iterations) {
     if (options.stop.stop_requested()) {
       solution.termination = JointTermination::Stopped;
@@ -202,7 +204,7 @@ JointSolution JointSolver::descend(const JointProblem& problem, const JointState
     }
     ++solution.iterations;
     bool lowered = false;
-    if (factor->factorize(equations, damping)) {
+    if (settled || factor->factorize(equations, damping)) {
       factor->solve(equations, cells, border);
       const double promised = -(equations.gradient_cells.dot(cells) + equations.gradient_border.dot(border)) / 2;
       JointState next = moved(problem, solution.state, cells, border);
@@ -217,6 +219,7 @@ JointSolution JointSolver::descend(const JointProblem& problem, const JointState
       }
       linearize(problem, next, next_equations);
       lowered = next_equations.cost <= equations.cost;  // false for NaN
+      settled = lowered && damping == 0 && equations.cost - next_equations.cost <= kLittle * equations.cost;
       if (lowered) {
         solution.state = std::move(next);
         std::swap(equations, next_equations);
