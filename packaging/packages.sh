@@ -32,8 +32,9 @@ gui_packages=(
   xvfb
 )
 
-# Only for working on Hexoderm: the preset tidy and the formatting test.
+# Only for working on Hexoderm: the preset tidy, the formatting test and the benchmarks.
 developer_packages=(
+  libbenchmark-dev # tests/benchmarks
   clang
   clang-format
   clang-tidy

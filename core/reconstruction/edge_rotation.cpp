@@ -66,7 +66,8 @@ class EdgeSolver {
   EdgeSolver(const CellModel& model, const Port& source, const Port& target, const EdgeReadings& readings)
       : model_(model), source_(source), target_(target), readings_(readings) {}
 
-  [[nodiscard]] EdgeRotation solve(bool centred, bool supported) const {
+  /// `plain`: the solution that is neither centred nor supported, which classes need in any case.
+  [[nodiscard]] EdgeRotation solve(bool centred, bool supported, const ProcrustesSolution& plain) const {
     const Eigen::Matrix3Xd N = centred ? lessMean(readings_.n_g) : unitColumns(readings_.n_g);
     const Eigen::Matrix3Xd C = centred ? lessMean(readings_.c_g) : unitColumns(readings_.c_g);
     EdgeRotation edge;
@@ -81,7 +82,7 @@ class EdgeSolver {
       C_supported << C, kSupportScale * axes;
       edge.R_c_n = solveProcrustes(N_supported, C_supported).R_c_n;
     } else {
-      edge.R_c_n = solveProcrustes(N, C).R_c_n;
+      edge.R_c_n = centred ? solveProcrustes(N, C).R_c_n : plain.R_c_n;
     }
     predict(edge, C, axes);
     return edge;
@@ -169,21 +170,20 @@ double paperWeight(EdgeQuality quality) {
 EdgeRotation estimateEdgeRotation(const CellModel& model, const Port& source, const Port& target,
                                   const EdgeReadings& readings, const SolverOptions& options) {
   const Eigen::Index poses = readings.n_g.cols();
-  const Eigen::Vector3d singular_values =
-      solveProcrustes(unitColumns(readings.n_g), unitColumns(readings.c_g)).singular_values;
-  const EdgeQuality quality = classifyEdge(singular_values, options.class_threshold);
+  const ProcrustesSolution plain = solveProcrustes(unitColumns(readings.n_g), unitColumns(readings.c_g));
+  const EdgeQuality quality = classifyEdge(plain.singular_values, options.class_threshold);
   const bool supported = applies(options.support_axes, quality);
   const EdgeSolver solver(model, source, target, readings);
 
   // Two vectors less their mean are one difference and its opposite: a single direction.
   constexpr Eigen::Index kFewestToCentre = 3;
   const bool may_centre = options.centring != Centring::Off && poses >= kFewestToCentre;
-  EdgeRotation edge = solver.solve(may_centre && options.centring == Centring::On, supported);
+  EdgeRotation edge = solver.solve(may_centre && options.centring == Centring::On, supported, plain);
   if (may_centre && options.centring == Centring::Auto) {
-    EdgeRotation centred = solver.solve(true, supported);
+    EdgeRotation centred = solver.solve(true, supported, plain);
     if (centred.covariance.trace() < edge.covariance.trace()) edge = std::move(centred);
   }
-  edge.singular_values = singular_values;
+  edge.singular_values = plain.singular_values;
   edge.quality = quality;
   solver.addResiduals(edge);
   return edge;
