@@ -103,6 +103,43 @@ void expectNees(const Case& c, double least, double most) {
   EXPECT_LT(nees.orientation, most) << nameOf(c) << ": " << figures;
 }
 
+/// Two sessions of one skin have its sensors and its mould in common, so what repeats in both errors is not in their
+/// difference: they differ by no more than stated, and by more than nothing, because hands never do the same twice.
+TEST(StatedUncertainty, TwoSessionsOfOneSkinDifferByNoMoreThanStated) {
+  const int seeds = kFewSeeds ? 2 : 100;
+  double position = 0;
+  double orientation = 0;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    SimulatedSkinOptions options;
+    options.seed = static_cast<std::uint64_t>(seed);
+    SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+    const auto first = reconstruct(*simulateSession(skin, 3).snapshot());
+    const auto second = reconstruct(*simulateSession(skin, 3).snapshot());
+    ASSERT_EQ(first->patches.front().origin, second->patches.front().origin);
+    double count = 0;
+    Nees sum;
+    for (const CellPlacement& a : first->patches.front().cells) {
+      if (a.cell == first->patches.front().origin) continue;
+      const CellPlacement& b = *second->find(a.cell).cell;
+      const Matrix6d C = *a.cov_t_r + *b.cov_t_r;
+      const Eigen::Vector3d d_t = b.T_o_u.t - a.T_o_u.t;
+      const Eigen::Vector3d d_r = logSO3(a.T_o_u.R.transpose() * b.T_o_u.R);
+      sum.position += d_t.dot(C.topLeftCorner<3, 3>().ldlt().solve(d_t)) / 3;
+      sum.orientation += d_r.dot(C.bottomRightCorner<3, 3>().ldlt().solve(d_r)) / 3;
+      ++count;
+    }
+    position += sum.position / count / seeds;
+    orientation += sum.orientation / count / seeds;
+  }
+  ::testing::Test::RecordProperty("repeatability", std::to_string(position) + " / " + std::to_string(orientation));
+  EXPECT_TRUE(std::isfinite(position) && std::isfinite(orientation));
+  if (kFewSeeds) return;
+  EXPECT_LT(position, 1.2) << orientation;
+  EXPECT_LT(orientation, 1.2) << position;
+  EXPECT_GT(position, 0.002) << orientation;
+  EXPECT_GT(orientation, 0.01) << position;
+}
+
 TEST(StatedUncertainty, IsHonestFromThreePosesOn) {
   for (const LinkLaw law : {LinkLaw::Bend, LinkLaw::Surface}) {
     for (const char* patch : {"x17", "ring8", "ring8:closed"}) {
