@@ -140,10 +140,21 @@ class Reconstructor {
     return std::min(kPi, std::sqrt(std::max(0.0, solver.eigenvalues().maxCoeff())));
   }
 
-  /// Removes the worst cell and looks again, until what is left to blame are links.
+  /// Removes the worst pose or cell and looks again, until what is left to blame are links.
   void findSuspects() {
     for (;;) {
       const SuspectSearch search(model_, graph_, table_, readings_, edges_, options_);
+      if (const auto pose = search.worstPose()) {
+        findings_.push_back(makeFinding(
+            FindingCode::InconsistentPose,
+            "In pose " + toString(poseId(*pose)) +
+                " most neighbouring cells contradict each other, and without it they don't: the part probably moved "
+                "while it was sampled. The pose is not used; take it again.",
+            {}, {}, {poseId(*pose)}));
+        for (std::size_t cell = 0; cell < table_.cellCount(); ++cell) table_.at(cell, *pose).usable = false;
+        estimateEdges();
+        continue;
+      }
       if (const auto cell = search.worstCell()) {
         findings_.push_back(describeBadSensor(graph_, table_, snapshot_, *cell, false));
         dropReadings(*cell);

@@ -48,19 +48,46 @@ SuspectSearch::Verdict SuspectSearch::judge(std::size_t link_index) const {
   return verdict;
 }
 
-double SuspectSearch::misfitOf(std::size_t link_index) const {
+double SuspectSearch::misfitOf(std::size_t link_index, std::optional<std::size_t> without) const {
   const GraphLink& link = graph_.links()[link_index];
   const Eigen::Matrix3d R_a_u = model_.accelerometer.T_u_a.R.transpose();
   const Eigen::Matrix3d R_a_n = R_a_u * edges_[link_index].R_c_n;
   std::vector<CellReading> c;
   std::vector<Eigen::Vector3d> n;
   for (const std::size_t pose : readings_.posesOf(link)) {
+    if (pose == without) continue;
     const GravityTable::Entry& at_c = table_.at(link.source, pose);
     const GravityTable::Entry& at_n = table_.at(link.target, pose);
     c.push_back({pose, R_a_u * at_c.mean_g, at_c.variance_g2 + at_n.variance_g2});
     n.push_back(R_a_n * at_n.mean_g);
   }
   return testRigidity(AccelerometerPrior(pairOf(model_.accelerometer)), c, n).deviate();
+}
+
+std::optional<std::size_t> SuspectSearch::worstPose() const {
+  constexpr std::size_t kFewestPoses = 3;
+  constexpr std::size_t kFewestLinks = 3;
+  constexpr double kNearlyNone = 0.2;
+  std::vector<std::size_t> tested;
+  std::size_t moving = 0;
+  for (std::size_t link = 0; link < verdicts_.size(); ++link) {
+    if (!verdicts_[link].tested) continue;
+    tested.push_back(link);
+    if (!verdicts_[link].rigid) ++moving;
+  }
+  if (table_.enabledPoses().size() < kFewestPoses || tested.size() < kFewestLinks || 2 * moving <= tested.size()) {
+    return std::nullopt;
+  }
+  std::optional<std::size_t> worst;
+  auto fewest = static_cast<std::size_t>(kNearlyNone * static_cast<double>(tested.size()));
+  for (const std::size_t pose : table_.enabledPoses()) {
+    const auto still_moving = static_cast<std::size_t>(
+        std::ranges::count_if(tested, [&](std::size_t link) { return misfitOf(link, pose) > options_.max_misfit; }));
+    if (still_moving > fewest || (worst && still_moving == fewest)) continue;
+    worst = pose;
+    fewest = still_moving;
+  }
+  return worst;
 }
 
 std::optional<std::size_t> SuspectSearch::worstCell() const {

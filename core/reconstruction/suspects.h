@@ -15,6 +15,10 @@ class SuspectSearch {
   SuspectSearch(const CellModel& model, const SkinGraph& graph, const GravityTable& table, const SkinReadings& readings,
                 const std::vector<EdgeRotation>& edges, const SolverOptions& options);
 
+  /// The pose without which nearly all links are rigid, where with it most are not: the part moved while it was
+  /// sampled.
+  [[nodiscard]] std::optional<std::size_t> worstPose() const;
+
   /// The cell that contradicts its neighbours most, if there is one: its readings should not be used. Ask again after
   /// that, with new readings and edges.
   [[nodiscard]] std::optional<std::size_t> worstCell() const;
@@ -34,7 +38,8 @@ class SuspectSearch {
     [[nodiscard]] bool bad() const { return !implausible.empty() || !rigid; }
   };
   [[nodiscard]] Verdict judge(std::size_t link) const;
-  [[nodiscard]] double misfitOf(std::size_t link) const;
+  /// In standard deviations; `without`: a pose that does not count.
+  [[nodiscard]] double misfitOf(std::size_t link, std::optional<std::size_t> without = std::nullopt) const;
 
   const CellModel& model_;
   const SkinGraph& graph_;

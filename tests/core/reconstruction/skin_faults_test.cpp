@@ -290,6 +290,23 @@ TEST_P(SkinFaults, AJointThatTurnedBetweenPosesIsFoundByItsResidualAndMuted) {
   EXPECT_EQ(std::ranges::count(result->findings, FindingCode::LinkNotRigid, &Finding::code), 1);
 }
 
+TEST_P(SkinFaults, APoseInWhichCellsContradictEachOtherIsLeftOutNotTheCells) {
+  // As if the part had been turned while its cells were read one after the other.
+  const PinJointedSkin skin = bentX17();
+  const Session session = changed(skin.session(orthogonalUps(6)), [](std::size_t pose, GravitySample& sample) {
+    if (pose != 3) return;
+    const double turn = 8 * kDegree * std::sin(2.0 * sample.cell.value());
+    sample.mean_g = expSO3(turn * Eigen::Vector3d(0.6, 0.64, 0.48)) * sample.mean_g;
+  });
+  const auto result = solve(session);
+  const Finding* finding = findFinding(*result, FindingCode::InconsistentPose);
+  ASSERT_NE(finding, nullptr);
+  EXPECT_THAT(finding->poses, ElementsAre(PoseId(4)));
+  EXPECT_THAT(result->patches, SizeIs(1));
+  EXPECT_EQ(findFinding(*result, FindingCode::LinkNotRigid), nullptr);
+  EXPECT_EQ(findFinding(*result, FindingCode::InconsistentSensor), nullptr);
+}
+
 // With assertions and sanitizers dense algebra takes a hundred times as long: there the joint estimate gets less of it.
 #ifdef NDEBUG
 constexpr bool kSlowBuild = false;
