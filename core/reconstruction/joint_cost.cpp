@@ -233,6 +233,7 @@ class CellLinearizer {
   }
 
   void subtractPending() {
+    if (pending_rows_ == 0) return;
     equations_.border.selfadjointView<Eigen::Lower>().rankUpdate(pending_.topRows(pending_rows_).transpose(), -1);
     pending_rows_ = 0;
   }

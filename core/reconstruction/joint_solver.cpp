@@ -58,9 +58,10 @@ class BorderedFactor {
     factor_.solve(solved_border_);
     Eigen::MatrixXd schur = equations.border;
     schur.diagonal() *= 1 + damping;
+    if (schur.size() == 0) return true;  // neither a pose nor a gap share to estimate
     schur.triangularView<Eigen::Lower>() -= equations.border_cells.transpose() * solved_border_;
     schur_.compute(schur);
-    return schur.size() == 0 || schur_.info() == Eigen::Success;
+    return schur_.info() == Eigen::Success;
   }
 
   /// The step that takes the gradient away.
@@ -109,8 +110,11 @@ struct JointCovariance::State {
         layout(problem),
         estimates_gap_share(problem.gap.sigma.has_value()),
         factor(std::move(factor_at_optimum)) {
-    border_covariance = factor->schur().solve(Eigen::MatrixXd::Identity(layout.size(), layout.size()));
-    border_root = factor->schur().matrixL().solve(factor->solvedBorder().transpose()).transpose();
+    border_root.resize(static_cast<Eigen::Index>(6 * problem.cellCount()), layout.size());
+    if (layout.size() > 0) {
+      border_covariance = factor->schur().solve(Eigen::MatrixXd::Identity(layout.size(), layout.size()));
+      border_root = factor->schur().matrixL().solve(factor->solvedBorder().transpose()).transpose();
+    }
     const BlockCholesky::SelectedInverse inverse = factor->cells().selectedInverse();
     cells.resize(problem.cellCount());
     for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) {
