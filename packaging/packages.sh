@@ -13,9 +13,12 @@ core_packages=(
   libeigen3-dev
   libgmock-dev
   libgtest-dev
+  libprotobuf-dev
   libpugixml-dev
+  libsqlite3-dev
   libssl-dev
   nlohmann-json3-dev
+  protobuf-compiler
   zlib1g-dev # named in the CMake files of libassimp-dev, which does not bring it
 )
 

@@ -4,6 +4,8 @@
 #include "hexoderm/util/ids.h"
 
 #include <Eigen/Core>
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,13 +18,15 @@ struct GravitySample {
   Eigen::Vector3d mean_g = Eigen::Vector3d::Zero();  ///< accelerometer's axes; not normalised
   Eigen::Matrix3d cov_g2 = Eigen::Matrix3d::Zero();  ///< covariance of the mean; zero: not known
   std::uint32_t count = 0;                           ///< samples averaged; 0: not known
+  std::optional<double> temperature_c{};             ///< where the device measures it
 };
 
 /// One captured pose: gravity as every cell saw it while the part was held still. Immutable once captured.
 struct PoseCapture {
   PoseId id;
-  std::string label;
-  std::vector<GravitySample> samples;
+  std::string label{};
+  std::vector<GravitySample> samples{};
+  std::optional<std::int64_t> taken_at_ms{};  ///< milliseconds since 1970, UTC; absent where it is not known
 };
 
 /// Averages frames into a pose, per cell: mean, covariance of the mean (sample covariance / count) and count.

@@ -3,6 +3,7 @@
 #include "hexoderm/util/ids.h"
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <vector>
 
 namespace hexoderm {
@@ -13,10 +14,25 @@ struct CellSample {
   Eigen::Vector3d acceleration_g;
 };
 
+/// What a cell averaged by itself, where the wire is too slow for every sample. Axes as in CellSample.
+struct CellMean {
+  CellId cell;
+  Eigen::Vector3d mean_g;
+  Eigen::Vector3d variance_g2;  ///< of one sample, per axis; not of the mean
+  std::uint32_t count = 0;      ///< samples averaged, at least 1
+};
+
+struct CellTemperature {
+  CellId cell;
+  double temperature_c = 0;
+};
+
 /// What a skin delivers at one tick of the device's clock: samples of any subset of its cells.
 struct SampleFrame {
-  double time_s = 0;  ///< device time
-  std::vector<CellSample> samples;
+  double time_s = 0;                            ///< device time; of the last sample where there are means
+  std::vector<CellSample> samples{};            ///< each at time_s
+  std::vector<CellMean> means{};                ///< of what was read since the cell's previous one, up to time_s
+  std::vector<CellTemperature> temperatures{};  ///< where the device measures them
 };
 
 }  // namespace hexoderm

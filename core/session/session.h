@@ -26,6 +26,7 @@ struct GroundTruth {
 struct SessionPose {
   std::shared_ptr<const PoseCapture> capture;  ///< never null
   bool disabled = false;
+  std::string why_disabled{};  ///< the operator's words; empty if none
 };
 
 /// Where a session came from: written into every calibration made of it.

@@ -1,0 +1,97 @@
+#pragma once
+
+#include "hexoderm/device/sample_frame.h"
+#include "hexoderm/graph/cell_model.h"
+#include "hexoderm/graph/neighbor_list.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <variant>
+
+namespace hexoderm {
+
+/// What a device says of itself before it streams.
+struct SkinDescription {
+  std::string device;                      ///< for people, for example "emulated x17"
+  std::shared_ptr<const CellModel> model;  ///< never null
+  NeighborList neighbors;                  ///< as explored; may contradict itself
+  bool can_light_cells = false;            ///< answers SetLed
+  bool can_turn = false;                   ///< answers TurnTo: a robot that moves itself
+};
+
+/// Where a source stands. Everything from Connecting on can change into everything else while the source runs.
+enum class SourceState {
+  Stopped,
+  Connecting,  ///< also while it waits before the next try; the text says for how long
+  Waiting,     ///< connected; the device has not described itself yet
+  Streaming,
+  Silent,        ///< connected, but nothing came for a while
+  Ended,         ///< the stream is over (end of a recording or of standard input); no more will come
+  Incompatible,  ///< the device speaks another major version; no use to try again
+};
+
+/// Counters are since start().
+struct SourceStatus {
+  SourceState state = SourceState::Stopped;
+  std::string text;                     ///< one line for people: what, where, and what happens next
+  std::uint64_t frames = 0;             ///< sample frames delivered
+  std::uint64_t lost_samples = 0;       ///< the device's numbering says they were sent and never came
+  std::uint64_t late_frames = 0;        ///< older than what was delivered, or twice: not delivered
+  std::uint64_t rejected_messages = 0;  ///< broken on the way (length, CRC, syntax): not looked at
+  std::uint64_t reconnects = 0;
+};
+
+/// Rate of samples that the device should send, Hz.
+struct SetRate {
+  double rate_hz = 0;
+};
+/// Light of one cell; black turns it off.
+struct SetLed {
+  CellId cell;
+  std::uint8_t red = 0, green = 0, blue = 0;
+};
+/// Turn the part until up points along `up_u` (unit, in the frame of `cell`), and hold it there.
+struct TurnTo {
+  CellId cell;
+  Eigen::Vector3d up_u;
+};
+using SkinCommand = std::variant<SetRate, SetLed, TurnTo>;
+
+/// Answer to a command.
+struct CommandOutcome {
+  std::uint32_t command = 0;  ///< what send() returned
+  bool done = false;
+  std::string text;  ///< why not, or empty
+};
+
+/// Receives what a source delivers, on the source's own thread. Must not block for long and must not call start() or
+/// stop() of the source.
+class SkinListener {
+ public:
+  virtual ~SkinListener() = default;
+  /// Before the first frame, and again whenever topology or model changed.
+  virtual void onSkin(const SkinDescription& skin) = 0;
+  virtual void onFrame(const SampleFrame& frame) = 0;
+  /// On every change of state, and about twice a second while counters change.
+  virtual void onStatus(const SourceStatus& status) = 0;
+  virtual void onCommandOutcome(const CommandOutcome& outcome) = 0;
+};
+
+/// A skin that delivers by itself: a device on a wire, a recording, a simulated skin. It runs on a thread of its own.
+/// What goes wrong on the way is a status, never an exception out of the thread.
+class SkinSource {
+ public:
+  virtual ~SkinSource() = default;
+  /// Begins to deliver to `listener`, which must live until stop() returns. Throws DeviceError or InvalidArgument if
+  /// the source can't exist at all (an address that is none, a file that can't be opened). Call once.
+  virtual void start(SkinListener& listener) = 0;
+  /// Ends delivery; nothing is called after it returns. Idempotent.
+  virtual void stop() noexcept = 0;
+  /// Queues a command and returns its number; the outcome arrives by onCommandOutcome. From any thread.
+  virtual std::uint32_t send(const SkinCommand& command) = 0;
+  /// As given to open it, for example "tcp://localhost:7700".
+  [[nodiscard]] virtual std::string address() const = 0;
+};
+
+}  // namespace hexoderm
