@@ -61,6 +61,7 @@ SolverOptions readOptions(const JsonReader& json) {
   if (const auto value = json.find("max-twist-deg")) options.max_twist_rad = nonNegativeAngle(*value);
   if (const auto value = json.find("max-yaw-deg")) options.max_yaw_rad = nonNegativeAngle(*value);
   if (const auto value = json.find("max-misfit")) options.max_misfit = value->positiveNumber();
+  if (const auto value = json.find("max-opening")) options.max_opening = value->positiveNumber();
   if (const auto value = json.find("without")) options.left_out = readIds<CellId>(*value);
   try {
     options.validate();

@@ -33,10 +33,15 @@ Json idsJson(const Ids& ids) {
 }
 
 Json optionsJson(const SolverOptions& options) {
-  Json json = {{"centre", centringName(options.centring)},      {"support-axes", supportAxesName(options.support_axes)},
-               {"weights", linkWeightsName(options.weights)},   {"class-threshold", options.class_threshold},
-               {"max-bend-deg", degrees(options.max_bend_rad)}, {"max-twist-deg", degrees(options.max_twist_rad)},
-               {"max-yaw-deg", degrees(options.max_yaw_rad)},   {"max-misfit", options.max_misfit}};
+  Json json = {{"centre", centringName(options.centring)},
+               {"support-axes", supportAxesName(options.support_axes)},
+               {"weights", linkWeightsName(options.weights)},
+               {"class-threshold", options.class_threshold},
+               {"max-bend-deg", degrees(options.max_bend_rad)},
+               {"max-twist-deg", degrees(options.max_twist_rad)},
+               {"max-yaw-deg", degrees(options.max_yaw_rad)},
+               {"max-misfit", options.max_misfit},
+               {"max-opening", options.max_opening}};
   if (!options.left_out.empty()) json["without"] = idsJson(options.left_out);
   return json;
 }

@@ -49,6 +49,20 @@ void takeFromParent(const Supernode& child, const MatrixXd& front, Target&& part
   }
 }
 
+/// A single column, or so many at a time that they stay in the cache.
+template <typename Work>
+void forSomeColumns(MatrixXd& B, Work&& work) {
+  constexpr Index kAtATime = 48;
+  for (Index begin = 0; begin < B.cols(); begin += kAtATime) {
+    const Index count = std::min(kAtATime, B.cols() - begin);
+    if (count == 1) {
+      work(Eigen::Ref<Eigen::VectorXd>(B.col(begin)));
+    } else {
+      work(Eigen::Ref<MatrixXd>(B.middleCols(begin, count)));
+    }
+  }
+}
+
 }  // namespace
 
 BlockCholesky::BlockCholesky(std::size_t size, const std::vector<Couple>& couples)
@@ -115,7 +129,7 @@ bool BlockCholesky::factorize(std::span<const Matrix6d> diagonal, std::span<cons
 }
 
 template <int Columns>
-void BlockCholesky::solvePermuted(Eigen::Matrix<double, Eigen::Dynamic, Columns>& X) const {
+void BlockCholesky::substituteForward(Eigen::Ref<Eigen::Matrix<double, Eigen::Dynamic, Columns>> X) const {
   Eigen::Matrix<double, Eigen::Dynamic, Columns> at_rows;
   for (std::size_t s = 0; s < pattern_.supernodes.size(); ++s) {
     const Supernode& node = pattern_.supernodes[s];
@@ -130,6 +144,11 @@ void BlockCholesky::solvePermuted(Eigen::Matrix<double, Eigen::Dynamic, Columns>
       }
     }
   }
+}
+
+template <int Columns>
+void BlockCholesky::substituteBack(Eigen::Ref<Eigen::Matrix<double, Eigen::Dynamic, Columns>> X) const {
+  Eigen::Matrix<double, Eigen::Dynamic, Columns> at_rows;
   for (std::size_t s = pattern_.supernodes.size(); s-- > 0;) {
     const Supernode& node = pattern_.supernodes[s];
     const ConstPanel L = panel(s);
@@ -146,29 +165,31 @@ void BlockCholesky::solvePermuted(Eigen::Matrix<double, Eigen::Dynamic, Columns>
   }
 }
 
-void BlockCholesky::solve(Eigen::Ref<MatrixXd> B) const {
+void BlockCholesky::solveLower(MatrixXd& B) const {
   assert(factorized_ && B.rows() == kBlock * static_cast<Index>(size()));
-  const auto solveColumns = [&](auto X, Index begin, Index count) {
-    X.resize(B.rows(), count);
-    for (std::size_t k = 0; k < size(); ++k) {
-      X.template middleRows<kBlock>(kBlock * static_cast<Index>(k)) =
-          B.block(kBlock * static_cast<Index>(pattern_.order[k]), begin, kBlock, count);
-    }
-    solvePermuted(X);
-    for (std::size_t k = 0; k < size(); ++k) {
-      B.block(kBlock * static_cast<Index>(pattern_.order[k]), begin, kBlock, count) =
-          X.template middleRows<kBlock>(kBlock * static_cast<Index>(k));
-    }
-  };
-  constexpr Index kAtATime = 48;
-  for (Index begin = 0; begin < B.cols(); begin += kAtATime) {
-    const Index count = std::min(kAtATime, B.cols() - begin);
-    if (count == 1) {
-      solveColumns(Eigen::VectorXd(), begin, count);
-    } else {
-      solveColumns(MatrixXd(), begin, count);
-    }
+  MatrixXd X(B.rows(), B.cols());
+  for (std::size_t k = 0; k < size(); ++k) {
+    X.middleRows<kBlock>(kBlock * static_cast<Index>(k)) =
+        B.middleRows<kBlock>(kBlock * static_cast<Index>(pattern_.order[k]));
   }
+  B.swap(X);
+  forSomeColumns(B, [this](auto columns) { substituteForward<decltype(columns)::ColsAtCompileTime>(columns); });
+}
+
+void BlockCholesky::solveUpper(MatrixXd& B) const {
+  assert(factorized_ && B.rows() == kBlock * static_cast<Index>(size()));
+  forSomeColumns(B, [this](auto columns) { substituteBack<decltype(columns)::ColsAtCompileTime>(columns); });
+  MatrixXd X(B.rows(), B.cols());
+  for (std::size_t k = 0; k < size(); ++k) {
+    X.middleRows<kBlock>(kBlock * static_cast<Index>(pattern_.order[k])) =
+        B.middleRows<kBlock>(kBlock * static_cast<Index>(k));
+  }
+  B.swap(X);
+}
+
+void BlockCholesky::solve(MatrixXd& B) const {
+  solveLower(B);
+  solveUpper(B);
 }
 
 BlockCholesky::SelectedInverse BlockCholesky::selectedInverse() const {

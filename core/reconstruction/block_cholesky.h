@@ -45,7 +45,11 @@ class BlockCholesky {
   [[nodiscard]] bool factorized() const { return factorized_; }
 
   /// Replaces B, 6 size() x m, by A^-1 B. Many columns in one call are cheaper than one by one.
-  void solve(Eigen::Ref<Eigen::MatrixXd> B) const;
+  void solve(Eigen::MatrixXd& B) const;
+  /// The two halves of solve(): B becomes L^-1 B, its rows in the order of elimination, and from there L^-T B, its rows
+  /// in their own order again. So A^-1 = (L^-1)^T (L^-1) in products of solveLower()'s results.
+  void solveLower(Eigen::MatrixXd& B) const;
+  void solveUpper(Eigen::MatrixXd& B) const;
 
   /// About twice the work of factorize(); needs memory for the dense fronts on one way up the elimination tree.
   [[nodiscard]] SelectedInverse selectedInverse() const;
@@ -57,7 +61,9 @@ class BlockCholesky {
   Panel panel(std::size_t supernode);
   [[nodiscard]] ConstPanel panel(std::size_t supernode) const;
   template <int Columns>
-  void solvePermuted(Eigen::Matrix<double, Eigen::Dynamic, Columns>& X) const;
+  void substituteForward(Eigen::Ref<Eigen::Matrix<double, Eigen::Dynamic, Columns>> X) const;
+  template <int Columns>
+  void substituteBack(Eigen::Ref<Eigen::Matrix<double, Eigen::Dynamic, Columns>> X) const;
 
   SupernodalPattern pattern_;
   std::size_t couple_count_ = 0;

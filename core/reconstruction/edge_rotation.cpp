@@ -31,23 +31,26 @@ Eigen::Matrix3Xd unitColumns(const Eigen::Matrix3Xd& v) { return v.colwise().nor
 Eigen::Matrix3Xd lessMean(const Eigen::Matrix3Xd& v) { return v.colwise() - v.rowwise().mean().eval(); }
 
 /// sum |v|^2 I - v v^T: the information that the vectors v carry about a rotation.
-Eigen::Matrix3d rotationInformation(const Eigen::Matrix3Xd& v) {
-  return v.squaredNorm() * Eigen::Matrix3d::Identity() - v * v.transpose();
+template <typename Vectors>
+Eigen::Matrix3d rotationInformation(const Eigen::MatrixBase<Vectors>& v) {
+  Eigen::Matrix3d information = v.squaredNorm() * Eigen::Matrix3d::Identity();
+  information -= v.lazyProduct(v.transpose());
+  return information;
 }
 
 /// Scatter of sum_p v_p x e_p for one cell's sensor errors e_p (offset, scale, cross-axis). `x`: its readings in its
-/// own frame, `basis`: its axes in the frame of v.
+/// own frame, `basis`: its axes b_i in the frame of v.
 Eigen::Matrix3d sensorScatter(const Accelerometer& a, const Eigen::Matrix3Xd& v, const Eigen::Matrix3Xd& x,
                               const Eigen::Matrix3d& basis) {
   const Eigen::Matrix3d S = skew(v.rowwise().sum());
   Eigen::Matrix3d scatter = a.offset_sigma_g * a.offset_sigma_g * S * S.transpose();
-  const Eigen::Matrix3d T = v * x.transpose();  // column j: sum_p v_p x_pj
+  const Eigen::Matrix3d T = v.lazyProduct(x.transpose());  // column j: sum_p v_p x_pj
+  // Over all i and j the moments T_j x b_i add up to the information of T; those with i = j are scale errors.
+  const double cross_axis = a.cross_axis_sigma * a.cross_axis_sigma;
+  scatter += cross_axis * rotationInformation(T);
   for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      const double sigma = i == j ? a.scale_sigma : a.cross_axis_sigma;
-      const Eigen::Vector3d moment = T.col(j).cross(basis.col(i));
-      scatter += sigma * sigma * moment * moment.transpose();
-    }
+    const Eigen::Vector3d moment = T.col(i).cross(basis.col(i));
+    scatter += (a.scale_sigma * a.scale_sigma - cross_axis) * moment * moment.transpose();
   }
   return scatter;
 }
@@ -94,6 +97,7 @@ class EdgeSolver {
     double sum = 0;
     double expected = 0;
     std::size_t counted = 0;
+    edge.pose_residual_rad.reserve(static_cast<std::size_t>(N.cols()));
     const Accelerometer& a = model_.accelerometer;
     for (Eigen::Index p = 0; p < N.cols(); ++p) {
       double angle = 0;

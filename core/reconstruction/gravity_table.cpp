@@ -61,6 +61,7 @@ GravityTable::GravityTable(const SessionSnapshot& snapshot, const SkinGraph& gra
 
 std::vector<std::size_t> GravityTable::usablePoses(std::size_t cell) const {
   std::vector<std::size_t> poses;
+  poses.reserve(enabled_.size());
   for (const std::size_t p : enabled_) {
     if (at(cell, p).usable) poses.push_back(p);
   }

@@ -197,14 +197,21 @@ class CellLinearizer {
       const auto index = static_cast<std::size_t>(axis);
       const Eigen::Matrix4d root = sensor_.fit.covariance_root[index].transpose();
       own_root.middleRows<4>(4 * axis).noalias() = root * own_mixed[index];
-      border_root_.middleRows<4>(4 * axis) = (root * border_root_.middleRows<4>(4 * axis)).eval();
+      for (Eigen::Index column = 0; column < border_root_.cols(); ++column) {
+        const Eigen::Vector4d mixed = border_root_.block<4, 1>(4 * axis, column);
+        border_root_.block<4, 1>(4 * axis, column).noalias() = root * mixed;
+      }
     }
     subtractLater(border_root_);
     if (fixed) return;
     own.noalias() -= own_root.transpose() * own_root;
     equations_.cells[cell] += own;
     equations_.gradient_cells.segment<6>(at) += own_gradient;
-    equations_.border_cells.middleRows<6>(at).noalias() -= own_root.transpose() * border_root_;
+    // Column by column with sizes known to the compiler: a general product would spend its time on packing.
+    const Eigen::Matrix<double, 6, 12> own_root_t = own_root.transpose();
+    for (Eigen::Index column = 0; column < border_root_.cols(); ++column) {
+      equations_.border_cells.block<6, 1>(at, column).noalias() -= own_root_t * border_root_.col(column);
+    }
   }
 
  private:
@@ -226,7 +233,7 @@ class CellLinearizer {
   }
 
   /// With many poses the border is large: its lower triangle takes the products of several cells at once.
-  void subtractLater(const Eigen::MatrixXd& root) {
+  void subtractLater(const Eigen::Matrix<double, 12, Eigen::Dynamic>& root) {
     pending_.middleRows<12>(pending_rows_) = root;
     pending_rows_ += 12;
     if (pending_rows_ == pending_.rows()) subtractPending();
@@ -247,7 +254,7 @@ class CellLinearizer {
   Eigen::Matrix3d R_a_u_;
   Eigen::MatrixXd pending_;
   Eigen::Index pending_rows_ = 0;
-  Eigen::MatrixXd border_root_;  // B^T W J per axis, then its covariance root applied
+  Eigen::Matrix<double, 12, Eigen::Dynamic> border_root_;  // B^T W J per axis, then its covariance root applied
   SensorState sensor_;
 };
 
@@ -349,6 +356,12 @@ double closureCost(const JointProblem& problem, const JointState& state) {
     cost += problem.loss.cost(residual.closure.squaredNorm());
   }
   return cost;
+}
+
+double linkOpening_m(const JointProblem& problem, const JointState& state, std::size_t link) {
+  LinkResidual residual;
+  evaluateLink(problem, state, problem.links[link], false, residual);
+  return residual.closure.norm() * problem.link_sigma_m;
 }
 
 void linearize(const JointProblem& problem, const JointState& state, NormalEquations& equations) {

@@ -91,7 +91,10 @@ double jointCost(const JointProblem& problem, const JointState& state);
 /// Squared distances of all links' end points in units of link_sigma, losses applied.
 double closureCost(const JointProblem& problem, const JointState& state);
 
-/// The same cost with its gradient (exact) and its Gauss-Newton matrix (of the eliminated problem: Kaufman's).
+/// How far the end points of a link are apart, less the arc's share; metres.
+double linkOpening_m(const JointProblem& problem, const JointState& state, std::size_t link);
+
+/// jointCost() with its gradient (exact) and its Gauss-Newton matrix (of the eliminated problem: Kaufman's).
 void linearize(const JointProblem& problem, const JointState& state, NormalEquations& equations);
 
 /// state (+) step: R exp(dr), the rest added.

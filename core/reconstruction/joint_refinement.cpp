@@ -11,6 +11,7 @@ namespace {
 
 // A hand turns the part while it is sampled; over a patch of this size its lever arm shows in the readings.
 constexpr std::size_t kCellsForAccelerations = 100;
+constexpr double kLinksPerCellOfASheet = 1.2;      // a chain has less than one, a wide sheet two
 constexpr std::size_t kPosesForAccelerations = 3;  // with two they do harm
 // With many poses tremor averages out, and the dense part of the equations is small enough without them.
 constexpr std::size_t kMostPosesForAccelerations = 50;
@@ -105,8 +106,6 @@ JointRefinement::JointRefinement(const CellModel& model, const SkinGraph& graph,
   }
   problem_->poses = poses_.size();
   const bool large = cells_.size() >= kCellsForAccelerations;
-  problem_->accelerations =
-      large && poses_.size() >= kPosesForAccelerations && poses_.size() <= kMostPosesForAccelerations;
   problem_->force_sigma_g = large ? kForceSigmaOfLargePart_g : kForceSigma_g;
 
   for (const std::size_t cell : cells_) {
@@ -122,6 +121,10 @@ JointRefinement::JointRefinement(const CellModel& model, const SkinGraph& graph,
     problem_->links.push_back({localOf(link.source), localOf(link.target), source.vector_m, target.vector_m,
                                nominalAlignment(source, target)});
   }
+  // A strip could be bent just as an acceleration makes its readings look; the loops of a sheet tell the two apart.
+  const bool sheet = static_cast<double>(links_.size()) >= kLinksPerCellOfASheet * static_cast<double>(cells_.size());
+  problem_->accelerations =
+      large && sheet && poses_.size() >= kPosesForAccelerations && poses_.size() <= kMostPosesForAccelerations;
 }
 
 std::size_t JointRefinement::localOf(std::size_t cell) const {
@@ -203,6 +206,15 @@ double JointRefinement::poseMisfit(std::size_t pose) const {
     }
   }
   return count == 0 ? 0 : std::sqrt(sum / static_cast<double>(count));
+}
+
+std::optional<JointRefinement::OpenLink> JointRefinement::widestOpen() const {
+  std::optional<OpenLink> widest;
+  for (std::size_t k = 0; k < links_.size(); ++k) {
+    const double opening_m = linkOpening_m(*problem_, solution_.state, k);
+    if (!widest || opening_m > widest->opening_m) widest = OpenLink{links_[k], opening_m};
+  }
+  return widest;
 }
 
 SE3 JointRefinement::placementOf(std::size_t cell) const { return solution_.state.cells[localOf(cell)]; }

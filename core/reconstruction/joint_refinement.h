@@ -7,6 +7,7 @@
 #include "rigidity_test.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace hexoderm {
@@ -31,6 +32,13 @@ class JointRefinement {
   [[nodiscard]] Misfit misfitOf(std::size_t cell) const;
   /// Rms over the cells of what one pose leaves unexplained, in standard deviations of its readings.
   [[nodiscard]] double poseMisfit(std::size_t pose) const;
+
+  /// The link (of the graph) that misses its loops by the most, and by how much.
+  struct OpenLink {
+    std::size_t link = 0;
+    double opening_m = 0;
+  };
+  [[nodiscard]] std::optional<OpenLink> widestOpen() const;
 
   [[nodiscard]] SE3 placementOf(std::size_t cell) const;
   [[nodiscard]] const Matrix6d& covarianceOf(std::size_t cell) const;  ///< as CellPlacement::cov_t_r

@@ -54,12 +54,12 @@ class BorderedFactor {
       }
     }
     if (!factor_.factorize(diagonal, couples)) return false;
-    solved_border_ = equations.border_cells;
-    factor_.solve(solved_border_);
+    lower_border_ = equations.border_cells;
+    factor_.solveLower(lower_border_);
     Eigen::MatrixXd schur = equations.border;
     schur.diagonal() *= 1 + damping;
     if (schur.size() == 0) return true;  // neither a pose nor a gap share to estimate
-    schur.triangularView<Eigen::Lower>() -= equations.border_cells.transpose() * solved_border_;
+    schur.selfadjointView<Eigen::Lower>().rankUpdate(lower_border_.transpose(), -1);
     schur_.compute(schur);
     return schur_.info() == Eigen::Success;
   }
@@ -67,21 +67,31 @@ class BorderedFactor {
   /// The step that takes the gradient away.
   void solve(const NormalEquations& equations, Eigen::VectorXd& cells, Eigen::VectorXd& border) const {
     Eigen::MatrixXd right = -equations.gradient_cells;
-    factor_.solve(right);
-    border = -equations.gradient_border - equations.border_cells.transpose() * right.col(0);
+    factor_.solveLower(right);
+    border = -equations.gradient_border - lower_border_.transpose() * right.col(0);
     if (border.size() > 0) schur_.solveInPlace(border);
-    cells = right.col(0) - solved_border_ * border;
+    right.col(0) -= lower_border_ * border;
+    factor_.solveUpper(right);
+    cells = right.col(0);
+  }
+
+  /// A^-1 E S^-T, with S S^T = F - E^T A^-1 E: the border's part of the cells' covariance is its outer product.
+  [[nodiscard]] Eigen::MatrixXd borderRoot() const {
+    Eigen::MatrixXd root = lower_border_;
+    if (root.cols() == 0) return root;
+    schur_.matrixU().solveInPlace<Eigen::OnTheRight>(root);
+    factor_.solveUpper(root);
+    return root;
   }
 
   [[nodiscard]] const CouplePlan& plan() const { return plan_; }
   [[nodiscard]] const BlockCholesky& cells() const { return factor_; }
-  [[nodiscard]] const Eigen::MatrixXd& solvedBorder() const { return solved_border_; }
   [[nodiscard]] const Eigen::LLT<Eigen::MatrixXd>& schur() const { return schur_; }
 
  private:
   CouplePlan plan_;
   BlockCholesky factor_;
-  Eigen::MatrixXd solved_border_;  // A^-1 E
+  Eigen::MatrixXd lower_border_;  // L^-1 E, with L L^T = A
   Eigen::LLT<Eigen::MatrixXd> schur_;
 };
 
@@ -101,7 +111,7 @@ struct JointCovariance::State {
   bool estimates_gap_share;
   std::unique_ptr<const BorderedFactor> factor;
   Eigen::MatrixXd border_covariance;
-  Eigen::MatrixXd border_root;  // A^-1 E L^-T: the border's part of the cells' covariance is its outer product
+  Eigen::MatrixXd border_root;
   std::vector<Matrix6d> cells;
   std::vector<Matrix6d> links;
 
@@ -110,10 +120,9 @@ struct JointCovariance::State {
         layout(problem),
         estimates_gap_share(problem.gap.sigma.has_value()),
         factor(std::move(factor_at_optimum)) {
-    border_root.resize(static_cast<Eigen::Index>(6 * problem.cellCount()), layout.size());
+    border_root = factor->borderRoot();
     if (layout.size() > 0) {
       border_covariance = factor->schur().solve(Eigen::MatrixXd::Identity(layout.size(), layout.size()));
-      border_root = factor->schur().matrixL().solve(factor->solvedBorder().transpose()).transpose();
     }
     const BlockCholesky::SelectedInverse inverse = factor->cells().selectedInverse();
     cells.resize(problem.cellCount());

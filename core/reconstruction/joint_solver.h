@@ -11,7 +11,7 @@ namespace hexoderm {
 struct JointSolverOptions {
   int max_iterations = 100;
   /// A step that promises to lower the cost by less than this share of it is the last.
-  double cost_tolerance = 1e-9;
+  double cost_tolerance = 1e-8;
   bool covariance = true;  ///< compute JointSolution::covariance
   std::stop_token stop;    ///< checked before every step; the state so far is the result
 };

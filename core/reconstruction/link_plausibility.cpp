@@ -5,6 +5,7 @@
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -28,6 +29,9 @@ LinkAngles separated(const LinkAngles& angles) {
 std::vector<Finding> judgeLinkAngles(const LinkAngles& angles, LinkEnd source, LinkEnd target,
                                      const SolverOptions& options, double sigma_rad) {
   constexpr double kSigmas = 3;
+  // No part of a rotation is larger than the whole.
+  const double whole = std::hypot(angles.bend_rad, angles.twist_rad, angles.yaw_rad);
+  if (whole <= std::min({options.max_bend_rad, options.max_twist_rad, options.max_yaw_rad})) return {};
   const LinkAngles judged = separated(angles);
   std::vector<Finding> findings;
   const auto judge = [&](double angle_rad, double limit_rad, FindingCode code, const std::string& does,

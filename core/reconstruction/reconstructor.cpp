@@ -1,6 +1,7 @@
 #include "hexoderm/reconstruction/reconstructor.h"
 
 #include "hexoderm/geometry/alignment.h"
+#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
@@ -15,7 +16,6 @@
 #include "tree_placement.h"
 #include "verdict.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -54,11 +54,16 @@ class Reconstructor {
     estimateEdges();
     findSuspects();
     for (const EdgeRotation& edge : edges_) weights_.push_back(weightOf(edge));
-    in_tree_.resize(edges_.size(), false);
 
-    std::vector<PatchWork> works;
-    for (std::size_t patch = 0; patch < graph_.patches().size(); ++patch) works.push_back(placePatch(patch));
-    if (options_.solver == Solver::Global) refine(works);
+    std::vector<PatchWork> works = placePatches();
+    if (options_.solver == Solver::Global) {
+      refine(works);
+      while (muteOpenLinks(works)) {
+        works = placePatches();
+        refine(works);
+      }
+      for (const PatchWork& work : works) findInconsistentPoses(*work.joint);
+    }
 
     auto result = std::make_shared<Reconstruction>();
     result->revision = snapshot_.revision;
@@ -136,8 +141,7 @@ class Reconstructor {
   }
 
   [[nodiscard]] static double worstSigma(const Eigen::Matrix3d& covariance) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance, Eigen::EigenvaluesOnly);
-    return std::min(kPi, std::sqrt(std::max(0.0, solver.eigenvalues().maxCoeff())));
+    return std::min(kPi, largestDeviation(covariance));
   }
 
   /// Removes the worst pose or cell and looks again, until what is left to blame are links.
@@ -201,6 +205,13 @@ class Reconstructor {
     return cellAttitudeCovariance(model_.accelerometer, g, variance, centred, supported);
   }
 
+  std::vector<PatchWork> placePatches() {
+    in_tree_.assign(edges_.size(), false);
+    std::vector<PatchWork> works;
+    for (std::size_t patch = 0; patch < graph_.patches().size(); ++patch) works.push_back(placePatch(patch));
+    return works;
+  }
+
   PatchWork placePatch(std::size_t patch) {
     PatchWork work;
     work.patch = patch;
@@ -239,8 +250,30 @@ class Reconstructor {
         dropped = true;
       }
       if (dropped) estimateEdges();
-      findInconsistentPoses(*work.joint);
     }
+  }
+
+  /// In every patch the link that leaves its loops open by more than askew cells can: a cable that looks like a skin
+  /// link in its angles. One at a time, because the others give way to it. False: there is none.
+  bool muteOpenLinks(const std::vector<PatchWork>& works) {
+    const double limit_m = options_.max_opening * model_.link_sigma_m;
+    std::vector<std::size_t> open;
+    for (const PatchWork& work : works) {
+      const auto widest = work.joint->widestOpen();
+      if (!widest || widest->opening_m <= limit_m) continue;
+      open.push_back(widest->link);
+      const LinkEnd source = graph_.sourceEnd(graph_.links()[widest->link]);
+      const LinkEnd target = graph_.targetEnd(graph_.links()[widest->link]);
+      findings_.push_back(
+          makeFinding(FindingCode::LinkDoesNotClose,
+                      "With all other links the ends of the " + linkInWords(source, target) + " come to lie " +
+                          formatFixed(toMillimetres(widest->opening_m), 0) +
+                          " mm apart, and a skin link leaves no more than " + formatFixed(toMillimetres(limit_m), 0) +
+                          " mm: it is probably a cable, or another link of the loop is. The link is not used.",
+                      {source.cell, target.cell}, {source.port, target.port}));
+    }
+    graph_.mute(open, FindingCode::LinkDoesNotClose);
+    return !open.empty();
   }
 
   /// Where the earlier result had the cells of this patch, if it had just these from the same origin; else the tree's.

@@ -45,6 +45,7 @@ bool SkinReadings::interpolated(std::size_t cell) const {
 
 std::vector<std::size_t> SkinReadings::posesOf(const GraphLink& link) const {
   std::vector<std::size_t> poses;
+  poses.reserve(table_->enabledPoses().size());
   for (const std::size_t pose : table_->enabledPoses()) {
     if (!gravity_[link.source][pose].isZero() && !gravity_[link.target][pose].isZero()) poses.push_back(pose);
   }
@@ -57,6 +58,7 @@ EdgeReadings SkinReadings::readingsOf(const GraphLink& link) const {
   const auto count = static_cast<Eigen::Index>(poses.size());
   readings.c_g.resize(3, count);
   readings.n_g.resize(3, count);
+  readings.variance_g2.reserve(poses.size());
   for (Eigen::Index k = 0; k < count; ++k) {
     const std::size_t pose = poses[static_cast<std::size_t>(k)];
     readings.c_g.col(k) = gravity_[link.source][pose];

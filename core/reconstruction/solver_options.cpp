@@ -39,6 +39,7 @@ void SolverOptions::validate() const {
   inRange(max_twist_rad, 0, kHalfTurn, "largest twist");
   inRange(max_yaw_rad, 0, kHalfTurn, "largest yaw");
   inRange(max_misfit, 0, 1e6, "largest misfit");
+  inRange(max_opening, 0, 1e6, "largest opening");
 }
 
 std::string_view solverName(Solver solver) { return kSolvers.at(static_cast<std::size_t>(solver)); }

@@ -36,6 +36,9 @@ struct SolverOptions {
   /// A link is no rigid link, and a cell's sensor is broken, if what they read is less likely than a normal deviate of
   /// this many standard deviations, the priors of the sensors' errors granted.
   double max_misfit = 5.0;
+  /// A link is no skin link if, solved with all others, its ends lie further apart than this many of the cell model's
+  /// link_sigma_m.
+  double max_opening = 15.0;
   /// Cells whose readings are not to be used; they are placed through their links.
   std::vector<CellId> left_out;
 

@@ -1,12 +1,12 @@
 #include "suspects.h"
 
+#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/reconstruction/link_plausibility.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
 #include "rigidity_test.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -16,17 +16,18 @@ namespace {
 // A link is judged by its angles only where the poses fix them.
 constexpr double kJudgeableSigma = 15 * kDegree;
 
-double worstSigma(const Eigen::Matrix3d& covariance) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance, Eigen::EigenvaluesOnly);
-  return std::sqrt(std::max(0.0, solver.eigenvalues().maxCoeff()));
-}
-
 }  // namespace
 
 SuspectSearch::SuspectSearch(const CellModel& model, const SkinGraph& graph, const GravityTable& table,
                              const SkinReadings& readings, const std::vector<EdgeRotation>& edges,
                              const SolverOptions& options)
-    : model_(model), graph_(graph), table_(table), readings_(readings), edges_(edges), options_(options) {
+    : model_(model),
+      graph_(graph),
+      table_(table),
+      readings_(readings),
+      edges_(edges),
+      options_(options),
+      pair_prior_(pairOf(model.accelerometer)) {
   verdicts_.reserve(edges.size());
   for (std::size_t link = 0; link < edges.size(); ++link) verdicts_.push_back(judge(link));
 }
@@ -37,7 +38,7 @@ SuspectSearch::Verdict SuspectSearch::judge(std::size_t link_index) const {
   const EdgeRotation& edge = edges_[link_index];
   if (link.muted() || !readings_.measured(link)) return verdict;
   verdict.tested = true;
-  const double sigma = worstSigma(edge.covariance);
+  const double sigma = largestDeviation(edge.covariance);
   if (sigma < kJudgeableSigma && !edge.supported) {
     verdict.implausible =
         judgeLinkAngles(linkAngles(edge.R_c_n, model_.port(link.source_port), model_.port(link.target_port)),
@@ -54,14 +55,17 @@ double SuspectSearch::misfitOf(std::size_t link_index, std::optional<std::size_t
   const Eigen::Matrix3d R_a_n = R_a_u * edges_[link_index].R_c_n;
   std::vector<CellReading> c;
   std::vector<Eigen::Vector3d> n;
-  for (const std::size_t pose : readings_.posesOf(link)) {
+  const std::vector<std::size_t> poses = readings_.posesOf(link);
+  c.reserve(poses.size());
+  n.reserve(poses.size());
+  for (const std::size_t pose : poses) {
     if (pose == without) continue;
     const GravityTable::Entry& at_c = table_.at(link.source, pose);
     const GravityTable::Entry& at_n = table_.at(link.target, pose);
     c.push_back({pose, R_a_u * at_c.mean_g, at_c.variance_g2 + at_n.variance_g2});
     n.push_back(R_a_n * at_n.mean_g);
   }
-  return testRigidity(AccelerometerPrior(pairOf(model_.accelerometer)), c, n).deviate();
+  return testRigidity(pair_prior_, c, n).deviate();
 }
 
 std::optional<std::size_t> SuspectSearch::worstPose() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "accelerometer_fit.h"
 #include "edge_rotation.h"
 #include "skin_readings.h"
 
@@ -47,6 +48,7 @@ class SuspectSearch {
   const SkinReadings& readings_;
   const std::vector<EdgeRotation>& edges_;
   const SolverOptions& options_;
+  AccelerometerPrior pair_prior_;  ///< of two cells' errors, as one sees them from the other
   std::vector<Verdict> verdicts_;  ///< per link
 };
 

@@ -1,10 +1,10 @@
 #include "verdict.h"
 
+#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/reconstruction/pose_advisor.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -16,11 +16,6 @@ constexpr double kSigmasFor95Percent = 1.96;
 constexpr double kGoodOrientation = 2 * kDegree;
 constexpr double kGoodPosition_m = 3 * kMillimetre;
 constexpr double kUsableOrientation = 20 * kDegree;
-
-double worstAxis(const Eigen::Matrix3d& covariance) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance, Eigen::EigenvaluesOnly);
-  return std::sqrt(std::max(0.0, solver.eigenvalues().maxCoeff()));
-}
 
 struct Spread {
   double position_95_m = 0;
@@ -38,9 +33,9 @@ Spread worstSpread(const Reconstruction& r) {
     for (const CellPlacement& cell : patch.cells) {
       if (!cell.cov_t_r || (any_measured && !measured(cell))) continue;
       worst.position_95_m =
-          std::max(worst.position_95_m, kSigmasFor95Percent * worstAxis(cell.cov_t_r->topLeftCorner<3, 3>()));
-      worst.orientation_95_rad =
-          std::max(worst.orientation_95_rad, kSigmasFor95Percent * worstAxis(cell.cov_t_r->bottomRightCorner<3, 3>()));
+          std::max(worst.position_95_m, kSigmasFor95Percent * largestDeviation(cell.cov_t_r->topLeftCorner<3, 3>()));
+      worst.orientation_95_rad = std::max(
+          worst.orientation_95_rad, kSigmasFor95Percent * largestDeviation(cell.cov_t_r->bottomRightCorner<3, 3>()));
     }
   }
   worst.orientation_95_rad = std::min(worst.orientation_95_rad, kPi);

@@ -41,6 +41,9 @@ constexpr std::array kTable = {
         "A link is turned in the surface further than a skin link can be; probably a wrong port or a cable."},
     FindingDescription{LinkNotRigid, "link-not-rigid", Severity::Warning,
                        "The two cells of a link moved against each other between poses; it is probably a joint."},
+    FindingDescription{LinkDoesNotClose, "link-does-not-close", Severity::Warning,
+                       "With all other links the ends of this link come to lie far apart: it is probably a cable, or "
+                       "another link of the loop is. Muted."},
     FindingDescription{NoSamples, "no-samples", Severity::Warning,
                        "A cell has no usable reading in any enabled pose; it is placed through its links."},
     FindingDescription{MissingSamples, "missing-samples", Severity::Info,

@@ -32,6 +32,7 @@ enum class FindingCode {
   ImplausibleTwist,
   ImplausibleYaw,
   LinkNotRigid,
+  LinkDoesNotClose,
   // cells, judged by their readings
   NoSamples,
   MissingSamples,

@@ -17,6 +17,9 @@ if(HEXODERM_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
       CCACHE_SLOPPINESS=pch_defines,time_macros ${HEXODERM_CCACHE})
 endif()
 
+# Nobody asks errno what a square root thinks.
+add_compile_options(-fno-math-errno)
+
 if(HEXODERM_SANITIZE)
   add_compile_options(-fsanitize=${HEXODERM_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${HEXODERM_SANITIZE})

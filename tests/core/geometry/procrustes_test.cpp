@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 #include <Eigen/LU>
+#include <Eigen/SVD>
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -69,6 +71,37 @@ TEST(Procrustes, MinimisesTheResidualOfNoisyVectors) {
     for (const double step : {-1e-3, 1e-3}) {
       EXPECT_GT((C - best * expSO3(step * Eigen::Vector3d::Unit(axis)) * N).squaredNorm(), residual);
     }
+  }
+}
+
+TEST(Procrustes, AgreesWithAGeneralSvd) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  for (int trial = 0; trial < 2000; ++trial) {
+    // Vectors in all of space, near a plane and near a line.
+    const Eigen::Vector3d extent(1, trial % 2 == 0 ? 1 : std::pow(10, -normal(random) * normal(random)),
+                                 trial % 3 == 0 ? 1 : 1e-6 * normal(random));
+    const Eigen::Matrix3d turned = expSO3({normal(random), normal(random), normal(random)});
+    Eigen::Matrix3Xd N(3, 5);
+    Eigen::Matrix3Xd C(3, 5);
+    for (Eigen::Index p = 0; p < 5; ++p) {
+      const Eigen::Vector3d v(normal(random), normal(random), normal(random));
+      N.col(p) = v.cwiseProduct(extent);
+      C.col(p) =
+          turned * N.col(p) + 0.02 * extent.y() * Eigen::Vector3d(normal(random), normal(random), normal(random));
+    }
+    const Eigen::Matrix3d H = N * C.transpose();
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(H, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const double det = (svd.matrixV() * svd.matrixU().transpose()).determinant();
+    const Eigen::Matrix3d expected =
+        svd.matrixV() * Eigen::Vector3d(1, 1, det).asDiagonal() * svd.matrixU().transpose();
+    const Eigen::Vector3d s = svd.singularValues();
+    const ProcrustesSolution solution = solveProcrustes(N, C);
+    EXPECT_LT((solution.singular_values - s).norm(), 1e-12 * s.x());
+    EXPECT_LT((solution.R_c_n * solution.R_c_n.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-12);
+    // Where two singular values nearly cancel each other, the rotation about the first axis is anybody's.
+    const double certain = s.y() + det * s.z();
+    EXPECT_LT((solution.R_c_n - expected).norm(), 1e-13 * s.x() / certain) << "trial " << trial;
   }
 }
 

@@ -37,6 +37,7 @@ Reconstruction richCalibration() {
   result.options.max_bend_rad = 1.1;
   result.options.gap_model = GapModel::Arc;
   result.options.max_misfit = 4.5;
+  result.options.max_opening = 20;
   result.options.left_out = {CellId(5), CellId(2)};
   PatchReconstruction& patch = result.patches.at(0);
   patch.gap_share = {1.0 / 3, 0.123456789};
@@ -139,6 +140,7 @@ TEST(CalibrationJson, ComesBackAsItWas) {
   EXPECT_EQ(back->options.max_twist_rad, result.options.max_twist_rad);
   EXPECT_EQ(back->options.max_yaw_rad, result.options.max_yaw_rad);
   EXPECT_EQ(back->options.max_misfit, result.options.max_misfit);
+  EXPECT_EQ(back->options.max_opening, result.options.max_opening);
   EXPECT_EQ(back->source.file, "three_cells.session.json");
   EXPECT_EQ(back->source.sha256, result.source.sha256);
   EXPECT_EQ(back->source.text, result.source.text);
