@@ -28,9 +28,25 @@ class HandMotion {
   /// In a hand.
   HandMotion(const Eigen::Vector3d& up_b, const SimulatedSkinOptions& options, std::mt19937_64& random);
 
+  /// Begins elsewhere: from `R_w_b` the part is turned the shortest way to where it is to be held, smoothly and no
+  /// faster than kFastestTurn; it is there after arrival_s().
+  void arriveFrom(const Eigen::Matrix3d& R_w_b);
+  [[nodiscard]] double arrival_s() const { return arrival_s_; }
+
   [[nodiscard]] BodyMotion at(double time_s) const;
+  /// Orientation in the world, whose z is up.
+  [[nodiscard]] Eigen::Matrix3d orientationAt(double time_s) const;
 
  private:
+  /// The way from the start, in world axes: what is left of it, its rate and acceleration.
+  struct Approach {
+    Eigen::Vector3d left_rad = Eigen::Vector3d::Zero();
+    Eigen::Vector3d rate_rad_s = Eigen::Vector3d::Zero();
+    Eigen::Vector3d acceleration_rad_s2 = Eigen::Vector3d::Zero();
+  };
+  [[nodiscard]] Approach approachAt(double time_s) const;
+  [[nodiscard]] Eigen::Vector3d turnAt(double time_s) const;
+
   struct Wave {
     double amplitude;
     double rate_rad_s;
@@ -44,6 +60,8 @@ class HandMotion {
   Axes turn_;   ///< rad
   Axes shake_;  ///< g
   Eigen::Vector3d drift_rad_s_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d way_rad_ = Eigen::Vector3d::Zero();  ///< from the end to the start, world axes
+  double arrival_s_ = 0;
 };
 
 }  // namespace hexoderm

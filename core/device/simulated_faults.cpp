@@ -111,41 +111,43 @@ Eigen::Vector3d CellHealth::sent(Eigen::Vector3d reading_g) {
   return reading_g;
 }
 
+void addFault(CellHealth& cell, SkinFault kind, std::mt19937_64& random) {
+  std::uniform_int_distribution<int> any_axis(0, 2);
+  switch (kind) {
+    case SkinFault::Dead:
+      cell.dead = true;
+      break;
+    case SkinFault::Stuck:
+      cell.stuck = true;
+      break;
+    case SkinFault::StuckAxis:
+      cell.stuck_axis = any_axis(random);
+      break;
+    case SkinFault::Saturated:
+      cell.saturated = true;
+      break;
+    case SkinFault::Noisy:
+      cell.noisy = true;
+      break;
+    case SkinFault::NoSamples:
+      cell.silent = true;
+      break;
+    case SkinFault::WrongGain:
+      cell.wrong_gain = true;
+      break;
+    case SkinFault::DeadAxis:
+      cell.dead_axis = any_axis(random);
+      break;
+  }
+}
+
 std::vector<CellHealth> breakCells(const SimulatedSkinOptions& options, std::size_t cell_count) {
   std::vector<CellHealth> health(cell_count);
   std::mt19937_64 random = randomStream(options.seed, Stream::Faults);
-  std::uniform_int_distribution<int> any_axis(0, 2);
   for (const CellFault& fault : options.faults) {
     requireCell(fault.cell, cell_count);
-    CellHealth& cell = health[fault.cell.value() - 1];
-    switch (fault.kind) {
-      case SkinFault::Dead:
-        cell.dead = true;
-        break;
-      case SkinFault::Stuck:
-        cell.stuck = true;
-        break;
-      case SkinFault::StuckAxis:
-        cell.stuck_axis = any_axis(random);
-        break;
-      case SkinFault::Saturated:
-        cell.saturated = true;
-        break;
-      case SkinFault::Noisy:
-        cell.noisy = true;
-        break;
-      case SkinFault::NoSamples:
-        cell.silent = true;
-        break;
-      case SkinFault::WrongGain:
-        cell.wrong_gain = true;
-        break;
-      case SkinFault::DeadAxis: {
-        std::mt19937_64 of_cell = randomStream(options.seed, Stream::DeadAxis, {fault.cell.value()});
-        cell.dead_axis = any_axis(of_cell);
-        break;
-      }
-    }
+    std::mt19937_64 of_cell = randomStream(options.seed, Stream::DeadAxis, {fault.cell.value()});
+    addFault(health[fault.cell.value() - 1], fault.kind, fault.kind == SkinFault::DeadAxis ? of_cell : random);
   }
   return health;
 }

@@ -6,6 +6,7 @@
 #include "hexoderm/device/simulated_skin.h"
 
 #include <optional>
+#include <random>
 #include <vector>
 
 namespace hexoderm {
@@ -24,6 +25,8 @@ struct CellHealth {
   Eigen::Vector3d sent(Eigen::Vector3d reading_g);
 };
 
+/// `random` draws the axis, where a fault is of one axis.
+void addFault(CellHealth& cell, SkinFault kind, std::mt19937_64& random);
 /// Throws InvalidArgument for a fault of a cell that is not there.
 std::vector<CellHealth> breakCells(const SimulatedSkinOptions& options, std::size_t cell_count);
 

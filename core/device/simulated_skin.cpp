@@ -77,6 +77,21 @@ struct SimulatedSkin::State {
   std::size_t recordings = 0;
   double clock_s = 0;
 
+  /// How the part is held: the motion since it began, and what the sensors' noise is drawn from.
+  struct Hold {
+    HandMotion motion;
+    Eigen::Vector3d hand_b;
+    NormalSource noise;
+    bool is_bent = false;
+    std::size_t tick = 0;
+  };
+  std::optional<Hold> live;
+  double live_clock_s = 0;
+
+  Hold hold(const Eigen::Vector3d& up_b);
+  void sense(Hold& holding, SampleFrame& frame);
+  void requireCell(CellId cell) const;
+
   State(CellModel cell_model, SimulatedSkinOptions skin_options);
 
  private:
@@ -182,23 +197,25 @@ std::string SimulatedSkin::description() const {
          std::string(lawName(state_->options.link_law)) + ", seed " + std::to_string(state_->options.seed);
 }
 
-std::vector<SampleFrame> SimulatedSkin::record(const Eigen::Vector3d& up_b, std::size_t frame_count) {
+/// A new hold, by hand unless it is the skin's first.
+SimulatedSkin::State::Hold SimulatedSkin::State::hold(const Eigen::Vector3d& up_b) {
   if (!up_b.allFinite() || up_b.norm() < 1e-9) {
     throw InvalidArgument("simulated skin: the direction that points up must be a finite vector other than zero");
   }
-  State& state = *state_;
-  const SimulatedSkinOptions& options = state.options;
-  const Accelerometer& accelerometer = state.model.accelerometer;
-  const std::size_t recording = state.recordings++;
+  const std::size_t recording = recordings++;
   std::mt19937_64 hand_random = randomStream(options.seed, Stream::Hand, recording);
-  NormalSource noise(randomStream(options.seed, Stream::Noise, recording));
-
   const Eigen::Vector3d up = up_b.normalized();
   const bool in_hand = options.hand_held && recording > 0;
-  const HandMotion motion = in_hand ? HandMotion(up, options, hand_random) : HandMotion(up);
+  HandMotion motion = in_hand ? HandMotion(up, options, hand_random) : HandMotion(up);
   // A hand holds the part near its middle, not in it.
-  const Eigen::Vector3d hand_b = state.middle_b + kHandOffset_m * NormalSource(hand_random).nextVector();
+  const Eigen::Vector3d hand_b = middle_b + kHandOffset_m * NormalSource(hand_random).nextVector();
+  return {std::move(motion), hand_b, NormalSource(randomStream(options.seed, Stream::Noise, recording)),
+          !bent_sensors.empty() && recording % 2 == 1};
+}
 
+/// What all cells read at the hold's next tick.
+void SimulatedSkin::State::sense(Hold& holding, SampleFrame& frame) {
+  const Accelerometer& accelerometer = model.accelerometer;
   // White noise of a density d, sampled at a rate f, has the variance d^2 f / 2.
   const double white_g = accelerometer.noise_g_per_sqrt_hz * std::sqrt(accelerometer.rate_hz / 2);
   const auto asOutput = [&](const Eigen::Vector3d& value_g) {
@@ -208,32 +225,77 @@ std::vector<SampleFrame> SimulatedSkin::record(const Eigen::Vector3d& up_b, std:
     }
     return Eigen::Vector3d(output.cwiseMin(accelerometer.range_g).cwiseMax(-accelerometer.range_g));
   };
+  const std::vector<SensorChain>& chains = holding.is_bent ? bent_sensors : sensors;
+  const BodyMotion body = holding.motion.at(static_cast<double>(holding.tick++) / accelerometer.rate_hz);
+  frame.samples.reserve(truth.size());
+  for (std::size_t c = 0; c < truth.size(); ++c) {
+    const SensorChain& sensor = chains[c];
+    CellHealth& cell = health[c];
+    // Drawn also where it is not used: a fault of one cell leaves the others' noise as it was.
+    const Eigen::Vector3d unit_noise =
+        options.sensor_noise || cell.noisy ? holding.noise.nextVector() : Eigen::Vector3d::Zero();
+    if (cell.silent) continue;
+    Eigen::Vector3d reading =
+        sensor.gain_R_a_b * (body.up_b + body.field_b * (sensor.position_b - holding.hand_b)) + sensor.offset_g;
+    reading = cell.sensed(reading) + cell.noiseFactor() * white_g * unit_noise;
+    reading = cell.sent(asOutput(reading));
+    frame.samples.push_back({truth[c].id, reading});
+  }
+}
 
-  const bool is_bent = !state.bent_sensors.empty() && recording % 2 == 1;
-  const std::vector<SensorChain>& sensors = is_bent ? state.bent_sensors : state.sensors;
+std::vector<SampleFrame> SimulatedSkin::record(const Eigen::Vector3d& up_b, std::size_t frame_count) {
+  State& state = *state_;
+  State::Hold holding = state.hold(up_b);
   std::vector<SampleFrame> frames(frame_count);
   for (std::size_t k = 0; k < frame_count; ++k) {
-    const double time_s = static_cast<double>(k) / accelerometer.rate_hz;
-    const BodyMotion body = motion.at(time_s);
-    SampleFrame& frame = frames[k];
-    frame.time_s = state.clock_s + time_s;
-    frame.samples.reserve(state.truth.size());
-    for (std::size_t c = 0; c < state.truth.size(); ++c) {
-      const SensorChain& sensor = sensors[c];
-      CellHealth& health = state.health[c];
-      // Drawn also where it is not used: a fault of one cell leaves the others' noise as it was.
-      const Eigen::Vector3d unit_noise =
-          options.sensor_noise || health.noisy ? noise.nextVector() : Eigen::Vector3d::Zero();
-      if (health.silent) continue;
-      Eigen::Vector3d reading =
-          sensor.gain_R_a_b * (body.up_b + body.field_b * (sensor.position_b - hand_b)) + sensor.offset_g;
-      reading = health.sensed(reading) + health.noiseFactor() * white_g * unit_noise;
-      reading = health.sent(asOutput(reading));
-      frame.samples.push_back({state.truth[c].id, reading});
-    }
+    frames[k].time_s = state.clock_s + static_cast<double>(k) / state.model.accelerometer.rate_hz;
+    state.sense(holding, frames[k]);
   }
-  state.clock_s += static_cast<double>(frame_count) / accelerometer.rate_hz + kPauseBetweenRecordings_s;
+  state.clock_s += static_cast<double>(frame_count) / state.model.accelerometer.rate_hz + kPauseBetweenRecordings_s;
   return frames;
+}
+
+void SimulatedSkin::turnTo(const Eigen::Vector3d& up_b) {
+  State& state = *state_;
+  if (!state.live) state.live = state.hold(Eigen::Vector3d::UnitZ());
+  const double rate_hz = state.model.accelerometer.rate_hz;
+  const Eigen::Matrix3d R_w_b = state.live->motion.orientationAt(static_cast<double>(state.live->tick) / rate_hz);
+  State::Hold next = state.hold(up_b);
+  next.motion.arriveFrom(R_w_b);
+  state.live = std::move(next);
+}
+
+bool SimulatedSkin::turning() const {
+  const State& state = *state_;
+  if (!state.live) return false;
+  return static_cast<double>(state.live->tick) / state.model.accelerometer.rate_hz < state.live->motion.arrival_s();
+}
+
+SampleFrame SimulatedSkin::next() {
+  State& state = *state_;
+  if (!state.live) state.live = state.hold(Eigen::Vector3d::UnitZ());
+  SampleFrame frame;
+  frame.time_s = state.live_clock_s;
+  state.live_clock_s += 1 / state.model.accelerometer.rate_hz;
+  state.sense(*state.live, frame);
+  return frame;
+}
+
+void SimulatedSkin::State::requireCell(CellId cell) const {
+  if (cell.value() == 0 || cell.value() > truth.size()) {
+    throw InvalidArgument("simulated skin: there is no cell " + toString(cell));
+  }
+}
+
+void SimulatedSkin::breakCell(const CellFault& fault) {
+  state_->requireCell(fault.cell);
+  std::mt19937_64 random = randomStream(state_->options.seed, Stream::DeadAxis, {fault.cell.value()});
+  addFault(state_->health[fault.cell.value() - 1], fault.kind, random);
+}
+
+void SimulatedSkin::mendCell(CellId cell) {
+  state_->requireCell(cell);
+  state_->health[cell.value() - 1] = CellHealth{};
 }
 
 std::vector<Eigen::Vector3d> scriptedUpDirections(std::size_t pose_count) {

@@ -134,6 +134,19 @@ class SimulatedSkin {
   /// Throws InvalidArgument if `up_b` is zero or not finite.
   std::vector<SampleFrame> record(const Eigen::Vector3d& up_b, std::size_t frame_count = 100);
 
+  /// Live: begins to turn the part from where it is until `up_b` points up, and to hold it there as record() does.
+  /// Before the first call it lies on a table with +z up, as cells with no motion of their own see it.
+  /// Throws InvalidArgument if `up_b` is zero or not finite.
+  void turnTo(const Eigen::Vector3d& up_b);
+  /// Live: has the last turnTo() not yet arrived?
+  [[nodiscard]] bool turning() const;
+  /// Live: the next tick of the device's clock, 1 / rate after the one before.
+  SampleFrame next();
+  /// Breaks a cell's sensor from the next tick on, or mends all that is broken about it.
+  /// Throws InvalidArgument if there is no such cell.
+  void breakCell(const CellFault& fault);
+  void mendCell(CellId cell);
+
  private:
   struct State;
   std::unique_ptr<State> state_;
