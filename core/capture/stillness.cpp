@@ -32,7 +32,7 @@ std::string describe(const OddCell& odd) {
   const std::string cell = "Cell " + toString(odd.cell);
   switch (odd.kind) {
     case OddCellKind::Dead:
-      return cell + " reads no gravity (" + formatFixed(odd.value * 1000, 0) + " mg)";
+      return cell + " is dead: it reads " + formatFixed(odd.value * 1000, 0) + " mg, no gravity";
     case OddCellKind::Stuck:
       return cell + " is stuck: it repeated one reading while the part moved";
     case OddCellKind::Noisy:

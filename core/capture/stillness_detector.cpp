@@ -38,10 +38,16 @@ struct CellState {
 };
 
 template <class Values>
-auto quantile(Values& values, double fraction) {
-  const auto index = static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + index, values.end());
-  return values[static_cast<std::size_t>(index)];
+auto nth(Values& values, std::size_t n) {
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(n);
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+/// The lower one of two.
+template <class Values>
+auto median(Values& values) {
+  return nth(values, (values.size() - 1) / 2);
 }
 
 const StillnessOptions& validated(const StillnessOptions& options) {
@@ -49,8 +55,8 @@ const StillnessOptions& validated(const StillnessOptions& options) {
   return options;
 }
 
-/// One decimal, and none where it says nothing.
-std::string inWords(double value) {
+/// A limit: one decimal, and none where it says nothing.
+std::string limitInWords(double value) {
   std::string text = formatFixed(value, 1);
   if (text.ends_with(".0")) text.resize(text.size() - 2);
   return text;
@@ -204,7 +210,7 @@ struct StillnessDetector::State {
   double medianOf(Value&& value) {
     scratch.clear();
     for (const std::size_t k : used) scratch.push_back(static_cast<float>(value(cells[k])));
-    return quantile(scratch, 0.5);
+    return median(scratch);
   }
 
   static float white_g2(const CellState& cell) {
@@ -218,7 +224,8 @@ struct StillnessDetector::State {
     result.drift_rad_s = std::sqrt(std::max(0.0, turn2));
     excesses.clear();
     for (const std::size_t k : used) excesses.emplace_back(cells[k].motion.variance_g2 - cells[k].floor_g2, k);
-    const auto [excess_g2, cell] = quantile(excesses, options.quiet_fraction);
+    const auto share = static_cast<std::size_t>(options.quiet_fraction * static_cast<double>(used.size() - 1));
+    const auto [excess_g2, cell] = nth(excesses, std::min(share, options.quiet_cells));
     result.excess_g = std::sqrt(std::max(0.0, static_cast<double>(excess_g2)));
     result.excess_cell = slots.id(cell);
     const double hold_s = slots.end_s() - slots.start_s(window.hold_slots - 1);
@@ -262,7 +269,8 @@ struct StillnessDetector::State {
       if (!cell.motion.enough || cell.motion.white_g2 < 0) continue;
       const float seen_g2 = std::max(cell.motion.white_g2, step_g2);
       if (seen_g2 < cell.floor_g2) cell.floor_g2 += down * (seen_g2 - cell.floor_g2);
-      if (seen_g2 > cell.floor_g2 && static_cast<double>(cell.motion.whiteness) < kWhite) cell.floor_g2 += up * (seen_g2 - cell.floor_g2);
+      if (seen_g2 > cell.floor_g2 && static_cast<double>(cell.motion.whiteness) < kWhite)
+        cell.floor_g2 += up * (seen_g2 - cell.floor_g2);
     }
   }
 
@@ -319,7 +327,7 @@ struct StillnessDetector::State {
       }
     }
     if (scratch.empty()) return;
-    result.moved_rad = static_cast<double>(quantile(scratch, 0.5));
+    result.moved_rad = static_cast<double>(median(scratch));
     if (result.moved_rad > options.rearm_angle_rad) result.armed = true;
   }
 
@@ -332,17 +340,18 @@ struct StillnessDetector::State {
         break;
       case Blocker::Waiting:
         result.text = slots.count() == 0 || cells.empty() ? "Waiting for samples"
-                      : slots.heardCount() == 0           ? "Waiting for samples: all cells are silent"
-                                                : "Waiting for samples: fewer than " + inWords(window_s) + " s so far";
+                      : slots.heardCount() == 0
+                          ? "Waiting for samples: all cells are silent"
+                          : "Waiting for samples: fewer than " + limitInWords(window_s) + " s so far";
         break;
       case Blocker::NotMoved:
-        result.text = "Turn the part: it has moved " + inWords(toDegrees(result.moved_rad)) +
-                      " deg since the last capture, more than " + inWords(toDegrees(options.rearm_angle_rad)) +
+        result.text = "Turn the part: it has moved " + formatFixed(toDegrees(result.moved_rad), 1) +
+                      " deg since the last capture, more than " + limitInWords(toDegrees(options.rearm_angle_rad)) +
                       " are needed";
         break;
       case Blocker::Turning:
-        result.text = "Hold still: the part turns by " + inWords(toDegrees(result.drift_rad_s)) + " deg/s, limit " +
-                      inWords(toDegrees(options.drift_limit_rad_s));
+        result.text = "Hold still: the part turns by " + formatFixed(toDegrees(result.drift_rad_s), 1) +
+                      " deg/s, limit " + limitInWords(toDegrees(options.drift_limit_rad_s));
         break;
       case Blocker::Shaking:
         result.text = "Hold still: cell " + toString(result.excess_cell) + " moves " + inMilliG(result.excess_g) +
@@ -350,8 +359,8 @@ struct StillnessDetector::State {
         break;
       case Blocker::CellTurning:
         result.text = "Hold still: cell " + toString(result.turning_cell) + " turns by " +
-                      inWords(toDegrees(result.turning_rad_s)) + " deg/s against the rest, limit " +
-                      inWords(toDegrees(kRestlessTimesLimit * options.drift_limit_rad_s));
+                      formatFixed(toDegrees(result.turning_rad_s), 1) + " deg/s against the rest, limit " +
+                      limitInWords(toDegrees(kRestlessTimesLimit * options.drift_limit_rad_s));
         break;
     }
   }
@@ -413,7 +422,7 @@ double StillnessDetector::angleFrom(const PoseCapture& pose) const {
     const auto now_g = state_->slots.recent_g(k);
     if (now_g) angles.push_back(angleBetweenReadings(*now_g, sample.mean_g));
   }
-  return angles.empty() ? 0 : quantile(angles, 0.5);
+  return angles.empty() ? 0 : median(angles);
 }
 
 double StillnessDetector::noiseFloor_g(CellId cell) const {

@@ -19,8 +19,9 @@ namespace hexoderm {
 ///   wherever they are. Where noise would drown the limit (one noisy cell at a low rate) the window grows, up to 1.5 s.
 ///   A turn about gravity can't be seen, and adds nothing to a pose.
 /// - excess: per cell, sqrt(max(0, variance - floor^2)) per axis over hold_s; over the cells, the value that
-///   quiet_fraction of them stay below. Shaking and turning move all cells alike, and what moves one more than another
-///   is its distance from the hand: on a large part, tremor that does no harm is 100 mg at the far end.
+///   quiet_fraction of them (quiet_cells, if that is less) stay below. Shaking and turning move all cells alike, and
+///   what moves one more than another is its distance from the hand: on a large part, tremor that does no harm is 100
+///   mg at the far end.
 /// - one cell that turns by more than twice the drift limit while the rest is still blocks too, for patience_s.
 /// Differences count for 1 g, whatever the norm of a reading is: offsets cancel, and the norm never blocks.
 ///

@@ -16,13 +16,13 @@ namespace hexoderm::test {
 struct StreamOptions {
   std::size_t cells = 1;
   double rate_hz = 1000;
-  double jitter = 0;             ///< of the time between frames, relative, uniform
-  double noise_g = 0.011;        ///< per axis
+  double jitter = 0;       ///< of the time between frames, relative, uniform
+  double noise_g = 0.011;  ///< per axis
   double lsb_g = 0.004;
-  double offset_g = 0;           ///< per axis, uniform up to this, drawn per cell
+  double offset_g = 0;  ///< per axis, uniform up to this, drawn per cell
   double gain = 1;
-  double tremor_g = 0;           ///< rms per axis, of three waves of 4 to 12 Hz, common to all cells
-  double drift_rad_s = 0;        ///< while held, about a horizontal axis
+  double tremor_g = 0;     ///< rms per axis, of three waves of 4 to 12 Hz, common to all cells
+  double drift_rad_s = 0;  ///< while held, about a horizontal axis
   unsigned seed = 1;
 };
 
@@ -33,7 +33,8 @@ class SyntheticStream {
   explicit SyntheticStream(const StreamOptions& options) : options_(options), random_(options.seed) {
     for (std::size_t k = 0; k < options.cells; ++k) {
       const Eigen::Vector3d turn(normal_(random_), normal_(random_), normal_(random_));
-      cells_.push_back({expSO3(turn), options.offset_g * Eigen::Vector3d::NullaryExpr([this] { return uniform(-1, 1); })});
+      cells_.push_back(
+          {expSO3(turn), options.offset_g * Eigen::Vector3d::NullaryExpr([this] { return uniform(-1, 1); })});
     }
     for (auto& axis : waves_) {
       for (auto& [rate_rad_s, phase] : axis) {
@@ -62,6 +63,10 @@ class SyntheticStream {
       const double s = t / duration_s;
       return Eigen::Vector3d(expSO3(axis * angle_rad * s * s * s * (10 - 15 * s + 6 * s * s)) * from);
     });
+  }
+  std::pair<double, double> turnAbout(const Eigen::Vector3d& axis, double angle_rad, double duration_s) {
+    const Eigen::Vector3d from = up_;
+    return run(duration_s, [&](double t) { return Eigen::Vector3d(expSO3(axis * angle_rad * t / duration_s) * from); });
   }
   std::pair<double, double> turn(double rate_rad_s, double duration_s) {
     const Eigen::Vector3d axis = someAxis(), from = up_;
