@@ -259,8 +259,8 @@ struct PoseRecorder::State {
       if (!isIn(cell)) captured.silent_cells.push_back(cell);
     }
     std::ranges::sort(captured.silent_cells);
-    const auto twice = std::ranges::unique(captured.silent_cells);
-    captured.silent_cells.erase(twice.begin(), twice.end());
+    const auto twice = std::unique(captured.silent_cells.begin(), captured.silent_cells.end());
+    captured.silent_cells.erase(twice, captured.silent_cells.end());
   }
 
   // ---- for people

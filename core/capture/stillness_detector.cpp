@@ -193,7 +193,8 @@ struct StillnessDetector::State {
       if (!cell.motion.enough) continue;
       ++judged;
       const bool dead = isDead(cell), stuck = isStuck(k);
-      if (dead) result.odd_cells.push_back({slots.id(k), OddCellKind::Dead, cell.motion.mean_g.norm()});
+      if (dead)
+        result.odd_cells.push_back({slots.id(k), OddCellKind::Dead, static_cast<double>(cell.motion.mean_g.norm())});
       if (stuck) result.odd_cells.push_back({slots.id(k), OddCellKind::Stuck, 0});
       if (!dead && !stuck) used.push_back(k);
     }
@@ -210,7 +211,7 @@ struct StillnessDetector::State {
   double medianOf(Value&& value) {
     scratch.clear();
     for (const std::size_t k : used) scratch.push_back(static_cast<float>(value(cells[k])));
-    return median(scratch);
+    return static_cast<double>(median(scratch));
   }
 
   static float white_g2(const CellState& cell) {

@@ -107,6 +107,35 @@ TEST(PoseRecorder, TakesAsManySamplesAsTheRateAllows) {
   EXPECT_EQ(samplesAt(100, 100, 120), 120U);
 }
 
+/// Feeds holds of a simulated skin, joined by moves of 1 s in which every cell's reading goes straight to where it will
+/// be and is 1 g. Calls `after_hold` with the frames of each.
+template <class AfterMove, class AfterHold>
+void feedHolds(SimulatedSkin& skin, PoseRecorder& recorder, std::size_t poses, std::size_t hold_frames,
+               const AfterMove& after_move, const AfterHold& after_hold) {
+  double time_s = 0;
+  std::vector<CellSample> last;
+  for (const Eigen::Vector3d& up : scriptedUpDirections(poses)) {
+    std::vector<SampleFrame> hold = skin.record(up, hold_frames);
+    for (int k = 1; k < 1000 && !last.empty(); ++k) {
+      SampleFrame move;
+      move.time_s = time_s += 0.001;
+      for (std::size_t c = 0; c < last.size(); ++c) {
+        const Eigen::Vector3d& from = last[c].acceleration_g;
+        const Eigen::Vector3d& to = hold.front().samples[c].acceleration_g;
+        move.samples.push_back({last[c].cell, from == to ? from : (from + k * (to - from) / 1000).normalized()});
+      }
+      recorder.addFrame(move);
+    }
+    after_move();
+    for (SampleFrame& frame : hold) {
+      frame.time_s = time_s += 0.001;
+      recorder.addFrame(frame);
+    }
+    last = hold.back().samples;
+    after_hold(hold);
+  }
+}
+
 TEST(PoseRecorder, CapturesEveryHoldOfASimulatedSkinOnce) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     SimulatedSkinOptions options;
@@ -115,36 +144,42 @@ TEST(PoseRecorder, CapturesEveryHoldOfASimulatedSkinOnce) {
     Captures captures;
     PoseRecorder recorder(captures);
     recorder.setSkin({"simulated", std::make_shared<CellModel>(skin.model()), skin.neighbors()});
-    std::vector<PoseCapture> held;
-    double time_s = 0;
-    std::vector<CellSample> last;
-    for (const Eigen::Vector3d& up : scriptedUpDirections(4)) {
-      std::vector<SampleFrame> hold = skin.record(up, 1500);
-      // On the way, every cell's reading goes straight to where it will be, and comes to 1 g again.
-      for (int k = 1; k < 1000 && !last.empty(); ++k) {
-        SampleFrame move;
-        move.time_s = time_s += 0.001;
-        for (std::size_t c = 0; c < last.size(); ++c) {
-          const Eigen::Vector3d& from = last[c].acceleration_g;
-          const Eigen::Vector3d& to = hold.front().samples[c].acceleration_g;
-          move.samples.push_back({last[c].cell, (from + k * (to - from) / 1000).normalized()});
-        }
-        recorder.addFrame(move);
-      }
-      EXPECT_THAT(captures.poses, SizeIs(held.size())) << "captured on the way";
-      for (SampleFrame& frame : hold) {
-        frame.time_s = time_s += 0.001;
-        recorder.addFrame(frame);
-      }
-      held.push_back(averageFrames(hold, PoseId(1), ""));
-      last = hold.back().samples;
-      ASSERT_THAT(captures.poses, SizeIs(held.size())) << "seed " << seed << ": " << captures.holds.back().text;
-      const PoseCapture& pose = *captures.poses.back().pose;
-      EXPECT_EQ(pose.id, PoseId(static_cast<std::uint32_t>(held.size())));
-      ASSERT_THAT(pose.samples, SizeIs(17));
-      for (std::size_t c = 0; c < 17; ++c) {
-        EXPECT_LT(angleBetween(pose.samples[c].mean_g, held.back().samples[c].mean_g), 2 * kDegree);
-      }
+    std::size_t held = 0;
+    feedHolds(
+        skin, recorder, 4, 1500, [&] { EXPECT_THAT(captures.poses, SizeIs(held)) << "captured on the way"; },
+        [&](const std::vector<SampleFrame>& hold) {
+          ++held;
+          ASSERT_THAT(captures.poses, SizeIs(held)) << "seed " << seed << ": " << captures.holds.back().text;
+          const PoseCapture& pose = *captures.poses.back().pose;
+          const PoseCapture expected = averageFrames(hold, PoseId(1), "");
+          EXPECT_EQ(pose.id, PoseId(static_cast<std::uint32_t>(held)));
+          ASSERT_THAT(pose.samples, SizeIs(17));
+          for (std::size_t c = 0; c < 17; ++c) {
+            EXPECT_LT(angleBetween(pose.samples[c].mean_g, expected.samples[c].mean_g), 2 * kDegree);
+          }
+        });
+  }
+}
+
+TEST(PoseRecorder, ABrokenCellKeepsNothingFromBeingCaptured) {
+  for (const SkinFault fault : {SkinFault::Dead, SkinFault::Stuck, SkinFault::StuckAxis, SkinFault::Saturated,
+                                SkinFault::Noisy, SkinFault::NoSamples, SkinFault::WrongGain, SkinFault::DeadAxis}) {
+    SimulatedSkinOptions options;
+    options.faults = {{fault, CellId(1)}, {fault, CellId(9)}, {fault, CellId(14)}};
+    SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+    Captures captures;
+    PoseRecorder recorder(captures);
+    recorder.setSkin({"simulated", std::make_shared<CellModel>(skin.model()), skin.neighbors()});
+    std::size_t held = 0;
+    feedHolds(
+        skin, recorder, 3, 4500, [&] { EXPECT_THAT(captures.poses, SizeIs(held)); },
+        [&](const std::vector<SampleFrame>&) {
+          ++held;
+          EXPECT_THAT(captures.poses, SizeIs(held))
+              << "fault " << static_cast<int>(fault) << ": " << captures.holds.back().text;
+        });
+    if (fault == SkinFault::NoSamples) {
+      EXPECT_THAT(captures.poses.back().silent_cells, ElementsAre(CellId(1), CellId(9), CellId(14)));
     }
   }
 }
