@@ -30,7 +30,8 @@ struct PoseCapture {
 };
 
 /// Averages frames into a pose, per cell: mean, covariance of the mean (sample covariance / count) and count.
-/// Cells without a sample do not appear. Samples that are not finite are left out.
+/// Means that a device made are pooled by their counts. Cells without a sample do not appear. Samples and means that
+/// are not finite are left out.
 PoseCapture averageFrames(std::span<const SampleFrame> frames, PoseId id, std::string label);
 
 }  // namespace hexoderm

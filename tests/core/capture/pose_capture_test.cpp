@@ -69,6 +69,25 @@ TEST(AverageFrames, LeavesOutSamplesThatAreNotFinite) {
   EXPECT_EQ(pose.samples[0].count, 1U);
 }
 
+TEST(AverageFrames, PoolsMeansThatTheDeviceMadeWithSamples) {
+  // 0, 2 and 4 by the device (variance 4), and 6 as a sample: mean 3, sample variance 20 / 3.
+  std::vector<SampleFrame> frames(2);
+  frames[0].means.push_back({CellId(1), {2, 0, 1}, {4, 0, 0}, 3});
+  frames[1].samples.push_back({CellId(1), {6, 0, 1}});
+  const GravitySample sample = averageFrames(frames, PoseId(1), "").samples.front();
+  EXPECT_EQ(sample.count, 4U);
+  EXPECT_LT((sample.mean_g - Eigen::Vector3d(3, 0, 1)).norm(), 1e-15);
+  EXPECT_NEAR(sample.cov_g2(0, 0), 20.0 / 3 / 4, 1e-15);
+  EXPECT_EQ(sample.cov_g2(1, 1), 0);
+}
+
+TEST(AverageFrames, LeavesOutMeansOfNothingAndNegativeVariances) {
+  std::vector<SampleFrame> frames(1);
+  frames[0].means.push_back({CellId(1), {2, 0, 1}, {4, 0, 0}, 0});
+  frames[0].means.push_back({CellId(2), {2, 0, 1}, {-4, 0, 0}, 5});
+  EXPECT_TRUE(averageFrames(frames, PoseId(1), "").samples.empty());
+}
+
 TEST(AverageFrames, OfNothingIsAPoseWithoutSamples) { EXPECT_TRUE(averageFrames({}, PoseId(1), "").samples.empty()); }
 
 }  // namespace

@@ -1,0 +1,125 @@
+#pragma once
+
+#include "hexoderm/capture/stillness_detector.h"
+#include "hexoderm/device/skin_source.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hexoderm {
+
+struct PoseRecorderOptions {
+  StillnessOptions stillness;
+  /// Samples per cell and pose. 0: 100, or what a cell delivers in collect_s if that is less, at least 10; its rate is
+  /// the cell model's, or what is seen on the wire if that is less. So 100 from 134 Hz on, 75 at 100 Hz, 38 at 50 Hz.
+  std::uint32_t samples_per_cell = 0;
+  double collect_s = 0.75;
+  bool automatic = true;        ///< captures by itself when the part is still and was moved since the last capture
+  bool keep_frames = false;     ///< hands the raw frames over with each capture
+  double repeat_angle_rad = 0;  ///< see CapturedPose::repeats; constructor: 10 degrees
+  /// Milliseconds since 1970, UTC; empty: the system's clock.
+  std::function<std::int64_t()> wall_clock_ms;
+
+  PoseRecorderOptions();
+  /// Throws InvalidArgument naming the option.
+  void validate() const;
+};
+
+/// A pose with how it was captured.
+struct CapturedPose {
+  std::shared_ptr<const PoseCapture> pose;  ///< never null; has at least one sample
+  bool forced = false;                      ///< by captureNow(): nobody looked whether the part moved
+  /// The earlier pose that is nearest, if gravity turned by less than repeat_angle_rad from it (the median over the
+  /// cells that both poses have). Of a turn by 10 degrees the part that is new is sin(10 deg) = 17 %; a hand that
+  /// means to repeat a pose misses it by about 4 degrees.
+  std::optional<PoseId> repeats;
+  double repeat_angle_rad = 0;  ///< to that pose
+  double start_s = 0;           ///< device time: samples are from after this ...
+  double end_s = 0;             ///< ... up to this
+  /// Known cells without a single sample (absent from the pose), and cells with fewer than the others.
+  std::vector<CellId> silent_cells;
+  std::vector<CellId> short_cells;
+  std::vector<OddCell> odd_cells;   ///< as found while the part was still
+  std::vector<SampleFrame> frames;  ///< where keep_frames is set
+};
+
+enum class HoldPhase {
+  Watching,    ///< waits until the part is still
+  Collecting,  ///< takes samples; a motion starts it over
+  Confirming,  ///< has them all, and looks whether they were not the beginning of a motion
+};
+
+/// What the operator sees while holding.
+struct HoldStatus {
+  Stillness stillness;
+  HoldPhase phase = HoldPhase::Watching;
+  bool automatic = true;
+  bool forced = false;            ///< the capture under way was asked for
+  double progress = 0;            ///< of the hold ring, 0 to 1; falls back to 0 by a motion
+  std::string text;               ///< what blocks or goes on, one line
+  std::uint64_t late_frames = 0;  ///< ignored: their time was not after the last one's, or not a number
+  std::uint64_t restarts = 0;     ///< collections that a motion discarded
+};
+
+/// Mean of about the last 100 ms of every cell that sent something then.
+struct SkinPreview {
+  double time_s = 0;
+  std::vector<CellSample> means;
+};
+
+/// Receives what a PoseRecorder makes, on the thread that feeds it. May call the recorder's commands.
+class PoseRecorderListener {
+ public:
+  virtual ~PoseRecorderListener() = default;
+  virtual void onPoseCaptured(CapturedPose captured) = 0;
+  /// At most 20 times per second of device time each.
+  virtual void onHold(const HoldStatus& status) = 0;
+  virtual void onPreview(SkinPreview preview) = 0;
+};
+
+/// Turns a stream of frames into poses (SPEC, steps 5 and 11): when the part is still and was moved since the last
+/// capture, it takes samples of every cell; if the part moves meanwhile, they are discarded.
+///
+/// A pose is handed over when all cells that were heard lately have their samples and the part stayed still for another
+/// 0.1 s, so that the beginning of a motion is not sampled. Cells that fall silent meanwhile are not waited for, and
+/// when more than half of the cells are complete, the others have as long again.
+///
+/// Frames whose time does not increase are ignored and counted. If nothing else comes for 0.5 s of their own time, the
+/// device's clock was set back (it was reset), and recording starts over.
+///
+/// Threads: setSkin() and addFrame() belong to one thread, the source's; the listener is called there. The other
+/// functions may be called from any thread; they take effect with the next frame.
+class PoseRecorder {
+ public:
+  /// `listener` must outlive the recorder. Throws InvalidArgument (PoseRecorderOptions::validate).
+  explicit PoseRecorder(PoseRecorderListener& listener, PoseRecorderOptions options = {});
+  ~PoseRecorder();
+  PoseRecorder(const PoseRecorder&) = delete;
+  PoseRecorder& operator=(const PoseRecorder&) = delete;
+
+  /// For SkinListener::onSkin: the accelerometers, and the cells that there should be. Without it, hex-bma150's noise
+  /// and rate are assumed, and only cells that were heard are known. A capture under way starts over.
+  void setSkin(const SkinDescription& skin);
+  /// For SkinListener::onFrame.
+  void addFrame(const SampleFrame& frame);
+
+  void setAutomatic(bool automatic);
+  /// "Capture anyway": takes the next samples whatever moves.
+  void captureNow();
+  /// Gives up the capture under way, if any.
+  void cancelCapture();
+  /// Of the next capture; they count up from there. Starts with 1.
+  void setNextPoseId(PoseId id);
+  /// The poses that a capture can repeat, instead of those known so far. Own captures are added by themselves.
+  void setEarlierPoses(std::vector<std::shared_ptr<const PoseCapture>> poses);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace hexoderm

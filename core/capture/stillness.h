@@ -1,0 +1,90 @@
+#pragma once
+
+#include "hexoderm/util/ids.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace hexoderm {
+
+/// When a part counts as still (SPEC, step 11).
+struct StillnessOptions {
+  double drift_limit_rad_s = 0;   ///< the patch's direction turns slower than this; constructor: 1 deg/s
+  double excess_limit_g = 0.030;  ///< rms per axis beyond a cell's noise floor
+  double hold_s = 0.5;            ///< for so long
+  double drift_window_s = 0.75;   ///< the drift is that of the last so many seconds, at least hold_s, at most 1.5;
+                                  ///< longer than hold_s, so that tremor of 4 Hz and more is not taken for a turn
+  double rearm_angle_rad = 0;     ///< after a capture, a move by more than this; constructor: 5 degrees
+  double release_factor = 1.25;   ///< what was still stays so up to this many times the limits
+  double quiet_fraction = 0.1;    ///< of the cells must be below the excess limit, or ...
+  std::size_t quiet_cells = 20;   ///< ... so many, if that is less; see StillnessDetector
+  double patience_s = 3;          ///< a cell that misbehaves for so long while the rest is still is set aside
+  double silent_after_s = 1;      ///< a cell that was not heard for so long is silent
+
+  StillnessOptions();
+  /// Throws InvalidArgument naming the option.
+  void validate() const;
+};
+
+enum class OddCellKind {
+  Dead,      ///< reads no gravity; value: norm of the mean, g
+  Stuck,     ///< repeated one reading while the part moved
+  Noisy,     ///< scatters several times as much as the rest; value: rms per axis, g
+  Restless,  ///< turns while the rest is still; value: rad/s
+  Silent,    ///< value: seconds since it was heard
+};
+
+/// A cell that does not behave as the rest of the patch. It is sampled like the others, but capture does not wait for
+/// it.
+struct OddCell {
+  CellId cell;
+  OddCellKind kind{};
+  double value = 0;
+};
+
+/// "Cell 7 is noisy: it scatters by 220 mg rms while the rest is still".
+std::string describe(const OddCell& odd);
+
+/// What keeps a capture from starting.
+enum class Blocker {
+  None,
+  Waiting,      ///< too few samples to judge
+  NotMoved,     ///< since the last capture
+  Turning,      ///< the whole patch does
+  Shaking,      ///< the cells scatter
+  CellTurning,  ///< one cell turns against the rest
+};
+
+/// What the detector found, with the numbers behind it.
+struct Stillness {
+  bool still = false;
+  bool armed = true;  ///< moved enough since the last capture, or there was none
+  Blocker blocker = Blocker::Waiting;
+  std::string text = "Waiting for samples";  ///< what blocks, for people; empty if nothing does
+
+  double time_s = 0;        ///< device time of this judgement
+  double still_for_s = 0;   ///< 0 if not still
+  double steady_for_s = 0;  ///< how long the cells have been near where they are now; grows before `still` says yes
+  double window_s = 0;      ///< of samples that a judgement needs now
+
+  double drift_rad_s = 0;
+  double drift_limit_rad_s = 0;
+  double excess_g = 0;
+  double excess_limit_g = 0;
+  CellId excess_cell;        ///< the cell that decides about the excess
+  CellId turning_cell;       ///< where blocker is CellTurning
+  double turning_rad_s = 0;  ///< of that cell
+  double moved_rad = 0;      ///< since the last capture
+  double rearm_rad = 0;
+
+  double rate_hz = 0;                ///< samples per second and cell, median over the cells
+  std::size_t cells = 0;             ///< heard lately
+  std::size_t cells_used = 0;        ///< that had a say in this judgement
+  std::vector<OddCell> odd_cells{};  ///< in order of their IDs
+
+  /// Whether an automatic capture may start.
+  [[nodiscard]] bool ready() const { return still && armed; }
+};
+
+}  // namespace hexoderm

@@ -1,0 +1,450 @@
+#include "hexoderm/capture/stillness_detector.h"
+
+#include "hexoderm/device/simulated_skin.h"
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/text.h"
+#include "synthetic_stream.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <functional>
+#include <limits>
+
+namespace hexoderm {
+namespace {
+
+using test::StreamOptions;
+using test::SyntheticStream;
+using ::testing::HasSubstr;
+using ::testing::MatchesRegex;
+using ::testing::StartsWith;
+
+Accelerometer accelerometer() { return builtInCellModel("hex-bma150").accelerometer; }
+
+void feed(StillnessDetector& detector, const std::vector<SampleFrame>& frames) {
+  for (const SampleFrame& frame : frames) detector.add(frame);
+}
+
+/// Share of the judgements after the first second that say still.
+double stillShare(StillnessDetector& detector, const std::vector<SampleFrame>& frames) {
+  double judged = 0, still = 0;
+  for (const SampleFrame& frame : frames) {
+    if (!detector.add(frame) || frame.time_s < frames.front().time_s + 1) continue;
+    ++judged;
+    still += detector.stillness().still ? 1 : 0;
+  }
+  return judged > 0 ? still / judged : 0;
+}
+
+const OddCell* oddOne(const Stillness& stillness, std::uint32_t cell) {
+  for (const OddCell& odd : stillness.odd_cells) {
+    if (odd.cell == CellId(cell)) return &odd;
+  }
+  return nullptr;
+}
+
+/// Changes the readings of one cell.
+void spoil(std::vector<SampleFrame>& frames, std::uint32_t cell,
+           const std::function<Eigen::Vector3d(const Eigen::Vector3d&, double)>& spoiled) {
+  for (SampleFrame& frame : frames) {
+    for (CellSample& sample : frame.samples) {
+      if (sample.cell == CellId(cell)) sample.acceleration_g = spoiled(sample.acceleration_g, frame.time_s);
+    }
+  }
+}
+
+SyntheticStream held(double duration_s, StreamOptions options = {}) {
+  SyntheticStream stream(options);
+  stream.hold(duration_s);
+  return stream;
+}
+
+TEST(StillnessDetector, WaitsUntilItHasAWindowOfSamples) {
+  StillnessDetector detector(accelerometer());
+  EXPECT_EQ(detector.stillness().blocker, Blocker::Waiting);
+  EXPECT_EQ(detector.stillness().text, "Waiting for samples");
+  feed(detector, held(0.5).frames);
+  EXPECT_FALSE(detector.stillness().still);
+  EXPECT_EQ(detector.stillness().text, "Waiting for samples: fewer than 0.8 s so far");
+}
+
+TEST(StillnessDetector, FindsATableStillAndSaysForHowLong) {
+  StillnessDetector detector(accelerometer());
+  feed(detector, held(3).frames);
+  const Stillness& stillness = detector.stillness();
+  EXPECT_TRUE(stillness.ready()) << stillness.text;
+  EXPECT_EQ(stillness.blocker, Blocker::None);
+  EXPECT_EQ(stillness.text, "");
+  EXPECT_NEAR(stillness.still_for_s, 2.75, 0.11);
+  EXPECT_NEAR(stillness.rate_hz, 1000, 25);
+  EXPECT_EQ(stillness.cells, 1U);
+  EXPECT_EQ(stillness.cells_used, 1U);
+}
+
+TEST(StillnessDetector, TakesReadingsThatNeverChangeForStill) {
+  StillnessDetector detector(accelerometer());
+  StreamOptions exact;
+  exact.noise_g = 0;
+  feed(detector, held(2, exact).frames);
+  EXPECT_TRUE(detector.stillness().still) << detector.stillness().text;
+}
+
+TEST(StillnessDetector, AcceptsTheTremorOfTheSimulatedHand) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    SimulatedSkinOptions options;
+    options.seed = seed;
+    SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+    skin.record({0, 0, 1}, 1);  // the first stands on a table
+    StillnessDetector detector(skin.model().accelerometer);
+    EXPECT_GE(stillShare(detector, skin.record({0, 1, 0}, 4000)), 0.95) << "seed " << seed;
+    EXPECT_TRUE(detector.stillness().odd_cells.empty());
+  }
+}
+
+TEST(StillnessDetector, AcceptsItOnAPartWhoseEndsAreFarFromTheHand) {
+  SimulatedSkinOptions options;
+  options.patch = "sheet:3x30";  // 0.8 m long: 100 mg at its ends
+  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+  skin.record({0, 0, 1}, 1);
+  StillnessDetector detector(skin.model().accelerometer);
+  EXPECT_GE(stillShare(detector, skin.record({0, 1, 0}, 3000)), 0.95) << detector.stillness().text;
+}
+
+TEST(StillnessDetector, SaysHowFastThePartTurns) {
+  for (const double rate_hz : {50.0, 100.0, 1000.0}) {
+    StreamOptions options;
+    options.rate_hz = rate_hz;
+    options.cells = 5;
+    SyntheticStream stream(options);
+    stream.turn(3 * kDegree, 4);
+    StillnessDetector detector(accelerometer());
+    EXPECT_EQ(stillShare(detector, stream.frames), 0);
+    const Stillness& stillness = detector.stillness();
+    EXPECT_EQ(stillness.blocker, Blocker::Turning);
+    EXPECT_NEAR(toDegrees(stillness.drift_rad_s), 3, 0.6) << rate_hz;
+    EXPECT_EQ(stillness.text,
+              "Hold still: the part turns by " + formatFixed(toDegrees(stillness.drift_rad_s), 1) + " deg/s, limit 1");
+  }
+}
+
+TEST(StillnessDetector, DriftIsExactWithoutNoise) {
+  StreamOptions options;
+  options.noise_g = options.lsb_g = 0;
+  options.cells = 3;
+  SyntheticStream stream(options);
+  stream.turn(2 * kDegree, 2);
+  StillnessDetector detector(accelerometer());
+  feed(detector, stream.frames);
+  EXPECT_NEAR(toDegrees(detector.stillness().drift_rad_s), 2, 0.01);
+}
+
+TEST(StillnessDetector, NamesTheCellThatMoves) {
+  StreamOptions options;
+  options.cells = 4;
+  options.tremor_g = 0.06;
+  StillnessDetector detector(accelerometer());
+  const SyntheticStream shaken = held(5, options);
+  double judged = 0, shakes = 0;
+  for (const SampleFrame& frame : shaken.frames) {
+    if (!detector.add(frame)) continue;
+    const Stillness& stillness = detector.stillness();
+    ++judged;
+    if (stillness.blocker != Blocker::Shaking) continue;
+    ++shakes;
+    EXPECT_GT(stillness.excess_g, stillness.excess_limit_g);
+    EXPECT_EQ(stillness.text, "Hold still: cell " + toString(stillness.excess_cell) + " moves " +
+                                  formatFixed(1000 * stillness.excess_g, 0) + " mg, limit 30");
+  }
+  EXPECT_GT(shakes, judged / 4);
+  EXPECT_FALSE(detector.stillness().still);
+}
+
+TEST(StillnessDetector, TheNormOfAReadingNeverBlocks) {
+  for (const double gain : {0.3, 0.9, 1.5}) {
+    StreamOptions options;
+    options.gain = gain;
+    options.offset_g = 0.1;
+    StillnessDetector detector(accelerometer());
+    EXPECT_EQ(stillShare(detector, held(3, options).frames), 1) << gain;
+  }
+}
+
+TEST(StillnessDetector, IsArmedAgainByAMoveOfMoreThanFiveDegrees) {
+  StreamOptions options;
+  options.cells = 5;
+  options.offset_g = 0.1;
+  SyntheticStream stream(options);
+  stream.hold(1.5);
+  StillnessDetector detector(accelerometer());
+  feed(detector, stream.frames);
+  ASSERT_TRUE(detector.stillness().ready());
+  detector.disarm(averageFrames(stream.frames, PoseId(1), ""));
+  EXPECT_FALSE(detector.stillness().armed);
+
+  stream.frames.clear();
+  stream.move(3 * kDegree, 0.5);
+  stream.hold(2);
+  feed(detector, stream.frames);
+  EXPECT_TRUE(detector.stillness().still);
+  EXPECT_FALSE(detector.stillness().ready());
+  EXPECT_EQ(detector.stillness().blocker, Blocker::NotMoved);
+  EXPECT_NEAR(toDegrees(detector.stillness().moved_rad), 3, 0.3);
+  EXPECT_THAT(detector.stillness().text,
+              MatchesRegex("Turn the part: it has moved [23]\\.[0-9] deg since the last capture, "
+                           "more than 5 are needed"));
+
+  stream.frames.clear();
+  const Eigen::Vector3d up = stream.up();
+  stream.move(20 * kDegree, 0.5);
+  stream.move(1 * kDegree, 0.2);
+  ASSERT_GT(angleBetween(up, stream.up()), 15 * kDegree);
+  stream.hold(2);
+  feed(detector, stream.frames);
+  EXPECT_TRUE(detector.stillness().ready()) << detector.stillness().text;
+}
+
+TEST(StillnessDetector, StaysArmedWhenThePartReturns) {
+  StillnessDetector detector(accelerometer());
+  SyntheticStream first(StreamOptions{});
+  first.hold(1.5);
+  feed(detector, first.frames);
+  detector.disarm(averageFrames(first.frames, PoseId(1), ""));
+  first.frames.clear();
+  const Eigen::Vector3d axis = first.someAxis();
+  first.turnAbout(axis, 20 * kDegree, 1);
+  first.turnAbout(axis, -20 * kDegree, 1);
+  first.hold(2);
+  feed(detector, first.frames);
+  EXPECT_LT(toDegrees(detector.stillness().moved_rad), 2);
+  EXPECT_TRUE(detector.stillness().ready()) << detector.stillness().text;
+}
+
+/// What one bad cell of five is called while the part is held, moved and held again, and that it does not block.
+struct BadCell {
+  std::string name;
+  OddCellKind kind;
+  std::function<Eigen::Vector3d(const Eigen::Vector3d&, double)> spoiled;
+};
+void PrintTo(const BadCell& cell, std::ostream* out) { *out << cell.name; }
+
+class StillnessDetectorWith : public ::testing::TestWithParam<BadCell> {};
+
+TEST_P(StillnessDetectorWith, OneBadCellDoesNotBlockAndIsNamed) {
+  for (const double rate_hz : {100.0, 1000.0}) {
+    StreamOptions options;
+    options.cells = 5;
+    options.rate_hz = rate_hz;
+    options.tremor_g = 0.005;
+    SyntheticStream stream(options);
+    stream.hold(5);
+    stream.move(60 * kDegree, 2);
+    const double still_from_s = stream.hold(6).first + 1;
+    spoil(stream.frames, 3, GetParam().spoiled);
+    StillnessDetector detector(accelerometer());
+    double last_blocked_s = 0;
+    for (const SampleFrame& frame : stream.frames) {
+      if (detector.add(frame) && !detector.stillness().still) last_blocked_s = frame.time_s;
+    }
+    EXPECT_LT(last_blocked_s, still_from_s + StillnessOptions().patience_s) << detector.stillness().text;
+    const OddCell* odd = oddOne(detector.stillness(), 3);
+    ASSERT_NE(odd, nullptr);
+    EXPECT_EQ(odd->kind, GetParam().kind);
+    EXPECT_THAT(describe(*odd), StartsWith("Cell 3 is "));
+    EXPECT_EQ(detector.stillness().odd_cells.size(), 1U);
+  }
+}
+
+std::mt19937_64 noise_source(7);
+Eigen::Vector3d noise(double sigma_g) {
+  std::normal_distribution<double> normal(0, sigma_g);
+  return {normal(noise_source), normal(noise_source), normal(noise_source)};
+}
+
+Eigen::Vector3d circling(const Eigen::Vector3d&, double time_s) {
+  return {std::cos(0.3 * time_s), std::sin(0.3 * time_s), 0};
+}
+
+std::vector<BadCell> badCells() {
+  return {
+      {"noisy", OddCellKind::Noisy, [](const Eigen::Vector3d& g, double) { return Eigen::Vector3d(g + noise(0.22)); }},
+      {"dead", OddCellKind::Dead, [](const Eigen::Vector3d&, double) { return noise(0.011); }},
+      {"stuck", OddCellKind::Stuck, [](const Eigen::Vector3d&, double) { return Eigen::Vector3d(0.1, -0.7, 0.6); }},
+      {"restless", OddCellKind::Restless, circling}};
+}
+
+std::string nameOf(const ::testing::TestParamInfo<BadCell>& cell) { return cell.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(Kinds, StillnessDetectorWith, ::testing::ValuesIn(badCells()), nameOf);
+
+TEST(StillnessDetector, SaysWhatADeadCellReads) {
+  EXPECT_EQ(describe({CellId(4), OddCellKind::Dead, 0.012}), "Cell 4 is dead: it reads 12 mg, no gravity");
+}
+
+TEST(StillnessDetector, ACellThatTurnsAloneBlocksForAWhile) {
+  StreamOptions options;
+  options.cells = 5;
+  SyntheticStream stream(options);
+  stream.hold(8);
+  spoil(stream.frames, 2,
+        [](const auto&, double t) { return Eigen::Vector3d(std::cos(0.2 * t), std::sin(0.2 * t), 0); });
+  StillnessDetector detector(accelerometer());
+  double first_still_s = 0;
+  for (const SampleFrame& frame : stream.frames) {
+    if (!detector.add(frame)) continue;
+    const Stillness& stillness = detector.stillness();
+    if (stillness.blocker == Blocker::CellTurning) {
+      EXPECT_EQ(stillness.turning_cell, CellId(2));
+      EXPECT_THAT(stillness.text,
+                  MatchesRegex("Hold still: cell 2 turns by 11\\.[3-6] deg/s against the rest, limit 2"));
+    }
+    if (stillness.still && first_still_s == 0) first_still_s = frame.time_s - stream.frames.front().time_s;
+  }
+  EXPECT_NEAR(first_still_s, 0.75 + StillnessOptions().patience_s, 0.2);
+}
+
+TEST(StillnessDetector, LearnsThatACellIsQuieterThanItsModel) {
+  StreamOptions options;
+  options.noise_g = 0.001;
+  options.lsb_g = 0.0005;
+  StillnessDetector detector(accelerometer());
+  EXPECT_NEAR(detector.noiseFloor_g(CellId(1)), 0.0112, 0.0002);
+  feed(detector, held(5, options).frames);
+  // Not below the model's step over the square root of 12: that is what its readings can't show.
+  EXPECT_NEAR(detector.noiseFloor_g(CellId(1)), 0.004 / std::sqrt(12.0), 0.0001);
+}
+
+TEST(StillnessDetector, LearnsTheNoiseOfANoisyCell) {
+  StreamOptions options;
+  options.cells = 5;
+  SyntheticStream stream = held(15, options);
+  spoil(stream.frames, 4, [](const auto& g, double) { return Eigen::Vector3d(g + noise(0.1)); });
+  StillnessDetector detector(accelerometer());
+  feed(detector, stream.frames);
+  EXPECT_NEAR(detector.noiseFloor_g(CellId(4)), 0.1, 0.01);
+  EXPECT_NEAR(detector.noiseFloor_g(CellId(3)), 0.011, 0.002);
+}
+
+TEST(StillnessDetector, NeverLearnsMotionAsNoise) {
+  for (const double tremor_g : {0.02, 0.1}) {
+    StreamOptions options;
+    options.cells = 3;
+    options.tremor_g = tremor_g;
+    StillnessDetector detector(accelerometer());
+    feed(detector, held(30, options).frames);
+    for (std::uint32_t cell = 1; cell <= 3; ++cell) EXPECT_LT(detector.noiseFloor_g(CellId(cell)), 0.013) << tremor_g;
+  }
+}
+
+TEST(StillnessDetector, TakesWhiteScatterThatLastsForTheNoiseOfAPoorSensor) {
+  StreamOptions options;
+  options.noise_g = 0.05;
+  StillnessDetector detector(accelerometer());
+  const SyntheticStream stream = held(20, options);
+  double first_still_s = 0;
+  for (const SampleFrame& frame : stream.frames) {
+    if (detector.add(frame) && detector.stillness().still && first_still_s == 0) first_still_s = frame.time_s - 10;
+  }
+  EXPECT_GT(first_still_s, 8);
+  EXPECT_LT(first_still_s, 15);
+}
+
+TEST(StillnessDetector, AGapInTimeBeginsANewWindow) {
+  StillnessDetector detector(accelerometer());
+  SyntheticStream stream = held(2);
+  feed(detector, stream.frames);
+  ASSERT_TRUE(detector.stillness().still);
+  SampleFrame after_gap = stream.frames.back();
+  after_gap.time_s += 0.6;
+  EXPECT_TRUE(detector.add(after_gap));
+  EXPECT_EQ(detector.stillness().blocker, Blocker::Waiting);
+}
+
+TEST(StillnessDetector, IgnoresReadingsThatAreNoNumbers) {
+  StreamOptions options;
+  options.cells = 3;
+  SyntheticStream stream = held(3, options);
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+  spoil(stream.frames, 1, [=](const auto&, double) { return Eigen::Vector3d(nan, 0, infinite); });
+  for (std::size_t k = 0; k < stream.frames.size(); k += 7) stream.frames[k].samples[1].acceleration_g.x() = 1e300;
+  StillnessDetector detector(accelerometer());
+  feed(detector, stream.frames);
+  EXPECT_TRUE(detector.stillness().still) << detector.stillness().text;
+  EXPECT_EQ(detector.stillness().cells_used, 2U);
+  EXPECT_TRUE(std::isfinite(detector.stillness().excess_g));
+  ASSERT_NE(oddOne(detector.stillness(), 1), nullptr);
+  EXPECT_EQ(oddOne(detector.stillness(), 1)->kind, OddCellKind::Silent);
+}
+
+TEST(StillnessDetector, CellsMaySendInTurnOrFailToSend) {
+  StreamOptions options;
+  options.cells = 12;
+  for (const bool in_turn : {true, false}) {
+    SyntheticStream stream = held(3, options);
+    std::mt19937 random(5);
+    for (std::size_t k = 0; k < stream.frames.size(); ++k) {
+      auto& samples = stream.frames[k].samples;
+      if (in_turn) {
+        samples = {samples[k % samples.size()]};
+      } else {
+        std::erase_if(samples, [&](const CellSample&) { return random() % 10 < 7; });
+      }
+    }
+    StillnessDetector detector(accelerometer());
+    EXPECT_GE(stillShare(detector, stream.frames), 0.95) << detector.stillness().text;
+    EXPECT_EQ(detector.stillness().cells_used, 12U);
+  }
+}
+
+TEST(StillnessDetector, JudgesMeansThatTheDeviceMade) {
+  for (const double mean_s : {0.02, 0.1, 0.5}) {
+    StreamOptions options;
+    options.cells = 3;
+    SyntheticStream stream(options);
+    const double turned_s = stream.hold(6).second;
+    stream.turn(5 * kDegree, 4);
+    StillnessDetector detector(accelerometer());
+    bool was_still = false;
+    std::vector<SampleFrame> batch;
+    for (const SampleFrame& frame : stream.frames) {
+      batch.push_back(frame);
+      if (frame.time_s < batch.front().time_s + mean_s) continue;
+      SampleFrame means;
+      means.time_s = frame.time_s;
+      for (const GravitySample& sample : averageFrames(batch, PoseId(1), "").samples) {
+        means.means.push_back({sample.cell, sample.mean_g, sample.count * sample.cov_g2.diagonal(), sample.count});
+      }
+      batch.clear();
+      detector.add(means);
+      if (frame.time_s < turned_s) was_still |= detector.stillness().still;
+    }
+    EXPECT_TRUE(was_still) << mean_s;
+    EXPECT_FALSE(detector.stillness().still) << mean_s;
+    EXPECT_NEAR(toDegrees(detector.stillness().drift_rad_s), 5, 0.5) << mean_s;
+  }
+}
+
+TEST(StillnessDetector, RefusesOptionsThatMakeNoSense) {
+  const auto refused = [](const std::function<void(StillnessOptions&)>& change) {
+    StillnessOptions options;
+    change(options);
+    try {
+      StillnessDetector detector(accelerometer(), options);
+    } catch (const InvalidArgument& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refused([](StillnessOptions&) {}), "");
+  EXPECT_THAT(refused([](StillnessOptions& o) { o.drift_limit_rad_s = 0; }), HasSubstr("drift_limit_rad_s"));
+  EXPECT_THAT(refused([](StillnessOptions& o) { o.excess_limit_g = -1; }), HasSubstr("excess_limit_g"));
+  EXPECT_THAT(refused([](StillnessOptions& o) { o.hold_s = 0; }), HasSubstr("hold_s"));
+  EXPECT_THAT(refused([](StillnessOptions& o) { o.drift_window_s = 0.3; }), HasSubstr("drift_window_s"));
+  EXPECT_THAT(refused([](StillnessOptions& o) { o.rearm_angle_rad = 4; }), HasSubstr("rearm_angle_rad"));
+  EXPECT_THAT(refused([](StillnessOptions& o) { o.release_factor = 0.5; }), HasSubstr("release_factor"));
+  EXPECT_THAT(refused([](StillnessOptions& o) { o.quiet_fraction = 2; }), HasSubstr("quiet_fraction"));
+  EXPECT_THAT(refused([](StillnessOptions& o) { o.patience_s = std::nan(""); }), HasSubstr("patience_s"));
+  EXPECT_THAT(refused([](StillnessOptions& o) { o.silent_after_s = 0; }), HasSubstr("silent_after_s"));
+}
+
+}  // namespace
+}  // namespace hexoderm
