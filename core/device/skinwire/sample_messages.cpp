@@ -189,7 +189,7 @@ void SampleEncoder::encodeBatch(std::span<const SampleFrame> frames, std::vector
 void decodeTick(const Samples& message, std::size_t tick, double lsb_g, SampleFrame& frame) {
   assert(tick == 0 || tick < message.ticks());
   const std::size_t cells = message.cells.size();
-  frame.time_s = static_cast<double>(message.time_us + tick * std::uint64_t{message.period_us}) * 1e-6;
+  frame.time_s = static_cast<double>(message.time_us + tick * std::uint64_t{message.period_us}) / 1e6;
   frame.samples.clear();
   frame.means.clear();
   frame.temperatures.clear();
