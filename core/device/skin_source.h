@@ -36,9 +36,10 @@ struct SourceStatus {
   SourceState state = SourceState::Stopped;
   std::string text;                     ///< one line for people: what, where, and what happens next
   std::uint64_t frames = 0;             ///< sample frames delivered
-  std::uint64_t lost_samples = 0;       ///< the device's numbering says they were sent and never came
+  std::uint64_t lost_samples = 0;       ///< the device's numbering says they were sent; they never came, or too late
   std::uint64_t late_frames = 0;        ///< older than what was delivered, or twice: not delivered
-  std::uint64_t rejected_messages = 0;  ///< broken on the way (length, CRC, syntax): not looked at
+  std::uint64_t unknown_samples = 0;    ///< of cells that the topology does not have: not delivered
+  std::uint64_t rejected_messages = 0;  ///< broken on the way (length, CRC, syntax) or without sense: not delivered
   std::uint64_t reconnects = 0;
 };
 
@@ -56,7 +57,9 @@ struct TurnTo {
   CellId cell;
   Eigen::Vector3d up_u;
 };
-using SkinCommand = std::variant<SetRate, SetLed, TurnTo>;
+/// Explore the neighbours again; a new topology follows.
+struct ExploreAgain {};
+using SkinCommand = std::variant<SetRate, SetLed, TurnTo, ExploreAgain>;
 
 /// Answer to a command.
 struct CommandOutcome {
@@ -72,6 +75,9 @@ class SkinListener {
   virtual ~SkinListener() = default;
   /// Before the first frame, and again whenever topology or model changed.
   virtual void onSkin(const SkinDescription& skin) = 0;
+  /// Only finite values, and only cells that onSkin named. Times don't go back, unless the device's clock started anew,
+  /// which the state before says (Connecting) or which happens without a word where a device restarts by itself. Frames
+  /// of the same time have no cell in common.
   virtual void onFrame(const SampleFrame& frame) = 0;
   /// On every change of state, and about twice a second while counters change.
   virtual void onStatus(const SourceStatus& status) = 0;
@@ -84,7 +90,8 @@ class SkinSource {
  public:
   virtual ~SkinSource() = default;
   /// Begins to deliver to `listener`, which must live until stop() returns. Throws DeviceError or InvalidArgument if
-  /// the source can't exist at all (an address that is none, a file that can't be opened). Call once.
+  /// the source can't exist at all, StorageError or FormatError for a file that can't be read or is no recording. Call
+  /// once.
   virtual void start(SkinListener& listener) = 0;
   /// Ends delivery; nothing is called after it returns. Idempotent.
   virtual void stop() noexcept = 0;

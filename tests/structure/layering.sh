@@ -28,13 +28,13 @@ forbid "widgets are below app" '(\.\./)*app/' widgets
 forbid "headers of core carry no third-party types but Eigen's" \
   'ceres/|sqlite3|google/protobuf|pugixml|assimp/|openssl/|CLI/' $(find core -name '*.h')
 
-# Inside core: a layer includes itself and those before it, by the full name. Only a header that is private to its folder
-# goes by its bare name.
+# Inside core: a layer includes itself and those before it, by the full name, in which a layer may have folders. Only a
+# header that is private to its folder goes by its bare name.
 layers=(util geometry graph device capture session reconstruction io)
 for ((i = 0; i < ${#layers[@]}; ++i)); do
   layer="${layers[i]}"
   allowed="$(IFS='|'; echo "${layers[*]:0:i+1}")"
-  above="$(includes "core/$layer" | grep ':"' | grep -vE ":\"(hexoderm/($allowed)/)?[a-z0-9_]+\.h\"$" || true)"
+  above="$(includes "core/$layer" | grep ':"' | grep -vE ":\"(hexoderm/($allowed)/([a-z0-9_]+/)?)?[a-z0-9_]+\.h\"$" || true)"
   [ -z "$above" ] || violations+="$(sed "s#\$# -- $layer includes only $allowed, as \"hexoderm/LAYER/HEADER.h\"#" <<<"$above")"$'\n'
 done
 for folder in core/*/; do

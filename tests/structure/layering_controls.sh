@@ -45,6 +45,7 @@ core/geometry/a.h "hexoderm/graph/skin_graph.h"
 core/session/a.h "hexoderm/reconstruction/reconstruction.h"
 core/reconstruction/b.cpp "hexoderm/io/open_file.h"
 core/io/d.cpp "../graph/skin_graph.h"
+core/graph/c.cpp "hexoderm/device/skinwire/codec.h"
 core/io/a.h <pugixml.hpp>
 core/io/b.h <assimp/scene.h>
 core/reconstruction/a.h <ceres/ceres.h>

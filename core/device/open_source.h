@@ -1,0 +1,27 @@
+#pragma once
+
+#include "hexoderm/device/skin_source.h"
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace hexoderm {
+
+/// One kind of address that openSkinSource understands.
+struct SourceKind {
+  std::string_view prefix;   ///< "tcp://"; an address that begins with it is of this kind
+  std::string_view example;  ///< for people: "tcp://HOST:PORT"
+  std::function<std::unique_ptr<SkinSource>(const std::string& address)> open;
+};
+
+/// All kinds there are, in the order in which they are listed to people. A new kind of source is a new entry.
+std::span<const SourceKind> sourceKinds();
+
+/// A source, not yet started: "tcp://HOST:PORT", "udp://HOST:PORT", "serial:/dev/tty...[?baud=N]", "stdin" or
+/// "replay:FILE[?speed=X|max|step]". Throws InvalidArgument naming what was expected.
+std::unique_ptr<SkinSource> openSkinSource(const std::string& address);
+
+}  // namespace hexoderm

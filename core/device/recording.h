@@ -1,0 +1,96 @@
+#pragma once
+
+#include "hexoderm/device/skin_source.h"
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hexoderm {
+
+/// Writes what a source delivers into a file, as SkinWire's own frames, and passes everything on to another listener:
+/// put it between a source and whoever listens. Frames are passed on first. When the disk fails, recording ends with
+/// error(), and listening goes on.
+///
+/// The file: "SKINREC1", then records of arrival time since the beginning (microseconds, 64 bits), length of the body
+/// (32 bits), both little-endian, and the body (major, type, protobuf, CRC-32C). What was written is flushed to the
+/// file once a second; a recording that was cut off is good up to its last whole record.
+class StreamRecorder final : public SkinListener {
+ public:
+  /// Replaces a file that is there. Throws StorageError if it can't be written. `next` must outlive the recorder.
+  StreamRecorder(std::filesystem::path path, SkinListener& next);
+  ~StreamRecorder() override;
+  StreamRecorder(const StreamRecorder&) = delete;
+  StreamRecorder& operator=(const StreamRecorder&) = delete;
+
+  void onSkin(const SkinDescription& skin) override;
+  void onFrame(const SampleFrame& frame) override;
+  void onStatus(const SourceStatus& status) override;
+  void onCommandOutcome(const CommandOutcome& outcome) override;
+
+  /// Ends the recording. After the source was stopped, or on its thread. Throws StorageError if not all was written.
+  void finish();
+  /// Why recording ended early; empty if it did not. From any thread.
+  [[nodiscard]] std::string error() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+struct RecordedBody {
+  std::chrono::microseconds arrived{};  ///< since the recording began; never goes back
+  std::vector<std::uint8_t> body;       ///< not yet checked
+};
+
+/// Reads a recording from its beginning.
+class RecordingReader {
+ public:
+  /// Throws StorageError if the file can't be read, FormatError if it is no recording or one of a newer version.
+  explicit RecordingReader(const std::filesystem::path& path);
+  ~RecordingReader();
+  /// nullopt at the end, also at the first record that is not whole or claims an impossible length.
+  std::optional<RecordedBody> next();
+  /// Where and how the file ends before its time, for people; empty if it does not.
+  [[nodiscard]] const std::string& damage() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// How fast a recording is played.
+struct ReplayOptions {
+  double speed = 1;       ///< times real time, above 0; infinity: as fast as the listener takes it
+  bool stepwise = false;  ///< only by step()
+
+  /// Throws InvalidArgument.
+  void validate() const;
+};
+
+/// Plays a recording. It takes no commands; at its end it is Ended.
+class ReplaySource final : public SkinSource {
+ public:
+  explicit ReplaySource(std::filesystem::path path, ReplayOptions options = {});
+  ~ReplaySource() override;
+  ReplaySource(const ReplaySource&) = delete;
+  ReplaySource& operator=(const ReplaySource&) = delete;
+
+  void start(SkinListener& listener) override;
+  void stop() noexcept override;
+  std::uint32_t send(const SkinCommand& command) override;
+  [[nodiscard]] std::string address() const override;
+
+  /// Delivers the next frames, and what lies before them, where replay is stepwise. From any thread; never waits.
+  void step(std::uint64_t frames = 1);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace hexoderm

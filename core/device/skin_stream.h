@@ -1,0 +1,108 @@
+#pragma once
+
+// Private to device/: what every source of SkinWire messages does with them.
+
+#include "hexoderm/device/skin_source.h"
+#include "hexoderm/device/skinwire/codec.h"
+#include "hexoderm/device/skinwire/description.h"
+
+#include <array>
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+namespace hexoderm {
+
+/// The host's end of SkinWire above the framing: puts the description together, checks samples against it, numbers and
+/// times, calls the listener, counts and reports. It knows no socket, no file and no clock.
+class SkinStream {
+ public:
+  using Clock = std::chrono::steady_clock;
+  enum class Effect {
+    Nothing,       ///< broken or late
+    Alive,         ///< something that makes sense came
+    Incompatible,  ///< another major version
+  };
+
+  explicit SkinStream(SkinListener& listener) : listener_(listener) {}
+
+  /// Forgets the device, but not what the listener was told of it: a new connection, whose device starts with Hello.
+  void restart();
+  Effect take(skinwire::Decoded decoded);
+
+  /// Hello and a whole topology are there, and the cell model makes sense.
+  [[nodiscard]] bool isDescribed() const { return has_topology_ && model_ != nullptr; }
+  [[nodiscard]] const skinwire::Hello& hello() const { return hello_; }
+  /// Of the last whole topology.
+  [[nodiscard]] std::optional<std::uint32_t> topologyId() const {
+    return has_topology_ ? std::optional(topology_id_) : std::nullopt;
+  }
+  /// What is still missing before isDescribed(), or what the device said last; for status lines.
+  [[nodiscard]] std::string whatIsMissing() const;
+  [[nodiscard]] const std::string& deviceText() const { return device_text_; }
+  /// Why the last message that was rejected was.
+  [[nodiscard]] const std::string& lastRejection() const { return last_rejection_; }
+  [[nodiscard]] std::uint64_t rejectedMessages() const { return status_.rejected_messages; }
+  /// For status lines.
+  [[nodiscard]] std::string deviceName() const;
+
+  /// Called for every Ack.
+  std::function<void(const skinwire::Ack&)> on_ack;
+
+  /// Tells the listener if state or text changed.
+  void report(SourceState state, std::string text, Clock::time_point now);
+  /// Tells the listener if counters changed and it was not told for half a second.
+  void reportCounters(Clock::time_point now);
+  void countReconnect() { ++status_.reconnects; }
+  void countRejected(std::string why);
+  [[nodiscard]] SourceState state() const { return status_.state; }
+
+ private:
+  Effect takeHello(const skinwire::Hello& hello);
+  Effect takeTopology(skinwire::Topology part);
+  Effect takeSamples(const skinwire::Samples& samples);
+  void startCounting();
+  void announce();
+  void forgetLookUp();
+  bool lookUpCells(const std::vector<std::uint32_t>& cells);
+  static std::size_t kindOf(const skinwire::Samples& samples) { return samples.mean_g.empty() ? 0 : 1; }
+  bool isLate(const skinwire::Samples& samples) const;
+  void deliver(const skinwire::Samples& samples);
+  void tell(Clock::time_point now);
+
+  SkinListener& listener_;
+  SourceStatus status_;
+  Clock::time_point told_at_{};
+  bool counters_changed_ = false;
+  std::string device_text_;
+  std::string last_rejection_;
+
+  bool has_hello_ = false;
+  skinwire::Hello hello_;
+  std::shared_ptr<const CellModel> model_;  ///< null: none, or one that makes no sense
+  std::string model_complaint_;
+  skinwire::TopologyAssembler assembler_;
+  bool has_topology_ = false;
+  std::uint32_t topology_id_ = 0;
+  NeighborList neighbors_;
+  std::unordered_map<std::uint32_t, std::uint32_t> index_of_;
+  std::optional<SkinDescription> announced_;
+
+  std::optional<std::uint64_t> next_sequence_;
+  std::uint64_t last_us_ = 0;
+  /// By index, of samples and of means; plus 1, so that 0 is "never".
+  std::array<std::vector<std::uint64_t>, 2> cell_last_us_;
+
+  // Messages mostly name the same cells again: looked up once.
+  std::vector<std::uint32_t> looked_up_cells_;
+  std::vector<std::uint32_t> looked_up_indices_;  ///< kUnknown for cells that are not in the topology
+  std::size_t looked_up_unknown_ = 0;
+  SampleFrame frame_;
+};
+
+/// Control characters become spaces: what a device says appears on terminals.
+std::string printable(std::string text);
+
+}  // namespace hexoderm

@@ -1,0 +1,367 @@
+#include "hexoderm/device/skinwire/codec.h"
+
+#include "hexoderm/device/skinwire/crc32c.h"
+#include "hexoderm/util/error.h"
+
+#include <google/protobuf/util/json_util.h>
+
+#include <skinwire.pb.h>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+namespace hexoderm::skinwire {
+namespace {
+
+constexpr std::size_t kHead = 2;  // major, type
+constexpr std::size_t kTail = 4;  // CRC
+
+// ---- plain types to protobuf
+
+template <class Repeated, class Values>
+void assign(Repeated* to, const Values& from) {
+  to->Assign(from.begin(), from.end());
+}
+
+void fill(const Hello& from, v1::Hello& to) {
+  to.set_minor(from.minor);
+  to.set_device(from.device);
+  to.set_cell_model(from.cell_model);
+  to.set_can_light_cells(from.can_light_cells);
+  to.set_can_turn(from.can_turn);
+  to.set_rate_hz(from.rate_hz);
+  to.set_stream(from.stream);
+}
+
+void fill(const Topology& from, v1::Topology& to) {
+  to.set_id(from.id);
+  to.set_part(from.part);
+  to.set_parts(from.parts);
+  for (const CellReport& cell : from.cells) {
+    v1::Cell& entry = *to.add_cells();
+    entry.set_id(cell.id.value());
+    entry.set_body_part(cell.body_part);
+    for (const NeighborReport& neighbor : cell.neighbors) {
+      v1::Port& port = *entry.add_ports();
+      port.set_port(neighbor.port.value());
+      port.set_cell(neighbor.cell.value());
+      if (neighbor.cell_port) port.set_cell_port(neighbor.cell_port->value());
+    }
+  }
+}
+
+void fill(const Samples& from, v1::Samples& to) {
+  if (from.sequence) to.set_sequence(*from.sequence);
+  to.set_time_us(from.time_us);
+  to.set_period_us(from.period_us);
+  assign(to.mutable_cells(), from.cells);
+  assign(to.mutable_raw_lsb(), from.raw_lsb);
+  assign(to.mutable_acceleration_g(), from.acceleration_g);
+  assign(to.mutable_mean_g(), from.mean_g);
+  assign(to.mutable_variance_g2(), from.variance_g2);
+  assign(to.mutable_count(), from.count);
+  assign(to.mutable_temperature_cells(), from.temperature_cells);
+  assign(to.mutable_temperature_c(), from.temperature_c);
+}
+
+void fill(const Status& from, v1::Status& to) {
+  to.set_text(from.text);
+  to.set_exploring(from.exploring);
+  to.set_samples_sent(from.samples_sent);
+  to.set_samples_dropped(from.samples_dropped);
+}
+
+void fill(const Command& from, v1::Command& to) {
+  to.set_number(from.number);
+  if (const auto* rate = std::get_if<SetRate>(&from.request)) {
+    to.mutable_set_rate()->set_rate_hz(rate->rate_hz);
+  } else if (const auto* led = std::get_if<SetLed>(&from.request)) {
+    v1::SetLed& entry = *to.mutable_set_led();
+    entry.set_cell(led->cell);
+    entry.set_red(led->red);
+    entry.set_green(led->green);
+    entry.set_blue(led->blue);
+  } else if (const auto* turn = std::get_if<TurnTo>(&from.request)) {
+    v1::TurnTo& entry = *to.mutable_turn_to();
+    entry.set_cell(turn->cell);
+    for (const double value : turn->up_u) entry.add_up(value);
+  } else if (std::holds_alternative<ExploreAgain>(from.request)) {
+    to.mutable_explore_again();
+  } else if (const auto* describe = std::get_if<Describe>(&from.request)) {
+    v1::Describe& entry = *to.mutable_describe();
+    if (describe->known_topology) entry.set_known_topology(*describe->known_topology);
+  }
+}
+
+void fill(const Ack& from, v1::Ack& to) {
+  to.set_command(from.command);
+  to.set_done(from.done);
+  to.set_text(from.text);
+  to.set_working(from.working);
+}
+
+// ---- protobuf to plain types; nullopt where a plain type can't hold it
+
+std::optional<Message> plain(const v1::Hello& from) {
+  return Hello{from.minor(),    from.device(),  from.cell_model(), from.can_light_cells(),
+               from.can_turn(), from.rate_hz(), from.stream()};
+}
+
+std::optional<Message> plain(const v1::Topology& from) {
+  Topology to{from.id(), from.part(), from.parts() == 0 ? 1 : from.parts(), {}};
+  to.cells.reserve(static_cast<std::size_t>(from.cells_size()));
+  for (const v1::Cell& entry : from.cells()) {
+    CellReport& cell = to.cells.emplace_back(CellReport{CellId(entry.id()), entry.body_part(), {}});
+    cell.neighbors.reserve(static_cast<std::size_t>(entry.ports_size()));
+    for (const v1::Port& port : entry.ports()) {
+      NeighborReport neighbor{PortNumber(port.port()), CellId(port.cell()), std::nullopt};
+      if (port.has_cell_port()) neighbor.cell_port = PortNumber(port.cell_port());
+      cell.neighbors.push_back(neighbor);
+    }
+  }
+  return to;
+}
+
+std::optional<Message> plain(const v1::Samples& from) {
+  Samples to;
+  if (from.has_sequence()) to.sequence = from.sequence();
+  to.time_us = from.time_us();
+  to.period_us = from.period_us();
+  to.cells.assign(from.cells().begin(), from.cells().end());
+  to.raw_lsb.assign(from.raw_lsb().begin(), from.raw_lsb().end());
+  to.acceleration_g.assign(from.acceleration_g().begin(), from.acceleration_g().end());
+  to.mean_g.assign(from.mean_g().begin(), from.mean_g().end());
+  to.variance_g2.assign(from.variance_g2().begin(), from.variance_g2().end());
+  to.count.assign(from.count().begin(), from.count().end());
+  to.temperature_cells.assign(from.temperature_cells().begin(), from.temperature_cells().end());
+  to.temperature_c.assign(from.temperature_c().begin(), from.temperature_c().end());
+  return to;
+}
+
+std::optional<Message> plain(const v1::Status& from) {
+  return Status{from.text(), from.exploring(), from.samples_sent(), from.samples_dropped()};
+}
+
+std::optional<Message> plain(const v1::Command& from) {
+  Command to{from.number(), {}};
+  switch (from.request_case()) {
+    case v1::Command::kSetRate:
+      to.request = SetRate{from.set_rate().rate_hz()};
+      break;
+    case v1::Command::kSetLed: {
+      const v1::SetLed& led = from.set_led();
+      if (led.red() > UINT8_MAX || led.green() > UINT8_MAX || led.blue() > UINT8_MAX) return std::nullopt;
+      to.request = SetLed{led.cell(), static_cast<std::uint8_t>(led.red()), static_cast<std::uint8_t>(led.green()),
+                          static_cast<std::uint8_t>(led.blue())};
+      break;
+    }
+    case v1::Command::kTurnTo: {
+      const v1::TurnTo& turn = from.turn_to();
+      if (turn.up_size() != 3) return std::nullopt;
+      to.request = TurnTo{turn.cell(), {turn.up(0), turn.up(1), turn.up(2)}};
+      break;
+    }
+    case v1::Command::kExploreAgain:
+      to.request = ExploreAgain{};
+      break;
+    case v1::Command::kDescribe: {
+      Describe describe;
+      if (from.describe().has_known_topology()) describe.known_topology = from.describe().known_topology();
+      to.request = describe;
+      break;
+    }
+    case v1::Command::REQUEST_NOT_SET:
+      break;
+  }
+  return to;
+}
+
+std::optional<Message> plain(const v1::Ack& from) {
+  return Ack{from.command(), from.done(), from.text(), from.working()};
+}
+
+// ---- bodies
+
+Decoded failed(DecodeOutcome outcome, std::string reason, std::uint32_t major = kMajor) {
+  Decoded decoded;
+  decoded.outcome = outcome;
+  decoded.major = major;
+  decoded.reason = std::move(reason);
+  return decoded;
+}
+
+Decoded otherMajor(std::uint32_t major) {
+  return failed(
+      DecodeOutcome::OtherMajor,
+      "the device speaks SkinWire " + std::to_string(major) + ", this program SkinWire " + std::to_string(kMajor),
+      major);
+}
+
+Decoded checked(std::optional<Message> message) {
+  if (!message) return failed(DecodeOutcome::Broken, "a number is out of range");
+  if (std::string why = complaint(*message); !why.empty()) return failed(DecodeOutcome::Broken, std::move(why));
+  Decoded decoded;
+  decoded.outcome = DecodeOutcome::Understood;
+  decoded.major = kMajor;
+  decoded.message = std::move(*message);
+  return decoded;
+}
+
+template <class Proto>
+Decoded parsePayload(ByteView payload, Proto& proto) {
+  if (!proto.ParseFromArray(payload.data(), static_cast<int>(payload.size()))) {
+    return failed(DecodeOutcome::Broken, "the payload is not the protobuf message that its type says");
+  }
+  return checked(plain(proto));
+}
+
+template <class Proto>
+Decoded parsePayload(ByteView payload) {
+  Proto proto;
+  return parsePayload(payload, proto);
+}
+
+Decoded parsePayload(std::uint8_t type, ByteView payload) {
+  switch (type) {
+    case 1:
+      return parsePayload<v1::Hello>(payload);
+    case 2:
+      return parsePayload<v1::Topology>(payload);
+    case 3: {
+      // Kept, so that its arrays need not grow again for every one of a thousand messages a second.
+      thread_local v1::Samples samples;
+      return parsePayload(payload, samples);
+    }
+    case 4:
+      return parsePayload<v1::Status>(payload);
+    case 5:
+      return parsePayload<v1::Command>(payload);
+    case 6:
+      return parsePayload<v1::Ack>(payload);
+    default:
+      return failed(DecodeOutcome::UnknownType, "type " + std::to_string(type) + " is not known");
+  }
+}
+
+void checkBeforeEncoding(const Message& message) {
+  if (const std::string why = complaint(message); !why.empty()) {
+    throw InvalidArgument("a message can't be sent: " + why);
+  }
+}
+
+/// What a line that could not be read says of its major version; nullopt if it says nothing.
+std::optional<std::uint32_t> majorOfLine(std::string_view line) {
+  const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
+  if (!json.is_object()) return std::nullopt;
+  const auto major = json.find("major");
+  if (major == json.end() || !major->is_number_unsigned()) return std::nullopt;
+  const auto value = major->get<std::uint64_t>();
+  return value <= UINT32_MAX ? std::optional(static_cast<std::uint32_t>(value)) : std::nullopt;
+}
+
+}  // namespace
+
+Bytes encodeBody(const Message& message) {
+  checkBeforeEncoding(message);
+  return std::visit(
+      [&](const auto& m) {
+        auto proto = [&] {
+          using Plain = std::decay_t<decltype(m)>;
+          if constexpr (std::is_same_v<Plain, Hello>) return v1::Hello();
+          if constexpr (std::is_same_v<Plain, Topology>) return v1::Topology();
+          if constexpr (std::is_same_v<Plain, Samples>) return v1::Samples();
+          if constexpr (std::is_same_v<Plain, Status>) return v1::Status();
+          if constexpr (std::is_same_v<Plain, Command>) return v1::Command();
+          if constexpr (std::is_same_v<Plain, Ack>) return v1::Ack();
+        }();
+        fill(m, proto);
+        const std::size_t payload = proto.ByteSizeLong();
+        if (payload > kMaxBody - kHead - kTail) {
+          throw InvalidArgument("a message of " + std::to_string(payload) + " bytes can't be sent, the limit is " +
+                                std::to_string(kMaxBody - kHead - kTail) + "; expected it to be sent in parts");
+        }
+        Bytes body(kHead + payload + kTail);
+        body[0] = kMajor;
+        body[1] = static_cast<std::uint8_t>(message.index() + 1);
+        proto.SerializeWithCachedSizesToArray(body.data() + kHead);
+        const std::uint32_t crc = crc32c(ByteView(body).first(kHead + payload));
+        for (std::size_t k = 0; k < kTail; ++k) {
+          body[kHead + payload + k] = static_cast<std::uint8_t>(crc >> (8 * k));
+        }
+        return body;
+      },
+      message);
+}
+
+Decoded decodeBody(ByteView body) {
+  if (body.size() < kHead + kTail || body.size() > kMaxBody) {
+    return failed(DecodeOutcome::Broken,
+                  "expected 6 to " + std::to_string(kMaxBody) + " bytes, found " + std::to_string(body.size()), 0);
+  }
+  const ByteView content = body.first(body.size() - kTail);
+  std::uint32_t crc = 0;
+  for (std::size_t k = 0; k < kTail; ++k) crc |= std::uint32_t{body[content.size() + k]} << (8 * k);
+  if (crc != crc32c(content)) return failed(DecodeOutcome::Broken, "the CRC is wrong", 0);
+  if (body[0] != kMajor) return otherMajor(body[0]);
+  return parsePayload(body[1], content.subspan(kHead));
+}
+
+std::string encodeLine(const Message& message) {
+  checkBeforeEncoding(message);
+  v1::Line line;
+  std::visit(
+      [&](const auto& m) {
+        using Plain = std::decay_t<decltype(m)>;
+        if constexpr (std::is_same_v<Plain, Hello>) fill(m, *line.mutable_hello());
+        if constexpr (std::is_same_v<Plain, Topology>) fill(m, *line.mutable_topology());
+        if constexpr (std::is_same_v<Plain, Samples>) fill(m, *line.mutable_samples());
+        if constexpr (std::is_same_v<Plain, Status>) fill(m, *line.mutable_status());
+        if constexpr (std::is_same_v<Plain, Command>) fill(m, *line.mutable_command());
+        if constexpr (std::is_same_v<Plain, Ack>) fill(m, *line.mutable_ack());
+      },
+      message);
+  google::protobuf::util::JsonPrintOptions options;
+  options.preserve_proto_field_names = true;
+  std::string text;
+  if (!google::protobuf::util::MessageToJsonString(line, &text, options).ok() || text.size() > kMaxBody) {
+    throw InvalidArgument("a message can't be sent as a line of at most " + std::to_string(kMaxBody) + " bytes");
+  }
+  return text;
+}
+
+Decoded decodeLine(std::string_view line) {
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  if (line.size() > kMaxBody) {
+    return failed(DecodeOutcome::Broken, "expected a line of at most " + std::to_string(kMaxBody) + " bytes");
+  }
+  google::protobuf::util::JsonParseOptions options;
+  options.ignore_unknown_fields = true;
+  v1::Line proto;
+  const auto status = google::protobuf::util::JsonStringToMessage(
+      google::protobuf::StringPiece(line.data(), static_cast<std::ptrdiff_t>(line.size())), &proto, options);
+  if (!status.ok()) {
+    const auto major = majorOfLine(line);
+    if (major && *major > kMajor) return otherMajor(*major);
+    // The library's message may quote the whole line.
+    return failed(DecodeOutcome::Broken, status.ToString().substr(0, 200));
+  }
+  if (proto.major() > kMajor) return otherMajor(proto.major());
+  switch (proto.message_case()) {
+    case v1::Line::kHello:
+      return checked(plain(proto.hello()));
+    case v1::Line::kTopology:
+      return checked(plain(proto.topology()));
+    case v1::Line::kSamples:
+      return checked(plain(proto.samples()));
+    case v1::Line::kStatus:
+      return checked(plain(proto.status()));
+    case v1::Line::kCommand:
+      return checked(plain(proto.command()));
+    case v1::Line::kAck:
+      return checked(plain(proto.ack()));
+    case v1::Line::MESSAGE_NOT_SET:
+      break;
+  }
+  return failed(DecodeOutcome::UnknownType, "a message of a kind that is not known");
+}
+
+}  // namespace hexoderm::skinwire

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "hexoderm/device/skinwire/messages.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace hexoderm::skinwire {
+
+using Bytes = std::vector<std::uint8_t>;
+using ByteView = std::span<const std::uint8_t>;
+
+/// Why a body or line gave no message.
+enum class DecodeOutcome {
+  Understood,
+  Broken,       ///< too short or long, CRC, syntax, or a complaint
+  OtherMajor,   ///< whole, but of another major version
+  UnknownType,  ///< whole, but of a type that this version does not know: to be skipped
+};
+
+struct Decoded {
+  DecodeOutcome outcome = DecodeOutcome::Broken;
+  Message message{};        ///< where outcome is Understood
+  std::uint32_t major = 0;  ///< 0: not known, because length or CRC are wrong
+  std::string reason{};     ///< where outcome is not Understood: what is wrong, for people
+};
+
+/// major, type, protobuf payload, CRC-32C: what every framing of bytes carries. Throws InvalidArgument if the message
+/// has a complaint or its body would be longer than kMaxBody.
+Bytes encodeBody(const Message& message);
+
+/// Never throws for what is in the body. Does not allocate more than a small multiple of the body's own length.
+Decoded decodeBody(ByteView body);
+
+/// One line of the line dialect without the line feed. Throws as encodeBody does.
+std::string encodeLine(const Message& message);
+
+/// Accepts a line with or without "\r"; fields that are not known are ignored. Never throws for what is in the line.
+Decoded decodeLine(std::string_view line);
+
+}  // namespace hexoderm::skinwire

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace hexoderm::skinwire {
+
+/// CRC-32C (Castagnoli: polynomial 0x1EDC6F41 reflected, start and final value 0xFFFFFFFF), as in iSCSI, RFC 3720.
+/// Of "123456789": 0xE3069283. By the processor's own instruction where it has one.
+std::uint32_t crc32c(std::span<const std::uint8_t> bytes);
+
+/// The same by tables, on every processor.
+std::uint32_t crc32cByTable(std::span<const std::uint8_t> bytes);
+
+}  // namespace hexoderm::skinwire

@@ -1,0 +1,174 @@
+#include "hexoderm/device/skinwire/framing.h"
+
+#include <algorithm>
+#include <array>
+
+namespace hexoderm::skinwire {
+namespace {
+
+constexpr std::size_t kLengthBytes = 4;
+constexpr std::size_t kCobsBlock = 254;  // bytes without a zero that one code byte can announce
+constexpr std::size_t kMaxCobs = kMaxBody + kMaxBody / kCobsBlock + 1;
+
+/// Of lines.
+bool isBlank(ByteView piece) {
+  return std::ranges::all_of(piece, [](std::uint8_t c) { return c == ' ' || c == '\t' || c == '\r'; });
+}
+
+std::uint32_t littleEndian(ByteView bytes) {
+  std::uint32_t value = 0;
+  for (std::size_t k = 0; k < kLengthBytes; ++k) value |= std::uint32_t{bytes[k]} << (8 * k);
+  return value;
+}
+
+}  // namespace
+
+Bytes encodeCobs(ByteView bytes) {
+  Bytes out;
+  out.reserve(bytes.size() + bytes.size() / kCobsBlock + 1);
+  std::size_t code_at = 0;
+  out.push_back(0);  // becomes the first code: the distance to the next zero
+  for (std::size_t k = 0; k < bytes.size(); ++k) {
+    if (bytes[k] != 0) out.push_back(bytes[k]);
+    const std::size_t distance = out.size() - code_at;
+    const bool full = distance == kCobsBlock + 1 && k + 1 < bytes.size();
+    if (bytes[k] != 0 && !full) continue;
+    out[code_at] = static_cast<std::uint8_t>(distance);
+    code_at = out.size();
+    out.push_back(0);
+  }
+  out[code_at] = static_cast<std::uint8_t>(out.size() - code_at);
+  return out;
+}
+
+std::optional<Bytes> decodeCobs(ByteView bytes) {
+  Bytes out;
+  out.reserve(bytes.size());
+  std::size_t k = 0;
+  while (k < bytes.size()) {
+    const std::size_t distance = bytes[k];
+    if (distance == 0 || distance > bytes.size() - k) return std::nullopt;
+    for (std::size_t i = k + 1; i < k + distance; ++i) {
+      if (bytes[i] == 0) return std::nullopt;
+      out.push_back(bytes[i]);
+    }
+    k += distance;
+    if (distance <= kCobsBlock && k < bytes.size()) out.push_back(0);
+  }
+  return out;
+}
+
+Bytes encodeFrame(Framing framing, const Message& message) {
+  if (framing == Framing::Lines) {
+    const std::string line = encodeLine(message);
+    Bytes frame(line.begin(), line.end());
+    frame.push_back('\n');
+    return frame;
+  }
+  const Bytes body = encodeBody(message);
+  if (framing == Framing::Cobs) {
+    Bytes frame = encodeCobs(body);
+    frame.push_back(0);
+    return frame;
+  }
+  Bytes frame;
+  frame.reserve(kLengthBytes + body.size());
+  for (std::size_t k = 0; k < kLengthBytes; ++k) frame.push_back(static_cast<std::uint8_t>(body.size() >> (8 * k)));
+  frame.insert(frame.end(), body.begin(), body.end());
+  return frame;
+}
+
+void FrameDecoder::feed(ByteView bytes) {
+  if (!stuck_.empty()) return;
+  if (begin_ > 0) {
+    buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(begin_));
+    begin_ = 0;
+  }
+  buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
+}
+
+std::optional<Decoded> FrameDecoder::next() {
+  if (!stuck_.empty()) return std::nullopt;
+  if (!framing_) detect();
+  if (!framing_) return std::nullopt;
+  switch (*framing_) {
+    case Framing::Length:
+      return nextByLength();
+    case Framing::Cobs:
+      return nextByDelimiter(0, kMaxCobs);
+    case Framing::Lines:
+      return nextByDelimiter('\n', kMaxBody);
+  }
+  return std::nullopt;
+}
+
+void FrameDecoder::detect() {
+  if (rest().size() < kLengthBytes) return;
+  framing_ = rest()[kLengthBytes - 1] == 0 ? Framing::Length : Framing::Lines;
+}
+
+Decoded FrameDecoder::getStuck(std::string why) {
+  stuck_ = why;
+  buffer_.clear();
+  begin_ = 0;
+  Decoded decoded;
+  decoded.reason = std::move(why);
+  return decoded;
+}
+
+std::optional<Decoded> FrameDecoder::nextByLength() {
+  if (rest().size() < kLengthBytes) return std::nullopt;
+  const std::uint32_t length = littleEndian(rest());
+  if (length == 0 || length > kMaxBody) {
+    return getStuck("a frame says that it is " + std::to_string(length) + " bytes long, the limit is " +
+                    std::to_string(kMaxBody));
+  }
+  if (rest().size() - kLengthBytes < length) return std::nullopt;
+  Decoded decoded = decodeBody(rest().subspan(kLengthBytes, length));
+  if (decoded.outcome == DecodeOutcome::Broken && decoded.major == 0) return getStuck(decoded.reason);
+  begin_ += kLengthBytes + length;
+  return decoded;
+}
+
+Decoded FrameDecoder::decodePiece(ByteView piece) const {
+  if (*framing_ == Framing::Lines) {
+    return decodeLine({reinterpret_cast<const char*>(piece.data()), piece.size()});
+  }
+  if (const std::optional<Bytes> body = decodeCobs(piece)) return decodeBody(*body);
+  Decoded broken;
+  broken.reason = "the bytes before a 0x00 are not COBS";
+  return broken;
+}
+
+std::optional<Decoded> FrameDecoder::nextByDelimiter(std::uint8_t delimiter, std::size_t longest) {
+  while (true) {
+    const ByteView bytes = rest();
+    const auto end = std::find(bytes.begin() + static_cast<std::ptrdiff_t>(searched_), bytes.end(), delimiter);
+    const auto length = static_cast<std::size_t>(end - bytes.begin());
+    const bool is_whole = end != bytes.end();
+    if (!is_whole && length <= longest && !skipping_) {
+      searched_ = length;
+      return std::nullopt;
+    }
+    searched_ = 0;
+    begin_ += length + (is_whole ? 1 : 0);
+    if (skipping_) {
+      // Reported when it got too long.
+      if (!is_whole) return std::nullopt;
+      skipping_ = false;
+      continue;
+    }
+    if (length > longest) {
+      skipping_ = !is_whole;
+      Decoded broken;
+      broken.reason = "more than " + std::to_string(longest) + " bytes without an end";
+      return broken;
+    }
+    const ByteView piece = bytes.first(length);
+    // Empty pieces are allowed: a sender may end what it began before with an end of its own.
+    if (piece.empty() || (*framing_ == Framing::Lines && isBlank(piece))) continue;
+    return decodePiece(piece);
+  }
+}
+
+}  // namespace hexoderm::skinwire

@@ -1,0 +1,225 @@
+#include "hexoderm/device/skinwire/sample_messages.h"
+
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/text.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <optional>
+
+namespace hexoderm::skinwire {
+namespace {
+
+// Major, type, CRC, every field's number and length, sequence, time and period: at most.
+constexpr std::size_t kOverhead = 80;
+constexpr std::size_t kFloatsPerCell = 12;
+
+using Lsb = std::array<std::int32_t, 3>;
+
+std::size_t varintSize(std::uint32_t value) { return (static_cast<std::size_t>(std::bit_width(value | 1U)) + 6) / 7; }
+std::size_t zigzagSize(std::int32_t value) {
+  return varintSize((static_cast<std::uint32_t>(value) << 1U) ^ static_cast<std::uint32_t>(value >> 31));
+}
+std::size_t sizeOf(const Lsb& lsb) { return zigzagSize(lsb[0]) + zigzagSize(lsb[1]) + zigzagSize(lsb[2]); }
+
+/// The reading in LSB if it comes back as the same doubles.
+std::optional<Lsb> exactLsb(const Eigen::Vector3d& acceleration_g, double lsb_g) {
+  constexpr double kMost = 1e9;
+  if (!(lsb_g > 0)) return std::nullopt;
+  Lsb lsb{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double value_g = acceleration_g[static_cast<Eigen::Index>(axis)];
+    const double steps = std::round(value_g / lsb_g);
+    if (!(std::abs(steps) < kMost) || steps * lsb_g != value_g) return std::nullopt;
+    lsb[axis] = static_cast<std::int32_t>(steps);
+  }
+  return lsb;
+}
+
+std::uint64_t microseconds(double time_s) {
+  const double time_us = std::round(time_s * 1e6);
+  if (!(time_us >= 0 && time_us <= static_cast<double>(kMaxTime_us))) {
+    throw InvalidArgument("a frame's time can't be sent: expected 0 to 2^53 us, found " + formatExact(time_s) + " s");
+  }
+  return static_cast<std::uint64_t>(time_us);
+}
+
+void push(const Eigen::Vector3d& v, std::vector<float>& out) {
+  for (const double value : v) out.push_back(static_cast<float>(value));
+}
+
+bool fitsFloats(const Eigen::Vector3d& v) { return v.cast<float>().allFinite(); }
+
+bool sameCells(const SampleFrame& a, const SampleFrame& b) {
+  return std::ranges::equal(a.samples, b.samples,
+                            [](const CellSample& x, const CellSample& y) { return x.cell == y.cell; });
+}
+
+}  // namespace
+
+void SampleEncoder::append(Samples message, std::vector<Samples>& out) {
+  if (!message.cells.empty()) {
+    message.sequence = sequence_;
+    sequence_ += message.ticks() * message.cells.size();
+  }
+  out.push_back(std::move(message));
+}
+
+void SampleEncoder::encode(const SampleFrame& frame, std::vector<Samples>& out) {
+  encodeSamples(frame, out);
+  encodeMeans(frame, out);
+  encodeTemperatures(frame, out);
+}
+
+void SampleEncoder::encodeSamples(const SampleFrame& frame, std::vector<Samples>& out) {
+  // Either kind has messages of its own; at most two are open at any time.
+  Samples raw;
+  Samples floats;
+  raw.time_us = floats.time_us = microseconds(frame.time_s);
+  std::size_t raw_size = kOverhead;
+  std::size_t float_size = kOverhead;
+  const auto flush = [&](Samples& open, std::size_t& size) {
+    if (!open.cells.empty()) append(open, out);
+    open.cells.clear();
+    open.raw_lsb.clear();
+    open.acceleration_g.clear();
+    size = kOverhead;
+  };
+  for (const CellSample& sample : frame.samples) {
+    const std::size_t id_size = varintSize(sample.cell.value());
+    if (const std::optional<Lsb> lsb = exactLsb(sample.acceleration_g, lsb_g_)) {
+      const std::size_t size = id_size + sizeOf(*lsb);
+      if (raw_size + size > max_body_) flush(raw, raw_size);
+      raw.cells.push_back(sample.cell.value());
+      raw.raw_lsb.insert(raw.raw_lsb.end(), lsb->begin(), lsb->end());
+      raw_size += size;
+    } else if (fitsFloats(sample.acceleration_g)) {
+      const std::size_t size = id_size + kFloatsPerCell;
+      if (float_size + size > max_body_) flush(floats, float_size);
+      floats.cells.push_back(sample.cell.value());
+      push(sample.acceleration_g, floats.acceleration_g);
+      float_size += size;
+    }
+  }
+  flush(raw, raw_size);
+  flush(floats, float_size);
+}
+
+void SampleEncoder::encodeMeans(const SampleFrame& frame, std::vector<Samples>& out) {
+  Samples open;
+  open.time_us = microseconds(frame.time_s);
+  std::size_t size = kOverhead;
+  const auto flush = [&] {
+    if (!open.cells.empty()) append(open, out);
+    open.cells.clear();
+    open.mean_g.clear();
+    open.variance_g2.clear();
+    open.count.clear();
+    size = kOverhead;
+  };
+  for (const CellMean& mean : frame.means) {
+    if (!fitsFloats(mean.mean_g) || !fitsFloats(mean.variance_g2) || mean.count == 0) continue;
+    const std::size_t own = varintSize(mean.cell.value()) + 2 * kFloatsPerCell + varintSize(mean.count);
+    if (size + own > max_body_) flush();
+    open.cells.push_back(mean.cell.value());
+    push(mean.mean_g, open.mean_g);
+    push(mean.variance_g2, open.variance_g2);
+    open.count.push_back(mean.count);
+    size += own;
+  }
+  flush();
+}
+
+void SampleEncoder::encodeTemperatures(const SampleFrame& frame, std::vector<Samples>& out) {
+  Samples open;
+  open.time_us = microseconds(frame.time_s);
+  std::size_t size = kOverhead;
+  const auto flush = [&] {
+    if (!open.temperature_cells.empty()) append(open, out);
+    open.temperature_cells.clear();
+    open.temperature_c.clear();
+    size = kOverhead;
+  };
+  for (const CellTemperature& temperature : frame.temperatures) {
+    const auto celsius = static_cast<float>(temperature.temperature_c);
+    if (!std::isfinite(celsius)) continue;
+    const std::size_t own = varintSize(temperature.cell.value()) + sizeof(float);
+    if (size + own > max_body_) flush();
+    open.temperature_cells.push_back(temperature.cell.value());
+    open.temperature_c.push_back(celsius);
+    size += own;
+  }
+  flush();
+}
+
+void SampleEncoder::encodeBatch(std::span<const SampleFrame> frames, std::vector<Samples>& out) {
+  const auto oneByOne = [&] {
+    for (const SampleFrame& frame : frames) encode(frame, out);
+  };
+  if (frames.size() < 2 || frames[0].samples.empty()) return oneByOne();
+  Samples batch;
+  batch.time_us = microseconds(frames[0].time_s);
+  std::size_t size = kOverhead;
+  for (const CellSample& sample : frames[0].samples) {
+    batch.cells.push_back(sample.cell.value());
+    size += varintSize(sample.cell.value());
+  }
+  const std::uint64_t second_us = microseconds(frames[1].time_s);
+  if (second_us <= batch.time_us || second_us - batch.time_us > UINT32_MAX) return oneByOne();
+  batch.period_us = static_cast<std::uint32_t>(second_us - batch.time_us);
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    const SampleFrame& frame = frames[k];
+    const bool fits_in = sameCells(frame, frames[0]) && frame.means.empty() && frame.temperatures.empty() &&
+                         microseconds(frame.time_s) == batch.time_us + k * std::uint64_t{batch.period_us};
+    if (!fits_in) return oneByOne();
+    for (const CellSample& sample : frame.samples) {
+      const std::optional<Lsb> lsb = exactLsb(sample.acceleration_g, lsb_g_);
+      if (!lsb) return oneByOne();
+      batch.raw_lsb.insert(batch.raw_lsb.end(), lsb->begin(), lsb->end());
+      size += sizeOf(*lsb);
+    }
+    if (size > max_body_) return oneByOne();
+  }
+  append(std::move(batch), out);
+}
+
+void decodeTick(const Samples& message, std::size_t tick, double lsb_g, SampleFrame& frame) {
+  assert(tick == 0 || tick < message.ticks());
+  const std::size_t cells = message.cells.size();
+  frame.time_s = static_cast<double>(message.time_us + tick * std::uint64_t{message.period_us}) / 1e6;
+  frame.samples.clear();
+  frame.means.clear();
+  frame.temperatures.clear();
+  const std::size_t first = 3 * cells * tick;
+  if (!message.raw_lsb.empty()) {
+    frame.samples.resize(cells);
+    const std::int32_t* value = message.raw_lsb.data() + first;
+    for (std::size_t k = 0; k < cells; ++k, value += 3) {
+      frame.samples[k] = {CellId(message.cells[k]), {value[0] * lsb_g, value[1] * lsb_g, value[2] * lsb_g}};
+    }
+  } else if (!message.acceleration_g.empty()) {
+    frame.samples.resize(cells);
+    const float* value = message.acceleration_g.data() + first;
+    for (std::size_t k = 0; k < cells; ++k, value += 3) {
+      frame.samples[k] = {CellId(message.cells[k]), Eigen::Vector3f(value[0], value[1], value[2]).cast<double>()};
+    }
+  } else if (!message.mean_g.empty()) {
+    frame.means.resize(cells);
+    for (std::size_t k = 0; k < cells; ++k) {
+      const float* mean = message.mean_g.data() + 3 * k;
+      const float* variance = message.variance_g2.data() + 3 * k;
+      frame.means[k] = {CellId(message.cells[k]), Eigen::Vector3f(mean[0], mean[1], mean[2]).cast<double>(),
+                        Eigen::Vector3f(variance[0], variance[1], variance[2]).cast<double>(), message.count[k]};
+    }
+  }
+  if (tick == 0) {
+    for (std::size_t k = 0; k < message.temperature_cells.size(); ++k) {
+      frame.temperatures.push_back({CellId(message.temperature_cells[k]), double{message.temperature_c[k]}});
+    }
+  }
+}
+
+}  // namespace hexoderm::skinwire

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "hexoderm/device/skin_source.h"
+
+#include <chrono>
+#include <memory>
+#include <string>
+
+namespace hexoderm {
+
+struct WireOptions {
+  std::chrono::milliseconds first_retry{250};  ///< wait before the first new try; doubles with each that fails
+  std::chrono::milliseconds longest_retry{5000};
+  std::chrono::milliseconds silent_after{1000};     ///< nothing that makes sense for so long: Silent
+  std::chrono::milliseconds reconnect_after{3000};  ///< ... for so long: the connection is made anew
+  std::chrono::milliseconds describe_every{1000};   ///< how often the device is asked, where it has to be
+  std::chrono::milliseconds command_timeout{3000};  ///< without an Ack
+
+  /// Throws InvalidArgument naming the option: everything above 0, and ends not before beginnings.
+  void validate() const;
+};
+
+/// A skin that speaks SkinWire 1 (core/device/skinwire/README.md) on TCP, UDP, a serial port or a pseudo-terminal. It
+/// keeps trying for as long as it runs; only another major version of the protocol ends that (Incompatible). What is
+/// broken on the way is counted, named in the status and left out.
+class WireSource final : public SkinSource {
+ public:
+  /// "tcp://HOST:PORT" (frames of bytes or lines of JSON, whichever the device begins with), "udp://HOST:PORT" or
+  /// "serial:/dev/tty...[?baud=N]". Throws InvalidArgument naming what was expected.
+  explicit WireSource(const std::string& address, WireOptions options = {});
+  ~WireSource() override;
+  WireSource(const WireSource&) = delete;
+  WireSource& operator=(const WireSource&) = delete;
+
+  void start(SkinListener& listener) override;
+  void stop() noexcept override;
+  std::uint32_t send(const SkinCommand& command) override;
+  [[nodiscard]] std::string address() const override;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace hexoderm

@@ -1,0 +1,262 @@
+#include "hexoderm/device/skinwire/codec.h"
+
+#include "hexoderm/device/skinwire/crc32c.h"
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/file.h"
+#include "wire_messages.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+namespace hexoderm::skinwire {
+namespace {
+
+using testing::HasSubstr;
+
+Bytes bytesOf(std::string_view text) { return {text.begin(), text.end()}; }
+
+void appendCrc(Bytes& body) {
+  const std::uint32_t crc = crc32c(body);
+  for (unsigned k = 0; k < 4; ++k) body.push_back(static_cast<std::uint8_t>(crc >> (8 * k)));
+}
+
+/// A body with a right CRC around whatever payload.
+Bytes bodyOf(std::uint8_t major, std::uint8_t type, const Bytes& payload) {
+  Bytes body;
+  body.push_back(major);
+  body.push_back(type);
+  for (const std::uint8_t byte : payload) body.push_back(byte);
+  appendCrc(body);
+  return body;
+}
+
+TEST(Crc32c, HasThePublishedCheckValue) {
+  EXPECT_EQ(crc32c(bytesOf("123456789")), 0xE3069283U);
+  EXPECT_EQ(crc32cByTable(bytesOf("123456789")), 0xE3069283U);
+  EXPECT_EQ(crc32c({}), 0U);
+  EXPECT_EQ(crc32c(Bytes(32, 0)), 0x8A9136AAU);  // RFC 3720, B.4
+}
+
+TEST(Crc32c, IsTheSameByTableAndByInstructionForEveryLength) {
+  Bytes bytes;
+  for (std::uint32_t k = 0; k < 100; ++k) {
+    EXPECT_EQ(crc32c(bytes), crc32cByTable(bytes)) << k;
+    bytes.push_back(static_cast<std::uint8_t>(k * 37 + 11));
+  }
+}
+
+TEST(SkinWireCodec, BodiesOfEveryMessageReadBack) {
+  for (const Message& message : everyMessage()) {
+    const Decoded decoded = decodeBody(encodeBody(message));
+    ASSERT_EQ(decoded.outcome, DecodeOutcome::Understood) << decoded.reason;
+    EXPECT_EQ(decoded.message, message) << "kind " << message.index();
+  }
+}
+
+TEST(SkinWireCodec, LinesOfEveryMessageReadBack) {
+  for (const Message& message : everyMessage()) {
+    const std::string line = encodeLine(message);
+    EXPECT_EQ(line.find('\n'), std::string::npos);
+    for (const char* end : {"", "\r"}) {
+      const Decoded decoded = decodeLine(line + end);
+      ASSERT_EQ(decoded.outcome, DecodeOutcome::Understood) << line << decoded.reason;
+      EXPECT_EQ(decoded.message, message) << line;
+    }
+  }
+}
+
+// The vectors were made with protoc --encode and a CRC-32C in Python, from the values in the .json files.
+TEST(SkinWireCodec, TestVectorsDecodeAndEncodeAgain) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(HEXODERM_TEST_DATA "/skinwire")) {
+    if (entry.path().extension() != ".hex") continue;
+    ++count;
+    Bytes body;
+    std::istringstream digits(readFile(entry.path()));
+    for (std::string byte; digits >> byte;) body.push_back(static_cast<std::uint8_t>(std::stoul(byte, nullptr, 16)));
+    std::string line = readFile(std::filesystem::path(entry.path()).replace_extension(".json"));
+    ASSERT_TRUE(line.ends_with('\n'));
+    line.pop_back();
+
+    const Decoded from_body = decodeBody(body);
+    const Decoded from_line = decodeLine(line);
+    ASSERT_EQ(from_body.outcome, DecodeOutcome::Understood) << entry.path() << from_body.reason;
+    ASSERT_EQ(from_line.outcome, DecodeOutcome::Understood) << entry.path() << from_line.reason;
+    EXPECT_EQ(from_body.message, from_line.message) << entry.path();
+    EXPECT_EQ(encodeBody(from_line.message), body) << entry.path();
+    EXPECT_EQ(encodeLine(from_body.message), line) << entry.path();
+  }
+  EXPECT_GE(count, 12);
+}
+
+TEST(SkinWireCodec, LineFieldsMayBeWrittenInEitherProtoSpellingAndTimesAsNumbers) {
+  const Decoded decoded = decodeLine(
+      R"({"samples": {"timeUs": 2000000, "cells": [1], "accelerationG": [0.25, -0.5, 0.75], "later_field": {"x": 1}}})");
+  ASSERT_EQ(decoded.outcome, DecodeOutcome::Understood) << decoded.reason;
+  EXPECT_EQ(decoded.message, Message(floatSamples()));
+}
+
+TEST(SkinWireCodec, EveryFlippedBitOfABodyIsNoticed) {
+  for (const Message& message : everyMessage()) {
+    const Bytes good = encodeBody(message);
+    for (std::size_t bit = 0; bit < 8 * good.size(); ++bit) {
+      Bytes bad = good;
+      bad[bit / 8] ^= static_cast<std::uint8_t>(1U << (bit % 8));
+      EXPECT_EQ(decodeBody(bad).outcome, DecodeOutcome::Broken) << "kind " << message.index() << ", bit " << bit;
+    }
+  }
+}
+
+TEST(SkinWireCodec, EveryShortenedBodyIsBroken) {
+  for (const Message& message : everyMessage()) {
+    const Bytes good = encodeBody(message);
+    for (std::size_t size = 0; size < good.size(); ++size) {
+      EXPECT_EQ(decodeBody(ByteView(good).first(size)).outcome, DecodeOutcome::Broken) << size;
+    }
+  }
+}
+
+TEST(SkinWireCodec, PayloadsCutAnywhereNeverThrowEvenIfTheCrcIsRight) {
+  for (const Message& message : everyMessage()) {
+    const Bytes good = encodeBody(message);
+    for (std::size_t size = 2; size + 4 < good.size(); ++size) {
+      Bytes cut(good.begin(), good.begin() + static_cast<std::ptrdiff_t>(size));
+      appendCrc(cut);
+      const Decoded decoded = decodeBody(cut);
+      if (decoded.outcome == DecodeOutcome::Understood) {
+        EXPECT_EQ(complaint(decoded.message), "");
+      } else {
+        EXPECT_NE(decoded.reason, "");
+      }
+    }
+  }
+}
+
+TEST(SkinWireCodec, NamesBothNumbersOfAnotherMajorVersion) {
+  const Decoded body = decodeBody(bodyOf(2, 1, {1, 2, 3}));
+  EXPECT_EQ(body.outcome, DecodeOutcome::OtherMajor);
+  EXPECT_EQ(body.major, 2U);
+  EXPECT_EQ(body.reason, "the device speaks SkinWire 2, this program SkinWire 1");
+  for (const char* line : {R"({"major": 2, "hello": {}})", R"({"major": 2, "hello": "of another kind"})"}) {
+    const Decoded decoded = decodeLine(line);
+    EXPECT_EQ(decoded.outcome, DecodeOutcome::OtherMajor) << line;
+    EXPECT_EQ(decoded.reason, "the device speaks SkinWire 2, this program SkinWire 1");
+  }
+}
+
+TEST(SkinWireCodec, SkipsTypesAndFieldsThatItDoesNotKnow) {
+  EXPECT_EQ(decodeBody(bodyOf(kMajor, 99, {1, 2, 3})).outcome, DecodeOutcome::UnknownType);
+  EXPECT_EQ(decodeBody(bodyOf(kMajor, 0, {})).outcome, DecodeOutcome::UnknownType);
+  EXPECT_EQ(decodeLine(R"({"later_message": {"x": [1, 2]}})").outcome, DecodeOutcome::UnknownType);
+  EXPECT_EQ(decodeLine("{}").outcome, DecodeOutcome::UnknownType);
+
+  // Field 1000, a text, behind a Status.
+  const Decoded decoded = decodeBody(bodyOf(kMajor, 4, {0x0A, 0x01, 'x', 0xC2, 0x3E, 0x02, 'h', 'i'}));
+  ASSERT_EQ(decoded.outcome, DecodeOutcome::Understood) << decoded.reason;
+  EXPECT_EQ(std::get<Status>(decoded.message).text, "x");
+}
+
+TEST(SkinWireCodec, RefusesLinesThatAreNoMessages) {
+  const std::string deep(100'000, '[');
+  for (const std::string& line :
+       {std::string("hello"), std::string("[1]"), std::string("{\"hello\": 3}"),
+        std::string("{\"hello\": {\"rate_hz\": \"NaN\", \"cell_model\": \"m\"}}"),
+        std::string("{\"samples\": {\"cells\": [-1]}}"), std::string("{\"samples\": {\"cells\": [4294967296]}}"),
+        std::string("{\"samples\": {\"cells\": [1], \"acceleration_g\": [0, 0, 1e999]}}"), std::string("{\"samples\""),
+        "{\"hello\": " + deep, std::string("\0\0\0", 3)}) {
+    const Decoded decoded = decodeLine(line);
+    EXPECT_EQ(decoded.outcome, DecodeOutcome::Broken) << line.substr(0, 80);
+    EXPECT_NE(decoded.reason, "");
+    EXPECT_LT(decoded.reason.size(), 300U);
+  }
+}
+
+TEST(SkinWireCodec, RefusesToSendWhatDoesNotFitAFrame) {
+  Samples samples;
+  samples.cells = {1};
+  samples.acceleration_g.assign(3 * 100'000, 1.5F);
+  samples.period_us = 1000;
+  EXPECT_EQ(complaint(samples), "");
+  EXPECT_THROW(encodeBody(samples), InvalidArgument);
+  EXPECT_THROW(encodeLine(samples), InvalidArgument);
+}
+
+// A message that has something wrong, and what must be said of it.
+struct BadSamples {
+  const char* what;
+  std::function<void(Samples&)> spoil;
+};
+
+TEST(SkinWireCodec, RefusesSamplesThatMakeNoSense) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  const std::vector<BadSamples> bad_raw = {
+      {"exactly one", [](Samples& s) { s.acceleration_g.assign(6, 0); }},
+      {"exactly one", [](Samples& s) { s.raw_lsb.clear(); }},
+      {"exactly one", [](Samples& s) { s.cells.clear(); }},
+      {"multiple of 3", [](Samples& s) { s.raw_lsb.pop_back(); }},
+      {"multiple of 3",
+       [](Samples& s) {
+         s.cells.push_back(9);
+         s.cells.push_back(10);
+         s.cells.push_back(11);
+       }},
+      {"belong to mean_g",
+       [](Samples& s) {
+         s.count = {1, 1};
+       }},
+      {"period_us", [](Samples& s) { s.period_us = 0; }},
+      {"time_us", [](Samples& s) { s.time_us = kMaxTime_us; }},
+      {"time_us", [](Samples& s) { s.time_us = UINT64_MAX; }},
+      {"sequence", [](Samples& s) { s.sequence = UINT64_MAX; }},
+      {"temperature_c", [](Samples& s) { s.temperature_c = {1}; }},
+  };
+  const std::vector<BadSamples> bad_means = {
+      {"mean_g", [](Samples& s) { s.mean_g.pop_back(); }},
+      {"variance_g2", [](Samples& s) { s.variance_g2.clear(); }},
+      {"count", [](Samples& s) { s.count.pop_back(); }},
+      {"count", [](Samples& s) { s.count[0] = 0; }},
+      {"finite", [=](Samples& s) { s.mean_g[1] = kNan; }},
+      {"finite", [](Samples& s) { s.variance_g2[1] = std::numeric_limits<float>::infinity(); }},
+      {"at least 0", [](Samples& s) { s.variance_g2[0] = -1; }},
+      {"temperature_c", [=](Samples& s) { s.temperature_c[0] = kNan; }},
+  };
+  const auto check = [](const Samples& good, const std::vector<BadSamples>& cases) {
+    ASSERT_EQ(complaint(good), "");
+    for (const BadSamples& bad : cases) {
+      Samples samples = good;
+      bad.spoil(samples);
+      EXPECT_THAT(complaint(samples), HasSubstr(bad.what));
+      EXPECT_THROW(encodeBody(samples), InvalidArgument);
+    }
+  };
+  check(rawSamples(0, 1000), bad_raw);
+  check(meanSamples(), bad_means);
+}
+
+TEST(SkinWireCodec, RefusesOtherMessagesThatMakeNoSense) {
+  Hello hello = helloMessage();
+  hello.rate_hz = std::nan("");
+  EXPECT_THAT(complaint(hello), HasSubstr("rate_hz"));
+  hello = helloMessage();
+  hello.cell_model.assign(65'537, '{');
+  EXPECT_THAT(complaint(hello), HasSubstr("cell_model"));
+  hello.cell_model.clear();
+  EXPECT_THAT(complaint(hello), HasSubstr("cell_model"));
+  hello = helloMessage();
+  hello.device.assign(1001, 'x');
+  EXPECT_THAT(complaint(hello), HasSubstr("device"));
+  EXPECT_THAT(complaint(Topology{1, 2, 2, {}}), HasSubstr("part"));
+  EXPECT_THAT(complaint(Topology{1, 0, UINT32_MAX, {}}), HasSubstr("parts"));
+  EXPECT_THAT(complaint(Command{1, TurnTo{1, {0, 0, 2}}}), HasSubstr("unit vector"));
+  EXPECT_THAT(complaint(Command{1, SetRate{-5}}), HasSubstr("rate_hz"));
+  EXPECT_THAT(complaint(Ack{1, true, "", true}), HasSubstr("working"));
+}
+
+}  // namespace
+}  // namespace hexoderm::skinwire

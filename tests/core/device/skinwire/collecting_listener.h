@@ -1,0 +1,79 @@
+#pragma once
+
+#include "hexoderm/device/skin_source.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <vector>
+
+namespace hexoderm {
+
+/// Keeps everything that a source delivers, and waits for it.
+class CollectingListener : public SkinListener {
+ public:
+  struct Delivered {
+    std::vector<SkinDescription> skins;
+    std::vector<SampleFrame> frames;
+    std::vector<SourceStatus> statuses;
+    std::vector<CommandOutcome> outcomes;
+
+    [[nodiscard]] SourceStatus status() const { return statuses.empty() ? SourceStatus{} : statuses.back(); }
+    [[nodiscard]] bool sawState(SourceState state) const {
+      for (const SourceStatus& status : statuses) {
+        if (status.state == state) return true;
+      }
+      return false;
+    }
+    [[nodiscard]] bool saw(SourceState state, const std::string& text) const {
+      for (const SourceStatus& status : statuses) {
+        if (status.state == state && status.text.find(text) != std::string::npos) return true;
+      }
+      return false;
+    }
+    [[nodiscard]] const CommandOutcome* outcomeOf(std::uint32_t command) const {
+      for (const CommandOutcome& outcome : outcomes) {
+        if (outcome.command == command) return &outcome;
+      }
+      return nullptr;
+    }
+  };
+
+  void onSkin(const SkinDescription& skin) override {
+    add([&] { delivered_.skins.push_back(skin); });
+  }
+  void onFrame(const SampleFrame& frame) override {
+    add([&] { delivered_.frames.push_back(frame); });
+  }
+  void onStatus(const SourceStatus& status) override {
+    add([&] { delivered_.statuses.push_back(status); });
+  }
+  void onCommandOutcome(const CommandOutcome& outcome) override {
+    add([&] { delivered_.outcomes.push_back(outcome); });
+  }
+
+  /// False if it does not come within a time that no test should need.
+  template <class Condition>
+  bool waitFor(const Condition& condition) {
+    std::unique_lock lock(mutex_);
+    return changed_.wait_for(lock, std::chrono::seconds(20), [&] { return condition(delivered_); });
+  }
+  [[nodiscard]] Delivered delivered() {
+    const std::lock_guard lock(mutex_);
+    return delivered_;
+  }
+
+ private:
+  template <class Action>
+  void add(const Action& action) {
+    const std::lock_guard lock(mutex_);
+    action();
+    changed_.notify_all();
+  }
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  Delivered delivered_;
+};
+
+}  // namespace hexoderm

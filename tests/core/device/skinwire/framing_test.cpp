@@ -1,0 +1,220 @@
+#include "hexoderm/device/skinwire/framing.h"
+
+#include "wire_messages.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <random>
+
+namespace hexoderm::skinwire {
+namespace {
+
+constexpr Framing kFramings[] = {Framing::Length, Framing::Cobs, Framing::Lines};
+
+Bytes bytesOf(std::string_view text) { return {text.begin(), text.end()}; }
+
+void append(Bytes& stream, const Bytes& more) { stream.insert(stream.end(), more.begin(), more.end()); }
+
+struct Outcome {
+  std::vector<Message> messages;
+  int broken = 0;
+};
+
+void drain(FrameDecoder& decoder, Outcome& outcome) {
+  while (auto decoded = decoder.next()) {
+    if (decoded->outcome == DecodeOutcome::Understood) {
+      outcome.messages.push_back(std::move(decoded->message));
+    } else {
+      ++outcome.broken;
+    }
+  }
+}
+
+Outcome decodeAll(FrameDecoder& decoder, ByteView stream, std::size_t piece) {
+  Outcome outcome;
+  for (std::size_t k = 0; k < stream.size(); k += piece) {
+    decoder.feed(stream.subspan(k, std::min(piece, stream.size() - k)));
+    drain(decoder, outcome);
+  }
+  return outcome;
+}
+
+TEST(Cobs, ReadsBackBytesOfEveryLengthAroundABlock) {
+  for (const std::size_t zero_every : {0U, 1U, 2U, 7U, 254U, 255U}) {
+    for (std::size_t size = 0; size < 800; ++size) {
+      Bytes bytes(size);
+      for (std::size_t k = 0; k < size; ++k) {
+        bytes[k] = zero_every != 0 && k % zero_every == 0 ? 0 : static_cast<std::uint8_t>(1 + k % 255);
+      }
+      const Bytes coded = encodeCobs(bytes);
+      ASSERT_EQ(std::ranges::count(coded, 0), 0);
+      ASSERT_LE(coded.size(), bytes.size() + bytes.size() / 254 + 1);
+      const std::optional<Bytes> back = decodeCobs(coded);
+      ASSERT_TRUE(back.has_value());
+      ASSERT_EQ(*back, bytes) << size << " bytes, zero every " << zero_every;
+    }
+  }
+}
+
+TEST(Cobs, HasThePublishedExamples) {
+  // Cheshire and Baker, "Consistent Overhead Byte Stuffing", and the common ones.
+  EXPECT_EQ(encodeCobs(Bytes{}), (Bytes{1}));
+  EXPECT_EQ(encodeCobs(Bytes{0}), (Bytes{1, 1}));
+  EXPECT_EQ(encodeCobs(Bytes{0, 0}), (Bytes{1, 1, 1}));
+  EXPECT_EQ(encodeCobs(Bytes{0x11, 0x22, 0, 0x33}), (Bytes{3, 0x11, 0x22, 2, 0x33}));
+  EXPECT_EQ(encodeCobs(Bytes{0x11, 0, 0, 0}), (Bytes{2, 0x11, 1, 1, 1}));
+}
+
+TEST(Cobs, RefusesWhatNoEncoderWrites) {
+  EXPECT_FALSE(decodeCobs(Bytes{5, 1, 2}).has_value());
+  EXPECT_FALSE(decodeCobs(Bytes{0}).has_value());
+  EXPECT_FALSE(decodeCobs(Bytes{3, 0, 1}).has_value());
+}
+
+TEST(FrameDecoder, ReadsEveryFramingInPiecesOfAnySize) {
+  for (const Framing framing : kFramings) {
+    Bytes stream;
+    for (const Message& message : everyMessage()) append(stream, encodeFrame(framing, message));
+    for (const std::size_t piece : {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{64}, stream.size()}) {
+      FrameDecoder decoder(framing);
+      const Outcome outcome = decodeAll(decoder, stream, piece);
+      EXPECT_EQ(outcome.messages, everyMessage()) << piece;
+      EXPECT_EQ(outcome.broken, 0);
+      EXPECT_EQ(decoder.buffered(), 0U);
+    }
+  }
+}
+
+TEST(FrameDecoder, TellsLinesFromLengthsByTheFirstBytes) {
+  for (const Framing framing : {Framing::Length, Framing::Lines}) {
+    FrameDecoder decoder(std::nullopt);
+    const Outcome outcome = decodeAll(decoder, encodeFrame(framing, helloMessage()), 1);
+    EXPECT_EQ(outcome.messages.size(), 1U);
+    EXPECT_EQ(decoder.framing(), framing);
+  }
+}
+
+TEST(FrameDecoder, ALengthThatBeginsLikeALineIsStillALength) {
+  // '{' is 0x7B = 123: a device name makes the frame just that long.
+  Hello hello = helloMessage();
+  hello.device.clear();
+  const std::size_t shorter = encodeBody(hello).size() + 2;
+  hello.device.assign('{' - shorter, 'x');
+  const Bytes frame = encodeFrame(Framing::Length, hello);
+  ASSERT_EQ(frame[0], '{');
+  FrameDecoder decoder(std::nullopt);
+  EXPECT_EQ(decodeAll(decoder, frame, 1).messages, std::vector<Message>{hello});
+  EXPECT_EQ(decoder.framing(), Framing::Length);
+}
+
+TEST(FrameDecoder, NoFlippedBitLetsAWrongMessageThrough) {
+  const Bytes before = encodeBody(Status{"before", false, 0, 0});
+  for (const Framing framing : {Framing::Length, Framing::Cobs}) {
+    const std::vector<Message> sent = {rawSamples(0, 1000), meanSamples(), helloMessage()};
+    Bytes good;
+    for (const Message& message : sent) append(good, encodeFrame(framing, message));
+    for (std::size_t bit = 0; bit < 8 * good.size(); ++bit) {
+      Bytes bad = good;
+      bad[bit / 8] ^= static_cast<std::uint8_t>(1U << (bit % 8));
+      FrameDecoder decoder(framing);
+      const Outcome outcome = decodeAll(decoder, bad, bad.size());
+      EXPECT_LT(outcome.messages.size(), sent.size()) << bit;
+      for (const Message& message : outcome.messages) {
+        EXPECT_TRUE(std::ranges::find(sent, message) != sent.end()) << bit;
+      }
+      // A broken length is noticed at the latest when the frame that it announces should be over.
+      EXPECT_TRUE(outcome.broken > 0 || decoder.buffered() > 0) << bit;
+    }
+  }
+}
+
+TEST(FrameDecoder, FindsTheNextSerialFrameAfterGarbage) {
+  std::mt19937 random(1);
+  for (int round = 0; round < 200; ++round) {
+    Bytes stream(random() % 300);
+    std::ranges::generate(stream, [&] { return static_cast<std::uint8_t>(random()); });
+    stream.push_back(0);
+    append(stream, encodeFrame(Framing::Cobs, rawSamples(0, 1000)));
+    FrameDecoder decoder(Framing::Cobs);
+    const Outcome outcome = decodeAll(decoder, stream, 17);
+    ASSERT_EQ(outcome.messages, std::vector<Message>{rawSamples(0, 1000)}) << round;
+  }
+}
+
+TEST(FrameDecoder, GoesOnAtTheNextLineAfterABrokenOne) {
+  FrameDecoder decoder(Framing::Lines);
+  Bytes stream = bytesOf("{\"hello\": oops}\n\n   \r\nwhat is this\n");
+  append(stream, encodeFrame(Framing::Lines, helloMessage()));
+  const Outcome outcome = decodeAll(decoder, stream, 5);
+  EXPECT_EQ(outcome.messages, std::vector<Message>{helloMessage()});
+  EXPECT_EQ(outcome.broken, 2);
+}
+
+TEST(FrameDecoder, SkipsWhatIsTooLongAndHoldsNoMoreThanALimit) {
+  for (const Framing framing : {Framing::Cobs, Framing::Lines}) {
+    FrameDecoder decoder(framing);
+    Outcome outcome;
+    const Bytes piece(100'000, '1');
+    for (int k = 0; k < 50; ++k) {
+      decoder.feed(piece);
+      drain(decoder, outcome);
+      ASSERT_LE(decoder.buffered(), kMaxBody + kMaxBody / 254 + 1 + piece.size());
+    }
+    EXPECT_EQ(outcome.broken, 1);
+    Bytes rest = {static_cast<std::uint8_t>(framing == Framing::Lines ? '\n' : 0)};
+    append(rest, encodeFrame(framing, helloMessage()));
+    const Outcome after = decodeAll(decoder, rest, rest.size());
+    EXPECT_EQ(after.messages, std::vector<Message>{helloMessage()});
+    EXPECT_EQ(after.broken, 0);
+  }
+}
+
+TEST(FrameDecoder, ABadLengthOrCrcEndsAStreamOfLengths) {
+  const Bytes good = encodeFrame(Framing::Length, helloMessage());
+  Bytes wrong_crc = good;
+  wrong_crc.back() ^= 1U;
+  for (const Bytes& bad : {Bytes{0, 0, 0x10, 1}, Bytes{1, 0, 0x10, 0}, Bytes{0, 0, 0, 0}, wrong_crc}) {
+    FrameDecoder decoder(Framing::Length);
+    Bytes stream = good;
+    append(stream, bad);
+    append(stream, good);
+    const Outcome outcome = decodeAll(decoder, stream, stream.size());
+    EXPECT_EQ(outcome.messages.size(), 1U);
+    EXPECT_EQ(outcome.broken, 1);
+    EXPECT_NE(decoder.stuck(), "");
+    decoder.feed(good);
+    EXPECT_FALSE(decoder.next().has_value());
+    EXPECT_EQ(decoder.buffered(), 0U);
+  }
+}
+
+TEST(FrameDecoder, AFrameOfTheLargestSizePasses) {
+  Samples samples;
+  samples.period_us = 1;
+  samples.cells = {1};
+  samples.raw_lsb.assign(3 * 349'500, 1);
+  for (const Framing framing : {Framing::Length, Framing::Cobs}) {
+    const Bytes frame = encodeFrame(framing, samples);
+    ASSERT_GT(frame.size(), kMaxBody - 100);
+    FrameDecoder decoder(framing);
+    EXPECT_EQ(decodeAll(decoder, frame, 65'536).messages, std::vector<Message>{samples});
+  }
+}
+
+TEST(FrameDecoder, SurvivesRandomBytes) {
+  std::mt19937 random(2);
+  for (int round = 0; round < 300; ++round) {
+    Bytes stream(random() % 2000);
+    std::ranges::generate(stream, [&] { return static_cast<std::uint8_t>(random()); });
+    for (const Framing framing : kFramings) {
+      FrameDecoder decoder(framing);
+      EXPECT_TRUE(decodeAll(decoder, stream, 100).messages.empty());
+    }
+    FrameDecoder decoder(std::nullopt);
+    EXPECT_TRUE(decodeAll(decoder, stream, 100).messages.empty());
+  }
+}
+
+}  // namespace
+}  // namespace hexoderm::skinwire

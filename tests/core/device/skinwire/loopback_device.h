@@ -1,0 +1,152 @@
+#pragma once
+
+// The other end of a source, in the test's own thread.
+
+#include "hexoderm/device/skinwire/framing.h"
+
+#include <fcntl.h>
+#include <stdlib.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/ip/udp.hpp>
+#include <boost/asio/write.hpp>
+
+#include <array>
+#include <chrono>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+namespace hexoderm {
+
+/// One accepted connection. Blocking.
+class DeviceConnection {
+ public:
+  DeviceConnection(boost::asio::ip::tcp::socket socket, skinwire::Framing framing)
+      : socket_(std::move(socket)), framing_(framing), decoder_(framing) {}
+
+  void send(const skinwire::Message& message) { sendBytes(skinwire::encodeFrame(framing_, message)); }
+  void sendBytes(skinwire::ByteView bytes) {
+    boost::system::error_code ignored;  // the source may have gone already
+    boost::asio::write(socket_, boost::asio::buffer(bytes.data(), bytes.size()), ignored);
+  }
+  /// The next command other than Describe.
+  skinwire::Command receive() {
+    while (true) {
+      while (auto decoded = decoder_.next()) {
+        auto command = std::get<skinwire::Command>(decoded->message);
+        if (!std::holds_alternative<skinwire::Describe>(command.request)) return command;
+      }
+      std::array<std::uint8_t, 4096> bytes;
+      const std::size_t count = socket_.read_some(boost::asio::buffer(bytes));
+      decoder_.feed({bytes.data(), count});
+    }
+  }
+  void close() { socket_.close(); }
+  /// A device's own pace.
+  static void pause(std::chrono::milliseconds time) { std::this_thread::sleep_for(time); }
+
+ private:
+  boost::asio::ip::tcp::socket socket_;
+  skinwire::Framing framing_;
+  skinwire::FrameDecoder decoder_;
+};
+
+class TcpDevice {
+ public:
+  TcpDevice() = default;
+  [[nodiscard]] std::string address(const std::string& host = "127.0.0.1") const {
+    return "tcp://" + host + ":" + std::to_string(acceptor_.local_endpoint().port());
+  }
+  DeviceConnection accept(skinwire::Framing framing = skinwire::Framing::Length) {
+    return {acceptor_.accept(), framing};
+  }
+  void close() { acceptor_.close(); }
+  /// True if a connection waits to be accepted.
+  bool hasCaller() {
+    acceptor_.non_blocking(true);
+    boost::system::error_code error;
+    boost::asio::ip::tcp::socket socket(io_);
+    acceptor_.accept(socket, error);
+    acceptor_.non_blocking(false);
+    return !error;
+  }
+
+ private:
+  boost::asio::io_context io_;
+  boost::asio::ip::tcp::acceptor acceptor_{io_,
+                                           boost::asio::ip::tcp::endpoint(boost::asio::ip::address_v4::loopback(), 0)};
+};
+
+class UdpDevice {
+ public:
+  [[nodiscard]] std::string address() const {
+    return "udp://127.0.0.1:" + std::to_string(socket_.local_endpoint().port());
+  }
+  skinwire::Command receive() {
+    std::array<std::uint8_t, 4096> bytes;
+    const std::size_t count = socket_.receive_from(boost::asio::buffer(bytes), host_);
+    return std::get<skinwire::Command>(skinwire::decodeBody({bytes.data(), count}).message);
+  }
+  void send(const skinwire::Message& message) { sendBytes(skinwire::encodeBody(message)); }
+  void sendBytes(skinwire::ByteView bytes) { socket_.send_to(boost::asio::buffer(bytes.data(), bytes.size()), host_); }
+
+ private:
+  boost::asio::io_context io_;
+  boost::asio::ip::udp::socket socket_{io_, boost::asio::ip::udp::endpoint(boost::asio::ip::address_v4::loopback(), 0)};
+  boost::asio::ip::udp::endpoint host_;
+};
+
+/// The master's end of a pseudo-terminal.
+class SerialDevice {
+ public:
+  SerialDevice() : master_(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC)) {
+    if (master_ < 0 || ::grantpt(master_) != 0 || ::unlockpt(master_) != 0) throw std::runtime_error("no terminal");
+    std::array<char, 128> name{};
+    if (::ptsname_r(master_, name.data(), name.size()) != 0) throw std::runtime_error("no terminal");
+    path_ = name.data();
+    // Until the source makes it raw, the terminal would change bytes and send them back.
+    termios settings{};
+    ::tcgetattr(master_, &settings);
+    ::cfmakeraw(&settings);
+    ::tcsetattr(master_, TCSANOW, &settings);
+  }
+  ~SerialDevice() { unplug(); }
+  SerialDevice(const SerialDevice&) = delete;
+  SerialDevice& operator=(const SerialDevice&) = delete;
+
+  [[nodiscard]] std::string address() const { return "serial:" + path_; }
+  void unplug() {
+    if (master_ >= 0) ::close(master_);
+    master_ = -1;
+  }
+  void send(const skinwire::Message& message) { sendBytes(skinwire::encodeFrame(skinwire::Framing::Cobs, message)); }
+  void sendBytes(skinwire::ByteView bytes) {
+    while (!bytes.empty()) {
+      const ssize_t count = ::write(master_, bytes.data(), bytes.size());
+      if (count <= 0) throw std::runtime_error("the terminal takes nothing");
+      bytes = bytes.subspan(static_cast<std::size_t>(count));
+    }
+  }
+  skinwire::Command receive() {
+    while (true) {
+      if (auto decoded = decoder_.next()) return std::get<skinwire::Command>(decoded->message);
+      std::array<std::uint8_t, 4096> bytes;
+      const ssize_t count = ::read(master_, bytes.data(), bytes.size());
+      // Nobody has opened the other end yet, or the source is about to open it again.
+      if (count <= 0) continue;
+      decoder_.feed({bytes.data(), static_cast<std::size_t>(count)});
+    }
+  }
+
+ private:
+  int master_;
+  std::string path_;
+  skinwire::FrameDecoder decoder_{skinwire::Framing::Cobs};
+};
+
+}  // namespace hexoderm

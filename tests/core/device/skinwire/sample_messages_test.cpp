@@ -1,0 +1,159 @@
+#include "hexoderm/device/skinwire/sample_messages.h"
+
+#include "hexoderm/device/skinwire/codec.h"
+#include "hexoderm/util/error.h"
+#include "wire_messages.h"
+
+#include <gtest/gtest.h>
+#include <cmath>
+
+namespace hexoderm::skinwire {
+namespace {
+
+constexpr double kLsb_g = 0.0039;
+
+SampleFrame quantised(double time_s, std::uint32_t cells) {
+  SampleFrame frame;
+  frame.time_s = time_s;
+  for (std::uint32_t id = 1; id <= cells; ++id) {
+    frame.samples.push_back({CellId(id), Eigen::Vector3d(id % 512, -1.0, 256) * kLsb_g});
+  }
+  return frame;
+}
+
+SampleFrame decoded(const Samples& message, std::size_t tick = 0) {
+  SampleFrame frame;
+  decodeTick(message, tick, kLsb_g, frame);
+  return frame;
+}
+
+void expectSameSamples(const SampleFrame& a, const SampleFrame& b) {
+  EXPECT_EQ(a.time_s, b.time_s);
+  ASSERT_EQ(a.samples.size(), b.samples.size());
+  for (std::size_t k = 0; k < a.samples.size(); ++k) {
+    EXPECT_EQ(a.samples[k].cell, b.samples[k].cell);
+    EXPECT_EQ(a.samples[k].acceleration_g, b.samples[k].acceleration_g);
+  }
+}
+
+TEST(SampleMessages, QuantisedReadingsComeBackBitByBit) {
+  SampleEncoder encoder(kLsb_g);
+  std::vector<Samples> out;
+  encoder.encode(quantised(1.234567, 17), out);
+  ASSERT_EQ(out.size(), 1U);
+  EXPECT_FALSE(out[0].raw_lsb.empty());
+  EXPECT_EQ(out[0].time_us, 1'234'567U);
+  expectSameSamples(decoded(out[0]), quantised(1.234567, 17));
+}
+
+TEST(SampleMessages, ReadingsBetweenTheStepsGoAsFloats) {
+  SampleFrame frame;
+  frame.samples = {{CellId(5), {0.25, 0.1, -1}}, {CellId(6), Eigen::Vector3d(1, 2, 3) * kLsb_g}};
+  SampleEncoder encoder(kLsb_g);
+  std::vector<Samples> out;
+  encoder.encode(frame, out);
+  ASSERT_EQ(out.size(), 2U);
+  EXPECT_EQ(out[0].cells, std::vector<std::uint32_t>{6});
+  EXPECT_EQ(out[1].cells, std::vector<std::uint32_t>{5});
+  EXPECT_EQ(out[1].acceleration_g, (std::vector<float>{0.25F, 0.1F, -1.0F}));
+  EXPECT_EQ(out[1].sequence, 1U);
+  EXPECT_EQ(encoder.sequence(), 2U);
+}
+
+TEST(SampleMessages, MeansAndTemperaturesComeBack) {
+  SampleFrame frame;
+  frame.time_s = 2;
+  frame.means = {{CellId(1), {0, 0.5, -1}, {0.25, 0.5, 0}, 12}};
+  frame.temperatures = {{CellId(1), 36.5}};
+  SampleEncoder encoder(kLsb_g);
+  std::vector<Samples> out;
+  encoder.encode(frame, out);
+  ASSERT_EQ(out.size(), 2U);
+  const SampleFrame means = decoded(out[0]);
+  ASSERT_EQ(means.means.size(), 1U);
+  EXPECT_EQ(means.means[0].mean_g, Eigen::Vector3d(0, 0.5, -1));
+  EXPECT_EQ(means.means[0].variance_g2, Eigen::Vector3d(0.25, 0.5, 0));
+  EXPECT_EQ(means.means[0].count, 12U);
+  const SampleFrame temperatures = decoded(out[1]);
+  ASSERT_EQ(temperatures.temperatures.size(), 1U);
+  EXPECT_EQ(temperatures.temperatures[0].temperature_c, 36.5);
+  EXPECT_TRUE(temperatures.samples.empty() && temperatures.means.empty());
+}
+
+TEST(SampleMessages, EveryMessageFitsItsLimitAndIsWellUsed) {
+  for (const std::size_t limit : {kMaxDatagram, std::size_t{200}}) {
+    SampleEncoder encoder(kLsb_g, limit);
+    std::vector<Samples> out;
+    SampleFrame frame = quantised(1, 1000);
+    for (std::uint32_t id = 2001; id <= 2300; ++id) frame.samples.push_back({CellId(id), {0.1, 0.2, 0.3}});
+    for (std::uint32_t id = 1; id <= 300; ++id) frame.means.push_back({CellId(id), {0, 0, 1}, {0, 0, 0}, 100});
+    for (std::uint32_t id = 1; id <= 300; ++id) frame.temperatures.push_back({CellId(id), 20});
+    encoder.encode(frame, out);
+    std::size_t samples = 0;
+    std::size_t temperatures = 0;
+    std::size_t bytes = 0;
+    for (const Samples& message : out) {
+      ASSERT_EQ(complaint(message), "");
+      const std::size_t size = encodeBody(message).size();
+      ASSERT_LE(size, limit);
+      bytes += size;
+      samples += message.cells.size();
+      temperatures += message.temperature_cells.size();
+    }
+    EXPECT_EQ(samples, 1600U);
+    EXPECT_EQ(temperatures, 300U);
+    EXPECT_EQ(encoder.sequence(), 1600U);
+    EXPECT_GT(static_cast<double>(bytes) / static_cast<double>(out.size() * limit), limit > 1000 ? 0.8 : 0.5);
+  }
+}
+
+TEST(SampleMessages, ABatchIsOneMessageOfManyTicks) {
+  std::vector<SampleFrame> frames;
+  for (int k = 0; k < 10; ++k) frames.push_back(quantised(1 + 0.001 * k, 17));
+  SampleEncoder encoder(kLsb_g, kMaxDatagram);
+  std::vector<Samples> out;
+  encoder.encodeBatch(frames, out);
+  ASSERT_EQ(out.size(), 1U);
+  EXPECT_EQ(complaint(out[0]), "");
+  EXPECT_LE(encodeBody(out[0]).size(), kMaxDatagram);
+  ASSERT_EQ(out[0].ticks(), 10U);
+  for (std::size_t k = 0; k < 10; ++k) {
+    EXPECT_NEAR(decoded(out[0], k).time_s, frames[k].time_s, 1e-9);
+    EXPECT_EQ(decoded(out[0], k).samples.size(), 17U);
+  }
+}
+
+TEST(SampleMessages, WhatDoesNotFitABatchGoesOneByOne) {
+  std::vector<SampleFrame> frames = {quantised(1, 17), quantised(1.001, 17), quantised(1.0025, 17)};
+  SampleEncoder encoder(kLsb_g);
+  std::vector<Samples> out;
+  encoder.encodeBatch(frames, out);
+  EXPECT_EQ(out.size(), 3U);
+  out.clear();
+  frames = {quantised(1, 17), quantised(1.001, 16)};
+  encoder.encodeBatch(frames, out);
+  EXPECT_EQ(out.size(), 2U);
+  out.clear();
+  frames = {quantised(1, 500), quantised(1.001, 500)};
+  SampleEncoder datagrams(kLsb_g, kMaxDatagram);
+  datagrams.encodeBatch(frames, out);
+  EXPECT_GT(out.size(), 4U);
+}
+
+TEST(SampleMessages, NumbersThatAreNotFiniteAreLeftOutAndBadTimesRefused) {
+  SampleFrame frame;
+  frame.samples = {{CellId(1), {0, 0, std::nan("")}}, {CellId(2), {0, 0, 1e300}}, {CellId(3), {0, 0, 0.5}}};
+  frame.temperatures = {{CellId(1), std::nan("")}};
+  SampleEncoder encoder(kLsb_g);
+  std::vector<Samples> out;
+  encoder.encode(frame, out);
+  ASSERT_EQ(out.size(), 1U);
+  EXPECT_EQ(out[0].cells, std::vector<std::uint32_t>{3});
+  frame.time_s = -1;
+  EXPECT_THROW(encoder.encode(frame, out), InvalidArgument);
+  frame.time_s = std::nan("");
+  EXPECT_THROW(encoder.encode(frame, out), InvalidArgument);
+}
+
+}  // namespace
+}  // namespace hexoderm::skinwire

@@ -1,0 +1,72 @@
+#pragma once
+
+// Messages of a small skin: two cells, joined.
+
+#include "hexoderm/device/skinwire/codec.h"
+
+#include <vector>
+
+namespace hexoderm::skinwire {
+
+inline Hello helloMessage() { return {kMinor, "two cells", "hex-bma150", true, true, 1000, 7}; }
+
+inline Topology topologyMessage() {
+  return {3,
+          0,
+          1,
+          {{CellId(1), "forearm", {{PortNumber(2), CellId(2), PortNumber(3)}, {PortNumber(1), CellId(0), {}}}},
+           {CellId(2), "", {{PortNumber(3), CellId(1), {}}}}}};
+}
+
+/// Two ticks of two cells.
+inline Samples rawSamples(std::uint64_t sequence, std::uint64_t time_us) {
+  Samples samples;
+  samples.sequence = sequence;
+  samples.time_us = time_us;
+  samples.period_us = 1000;
+  samples.cells = {1, 2};
+  samples.raw_lsb = {0, 0, 250, -64, 63, 240, 1, -1, 251, -512, 511, 239};
+  return samples;
+}
+
+inline Samples meanSamples() {
+  Samples samples;
+  samples.sequence = 44;
+  samples.time_us = 3'000'000;
+  samples.cells = {1, 300};
+  samples.mean_g = {0, 0, 1, 0.5F, 0.5F, -0.75F};
+  samples.variance_g2 = {0.25F, 0.25F, 0.25F, 0, 0, 0.125F};
+  samples.count = {100, 7};
+  samples.temperature_cells = {300};
+  samples.temperature_c = {36.5F};
+  return samples;
+}
+
+inline Samples floatSamples() {
+  Samples samples;
+  samples.time_us = 2'000'000;
+  samples.cells = {1};
+  samples.acceleration_g = {0.25F, -0.5F, 0.75F};
+  return samples;
+}
+
+/// One of every kind, and of every request.
+inline std::vector<Message> everyMessage() {
+  return {helloMessage(),
+          topologyMessage(),
+          rawSamples(40, 1'000'000),
+          floatSamples(),
+          meanSamples(),
+          Status{"exploring", true, 5'000'000'000, 3},
+          Command{1, SetRate{500}},
+          Command{2, SetLed{7, 255, 0, 16}},
+          Command{3, TurnTo{7, {0, -0.6, 0.8}}},
+          Command{4, ExploreAgain{}},
+          Command{5, Describe{3}},
+          Command{6, Describe{}},
+          Command{7, std::monostate{}},
+          Ack{2, false, "there is no cell 7", false},
+          Ack{3, false, "", true}};
+}
+
+}  // namespace hexoderm::skinwire
