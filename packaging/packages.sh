@@ -19,6 +19,7 @@ core_packages=(
   libssl-dev
   nlohmann-json3-dev
   protobuf-compiler
+  python3 # tests/kill
   zlib1g-dev # named in the CMake files of libassimp-dev, which does not bring it
 )
 

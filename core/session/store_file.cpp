@@ -146,11 +146,27 @@ Database tried(const std::filesystem::path& file, const std::string& name, Datab
   return database;
 }
 
+/// SQLite reads a last page that is cut off as if the rest were zero. Only for files without a journal, which may hold the
+/// rest.
+void requireWholePages(Database& database, const std::filesystem::path& file) {
+  const std::int64_t expected = database.number("PRAGMA page_count") * database.number("PRAGMA page_size");
+  std::error_code error;
+  const auto size = std::filesystem::file_size(file, error);
+  if (!error && size < static_cast<std::uintmax_t>(expected)) {
+    database.failFormat("the file ends in the middle (truncated?): expected " + std::to_string(expected) +
+                        " bytes, found " + std::to_string(size));
+  }
+}
+
 StoreFile openUnchanged(const std::filesystem::path& path, const std::string& name) {
   const std::filesystem::path file = fileBehind(path, name);
   std::optional<StoreLock> lock = StoreLock::forReading(file, name);
   requireContent(file, name);
-  if (lock && !hasJournal(file)) return {std::move(lock), nullptr, tried(file, name, Database::Mode::Immutable)};
+  if (lock && !hasJournal(file)) {
+    Database database = tried(file, name, Database::Mode::Immutable);
+    requireWholePages(database, file);
+    return {std::move(lock), nullptr, std::move(database)};
+  }
   // A journal: of somebody who is writing, or of somebody who was killed. SQLite reads through it, but wants to keep an
   // index beside it. Where it can't, a copy is read.
   try {
@@ -225,8 +241,10 @@ StoreFile openStoreForWriting(const std::filesystem::path& path, Migrations migr
   const std::filesystem::path file = fileBehind(path, name);
   StoreLock lock = StoreLock::forWriting(file, name);
   requireContent(file, name);
+  const bool has_journal = hasJournal(file);
   StoreFile store{std::move(lock), nullptr, tried(file, name, Database::Mode::ReadWrite)};
   Database& database = store.database;
+  if (!has_journal) requireWholePages(database, file);
   const std::size_t version = requireStoreVersion(database, migrations);
   requireSchema(database, migrations, version);
   // What is appended to a damaged file may be lost with it.
