@@ -62,7 +62,8 @@ class SessionRecorderTest : public testing::Test {
 
   [[nodiscard]] std::vector<std::uint32_t> stored() const {
     std::vector<std::uint32_t> ids;
-    for (const SessionPose& pose : readSessionStore(path_).poses()) ids.push_back(pose.capture->id.value());
+    const Session session = readSessionStore(path_);
+    for (const SessionPose& pose : session.poses()) ids.push_back(pose.capture->id.value());
     return ids;
   }
 
