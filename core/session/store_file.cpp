@@ -146,8 +146,8 @@ Database tried(const std::filesystem::path& file, const std::string& name, Datab
   return database;
 }
 
-/// SQLite reads a last page that is cut off as if the rest were zero. Only for files without a journal, which may hold the
-/// rest.
+/// SQLite reads a last page that is cut off as if the rest were zero. Only for files without a journal, which may hold
+/// the rest.
 void requireWholePages(Database& database, const std::filesystem::path& file) {
   const std::int64_t expected = database.number("PRAGMA page_count") * database.number("PRAGMA page_size");
   std::error_code error;
