@@ -19,7 +19,7 @@ core_packages=(
   libssl-dev
   nlohmann-json3-dev
   protobuf-compiler
-  python3 # an example sender, run in the tests
+  python3 # kill tests and an example sender
   zlib1g-dev # named in the CMake files of libassimp-dev, which does not bring it
 )
 

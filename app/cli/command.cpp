@@ -32,7 +32,7 @@ OpenedFile openInput(const std::string& path, const std::string& cell_model) {
 Session openSession(const std::string& path) {
   OpenedFile opened = openInput(path);
   if (auto* session = std::get_if<Session>(&opened)) return std::move(*session);
-  throw BadInput(path + ": this is a calibration, expected a session (*.session.json)");
+  throw BadInput(path + ": this is a calibration, expected a session (*.hexo or *.session.json)");
 }
 
 std::shared_ptr<const Reconstruction> openCalibration(const std::string& path, const std::string& cell_model) {

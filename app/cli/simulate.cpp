@@ -1,7 +1,7 @@
 #include "command.h"
 
 #include "hexoderm/device/simulated_skin.h"
-#include "hexoderm/io/session_json.h"
+#include "hexoderm/io/open_file.h"
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/text.h"
 
@@ -64,8 +64,8 @@ void addFault(const std::string& text, SimulatedSkinOptions& skin) {
 }
 
 int run(const SimulateOptions& options, const Common& common) {
-  if (!options.output.ends_with(".json")) {
-    throw InvalidArgument("-o: expected a name that ends in .session.json, found \"" + options.output + "\"");
+  if (!options.output.ends_with(".json") && !isSessionFileName(options.output)) {
+    throw InvalidArgument("-o: expected a name that ends in .session.json or .hexo, found \"" + options.output + "\"");
   }
   CellModel model = asInput([&] { return loadCellModel(options.cell_model); });
   if (options.offset_sigma_mg >= 0) model.accelerometer.offset_sigma_g = options.offset_sigma_mg / 1000;
@@ -81,7 +81,7 @@ int run(const SimulateOptions& options, const Common& common) {
   common.progress("Taking poses ...");
   const Session session = simulateSession(skin, options.poses, options.samples);
   common.progress("Writing ...");
-  writeSessionJson(session, options.output);
+  saveSession(session, options.output);
   common.endProgress();
   if (common.json) {
     printJson({{"file", options.output},
@@ -120,7 +120,10 @@ void addSimulate(CLI::App& app, Common& common) {
       ->check(CLI::NonNegativeNumber);
   command->add_option("--fault", options->faults, faultSyntax() + "; may be repeated");
   command->add_flag("--ideal", options->ideal, "No jitter, no sensor errors, no noise, no hand");
-  command->add_option("-o,--output", options->output, "Session to write (*.session.json)")->required();
+  command
+      ->add_option("-o,--output", options->output,
+                   "Session to write (*.session.json, or *.hexo, which must not exist yet)")
+      ->required();
   common.addTo(*command);
   command->footer(
       "Example:\n  hexoderm-cli simulate --patch x17 --surface cylinder:r=0.0501 --poses 2 --seed 1 "

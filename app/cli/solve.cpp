@@ -79,7 +79,7 @@ int run(const SolveOptions& options, const Common& common) {
 void addSolve(CLI::App& app, Common& common) {
   const auto options = std::make_shared<SolveOptions>();
   CLI::App* command = app.add_subcommand("solve", "Find the placement of every cell of a session");
-  command->add_option("input", options->input, "Session (*.session.json)")->required();
+  command->add_option("input", options->input, "Session (*.hexo or *.session.json)")->required();
   command->add_option("-o,--output", options->output, "Calibration to write (*.calibration.json)");
   command
       ->add_option("--solver", options->solver,

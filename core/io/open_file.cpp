@@ -3,6 +3,7 @@
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/io/tum_xml.h"
+#include "hexoderm/session/session_store.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/json_reader.h"
@@ -11,9 +12,8 @@ namespace hexoderm {
 namespace {
 
 constexpr std::string_view kExpected =
-    "expected a Hexoderm session (format \"hexoderm-session\"), a calibration (format \"hexoderm-calibration\") or a "
-    "TUM "
-    "SkinConfig XML";
+    "expected a Hexoderm session (*.hexo, or format \"hexoderm-session\"), a calibration (format "
+    "\"hexoderm-calibration\") or a TUM SkinConfig XML";
 
 /// The first character that says something: byte order mark and white space skipped, 0 if there is none.
 char firstCharacter(std::string_view text) {
@@ -26,6 +26,7 @@ char firstCharacter(std::string_view text) {
 }  // namespace
 
 OpenedFile openFile(const std::filesystem::path& path, const CellModel& model_for_tum) {
+  if (isSessionStore(path)) return readSessionStore(path);
   const std::string text = readFile(path);
   const std::string file = path.string();
   switch (firstCharacter(text)) {
@@ -44,6 +45,19 @@ OpenedFile openFile(const std::filesystem::path& path, const CellModel& model_fo
   if (!format) static_cast<void>(parseJson(text, file));  // what is not even JSON is said first
   throw FormatError(file + ": format: " + std::string(kExpected) +
                     (format ? ", found \"" + *format + "\"" : ", but there is none"));
+}
+
+bool isSessionFileName(const std::filesystem::path& path) {
+  const std::string name = path.filename().string();
+  return name.ends_with(".hexo") || name.ends_with(".session.json");
+}
+
+void saveSession(const Session& session, const std::filesystem::path& path) {
+  if (path.filename().string().ends_with(".hexo")) {
+    writeSessionStore(session, path);
+  } else {
+    writeSessionJson(session, path);
+  }
 }
 
 }  // namespace hexoderm

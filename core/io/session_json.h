@@ -8,9 +8,11 @@
 
 namespace hexoderm {
 
-/// `*.session.json` (SPEC section 3). Reading throws StorageError (missing, unreadable) or FormatError naming file, key
-/// path and expectation; nothing is changed by a failed read. The topology is taken as reported: contradictions are for
-/// SkinGraph to find.
+/// `*.session.json` (SPEC section 3). Beyond what is described there, a pose has `"taken_at_ms"?` (milliseconds since
+/// 1970, UTC) and `"why_disabled"?`, and a sample has `"temperature_c"?`; keys that the reader does not know are
+/// ignored. Numbers come back as the same doubles. Reading throws StorageError (missing, unreadable) or FormatError
+/// naming file, key path and expectation; nothing is changed by a failed read. The topology is taken as reported:
+/// contradictions are for SkinGraph to find.
 Session readSessionJson(const std::filesystem::path& path);
 Session parseSessionJson(std::string_view text, const std::string& file);
 

@@ -40,9 +40,10 @@ SessionPose Session::removePose(std::size_t index) {
   return pose;
 }
 
-void Session::setPoseDisabled(std::size_t index, bool disabled) {
+void Session::setPoseDisabled(std::size_t index, bool disabled, std::string why) {
   if (index >= poses_.size()) throw InvalidArgument("there is no pose at place " + std::to_string(index));
   poses_[index].disabled = disabled;
+  poses_[index].why_disabled = disabled ? std::move(why) : std::string();
   ++revision_;
 }
 

@@ -33,7 +33,7 @@ struct SessionPose {
 struct SourceDescription {
   std::string text;    ///< for people, for example "Simulated x17 on cylinder:r=0.0501, ..."
   std::string file;    ///< name of the file it was read from, without folders; empty if none
-  std::string sha256;  ///< of that file's bytes
+  std::string sha256;  ///< of that file's bytes; of a session store the digest of its journal
 };
 
 /// Everything a reconstruction is computed from, as it was at one revision. Immutable: whoever holds the shared pointer
@@ -68,7 +68,8 @@ class Session {
   void addPose(SessionPose pose, std::optional<std::size_t> index = std::nullopt);
   /// Throws InvalidArgument if there is no such index.
   SessionPose removePose(std::size_t index);
-  void setPoseDisabled(std::size_t index, bool disabled);
+  /// `why` is kept while the pose is disabled.
+  void setPoseDisabled(std::size_t index, bool disabled, std::string why = {});
 
   [[nodiscard]] std::shared_ptr<const SessionSnapshot> snapshot() const;
 

@@ -291,6 +291,13 @@ std::uint32_t JsonReader::unsignedInteger(std::uint32_t min, std::uint32_t max) 
   return static_cast<std::uint32_t>(value);
 }
 
+std::int64_t JsonReader::integer() const {
+  const bool fits =
+      value_->is_number_integer() && (!value_->is_number_unsigned() || value_->get<std::uint64_t>() <= INT64_MAX);
+  if (!fits) fail("a whole number of 64 bits");
+  return value_->get<std::int64_t>();
+}
+
 bool JsonReader::boolean() const {
   if (!value_->is_boolean()) fail("true or false");
   return value_->get<bool>();

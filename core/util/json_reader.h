@@ -38,6 +38,7 @@ class JsonReader {
   [[nodiscard]] double positiveNumber() const;
   [[nodiscard]] double nonNegativeNumber() const;
   [[nodiscard]] std::uint32_t unsignedInteger(std::uint32_t min = 0, std::uint32_t max = UINT32_MAX) const;
+  [[nodiscard]] std::int64_t integer() const;  ///< of 64 bits with sign
   [[nodiscard]] bool boolean() const;
   [[nodiscard]] std::string string() const;
   [[nodiscard]] std::vector<double> numbers(std::size_t count) const;  ///< exactly `count` finite numbers

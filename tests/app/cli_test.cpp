@@ -2,6 +2,7 @@
 
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/session_json.h"
+#include "hexoderm/session/session_store.h"
 #include "hexoderm/util/file.h"
 
 #include <gmock/gmock.h>
@@ -236,7 +237,63 @@ TEST_F(Cli, ConvertTakesTumFilesBothWays) {
   EXPECT_EQ(readCalibrationJson(path("tum.calibration.json"))->solver, "imported");
   EXPECT_EQ(run("convert '" + tum + "' -o tum.session.json").exit_code, 0);
   EXPECT_TRUE(readSessionJson(path("tum.session.json")).poses().empty());
-  EXPECT_EQ(run("convert '" + tum + "' -o tum.hexo").exit_code, 2);
+  EXPECT_EQ(run("convert '" + tum + "' -o tum.hexo").exit_code, 0);
+  EXPECT_EQ(readSessionStore(path("tum.hexo")).neighbors(), readSessionJson(path("tum.session.json")).neighbors());
+  EXPECT_EQ(run("convert '" + tum + "' -o tum.xyz").exit_code, 2);
+}
+
+TEST_F(Cli, SessionStoresAreTakenWhereverSessionsAre) {
+  EXPECT_EQ(run("simulate --poses 3 --seed 4 -o arm.hexo").exit_code, 0);
+  EXPECT_EQ(run("simulate --poses 3 --seed 4 -o arm.session.json").exit_code, 0);
+  const Outcome solve = run("solve arm.hexo -o arm.calibration.json");
+  EXPECT_EQ(solve.exit_code, 0) << solve.err;
+  EXPECT_THAT(solve.out, AllOf(HasSubstr("17 cells, 16 links, 1 patch"), HasSubstr("Against the truth")));
+  EXPECT_EQ(readCalibrationJson(path("arm.calibration.json"))->source.file, "arm.hexo");
+  EXPECT_THAT(run("inspect arm.hexo").out, AllOf(HasSubstr("session of cell model"), HasSubstr("Poses: 3")));
+  EXPECT_EQ(run("evaluate arm.calibration.json --against arm.hexo").exit_code, 0);
+  const Outcome exported = run("export arm.hexo --to ply -o arm.ply");
+  EXPECT_EQ(exported.exit_code, 3);
+  EXPECT_THAT(exported.err, HasSubstr("solve"));
+
+  const Outcome convert = run("convert arm.hexo -o back.session.json");
+  EXPECT_EQ(convert.exit_code, 0) << convert.err;
+  EXPECT_THAT(convert.err, HasSubstr("history"));
+  EXPECT_EQ(readFile(path("back.session.json")), readFile(path("arm.session.json")));
+  EXPECT_EQ(run("convert back.session.json -o again.hexo").exit_code, 0);
+  EXPECT_EQ(run("convert again.hexo -o again.session.json").exit_code, 0);
+  EXPECT_EQ(readFile(path("again.session.json")), readFile(path("arm.session.json")));
+}
+
+TEST_F(Cli, ASessionStoreIsNeverReplaced) {
+  run("simulate --seed 4 -o arm.hexo");
+  const std::string before = readFile(path("arm.hexo"));
+  for (const std::string command : {"simulate --seed 5 -o arm.hexo", "convert arm.hexo -o arm.hexo"}) {
+    const Outcome result = run(command);
+    EXPECT_EQ(result.exit_code, 5) << command;
+    EXPECT_THAT(result.err, AllOf(HasSubstr("arm.hexo"), HasSubstr("exists already")));
+  }
+  EXPECT_EQ(readFile(path("arm.hexo")), before);
+}
+
+TEST_F(Cli, BrokenSessionStoresEndWithThree) {
+  run("simulate --seed 4 -o arm.hexo");
+  writeFileAtomically(path("cut.hexo"), readFile(path("arm.hexo")).substr(0, 9000));
+  writeFileAtomically(path("empty.hexo"), "");
+  for (const std::string name : {"cut.hexo", "empty.hexo", "missing.hexo"}) {
+    const Outcome result = run("solve " + name + " -o out.calibration.json");
+    EXPECT_EQ(result.exit_code, 3) << name;
+    EXPECT_THAT(result.err, HasSubstr(name));
+    EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
+    EXPECT_FALSE(exists("out.calibration.json"));
+  }
+}
+
+TEST_F(Cli, ASessionThatIsBeingCapturedIsReadAsItIsSoFar) {
+  run("simulate --poses 3 --seed 4 -o arm.hexo");
+  SessionStore store = SessionStore::open(path("arm.hexo"));
+  const StoreOperation operation = RemovePose{2};
+  store.append({&operation, 1});
+  EXPECT_THAT(run("inspect arm.hexo").out, HasSubstr("Poses: 2"));
 }
 
 TEST_F(Cli, EveryCommandHasHelpWithAnExampleThatWorks) {

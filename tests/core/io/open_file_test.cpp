@@ -3,6 +3,7 @@
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/session/session_store.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
 #include "support/error_matchers.h"
@@ -48,6 +49,34 @@ TEST(OpenFile, TellsFilesApartByTheirContent) {
   EXPECT_EQ(std::get<std::shared_ptr<const Reconstruction>>(opened)->solver, "imported");
 }
 
+TEST(OpenFile, OpensSessionStoresAlsoWhileTheyAreWritten) {
+  const TemporaryFolder folder;
+  const Session session = readSessionJson(kData / "three_cells.session.json");
+  writeSessionStore(session, folder.path() / "d.dat");
+  EXPECT_EQ(std::get<Session>(open(folder.path() / "d.dat")).poses().size(), 3U);
+  SessionStore store = SessionStore::open(folder.path() / "d.dat");
+  const StoreOperation operation = RemovePose{0};
+  store.append({&operation, 1});
+  const Session opened = std::get<Session>(open(folder.path() / "d.dat"));
+  EXPECT_EQ(opened.poses().size(), 2U);
+  EXPECT_EQ(opened.source().file, "d.dat");
+}
+
+TEST(SaveSession, WritesWhatTheNameSays) {
+  const TemporaryFolder folder;
+  const Session session = readSessionJson(kData / "three_cells.session.json");
+  saveSession(session, folder.path() / "a.hexo");
+  saveSession(session, folder.path() / "a.session.json");
+  EXPECT_TRUE(isSessionStore(folder.path() / "a.hexo"));
+  EXPECT_FALSE(isSessionStore(folder.path() / "a.session.json"));
+  EXPECT_EQ(readFile(folder.path() / "a.session.json"), sessionToJson(session));
+  saveSession(session, folder.path() / "a.session.json");
+  EXPECT_THROW(saveSession(session, folder.path() / "a.hexo"), StorageError);
+  EXPECT_TRUE(isSessionFileName("x/a.hexo"));
+  EXPECT_TRUE(isSessionFileName("a.session.json"));
+  EXPECT_FALSE(isSessionFileName("a.hexo/calibration.json"));
+}
+
 TEST(OpenFile, SkipsAByteOrderMarkAndWhiteSpace) {
   const TemporaryFolder folder;
   const std::string text = readFile(kData / "three_cells.session.json");
@@ -69,6 +98,7 @@ TEST(OpenFile, SaysWhatItReadsWhenAFileIsNoneOfIt) {
   EXPECT_THAT(complaint(""), saysAll("f.dat", "empty", "session", "calibration"));
   EXPECT_THAT(complaint("{\"a\": 1}"), saysAll("f.dat", "format", "there is none"));
   EXPECT_THAT(complaint("{\"format\": \"hexoderm-manifest\"}"), saysAll("f.dat", "format", "\"hexoderm-manifest\""));
+  EXPECT_THAT(complaint(std::string("SQLite format 3\0 and no more", 28)), saysAll("f.dat", "not a Hexoderm session"));
   EXPECT_THAT(complaint("<robot/>"), saysAll("f.dat", "SkinConfig", "robot"));
 }
 

@@ -1,9 +1,11 @@
 #include "hexoderm/io/session_json.h"
 
+#include "hexoderm/session/session_store.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
 #include "support/error_matchers.h"
 #include "support/json_mutations.h"
+#include "support/session_matchers.h"
 #include "support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -104,6 +106,38 @@ TEST(SessionJson, ComesBackAsItWas) {
   EXPECT_EQ(last.samples[0].count, sample.count);
   ASSERT_NE(back.truth(), nullptr);
   EXPECT_EQ(back.truth()->cells[2].T_b_u.R, session.truth()->cells[2].T_b_u.R);
+}
+
+TEST(SessionJson, KeepsEverythingThatAStoreKeepsAndBack) {
+  const TemporaryFolder folder;
+  const Session session = test::sessionWithEverything();
+  const auto path = [&](const char* name) { return folder.path() / name; };
+  writeSessionStore(session, path("1.hexo"));
+  writeSessionJson(readSessionStore(path("1.hexo")), path("2.session.json"));
+  writeSessionStore(readSessionJson(path("2.session.json")), path("3.hexo"));
+  writeSessionJson(readSessionStore(path("3.hexo")), path("4.session.json"));
+  test::expectSameSession(session, readSessionJson(path("2.session.json")));
+  test::expectSameSession(session, readSessionStore(path("3.hexo")));
+  EXPECT_EQ(readFile(path("2.session.json")), readFile(path("4.session.json")));
+}
+
+TEST(SessionJson, ReadsTimesReasonsAndTemperatures) {
+  nlohmann::json json = threeCells();
+  json["poses"][1]["why_disabled"] = "leaned on it";
+  json["poses"][1]["taken_at_ms"] = -1;
+  json["poses"][2]["taken_at_ms"] = 1'700'000'000'123;
+  json["poses"][2]["samples"][0]["temperature_c"] = -40.5;
+  const Session session = parseSessionJson(json.dump(), "s.json");
+  EXPECT_FALSE(session.poses()[0].capture->taken_at_ms.has_value());
+  EXPECT_EQ(session.poses()[1].why_disabled, "leaned on it");
+  EXPECT_EQ(session.poses()[1].capture->taken_at_ms, -1);
+  EXPECT_EQ(session.poses()[2].capture->taken_at_ms, 1'700'000'000'123);
+  EXPECT_EQ(session.poses()[2].capture->samples[0].temperature_c, -40.5);
+  EXPECT_FALSE(session.poses()[2].capture->samples[1].temperature_c.has_value());
+  EXPECT_THAT(complaint("/poses/1", {{"id", 1}, {"samples", nlohmann::json::array()}, {"taken_at_ms", 0.5}}),
+              saysAll("s.json: poses[1].taken_at_ms: expected a whole number"));
+  EXPECT_THAT(complaint("/poses/1", {{"id", 1}, {"samples", nlohmann::json::array()}, {"taken_at_ms", UINT64_MAX}}),
+              saysAll("s.json: poses[1].taken_at_ms: expected a whole number"));
 }
 
 TEST(SessionJson, KeepsACellModelOfItsOwn) {

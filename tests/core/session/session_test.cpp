@@ -26,6 +26,15 @@ TEST(Session, EveryChangeMakesANewRevisionAndOldSnapshotsStayAsTheyWere) {
   EXPECT_EQ(before->poses[0].capture, after->poses[0].capture) << "captures are shared, not copied";
 }
 
+TEST(Session, APoseIsDisabledForAReasonAsLongAsItIsDisabled) {
+  Session session = emptySession();
+  session.addPose(pose(1));
+  session.setPoseDisabled(0, true, "the arm moved");
+  EXPECT_EQ(session.poses()[0].why_disabled, "the arm moved");
+  session.setPoseDisabled(0, false);
+  EXPECT_EQ(session.poses()[0].why_disabled, "");
+}
+
 TEST(Session, PoseNumbersAreNeverUsedAgain) {
   Session session = emptySession();
   session.addPose(pose(session.nextPoseId().value()));

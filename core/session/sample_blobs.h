@@ -1,0 +1,27 @@
+#pragma once
+
+// Private to session/: readings as bytes, little-endian; the layouts are documented in README.md beside this file.
+
+#include "hexoderm/capture/pose_capture.h"
+#include "hexoderm/device/sample_frame.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace hexoderm {
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// Throws InvalidArgument naming the cell for what can't be stored: numbers that are not finite, negative variances.
+Bytes encodeSamples(std::span<const GravitySample> samples);
+/// Throws FormatError; `where` begins its message.
+std::vector<GravitySample> decodeSamples(std::span<const std::uint8_t> bytes, const std::string& where);
+
+/// Raw samples of one pose. Numbers take 4 bytes each where all of them are exact as such, as a device's readings often
+/// are, else 8. Throws InvalidArgument for numbers that are not finite.
+Bytes encodeFrames(std::span<const SampleFrame> frames);
+std::vector<SampleFrame> decodeFrames(std::span<const std::uint8_t> bytes, const std::string& where);
+
+}  // namespace hexoderm

@@ -1,0 +1,74 @@
+#include "hexoderm/session/session_parts_json.h"
+
+#include <set>
+
+namespace hexoderm {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+CellReport readCell(const JsonReader& json) {
+  CellReport report;
+  report.id = CellId(json.at("id").unsignedInteger());
+  if (const auto part = json.find("body_part")) report.body_part = part->string();
+  for (const JsonReader& port : json.at("ports").items()) {
+    NeighborReport neighbor{PortNumber(port.at("port").unsignedInteger()), CellId(port.at("cell").unsignedInteger()),
+                            std::nullopt};
+    if (const auto cell_port = port.find("cell_port")) neighbor.cell_port = PortNumber(cell_port->unsignedInteger());
+    report.neighbors.push_back(neighbor);
+  }
+  return report;
+}
+
+Json cellJson(const CellReport& report) {
+  Json json;
+  json["id"] = report.id.value();
+  if (!report.body_part.empty()) json["body_part"] = report.body_part;
+  json["ports"] = Json::array();
+  for (const NeighborReport& neighbor : report.neighbors) {
+    Json port;
+    port["port"] = neighbor.port.value();
+    port["cell"] = neighbor.cell.value();
+    if (neighbor.cell_port) port["cell_port"] = neighbor.cell_port->value();
+    json["ports"].push_back(std::move(port));
+  }
+  return json;
+}
+
+}  // namespace
+
+NeighborList readNeighbors(const JsonReader& json) {
+  NeighborList neighbors;
+  for (const JsonReader& cell : json.items()) neighbors.push_back(readCell(cell));
+  return neighbors;
+}
+
+Json neighborsJson(const NeighborList& neighbors) {
+  Json json = Json::array();
+  for (const CellReport& report : neighbors) json.push_back(cellJson(report));
+  return json;
+}
+
+GroundTruth readTruth(const JsonReader& json) {
+  GroundTruth truth;
+  if (const auto frame = json.find("frame")) truth.frame = frame->string();
+  std::set<CellId> known;
+  for (const JsonReader& cell : json.at("cells").items()) {
+    const CellId id(cell.at("id").unsignedInteger());
+    if (!known.insert(id).second) cell.at("id").fail("each cell once");
+    truth.cells.push_back({id, {cell.at("R").rotation(), cell.at("t_m").vector3()}});
+  }
+  return truth;
+}
+
+Json truthJson(const GroundTruth& truth) {
+  Json json;
+  json["frame"] = truth.frame;
+  json["cells"] = Json::array();
+  for (const TrueCellPlacement& cell : truth.cells) {
+    json["cells"].push_back({{"id", cell.id.value()}, {"R", toJson(cell.T_b_u.R)}, {"t_m", toJson(cell.T_b_u.t)}});
+  }
+  return json;
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,18 @@
+#pragma once
+
+// Parts of a session inside JSON documents: session files and the session store. Only for use in .cpp files: it carries
+// nlohmann's header.
+
+#include "hexoderm/session/session.h"
+#include "hexoderm/util/json_reader.h"
+
+namespace hexoderm {
+
+/// An array of cells as reported. Reading throws FormatError with the key path.
+NeighborList readNeighbors(const JsonReader& json);
+nlohmann::ordered_json neighborsJson(const NeighborList& neighbors);
+
+GroundTruth readTruth(const JsonReader& json);
+nlohmann::ordered_json truthJson(const GroundTruth& truth);
+
+}  // namespace hexoderm

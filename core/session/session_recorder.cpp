@@ -1,0 +1,145 @@
+#include "hexoderm/session/session_recorder.h"
+
+#include "hexoderm/util/error.h"
+
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <thread>
+#include <utility>
+
+namespace hexoderm {
+
+struct SessionRecorder::State {
+  struct Job {
+    std::vector<StoreOperation> operations;
+    Acknowledge done;
+
+    void acknowledge(const StoreOutcome& outcome) const {
+      if (done) done(outcome);
+    }
+  };
+
+  Open open;
+  std::optional<SessionStore> store;  // touched by the thread alone once it runs
+  mutable std::mutex mutex;
+  std::condition_variable_any changed;
+  std::deque<Job> jobs;    // the thread takes from the front; references to others stay valid
+  bool is_to_try = false;  // something was added, or is to be tried again
+  std::jthread thread;     // last: started when everything it uses exists, joined before any of it goes
+
+  void start() {
+    thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
+  }
+
+  void add(Job job) {
+    {
+      const std::lock_guard lock(mutex);
+      jobs.push_back(std::move(job));
+      is_to_try = true;
+    }
+    changed.notify_one();
+  }
+
+  void run(const std::stop_token& stop) {
+    bool is_last = false;
+    while (!is_last) {
+      {
+        std::unique_lock lock(mutex);
+        changed.wait(lock, stop, [this] { return is_to_try; });
+        is_to_try = false;
+        is_last = stop.stop_requested();
+      }
+      if (writeAll() && store) store->tidy();
+    }
+    giveUp();
+    store.reset();
+  }
+
+  const Job* firstJob() const {
+    const std::lock_guard lock(mutex);
+    return jobs.empty() ? nullptr : &jobs.front();
+  }
+  Job takeFirstJob() {
+    const std::lock_guard lock(mutex);
+    Job job = std::move(jobs.front());
+    jobs.pop_front();
+    return job;
+  }
+
+  /// True if nothing is left.
+  bool writeAll() {
+    while (const Job* job = firstJob()) {
+      StoreOutcome outcome;
+      try {
+        if (!store && open) store.emplace(open());
+        outcome.revision = job->operations.empty() ? store->revision() : store->append(job->operations);
+      } catch (const InvalidArgument& error) {
+        outcome.error = error.what();
+      } catch (const std::exception& error) {
+        outcome.error = error.what();
+        outcome.is_kept = true;
+      }
+      if (outcome.is_kept) {
+        acknowledgeAll(outcome);
+        return false;
+      }
+      takeFirstJob().acknowledge(outcome);
+    }
+    return true;
+  }
+
+  void acknowledgeAll(const StoreOutcome& outcome) const {
+    std::vector<Acknowledge> all;
+    {
+      const std::lock_guard lock(mutex);
+      for (const Job& job : jobs) all.push_back(job.done);
+    }
+    for (const Acknowledge& done : all) {
+      if (done) done(outcome);
+    }
+  }
+
+  void giveUp() {
+    while (firstJob() != nullptr) {
+      takeFirstJob().acknowledge({0, "the session was closed before this could be written to its file", false});
+    }
+  }
+};
+
+SessionRecorder::SessionRecorder(SessionStore store) : state_(std::make_unique<State>()) {
+  state_->store.emplace(std::move(store));
+  state_->start();
+}
+
+SessionRecorder::SessionRecorder(Open open, Acknowledge opened) : state_(std::make_unique<State>()) {
+  state_->open = std::move(open);
+  state_->add({{}, std::move(opened)});
+  state_->start();
+}
+
+SessionRecorder::~SessionRecorder() = default;
+
+void SessionRecorder::append(std::vector<StoreOperation> operations, Acknowledge done) {
+  state_->add({std::move(operations), std::move(done)});
+}
+
+void SessionRecorder::flush(Acknowledge done) { state_->add({{}, std::move(done)}); }
+
+void SessionRecorder::retry() {
+  {
+    const std::lock_guard lock(state_->mutex);
+    state_->is_to_try = true;
+  }
+  state_->changed.notify_one();
+}
+
+std::size_t SessionRecorder::waiting() const {
+  const std::lock_guard lock(state_->mutex);
+  return state_->jobs.size();
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "hexoderm/session/session_store.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace hexoderm {
+
+/// What became of something that was given to a SessionRecorder.
+struct StoreOutcome {
+  std::uint64_t revision = 0;  ///< of the store, once it is on disk; 0 if it is not
+  std::string error;           ///< why it is not on disk; empty if it is
+  bool is_kept = false;        ///< with an error: it waits in memory, and retry() or the next append() tries again
+};
+
+/// A thread that owns a SessionStore, so that nobody waits for a disk. What is appended is written in order, each call
+/// in a transaction of its own; if one can't be written it waits, and all that comes after it too, so that nothing is
+/// lost and the order stays.
+///
+/// Acknowledgements are called on the store's thread, must not throw and must not destroy the recorder: once with
+/// success or with an error that is final (an operation that makes no sense, or the recorder ends), and before that
+/// once for every attempt that failed. All functions can be called from any thread and return at once.
+class SessionRecorder {
+ public:
+  using Acknowledge = std::function<void(const StoreOutcome&)>;
+  using Open = std::function<SessionStore()>;
+
+  explicit SessionRecorder(SessionStore store);
+  /// Opens the store on the recorder's thread; what is appended meanwhile waits for it.
+  SessionRecorder(Open open, Acknowledge opened);
+  /// Tries once more to write what waits, closes the store and joins: may wait for the disk, so flush() and wait for
+  /// its acknowledgement first where that matters. What can't be written is acknowledged with a final error.
+  ~SessionRecorder();
+  SessionRecorder(const SessionRecorder&) = delete;
+  SessionRecorder& operator=(const SessionRecorder&) = delete;
+
+  /// "Captured" may be shown when `done` is called with success. `done` may be empty.
+  void append(std::vector<StoreOperation> operations, Acknowledge done);
+  /// `done` is called when everything before it is on disk.
+  void flush(Acknowledge done);
+  /// Tries again to write what waits.
+  void retry();
+  /// How many calls of append() and flush() are not acknowledged finally.
+  [[nodiscard]] std::size_t waiting() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace hexoderm

@@ -1,0 +1,124 @@
+#pragma once
+
+#include "hexoderm/device/sample_frame.h"
+#include "hexoderm/session/session.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace hexoderm {
+
+/// A capture, as Session::addPose(). Throws InvalidArgument if it holds numbers that are not finite or negative
+/// variances.
+struct AddPose {
+  SessionPose pose;
+  std::optional<std::size_t> index{};                     ///< among the poses then; absent: at the end
+  std::shared_ptr<const std::vector<SampleFrame>> raw{};  ///< what it was averaged from; null: not kept
+};
+/// As Session::removePose(). The capture stays in the file and can be restored.
+struct RemovePose {
+  std::size_t index = 0;
+};
+/// Takes back the last removal of a pose with this ID: it is as it was before, at place `index`.
+struct RestorePose {
+  PoseId id;
+  std::size_t index = 0;
+};
+struct SetPoseDisabled {
+  std::size_t index = 0;
+  bool disabled = true;
+  std::string why{};
+};
+struct SetSource {
+  SourceDescription source;
+};
+struct SetTruth {
+  GroundTruth truth;
+};
+/// Cell model and topology as reported anew; poses stay.
+struct SetSkin {
+  std::shared_ptr<const CellModel> model;  ///< never null
+  NeighborList neighbors;
+};
+/// Options that were used, as the text of a JSON object.
+struct SetOptions {
+  std::string json;
+};
+using StoreOperation =
+    std::variant<AddPose, RemovePose, RestorePose, SetPoseDisabled, SetSource, SetTruth, SetSkin, SetOptions>;
+
+/// What happened to a session, as people may want to see it.
+struct JournalLine {
+  std::uint64_t revision = 0;
+  std::int64_t at_ms = 0;  ///< milliseconds since 1970, UTC
+  std::string kind;        ///< "capture", "remove", ...: README.md in this folder lists them
+};
+
+/// A session file `*.hexo` (SPEC section 3; the layout is in README.md in this folder): an SQLite database with an
+/// append-only journal of everything that was done. What was captured is never changed and never removed.
+///
+/// What append() has returned from is on disk: killed at any moment, the session reopens with all of it, and without
+/// parts of anything. One writer at a time, across processes; any number of readers beside it. Where a file can't be
+/// written (full disk, read-only folder), it stays as it was, and the call can be repeated.
+///
+/// All functions throw StorageError (missing, not permitted, full, open elsewhere) or FormatError (not a session,
+/// damaged, of a newer version), which name the file. Belongs to one thread at a time, and can be moved to another.
+class SessionStore {
+ public:
+  /// Makes a file of the whole session and opens it for writing. It appears whole or not at all, and never replaces
+  /// another: StorageError if there is something of that name.
+  static SessionStore create(const std::filesystem::path& path, const Session& session);
+  /// To read and append. Finishes what a killed writer left, and brings older versions to the newest.
+  static SessionStore open(const std::filesystem::path& path);
+  /// Never changes the file, and works where nothing can be written. Where nobody is writing, others can't begin to
+  /// while the store is open, so it should be short; where somebody is, it reads what was captured so far.
+  static SessionStore openReadOnly(const std::filesystem::path& path);
+
+  ~SessionStore();
+  SessionStore(SessionStore&&) noexcept;
+  SessionStore& operator=(SessionStore&&) noexcept;
+
+  /// The session as it is now. Its source says what the stored one says; as file it names this one, with the digest of
+  /// the journal.
+  [[nodiscard]] Session readSession() const;
+  /// Raw samples of the pose at `index`; empty if none were kept. Throws InvalidArgument if there is no such pose.
+  [[nodiscard]] std::vector<SampleFrame> readRawSamples(std::size_t index) const;
+
+  /// Writes all operations, in this order, in one transaction, and returns when it is on disk. Returns the new
+  /// revision. If it throws, nothing of it is in the file: StorageError if it can be tried again, InvalidArgument if an
+  /// operation makes no sense for the session as it is (no such pose, numbers that are not finite).
+  std::uint64_t append(std::span<const StoreOperation> operations);
+  /// Moves what was appended from SQLite's journal ("-wal") into the file itself, so that copying the file alone copies
+  /// everything. Happens on closing too; not necessary for safety. Failure has no consequence.
+  void tidy() noexcept;
+
+  /// Number of the journal's last entry: grows with every change.
+  [[nodiscard]] std::uint64_t revision() const;
+  /// When the last change was made, milliseconds since 1970, UTC.
+  [[nodiscard]] std::int64_t editedAtMs() const;
+  /// Text of a JSON object; "{}" if none were set.
+  [[nodiscard]] const std::string& options() const;
+  [[nodiscard]] std::vector<JournalLine> history() const;
+  [[nodiscard]] const std::filesystem::path& path() const;
+
+ private:
+  struct State;
+  explicit SessionStore(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+/// The session in a file, as SessionStore::openReadOnly() and readSession().
+Session readSessionStore(const std::filesystem::path& path);
+/// The whole session as a new file, as SessionStore::create().
+void writeSessionStore(const Session& session, const std::filesystem::path& path);
+
+/// By its first bytes; whether it is in order, reading will tell. Throws StorageError if it is there and can't be read.
+bool isSessionStore(const std::filesystem::path& path);
+
+}  // namespace hexoderm

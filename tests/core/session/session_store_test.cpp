@@ -1,0 +1,308 @@
+#include "hexoderm/session/session_store.h"
+
+#include "hexoderm/session/simulated_session.h"
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/file.h"
+#include "support/error_matchers.h"
+#include "support/session_matchers.h"
+#include "support/temporary_folder.h"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+
+namespace hexoderm {
+namespace {
+
+using test::expectSamePose;
+using test::expectSameSession;
+using test::messageOf;
+using test::saysAll;
+using test::sessionWithEverything;
+using test::TemporaryFolder;
+using testing::ElementsAre;
+
+std::uint64_t appendOne(SessionStore& store, StoreOperation operation) { return store.append({&operation, 1}); }
+
+AddPose capture(std::uint32_t id, double value) {
+  PoseCapture capture{PoseId(id), "pose " + std::to_string(id), {}, 1'700'000'000'000};
+  capture.samples = {{CellId(1), {value, -value, 1}, Eigen::Matrix3d::Identity() * 1e-6, 100, 25.5}};
+  return {{std::make_shared<const PoseCapture>(std::move(capture))}};
+}
+
+std::vector<std::uint32_t> poseIds(const Session& session) {
+  std::vector<std::uint32_t> ids;
+  for (const SessionPose& pose : session.poses()) ids.push_back(pose.capture->id.value());
+  return ids;
+}
+
+std::vector<std::string> kinds(const SessionStore& store) {
+  std::vector<std::string> kinds;
+  for (const JournalLine& line : store.history()) kinds.push_back(line.kind);
+  return kinds;
+}
+
+class SessionStoreTest : public testing::Test {
+ protected:
+  TemporaryFolder folder_;
+  std::filesystem::path path_ = folder_.path() / "arm.hexo";
+};
+
+TEST_F(SessionStoreTest, KeepsAWholeSessionBitForBit) {
+  const Session session = sessionWithEverything();
+  writeSessionStore(session, path_);
+  const Session back = readSessionStore(path_);
+  expectSameSession(session, back);
+  EXPECT_EQ(back.source().file, "arm.hexo");
+  EXPECT_EQ(back.source().sha256.size(), 64U);
+  EXPECT_EQ(folder_.entryCount(), 1U) << "nothing lies beside it";
+}
+
+TEST_F(SessionStoreTest, KeepsASimulatedSkin) {
+  SimulatedSkin skin(builtInCellModel("hex-bma150"), SimulatedSkinOptions());
+  const Session session = simulateSession(skin, 3);
+  expectSameSession(session, SessionStore::create(path_, session).readSession());
+  expectSameSession(session, readSessionStore(path_));
+}
+
+TEST_F(SessionStoreTest, KeepsAnEmptySkin) {
+  const Session session(builtInCellModel("hex-bma150"), {});
+  writeSessionStore(session, path_);
+  expectSameSession(session, readSessionStore(path_));
+}
+
+TEST_F(SessionStoreTest, NeverReplacesAFile) {
+  writeSessionStore(sessionWithEverything(), path_);
+  const std::string before = readFile(path_);
+  EXPECT_THAT(
+      messageOf<StorageError>([&] { SessionStore::create(path_, Session(builtInCellModel("hex-bma150"), {})); }),
+      saysAll("arm.hexo", "exists already", "another name"));
+  EXPECT_EQ(readFile(path_), before);
+  EXPECT_EQ(folder_.entryCount(), 1U);
+}
+
+TEST_F(SessionStoreTest, IsMadeWholeOrNotAtAll) {
+  Session bad(builtInCellModel("hex-bma150"), {});
+  PoseCapture capture;
+  capture.samples = {{CellId(1), {0, std::numeric_limits<double>::quiet_NaN(), 1}, Eigen::Matrix3d::Zero(), 1}};
+  bad.addPose({std::make_shared<const PoseCapture>(capture)});
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { writeSessionStore(bad, path_); }), saysAll("cell 1", "finite"));
+  EXPECT_EQ(folder_.entryCount(), 0U);
+  EXPECT_THAT(messageOf<StorageError>([&] { writeSessionStore(bad, folder_.path() / "none" / "a.hexo"); }),
+              saysAll("none/a.hexo", "No such file"));
+}
+
+TEST_F(SessionStoreTest, CapturesAreThereAfterReopening) {
+  const AddPose first = capture(1, 0.1 + 0.2);
+  const AddPose second = capture(2, -5e-324);
+  std::uint64_t revision = 0;
+  {
+    SessionStore store = SessionStore::create(path_, Session(builtInCellModel("hex-bma150"), {}));
+    const std::uint64_t begin = store.revision();
+    EXPECT_EQ(appendOne(store, first), begin + 1);
+    revision = appendOne(store, second);
+    EXPECT_EQ(revision, begin + 2);
+    EXPECT_EQ(store.readSession().poses().size(), 2U);
+  }
+  const SessionStore store = SessionStore::open(path_);
+  EXPECT_EQ(store.revision(), revision);
+  const Session session = store.readSession();
+  ASSERT_EQ(session.poses().size(), 2U);
+  expectSamePose(session.poses()[0], first.pose);
+  expectSamePose(session.poses()[1], second.pose);
+}
+
+TEST_F(SessionStoreTest, RemovedPosesStayInTheFileAndComeBackAsTheyWere) {
+  SessionStore store = SessionStore::create(path_, sessionWithEverything());
+  const SessionPose second = store.readSession().poses()[1];
+  appendOne(store, RemovePose{1});
+  appendOne(store, RemovePose{1});
+  EXPECT_THAT(poseIds(store.readSession()), ElementsAre(1U));
+  EXPECT_EQ(store.readSession().nextPoseId(), PoseId(4)) << "numbers of removed poses are not used again";
+
+  store = SessionStore(SessionStore::openReadOnly(path_));  // what another program sees
+  EXPECT_THAT(poseIds(store.readSession()), ElementsAre(1U));
+  EXPECT_EQ(store.readSession().nextPoseId(), PoseId(4));
+
+  store = SessionStore::open(path_);
+  appendOne(store, RestorePose{PoseId(2), 0});
+  EXPECT_THAT(poseIds(store.readSession()), ElementsAre(2U, 1U));
+  expectSamePose(store.readSession().poses()[0], second);
+  appendOne(store, RestorePose{PoseId(3), 2});
+  EXPECT_THAT(poseIds(readSessionStore(path_)), ElementsAre(2U, 1U, 3U));
+  EXPECT_THAT(kinds(store), ElementsAre("skin", "source", "truth", "capture", "capture", "capture", "remove", "remove",
+                                        "restore", "restore"));
+}
+
+TEST_F(SessionStoreTest, OfPosesWithOneNumberTheLastRemovedIsRestored) {
+  SessionStore store = SessionStore::create(path_, Session(builtInCellModel("hex-bma150"), {}));
+  const AddPose first = capture(7, 0.25);
+  const AddPose second = capture(7, 0.5);
+  appendOne(store, first);
+  appendOne(store, second);
+  appendOne(store, RemovePose{0});
+  appendOne(store, RemovePose{0});
+  appendOne(store, RestorePose{PoseId(7), 0});
+  expectSamePose(store.readSession().poses()[0], second.pose);
+  appendOne(store, RestorePose{PoseId(7), 0});
+  expectSamePose(readSessionStore(path_).poses()[0], first.pose);
+}
+
+TEST_F(SessionStoreTest, KeepsWhatWasDisabledAndWhy) {
+  SessionStore store = SessionStore::create(path_, sessionWithEverything());
+  appendOne(store, SetPoseDisabled{0, true, "someone leaned on the arm"});
+  appendOne(store, SetPoseDisabled{1, false, ""});
+  const Session session = readSessionStore(path_);
+  EXPECT_TRUE(session.poses()[0].disabled);
+  EXPECT_EQ(session.poses()[0].why_disabled, "someone leaned on the arm");
+  EXPECT_FALSE(session.poses()[1].disabled);
+  EXPECT_EQ(session.poses()[1].why_disabled, "");
+}
+
+TEST_F(SessionStoreTest, KeepsSourceSkinTruthAndOptionsAsLastSet) {
+  SessionStore store = SessionStore::create(path_, sessionWithEverything());
+  EXPECT_EQ(store.options(), "{}");
+  CellModel model = builtInCellModel("hex-bma150");
+  model.name = "other";
+  GroundTruth truth;
+  truth.frame = "elbow";
+  const std::vector<StoreOperation> operations = {
+      SetSkin{std::make_shared<const CellModel>(model), {{CellId(9), "hand", {}}}}, SetSource{{"a new source", "", ""}},
+      SetTruth{truth}, SetOptions{R"({"solver": "tree", "class_threshold": 1.0})"}};
+  store.append(operations);
+  const SessionStore reader = SessionStore::openReadOnly(path_);
+  const Session session = reader.readSession();
+  EXPECT_EQ(session.model().name, "other");
+  ASSERT_EQ(session.neighbors().size(), 1U);
+  EXPECT_EQ(session.neighbors()[0].body_part, "hand");
+  EXPECT_EQ(session.source().text, "a new source");
+  EXPECT_EQ(session.truth()->frame, "elbow");
+  EXPECT_EQ(session.poses().size(), 3U);
+  EXPECT_EQ(reader.options(), R"({"solver": "tree", "class_threshold": 1.0})");
+}
+
+TEST_F(SessionStoreTest, SaysWhenItWasEdited) {
+  SessionStore store = SessionStore::create(path_, sessionWithEverything());
+  const std::int64_t made = store.editedAtMs();
+  EXPECT_GT(made, 1'700'000'000'000);
+  appendOne(store, RemovePose{0});
+  EXPECT_GE(store.editedAtMs(), made);
+  EXPECT_EQ(SessionStore::openReadOnly(path_).editedAtMs(), store.editedAtMs());
+}
+
+TEST_F(SessionStoreTest, SeveralOperationsAreWrittenTogetherOrNotAtAll) {
+  SessionStore store = SessionStore::create(path_, sessionWithEverything());
+  const Session before = store.readSession();
+  const std::uint64_t revision = store.revision();
+  const std::vector<StoreOperation> bad = {RemovePose{0}, capture(4, 0.5), RemovePose{3}};
+  EXPECT_THROW(store.append(bad), InvalidArgument);
+  EXPECT_EQ(store.revision(), revision);
+  expectSameSession(store.readSession(), before);
+  expectSameSession(readSessionStore(path_), before);
+  EXPECT_EQ(store.append(std::vector<StoreOperation>{RemovePose{0}, capture(4, 0.5)}), revision + 2);
+  EXPECT_THAT(poseIds(readSessionStore(path_)), ElementsAre(2U, 3U, 4U));
+}
+
+TEST_F(SessionStoreTest, RefusesWhatMakesNoSenseAndStaysAsItWas) {
+  SessionStore store = SessionStore::create(path_, sessionWithEverything());
+  const std::uint64_t revision = store.revision();
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const auto with = [](auto change) {
+    auto capture = std::make_shared<PoseCapture>(PoseCapture{PoseId(9), "", {}});
+    capture->samples = {{CellId(5), {0, 0, 1}, Eigen::Matrix3d::Identity(), 1}};
+    change(*capture);
+    return AddPose{{capture}};
+  };
+  const std::vector<std::pair<StoreOperation, std::string>> bad = {
+      {RemovePose{3}, "no pose at place 3"},
+      {SetPoseDisabled{7}, "no pose at place 7"},
+      {RestorePose{PoseId(1), 0}, "no pose 1 was removed"},
+      {AddPose{capture(9, 1).pose, 4}, "no place 4"},
+      {AddPose{}, "must hold a capture"},
+      {with([](PoseCapture& c) { c.id = PoseId(UINT32_MAX); }), "4294967294"},
+      {with([](PoseCapture& c) { c.samples[0].mean_g.x() = kInfinity; }), "cell 5: the mean must be finite"},
+      {with([](PoseCapture& c) { c.samples[0].cov_g2(0, 1) = kInfinity; }), "cell 5: the covariance must be finite"},
+      {with([](PoseCapture& c) { c.samples[0].cov_g2(1, 1) = -1e-9; }), "cell 5: variances must be at least 0"},
+      {with([](PoseCapture& c) { c.samples[0].temperature_c = kInfinity; }), "cell 5: the temperature must be finite"},
+      {SetOptions{"[1]"}, "object"},
+      {SetOptions{"{"}, "what is to be stored"},
+      {SetSkin{}, "cell model"},
+      {SetTruth{{"body", {{CellId(1), {}}, {CellId(1), {}}}}}, "each cell once"},
+  };
+  for (const auto& [operation, words] : bad) {
+    EXPECT_THAT(messageOf<InvalidArgument>([&, &what = operation] { appendOne(store, what); }), saysAll(words));
+  }
+  EXPECT_EQ(store.revision(), revision);
+  EXPECT_EQ(appendOne(store, capture(9, 1)), revision + 1);
+  EXPECT_EQ(readSessionStore(path_).poses().size(), 4U);
+}
+
+TEST_F(SessionStoreTest, KeepsRawSamples) {
+  SampleFrame frame{0.001, {{CellId(1), {0.1, -0.0, 1.0 / 3}}, {CellId(2), {1, 2, 3}}}, {}, {{CellId(1), 36.6}}};
+  frame.means.push_back({CellId(3), {0.25, 0.5, 1}, {1e-6, 1e-300, 0}, 31});
+  auto exact = std::make_shared<std::vector<SampleFrame>>(3, frame);
+  (*exact)[1] = {0.002, {}, {}, {}};
+  auto device = std::make_shared<std::vector<SampleFrame>>();  // as a device reads them: whole steps of 1/256 g
+  device->push_back({1e9 + 0.001, {{CellId(1), {0.00390625, -1.5, 0.99609375}}}, {}, {}});
+
+  SessionStore store = SessionStore::create(path_, Session(builtInCellModel("hex-bma150"), {}));
+  AddPose first = capture(1, 0.5);
+  first.raw = exact;
+  AddPose second = capture(2, 0.5);
+  second.raw = device;
+  store.append(std::vector<StoreOperation>{first, second, capture(3, 0.5)});
+  appendOne(store, RemovePose{0});
+  appendOne(store, RestorePose{PoseId(1), 2});
+
+  const SessionStore reader = SessionStore::openReadOnly(path_);
+  EXPECT_THAT(poseIds(reader.readSession()), ElementsAre(2U, 3U, 1U));
+  EXPECT_TRUE(reader.readRawSamples(1).empty());
+  EXPECT_THROW(static_cast<void>(reader.readRawSamples(3)), InvalidArgument);
+  const auto same = [](const std::vector<SampleFrame>& a, const std::vector<SampleFrame>& b) {
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t f = 0; f < a.size(); ++f) {
+      EXPECT_EQ(a[f].time_s, b[f].time_s);
+      ASSERT_EQ(a[f].samples.size(), b[f].samples.size());
+      ASSERT_EQ(a[f].means.size(), b[f].means.size());
+      ASSERT_EQ(a[f].temperatures.size(), b[f].temperatures.size());
+      for (std::size_t k = 0; k < a[f].samples.size(); ++k) {
+        EXPECT_EQ(a[f].samples[k].cell, b[f].samples[k].cell);
+        EXPECT_TRUE(test::sameBits(a[f].samples[k].acceleration_g, b[f].samples[k].acceleration_g));
+      }
+      for (std::size_t k = 0; k < a[f].means.size(); ++k) {
+        EXPECT_EQ(a[f].means[k].cell, b[f].means[k].cell);
+        EXPECT_EQ(a[f].means[k].count, b[f].means[k].count);
+        EXPECT_TRUE(test::sameBits(a[f].means[k].mean_g, b[f].means[k].mean_g));
+        EXPECT_TRUE(test::sameBits(a[f].means[k].variance_g2, b[f].means[k].variance_g2));
+      }
+      for (std::size_t k = 0; k < a[f].temperatures.size(); ++k) {
+        EXPECT_EQ(a[f].temperatures[k].cell, b[f].temperatures[k].cell);
+        EXPECT_EQ(a[f].temperatures[k].temperature_c, b[f].temperatures[k].temperature_c);
+      }
+    }
+  };
+  same(reader.readRawSamples(0), *device);
+  same(reader.readRawSamples(2), *exact);
+}
+
+TEST_F(SessionStoreTest, AnotherDigestForAnotherSession) {
+  SessionStore store = SessionStore::create(path_, sessionWithEverything());
+  const std::string before = store.readSession().source().sha256;
+  EXPECT_EQ(store.readSession().source().sha256, before);
+  EXPECT_EQ(readSessionStore(path_).source().sha256, before);
+  appendOne(store, RemovePose{0});
+  EXPECT_NE(store.readSession().source().sha256, before);
+}
+
+TEST_F(SessionStoreTest, AFewHundredPosesAreReadBack) {
+  SessionStore store = SessionStore::create(path_, Session(builtInCellModel("hex-bma150"), {}));
+  std::vector<StoreOperation> operations;
+  for (std::uint32_t id = 1; id <= 300; ++id) operations.emplace_back(capture(id, 1.0 / id));
+  store.append(operations);
+  const Session session = readSessionStore(path_);
+  ASSERT_EQ(session.poses().size(), 300U);
+  EXPECT_EQ(session.poses()[298].capture->samples[0].mean_g.x(), 1.0 / 299);
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <sched.h>
+#include <sys/mount.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <string>
+
+namespace hexoderm::test {
+
+/// As long as it lives, no write to a file of this process succeeds (EFBIG).
+class NoFileGrows {
+ public:
+  NoFileGrows() : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit none{0, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &none);
+  }
+  ~NoFileGrows() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  NoFileGrows(const NoFileGrows&) = delete;
+  NoFileGrows& operator=(const NoFileGrows&) = delete;
+
+ private:
+  void (*handler_)(int);
+  rlimit before_{};
+};
+
+/// Runs `body` in a process of its own and returns what it returned; what it throws is printed and gives 99.
+template <class Body>
+int inAnotherProcess(Body body) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    int result = 99;
+    try {
+      result = body();
+    } catch (const std::exception& error) {
+      std::fprintf(stderr, "in another process: %s\n", error.what());
+    }
+    ::_exit(result);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+/// The same without root's right to write everywhere.
+template <class Body>
+int asOrdinaryUser(Body body) {
+  return inAnotherProcess([&] {
+    constexpr uid_t kNobody = 65534;
+    if (::geteuid() == 0 && (::setgid(kNobody) != 0 || ::setuid(kNobody) != 0)) return 98;
+    return body();
+  });
+}
+
+/// The same with an empty disk of `size` bytes at `folder`, which only that process sees; -1 if this system lets nobody
+/// but root mount one.
+template <class Body>
+int withSmallDisk(const std::string& folder, std::size_t size, Body body) {
+  constexpr int kNoDisk = 97;
+  const int result = inAnotherProcess([&] {
+    const std::string user = "0 " + std::to_string(::geteuid()) + " 1";
+    const std::string group = "0 " + std::to_string(::getegid()) + " 1";
+    if (::unshare(CLONE_NEWUSER | CLONE_NEWNS) != 0) return kNoDisk;
+    std::ofstream("/proc/self/setgroups") << "deny" << std::flush;
+    if (!(std::ofstream("/proc/self/uid_map") << user << std::flush)) return kNoDisk;
+    if (!(std::ofstream("/proc/self/gid_map") << group << std::flush)) return kNoDisk;
+    if (::mount("none", folder.c_str(), "tmpfs", 0, ("size=" + std::to_string(size)).c_str()) != 0) return kNoDisk;
+    return body();
+  });
+  return result == kNoDisk ? -1 : result;
+}
+
+}  // namespace hexoderm::test

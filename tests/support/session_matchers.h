@@ -1,0 +1,93 @@
+#pragma once
+
+#include "hexoderm/session/session.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdint>
+#include <string>
+
+namespace hexoderm::test {
+
+/// Same bits, so that -0 and 0 are not the same.
+template <class A, class B>
+bool sameBits(const A& a, const B& b) {
+  if (a.rows() != b.rows() || a.cols() != b.cols()) return false;
+  for (Eigen::Index i = 0; i < a.rows(); ++i) {
+    for (Eigen::Index j = 0; j < a.cols(); ++j) {
+      if (std::bit_cast<std::uint64_t>(a(i, j)) != std::bit_cast<std::uint64_t>(b(i, j))) return false;
+    }
+  }
+  return true;
+}
+
+inline void expectSamePose(const SessionPose& a, const SessionPose& b) {
+  EXPECT_EQ(a.disabled, b.disabled);
+  EXPECT_EQ(a.why_disabled, b.why_disabled);
+  EXPECT_EQ(a.capture->id, b.capture->id);
+  EXPECT_EQ(a.capture->label, b.capture->label);
+  EXPECT_EQ(a.capture->taken_at_ms, b.capture->taken_at_ms);
+  ASSERT_EQ(a.capture->samples.size(), b.capture->samples.size());
+  for (std::size_t k = 0; k < a.capture->samples.size(); ++k) {
+    const GravitySample& x = a.capture->samples[k];
+    const GravitySample& y = b.capture->samples[k];
+    EXPECT_EQ(x.cell, y.cell);
+    EXPECT_EQ(x.count, y.count);
+    EXPECT_EQ(x.temperature_c, y.temperature_c);
+    EXPECT_TRUE(sameBits(x.mean_g, y.mean_g)) << "sample " << k;
+    EXPECT_TRUE(sameBits(x.cov_g2, y.cov_g2)) << "sample " << k;
+  }
+}
+
+/// Everything that is measured or decided, bit for bit; the source's text, but not the file it was read from.
+inline void expectSameSession(const Session& a, const Session& b) {
+  EXPECT_EQ(cellModelToJson(a.model()), cellModelToJson(b.model()));
+  EXPECT_EQ(a.neighbors(), b.neighbors());
+  EXPECT_EQ(a.source().text, b.source().text);
+  ASSERT_EQ(a.poses().size(), b.poses().size());
+  for (std::size_t p = 0; p < a.poses().size(); ++p) {
+    SCOPED_TRACE("pose at place " + std::to_string(p));
+    expectSamePose(a.poses()[p], b.poses()[p]);
+  }
+  ASSERT_EQ(a.truth() == nullptr, b.truth() == nullptr);
+  if (!a.truth()) return;
+  EXPECT_EQ(a.truth()->frame, b.truth()->frame);
+  ASSERT_EQ(a.truth()->cells.size(), b.truth()->cells.size());
+  for (std::size_t k = 0; k < a.truth()->cells.size(); ++k) {
+    EXPECT_EQ(a.truth()->cells[k].id, b.truth()->cells[k].id);
+    EXPECT_TRUE(sameBits(a.truth()->cells[k].T_b_u.R, b.truth()->cells[k].T_b_u.R));
+    EXPECT_TRUE(sameBits(a.truth()->cells[k].T_b_u.t, b.truth()->cells[k].T_b_u.t));
+  }
+}
+
+/// A session that uses everything a session has, with numbers that are hard to keep.
+inline Session sessionWithEverything() {
+  CellModel model = builtInCellModel("hex-bma150");
+  model.accelerometer.offset_sigma_g = 1.0 / 3.0;
+  Session session(std::move(model),
+                  {{CellId(1), "forearm", {{PortNumber(2), CellId(2), PortNumber(3)}}},
+                   {CellId(2), "", {{PortNumber(3), CellId(1), std::nullopt}, {PortNumber(1), CellId(16383), {}}}}},
+                  {"A \"test\" of ümläut", "", ""});
+  GroundTruth truth;
+  truth.frame = "arm";
+  truth.cells.push_back({CellId(1), {expSO3({0.1, -0.2, 0.3}), {1.0 / 7, -0.0, 5e-324}}});
+  truth.cells.push_back({CellId(2), {expSO3({3.0, 0.1, -0.7}), {0.1 + 0.2, 1e-17, -2}}});
+  session.setTruth(std::move(truth));
+  for (std::uint32_t id = 1; id <= 3; ++id) {
+    PoseCapture capture;
+    capture.id = PoseId(id);
+    capture.label = id == 2 ? "" : "pose\n" + std::to_string(id);
+    if (id != 2) capture.taken_at_ms = 1'700'000'000'123 + id;
+    GravitySample a{CellId(1), {0.1 * id, -0.0, 1.0 / 3}, Eigen::Matrix3d::Zero(), 100 * id};
+    a.cov_g2 << 1e-6, 1e-8 / 3, -0.0, 1e-8 / 3, 2e-300, -5e-324, -0.0, -5e-324, 0;
+    if (id == 1) a.temperature_c = 36.6;
+    GravitySample b{CellId(2), {1e308, -5e-324, 0.0}, Eigen::Matrix3d::Zero(), 0};
+    if (id == 3) b.cov_g2(2, 1) = b.cov_g2(1, 2) = -0.0;
+    capture.samples = {a, b};
+    session.addPose({std::make_shared<const PoseCapture>(capture), id == 2, id == 2 ? "the arm moved" : ""});
+  }
+  return session;
+}
+
+}  // namespace hexoderm::test
