@@ -44,6 +44,7 @@ struct Common {
 };
 
 void addSimulate(CLI::App& app, Common& common);
+void addCapture(CLI::App& app, Common& common);
 void addSolve(CLI::App& app, Common& common);
 void addEvaluate(CLI::App& app, Common& common);
 void addExport(CLI::App& app, Common& common);

@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
       "  hexoderm-cli solve arm.session.json -o arm.calibration.json\n"
       "  hexoderm-cli export arm.calibration.json --to urdf -o arm.urdf");
   cli::addSimulate(app, common);
+  cli::addCapture(app, common);
   cli::addSolve(app, common);
   cli::addEvaluate(app, common);
   cli::addExport(app, common);

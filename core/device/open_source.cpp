@@ -1,6 +1,7 @@
 #include "hexoderm/device/open_source.h"
 
 #include "hexoderm/device/recording.h"
+#include "hexoderm/device/simulated_source.h"
 #include "hexoderm/device/stdin_source.h"
 #include "hexoderm/device/wire_source.h"
 #include "hexoderm/util/error.h"
@@ -49,6 +50,7 @@ std::span<const SourceKind> sourceKinds() {
       {"serial:", "serial:/dev/DEVICE[?baud=N]", openWire},
       {"stdin", "stdin", openStdin},
       {"replay:", "replay:FILE[?speed=X|max|step]", openReplay},
+      {"sim:", "sim:PATCH[?surface=...&seed=N&speed=X|max]", SimulatedSource::open},
   };
   return kinds;
 }

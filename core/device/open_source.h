@@ -20,8 +20,9 @@ struct SourceKind {
 /// All kinds there are, in the order in which they are listed to people. A new kind of source is a new entry.
 std::span<const SourceKind> sourceKinds();
 
-/// A source, not yet started: "tcp://HOST:PORT", "udp://HOST:PORT", "serial:/dev/tty...[?baud=N]", "stdin" or
-/// "replay:FILE[?speed=X|max|step]". Throws InvalidArgument naming what was expected.
+/// A source, not yet started: "tcp://HOST:PORT", "udp://HOST:PORT", "serial:/dev/tty...[?baud=N]", "stdin",
+/// "replay:FILE[?speed=X|max|step]" or "sim:PATCH[?surface=...&seed=N&speed=X|max]". Throws InvalidArgument naming what
+/// was expected.
 std::unique_ptr<SkinSource> openSkinSource(const std::string& address);
 
 }  // namespace hexoderm

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "hexoderm/capture/pose_recorder.h"
+#include "hexoderm/device/skin_source.h"
+#include "hexoderm/session/session_recorder.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <variant>
+
+namespace hexoderm::cli {
+
+/// A pose that is on disk, or is not.
+struct Stored {
+  PoseId pose;
+  StoreOutcome outcome;
+};
+using CaptureEvent = std::variant<SkinDescription, CapturedPose, SourceStatus, CommandOutcome, HoldStatus, Stored>;
+
+/// What source, pose recorder and store say on their threads, in order, for the one thread that decides. Of hold and
+/// source states only the newest waits. Feeds the pose recorder on the source's thread.
+class CaptureEvents final : public SkinListener, public PoseRecorderListener {
+ public:
+  explicit CaptureEvents(const PoseRecorderOptions& options) : recorder_(*this, options) {}
+
+  /// The next event, nullopt if none comes for so long.
+  std::optional<CaptureEvent> next(std::chrono::milliseconds patience);
+  /// From any thread.
+  void push(CaptureEvent event);
+
+  void onSkin(const SkinDescription& skin) override;
+  void onFrame(const SampleFrame& frame) override { recorder_.addFrame(frame); }
+  void onStatus(const SourceStatus& status) override { push(status); }
+  void onCommandOutcome(const CommandOutcome& outcome) override { push(outcome); }
+  void onPoseCaptured(CapturedPose captured) override { push(std::move(captured)); }
+  void onHold(const HoldStatus& status) override { push(status); }
+  void onPreview(SkinPreview /*preview*/) override {}
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable arrived_;
+  std::deque<CaptureEvent> events_;
+  PoseRecorder recorder_;
+};
+
+}  // namespace hexoderm::cli
