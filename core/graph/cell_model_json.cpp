@@ -16,11 +16,23 @@ constexpr double kBendSigma = 30 * kDegree;
 constexpr double kTwistSigma = 10 * kDegree;
 constexpr double kYawSigma = 2 * kDegree;
 
+/// Written beside a quaternion that, read back, differs from the matrix in the last digits: what is saved and opened
+/// again is the same.
+const std::string kExactRotation = "R_u";
+
 SE3 readPlacement(const JsonReader& json, const std::string& t_key, const std::string& q_key) {
   SE3 T;
   if (const auto t = json.find(t_key)) T.t = t->vector3();
   if (const auto q = json.find(q_key)) T.R = q->unitQuaternion().toRotationMatrix();
+  if (const auto R = json.find(kExactRotation)) T.R = R->rotation();
   return T;
+}
+
+void addPlacement(const SE3& T_u, nlohmann::ordered_json& json) {
+  json["t_u_m"] = toJson(T_u.t);
+  json["q_u_wxyz"] = quaternionWxyz(T_u.R);
+  const nlohmann::json written = json["q_u_wxyz"];
+  if (JsonReader(written, "").unitQuaternion().toRotationMatrix() != T_u.R) json[kExactRotation] = toJson(T_u.R);
 }
 
 Accelerometer readAccelerometer(const JsonReader& json) {
@@ -108,15 +120,13 @@ nlohmann::ordered_json cellModelJson(const CellModel& model) {
                            {"noise_g_per_sqrt_hz", a.noise_g_per_sqrt_hz},
                            {"offset_sigma_g", a.offset_sigma_g},
                            {"scale_sigma", a.scale_sigma},
-                           {"cross_axis_sigma", a.cross_axis_sigma},
-                           {"t_u_m", toJson(a.T_u_a.t)},
-                           {"q_u_wxyz", quaternionWxyz(a.T_u_a.R)}};
+                           {"cross_axis_sigma", a.cross_axis_sigma}};
+  addPlacement(a.T_u_a, json["accelerometer"]);
   json["sensors"] = nlohmann::ordered_json::array();
   for (const CellSensor& sensor : model.sensors) {
-    json["sensors"].push_back({{"name", sensor.name},
-                               {"type", sensor.type},
-                               {"t_u_m", toJson(sensor.T_u_s.t)},
-                               {"q_u_wxyz", quaternionWxyz(sensor.T_u_s.R)}});
+    nlohmann::ordered_json entry = {{"name", sensor.name}, {"type", sensor.type}};
+    addPlacement(sensor.T_u_s, entry);
+    json["sensors"].push_back(std::move(entry));
   }
   if (!model.forbidden_port_pairs.empty()) {
     json["forbidden_port_pairs"] = nlohmann::ordered_json::array();

@@ -5,7 +5,8 @@
 
 namespace hexoderm {
 
-// Cell models inside other JSON documents. Only for use in .cpp files: it carries nlohmann's header.
+// Cell models inside other JSON documents. A placement is t_u_m and q_u_wxyz; R_u, nine numbers row by row, may be
+// given beside the quaternion and goes before it. Only for use in .cpp files: it carries nlohmann's header.
 
 /// Throws FormatError with the key path.
 CellModel readCellModel(const JsonReader& json);

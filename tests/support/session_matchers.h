@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <string>
@@ -43,6 +44,10 @@ inline void expectSamePose(const SessionPose& a, const SessionPose& b) {
 /// Everything that is measured or decided, bit for bit; the source's text, but not the file it was read from.
 inline void expectSameSession(const Session& a, const Session& b) {
   EXPECT_EQ(cellModelToJson(a.model()), cellModelToJson(b.model()));
+  EXPECT_TRUE(sameBits(a.model().accelerometer.T_u_a.R, b.model().accelerometer.T_u_a.R));
+  for (std::size_t k = 0; k < std::min(a.model().sensors.size(), b.model().sensors.size()); ++k) {
+    EXPECT_TRUE(sameBits(a.model().sensors[k].T_u_s.R, b.model().sensors[k].T_u_s.R));
+  }
   EXPECT_EQ(a.neighbors(), b.neighbors());
   EXPECT_EQ(a.source().text, b.source().text);
   ASSERT_EQ(a.poses().size(), b.poses().size());
@@ -65,6 +70,8 @@ inline void expectSameSession(const Session& a, const Session& b) {
 inline Session sessionWithEverything() {
   CellModel model = builtInCellModel("hex-bma150");
   model.accelerometer.offset_sigma_g = 1.0 / 3.0;
+  model.accelerometer.T_u_a = {expSO3({0.3, -0.7, 1.1}), {1e-3 / 3, -0.0, 1}};
+  model.sensors.push_back({"skin temperature", "temperature", {expSO3({-2.1, 0.2, 0.9}), {0.1 + 0.2, 0, 0}}});
   Session session(std::move(model),
                   {{CellId(1), "forearm", {{PortNumber(2), CellId(2), PortNumber(3)}}},
                    {CellId(2), "", {{PortNumber(3), CellId(1), std::nullopt}, {PortNumber(1), CellId(16383), {}}}}},
