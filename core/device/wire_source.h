@@ -11,7 +11,7 @@ namespace hexoderm {
 struct WireOptions {
   std::chrono::milliseconds first_retry{250};  ///< wait before the first new try; doubles with each that fails
   std::chrono::milliseconds longest_retry{5000};
-  std::chrono::milliseconds silent_after{1000};     ///< nothing that makes sense for so long: Silent
+  std::chrono::milliseconds silent_after{800};      ///< nothing that makes sense for so long: Silent
   std::chrono::milliseconds reconnect_after{3000};  ///< ... for so long: the connection is made anew
   std::chrono::milliseconds describe_every{1000};   ///< how often the device is asked, where it has to be
   std::chrono::milliseconds command_timeout{3000};  ///< without an Ack

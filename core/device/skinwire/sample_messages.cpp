@@ -217,7 +217,8 @@ void decodeTick(const Samples& message, std::size_t tick, double lsb_g, SampleFr
   }
   if (tick == 0) {
     for (std::size_t k = 0; k < message.temperature_cells.size(); ++k) {
-      frame.temperatures.push_back({CellId(message.temperature_cells[k]), double{message.temperature_c[k]}});
+      frame.temperatures.push_back(
+          {CellId(message.temperature_cells[k]), static_cast<double>(message.temperature_c[k])});
     }
   }
 }
