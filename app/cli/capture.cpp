@@ -45,6 +45,8 @@ class InterruptGuard {
   void (*before_)(int) = nullptr;
 };
 
+std::string cellsInWords(std::size_t count) { return std::to_string(count) + (count == 1 ? " cell" : " cells"); }
+
 /// One run of the command: what the events lead to.
 class Capture {
  public:
@@ -96,7 +98,7 @@ class Capture {
       session_.emplace(*skin.model, skin.neighbors, SourceDescription{skin.device + ", " + source_.address(), "", ""});
       store_ = std::make_unique<SessionRecorder>(SessionStore::create(options_.output, *session_));
       common_.endProgress();
-      common_.note(device_ + ": " + std::to_string(skin.neighbors.size()) + " cells");
+      common_.note(device_ + ": " + cellsInWords(skin.neighbors.size()));
       if (options_.automatic && !can_turn_) {
         throw DeviceError(source_.address() + ": --auto needs a device that turns by itself, and this one can't");
       }
@@ -143,8 +145,8 @@ class Capture {
 
   void announce(const CapturedPose& captured) const {
     common_.endProgress();
-    std::string text = "Pose " + toString(captured.pose->id) +
-                       " captured: " + std::to_string(captured.pose->samples.size()) + " cells";
+    std::string text =
+        "Pose " + toString(captured.pose->id) + " captured: " + cellsInWords(captured.pose->samples.size());
     if (!captured.silent_cells.empty()) text += ", silent " + listInWords(captured.silent_cells);
     if (captured.repeats) {
       text += "; it repeats pose " + toString(*captured.repeats) + " (" + degrees(captured.repeat_angle_rad, 1) + ")";
@@ -254,8 +256,7 @@ void print(const Capture& capture, const CaptureOptions& options, const Common& 
     return;
   }
   std::cout << session.poses().size() << (session.poses().size() == 1 ? " pose" : " poses") << " of "
-            << session.neighbors().size() << (session.neighbors().size() == 1 ? " cell" : " cells") << " in "
-            << options.output << '\n';
+            << cellsInWords(session.neighbors().size()) << " in " << options.output << '\n';
   if (status.lost_samples + status.late_frames + status.rejected_messages + status.reconnects > 0) {
     std::cout << "On the way: " << status.lost_samples << " samples lost, " << status.late_frames << " frames late, "
               << status.rejected_messages << " messages broken, " << status.reconnects << " reconnects\n";

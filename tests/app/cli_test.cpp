@@ -5,15 +5,12 @@
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/util/file.h"
 
+#include "cli_program.h"
+
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <map>
 
@@ -23,38 +20,6 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-struct Outcome {
-  int exit_code = -1;
-  std::string out;
-  std::string err;
-};
-
-class Cli : public ::testing::Test {
- protected:
-  Cli() : folder_(std::filesystem::temp_directory_path() / ("hexoderm-cli-test-" + std::to_string(::getpid()))) {
-    std::filesystem::create_directories(folder_);
-  }
-  ~Cli() override { std::filesystem::remove_all(folder_); }
-
-  Outcome run(const std::string& arguments) const {
-    const std::string errors = path("stderr.txt");
-    const std::string command = "cd '" + folder_.string() + "' && '" HEXODERM_CLI "' " + arguments + " 2>" + errors;
-    Outcome result;
-    std::FILE* pipe = ::popen(command.c_str(), "r");
-    std::array<char, 4096> buffer{};
-    while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
-      result.out.append(buffer.data(), count);
-    }
-    result.exit_code = WEXITSTATUS(::pclose(pipe));
-    result.err = readFile(errors);
-    return result;
-  }
-  [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  [[nodiscard]] bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
-
-  std::filesystem::path folder_;
-};
 
 TEST_F(Cli, WholeWayFromASimulatedSkinToAnExport) {
   EXPECT_EQ(run("simulate --poses 3 --seed 4 -o arm.session.json").exit_code, 0);

@@ -1,0 +1,23 @@
+"""Plays a table of raw accelerometer counts (time, x, y, z; a heading first) as a skin of one cell, on standard output.
+
+Usage: csv_sender.py FILE ZERO COUNTS_PER_G
+"""
+import csv
+import json
+import sys
+
+path, zero, counts_per_g = sys.argv[1], float(sys.argv[2]), float(sys.argv[3])
+
+
+def send(kind, **fields):
+    print(json.dumps({kind: fields}))
+
+
+send("hello", device="a table of counts", cell_model="hex-bma150")
+send("topology", id=1, cells=[{"id": 1, "ports": []}])
+with open(path, newline="") as table:
+    rows = csv.reader(table)
+    next(rows)
+    for count, (time_s, *axes) in enumerate(rows):
+        reading = [(float(axis) - zero) / counts_per_g for axis in axes]
+        send("samples", sequence=count, time_us=round(float(time_s) * 1e6), cells=[1], acceleration_g=reading)
