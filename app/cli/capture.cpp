@@ -61,8 +61,9 @@ class Capture {
     while (!done_ && !interrupted) {
       const std::optional<CaptureEvent> event = events_.next(std::chrono::milliseconds(100));
       if (event) std::visit([this](const auto& what) { handle(what); }, *event);
-      if (made_progress_) last_progress = Clock::now();
+      if (made_progress_ || full_disk_tries_ > 0) last_progress = Clock::now();
       made_progress_ = false;
+      if (!event && full_disk_tries_ > 0 && Clock::now() >= next_try_) tryAgain();
       if (!event && status_.state == SourceState::Ended) break;
       if (status_.state == SourceState::Incompatible) throw DeviceError(source_.address() + ": " + status_.text);
       if (Clock::now() - last_progress > patience && (!session_ || options_.automatic)) {
@@ -72,15 +73,12 @@ class Capture {
     }
   }
 
-  /// Waits until all that was captured is on disk. Throws StorageError if something is not.
+  /// Waits until all that was captured is on disk. Throws StorageError if something can't be.
   void finish() {
     common_.endProgress();
-    while (store_ && waiting_ > 0) {
-      const std::optional<CaptureEvent> event = events_.next(std::chrono::milliseconds(100));
-      const Stored* stored = event ? std::get_if<Stored>(&*event) : nullptr;
-      if (stored != nullptr) handle(*stored);
-    }
-    store_.reset();
+    while (store_ && waiting_ > 0 && full_disk_tries_ == 0) handleStored(std::chrono::milliseconds(100));
+    store_.reset();  // tries for the last time
+    while (handleStored(std::chrono::milliseconds(0))) continue;
     if (!lost_.empty()) throw StorageError(lost_);
   }
 
@@ -125,22 +123,42 @@ class Capture {
     captured_.emplace(captured.pose->id, captured);
   }
 
+  bool handleStored(std::chrono::milliseconds patience) {
+    const std::optional<CaptureEvent> event = events_.next(patience);
+    if (!event) return false;
+    if (const auto* stored = std::get_if<Stored>(&*event)) handle(*stored);
+    return true;
+  }
+
   /// Only now it counts as captured.
   void handle(const Stored& stored) {
     made_progress_ = true;
-    if (!stored.outcome.error.empty()) {
-      common_.endProgress();
-      common_.note(stored.outcome.error);
-      if (stored.outcome.is_kept) return;
-      lost_ = stored.outcome.error;
-      --waiting_;
-      done_ = true;
+    if (stored.outcome.is_kept) {
+      // The disk may have room again in a moment; until then the pose waits in memory.
+      if (full_disk_tries_++ == 0) {
+        common_.endProgress();
+        common_.note(stored.outcome.error + " Trying again.");
+      }
+      next_try_ = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+      constexpr int kMostTries = 10;
+      done_ = full_disk_tries_ >= kMostTries;
       return;
     }
     --waiting_;
+    if (!stored.outcome.error.empty()) {
+      lost_ = stored.outcome.error;
+      done_ = true;
+      return;
+    }
+    full_disk_tries_ = 0;
     announce(captured_.at(stored.pose));
     captured_.erase(stored.pose);
     if (waiting_ == 0) decide();
+  }
+
+  void tryAgain() {
+    next_try_ = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+    store_->retry();
   }
 
   void announce(const CapturedPose& captured) const {
@@ -223,7 +241,9 @@ class Capture {
   std::unique_ptr<SessionRecorder> store_;
   std::map<PoseId, CapturedPose> captured_;  ///< not yet on disk
   std::size_t waiting_ = 0;
-  std::string lost_;  ///< why something is not on disk
+  std::string lost_;         ///< why something is not on disk and never will be
+  int full_disk_tries_ = 0;  ///< how often the first pose that waits was refused by the disk
+  std::chrono::steady_clock::time_point next_try_{};
   std::string device_;
   bool can_turn_ = false;
   SourceStatus status_;

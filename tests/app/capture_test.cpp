@@ -59,6 +59,17 @@ TEST_F(CliCapture, NeverReplacesASession) {
   EXPECT_EQ(readSessionStore(path("arm.hexo")).poses().size(), 2U);
 }
 
+TEST_F(CliCapture, AFullDiskIsSaidAndWhatFittedIsKept) {
+  // Files may grow to 256 KiB: room for a session and some poses of 400 cells, not for all.
+  const Outcome outcome = run("capture --source 'sim:sheet:20x20?speed=max' --auto --poses 12 -o sheet.hexo",
+                              "trap '' XFSZ; ulimit -f 256; ");
+  EXPECT_EQ(outcome.exit_code, 5) << outcome.err;
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("sheet.hexo"), HasSubstr("Trying again")));
+  const Session session = readSessionStore(path("sheet.hexo"));
+  EXPECT_GT(session.poses().size(), 0U);
+  EXPECT_LT(session.poses().size(), 12U);
+}
+
 TEST_F(CliCapture, InterruptedItKeepsWhatThereIs) {
   const Outcome outcome = run("capture --source 'sim:x17?speed=20' -o arm.hexo", "timeout -s INT 2 ");
   EXPECT_THAT(outcome.out, HasSubstr("1 pose of 17 cells"));
