@@ -79,15 +79,15 @@ void EmulatedDevice::exploreAgain(Messages& out) {
   if (!isExploring()) startExploring(out);
 }
 
-void EmulatedDevice::restart(const SimulatedSkinOptions& options, Messages& out) {
-  // Made first: it may throw.
-  SimulatedSkin skin(skin_->model(), options);
+void EmulatedDevice::restart(SimulatedSkinOptions options, Messages& out) {
+  // Made first: it may throw. What is broken about the cells goes over.
+  options.faults.clear();
+  SimulatedSkin skin(skin_->model(), std::move(options));
   firstFreePort(skin.neighbors(), skin.model());
-  skin_ = std::move(skin);
   for (const auto& [cell, kinds] : cell_faults_) {
-    skin_->mendCell(cell);
-    for (const SkinFault kind : kinds) skin_->breakCell({kind, cell});
+    for (const SkinFault kind : kinds) skin.breakCell({kind, cell});
   }
+  skin_ = std::move(skin);
   ++stream_;
   ticks_ = 0;
   batch_.clear();
@@ -373,13 +373,13 @@ bool EmulatedDevice::mendPort(const LinkEnd& at) {
 void EmulatedDevice::breakLink(const LinkFault& fault, Messages& out) {
   SimulatedSkinOptions options = skin_->options();
   options.link_faults.push_back(fault);
-  restart(options, out);
+  restart(std::move(options), out);
 }
 
 bool EmulatedDevice::mendLink(const LinkEnd& at, Messages& out) {
   SimulatedSkinOptions options = skin_->options();
   if (std::erase_if(options.link_faults, [&](const LinkFault& fault) { return fault.at == at; }) == 0) return false;
-  restart(options, out);
+  restart(std::move(options), out);
   return true;
 }
 

@@ -88,7 +88,7 @@ class EmulatedDevice {
 
   void startExploring(Messages& out);
   void finishExploring(Messages& out);
-  void restart(const SimulatedSkinOptions& options, Messages& out);
+  void restart(SimulatedSkinOptions options, Messages& out);
   void describe(const std::optional<std::uint32_t>& known_topology, Messages& out);
   void answer(std::uint32_t command, bool done, std::string text, Messages& out);
   void work(std::uint32_t command, Messages& out);

@@ -16,6 +16,8 @@ namespace {
 
 constexpr double kBitsPerByte = 10;  // start and stop bit
 constexpr PortNumber kInterfacePort{1};
+// Long lists go in packets, which a cell passes on as they come.
+constexpr std::size_t kPacketBytes = 64;
 
 std::string inWords(const LinkEnd& end) { return "cell " + toString(end.cell) + ", port " + toString(end.port); }
 
@@ -176,15 +178,22 @@ class Network {
     std::ranges::push_heap(events_, isLater);
   }
 
+  [[nodiscard]] double duration_s(std::size_t bytes) const {
+    return kBitsPerByte * static_cast<double>(bytes) / options_.bits_per_s;
+  }
+
   void send(const Socket& from, LocalMessage message) {
     Plug& plug = plugs_[from.node][from.port];
-    ++messages_;
+    const std::size_t bytes = message.bytes();
+    messages_ += (bytes + kPacketBytes - 1) / kPacketBytes;
     const double begin_s = std::max(now_s_, plug.free_at_s);
-    plug.free_at_s = begin_s + kBitsPerByte * static_cast<double>(message.bytes()) / options_.bits_per_s;
+    plug.free_at_s = begin_s + duration_s(bytes);
     if (plug.is_mute || !plug.other || dead_[plug.other->node]) return;
     if (plugs_[plug.other->node][plug.other->port].is_deaf) return;
     Event event;
-    event.time_s = plug.free_at_s + options_.processing_s;
+    // Who passes it on begins with the first packet; the interface needs all of it.
+    const bool is_last = plug.other->node + 1 == cells_.size();
+    event.time_s = begin_s + duration_s(is_last ? bytes : std::min(bytes, kPacketBytes)) + options_.processing_s;
     event.node = plug.other->node;
     event.port = plug.other->port;
     event.message = std::make_unique<LocalMessage>(std::move(message));

@@ -51,7 +51,7 @@ struct Exploration {
   NeighborList cells;
   double duration_s = 0;
   double waiting_s = 0;           ///< static waits, which every exploration contains
-  std::size_t messages = 0;       ///< sent from port to port, over all links
+  std::size_t messages = 0;       ///< packets from port to port, over all links, also those that nobody hears
   std::size_t longest_route = 0;  ///< links between the farthest cell and the interface
 };
 
