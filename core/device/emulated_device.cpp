@@ -272,9 +272,16 @@ void EmulatedDevice::skip(std::size_t ticks, Messages& out) {
   }
   if (has_host_) {
     const std::size_t taken = (ticks_ + ticks + divider_ - 1) / divider_ - (ticks_ + divider_ - 1) / divider_;
-    const std::size_t samples = taken * topology_.size() / std::max<std::size_t>(1, options_.means_of);
-    skipped_ += samples;
-    dropped_ += samples;
+    std::size_t lost = taken * topology_.size();
+    if (options_.means_of > 0) {
+      // A mean of fewer samples is still one, and says of how many.
+      const std::size_t due = (summed_ticks_ + taken) / options_.means_of;
+      lost = due * topology_.size();
+      if (due > 0) lost -= std::min(lost, sendMeans(out));
+      summed_ticks_ = static_cast<std::uint32_t>((summed_ticks_ + taken) % options_.means_of);
+    }
+    skipped_ += lost;
+    dropped_ += lost;
   }
   skin_->skip(ticks);
   ticks_ += ticks;
@@ -286,6 +293,7 @@ void EmulatedDevice::countDropped(const skinwire::Samples& samples) {
 }
 
 std::size_t EmulatedDevice::ticksPerMessage() const {
+  if (options_.means_of > 0) return 1;
   const std::size_t cells = std::max<std::size_t>(1, topology_.size());
   const std::size_t room = options_.max_body - std::min(options_.max_body, kHeadBytes + kIdBytes * cells);
   const double wanted = std::floor(options_.message_every_s * rate_hz() + 0.5);
@@ -306,10 +314,15 @@ void EmulatedDevice::average(const SampleFrame& frame, Messages& out) {
     sums.squares_g2 += sample.acceleration_g.cwiseAbs2();
     ++sums.count;
   }
+  summed_until_s_ = frame.time_s;
   if (++summed_ticks_ < options_.means_of) return;
   summed_ticks_ = 0;
+  sendMeans(out);
+}
+
+std::size_t EmulatedDevice::sendMeans(Messages& out) {
   SampleFrame means;
-  means.time_s = frame.time_s;
+  means.time_s = summed_until_s_;
   for (std::size_t k = 0; k < sums_.size(); ++k) {
     const Sums sums = std::exchange(sums_[k], Sums{});
     if (sums.count == 0) continue;
@@ -324,6 +337,7 @@ void EmulatedDevice::average(const SampleFrame& frame, Messages& out) {
   std::vector<skinwire::Samples> samples;
   encoder_.encode(means, samples);
   send(std::move(samples), out);
+  return means.means.size();
 }
 
 void EmulatedDevice::flush(Messages& out) {

@@ -46,8 +46,11 @@ class EmulatedDevice {
   void take(const skinwire::Command& command, Messages& out);
   /// The next tick of the sensors' clock; appends what is to be sent.
   void tick(Messages& out);
-  /// The same for ticks for which there is no time: their samples are counted as dropped.
+  /// The same for ticks for which there is no time: their samples are counted as dropped. Means are then of fewer
+  /// samples, and dropped where there is none left.
   void skip(std::size_t ticks, Messages& out);
+  /// As many ticks as are best skipped at once, if every second one has to be.
+  [[nodiscard]] std::size_t ticksPerMessage() const;
   /// A message of samples could not be sent.
   void countDropped(const skinwire::Samples& samples);
 
@@ -98,11 +101,12 @@ class EmulatedDevice {
   void tendCommands(Messages& out);
   void takeSamples(SampleFrame frame, Messages& out);
   void average(const SampleFrame& frame, Messages& out);
+  /// Returns how many.
+  std::size_t sendMeans(Messages& out);
   void flush(Messages& out);
   void send(std::vector<skinwire::Samples> samples, Messages& out);
   void requireCell(CellId cell) const;
   [[nodiscard]] bool isFound(CellId cell) const;
-  [[nodiscard]] std::size_t ticksPerMessage() const;
   [[nodiscard]] std::uint64_t ticksIn(double seconds) const;
 
   std::optional<SimulatedSkin> skin_;  ///< never empty
@@ -136,6 +140,7 @@ class EmulatedDevice {
   };
   std::vector<Sums> sums_;
   std::uint32_t summed_ticks_ = 0;
+  double summed_until_s_ = 0;
 };
 
 }  // namespace hexoderm

@@ -328,6 +328,29 @@ TEST(EmulatedDevice, CountsWhatItCouldNotSend) {
   EXPECT_EQ(bench.device.status().samples_sent, 170U);
 }
 
+TEST(EmulatedDevice, MeansKeepUpWithFewerSamples) {
+  EmulatedDeviceOptions options;
+  options.means_of = 10;
+  Bench bench(quantised(), options);
+  bench.device.greet(bench.heard);
+  bench.explore();
+  for (int k = 0; k < 10; ++k) {
+    bench.tick(1);
+    bench.device.skip(1, bench.heard);
+  }
+  const auto messages = bench.take<skinwire::Samples>();
+  ASSERT_THAT(messages, SizeIs(2));
+  for (const skinwire::Samples& message : messages) EXPECT_EQ(message.count.at(0), 5U);
+  EXPECT_EQ(messages[1].time_us - messages[0].time_us, 10'000U);
+  EXPECT_EQ(bench.device.status().samples_dropped, 0U);
+  bench.tick(1);
+  bench.device.skip(29, bench.heard);  // three means, one of which has a sample
+  EXPECT_THAT(bench.take<skinwire::Samples>(), SizeIs(1));
+  EXPECT_EQ(bench.device.status().samples_dropped, 34U);
+  bench.tick(10);
+  EXPECT_EQ(bench.take<skinwire::Samples>().at(0).sequence, 85U);
+}
+
 TEST(EmulatedDevice, SaysTwiceASecondHowItIs) {
   Bench bench;
   bench.device.greet(bench.heard);
