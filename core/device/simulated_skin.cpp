@@ -281,6 +281,13 @@ SampleFrame SimulatedSkin::next() {
   return frame;
 }
 
+void SimulatedSkin::skip(std::size_t ticks) {
+  State& state = *state_;
+  if (!state.live) state.live = state.hold(Eigen::Vector3d::UnitZ());
+  state.live->tick += ticks;
+  state.live_clock_s += static_cast<double>(ticks) / state.model.accelerometer.rate_hz;
+}
+
 void SimulatedSkin::State::requireCell(CellId cell) const {
   if (cell.value() == 0 || cell.value() > truth.size()) {
     throw InvalidArgument("simulated skin: there is no cell " + toString(cell));

@@ -142,6 +142,8 @@ class SimulatedSkin {
   [[nodiscard]] bool turning() const;
   /// Live: the next tick of the device's clock, 1 / rate after the one before.
   SampleFrame next();
+  /// Live: as many ticks that nobody reads. No noise is drawn for them.
+  void skip(std::size_t ticks);
   /// Breaks a cell's sensor from the next tick on, or mends all that is broken about it.
   /// Throws InvalidArgument if there is no such cell.
   void breakCell(const CellFault& fault);

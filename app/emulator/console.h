@@ -1,0 +1,41 @@
+#pragma once
+
+#include "emulator.h"
+
+#include <array>
+#include <functional>
+#include <string>
+#include <thread>
+
+namespace hexoderm::emulator {
+
+/// What can be typed while the emulator runs.
+std::string consoleHelp();
+
+/// Does one line, and returns what to say about it; empty for an empty line. Throws InvalidArgument for what can't be
+/// understood or done.
+std::string runLine(const std::string& line, Emulator& emulator);
+
+/// "KIND:CELL" or "KIND:CELL:PORT" of the command line, into the options of a skin that is not yet made.
+void addFault(const std::string& text, SimulatedSkinOptions& skin);
+std::string faultSyntax();
+
+/// Reads lines of standard input on a thread of its own. Not by Asio: it would make the descriptor non-blocking for
+/// every program that shares the terminal.
+class LineReader {
+ public:
+  /// `take` is called on the reader's thread. The end of the input is no reason to end.
+  explicit LineReader(std::function<void(std::string)> take);
+  ~LineReader();
+  LineReader(const LineReader&) = delete;
+  LineReader& operator=(const LineReader&) = delete;
+
+ private:
+  void run();
+
+  std::function<void(std::string)> take_;
+  std::array<int, 2> wake_{-1, -1};
+  std::thread thread_;
+};
+
+}  // namespace hexoderm::emulator

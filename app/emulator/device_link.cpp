@@ -1,0 +1,420 @@
+#include "device_link.h"
+
+#include "hexoderm/util/error.h"
+
+#include <fcntl.h>
+#include <stdlib.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/ip/udp.hpp>
+#include <boost/asio/posix/stream_descriptor.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/write.hpp>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <deque>
+#include <vector>
+
+namespace hexoderm::emulator {
+namespace {
+
+namespace asio = boost::asio;
+using asio::ip::tcp;
+using asio::ip::udp;
+using boost::system::error_code;
+using skinwire::Bytes;
+using skinwire::ByteView;
+using Clock = std::chrono::steady_clock;
+
+// A host that falls back this far gets no samples until it has caught up, and is left if it falls back further.
+constexpr std::size_t kFullBytes = 1U << 20U;
+constexpr std::size_t kMostBytes = 64U << 20U;
+constexpr std::chrono::seconds kUdpHostLives(5);
+constexpr std::chrono::seconds kSerialHostLives(3);
+
+/// A stream of bytes in both directions, from when it is open until it is closed.
+template <class Channel>
+class Stream : public std::enable_shared_from_this<Stream<Channel>> {
+ public:
+  struct Callbacks {
+    std::function<void(const skinwire::Command&)> commanded;
+    std::function<void()> ended;  ///< by the other end or by the network; not by close()
+  };
+
+  Stream(Channel channel, skinwire::Framing framing, Callbacks callbacks)
+      : channel_(std::move(channel)), decoder_(framing), callbacks_(std::move(callbacks)) {}
+
+  void start() { read(); }
+  void close() {
+    closed_ = true;
+    error_code ignored;
+    channel_.close(ignored);
+  }
+
+  bool send(Bytes bytes) {
+    if (closed_) return false;
+    waiting_bytes_ += bytes.size();
+    queue_.push_back(std::move(bytes));
+    if (queue_.size() == 1) {
+      progress_ = Clock::now();
+      write();
+    }
+    return true;
+  }
+  [[nodiscard]] std::size_t waitingBytes() const { return waiting_bytes_; }
+  /// Something waits, and nothing was taken for so long.
+  [[nodiscard]] bool isStalled(Clock::duration limit) const {
+    return !queue_.empty() && Clock::now() - progress_ > limit;
+  }
+  /// Gives up what waits, also what is partly sent.
+  void forgetWaiting() {
+    if (queue_.empty()) return;
+    is_forgetting_ = true;
+    channel_.cancel();
+  }
+
+ private:
+  void read() {
+    channel_.async_read_some(asio::buffer(buffer_),
+                             [self = this->shared_from_this()](const error_code& error, std::size_t size) {
+                               if (self->closed_) return;
+                               if (error == asio::error::operation_aborted) return self->read();
+                               if (error) return self->end();
+                               self->decode(size);
+                             });
+  }
+
+  void decode(std::size_t size) {
+    decoder_.feed(ByteView(buffer_.data(), size));
+    while (!closed_) {
+      const std::optional<skinwire::Decoded> decoded = decoder_.next();
+      if (!decoded) break;
+      if (decoded->outcome != skinwire::DecodeOutcome::Understood) continue;
+      if (const auto* command = std::get_if<skinwire::Command>(&decoded->message)) callbacks_.commanded(*command);
+    }
+    if (closed_) return;
+    if (!decoder_.stuck().empty()) return end();
+    read();
+  }
+
+  void write() {
+    channel_.async_write_some(asio::buffer(queue_.front().data() + written_, queue_.front().size() - written_),
+                              [self = this->shared_from_this()](const error_code& error, std::size_t size) {
+                                if (!self->closed_) self->wrote(error, size);
+                              });
+  }
+
+  void wrote(const error_code& error, std::size_t size) {
+    if (std::exchange(is_forgetting_, false)) {
+      queue_.clear();
+      written_ = waiting_bytes_ = 0;
+      return;
+    }
+    if (error) return end();
+    progress_ = Clock::now();
+    written_ += size;
+    waiting_bytes_ -= size;
+    if (written_ == queue_.front().size()) {
+      queue_.pop_front();
+      written_ = 0;
+    }
+    if (!queue_.empty()) write();
+  }
+
+  void end() {
+    close();
+    callbacks_.ended();
+  }
+
+  Channel channel_;
+  skinwire::FrameDecoder decoder_;
+  Callbacks callbacks_;
+  std::array<std::uint8_t, 4096> buffer_{};
+  std::deque<Bytes> queue_;
+  std::size_t written_ = 0;  ///< of the first in the queue
+  std::size_t waiting_bytes_ = 0;
+  Clock::time_point progress_{};
+  bool is_forgetting_ = false;
+  bool closed_ = false;
+};
+
+[[noreturn]] void fail(const std::string& address, const std::string& why) { throw DeviceError(address + ": " + why); }
+
+template <class Protocol>
+std::string addressOf(const char* scheme, const typename Protocol::endpoint& at) {
+  const std::string host = at.address().is_v6() ? "[" + at.address().to_string() + "]" : at.address().to_string();
+  return std::string(scheme) + "://" + host + ":" + std::to_string(at.port());
+}
+
+template <class Protocol>
+typename Protocol::endpoint endpointOf(const std::string& host, std::uint16_t port) {
+  error_code error;
+  const asio::ip::address address = asio::ip::make_address(host, error);
+  if (error) throw InvalidArgument("--bind: expected the number of an address, found \"" + host + "\"");
+  return {address, port};
+}
+
+class TcpLink final : public DeviceLink {
+ public:
+  TcpLink(asio::io_context& io, const tcp::endpoint& at, skinwire::Framing framing) : acceptor_(io), framing_(framing) {
+    error_code error;
+    acceptor_.open(at.protocol(), error);
+    if (!error) acceptor_.set_option(tcp::acceptor::reuse_address(true), error);
+    if (!error) acceptor_.bind(at, error);
+    if (!error) acceptor_.listen(asio::socket_base::max_listen_connections, error);
+    if (error) fail(addressOf<tcp>("tcp", at), error.message());
+  }
+  ~TcpLink() override {
+    if (stream_) stream_->close();
+  }
+
+  [[nodiscard]] std::string address() const override { return addressOf<tcp>("tcp", acceptor_.local_endpoint()); }
+  [[nodiscard]] std::size_t maxBody() const override { return skinwire::kMaxBody; }
+  void start(Callbacks callbacks) override {
+    callbacks_ = std::move(callbacks);
+    accept();
+  }
+  [[nodiscard]] Bytes framed(const skinwire::Message& message) const override {
+    return skinwire::encodeFrame(framing_, message);
+  }
+  [[nodiscard]] bool isFull() const override { return stream_ && stream_->waitingBytes() > kFullBytes; }
+  bool send(Bytes frame) override {
+    if (!stream_) return false;
+    if (stream_->waitingBytes() > kMostBytes) {
+      disconnect();
+      return false;
+    }
+    return stream_->send(std::move(frame));
+  }
+  void disconnect() override {
+    if (!stream_) return;
+    stream_->close();
+    leave();
+  }
+
+ private:
+  using TcpStream = Stream<tcp::socket>;
+
+  void accept() {
+    acceptor_.async_accept([this](const error_code& error, tcp::socket socket) {
+      if (error == asio::error::operation_aborted) return;
+      if (error) return accept();
+      error_code ignored;
+      socket.set_option(tcp::no_delay(true), ignored);
+      stream_ = std::make_shared<TcpStream>(std::move(socket), framing_,
+                                            TcpStream::Callbacks{callbacks_.commanded, [this] { leave(); }});
+      callbacks_.host_came();
+      if (stream_) stream_->start();
+    });
+  }
+  void leave() {
+    stream_.reset();
+    callbacks_.host_gone();
+    accept();
+  }
+
+  tcp::acceptor acceptor_;
+  skinwire::Framing framing_;
+  Callbacks callbacks_;
+  std::shared_ptr<TcpStream> stream_;
+};
+
+class UdpLink final : public DeviceLink {
+ public:
+  UdpLink(asio::io_context& io, const udp::endpoint& at) : socket_(io), timer_(io) {
+    error_code error;
+    socket_.open(at.protocol(), error);
+    if (!error) socket_.bind(at, error);
+    if (!error) socket_.non_blocking(true, error);
+    if (error) fail(addressOf<udp>("udp", at), error.message());
+    error_code ignored;
+    socket_.set_option(asio::socket_base::send_buffer_size(kFullBytes), ignored);
+  }
+
+  [[nodiscard]] std::string address() const override { return addressOf<udp>("udp", socket_.local_endpoint()); }
+  [[nodiscard]] std::size_t maxBody() const override { return skinwire::kMaxDatagram; }
+  void start(Callbacks callbacks) override {
+    callbacks_ = std::move(callbacks);
+    receive();
+    watch();
+  }
+  [[nodiscard]] Bytes framed(const skinwire::Message& message) const override { return skinwire::encodeBody(message); }
+  [[nodiscard]] bool isFull() const override { return false; }
+  bool send(Bytes frame) override {
+    if (!has_host_) return false;
+    error_code error;
+    socket_.send_to(asio::buffer(frame), host_, 0, error);
+    return !error;
+  }
+  void disconnect() override {
+    if (!has_host_) return;
+    has_host_ = false;
+    callbacks_.host_gone();
+  }
+
+ private:
+  void receive() {
+    socket_.async_receive_from(asio::buffer(buffer_), sender_, [this](const error_code& error, std::size_t size) {
+      if (error == asio::error::operation_aborted) return;
+      // Errors are those of datagrams that were sent to a host that is gone.
+      if (!error) decode(ByteView(buffer_.data(), size));
+      receive();
+    });
+  }
+
+  void decode(ByteView body) {
+    const skinwire::Decoded decoded = skinwire::decodeBody(body);
+    const auto* command = std::get_if<skinwire::Command>(&decoded.message);
+    if (decoded.outcome != skinwire::DecodeOutcome::Understood || command == nullptr) return;
+    const bool is_host = has_host_ && sender_ == host_;
+    if (std::holds_alternative<skinwire::Describe>(command->request)) {
+      asked_ = Clock::now();
+      if (!is_host) {
+        host_ = sender_;
+        has_host_ = true;
+        return callbacks_.host_came();
+      }
+    }
+    if (is_host) callbacks_.commanded(*command);
+  }
+
+  void watch() {
+    timer_.expires_after(std::chrono::milliseconds(250));
+    timer_.async_wait([this](const error_code& error) {
+      if (error) return;
+      if (has_host_ && Clock::now() - asked_ > kUdpHostLives) disconnect();
+      watch();
+    });
+  }
+
+  udp::socket socket_;
+  asio::steady_timer timer_;
+  Callbacks callbacks_;
+  std::array<std::uint8_t, 65'536> buffer_{};
+  udp::endpoint sender_;
+  udp::endpoint host_;
+  bool has_host_ = false;
+  Clock::time_point asked_{};
+};
+
+/// Closes a descriptor.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  [[nodiscard]] int get() const { return number_; }
+  int release() { return std::exchange(number_, -1); }
+
+ private:
+  int number_;
+};
+
+class PseudoTerminalLink final : public DeviceLink {
+ public:
+  explicit PseudoTerminalLink(asio::io_context& io) : timer_(io), io_(io), far_end_(-1) {}
+
+  void open() {
+    Descriptor near_end(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC));
+    const auto failed = [] { fail("pseudo-terminal", std::strerror(errno)); };
+    if (near_end.get() < 0 || ::grantpt(near_end.get()) != 0 || ::unlockpt(near_end.get()) != 0) failed();
+    std::array<char, 256> name{};
+    if (::ptsname_r(near_end.get(), name.data(), name.size()) != 0) failed();
+    path_ = name.data();
+    // Kept open: reading would end whenever a host goes.
+    far_end_ = ::open(path_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+    if (far_end_ < 0) failed();
+    termios settings{};
+    if (::tcgetattr(far_end_, &settings) != 0) failed();
+    ::cfmakeraw(&settings);
+    if (::tcsetattr(far_end_, TCSANOW, &settings) != 0) failed();
+    stream_ = std::make_shared<SerialStream>(
+        asio::posix::stream_descriptor(io_, near_end.release()), skinwire::Framing::Cobs,
+        SerialStream::Callbacks{[this](const skinwire::Command& command) { take(command); }, [this] { disconnect(); }});
+  }
+  ~PseudoTerminalLink() override {
+    if (stream_) stream_->close();
+    if (far_end_ >= 0) ::close(far_end_);
+  }
+  PseudoTerminalLink(const PseudoTerminalLink&) = delete;
+  PseudoTerminalLink& operator=(const PseudoTerminalLink&) = delete;
+
+  [[nodiscard]] std::string address() const override { return "serial:" + path_; }
+  [[nodiscard]] std::size_t maxBody() const override { return 4096; }  // little is lost with a broken byte
+  void start(Callbacks callbacks) override {
+    callbacks_ = std::move(callbacks);
+    stream_->start();
+    watch();
+  }
+  [[nodiscard]] Bytes framed(const skinwire::Message& message) const override {
+    return skinwire::encodeFrame(skinwire::Framing::Cobs, message);
+  }
+  [[nodiscard]] bool isFull() const override { return stream_->waitingBytes() > kFullBytes / 16; }
+  bool send(Bytes frame) override { return has_host_ && stream_->send(std::move(frame)); }
+  void disconnect() override {
+    if (!std::exchange(has_host_, false)) return;
+    stream_->forgetWaiting();
+    ::tcflush(far_end_, TCIFLUSH);
+    callbacks_.host_gone();
+  }
+
+ private:
+  using SerialStream = Stream<asio::posix::stream_descriptor>;
+
+  void take(const skinwire::Command& command) {
+    const auto* describe = std::get_if<skinwire::Describe>(&command.request);
+    // Nobody says when a host opens the port. One that has no topology yet has just come.
+    const bool is_new = !has_host_ || (describe != nullptr && !describe->known_topology);
+    if (is_new && describe != nullptr) {
+      has_host_ = true;
+      stream_->send({0});
+      return callbacks_.host_came();
+    }
+    if (has_host_) callbacks_.commanded(command);
+  }
+
+  /// Nor when it closes it: but then nobody reads.
+  void watch() {
+    timer_.expires_after(std::chrono::milliseconds(250));
+    timer_.async_wait([this](const error_code& error) {
+      if (error) return;
+      if (has_host_ && stream_->isStalled(kSerialHostLives)) disconnect();
+      watch();
+    });
+  }
+
+  asio::steady_timer timer_;
+  asio::io_context& io_;
+  std::string path_;
+  int far_end_;
+  Callbacks callbacks_;
+  std::shared_ptr<SerialStream> stream_;
+  bool has_host_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<DeviceLink> listenTcp(asio::io_context& io, const std::string& host, std::uint16_t port,
+                                      skinwire::Framing framing) {
+  return std::make_unique<TcpLink>(io, endpointOf<tcp>(host, port), framing);
+}
+
+std::unique_ptr<DeviceLink> listenUdp(asio::io_context& io, const std::string& host, std::uint16_t port) {
+  return std::make_unique<UdpLink>(io, endpointOf<udp>(host, port));
+}
+
+std::unique_ptr<DeviceLink> openPseudoTerminal(asio::io_context& io) {
+  auto link = std::make_unique<PseudoTerminalLink>(io);
+  link->open();
+  return link;
+}
+
+}  // namespace hexoderm::emulator

@@ -1,0 +1,84 @@
+#include "emulator.h"
+
+#include <boost/asio/post.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace hexoderm::emulator {
+namespace {
+
+constexpr std::chrono::milliseconds kPause(1);
+constexpr std::chrono::milliseconds kLongestWork(10);  // then the wire is looked at
+// Of the wall's clock. A computer that was busy elsewhere for a moment may catch up; one that is too slow leaves out
+// every second message's samples; one that stood still goes on with the present.
+constexpr double kMuchBehind_s = 0.3;
+constexpr double kTooFarBehind_s = 1;
+
+}  // namespace
+
+Emulator::Emulator(boost::asio::io_context& io, EmulatedDevice device, std::unique_ptr<DeviceLink> link, double speed)
+    : io_(io), device_(std::move(device)), link_(std::move(link)), speed_(speed), timer_(io) {}
+
+void Emulator::start() {
+  link_->start({[this] { withDevice([&](EmulatedDevice::Messages& out) { device_.greet(out); }); },
+                [this] { device_.forgetHost(); },
+                [this](const skinwire::Command& command) {
+                  withDevice([&](EmulatedDevice::Messages& out) { device_.take(command, out); });
+                }});
+  began_ = Clock::now();
+  onTimer();
+}
+
+void Emulator::withDevice(const std::function<void(EmulatedDevice::Messages&)>& action) {
+  action(messages_);
+  send();
+}
+
+bool Emulator::chance(double share) { return share > 0 && static_cast<double>(random_() >> 11U) * 0x1p-53 < share; }
+
+void Emulator::send() {
+  // Sending may end the connection, which calls back.
+  for (skinwire::Message& message : std::exchange(messages_, {})) {
+    const auto* samples = std::get_if<skinwire::Samples>(&message);
+    if (faults_.is_silent || (samples != nullptr && chance(faults_.drop_share))) continue;
+    if (samples != nullptr && link_->isFull()) {
+      device_.countDropped(*samples);
+      continue;
+    }
+    skinwire::Bytes frame = link_->framed(message);
+    if (chance(faults_.garble_share)) {
+      frame[random_() % frame.size()] ^= static_cast<std::uint8_t>(1U << (random_() % 8));
+    }
+    if (!link_->send(std::move(frame)) && samples != nullptr) device_.countDropped(*samples);
+  }
+}
+
+void Emulator::onTimer() {
+  const Clock::time_point now = Clock::now();
+  const double tick_s = device_.tick_s() / speed_;
+  const double due = std::chrono::duration<double>(now - began_).count() / tick_s;
+  if (due - ticks_done_ > kTooFarBehind_s / tick_s) {
+    const auto late = static_cast<std::size_t>(due - ticks_done_);
+    device_.skip(late, messages_);
+    ticks_done_ += static_cast<double>(late);
+    send();
+  }
+  while (ticks_done_ + 1 <= due && Clock::now() - now < kLongestWork) {
+    const std::size_t together = device_.ticksPerMessage();
+    const bool must_hurry = due - ticks_done_ > kMuchBehind_s / tick_s && !device_.isExploring();
+    for (std::size_t k = 0; k < together && ticks_done_ + 1 <= due; ++k, ++ticks_done_) device_.tick(messages_);
+    if (must_hurry) {
+      device_.skip(together, messages_);
+      ticks_done_ += static_cast<double>(together);
+    }
+    if (!messages_.empty()) send();
+  }
+  if (ticks_done_ + 1 <= due) return boost::asio::post(io_, [this] { onTimer(); });
+  timer_.expires_after(kPause);
+  timer_.async_wait([this](const boost::system::error_code& error) {
+    if (!error) onTimer();
+  });
+}
+
+}  // namespace hexoderm::emulator
