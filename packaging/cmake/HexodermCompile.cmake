@@ -29,6 +29,15 @@ if(HEXODERM_SANITIZE)
   endif()
 endif()
 
+if(HEXODERM_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    message(FATAL_ERROR "HEXODERM_FUZZ needs clang: cmake --preset fuzz")
+  endif()
+  # Which branches were taken, for libFuzzer to follow; and an index out of range is a crash.
+  add_compile_options(-fsanitize=fuzzer-no-link)
+  add_compile_definitions(_GLIBCXX_ASSERTIONS)
+endif()
+
 function(hexoderm_compile_options target)
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor

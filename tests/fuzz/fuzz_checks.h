@@ -1,0 +1,26 @@
+#pragma once
+
+#include "hexoderm/session/session.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+/// What every target defines: returns 0, and crashes on what must not happen.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace hexoderm::fuzz {
+
+/// Crashes, which the fuzzer and the replay take for a failure, with `what` on standard error.
+void require(bool condition, std::string_view what);
+
+inline std::string_view asText(std::span<const std::uint8_t> bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// What every reader of sessions promises of one that it returns: a model that makes sense, finite numbers, variances
+/// of at least 0, rotations. Also that its topology makes a graph, however it contradicts itself.
+void requireSound(const Session& session);
+
+}  // namespace hexoderm::fuzz

@@ -1,0 +1,87 @@
+#!/usr/bin/env python3
+"""Makes the inputs in tests/fuzz/corpus that are derived: from tests/data and from a few small sessions written out here.
+
+Inputs that once crashed something are beside them under other names and are never touched.
+Usage: tests/fuzz/make_corpus.py
+"""
+import json
+import pathlib
+import struct
+
+HERE = pathlib.Path(__file__).parent
+DATA = HERE.parent / "data"
+LENGTH, COBS, LINES, DETECTED, RECORDING, GOOD_BODIES = 0, 1, 2, 3, 4, 8
+
+
+def put(target, name, content):
+    folder = HERE / "corpus" / target
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / ("seed_" + name)).write_bytes(content)
+
+
+def skinwire():
+    vectors = {p.stem: bytes.fromhex(p.read_text()) for p in sorted((DATA / "skinwire").glob("*.hex"))}
+    lines = {p.stem: p.read_bytes().strip() for p in sorted((DATA / "skinwire").glob("*.json"))}
+    order = ["hello", "topology", "samples_raw", "samples_float", "samples_mean", "status", "ack"]
+    order += [name for name in vectors if name not in order]
+    framed = b"".join(struct.pack("<I", len(vectors[name])) + vectors[name] for name in order)
+    records = b"".join(struct.pack("<QI", k * 1000, len(vectors[name])) + vectors[name] for k, name in enumerate(order))
+    bodies = b"".join(struct.pack("<BH", vectors[name][1], len(vectors[name]) - 6) + vectors[name][2:-4]
+                      for name in order)
+    put("skinwire", "length", bytes([LENGTH, 6]) + framed)
+    put("skinwire", "detected_length", bytes([DETECTED, 0]) + framed)
+    put("skinwire", "recording", bytes([RECORDING, 0]) + records)
+    for name, stream in (("length", LENGTH), ("cobs", COBS), ("recording", RECORDING)):
+        put("skinwire", "bodies_" + name, bytes([stream | GOOD_BODIES, 99]) + bodies)
+    # The acknowledgement in core/device/skinwire/README.md.
+    ack = bytes.fromhex("1d 01 06 08 02 1a 12 74 68 65 72 65 20 69 73 20 6e 6f 20 63 65 6c 6c 20 37 ff 4e ad fe 00")
+    put("skinwire", "cobs", bytes([COBS, 3]) + b"garbage\0" + ack + ack)
+    all_lines = b"\n".join(lines[name] for name in order) + b"\n"
+    put("skinwire", "lines", bytes([LINES, 40]) + b"# not a message\r\n" + all_lines)
+    put("skinwire", "detected_lines", bytes([DETECTED, 255]) + all_lines)
+
+
+def documents():
+    put("session_json", "three_cells", (DATA / "three_cells.session.json").read_bytes())
+    put("tum_xml", "two_patches", (DATA / "two_patches.tum.xml").read_bytes())
+    model = json.loads((HERE.parent.parent / "resources/cell_models/hex-bma150.json").read_text())
+    session = {"format": "hexoderm-session", "version": 1, "cell_model": model, "cells": [{"id": 1, "ports": []}],
+               "poses": [{"id": 1, "taken_at_ms": 1, "disabled": True, "why_disabled": "moved",
+                          "samples": [{"cell": 1, "mean_g": [0, 0, 1], "temperature_c": 21.5}]}]}
+    put("session_json", "own_model", json.dumps(session).encode())
+
+
+def entry(kind, detail, samples=None, raw=None):
+    kinds = ["skin", "capture", "source", "truth", "remove", "restore", "disable", "enable", "options"]
+    flags = (0x10 if samples is not None else 0) | (0x20 if raw is not None else 0)
+    pieces = [json.dumps(detail).encode()] + [piece for piece in (samples, raw) if piece is not None]
+    return bytes([kinds.index(kind) | flags]) + b"".join(struct.pack("<H", len(piece)) + piece for piece in pieces)
+
+
+def hexo():
+    model = json.loads((HERE.parent.parent / "resources/cell_models/hex-bma150.json").read_text())
+    cells = [{"id": 1, "ports": [{"port": 2, "cell": 2, "cell_port": 3}]},
+             {"id": 2, "body_part": "arm", "ports": [{"port": 3, "cell": 1}]}]
+    samples = b"".join(struct.pack("<4I10d", cell, 100, 1, 0, 0, 0, 1, 1e-6, 0, 0, 1e-6, 0, 1e-6, 21.5)
+                       for cell in (1, 2))
+    raw = struct.pack("<2Id3I", 4, 1, 0.5, 1, 1, 1)
+    raw += struct.pack("<I3f", 1, 0, 0, 1) + struct.pack("<2I6f", 2, 10, 0, 0, 1, 0, 0, 0) + struct.pack("<If", 1, 20)
+    raw_long = struct.pack("<2Id3I", 8, 1, 0.5, 1, 0, 0) + struct.pack("<I3d", 1, 0, 0, 0.1)
+    skin = entry("skin", {"cell_model": model, "cells": cells})
+    truth = {"frame": "body", "cells": [{"id": 1, "R": [1, 0, 0, 0, 1, 0, 0, 0, 1], "t_m": [0, 0, 0.1]}]}
+    captures = (entry("capture", {"pose": 1, "place": 0, "cells": 2, "label": "table", "raw_sha256": "$RAW"}, samples, raw) +
+                entry("capture", {"pose": 2, "place": 1, "cells": 2, "taken_at_ms": 5, "raw_sha256": "$RAW"}, samples,
+                      raw_long))
+    put("hexo", "journal", b"J" + skin + entry("source", {"text": "by hand", "file": "", "sha256": ""}) +
+        entry("truth", truth) + captures + entry("disable", {"capture": 4, "why": "moved"}) +
+        entry("enable", {"capture": 4}) + entry("remove", {"capture": 4}) +
+        entry("restore", {"capture": 4, "place": 1}) + entry("options", {"solver": "tree"}))
+    put("hexo", "journal_without_skin", b"J" + captures)
+    put("hexo", "changes", b"P" + struct.pack("<HBHB", 68, 0x48, 5000, 0x31))
+    put("hexo", "unchanged", b"P")
+    put("hexo", "no_database", b"R" + b"SQLite format 3\0" + bytes(84))
+
+
+skinwire()
+documents()
+hexo()
