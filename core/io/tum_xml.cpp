@@ -16,6 +16,8 @@ namespace hexoderm {
 namespace {
 
 constexpr double kRotationTolerance = 1e-6;
+/// No skin is larger; what follows from positions of 1e308 m is not finite.
+constexpr double kFarthest_m = 1000;
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kSpace = " \t\r\n";
@@ -100,7 +102,11 @@ class TumReader {
     const pugi::xml_node root = child(node, "rootCellId", where);
     cell.root = CellId(parse(root, where, "rootCellId", root.child_value(), parseUnsigned));
     cell.report.neighbors = readNeighbors(child(node, "neighbors", where), cell.report.id, where);
-    cell.T_root_u.t = readMatrix<3, 1>(child(node, "pos", where), where + ", pos");
+    const pugi::xml_node pos = child(node, "pos", where);
+    cell.T_root_u.t = readMatrix<3, 1>(pos, where + ", pos");
+    if (cell.T_root_u.t.cwiseAbs().maxCoeff() > kFarthest_m) {
+      fail(pos, where + ", pos", "expected metres from the root cell, at most " + formatFixed(kFarthest_m, 0));
+    }
     const pugi::xml_node rot = child(node, "rot", where);
     cell.T_root_u.R = readMatrix<3, 3>(rot, where + ", rot");
     const Eigen::Matrix3d& R = cell.T_root_u.R;

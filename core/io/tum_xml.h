@@ -22,7 +22,8 @@ struct TumSkinConfig {
   std::string sha256;  ///< of the file's bytes
 };
 
-/// Throws StorageError, or FormatError naming the file, the element and what was expected.
+/// Throws StorageError, or FormatError naming the file, the element and what was expected. Positions are at most 1000 m
+/// along each axis.
 TumSkinConfig readTumXml(const std::filesystem::path& path);
 TumSkinConfig parseTumXml(std::string_view text, const std::string& file);
 

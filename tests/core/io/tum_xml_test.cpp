@@ -194,6 +194,12 @@ TEST(TumXml, RefusesNumbersThatAreNone) {
   }
 }
 
+TEST(TumXml, RefusesPositionsFromWhichNothingFiniteFollows) {
+  for (const char* far : {"1e308", "-1000.1"}) {
+    EXPECT_THAT(complaint("0.023276311449", far), saysAll("t.xml: line ", "cell 4, pos", "metres", "at most 1000"));
+  }
+}
+
 TEST(TumXml, RefusesWhatIsNoRotation) {
   EXPECT_THAT(complaint("0.939692620786", "0.95"), saysAll("cell 4, rot", "rotation matrix"));
   std::string text = readFile(kTwoPatches);
