@@ -34,6 +34,11 @@ QAction* make(QWidget* owner, const char* name, const QString& text, const QStri
 
 WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
     : demo(make(owner, "actionDemo", tr("Start the &demo skin"), tr("A simulated skin to try everything with"))),
+      connect_skin(make(owner, "actionConnect", tr("&Connect to a skin…"),
+                        tr("Take poses of a skin that is connected, or of a recording"),
+                        {QKeySequence(QStringLiteral("Ctrl+K"))})),
+      disconnect_skin(make(owner, "actionDisconnect", tr("D&isconnect"),
+                           tr("End the connection to the skin; what was captured stays"))),
       open(make(owner, "actionOpen", tr("&Open…"), tr("Open a session or a calibration"), {QKeySequence::Open})),
       save(make(owner, "actionSave", tr("&Save session"), tr("Save the poses taken so far"), {QKeySequence::Save})),
       save_as(make(owner, "actionSaveAs", tr("Save session &as…"), tr("Save the session under another name"),
@@ -52,6 +57,11 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
       next_pose(make(owner, "actionNextPose", tr("Take the &next pose"),
                      tr("Turn the simulated part to its next orientation and take the pose"),
                      {QKeySequence(Qt::Key_Space)})),
+      automatic(make(owner, "actionAutomatic", tr("Capture by itself when &still"),
+                     tr("Take a pose as soon as the part is held still after it was moved"),
+                     {QKeySequence(Qt::Key_A)})),
+      turn(make(owner, "actionTurn", tr("&Turn to the next pose"),
+                tr("Ask the device to turn itself to where the next pose helps most"), {QKeySequence(Qt::Key_T)})),
       find_cell(
           make(owner, "actionFindCell", tr("Find &cell…"), tr("Pick a cell by typing its ID"), {QKeySequence::Find})),
       fit(make(owner, "actionFit", tr("&Fit"), tr("Show the whole skin"), {QKeySequence(Qt::Key_F)})),
@@ -72,7 +82,10 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
   next_pose->setIconText(tr("Take the next pose"));
   demo->setIconText(tr("Start the demo skin"));
   // A key that is held must not take a row of poses.
-  for (QAction* action : {next_pose, toggle_pose, delete_pose, screenshot}) action->setAutoRepeat(false);
+  for (QAction* action : {next_pose, automatic, turn, toggle_pose, delete_pose, screenshot}) {
+    action->setAutoRepeat(false);
+  }
+  automatic->setCheckable(true);
 
   theme = {make(owner, "actionThemeSystem", tr("Like the &system"), tr("Light or dark, as the system asks for")),
            make(owner, "actionThemeLight", tr("&Light"), tr("Dark text on a light ground")),
@@ -85,7 +98,7 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
 
 void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& panels) const {
   QMenu* file = bar->addMenu(tr("&File"));
-  file->addActions({demo, open});
+  file->addActions({demo, connect_skin, disconnect_skin, open});
   file->addSeparator();
   file->addActions({save, save_as, save_calibration, export_to});
   file->addSeparator();
@@ -97,7 +110,7 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   edit->addActions({toggle_pose, delete_pose});
 
   QMenu* session = bar->addMenu(tr("&Session"));
-  session->addAction(next_pose);
+  session->addActions({next_pose, turn, automatic});
 
   QMenu* view = bar->addMenu(tr("&View"));
   view->addActions({find_cell, fit, front, side, top});
@@ -114,11 +127,35 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
 
 std::vector<QAction*> WindowActions::withKeys() const {
   std::vector<QAction*> found;
-  for (QAction* action : {next_pose, toggle_pose, delete_pose, undo, redo, open, save, save_as, export_to, find_cell,
-                          fit, screenshot, keys, quit}) {
+  for (QAction* action : {next_pose, automatic, turn, toggle_pose, delete_pose, undo, redo, connect_skin, open, save,
+                          save_as, export_to, find_cell, fit, screenshot, keys, quit}) {
     if (!action->shortcuts().isEmpty()) found.push_back(action);
   }
   return found;
+}
+
+void WindowActions::refreshCapture(const SessionController& controller, const QString& no_session) {
+  const bool live = controller.isLive();
+  next_pose->setText(live ? tr("Capture &now") : tr("Take the &next pose"));
+  next_pose->setIconText(live ? tr("Capture now") : tr("Take the next pose"));
+  next_pose->setProperty(kPurpose, live ? tr("Take the next readings as a pose, moved or not")
+                                        : tr("Turn the simulated part to its next orientation and take the pose"));
+  QString no_skin = no_session;
+  if (no_skin.isEmpty() && !live && !controller.isDemo()) {
+    no_skin = tr("This session came from a file; no skin is connected");
+  }
+  if (live && controller.live().status().state != SourceState::Streaming) {
+    no_skin = tr("The skin does not send: %1").arg(QString::fromStdString(controller.live().status().text));
+  }
+  allow(next_pose, no_skin);
+  QString no_turn = no_skin;
+  if (no_turn.isEmpty() && !live) no_turn = tr("No skin is connected");
+  if (no_turn.isEmpty() && !controller.canTurn()) no_turn = tr("This device can't turn itself; turn the part by hand");
+  if (no_turn.isEmpty() && !controller.isCurrent()) no_turn = tr("The reconstruction is being brought up to date");
+  allow(turn, no_turn);
+  automatic->setChecked(controller.isAutomatic());
+  allow(automatic, live ? QString() : tr("No skin is connected"));
+  allow(disconnect_skin, controller.live().isRunning() ? QString() : tr("No skin is connected"));
 }
 
 void WindowActions::refresh(const SessionController& controller, std::optional<int> pose_row) {
@@ -149,9 +186,7 @@ void WindowActions::refresh(const SessionController& controller, std::optional<i
   allow(toggle_pose, no_pose);
   allow(delete_pose, no_pose);
 
-  QString no_next = no_session;
-  if (no_next.isEmpty() && !controller.isDemo()) no_next = tr("This session came from a file; no skin is connected");
-  allow(next_pose, no_next);
+  refreshCapture(controller, no_session);
 
   const QString nothing = controller.reconstruction() ? QString() : tr("There is nothing to look at yet");
   for (QAction* action : {find_cell, fit, front, side, top}) allow(action, nothing);

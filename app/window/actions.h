@@ -20,6 +20,8 @@ class WindowActions {
   WindowActions(QWidget* owner, QUndoStack* undo_stack);
 
   QAction* demo;
+  QAction* connect_skin;
+  QAction* disconnect_skin;
   QAction* open;
   QAction* save;
   QAction* save_as;
@@ -30,7 +32,9 @@ class WindowActions {
   QAction* redo;
   QAction* toggle_pose;
   QAction* delete_pose;
-  QAction* next_pose;
+  QAction* next_pose;  ///< "Take the next pose" of the demo, "Capture now" of a connected skin
+  QAction* automatic;
+  QAction* turn;
   QAction* find_cell;
   QAction* fit;
   QAction* front;
@@ -48,6 +52,9 @@ class WindowActions {
 
   /// Which can be used now, and why the others can't. `pose_row`: the row picked in the table of poses.
   void refresh(const SessionController& controller, std::optional<int> pose_row);
+
+ private:
+  void refreshCapture(const SessionController& controller, const QString& no_session);
 };
 
 }  // namespace hexoderm

@@ -39,7 +39,7 @@ std::size_t enabledPoses(const Session& session) {
 }
 
 bool wantsMorePoses(const SessionController& controller) {
-  if (!controller.isDemo()) return false;
+  if (!controller.isDemo() && !controller.isLive()) return false;
   const Reconstruction* result = controller.reconstruction().get();
   if (!result || !isExportable(*result)) return true;
   return result->verdict.level != VerdictLevel::Good && enabledPoses(*controller.session()) < kGoodPoseCount;
@@ -48,7 +48,7 @@ bool wantsMorePoses(const SessionController& controller) {
 QAction* bestAction(const SessionController& controller, const WindowActions& actions) {
   if (controller.isEmpty()) return actions.demo;
   const Reconstruction* result = controller.reconstruction().get();
-  if (wantsMorePoses(controller)) return actions.next_pose;
+  if (wantsMorePoses(controller)) return controller.canTurn() ? actions.turn : actions.next_pose;
   return result && (isExportable(*result) || !controller.session()) ? actions.export_to : actions.open;
 }
 
@@ -76,10 +76,18 @@ const Finding* worstFinding(const Reconstruction& reconstruction) {
 Step connectStep(const SessionController& controller, const WindowActions& actions) {
   Step step;
   step.title = Guide::tr("Connect");
-  step.actions = {actions.demo, actions.open};
+  step.actions = {actions.demo, actions.connect_skin, actions.open};
+  if (controller.live().isRunning()) step.actions = {actions.disconnect_skin};
+  if (controller.live().isRunning() && !controller.isLive()) {
+    step.state = StepState::Current;
+    step.note = controller.live().address();
+    step.what = QString::fromStdString(controller.live().status().text);
+    step.why = Guide::tr("The steps go on when the skin has said which cells it has.");
+    return step;
+  }
   if (controller.isEmpty()) {
     step.state = StepState::Current;
-    step.what = Guide::tr("Start the demo skin, or open a session or a calibration.");
+    step.what = Guide::tr("Start the demo skin, connect to a skin, or open a session or a calibration.");
     step.why = Guide::tr(
         "A file can also be dropped onto this window. The demo is a simulation of 17 cells on a "
         "cylinder; everything can be tried with it.");
@@ -128,9 +136,17 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
   step.note =
       more && enabled < kGoodPoseCount ? Guide::tr("%1 of %2").arg(enabled).arg(kGoodPoseCount) : posesInWords(enabled);
   if (controller.isDemo()) step.actions = {actions.next_pose};
+  if (controller.canTurn()) step.actions.push_back(actions.turn);
+  if (controller.isLive()) step.actions.push_back(actions.next_pose);
   step.state = more || (result && !isExportable(*result)) ? StepState::Current : StepState::Done;
   // Once there are enough, what is next is no longer about poses.
   if (result && step.state == StepState::Current) step.what = QString::fromStdString(result->verdict.next_action);
+  if (controller.isLive()) {
+    step.why = Guide::tr(
+        "Gravity seen from several directions tells how every cell is turned against its neighbours. A pose is taken "
+        "by itself when the part is held still after it was moved; Space takes it at once.");
+    return step;
+  }
   step.why = controller.isDemo()
                  ? Guide::tr(
                        "Gravity seen from several directions tells how every cell is turned against its "
@@ -187,7 +203,10 @@ Step exportStep(const SessionController& controller, const WindowActions& action
 Banner::Content describeStand(const SessionController& controller, const WindowActions& actions) {
   Banner::Content content;
   content.action = bestAction(controller, actions);
-  if (const Reconstruction* result = controller.reconstruction().get()) {
+  if (controller.live().isRunning() && !controller.isLive()) {
+    content.action = actions.disconnect_skin;
+    content.sentence = QString::fromStdString(controller.live().status().text);
+  } else if (const Reconstruction* result = controller.reconstruction().get()) {
     content.tone = toneOf(result->verdict.level);
     content.sentence = QString::fromStdString(result->verdict.reason);
   } else if (!controller.isEmpty()) {
@@ -195,7 +214,7 @@ Banner::Content describeStand(const SessionController& controller, const WindowA
   } else if (!controller.activity().isEmpty()) {
     content.sentence = Guide::tr("%1…").arg(controller.activity());
   } else {
-    content.sentence = Guide::tr("No skin yet: start the demo, or open a session or a calibration.");
+    content.sentence = Guide::tr("No skin yet: start the demo, connect to a skin, or open a session or a calibration.");
   }
   return content;
 }

@@ -5,6 +5,7 @@
 #include "widgets/banner.h"
 #include "widgets/card_dock.h"
 #include "widgets/graph_view.h"
+#include "widgets/live_strip.h"
 #include "widgets/message_bar.h"
 #include "widgets/patch_view.h"
 #include "widgets/step_panel.h"
@@ -89,6 +90,7 @@ MainWindow::MainWindow(QWidget* parent)
       docks_(new QMainWindow(this)),
       banner_(new Banner),
       message_bar_(new MessageBar),
+      live_strip_(new LiveStrip(actions_.automatic, actions_.next_pose, actions_.disconnect_skin)),
       step_panel_(new StepPanel),
       patch_view_(new PatchView(&selection_)),
       graph_view_(new GraphView(&selection_)),
@@ -114,6 +116,7 @@ MainWindow::MainWindow(QWidget* parent)
   connectActions();
   connectController();
   connectSelection();
+  connectLive();
   qApp->installEventFilter(this);
   const QSettings settings;
   setThemeChoice(
@@ -168,6 +171,7 @@ void MainWindow::buildLayout() {
   work->setContentsMargins(8, 8, 8, 8);
   work->setSpacing(8);
   work->addWidget(message_bar_);
+  work->addWidget(live_strip_);
   work->addWidget(docks_, 1);
   auto* centre = new QWidget;
   auto* layout = new QVBoxLayout(centre);
@@ -365,6 +369,7 @@ void MainWindow::refresh() {
   banner_->setContent(describeStand(controller_, actions_));
   step_panel_->setSteps(describeSteps(controller_, actions_));
   refreshStatus();
+  refreshLive();
 }
 
 void MainWindow::refreshStatus() {
@@ -374,8 +379,10 @@ void MainWindow::refreshStatus() {
   setWindowTitle(controller_.isEmpty() ? tr("Hexoderm") : tr("%1[*] · Hexoderm").arg(name));
   setWindowModified(controller_.hasUnsavedChanges());
 
-  source_status_->setText(QStringLiteral("● ") +
-                          (controller_.activity().isEmpty() ? name : controller_.activity() + "…"));
+  if (!controller_.live().isRunning()) {
+    source_status_->setText(QStringLiteral("● ") +
+                            (controller_.activity().isEmpty() ? name : controller_.activity() + "…"));
+  }
   cells_status_->setVisible(result != nullptr && !result->poses.empty());
   solve_status_->setVisible(result != nullptr);
   if (result) {
@@ -395,7 +402,7 @@ void MainWindow::refreshStatus() {
   }
   QString saved;
   if (controller_.hasUnsavedChanges()) {
-    saved = tr("not saved");
+    saved = controller_.isKept() ? tr("not on disk") : tr("not saved");
   } else if (controller_.savedAt().isValid()) {
     saved = tr("saved at %1").arg(controller_.savedAt().toString(QStringLiteral("HH:mm")));
   }
@@ -412,6 +419,7 @@ void MainWindow::setThemeChoice(ThemeChoice choice, bool remember) {
   applyTheme(theme_);
   banner_->setTheme(theme_);
   message_bar_->setTheme(theme_);
+  live_strip_->setTheme(theme_);
   step_panel_->setTheme(theme_);
   patch_view_->setTheme(theme_);
   graph_view_->setTheme(theme_);

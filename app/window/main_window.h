@@ -19,6 +19,7 @@ class Banner;
 class CardDock;
 class FindingTable;
 class GraphView;
+class LiveStrip;
 class LinkTable;
 class MessageBar;
 class PatchView;
@@ -37,9 +38,10 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] Selection& selection() { return selection_; }
   [[nodiscard]] const WindowActions& actions() const { return actions_; }
 
-  /// Both ask first if poses would be lost.
+  /// All ask first if poses would be lost.
   void openFile(const QString& path);
   void startDemo();
+  void connectTo(const ConnectRequest& request);
 
   /// `remember`: also for the next start.
   void setThemeChoice(ThemeChoice choice, bool remember);
@@ -62,6 +64,7 @@ class MainWindow : public QMainWindow {
   void connectActions();
   void connectController();
   void connectSelection();
+  void connectLive();
   void restoreLayout();
   void rememberLayout() const;
 
@@ -73,6 +76,8 @@ class MainWindow : public QMainWindow {
   void pickFromFinding(int row);
   [[nodiscard]] std::optional<int> pickedPoseRow() const;
 
+  void refreshLive();
+  void showConnectDialog();
   void askToOpen();
   void saveSession(bool always_ask);
   void askForPath(const QString& title, const QString& name, const QString& filter, const QString& extension,
@@ -94,6 +99,7 @@ class MainWindow : public QMainWindow {
   QMainWindow* docks_;  ///< holds the panels, so that banner and messages stay above them all
   Banner* banner_;
   MessageBar* message_bar_;
+  LiveStrip* live_strip_;
   StepPanel* step_panel_;
   PatchView* patch_view_;
   GraphView* graph_view_;

@@ -9,32 +9,54 @@ QString nameOf(const SessionPose& pose) { return QString::number(pose.capture->i
 
 }  // namespace
 
-AddPoseCommand::AddPoseCommand(Session& session, SessionPose pose)
-    : session_(session), pose_(std::move(pose)), index_(session.poses().size()) {
+AddPoseCommand::AddPoseCommand(EditedSession edited, SessionPose pose)
+    : edited_(std::move(edited)), pose_(std::move(pose)), index_(edited_.session.poses().size()) {
   setText(tr("take pose %1").arg(nameOf(pose_)));
 }
 
-void AddPoseCommand::redo() { session_.addPose(pose_, index_); }
+void AddPoseCommand::redo() {
+  edited_.session.addPose(pose_, index_);
+  // A file keeps what was captured once, so from the second time on it only comes back.
+  if (std::exchange(is_new_, false)) {
+    edited_.changed(AddPose{pose_, index_});
+  } else {
+    edited_.changed(RestorePose{pose_.capture->id, index_});
+  }
+}
 
-void AddPoseCommand::undo() { session_.removePose(index_); }
+void AddPoseCommand::undo() {
+  edited_.session.removePose(index_);
+  edited_.changed(RemovePose{index_});
+}
 
-SetPoseDisabledCommand::SetPoseDisabledCommand(Session& session, std::size_t index, bool disabled)
-    : session_(session), index_(index), disabled_(disabled) {
-  const QString pose = nameOf(session.poses().at(index));
+SetPoseDisabledCommand::SetPoseDisabledCommand(EditedSession edited, std::size_t index, bool disabled)
+    : edited_(std::move(edited)), index_(index), disabled_(disabled) {
+  const QString pose = nameOf(edited_.session.poses().at(index));
   setText(disabled ? tr("disable pose %1").arg(pose) : tr("enable pose %1").arg(pose));
 }
 
-void SetPoseDisabledCommand::redo() { session_.setPoseDisabled(index_, disabled_); }
+void SetPoseDisabledCommand::redo() { set(disabled_); }
 
-void SetPoseDisabledCommand::undo() { session_.setPoseDisabled(index_, !disabled_); }
+void SetPoseDisabledCommand::undo() { set(!disabled_); }
 
-RemovePoseCommand::RemovePoseCommand(Session& session, std::size_t index)
-    : session_(session), pose_(session.poses().at(index)), index_(index) {
+void SetPoseDisabledCommand::set(bool disabled) {
+  edited_.session.setPoseDisabled(index_, disabled);
+  edited_.changed(SetPoseDisabled{index_, disabled});
+}
+
+RemovePoseCommand::RemovePoseCommand(EditedSession edited, std::size_t index)
+    : edited_(std::move(edited)), pose_(edited_.session.poses().at(index)), index_(index) {
   setText(tr("delete pose %1").arg(nameOf(pose_)));
 }
 
-void RemovePoseCommand::redo() { session_.removePose(index_); }
+void RemovePoseCommand::redo() {
+  edited_.session.removePose(index_);
+  edited_.changed(RemovePose{index_});
+}
 
-void RemovePoseCommand::undo() { session_.addPose(pose_, index_); }
+void RemovePoseCommand::undo() {
+  edited_.session.addPose(pose_, index_);
+  edited_.changed(RestorePose{pose_.capture->id, index_});
+}
 
 }  // namespace hexoderm

@@ -1,11 +1,19 @@
 #pragma once
 
-#include "hexoderm/session/session.h"
+#include "hexoderm/session/session_store.h"
 
 #include <QCoreApplication>
 #include <QUndoCommand>
+#include <functional>
 
 namespace hexoderm {
+
+/// A session that is edited, and whoever keeps it. Outlives the commands that refer to it.
+struct EditedSession {
+  Session& session;
+  /// Told about every change after it was made.
+  std::function<void(StoreOperation)> changed;
+};
 
 // Everything that changes a session goes through one of these, so everything can be undone. The session must outlive
 // the stack that holds the commands.
@@ -14,26 +22,29 @@ class AddPoseCommand : public QUndoCommand {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::AddPoseCommand)
 
  public:
-  AddPoseCommand(Session& session, SessionPose pose);
+  AddPoseCommand(EditedSession edited, SessionPose pose);
   void redo() override;
   void undo() override;
 
  private:
-  Session& session_;
+  EditedSession edited_;
   SessionPose pose_;
   std::size_t index_;
+  bool is_new_ = true;
 };
 
 class SetPoseDisabledCommand : public QUndoCommand {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::SetPoseDisabledCommand)
 
  public:
-  SetPoseDisabledCommand(Session& session, std::size_t index, bool disabled);
+  SetPoseDisabledCommand(EditedSession edited, std::size_t index, bool disabled);
   void redo() override;
   void undo() override;
 
  private:
-  Session& session_;
+  void set(bool disabled);
+
+  EditedSession edited_;
   std::size_t index_;
   bool disabled_;
 };
@@ -42,12 +53,12 @@ class RemovePoseCommand : public QUndoCommand {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::RemovePoseCommand)
 
  public:
-  RemovePoseCommand(Session& session, std::size_t index);
+  RemovePoseCommand(EditedSession edited, std::size_t index);
   void redo() override;
   void undo() override;
 
  private:
-  Session& session_;
+  EditedSession edited_;
   SessionPose pose_;
   std::size_t index_;
 };

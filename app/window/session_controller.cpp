@@ -1,8 +1,8 @@
 #include "app/window/session_controller.h"
 
-#include "app/window/session_commands.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/session_json.h"
+#include "hexoderm/session/session_store.h"
 #include "hexoderm/util/error.h"
 
 #include <QFileInfo>
@@ -15,6 +15,26 @@ namespace {
 
 std::filesystem::path toPath(const QString& path) { return {path.toStdU16String()}; }
 
+/// A file as it was opened; a session store that can be written stays open for what comes.
+struct Opened {
+  OpenedFile file;
+  std::optional<SessionStore> store;
+  std::string remark;  ///< why it is not open for writing although it could be
+};
+
+Opened openToEdit(const std::filesystem::path& path) {
+  if (!isSessionStore(path)) return {openFile(path, builtInCellModel("hex-bma150")), std::nullopt, {}};
+  std::string remark;
+  try {
+    SessionStore store = SessionStore::open(path);
+    Session session = store.readSession();
+    return {std::move(session), std::move(store), {}};
+  } catch (const StorageError& error) {
+    remark = error.what();
+  }
+  return {readSessionStore(path), std::nullopt, remark};
+}
+
 }  // namespace
 
 SessionController::SessionController(QObject* parent)
@@ -26,6 +46,7 @@ SessionController::SessionController(QObject* parent)
     if (session_) submit();
   });
   connect(&undo_stack_, &QUndoStack::cleanChanged, this, &SessionController::changed);
+  connectLive();
 }
 
 SessionController::~SessionController() {
@@ -54,6 +75,7 @@ void SessionController::startDemo() {
           auto demo = std::make_shared<DemoSkin>();
           return [this, ticket, demo] {
             if (ticket != asked_count_) return;
+            disconnectSource();
             showSession(std::make_unique<Session>(demo->makeSession()), demo, tr("Demo skin (simulated)"), {});
           };
         },
@@ -61,17 +83,30 @@ void SessionController::startDemo() {
 }
 
 void SessionController::openFile(const QString& path) {
+  if (journal_ && QFileInfo(path) == QFileInfo(journal_->path())) {
+    emit noticed(tr("%1 is open already.").arg(journal_->path()));
+    return;
+  }
   const std::uint64_t ticket = ++asked_count_;
   const QString name = QFileInfo(path).fileName();
   start(tr("Opening %1").arg(name),
         [this, ticket, name, path]() -> Continuation {
-          auto file = std::make_shared<OpenedFile>(hexoderm::openFile(toPath(path), builtInCellModel("hex-bma150")));
-          return [this, ticket, name, path, file] {
+          auto opened_file = std::make_shared<Opened>(openToEdit(toPath(path)));
+          return [this, ticket, name, path, opened_file] {
             if (ticket != asked_count_) return;
-            if (auto* session = std::get_if<Session>(file.get())) {
+            disconnectSource();
+            if (auto* session = std::get_if<Session>(&opened_file->file)) {
               showSession(std::make_unique<Session>(std::move(*session)), nullptr, name, path);
             } else {
-              showCalibration(std::get<std::shared_ptr<const Reconstruction>>(*file), name);
+              showCalibration(std::get<std::shared_ptr<const Reconstruction>>(opened_file->file), name);
+            }
+            if (opened_file->store) {
+              journal_ =
+                  std::make_unique<SessionJournal>(*this, jobs_, path, std::move(*opened_file->store), journalTold());
+              emit changed();
+            } else if (!opened_file->remark.empty()) {
+              emit noticed(tr("Changes will not be kept in this file; save the session under another name. %1")
+                               .arg(QString::fromStdString(opened_file->remark)));
             }
           };
         },
@@ -80,12 +115,26 @@ void SessionController::openFile(const QString& path) {
 
 void SessionController::saveSession(const QString& path) {
   if (!session_) return;
+  if (journal_ && QFileInfo(path) == QFileInfo(journal_->path())) {
+    retryWriting();
+    return;
+  }
+  if (path.endsWith(QStringLiteral(".hexo"))) {
+    saveAsJournal(path);
+    return;
+  }
   // The copy shares the captures; what the operator does meanwhile is not in it and stays unsaved.
   startWriting(tr("Saving %1").arg(QFileInfo(path).fileName()),
                [this, path, session = *session_, ticket = opened_count_]() -> Continuation {
                  writeSessionJson(session, toPath(path));
                  return [this, path, ticket, revision = session.revision()] {
                    if (ticket != opened_count_ || !session_) return;
+                   if (isKept() && !isJournalStuck()) {
+                     // The session goes on in its own file, and this is a copy.
+                     emit sessionSaved(path);
+                     return;
+                   }
+                   journal_.reset();
                    session_path_ = path;
                    name_ = QFileInfo(path).fileName();
                    saved_at_ = QTime::currentTime();
@@ -122,6 +171,10 @@ void SessionController::saveImage(const QImage& image, const QString& path) {
 }
 
 void SessionController::takeNextPose() {
+  if (isLive()) {
+    live_.captureNow();
+    return;
+  }
   if (!isDemo()) return;
   // The advice for the next pose is in the result of the last.
   pose_wanted_ = taking_pose_ || !reconstruction_ || isSolving();
@@ -134,7 +187,7 @@ void SessionController::takeNextPose() {
        ticket = opened_count_]() -> Continuation {
         auto capture = std::make_shared<const PoseCapture>(demo->takePose(id, label, *seen));
         return [this, capture, ticket] {
-          if (ticket == opened_count_ && session_) undo_stack_.push(new AddPoseCommand(*session_, {capture, false}));
+          if (ticket == opened_count_ && session_) undo_stack_.push(new AddPoseCommand(edited(), {capture, false}));
         };
       },
       [this] { taking_pose_ = false; });
@@ -142,12 +195,12 @@ void SessionController::takeNextPose() {
 
 void SessionController::setPoseDisabled(std::size_t index, bool disabled) {
   if (!session_ || index >= session_->poses().size() || session_->poses()[index].disabled == disabled) return;
-  undo_stack_.push(new SetPoseDisabledCommand(*session_, index, disabled));
+  undo_stack_.push(new SetPoseDisabledCommand(edited(), index, disabled));
 }
 
 void SessionController::removePose(std::size_t index) {
   if (!session_ || index >= session_->poses().size()) return;
-  undo_stack_.push(new RemovePoseCommand(*session_, index));
+  undo_stack_.push(new RemovePoseCommand(edited(), index));
 }
 
 void SessionController::start(const QString& activity, std::function<Continuation()> work, Continuation finally) {
@@ -180,6 +233,13 @@ void SessionController::startWriting(const QString& activity, std::function<Cont
 void SessionController::closeCurrent() {
   ++opened_count_;
   pose_wanted_ = false;
+  live_session_ = false;
+  announcements_.clear();
+  unreachable_.clear();
+  asked_turn_ = 0;
+  retry_asked_ = false;
+  changed_meanwhile_.reset();
+  journal_.reset();
   // The stack's commands refer to the session, so they go first; while there is no session nothing is submitted.
   const std::unique_ptr<Session> old = std::move(session_);
   undo_stack_.clear();

@@ -2,6 +2,9 @@
 
 #include "app/window/demo.h"
 #include "app/window/job_queue.h"
+#include "app/window/live_source.h"
+#include "app/window/session_commands.h"
+#include "app/window/session_journal.h"
 #include "hexoderm/io/exporter.h"
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/reconstruction/reconstruction_worker.h"
@@ -12,8 +15,10 @@
 #include <QTime>
 #include <QUndoStack>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace hexoderm {
 
@@ -24,8 +29,16 @@ struct ExportRequest {
   ExportOptions options;
 };
 
+/// What the dialog that connects asks for.
+struct ConnectRequest {
+  QString address;                ///< as openSkinSource() takes it
+  QString path;                   ///< of the new *.hexo that the poses are kept in
+  bool continue_session = false;  ///< instead, the poses join the session that is open and kept in a file
+};
+
 /// The only bridge between core and Qt. Owns the session (on the GUI thread), the worker that reconstructs it, the undo
-/// stack and the thread that files and the simulated skin work on. Nothing here waits for any of them.
+/// stack, the skin that is connected, the file that the session is kept in, and the thread that files and the simulated
+/// skin work on. Nothing here waits for any of them.
 class SessionController : public QObject {
   Q_OBJECT
 
@@ -41,6 +54,13 @@ class SessionController : public QObject {
 
   [[nodiscard]] bool isEmpty() const { return !session_ && !reconstruction_; }
   [[nodiscard]] bool isDemo() const { return session_ && demo_; }
+  /// The skin that is connected, or about to be.
+  [[nodiscard]] const LiveSource& live() const { return live_; }
+  /// The session grows by what a connected skin is captured in.
+  [[nodiscard]] bool isLive() const { return session_ && live_session_ && live_.isRunning(); }
+  /// The device can be asked to turn itself.
+  [[nodiscard]] bool canTurn() const { return isLive() && live_.skin() && live_.skin()->can_turn; }
+  [[nodiscard]] bool isAutomatic() const { return automatic_; }
   /// A change of the session has no result yet.
   [[nodiscard]] bool isSolving() const { return session_ && shown_revision_ < submitted_revision_; }
   /// The shown result is that of the session as it is now: no change is being solved, none failed.
@@ -49,12 +69,19 @@ class SessionController : public QObject {
   }
   /// What is being done in the background, in words; empty if nothing is.
   [[nodiscard]] QString activity() const { return activities_.isEmpty() ? QString() : activities_.front(); }
-  [[nodiscard]] bool isWriting() const { return writing_ > 0; }
+  [[nodiscard]] bool isWriting() const {
+    return writing_ > 0 || (journal_ && journal_->isWaiting() && journal_->problem().isEmpty());
+  }
   [[nodiscard]] QString name() const { return name_; }
   /// Where Save goes without asking; empty if it must ask.
   [[nodiscard]] QString sessionPath() const { return session_path_; }
-  [[nodiscard]] bool hasUnsavedChanges() const { return session_ && !undo_stack_.isClean(); }
-  /// When this session was saved last; invalid if it never was.
+  /// Of a session that is kept in a file: only what could not be written.
+  [[nodiscard]] bool hasUnsavedChanges() const {
+    return session_ && (journal_ ? isJournalStuck() : !undo_stack_.isClean());
+  }
+  /// Every change is written to sessionPath() as it happens.
+  [[nodiscard]] bool isKept() const { return session_ && journal_; }
+  /// When this session was saved, or its file was written to, last; invalid if it never was.
   [[nodiscard]] QTime savedAt() const { return saved_at_; }
 
   /// Place of a pose of the shown reconstruction among the session's poses, which may be ahead of it.
@@ -71,6 +98,16 @@ class SessionController : public QObject {
   void setPoseDisabled(std::size_t index, bool disabled);
   void removePose(std::size_t index);
 
+  /// The session that is open stays until the skin has described itself.
+  void connectTo(const hexoderm::ConnectRequest& request);
+  /// What was captured stays.
+  void disconnectSource();
+  /// Asks the device to turn itself to where the next pose helps most.
+  void turnToNextPose();
+  void setAutomatic(bool automatic);
+  /// Writes what could not be written to the session's file.
+  void retryWriting();
+
  signals:
   /// Anything about session, files or background work changed.
   void changed();
@@ -80,6 +117,12 @@ class SessionController : public QObject {
   void exported(const QString& path);
   /// One message for a person, as core said it.
   void failed(const QString& message);
+  /// A live pose is on disk; `remarkable` if the operator should read the text.
+  void captured(const QString& text, bool remarkable);
+  /// The session's file can't be written; what was captured waits in memory. retryWriting() tries again.
+  void journalStuck(const QString& why);
+  /// Something that is no failure and should be known.
+  void noticed(const QString& text);
 
  private:
   using Continuation = std::function<void()>;
@@ -94,6 +137,23 @@ class SessionController : public QObject {
   void submit();
   void receive(const ReconstructionOutcome& outcome);
 
+  void connectLive();
+  void showSkin(const SkinDescription& skin);
+  [[nodiscard]] bool beginLiveSession(const SkinDescription& skin);
+  void replaceSkin(const SkinDescription& skin);
+  void addCapture(const CapturedPose& captured);
+  void announce(PoseId pose);
+  [[nodiscard]] std::vector<std::shared_ptr<const PoseCapture>> enabledCaptures() const;
+
+  [[nodiscard]] EditedSession edited();
+  void record(StoreOperation operation);
+  void appendToJournal(StoreOperation operation);
+  [[nodiscard]] SessionJournal::Told journalTold();
+  [[nodiscard]] bool isJournalStuck() const {
+    return journal_ && journal_->isWaiting() && !journal_->problem().isEmpty();
+  }
+  void saveAsJournal(const QString& path);
+
   std::unique_ptr<Session> session_;
   std::shared_ptr<DemoSkin> demo_;
   std::shared_ptr<const Reconstruction> reconstruction_;
@@ -106,15 +166,32 @@ class SessionController : public QObject {
   bool taking_pose_ = false;
   bool pose_wanted_ = false;  ///< asked for while the one before was not through
 
+  ConnectRequest connect_request_;
+  bool live_session_ = false;  ///< the session is that of the connected skin
+  bool automatic_ = true;
+  struct Announcement {
+    QString text;
+    bool remarkable = false;
+  };
+  std::map<PoseId, Announcement> announcements_;  ///< of captures that are not on disk yet
+  bool retry_asked_ = false;                      ///< an operator waits for what could not be written
+  std::uint32_t asked_turn_ = 0;
+  Eigen::Vector3d asked_up_ = Eigen::Vector3d::Zero();
+  std::vector<Eigen::Vector3d> unreachable_;
+  /// What was changed while the session was being copied into a new file.
+  std::optional<std::vector<StoreOperation>> changed_meanwhile_;
+
   std::uint64_t asked_count_ = 0;         ///< the last request to open something: earlier ones are dropped
   std::uint64_t opened_count_ = 0;        ///< which session or calibration this is: late answers for others are dropped
   std::uint64_t submitted_revision_ = 0;  ///< counts over all sessions, unlike the session's own
   std::uint64_t first_revision_ = 1;      ///< of the session that is open
   std::uint64_t shown_revision_ = 0;
 
-  // Last, so that both threads have ended before anything they report to goes.
+  // Last, so that their threads have ended before anything they report to goes. The journal leaves its end to the jobs.
   ReconstructionWorker worker_;
+  LiveSource live_;
   JobQueue jobs_;
+  std::unique_ptr<SessionJournal> journal_;
 };
 
 }  // namespace hexoderm

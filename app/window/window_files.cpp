@@ -25,6 +25,7 @@ namespace hexoderm {
 namespace {
 
 const QString kSessionExtension = QStringLiteral(".session.json");
+const QString kJournalExtension = QStringLiteral(".hexo");
 const QString kCalibrationExtension = QStringLiteral(".calibration.json");
 
 QString lastFolder() {
@@ -60,7 +61,7 @@ void MainWindow::askToOpen() {
   dialog->setObjectName(QStringLiteral("openDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
-  dialog->setNameFilters({tr("Sessions and calibrations (*.json *.xml)"), tr("All files (*)")});
+  dialog->setNameFilters({tr("Sessions and calibrations (*.hexo *.json *.xml)"), tr("All files (*)")});
   connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::openFile);
   dialog->open();
 }
@@ -68,7 +69,8 @@ void MainWindow::askToOpen() {
 QString MainWindow::suggestedName() const {
   if (controller_.isDemo() && controller_.sessionPath().isEmpty()) return QStringLiteral("demo");
   QString name = controller_.name();
-  for (const QString& extension : {kSessionExtension, kCalibrationExtension, QStringLiteral(".xml")}) {
+  for (const QString& extension :
+       {kSessionExtension, kJournalExtension, kCalibrationExtension, QStringLiteral(".xml")}) {
     if (name.endsWith(extension)) name.chop(extension.size());
   }
   return name;
@@ -86,17 +88,24 @@ void MainWindow::askForPath(const QString& title, const QString& name, const QSt
     rememberFolder(path);
     chosen(path);
   });
+  // The name's extension follows the filter: "Sessions (*.hexo)".
+  connect(dialog, &QFileDialog::filterSelected, dialog, [dialog, name](const QString& chosen_filter) {
+    const QString suffix = chosen_filter.section(QStringLiteral("(*."), 1).section(QLatin1Char(')'), 0, 0);
+    dialog->setDefaultSuffix(suffix);
+    dialog->selectFile(name + QLatin1Char('.') + suffix);
+  });
   connect(dialog, &QFileDialog::rejected, this, [this] { after_saving_ = nullptr; });
   dialog->open();
 }
 
 void MainWindow::saveSession(bool always_ask) {
   if (!controller_.session()) return;
-  if (!always_ask && controller_.sessionPath().endsWith(kSessionExtension)) {
+  if (!always_ask && (controller_.isKept() || controller_.sessionPath().endsWith(kSessionExtension))) {
     controller_.saveSession(controller_.sessionPath());
     return;
   }
-  askForPath(tr("Save the session"), suggestedName(), tr("Sessions (*.session.json)"), kSessionExtension,
+  askForPath(tr("Save the session"), suggestedName(),
+             tr("Sessions (*.session.json);;Sessions that keep every change (*.hexo)"), kSessionExtension,
              [this](const QString& path) { controller_.saveSession(path); });
 }
 

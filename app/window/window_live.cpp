@@ -1,0 +1,77 @@
+// The part of MainWindow about the skin that is connected and the file that its poses are kept in.
+#include "app/window/connect_dialog.h"
+#include "app/window/main_window.h"
+#include "widgets/live_strip.h"
+#include "widgets/message_bar.h"
+
+#include <QDir>
+#include <QLabel>
+#include <QSettings>
+#include <QStandardPaths>
+
+namespace hexoderm {
+namespace {
+
+/// Where the last file was, else the user's documents, else the place for this program's data, which is made.
+QString folderForSessions() {
+  const QString last = QSettings().value(QStringLiteral("paths/last")).toString();
+  if (!last.isEmpty() && QDir(last).exists()) return last;
+  const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  if (QDir(documents).exists()) return documents;
+  const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+  QDir().mkpath(data);
+  return data;
+}
+
+}  // namespace
+
+void MainWindow::connectLive() {
+  connect(actions_.connect_skin, &QAction::triggered, this, &MainWindow::showConnectDialog);
+  connect(actions_.disconnect_skin, &QAction::triggered, &controller_, &SessionController::disconnectSource);
+  connect(actions_.turn, &QAction::triggered, &controller_, &SessionController::turnToNextPose);
+  connect(actions_.automatic, &QAction::triggered, &controller_, &SessionController::setAutomatic);
+  // While readings come these follow each other quickly, so only what shows them is refreshed.
+  connect(&controller_.live(), &LiveSource::holdChanged, this, &MainWindow::refreshLive);
+  connect(&controller_, &SessionController::captured, this, [this](const QString& text, bool remarkable) {
+    message_bar_->showMessage(remarkable ? Tone::Caution : Tone::Good, text);
+  });
+  connect(&controller_, &SessionController::noticed, this,
+          [this](const QString& text) { message_bar_->showMessage(Tone::Caution, text); });
+  connect(&controller_, &SessionController::journalStuck, this, [this](const QString& why) {
+    after_saving_ = nullptr;
+    may_close_ = close_when_written_ = false;
+    message_bar_->showMessage(Tone::Bad, tr("%1 What is not on disk waits in memory; go on, and try again.").arg(why),
+                              tr("Try again"), [this] { controller_.retryWriting(); });
+  });
+}
+
+void MainWindow::refreshLive() {
+  const LiveSource& live = controller_.live();
+  live_strip_->setVisible(live.isRunning());
+  if (!live.isRunning()) return;
+  const SourceStatus& status = live.status();
+  live_strip_->setStatus(status, live.hold(), controller_.isLive());
+  const QString where = live.skin()
+                            ? QString::fromStdString(live.skin()->device) + QStringLiteral(" · ") + live.address()
+                            : live.address();
+  source_status_->setText(
+      QStringLiteral("%1 %2 · %3").arg(sourceStateSign(status.state), sourceStateWord(status.state), where));
+  source_status_->setToolTip(QString::fromStdString(status.text));
+}
+
+void MainWindow::showConnectDialog() {
+  if (findChild<ConnectDialog*>()) return;
+  auto* dialog = new ConnectDialog(folderForSessions(), controller_.isKept() ? controller_.name() : QString(), this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &ConnectDialog::connectRequested, this, &MainWindow::connectTo);
+  dialog->open();
+}
+
+void MainWindow::connectTo(const ConnectRequest& request) {
+  if (!request.continue_session) {
+    QSettings().setValue(QStringLiteral("paths/last"), QFileInfo(request.path).absolutePath());
+  }
+  afterAskingToSave([this, request] { controller_.connectTo(request); });
+}
+
+}  // namespace hexoderm
