@@ -167,7 +167,8 @@ class SessionController : public QObject {
   bool pose_wanted_ = false;  ///< asked for while the one before was not through
 
   ConnectRequest connect_request_;
-  bool live_session_ = false;  ///< the session is that of the connected skin
+  std::uint64_t connect_revision_ = 0;  ///< submitted last when it was made
+  bool live_session_ = false;           ///< the session is that of the connected skin
   bool automatic_ = true;
   struct Announcement {
     QString text;

@@ -48,6 +48,7 @@ void SessionController::connectTo(const ConnectRequest& request) {
   live_session_ = false;
   connect_request_ = request;
   connect_request_.continue_session = request.continue_session && isKept();
+  connect_revision_ = submitted_revision_;
   LiveOptions options;
   options.address = request.address;
   options.automatic = automatic_;
@@ -91,6 +92,12 @@ bool SessionController::beginLiveSession(const SkinDescription& skin) {
     emit changed();
     return true;
   }
+  if (hasUnsavedChanges() && submitted_revision_ != connect_revision_) {
+    emit failed(
+        tr("The session that is open was changed while the skin was being connected, so it stays. Save it, and "
+           "connect again."));
+    return false;
+  }
   const QString path = connect_request_.path;
   const std::string source = skin.device + ", " + live_.address().toStdString();
   auto session = std::make_unique<Session>(*skin.model, skin.neighbors, SourceDescription{source, "", ""});
@@ -116,8 +123,8 @@ void SessionController::addCapture(const CapturedPose& captured) {
   if (!isLive()) return;
   const PoseCapture& pose = *captured.pose;
   Announcement announcement;
-  announcement.text = tr("Pose %1 captured: %n cell(s).", nullptr, static_cast<int>(pose.samples.size()))
-                          .arg(QString::number(pose.id.value()));
+  const QString cells = pose.samples.size() == 1 ? tr("1 cell") : tr("%1 cells").arg(pose.samples.size());
+  announcement.text = tr("Pose %1 captured: %2.").arg(QString::number(pose.id.value()), cells);
   if (!captured.silent_cells.empty()) {
     announcement.text +=
         QLatin1Char(' ') + tr("Nothing came from %1.").arg(QString::fromStdString(listInWords(captured.silent_cells)));
