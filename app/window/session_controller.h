@@ -175,7 +175,7 @@ class SessionController : public QObject {
     bool remarkable = false;
   };
   std::map<PoseId, Announcement> announcements_;  ///< of captures that are not on disk yet
-  bool retry_asked_ = false;                      ///< an operator waits for what could not be written
+  bool was_stuck_ = false;                        ///< the operator was told that something is not on disk
   std::uint32_t asked_turn_ = 0;
   Eigen::Vector3d asked_up_ = Eigen::Vector3d::Zero();
   std::vector<Eigen::Vector3d> unreachable_;

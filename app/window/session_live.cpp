@@ -201,15 +201,11 @@ void SessionController::appendToJournal(StoreOperation operation) {
 
 SessionJournal::Told SessionController::journalTold() {
   return [this](const QString& why) {
-    const bool was_asked = std::exchange(retry_asked_, false);
     if (why.isEmpty()) {
       saved_at_ = QTime::currentTime();
-      if (was_asked && journal_->isWaiting()) {
-        retry_asked_ = true;
-      } else if (was_asked) {
-        emit sessionSaved(journal_->path());
-      }
+      if (!journal_->isWaiting() && std::exchange(was_stuck_, false)) emit sessionSaved(journal_->path());
     } else if (journal_->isWaiting()) {
+      was_stuck_ = true;
       emit journalStuck(why);
     } else {
       emit failed(why);
@@ -221,7 +217,6 @@ SessionJournal::Told SessionController::journalTold() {
 void SessionController::retryWriting() {
   if (!journal_) return;
   if (isJournalStuck()) {
-    retry_asked_ = true;
     journal_->retry();
   } else {
     emit sessionSaved(journal_->path());
@@ -236,6 +231,7 @@ void SessionController::saveAsJournal(const QString& path) {
         auto store = std::make_shared<SessionStore>(SessionStore::create(toPath(path), *copy));
         return [this, path, ticket, store, copy] {
           if (ticket != opened_count_ || !session_) return;
+          was_stuck_ = false;
           journal_ = std::make_unique<SessionJournal>(*this, jobs_, path, std::move(*store), journalTold());
           session_path_ = path;
           name_ = QFileInfo(path).fileName();
