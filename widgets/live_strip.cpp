@@ -129,6 +129,9 @@ LiveStrip::LiveStrip(QAction* automatic, QAction* capture, QAction* end, QWidget
   word_->setProperty("headline", true);
   hold_->setProperty("headline", true);
   counters_->setProperty("muted", true);
+  counters_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  // Counting does not move what is beside it.
+  counters_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("0,000,000 frames · 000 lost · 000 late")));
   counters_->setToolTip(
       tr("Sample frames that came, samples that the device numbered and that never came, and frames that came late"));
   // A long text must not widen the window.
@@ -179,7 +182,11 @@ void LiveStrip::setStatus(const SourceStatus& status, const HoldStatus& hold, bo
   state_ = status.state;
   setIfChanged(sign_, sourceStateSign(state_));
   setIfChanged(word_, sourceStateWord(state_));
-  setIfChanged(text_, QString::fromStdString(status.text));
+  // "Streaming: my skin" would say it twice.
+  QString text = QString::fromStdString(status.text);
+  const QString again = word_->text() + QStringLiteral(": ");
+  if (text.startsWith(again)) text.remove(0, again.size());
+  setIfChanged(text_, text);
   setIfChanged(counters_, countersInWords(status, hold));
   const bool is_streaming = state_ == SourceState::Streaming;
   capture_row_->setVisible(is_capturing);

@@ -87,6 +87,12 @@ QString problemWithAddress(const QString& address) {
   return {};
 }
 
+/// The file of a recording's address; empty for other kinds.
+QString recordingOf(const Kind& kind, const QString& address) {
+  if (!isRecording(kind)) return {};
+  return address.section(QStringLiteral("?speed="), 0, 0).section(QLatin1String(kind.prefix), -1);
+}
+
 }  // namespace
 
 QString newSessionPath(const QString& folder) {
@@ -244,6 +250,9 @@ void ConnectDialog::check() {
   QString problem;
   if (address_->currentText().trimmed().isEmpty()) {
     problem = tr("Type an address, for example %1.").arg(QLatin1String(kind.example));
+  } else if (const QString file = recordingOf(kind, address_->currentText().trimmed());
+             !file.isEmpty() && !QFileInfo(file).isFile()) {
+    problem = tr("There is no file %1.").arg(QDir::toNativeSeparators(file));
   } else {
     problem = problemWithAddress(request().address);
   }

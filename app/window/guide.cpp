@@ -39,7 +39,8 @@ std::size_t enabledPoses(const Session& session) {
 }
 
 bool wantsMorePoses(const SessionController& controller) {
-  if (!controller.isDemo() && !controller.isLive()) return false;
+  const bool is_over = controller.live().status().state == SourceState::Ended;
+  if (!controller.isDemo() && (!controller.isLive() || is_over)) return false;
   const Reconstruction* result = controller.reconstruction().get();
   if (!result || !isExportable(*result)) return true;
   return result->verdict.level != VerdictLevel::Good && enabledPoses(*controller.session()) < kGoodPoseCount;
@@ -81,7 +82,7 @@ Step connectStep(const SessionController& controller, const WindowActions& actio
   if (controller.live().isRunning() && !controller.isLive()) {
     step.state = StepState::Current;
     step.note = controller.live().address();
-    step.what = QString::fromStdString(controller.live().status().text);
+    step.what = Guide::tr("Check that the device is switched on, and that its address is right.");
     step.why = Guide::tr("The steps go on when the skin has said which cells it has.");
     return step;
   }
@@ -205,7 +206,7 @@ Banner::Content describeStand(const SessionController& controller, const WindowA
   content.action = bestAction(controller, actions);
   if (controller.live().isRunning() && !controller.isLive()) {
     content.action = actions.disconnect_skin;
-    content.sentence = QString::fromStdString(controller.live().status().text);
+    content.sentence = Guide::tr("Waiting for the skin at %1.").arg(controller.live().address());
   } else if (const Reconstruction* result = controller.reconstruction().get()) {
     content.tone = toneOf(result->verdict.level);
     content.sentence = QString::fromStdString(result->verdict.reason);

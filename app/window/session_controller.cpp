@@ -237,7 +237,7 @@ void SessionController::closeCurrent() {
   announcements_.clear();
   unreachable_.clear();
   asked_turn_ = 0;
-  retry_asked_ = false;
+  was_stuck_ = false;
   changed_meanwhile_.reset();
   journal_.reset();
   // The stack's commands refer to the session, so they go first; while there is no session nothing is submitted.

@@ -167,14 +167,15 @@ class SessionController : public QObject {
   bool pose_wanted_ = false;  ///< asked for while the one before was not through
 
   ConnectRequest connect_request_;
-  bool live_session_ = false;  ///< the session is that of the connected skin
+  std::uint64_t connect_revision_ = 0;  ///< submitted last when it was made
+  bool live_session_ = false;           ///< the session is that of the connected skin
   bool automatic_ = true;
   struct Announcement {
     QString text;
     bool remarkable = false;
   };
   std::map<PoseId, Announcement> announcements_;  ///< of captures that are not on disk yet
-  bool retry_asked_ = false;                      ///< an operator waits for what could not be written
+  bool was_stuck_ = false;                        ///< the operator was told that something is not on disk
   std::uint32_t asked_turn_ = 0;
   Eigen::Vector3d asked_up_ = Eigen::Vector3d::Zero();
   std::vector<Eigen::Vector3d> unreachable_;

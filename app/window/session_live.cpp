@@ -48,6 +48,7 @@ void SessionController::connectTo(const ConnectRequest& request) {
   live_session_ = false;
   connect_request_ = request;
   connect_request_.continue_session = request.continue_session && isKept();
+  connect_revision_ = submitted_revision_;
   LiveOptions options;
   options.address = request.address;
   options.automatic = automatic_;
@@ -91,6 +92,12 @@ bool SessionController::beginLiveSession(const SkinDescription& skin) {
     emit changed();
     return true;
   }
+  if (hasUnsavedChanges() && submitted_revision_ != connect_revision_) {
+    emit failed(
+        tr("The session that is open was changed while the skin was being connected, so it stays. Save it, and "
+           "connect again."));
+    return false;
+  }
   const QString path = connect_request_.path;
   const std::string source = skin.device + ", " + live_.address().toStdString();
   auto session = std::make_unique<Session>(*skin.model, skin.neighbors, SourceDescription{source, "", ""});
@@ -116,8 +123,8 @@ void SessionController::addCapture(const CapturedPose& captured) {
   if (!isLive()) return;
   const PoseCapture& pose = *captured.pose;
   Announcement announcement;
-  announcement.text = tr("Pose %1 captured: %n cell(s).", nullptr, static_cast<int>(pose.samples.size()))
-                          .arg(QString::number(pose.id.value()));
+  const QString cells = pose.samples.size() == 1 ? tr("1 cell") : tr("%1 cells").arg(pose.samples.size());
+  announcement.text = tr("Pose %1 captured: %2.").arg(QString::number(pose.id.value()), cells);
   if (!captured.silent_cells.empty()) {
     announcement.text +=
         QLatin1Char(' ') + tr("Nothing came from %1.").arg(QString::fromStdString(listInWords(captured.silent_cells)));
@@ -194,15 +201,11 @@ void SessionController::appendToJournal(StoreOperation operation) {
 
 SessionJournal::Told SessionController::journalTold() {
   return [this](const QString& why) {
-    const bool was_asked = std::exchange(retry_asked_, false);
     if (why.isEmpty()) {
       saved_at_ = QTime::currentTime();
-      if (was_asked && journal_->isWaiting()) {
-        retry_asked_ = true;
-      } else if (was_asked) {
-        emit sessionSaved(journal_->path());
-      }
+      if (!journal_->isWaiting() && std::exchange(was_stuck_, false)) emit sessionSaved(journal_->path());
     } else if (journal_->isWaiting()) {
+      was_stuck_ = true;
       emit journalStuck(why);
     } else {
       emit failed(why);
@@ -214,7 +217,6 @@ SessionJournal::Told SessionController::journalTold() {
 void SessionController::retryWriting() {
   if (!journal_) return;
   if (isJournalStuck()) {
-    retry_asked_ = true;
     journal_->retry();
   } else {
     emit sessionSaved(journal_->path());
@@ -229,6 +231,7 @@ void SessionController::saveAsJournal(const QString& path) {
         auto store = std::make_shared<SessionStore>(SessionStore::create(toPath(path), *copy));
         return [this, path, ticket, store, copy] {
           if (ticket != opened_count_ || !session_) return;
+          was_stuck_ = false;
           journal_ = std::make_unique<SessionJournal>(*this, jobs_, path, std::move(*store), journalTold());
           session_path_ = path;
           name_ = QFileInfo(path).fileName();

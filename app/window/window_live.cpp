@@ -40,7 +40,7 @@ void MainWindow::connectLive() {
   connect(&controller_, &SessionController::journalStuck, this, [this](const QString& why) {
     after_saving_ = nullptr;
     may_close_ = close_when_written_ = false;
-    message_bar_->showMessage(Tone::Bad, tr("%1 What is not on disk waits in memory; go on, and try again.").arg(why),
+    message_bar_->showMessage(Tone::Bad, tr("Not on disk yet; it waits in memory and the work can go on. %1").arg(why),
                               tr("Try again"), [this] { controller_.retryWriting(); });
   });
 }
@@ -71,7 +71,11 @@ void MainWindow::connectTo(const ConnectRequest& request) {
   if (!request.continue_session) {
     QSettings().setValue(QStringLiteral("paths/last"), QFileInfo(request.path).absolutePath());
   }
-  afterAskingToSave([this, request] { controller_.connectTo(request); });
+  if (request.continue_session) {
+    controller_.connectTo(request);
+  } else {
+    afterAskingToSave([this, request] { controller_.connectTo(request); });
+  }
 }
 
 }  // namespace hexoderm
