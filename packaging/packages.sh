@@ -36,10 +36,11 @@ gui_packages=(
   xvfb
 )
 
-# Only for working on Hexoderm: the preset tidy, the formatting test and the benchmarks.
+# Only for working on Hexoderm: the presets tidy and fuzz, the formatting test and the benchmarks.
 developer_packages=(
   libbenchmark-dev # tests/benchmarks
   clang
   clang-format
   clang-tidy
+  libclang-rt-14-dev # sanitizers and libFuzzer of clang, for tests/fuzz
 )

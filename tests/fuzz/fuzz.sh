@@ -30,11 +30,11 @@ for target in "${targets[@]}"; do
   options=(-max_total_time=$((minutes * 60)) -max_len=16384 -timeout=25 -rss_limit_mb=2048 -malloc_limit_mb=256
            -print_final_stats=1 "-artifact_prefix=build/fuzz/crashes/$target-")
   [ ! -f "$dictionary" ] || options+=("-dict=$dictionary")
-  echo "$target: $minutes minutes ..."
+  echo "$target: $minutes min ..."
   if ASAN_OPTIONS=detect_leaks=1 "build/fuzz/tests/fuzz/fuzz_$target" "${options[@]}" "$found" "tests/fuzz/corpus/$target" \
       >"$log" 2>&1; then
     runs="$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")"
-    echo "$target: clean, $minutes minutes, $runs runs"
+    echo "$target: clean, $minutes min, $runs runs"
   else
     failed=1
     echo "$target: FAILED; the end of $log:"

@@ -140,9 +140,8 @@ class Operator final : public SkinListener, public PoseRecorderListener {
   void end(const std::string& failure) {
     {
       const std::lock_guard lock(mutex_);
-      if (over_) return;
       over_ = true;
-      account_.failure = failure;
+      if (account_.failure.empty()) account_.failure = failure;
     }
     over_changed_.notify_one();
   }
