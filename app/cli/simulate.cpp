@@ -1,11 +1,11 @@
 #include "command.h"
 
+#include "hexoderm/device/fault_names.h"
 #include "hexoderm/device/simulated_skin.h"
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/text.h"
 
-#include <array>
 #include <iostream>
 
 namespace hexoderm::cli {
@@ -23,17 +23,6 @@ struct SimulateOptions {
   std::string output;
 };
 
-constexpr std::array<std::pair<std::string_view, SkinFault>, 8> kCellFaults = {{{"dead", SkinFault::Dead},
-                                                                                {"stuck", SkinFault::Stuck},
-                                                                                {"stuck-axis", SkinFault::StuckAxis},
-                                                                                {"dead-axis", SkinFault::DeadAxis},
-                                                                                {"saturated", SkinFault::Saturated},
-                                                                                {"noisy", SkinFault::Noisy},
-                                                                                {"wrong-gain", SkinFault::WrongGain},
-                                                                                {"no-samples", SkinFault::NoSamples}}};
-constexpr std::array<std::pair<std::string_view, LinkFaultKind>, 3> kLinkFaults = {
-    {{"wrong-port", LinkFaultKind::WrongPort}, {"joint", LinkFaultKind::Joint}, {"cable", LinkFaultKind::Cable}}};
-
 template <class Kinds>
 std::string namesOf(const Kinds& kinds) {
   std::string names;
@@ -44,18 +33,19 @@ std::string namesOf(const Kinds& kinds) {
 }
 
 std::string faultSyntax() {
-  return "KIND:CELL with KIND " + namesOf(kCellFaults) + ", or KIND:CELL:PORT with KIND " + namesOf(kLinkFaults);
+  return "KIND:CELL with KIND " + namesOf(skinFaultNames()) + ", or KIND:CELL:PORT with KIND " +
+         namesOf(linkFaultNames());
 }
 
 void addFault(const std::string& text, SimulatedSkinOptions& skin) {
   const std::vector<std::string> parts = split(text, ':');
   const auto number = [&](std::size_t part) { return parseUnsigned(parts[part], "--fault " + text); };
-  for (const auto& [name, kind] : kCellFaults) {
+  for (const auto& [name, kind] : skinFaultNames()) {
     if (parts.size() != 2 || parts[0] != name) continue;
     skin.faults.push_back({kind, CellId(number(1))});
     return;
   }
-  for (const auto& [name, kind] : kLinkFaults) {
+  for (const auto& [name, kind] : linkFaultNames()) {
     if (parts.size() != 3 || parts[0] != name) continue;
     skin.link_faults.push_back({kind, {CellId(number(1)), PortNumber(number(2))}});
     return;

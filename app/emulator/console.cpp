@@ -1,5 +1,6 @@
 #include "console.h"
 
+#include "hexoderm/device/fault_names.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
 
@@ -19,25 +20,16 @@
 namespace hexoderm::emulator {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, SkinFault>, 8> kCellFaults = {{{"dead", SkinFault::Dead},
-                                                                                {"stuck", SkinFault::Stuck},
-                                                                                {"stuck-axis", SkinFault::StuckAxis},
-                                                                                {"dead-axis", SkinFault::DeadAxis},
-                                                                                {"saturated", SkinFault::Saturated},
-                                                                                {"noisy", SkinFault::Noisy},
-                                                                                {"wrong-gain", SkinFault::WrongGain},
-                                                                                {"no-samples", SkinFault::NoSamples}}};
-constexpr std::array<std::pair<std::string_view, LinkFaultKind>, 3> kLinkFaults = {
-    {{"wrong-port", LinkFaultKind::WrongPort}, {"joint", LinkFaultKind::Joint}, {"cable", LinkFaultKind::Cable}}};
 constexpr std::array<std::pair<std::string_view, PortFaultKind>, 3> kPortFaults = {
     {{"deaf", PortFaultKind::Deaf}, {"mute", PortFaultKind::Mute}, {"cut", PortFaultKind::Cut}}};
 constexpr std::string_view kNoAnswer = "no-answer";
 
-template <class Kind, std::size_t count>
-std::optional<Kind> kindNamed(const std::array<std::pair<std::string_view, Kind>, count>& kinds,
-                              std::string_view name) {
-  const auto* found = std::ranges::find(kinds, name, &std::pair<std::string_view, Kind>::first);
-  return found == kinds.end() ? std::nullopt : std::optional(found->second);
+template <class Kinds>
+auto kindNamed(const Kinds& kinds, std::string_view name) {
+  for (const auto& [known, kind] : kinds) {
+    if (known == name) return std::optional(kind);
+  }
+  return decltype(std::optional(kinds.front().second))();
 }
 
 template <class Kinds>
@@ -87,9 +79,10 @@ std::string breakIt(const Words& words, Emulator& emulator) {
       device.breakController(words.cell(2));
       return "cell " + words[2] + " will not answer when the cells explore again";
     }
-    const std::optional<SkinFault> fault = kindNamed(kCellFaults, kind);
+    const std::optional<SkinFault> fault = kindNamed(skinFaultNames(), kind);
     if (!fault) {
-      throw InvalidArgument("break KIND CELL: expected one of " + namesOf(kCellFaults) + ", " + std::string(kNoAnswer));
+      throw InvalidArgument("break KIND CELL: expected one of " + namesOf(skinFaultNames()) + ", " +
+                            std::string(kNoAnswer));
     }
     device.breakCell({*fault, words.cell(2)});
     return "cell " + words[2] + " is broken: " + kind;
@@ -99,9 +92,9 @@ std::string breakIt(const Words& words, Emulator& emulator) {
     device.breakPort({*fault, at});
     return "cell " + words[2] + ", port " + words[3] + " will be " + kind + " when the cells explore again";
   }
-  const std::optional<LinkFaultKind> fault = kindNamed(kLinkFaults, kind);
+  const std::optional<LinkFaultKind> fault = kindNamed(linkFaultNames(), kind);
   if (!fault) {
-    throw InvalidArgument("break KIND CELL PORT: expected one of " + namesOf(kLinkFaults) + ", " +
+    throw InvalidArgument("break KIND CELL PORT: expected one of " + namesOf(linkFaultNames()) + ", " +
                           namesOf(kPortFaults));
   }
   emulator.withDevice([&](EmulatedDevice::Messages& out) { device.breakLink({*fault, at}, out); });
@@ -155,10 +148,10 @@ std::string turnIt(const Words& words, Emulator& emulator) {
 std::string consoleHelp() {
   return "While it runs, on standard input:\n"
          "  break KIND CELL        " +
-         namesOf(kCellFaults) + ", " + std::string(kNoAnswer) +
+         namesOf(skinFaultNames()) + ", " + std::string(kNoAnswer) +
          "\n"
          "  break KIND CELL PORT   " +
-         namesOf(kLinkFaults) + " (the device starts again), " + namesOf(kPortFaults) +
+         namesOf(linkFaultNames()) + " (the device starts again), " + namesOf(kPortFaults) +
          "\n"
          "  mend CELL [PORT]\n"
          "  explore                the cells explore their neighbours again\n"
@@ -171,14 +164,15 @@ std::string consoleHelp() {
 }
 
 std::string faultSyntax() {
-  return "KIND:CELL with KIND " + namesOf(kCellFaults) + ", or KIND:CELL:PORT with KIND " + namesOf(kLinkFaults);
+  return "KIND:CELL with KIND " + namesOf(skinFaultNames()) + ", or KIND:CELL:PORT with KIND " +
+         namesOf(linkFaultNames());
 }
 
 void addFault(const std::string& text, SimulatedSkinOptions& skin) {
   const std::vector<std::string> parts = split(text, ':');
   const auto number = [&](std::size_t part) { return parseUnsigned(parts[part], "--fault " + text); };
-  const auto cell_fault = kindNamed(kCellFaults, parts[0]);
-  const auto link_fault = kindNamed(kLinkFaults, parts[0]);
+  const auto cell_fault = kindNamed(skinFaultNames(), parts[0]);
+  const auto link_fault = kindNamed(linkFaultNames(), parts[0]);
   if (parts.size() == 2 && cell_fault) {
     skin.faults.push_back({*cell_fault, CellId(number(1))});
   } else if (parts.size() == 3 && link_fault) {

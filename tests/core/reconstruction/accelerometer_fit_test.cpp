@@ -1,4 +1,5 @@
 #include "accelerometer_fit.h"
+#include "joint_case.h"
 
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/util/units.h"
@@ -21,21 +22,7 @@ using Matrix3x12d = Eigen::Matrix<double, 3, 12>;
 constexpr double kSigma_g = 0.003;
 const HuberLoss kQuadratic{std::numeric_limits<double>::infinity()};
 
-class Draw {
- public:
-  explicit Draw(std::uint64_t seed) : random_(seed) {}
-  double normal() { return normal_(random_); }
-  Eigen::Vector3d vector() {
-    const double x = normal();
-    const double y = normal();
-    return {x, y, normal()};
-  }
-  Eigen::Vector3d direction() { return vector().normalized(); }
-
- private:
-  std::mt19937_64 random_;
-  std::normal_distribution<double> normal_;
-};
+using Draw = JointDraw;
 
 struct Sensor {
   Eigen::Vector3d offset_g = Eigen::Vector3d::Zero();

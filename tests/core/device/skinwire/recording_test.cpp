@@ -5,6 +5,7 @@
 #include "hexoderm/device/skinwire/crc32c.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
+#include "support/failing_disk.h"
 #include "support/temporary_folder.h"
 #include "wire_messages.h"
 
@@ -271,14 +272,27 @@ TEST(Recording, FramesOfAnotherMajorVersionEndIt) {
 }
 
 TEST(Recording, AFullDiskEndsRecordingButNotListening) {
-  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full here";
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "a.skinrec";
   CollectingListener listener;
-  try {
-    StreamRecorder recorder("/dev/full", listener);
-    FAIL() << "the first bytes were accepted";
-  } catch (const StorageError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("/dev/full"));
+  StreamRecorder recorder(path, listener);
+  recorder.onSkin(twoCells());
+  recorder.onFrame(frameAt(1));
+  {
+    const test::NoFileGrows full;
+    recorder.onFrame(frameAt(2));
+    EXPECT_THROW(recorder.finish(), StorageError);
   }
+  EXPECT_THAT(recorder.error(), HasSubstr("a.skinrec"));
+  recorder.onFrame(frameAt(3));
+  EXPECT_EQ(listener.delivered().frames.size(), 3U);
+}
+
+TEST(Recording, IsNotBegunOnAFullDisk) {
+  const test::TemporaryFolder folder;
+  CollectingListener listener;
+  const test::NoFileGrows full;
+  EXPECT_THROW(StreamRecorder(folder.path() / "a.skinrec", listener), StorageError);
 }
 
 TEST(Recording, AFrameThatCantBeWrittenEndsRecordingButNotListening) {
