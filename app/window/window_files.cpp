@@ -9,6 +9,7 @@
 #include <QAbstractSpinBox>
 #include <QCloseEvent>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDateTime>
 #include <QDesktopServices>
 #include <QDir>
@@ -129,6 +130,9 @@ void MainWindow::showExportDialog() {
 QImage MainWindow::picture() {
   // The 3D view draws when there is time; until then a picture of the window would show its last state.
   static_cast<void>(patch_view_->screenshot());
+  // Nor have layouts caught up with a text that has just changed; inner ones ask outer ones for room.
+  constexpr int kNested = 4;
+  for (int k = 0; k < kNested; ++k) QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
   return grab().toImage();
 }
 
