@@ -26,6 +26,10 @@ core_packages=(
 # The window and its tests. VTK's CMake files ask for everything VTK was built with; its packages bring all of that.
 gui_packages=(
   libqt5svg5-dev
+  libqwt-qt5-dev
+  qtmultimedia5-dev
+  qttools5-dev
+  qttools5-dev-tools
   libvtk9-dev
   libvtk9-qt-dev
   qtbase5-dev
