@@ -227,7 +227,7 @@ void SessionController::dropJournal() {
   journal_.reset();
   if (scratch_path_.isEmpty()) return;
   // After the journal has closed it, which happens on the same thread.
-  jobs_.add([path = std::exchange(scratch_path_, {})] { removeScratchFile(path); });
+  jobs_.addEssential([path = std::exchange(scratch_path_, {})] { removeScratchFile(path); });
 }
 
 void SessionController::appendToJournal(StoreOperation operation) {

@@ -67,7 +67,7 @@ void MainWindow::connectLive() {
   // While readings come these follow each other quickly, so only what shows them is refreshed.
   connect(&controller_.live(), &LiveSource::holdChanged, this, &MainWindow::refreshLive);
   connect(&controller_, &SessionController::captured, this, [this](const QString& text, bool remarkable) {
-    message_bar_->showMessage(remarkable ? Tone::Caution : Tone::Good, text);
+    if (!message_bar_->isUrgent()) message_bar_->showMessage(remarkable ? Tone::Caution : Tone::Good, text);
   });
   connect(&controller_, &SessionController::noticed, this,
           [this](const QString& text) { message_bar_->showMessage(Tone::Caution, text); });

@@ -233,6 +233,7 @@ TEST_F(MainWindowTest, LiveModeShowsTheMomentAndGoesBackToTheResult) {
 }
 
 TEST_F(MainWindowTest, WhatWasNotSavedIsInAScratchFileUntilItIsGivenUp) {
+  QDir(scratchFolder()).removeRecursively();
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
   EXPECT_FALSE(controller().isKept());
   EXPECT_TRUE(controller().hasUnsavedChanges());
