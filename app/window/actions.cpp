@@ -87,6 +87,17 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
       keys(make(owner, "actionKeys", tr("&Keys"), tr("The list of keys"),
                 {QKeySequence(Qt::Key_F1), QKeySequence(Qt::Key_H)})),
       about(make(owner, "actionAbout", tr("&About Hexoderm"), tr("Version and licence"))),
+      preferences(make(owner, "actionPreferences", tr("&Preferences…"),
+                       tr("Appearance, limits of the capture, options of the solver, folders"),
+                       {QKeySequence(QStringLiteral("Ctrl+,"))})),
+      swap_views(make(owner, "actionSwapViews", tr("S&wap graph and 3D view"),
+                      tr("The one in the middle goes to the side, and the other way round"),
+                      {QKeySequence(Qt::Key_G)})),
+      copy_report(make(owner, "actionCopyReport", tr("&Copy for a bug report"),
+                       tr("Versions, graphics, what is open and the last lines of the log, without your folders"))),
+      open_log_folder(make(owner, "actionOpenLogFolder", tr("&Open the log's folder"),
+                           tr("Show the folder in which the log is kept"))),
+      recent(new QMenu(tr("Open &recent"), owner)),
       themes(new QActionGroup(owner)) {
   undo->setObjectName(QStringLiteral("actionUndo"));
   redo->setObjectName(QStringLiteral("actionRedo"));
@@ -96,10 +107,15 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
   demo->setIconText(tr("Start the demo skin"));
   // A key that is held must not take a row of poses.
   for (QAction* action : {capture, automatic, skip_pose, turn, robot, live_mode, light_cell, toggle_pose, delete_pose,
-                          recapture, screenshot}) {
+                          recapture, screenshot, swap_views}) {
     action->setAutoRepeat(false);
   }
   for (QAction* action : {automatic, robot, live_mode, light_cell}) action->setCheckable(true);
+  constexpr int kSteps = 7;
+  for (int number = 1; number <= kSteps; ++number) {
+    go_to_step.push_back(make(owner, qPrintable(QStringLiteral("actionStep%1").arg(number)), tr("Step &%1").arg(number),
+                              tr("Open this step"), {QKeySequence(QStringLiteral("Ctrl+%1").arg(number))}));
+  }
 
   theme = {make(owner, "actionThemeSystem", tr("Like the &system"), tr("Light or dark, as the system asks for")),
            make(owner, "actionThemeLight", tr("&Light"), tr("Dark text on a light ground")),
@@ -113,6 +129,7 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
 void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& panels) const {
   QMenu* file = bar->addMenu(tr("&File"));
   file->addActions({demo, connect_skin, disconnect_skin, open});
+  file->addMenu(recent);
   file->addSeparator();
   file->addActions({save, save_as, save_calibration, export_to});
   file->addSeparator();
@@ -122,6 +139,8 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   edit->addActions({undo, redo});
   edit->addSeparator();
   edit->addActions({toggle_pose, delete_pose, recapture});
+  edit->addSeparator();
+  edit->addAction(preferences);
 
   QMenu* session = bar->addMenu(tr("&Session"));
   session->addActions({capture, automatic, skip_pose});
@@ -129,9 +148,12 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   session->addActions({turn, robot});
   session->addSeparator();
   session->addActions({live_mode, light_cell});
+  session->addSeparator();
+  QMenu* steps = session->addMenu(tr("&Go to step"));
+  for (QAction* step : go_to_step) steps->addAction(step);
 
   QMenu* view = bar->addMenu(tr("&View"));
-  view->addActions({find_cell, fit, front, side, top});
+  view->addActions({find_cell, fit, front, side, top, swap_views});
   view->addSeparator();
   for (QAction* panel : panels) view->addAction(panel);
   view->addSeparator();
@@ -139,19 +161,12 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   view->addAction(screenshot);
 
   QMenu* help = bar->addMenu(tr("&Help"));
-  help->addActions({keys, about});
-  for (QMenu* menu : {file, edit, session, view, help}) menu->setToolTipsVisible(true);
-}
-
-std::vector<QAction*> WindowActions::withKeys() const {
-  std::vector<QAction*> found;
-  for (QAction* action :
-       {capture,     automatic, skip_pose, turn,       robot,        live_mode, light_cell, toggle_pose,
-        delete_pose, recapture, undo,      redo,       connect_skin, open,      save,       save_as,
-        export_to,   find_cell, fit,       screenshot, keys,         quit}) {
-    if (!action->shortcuts().isEmpty()) found.push_back(action);
-  }
-  return found;
+  help->addAction(keys);
+  help->addSeparator();
+  help->addActions({copy_report, open_log_folder});
+  help->addSeparator();
+  help->addAction(about);
+  for (QMenu* menu : {file, edit, session, steps, view, help}) menu->setToolTipsVisible(true);
 }
 
 void WindowActions::refreshCapture(const SessionController& controller, const QString& no_session) {

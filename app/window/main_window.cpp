@@ -1,5 +1,6 @@
 #include "app/window/main_window.h"
 
+#include "app/window/window_shell.h"
 #include "hexoderm/util/text.h"
 #include "widgets/banner.h"
 #include "widgets/card_dock.h"
@@ -112,6 +113,7 @@ MainWindow::MainWindow(QWidget* parent)
   // At first no part has the focus, so that keys mean what the list of keys says.
   setFocusPolicy(Qt::StrongFocus);
   setFocus();
+  buildShell();
   buildLayout();
   buildStatusBar();
   connectActions();
@@ -124,6 +126,7 @@ MainWindow::MainWindow(QWidget* parent)
       themeChoiceFromName(settings.value(QStringLiteral("view/theme")).toString()).value_or(ThemeChoice::System),
       false);
   restoreLayout();
+  shell_->begin(*findChild<QMenuBar*>());
   refresh();
 }
 
@@ -142,7 +145,7 @@ void MainWindow::buildLayout() {
   card->setProperty("card", true);
   auto* card_layout = new QVBoxLayout(card);
   card_layout->setContentsMargins(1, 1, 1, 1);
-  card_layout->addWidget(patch_view_);
+  card_layout->addWidget(shell_->makeCentre(patch_view_));
   patch_view_->setAccessibleName(tr("The patch in three dimensions"));
   patch_view_->setMinimumSize(320, 240);
 
@@ -160,6 +163,7 @@ void MainWindow::buildLayout() {
   auto* steps = new CardDock(tr("Steps"), QStringLiteral("stepsDock"), step_panel_, docks_);
   graph_dock_ = new CardDock(tr("Skin graph"), QStringLiteral("graphDock"), graph_view_, docks_);
   pose_dock_ = new CardDock(tr("Poses"), QStringLiteral("poseDock"), withHint(pose_view_, tr("No poses yet.")), docks_);
+  shell_->setSwapped(patch_view_, graph_view_, graph_dock_);
   CardDock* details = buildDetails();
   docks_->addDockWidget(Qt::LeftDockWidgetArea, steps);
   docks_->addDockWidget(Qt::RightDockWidgetArea, graph_dock_);
@@ -212,6 +216,8 @@ CardDock* MainWindow::buildDetails() {
   detail_tabs_->setDrawBase(false);
   detail_tabs_->addTab(tr("Findings"));
   detail_tabs_->addTab(tr("Links"));
+  pages->addWidget(shell_->makeLogView());
+  detail_tabs_->addTab(tr("Log"));
   connect(detail_tabs_, &QTabBar::currentChanged, pages, &QStackedWidget::setCurrentIndex);
   auto* dock = new CardDock(tr("Findings and links"), QStringLiteral("detailsDock"), pages, docks_);
   dock->setHead(detail_tabs_);
@@ -265,7 +271,6 @@ void MainWindow::connectActions() {
   look(actions_.side, PatchView::StandardView::Side);
   look(actions_.top, PatchView::StandardView::Top);
   connect(actions_.screenshot, &QAction::triggered, this, &MainWindow::savePicture);
-  connect(actions_.keys, &QAction::triggered, this, &MainWindow::showKeys);
   connect(actions_.about, &QAction::triggered, this, &MainWindow::showAbout);
   connect(actions_.themes, &QActionGroup::triggered, this, [this](QAction* action) {
     setThemeChoice(static_cast<ThemeChoice>(actions_.themes->actions().indexOf(action)), true);
@@ -395,7 +400,9 @@ void MainWindow::refresh() {
   const LiveSource& live = controller_.live();
   check_list_->setCheck(result ? checkSkin(*result, live.preview().means, live.hold().stillness.odd_cells)
                                : SkinCheck{});
-  step_panel_->setSteps(describeSteps(controller_, actions_));
+  const std::vector<Step> steps = describeSteps(controller_, actions_);
+  step_panel_->setSteps(steps);
+  shell_->setSteps(steps);
   refreshStatus();
   refreshLive();
 }

@@ -1,5 +1,6 @@
 #include "app/window/session_controller.h"
 
+#include "app/window/recovery.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/session/session_store.h"
@@ -101,6 +102,13 @@ void SessionController::openFile(const QString& path) {
               showSession(std::make_unique<Session>(std::move(*session)), name, path);
             } else {
               showCalibration(std::get<std::shared_ptr<const Reconstruction>>(opened_file->file), name);
+            }
+            if (opened_file->store && QFileInfo(path).absolutePath() == QFileInfo(unsavedFolder()).absoluteFilePath()) {
+              // Recovered: it goes on where it was, and still waits to be saved.
+              scratch_path_ = path;
+              session_path_.clear();
+              name_ = tr("Recovered session");
+              undo_stack_.resetClean();
             }
             if (opened_file->store) {
               journal_ =

@@ -131,6 +131,8 @@ class SessionController : public QObject {
   void cancelRecapture();
   /// Lights a cell of the connected skin, and darkens the one before.
   void lightCell(std::optional<hexoderm::CellId> cell);
+  /// Of captures, from the next connection on.
+  void setRecorderOptions(const hexoderm::PoseRecorderOptions& options) { recorder_options_ = options; }
   /// Solves anew with these.
   void setSolverOptions(const hexoderm::SolverOptions& options);
   /// Writes what could not be written to the session's file.
@@ -199,6 +201,7 @@ class SessionController : public QObject {
   std::unique_ptr<Session> session_;
   bool demo_ = false;
   SolverOptions options_;
+  PoseRecorderOptions recorder_options_;
   std::shared_ptr<const Reconstruction> reconstruction_;
   QUndoStack undo_stack_;
   QString name_;

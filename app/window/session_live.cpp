@@ -55,7 +55,8 @@ void SessionController::connectTo(const ConnectRequest& request) {
   connect_revision_ = submitted_revision_;
   LiveOptions options;
   options.address = request.address;
-  options.automatic = automatic_;
+  options.recorder = recorder_options_;
+  options.recorder.automatic = automatic_;
   if (connect_request_.continue_session) {
     options.next_pose = session_->nextPoseId();
     options.earlier_poses = enabledCaptures();
