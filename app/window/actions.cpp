@@ -54,6 +54,9 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
                        {QKeySequence(Qt::Key_Delete)})),
       delete_pose(make(owner, "actionDeletePose", tr("De&lete pose"), tr("Take the picked pose out of the session"),
                        {QKeySequence(QStringLiteral("Shift+Del"))})),
+      mute_link(make(owner, "actionMuteLink", tr("Set link &aside"),
+                     tr("Keep the picked link out of the solution, as a cable for example"),
+                     {QKeySequence(Qt::Key_M)})),
       next_pose(make(owner, "actionNextPose", tr("Take the &next pose"),
                      tr("Turn the simulated part to its next orientation and take the pose"),
                      {QKeySequence(Qt::Key_Space)})),
@@ -82,7 +85,7 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
   next_pose->setIconText(tr("Take the next pose"));
   demo->setIconText(tr("Start the demo skin"));
   // A key that is held must not take a row of poses.
-  for (QAction* action : {next_pose, automatic, turn, toggle_pose, delete_pose, screenshot}) {
+  for (QAction* action : {next_pose, automatic, turn, toggle_pose, delete_pose, mute_link, screenshot}) {
     action->setAutoRepeat(false);
   }
   automatic->setCheckable(true);
@@ -108,6 +111,8 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   edit->addActions({undo, redo});
   edit->addSeparator();
   edit->addActions({toggle_pose, delete_pose});
+  edit->addSeparator();
+  edit->addAction(mute_link);
 
   QMenu* session = bar->addMenu(tr("&Session"));
   session->addActions({next_pose, turn, automatic});
@@ -127,8 +132,8 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
 
 std::vector<QAction*> WindowActions::withKeys() const {
   std::vector<QAction*> found;
-  for (QAction* action : {next_pose, automatic, turn, toggle_pose, delete_pose, undo, redo, connect_skin, open, save,
-                          save_as, export_to, find_cell, fit, screenshot, keys, quit}) {
+  for (QAction* action : {next_pose, automatic, turn, toggle_pose, delete_pose, mute_link, undo, redo, connect_skin,
+                          open, save, save_as, export_to, find_cell, fit, screenshot, keys, quit}) {
     if (!action->shortcuts().isEmpty()) found.push_back(action);
   }
   return found;
@@ -158,13 +163,25 @@ void WindowActions::refreshCapture(const SessionController& controller, const QS
   allow(disconnect_skin, controller.live().isRunning() ? QString() : tr("No skin is connected"));
 }
 
+QString WindowActions::whyNoSession(const SessionController& controller) {
+  if (controller.session()) return {};
+  return controller.isEmpty() ? tr("Nothing is open yet")
+                              : tr("A calibration is open: it holds the result, not the poses");
+}
+
+void WindowActions::refreshLink(const SessionController& controller, const std::optional<Selection::Link>& picked) {
+  QString no_link = whyNoSession(controller);
+  if (no_link.isEmpty() && !picked) no_link = tr("Pick a link in the graph or in the table of links first");
+  const bool muted = no_link.isEmpty() && controller.session()->findMutedLink(picked->first, picked->second) != nullptr;
+  mute_link->setText(muted ? tr("Take link b&ack") : tr("Set link &aside"));
+  mute_link->setProperty(kPurpose, muted ? tr("Let the picked link into the solution again")
+                                         : tr("Keep the picked link out of the solution, as a cable for example"));
+  allow(mute_link, no_link);
+}
+
 void WindowActions::refresh(const SessionController& controller, std::optional<int> pose_row) {
   const Session* session = controller.session();
-  QString no_session;
-  if (!session) {
-    no_session = controller.isEmpty() ? tr("Nothing is open yet")
-                                      : tr("A calibration is open: it holds the result, not the poses");
-  }
+  const QString no_session = whyNoSession(controller);
   QString no_result;
   if (!controller.reconstruction()) {
     no_result = controller.isEmpty() ? tr("Nothing is open yet") : tr("There is no reconstruction yet");

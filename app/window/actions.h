@@ -2,6 +2,7 @@
 
 #include "app/window/session_controller.h"
 #include "app/window/theme.h"
+#include "widgets/selection.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -32,6 +33,7 @@ class WindowActions {
   QAction* redo;
   QAction* toggle_pose;
   QAction* delete_pose;
+  QAction* mute_link;  ///< "Set link aside", or "Take link back"
   QAction* next_pose;  ///< "Take the next pose" of the demo, "Capture now" of a connected skin
   QAction* automatic;
   QAction* turn;
@@ -52,8 +54,11 @@ class WindowActions {
 
   /// Which can be used now, and why the others can't. `pose_row`: the row picked in the table of poses.
   void refresh(const SessionController& controller, std::optional<int> pose_row);
+  /// The same of what can be done with a link. `picked`: of the selection.
+  void refreshLink(const SessionController& controller, const std::optional<Selection::Link>& picked);
 
  private:
+  [[nodiscard]] static QString whyNoSession(const SessionController& controller);
   void refreshCapture(const SessionController& controller, const QString& no_session);
 };
 

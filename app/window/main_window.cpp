@@ -249,6 +249,16 @@ void MainWindow::connectActions() {
     const std::optional<int> row = pickedPoseRow();
     if (const auto index = row ? controller_.sessionIndexOfPoseRow(*row) : std::nullopt) controller_.removePose(*index);
   });
+  connect(actions_.mute_link, &QAction::triggered, this, [this] {
+    const auto link = selection_.link();
+    if (!link || !controller_.session()) return;
+    controller_.setLinkMuted(link->first, link->second,
+                             !controller_.session()->findMutedLink(link->first, link->second));
+  });
+  graph_view_->setLinkActions({actions_.mute_link});
+  link_view_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  link_view_->addAction(actions_.mute_link);
+  connect(graph_view_, &GraphView::pictureWanted, this, &MainWindow::saveGraph);
   connect(actions_.find_cell, &QAction::triggered, this, [this] {
     graph_dock_->show();
     graph_dock_->raise();
@@ -299,6 +309,7 @@ void MainWindow::connectController() {
 
 void MainWindow::connectSelection() {
   connect(&selection_, &Selection::changed, this, &MainWindow::showPickedLink);
+  connect(&selection_, &Selection::changed, this, [this] { actions_.refreshLink(controller_, selection_.link()); });
   connect(finding_view_, &QTableView::clicked, this,
           [this](const QModelIndex& index) { pickFromFinding(index.row()); });
   connect(finding_view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
@@ -366,6 +377,7 @@ void MainWindow::pickFromFinding(int row) {
 
 void MainWindow::refresh() {
   actions_.refresh(controller_, pickedPoseRow());
+  actions_.refreshLink(controller_, selection_.link());
   banner_->setContent(describeStand(controller_, actions_));
   step_panel_->setSteps(describeSteps(controller_, actions_));
   refreshStatus();
