@@ -1,5 +1,6 @@
 #include "widgets/graph_view.h"
 
+#include "widgets/core_words.h"
 #include "widgets/find_cell_field.h"
 #include "widgets/graph_painter.h"
 #include "widgets/graph_scene.h"
@@ -195,7 +196,7 @@ struct GraphView::Parts {
   void describe() {
     QString text = GraphView::tr("No skin is open.");
     if (scene.reconstruction()) {
-      text = QString::fromStdString(sizeInWords(*scene.reconstruction()));
+      text = coreWords(sizeInWords(*scene.reconstruction()));
       const Hit hit = picked();
       if (hit.cell) text += QStringLiteral(". ") + GraphView::tr("Picked: cell %1").arg(selection->cell()->value());
       if (hit.link) {

@@ -1,6 +1,7 @@
 #include "widgets/words.h"
 
 #include "hexoderm/util/units.h"
+#include "widgets/core_words.h"
 #include "widgets/palette.h"
 
 #include <QCoreApplication>
@@ -8,12 +9,15 @@
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 namespace hexoderm {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("hexoderm::Words", text); }
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(hexoderm::Words)
+};
 
 /// First line bold, the others plain; escaped, since labels and IDs come from files.
 QString asToolTip(const QString& title, const QStringList& lines) {
@@ -29,7 +33,7 @@ QString listOf(const std::vector<Id>& ids, const QString& one, const QString& se
   QStringList names;
   for (std::size_t k = 0; k < std::min(ids.size(), kMost); ++k) names << QString::number(ids[k].value());
   QString text = (ids.size() == 1 ? one : several).arg(names.join(QStringLiteral(", ")));
-  if (ids.size() > kMost) text += QStringLiteral(" ") + tr("and %1 more").arg(ids.size() - kMost);
+  if (ids.size() > kMost) text += QStringLiteral(" ") + Words::tr("and %1 more").arg(ids.size() - kMost);
   return text;
 }
 
@@ -59,7 +63,7 @@ QString shortLinkName(const LinkEstimate& link) {
 }
 
 QString longLinkName(const LinkEstimate& link) {
-  return tr("Link %1 · port %2 — %3 · port %4")
+  return Words::tr("Link %1 · port %2 — %3 · port %4")
       .arg(link.source.cell.value())
       .arg(link.source.port.value())
       .arg(link.target.cell.value())
@@ -68,11 +72,11 @@ QString longLinkName(const LinkEstimate& link) {
 
 QString mutedBecause(const LinkEstimate& link) {
   if (link.used) return {};
-  if (!link.muted_by) return tr("It is not used.");
+  if (!link.muted_by) return Words::tr("It is not used.");
   const auto table = findingTable();
   const auto entry = std::ranges::find(table, *link.muted_by, &FindingDescription::code);
-  if (entry == table.end()) return tr("It is not used.");
-  return QString::fromUtf8(entry->meaning.data(), static_cast<int>(entry->meaning.size()));
+  if (entry == table.end()) return Words::tr("It is not used.");
+  return coreWords(std::string(entry->meaning));
 }
 
 bool hasFigures(const LinkEstimate& link) {
@@ -92,19 +96,19 @@ std::optional<double> knownSigma(const LinkEstimate& link) {
 QString severityWord(Severity severity) {
   switch (severity) {
     case Severity::Info:
-      return tr("Note");
+      return Words::tr("Note");
     case Severity::Warning:
-      return tr("Warning");
+      return Words::tr("Warning");
     case Severity::Error:
-      return tr("Error");
+      return Words::tr("Error");
   }
   return {};
 }
 
 QString placeInWords(const Finding& finding) {
   QStringList places;
-  if (!finding.cells.empty()) places << listOf(finding.cells, tr("cell %1"), tr("cells %1"));
-  if (!finding.poses.empty()) places << listOf(finding.poses, tr("pose %1"), tr("poses %1"));
+  if (!finding.cells.empty()) places << listOf(finding.cells, Words::tr("cell %1"), Words::tr("cells %1"));
+  if (!finding.poses.empty()) places << listOf(finding.poses, Words::tr("pose %1"), Words::tr("poses %1"));
   return places.isEmpty() ? noValue() : places.join(QStringLiteral("; "));
 }
 
@@ -113,20 +117,22 @@ QString findingToolTip(const Finding& finding) {
   const auto entry = std::ranges::find(table, finding.code, &FindingDescription::code);
   QStringList lines;
   if (entry != table.end()) {
-    lines << QString::fromUtf8(entry->meaning.data(), static_cast<int>(entry->meaning.size()));
+    lines << coreWords(std::string(entry->meaning));
     lines << QString::fromUtf8(entry->name.data(), static_cast<int>(entry->name.size()));
   }
-  return asToolTip(QString::fromStdString(finding.text), lines);
+  return asToolTip(coreWords(finding.text), lines);
 }
 
 QString linkToolTip(const LinkEstimate& link) {
   QStringList lines;
-  if (!link.used) lines << tr("Muted: %1").arg(mutedBecause(link));
+  if (!link.used) lines << Words::tr("Muted: %1").arg(mutedBecause(link));
   if (hasFigures(link)) {
-    lines << (link.in_tree ? tr("%1, on the shortest-path tree") : QStringLiteral("%1")).arg(qualityWord(link.quality));
-    lines << tr("Bend %1, twist %2, yaw %3")
+    lines << (link.in_tree ? Words::tr("%1, on the shortest-path tree") : QStringLiteral("%1"))
+                 .arg(qualityWord(link.quality));
+    lines << Words::tr("Bend %1, twist %2, yaw %3")
                  .arg(degreesInWords(link.bend_rad), degreesInWords(link.twist_rad), degreesInWords(link.yaw_rad));
-    lines << tr("Residual %1, predicted %2").arg(degreesInWords(knownResidual(link)), degreesInWords(knownSigma(link)));
+    lines << Words::tr("Residual %1, predicted %2")
+                 .arg(degreesInWords(knownResidual(link)), degreesInWords(knownSigma(link)));
   }
   return asToolTip(longLinkName(link), lines);
 }
@@ -135,25 +141,26 @@ QString cellToolTip(const Reconstruction& reconstruction, CellId cell) {
   const auto [patch, placement] = reconstruction.find(cell);
   if (placement == nullptr) return {};
   QStringList lines;
-  lines << (patch->origin == cell ? tr("Origin of patch %1") : tr("Patch %1")).arg(patch->id.value() + 1);
-  if (!placement->body_part.empty()) lines << tr("On %1").arg(QString::fromStdString(placement->body_part));
+  lines << (patch->origin == cell ? Words::tr("Origin of patch %1") : Words::tr("Patch %1")).arg(patch->id.value() + 1);
+  if (!placement->body_part.empty()) lines << Words::tr("On %1").arg(QString::fromStdString(placement->body_part));
   if (patch->origin != cell) {
     const Eigen::Vector3d& t_o_u = placement->T_o_u.t;
     const QLocale locale;
-    lines << tr("At %1, %2, %3 mm from the origin")
+    lines << Words::tr("At %1, %2, %3 mm from the origin")
                  .arg(locale.toString(toMillimetres(t_o_u.x()), 'f', 1),
                       locale.toString(toMillimetres(t_o_u.y()), 'f', 1),
                       locale.toString(toMillimetres(t_o_u.z()), 'f', 1));
-    if (placement->path.size() == 2) lines << tr("Next to the origin");
-    if (placement->path.size() > 2) lines << tr("%1 links from the origin").arg(placement->path.size() - 1);
+    if (placement->path.size() == 2) lines << Words::tr("Next to the origin");
+    if (placement->path.size() > 2) lines << Words::tr("%1 links from the origin").arg(placement->path.size() - 1);
   }
-  if (placement->placed_by == PlacedBy::Links) lines << tr("Placed through its links: its own readings are not used");
+  if (placement->placed_by == PlacedBy::Links)
+    lines << Words::tr("Placed through its links: its own readings are not used");
   for (const Finding& finding : reconstruction.findings) {
     constexpr std::size_t kMostCells = 4;  // one that names half of the skin is not about this cell
     if (finding.severity == Severity::Info || finding.cells.size() > kMostCells) continue;
-    if (std::ranges::find(finding.cells, cell) != finding.cells.end()) lines << QString::fromStdString(finding.text);
+    if (std::ranges::find(finding.cells, cell) != finding.cells.end()) lines << coreWords(finding.text);
   }
-  return asToolTip(tr("Cell %1").arg(cell.value()), lines);
+  return asToolTip(Words::tr("Cell %1").arg(cell.value()), lines);
 }
 
 }  // namespace hexoderm

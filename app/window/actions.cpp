@@ -1,5 +1,7 @@
 #include "app/window/actions.h"
 
+#include "widgets/core_words.h"
+
 #include <QMenu>
 
 namespace hexoderm {
@@ -145,7 +147,7 @@ void WindowActions::refreshCapture(const SessionController& controller, const QS
     no_skin = tr("This session came from a file; no skin is connected");
   }
   if (live && controller.live().status().state != SourceState::Streaming) {
-    no_skin = tr("The skin does not send: %1").arg(QString::fromStdString(controller.live().status().text));
+    no_skin = tr("The skin does not send: %1").arg(coreWords(controller.live().status().text));
   }
   allow(next_pose, no_skin);
   QString no_turn = no_skin;

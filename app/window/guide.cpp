@@ -2,6 +2,7 @@
 
 #include "app/window/actions.h"
 #include "app/window/session_controller.h"
+#include "widgets/core_words.h"
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -110,7 +111,7 @@ Step checkStep(const SessionController& controller) {
     return step;
   }
   step.state = StepState::Done;
-  step.note = QString::fromStdString(sizeInWords(*result));
+  step.note = coreWords(sizeInWords(*result));
   step.what = Guide::tr("Compare the skin graph with the skin in front of you.");
   step.why = Guide::tr(
       "Every cell and every link should be there. What was reported but can't be a skin link is listed "
@@ -141,7 +142,7 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
   if (controller.isLive()) step.actions.push_back(actions.next_pose);
   step.state = more || (result && !isExportable(*result)) ? StepState::Current : StepState::Done;
   // Once there are enough, what is next is no longer about poses.
-  if (result && step.state == StepState::Current) step.what = QString::fromStdString(result->verdict.next_action);
+  if (result && step.state == StepState::Current) step.what = coreWords(result->verdict.next_action);
   if (controller.isLive()) {
     step.why = Guide::tr(
         "Gravity seen from several directions tells how every cell is turned against its neighbours. A pose is taken "
@@ -169,7 +170,7 @@ Step reviewStep(const SessionController& controller, const WindowActions& action
   step.note = findingsInWords(*result);
   const Finding* finding = worstFinding(*result);
   if (captured) step.state = finding ? StepState::Current : StepState::Done;
-  step.what = QString::fromStdString(finding ? finding->text : result->verdict.reason);
+  step.what = coreWords(finding ? finding->text : result->verdict.reason);
   if (controller.session()) {
     step.why = Guide::tr(
         "A pose that does not fit can be disabled or deleted in the table of poses, and taken back with "
@@ -209,7 +210,7 @@ Banner::Content describeStand(const SessionController& controller, const WindowA
     content.sentence = Guide::tr("Waiting for the skin at %1.").arg(controller.live().address());
   } else if (const Reconstruction* result = controller.reconstruction().get()) {
     content.tone = toneOf(result->verdict.level);
-    content.sentence = QString::fromStdString(result->verdict.reason);
+    content.sentence = coreWords(result->verdict.reason);
   } else if (!controller.isEmpty()) {
     content.sentence = Guide::tr("The placements are being worked out…");
   } else if (!controller.activity().isEmpty()) {

@@ -1,8 +1,10 @@
 #include "app/window/main_window.h"
+#include "app/window/translation.h"
 
 #include <QVTKOpenGLNativeWidget.h>
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QSettings>
 #include <QSurfaceFormat>
 #include <QTextStream>
 #include <QTimer>
@@ -33,6 +35,17 @@ int samplesFromArguments(int argc, char** argv) {
   return 0;
 }
 
+/// The help is in the language, too, so it is looked for before the arguments are parsed.
+QString languageFromArguments(const QStringList& arguments) {
+  const int at = arguments.indexOf(QStringLiteral("--language"));
+  if (at >= 0 && at + 1 < arguments.size()) return arguments[at + 1];
+  const QString prefix = QStringLiteral("--language=");
+  for (const QString& argument : arguments) {
+    if (argument.startsWith(prefix)) return argument.mid(prefix.size());
+  }
+  return QSettings().value(QLatin1String(kLanguageSetting)).toString();
+}
+
 /// Takes the demo's poses one after another, then the picture, as the command line asks.
 class Script : public QObject {
  public:
@@ -55,9 +68,11 @@ class Script : public QObject {
     if (picture_.isEmpty()) return;
     // The views draw what they have just been given when the events before this one are through.
     QTimer::singleShot(0, this, [this] {
-      QCoreApplication::exit(window_.picture().save(picture_, "PNG")
-                                 ? 0
-                                 : complain(tr("The picture %1 could not be written.").arg(picture_), kStorage));
+      QCoreApplication::exit(
+          window_.picture().save(picture_, "PNG")
+              ? 0
+              : complain(QCoreApplication::translate("main", "The picture %1 could not be written.").arg(picture_),
+                         kStorage));
     });
   }
 
@@ -79,6 +94,8 @@ int main(int argc, char** argv) {
   QCoreApplication::setApplicationName(QStringLiteral("hexoderm"));
   QCoreApplication::setApplicationVersion(QStringLiteral(HEXODERM_VERSION));
 
+  installTranslations(app, languageFromArguments(app.arguments()));
+
   QCommandLineParser parser;
   parser.setApplicationDescription(
       QCoreApplication::translate("main", "Finds out where every cell of a robot's artificial skin is."));
@@ -94,6 +111,9 @@ int main(int argc, char** argv) {
   const QCommandLineOption theme(QStringLiteral("theme"),
                                  QCoreApplication::translate("main", "light, dark or system, for this time."),
                                  QStringLiteral("THEME"));
+  const QCommandLineOption language(QStringLiteral("language"),
+                                    QCoreApplication::translate("main", "en, de or system, for this time."),
+                                    QStringLiteral("LANGUAGE"));
   const QCommandLineOption screenshot(
       QStringLiteral("screenshot"),
       QCoreApplication::translate("main", "Save a picture of the window after the first result, and quit."),
@@ -101,7 +121,7 @@ int main(int argc, char** argv) {
   const QCommandLineOption msaa(QStringLiteral("msaa"),
                                 QCoreApplication::translate("main", "Samples per pixel of the 3D view; 0 is fastest."),
                                 QStringLiteral("N"), QStringLiteral("0"));
-  parser.addOptions({demo, poses, theme, screenshot, msaa});
+  parser.addOptions({demo, poses, theme, language, screenshot, msaa});
   parser.process(app);
 
   if (parser.positionalArguments().size() > 1) {
@@ -125,6 +145,9 @@ int main(int argc, char** argv) {
   const std::optional<ThemeChoice> choice = themeChoiceFromName(parser.value(theme));
   if (parser.isSet(theme) && !choice) {
     return complain(QCoreApplication::translate("main", "--theme takes light, dark or system."), kUsage);
+  }
+  if (parser.isSet(language) && !isLanguageChoice(parser.value(language))) {
+    return complain(QCoreApplication::translate("main", "--language takes en, de or system."), kUsage);
   }
   if (parser.isSet(screenshot) && !parser.isSet(demo) && parser.positionalArguments().isEmpty()) {
     return complain(QCoreApplication::translate("main", "--screenshot needs a file or --demo to show."), kUsage);

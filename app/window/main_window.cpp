@@ -4,6 +4,7 @@
 #include "hexoderm/util/text.h"
 #include "widgets/banner.h"
 #include "widgets/card_dock.h"
+#include "widgets/core_words.h"
 #include "widgets/graph_view.h"
 #include "widgets/live_strip.h"
 #include "widgets/message_bar.h"
@@ -408,7 +409,7 @@ void MainWindow::refreshStatus() {
   }
   saved_status_->setText(saved);
 
-  graph_dock_->setRemark(result ? QString::fromStdString(sizeInWords(*result)) : QString());
+  graph_dock_->setRemark(result ? coreWords(sizeInWords(*result)) : QString());
   pose_dock_->setRemark(controller_.session() ? tr("Del disable · Ctrl+Z undo") : QString());
   detail_tabs_->setTabText(0, result ? tr("Findings %1").arg(result->findings.size()) : tr("Findings"));
   detail_tabs_->setTabText(1, result ? tr("Links %1").arg(result->linkCount()) : tr("Links"));

@@ -4,6 +4,7 @@
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/util/error.h"
+#include "widgets/core_words.h"
 
 #include <QFileInfo>
 #include <QMetaObject>
@@ -106,7 +107,7 @@ void SessionController::openFile(const QString& path) {
               emit changed();
             } else if (!opened_file->remark.empty()) {
               emit noticed(tr("Changes will not be kept in this file; save the session under another name. %1")
-                               .arg(QString::fromStdString(opened_file->remark)));
+                               .arg(coreWords(opened_file->remark)));
             }
           };
         },
@@ -211,7 +212,7 @@ void SessionController::start(const QString& activity, std::function<Continuatio
     try {
       then = work();
     } catch (const std::exception& error) {
-      then = [this, message = QString::fromUtf8(error.what())] { emit failed(message); };
+      then = [this, message = coreWords(error.what())] { emit failed(message); };
     }
     QMetaObject::invokeMethod(
         this,
@@ -286,7 +287,7 @@ void SessionController::receive(const ReconstructionOutcome& outcome) {
     reconstruction_ = outcome.reconstruction;
     emit reconstructionChanged(reconstruction_);
   } else {
-    emit failed(QString::fromStdString(outcome.error));
+    emit failed(coreWords(outcome.error));
   }
   emit changed();
   if (std::exchange(pose_wanted_, false)) takeNextPose();

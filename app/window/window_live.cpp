@@ -1,6 +1,7 @@
 // The part of MainWindow about the skin that is connected and the file that its poses are kept in.
 #include "app/window/connect_dialog.h"
 #include "app/window/main_window.h"
+#include "widgets/core_words.h"
 #include "widgets/live_strip.h"
 #include "widgets/message_bar.h"
 
@@ -56,7 +57,7 @@ void MainWindow::refreshLive() {
                             : live.address();
   source_status_->setText(
       QStringLiteral("%1 %2 · %3").arg(sourceStateSign(status.state), sourceStateWord(status.state), where));
-  source_status_->setToolTip(QString::fromStdString(status.text));
+  source_status_->setToolTip(coreWords(status.text));
 }
 
 void MainWindow::showConnectDialog() {
