@@ -34,11 +34,13 @@ Template makeTemplate(const char* english) {
   Template result;
   result.english = english;
   const QString text = QString::fromUtf8(english);
+  // What stands at a placeholder is no more than a sentence: the next one has a template of its own.
+  const QString argument = QStringLiteral("((?:(?!\\. ).)+?)");
   QString pattern;
   int from = 0;
   for (auto it = placeholder().globalMatch(text); it.hasNext();) {
     const QRegularExpressionMatch match = it.next();
-    pattern += QRegularExpression::escape(text.mid(from, match.capturedStart() - from)) + QStringLiteral("(.+?)");
+    pattern += QRegularExpression::escape(text.mid(from, match.capturedStart() - from)) + argument;
     result.placeholder.push_back(match.captured().at(1).digitValue());
     from = match.capturedEnd();
   }

@@ -49,6 +49,9 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
                             tr("Save the reconstruction, complete enough to export and draw from it alone"))),
       export_to(make(owner, "actionExport", tr("&Export…"), tr("Write the calibration in a form that others read"),
                      {QKeySequence(QStringLiteral("Ctrl+E"))})),
+      report(make(owner, "actionReport", tr("&Report…"),
+                  tr("Write a report with verdict, pictures and tables, as PDF or as a page for the browser"),
+                  {QKeySequence(QStringLiteral("Ctrl+Shift+E"))})),
       quit(make(owner, "actionQuit", tr("&Quit"), tr("Close the window"), {QKeySequence(QStringLiteral("Ctrl+Q"))})),
       undo(undo_stack->createUndoAction(owner, tr("&Undo"))),
       redo(undo_stack->createRedoAction(owner, tr("&Redo"))),
@@ -72,8 +75,9 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
       top(make(owner, "actionTop", tr("&Top view"), tr("Look at the patch from above"))),
       screenshot(make(owner, "actionScreenshot", tr("&Picture of the window"), tr("Save a picture of this window"),
                       {QKeySequence(Qt::Key_F12)})),
-      keys(make(owner, "actionKeys", tr("&Keys"), tr("The list of keys"),
-                {QKeySequence(Qt::Key_F1), QKeySequence(Qt::Key_H)})),
+      guide(make(owner, "actionGuide", tr("User &guide"), tr("How to calibrate a skin, page by page"),
+                 {QKeySequence(Qt::Key_F1)})),
+      keys(make(owner, "actionKeys", tr("&Keys"), tr("The list of keys"), {QKeySequence(Qt::Key_H)})),
       about(make(owner, "actionAbout", tr("&About Hexoderm"), tr("Version and licence"))),
       themes(new QActionGroup(owner)) {
   undo->setObjectName(QStringLiteral("actionUndo"));
@@ -102,7 +106,7 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   QMenu* file = bar->addMenu(tr("&File"));
   file->addActions({demo, connect_skin, disconnect_skin, open});
   file->addSeparator();
-  file->addActions({save, save_as, save_calibration, export_to});
+  file->addActions({save, save_as, save_calibration, export_to, report});
   file->addSeparator();
   file->addAction(quit);
 
@@ -123,14 +127,14 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   view->addAction(screenshot);
 
   QMenu* help = bar->addMenu(tr("&Help"));
-  help->addActions({keys, about});
+  help->addActions({guide, keys, about});
   for (QMenu* menu : {file, edit, session, view, help}) menu->setToolTipsVisible(true);
 }
 
 std::vector<QAction*> WindowActions::withKeys() const {
   std::vector<QAction*> found;
   for (QAction* action : {next_pose, automatic, turn, toggle_pose, delete_pose, undo, redo, connect_skin, open, save,
-                          save_as, export_to, find_cell, fit, screenshot, keys, quit}) {
+                          save_as, export_to, report, find_cell, fit, screenshot, guide, keys, quit}) {
     if (!action->shortcuts().isEmpty()) found.push_back(action);
   }
   return found;
@@ -179,6 +183,7 @@ void WindowActions::refresh(const SessionController& controller, std::optional<i
   allow(save_as, no_session);
   allow(save_calibration, no_result);
   allow(export_to, no_result);
+  allow(report, no_result);
 
   QString no_pose = no_session;
   const std::optional<std::size_t> index = pose_row ? controller.sessionIndexOfPoseRow(*pose_row) : std::nullopt;

@@ -97,8 +97,8 @@ Step connectStep(const SessionController& controller, const WindowActions& actio
   }
   step.state = StepState::Done;
   step.note = controller.name();
-  step.why = controller.session() ? QString::fromStdString(controller.session()->source().text)
-                                  : QString::fromStdString(controller.reconstruction()->source.text);
+  step.why = controller.session() ? coreWords(controller.session()->source().text)
+                                  : coreWords(controller.reconstruction()->source.text);
   return step;
 }
 
@@ -190,7 +190,7 @@ Step exportStep(const SessionController& controller, const WindowActions& action
     step.why = Guide::tr("Waits for a reconstruction.");
     return step;
   }
-  step.actions = {actions.export_to, actions.save_calibration};
+  step.actions = {actions.export_to, actions.report, actions.save_calibration};
   if (controller.session()) step.actions.push_back(actions.save);
   step.what = Guide::tr("Write the placements in the form you need.");
   step.why =

@@ -1,11 +1,14 @@
 #include "app/window/main_window.h"
+#include "app/window/screenshot_tour.h"
 #include "app/window/translation.h"
 
 #include <QVTKOpenGLNativeWidget.h>
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QLocale>
 #include <QSettings>
 #include <QSurfaceFormat>
+#include <QTemporaryDir>
 #include <QTextStream>
 #include <QTimer>
 #include <cstdio>
@@ -33,6 +36,26 @@ int samplesFromArguments(int argc, char** argv) {
     if (argument.startsWith(QStringLiteral("--msaa="))) return argument.mid(7).toInt();
   }
   return 0;
+}
+
+/// Settings of its own, so that pictures show what a newcomer sees.
+int runTour(const QString& folder, const QString& size, const QString& language, std::optional<ThemeChoice> theme) {
+  const QStringList sides = size.split(QLatin1Char('x'));
+  const QSize window_size = sides.size() == 2 ? QSize(sides[0].toInt(), sides[1].toInt()) : QSize();
+  if (window_size.isEmpty()) {
+    return complain(QCoreApplication::translate("main", "--screenshots-size takes a size, for example 1280x800."),
+                    kUsage);
+  }
+  const QTemporaryDir settings;
+  QSettings::setDefaultFormat(QSettings::IniFormat);
+  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
+  MainWindow window;
+  if (theme) window.setThemeChoice(*theme, false);
+  const QString prefix = language + QLatin1Char('-') +
+                         (window.theme() == Theme::Dark ? QStringLiteral("dark-") : QStringLiteral("light-")) + size;
+  const QStringList problems = ScreenshotTour(window, QDir(folder), prefix).run(window_size);
+  for (const QString& problem : problems) complain(problem, 0);
+  return problems.isEmpty() ? 0 : 1;
 }
 
 /// The help is in the language, too, so it is looked for before the arguments are parsed.
@@ -94,7 +117,7 @@ int main(int argc, char** argv) {
   QCoreApplication::setApplicationName(QStringLiteral("hexoderm"));
   QCoreApplication::setApplicationVersion(QStringLiteral(HEXODERM_VERSION));
 
-  installTranslations(app, languageFromArguments(app.arguments()));
+  const QString texts_language = installTranslations(app, languageFromArguments(app.arguments()));
 
   QCommandLineParser parser;
   parser.setApplicationDescription(
@@ -121,7 +144,13 @@ int main(int argc, char** argv) {
   const QCommandLineOption msaa(QStringLiteral("msaa"),
                                 QCoreApplication::translate("main", "Samples per pixel of the 3D view; 0 is fastest."),
                                 QStringLiteral("N"), QStringLiteral("0"));
-  parser.addOptions({demo, poses, theme, language, screenshot, msaa});
+  // For packaging/screenshots.sh, and nothing that a user looks for.
+  QCommandLineOption tour(QStringLiteral("screenshots"), {}, QStringLiteral("DIR"));
+  QCommandLineOption tour_size(QStringLiteral("screenshots-size"), {}, QStringLiteral("WxH"),
+                               QStringLiteral("1280x800"));
+  tour.setFlags(QCommandLineOption::HiddenFromHelp);
+  tour_size.setFlags(QCommandLineOption::HiddenFromHelp);
+  parser.addOptions({demo, poses, theme, language, screenshot, msaa, tour, tour_size});
   parser.process(app);
 
   if (parser.positionalArguments().size() > 1) {
@@ -153,6 +182,7 @@ int main(int argc, char** argv) {
     return complain(QCoreApplication::translate("main", "--screenshot needs a file or --demo to show."), kUsage);
   }
 
+  if (parser.isSet(tour)) return runTour(parser.value(tour), parser.value(tour_size), texts_language, choice);
   MainWindow window;
   if (choice) window.setThemeChoice(*choice, false);
   window.show();

@@ -239,6 +239,7 @@ void MainWindow::connectActions() {
   connect(actions_.save_as, &QAction::triggered, this, [this] { saveSession(true); });
   connect(actions_.save_calibration, &QAction::triggered, this, &MainWindow::saveCalibration);
   connect(actions_.export_to, &QAction::triggered, this, &MainWindow::showExportDialog);
+  connect(actions_.report, &QAction::triggered, this, &MainWindow::askForReport);
   connect(actions_.quit, &QAction::triggered, this, &QWidget::close);
   connect(actions_.next_pose, &QAction::triggered, &controller_, &SessionController::takeNextPose);
   connect(actions_.toggle_pose, &QAction::triggered, this, [this] {
@@ -264,6 +265,7 @@ void MainWindow::connectActions() {
   look(actions_.side, PatchView::StandardView::Side);
   look(actions_.top, PatchView::StandardView::Top);
   connect(actions_.screenshot, &QAction::triggered, this, &MainWindow::savePicture);
+  connect(actions_.guide, &QAction::triggered, this, &MainWindow::showGuide);
   connect(actions_.keys, &QAction::triggered, this, &MainWindow::showKeys);
   connect(actions_.about, &QAction::triggered, this, &MainWindow::showAbout);
   connect(actions_.themes, &QActionGroup::triggered, this, [this](QAction* action) {

@@ -171,6 +171,15 @@ void SessionController::saveImage(const QImage& image, const QString& path) {
   });
 }
 
+void SessionController::writeReport(const std::vector<ReportPicture>& pictures, const QString& path) {
+  if (!reconstruction_) return;
+  const ReportContent content{reconstruction_, name_, pictures, QDateTime::currentDateTime()};
+  startWriting(tr("Writing the report %1").arg(QFileInfo(path).fileName()), [this, content, path]() -> Continuation {
+    hexoderm::writeReport(content, path);
+    return [this, path] { emit exported(path); };
+  });
+}
+
 void SessionController::takeNextPose() {
   if (isLive()) {
     live_.captureNow();

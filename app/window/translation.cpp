@@ -15,6 +15,20 @@ namespace {
 
 constexpr char kTranslatorName[] = "hexodermTranslator";
 
+/// lupdate can't see which context a free function tr() of the namespace asks for, and files its texts under the
+/// namespace: they are looked for there, too.
+class Texts : public QTranslator {
+ public:
+  using QTranslator::QTranslator;
+  QString translate(const char* context, const char* text, const char* comment, int count) const override {
+    QString words = QTranslator::translate(context, text, comment, count);
+    if (words.isEmpty() && QLatin1String(context).startsWith(QLatin1String("hexoderm::"))) {
+      words = QTranslator::translate("hexoderm", text, comment, count);
+    }
+    return words;
+  }
+};
+
 QString systemLanguage() {
   // "C" and "POSIX" are nobody's language.
   if (QLocale::system().language() == QLocale::C) return QStringLiteral("en");
@@ -34,7 +48,7 @@ QString folderOfQtsTexts() {
 }
 
 void install(QApplication& application, const QString& file) {
-  auto* translator = new QTranslator(&application);
+  auto* translator = new Texts(&application);
   translator->setObjectName(QLatin1String(kTranslatorName));
   if (translator->load(file)) {
     QCoreApplication::installTranslator(translator);

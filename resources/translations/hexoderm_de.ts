@@ -5,156 +5,156 @@
     <name>hexoderm::AddPoseCommand</name>
     <message>
         <source>take pose %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose %1 aufnehmen</translation>
     </message>
 </context>
 <context>
     <name>hexoderm::Banner</name>
     <message>
         <source>Where we stand</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo wir stehen</translation>
     </message>
 </context>
 <context>
     <name>hexoderm::CardDock</name>
     <message>
         <source>Drag to move this panel, double-click to take it out of the window</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen verschiebt dieses Feld, Doppelklick löst es aus dem Fenster</translation>
     </message>
 </context>
 <context>
     <name>hexoderm::ConnectDialog</name>
     <message>
         <source>Simulated skin</source>
-        <translation type="unfinished"></translation>
+        <translation>Simulierte Haut</translation>
     </message>
     <message>
         <source>x17, ring8 or sheet:10x10, with ?surface=, seed= and speed= behind. Its readings are made up.</source>
-        <translation type="unfinished"></translation>
+        <translation>x17, ring8 oder sheet:10x10, dahinter ?surface=, seed= und speed=. Ihre Messwerte sind erfunden.</translation>
     </message>
     <message>
         <source>Network, TCP</source>
-        <translation type="unfinished"></translation>
+        <translation>Netz, TCP</translation>
     </message>
     <message>
         <source>Name or number of the device, a colon and its port.</source>
-        <translation type="unfinished"></translation>
+        <translation>Name oder Nummer des Geräts, ein Doppelpunkt und sein Port.</translation>
     </message>
     <message>
         <source>Network, UDP</source>
-        <translation type="unfinished"></translation>
+        <translation>Netz, UDP</translation>
     </message>
     <message>
         <source>Serial port</source>
-        <translation type="unfinished"></translation>
+        <translation>Serielle Schnittstelle</translation>
     </message>
     <message>
         <source>The ports that are there now are in the list.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gerade vorhandenen Schnittstellen stehen in der Liste.</translation>
     </message>
     <message>
         <source>Recording</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufzeichnung</translation>
     </message>
     <message>
         <source>A file that hexoderm-cli capture --record has made; ?speed=4 behind it plays it faster.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Datei von hexoderm-cli capture --record; ?speed=4 dahinter spielt sie schneller ab.</translation>
     </message>
     <message>
         <source>Browse…</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchsuchen…</translation>
     </message>
     <message>
         <source>Connect to a skin</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit einer Haut verbinden</translation>
     </message>
     <message>
         <source>Where is the skin?</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo ist die Haut?</translation>
     </message>
     <message>
         <source>Kind of connection</source>
-        <translation type="unfinished"></translation>
+        <translation>Art der Verbindung</translation>
     </message>
     <message>
         <source>Address</source>
-        <translation type="unfinished"></translation>
+        <translation>Adresse</translation>
     </message>
     <message>
         <source>Add the poses to the session that is open, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Posen der offenen Sitzung %1 hinzufügen</translation>
     </message>
     <message>
         <source>File that the poses are kept in</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei, in der die Posen liegen</translation>
     </message>
     <message>
         <source>Connect</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbinden</translation>
     </message>
     <message>
         <source>&amp;Kind</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Art</translation>
     </message>
     <message>
         <source>&amp;Address</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;dresse</translation>
     </message>
     <message>
         <source>K&amp;eep in</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;blegen in</translation>
     </message>
     <message>
         <source>for example %1</source>
-        <translation type="unfinished"></translation>
+        <translation>zum Beispiel %1</translation>
     </message>
     <message>
         <source>No serial port is there now; plug the device in, or type the name of its port.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt gerade keine serielle Schnittstelle; das Gerät anstecken oder den Namen seiner Schnittstelle eintippen.</translation>
     </message>
     <message>
         <source>Recording to play</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufzeichnung zum Abspielen</translation>
     </message>
     <message>
         <source>Keep the poses in</source>
-        <translation type="unfinished"></translation>
+        <translation>Posen ablegen in</translation>
     </message>
     <message>
         <source>Sessions (*.hexo)</source>
-        <translation type="unfinished"></translation>
+        <translation>Sitzungen (*.hexo)</translation>
     </message>
     <message>
         <source>Say which file the poses should be kept in.</source>
-        <translation type="unfinished"></translation>
+        <translation>Angeben, in welcher Datei die Posen liegen sollen.</translation>
     </message>
     <message>
         <source>The file&apos;s name should end in %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Dateiname soll auf %1 enden.</translation>
     </message>
     <message>
         <source>There is no folder %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Ordner %1 gibt es nicht.</translation>
     </message>
     <message>
         <source>There is a file of this name, and a capture never replaces one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt eine Datei dieses Namens, und eine Aufnahme ersetzt nie eine.</translation>
     </message>
     <message>
         <source>Nothing can be written in the folder %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Ordner %1 lässt sich nichts schreiben.</translation>
     </message>
     <message>
         <source>Type an address, for example %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Adresse eintippen, zum Beispiel %1.</translation>
     </message>
     <message>
         <source>There is no file %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei %1 gibt es nicht.</translation>
     </message>
     <message>
         <source>Every pose is written to this file before it is called captured.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Pose wird in diese Datei geschrieben, bevor sie als aufgenommen gilt.</translation>
     </message>
 </context>
 <context>
@@ -205,11 +205,11 @@
     </message>
     <message>
         <source>1 patch</source>
-        <translation>1 Hautstück</translation>
+        <translation>1 Stück</translation>
     </message>
     <message>
         <source>%1 patches</source>
-        <translation>%1 Hautstücke</translation>
+        <translation>%1 Stücke</translation>
     </message>
     <message>
         <source>±%1 mm, ±%2°</source>
@@ -1007,164 +1007,201 @@
         <source>a session holds at most %1 poses</source>
         <translation>eine Sitzung fasst höchstens %1 Posen</translation>
     </message>
+    <message>
+        <source>%1 and %2</source>
+        <comment>the end of a list</comment>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>Cell %1 is dead: it reads %2 mg, no gravity</source>
+        <translation>Zelle %1 ist tot: Sie misst %2 mg, keine Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Cell %1 is stuck: it repeated one reading while the part moved</source>
+        <translation>Zelle %1 hängt: Sie wiederholte einen Messwert, während sich das Teil bewegte</translation>
+    </message>
+    <message>
+        <source>Cell %1 is noisy: it scatters by %2 mg rms while the rest is still</source>
+        <translation>Zelle %1 rauscht: Sie streut um %2 mg (Effektivwert), während der Rest ruht</translation>
+    </message>
+    <message>
+        <source>Cell %1 is restless: it turns by %2 deg/s while the rest is still</source>
+        <translation>Zelle %1 ist unruhig: Sie dreht sich mit %2°/s, während der Rest ruht</translation>
+    </message>
+    <message>
+        <source>Cell %1 is silent: nothing came from it for %2 s</source>
+        <translation>Zelle %1 ist stumm: Seit %2 s kam nichts von ihr</translation>
+    </message>
+    <message>
+        <source>Simulated %1 on %2, link law %3, seed %4</source>
+        <translation>Simulierte Haut %1 auf %2, Verbindungsgesetz %3, Startwert %4</translation>
+    </message>
+    <message>
+        <source>line %1, column %2, at %3: %4</source>
+        <translation>Zeile %1, Spalte %2, bei %3: %4</translation>
+    </message>
+    <message>
+        <source>line %1, column %2: %3</source>
+        <translation>Zeile %1, Spalte %2: %3</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::DemoSkin</name>
     <message>
         <source>standing</source>
-        <translation type="unfinished"></translation>
+        <translation>stehend</translation>
     </message>
     <message>
         <source>on its side</source>
-        <translation type="unfinished"></translation>
+        <translation>auf der Seite</translation>
     </message>
     <message>
         <source>pose %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose %1</translation>
     </message>
 </context>
 <context>
     <name>hexoderm::ExportDialog</name>
     <message>
         <source>File to write</source>
-        <translation type="unfinished"></translation>
+        <translation>Zieldatei</translation>
     </message>
     <message>
         <source>Name of the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Name des Roboters</translation>
     </message>
     <message>
         <source>Parent link</source>
-        <translation type="unfinished"></translation>
+        <translation>Elternglied</translation>
     </message>
     <message>
         <source>Prefix of names</source>
-        <translation type="unfinished"></translation>
+        <translation>Namensvorsatz</translation>
     </message>
     <message>
         <source>Export the calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierung exportieren</translation>
     </message>
     <message>
         <source>What should the file be?</source>
-        <translation type="unfinished"></translation>
+        <translation>Was soll die Datei werden?</translation>
     </message>
     <message>
         <source>Browse…</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchsuchen…</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportieren</translation>
     </message>
     <message>
         <source>Write to</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreiben nach</translation>
     </message>
     <message>
         <source>Format</source>
-        <translation type="unfinished"></translation>
+        <translation>Format</translation>
     </message>
     <message>
         <source>Calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierung</translation>
     </message>
     <message>
         <source>Unit of length</source>
-        <translation type="unfinished"></translation>
+        <translation>Längeneinheit</translation>
     </message>
     <message>
         <source>Millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>Millimeter</translation>
     </message>
     <message>
         <source>Metres</source>
-        <translation type="unfinished"></translation>
+        <translation>Meter</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit</translation>
     </message>
     <message>
         <source>Links</source>
-        <translation type="unfinished"></translation>
+        <translation>Glieder</translation>
     </message>
     <message>
         <source>One for each cell</source>
-        <translation type="unfinished"></translation>
+        <translation>Eines je Zelle</translation>
     </message>
     <message>
         <source>One for each patch (lighter in RViz)</source>
-        <translation type="unfinished"></translation>
+        <translation>Eines je Hautstück (leichter in RViz)</translation>
     </message>
     <message>
         <source>Robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Roboter</translation>
     </message>
     <message>
         <source>Hexoderm&apos;s own file: everything that is known, to be opened again, compared and exported from later.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hexoderms eigene Datei: alles, was bekannt ist, um es später zu öffnen, zu vergleichen und zu exportieren.</translation>
     </message>
     <message>
         <source>Say where the file should go.</source>
-        <translation type="unfinished"></translation>
+        <translation>Angeben, wohin die Datei soll.</translation>
     </message>
     <message>
         <source>There is no folder %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Ordner %1 gibt es nicht.</translation>
     </message>
     <message>
         <source>%1 is a folder; give the file a name.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist ein Ordner; der Datei einen Namen geben.</translation>
     </message>
     <message>
         <source>The tables in this folder will be replaced.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tabellen in diesem Ordner werden ersetzt.</translation>
     </message>
     <message>
         <source>There is a file of this name; it will be replaced.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt eine Datei dieses Namens; sie wird ersetzt.</translation>
     </message>
     <message>
         <source>Replace</source>
-        <translation type="unfinished"></translation>
+        <translation>Ersetzen</translation>
     </message>
 </context>
 <context>
     <name>hexoderm::FindCellField</name>
     <message>
         <source>Find cell…</source>
-        <translation type="unfinished"></translation>
+        <translation>Zelle suchen…</translation>
     </message>
     <message>
         <source>ID of the cell to find</source>
-        <translation type="unfinished"></translation>
+        <translation>ID der gesuchten Zelle</translation>
     </message>
     <message>
         <source>no such cell</source>
-        <translation type="unfinished"></translation>
+        <translation>keine solche Zelle</translation>
     </message>
 </context>
 <context>
     <name>hexoderm::FindingTable</name>
     <message>
         <source>Severity</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwere</translation>
     </message>
     <message>
         <source>What</source>
-        <translation type="unfinished"></translation>
+        <translation>Was</translation>
     </message>
     <message>
         <source>Where</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo</translation>
     </message>
 </context>
 <context>
     <name>hexoderm::GraphView</name>
     <message>
         <source>Patch %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Hautstück %1</translation>
     </message>
     <message>
         <source>1 cell</source>
@@ -1176,46 +1213,46 @@
     </message>
     <message>
         <source>No skin is open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Haut ist offen.</translation>
     </message>
     <message>
         <source>Picked: cell %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewählt: Zelle %1</translation>
     </message>
     <message>
         <source>Picked: %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewählt: %1, %2</translation>
     </message>
     <message>
         <source>This skin has no cells.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Haut hat keine Zellen.</translation>
     </message>
     <message>
         <source>The skin graph appears here as soon as a skin is open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Hautgraph erscheint hier, sobald eine Haut offen ist.</translation>
     </message>
     <message>
         <source>Skin graph</source>
-        <translation type="unfinished"></translation>
+        <translation>Hautgraph</translation>
     </message>
 </context>
 <context>
     <name>hexoderm::Guide</name>
     <message>
         <source>no findings</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Befunde</translation>
     </message>
     <message>
         <source>1 finding</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Befund</translation>
     </message>
     <message>
         <source>%1 findings</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Befunde</translation>
     </message>
     <message>
         <source>no poses</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Posen</translation>
     </message>
     <message>
         <source>1 pose</source>
@@ -1227,223 +1264,268 @@
     </message>
     <message>
         <source>Connect</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbinden</translation>
     </message>
     <message>
         <source>Check that the device is switched on, and that its address is right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfen, ob das Gerät eingeschaltet ist und seine Adresse stimmt.</translation>
     </message>
     <message>
         <source>The steps go on when the skin has said which cells it has.</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter geht es, wenn die Haut gesagt hat, welche Zellen sie hat.</translation>
     </message>
     <message>
         <source>Start the demo skin, connect to a skin, or open a session or a calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Demo-Haut starten, eine Haut verbinden oder eine Sitzung oder Kalibrierung öffnen.</translation>
     </message>
     <message>
         <source>A file can also be dropped onto this window. The demo is a simulation of 17 cells on a cylinder; everything can be tried with it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Datei lässt sich auch auf dieses Fenster ziehen. Die Demo ist eine Simulation von 17 Zellen auf einem Zylinder; mit ihr lässt sich alles ausprobieren.</translation>
     </message>
     <message>
         <source>Check the skin</source>
-        <translation type="unfinished"></translation>
+        <translation>Haut prüfen</translation>
     </message>
     <message>
         <source>Waits for a skin.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wartet auf eine Haut.</translation>
     </message>
     <message>
         <source>Compare the skin graph with the skin in front of you.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Hautgraphen mit der Haut auf dem Tisch vergleichen.</translation>
     </message>
     <message>
         <source>Every cell and every link should be there. What was reported but can&apos;t be a skin link is listed under Findings and kept out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Zelle und jede Verbindung soll da sein. Was gemeldet wurde, aber keine Hautverbindung sein kann, steht unter Befunde und bleibt außen vor.</translation>
     </message>
     <message>
         <source>Capture poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Posen aufnehmen</translation>
     </message>
     <message>
         <source>A calibration is open. It holds the result; the poses are in its session.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kalibrierung ist offen. Sie enthält das Ergebnis; die Posen stehen in ihrer Sitzung.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2</translation>
     </message>
     <message>
         <source>Gravity seen from several directions tells how every cell is turned against its neighbours. A pose is taken by itself when the part is held still after it was moved; Space takes it at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwerkraft aus mehreren Richtungen verrät, wie jede Zelle gegen ihre Nachbarn gedreht ist. Eine Pose wird von selbst aufgenommen, wenn das Teil nach einer Bewegung stillgehalten wird; die Leertaste nimmt sie sofort auf.</translation>
     </message>
     <message>
         <source>Gravity seen from several directions tells how every cell is turned against its neighbours. In the demo, the simulated part is turned as the advice says.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwerkraft aus mehreren Richtungen verrät, wie jede Zelle gegen ihre Nachbarn gedreht ist. In der Demo wird das simulierte Teil so gedreht, wie der Rat sagt.</translation>
     </message>
     <message>
         <source>Gravity seen from several directions tells how every cell is turned against its neighbours. This session came from a file; no skin is connected to take more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwerkraft aus mehreren Richtungen verrät, wie jede Zelle gegen ihre Nachbarn gedreht ist. Diese Sitzung kam aus einer Datei; für weitere Posen ist keine Haut verbunden.</translation>
     </message>
     <message>
         <source>Review</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchsehen</translation>
     </message>
     <message>
         <source>Waits for a reconstruction.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wartet auf eine Rekonstruktion.</translation>
     </message>
     <message>
         <source>A pose that does not fit can be disabled or deleted in the table of poses, and taken back with undo. A click on a finding shows the cell or link it is about.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Pose, die nicht passt, lässt sich in der Tabelle der Posen weglassen oder löschen und mit Rückgängig zurückholen. Ein Klick auf einen Befund zeigt die Zelle oder Verbindung, um die es geht.</translation>
     </message>
     <message>
         <source>A click on a finding shows the cell or link it is about.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Klick auf einen Befund zeigt die Zelle oder Verbindung, um die es geht.</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportieren</translation>
     </message>
     <message>
         <source>Write the placements in the form you need.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Lagen in der gewünschten Form schreiben.</translation>
     </message>
     <message>
         <source>Every file is read back and compared before it is called written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Datei wird zurückgelesen und verglichen, bevor sie als geschrieben gilt.</translation>
     </message>
     <message>
         <source>It can be exported as it is, but the result is not good enough yet: see the line on top.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es lässt sich exportieren, wie es ist, aber das Ergebnis ist noch nicht gut genug: siehe die Zeile oben.</translation>
     </message>
     <message>
         <source>Waiting for the skin at %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wartet auf die Haut unter %1.</translation>
     </message>
     <message>
         <source>The placements are being worked out…</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Lagen werden berechnet…</translation>
     </message>
     <message>
         <source>%1…</source>
-        <translation type="unfinished"></translation>
+        <translation>%1…</translation>
     </message>
     <message>
         <source>No skin yet: start the demo, connect to a skin, or open a session or a calibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch keine Haut: die Demo starten, eine Haut verbinden oder eine Sitzung oder Kalibrierung öffnen.</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::GuideWindow</name>
+    <message>
+        <source>en</source>
+        <comment>language of the user guide</comment>
+        <extracomment>The folder of the user guide in this language: a two-letter code.</extracomment>
+        <translation>de</translation>
+    </message>
+    <message>
+        <source>User guide · Hexoderm</source>
+        <translation>Anleitung · Hexoderm</translation>
+    </message>
+    <message>
+        <source>Pages of the guide</source>
+        <translation>Seiten der Anleitung</translation>
+    </message>
+    <message>
+        <source>Page of the guide</source>
+        <translation>Seite der Anleitung</translation>
+    </message>
+    <message>
+        <source>Search in this page</source>
+        <translation>Auf dieser Seite suchen</translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>nicht gefunden</translation>
+    </message>
+    <message>
+        <source>Back to the page before</source>
+        <translation>Zurück zur Seite davor</translation>
+    </message>
+    <message>
+        <source>Forward again</source>
+        <translation>Wieder vor</translation>
+    </message>
+    <message>
+        <source>Find the one before</source>
+        <translation>Vorige Stelle</translation>
+    </message>
+    <message>
+        <source>Find the next one</source>
+        <translation>Nächste Stelle</translation>
     </message>
 </context>
 <context>
     <name>hexoderm::KeysDialog</name>
     <message>
         <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten</translation>
     </message>
 </context>
 <context>
     <name>hexoderm::LinkTable</name>
     <message>
         <source>muted</source>
-        <translation type="unfinished"></translation>
+        <translation>ausgeschlossen</translation>
     </message>
     <message>
         <source>used, in tree</source>
-        <translation type="unfinished"></translation>
+        <translation>benutzt, im Baum</translation>
     </message>
     <message>
         <source>used</source>
-        <translation type="unfinished"></translation>
+        <translation>benutzt</translation>
     </message>
     <message>
         <source>Link</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbindung</translation>
     </message>
     <message>
         <source>Cell and port of both ends</source>
-        <translation type="unfinished"></translation>
+        <translation>Zelle und Port beider Enden</translation>
     </message>
     <message>
         <source>Quality</source>
-        <translation type="unfinished"></translation>
+        <translation>Güte</translation>
     </message>
     <message>
         <source>How well the poses determine the link&apos;s rotation</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie gut die Posen die Drehung der Verbindung bestimmen</translation>
     </message>
     <message>
         <source>Residual</source>
-        <translation type="unfinished"></translation>
+        <translation>Restfehler</translation>
     </message>
     <message>
         <source>How badly the readings of the two cells fit together, the estimated errors of their sensors taken away: rms over the poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie schlecht die Messwerte der beiden Zellen zusammenpassen, ohne die geschätzten Fehler ihrer Sensoren: Effektivwert über die Posen</translation>
     </message>
     <message>
         <source>Predicted</source>
-        <translation type="unfinished"></translation>
+        <translation>Erwartet</translation>
     </message>
     <message>
         <source>Expected standard deviation of the link&apos;s rotation about its worst axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Erwartete Standardabweichung der Drehung der Verbindung um ihre schlechteste Achse</translation>
     </message>
     <message>
         <source>Bend</source>
-        <translation type="unfinished"></translation>
+        <translation>Biegung</translation>
     </message>
     <message>
         <source>Angle by which the surface folds at the link</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel, um den sich die Fläche an der Verbindung faltet</translation>
     </message>
     <message>
         <source>Twist</source>
-        <translation type="unfinished"></translation>
+        <translation>Verwindung</translation>
     </message>
     <message>
         <source>Angle by which the cells are turned about the line that joins them</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel, um den die Zellen um ihre Verbindungslinie gedreht sind</translation>
     </message>
     <message>
         <source>Yaw</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehung</translation>
     </message>
     <message>
         <source>Angle by which the cells are turned within the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel, um den die Zellen in der Fläche gedreht sind</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>Zustand</translation>
     </message>
     <message>
         <source>Whether the link is used, and whether it lies on the shortest-path tree</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob die Verbindung benutzt wird und ob sie auf dem Baum der kürzesten Wege liegt</translation>
     </message>
 </context>
 <context>
     <name>hexoderm::LiveSource</name>
     <message>
         <source>Connecting to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbindung mit %1</translation>
     </message>
 </context>
 <context>
     <name>hexoderm::LiveStrip</name>
     <message>
         <source>Connected skin</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbundene Haut</translation>
     </message>
     <message>
         <source>Sample frames that came, samples that the device numbered and that never came, and frames that came late</source>
-        <translation type="unfinished"></translation>
+        <translation>Messrahmen, die kamen, Messwerte, die das Gerät nummerierte und die nie kamen, und Rahmen, die zu spät kamen</translation>
     </message>
     <message>
         <source>How long the part has been held</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie lange das Teil schon gehalten wird</translation>
     </message>
     <message>
         <source>No readings; what was captured stays</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Messwerte; was aufgenommen ist, bleibt</translation>
     </message>
 </context>
 <context>
@@ -1454,465 +1536,805 @@
     </message>
     <message>
         <source>Connecting</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbindet</translation>
     </message>
     <message>
         <source>Waiting</source>
-        <translation type="unfinished"></translation>
+        <translation>Wartet</translation>
     </message>
     <message>
         <source>Streaming</source>
-        <translation type="unfinished"></translation>
+        <translation>Empfängt</translation>
     </message>
     <message>
         <source>Silent</source>
-        <translation type="unfinished"></translation>
+        <translation>Stumm</translation>
     </message>
     <message>
         <source>Ended</source>
-        <translation type="unfinished"></translation>
+        <translation>Beendet</translation>
     </message>
     <message>
         <source>Incompatible</source>
-        <translation type="unfinished"></translation>
+        <translation>Unpassend</translation>
     </message>
     <message>
         <source>%1 frames · %2 lost · %3 late</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Rahmen · %2 verloren · %3 verspätet</translation>
     </message>
     <message>
         <source> · %1 broken</source>
-        <translation type="unfinished"></translation>
+        <translation> · %1 kaputt</translation>
     </message>
     <message>
         <source> · %1 unknown</source>
-        <translation type="unfinished"></translation>
+        <translation> · %1 unbekannt</translation>
     </message>
     <message>
         <source> · %1 reconnects</source>
-        <translation type="unfinished"></translation>
+        <translation> · %1-mal neu verbunden</translation>
     </message>
 </context>
 <context>
     <name>hexoderm::MainWindow</name>
     <message>
         <source>Poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Posen</translation>
     </message>
     <message>
         <source>Links</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbindungen</translation>
     </message>
     <message>
         <source>Findings</source>
-        <translation type="unfinished"></translation>
+        <translation>Befunde</translation>
     </message>
     <message>
         <source>The patch in three dimensions</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Hautstück in drei Dimensionen</translation>
     </message>
     <message>
         <source>Steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritte</translation>
     </message>
     <message>
         <source>Skin graph</source>
-        <translation type="unfinished"></translation>
+        <translation>Hautgraph</translation>
     </message>
     <message>
         <source>No poses yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch keine Posen.</translation>
     </message>
     <message>
         <source>No findings.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Befunde.</translation>
     </message>
     <message>
         <source>No links yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch keine Verbindungen.</translation>
     </message>
     <message>
         <source>Findings and links</source>
-        <translation type="unfinished"></translation>
+        <translation>Befunde und Verbindungen</translation>
     </message>
     <message>
         <source>Saved to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Gespeichert: %1</translation>
     </message>
     <message>
         <source>Exported to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Exportiert: %1</translation>
     </message>
     <message>
         <source>No skin</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Haut</translation>
     </message>
     <message>
         <source>Hexoderm</source>
-        <translation type="unfinished"></translation>
+        <translation>Hexoderm</translation>
     </message>
     <message>
         <source>%1[*] · Hexoderm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1[*] · Hexoderm</translation>
     </message>
     <message>
         <source>cells %1/%2</source>
-        <translation type="unfinished"></translation>
+        <translation>Zellen %1/%2</translation>
     </message>
     <message>
         <source>Cells that were measured in the fullest pose, of all cells</source>
-        <translation type="unfinished"></translation>
+        <translation>Zellen, die in der vollständigsten Pose gemessen wurden, von allen</translation>
     </message>
     <message>
         <source>solved in %1 ms · %2</source>
-        <translation type="unfinished"></translation>
+        <translation>gelöst in %1 ms · %2</translation>
     </message>
     <message>
         <source>%1, read from the file</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, aus der Datei</translation>
     </message>
     <message>
         <source>A direction counts as defined from a singular value of %1 on</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Richtung gilt ab einem Singulärwert von %1 als bestimmt</translation>
     </message>
     <message>
         <source>not on disk</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht auf der Platte</translation>
     </message>
     <message>
         <source>not saved</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht gespeichert</translation>
     </message>
     <message>
         <source>saved at %1</source>
-        <translation type="unfinished"></translation>
+        <translation>gespeichert um %1</translation>
     </message>
     <message>
         <source>Del disable · Ctrl+Z undo</source>
-        <translation type="unfinished"></translation>
+        <translation>Entf nicht benutzen · Strg+Z rückgängig</translation>
     </message>
     <message>
         <source>Findings %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Befunde %1</translation>
     </message>
     <message>
         <source>Links %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbindungen %1</translation>
     </message>
     <message>
         <source>Open a session or a calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Sitzung oder Kalibrierung öffnen</translation>
     </message>
     <message>
         <source>Sessions and calibrations (*.hexo *.json *.xml)</source>
-        <translation type="unfinished"></translation>
+        <translation>Sitzungen und Kalibrierungen (*.hexo *.json *.xml)</translation>
     </message>
     <message>
         <source>All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Save the session</source>
-        <translation type="unfinished"></translation>
+        <translation>Sitzung speichern</translation>
     </message>
     <message>
         <source>Sessions (*.session.json);;Sessions that keep every change (*.hexo)</source>
-        <translation type="unfinished"></translation>
+        <translation>Sitzungen (*.session.json);;Sitzungen, die jede Änderung behalten (*.hexo)</translation>
     </message>
     <message>
         <source>Save the calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierung speichern</translation>
     </message>
     <message>
         <source>Calibrations (*.calibration.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierungen (*.calibration.json)</translation>
     </message>
     <message>
         <source>Open folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner öffnen</translation>
     </message>
     <message>
         <source>No program to show folders was found. The folder is %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es wurde kein Programm gefunden, das Ordner zeigt. Der Ordner ist %1.</translation>
     </message>
     <message>
         <source>Unsaved poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht gespeicherte Posen</translation>
     </message>
     <message>
         <source>Save the session first? Its latest changes are not on disk yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Sitzung vorher speichern? Ihre letzten Änderungen sind noch nicht auf der Platte.</translation>
     </message>
     <message>
         <source>About Hexoderm</source>
-        <translation type="unfinished"></translation>
+        <translation>Über Hexoderm</translation>
     </message>
     <message>
         <source>&lt;b&gt;Hexoderm %1&lt;/b&gt;&lt;p&gt;Finds out where every cell of a robot&apos;s artificial skin is.&lt;/p&gt;&lt;p&gt;BSD 3-Clause licence.&lt;/p&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;Hexoderm %1&lt;/b&gt;&lt;p&gt;Findet heraus, wo jede Zelle der künstlichen Haut eines Roboters ist.&lt;/p&gt;&lt;p&gt;BSD-3-Klausel-Lizenz.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>Not on disk yet; it waits in memory and the work can go on. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch nicht auf der Platte; es wartet im Speicher, und die Arbeit kann weitergehen. %1</translation>
     </message>
     <message>
         <source>Try again</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>Write a report</source>
+        <translation>Bericht schreiben</translation>
+    </message>
+    <message>
+        <source>Documents (*.pdf);;Pages for the browser (*.html)</source>
+        <translation>Dokumente (*.pdf);;Seiten für den Browser (*.html)</translation>
     </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>
     <message>
         <source>Close this message</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Meldung schließen</translation>
     </message>
 </context>
 <context>
     <name>hexoderm::Palette</name>
     <message>
         <source>un-defined</source>
-        <translation type="unfinished"></translation>
+        <translation>unbestimmt</translation>
     </message>
     <message>
         <source>partially defined</source>
-        <translation type="unfinished"></translation>
+        <translation>teilweise bestimmt</translation>
     </message>
     <message>
         <source>fully defined</source>
-        <translation type="unfinished"></translation>
+        <translation>voll bestimmt</translation>
     </message>
     <message>
         <source>over-defined</source>
-        <translation type="unfinished"></translation>
+        <translation>überbestimmt</translation>
     </message>
 </context>
 <context>
     <name>hexoderm::PatchView</name>
     <message>
         <source>Skin patch in 3D</source>
-        <translation type="unfinished"></translation>
+        <translation>Hautstück in 3D</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>Einpassen</translation>
     </message>
     <message>
         <source>Show the whole skin</source>
-        <translation type="unfinished"></translation>
+        <translation>Die ganze Haut zeigen</translation>
     </message>
     <message>
         <source>Front</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorn</translation>
     </message>
     <message>
         <source>Look at the origin cell&apos;s front face</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf die Vorderseite der Ursprungszelle sehen</translation>
     </message>
     <message>
         <source>Side</source>
-        <translation type="unfinished"></translation>
+        <translation>Seite</translation>
     </message>
     <message>
         <source>Look along the origin cell&apos;s x axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Entlang der x-Achse der Ursprungszelle sehen</translation>
     </message>
     <message>
         <source>Top</source>
-        <translation type="unfinished"></translation>
+        <translation>Oben</translation>
     </message>
     <message>
         <source>Look along the origin cell&apos;s y axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Entlang der y-Achse der Ursprungszelle sehen</translation>
     </message>
     <message>
         <source>What the cells&apos; colour shows</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Farbe der Zellen zeigt</translation>
     </message>
     <message>
         <source>Colour: %1 ▾</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbe: %1 ▾</translation>
     </message>
     <message>
         <source>link quality</source>
-        <translation type="unfinished"></translation>
+        <translation>Güte</translation>
     </message>
     <message>
         <source>predicted deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>erwartete Abweichung</translation>
     </message>
     <message>
         <source>patch</source>
-        <translation type="unfinished"></translation>
+        <translation>Hautstück</translation>
     </message>
     <message>
         <source>The 3D view needs OpenGL 3.2, which is not available here. The graph and the tables still work.
 
 On a remote desktop, software rendering may help: start with LIBGL_ALWAYS_SOFTWARE=1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die 3D-Ansicht braucht OpenGL 3.2, das es hier nicht gibt. Graph und Tabellen arbeiten trotzdem.
+
+Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: mit LIBGL_ALWAYS_SOFTWARE=1 starten.</translation>
     </message>
     <message>
         <source>No skin yet: open a session or start the demo.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch keine Haut: eine Sitzung öffnen oder die Demo starten.</translation>
     </message>
 </context>
 <context>
     <name>hexoderm::PoseTable</name>
     <message>
         <source>Pose %1 is disabled: it is kept, but not used.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose %1 wird nicht benutzt, bleibt aber erhalten.</translation>
     </message>
     <message>
         <source>%1 cells gave no reading in this pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Zellen gaben in dieser Pose keinen Messwert.</translation>
     </message>
     <message>
         <source>There is no earlier pose to compare it with.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keine frühere Pose zum Vergleichen.</translation>
     </message>
     <message>
         <source>Pose %1, used</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose %1, benutzt</translation>
     </message>
     <message>
         <source>Pose %1, disabled</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose %1, nicht benutzt</translation>
     </message>
     <message>
         <source>Pose</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose</translation>
     </message>
     <message>
         <source>Number of the pose; a check mark if it is used, a dash if it is disabled</source>
-        <translation type="unfinished"></translation>
+        <translation>Nummer der Pose; ein Haken, wenn sie benutzt wird, sonst ein Strich</translation>
     </message>
     <message>
         <source>Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>What the pose is called</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die Pose heißt</translation>
     </message>
     <message>
         <source>Cells</source>
-        <translation type="unfinished"></translation>
+        <translation>Zellen</translation>
     </message>
     <message>
         <source>Cells that gave a reading, of all cells</source>
-        <translation type="unfinished"></translation>
+        <translation>Zellen, die einen Messwert gaben, von allen</translation>
     </message>
     <message>
         <source>Noise mg</source>
-        <translation type="unfinished"></translation>
+        <translation>Rausch mg</translation>
     </message>
     <message>
         <source>Standard deviation of the mean readings, rms over the cells</source>
-        <translation type="unfinished"></translation>
+        <translation>Standardabweichung der gemittelten Messwerte, Effektivwert über die Zellen</translation>
     </message>
     <message>
         <source>New by</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu um</translation>
     </message>
     <message>
         <source>Angle to the nearest direction of gravity seen in an earlier pose</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel zur nächsten Schwerkraftrichtung einer früheren Pose</translation>
     </message>
     <message>
         <source>Residual</source>
-        <translation type="unfinished"></translation>
+        <translation>Rest</translation>
     </message>
     <message>
         <source>How badly the pose fits the reconstruction: rms over the links</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie schlecht die Pose zur Rekonstruktion passt: Effektivwert über die Verbindungen</translation>
     </message>
 </context>
 <context>
     <name>hexoderm::RemovePoseCommand</name>
     <message>
         <source>delete pose %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose %1 löschen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::ReportPage</name>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Seite %1 von %2</translation>
+    </message>
+    <message>
+        <source>Calibration report: %1</source>
+        <translation>Kalibrierbericht: %1</translation>
+    </message>
+    <message>
+        <source>Hexoderm calibration report</source>
+        <translation>Hexoderm-Kalibrierbericht</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Next: %1</source>
+        <translation>Als Nächstes: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>links used</source>
+        <translation>Verbindungen benutzt</translation>
+    </message>
+    <message>
+        <source>patches</source>
+        <translation>Hautstücke</translation>
+    </message>
+    <message>
+        <source>poses used</source>
+        <translation>Posen benutzt</translation>
+    </message>
+    <message>
+        <source>±%1 mm</source>
+        <translation>±%1 mm</translation>
+    </message>
+    <message>
+        <source>position, worst cell, 95 %</source>
+        <translation>Ort, schlechteste Zelle, 95 %</translation>
+    </message>
+    <message>
+        <source>±%1</source>
+        <translation>±%1</translation>
+    </message>
+    <message>
+        <source>orientation, worst cell, 95 %</source>
+        <translation>Drehung, schlechteste Zelle, 95 %</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
+        <source>None: nothing about topology, links, cells and poses stood out.</source>
+        <translation>Keine: An Topologie, Verbindungen, Zellen und Posen fiel nichts auf.</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>Schwere</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>Posen</translation>
+    </message>
+    <message>
+        <source>No poses were taken.</source>
+        <translation>Es wurden keine Posen aufgenommen.</translation>
+    </message>
+    <message>
+        <source>used</source>
+        <translation>benutzt</translation>
+    </message>
+    <message>
+        <source>disabled</source>
+        <translation>nicht benutzt</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>Pose</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>Noise mg</source>
+        <translation>Rauschen mg</translation>
+    </message>
+    <message>
+        <source>New by</source>
+        <translation>Neu um</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Restfehler</translation>
+    </message>
+    <message>
+        <source>used, in tree</source>
+        <translation>benutzt, im Baum</translation>
+    </message>
+    <message>
+        <source>muted: %1</source>
+        <translation>ausgeschlossen: %1</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>Predicted</source>
+        <translation>Erwartet</translation>
+    </message>
+    <message>
+        <source>Bend</source>
+        <translation>Biegung</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation>Verwindung</translation>
+    </message>
+    <message>
+        <source>Yaw</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Links with the largest residuals</source>
+        <translation>Verbindungen mit den größten Restfehlern</translation>
+    </message>
+    <message>
+        <source>Position of the cell&apos;s centre in the frame of its patch&apos;s origin cell; ± at 95 %, relative to the origin.</source>
+        <translation>Ort der Zellmitte im Koordinatensystem der Ursprungszelle ihres Hautstücks; ± bei 95 %, bezogen auf den Ursprung.</translation>
+    </message>
+    <message>
+        <source>origin</source>
+        <translation>Ursprung</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>through its links</source>
+        <translation>über ihre Verbindungen</translation>
+    </message>
+    <message>
+        <source>Cell</source>
+        <translation>Zelle</translation>
+    </message>
+    <message>
+        <source>Patch</source>
+        <translation>Hautstück</translation>
+    </message>
+    <message>
+        <source>Body part</source>
+        <translation>Körperteil</translation>
+    </message>
+    <message>
+        <source>x mm</source>
+        <translation>x mm</translation>
+    </message>
+    <message>
+        <source>y mm</source>
+        <translation>y mm</translation>
+    </message>
+    <message>
+        <source>z mm</source>
+        <translation>z mm</translation>
+    </message>
+    <message>
+        <source>± mm</source>
+        <translation>± mm</translation>
+    </message>
+    <message>
+        <source>± turn</source>
+        <translation>± Drehung</translation>
+    </message>
+    <message>
+        <source>Placed</source>
+        <translation>Eingeordnet</translation>
+    </message>
+    <message>
+        <source>%1 more cells are in the calibration file and in the exported tables.</source>
+        <translation>%1 weitere Zellen stehen in der Kalibrierdatei und in den exportierten Tabellen.</translation>
+    </message>
+    <message>
+        <source>All links</source>
+        <translation>Alle Verbindungen</translation>
+    </message>
+    <message>
+        <source>%1 more links are in the calibration file and in the exported tables.</source>
+        <translation>%1 weitere Verbindungen stehen in der Kalibrierdatei und in den exportierten Tabellen.</translation>
+    </message>
+    <message>
+        <source>Options of the reconstruction</source>
+        <translation>Einstellungen der Rekonstruktion</translation>
+    </message>
+    <message>
+        <source>Solver</source>
+        <translation>Löser</translation>
+    </message>
+    <message>
+        <source>Gap model</source>
+        <translation>Spaltmodell</translation>
+    </message>
+    <message>
+        <source>Centring</source>
+        <translation>Zentrierung</translation>
+    </message>
+    <message>
+        <source>Support axes</source>
+        <translation>Stützachsen</translation>
+    </message>
+    <message>
+        <source>Link weights</source>
+        <translation>Gewichte der Verbindungen</translation>
+    </message>
+    <message>
+        <source>A direction counts as defined from</source>
+        <translation>Eine Richtung gilt als bestimmt ab</translation>
+    </message>
+    <message>
+        <source>Limits of bend, twist, yaw</source>
+        <translation>Grenzen für Biegung, Verwindung, Drehung</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
+    </message>
+    <message>
+        <source>Limit of misfit</source>
+        <translation>Grenze der Abweichung</translation>
+    </message>
+    <message>
+        <source>%1 standard deviations</source>
+        <translation>%1 Standardabweichungen</translation>
+    </message>
+    <message>
+        <source>Cells left out</source>
+        <translation>Weggelassene Zellen</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Where it comes from</source>
+        <translation>Woher es stammt</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>SHA-256</source>
+        <translation>SHA-256</translation>
+    </message>
+    <message>
+        <source>Cell model</source>
+        <translation>Zellmodell</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Solved in</source>
+        <translation>Gelöst in</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Written</source>
+        <translation>Geschrieben</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::ReportPictures</name>
+    <message>
+        <source>Patch, front</source>
+        <translation>Hautstück, vorn</translation>
+    </message>
+    <message>
+        <source>Patch, side</source>
+        <translation>Hautstück, Seite</translation>
+    </message>
+    <message>
+        <source>Patch, top</source>
+        <translation>Hautstück, oben</translation>
+    </message>
+    <message>
+        <source>Skin graph</source>
+        <translation>Hautgraph</translation>
     </message>
 </context>
 <context>
     <name>hexoderm::SceneOverlay</name>
     <message>
         <source>gravity</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwerkraft</translation>
     </message>
     <message>
         <source>worst link&apos;s predicted deviation</source>
-        <translation type="unfinished"></translation>
+        <translation>erwartete Abweichung der schlechtesten Verbindung</translation>
     </message>
     <message>
         <source>0°</source>
-        <translation type="unfinished"></translation>
+        <translation>0°</translation>
     </message>
     <message>
         <source>%1° or more</source>
-        <translation type="unfinished"></translation>
+        <translation>%1° oder mehr</translation>
     </message>
     <message>
         <source>patch %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Hautstück %1</translation>
     </message>
     <message>
         <source>and so on</source>
-        <translation type="unfinished"></translation>
+        <translation>und so weiter</translation>
     </message>
 </context>
 <context>
     <name>hexoderm::SessionController</name>
     <message>
         <source>Setting up the demo skin</source>
-        <translation type="unfinished"></translation>
+        <translation>Demo-Haut wird aufgebaut</translation>
     </message>
     <message>
         <source>Demo skin (simulated)</source>
-        <translation type="unfinished"></translation>
+        <translation>Demo-Haut (simuliert)</translation>
     </message>
     <message>
         <source>%1 is open already.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist schon offen.</translation>
     </message>
     <message>
         <source>Opening %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wird geöffnet</translation>
     </message>
     <message>
         <source>Changes will not be kept in this file; save the session under another name. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderungen bleiben nicht in dieser Datei; die Sitzung unter anderem Namen speichern. %1</translation>
     </message>
     <message>
         <source>Saving %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wird gespeichert</translation>
     </message>
     <message>
         <source>Exporting %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wird exportiert</translation>
     </message>
     <message>
         <source>Turning the part: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Teil wird gedreht: %1</translation>
     </message>
     <message>
         <source>The device does not turn there: %1. Ask again for the next best pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gerät dreht sich nicht dorthin: %1. Noch einmal nach der nächstbesten Pose fragen.</translation>
     </message>
     <message>
         <source>The device says that its cells or links have changed; the poses stay.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gerät meldet geänderte Zellen oder Verbindungen; die Posen bleiben.</translation>
     </message>
     <message>
         <source>%1 has other cells than the session %2, so nothing was added. Connect it with a session of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat andere Zellen als die Sitzung %2, darum wurde nichts hinzugefügt. Mit einer eigenen Sitzung verbinden.</translation>
     </message>
     <message>
         <source>The links are others than those of the session; the poses stay.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Verbindungen sind andere als die der Sitzung; die Posen bleiben.</translation>
     </message>
     <message>
         <source>The session that is open was changed while the skin was being connected, so it stays. Save it, and connect again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die offene Sitzung wurde geändert, während die Haut verbunden wurde, darum bleibt sie. Speichern und noch einmal verbinden.</translation>
     </message>
     <message>
         <source>1 cell</source>
@@ -1924,391 +2346,411 @@ On a remote desktop, software rendering may help: start with LIBGL_ALWAYS_SOFTWA
     </message>
     <message>
         <source>Pose %1 captured: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose %1 aufgenommen: %2.</translation>
     </message>
     <message>
         <source>Nothing came from %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts kam von %1.</translation>
     </message>
     <message>
         <source>It repeats pose %1, which is only %2° away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie wiederholt Pose %1, die nur %2° entfernt ist.</translation>
     </message>
     <message>
         <source>Looking for the next pose</source>
-        <translation type="unfinished"></translation>
+        <translation>Die nächste Pose wird gesucht</translation>
+    </message>
+    <message>
+        <source>Writing the report %1</source>
+        <translation>Der Bericht %1 wird geschrieben</translation>
     </message>
 </context>
 <context>
     <name>hexoderm::SetPoseDisabledCommand</name>
     <message>
         <source>disable pose %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose %1 nicht benutzen</translation>
     </message>
     <message>
         <source>enable pose %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose %1 wieder benutzen</translation>
     </message>
 </context>
 <context>
     <name>hexoderm::StepPanel</name>
     <message>
         <source>waiting</source>
-        <translation type="unfinished"></translation>
+        <translation>wartet</translation>
     </message>
     <message>
         <source>current</source>
-        <translation type="unfinished"></translation>
+        <translation>aktuell</translation>
     </message>
     <message>
         <source>done</source>
-        <translation type="unfinished"></translation>
+        <translation>erledigt</translation>
     </message>
     <message>
         <source>Step %1, %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritt %1, %2: %3</translation>
     </message>
     <message>
         <source>Steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritte</translation>
     </message>
 </context>
 <context>
     <name>hexoderm::WindowActions</name>
     <message>
         <source>Start the &amp;demo skin</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Demo-Haut starten</translation>
     </message>
     <message>
         <source>A simulated skin to try everything with</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine simulierte Haut, um alles auszuprobieren</translation>
     </message>
     <message>
         <source>&amp;Connect to a skin…</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit einer Haut &amp;verbinden…</translation>
     </message>
     <message>
         <source>Take poses of a skin that is connected, or of a recording</source>
-        <translation type="unfinished"></translation>
+        <translation>Posen einer angeschlossenen Haut oder einer Aufzeichnung aufnehmen</translation>
     </message>
     <message>
         <source>D&amp;isconnect</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Trennen</translation>
     </message>
     <message>
         <source>End the connection to the skin; what was captured stays</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Verbindung zur Haut beenden; was aufgenommen ist, bleibt</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ö&amp;ffnen…</translation>
     </message>
     <message>
         <source>Open a session or a calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Sitzung oder Kalibrierung öffnen</translation>
     </message>
     <message>
         <source>&amp;Save session</source>
-        <translation type="unfinished"></translation>
+        <translation>Sitzung &amp;speichern</translation>
     </message>
     <message>
         <source>Save the poses taken so far</source>
-        <translation type="unfinished"></translation>
+        <translation>Die bisher aufgenommenen Posen speichern</translation>
     </message>
     <message>
         <source>Save session &amp;as…</source>
-        <translation type="unfinished"></translation>
+        <translation>Sitzung speichern &amp;unter…</translation>
     </message>
     <message>
         <source>Save the session under another name</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Sitzung unter anderem Namen speichern</translation>
     </message>
     <message>
         <source>Save &amp;calibration…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kalibrierung speichern…</translation>
     </message>
     <message>
         <source>Save the reconstruction, complete enough to export and draw from it alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Rekonstruktion speichern, vollständig genug, um allein aus ihr zu exportieren und zu zeichnen</translation>
     </message>
     <message>
         <source>&amp;Export…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Exportieren…</translation>
     </message>
     <message>
         <source>Write the calibration in a form that others read</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kalibrierung in einer Form schreiben, die andere lesen</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Beenden</translation>
     </message>
     <message>
         <source>Close the window</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Fenster schließen</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rückgängig</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Wiederholen</translation>
     </message>
     <message>
         <source>&amp;Disable pose</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose &amp;nicht benutzen</translation>
     </message>
     <message>
         <source>Leave the picked pose out, or take it back</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gewählte Pose weglassen oder wieder hinzunehmen</translation>
     </message>
     <message>
         <source>De&amp;lete pose</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose &amp;löschen</translation>
     </message>
     <message>
         <source>Take the picked pose out of the session</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gewählte Pose aus der Sitzung nehmen</translation>
     </message>
     <message>
         <source>Take the &amp;next pose</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nächste Pose aufnehmen</translation>
     </message>
     <message>
         <source>Turn the simulated part to its next orientation and take the pose</source>
-        <translation type="unfinished"></translation>
+        <translation>Das simulierte Teil in seine nächste Lage drehen und die Pose aufnehmen</translation>
     </message>
     <message>
         <source>Capture by itself when &amp;still</source>
-        <translation type="unfinished"></translation>
+        <translation>Von selbst aufnehmen, wenn &amp;ruhig</translation>
     </message>
     <message>
         <source>Take a pose as soon as the part is held still after it was moved</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Pose aufnehmen, sobald das Teil nach einer Bewegung stillgehalten wird</translation>
     </message>
     <message>
         <source>&amp;Turn to the next pose</source>
-        <translation type="unfinished"></translation>
+        <translation>Zur nächsten Pose &amp;drehen</translation>
     </message>
     <message>
         <source>Ask the device to turn itself to where the next pose helps most</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gerät bitten, sich dorthin zu drehen, wo die nächste Pose am meisten hilft</translation>
     </message>
     <message>
         <source>Find &amp;cell…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zelle suchen…</translation>
     </message>
     <message>
         <source>Pick a cell by typing its ID</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zelle durch Eintippen ihrer ID wählen</translation>
     </message>
     <message>
         <source>&amp;Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Einpassen</translation>
     </message>
     <message>
         <source>Show the whole skin</source>
-        <translation type="unfinished"></translation>
+        <translation>Die ganze Haut zeigen</translation>
     </message>
     <message>
         <source>F&amp;ront view</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht von &amp;vorn</translation>
     </message>
     <message>
         <source>Look at the patch from the front</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Hautstück von vorn ansehen</translation>
     </message>
     <message>
         <source>&amp;Side view</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht von der &amp;Seite</translation>
     </message>
     <message>
         <source>Look at the patch from its side</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Hautstück von der Seite ansehen</translation>
     </message>
     <message>
         <source>&amp;Top view</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht von &amp;oben</translation>
     </message>
     <message>
         <source>Look at the patch from above</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Hautstück von oben ansehen</translation>
     </message>
     <message>
         <source>&amp;Picture of the window</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bild des Fensters</translation>
     </message>
     <message>
         <source>Save a picture of this window</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Bild dieses Fensters speichern</translation>
     </message>
     <message>
         <source>&amp;Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Tasten</translation>
     </message>
     <message>
         <source>The list of keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Liste der Tasten</translation>
     </message>
     <message>
         <source>&amp;About Hexoderm</source>
-        <translation type="unfinished"></translation>
+        <translation>Ü&amp;ber Hexoderm</translation>
     </message>
     <message>
         <source>Version and licence</source>
-        <translation type="unfinished"></translation>
+        <translation>Version und Lizenz</translation>
     </message>
     <message>
         <source>Take the next pose</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächste Pose aufnehmen</translation>
     </message>
     <message>
         <source>Start the demo skin</source>
-        <translation type="unfinished"></translation>
+        <translation>Demo-Haut starten</translation>
     </message>
     <message>
         <source>Like the &amp;system</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie das &amp;System</translation>
     </message>
     <message>
         <source>Light or dark, as the system asks for</source>
-        <translation type="unfinished"></translation>
+        <translation>Hell oder dunkel, wie das System es will</translation>
     </message>
     <message>
         <source>&amp;Light</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hell</translation>
     </message>
     <message>
         <source>Dark text on a light ground</source>
-        <translation type="unfinished"></translation>
+        <translation>Dunkle Schrift auf hellem Grund</translation>
     </message>
     <message>
         <source>&amp;Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Dunkel</translation>
     </message>
     <message>
         <source>Light text on a dark ground</source>
-        <translation type="unfinished"></translation>
+        <translation>Helle Schrift auf dunklem Grund</translation>
     </message>
     <message>
         <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Datei</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bearbeiten</translation>
     </message>
     <message>
         <source>&amp;Session</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Sitzung</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ansicht</translation>
     </message>
     <message>
         <source>T&amp;heme</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Farbschema</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hilfe</translation>
     </message>
     <message>
         <source>Capture &amp;now</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Jetzt aufnehmen</translation>
     </message>
     <message>
         <source>Capture now</source>
-        <translation type="unfinished"></translation>
+        <translation>Jetzt aufnehmen</translation>
     </message>
     <message>
         <source>Take the next readings as a pose, moved or not</source>
-        <translation type="unfinished"></translation>
+        <translation>Die nächsten Messwerte als Pose nehmen, bewegt oder nicht</translation>
     </message>
     <message>
         <source>This session came from a file; no skin is connected</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Sitzung kam aus einer Datei; keine Haut ist verbunden</translation>
     </message>
     <message>
         <source>The skin does not send: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Haut sendet nicht: %1</translation>
     </message>
     <message>
         <source>No skin is connected</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Haut ist verbunden</translation>
     </message>
     <message>
         <source>This device can&apos;t turn itself; turn the part by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Gerät kann sich nicht selbst drehen; das Teil von Hand drehen</translation>
     </message>
     <message>
         <source>The reconstruction is being brought up to date</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Rekonstruktion wird auf den neuesten Stand gebracht</translation>
     </message>
     <message>
         <source>Nothing is open yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch ist nichts offen</translation>
     </message>
     <message>
         <source>A calibration is open: it holds the result, not the poses</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kalibrierung ist offen: Sie enthält das Ergebnis, nicht die Posen</translation>
     </message>
     <message>
         <source>There is no reconstruction yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt noch keine Rekonstruktion</translation>
     </message>
     <message>
         <source>The last change could not be reconstructed; undo it first</source>
-        <translation type="unfinished"></translation>
+        <translation>Die letzte Änderung ließ sich nicht rekonstruieren; sie zuerst rückgängig machen</translation>
     </message>
     <message>
         <source>Pick a pose in the table of poses first</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst eine Pose in der Tabelle der Posen wählen</translation>
     </message>
     <message>
         <source>&amp;Enable pose</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose wieder be&amp;nutzen</translation>
     </message>
     <message>
         <source>There is nothing to look at yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch gibt es nichts zu sehen</translation>
     </message>
     <message>
         <source>Nothing to undo</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts rückgängig zu machen</translation>
     </message>
     <message>
         <source>Nothing to redo</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts zu wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;Report…</source>
+        <translation>Be&amp;richt…</translation>
+    </message>
+    <message>
+        <source>Write a report with verdict, pictures and tables, as PDF or as a page for the browser</source>
+        <translation>Einen Bericht mit Urteil, Bildern und Tabellen schreiben, als PDF oder als Seite für den Browser</translation>
+    </message>
+    <message>
+        <source>User &amp;guide</source>
+        <translation>An&amp;leitung</translation>
+    </message>
+    <message>
+        <source>How to calibrate a skin, page by page</source>
+        <translation>Wie eine Haut kalibriert wird, Seite für Seite</translation>
     </message>
 </context>
 <context>
     <name>hexoderm::Words</name>
     <message>
         <source>and %1 more</source>
-        <translation type="unfinished"></translation>
+        <translation>und %1 weitere</translation>
     </message>
     <message>
         <source>Link %1 · port %2 — %3 · port %4</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbindung %1 · Port %2 — %3 · Port %4</translation>
     </message>
     <message>
         <source>It is not used.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie wird nicht benutzt.</translation>
     </message>
     <message>
         <source>Note</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinweis</translation>
     </message>
     <message>
         <source>Warning</source>
-        <translation type="unfinished"></translation>
+        <translation>Warnung</translation>
     </message>
     <message>
         <source>Error</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler</translation>
     </message>
     <message>
         <source>cell %1</source>
@@ -2316,134 +2758,138 @@ On a remote desktop, software rendering may help: start with LIBGL_ALWAYS_SOFTWA
     </message>
     <message>
         <source>cells %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zellen %1</translation>
     </message>
     <message>
         <source>pose %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose %1</translation>
     </message>
     <message>
         <source>poses %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Posen %1</translation>
     </message>
     <message>
         <source>Muted: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausgeschlossen: %1</translation>
     </message>
     <message>
         <source>%1, on the shortest-path tree</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, auf dem Baum der kürzesten Wege</translation>
     </message>
     <message>
         <source>Bend %1, twist %2, yaw %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Biegung %1, Verwindung %2, Drehung %3</translation>
     </message>
     <message>
         <source>Residual %1, predicted %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Restfehler %1, erwartet %2</translation>
     </message>
     <message>
         <source>Origin of patch %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ursprung von Hautstück %1</translation>
     </message>
     <message>
         <source>Patch %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Hautstück %1</translation>
     </message>
     <message>
         <source>On %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf %1</translation>
     </message>
     <message>
         <source>At %1, %2, %3 mm from the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei %1; %2; %3 mm vom Ursprung</translation>
     </message>
     <message>
         <source>Next to the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>Neben dem Ursprung</translation>
     </message>
     <message>
         <source>%1 links from the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Verbindungen vom Ursprung</translation>
     </message>
     <message>
         <source>Placed through its links: its own readings are not used</source>
-        <translation type="unfinished"></translation>
+        <translation>Über ihre Verbindungen eingeordnet: Ihre eigenen Messwerte werden nicht benutzt</translation>
     </message>
     <message>
         <source>Cell %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zelle %1</translation>
     </message>
 </context>
 <context>
     <name>main</name>
     <message>
         <source>Finds out where every cell of a robot&apos;s artificial skin is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Findet heraus, wo jede Zelle der künstlichen Haut eines Roboters ist.</translation>
     </message>
     <message>
         <source>A session or calibration to open.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Sitzung oder Kalibrierung zum Öffnen.</translation>
     </message>
     <message>
         <source>Start the demo skin.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Demo-Haut starten.</translation>
     </message>
     <message>
         <source>Let the demo take N poses at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Demo gleich N Posen aufnehmen lassen.</translation>
     </message>
     <message>
         <source>light, dark or system, for this time.</source>
-        <translation type="unfinished"></translation>
+        <translation>light, dark oder system, für dieses Mal.</translation>
     </message>
     <message>
         <source>en, de or system, for this time.</source>
-        <translation type="unfinished"></translation>
+        <translation>en, de oder system, für dieses Mal.</translation>
     </message>
     <message>
         <source>Save a picture of the window after the first result, and quit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach dem ersten Ergebnis ein Bild des Fensters speichern und beenden.</translation>
     </message>
     <message>
         <source>Samples per pixel of the 3D view; 0 is fastest.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abtastungen je Bildpunkt der 3D-Ansicht; 0 ist am schnellsten.</translation>
     </message>
     <message>
         <source>One file at a time; see --help.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur eine Datei auf einmal; siehe --help.</translation>
     </message>
     <message>
         <source>Give either --demo or a file, not both.</source>
-        <translation type="unfinished"></translation>
+        <translation>Entweder --demo oder eine Datei angeben, nicht beides.</translation>
     </message>
     <message>
         <source>--poses takes a number from 0 to 1000.</source>
-        <translation type="unfinished"></translation>
+        <translation>--poses nimmt eine Zahl von 0 bis 1000.</translation>
     </message>
     <message>
         <source>--poses goes with --demo.</source>
-        <translation type="unfinished"></translation>
+        <translation>--poses gehört zu --demo.</translation>
     </message>
     <message>
         <source>--msaa takes a number from 0 to 16.</source>
-        <translation type="unfinished"></translation>
+        <translation>--msaa nimmt eine Zahl von 0 bis 16.</translation>
     </message>
     <message>
         <source>--theme takes light, dark or system.</source>
-        <translation type="unfinished"></translation>
+        <translation>--theme nimmt light, dark oder system.</translation>
     </message>
     <message>
         <source>--language takes en, de or system.</source>
-        <translation type="unfinished"></translation>
+        <translation>--language nimmt en, de oder system.</translation>
     </message>
     <message>
         <source>--screenshot needs a file or --demo to show.</source>
-        <translation type="unfinished"></translation>
+        <translation>--screenshot braucht eine Datei oder --demo zum Zeigen.</translation>
     </message>
     <message>
         <source>The picture %1 could not be written.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild %1 ließ sich nicht schreiben.</translation>
+    </message>
+    <message>
+        <source>--screenshots-size takes a size, for example 1280x800.</source>
+        <translation>--screenshots-size nimmt eine Größe, zum Beispiel 1280x800.</translation>
     </message>
 </context>
 </TS>
