@@ -33,9 +33,16 @@ class WindowActions {
   QAction* redo;
   QAction* toggle_pose;
   QAction* delete_pose;
-  QAction* next_pose;  ///< "Take the next pose" of the demo, "Capture now" of a connected skin
+  QAction* recapture;
+  QAction* capture;
   QAction* automatic;
+  QAction* skip_pose;
   QAction* turn;
+  QAction* robot;  ///< can be checked: the device turns itself from pose to pose
+  QAction* live_mode;
+  QAction* light_cell;
+  QAction* show_next_pose;  ///< where to look, for who holds the part
+  QAction* show_finding;    ///< the one that matters most
   QAction* find_cell;
   QAction* fit;
   QAction* front;
@@ -53,10 +60,11 @@ class WindowActions {
   [[nodiscard]] std::vector<QAction*> withKeys() const;
 
   /// Which can be used now, and why the others can't. `pose_row`: the row picked in the table of poses.
-  void refresh(const SessionController& controller, std::optional<int> pose_row);
+  void refresh(const SessionController& controller, std::optional<int> pose_row, std::optional<CellId> cell);
 
  private:
   void refreshCapture(const SessionController& controller, const QString& no_session);
+  void refreshDevice(const SessionController& controller, std::optional<CellId> cell);
 };
 
 }  // namespace hexoderm

@@ -216,8 +216,7 @@ QString guidePageFor(const SessionController& controller) {
   if (controller.isEmpty()) return QStringLiteral("demo");
   const Reconstruction* result = controller.reconstruction().get();
   if (!result) return QStringLiteral("check");
-  const bool is_enough = result->verdict.level == VerdictLevel::Good || result->verdict.level == VerdictLevel::Usable;
-  if (!is_enough && controller.session()) return QStringLiteral("capture");
+  if (controller.wantsMorePoses()) return QStringLiteral("capture");
   const bool has_faults = std::any_of(result->findings.begin(), result->findings.end(),
                                       [](const Finding& finding) { return finding.severity != Severity::Info; });
   return has_faults ? QStringLiteral("faults") : QStringLiteral("export");

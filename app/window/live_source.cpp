@@ -82,15 +82,21 @@ class LiveSource::Feed final : public SkinListener,
       emit live.holdChanged();
     });
   }
-  void onPreview(SkinPreview /*preview*/) override {}
+  void onPreview(SkinPreview preview) override {
+    if (!keepNewest(preview_, std::move(preview))) return;
+    post([this](LiveSource& live) {
+      live.preview_ = takeNewest(preview_);
+      emit live.previewChanged();
+    });
+  }
 
  private:
   /// True if nobody is on the way to take it yet.
   template <class State>
-  bool keepNewest(std::optional<State>& kept, const State& state) {
+  bool keepNewest(std::optional<State>& kept, State state) {
     const std::lock_guard lock(mutex_);
     const bool is_first = !kept;
-    kept = state;
+    kept = std::move(state);
     return is_first;
   }
   template <class State>
@@ -103,6 +109,7 @@ class LiveSource::Feed final : public SkinListener,
   std::mutex mutex_;
   std::optional<SourceStatus> status_;
   std::optional<HoldStatus> hold_;
+  std::optional<SkinPreview> preview_;
   PoseRecorder recorder_;
   std::unique_ptr<SkinSource> source_;  // last: it calls this object until it has stopped
 };
@@ -141,6 +148,7 @@ void LiveSource::stop() {
   feed_.reset();
   skin_.reset();
   hold_ = {};
+  preview_ = {};
   status_ = {};
   emit statusChanged();
 }

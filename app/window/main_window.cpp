@@ -1,9 +1,9 @@
 #include "app/window/main_window.h"
 
-#include "app/window/guide.h"
 #include "hexoderm/util/text.h"
 #include "widgets/banner.h"
 #include "widgets/card_dock.h"
+#include "widgets/check_list.h"
 #include "widgets/core_words.h"
 #include "widgets/graph_view.h"
 #include "widgets/live_strip.h"
@@ -91,8 +91,9 @@ MainWindow::MainWindow(QWidget* parent)
       docks_(new QMainWindow(this)),
       banner_(new Banner),
       message_bar_(new MessageBar),
-      live_strip_(new LiveStrip(actions_.automatic, actions_.next_pose, actions_.disconnect_skin)),
+      live_strip_(new LiveStrip(actions_.automatic, actions_.capture, actions_.disconnect_skin)),
       step_panel_(new StepPanel),
+      check_list_(new CheckList),
       patch_view_(new PatchView(&selection_)),
       graph_view_(new GraphView(&selection_)),
       pose_table_(new PoseTable(this)),
@@ -137,6 +138,7 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::buildLayout() {
+  step_panel_->setBody(static_cast<int>(GuideStep::Check), check_list_);
   auto* card = new QFrame;
   card->setProperty("card", true);
   auto* card_layout = new QVBoxLayout(card);
@@ -241,7 +243,6 @@ void MainWindow::connectActions() {
   connect(actions_.export_to, &QAction::triggered, this, &MainWindow::showExportDialog);
   connect(actions_.report, &QAction::triggered, this, &MainWindow::askForReport);
   connect(actions_.quit, &QAction::triggered, this, &QWidget::close);
-  connect(actions_.next_pose, &QAction::triggered, &controller_, &SessionController::takeNextPose);
   connect(actions_.toggle_pose, &QAction::triggered, this, [this] {
     const std::optional<int> row = pickedPoseRow();
     const std::optional<std::size_t> index = row ? controller_.sessionIndexOfPoseRow(*row) : std::nullopt;
@@ -251,6 +252,7 @@ void MainWindow::connectActions() {
     const std::optional<int> row = pickedPoseRow();
     if (const auto index = row ? controller_.sessionIndexOfPoseRow(*row) : std::nullopt) controller_.removePose(*index);
   });
+  connect(actions_.show_finding, &QAction::triggered, this, &MainWindow::showWorstFinding);
   connect(actions_.find_cell, &QAction::triggered, this, [this] {
     graph_dock_->show();
     graph_dock_->raise();
@@ -286,6 +288,8 @@ void MainWindow::connectController() {
     message_bar_->hide();
     selection_.clear();
     picked_pose_.reset();
+    openStep(controller_.live().isRunning() ? GuideStep::Capture
+                                            : (controller_.session() ? GuideStep::Review : GuideStep::Export));
   });
   connect(&controller_, &SessionController::sessionSaved, this, [this](const QString& path) {
     showDone(tr("Saved to %1").arg(path), path);
@@ -301,7 +305,13 @@ void MainWindow::connectController() {
 }
 
 void MainWindow::connectSelection() {
+  connect(check_list_, &CheckList::cellPicked, &selection_, &Selection::selectCell);
   connect(&selection_, &Selection::changed, this, &MainWindow::showPickedLink);
+  connect(&selection_, &Selection::changed, this, [this] {
+    // The light on the skin follows what is picked here.
+    if (controller_.litCell() && selection_.cell()) controller_.lightCell(selection_.cell());
+    actions_.refresh(controller_, pickedPoseRow(), selection_.cell());
+  });
   connect(finding_view_, &QTableView::clicked, this,
           [this](const QModelIndex& index) { pickFromFinding(index.row()); });
   connect(finding_view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
@@ -323,8 +333,11 @@ void MainWindow::showReconstruction(const std::shared_ptr<const Reconstruction>&
   pose_table_->setReconstruction(reconstruction);
   link_table_->setReconstruction(reconstruction);
   finding_table_->setReconstruction(reconstruction);
-  graph_view_->setReconstruction(reconstruction);
-  patch_view_->setReconstruction(reconstruction);
+  // In live mode the pictures show the moment instead.
+  if (!controller_.isLiveMode()) {
+    graph_view_->setReconstruction(reconstruction);
+    patch_view_->setReconstruction(reconstruction);
+  }
   if (reconstruction && picked) {
     for (std::size_t row = 0; row < reconstruction->poses.size(); ++row) {
       if (reconstruction->poses[row].pose == *picked) pose_view_->selectRow(static_cast<int>(row));
@@ -367,9 +380,24 @@ void MainWindow::pickFromFinding(int row) {
   }
 }
 
+void MainWindow::showWorstFinding() {
+  const Finding* worst = controller_.reconstruction() ? worstFinding(*controller_.reconstruction()) : nullptr;
+  if (!worst) return;
+  openStep(GuideStep::Review);
+  for (int row = 0; row < finding_table_->rowCount(); ++row) {
+    if (&finding_table_->findingAt(row) == worst) finding_view_->selectRow(row);
+  }
+}
+
+void MainWindow::openStep(GuideStep step) { step_panel_->openStep(static_cast<int>(step)); }
+
 void MainWindow::refresh() {
-  actions_.refresh(controller_, pickedPoseRow());
+  actions_.refresh(controller_, pickedPoseRow(), selection_.cell());
   banner_->setContent(describeStand(controller_, actions_));
+  const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
+  const LiveSource& live = controller_.live();
+  check_list_->setCheck(result ? checkSkin(*result, live.preview().means, live.hold().stillness.odd_cells)
+                               : SkinCheck{});
   step_panel_->setSteps(describeSteps(controller_, actions_));
   refreshStatus();
   refreshLive();
@@ -424,6 +452,7 @@ void MainWindow::setThemeChoice(ThemeChoice choice, bool remember) {
   message_bar_->setTheme(theme_);
   live_strip_->setTheme(theme_);
   step_panel_->setTheme(theme_);
+  check_list_->setTheme(theme_);
   patch_view_->setTheme(theme_);
   graph_view_->setTheme(theme_);
   actions_.theme[static_cast<std::size_t>(choice)]->setChecked(true);

@@ -14,7 +14,7 @@ namespace hexoderm {
 namespace {
 
 constexpr int kPatience_ms = 60000;
-constexpr int kPoses = 4;
+constexpr std::size_t kMostPoses = 8;
 
 bool waitUntil(const std::function<bool()>& condition) {
   QElapsedTimer timer;
@@ -111,17 +111,16 @@ QStringList ScreenshotTour::run(QSize size) {
   window_.startDemo();
   if (!waitUntilIdle()) return problems_;
   visitSteps(QStringLiteral("start"));
-  auto* next_pose = window_.findChild<QAction*>(QStringLiteral("actionNextPose"));
-  for (int pose = 1; pose <= kPoses && next_pose != nullptr; ++pose) {
-    next_pose->trigger();
-    const auto count = static_cast<std::size_t>(pose);
-    const bool is_there = waitUntil([&] {
-      const auto& result = window_.controller().reconstruction();
-      return result && result->poses.size() >= count;
-    });
-    if (!is_there || !waitUntilIdle()) return problems_ << QStringLiteral("pose %1 was not taken").arg(pose);
-    if (pose == 1) stop(window_, QStringLiteral("first-pose"));
-  }
+  SessionController& controller = window_.controller();
+  controller.setRobot(true);
+  const auto poses = [&] { return controller.reconstruction() ? controller.reconstruction()->poses.size() : 0; };
+  if (!waitUntil([&] { return poses() >= 1; })) return problems_ << QStringLiteral("no pose was taken");
+  stop(window_, QStringLiteral("first-pose"));
+  const bool is_done =
+      waitUntil([&] { return poses() >= kMostPoses || (poses() > 1 && !controller.wantsMorePoses()); });
+  controller.setRobot(false);
+  controller.setAutomatic(false);
+  if (!is_done || !waitUntilIdle()) return problems_ << QStringLiteral("the robot did not take enough poses");
   visitSteps(QStringLiteral("done"));
   visitDialogs();
   return problems_;

@@ -23,6 +23,25 @@
     </message>
 </context>
 <context>
+    <name>hexoderm::CheckList</name>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>needs a look</source>
+        <translation>ansehen</translation>
+    </message>
+    <message>
+        <source>in order</source>
+        <translation>in Ordnung</translation>
+    </message>
+    <message>
+        <source>Show: %1</source>
+        <translation>Zeigen: %1</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::ConnectDialog</name>
     <message>
         <source>Simulated skin</source>
@@ -1044,20 +1063,53 @@
         <source>line %1, column %2: %3</source>
         <translation>Zeile %1, Spalte %2: %3</translation>
     </message>
-</context>
-<context>
-    <name>hexoderm::DemoSkin</name>
     <message>
-        <source>standing</source>
-        <translation>stehend</translation>
+        <source>cells %1</source>
+        <translation>Zellen %1</translation>
     </message>
     <message>
-        <source>on its side</source>
-        <translation>auf der Seite</translation>
+        <source>Found: %1</source>
+        <translation>Gefunden: %1</translation>
     </message>
     <message>
-        <source>pose %1</source>
-        <translation>Pose %1</translation>
+        <source>Every link joins two ports that fit</source>
+        <translation>Jede Verbindung verbindet zwei passende Ports</translation>
+    </message>
+    <message>
+        <source>%1 of %2 links are kept out: see the findings</source>
+        <translation>%1 von %2 Verbindungen bleiben außen vor: siehe Befunde</translation>
+    </message>
+    <message>
+        <source>Cell %1 reads %2 g: gravity is 1 g, give or take %3 g</source>
+        <translation>Zelle %1 misst %2 g: Schwerkraft ist 1 g, auf %3 g genau</translation>
+    </message>
+    <message>
+        <source>The cell sends and reads %1 g</source>
+        <translation>Die Zelle sendet und misst %1 g</translation>
+    </message>
+    <message>
+        <source>All %1 cells send and read %2 to %3 g</source>
+        <translation>Alle %1 Zellen senden und messen %2 bis %3 g</translation>
+    </message>
+    <message>
+        <source>Nothing comes from %1</source>
+        <translation>Nichts kommt von %1</translation>
+    </message>
+    <message>
+        <source>The skin has no cells</source>
+        <translation>Die Haut hat keine Zellen</translation>
+    </message>
+    <message>
+        <source>No readings have come yet</source>
+        <translation>Noch sind keine Messwerte da</translation>
+    </message>
+    <message>
+        <source>Every cell sends</source>
+        <translation>Jede Zelle sendet</translation>
+    </message>
+    <message>
+        <source>%1 of %2 cells send</source>
+        <translation>%1 von %2 Zellen senden</translation>
     </message>
 </context>
 <context>
@@ -1311,18 +1363,6 @@
         <translation>%1 von %2</translation>
     </message>
     <message>
-        <source>Gravity seen from several directions tells how every cell is turned against its neighbours. A pose is taken by itself when the part is held still after it was moved; Space takes it at once.</source>
-        <translation>Schwerkraft aus mehreren Richtungen verrät, wie jede Zelle gegen ihre Nachbarn gedreht ist. Eine Pose wird von selbst aufgenommen, wenn das Teil nach einer Bewegung stillgehalten wird; die Leertaste nimmt sie sofort auf.</translation>
-    </message>
-    <message>
-        <source>Gravity seen from several directions tells how every cell is turned against its neighbours. In the demo, the simulated part is turned as the advice says.</source>
-        <translation>Schwerkraft aus mehreren Richtungen verrät, wie jede Zelle gegen ihre Nachbarn gedreht ist. In der Demo wird das simulierte Teil so gedreht, wie der Rat sagt.</translation>
-    </message>
-    <message>
-        <source>Gravity seen from several directions tells how every cell is turned against its neighbours. This session came from a file; no skin is connected to take more.</source>
-        <translation>Schwerkraft aus mehreren Richtungen verrät, wie jede Zelle gegen ihre Nachbarn gedreht ist. Diese Sitzung kam aus einer Datei; für weitere Posen ist keine Haut verbunden.</translation>
-    </message>
-    <message>
         <source>Review</source>
         <translation>Durchsehen</translation>
     </message>
@@ -1369,6 +1409,14 @@
     <message>
         <source>No skin yet: start the demo, connect to a skin, or open a session or a calibration.</source>
         <translation>Noch keine Haut: die Demo starten, eine Haut verbinden oder eine Sitzung oder Kalibrierung öffnen.</translation>
+    </message>
+    <message>
+        <source>Gravity seen from several directions tells how every cell is turned against its neighbours.</source>
+        <translation>Schwerkraft aus mehreren Richtungen verrät, wie jede Zelle gegen ihre Nachbarn gedreht ist.</translation>
+    </message>
+    <message>
+        <source>This session came from a file; no skin is connected to take more.</source>
+        <translation>Diese Sitzung kam aus einer Datei; für weitere Posen ist keine Haut verbunden.</translation>
     </message>
 </context>
 <context>
@@ -1748,6 +1796,14 @@
     <message>
         <source>Documents (*.pdf);;Pages for the browser (*.html)</source>
         <translation>Dokumente (*.pdf);;Seiten für den Browser (*.html)</translation>
+    </message>
+    <message>
+        <source>The next capture takes the place of pose %1. Hold the part as it was held then.</source>
+        <translation>Die nächste Aufnahme tritt an die Stelle von Pose %1. Das Teil halten wie damals.</translation>
+    </message>
+    <message>
+        <source>Don&apos;t recapture</source>
+        <translation>Nicht neu aufnehmen</translation>
     </message>
 </context>
 <context>
@@ -2285,10 +2341,6 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: mit LIBGL_ALWA
 <context>
     <name>hexoderm::SessionController</name>
     <message>
-        <source>Setting up the demo skin</source>
-        <translation>Demo-Haut wird aufgebaut</translation>
-    </message>
-    <message>
         <source>Demo skin (simulated)</source>
         <translation>Demo-Haut (simuliert)</translation>
     </message>
@@ -2311,14 +2363,6 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: mit LIBGL_ALWA
     <message>
         <source>Exporting %1</source>
         <translation>%1 wird exportiert</translation>
-    </message>
-    <message>
-        <source>Turning the part: %1</source>
-        <translation>Das Teil wird gedreht: %1</translation>
-    </message>
-    <message>
-        <source>The device does not turn there: %1. Ask again for the next best pose.</source>
-        <translation>Das Gerät dreht sich nicht dorthin: %1. Noch einmal nach der nächstbesten Pose fragen.</translation>
     </message>
     <message>
         <source>The device says that its cells or links have changed; the poses stay.</source>
@@ -2357,12 +2401,24 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: mit LIBGL_ALWA
         <translation>Sie wiederholt Pose %1, die nur %2° entfernt ist.</translation>
     </message>
     <message>
-        <source>Looking for the next pose</source>
-        <translation>Die nächste Pose wird gesucht</translation>
-    </message>
-    <message>
         <source>Writing the report %1</source>
         <translation>Der Bericht %1 wird geschrieben</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>The device does not turn there: %1. The next best pose is advised instead.</source>
+        <translation>Das Gerät dreht sich nicht dorthin: %1. Stattdessen wird die nächstbeste Pose geraten.</translation>
+    </message>
+    <message>
+        <source>recapture pose %1</source>
+        <translation>Pose %1 neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>Until it is saved, this session is kept in memory only. %1</source>
+        <translation>Bis sie gespeichert ist, liegt diese Sitzung nur im Speicher. %1</translation>
     </message>
 </context>
 <context>
@@ -2498,14 +2554,6 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: mit LIBGL_ALWA
         <translation>Die gewählte Pose aus der Sitzung nehmen</translation>
     </message>
     <message>
-        <source>Take the &amp;next pose</source>
-        <translation>&amp;Nächste Pose aufnehmen</translation>
-    </message>
-    <message>
-        <source>Turn the simulated part to its next orientation and take the pose</source>
-        <translation>Das simulierte Teil in seine nächste Lage drehen und die Pose aufnehmen</translation>
-    </message>
-    <message>
         <source>Capture by itself when &amp;still</source>
         <translation>Von selbst aufnehmen, wenn &amp;ruhig</translation>
     </message>
@@ -2586,10 +2634,6 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: mit LIBGL_ALWA
         <translation>Version und Lizenz</translation>
     </message>
     <message>
-        <source>Take the next pose</source>
-        <translation>Nächste Pose aufnehmen</translation>
-    </message>
-    <message>
         <source>Start the demo skin</source>
         <translation>Demo-Haut starten</translation>
     </message>
@@ -2640,14 +2684,6 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: mit LIBGL_ALWA
     <message>
         <source>&amp;Help</source>
         <translation>&amp;Hilfe</translation>
-    </message>
-    <message>
-        <source>Capture &amp;now</source>
-        <translation>&amp;Jetzt aufnehmen</translation>
-    </message>
-    <message>
-        <source>Capture now</source>
-        <translation>Jetzt aufnehmen</translation>
     </message>
     <message>
         <source>Take the next readings as a pose, moved or not</source>
@@ -2724,6 +2760,102 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: mit LIBGL_ALWA
     <message>
         <source>How to calibrate a skin, page by page</source>
         <translation>Wie eine Haut kalibriert wird, Seite für Seite</translation>
+    </message>
+    <message>
+        <source>&amp;Recapture pose</source>
+        <translation>Pose &amp;neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>The next capture takes the place of the picked pose</source>
+        <translation>Die nächste Aufnahme tritt an die Stelle der gewählten Pose</translation>
+    </message>
+    <message>
+        <source>Capture &amp;anyway</source>
+        <translation>&amp;Trotzdem aufnehmen</translation>
+    </message>
+    <message>
+        <source>S&amp;kip this pose</source>
+        <translation>Diese Pose &amp;auslassen</translation>
+    </message>
+    <message>
+        <source>The part can&apos;t be held like this: advise the next best pose</source>
+        <translation>So lässt sich das Teil nicht halten: die nächstbeste Pose raten</translation>
+    </message>
+    <message>
+        <source>Let the ro&amp;bot take the poses</source>
+        <translation>Den &amp;Roboter aufnehmen lassen</translation>
+    </message>
+    <message>
+        <source>The device turns itself from pose to pose until there are enough</source>
+        <translation>Das Gerät dreht sich von Pose zu Pose, bis es genug sind</translation>
+    </message>
+    <message>
+        <source>&amp;Live mode</source>
+        <translation>&amp;Live-Betrieb</translation>
+    </message>
+    <message>
+        <source>Draw the skin from its readings of this moment alone</source>
+        <translation>Die Haut allein aus den Messwerten dieses Augenblicks zeichnen</translation>
+    </message>
+    <message>
+        <source>Li&amp;ght the picked cell</source>
+        <translation>Gewählte Zelle &amp;leuchten lassen</translation>
+    </message>
+    <message>
+        <source>Switch on the light of the picked cell on the skin itself</source>
+        <translation>Das Licht der gewählten Zelle auf der Haut selbst einschalten</translation>
+    </message>
+    <message>
+        <source>Show me the next pose</source>
+        <translation>Nächste Pose zeigen</translation>
+    </message>
+    <message>
+        <source>Open the step in which poses are captured</source>
+        <translation>Den Schritt öffnen, in dem Posen aufgenommen werden</translation>
+    </message>
+    <message>
+        <source>Show what does not fit</source>
+        <translation>Zeigen, was nicht passt</translation>
+    </message>
+    <message>
+        <source>Pick the cell or link that the most serious finding is about</source>
+        <translation>Die Zelle oder Verbindung wählen, um die es beim schwersten Befund geht</translation>
+    </message>
+    <message>
+        <source>The next pose is being worked out</source>
+        <translation>Die nächste Pose wird berechnet</translation>
+    </message>
+    <message>
+        <source>Let the simulated robot take the poses</source>
+        <translation>Den simulierten Roboter aufnehmen lassen</translation>
+    </message>
+    <message>
+        <source>Let the robot take the poses</source>
+        <translation>Den Roboter aufnehmen lassen</translation>
+    </message>
+    <message>
+        <source>Stop the robot</source>
+        <translation>Roboter anhalten</translation>
+    </message>
+    <message>
+        <source>There are enough poses; turn and capture more by hand if you like</source>
+        <translation>Es sind genug Posen; weitere lassen sich von Hand drehen und aufnehmen</translation>
+    </message>
+    <message>
+        <source>The cells of this device have no lights</source>
+        <translation>Die Zellen dieses Geräts haben keine Lichter</translation>
+    </message>
+    <message>
+        <source>Pick a cell first</source>
+        <translation>Zuerst eine Zelle wählen</translation>
+    </message>
+    <message>
+        <source>Don&apos;t &amp;recapture</source>
+        <translation>Nicht &amp;neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>There are no findings</source>
+        <translation>Es gibt keine Befunde</translation>
     </message>
 </context>
 <context>

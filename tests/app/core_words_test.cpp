@@ -10,6 +10,7 @@
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/reconstruction/link_plausibility.h"
 #include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/reconstruction/skin_check.h"
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/error.h"
 #include "support/pin_jointed_skin.h"
@@ -251,6 +252,29 @@ TEST_F(CoreWords, KnowEveryVerdictAndAdvice) {
   for (const std::size_t poses : {1U, 2U, 3U, 6U}) solve(bentX17().session(orthogonalUps(poses)));
   add("Imported placements; nothing was measured here.");
   add("Check the findings, then export, or take poses of this skin to measure it.");
+  expectGermanOfAll();
+}
+
+TEST_F(CoreWords, KnowWhatTheCheckOfTheSkinSays) {
+  const auto check = [this](const Reconstruction& result, const std::vector<CellSample>& readings) {
+    const std::vector<OddCell> odd = {{CellId(2), OddCellKind::Stuck, 0}};
+    const SkinCheck checked = checkSkin(result, readings, odd);
+    for (const SkinCheckItem& item : checked.items) add(item.text);
+    add(checked.because);
+  };
+  const CellModel model = builtInCellModel("hex-bma150");
+  const auto solved = [&](const NeighborList& neighbors) {
+    return *reconstruct(*Session(model, neighbors).snapshot());
+  };
+  const Reconstruction three =
+      solved({cell(1, {to(1, 2, 4)}), cell(2, {to(4, 1, 1), to(1, 3, 4)}), cell(3, {to(4, 2, 1)})});
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  check(solved({}), {});
+  check(solved({cell(1, {})}), {{CellId(1), up}});
+  check(solved({cell(1, {to(1, 2, 4)}), cell(2, {})}), {});
+  check(three, {{CellId(1), up}, {CellId(2), up}, {CellId(3), 2 * up}});
+  check(three, {{CellId(1), up}});
+  check(three, {{CellId(1), up}, {CellId(2), up}});
   expectGermanOfAll();
 }
 

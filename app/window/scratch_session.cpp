@@ -1,0 +1,30 @@
+#include "app/window/scratch_session.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QFile>
+#include <QStandardPaths>
+
+namespace hexoderm {
+
+QString scratchFolder() {
+  return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)).filePath(QStringLiteral("unsaved"));
+}
+
+QString newScratchPath(const QString& name) {
+  const QDir folder(scratchFolder());
+  folder.mkpath(QStringLiteral("."));
+  const QString stem = QStringLiteral("%1-%2-%3")
+                           .arg(name, QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss")),
+                                QString::number(QCoreApplication::applicationPid()));
+  QString path = folder.filePath(stem + QStringLiteral(".hexo"));
+  for (int k = 2; QFile::exists(path); ++k) path = folder.filePath(QStringLiteral("%1-%2.hexo").arg(stem).arg(k));
+  return path;
+}
+
+void removeScratchFile(const QString& path) {
+  for (const char* suffix : {"", "-wal", "-shm"}) QFile::remove(path + QLatin1String(suffix));
+}
+
+}  // namespace hexoderm
