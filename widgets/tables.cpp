@@ -1,5 +1,6 @@
 #include "widgets/tables.h"
 
+#include "widgets/core_words.h"
 #include "widgets/palette.h"
 #include "widgets/words.h"
 
@@ -322,7 +323,7 @@ QVariant FindingTable::data(const QModelIndex& index, int role) const {
     case Qt::DisplayRole:
     case Qt::AccessibleTextRole:
       if (index.column() == kSeverity) return severityWord(finding.severity);
-      return index.column() == kWhat ? QString::fromStdString(finding.text) : placeInWords(finding);
+      return index.column() == kWhat ? coreWords(finding.text) : placeInWords(finding);
     case Qt::DecorationRole:
       return index.column() == kSeverity ? QVariant(severityMark(finding.severity)) : QVariant();
     case Qt::TextAlignmentRole:

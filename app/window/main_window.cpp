@@ -5,6 +5,7 @@
 #include "widgets/banner.h"
 #include "widgets/card_dock.h"
 #include "widgets/check_list.h"
+#include "widgets/core_words.h"
 #include "widgets/graph_view.h"
 #include "widgets/live_strip.h"
 #include "widgets/message_bar.h"
@@ -246,6 +247,7 @@ void MainWindow::connectActions() {
   connect(actions_.save_as, &QAction::triggered, this, [this] { saveSession(true); });
   connect(actions_.save_calibration, &QAction::triggered, this, &MainWindow::saveCalibration);
   connect(actions_.export_to, &QAction::triggered, this, &MainWindow::showExportDialog);
+  connect(actions_.report, &QAction::triggered, this, &MainWindow::askForReport);
   connect(actions_.quit, &QAction::triggered, this, &QWidget::close);
   connect(actions_.toggle_pose, &QAction::triggered, this, [this] {
     const std::optional<int> row = pickedPoseRow();
@@ -282,6 +284,7 @@ void MainWindow::connectActions() {
   look(actions_.side, PatchView::StandardView::Side);
   look(actions_.top, PatchView::StandardView::Top);
   connect(actions_.screenshot, &QAction::triggered, this, &MainWindow::savePicture);
+  connect(actions_.guide, &QAction::triggered, this, &MainWindow::showGuide);
   connect(actions_.about, &QAction::triggered, this, &MainWindow::showAbout);
   connect(actions_.themes, &QActionGroup::triggered, this, [this](QAction* action) {
     setThemeChoice(static_cast<ThemeChoice>(actions_.themes->actions().indexOf(action)), true);
@@ -456,7 +459,7 @@ void MainWindow::refreshStatus() {
   }
   saved_status_->setText(saved);
 
-  graph_dock_->setRemark(result ? QString::fromStdString(sizeInWords(*result)) : QString());
+  graph_dock_->setRemark(result ? coreWords(sizeInWords(*result)) : QString());
   pose_dock_->setRemark(controller_.session() ? tr("Del disable · Ctrl+Z undo") : QString());
   detail_tabs_->setTabText(0, result ? tr("Findings %1").arg(result->findings.size()) : tr("Findings"));
   detail_tabs_->setTabText(1, result ? tr("Links %1").arg(result->linkCount()) : tr("Links"));

@@ -93,10 +93,12 @@ class MainWindow : public QMainWindow {
                   std::function<void(QString)> chosen);
   void saveCalibration();
   void showExportDialog();
+  void askForReport();
   void savePicture();
   void saveGraph();
   void showDone(const QString& text, const QString& path);
   void afterAskingToSave(std::function<void()> proceed);
+  void showGuide();
   void showAbout();
   [[nodiscard]] QString suggestedName() const;
 

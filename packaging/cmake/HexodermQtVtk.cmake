@@ -5,3 +5,10 @@ find_package(VTK 9.1 REQUIRED COMPONENTS
   IOImage InteractionStyle InteractionWidgets RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2)
 find_package(Qt${VTK_QT_VERSION} 5.15 REQUIRED COMPONENTS Core Gui Widgets Svg Test)
 set(HEXODERM_QT Qt${VTK_QT_VERSION})
+
+# lrelease compiles the translations (qttools5-dev, qttools5-dev-tools).
+find_package(${HEXODERM_QT}LinguistTools QUIET)
+if(NOT ${HEXODERM_QT}LinguistTools_FOUND)
+  message(FATAL_ERROR "${HEXODERM_QT}'s Linguist tools are missing; Debian has them in qttools5-dev and "
+    "qttools5-dev-tools (packaging/setup.sh installs them)")
+endif()
