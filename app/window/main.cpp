@@ -39,7 +39,8 @@ int samplesFromArguments(int argc, char** argv) {
 }
 
 /// Settings of its own, so that pictures show what a newcomer sees.
-int runTour(const QString& folder, const QString& size, const QString& language, std::optional<ThemeChoice> theme) {
+int runTour(const QString& folder, const QString& size, int largest_width_px, const QString& language,
+            std::optional<ThemeChoice> theme) {
   const QStringList sides = size.split(QLatin1Char('x'));
   const QSize window_size = sides.size() == 2 ? QSize(sides[0].toInt(), sides[1].toInt()) : QSize();
   if (window_size.isEmpty()) {
@@ -53,7 +54,7 @@ int runTour(const QString& folder, const QString& size, const QString& language,
   if (theme) window.setThemeChoice(*theme, false);
   const QString prefix = language + QLatin1Char('-') +
                          (window.theme() == Theme::Dark ? QStringLiteral("dark-") : QStringLiteral("light-")) + size;
-  const QStringList problems = ScreenshotTour(window, QDir(folder), prefix).run(window_size);
+  const QStringList problems = ScreenshotTour(window, QDir(folder), prefix, largest_width_px).run(window_size);
   for (const QString& problem : problems) complain(problem, 0);
   return problems.isEmpty() ? 0 : 1;
 }
@@ -151,9 +152,11 @@ int main(int argc, char** argv) {
   QCommandLineOption tour(QStringLiteral("screenshots"), {}, QStringLiteral("DIR"));
   QCommandLineOption tour_size(QStringLiteral("screenshots-size"), {}, QStringLiteral("WxH"),
                                QStringLiteral("1280x800"));
+  QCommandLineOption tour_width(QStringLiteral("screenshots-width"), {}, QStringLiteral("PIXELS"), QStringLiteral("0"));
   tour.setFlags(QCommandLineOption::HiddenFromHelp);
   tour_size.setFlags(QCommandLineOption::HiddenFromHelp);
-  parser.addOptions({demo, poses, theme, language, screenshot, msaa, tour, tour_size});
+  tour_width.setFlags(QCommandLineOption::HiddenFromHelp);
+  parser.addOptions({demo, poses, theme, language, screenshot, msaa, tour, tour_size, tour_width});
   parser.process(app);
 
   if (parser.positionalArguments().size() > 1) {
@@ -185,7 +188,9 @@ int main(int argc, char** argv) {
     return complain(QCoreApplication::translate("main", "--screenshot needs a file or --demo to show."), kUsage);
   }
 
-  if (parser.isSet(tour)) return runTour(parser.value(tour), parser.value(tour_size), texts_language, choice);
+  if (parser.isSet(tour))
+    return runTour(parser.value(tour), parser.value(tour_size), parser.value(tour_width).toInt(), texts_language,
+                   choice);
   MainWindow window;
   if (choice) window.setThemeChoice(*choice, false);
   window.show();

@@ -235,6 +235,7 @@ void MainWindow::showGuide() {
   if (guide == nullptr) {
     guide = new GuideWindow(this);
     guide->setAttribute(Qt::WA_DeleteOnClose);
+    guide->setKeys(actions_.withKeys());
   }
   guide->showPage(guidePageFor(controller_));
   guide->show();
