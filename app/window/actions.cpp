@@ -61,6 +61,9 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
                        {QKeySequence(QStringLiteral("Shift+Del"))})),
       recapture(make(owner, "actionRecapture", tr("&Recapture pose"),
                      tr("The next capture takes the place of the picked pose"), {QKeySequence(Qt::Key_R)})),
+      mute_link(make(owner, "actionMuteLink", tr("Set link &aside"),
+                     tr("Keep the picked link out of the solution, as a cable for example"),
+                     {QKeySequence(Qt::Key_M)})),
       capture(make(owner, "actionCapture", tr("Capture &anyway"), tr("Take the next readings as a pose, moved or not"),
                    {QKeySequence(Qt::Key_Space)})),
       automatic(make(owner, "actionAutomatic", tr("Capture by itself when &still"),
@@ -93,6 +96,17 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
                  {QKeySequence(Qt::Key_F1)})),
       keys(make(owner, "actionKeys", tr("&Keys"), tr("The list of keys"), {QKeySequence(Qt::Key_H)})),
       about(make(owner, "actionAbout", tr("&About Hexoderm"), tr("Version and licence"))),
+      preferences(make(owner, "actionPreferences", tr("&Preferences…"),
+                       tr("Appearance, limits of the capture, options of the solver, folders"),
+                       {QKeySequence(QStringLiteral("Ctrl+,"))})),
+      swap_views(make(owner, "actionSwapViews", tr("S&wap graph and 3D view"),
+                      tr("The one in the middle goes to the side, and the other way round"),
+                      {QKeySequence(Qt::Key_G)})),
+      copy_report(make(owner, "actionCopyReport", tr("&Copy for a bug report"),
+                       tr("Versions, graphics, what is open and the last lines of the log, without your folders"))),
+      open_log_folder(make(owner, "actionOpenLogFolder", tr("&Open the log's folder"),
+                           tr("Show the folder in which the log is kept"))),
+      recent(new QMenu(tr("Open &recent"), owner)),
       themes(new QActionGroup(owner)) {
   undo->setObjectName(QStringLiteral("actionUndo"));
   redo->setObjectName(QStringLiteral("actionRedo"));
@@ -102,10 +116,15 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
   demo->setIconText(tr("Start the demo skin"));
   // A key that is held must not take a row of poses.
   for (QAction* action : {capture, automatic, skip_pose, turn, robot, live_mode, light_cell, toggle_pose, delete_pose,
-                          recapture, screenshot}) {
+                          recapture, mute_link, screenshot, swap_views}) {
     action->setAutoRepeat(false);
   }
   for (QAction* action : {automatic, robot, live_mode, light_cell}) action->setCheckable(true);
+  constexpr int kSteps = 7;
+  for (int number = 1; number <= kSteps; ++number) {
+    go_to_step.push_back(make(owner, qPrintable(QStringLiteral("actionStep%1").arg(number)), tr("Step &%1").arg(number),
+                              tr("Open this step"), {QKeySequence(QStringLiteral("Ctrl+%1").arg(number))}));
+  }
 
   theme = {make(owner, "actionThemeSystem", tr("Like the &system"), tr("Light or dark, as the system asks for")),
            make(owner, "actionThemeLight", tr("&Light"), tr("Dark text on a light ground")),
@@ -119,6 +138,7 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
 void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& panels) const {
   QMenu* file = bar->addMenu(tr("&File"));
   file->addActions({demo, connect_skin, disconnect_skin, open});
+  file->addMenu(recent);
   file->addSeparator();
   file->addActions({save, save_as, save_calibration, export_to, report});
   file->addSeparator();
@@ -128,6 +148,9 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   edit->addActions({undo, redo});
   edit->addSeparator();
   edit->addActions({toggle_pose, delete_pose, recapture});
+  edit->addAction(mute_link);
+  edit->addSeparator();
+  edit->addAction(preferences);
 
   QMenu* session = bar->addMenu(tr("&Session"));
   session->addActions({capture, automatic, skip_pose});
@@ -135,9 +158,12 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   session->addActions({turn, robot});
   session->addSeparator();
   session->addActions({live_mode, light_cell});
+  session->addSeparator();
+  QMenu* steps = session->addMenu(tr("&Go to step"));
+  for (QAction* step : go_to_step) steps->addAction(step);
 
   QMenu* view = bar->addMenu(tr("&View"));
-  view->addActions({find_cell, fit, front, side, top});
+  view->addActions({find_cell, fit, front, side, top, swap_views});
   view->addSeparator();
   for (QAction* panel : panels) view->addAction(panel);
   view->addSeparator();
@@ -145,18 +171,12 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   view->addAction(screenshot);
 
   QMenu* help = bar->addMenu(tr("&Help"));
-  help->addActions({guide, keys, about});
-  for (QMenu* menu : {file, edit, session, view, help}) menu->setToolTipsVisible(true);
-}
-
-std::vector<QAction*> WindowActions::withKeys() const {
-  std::vector<QAction*> found;
-  for (QAction* action : {capture,     automatic, skip_pose, turn, robot,        live_mode, light_cell, toggle_pose,
-                          delete_pose, recapture, undo,      redo, connect_skin, open,      save,       save_as,
-                          export_to,   report,    find_cell, fit,  screenshot,   guide,     keys,       quit}) {
-    if (!action->shortcuts().isEmpty()) found.push_back(action);
-  }
-  return found;
+  help->addActions({guide, keys});
+  help->addSeparator();
+  help->addActions({copy_report, open_log_folder});
+  help->addSeparator();
+  help->addAction(about);
+  for (QMenu* menu : {file, edit, session, steps, view, help}) menu->setToolTipsVisible(true);
 }
 
 void WindowActions::refreshCapture(const SessionController& controller, const QString& no_session) {
@@ -193,6 +213,22 @@ void WindowActions::refreshCapture(const SessionController& controller, const QS
   allow(live_mode, live ? QString() : tr("No skin is connected"));
 }
 
+QString WindowActions::whyNoSession(const SessionController& controller) {
+  if (controller.session()) return {};
+  return controller.isEmpty() ? tr("Nothing is open yet")
+                              : tr("A calibration is open: it holds the result, not the poses");
+}
+
+void WindowActions::refreshLink(const SessionController& controller, const std::optional<Selection::Link>& picked) {
+  QString no_link = whyNoSession(controller);
+  if (no_link.isEmpty() && !picked) no_link = tr("Pick a link in the graph or in the table of links first");
+  const bool muted = no_link.isEmpty() && controller.session()->findMutedLink(picked->first, picked->second) != nullptr;
+  mute_link->setText(muted ? tr("Take link b&ack") : tr("Set link &aside"));
+  mute_link->setProperty(kPurpose, muted ? tr("Let the picked link into the solution again")
+                                         : tr("Keep the picked link out of the solution, as a cable for example"));
+  allow(mute_link, no_link);
+}
+
 void WindowActions::refreshDevice(const SessionController& controller, std::optional<CellId> cell) {
   QString no_light;
   if (!controller.isLive()) {
@@ -209,11 +245,7 @@ void WindowActions::refreshDevice(const SessionController& controller, std::opti
 void WindowActions::refresh(const SessionController& controller, std::optional<int> pose_row,
                             std::optional<CellId> cell) {
   const Session* session = controller.session();
-  QString no_session;
-  if (!session) {
-    no_session = controller.isEmpty() ? tr("Nothing is open yet")
-                                      : tr("A calibration is open: it holds the result, not the poses");
-  }
+  const QString no_session = whyNoSession(controller);
   QString no_result;
   if (!controller.reconstruction()) {
     no_result = controller.isEmpty() ? tr("Nothing is open yet") : tr("There is no reconstruction yet");

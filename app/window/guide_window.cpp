@@ -162,12 +162,14 @@ GuideWindow::GuideWindow(QWidget* parent)
   showPage(pages().front());
 }
 
-void GuideWindow::setKeys(const std::vector<QAction*>& actions) {
+void GuideWindow::setKeys(const QList<QAction*>& actions) {
   browser_->keys.clear();
   for (const QAction* action : actions) {
-    browser_->keys +=
-        QStringLiteral("| %1 | %2 |\n")
-            .arg(QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText), action->iconText());
+    if (action->shortcuts().isEmpty()) continue;
+    QString what = action->text();
+    what.remove(QLatin1Char('&')).remove(QChar(0x2026));
+    browser_->keys += QStringLiteral("| %1 | %2 |\n")
+                          .arg(QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText), what);
   }
 }
 

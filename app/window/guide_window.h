@@ -1,8 +1,8 @@
 #pragma once
 
+#include <QList>
 #include <QStringList>
 #include <QWidget>
-#include <vector>
 
 class QAction;
 class QLineEdit;
@@ -29,7 +29,7 @@ class GuideWindow : public QWidget {
   static QString titleOf(const QString& page);
 
   /// What the page of keys lists: the texts and shortcuts of these actions.
-  void setKeys(const std::vector<QAction*>& actions);
+  void setKeys(const QList<QAction*>& actions);
 
   /// Nothing happens if there is no such page.
   void showPage(const QString& page);

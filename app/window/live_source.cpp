@@ -120,13 +120,11 @@ LiveSource::~LiveSource() { feed_.reset(); }
 
 void LiveSource::start(const LiveOptions& options) {
   stop();
-  PoseRecorderOptions recorder;
-  recorder.automatic = options.automatic;
-  feed_ = std::make_shared<Feed>(*this, recorder);
+  feed_ = std::make_shared<Feed>(*this, options.recorder);
   feed_->recorder().setNextPoseId(options.next_pose);
   feed_->recorder().setEarlierPoses(options.earlier_poses);
   address_ = options.address;
-  automatic_ = options.automatic;
+  automatic_ = options.recorder.automatic;
   status_.state = SourceState::Connecting;
   status_.text = tr("Connecting to %1").arg(address_).toStdString();
   jobs_.add([feed = feed_, address = address_.toStdString()] {

@@ -1,4 +1,5 @@
 #include "app/window/main_window.h"
+#include "app/window/preferences.h"
 #include "app/window/screenshot_tour.h"
 #include "app/window/translation.h"
 
@@ -11,7 +12,9 @@
 #include <QTemporaryDir>
 #include <QTextStream>
 #include <QTimer>
+#include <algorithm>
 #include <cstdio>
+#include <cstring>
 
 namespace {
 
@@ -70,6 +73,12 @@ QString languageFromArguments(const QStringList& arguments) {
   return QSettings().value(QLatin1String(kLanguageSetting)).toString();
 }
 
+/// What is asked for before there is an application that could parse it.
+bool isAsked(int argc, char** argv, const char* option) {
+  return std::any_of(argv + 1, argv + argc,
+                     [option](const char* argument) { return std::strcmp(argument, option) == 0; });
+}
+
 /// Lets the demo's robot take its poses, then takes the picture, as the command line asks.
 class Script : public QObject {
  public:
@@ -116,9 +125,16 @@ int main(int argc, char** argv) {
   format.setSamples(samplesFromArguments(argc, argv));
   QSurfaceFormat::setDefaultFormat(format);
   installStyle();
-  QApplication app(argc, argv);
   QCoreApplication::setOrganizationName(QStringLiteral("Hexoderm"));
   QCoreApplication::setApplicationName(QStringLiteral("hexoderm"));
+  prepareSoftwareOpenGl(isAsked(argc, argv, "--software-opengl"));
+#if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
+  // As Qt 6 does: dense screens are followed, by their exact scale.
+  QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+  QGuiApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
+#endif
+  QApplication app(argc, argv);
   QCoreApplication::setApplicationVersion(QStringLiteral(HEXODERM_VERSION));
 
   const QString texts_language = installTranslations(app, languageFromArguments(app.arguments()));
@@ -156,7 +172,10 @@ int main(int argc, char** argv) {
   tour.setFlags(QCommandLineOption::HiddenFromHelp);
   tour_size.setFlags(QCommandLineOption::HiddenFromHelp);
   tour_width.setFlags(QCommandLineOption::HiddenFromHelp);
-  parser.addOptions({demo, poses, theme, language, screenshot, msaa, tour, tour_size, tour_width});
+  const QCommandLineOption software_opengl(
+      QStringLiteral("software-opengl"),
+      QCoreApplication::translate("main", "Draw in 3D without the graphics card, for this time."));
+  parser.addOptions({demo, poses, theme, language, screenshot, msaa, software_opengl, tour, tour_size, tour_width});
   parser.process(app);
 
   if (parser.positionalArguments().size() > 1) {
@@ -188,6 +207,7 @@ int main(int argc, char** argv) {
     return complain(QCoreApplication::translate("main", "--screenshot needs a file or --demo to show."), kUsage);
   }
 
+  applyTextFactor(Preferences().textFactor());
   if (parser.isSet(tour))
     return runTour(parser.value(tour), parser.value(tour_size), parser.value(tour_width).toInt(), texts_language,
                    choice);

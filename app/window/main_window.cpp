@@ -1,5 +1,6 @@
 #include "app/window/main_window.h"
 
+#include "app/window/window_shell.h"
 #include "hexoderm/util/text.h"
 #include "widgets/banner.h"
 #include "widgets/card_dock.h"
@@ -113,6 +114,7 @@ MainWindow::MainWindow(QWidget* parent)
   // At first no part has the focus, so that keys mean what the list of keys says.
   setFocusPolicy(Qt::StrongFocus);
   setFocus();
+  buildShell();
   buildLayout();
   buildStatusBar();
   connectActions();
@@ -125,6 +127,7 @@ MainWindow::MainWindow(QWidget* parent)
       themeChoiceFromName(settings.value(QStringLiteral("view/theme")).toString()).value_or(ThemeChoice::System),
       false);
   restoreLayout();
+  shell_->begin(*findChild<QMenuBar*>());
   refresh();
 }
 
@@ -143,7 +146,7 @@ void MainWindow::buildLayout() {
   card->setProperty("card", true);
   auto* card_layout = new QVBoxLayout(card);
   card_layout->setContentsMargins(1, 1, 1, 1);
-  card_layout->addWidget(patch_view_);
+  card_layout->addWidget(shell_->makeCentre(patch_view_));
   patch_view_->setAccessibleName(tr("The patch in three dimensions"));
   patch_view_->setMinimumSize(320, 240);
 
@@ -161,6 +164,7 @@ void MainWindow::buildLayout() {
   auto* steps = new CardDock(tr("Steps"), QStringLiteral("stepsDock"), step_panel_, docks_);
   graph_dock_ = new CardDock(tr("Skin graph"), QStringLiteral("graphDock"), graph_view_, docks_);
   pose_dock_ = new CardDock(tr("Poses"), QStringLiteral("poseDock"), withHint(pose_view_, tr("No poses yet.")), docks_);
+  shell_->setSwapped(patch_view_, graph_view_, graph_dock_);
   CardDock* details = buildDetails();
   docks_->addDockWidget(Qt::LeftDockWidgetArea, steps);
   docks_->addDockWidget(Qt::RightDockWidgetArea, graph_dock_);
@@ -213,6 +217,8 @@ CardDock* MainWindow::buildDetails() {
   detail_tabs_->setDrawBase(false);
   detail_tabs_->addTab(tr("Findings"));
   detail_tabs_->addTab(tr("Links"));
+  pages->addWidget(shell_->makeLogView());
+  detail_tabs_->addTab(tr("Log"));
   connect(detail_tabs_, &QTabBar::currentChanged, pages, &QStackedWidget::setCurrentIndex);
   auto* dock = new CardDock(tr("Findings and links"), QStringLiteral("detailsDock"), pages, docks_);
   dock->setHead(detail_tabs_);
@@ -253,6 +259,17 @@ void MainWindow::connectActions() {
     if (const auto index = row ? controller_.sessionIndexOfPoseRow(*row) : std::nullopt) controller_.removePose(*index);
   });
   connect(actions_.show_finding, &QAction::triggered, this, &MainWindow::showWorstFinding);
+  connect(actions_.mute_link, &QAction::triggered, this, [this] {
+    const auto link = selection_.link();
+    if (!link || !controller_.session()) return;
+    controller_.setLinkMuted(link->first, link->second,
+                             !controller_.session()->findMutedLink(link->first, link->second));
+  });
+  graph_view_->setLinkActions({actions_.mute_link});
+  graph_view_->setCellActions({actions_.light_cell});
+  link_view_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  link_view_->addAction(actions_.mute_link);
+  connect(graph_view_, &GraphView::pictureWanted, this, &MainWindow::saveGraph);
   connect(actions_.find_cell, &QAction::triggered, this, [this] {
     graph_dock_->show();
     graph_dock_->raise();
@@ -268,7 +285,6 @@ void MainWindow::connectActions() {
   look(actions_.top, PatchView::StandardView::Top);
   connect(actions_.screenshot, &QAction::triggered, this, &MainWindow::savePicture);
   connect(actions_.guide, &QAction::triggered, this, &MainWindow::showGuide);
-  connect(actions_.keys, &QAction::triggered, this, &MainWindow::showKeys);
   connect(actions_.about, &QAction::triggered, this, &MainWindow::showAbout);
   connect(actions_.themes, &QActionGroup::triggered, this, [this](QAction* action) {
     setThemeChoice(static_cast<ThemeChoice>(actions_.themes->actions().indexOf(action)), true);
@@ -311,6 +327,7 @@ void MainWindow::connectSelection() {
     // The light on the skin follows what is picked here.
     if (controller_.litCell() && selection_.cell()) controller_.lightCell(selection_.cell());
     actions_.refresh(controller_, pickedPoseRow(), selection_.cell());
+    actions_.refreshLink(controller_, selection_.link());
   });
   connect(finding_view_, &QTableView::clicked, this,
           [this](const QModelIndex& index) { pickFromFinding(index.row()); });
@@ -393,12 +410,15 @@ void MainWindow::openStep(GuideStep step) { step_panel_->openStep(static_cast<in
 
 void MainWindow::refresh() {
   actions_.refresh(controller_, pickedPoseRow(), selection_.cell());
+  actions_.refreshLink(controller_, selection_.link());
   banner_->setContent(describeStand(controller_, actions_));
   const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
   const LiveSource& live = controller_.live();
   check_list_->setCheck(result ? checkSkin(*result, live.preview().means, live.hold().stillness.odd_cells)
                                : SkinCheck{});
-  step_panel_->setSteps(describeSteps(controller_, actions_));
+  const std::vector<Step> steps = describeSteps(controller_, actions_);
+  step_panel_->setSteps(steps);
+  shell_->setSteps(steps);
   refreshStatus();
   refreshLive();
 }

@@ -27,6 +27,7 @@ class MessageBar;
 class PatchView;
 class PoseTable;
 class StepPanel;
+class WindowShell;
 
 /// The one window. Wires the controller's signals to the views and the actions to the controller; decides nothing.
 class MainWindow : public QMainWindow {
@@ -49,6 +50,9 @@ class MainWindow : public QMainWindow {
   void setThemeChoice(ThemeChoice choice, bool remember);
   [[nodiscard]] Theme theme() const { return theme_; }
 
+  /// Log, recent and unsaved sessions, preferences.
+  [[nodiscard]] WindowShell& shell() { return *shell_; }
+
   /// The whole window as it looks now.
   [[nodiscard]] QImage picture();
 
@@ -63,6 +67,7 @@ class MainWindow : public QMainWindow {
   void buildStatusBar();
   QWidget* buildTopBar(const std::vector<QAction*>& panels);
   CardDock* buildDetails();
+  void buildShell();
   void connectActions();
   void connectController();
   void connectSelection();
@@ -90,9 +95,9 @@ class MainWindow : public QMainWindow {
   void showExportDialog();
   void askForReport();
   void savePicture();
+  void saveGraph();
   void showDone(const QString& text, const QString& path);
   void afterAskingToSave(std::function<void()> proceed);
-  void showKeys();
   void showGuide();
   void showAbout();
   [[nodiscard]] QString suggestedName() const;
@@ -101,6 +106,7 @@ class MainWindow : public QMainWindow {
   Selection selection_;
   WindowActions actions_;
   Theme theme_ = Theme::Light;
+  std::unique_ptr<WindowShell> shell_;
 
   QMainWindow* docks_;  ///< holds the panels, so that banner and messages stay above them all
   Banner* banner_;

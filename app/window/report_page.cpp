@@ -1,6 +1,6 @@
 #include "app/window/report_page.h"
 
-#include "hexoderm/reconstruction/certainty.h"
+#include "hexoderm/reconstruction/uncertainty.h"
 #include "hexoderm/util/units.h"
 #include "widgets/banner.h"
 #include "widgets/core_words.h"
@@ -291,7 +291,7 @@ void ReportPage::addCells() {
         ++left_out;
         continue;
       }
-      const std::optional<Certainty95> known = certainty95(cell);
+      const std::optional<Uncertainty95> known = uncertaintyOf(cell);
       const bool is_origin = patch.origin == cell.cell;
       rows.push_back({QString::number(cell.cell.value()), QString::number(patch.id.value() + 1),
                       cell.body_part.empty() ? noValue() : utf8(cell.body_part), millimetres(cell.T_o_u.t.x()),

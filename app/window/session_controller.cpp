@@ -1,5 +1,6 @@
 #include "app/window/session_controller.h"
 
+#include "app/window/recovery.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/session/session_store.h"
@@ -103,6 +104,13 @@ void SessionController::openFile(const QString& path) {
             } else {
               showCalibration(std::get<std::shared_ptr<const Reconstruction>>(opened_file->file), name);
             }
+            if (opened_file->store && QFileInfo(path).absolutePath() == QFileInfo(unsavedFolder()).absoluteFilePath()) {
+              // Recovered: it goes on where it was, and still waits to be saved.
+              scratch_path_ = path;
+              session_path_.clear();
+              name_ = tr("Recovered session");
+              undo_stack_.resetClean();
+            }
             if (opened_file->store) {
               journal_ =
                   std::make_unique<SessionJournal>(*this, jobs_, path, std::move(*opened_file->store), journalTold());
@@ -166,12 +174,17 @@ void SessionController::exportTo(const ExportRequest& request) {
 }
 
 void SessionController::saveImage(const QImage& image, const QString& path) {
-  startWriting(tr("Saving %1").arg(QFileInfo(path).fileName()), [this, image, path]() -> Continuation {
-    if (!image.save(path, "PNG")) {
-      throw StorageError("The picture " + path.toStdString() + " could not be written: is the folder writable?");
-    }
-    return [this, path] { emit exported(path); };
-  });
+  savePicture([image, path] { return image.save(path, "PNG"); }, path);
+}
+
+void SessionController::savePicture(std::function<bool()> write, const QString& path) {
+  startWriting(
+      tr("Saving %1").arg(QFileInfo(path).fileName()), [this, write = std::move(write), path]() -> Continuation {
+        if (!write()) {
+          throw StorageError("The picture " + path.toStdString() + " could not be written: is the folder writable?");
+        }
+        return [this, path] { emit exported(path); };
+      });
 }
 
 void SessionController::writeReport(const std::vector<ReportPicture>& pictures, const QString& path) {
@@ -195,6 +208,11 @@ void SessionController::setPoseDisabled(std::size_t index, bool disabled) {
 void SessionController::removePose(std::size_t index) {
   if (!session_ || index >= session_->poses().size()) return;
   undo_stack_.push(new RemovePoseCommand(edited(), index));
+}
+
+void SessionController::setLinkMuted(LinkEnd a, LinkEnd b, bool muted) {
+  if (!session_ || a == b || (session_->findMutedLink(a, b) != nullptr) == muted) return;
+  undo_stack_.push(new MuteLinkCommand(edited(), a, b, muted));
 }
 
 void SessionController::start(const QString& activity, std::function<Continuation()> work, Continuation finally) {

@@ -115,6 +115,10 @@ class SessionController : public QObject {
   void captureNow();
   void setPoseDisabled(std::size_t index, bool disabled);
   void removePose(std::size_t index);
+  /// Keeps a link out of the solution, or lets it in again.
+  void setLinkMuted(LinkEnd a, LinkEnd b, bool muted);
+  /// Calls `write` on the thread for files; false from it is a failure. `exported` follows, as after saveImage().
+  void savePicture(std::function<bool()> write, const QString& path);
 
   /// The session that is open stays until the skin has described itself.
   void connectTo(const hexoderm::ConnectRequest& request);
@@ -134,6 +138,8 @@ class SessionController : public QObject {
   void cancelRecapture();
   /// Lights a cell of the connected skin, and darkens the one before.
   void lightCell(std::optional<hexoderm::CellId> cell);
+  /// Of captures, from the next connection on.
+  void setRecorderOptions(const hexoderm::PoseRecorderOptions& options) { recorder_options_ = options; }
   /// Solves anew with these.
   void setSolverOptions(const hexoderm::SolverOptions& options);
   /// Writes what could not be written to the session's file.
@@ -202,6 +208,7 @@ class SessionController : public QObject {
   std::unique_ptr<Session> session_;
   bool demo_ = false;
   SolverOptions options_;
+  PoseRecorderOptions recorder_options_;
   std::shared_ptr<const Reconstruction> reconstruction_;
   QUndoStack undo_stack_;
   QString name_;

@@ -56,7 +56,8 @@ void SessionController::connectTo(const ConnectRequest& request) {
   connect_revision_ = submitted_revision_;
   LiveOptions options;
   options.address = request.address;
-  options.automatic = automatic_;
+  options.recorder = recorder_options_;
+  options.recorder.automatic = automatic_;
   if (connect_request_.continue_session) {
     options.next_pose = session_->nextPoseId();
     options.earlier_poses = enabledCaptures();
@@ -131,6 +132,7 @@ void SessionController::replaceSkin(const SkinDescription& skin) {
   Session replaced(*skin.model, skin.neighbors, session_->source());
   if (session_->truth()) replaced.setTruth(*session_->truth());
   for (const SessionPose& pose : session_->poses()) replaced.addPose(pose);
+  for (const MutedLink& link : session_->mutedLinks()) replaced.setLinkMuted(link.source, link.target, true, link.why);
   *session_ = std::move(replaced);
   record(SetSkin{skin.model, skin.neighbors});
   submit();

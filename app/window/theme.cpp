@@ -38,6 +38,7 @@ QString panelSheet(const Colors& colors) {
              "QListWidget#guideContents::item:selected { background: %6; color: %7; }"
              "QListWidget#exportFormats::item { padding: 6px 9px; border-radius: 4px; }"
              "QListWidget#exportFormats::item:selected { background: %6; color: %7; }"
+             "QScrollArea#welcomePanel, QWidget#welcomeContent { background: %1; border: 0; }"
              "QStatusBar QLabel { padding: 4px 8px; }"
              "QLabel[hint=\"true\"] { color: %5; padding: 12px 14px; background: %1; }")
       .arg(colors.panel.name(), colors.border.name(), colors.panel_active.name(), colors.text.name(),

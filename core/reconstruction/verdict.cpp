@@ -1,13 +1,12 @@
 #include "verdict.h"
 
-#include "hexoderm/reconstruction/certainty.h"
 #include "hexoderm/reconstruction/pose_advisor.h"
+#include "hexoderm/reconstruction/uncertainty.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace hexoderm {
 namespace {
@@ -19,15 +18,15 @@ constexpr double kUsableOrientation = 20 * kDegree;
 
 /// Of the cells that were measured; cells placed through their links are named by findings of their own. Where none was
 /// measured, of all.
-Certainty95 worstCertainty(const Reconstruction& r) {
+Uncertainty95 worstSpread(const Reconstruction& r) {
   const auto measured = [](const CellPlacement& cell) { return cell.placed_by == PlacedBy::Samples; };
   const bool any_measured = std::ranges::any_of(
       r.patches, [&](const PatchReconstruction& patch) { return std::ranges::any_of(patch.cells, measured); });
-  Certainty95 worst;
+  Uncertainty95 worst;
   for (const PatchReconstruction& patch : r.patches) {
     for (const CellPlacement& cell : patch.cells) {
-      const std::optional<Certainty95> known = certainty95(cell);
-      if (!known || (any_measured && !measured(cell))) continue;
+      const std::optional<Uncertainty95> known = any_measured && !measured(cell) ? std::nullopt : uncertaintyOf(cell);
+      if (!known) continue;
       worst.position_m = std::max(worst.position_m, known->position_m);
       worst.orientation_rad = std::max(worst.orientation_rad, known->orientation_rad);
     }
@@ -72,7 +71,7 @@ const Finding* worstFinding(const Reconstruction& r) {
   return worst;
 }
 
-std::string plusMinus(const Certainty95& spread) {
+std::string plusMinus(const Uncertainty95& spread) {
   return "±" + formatFixed(toMillimetres(spread.position_m), 1) + " mm, ±" +
          formatFixed(toDegrees(spread.orientation_rad), 1) + "°";
 }
@@ -101,7 +100,7 @@ Verdict judge(const Reconstruction& r) {
     return verdict;
   }
 
-  const Certainty95 spread = worstCertainty(r);
+  const Uncertainty95 spread = worstSpread(r);
   verdict.position_95_m = spread.position_m;
   verdict.orientation_95_rad = spread.orientation_rad;
   if (poses > 0 && advice.sigma_now_rad > 0) {
