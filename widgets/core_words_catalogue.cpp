@@ -77,6 +77,11 @@ const std::vector<const char*>& coreTemplates() {
           "hexoderm::CoreWords",
           "With all other links the ends of the %1 come to lie %2 mm apart, and a skin link leaves no more than %3 mm: "
           "it is probably a cable, or another link of the loop is. The link is not used."),
+      QT_TRANSLATE_NOOP("hexoderm::CoreWords", "The %1 was set aside by hand; it is not used."),
+      QT_TRANSLATE_NOOP("hexoderm::CoreWords", "The %1 was set aside by hand (%2); it is not used."),
+      QT_TRANSLATE_NOOP("hexoderm::CoreWords", "The %1 was set aside by hand, but the skin reports no such link."),
+      QT_TRANSLATE_NOOP("hexoderm::CoreWords", "The %1 was set aside by hand (%2), but the skin reports no such link."),
+      QT_TRANSLATE_NOOP("hexoderm::CoreWords", "The operator set a link aside, as a cable for example; it is muted."),
       // Findings about cells (core/reconstruction/cell_health.cpp, suspects.cpp, reconstructor.cpp).
       QT_TRANSLATE_NOOP("hexoderm::CoreWords",
                         "Cell %1 delivered no reading in any pose; it is placed through its links."),

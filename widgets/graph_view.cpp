@@ -1,6 +1,5 @@
 #include "widgets/graph_view.h"
 
-#include "widgets/core_words.h"
 #include "widgets/find_cell_field.h"
 #include "widgets/graph_view_parts.h"
 #include "widgets/selection.h"

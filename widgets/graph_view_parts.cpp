@@ -1,6 +1,7 @@
 #include "widgets/graph_view_parts.h"
 #include "widgets/core_words.h"
 
+#include "widgets/core_words.h"
 #include "widgets/find_cell_field.h"
 #include "widgets/selection.h"
 #include "widgets/words.h"

@@ -61,10 +61,23 @@ QString GuideWindow::titleOf(const QString& page) {
   return first.startsWith(QStringLiteral("# ")) ? first.mid(2) : QString();
 }
 
+/// Fills in what only the window knows.
+class GuideBrowser : public QTextBrowser {
+ public:
+  QString keys;  ///< rows of a table
+
+  QVariant loadResource(int type, const QUrl& name) override {
+    const QVariant resource = QTextBrowser::loadResource(type, name);
+    if (!name.path().endsWith(QStringLiteral("/keys.md"))) return resource;
+    QString page = QString::fromUtf8(resource.toByteArray());
+    return page.replace(QStringLiteral("@keys@\n"), keys).toUtf8();
+  }
+};
+
 GuideWindow::GuideWindow(QWidget* parent)
     : QWidget(parent, Qt::Window),
       contents_(new QListWidget),
-      browser_(new QTextBrowser),
+      browser_(new GuideBrowser),
       search_(new QLineEdit),
       not_found_(new QLabel) {
   setObjectName(QStringLiteral("guideWindow"));
@@ -147,6 +160,17 @@ GuideWindow::GuideWindow(QWidget* parent)
   resize(980, 720);
   browser_->setFocus();
   showPage(pages().front());
+}
+
+void GuideWindow::setKeys(const QList<QAction*>& actions) {
+  browser_->keys.clear();
+  for (const QAction* action : actions) {
+    if (action->shortcuts().isEmpty()) continue;
+    QString what = action->text();
+    what.remove(QLatin1Char('&')).remove(QChar(0x2026));
+    browser_->keys += QStringLiteral("| %1 | %2 |\n")
+                          .arg(QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText), what);
+  }
 }
 
 void GuideWindow::showPage(const QString& page) {

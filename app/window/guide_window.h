@@ -1,15 +1,17 @@
 #pragma once
 
+#include <QList>
 #include <QStringList>
 #include <QWidget>
 
+class QAction;
 class QLineEdit;
 class QListWidget;
 class QLabel;
-class QTextBrowser;
 
 namespace hexoderm {
 
+class GuideBrowser;
 class SessionController;
 
 /// The user guide in a window of its own: a list of its pages, the page, search within it, back and forward. The pages
@@ -26,6 +28,9 @@ class GuideWindow : public QWidget {
   /// What the page says at its top, in the language of the guide; empty if there is no such page.
   static QString titleOf(const QString& page);
 
+  /// What the page of keys lists: the texts and shortcuts of these actions.
+  void setKeys(const QList<QAction*>& actions);
+
   /// Nothing happens if there is no such page.
   void showPage(const QString& page);
   [[nodiscard]] QString currentPage() const { return page_; }
@@ -40,7 +45,7 @@ class GuideWindow : public QWidget {
 
   QString page_;
   QListWidget* contents_;
-  QTextBrowser* browser_;
+  GuideBrowser* browser_;
   QLineEdit* search_;
   QLabel* not_found_;
 };

@@ -41,14 +41,9 @@ int samplesFromArguments(int argc, char** argv) {
   return 0;
 }
 
-/// What is asked for before there is an application that could parse it.
-bool isAsked(int argc, char** argv, const char* option) {
-  return std::any_of(argv + 1, argv + argc,
-                     [option](const char* argument) { return std::strcmp(argument, option) == 0; });
-}
-
 /// Settings of its own, so that pictures show what a newcomer sees.
-int runTour(const QString& folder, const QString& size, const QString& language, std::optional<ThemeChoice> theme) {
+int runTour(const QString& folder, const QString& size, int largest_width_px, const QString& language,
+            std::optional<ThemeChoice> theme) {
   const QStringList sides = size.split(QLatin1Char('x'));
   const QSize window_size = sides.size() == 2 ? QSize(sides[0].toInt(), sides[1].toInt()) : QSize();
   if (window_size.isEmpty()) {
@@ -62,7 +57,7 @@ int runTour(const QString& folder, const QString& size, const QString& language,
   if (theme) window.setThemeChoice(*theme, false);
   const QString prefix = language + QLatin1Char('-') +
                          (window.theme() == Theme::Dark ? QStringLiteral("dark-") : QStringLiteral("light-")) + size;
-  const QStringList problems = ScreenshotTour(window, QDir(folder), prefix).run(window_size);
+  const QStringList problems = ScreenshotTour(window, QDir(folder), prefix, largest_width_px).run(window_size);
   for (const QString& problem : problems) complain(problem, 0);
   return problems.isEmpty() ? 0 : 1;
 }
@@ -76,6 +71,12 @@ QString languageFromArguments(const QStringList& arguments) {
     if (argument.startsWith(prefix)) return argument.mid(prefix.size());
   }
   return QSettings().value(QLatin1String(kLanguageSetting)).toString();
+}
+
+/// What is asked for before there is an application that could parse it.
+bool isAsked(int argc, char** argv, const char* option) {
+  return std::any_of(argv + 1, argv + argc,
+                     [option](const char* argument) { return std::strcmp(argument, option) == 0; });
 }
 
 /// Lets the demo's robot take its poses, then takes the picture, as the command line asks.
@@ -163,16 +164,18 @@ int main(int argc, char** argv) {
   const QCommandLineOption msaa(QStringLiteral("msaa"),
                                 QCoreApplication::translate("main", "Samples per pixel of the 3D view; 0 is fastest."),
                                 QStringLiteral("N"), QStringLiteral("0"));
-  const QCommandLineOption software_opengl(
-      QStringLiteral("software-opengl"),
-      QCoreApplication::translate("main", "Draw in 3D without the graphics card, for this time."));
   // For packaging/screenshots.sh, and nothing that a user looks for.
   QCommandLineOption tour(QStringLiteral("screenshots"), {}, QStringLiteral("DIR"));
   QCommandLineOption tour_size(QStringLiteral("screenshots-size"), {}, QStringLiteral("WxH"),
                                QStringLiteral("1280x800"));
+  QCommandLineOption tour_width(QStringLiteral("screenshots-width"), {}, QStringLiteral("PIXELS"), QStringLiteral("0"));
   tour.setFlags(QCommandLineOption::HiddenFromHelp);
   tour_size.setFlags(QCommandLineOption::HiddenFromHelp);
-  parser.addOptions({demo, poses, theme, language, screenshot, msaa, software_opengl, tour, tour_size});
+  tour_width.setFlags(QCommandLineOption::HiddenFromHelp);
+  const QCommandLineOption software_opengl(
+      QStringLiteral("software-opengl"),
+      QCoreApplication::translate("main", "Draw in 3D without the graphics card, for this time."));
+  parser.addOptions({demo, poses, theme, language, screenshot, msaa, software_opengl, tour, tour_size, tour_width});
   parser.process(app);
 
   if (parser.positionalArguments().size() > 1) {
@@ -205,7 +208,9 @@ int main(int argc, char** argv) {
   }
 
   applyTextFactor(Preferences().textFactor());
-  if (parser.isSet(tour)) return runTour(parser.value(tour), parser.value(tour_size), texts_language, choice);
+  if (parser.isSet(tour))
+    return runTour(parser.value(tour), parser.value(tour_size), parser.value(tour_width).toInt(), texts_language,
+                   choice);
   MainWindow window;
   if (choice) window.setThemeChoice(*choice, false);
   window.show();

@@ -64,7 +64,10 @@ bool ScreenshotTour::waitUntilIdle() {
 void ScreenshotTour::stop(QWidget& shown, const QString& name) {
   settle();
   const QString file = QStringLiteral("%1-%2-%3.png").arg(prefix_).arg(++stops_, 2, 10, QLatin1Char('0')).arg(name);
-  const QImage picture = &shown == &window_ ? window_.picture() : shown.grab().toImage();
+  QImage picture = &shown == &window_ ? window_.picture() : shown.grab().toImage();
+  if (largest_width_px_ > 0 && picture.width() > largest_width_px_) {
+    picture = picture.scaledToWidth(largest_width_px_, Qt::SmoothTransformation);
+  }
   if (!picture.save(folder_.filePath(file), "PNG")) problems_ << QStringLiteral("%1 could not be written").arg(file);
   for (const CutText& cut : findCutTexts(shown)) {
     problems_ << QStringLiteral("%1: \"%2\" %3 (%4)").arg(file, cut.text, cut.how, cut.where);

@@ -16,9 +16,10 @@ class MainWindow;
 /// cut off. Nothing here knows the steps: it opens those that the panel of steps offers.
 class ScreenshotTour {
  public:
-  /// Pictures are named `prefix`-stop.png. The window must outlive the tour.
-  ScreenshotTour(MainWindow& window, const QDir& folder, const QString& prefix)
-      : window_(window), folder_(folder), prefix_(prefix) {}
+  /// Pictures are named `prefix`-stop.png, and are made smaller if they are wider than `largest_width_px` (0: never).
+  /// The window must outlive the tour.
+  ScreenshotTour(MainWindow& window, const QDir& folder, const QString& prefix, int largest_width_px = 0)
+      : window_(window), folder_(folder), prefix_(prefix), largest_width_px_(largest_width_px) {}
 
   /// Runs the event loop until it is through. What went wrong, in words: texts that are cut off, pictures that could
   /// not be written, waits that had no end. Empty if all is well.
@@ -33,6 +34,7 @@ class ScreenshotTour {
   MainWindow& window_;
   QDir folder_;
   QString prefix_;
+  int largest_width_px_;
   int stops_ = 0;
   QStringList problems_;
 };

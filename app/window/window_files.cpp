@@ -253,6 +253,7 @@ void MainWindow::showGuide() {
   if (guide == nullptr) {
     guide = new GuideWindow(this);
     guide->setAttribute(Qt::WA_DeleteOnClose);
+    guide->setKeys(QWidget::actions());
   }
   guide->showPage(guidePageFor(controller_));
   guide->show();

@@ -2,6 +2,233 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
+    <name>hexoderm</name>
+    <message>
+        <source>%1° or more</source>
+        <translation>%1° oder mehr</translation>
+    </message>
+    <message>
+        <source>own readings</source>
+        <translation>eigene Messwerte</translation>
+    </message>
+    <message>
+        <source>links</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>patch %1</source>
+        <translation>Hautstück %1</translation>
+    </message>
+    <message>
+        <source>link quality</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>Restfehler</translation>
+    </message>
+    <message>
+        <source>predicted deviation</source>
+        <translation>erwartete Abweichung</translation>
+    </message>
+    <message>
+        <source>bend</source>
+        <translation>Biegung</translation>
+    </message>
+    <message>
+        <source>twist</source>
+        <translation>Verwindung</translation>
+    </message>
+    <message>
+        <source>yaw</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>position uncertainty</source>
+        <translation>Unsicherheit des Ortes</translation>
+    </message>
+    <message>
+        <source>orientation uncertainty</source>
+        <translation>Unsicherheit der Drehung</translation>
+    </message>
+    <message>
+        <source>placed by</source>
+        <translation>eingeordnet durch</translation>
+    </message>
+    <message>
+        <source>patch</source>
+        <translation>Hautstück</translation>
+    </message>
+    <message>
+        <source>body part</source>
+        <translation>Körperteil</translation>
+    </message>
+    <message>
+        <source>residual, rms over poses</source>
+        <translation>Restfehler, Effektivwert über die Posen</translation>
+    </message>
+    <message>
+        <source>bend, either way</source>
+        <translation>Biegung, beide Richtungen</translation>
+    </message>
+    <message>
+        <source>twist, either way</source>
+        <translation>Verwindung, beide Richtungen</translation>
+    </message>
+    <message>
+        <source>yaw, either way</source>
+        <translation>Drehung, beide Richtungen</translation>
+    </message>
+    <message>
+        <source>position known to (95 %)</source>
+        <translation>Ort bekannt auf (95 %)</translation>
+    </message>
+    <message>
+        <source>±%1 mm or more</source>
+        <translation>±%1 mm oder mehr</translation>
+    </message>
+    <message>
+        <source>orientation known to (95 %)</source>
+        <translation>Drehung bekannt auf (95 %)</translation>
+    </message>
+    <message>
+        <source>1 link</source>
+        <translation>1 Verbindung</translation>
+    </message>
+    <message>
+        <source>%1 links</source>
+        <translation>%1 Verbindungen</translation>
+    </message>
+    <message>
+        <source>Path from the origin: %1 (%2)</source>
+        <translation>Weg vom Ursprung: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Residual in the worst poses %1</source>
+        <translation>Restfehler in den schlechtesten Posen %1</translation>
+    </message>
+    <message>
+        <source>Residual in pose %1</source>
+        <translation>Restfehler in Pose %1</translation>
+    </message>
+    <message>
+        <source>Link %1 · port %2 — %3 · port %4</source>
+        <translation>Verbindung %1 · Port %2 — %3 · Port %4</translation>
+    </message>
+    <message>
+        <source>It is not used.</source>
+        <translation>Sie wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>cell %1</source>
+        <translation>Zelle %1</translation>
+    </message>
+    <message>
+        <source>cells %1</source>
+        <translation>Zellen %1</translation>
+    </message>
+    <message>
+        <source>pose %1</source>
+        <translation>Pose %1</translation>
+    </message>
+    <message>
+        <source>poses %1</source>
+        <translation>Posen %1</translation>
+    </message>
+    <message>
+        <source>Used, on the shortest paths to the origin</source>
+        <translation>Benutzt, auf den kürzesten Wegen zum Ursprung</translation>
+    </message>
+    <message>
+        <source>Used</source>
+        <translation>Benutzt</translation>
+    </message>
+    <message>
+        <source>Muted: %1</source>
+        <translation>Ausgeschlossen: %1</translation>
+    </message>
+    <message>
+        <source>%1, singular values %2, %3, %4; weight %5</source>
+        <translation>%1, Singulärwerte %2; %3; %4; Gewicht %5</translation>
+    </message>
+    <message>
+        <source>Bend %1, twist %2, yaw %3</source>
+        <translation>Biegung %1, Verwindung %2, Drehung %3</translation>
+    </message>
+    <message>
+        <source>Residual %1, predicted deviation %2</source>
+        <translation>Restfehler %1, erwartete Abweichung %2</translation>
+    </message>
+    <message>
+        <source>Centred: the mean of each cell&apos;s readings was subtracted</source>
+        <translation>Zentriert: Das Mittel der Messwerte jeder Zelle wurde abgezogen</translation>
+    </message>
+    <message>
+        <source>Support axes were added: the poses alone do not fix it</source>
+        <translation>Stützachsen wurden hinzugefügt: Die Posen allein legen sie nicht fest</translation>
+    </message>
+    <message>
+        <source>Origin of patch %1</source>
+        <translation>Ursprung von Hautstück %1</translation>
+    </message>
+    <message>
+        <source>Patch %1</source>
+        <translation>Hautstück %1</translation>
+    </message>
+    <message>
+        <source>On %1</source>
+        <translation>Auf %1</translation>
+    </message>
+    <message>
+        <source>Placed through its links: its own readings are not used</source>
+        <translation>Über ihre Verbindungen eingeordnet: Ihre eigenen Messwerte werden nicht benutzt</translation>
+    </message>
+    <message>
+        <source>Placed by its own readings</source>
+        <translation>Durch eigene Messwerte eingeordnet</translation>
+    </message>
+    <message>
+        <source>At %1 mm from the origin</source>
+        <translation>Bei %1 mm vom Ursprung</translation>
+    </message>
+    <message>
+        <source>Roll %1, pitch %2, yaw %3</source>
+        <translation>Roll %1, Nick %2, Gier %3</translation>
+    </message>
+    <message>
+        <source>Known to ±%1 mm, ±%2 (95 %)</source>
+        <translation>Bekannt auf ±%1 mm, ±%2 (95 %)</translation>
+    </message>
+    <message>
+        <source>How well it is known is not stated</source>
+        <translation>Wie gut es bekannt ist, ist nicht angegeben</translation>
+    </message>
+    <message>
+        <source>Accelerometer offset %1 mg</source>
+        <translation>Nullpunkt des Sensors %1 mg</translation>
+    </message>
+    <message>
+        <source>Accelerometer scale %1</source>
+        <translation>Skalierung des Sensors %1</translation>
+    </message>
+    <message>
+        <source>Cell %1</source>
+        <translation>Zelle %1</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::AddPoseCommand</name>
     <message>
         <source>take pose %1</source>
@@ -1111,6 +1338,41 @@
         <source>%1 of %2 cells send</source>
         <translation>%1 von %2 Zellen senden</translation>
     </message>
+    <message>
+        <source>The %1 was set aside by hand; it is not used.</source>
+        <translation>Die %1 wurde von Hand weggelegt; sie wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>The %1 was set aside by hand (%2); it is not used.</source>
+        <translation>Die %1 wurde von Hand weggelegt (%2); sie wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>The %1 was set aside by hand, but the skin reports no such link.</source>
+        <translation>Die %1 wurde von Hand weggelegt, aber die Haut meldet keine solche Verbindung.</translation>
+    </message>
+    <message>
+        <source>The %1 was set aside by hand (%2), but the skin reports no such link.</source>
+        <translation>Die %1 wurde von Hand weggelegt (%2), aber die Haut meldet keine solche Verbindung.</translation>
+    </message>
+    <message>
+        <source>The operator set a link aside, as a cable for example; it is muted.</source>
+        <translation>Eine Verbindung wurde von Hand weggelegt, als Kabel zum Beispiel; sie ist ausgeschlossen.</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::EventLog</name>
+    <message>
+        <source>Info</source>
+        <translation>Info</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::ExportDialog</name>
@@ -1250,6 +1512,64 @@
     </message>
 </context>
 <context>
+    <name>hexoderm::GraphColoringButton</name>
+    <message>
+        <source>What the colours of links and cells show</source>
+        <translation>Was die Farben der Verbindungen und Zellen zeigen</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>Mark the &amp;shortest paths</source>
+        <translation>&amp;Kürzeste Wege markieren</translation>
+    </message>
+    <message>
+        <source>A band under the links on the shortest paths to the origin</source>
+        <translation>Ein Band unter den Verbindungen auf den kürzesten Wegen zum Ursprung</translation>
+    </message>
+    <message>
+        <source>Colour: %1 ▾</source>
+        <translation>Farbe: %1 ▾</translation>
+    </message>
+    <message>
+        <source>Colour of the graph: %1</source>
+        <translation>Farbe des Graphen: %1</translation>
+    </message>
+    <message>
+        <source>This skin does not say which body parts its cells are on</source>
+        <translation>Diese Haut sagt nicht, auf welchen Körperteilen ihre Zellen sind</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::GraphLegend</name>
+    <message>
+        <source>and so on</source>
+        <translation>und so weiter</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation>nicht benutzt</translation>
+    </message>
+    <message>
+        <source>shortest paths</source>
+        <translation>kürzeste Wege</translation>
+    </message>
+    <message>
+        <source>origin</source>
+        <translation>Ursprung</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::GraphView</name>
     <message>
         <source>Patch %1</source>
@@ -1286,6 +1606,30 @@
     <message>
         <source>Skin graph</source>
         <translation>Hautgraph</translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation>nicht benutzt</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>&amp;Einpassen</translation>
+    </message>
+    <message>
+        <source>Find &amp;cell…</source>
+        <translation>&amp;Zelle suchen…</translation>
+    </message>
+    <message>
+        <source>Copy pict&amp;ure</source>
+        <translation>B&amp;ild kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Save picture…</source>
+        <translation>Bild &amp;speichern…</translation>
     </message>
 </context>
 <context>
@@ -1465,10 +1809,45 @@
     </message>
 </context>
 <context>
+    <name>hexoderm::Id</name>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::KeysDialog</name>
     <message>
         <source>Keys</source>
         <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Everywhere</source>
+        <translation>Überall</translation>
+    </message>
+    <message>
+        <source>Cancel or close what is open; never quits</source>
+        <translation>Bricht ab oder schließt, was offen ist; beendet nie</translation>
+    </message>
+    <message>
+        <source>Go to the next control, with Shift to the one before</source>
+        <translation>Zum nächsten Bedienelement, mit Umschalt zum vorigen</translation>
+    </message>
+    <message>
+        <source>Press the button that has the focus</source>
+        <translation>Den Knopf mit dem Fokus drücken</translation>
+    </message>
+    <message>
+        <source>Open the picked row or recent file</source>
+        <translation>Die gewählte Zeile oder letzte Datei öffnen</translation>
+    </message>
+    <message>
+        <source>Search for a key or for what it does</source>
+        <translation>Taste oder Wirkung suchen</translation>
+    </message>
+    <message>
+        <source>No key is like that.</source>
+        <translation>Keine Taste passt dazu.</translation>
     </message>
 </context>
 <context>
@@ -1549,6 +1928,10 @@
         <source>Whether the link is used, and whether it lies on the shortest-path tree</source>
         <translation>Ob die Verbindung benutzt wird und ob sie auf dem Baum der kürzesten Wege liegt</translation>
     </message>
+    <message>
+        <source>set aside</source>
+        <translation>weggelegt</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::LiveSource</name>
@@ -1621,6 +2004,72 @@
     <message>
         <source> · %1 reconnects</source>
         <translation> · %1-mal neu verbunden</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::LogModel</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>Schwere</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::LogView</name>
+    <message>
+        <source>Which lines of the log are shown</source>
+        <translation>Welche Zeilen des Protokolls gezeigt werden</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>Warnings and errors</source>
+        <translation>Warnungen und Fehler</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Search the log</source>
+        <translation>Protokoll durchsuchen</translation>
+    </message>
+    <message>
+        <source>Copy for a bug report</source>
+        <translation>Für Fehlerbericht kopieren</translation>
+    </message>
+    <message>
+        <source>Copies versions, graphics, what is open and the last 200 lines; your home folder is left out</source>
+        <translation>Kopiert Versionen, Grafik, was offen ist und die letzten 200 Zeilen; der eigene Ordner bleibt weg</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>This log is not kept in a file</source>
+        <translation>Dieses Protokoll liegt in keiner Datei</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>1 line</source>
+        <translation>1 Zeile</translation>
+    </message>
+    <message>
+        <source>%1 lines</source>
+        <translation>%1 Zeilen</translation>
     </message>
 </context>
 <context>
@@ -1805,12 +2254,39 @@
         <source>Don&apos;t recapture</source>
         <translation>Nicht neu aufnehmen</translation>
     </message>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Save a picture of the graph</source>
+        <translation>Bild des Graphen speichern</translation>
+    </message>
+    <message>
+        <source>-graph</source>
+        <translation>-graph</translation>
+    </message>
+    <message>
+        <source>Vector graphics (*.svg);;Pictures (*.png)</source>
+        <translation>Vektorgrafik (*.svg);;Bilder (*.png)</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>
     <message>
         <source>Close this message</source>
         <translation>Diese Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::MuteLinkCommand</name>
+    <message>
+        <source>set link %1 aside</source>
+        <translation>Verbindung %1 weglegen</translation>
+    </message>
+    <message>
+        <source>take link %1 back</source>
+        <translation>Verbindung %1 zurücknehmen</translation>
     </message>
 </context>
 <context>
@@ -1972,6 +2448,370 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: mit LIBGL_ALWA
     <message>
         <source>How badly the pose fits the reconstruction: rms over the links</source>
         <translation>Wie schlecht die Pose zur Rekonstruktion passt: Effektivwert über die Verbindungen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Groups of preferences</source>
+        <translation>Gruppen von Einstellungen</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Aussehen</translation>
+    </message>
+    <message>
+        <source>Capture</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>Solver</source>
+        <translation>Löser</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>Changes act at once.</source>
+        <translation>Änderungen wirken sofort.</translation>
+    </message>
+    <message>
+        <source>Restore defaults</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>All preferences on all pages become as they were at the first start</source>
+        <translation>Alle Einstellungen auf allen Seiten werden wie beim ersten Start</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Farbschema</translation>
+    </message>
+    <message>
+        <source>Like the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Light or dark, or what the system asks for.</source>
+        <translation>Hell oder dunkel, oder was das System will.</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>The window speaks it from its next start on.</source>
+        <translation>Das Fenster spricht sie ab dem nächsten Start.</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Te&amp;xt size</source>
+        <translation>Sch&amp;riftgröße</translation>
+    </message>
+    <message>
+        <source>Relative to the text size that the system asks for.</source>
+        <translation>Bezogen auf die Schriftgröße des Systems.</translation>
+    </message>
+    <message>
+        <source>&amp;Less motion</source>
+        <translation>&amp;Weniger Bewegung</translation>
+    </message>
+    <message>
+        <source>Views jump to where they would otherwise glide, and nothing moves by itself.</source>
+        <translation>Ansichten springen, wohin sie sonst gleiten, und nichts bewegt sich von selbst.</translation>
+    </message>
+    <message>
+        <source>&amp;Draw without the graphics card</source>
+        <translation>&amp;Ohne Grafikkarte zeichnen</translation>
+    </message>
+    <message>
+        <source>For remote desktops and faulty drivers: OpenGL by the processor, from the next start on. Slower, and enough for thousands of cells.</source>
+        <translation>Für entfernte Bildschirme und fehlerhafte Treiber: OpenGL im Prozessor, ab dem nächsten Start. Langsamer, aber genug für Tausende von Zellen.</translation>
+    </message>
+    <message>
+        <source>Lengths are in millimetres and angles in degrees on screen; files hold metres and radians.</source>
+        <translation>Auf dem Bildschirm sind Längen in Millimetern und Winkel in Grad; Dateien enthalten Meter und Radiant.</translation>
+    </message>
+    <message>
+        <source>&amp;Sound when a pose is captured</source>
+        <translation>&amp;Ton, wenn eine Pose aufgenommen ist</translation>
+    </message>
+    <message>
+        <source>So that you know without looking at the screen.</source>
+        <translation>Damit es auch ohne Blick auf den Bildschirm klar ist.</translation>
+    </message>
+    <message>
+        <source>Largest s&amp;catter</source>
+        <translation>Größte St&amp;reuung</translation>
+    </message>
+    <message>
+        <source>The part counts as still when its cells scatter by less than this beyond their own noise; 30 mg is a hand that holds it. A robot&apos;s arm allows less.</source>
+        <translation>Das Teil gilt als ruhig, wenn seine Zellen um weniger als dies über ihr Rauschen hinaus streuen; 30 mg ist eine Hand, die es hält. Ein Roboterarm erlaubt weniger.</translation>
+    </message>
+    <message>
+        <source>Largest &amp;turn</source>
+        <translation>Größte &amp;Drehung</translation>
+    </message>
+    <message>
+        <source>°/s</source>
+        <translation>°/s</translation>
+    </message>
+    <message>
+        <source>The part counts as still when it turns more slowly than this.</source>
+        <translation>Das Teil gilt als ruhig, wenn es sich langsamer als dies dreht.</translation>
+    </message>
+    <message>
+        <source>&amp;Hold for</source>
+        <translation>&amp;Halten für</translation>
+    </message>
+    <message>
+        <source>How long it must be still before samples are taken.</source>
+        <translation>Wie lange es ruhig sein muss, bevor gemessen wird.</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>Samples of &amp;each cell</source>
+        <translation>Messwerte &amp;je Zelle</translation>
+    </message>
+    <message>
+        <source>Automatic takes 100, or what slower cells send in 0.75 s. More take longer and make the mean steadier.</source>
+        <translation>Automatisch nimmt 100, oder was langsamere Zellen in 0,75 s senden. Mehr dauert länger und macht das Mittel ruhiger.</translation>
+    </message>
+    <message>
+        <source>Limits act from the next connection on.</source>
+        <translation>Grenzen wirken ab der nächsten Verbindung.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>An</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>&amp;Solver</source>
+        <translation>&amp;Löser</translation>
+    </message>
+    <message>
+        <source>Global</source>
+        <translation>Global</translation>
+    </message>
+    <message>
+        <source>Tree, as in the paper</source>
+        <translation>Baum, wie im Aufsatz</translation>
+    </message>
+    <message>
+        <source>Global uses all links and poses at once and says how sure it is; the tree goes from cell to cell along shortest paths.</source>
+        <translation>Global benutzt alle Verbindungen und Posen zugleich und sagt, wie sicher es ist; der Baum geht auf kürzesten Wegen von Zelle zu Zelle.</translation>
+    </message>
+    <message>
+        <source>&amp;Gap between cells</source>
+        <translation>&amp;Spalt zwischen Zellen</translation>
+    </message>
+    <message>
+        <source>Fit: found from closed loops</source>
+        <translation>Anpassen: aus geschlossenen Schleifen</translation>
+    </message>
+    <message>
+        <source>Arc: the mould stretches along an arc</source>
+        <translation>Bogen: Die Form dehnt sich entlang eines Bogens</translation>
+    </message>
+    <message>
+        <source>Pivot: the gap bends in one point</source>
+        <translation>Gelenk: Der Spalt knickt in einem Punkt</translation>
+    </message>
+    <message>
+        <source>How the mould gives way between two cells. Fit estimates it from each patch; a patch without loops can&apos;t tell, and the stated uncertainty says so.</source>
+        <translation>Wie die Form zwischen zwei Zellen nachgibt. Anpassen schätzt es aus jedem Hautstück; ohne Schleifen geht das nicht, und die angegebene Unsicherheit sagt es.</translation>
+    </message>
+    <message>
+        <source>Remove sensor &amp;offsets</source>
+        <translation>&amp;Nullpunkte entfernen</translation>
+    </message>
+    <message>
+        <source>Subtracts each cell&apos;s mean over the poses, which takes its sensor&apos;s offset away. Automatic does so where the poses are good enough for it.</source>
+        <translation>Zieht das Mittel jeder Zelle über die Posen ab, was den Nullpunkt ihres Sensors entfernt. Automatisch tut das, wo die Posen dafür gut genug sind.</translation>
+    </message>
+    <message>
+        <source>Support &amp;axes</source>
+        <translation>Stütz&amp;achsen</translation>
+    </message>
+    <message>
+        <source>Keep links nearly flat in directions that no pose has determined.</source>
+        <translation>Hält Verbindungen fast flach in Richtungen, die keine Pose bestimmt hat.</translation>
+    </message>
+    <message>
+        <source>&amp;Weights of the paths</source>
+        <translation>&amp;Gewichte der Wege</translation>
+    </message>
+    <message>
+        <source>Paper: by class</source>
+        <translation>Aufsatz: nach Güte</translation>
+    </message>
+    <message>
+        <source>By residual</source>
+        <translation>Nach Restfehler</translation>
+    </message>
+    <message>
+        <source>Which links the tree prefers: those of a good class, or those that fit well.</source>
+        <translation>Welche Verbindungen der Baum bevorzugt: die von guter Güte oder die gut passenden.</translation>
+    </message>
+    <message>
+        <source>&amp;Threshold of the classes</source>
+        <translation>S&amp;chwelle der Güte</translation>
+    </message>
+    <message>
+        <source>A direction counts as defined from this singular value on: 0.5 accepts poses 60° to 120° apart, 1 is the paper&apos;s.</source>
+        <translation>Eine Richtung gilt ab diesem Singulärwert als bestimmt: 0,5 lässt Posen mit 60° bis 120° Abstand zu, 1 ist der Wert des Aufsatzes.</translation>
+    </message>
+    <message>
+        <source>the folder of the last file</source>
+        <translation>der Ordner der letzten Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Durchsuchen…</translation>
+    </message>
+    <message>
+        <source>Where new sessions of a connected skin go unless another folder is chosen there.</source>
+        <translation>Wohin neue Sitzungen einer verbundenen Haut kommen, wenn dort kein anderer Ordner gewählt wird.</translation>
+    </message>
+    <message>
+        <source>&amp;Folder for sessions</source>
+        <translation>&amp;Ordner für Sitzungen</translation>
+    </message>
+    <message>
+        <source>Folder for sessions</source>
+        <translation>Ordner für Sitzungen</translation>
+    </message>
+    <message>
+        <source>A session that was not saved anywhere is kept beside the program&apos;s own data, and offered at the next start.</source>
+        <translation>Eine nirgends gespeicherte Sitzung liegt bei den Daten des Programms und wird beim nächsten Start angeboten.</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::RecentFiles</name>
+    <message>
+        <source>The file is not there any more</source>
+        <translation>Die Datei ist nicht mehr da</translation>
+    </message>
+    <message>
+        <source>Its folder is not there: removed, or not connected</source>
+        <translation>Ihr Ordner ist nicht da: entfernt oder nicht verbunden</translation>
+    </message>
+    <message>
+        <source>You may not read this file</source>
+        <translation>Diese Datei darf nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>today, %1</source>
+        <translation>heute, %1</translation>
+    </message>
+    <message>
+        <source>yesterday, %1</source>
+        <translation>gestern, %1</translation>
+    </message>
+    <message>
+        <source> · 1 pose</source>
+        <translation> · 1 Pose</translation>
+    </message>
+    <message>
+        <source> · %1 poses</source>
+        <translation> · %1 Posen</translation>
+    </message>
+    <message>
+        <source>Nothing was open yet</source>
+        <translation>Noch war nichts offen</translation>
+    </message>
+    <message>
+        <source>Clear this list</source>
+        <translation>Liste leeren</translation>
+    </message>
+    <message>
+        <source>Takes all files from this list; the files themselves stay</source>
+        <translation>Nimmt alle Dateien von der Liste; die Dateien selbst bleiben</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::RecentList</name>
+    <message>
+        <source>Sessions and calibrations that you open will be listed here.</source>
+        <translation>Geöffnete Sitzungen und Kalibrierungen stehen später hier.</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
+    <message>
+        <source>%1. Del takes it from the list.</source>
+        <translation>%1. Entf nimmt es von der Liste.</translation>
+    </message>
+    <message>
+        <source>Take it from this list; the file itself stays</source>
+        <translation>Von der Liste nehmen; die Datei selbst bleibt</translation>
+    </message>
+    <message>
+        <source>Take %1 from the list</source>
+        <translation>%1 von der Liste nehmen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::RecoveryList</name>
+    <message>
+        <source>Sessions that were not saved</source>
+        <translation>Nicht gespeicherte Sitzungen</translation>
+    </message>
+    <message>
+        <source>Discarded; it is kept for %1 days.</source>
+        <translation>Verworfen; sie bleibt %1 Tage aufgehoben.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Take the session back</source>
+        <translation>Die Sitzung zurückholen</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Open it and go on where it ended</source>
+        <translation>Öffnen und weitermachen, wo sie aufhörte</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Put it away; it can be taken back for %1 days</source>
+        <translation>Weglegen; %1 Tage lang lässt sie sich zurückholen</translation>
     </message>
 </context>
 <context>
@@ -2420,6 +3260,10 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: mit LIBGL_ALWA
         <source>Until it is saved, this session is kept in memory only. %1</source>
         <translation>Bis sie gespeichert ist, liegt diese Sitzung nur im Speicher. %1</translation>
     </message>
+    <message>
+        <source>Recovered session</source>
+        <translation>Wiederhergestellte Sitzung</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::SetPoseDisabledCommand</name>
@@ -2453,6 +3297,44 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: mit LIBGL_ALWA
     <message>
         <source>Steps</source>
         <translation>Schritte</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::UnsavedSessions</name>
+    <message>
+        <source>A session of %1 was not saved and can&apos;t be read: %2</source>
+        <translation>Eine Sitzung von %1 wurde nicht gespeichert und lässt sich nicht lesen: %2</translation>
+    </message>
+    <message>
+        <source>1 pose</source>
+        <translation>1 Pose</translation>
+    </message>
+    <message>
+        <source>%1 poses</source>
+        <translation>%1 Posen</translation>
+    </message>
+    <message>
+        <source>A session of %1 with %2 of %3 cells was not saved.</source>
+        <translation>Eine Sitzung von %1 mit %2 von %3 Zellen wurde nicht gespeichert.</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::WelcomePanel</name>
+    <message>
+        <source>Welcome</source>
+        <translation>Willkommen</translation>
+    </message>
+    <message>
+        <source>Where is every cell of your skin?</source>
+        <translation>Wo ist jede Zelle der Haut?</translation>
+    </message>
+    <message>
+        <source>Hold the part still in a few poses; Hexoderm finds out from gravity.</source>
+        <translation>Das Teil in ein paar Posen stillhalten; Hexoderm findet es aus der Schwerkraft heraus.</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Zuletzt</translation>
     </message>
 </context>
 <context>
@@ -2857,96 +3739,144 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: mit LIBGL_ALWA
         <source>There are no findings</source>
         <translation>Es gibt keine Befunde</translation>
     </message>
+    <message>
+        <source>Set link &amp;aside</source>
+        <translation>Verbindung &amp;weglegen</translation>
+    </message>
+    <message>
+        <source>Keep the picked link out of the solution, as a cable for example</source>
+        <translation>Die gewählte Verbindung aus der Lösung heraushalten, als Kabel zum Beispiel</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>&amp;Einstellungen…</translation>
+    </message>
+    <message>
+        <source>Appearance, limits of the capture, options of the solver, folders</source>
+        <translation>Aussehen, Grenzen der Aufnahme, Einstellungen des Lösers, Ordner</translation>
+    </message>
+    <message>
+        <source>S&amp;wap graph and 3D view</source>
+        <translation>Graph und 3D-Ansicht &amp;tauschen</translation>
+    </message>
+    <message>
+        <source>The one in the middle goes to the side, and the other way round</source>
+        <translation>Was in der Mitte ist, kommt zur Seite, und umgekehrt</translation>
+    </message>
+    <message>
+        <source>&amp;Copy for a bug report</source>
+        <translation>Für &amp;Fehlerbericht kopieren</translation>
+    </message>
+    <message>
+        <source>Versions, graphics, what is open and the last lines of the log, without your folders</source>
+        <translation>Versionen, Grafik, was offen ist und die letzten Zeilen des Protokolls, ohne eigene Ordner</translation>
+    </message>
+    <message>
+        <source>&amp;Open the log&apos;s folder</source>
+        <translation>&amp;Ordner des Protokolls öffnen</translation>
+    </message>
+    <message>
+        <source>Show the folder in which the log is kept</source>
+        <translation>Den Ordner zeigen, in dem das Protokoll liegt</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Step &amp;%1</source>
+        <translation>Schritt &amp;%1</translation>
+    </message>
+    <message>
+        <source>Open this step</source>
+        <translation>Diesen Schritt öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Go to step</source>
+        <translation>&amp;Zum Schritt</translation>
+    </message>
+    <message>
+        <source>Pick a link in the graph or in the table of links first</source>
+        <translation>Zuerst eine Verbindung im Graphen oder in der Tabelle der Verbindungen wählen</translation>
+    </message>
+    <message>
+        <source>Take link b&amp;ack</source>
+        <translation>Verbindung &amp;zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Let the picked link into the solution again</source>
+        <translation>Die gewählte Verbindung wieder in die Lösung nehmen</translation>
+    </message>
 </context>
 <context>
-    <name>hexoderm::Words</name>
+    <name>hexoderm::WindowShell</name>
     <message>
-        <source>and %1 more</source>
-        <translation>und %1 weitere</translation>
+        <source>Solved: %1, %2 poses, %3, %4 ms. %5</source>
+        <translation>Gelöst: %1, %2 Posen, %3, %4 ms. %5</translation>
     </message>
     <message>
-        <source>Link %1 · port %2 — %3 · port %4</source>
-        <translation>Verbindung %1 · Port %2 — %3 · Port %4</translation>
+        <source>Hexoderm %1 starts</source>
+        <translation>Hexoderm %1 startet</translation>
     </message>
     <message>
-        <source>It is not used.</source>
-        <translation>Sie wird nicht benutzt.</translation>
+        <source>Skin patch</source>
+        <translation>Hautstück</translation>
     </message>
     <message>
-        <source>Note</source>
-        <translation>Hinweis</translation>
+        <source>Skin graph</source>
+        <translation>Hautgraph</translation>
     </message>
     <message>
-        <source>Warning</source>
-        <translation>Warnung</translation>
+        <source>The patch in three dimensions</source>
+        <translation>Das Hautstück in drei Dimensionen</translation>
     </message>
     <message>
-        <source>Error</source>
-        <translation>Fehler</translation>
+        <source>&amp;%1  %2</source>
+        <translation>&amp;%1  %2</translation>
     </message>
     <message>
-        <source>cell %1</source>
-        <translation>Zelle %1</translation>
+        <source>Asked for: %1</source>
+        <translation>Verlangt: %1</translation>
     </message>
     <message>
-        <source>cells %1</source>
-        <translation>Zellen %1</translation>
+        <source>Opened %1</source>
+        <translation>%1 geöffnet</translation>
     </message>
     <message>
-        <source>pose %1</source>
-        <translation>Pose %1</translation>
+        <source>Skin at %1: %2. %3</source>
+        <translation>Haut unter %1: %2. %3</translation>
     </message>
     <message>
-        <source>poses %1</source>
-        <translation>Posen %1</translation>
+        <source>%1 sessions were not saved. The newest: %2</source>
+        <translation>%1 Sitzungen wurden nicht gespeichert. Die neueste: %2</translation>
     </message>
     <message>
-        <source>Muted: %1</source>
-        <translation>Ausgeschlossen: %1</translation>
+        <source>Recover</source>
+        <translation>Wiederherstellen</translation>
     </message>
     <message>
-        <source>%1, on the shortest-path tree</source>
-        <translation>%1, auf dem Baum der kürzesten Wege</translation>
+        <source>There is no OpenGL 3.2 here, so the 3D view is empty; graph and tables work.</source>
+        <translation>Hier gibt es kein OpenGL 3.2, darum ist die 3D-Ansicht leer; Graph und Tabellen arbeiten.</translation>
     </message>
     <message>
-        <source>Bend %1, twist %2, yaw %3</source>
-        <translation>Biegung %1, Verwindung %2, Drehung %3</translation>
+        <source>%1 Drawing by the processor did not help either.</source>
+        <translation>%1 Auch Zeichnen im Prozessor half nicht.</translation>
     </message>
     <message>
-        <source>Residual %1, predicted %2</source>
-        <translation>Restfehler %1, erwartet %2</translation>
+        <source>Draw without the graphics card</source>
+        <translation>Ohne Grafikkarte zeichnen</translation>
     </message>
     <message>
-        <source>Origin of patch %1</source>
-        <translation>Ursprung von Hautstück %1</translation>
+        <source>From the next start on, the processor draws. Start Hexoderm again when it suits you.</source>
+        <translation>Ab dem nächsten Start zeichnet der Prozessor. Hexoderm bei Gelegenheit neu starten.</translation>
     </message>
     <message>
-        <source>Patch %1</source>
-        <translation>Hautstück %1</translation>
+        <source>Copied: versions, graphics, what is open and the last lines of the log, without your folders&apos; names. Paste it into the report.</source>
+        <translation>Kopiert: Versionen, Grafik, was offen ist und die letzten Zeilen des Protokolls, ohne Ordnernamen. In den Bericht einfügen.</translation>
     </message>
     <message>
-        <source>On %1</source>
-        <translation>Auf %1</translation>
-    </message>
-    <message>
-        <source>At %1, %2, %3 mm from the origin</source>
-        <translation>Bei %1; %2; %3 mm vom Ursprung</translation>
-    </message>
-    <message>
-        <source>Next to the origin</source>
-        <translation>Neben dem Ursprung</translation>
-    </message>
-    <message>
-        <source>%1 links from the origin</source>
-        <translation>%1 Verbindungen vom Ursprung</translation>
-    </message>
-    <message>
-        <source>Placed through its links: its own readings are not used</source>
-        <translation>Über ihre Verbindungen eingeordnet: Ihre eigenen Messwerte werden nicht benutzt</translation>
-    </message>
-    <message>
-        <source>Cell %1</source>
-        <translation>Zelle %1</translation>
+        <source>No program to show folders was found. The log is %1.</source>
+        <translation>Es wurde kein Programm gefunden, das Ordner zeigt. Das Protokoll ist %1.</translation>
     </message>
 </context>
 <context>
@@ -3022,6 +3952,10 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: mit LIBGL_ALWA
     <message>
         <source>--screenshots-size takes a size, for example 1280x800.</source>
         <translation>--screenshots-size nimmt eine Größe, zum Beispiel 1280x800.</translation>
+    </message>
+    <message>
+        <source>Draw in 3D without the graphics card, for this time.</source>
+        <translation>3D ohne Grafikkarte zeichnen, für dieses Mal.</translation>
     </message>
 </context>
 </TS>

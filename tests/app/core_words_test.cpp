@@ -226,6 +226,17 @@ TEST_F(CoreWords, KnowEveryFinding) {
     for (const SessionPose& pose : whole.poses()) with_cable.addPose(pose);
     solve(with_cable);
   }
+  {
+    Session aside = session;
+    const NeighborReport& link = aside.neighbors().front().neighbors.front();
+    const LinkEnd from{aside.neighbors().front().id, link.port};
+    aside.setLinkMuted(from, {link.cell, *link.cell_port}, true);
+    aside.setLinkMuted({CellId(90), PortNumber(1)}, {CellId(91), PortNumber(4)}, true, "Kabel");
+    solve(aside);
+    aside.setLinkMuted(from, {link.cell, *link.cell_port}, true, "Kabel");
+    aside.setLinkMuted({CellId(90), PortNumber(1)}, {CellId(91), PortNumber(4)}, true);
+    solve(aside);
+  }
   for (const std::size_t poses : {0U, 1U, 2U}) solve(skin.session(orthogonalUps(poses)));
   solve(skin.session({{0, 0, 1}, {0, 0, -1}}));
   solve(skin.session({{0, 0, 1}, {1, 0, 0}, {0, 0.01, 1}}));

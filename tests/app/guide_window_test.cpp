@@ -106,6 +106,13 @@ TEST_F(GuideFromTheWindow, OpensWithF1AtThePageAboutWhatIsToBeDone) {
   guide = waitForDialog<GuideWindow>("guideWindow");
   ASSERT_NE(guide, nullptr);
   EXPECT_EQ(guide->currentPage(), QStringLiteral("capture"));
+  guide->showPage(QStringLiteral("keys"));
+  const QString keys = guide->findChild<QTextBrowser*>(QStringLiteral("guidePage"))->toPlainText();
+  for (const QAction* known : {window_->actions().open, window_->actions().guide, window_->actions().report}) {
+    EXPECT_TRUE(keys.contains(known->shortcut().toString(QKeySequence::NativeText))) << known->text().toStdString();
+    EXPECT_TRUE(keys.contains(known->text().remove('&').remove(QChar(0x2026)))) << known->text().toStdString();
+  }
+  EXPECT_FALSE(keys.contains(QLatin1Char('@')));
   guide->close();
 }
 
