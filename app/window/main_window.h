@@ -70,6 +70,7 @@ class MainWindow : public QMainWindow {
   void connectController();
   void connectSelection();
   void connectLive();
+  void scrollIfScreenIsSmall();
   void restoreLayout();
   void rememberLayout() const;
 

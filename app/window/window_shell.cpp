@@ -109,6 +109,8 @@ void WindowShell::swapViews(bool remember) {
   of_graph->layout()->removeWidget(graph_view_);
   of_patch->layout()->addWidget(graph_view_);
   of_graph->layout()->addWidget(patch_view_);
+  graph_view_->show();
+  patch_view_->show();
   const bool swapped = graph_dock_->isAncestorOf(patch_view_);
   graph_dock_->setHeading(swapped ? tr("Skin patch") : tr("Skin graph"));
   graph_view_->setAccessibleName(tr("Skin graph"));
@@ -160,7 +162,7 @@ void WindowShell::setSteps(const std::vector<Step>& steps) {
     const bool is_there = k < steps.size();
     actions[k]->setVisible(is_there);
     actions[k]->setEnabled(is_there);
-    if (is_there) actions[k]->setText(tr("&%1  %2").arg(k + 1).arg(steps[k].title));
+    if (is_there) actions[k]->setText(tr("Step &%1: %2").arg(k + 1).arg(steps[k].title));
   }
 }
 
@@ -268,6 +270,8 @@ void WindowShell::showPreferences() {
   connect(window_.actions.themes, &QActionGroup::triggered, dialog,
           [this, dialog] { dialog->showTheme(window_.theme_in_force()); });
   dialog->show();
+  dialog->raise();
+  dialog->activateWindow();
 }
 
 void WindowShell::offerSoftwareOpenGl() {
