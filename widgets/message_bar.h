@@ -20,6 +20,8 @@ class MessageBar : public QFrame {
 
   void showMessage(Tone tone, const QString& text, const QString& button = {}, std::function<void()> pressed = {});
   [[nodiscard]] QString text() const;
+  /// Something went wrong and nobody has closed the message yet: good news should not take its place.
+  [[nodiscard]] bool isUrgent() const { return isVisible() && tone_ == Tone::Bad; }
   void setTheme(Theme theme);
 
  signals:

@@ -42,7 +42,7 @@ bool isAsked(int argc, char** argv, const char* option) {
                      [option](const char* argument) { return std::strcmp(argument, option) == 0; });
 }
 
-/// Takes the demo's poses one after another, then the picture, as the command line asks.
+/// Lets the demo's robot take its poses, then takes the picture, as the command line asks.
 class Script : public QObject {
  public:
   Script(MainWindow& window, int poses, const QString& picture) : window_(window), poses_(poses), picture_(picture) {
@@ -56,11 +56,14 @@ class Script : public QObject {
   void step() {
     SessionController& controller = window_.controller();
     if (done_ || !controller.reconstruction() || controller.isSolving() || !controller.activity().isEmpty()) return;
+    if (!controller.isCurrent()) return;
     if (controller.isDemo() && static_cast<int>(controller.session()->poses().size()) < poses_) {
-      controller.takeNextPose();
+      if (!controller.isRobotOn()) controller.setRobot(true);
       return;
     }
     done_ = true;
+    controller.setRobot(false);
+    controller.setAutomatic(false);
     if (picture_.isEmpty()) return;
     // The views draw what they have just been given when the events before this one are through.
     QTimer::singleShot(0, this, [this] {

@@ -1,10 +1,10 @@
 #include "app/window/main_window.h"
 
-#include "app/window/guide.h"
 #include "app/window/window_shell.h"
 #include "hexoderm/util/text.h"
 #include "widgets/banner.h"
 #include "widgets/card_dock.h"
+#include "widgets/check_list.h"
 #include "widgets/graph_view.h"
 #include "widgets/live_strip.h"
 #include "widgets/message_bar.h"
@@ -92,8 +92,9 @@ MainWindow::MainWindow(QWidget* parent)
       docks_(new QMainWindow(this)),
       banner_(new Banner),
       message_bar_(new MessageBar),
-      live_strip_(new LiveStrip(actions_.automatic, actions_.next_pose, actions_.disconnect_skin)),
+      live_strip_(new LiveStrip(actions_.automatic, actions_.capture, actions_.disconnect_skin)),
       step_panel_(new StepPanel),
+      check_list_(new CheckList),
       patch_view_(new PatchView(&selection_)),
       graph_view_(new GraphView(&selection_)),
       pose_table_(new PoseTable(this)),
@@ -140,6 +141,7 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::buildLayout() {
+  step_panel_->setBody(static_cast<int>(GuideStep::Check), check_list_);
   auto* card = new QFrame;
   card->setProperty("card", true);
   auto* card_layout = new QVBoxLayout(card);
@@ -249,7 +251,6 @@ void MainWindow::connectActions() {
   connect(actions_.save_calibration, &QAction::triggered, this, &MainWindow::saveCalibration);
   connect(actions_.export_to, &QAction::triggered, this, &MainWindow::showExportDialog);
   connect(actions_.quit, &QAction::triggered, this, &QWidget::close);
-  connect(actions_.next_pose, &QAction::triggered, &controller_, &SessionController::takeNextPose);
   connect(actions_.toggle_pose, &QAction::triggered, this, [this] {
     const std::optional<int> row = pickedPoseRow();
     const std::optional<std::size_t> index = row ? controller_.sessionIndexOfPoseRow(*row) : std::nullopt;
@@ -259,6 +260,18 @@ void MainWindow::connectActions() {
     const std::optional<int> row = pickedPoseRow();
     if (const auto index = row ? controller_.sessionIndexOfPoseRow(*row) : std::nullopt) controller_.removePose(*index);
   });
+  connect(actions_.show_finding, &QAction::triggered, this, &MainWindow::showWorstFinding);
+  connect(actions_.mute_link, &QAction::triggered, this, [this] {
+    const auto link = selection_.link();
+    if (!link || !controller_.session()) return;
+    controller_.setLinkMuted(link->first, link->second,
+                             !controller_.session()->findMutedLink(link->first, link->second));
+  });
+  graph_view_->setLinkActions({actions_.mute_link});
+  graph_view_->setCellActions({actions_.light_cell});
+  link_view_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  link_view_->addAction(actions_.mute_link);
+  connect(graph_view_, &GraphView::pictureWanted, this, &MainWindow::saveGraph);
   connect(actions_.find_cell, &QAction::triggered, this, [this] {
     graph_dock_->show();
     graph_dock_->raise();
@@ -292,6 +305,8 @@ void MainWindow::connectController() {
     message_bar_->hide();
     selection_.clear();
     picked_pose_.reset();
+    openStep(controller_.live().isRunning() ? GuideStep::Capture
+                                            : (controller_.session() ? GuideStep::Review : GuideStep::Export));
   });
   connect(&controller_, &SessionController::sessionSaved, this, [this](const QString& path) {
     showDone(tr("Saved to %1").arg(path), path);
@@ -307,7 +322,14 @@ void MainWindow::connectController() {
 }
 
 void MainWindow::connectSelection() {
+  connect(check_list_, &CheckList::cellPicked, &selection_, &Selection::selectCell);
   connect(&selection_, &Selection::changed, this, &MainWindow::showPickedLink);
+  connect(&selection_, &Selection::changed, this, [this] {
+    // The light on the skin follows what is picked here.
+    if (controller_.litCell() && selection_.cell()) controller_.lightCell(selection_.cell());
+    actions_.refresh(controller_, pickedPoseRow(), selection_.cell());
+    actions_.refreshLink(controller_, selection_.link());
+  });
   connect(finding_view_, &QTableView::clicked, this,
           [this](const QModelIndex& index) { pickFromFinding(index.row()); });
   connect(finding_view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
@@ -329,8 +351,11 @@ void MainWindow::showReconstruction(const std::shared_ptr<const Reconstruction>&
   pose_table_->setReconstruction(reconstruction);
   link_table_->setReconstruction(reconstruction);
   finding_table_->setReconstruction(reconstruction);
-  graph_view_->setReconstruction(reconstruction);
-  patch_view_->setReconstruction(reconstruction);
+  // In live mode the pictures show the moment instead.
+  if (!controller_.isLiveMode()) {
+    graph_view_->setReconstruction(reconstruction);
+    patch_view_->setReconstruction(reconstruction);
+  }
   if (reconstruction && picked) {
     for (std::size_t row = 0; row < reconstruction->poses.size(); ++row) {
       if (reconstruction->poses[row].pose == *picked) pose_view_->selectRow(static_cast<int>(row));
@@ -373,9 +398,25 @@ void MainWindow::pickFromFinding(int row) {
   }
 }
 
+void MainWindow::showWorstFinding() {
+  const Finding* worst = controller_.reconstruction() ? worstFinding(*controller_.reconstruction()) : nullptr;
+  if (!worst) return;
+  openStep(GuideStep::Review);
+  for (int row = 0; row < finding_table_->rowCount(); ++row) {
+    if (&finding_table_->findingAt(row) == worst) finding_view_->selectRow(row);
+  }
+}
+
+void MainWindow::openStep(GuideStep step) { step_panel_->openStep(static_cast<int>(step)); }
+
 void MainWindow::refresh() {
-  actions_.refresh(controller_, pickedPoseRow());
+  actions_.refresh(controller_, pickedPoseRow(), selection_.cell());
+  actions_.refreshLink(controller_, selection_.link());
   banner_->setContent(describeStand(controller_, actions_));
+  const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
+  const LiveSource& live = controller_.live();
+  check_list_->setCheck(result ? checkSkin(*result, live.preview().means, live.hold().stillness.odd_cells)
+                               : SkinCheck{});
   const std::vector<Step> steps = describeSteps(controller_, actions_);
   step_panel_->setSteps(steps);
   shell_->setSteps(steps);
@@ -432,6 +473,7 @@ void MainWindow::setThemeChoice(ThemeChoice choice, bool remember) {
   message_bar_->setTheme(theme_);
   live_strip_->setTheme(theme_);
   step_panel_->setTheme(theme_);
+  check_list_->setTheme(theme_);
   patch_view_->setTheme(theme_);
   graph_view_->setTheme(theme_);
   actions_.theme[static_cast<std::size_t>(choice)]->setChecked(true);

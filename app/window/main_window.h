@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/window/actions.h"
+#include "app/window/guide.h"
 #include "app/window/session_controller.h"
 #include "app/window/theme.h"
 #include "widgets/selection.h"
@@ -17,6 +18,7 @@ namespace hexoderm {
 
 class Banner;
 class CardDock;
+class CheckList;
 class FindingTable;
 class GraphView;
 class LiveStrip;
@@ -80,6 +82,8 @@ class MainWindow : public QMainWindow {
   void showPickedPose();
   void showPickedLink();
   void pickFromFinding(int row);
+  void showWorstFinding();
+  void openStep(GuideStep step);
   [[nodiscard]] std::optional<int> pickedPoseRow() const;
 
   void refreshLive();
@@ -91,6 +95,7 @@ class MainWindow : public QMainWindow {
   void saveCalibration();
   void showExportDialog();
   void savePicture();
+  void saveGraph();
   void showDone(const QString& text, const QString& path);
   void afterAskingToSave(std::function<void()> proceed);
   void showAbout();
@@ -107,6 +112,7 @@ class MainWindow : public QMainWindow {
   MessageBar* message_bar_;
   LiveStrip* live_strip_;
   StepPanel* step_panel_;
+  CheckList* check_list_;
   PatchView* patch_view_;
   GraphView* graph_view_;
   PoseTable* pose_table_;

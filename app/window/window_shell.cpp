@@ -248,6 +248,11 @@ void WindowShell::connectRecovery() {
 }
 
 void WindowShell::connectPreferences() {
+  SessionController& controller = window_.controller;
+  controller.setSolverOptions(preferences_.solverOptions());
+  controller.setRecorderOptions(preferences_.recorderOptions());
+  connect(&preferences_, &Preferences::solverOptionsChanged, &controller, &SessionController::setSolverOptions);
+  connect(&preferences_, &Preferences::recorderOptionsChanged, &controller, &SessionController::setRecorderOptions);
   connect(&preferences_, &Preferences::textFactorChanged, this, [this](double factor) {
     applyTextFactor(factor);
     // The style sheet's sizes follow the application's.
