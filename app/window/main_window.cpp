@@ -141,6 +141,7 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::buildLayout() {
+  step_panel_->setBody(static_cast<int>(GuideStep::Connect), shell_->makeConnectBody());
   step_panel_->setBody(static_cast<int>(GuideStep::Check), check_list_);
   auto* card = new QFrame;
   card->setProperty("card", true);

@@ -1,6 +1,7 @@
 // The part of MainWindow that asks: which file, save first, close now.
 #include "app/window/export_dialog.h"
 #include "app/window/main_window.h"
+#include "app/window/recovery.h"
 #include "app/window/window_shell.h"
 #include "widgets/graph_view.h"
 #include "widgets/message_bar.h"
@@ -38,6 +39,8 @@ QString lastFolder() {
 }
 
 void rememberFolder(const QString& path) {
+  // Nobody chose the folder that unsaved sessions are recovered from.
+  if (QFileInfo(path).absolutePath() == QFileInfo(unsavedFolder()).absoluteFilePath()) return;
   QSettings().setValue(QStringLiteral("paths/last"), QFileInfo(path).absolutePath());
 }
 

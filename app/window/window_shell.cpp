@@ -21,6 +21,7 @@
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QGuiApplication>
+#include <QLabel>
 #include <QMenuBar>
 #include <QOpenGLWidget>
 #include <QSettings>
@@ -74,6 +75,21 @@ QWidget* WindowShell::makeLogView() {
   connect(view, &LogView::reportWanted, this, &WindowShell::copyReport);
   connect(view, &LogView::folderWanted, this, &WindowShell::openLogFolder);
   return view;
+}
+
+QWidget* WindowShell::makeConnectBody() {
+  connect_body_ = new QWidget;
+  auto* layout = new QVBoxLayout(connect_body_);
+  layout->setContentsMargins(0, 8, 0, 0);
+  layout->addWidget(new RecoveryList(unsaved_));
+  auto* title = new QLabel(tr("Recent").toUpper());
+  title->setProperty("caption", true);
+  layout->addWidget(title);
+  constexpr std::size_t kShown = 3;
+  auto* recent = new RecentList(recent_, kShown);
+  connect(recent, &RecentList::openWanted, this, [this](const QString& path) { window_.open_file(path); });
+  layout->addWidget(recent);
+  return connect_body_;
 }
 
 QWidget* WindowShell::makeCentre(QWidget* patch_view) {
@@ -295,7 +311,9 @@ void WindowShell::offerSoftwareOpenGl() {
 }
 
 void WindowShell::showWelcome() {
-  if (welcome_) welcome_->setVisible(window_.controller.isEmpty() && !window_.controller.live().isRunning());
+  const bool is_welcome = window_.controller.isEmpty() && !window_.controller.live().isRunning();
+  if (welcome_) welcome_->setVisible(is_welcome);
+  if (connect_body_) connect_body_->setVisible(!is_welcome);
 }
 
 void WindowShell::copyReport() {

@@ -208,7 +208,6 @@ TEST_F(AccessibilityTest, NothingIsCutOffAtSmallSizesAndWithLargeText) {
       keepPicture(window_->picture(),
                   QStringLiteral("window-%1x%2-%3pt").arg(size.width()).arg(size.height()).arg(points));
     }
-    controller().undoStack()->setClean();
   }
   QApplication::setFont(font);
 }

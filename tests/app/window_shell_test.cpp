@@ -143,9 +143,9 @@ TEST(EventLogTest, GoesOnWithoutAFileWhereNoneCanBeMade) {
 
 TEST_F(WindowShellTest, TheLogTellsWhatHappenedAndCanBeSearched) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
-  ASSERT_TRUE(waitUntil([&] { return logText().count("Solved: 17 cells") == 3; })) << logText().toStdString();
+  ASSERT_TRUE(waitUntil([&] { return logText().contains(", 2 poses, "); })) << logText().toStdString();
   EXPECT_TRUE(logText().contains("Opened Demo skin"));
-  EXPECT_TRUE(logText().contains("Asked for: Take the next pose"));
+  EXPECT_TRUE(logText().contains("Asked for: Start the demo skin"));
 
   auto* tabs = find<QTabBar>("detailTabs");
   for (int k = 0; k < tabs->count(); ++k) {
@@ -158,10 +158,11 @@ TEST_F(WindowShellTest, TheLogTellsWhatHappenedAndCanBeSearched) {
   keepPicture(window_->picture(), "log-light");
   auto* text = find<QLineEdit>("logText");
   QTest::keyClicks(text, "solved");
-  EXPECT_EQ(table->model()->rowCount(), 3);
+  EXPECT_EQ(table->model()->rowCount(), logText().count("Solved: "));
+  EXPECT_LT(table->model()->rowCount(), static_cast<int>(shell().log().linesAfter(0).size()));
   text->clear();
   find<QComboBox>("logSeverity")->setCurrentIndex(2);
-  EXPECT_EQ(table->model()->rowCount(), 0);
+  EXPECT_EQ(table->model()->rowCount(), 0) << logText().toStdString();
   shell().log().add(LogSeverity::Error, "the disk is full");
   EXPECT_TRUE(waitUntil([&] { return table->model()->rowCount() == 1; }));
 }
@@ -198,8 +199,8 @@ TEST_F(WindowShellTest, StartsWithAWelcomeThatGoesWhenSomethingIsOpen) {
   action("actionThemeDark")->trigger();
   keepPicture(window_->picture(), "welcome-dark");
   click(demo);
-  ASSERT_TRUE(waitForPoses(0));
-  EXPECT_FALSE(welcome->isVisible());
+  EXPECT_TRUE(waitUntil([&] { return !welcome->isVisible(); }));
+  EXPECT_TRUE(waitUntilIdle());
 }
 
 TEST_F(WindowShellTest, RemembersRecentFilesAcrossStarts) {
@@ -321,28 +322,41 @@ TEST_F(WindowShellTest, OffersAnUnsavedSessionAndRecoversIt) {
 }
 
 TEST_F(WindowShellTest, RecoversWhatAKilledProgramLeft) {
-  const QString scratch = unsavedFolder() + "/killed.hexo";
-  writeSession(scratch, 1);
   QProcess process;
   QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
   const QTemporaryDir home;
   environment.insert("XDG_CONFIG_HOME", home.path());
   environment.insert("XDG_DATA_HOME", home.path());
   process.setProcessEnvironment(environment);
-  process.start(QStringLiteral(HEXODERM_PROGRAM), {scratch});
+  process.start(QStringLiteral(HEXODERM_PROGRAM), {"--demo", "--poses", "4"});
   ASSERT_TRUE(process.waitForStarted());
-  // It has the session open for writing, so that nobody offers it.
-  ASSERT_TRUE(waitUntil([&] { return isSessionStoreInUse(scratch.toStdString()); }));
-  EXPECT_TRUE(findUnsavedSessions(unsavedFolder()).empty());
+  // Until it has taken two poses that nobody has saved.
+  const QString its_folder = home.filePath("Hexoderm/hexoderm/unsaved");
+  QString scratch;
+  ASSERT_TRUE(waitUntil([&] {
+    const QStringList files = QDir(its_folder).entryList({"*.hexo"}, QDir::Files);
+    if (files.isEmpty()) return false;
+    scratch = QDir(its_folder).filePath(files.front());
+    return readSessionStore(scratch.toStdString()).poses().size() >= 2;
+  })) << process.readAllStandardError().toStdString();
+  EXPECT_TRUE(isSessionStoreInUse(scratch.toStdString()));
+  EXPECT_TRUE(findUnsavedSessions(its_folder).empty()) << "somebody works on it";
   process.kill();
   ASSERT_TRUE(process.waitForFinished());
+  const std::vector<UnsavedSession> left = findUnsavedSessions(its_folder);
+  ASSERT_EQ(left.size(), 1U);
 
+  QDir().mkpath(unsavedFolder());
+  for (const QFileInfo& file : QDir(its_folder).entryInfoList(QDir::Files)) {
+    ASSERT_TRUE(QFile::copy(file.absoluteFilePath(), QDir(unsavedFolder()).filePath(file.fileName())));
+  }
   reopenWindow();
   ASSERT_TRUE(waitUntil([&] { return visible<QPushButton>("recoverButton") != nullptr; }));
   activateWindow();
   click(visible<QPushButton>("recoverButton"));
-  ASSERT_TRUE(waitForPoses(1));
-  EXPECT_TRUE(controller().isKept());
+  ASSERT_TRUE(waitForPoses(left[0].poses));
+  EXPECT_TRUE(QFile::exists(QDir(unsavedFolder()).filePath(QFileInfo(scratch).fileName()))) << "until it is saved";
+  EXPECT_FALSE(controller().isKept());
 }
 
 TEST_F(WindowShellTest, PreferencesActAtOnceAndAreRemembered) {
@@ -450,7 +464,6 @@ TEST_F(WindowShellTest, GSwapsTheViewsAndTheNextStartRemembers) {
   ASSERT_NO_FATAL_FAILURE(clickCellInGraph(CellId(7)));
   EXPECT_EQ(window_->selection().cell(), CellId(7));
 
-  controller().undoStack()->setClean();
   reopenWindow();
   EXPECT_TRUE(find<CardDock>("graphDock")->isAncestorOf(window_->findChild<PatchView*>()));
   press(Qt::Key_G);
