@@ -159,6 +159,7 @@ LogView::LogView(const EventLog& log, QWidget* parent)
 
   auto* bar = new QHBoxLayout;
   bar->setContentsMargins(12, 6, 12, 6);
+  bar->setSpacing(8);
   bar->addWidget(severity_);
   bar->addWidget(text_, 1);
   bar->addWidget(count_);
@@ -185,6 +186,11 @@ LogView::LogView(const EventLog& log, QWidget* parent)
   connect(model_, &QAbstractItemModel::rowsRemoved, this, &LogView::showCount);
   connect(model_, &QAbstractItemModel::modelReset, this, &LogView::showCount);
   showCount();
+}
+
+void LogView::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  table_->scrollToBottom();
 }
 
 void LogView::applyFilter() {

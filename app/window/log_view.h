@@ -54,6 +54,9 @@ class LogView : public QWidget {
   void reportWanted();
   void folderWanted();
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
   void applyFilter();
   void showCount();

@@ -19,6 +19,7 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QScreen>
+#include <QScrollArea>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -141,6 +142,7 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::buildLayout() {
+  step_panel_->setBody(static_cast<int>(GuideStep::Connect), shell_->makeConnectBody());
   step_panel_->setBody(static_cast<int>(GuideStep::Check), check_list_);
   auto* card = new QFrame;
   card->setProperty("card", true);
@@ -161,6 +163,9 @@ void MainWindow::buildLayout() {
   docks_->setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
   docks_->setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   docks_->setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  // So wide that the sentences of the steps can be read, whatever the size of the text.
+  constexpr int kStepCharacters = 36;
+  step_panel_->setMinimumWidth(kStepCharacters * fontMetrics().averageCharWidth());
   auto* steps = new CardDock(tr("Steps"), QStringLiteral("stepsDock"), step_panel_, docks_);
   graph_dock_ = new CardDock(tr("Skin graph"), QStringLiteral("graphDock"), graph_view_, docks_);
   pose_dock_ = new CardDock(tr("Poses"), QStringLiteral("poseDock"), withHint(pose_view_, tr("No poses yet.")), docks_);
@@ -479,7 +484,22 @@ void MainWindow::setThemeChoice(ThemeChoice choice, bool remember) {
   if (remember) QSettings().setValue(QStringLiteral("view/theme"), themeChoiceName(choice));
 }
 
+/// On a screen that is smaller than what the panels need, everything is reached by scrolling.
+void MainWindow::scrollIfScreenIsSmall() {
+  const QSize least = minimumSizeHint();
+  const QSize room = screen()->availableSize();
+  if (least.width() <= room.width() && least.height() <= room.height()) return;
+  auto* area = new QScrollArea;
+  area->setObjectName(QStringLiteral("workArea"));
+  area->setFrameShape(QFrame::NoFrame);
+  area->setFocusPolicy(Qt::NoFocus);
+  area->setWidgetResizable(true);
+  delete centralWidget()->layout()->replaceWidget(docks_, area);
+  area->setWidget(docks_);
+}
+
 void MainWindow::restoreLayout() {
+  scrollIfScreenIsSmall();
   resize(QSize(1440, 900).boundedTo(screen()->availableSize()));
   const QSettings settings;
   restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());

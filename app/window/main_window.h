@@ -72,6 +72,7 @@ class MainWindow : public QMainWindow {
   void connectController();
   void connectSelection();
   void connectLive();
+  void scrollIfScreenIsSmall();
   void restoreLayout();
   void rememberLayout() const;
 
