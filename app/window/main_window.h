@@ -11,12 +11,14 @@
 
 class QLabel;
 class QTableView;
+class QModelIndex;
 class QTabBar;
 
 namespace hexoderm {
 
 class Banner;
 class CardDock;
+class CellTable;
 class FindingTable;
 class GraphView;
 class LiveStrip;
@@ -24,7 +26,10 @@ class LinkTable;
 class MessageBar;
 class PatchView;
 class PoseTable;
+class ResidualView;
 class StepPanel;
+class Verification;
+class VerifyPanel;
 
 /// The one window. Wires the controller's signals to the views and the actions to the controller; decides nothing.
 class MainWindow : public QMainWindow {
@@ -37,6 +42,8 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] SessionController& controller() { return controller_; }
   [[nodiscard]] Selection& selection() { return selection_; }
   [[nodiscard]] const WindowActions& actions() const { return actions_; }
+  /// The body of the step Verify.
+  [[nodiscard]] VerifyPanel* verifyPanel() { return verify_panel_; }
 
   /// All ask first if poses would be lost.
   void openFile(const QString& path);
@@ -65,6 +72,7 @@ class MainWindow : public QMainWindow {
   void connectController();
   void connectSelection();
   void connectLive();
+  void connectVerify();
   void restoreLayout();
   void rememberLayout() const;
 
@@ -73,6 +81,12 @@ class MainWindow : public QMainWindow {
   void showReconstruction(const std::shared_ptr<const Reconstruction>& reconstruction);
   void showPickedPose();
   void showPickedLink();
+  void showPickedCell();
+  void showReview(const std::shared_ptr<const Reconstruction>& reconstruction);
+  void pickPose(PoseId pose);
+  /// Rows of the tables and rows of their views, which may be sorted.
+  [[nodiscard]] static int sourceRow(const QModelIndex& index);
+  [[nodiscard]] static QModelIndex shownRow(const QTableView* view, int row);
   void pickFromFinding(int row);
   [[nodiscard]] std::optional<int> pickedPoseRow() const;
 
@@ -106,9 +120,14 @@ class MainWindow : public QMainWindow {
   PoseTable* pose_table_;
   LinkTable* link_table_;
   FindingTable* finding_table_;
+  CellTable* cell_table_;
   QTableView* pose_view_;
   QTableView* link_view_;
   QTableView* finding_view_;
+  QTableView* cell_view_;
+  ResidualView* residual_view_;
+  VerifyPanel* verify_panel_;
+  Verification* verification_;
   QTabBar* detail_tabs_;
   CardDock* graph_dock_ = nullptr;
   CardDock* pose_dock_ = nullptr;

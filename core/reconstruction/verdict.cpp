@@ -1,7 +1,7 @@
 #include "verdict.h"
 
-#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/reconstruction/pose_advisor.h"
+#include "hexoderm/reconstruction/review_summary.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
@@ -11,7 +11,6 @@
 namespace hexoderm {
 namespace {
 
-constexpr double kSigmasFor95Percent = 1.96;
 // What robot software can use without a second thought, and what it can use at all.
 constexpr double kGoodOrientation = 2 * kDegree;
 constexpr double kGoodPosition_m = 3 * kMillimetre;
@@ -32,13 +31,11 @@ Spread worstSpread(const Reconstruction& r) {
   for (const PatchReconstruction& patch : r.patches) {
     for (const CellPlacement& cell : patch.cells) {
       if (!cell.cov_t_r || (any_measured && !measured(cell))) continue;
-      worst.position_95_m =
-          std::max(worst.position_95_m, kSigmasFor95Percent * largestDeviation(cell.cov_t_r->topLeftCorner<3, 3>()));
-      worst.orientation_95_rad = std::max(
-          worst.orientation_95_rad, kSigmasFor95Percent * largestDeviation(cell.cov_t_r->bottomRightCorner<3, 3>()));
+      const Stated95 stated = stated95(cell);
+      worst.position_95_m = std::max(worst.position_95_m, *stated.position_m);
+      worst.orientation_95_rad = std::max(worst.orientation_95_rad, *stated.orientation_rad);
     }
   }
-  worst.orientation_95_rad = std::min(worst.orientation_95_rad, kPi);
   return worst;
 }
 
