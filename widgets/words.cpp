@@ -86,13 +86,16 @@ QString poseResiduals(const Reconstruction& reconstruction, const LinkEstimate& 
 
 QString noValue() { return QStringLiteral("–"); }
 
-QString degreesInWords(std::optional<double> angle_rad) {
-  if (!angle_rad) return noValue();
-  const double degrees = toDegrees(*angle_rad);
-  // "-0.0°" would be a sign without a meaning.
-  QString text = QLocale().toString(std::abs(degrees) < 0.05 ? 0.0 : degrees, 'f', 1);
+QString figureInWords(double value, int decimals) {
+  // "-0.0" would be a sign without a meaning.
+  const double half_of_last = 0.5 * std::pow(10.0, -decimals);
+  QString text = QLocale().toString(std::abs(value) < half_of_last ? 0.0 : value, 'f', decimals);
   text.replace(QLatin1Char('-'), QStringLiteral("−"));
-  return text + QStringLiteral("°");
+  return text;
+}
+
+QString degreesInWords(std::optional<double> angle_rad) {
+  return angle_rad ? figureInWords(toDegrees(*angle_rad), 1) + QStringLiteral("°") : noValue();
 }
 
 QString wholeDegreesInWords(double angle_rad) {
