@@ -1740,6 +1740,66 @@
         <source>The operator set a link aside, as a cable for example; it is muted.</source>
         <translation>Eine Verbindung wurde von Hand weggelegt, als Kabel zum Beispiel; sie ist ausgeschlossen.</translation>
     </message>
+    <message>
+        <source>plane fit: at least %1 points are needed, there are %2</source>
+        <translation>Ebene: mindestens %1 Punkte sind nötig, vorhanden sind %2</translation>
+    </message>
+    <message>
+        <source>plane fit: all points are the same</source>
+        <translation>Ebene: Alle Punkte sind gleich</translation>
+    </message>
+    <message>
+        <source>plane fit: the points lie on a line</source>
+        <translation>Ebene: Die Punkte liegen auf einer Linie</translation>
+    </message>
+    <message>
+        <source>sphere fit: at least %1 points are needed, there are %2</source>
+        <translation>Kugel: mindestens %1 Punkte sind nötig, vorhanden sind %2</translation>
+    </message>
+    <message>
+        <source>sphere fit: all points are the same</source>
+        <translation>Kugel: Alle Punkte sind gleich</translation>
+    </message>
+    <message>
+        <source>sphere fit: the points lie on a line</source>
+        <translation>Kugel: Die Punkte liegen auf einer Linie</translation>
+    </message>
+    <message>
+        <source>sphere fit: the points lie in a plane</source>
+        <translation>Kugel: Die Punkte liegen in einer Ebene</translation>
+    </message>
+    <message>
+        <source>cylinder fit: at least %1 points are needed, there are %2</source>
+        <translation>Zylinder: mindestens %1 Punkte sind nötig, vorhanden sind %2</translation>
+    </message>
+    <message>
+        <source>cylinder fit: all points are the same</source>
+        <translation>Zylinder: Alle Punkte sind gleich</translation>
+    </message>
+    <message>
+        <source>cylinder fit: the points lie on a line</source>
+        <translation>Zylinder: Die Punkte liegen auf einer Linie</translation>
+    </message>
+    <message>
+        <source>cylinder fit: the points lie in a plane</source>
+        <translation>Zylinder: Die Punkte liegen in einer Ebene</translation>
+    </message>
+    <message>
+        <source>cone fit: at least %1 points are needed, there are %2</source>
+        <translation>Kegel: mindestens %1 Punkte sind nötig, vorhanden sind %2</translation>
+    </message>
+    <message>
+        <source>cone fit: all points are the same</source>
+        <translation>Kegel: Alle Punkte sind gleich</translation>
+    </message>
+    <message>
+        <source>cone fit: the points lie on a line</source>
+        <translation>Kegel: Die Punkte liegen auf einer Linie</translation>
+    </message>
+    <message>
+        <source>cone fit: the points lie in a plane</source>
+        <translation>Kegel: Die Punkte liegen in einer Ebene</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::EventLog</name>
@@ -4567,7 +4627,7 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: mit LIBGL_ALWA
     </message>
     <message>
         <source>Step &amp;%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritt &amp;%1: %2</translation>
     </message>
 </context>
 <context>
