@@ -11,7 +11,6 @@
 namespace hexoderm {
 namespace {
 
-constexpr double kSigmasFor95Percent = 1.96;
 // What robot software can use without a second thought, and what it can use at all.
 constexpr double kGoodOrientation = 2 * kDegree;
 constexpr double kGoodPosition_m = 3 * kMillimetre;
