@@ -229,7 +229,7 @@ void PatchView::Parts::updateOverlay() {
   if (gl == nullptr) {
     content.hint = PatchView::tr(
         "The 3D view needs OpenGL 3.2, which is not available here. The graph and the tables still work.\n\n"
-        "On a remote desktop, software rendering may help: start with LIBGL_ALWAYS_SOFTWARE=1.");
+        "On a remote desktop, drawing in software may help: start hexoderm with --software-opengl.");
   } else if (!reconstruction || reconstruction->cellCount() == 0) {
     content.hint = PatchView::tr("No skin yet: open a session or start the demo.");
   } else if (scene->content() == nullptr) {

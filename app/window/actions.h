@@ -6,6 +6,7 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QCoreApplication>
+#include <QMenu>
 #include <QMenuBar>
 #include <vector>
 
@@ -32,9 +33,16 @@ class WindowActions {
   QAction* redo;
   QAction* toggle_pose;
   QAction* delete_pose;
-  QAction* next_pose;  ///< "Take the next pose" of the demo, "Capture now" of a connected skin
+  QAction* recapture;
+  QAction* capture;
   QAction* automatic;
+  QAction* skip_pose;
   QAction* turn;
+  QAction* robot;  ///< can be checked: the device turns itself from pose to pose
+  QAction* live_mode;
+  QAction* light_cell;
+  QAction* show_next_pose;  ///< where to look, for who holds the part
+  QAction* show_finding;    ///< the one that matters most
   QAction* find_cell;
   QAction* fit;
   QAction* front;
@@ -43,18 +51,24 @@ class WindowActions {
   QAction* screenshot;
   QAction* keys;
   QAction* about;
+  QAction* preferences;
+  QAction* swap_views;  ///< graph and 3D view
+  QAction* copy_report;
+  QAction* open_log_folder;
+  std::vector<QAction*> go_to_step;  ///< the first is step 1
+  QMenu* recent;
   QActionGroup* themes;
   std::vector<QAction*> theme;  ///< in the order of ThemeChoice
 
   /// `panels`: the docks' own actions.
   void fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& panels) const;
-  [[nodiscard]] std::vector<QAction*> withKeys() const;
 
   /// Which can be used now, and why the others can't. `pose_row`: the row picked in the table of poses.
-  void refresh(const SessionController& controller, std::optional<int> pose_row);
+  void refresh(const SessionController& controller, std::optional<int> pose_row, std::optional<CellId> cell);
 
  private:
   void refreshCapture(const SessionController& controller, const QString& no_session);
+  void refreshDevice(const SessionController& controller, std::optional<CellId> cell);
 };
 
 }  // namespace hexoderm

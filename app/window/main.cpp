@@ -1,4 +1,5 @@
 #include "app/window/main_window.h"
+#include "app/window/preferences.h"
 
 #include <QVTKOpenGLNativeWidget.h>
 #include <QApplication>
@@ -6,7 +7,9 @@
 #include <QSurfaceFormat>
 #include <QTextStream>
 #include <QTimer>
+#include <algorithm>
 #include <cstdio>
+#include <cstring>
 
 namespace {
 
@@ -33,7 +36,13 @@ int samplesFromArguments(int argc, char** argv) {
   return 0;
 }
 
-/// Takes the demo's poses one after another, then the picture, as the command line asks.
+/// What is asked for before there is an application that could parse it.
+bool isAsked(int argc, char** argv, const char* option) {
+  return std::any_of(argv + 1, argv + argc,
+                     [option](const char* argument) { return std::strcmp(argument, option) == 0; });
+}
+
+/// Lets the demo's robot take its poses, then takes the picture, as the command line asks.
 class Script : public QObject {
  public:
   Script(MainWindow& window, int poses, const QString& picture) : window_(window), poses_(poses), picture_(picture) {
@@ -47,11 +56,14 @@ class Script : public QObject {
   void step() {
     SessionController& controller = window_.controller();
     if (done_ || !controller.reconstruction() || controller.isSolving() || !controller.activity().isEmpty()) return;
+    if (!controller.isCurrent()) return;
     if (controller.isDemo() && static_cast<int>(controller.session()->poses().size()) < poses_) {
-      controller.takeNextPose();
+      if (!controller.isRobotOn()) controller.setRobot(true);
       return;
     }
     done_ = true;
+    controller.setRobot(false);
+    controller.setAutomatic(false);
     if (picture_.isEmpty()) return;
     // The views draw what they have just been given when the events before this one are through.
     QTimer::singleShot(0, this, [this] {
@@ -74,9 +86,16 @@ int main(int argc, char** argv) {
   format.setSamples(samplesFromArguments(argc, argv));
   QSurfaceFormat::setDefaultFormat(format);
   installStyle();
-  QApplication app(argc, argv);
   QCoreApplication::setOrganizationName(QStringLiteral("Hexoderm"));
   QCoreApplication::setApplicationName(QStringLiteral("hexoderm"));
+  prepareSoftwareOpenGl(isAsked(argc, argv, "--software-opengl"));
+#if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
+  // As Qt 6 does: dense screens are followed, by their exact scale.
+  QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+  QGuiApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
+#endif
+  QApplication app(argc, argv);
   QCoreApplication::setApplicationVersion(QStringLiteral(HEXODERM_VERSION));
 
   QCommandLineParser parser;
@@ -101,7 +120,10 @@ int main(int argc, char** argv) {
   const QCommandLineOption msaa(QStringLiteral("msaa"),
                                 QCoreApplication::translate("main", "Samples per pixel of the 3D view; 0 is fastest."),
                                 QStringLiteral("N"), QStringLiteral("0"));
-  parser.addOptions({demo, poses, theme, screenshot, msaa});
+  const QCommandLineOption software_opengl(
+      QStringLiteral("software-opengl"),
+      QCoreApplication::translate("main", "Draw in 3D without the graphics card, for this time."));
+  parser.addOptions({demo, poses, theme, screenshot, msaa, software_opengl});
   parser.process(app);
 
   if (parser.positionalArguments().size() > 1) {
@@ -130,6 +152,7 @@ int main(int argc, char** argv) {
     return complain(QCoreApplication::translate("main", "--screenshot needs a file or --demo to show."), kUsage);
   }
 
+  applyTextFactor(Preferences().textFactor());
   MainWindow window;
   if (choice) window.setThemeChoice(*choice, false);
   window.show();

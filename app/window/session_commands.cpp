@@ -9,8 +9,8 @@ QString nameOf(const SessionPose& pose) { return QString::number(pose.capture->i
 
 }  // namespace
 
-AddPoseCommand::AddPoseCommand(EditedSession edited, SessionPose pose)
-    : edited_(std::move(edited)), pose_(std::move(pose)), index_(edited_.session.poses().size()) {
+AddPoseCommand::AddPoseCommand(EditedSession edited, SessionPose pose, std::optional<std::size_t> index)
+    : edited_(std::move(edited)), pose_(std::move(pose)), index_(index.value_or(edited_.session.poses().size())) {
   setText(tr("take pose %1").arg(nameOf(pose_)));
 }
 

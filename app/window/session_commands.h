@@ -22,7 +22,8 @@ class AddPoseCommand : public QUndoCommand {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::AddPoseCommand)
 
  public:
-  AddPoseCommand(EditedSession edited, SessionPose pose);
+  /// `index`: among the poses then; none: at the end.
+  AddPoseCommand(EditedSession edited, SessionPose pose, std::optional<std::size_t> index = std::nullopt);
   void redo() override;
   void undo() override;
 

@@ -35,6 +35,7 @@ QString panelSheet(const Colors& colors) {
              "QListWidget#exportFormats { border: 1px solid %2; border-radius: 5px; padding: 4px; }"
              "QListWidget#exportFormats::item { padding: 6px 9px; border-radius: 4px; }"
              "QListWidget#exportFormats::item:selected { background: %6; color: %7; }"
+             "QScrollArea#welcomePanel, QWidget#welcomeContent { background: %1; border: 0; }"
              "QStatusBar QLabel { padding: 4px 8px; }"
              "QLabel[hint=\"true\"] { color: %5; padding: 12px 14px; background: %1; }")
       .arg(colors.panel.name(), colors.border.name(), colors.panel_active.name(), colors.text.name(),

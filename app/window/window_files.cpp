@@ -1,7 +1,7 @@
 // The part of MainWindow that asks: which file, save first, close now.
 #include "app/window/export_dialog.h"
-#include "app/window/keys_dialog.h"
 #include "app/window/main_window.h"
+#include "app/window/window_shell.h"
 #include "widgets/message_bar.h"
 #include "widgets/patch_view.h"
 
@@ -50,7 +50,10 @@ QString droppedFile(const QMimeData* data) {
 
 void MainWindow::openFile(const QString& path) {
   rememberFolder(path);
-  afterAskingToSave([this, path] { controller_.openFile(path); });
+  afterAskingToSave([this, path] {
+    shell_->noteAsked(path);
+    controller_.openFile(path);
+  });
 }
 
 void MainWindow::startDemo() {
@@ -218,7 +221,14 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
   return QMainWindow::eventFilter(watched, event);
 }
 
-void MainWindow::showKeys() { showKeysDialog(this, actions_); }
+void MainWindow::buildShell() {
+  shell_ = std::make_unique<WindowShell>(WindowShell::Window{
+      *this, controller_, actions_, *message_bar_, [this](const QString& path) { openFile(path); },
+      [this](ThemeChoice choice) { setThemeChoice(choice, true); },
+      [this] {
+        return static_cast<ThemeChoice>(actions_.themes->actions().indexOf(actions_.themes->checkedAction()));
+      }});
+}
 
 void MainWindow::showAbout() {
   QMessageBox* box = new QMessageBox(QMessageBox::NoIcon, tr("About Hexoderm"),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hexoderm/capture/pose_capture.h"
+#include "hexoderm/device/ground_truth.h"
 #include "hexoderm/graph/cell_model.h"
 #include "hexoderm/graph/neighbor_list.h"
 
@@ -11,16 +12,6 @@
 #include <vector>
 
 namespace hexoderm {
-
-/// Where the cells really are, as a simulator or a measurement knows it. Maps cell to body coordinates.
-struct TrueCellPlacement {
-  CellId id;
-  SE3 T_b_u;
-};
-struct GroundTruth {
-  std::string frame = "body";
-  std::vector<TrueCellPlacement> cells;
-};
 
 /// A pose of a session with what the operator decided about it.
 struct SessionPose {
