@@ -1,14 +1,13 @@
 #include "widgets/patch_controls.h"
 
+#include "widgets/flow_layout.h"
 #include "widgets/scene_words.h"
 
 #include <QAction>
 #include <QActionGroup>
-#include <QBoxLayout>
 #include <QMenu>
 #include <QResizeEvent>
 #include <QToolButton>
-#include <initializer_list>
 #include <vector>
 
 namespace hexoderm {
@@ -36,9 +35,7 @@ void allow(QAction* action, const QString& purpose, const QString& why_not) {
 
 PatchControls::PatchControls(QWidget* parent)
     : QFrame(parent),
-      rows_(new QBoxLayout(QBoxLayout::LeftToRight, this)),
-      left_(new QWidget),
-      right_(new QWidget),
+      buttons_(new FlowLayout(this)),
       measure_(new QAction(tr("&Measure"), this)),
       parallel_(new QAction(tr("Parallel pro&jection"), this)),
       picture_(new QAction(tr("Save picture of the 3D &view…"), this)) {
@@ -50,34 +47,25 @@ PatchControls::PatchControls(QWidget* parent)
   parallel_->setToolTip(tr("Without perspective: equal lengths look equally long wherever they are"));
   picture_->setObjectName(QStringLiteral("actionScenePicture"));
   picture_->setToolTip(tr("The scene with its legend as an image file"));
-  setMinimumWidth(1);  // else one row would be the least
-  rows_->setContentsMargins(10, 10, 10, 0);
-  rows_->setSpacing(6);
-  std::vector<QHBoxLayout*> groups;
-  for (QWidget* side : {left_, right_}) {
-    groups.push_back(new QHBoxLayout(side));
-    groups.back()->setContentsMargins(0, 0, 0, 0);
-    groups.back()->setSpacing(6);
-  }
-  rows_->addWidget(left_, 0, Qt::AlignLeft | Qt::AlignTop);
-  rows_->addStretch(1);
-  rows_->addWidget(right_, 0, Qt::AlignRight | Qt::AlignTop);
-  buildColoringMenu(groups[0]);
-  buildShowMenu(groups[0]);
-  buildViewButtons(groups[1]);
+  buttons_->setContentsMargins(10, 10, 10, 0);
+  buttons_->setSpacing(6);
+  buildColoringMenu();
+  buildShowMenu();
+  buttons_->beginSecondGroup();
+  buildViewButtons();
 }
 
-QToolButton* PatchControls::addButton(QHBoxLayout* row, const QString& text, const QString& tip) {
+QToolButton* PatchControls::addButton(const QString& text, const QString& tip) {
   auto* button = new QToolButton(this);
   button->setText(text);
   button->setToolTip(tip);
   button->setFocusPolicy(Qt::TabFocus);
-  row->addWidget(button);
+  buttons_->addWidget(button);
   return button;
 }
 
-void PatchControls::buildColoringMenu(QHBoxLayout* row) {
-  coloring_button_ = addButton(row, {}, tr("What the cells' colour shows"));
+void PatchControls::buildColoringMenu() {
+  coloring_button_ = addButton({}, tr("What the cells' colour shows"));
   coloring_button_->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(coloring_button_);
   menu->setObjectName(QStringLiteral("coloringMenu"));
@@ -104,8 +92,8 @@ void PatchControls::buildColoringMenu(QHBoxLayout* row) {
   colorings_.at(CellColoring::LinkQuality)->setChecked(true);
 }
 
-void PatchControls::buildShowMenu(QHBoxLayout* row) {
-  QToolButton* button = addButton(row, tr("Show ▾"), tr("What is drawn over the cells, and how"));
+void PatchControls::buildShowMenu() {
+  QToolButton* button = addButton(tr("Show ▾"), tr("What is drawn over the cells, and how"));
   button->setAccessibleName(tr("Show"));
   button->setPopupMode(QToolButton::InstantPopup);
   show_menu_ = new QMenu(button);
@@ -125,14 +113,13 @@ void PatchControls::buildShowMenu(QHBoxLayout* row) {
   button->setMenu(show_menu_);
 }
 
-void PatchControls::buildViewButtons(QHBoxLayout* row) {
-  auto* measure = addButton(row, {}, {});
+void PatchControls::buildViewButtons() {
+  auto* measure = addButton({}, {});
   measure->setDefaultAction(measure_);
   measure->setToolButtonStyle(Qt::ToolButtonTextOnly);
-  connect(addButton(row, tr("Fit"), tr("Show the whole skin")), &QToolButton::clicked, this,
-          &PatchControls::fitRequested);
+  connect(addButton(tr("Fit"), tr("Show the whole skin")), &QToolButton::clicked, this, &PatchControls::fitRequested);
   const auto look = [&](const QString& text, const QString& tip, PatchScene::View view) {
-    connect(addButton(row, text, tip), &QToolButton::clicked, this, [this, view] { emit viewRequested(view); });
+    connect(addButton(text, tip), &QToolButton::clicked, this, [this, view] { emit viewRequested(view); });
   };
   look(tr("Front"), tr("Look at the origin cell's front face"), PatchScene::View::Front);
   look(tr("Side"), tr("Look along the origin cell's x axis"), PatchScene::View::Side);
@@ -152,15 +139,6 @@ void PatchControls::setRenderer(const QString& words) {
 
 void PatchControls::resizeEvent(QResizeEvent* event) {
   QFrame::resizeEvent(event);
-  constexpr int kApart = 24;
-  const QMargins margins = rows_->contentsMargins();
-  const int needed = left_->sizeHint().width() + right_->sizeHint().width() + kApart + margins.left() + margins.right();
-  const auto direction = event->size().width() >= needed ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom;
-  if (direction != rows_->direction()) {
-    rows_->setDirection(direction);
-    rows_->setAlignment(right_, (direction == QBoxLayout::LeftToRight ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignTop);
-    updateGeometry();
-  }
   emit heightChanged(event->size().height());
 }
 

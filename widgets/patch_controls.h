@@ -7,15 +7,15 @@
 #include <map>
 
 class QAction;
-class QBoxLayout;
-class QHBoxLayout;
 class QMenu;
 class QToolButton;
 
 namespace hexoderm {
 
-/// The buttons over the 3D scene: what the colours mean, what is shown, measuring, and where to look from. In two rows
-/// where one is too narrow.
+class FlowLayout;
+
+/// The buttons over the 3D scene: what the colours mean, what is shown, measuring, and where to look from. In several
+/// rows where one is too narrow.
 class PatchControls : public QFrame {
   Q_OBJECT
 
@@ -45,14 +45,12 @@ class PatchControls : public QFrame {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  QToolButton* addButton(QHBoxLayout* row, const QString& text, const QString& tip);
-  void buildColoringMenu(QHBoxLayout* row);
-  void buildShowMenu(QHBoxLayout* row);
-  void buildViewButtons(QHBoxLayout* row);
+  QToolButton* addButton(const QString& text, const QString& tip);
+  void buildColoringMenu();
+  void buildShowMenu();
+  void buildViewButtons();
 
-  QBoxLayout* rows_;
-  QWidget* left_;
-  QWidget* right_;
+  FlowLayout* buttons_;
   QToolButton* coloring_button_ = nullptr;
   QMenu* show_menu_ = nullptr;
   std::map<CellColoring, QAction*> colorings_;

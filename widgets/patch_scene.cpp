@@ -103,8 +103,8 @@ struct PatchScene::Parts {
 
   void lookFrom(View view);
   void fitNow();
-  /// Nobody has moved the camera since.
-  [[nodiscard]] bool isAsFitted() const;
+  /// Nobody has moved the camera since the last fit.
+  [[nodiscard]] bool isUntouched() const;
   void beforeRender();
   void recolor();
   void updateItems();
@@ -197,7 +197,7 @@ void PatchScene::Parts::fitNow() {
   fitted = Fitted{position, focus, camera->GetParallelScale(), {width, height}, content->extent_m};
 }
 
-bool PatchScene::Parts::isAsFitted() const {
+bool PatchScene::Parts::isUntouched() const {
   vtkCamera* camera = renderer->GetActiveCamera();
   return fitted && fitted->position == toEigen(camera->GetPosition()) &&
          fitted->focus == toEigen(camera->GetFocalPoint()) && fitted->parallel_scale == camera->GetParallelScale();
@@ -208,7 +208,7 @@ void PatchScene::Parts::beforeRender() {
   constexpr double kOtherShape = 0.1;
   const bool reshaped =
       fitted && content && std::abs(content->extent_m - fitted->extent_m) > kOtherShape * fitted->extent_m;
-  if (fit_pending || (isAsFitted() && (reshaped || fitted->size != size()))) fitNow();
+  if (fit_pending || (isUntouched() && (reshaped || fitted->size != size()))) fitNow();
   extras.update();
   renderer->ResetCameraClippingRange();
   if (!window) return;
@@ -378,7 +378,7 @@ void PatchScene::setParallel(bool parallel) {
   vtkCamera* camera = parts_->renderer->GetActiveCamera();
   if ((camera->GetParallelProjection() != 0) == parallel) return;
   const double half = std::tan(0.5 * kViewAngle_deg * kDegree);
-  if (parts_->isAsFitted()) {
+  if (parts_->isUntouched()) {
     parts_->fit_pending = true;
   } else if (parallel) {
     camera->SetParallelScale(camera->GetDistance() * half);

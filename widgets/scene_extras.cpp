@@ -8,8 +8,10 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
+#include <vtkShaderProperty.h>
 #include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
 
 namespace hexoderm {
@@ -25,6 +27,12 @@ struct Drawn {
 enum Kind : std::size_t { kLinks, kTree, kEllipsoids, kTruth, kSheet, kDistances, kLoop, kShifts, kMeasure, kKinds };
 
 constexpr double kLoopArrowWidth = 0.12;  // of the side length
+
+/// The depth at which a thing counts, as GLSL.
+void setDepth(vtkActor* actor, const std::string& depth) {
+  actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Depth::Impl", false,
+                                                           "gl_FragDepth = " + depth + ";\n", false);
+}
 
 }  // namespace
 
@@ -211,8 +219,10 @@ SceneExtras::SceneExtras(vtkRenderer* renderer) : parts_(std::make_unique<Parts>
     property(kind)->SetAmbient(0.45);
     property(kind)->SetDiffuse(0.55);
   }
-  // Faces lie in the fitted surface; drawn a hair behind them it does not shimmer through.
-  parts_->drawn.at(kSheet).mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(2, 4);
+  // Faces lie in the fitted surface; drawn a hair behind them it does not shimmer through. What is measured is seen
+  // through everything.
+  setDepth(parts_->drawn.at(kSheet).actor, "gl_FragCoord.z + 0.0005");
+  setDepth(parts_->drawn.at(kMeasure).actor, "0.001 * gl_FragCoord.z");
 }
 
 SceneExtras::~SceneExtras() = default;
@@ -256,8 +266,6 @@ void SceneExtras::setComparison(std::vector<Comparison> comparison) {
 void SceneExtras::setMeasured(std::optional<CellId> first, std::optional<CellId> second) {
   parts_->first = first;
   parts_->second = second;
-  // A line through the skin is seen all the same: it is drawn in front of everything.
-  parts_->drawn.at(kMeasure).mapper->SetRelativeCoincidentTopologyLineOffsetParameters(0, second ? -66000 : 0);
   parts_->invalidate({kMeasure});
 }
 
