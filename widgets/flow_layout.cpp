@@ -30,8 +30,8 @@ int FlowLayout::groupWidth(int first, int end) const {
 
 QSize FlowLayout::sizeHint() const {
   const QMargins margins = contentsMargins();
-  const int width = groupWidth(0, second_group_) + kApart + groupWidth(second_group_, count()) + margins.left() +
-                    margins.right();
+  const int width =
+      groupWidth(0, second_group_) + kApart + groupWidth(second_group_, count()) + margins.left() + margins.right();
   return {width, heightForWidth(width)};
 }
 
