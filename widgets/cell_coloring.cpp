@@ -121,13 +121,13 @@ bool hasValues(CellColoring coloring, const CellFigures& figures, const CellRead
 ColorRange colorRange(CellColoring coloring, const Values& values) {
   switch (coloring) {
     case CellColoring::Residual:
-      return {0, 2};
-    case CellColoring::Deviation:  // two poses of an uncalibrated sensor lie near the upper end
-      return {0, 6};
+      return {0, kResidualScaleEnd_deg};
+    case CellColoring::Deviation:
+      return {0, kDeviationScaleEnd_deg};
     case CellColoring::PositionUncertainty:
-      return {0, 5};
+      return {0, kPositionScaleEnd_mm};
     case CellColoring::OrientationUncertainty:
-      return {0, 5};
+      return {0, kOrientationScaleEnd_deg};
     case CellColoring::PathDistance:
       return {0, roundLength(values)};
     case CellColoring::SurfaceDistance:

@@ -152,6 +152,7 @@ void PatchView::Parts::buildScene(QGridLayout* layout) {
   controls->setRenderer(openGlInWords(opengl));
   layout->addWidget(controls, 0, 0);
   connectControls();
+  updateControls();
 }
 
 void PatchView::Parts::connectControls() {
@@ -217,6 +218,8 @@ LegendContent PatchView::Parts::legend() const {
     const auto values = scene->values();
     content.range = colorRange(coloring, values);
     content.some_unknown = std::ranges::any_of(values, [](const auto& value) { return !value; });
+  } else if (coloring == CellColoring::LinkQuality) {
+    content.some_unknown = std::ranges::any_of(shown.figures.quality, [](const auto& quality) { return !quality; });
   } else if (coloring == CellColoring::BodyPart) {
     for (const std::string& name : shown.figures.body_parts) content.body_parts.push_back(QString::fromStdString(name));
     content.some_unknown = std::ranges::any_of(shown.figures.body_part, [](const auto& part) { return !part; });

@@ -51,13 +51,14 @@ std::vector<Entry> categoryEntries(const LegendContent& content, Theme theme, co
   std::vector<Entry> entries;
   if (content.coloring == CellColoring::LinkQuality) {
     for (const EdgeQuality quality : kClasses) entries.push_back(classEntry(quality, theme));
+    if (content.some_unknown) entries.push_back(swatch(tr("no link"), toQColor(colors.neutral)));
     return entries;
   }
   const bool by_part = content.coloring == CellColoring::BodyPart;
   const std::size_t count = by_part ? content.body_parts.size() : content.patches;
   for (std::size_t k = 0; k < std::min(count, kMaxCategories); ++k) {
     entries.push_back(
-        swatch(by_part ? content.body_parts[k] : tr("patch %1").arg(k), toQColor(categoryColor(colors, k, count))));
+        swatch(by_part ? content.body_parts[k] : tr("patch %1").arg(k + 1), toQColor(categoryColor(colors, k, count))));
   }
   if (count > kMaxCategories) {
     entries.push_back({tr("and %1 more").arg(count - kMaxCategories), [](QPainter&, double, double) {}});

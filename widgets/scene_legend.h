@@ -16,7 +16,7 @@ namespace hexoderm {
 struct LegendContent {
   CellColoring coloring = CellColoring::LinkQuality;
   ColorRange range;
-  bool some_unknown = false;  ///< a quantity, or the body part, is not known for some cells
+  bool some_unknown = false;  ///< some cells are neutral
   std::size_t patches = 0;
   std::vector<QString> body_parts;
 };

@@ -244,6 +244,7 @@ QVariant LinkTable::data(const QModelIndex& index, int role) const {
       case kYaw:
         return known ? degreesInWords(link.yaw_rad) : noValue();
       case kState:
+        if (link.muted_by == FindingCode::LinkSetAside) return tr("set aside");
         if (!link.used) return tr("muted");
         return link.in_tree ? tr("used, in tree") : tr("used");
       default:
@@ -260,7 +261,7 @@ QVariant LinkTable::data(const QModelIndex& index, int role) const {
     case Qt::ForegroundRole:
       return link.used ? QVariant() : QVariant(QBrush(colors().text_muted));
     case Qt::ToolTipRole:
-      return linkToolTip(link);
+      return linkToolTip(*reconstruction(), link);
     case Qt::AccessibleTextRole:
       return column == kLink ? longLinkName(link) : text();
     default:

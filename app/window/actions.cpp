@@ -56,6 +56,9 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
                        {QKeySequence(QStringLiteral("Shift+Del"))})),
       recapture(make(owner, "actionRecapture", tr("&Recapture pose"),
                      tr("The next capture takes the place of the picked pose"), {QKeySequence(Qt::Key_R)})),
+      mute_link(make(owner, "actionMuteLink", tr("Set link &aside"),
+                     tr("Keep the picked link out of the solution, as a cable for example"),
+                     {QKeySequence(Qt::Key_M)})),
       capture(make(owner, "actionCapture", tr("Capture &anyway"), tr("Take the next readings as a pose, moved or not"),
                    {QKeySequence(Qt::Key_Space)})),
       automatic(make(owner, "actionAutomatic", tr("Capture by itself when &still"),
@@ -107,7 +110,7 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
   demo->setIconText(tr("Start the demo skin"));
   // A key that is held must not take a row of poses.
   for (QAction* action : {capture, automatic, skip_pose, turn, robot, live_mode, light_cell, toggle_pose, delete_pose,
-                          recapture, screenshot, swap_views}) {
+                          recapture, mute_link, screenshot, swap_views}) {
     action->setAutoRepeat(false);
   }
   for (QAction* action : {automatic, robot, live_mode, light_cell}) action->setCheckable(true);
@@ -139,6 +142,7 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   edit->addActions({undo, redo});
   edit->addSeparator();
   edit->addActions({toggle_pose, delete_pose, recapture});
+  edit->addAction(mute_link);
   edit->addSeparator();
   edit->addAction(preferences);
 
@@ -203,6 +207,22 @@ void WindowActions::refreshCapture(const SessionController& controller, const QS
   allow(live_mode, live ? QString() : tr("No skin is connected"));
 }
 
+QString WindowActions::whyNoSession(const SessionController& controller) {
+  if (controller.session()) return {};
+  return controller.isEmpty() ? tr("Nothing is open yet")
+                              : tr("A calibration is open: it holds the result, not the poses");
+}
+
+void WindowActions::refreshLink(const SessionController& controller, const std::optional<Selection::Link>& picked) {
+  QString no_link = whyNoSession(controller);
+  if (no_link.isEmpty() && !picked) no_link = tr("Pick a link in the graph or in the table of links first");
+  const bool muted = no_link.isEmpty() && controller.session()->findMutedLink(picked->first, picked->second) != nullptr;
+  mute_link->setText(muted ? tr("Take link b&ack") : tr("Set link &aside"));
+  mute_link->setProperty(kPurpose, muted ? tr("Let the picked link into the solution again")
+                                         : tr("Keep the picked link out of the solution, as a cable for example"));
+  allow(mute_link, no_link);
+}
+
 void WindowActions::refreshDevice(const SessionController& controller, std::optional<CellId> cell) {
   QString no_light;
   if (!controller.isLive()) {
@@ -219,11 +239,7 @@ void WindowActions::refreshDevice(const SessionController& controller, std::opti
 void WindowActions::refresh(const SessionController& controller, std::optional<int> pose_row,
                             std::optional<CellId> cell) {
   const Session* session = controller.session();
-  QString no_session;
-  if (!session) {
-    no_session = controller.isEmpty() ? tr("Nothing is open yet")
-                                      : tr("A calibration is open: it holds the result, not the poses");
-  }
+  const QString no_session = whyNoSession(controller);
   QString no_result;
   if (!controller.reconstruction()) {
     no_result = controller.isEmpty() ? tr("Nothing is open yet") : tr("There is no reconstruction yet");

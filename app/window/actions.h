@@ -2,6 +2,7 @@
 
 #include "app/window/session_controller.h"
 #include "app/window/theme.h"
+#include "widgets/selection.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -34,6 +35,7 @@ class WindowActions {
   QAction* toggle_pose;
   QAction* delete_pose;
   QAction* recapture;
+  QAction* mute_link;  ///< "Set link aside", or "Take link back"
   QAction* capture;
   QAction* automatic;
   QAction* skip_pose;
@@ -65,8 +67,11 @@ class WindowActions {
 
   /// Which can be used now, and why the others can't. `pose_row`: the row picked in the table of poses.
   void refresh(const SessionController& controller, std::optional<int> pose_row, std::optional<CellId> cell);
+  /// The same of what can be done with a link. `picked`: of the selection.
+  void refreshLink(const SessionController& controller, const std::optional<Selection::Link>& picked);
 
  private:
+  [[nodiscard]] static QString whyNoSession(const SessionController& controller);
   void refreshCapture(const SessionController& controller, const QString& no_session);
   void refreshDevice(const SessionController& controller, std::optional<CellId> cell);
 };

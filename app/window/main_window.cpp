@@ -257,6 +257,17 @@ void MainWindow::connectActions() {
     if (const auto index = row ? controller_.sessionIndexOfPoseRow(*row) : std::nullopt) controller_.removePose(*index);
   });
   connect(actions_.show_finding, &QAction::triggered, this, &MainWindow::showWorstFinding);
+  connect(actions_.mute_link, &QAction::triggered, this, [this] {
+    const auto link = selection_.link();
+    if (!link || !controller_.session()) return;
+    controller_.setLinkMuted(link->first, link->second,
+                             !controller_.session()->findMutedLink(link->first, link->second));
+  });
+  graph_view_->setLinkActions({actions_.mute_link});
+  graph_view_->setCellActions({actions_.light_cell});
+  link_view_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  link_view_->addAction(actions_.mute_link);
+  connect(graph_view_, &GraphView::pictureWanted, this, &MainWindow::saveGraph);
   connect(actions_.find_cell, &QAction::triggered, this, [this] {
     graph_dock_->show();
     graph_dock_->raise();
@@ -313,6 +324,7 @@ void MainWindow::connectSelection() {
     // The light on the skin follows what is picked here.
     if (controller_.litCell() && selection_.cell()) controller_.lightCell(selection_.cell());
     actions_.refresh(controller_, pickedPoseRow(), selection_.cell());
+    actions_.refreshLink(controller_, selection_.link());
   });
   connect(finding_view_, &QTableView::clicked, this,
           [this](const QModelIndex& index) { pickFromFinding(index.row()); });
@@ -395,6 +407,7 @@ void MainWindow::openStep(GuideStep step) { step_panel_->openStep(static_cast<in
 
 void MainWindow::refresh() {
   actions_.refresh(controller_, pickedPoseRow(), selection_.cell());
+  actions_.refreshLink(controller_, selection_.link());
   banner_->setContent(describeStand(controller_, actions_));
   const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
   const LiveSource& live = controller_.live();

@@ -94,6 +94,7 @@ class MainWindow : public QMainWindow {
   void saveCalibration();
   void showExportDialog();
   void savePicture();
+  void saveGraph();
   void showDone(const QString& text, const QString& path);
   void afterAskingToSave(std::function<void()> proceed);
   void showAbout();

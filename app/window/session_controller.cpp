@@ -173,12 +173,17 @@ void SessionController::exportTo(const ExportRequest& request) {
 }
 
 void SessionController::saveImage(const QImage& image, const QString& path) {
-  startWriting(tr("Saving %1").arg(QFileInfo(path).fileName()), [this, image, path]() -> Continuation {
-    if (!image.save(path, "PNG")) {
-      throw StorageError("The picture " + path.toStdString() + " could not be written: is the folder writable?");
-    }
-    return [this, path] { emit exported(path); };
-  });
+  savePicture([image, path] { return image.save(path, "PNG"); }, path);
+}
+
+void SessionController::savePicture(std::function<bool()> write, const QString& path) {
+  startWriting(
+      tr("Saving %1").arg(QFileInfo(path).fileName()), [this, write = std::move(write), path]() -> Continuation {
+        if (!write()) {
+          throw StorageError("The picture " + path.toStdString() + " could not be written: is the folder writable?");
+        }
+        return [this, path] { emit exported(path); };
+      });
 }
 
 void SessionController::captureNow() {
@@ -193,6 +198,11 @@ void SessionController::setPoseDisabled(std::size_t index, bool disabled) {
 void SessionController::removePose(std::size_t index) {
   if (!session_ || index >= session_->poses().size()) return;
   undo_stack_.push(new RemovePoseCommand(edited(), index));
+}
+
+void SessionController::setLinkMuted(LinkEnd a, LinkEnd b, bool muted) {
+  if (!session_ || a == b || (session_->findMutedLink(a, b) != nullptr) == muted) return;
+  undo_stack_.push(new MuteLinkCommand(edited(), a, b, muted));
 }
 
 void SessionController::start(const QString& activity, std::function<Continuation()> work, Continuation finally) {

@@ -112,6 +112,10 @@ class SessionController : public QObject {
   void captureNow();
   void setPoseDisabled(std::size_t index, bool disabled);
   void removePose(std::size_t index);
+  /// Keeps a link out of the solution, or lets it in again.
+  void setLinkMuted(LinkEnd a, LinkEnd b, bool muted);
+  /// Calls `write` on the thread for files; false from it is a failure. `exported` follows, as after saveImage().
+  void savePicture(std::function<bool()> write, const QString& path);
 
   /// The session that is open stays until the skin has described itself.
   void connectTo(const hexoderm::ConnectRequest& request);

@@ -131,6 +131,7 @@ void SessionController::replaceSkin(const SkinDescription& skin) {
   Session replaced(*skin.model, skin.neighbors, session_->source());
   if (session_->truth()) replaced.setTruth(*session_->truth());
   for (const SessionPose& pose : session_->poses()) replaced.addPose(pose);
+  for (const MutedLink& link : session_->mutedLinks()) replaced.setLinkMuted(link.source, link.target, true, link.why);
   *session_ = std::move(replaced);
   record(SetSkin{skin.model, skin.neighbors});
   submit();

@@ -2,6 +2,7 @@
 #include "app/window/export_dialog.h"
 #include "app/window/main_window.h"
 #include "app/window/window_shell.h"
+#include "widgets/graph_view.h"
 #include "widgets/message_bar.h"
 #include "widgets/patch_view.h"
 
@@ -144,6 +145,13 @@ void MainWindow::savePicture() {
   const QDir folder(QDir(pictures).exists() ? pictures : lastFolder());
   const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz"));
   controller_.saveImage(picture(), folder.filePath(QStringLiteral("hexoderm-%1.png").arg(stamp)));
+}
+
+void MainWindow::saveGraph() {
+  askForPath(tr("Save a picture of the graph"), suggestedName() + tr("-graph"),
+             tr("Vector graphics (*.svg);;Pictures (*.png)"), QStringLiteral(".svg"), [this](const QString& path) {
+               controller_.savePicture([picture = graph_view_->picture(), path] { return picture.save(path); }, path);
+             });
 }
 
 void MainWindow::showDone(const QString& text, const QString& path) {

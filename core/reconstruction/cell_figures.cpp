@@ -1,6 +1,6 @@
 #include "hexoderm/reconstruction/cell_figures.h"
 
-#include "hexoderm/geometry/covariance.h"
+#include "hexoderm/reconstruction/uncertainty.h"
 
 #include <algorithm>
 #include <set>
@@ -77,9 +77,9 @@ CellFigures makeCellFigures(const Reconstruction& reconstruction) {
       index.emplace(cell.cell, k);
       figures.cells.push_back(cell.cell);
       figures.patch.push_back(p);
-      if (cell.cov_t_r) {
-        figures.position_95_m[k] = kSigmasFor95Percent * largestDeviation(cell.cov_t_r->topLeftCorner<3, 3>());
-        figures.orientation_95_rad[k] = kSigmasFor95Percent * largestDeviation(cell.cov_t_r->bottomRightCorner<3, 3>());
+      if (const std::optional<Uncertainty95> known = uncertaintyOf(cell)) {
+        figures.position_95_m[k] = known->position_m;
+        figures.orientation_95_rad[k] = known->orientation_rad;
       }
       if (!cell.body_part.empty()) parts.insert(cell.body_part);
     }

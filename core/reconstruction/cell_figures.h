@@ -18,7 +18,7 @@ struct CellFigures {
   std::vector<std::optional<EdgeQuality>> quality;
   std::vector<std::optional<double>> residual_rad;
   std::vector<std::optional<double>> sigma_rad;
-  /// 95 % along the worst axis, relative to the origin; absent where no covariance is stated. As in the verdict.
+  /// As uncertaintyOf() says.
   std::vector<std::optional<double>> position_95_m;
   std::vector<std::optional<double>> orientation_95_rad;
   /// From the origin from centre to centre along CellPlacement::path; absent where that is empty.

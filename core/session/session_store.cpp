@@ -101,6 +101,9 @@ std::vector<StoreOperation> operationsThatMake(const Session& session) {
   operations.emplace_back(SetSource{session.source()});
   if (session.truth()) operations.emplace_back(SetTruth{*session.truth()});
   for (const SessionPose& pose : session.poses()) operations.emplace_back(AddPose{pose});
+  for (const MutedLink& link : session.mutedLinks()) {
+    operations.emplace_back(SetLinkMuted{link.source, link.target, true, link.why});
+  }
   return operations;
 }
 

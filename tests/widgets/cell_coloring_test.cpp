@@ -26,10 +26,10 @@ TEST(CellColoring, QuantitiesLieOnScalesWithFixedEnds) {
   EXPECT_EQ(values[0], 0);
   EXPECT_NEAR(values[1].value_or(0), 1.96, 1e-6);
   EXPECT_EQ(values[3], std::nullopt);
-  EXPECT_EQ(colorRange(CellColoring::PositionUncertainty, values).high, 5) << "the same for every skin";
+  EXPECT_EQ(colorRange(CellColoring::PositionUncertainty, values).high, 6) << "the same for every skin";
   const std::vector<Rgb> colors = cellColors(CellColoring::PositionUncertainty, figures, {}, threeSteps());
   EXPECT_EQ(colors[0], (Rgb{0, 0, 0}));
-  EXPECT_NEAR(colors[1][0], 1.96 / 5, 1e-6);
+  EXPECT_NEAR(colors[1][0], 1.96 / 6, 1e-6);
   EXPECT_EQ(colors[2], (Rgb{1, 0, 0})) << "beyond the end is the end";
   EXPECT_EQ(colors[3], threeSteps().neutral) << "nothing is known";
 }
