@@ -14,6 +14,7 @@
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <array>
 #include <map>
 
 namespace hexoderm {
@@ -85,13 +86,12 @@ void TurningSmoothed(benchmark::State& state) { turn(state, true); }
 /// A new result of the same skin, on the GUI's thread: what was prepared elsewhere is taken over and drawn.
 void NewResultTakenOverAndDrawn(benchmark::State& state) {
   Stage stage;
-  const std::shared_ptr<const SceneContent> contents[] = {makeSceneContent(skinOf(state.range(0))),
-                                                          makeSceneContent(skinOf(state.range(0)))};
+  const std::array contents = {makeSceneContent(skinOf(state.range(0))), makeSceneContent(skinOf(state.range(0)))};
   stage.scene.setContent(contents[0]);
   stage.draw();
-  std::size_t turn = 0;
+  std::size_t next = 0;
   for ([[maybe_unused]] auto _ : state) {
-    stage.scene.setContent(contents[++turn % 2]);
+    stage.scene.setContent(contents.at(++next % 2));
     stage.draw();
   }
 }
