@@ -59,6 +59,8 @@ class Session {
   [[nodiscard]] const std::shared_ptr<const GroundTruth>& truth() const { return truth_; }
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
+  /// The device describes itself anew: poses, source and truth stay.
+  void setSkin(CellModel model, NeighborList neighbors);
   void setTruth(GroundTruth truth);
   void setSource(SourceDescription source);
 
