@@ -30,7 +30,9 @@ std::vector<SampleFrame> record(std::size_t frame_count, Readings readings) {
     for (std::uint32_t id = 1; id <= kCells; ++id) {
       const Eigen::Vector3d lsb(noise(random), noise(random), 256 + noise(random));
       Eigen::Vector3d reading_g = lsb_g * lsb;
-      if (readings == kFloats) reading_g = reading_g.cast<float>().cast<double>();
+      if (readings == kFloats) {
+        for (double& value_g : reading_g) value_g = static_cast<double>(static_cast<float>(value_g));
+      }
       frames[k].samples.push_back({CellId(id), reading_g});
     }
   }
