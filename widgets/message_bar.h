@@ -24,6 +24,10 @@ class MessageBar : public QFrame {
   [[nodiscard]] bool isUrgent() const { return isVisible() && tone_ == Tone::Bad; }
   void setTheme(Theme theme);
 
+ signals:
+  /// For whoever keeps a record of what the operator was told.
+  void shown(hexoderm::Tone tone, const QString& text);
+
  protected:
   void keyPressEvent(QKeyEvent* event) override;
   void paintEvent(QPaintEvent* event) override;

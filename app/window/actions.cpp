@@ -1,5 +1,7 @@
 #include "app/window/actions.h"
 
+#include "widgets/core_words.h"
+
 #include <QMenu>
 
 namespace hexoderm {
@@ -47,6 +49,9 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
                             tr("Save the reconstruction, complete enough to export and draw from it alone"))),
       export_to(make(owner, "actionExport", tr("&Export…"), tr("Write the calibration in a form that others read"),
                      {QKeySequence(QStringLiteral("Ctrl+E"))})),
+      report(make(owner, "actionReport", tr("&Report…"),
+                  tr("Write a report with verdict, pictures and tables, as PDF or as a page for the browser"),
+                  {QKeySequence(QStringLiteral("Ctrl+Shift+E"))})),
       quit(make(owner, "actionQuit", tr("&Quit"), tr("Close the window"), {QKeySequence(QStringLiteral("Ctrl+Q"))})),
       undo(undo_stack->createUndoAction(owner, tr("&Undo"))),
       redo(undo_stack->createRedoAction(owner, tr("&Redo"))),
@@ -87,9 +92,21 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
       top(make(owner, "actionTop", tr("&Top view"), tr("Look at the patch from above"))),
       screenshot(make(owner, "actionScreenshot", tr("&Picture of the window"), tr("Save a picture of this window"),
                       {QKeySequence(Qt::Key_F12)})),
-      keys(make(owner, "actionKeys", tr("&Keys"), tr("The list of keys"),
-                {QKeySequence(Qt::Key_F1), QKeySequence(Qt::Key_H)})),
+      guide(make(owner, "actionGuide", tr("User &guide"), tr("How to calibrate a skin, page by page"),
+                 {QKeySequence(Qt::Key_F1)})),
+      keys(make(owner, "actionKeys", tr("&Keys"), tr("The list of keys"), {QKeySequence(Qt::Key_H)})),
       about(make(owner, "actionAbout", tr("&About Hexoderm"), tr("Version and licence"))),
+      preferences(make(owner, "actionPreferences", tr("&Preferences…"),
+                       tr("Appearance, limits of the capture, options of the solver, folders"),
+                       {QKeySequence(QStringLiteral("Ctrl+,"))})),
+      swap_views(make(owner, "actionSwapViews", tr("S&wap graph and 3D view"),
+                      tr("The one in the middle goes to the side, and the other way round"),
+                      {QKeySequence(Qt::Key_G)})),
+      copy_report(make(owner, "actionCopyReport", tr("&Copy for a bug report"),
+                       tr("Versions, graphics, what is open and the last lines of the log, without your folders"))),
+      open_log_folder(make(owner, "actionOpenLogFolder", tr("&Open the log's folder"),
+                           tr("Show the folder in which the log is kept"))),
+      recent(new QMenu(tr("Open &recent"), owner)),
       themes(new QActionGroup(owner)) {
   undo->setObjectName(QStringLiteral("actionUndo"));
   redo->setObjectName(QStringLiteral("actionRedo"));
@@ -99,10 +116,15 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
   demo->setIconText(tr("Start the demo skin"));
   // A key that is held must not take a row of poses.
   for (QAction* action : {capture, automatic, skip_pose, turn, robot, live_mode, light_cell, toggle_pose, delete_pose,
-                          recapture, mute_link, screenshot}) {
+                          recapture, mute_link, screenshot, swap_views}) {
     action->setAutoRepeat(false);
   }
   for (QAction* action : {automatic, robot, live_mode, light_cell}) action->setCheckable(true);
+  constexpr int kSteps = 7;
+  for (int number = 1; number <= kSteps; ++number) {
+    go_to_step.push_back(make(owner, qPrintable(QStringLiteral("actionStep%1").arg(number)), tr("Step &%1").arg(number),
+                              tr("Open this step"), {QKeySequence(QStringLiteral("Ctrl+%1").arg(number))}));
+  }
 
   theme = {make(owner, "actionThemeSystem", tr("Like the &system"), tr("Light or dark, as the system asks for")),
            make(owner, "actionThemeLight", tr("&Light"), tr("Dark text on a light ground")),
@@ -116,8 +138,9 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
 void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& panels) const {
   QMenu* file = bar->addMenu(tr("&File"));
   file->addActions({demo, connect_skin, disconnect_skin, open});
+  file->addMenu(recent);
   file->addSeparator();
-  file->addActions({save, save_as, save_calibration, export_to});
+  file->addActions({save, save_as, save_calibration, export_to, report});
   file->addSeparator();
   file->addAction(quit);
 
@@ -125,18 +148,22 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   edit->addActions({undo, redo});
   edit->addSeparator();
   edit->addActions({toggle_pose, delete_pose, recapture});
-  edit->addSeparator();
   edit->addAction(mute_link);
+  edit->addSeparator();
+  edit->addAction(preferences);
 
   QMenu* session = bar->addMenu(tr("&Session"));
-  session->addActions({capture, automatic, skip_pose});
+  session->addActions({show_next_pose, capture, automatic, skip_pose});
   session->addSeparator();
   session->addActions({turn, robot});
   session->addSeparator();
   session->addActions({live_mode, light_cell});
+  session->addSeparator();
+  QMenu* steps = session->addMenu(tr("&Go to step"));
+  for (QAction* step : go_to_step) steps->addAction(step);
 
   QMenu* view = bar->addMenu(tr("&View"));
-  view->addActions({find_cell, fit, front, side, top});
+  view->addActions({find_cell, show_finding, fit, front, side, top, swap_views});
   view->addSeparator();
   for (QAction* panel : panels) view->addAction(panel);
   view->addSeparator();
@@ -144,18 +171,12 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   view->addAction(screenshot);
 
   QMenu* help = bar->addMenu(tr("&Help"));
-  help->addActions({keys, about});
-  for (QMenu* menu : {file, edit, session, view, help}) menu->setToolTipsVisible(true);
-}
-
-std::vector<QAction*> WindowActions::withKeys() const {
-  std::vector<QAction*> found;
-  for (QAction* action : {capture,     automatic, skip_pose, turn, robot,      live_mode,    light_cell, toggle_pose,
-                          delete_pose, recapture, mute_link, undo, redo,       connect_skin, open,       save,
-                          save_as,     export_to, find_cell, fit,  screenshot, keys,         quit}) {
-    if (!action->shortcuts().isEmpty()) found.push_back(action);
-  }
-  return found;
+  help->addActions({guide, keys});
+  help->addSeparator();
+  help->addActions({copy_report, open_log_folder});
+  help->addSeparator();
+  help->addAction(about);
+  for (QMenu* menu : {file, edit, session, steps, view, help}) menu->setToolTipsVisible(true);
 }
 
 void WindowActions::refreshCapture(const SessionController& controller, const QString& no_session) {
@@ -163,7 +184,7 @@ void WindowActions::refreshCapture(const SessionController& controller, const QS
   QString no_skin = no_session;
   if (no_skin.isEmpty() && !live) no_skin = tr("This session came from a file; no skin is connected");
   if (live && controller.live().status().state != SourceState::Streaming) {
-    no_skin = tr("The skin does not send: %1").arg(QString::fromStdString(controller.live().status().text));
+    no_skin = tr("The skin does not send: %1").arg(coreWords(controller.live().status().text));
   }
   allow(capture, no_skin);
   QString no_advice = no_skin;
@@ -237,6 +258,7 @@ void WindowActions::refresh(const SessionController& controller, std::optional<i
   allow(save_as, no_session);
   allow(save_calibration, no_result);
   allow(export_to, no_result);
+  allow(report, no_result);
 
   QString no_pose = no_session;
   const std::optional<std::size_t> index = pose_row ? controller.sessionIndexOfPoseRow(*pose_row) : std::nullopt;

@@ -7,6 +7,7 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QCoreApplication>
+#include <QMenu>
 #include <QMenuBar>
 #include <vector>
 
@@ -28,6 +29,7 @@ class WindowActions {
   QAction* save_as;
   QAction* save_calibration;
   QAction* export_to;
+  QAction* report;
   QAction* quit;
   QAction* undo;
   QAction* redo;
@@ -50,14 +52,20 @@ class WindowActions {
   QAction* side;
   QAction* top;
   QAction* screenshot;
+  QAction* guide;
   QAction* keys;
   QAction* about;
+  QAction* preferences;
+  QAction* swap_views;  ///< graph and 3D view
+  QAction* copy_report;
+  QAction* open_log_folder;
+  std::vector<QAction*> go_to_step;  ///< the first is step 1
+  QMenu* recent;
   QActionGroup* themes;
   std::vector<QAction*> theme;  ///< in the order of ThemeChoice
 
   /// `panels`: the docks' own actions.
   void fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& panels) const;
-  [[nodiscard]] std::vector<QAction*> withKeys() const;
 
   /// Which can be used now, and why the others can't. `pose_row`: the row picked in the table of poses.
   void refresh(const SessionController& controller, std::optional<int> pose_row, std::optional<CellId> cell);

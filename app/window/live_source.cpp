@@ -1,6 +1,7 @@
 #include "app/window/live_source.h"
 
 #include "hexoderm/device/open_source.h"
+#include "widgets/core_words.h"
 
 #include <QMetaObject>
 #include <mutex>
@@ -119,20 +120,18 @@ LiveSource::~LiveSource() { feed_.reset(); }
 
 void LiveSource::start(const LiveOptions& options) {
   stop();
-  PoseRecorderOptions recorder;
-  recorder.automatic = options.automatic;
-  feed_ = std::make_shared<Feed>(*this, recorder);
+  feed_ = std::make_shared<Feed>(*this, options.recorder);
   feed_->recorder().setNextPoseId(options.next_pose);
   feed_->recorder().setEarlierPoses(options.earlier_poses);
   address_ = options.address;
-  automatic_ = options.automatic;
+  automatic_ = options.recorder.automatic;
   status_.state = SourceState::Connecting;
   status_.text = tr("Connecting to %1").arg(address_).toStdString();
   jobs_.add([feed = feed_, address = address_.toStdString()] {
     try {
       feed->open(address);
     } catch (const std::exception& error) {
-      feed->post([message = QString::fromUtf8(error.what())](LiveSource& live) {
+      feed->post([message = coreWords(error.what())](LiveSource& live) {
         live.stop();
         emit live.failed(message);
       });

@@ -17,7 +17,7 @@ struct LiveOptions {
   QString address;  ///< as openSkinSource() takes it
   PoseId next_pose{1};
   std::vector<std::shared_ptr<const PoseCapture>> earlier_poses;  ///< those that a capture can repeat
-  bool automatic = true;
+  PoseRecorderOptions recorder;
 };
 
 /// A skin that is connected: a source and the recorder of its poses, which run on the source's thread, as signals on

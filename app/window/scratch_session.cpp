@@ -1,19 +1,16 @@
 #include "app/window/scratch_session.h"
 
+#include "app/window/recovery.h"
+
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
 #include <QFile>
-#include <QStandardPaths>
 
 namespace hexoderm {
 
-QString scratchFolder() {
-  return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)).filePath(QStringLiteral("unsaved"));
-}
-
 QString newScratchPath(const QString& name) {
-  const QDir folder(scratchFolder());
+  const QDir folder(unsavedFolder());
   folder.mkpath(QStringLiteral("."));
   const QString stem = QStringLiteral("%1-%2-%3")
                            .arg(name, QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss")),

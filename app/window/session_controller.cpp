@@ -1,9 +1,11 @@
 #include "app/window/session_controller.h"
 
+#include "app/window/recovery.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/util/error.h"
+#include "widgets/core_words.h"
 
 #include <QFileInfo>
 #include <QMetaObject>
@@ -102,13 +104,20 @@ void SessionController::openFile(const QString& path) {
             } else {
               showCalibration(std::get<std::shared_ptr<const Reconstruction>>(opened_file->file), name);
             }
+            if (opened_file->store && QFileInfo(path).absolutePath() == QFileInfo(unsavedFolder()).absoluteFilePath()) {
+              // Recovered: it goes on where it was, and still waits to be saved.
+              scratch_path_ = path;
+              session_path_.clear();
+              name_ = tr("Recovered session");
+              undo_stack_.resetClean();
+            }
             if (opened_file->store) {
               journal_ =
                   std::make_unique<SessionJournal>(*this, jobs_, path, std::move(*opened_file->store), journalTold());
               emit changed();
             } else if (!opened_file->remark.empty()) {
               emit noticed(tr("Changes will not be kept in this file; save the session under another name. %1")
-                               .arg(QString::fromStdString(opened_file->remark)));
+                               .arg(coreWords(opened_file->remark)));
             }
           };
         },
@@ -178,6 +187,15 @@ void SessionController::savePicture(std::function<bool()> write, const QString& 
       });
 }
 
+void SessionController::writeReport(const std::vector<ReportPicture>& pictures, const QString& path) {
+  if (!reconstruction_) return;
+  const ReportContent content{reconstruction_, name_, pictures, QDateTime::currentDateTime()};
+  startWriting(tr("Writing the report %1").arg(QFileInfo(path).fileName()), [this, content, path]() -> Continuation {
+    hexoderm::writeReport(content, path);
+    return [this, path] { emit exported(path); };
+  });
+}
+
 void SessionController::captureNow() {
   if (isLive()) live_.captureNow();
 }
@@ -205,7 +223,7 @@ void SessionController::start(const QString& activity, std::function<Continuatio
     try {
       then = work();
     } catch (const std::exception& error) {
-      then = [this, message = QString::fromUtf8(error.what())] { emit failed(message); };
+      then = [this, message = coreWords(error.what())] { emit failed(message); };
     }
     QMetaObject::invokeMethod(
         this,
@@ -286,7 +304,7 @@ void SessionController::receive(const ReconstructionOutcome& outcome) {
     adviseAnew();
     emit reconstructionChanged(reconstruction_);
   } else {
-    emit failed(QString::fromStdString(outcome.error));
+    emit failed(coreWords(outcome.error));
   }
   emit changed();
 }

@@ -2,6 +2,7 @@
 
 #include "app/window/job_queue.h"
 #include "app/window/live_source.h"
+#include "app/window/report.h"
 #include "app/window/session_commands.h"
 #include "app/window/session_journal.h"
 #include "hexoderm/io/exporter.h"
@@ -108,6 +109,8 @@ class SessionController : public QObject {
   void saveSession(const QString& path);
   void exportTo(const hexoderm::ExportRequest& request);
   void saveImage(const QImage& image, const QString& path);
+  /// Of what is shown now, with these pictures, as PDF or HTML by the ending of `path`.
+  void writeReport(const std::vector<hexoderm::ReportPicture>& pictures, const QString& path);
   /// The next readings become a pose, moved or not. Nothing happens where no skin is connected.
   void captureNow();
   void setPoseDisabled(std::size_t index, bool disabled);
@@ -135,6 +138,8 @@ class SessionController : public QObject {
   void cancelRecapture();
   /// Lights a cell of the connected skin, and darkens the one before.
   void lightCell(std::optional<hexoderm::CellId> cell);
+  /// Of captures, from the next connection on.
+  void setRecorderOptions(const hexoderm::PoseRecorderOptions& options) { recorder_options_ = options; }
   /// Solves anew with these.
   void setSolverOptions(const hexoderm::SolverOptions& options);
   /// Writes what could not be written to the session's file.
@@ -203,6 +208,7 @@ class SessionController : public QObject {
   std::unique_ptr<Session> session_;
   bool demo_ = false;
   SolverOptions options_;
+  PoseRecorderOptions recorder_options_;
   std::shared_ptr<const Reconstruction> reconstruction_;
   QUndoStack undo_stack_;
   QString name_;

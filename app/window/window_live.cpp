@@ -1,6 +1,8 @@
 // The part of MainWindow about the skin that is connected and the file that its poses are kept in.
 #include "app/window/connect_dialog.h"
 #include "app/window/main_window.h"
+#include "app/window/preferences.h"
+#include "widgets/core_words.h"
 #include "widgets/graph_view.h"
 #include "widgets/live_strip.h"
 #include "widgets/message_bar.h"
@@ -14,8 +16,11 @@
 namespace hexoderm {
 namespace {
 
-/// Where the last file was, else the user's documents, else the place for this program's data, which is made.
+/// What the operator chose, else where the last file was, else the user's documents, else the place for this program's
+/// data, which is made.
 QString folderForSessions() {
+  const QString chosen = Preferences().sessionFolder();
+  if (!chosen.isEmpty() && QDir(chosen).exists()) return chosen;
   const QString last = QSettings().value(QStringLiteral("paths/last")).toString();
   if (!last.isEmpty() && QDir(last).exists()) return last;
   const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
@@ -90,7 +95,7 @@ void MainWindow::refreshLive() {
                             : live.address();
   source_status_->setText(
       QStringLiteral("%1 %2 · %3").arg(sourceStateSign(status.state), sourceStateWord(status.state), where));
-  source_status_->setToolTip(QString::fromStdString(status.text));
+  source_status_->setToolTip(coreWords(status.text));
 }
 
 void MainWindow::showConnectDialog() {

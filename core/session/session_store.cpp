@@ -268,4 +268,8 @@ Session readSessionStore(const std::filesystem::path& path) { return SessionStor
 
 bool isSessionStore(const std::filesystem::path& path) { return looksLikeStore(path); }
 
+bool isSessionStoreInUse(const std::filesystem::path& path) {
+  return !StoreLock::forReading(path, path.string()).has_value();
+}
+
 }  // namespace hexoderm

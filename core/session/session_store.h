@@ -128,4 +128,8 @@ void writeSessionStore(const Session& session, const std::filesystem::path& path
 /// By its first bytes; whether it is in order, reading will tell. Throws StorageError if it is there and can't be read.
 bool isSessionStore(const std::filesystem::path& path);
 
+/// Whether somebody, here or in another process, has the session open for writing at this moment. A process that was
+/// killed has not. Throws StorageError if the file can't be read.
+bool isSessionStoreInUse(const std::filesystem::path& path);
+
 }  // namespace hexoderm

@@ -1,6 +1,6 @@
 #include "app/window/main_window.h"
 
-#include "app/window/scratch_session.h"
+#include "app/window/recovery.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/reconstruction/evaluation.h"
 #include "hexoderm/session/session_store.h"
@@ -233,11 +233,11 @@ TEST_F(MainWindowTest, LiveModeShowsTheMomentAndGoesBackToTheResult) {
 }
 
 TEST_F(MainWindowTest, WhatWasNotSavedIsInAScratchFileUntilItIsGivenUp) {
-  QDir(scratchFolder()).removeRecursively();
+  QDir(unsavedFolder()).removeRecursively();
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
   EXPECT_FALSE(controller().isKept());
   EXPECT_TRUE(controller().hasUnsavedChanges());
-  const auto files = [] { return QDir(scratchFolder()).entryInfoList({"*.hexo"}, QDir::Files); };
+  const auto files = [] { return QDir(unsavedFolder()).entryInfoList({"*.hexo"}, QDir::Files); };
   ASSERT_TRUE(waitUntil([&] { return !controller().isWriting() && files().size() == 1; }));
   EXPECT_EQ(readSessionStore(files().front().filePath().toStdString()).poses().size(), 2U);
   controller().undoStack()->setClean();
@@ -311,7 +311,7 @@ TEST_F(MainWindowTest, PanelsAreRemembered) {
 }
 
 TEST_F(MainWindowTest, EveryKeyIsListedAndEscapeClosesTheListOnly) {
-  press(Qt::Key_F1);
+  press(Qt::Key_H);
   auto* keys = waitForDialog<QDialog>("keysDialog");
   ASSERT_NE(keys, nullptr);
   QStringList texts;
