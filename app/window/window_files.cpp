@@ -1,6 +1,8 @@
 // The part of MainWindow that asks: which file, save first, close now.
 #include "app/window/export_dialog.h"
+#include "app/window/guide_window.h"
 #include "app/window/main_window.h"
+#include "app/window/report_pictures.h"
 #include "app/window/recovery.h"
 #include "app/window/window_shell.h"
 #include "widgets/graph_view.h"
@@ -134,6 +136,14 @@ void MainWindow::showExportDialog() {
   dialog->open();
 }
 
+void MainWindow::askForReport() {
+  askForPath(tr("Write a report"), suggestedName(), tr("Documents (*.pdf);;Pages for the browser (*.html)"),
+             QStringLiteral(".pdf"), [this](const QString& path) {
+               if (!controller_.reconstruction()) return;
+               controller_.writeReport(takeReportPictures(controller_.reconstruction()), path);
+             });
+}
+
 QImage MainWindow::picture() {
   // The 3D view draws when there is time; until then a picture of the window would show its last state.
   static_cast<void>(patch_view_->screenshot());
@@ -239,6 +249,19 @@ void MainWindow::buildShell() {
       [this] {
         return static_cast<ThemeChoice>(actions_.themes->actions().indexOf(actions_.themes->checkedAction()));
       }});
+}
+
+void MainWindow::showGuide() {
+  auto* guide = findChild<GuideWindow*>();
+  if (guide == nullptr) {
+    guide = new GuideWindow(this);
+    guide->setAttribute(Qt::WA_DeleteOnClose);
+    guide->setKeys(QWidget::actions());
+  }
+  guide->showPage(guidePageFor(controller_));
+  guide->show();
+  guide->raise();
+  guide->activateWindow();
 }
 
 void MainWindow::showAbout() {

@@ -9,6 +9,7 @@
 #include "app/window/welcome_panel.h"
 #include "hexoderm/util/text.h"
 #include "widgets/card_dock.h"
+#include "widgets/core_words.h"
 #include "widgets/live_strip.h"
 #include "widgets/message_bar.h"
 #include "widgets/step_panel.h"
@@ -51,10 +52,10 @@ LogSeverity severityOf(Tone tone) {
 /// One line on a result: how large, how, how long, how good.
 QString resultInWords(const Reconstruction& result) {
   return WindowShell::tr("Solved: %1, %2 poses, %3, %4 ms. %5")
-      .arg(QString::fromStdString(sizeInWords(result)))
+      .arg(coreWords(sizeInWords(result)))
       .arg(result.poses.size())
       .arg(QString::fromStdString(result.solver), QString::fromStdString(formatFixed(1e3 * result.solve_seconds, 1)),
-           QString::fromStdString(result.verdict.reason));
+           coreWords(result.verdict.reason));
 }
 
 bool isIn(const QString& path, const QString& folder) {
@@ -208,7 +209,7 @@ void WindowShell::connectLog() {
     source_state_ = state;
     const bool is_bad = live.status().state == SourceState::Silent || live.status().state == SourceState::Incompatible;
     log_.add(is_bad ? LogSeverity::Warning : LogSeverity::Info,
-             tr("Skin at %1: %2. %3").arg(live.address(), state, QString::fromStdString(live.status().text)));
+             tr("Skin at %1: %2. %3").arg(live.address(), state, coreWords(live.status().text)));
   });
 }
 
