@@ -1965,6 +1965,22 @@
         <source>cone fit: the points lie in a plane</source>
         <translation>Kegel: Die Punkte liegen in einer Ebene</translation>
     </message>
+    <message>
+        <source>%1, the port from 1 to 65535 (for example %2)</source>
+        <translation>%1, Port von 1 bis 65535 (zum Beispiel %2)</translation>
+    </message>
+    <message>
+        <source>%1 or %2 (for example %3)</source>
+        <translation>%1 oder %2 (zum Beispiel %3)</translation>
+    </message>
+    <message>
+        <source>expected a Hexoderm session (*.hexo, or format &quot;hexoderm-session&quot;), a calibration (format &quot;hexoderm-calibration&quot;) or a TUM SkinConfig XML, found &quot;%1&quot;</source>
+        <translation>erwartet ist eine Hexoderm-Sitzung (*.hexo oder Format „hexoderm-session“), eine Kalibrierung (Format „hexoderm-calibration“) oder ein TUM-SkinConfig-XML, gefunden wurde „%1“</translation>
+    </message>
+    <message>
+        <source>expected a Hexoderm session (*.hexo, or format &quot;hexoderm-session&quot;), a calibration (format &quot;hexoderm-calibration&quot;) or a TUM SkinConfig XML, but there is none</source>
+        <translation>erwartet ist eine Hexoderm-Sitzung (*.hexo oder Format „hexoderm-session“), eine Kalibrierung (Format „hexoderm-calibration“) oder ein TUM-SkinConfig-XML, angegeben ist keines</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::EventLog</name>
@@ -3057,9 +3073,9 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     </message>
     <message numerus="yes">
         <source>Preparing the picture of %n cell(s)…</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Das Bild von %n Zelle wird vorbereitet…</numerusform>
+            <numerusform>Das Bild von %n Zellen wird vorbereitet…</numerusform>
         </translation>
     </message>
 </context>
