@@ -3,7 +3,9 @@
 #include "app/window/verification.h"
 #include "widgets/cell_table.h"
 #include "widgets/message_bar.h"
+#include "widgets/patch_view.h"
 #include "widgets/residual_view.h"
+#include "widgets/step_panel.h"
 #include "widgets/table_actions.h"
 #include "widgets/verify_panel.h"
 
@@ -13,7 +15,7 @@
 namespace hexoderm {
 
 void MainWindow::connectVerify() {
-  verify_panel_->hide();  // until a step takes it in
+  step_panel_->setBody(static_cast<int>(GuideStep::Verify), verify_panel_);
   for (QTableView* view : {pose_view_, link_view_, cell_view_}) {
     view->horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder);
     view->setSortingEnabled(true);
@@ -52,6 +54,13 @@ void MainWindow::connectVerify() {
   connect(verification_, &Verification::surfacesFitted, verify_panel_, &VerifyPanel::showSurfaces);
   connect(verification_, &Verification::compared, verify_panel_, &VerifyPanel::showComparison);
   connect(verification_, &Verification::failed, verify_panel_, &VerifyPanel::showFailure);
+  connect(verify_panel_, &VerifyPanel::surfaceShown, patch_view_, &PatchView::setSurface);
+  connect(verify_panel_, &VerifyPanel::comparisonShown, this, [this](const std::optional<Comparison>& comparison) {
+    patch_view_->setComparison(comparison ? std::vector<Comparison>{*comparison} : std::vector<Comparison>{});
+  });
+  connect(verify_panel_, &VerifyPanel::loopShown, this, [this](const std::optional<FoundLoop>& loop) {
+    patch_view_->setLoop(loop ? std::optional(loop->closure) : std::nullopt);
+  });
   // What one skin was compared with says nothing about the next.
   connect(&controller_, &SessionController::opened, verify_panel_, &VerifyPanel::dropComparison);
 }
