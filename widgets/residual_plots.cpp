@@ -309,7 +309,7 @@ void ResidualPlots::showPicked() {
   parts.picked->setVisible(found != links.end());
   if (found != links.end()) {
     parts.picked->setXValue(static_cast<double>(found - links.begin() + 1));
-    parts.link_plot->setToolTip(linkToolTip(parts.linkOf(*found)));
+    parts.link_plot->setToolTip(linkToolTip(*parts.reconstruction, parts.linkOf(*found)));
   } else {
     parts.link_plot->setToolTip(tr("Click a link to pick it."));
   }

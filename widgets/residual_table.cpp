@@ -63,7 +63,7 @@ QVariant ResidualTable::data(const QModelIndex& index, int role) const {
     case Qt::TextAlignmentRole:
       return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
     case Qt::ToolTipRole:
-      return linkToolTip(linkAt(index.row()));
+      return linkToolTip(*reconstruction(), linkAt(index.row()));
     case Qt::AccessibleTextRole: {
       const QString link = longLinkName(linkAt(index.row()));
       const QString residual = degreesInWords(residualAt(index));
@@ -86,7 +86,7 @@ QVariant ResidualTable::headerData(int section, Qt::Orientation orientation, int
       case kUnitRole:
         return tr("Link");
       case Qt::ToolTipRole:
-        return linkToolTip(linkAt(section));
+        return linkToolTip(*reconstruction(), linkAt(section));
       case Qt::TextAlignmentRole:
         return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
       default:
