@@ -56,8 +56,10 @@ class LogView : public QWidget {
 
  protected:
   void showEvent(QShowEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
+  void fitColumns();
   void applyFilter();
   void showCount();
 

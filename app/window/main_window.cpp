@@ -502,7 +502,10 @@ void MainWindow::setThemeChoice(ThemeChoice choice, bool remember) {
 
 /// On a screen that is smaller than what the panels need, everything is reached by scrolling.
 void MainWindow::scrollIfScreenIsSmall() {
-  const QSize least = minimumSizeHint();
+  // Messages and the strip of a live skin come and go, and panels need a little more when they are filled.
+  constexpr double kReserve = 1.1;
+  const QSize least =
+      kReserve * minimumSizeHint() + QSize(0, message_bar_->sizeHint().height() + live_strip_->sizeHint().height());
   const QSize room = screen()->availableSize();
   if (least.width() <= room.width() && least.height() <= room.height()) return;
   auto* area = new QScrollArea;

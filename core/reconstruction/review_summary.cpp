@@ -1,6 +1,5 @@
 #include "hexoderm/reconstruction/review_summary.h"
 
-#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/util/units.h"
 
 #include <algorithm>
@@ -9,8 +8,6 @@
 
 namespace hexoderm {
 namespace {
-
-constexpr double kSigmasFor95Percent = 1.96;
 
 double quantile(const std::vector<double>& sorted, double share) {
   const double place = share * static_cast<double>(sorted.size() - 1);

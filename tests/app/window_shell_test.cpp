@@ -392,6 +392,7 @@ TEST_F(WindowShellTest, PreferencesActAtOnceAndAreRemembered) {
   keepPicture(dialog->grab().toImage(), "preferences-capture-dark");
   auto* excess = dialog->findChild<QDoubleSpinBox*>("preferenceExcess");
   EXPECT_DOUBLE_EQ(excess->value(), 30);
+  excess->setFocus();
   excess->selectAll();
   QTest::keyClicks(excess, "45");
   EXPECT_TRUE(recorder.empty()) << "not at every digit";

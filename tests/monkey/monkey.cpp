@@ -145,10 +145,9 @@ class Monkey : public QObject {
     const Qt::MouseButton button = chance(0.9) ? Qt::LeftButton : Qt::RightButton;
     begin(QStringLiteral("click on %1").arg(nameOf(top, at)));
     QPointer<QWindow> handle(top->windowHandle());
-    if (chance(0.1)) {
-      QTest::mouseDClick(handle, button, Qt::NoModifier, at);
-    } else {
-      QTest::mousePress(handle, button, Qt::NoModifier, at);
+    // What is clicked on may be gone before the button comes up, so every event looks whether there is still a window.
+    for (int k = chance(0.1) ? 2 : 1; k > 0; --k) {
+      if (handle) QTest::mousePress(handle, button, Qt::NoModifier, at);
       if (handle) QTest::mouseRelease(handle, button, Qt::NoModifier, at);
     }
   }
@@ -187,13 +186,18 @@ class Monkey : public QObject {
     begin(QStringLiteral("key %1 with focus on %2")
               .arg(QKeySequence(code | static_cast<int>(modifiers)).toString(),
                    QApplication::focusWidget() ? QApplication::focusWidget()->objectName() : QString()));
-    if (top->windowHandle()) QTest::keyClick(top->windowHandle(), static_cast<Qt::Key>(code), modifiers);
+    QPointer<QWindow> handle(top->windowHandle());
+    if (handle) QTest::keyPress(handle, static_cast<Qt::Key>(code), modifiers);
+    if (handle) QTest::keyRelease(handle, static_cast<Qt::Key>(code), modifiers);
   }
   void type() {
-    QWidget* focus = QApplication::focusWidget();
+    const QPointer<QWidget> focus = QApplication::focusWidget();
     if (!focus) return;
-    begin(QStringLiteral("type into %1").arg(focus->objectName()));
-    QTest::keyClicks(focus, QString::number(below(2000)));
+    begin(QStringLiteral("type into %1 %2").arg(focus->metaObject()->className(), focus->objectName()));
+    for (const QChar digit : QString::number(below(2000))) {
+      if (focus) QTest::keyPress(focus, digit.toLatin1());
+      if (focus) QTest::keyRelease(focus, digit.toLatin1());
+    }
   }
   void trigger() {
     const QList<QAction*> actions = window_.QWidget::actions();

@@ -10,6 +10,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
+#include <utility>
 
 namespace hexoderm::test {
 namespace {
@@ -30,28 +31,33 @@ std::int64_t cpuOfThisThread_ns() {
   return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
 }
 
-void writeStack(int /*signal*/) {
-  constexpr int kDeepest = 48;
+void writeStack(int signal) {
+  constexpr int kDeepest = 64;
   void* frames[kDeepest];
   const int count = ::backtrace(frames, kDeepest);
-  constexpr char kHead[] = "--- the GUI thread stalls at\n";
+  constexpr char kHead[] = "--- this is where it is\n";
   static_cast<void>(!::write(STDERR_FILENO, kHead, sizeof(kHead) - 1));
   ::backtrace_symbols_fd(frames, count, STDERR_FILENO);
+  if (signal == SIGUSR1) return;
+  ::signal(signal, SIG_DFL);
+  ::raise(signal);
+}
+
+void writeStackOn(int signal) {
+  struct sigaction action {};
+  action.sa_handler = &writeStack;
+  action.sa_flags = SA_RESTART;
+  ::sigaction(signal, &action, nullptr);
 }
 
 }  // namespace
 
 Watchdog::Watchdog(double limit_ms, bool trace)
     : limit_ms_(limit_ms), trace_(trace), last_beat_ns_(now_ns()), gui_thread_(::pthread_self()) {
-  if (trace_) {
-    // The first call loads a library, which a signal handler must not.
-    void* frame = nullptr;
-    ::backtrace(&frame, 1);
-    struct sigaction action {};
-    action.sa_handler = &writeStack;
-    action.sa_flags = SA_RESTART;
-    ::sigaction(SIGUSR1, &action, nullptr);
-  }
+  // The first call loads a library, which a signal handler must not.
+  void* frame = nullptr;
+  ::backtrace(&frame, 1);
+  for (const int signal : {SIGUSR1, SIGSEGV, SIGABRT, SIGFPE, SIGBUS}) writeStackOn(signal);
   last_cpu_ns_ = cpuOfThisThread_ns();
   heart_.setTimerType(Qt::PreciseTimer);
   heart_.setInterval(kBeat_ms);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 #include <QTimer>
@@ -25,7 +24,7 @@ struct Stall {
 class Watchdog : public QObject {
  public:
   /// A heartbeat that is later than `limit_ms` is a stall. `trace`: writes the GUI thread's stack to stderr while it
-  /// stalls. A loop that hangs for half a minute ends the process.
+  /// stalls. A loop that hangs for half a minute ends the process; so does a crash, which writes the stack too.
   Watchdog(double limit_ms, bool trace);
   ~Watchdog() override;
 

@@ -66,7 +66,7 @@ TEST_F(SharedStore, IsInUseAsLongAsSomebodyWritesIt) {
   const SessionStore reader = SessionStore::openReadOnly(path_);
   EXPECT_FALSE(isSessionStoreInUse(path_));
   EXPECT_THAT(messageOf<StorageError>([&] { isSessionStoreInUse(folder_.path() / "none.hexo"); }),
-              saysAll({"none.hexo", "cannot be read"}));
+              saysAll("none.hexo", "cannot be read"));
 }
 
 TEST_F(SharedStore, HasOneWriterInThisProcess) {
