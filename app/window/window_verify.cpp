@@ -55,12 +55,8 @@ void MainWindow::connectVerify() {
   connect(verification_, &Verification::compared, verify_panel_, &VerifyPanel::showComparison);
   connect(verification_, &Verification::failed, verify_panel_, &VerifyPanel::showFailure);
   connect(verify_panel_, &VerifyPanel::surfaceShown, patch_view_, &PatchView::setSurface);
-  connect(verify_panel_, &VerifyPanel::comparisonShown, this, [this](const std::optional<Comparison>& comparison) {
-    patch_view_->setComparison(comparison ? std::vector<Comparison>{*comparison} : std::vector<Comparison>{});
-  });
-  connect(verify_panel_, &VerifyPanel::loopShown, this, [this](const std::optional<FoundLoop>& loop) {
-    patch_view_->setLoop(loop ? std::optional(loop->closure) : std::nullopt);
-  });
+  connect(verify_panel_, &VerifyPanel::loopShown, patch_view_, &PatchView::setLoop);
+  connect(verify_panel_, &VerifyPanel::comparisonShown, patch_view_, &PatchView::setComparison);
   // What one skin was compared with says nothing about the next.
   connect(&controller_, &SessionController::opened, verify_panel_, &VerifyPanel::dropComparison);
 }
