@@ -20,7 +20,7 @@ namespace {
 /// would take twice as long.
 void shadeUnderside(vtkActor* actor) {
   const std::string shade = std::to_string(kUndersideShade);
-  actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Color::Impl", false,
+  actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Color::Impl", true,
                                                            "//VTK::Color::Impl\n"
                                                            "  if (!gl_FrontFacing) {\n"
                                                            "    ambientColor *= " +
