@@ -1,5 +1,9 @@
 #include "widgets/check_list.h"
 
+#include "widgets/core_words.h"
+
+#include "widgets/core_words.h"
+
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -27,7 +31,7 @@ class CheckList::Row : public QWidget {
 
   void set(const SkinCheckItem& item) {
     item_ = item;
-    text_->setText(QString::fromStdString(item.text));
+    text_->setText(coreWords(item.text));
     const bool wrong = item.severity != Severity::Info;
     sign_->setText(wrong ? QStringLiteral("!") : QStringLiteral("✓"));
     sign_->setAccessibleName(wrong ? CheckList::tr("needs a look") : CheckList::tr("in order"));

@@ -1,5 +1,7 @@
 #include "widgets/graph_view_parts.h"
+#include "widgets/core_words.h"
 
+#include "widgets/core_words.h"
 #include "widgets/find_cell_field.h"
 #include "widgets/selection.h"
 #include "widgets/words.h"
@@ -180,7 +182,7 @@ QPointF GraphView::Parts::middleOf(const GraphScene::Link& link) {
 void GraphView::Parts::describe() {
   QString text = GraphView::tr("No skin is open.");
   if (scene->reconstruction()) {
-    text = QString::fromStdString(sizeInWords(*scene->reconstruction()));
+    text = coreWords(sizeInWords(*scene->reconstruction()));
     const Hit hit = picked();
     if (hit.cell) text += QStringLiteral(". ") + GraphView::tr("Picked: cell %1").arg(selection->cell()->value());
     if (hit.link) {

@@ -34,6 +34,8 @@ QString surfaceWord(SurfaceKind kind) {
       return tr("sphere");
     case SurfaceKind::Cylinder:
       return tr("cylinder");
+    case SurfaceKind::Cone:
+      return tr("cone");
   }
   return {};
 }

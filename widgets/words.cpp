@@ -2,6 +2,7 @@
 
 #include "hexoderm/reconstruction/uncertainty.h"
 #include "hexoderm/util/units.h"
+#include "widgets/core_words.h"
 #include "widgets/palette.h"
 
 #include <QCoreApplication>
@@ -15,7 +16,9 @@
 namespace hexoderm {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("hexoderm::Words", text); }
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(hexoderm::Words)
+};
 
 /// First line bold, the others plain; escaped, since labels and IDs come from files.
 QString asToolTip(const QString& title, const QStringList& lines) {
@@ -31,7 +34,7 @@ QString listOf(const std::vector<Id>& ids, const QString& one, const QString& se
   QStringList names;
   for (std::size_t k = 0; k < std::min(ids.size(), kMost); ++k) names << QString::number(ids[k].value());
   QString text = (ids.size() == 1 ? one : several).arg(names.join(QStringLiteral(", ")));
-  if (ids.size() > kMost) text += QStringLiteral(" ") + tr("and %1 more").arg(ids.size() - kMost);
+  if (ids.size() > kMost) text += QStringLiteral(" ") + Words::tr("and %1 more").arg(ids.size() - kMost);
   return text;
 }
 
@@ -56,8 +59,8 @@ QString pathInWords(const std::vector<CellId>& path) {
     cells << QString::number(path[k].value());
   }
   const std::size_t links = path.size() - 1;
-  const QString count = links == 1 ? tr("1 link") : tr("%1 links").arg(links);
-  return tr("Path from the origin: %1 (%2)").arg(cells.join(QStringLiteral(" → ")), count);
+  const QString count = links == 1 ? Words::tr("1 link") : Words::tr("%1 links").arg(links);
+  return Words::tr("Path from the origin: %1 (%2)").arg(cells.join(QStringLiteral(" → ")), count);
 }
 
 /// "Residual in pose 1: 0.3°, 2: 0.4°"; of many poses the worst. Empty if there are none.
@@ -77,7 +80,7 @@ QString poseResiduals(const Reconstruction& reconstruction, const LinkEstimate& 
   for (const auto& [angle_rad, pose] : known) {
     poses << QStringLiteral("%1: %2").arg(pose.value()).arg(degreesInWords(angle_rad));
   }
-  return (too_many ? tr("Residual in the worst poses %1") : tr("Residual in pose %1"))
+  return (too_many ? Words::tr("Residual in the worst poses %1") : Words::tr("Residual in pose %1"))
       .arg(poses.join(QStringLiteral(", ")));
 }
 
@@ -85,13 +88,16 @@ QString poseResiduals(const Reconstruction& reconstruction, const LinkEstimate& 
 
 QString noValue() { return QStringLiteral("–"); }
 
-QString degreesInWords(std::optional<double> angle_rad) {
-  if (!angle_rad) return noValue();
-  const double degrees = toDegrees(*angle_rad);
-  // "-0.0°" would be a sign without a meaning.
-  QString text = QLocale().toString(std::abs(degrees) < 0.05 ? 0.0 : degrees, 'f', 1);
+QString figureInWords(double value, int decimals) {
+  // "-0.0" would be a sign without a meaning.
+  const double half_of_last = 0.5 * std::pow(10.0, -decimals);
+  QString text = QLocale().toString(std::abs(value) < half_of_last ? 0.0 : value, 'f', decimals);
   text.replace(QLatin1Char('-'), QStringLiteral("−"));
-  return text + QStringLiteral("°");
+  return text;
+}
+
+QString degreesInWords(std::optional<double> angle_rad) {
+  return angle_rad ? figureInWords(toDegrees(*angle_rad), 1) + QStringLiteral("°") : noValue();
 }
 
 QString wholeDegreesInWords(double angle_rad) {
@@ -107,7 +113,7 @@ QString shortLinkName(const LinkEstimate& link) {
 }
 
 QString longLinkName(const LinkEstimate& link) {
-  return tr("Link %1 · port %2 — %3 · port %4")
+  return Words::tr("Link %1 · port %2 — %3 · port %4")
       .arg(link.source.cell.value())
       .arg(link.source.port.value())
       .arg(link.target.cell.value())
@@ -116,11 +122,11 @@ QString longLinkName(const LinkEstimate& link) {
 
 QString mutedBecause(const LinkEstimate& link) {
   if (link.used) return {};
-  if (!link.muted_by) return tr("It is not used.");
+  if (!link.muted_by) return Words::tr("It is not used.");
   const auto table = findingTable();
   const auto entry = std::ranges::find(table, *link.muted_by, &FindingDescription::code);
-  if (entry == table.end()) return tr("It is not used.");
-  return QString::fromUtf8(entry->meaning.data(), static_cast<int>(entry->meaning.size()));
+  if (entry == table.end()) return Words::tr("It is not used.");
+  return coreWords(std::string(entry->meaning));
 }
 
 bool hasFigures(const LinkEstimate& link) {
@@ -140,19 +146,19 @@ std::optional<double> knownSigma(const LinkEstimate& link) {
 QString severityWord(Severity severity) {
   switch (severity) {
     case Severity::Info:
-      return tr("Note");
+      return Words::tr("Note");
     case Severity::Warning:
-      return tr("Warning");
+      return Words::tr("Warning");
     case Severity::Error:
-      return tr("Error");
+      return Words::tr("Error");
   }
   return {};
 }
 
 QString placeInWords(const Finding& finding) {
   QStringList places;
-  if (!finding.cells.empty()) places << listOf(finding.cells, tr("cell %1"), tr("cells %1"));
-  if (!finding.poses.empty()) places << listOf(finding.poses, tr("pose %1"), tr("poses %1"));
+  if (!finding.cells.empty()) places << listOf(finding.cells, Words::tr("cell %1"), Words::tr("cells %1"));
+  if (!finding.poses.empty()) places << listOf(finding.poses, Words::tr("pose %1"), Words::tr("poses %1"));
   return places.isEmpty() ? noValue() : places.join(QStringLiteral("; "));
 }
 
@@ -161,10 +167,10 @@ QString findingToolTip(const Finding& finding) {
   const auto entry = std::ranges::find(table, finding.code, &FindingDescription::code);
   QStringList lines;
   if (entry != table.end()) {
-    lines << QString::fromUtf8(entry->meaning.data(), static_cast<int>(entry->meaning.size()));
+    lines << coreWords(std::string(entry->meaning));
     lines << QString::fromUtf8(entry->name.data(), static_cast<int>(entry->name.size()));
   }
-  return asToolTip(QString::fromStdString(finding.text), lines);
+  return asToolTip(coreWords(finding.text), lines);
 }
 
 QString mutedBecause(const Reconstruction& reconstruction, const LinkEstimate& link) {
@@ -175,7 +181,7 @@ QString mutedBecause(const Reconstruction& reconstruction, const LinkEstimate& l
              LinkEnd{finding.cells[1], finding.ports[1]} == link.target;
     };
     const auto found = std::ranges::find_if(reconstruction.findings, isAboutIt);
-    if (found != reconstruction.findings.end()) return QString::fromStdString(found->text);
+    if (found != reconstruction.findings.end()) return coreWords(found->text);
   }
   return mutedBecause(link);
 }
@@ -183,22 +189,22 @@ QString mutedBecause(const Reconstruction& reconstruction, const LinkEstimate& l
 QString linkToolTip(const Reconstruction& reconstruction, const LinkEstimate& link) {
   QStringList lines;
   if (link.used) {
-    lines << (link.in_tree ? tr("Used, on the shortest paths to the origin") : tr("Used"));
+    lines << (link.in_tree ? Words::tr("Used, on the shortest paths to the origin") : Words::tr("Used"));
   } else {
-    lines << tr("Muted: %1").arg(mutedBecause(reconstruction, link));
+    lines << Words::tr("Muted: %1").arg(mutedBecause(reconstruction, link));
   }
   if (!hasFigures(link)) return asToolTip(longLinkName(link), lines);
   const QLocale locale;
   const Eigen::Vector3d& values = link.singular_values;
-  lines << tr("%1, singular values %2, %3, %4; weight %5")
+  lines << Words::tr("%1, singular values %2, %3, %4; weight %5")
                .arg(qualityWord(link.quality), locale.toString(values[0], 'f', 2), locale.toString(values[1], 'f', 2),
                     locale.toString(values[2], 'f', 2), locale.toString(link.weight, 'g', 3));
-  lines << tr("Bend %1, twist %2, yaw %3")
+  lines << Words::tr("Bend %1, twist %2, yaw %3")
                .arg(degreesInWords(link.bend_rad), degreesInWords(link.twist_rad), degreesInWords(link.yaw_rad));
-  lines << tr("Residual %1, predicted deviation %2")
+  lines << Words::tr("Residual %1, predicted deviation %2")
                .arg(degreesInWords(knownResidual(link)), degreesInWords(knownSigma(link)));
-  if (link.centred) lines << tr("Centred: the mean of each cell's readings was subtracted");
-  if (link.supported) lines << tr("Support axes were added: the poses alone do not fix it");
+  if (link.centred) lines << Words::tr("Centred: the mean of each cell's readings was subtracted");
+  if (link.supported) lines << Words::tr("Support axes were added: the poses alone do not fix it");
   const QString poses = poseResiduals(reconstruction, link);
   if (!poses.isEmpty()) lines << poses;
   return asToolTip(longLinkName(link), lines);
@@ -208,35 +214,37 @@ QString cellToolTip(const Reconstruction& reconstruction, CellId cell) {
   const auto [patch, placement] = reconstruction.find(cell);
   if (placement == nullptr) return {};
   QStringList lines;
-  lines << (patch->origin == cell ? tr("Origin of patch %1") : tr("Patch %1")).arg(patch->id.value() + 1);
-  if (!placement->body_part.empty()) lines << tr("On %1").arg(QString::fromStdString(placement->body_part));
-  lines << (placement->placed_by == PlacedBy::Links ? tr("Placed through its links: its own readings are not used")
-                                                    : tr("Placed by its own readings"));
+  lines << (patch->origin == cell ? Words::tr("Origin of patch %1") : Words::tr("Patch %1")).arg(patch->id.value() + 1);
+  if (!placement->body_part.empty()) lines << Words::tr("On %1").arg(QString::fromStdString(placement->body_part));
+  lines << (placement->placed_by == PlacedBy::Links
+                ? Words::tr("Placed through its links: its own readings are not used")
+                : Words::tr("Placed by its own readings"));
   if (patch->origin != cell) {
     const Eigen::Vector3d& t_o_u = placement->T_o_u.t;
     const Eigen::Vector3d rpy_rad = rpyFromRotation(placement->T_o_u.R);
-    lines << tr("At %1 mm from the origin").arg(threeNumbers(1e3 * t_o_u, 1));
-    lines << tr("Roll %1, pitch %2, yaw %3")
+    lines << Words::tr("At %1 mm from the origin").arg(threeNumbers(1e3 * t_o_u, 1));
+    lines << Words::tr("Roll %1, pitch %2, yaw %3")
                  .arg(degreesInWords(rpy_rad.x()), degreesInWords(rpy_rad.y()), degreesInWords(rpy_rad.z()));
     if (const auto known = uncertaintyOf(*placement)) {
-      lines << tr("Known to ±%1 mm, ±%2 (95 %)")
+      lines << Words::tr("Known to ±%1 mm, ±%2 (95 %)")
                    .arg(QLocale().toString(toMillimetres(known->position_m), 'f', 1),
                         degreesInWords(known->orientation_rad));
     } else {
-      lines << tr("How well it is known is not stated");
+      lines << Words::tr("How well it is known is not stated");
     }
     if (placement->path.size() > 1) lines << pathInWords(placement->path);
   }
   if (placement->accel_offset_g) {
-    lines << tr("Accelerometer offset %1 mg").arg(threeNumbers(1e3 * *placement->accel_offset_g, 0));
+    lines << Words::tr("Accelerometer offset %1 mg").arg(threeNumbers(1e3 * *placement->accel_offset_g, 0));
   }
-  if (placement->accel_scale) lines << tr("Accelerometer scale %1").arg(threeNumbers(*placement->accel_scale, 3));
+  if (placement->accel_scale)
+    lines << Words::tr("Accelerometer scale %1").arg(threeNumbers(*placement->accel_scale, 3));
   for (const Finding& finding : reconstruction.findings) {
     constexpr std::size_t kMostCells = 4;  // one that names half of the skin is not about this cell
     if (finding.severity == Severity::Info || finding.cells.size() > kMostCells) continue;
-    if (std::ranges::find(finding.cells, cell) != finding.cells.end()) lines << QString::fromStdString(finding.text);
+    if (std::ranges::find(finding.cells, cell) != finding.cells.end()) lines << coreWords(finding.text);
   }
-  return asToolTip(tr("Cell %1").arg(cell.value()), lines);
+  return asToolTip(Words::tr("Cell %1").arg(cell.value()), lines);
 }
 
 }  // namespace hexoderm

@@ -1,5 +1,7 @@
 #include "app/window/actions.h"
 
+#include "widgets/core_words.h"
+
 #include <QMenu>
 
 namespace hexoderm {
@@ -47,6 +49,9 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
                             tr("Save the reconstruction, complete enough to export and draw from it alone"))),
       export_to(make(owner, "actionExport", tr("&Export…"), tr("Write the calibration in a form that others read"),
                      {QKeySequence(QStringLiteral("Ctrl+E"))})),
+      report(make(owner, "actionReport", tr("&Report…"),
+                  tr("Write a report with verdict, pictures and tables, as PDF or as a page for the browser"),
+                  {QKeySequence(QStringLiteral("Ctrl+Shift+E"))})),
       quit(make(owner, "actionQuit", tr("&Quit"), tr("Close the window"), {QKeySequence(QStringLiteral("Ctrl+Q"))})),
       undo(undo_stack->createUndoAction(owner, tr("&Undo"))),
       redo(undo_stack->createRedoAction(owner, tr("&Redo"))),
@@ -87,8 +92,9 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
       top(make(owner, "actionTop", tr("&Top view"), tr("Look at the patch from above"))),
       screenshot(make(owner, "actionScreenshot", tr("&Picture of the window"), tr("Save a picture of this window"),
                       {QKeySequence(Qt::Key_F12)})),
-      keys(make(owner, "actionKeys", tr("&Keys"), tr("The list of keys"),
-                {QKeySequence(Qt::Key_F1), QKeySequence(Qt::Key_H)})),
+      guide(make(owner, "actionGuide", tr("User &guide"), tr("How to calibrate a skin, page by page"),
+                 {QKeySequence(Qt::Key_F1)})),
+      keys(make(owner, "actionKeys", tr("&Keys"), tr("The list of keys"), {QKeySequence(Qt::Key_H)})),
       about(make(owner, "actionAbout", tr("&About Hexoderm"), tr("Version and licence"))),
       preferences(make(owner, "actionPreferences", tr("&Preferences…"),
                        tr("Appearance, limits of the capture, options of the solver, folders"),
@@ -134,7 +140,7 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   file->addActions({demo, connect_skin, disconnect_skin, open});
   file->addMenu(recent);
   file->addSeparator();
-  file->addActions({save, save_as, save_calibration, export_to});
+  file->addActions({save, save_as, save_calibration, export_to, report});
   file->addSeparator();
   file->addAction(quit);
 
@@ -147,7 +153,7 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   edit->addAction(preferences);
 
   QMenu* session = bar->addMenu(tr("&Session"));
-  session->addActions({capture, automatic, skip_pose});
+  session->addActions({show_next_pose, capture, automatic, skip_pose});
   session->addSeparator();
   session->addActions({turn, robot});
   session->addSeparator();
@@ -157,7 +163,7 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   for (QAction* step : go_to_step) steps->addAction(step);
 
   QMenu* view = bar->addMenu(tr("&View"));
-  view->addActions({find_cell, fit, front, side, top, swap_views});
+  view->addActions({find_cell, show_finding, fit, front, side, top, swap_views});
   view->addSeparator();
   for (QAction* panel : panels) view->addAction(panel);
   view->addSeparator();
@@ -165,7 +171,7 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   view->addAction(screenshot);
 
   QMenu* help = bar->addMenu(tr("&Help"));
-  help->addAction(keys);
+  help->addActions({guide, keys});
   help->addSeparator();
   help->addActions({copy_report, open_log_folder});
   help->addSeparator();
@@ -178,7 +184,7 @@ void WindowActions::refreshCapture(const SessionController& controller, const QS
   QString no_skin = no_session;
   if (no_skin.isEmpty() && !live) no_skin = tr("This session came from a file; no skin is connected");
   if (live && controller.live().status().state != SourceState::Streaming) {
-    no_skin = tr("The skin does not send: %1").arg(QString::fromStdString(controller.live().status().text));
+    no_skin = tr("The skin does not send: %1").arg(coreWords(controller.live().status().text));
   }
   allow(capture, no_skin);
   QString no_advice = no_skin;
@@ -252,6 +258,7 @@ void WindowActions::refresh(const SessionController& controller, std::optional<i
   allow(save_as, no_session);
   allow(save_calibration, no_result);
   allow(export_to, no_result);
+  allow(report, no_result);
 
   QString no_pose = no_session;
   const std::optional<std::size_t> index = pose_row ? controller.sessionIndexOfPoseRow(*pose_row) : std::nullopt;

@@ -29,6 +29,7 @@ class WindowActions {
   QAction* save_as;
   QAction* save_calibration;
   QAction* export_to;
+  QAction* report;
   QAction* quit;
   QAction* undo;
   QAction* redo;
@@ -51,6 +52,7 @@ class WindowActions {
   QAction* side;
   QAction* top;
   QAction* screenshot;
+  QAction* guide;
   QAction* keys;
   QAction* about;
   QAction* preferences;

@@ -2,6 +2,7 @@
 
 #include "app/window/actions.h"
 #include "app/window/session_controller.h"
+#include "widgets/core_words.h"
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -81,8 +82,8 @@ Step connectStep(const SessionController& controller, const WindowActions& actio
   }
   step.state = StepState::Done;
   step.note = controller.name();
-  step.why = controller.session() ? QString::fromStdString(controller.session()->source().text)
-                                  : QString::fromStdString(controller.reconstruction()->source.text);
+  step.why = controller.session() ? coreWords(controller.session()->source().text)
+                                  : coreWords(controller.reconstruction()->source.text);
   return step;
 }
 
@@ -95,7 +96,7 @@ Step checkStep(const SessionController& controller, const WindowActions& actions
     return step;
   }
   step.state = StepState::Done;
-  step.note = QString::fromStdString(sizeInWords(*result));
+  step.note = coreWords(sizeInWords(*result));
   step.what = Guide::tr("Compare the skin graph with the skin in front of you.");
   step.why = Guide::tr(
       "Every cell and every link should be there. What was reported but can't be a skin link is listed "
@@ -126,7 +127,7 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
   if (controller.canTurn()) step.actions.insert(step.actions.end(), {actions.turn, actions.robot});
   step.state = more || (result && !isExportable(*result)) ? StepState::Current : StepState::Done;
   // Once there are enough, what is next is no longer about poses.
-  if (result && step.state == StepState::Current) step.what = QString::fromStdString(result->verdict.next_action);
+  if (result && step.state == StepState::Current) step.what = coreWords(result->verdict.next_action);
   step.why = Guide::tr("Gravity seen from several directions tells how every cell is turned against its neighbours.");
   if (!controller.isLive()) {
     step.why += QLatin1Char(' ') + Guide::tr("This session came from a file; no skin is connected to take more.");
@@ -145,7 +146,7 @@ Step reviewStep(const SessionController& controller, const WindowActions& action
   step.note = findingsInWords(*result);
   const Finding* finding = worstFinding(*result);
   if (captured) step.state = finding ? StepState::Current : StepState::Done;
-  step.what = QString::fromStdString(finding ? finding->text : result->verdict.reason);
+  step.what = coreWords(finding ? finding->text : result->verdict.reason);
   if (controller.session()) {
     step.why = Guide::tr(
         "A pose that does not fit can be disabled or deleted in the table of poses, and taken back with "
@@ -165,7 +166,7 @@ Step exportStep(const SessionController& controller, const WindowActions& action
     step.why = Guide::tr("Waits for a reconstruction.");
     return step;
   }
-  step.actions = {actions.export_to, actions.save_calibration};
+  step.actions = {actions.export_to, actions.report, actions.save_calibration};
   if (controller.session()) step.actions.push_back(actions.save);
   step.what = Guide::tr("Write the placements in the form you need.");
   step.why =
@@ -194,7 +195,7 @@ Banner::Content describeStand(const SessionController& controller, const WindowA
     content.sentence = Guide::tr("Waiting for the skin at %1.").arg(controller.live().address());
   } else if (const Reconstruction* result = controller.reconstruction().get()) {
     content.tone = toneOf(result->verdict.level);
-    content.sentence = QString::fromStdString(result->verdict.reason);
+    content.sentence = coreWords(result->verdict.reason);
   } else if (!controller.isEmpty()) {
     content.sentence = Guide::tr("The placements are being worked out…");
   } else if (!controller.activity().isEmpty()) {

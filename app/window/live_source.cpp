@@ -1,6 +1,7 @@
 #include "app/window/live_source.h"
 
 #include "hexoderm/device/open_source.h"
+#include "widgets/core_words.h"
 
 #include <QMetaObject>
 #include <mutex>
@@ -130,7 +131,7 @@ void LiveSource::start(const LiveOptions& options) {
     try {
       feed->open(address);
     } catch (const std::exception& error) {
-      feed->post([message = QString::fromUtf8(error.what())](LiveSource& live) {
+      feed->post([message = coreWords(error.what())](LiveSource& live) {
         live.stop();
         emit live.failed(message);
       });

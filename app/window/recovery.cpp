@@ -4,6 +4,7 @@
 #include "app/window/recent_files.h"
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/util/error.h"
+#include "widgets/core_words.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -77,9 +78,9 @@ std::vector<UnsavedSession> findUnsavedSessions(const QString& folder) {
       unsaved.edited_at_ms = store.editedAtMs();
       unsaved.poses = session.poses().size();
       unsaved.cells = session.neighbors().size();
-      unsaved.source = QString::fromStdString(session.source().text);
+      unsaved.source = coreWords(session.source().text);
     } catch (const Error& error) {
-      unsaved.problem = QString::fromStdString(error.what());
+      unsaved.problem = coreWords(error.what());
     }
     found.push_back(std::move(unsaved));
   }
@@ -174,7 +175,7 @@ void UnsavedSessions::move(const QString& path, QString (*how)(const QString&)) 
     try {
       now = how(path);
     } catch (const Error& error) {
-      problem = QString::fromStdString(error.what());
+      problem = coreWords(error.what());
     }
     QMetaObject::invokeMethod(
         QCoreApplication::instance(),
@@ -197,10 +198,14 @@ RecoveryList::RecoveryList(UnsavedSessions& sessions, QWidget* parent)
     : QWidget(parent), sessions_(sessions), layout_(new QVBoxLayout(this)) {
   setObjectName(QStringLiteral("recoveryList"));
   setAccessibleName(tr("Sessions that were not saved"));
-  layout_->setContentsMargins(0, 0, 0, 0);
+  layout_->setContentsMargins(0, 0, 0, 8);
   layout_->setSpacing(8);
-  connect(&sessions_, &UnsavedSessions::changed, this, &RecoveryList::rebuild);
+  connect(&sessions_, &UnsavedSessions::changed, this, [this] {
+    rebuild();
+    setVisible(!sessions_.all().empty());
+  });
   rebuild();
+  setHidden(sessions_.all().empty());
 }
 
 void RecoveryList::rebuild() {
@@ -210,8 +215,11 @@ void RecoveryList::rebuild() {
     item->widget()->deleteLater();
     delete item;
   }
-  for (const UnsavedSession& session : sessions_.all()) layout_->addWidget(makeRow(session));
-  setVisible(!sessions_.all().empty());
+  for (const UnsavedSession& session : sessions_.all()) {
+    QWidget* row = makeRow(session);
+    layout_->addWidget(row);
+    row->show();
+  }
 }
 
 QWidget* RecoveryList::makeRow(const UnsavedSession& session) {

@@ -5,6 +5,7 @@
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/util/error.h"
+#include "widgets/core_words.h"
 
 #include <QFileInfo>
 #include <QMetaObject>
@@ -116,7 +117,7 @@ void SessionController::openFile(const QString& path) {
               emit changed();
             } else if (!opened_file->remark.empty()) {
               emit noticed(tr("Changes will not be kept in this file; save the session under another name. %1")
-                               .arg(QString::fromStdString(opened_file->remark)));
+                               .arg(coreWords(opened_file->remark)));
             }
           };
         },
@@ -186,6 +187,15 @@ void SessionController::savePicture(std::function<bool()> write, const QString& 
       });
 }
 
+void SessionController::writeReport(const std::vector<ReportPicture>& pictures, const QString& path) {
+  if (!reconstruction_) return;
+  const ReportContent content{reconstruction_, name_, pictures, QDateTime::currentDateTime()};
+  startWriting(tr("Writing the report %1").arg(QFileInfo(path).fileName()), [this, content, path]() -> Continuation {
+    hexoderm::writeReport(content, path);
+    return [this, path] { emit exported(path); };
+  });
+}
+
 void SessionController::captureNow() {
   if (isLive()) live_.captureNow();
 }
@@ -213,7 +223,7 @@ void SessionController::start(const QString& activity, std::function<Continuatio
     try {
       then = work();
     } catch (const std::exception& error) {
-      then = [this, message = QString::fromUtf8(error.what())] { emit failed(message); };
+      then = [this, message = coreWords(error.what())] { emit failed(message); };
     }
     QMetaObject::invokeMethod(
         this,
@@ -294,7 +304,7 @@ void SessionController::receive(const ReconstructionOutcome& outcome) {
     adviseAnew();
     emit reconstructionChanged(reconstruction_);
   } else {
-    emit failed(QString::fromStdString(outcome.error));
+    emit failed(coreWords(outcome.error));
   }
   emit changed();
 }

@@ -2,6 +2,7 @@
 
 #include "app/window/job_queue.h"
 #include "app/window/live_source.h"
+#include "app/window/report.h"
 #include "app/window/session_commands.h"
 #include "app/window/session_journal.h"
 #include "hexoderm/io/exporter.h"
@@ -108,6 +109,8 @@ class SessionController : public QObject {
   void saveSession(const QString& path);
   void exportTo(const hexoderm::ExportRequest& request);
   void saveImage(const QImage& image, const QString& path);
+  /// Of what is shown now, with these pictures, as PDF or HTML by the ending of `path`.
+  void writeReport(const std::vector<hexoderm::ReportPicture>& pictures, const QString& path);
   /// The next readings become a pose, moved or not. Nothing happens where no skin is connected.
   void captureNow();
   void setPoseDisabled(std::size_t index, bool disabled);

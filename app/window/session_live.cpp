@@ -5,6 +5,7 @@
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
+#include "widgets/core_words.h"
 
 #include <QFileInfo>
 #include <QRegularExpression>
@@ -36,8 +37,8 @@ void SessionController::connectLive() {
     asked_turn_ = 0;
     if (outcome.done) return;
     unreachable_.push_back(asked_up_);
-    emit noticed(tr("The device does not turn there: %1. The next best pose is advised instead.")
-                     .arg(QString::fromStdString(outcome.text)));
+    emit noticed(
+        tr("The device does not turn there: %1. The next best pose is advised instead.").arg(coreWords(outcome.text)));
     adviseAnew();
   });
   connect(&live_, &LiveSource::previewChanged, this, &SessionController::solveMoment);
@@ -127,12 +128,7 @@ bool SessionController::beginLiveSession(const SkinDescription& skin) {
 }
 
 void SessionController::replaceSkin(const SkinDescription& skin) {
-  // The same object: the commands that can be undone refer to it.
-  Session replaced(*skin.model, skin.neighbors, session_->source());
-  if (session_->truth()) replaced.setTruth(*session_->truth());
-  for (const SessionPose& pose : session_->poses()) replaced.addPose(pose);
-  for (const MutedLink& link : session_->mutedLinks()) replaced.setLinkMuted(link.source, link.target, true, link.why);
-  *session_ = std::move(replaced);
+  session_->setSkin(*skin.model, skin.neighbors);
   record(SetSkin{skin.model, skin.neighbors});
   submit();
 }
@@ -145,7 +141,7 @@ void SessionController::addCapture(const CapturedPose& captured) {
   announcement.text = tr("Pose %1 captured: %2.").arg(QString::number(pose.id.value()), cells);
   if (!captured.silent_cells.empty()) {
     announcement.text +=
-        QLatin1Char(' ') + tr("Nothing came from %1.").arg(QString::fromStdString(listInWords(captured.silent_cells)));
+        QLatin1Char(' ') + tr("Nothing came from %1.").arg(coreWords(listInWords(captured.silent_cells)));
   }
   if (captured.repeats) {
     announcement.text += QLatin1Char(' ') + tr("It repeats pose %1, which is only %2° away.")

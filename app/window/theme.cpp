@@ -33,6 +33,9 @@ QString panelSheet(const Colors& colors) {
              "QLabel#appName { color: %4; font-weight: 700; padding: 0 4px 0 16px; }"
              "QLabel#sessionName { color: %5; padding: 0 16px; }"
              "QListWidget#exportFormats { border: 1px solid %2; border-radius: 5px; padding: 4px; }"
+             "QListWidget#guideContents { border: 0; padding: 8px; background: %1; }"
+             "QListWidget#guideContents::item { padding: 6px 9px; border-radius: 4px; }"
+             "QListWidget#guideContents::item:selected { background: %6; color: %7; }"
              "QListWidget#exportFormats::item { padding: 6px 9px; border-radius: 4px; }"
              "QListWidget#exportFormats::item:selected { background: %6; color: %7; }"
              "QScrollArea#welcomePanel, QWidget#welcomeContent { background: %1; border: 0; }"
@@ -80,8 +83,11 @@ Theme resolveTheme(ThemeChoice choice) {
 void installStyle() { QApplication::setStyle(new WindowStyle); }
 
 void applyTheme(Theme theme) {
+  const QString sheet = styleSheet(theme) + panelSheet(Colors::of(theme));
+  // Every widget there is works out its look anew, which takes its time.
+  if (qApp->styleSheet() == sheet) return;
   QApplication::setPalette(qtPalette(theme));
-  qApp->setStyleSheet(styleSheet(theme) + panelSheet(Colors::of(theme)));
+  qApp->setStyleSheet(sheet);
 }
 
 }  // namespace hexoderm

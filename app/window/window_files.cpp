@@ -1,6 +1,9 @@
 // The part of MainWindow that asks: which file, save first, close now.
 #include "app/window/export_dialog.h"
+#include "app/window/guide_window.h"
 #include "app/window/main_window.h"
+#include "app/window/recovery.h"
+#include "app/window/report_pictures.h"
 #include "app/window/window_shell.h"
 #include "widgets/graph_view.h"
 #include "widgets/message_bar.h"
@@ -38,6 +41,8 @@ QString lastFolder() {
 }
 
 void rememberFolder(const QString& path) {
+  // Nobody chose the folder that unsaved sessions are recovered from.
+  if (QFileInfo(path).absolutePath() == QFileInfo(unsavedFolder()).absoluteFilePath()) return;
   QSettings().setValue(QStringLiteral("paths/last"), QFileInfo(path).absolutePath());
 }
 
@@ -129,6 +134,14 @@ void MainWindow::showExportDialog() {
     controller_.exportTo(request);
   });
   dialog->open();
+}
+
+void MainWindow::askForReport() {
+  askForPath(tr("Write a report"), suggestedName(), tr("Documents (*.pdf);;Pages for the browser (*.html)"),
+             QStringLiteral(".pdf"), [this](const QString& path) {
+               if (!controller_.reconstruction()) return;
+               controller_.writeReport(takeReportPictures(controller_.reconstruction()), path);
+             });
 }
 
 QImage MainWindow::picture() {
@@ -236,6 +249,19 @@ void MainWindow::buildShell() {
       [this] {
         return static_cast<ThemeChoice>(actions_.themes->actions().indexOf(actions_.themes->checkedAction()));
       }});
+}
+
+void MainWindow::showGuide() {
+  auto* guide = findChild<GuideWindow*>();
+  if (guide == nullptr) {
+    guide = new GuideWindow(this);
+    guide->setAttribute(Qt::WA_DeleteOnClose);
+    guide->setKeys(QWidget::actions());
+  }
+  guide->showPage(guidePageFor(controller_));
+  guide->show();
+  guide->raise();
+  guide->activateWindow();
 }
 
 void MainWindow::showAbout() {

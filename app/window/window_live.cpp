@@ -2,6 +2,7 @@
 #include "app/window/connect_dialog.h"
 #include "app/window/main_window.h"
 #include "app/window/preferences.h"
+#include "widgets/core_words.h"
 #include "widgets/graph_view.h"
 #include "widgets/live_strip.h"
 #include "widgets/message_bar.h"
@@ -94,7 +95,7 @@ void MainWindow::refreshLive() {
                             : live.address();
   source_status_->setText(
       QStringLiteral("%1 %2 · %3").arg(sourceStateSign(status.state), sourceStateWord(status.state), where));
-  source_status_->setToolTip(QString::fromStdString(status.text));
+  source_status_->setToolTip(coreWords(status.text));
 }
 
 void MainWindow::showConnectDialog() {

@@ -9,6 +9,7 @@
 #include "app/window/welcome_panel.h"
 #include "hexoderm/util/text.h"
 #include "widgets/card_dock.h"
+#include "widgets/core_words.h"
 #include "widgets/live_strip.h"
 #include "widgets/message_bar.h"
 #include "widgets/step_panel.h"
@@ -21,6 +22,7 @@
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QGuiApplication>
+#include <QLabel>
 #include <QMenuBar>
 #include <QOpenGLWidget>
 #include <QSettings>
@@ -50,10 +52,10 @@ LogSeverity severityOf(Tone tone) {
 /// One line on a result: how large, how, how long, how good.
 QString resultInWords(const Reconstruction& result) {
   return WindowShell::tr("Solved: %1, %2 poses, %3, %4 ms. %5")
-      .arg(QString::fromStdString(sizeInWords(result)))
+      .arg(coreWords(sizeInWords(result)))
       .arg(result.poses.size())
       .arg(QString::fromStdString(result.solver), QString::fromStdString(formatFixed(1e3 * result.solve_seconds, 1)),
-           QString::fromStdString(result.verdict.reason));
+           coreWords(result.verdict.reason));
 }
 
 bool isIn(const QString& path, const QString& folder) {
@@ -74,6 +76,21 @@ QWidget* WindowShell::makeLogView() {
   connect(view, &LogView::reportWanted, this, &WindowShell::copyReport);
   connect(view, &LogView::folderWanted, this, &WindowShell::openLogFolder);
   return view;
+}
+
+QWidget* WindowShell::makeConnectBody() {
+  connect_body_ = new QWidget;
+  auto* layout = new QVBoxLayout(connect_body_);
+  layout->setContentsMargins(0, 8, 0, 0);
+  layout->addWidget(new RecoveryList(unsaved_));
+  auto* title = new QLabel(tr("Recent").toUpper());
+  title->setProperty("caption", true);
+  layout->addWidget(title);
+  constexpr std::size_t kShown = 3;
+  auto* recent = new RecentList(recent_, kShown);
+  connect(recent, &RecentList::openWanted, this, [this](const QString& path) { window_.open_file(path); });
+  layout->addWidget(recent);
+  return connect_body_;
 }
 
 QWidget* WindowShell::makeCentre(QWidget* patch_view) {
@@ -109,6 +126,8 @@ void WindowShell::swapViews(bool remember) {
   of_graph->layout()->removeWidget(graph_view_);
   of_patch->layout()->addWidget(graph_view_);
   of_graph->layout()->addWidget(patch_view_);
+  graph_view_->show();
+  patch_view_->show();
   const bool swapped = graph_dock_->isAncestorOf(patch_view_);
   graph_dock_->setHeading(swapped ? tr("Skin patch") : tr("Skin graph"));
   graph_view_->setAccessibleName(tr("Skin graph"));
@@ -160,7 +179,7 @@ void WindowShell::setSteps(const std::vector<Step>& steps) {
     const bool is_there = k < steps.size();
     actions[k]->setVisible(is_there);
     actions[k]->setEnabled(is_there);
-    if (is_there) actions[k]->setText(tr("&%1  %2").arg(k + 1).arg(steps[k].title));
+    if (is_there) actions[k]->setText(tr("Step &%1: %2").arg(k + 1).arg(steps[k].title));
   }
 }
 
@@ -190,7 +209,7 @@ void WindowShell::connectLog() {
     source_state_ = state;
     const bool is_bad = live.status().state == SourceState::Silent || live.status().state == SourceState::Incompatible;
     log_.add(is_bad ? LogSeverity::Warning : LogSeverity::Info,
-             tr("Skin at %1: %2. %3").arg(live.address(), state, QString::fromStdString(live.status().text)));
+             tr("Skin at %1: %2. %3").arg(live.address(), state, coreWords(live.status().text)));
   });
 }
 
@@ -273,6 +292,8 @@ void WindowShell::showPreferences() {
   connect(window_.actions.themes, &QActionGroup::triggered, dialog,
           [this, dialog] { dialog->showTheme(window_.theme_in_force()); });
   dialog->show();
+  dialog->raise();
+  dialog->activateWindow();
 }
 
 void WindowShell::offerSoftwareOpenGl() {
@@ -291,7 +312,9 @@ void WindowShell::offerSoftwareOpenGl() {
 }
 
 void WindowShell::showWelcome() {
-  if (welcome_) welcome_->setVisible(window_.controller.isEmpty() && !window_.controller.live().isRunning());
+  const bool is_welcome = window_.controller.isEmpty() && !window_.controller.live().isRunning();
+  if (welcome_) welcome_->setVisible(is_welcome);
+  if (connect_body_) connect_body_->setVisible(!is_welcome);
 }
 
 void WindowShell::copyReport() {

@@ -70,9 +70,11 @@ void meshPlane(const SurfaceEvaluation& evaluation, double margin_m, SurfaceMesh
   }
 }
 
-void meshCylinder(const SurfaceEvaluation& evaluation, double margin_m, SurfaceMesh& mesh) {
+/// A cylinder is a cone that does not widen.
+void meshCone(const SurfaceEvaluation& evaluation, double margin_m, SurfaceMesh& mesh) {
   const Eigen::Matrix3d R = axisFrame(evaluation);
   const double radius_m = *evaluation.radius_m;
+  const double half_angle_rad = evaluation.half_angle_rad.value_or(0);
   Interval z;
   std::vector<double> angles;
   for (const Eigen::Vector3d& foot : mesh.feet) {
@@ -80,7 +82,9 @@ void meshCylinder(const SurfaceEvaluation& evaluation, double margin_m, SurfaceM
     z.extend(local.z());
     angles.push_back(std::atan2(local.y(), local.x()));
   }
-  z = z.widened(margin_m);
+  z = z.widened(margin_m * std::cos(half_angle_rad));
+  // Not beyond the tip.
+  if (half_angle_rad > 0) z.low = std::max(z.low, -radius_m / std::tan(half_angle_rad));
   const Interval angle = aroundAngles(angles, margin_m / radius_m);
   mesh.rows = 2;
   mesh.columns = pointsForArc(angle.high - angle.low);
@@ -88,9 +92,11 @@ void meshCylinder(const SurfaceEvaluation& evaluation, double margin_m, SurfaceM
     for (std::size_t column = 0; column < mesh.columns; ++column) {
       const double a = angle.at(column, mesh.columns);
       const Eigen::Vector3d out(std::cos(a), std::sin(a), 0);
-      mesh.points.emplace_back(evaluation.point +
-                               R * (radius_m * out + z.at(row, mesh.rows) * Eigen::Vector3d::UnitZ()));
-      mesh.normals.emplace_back(R * out);
+      const double along_m = z.at(row, mesh.rows);
+      const double here_m = radius_m + along_m * std::tan(half_angle_rad);
+      mesh.points.emplace_back(evaluation.point + R * (here_m * out + along_m * Eigen::Vector3d::UnitZ()));
+      mesh.normals.emplace_back(
+          R * (std::cos(half_angle_rad) * out - std::sin(half_angle_rad) * Eigen::Vector3d::UnitZ()));
     }
   }
 }
@@ -126,9 +132,11 @@ Eigen::Vector3d normalAt(const SurfaceEvaluation& evaluation, const Eigen::Vecto
   Eigen::Vector3d out = evaluation.axis;
   if (evaluation.kind != SurfaceKind::Plane) {
     out = x - evaluation.point;
-    if (evaluation.kind == SurfaceKind::Cylinder) out -= out.dot(evaluation.axis) * evaluation.axis;
+    if (evaluation.kind != SurfaceKind::Sphere) out -= out.dot(evaluation.axis) * evaluation.axis;
   }
-  return out.normalized();
+  if (evaluation.kind != SurfaceKind::Cone) return out.normalized();
+  return std::cos(*evaluation.half_angle_rad) * out.normalized() -
+         std::sin(*evaluation.half_angle_rad) * evaluation.axis;
 }
 
 }  // namespace
@@ -148,7 +156,8 @@ SurfaceMesh meshSurface(const SurfaceEvaluation& evaluation, const PatchReconstr
       meshPlane(evaluation, margin_m, mesh);
       break;
     case SurfaceKind::Cylinder:
-      meshCylinder(evaluation, margin_m, mesh);
+    case SurfaceKind::Cone:
+      meshCone(evaluation, margin_m, mesh);
       break;
     case SurfaceKind::Sphere:
       meshSphere(evaluation, margin_m, mesh);

@@ -311,7 +311,7 @@ TEST_F(MainWindowTest, PanelsAreRemembered) {
 }
 
 TEST_F(MainWindowTest, EveryKeyIsListedAndEscapeClosesTheListOnly) {
-  press(Qt::Key_F1);
+  press(Qt::Key_H);
   auto* keys = waitForDialog<QDialog>("keysDialog");
   ASSERT_NE(keys, nullptr);
   QStringList texts;
