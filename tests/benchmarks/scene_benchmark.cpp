@@ -58,7 +58,7 @@ struct Stage {
   }
   /// All benchmarks draw in one window: a display that nobody is connected to any more may end.
   static Stage& showing(const std::shared_ptr<const SceneContent>& content) {
-    static Stage stage;
+    static Stage& stage = *new Stage;  // never destroyed: OpenGL may be gone by then
     stage.scene.setContent(content);
     stage.scene.setColoring(CellColoring::LinkQuality);
     stage.scene.setSmoothed(false);  // as while the mouse turns the scene
