@@ -1,8 +1,11 @@
 #include "widgets/patch_scene.h"
 
+#include "hexoderm/reconstruction/pose_coverage.h"
 #include "hexoderm/util/units.h"
+#include "widgets/part_camera.h"
 #include "widgets/patch_geometry.h"
 #include "widgets/scene_corners.h"
+#include "widgets/scene_ghost.h"
 
 #include <vtkActor.h>
 #include <vtkBillboardTextActor3D.h>
@@ -95,6 +98,9 @@ struct PatchScene::Parts {
   vtkNew<vtkCellPicker> picker;
   std::vector<std::unique_ptr<Label>> labels;
   SceneCorners corners;
+  SceneGhost ghost;
+  std::optional<Eigen::Vector3d> up_o;       ///< now
+  std::optional<Eigen::Vector3d> next_up_o;  ///< of the ghost
 
   bool fit_pending = false;
   /// Camera, window and patch as the last fit left them: while nobody has moved the camera, a resized window or a patch
@@ -120,6 +126,11 @@ struct PatchScene::Parts {
   void recolor();
   void updateSelection();
   void updateGravity();
+  void updateGhost();
+  void showGhostOfLargestPatch();
+  void follow(const std::optional<Eigen::Vector3d>& up_o_now);
+  [[nodiscard]] bool isUntouched() const;
+  [[nodiscard]] std::optional<Eigen::Vector3d> upShown() const;
   [[nodiscard]] const GravityDirection* gravity() const;
   [[nodiscard]] std::array<int, 2> size() const;
 };
@@ -165,6 +176,7 @@ PatchScene::Parts::~Parts() {
   renderer->RemoveObserver(observer);
   if (window) {
     corners.detachFrom(window);
+    ghost.detachFrom(window);
     window->RemoveRenderer(renderer);
   }
 }
@@ -205,11 +217,14 @@ void PatchScene::Parts::fitNow() {
   for (const Eigen::Vector3d& p : layout.points) box.extend(Eigen::Vector3d(right.dot(p), up.dot(p), back.dot(p)));
   const Eigen::Vector3d center = box.center();
   const double tan_height = kFitHeight * std::tan(0.5 * kViewAngle_deg * kDegree);
-  const double tan_width = kFitWidth * std::tan(0.5 * kViewAngle_deg * kDegree) * width / height;
+  const double free_width = ghost.isVisible() ? kFitWidth - SceneGhost::kShare : kFitWidth;
+  const double tan_width = free_width * std::tan(0.5 * kViewAngle_deg * kDegree) * width / height;
   double distance = 2 * reconstruction->model->side_m;
   for (const Eigen::Vector3d& p : layout.points) {
     const Eigen::Vector3d v = Eigen::Vector3d(right.dot(p), up.dot(p), back.dot(p)) - center;
-    distance = std::max({distance, v.z() + std::abs(v.x()) / tan_width, v.z() + std::abs(v.y()) / tan_height});
+    // A part that is turned has to stay in the picture.
+    const double any_way = up_o ? v.norm() / std::sin(std::atan(std::min(tan_width, tan_height))) : 0;
+    distance = std::max({distance, any_way, v.z() + std::abs(v.x()) / tan_width, v.z() + std::abs(v.y()) / tan_height});
   }
   const Eigen::Vector3d focus = right * center.x() + up * center.y() + back * center.z();
   const Eigen::Vector3d position = focus + distance * back;
@@ -220,15 +235,64 @@ void PatchScene::Parts::fitNow() {
 
 void PatchScene::Parts::beforeRender() {
   vtkCamera* camera = renderer->GetActiveCamera();
-  const bool untouched =
-      fitted && fitted->position == toEigen(camera->GetPosition()) && fitted->focus == toEigen(camera->GetFocalPoint());
   // Small changes, as every new pose brings them, must not make the picture jump.
   constexpr double kOtherShape = 0.1;
   const bool reshaped = fitted && std::abs(extent_m - fitted->extent_m) > kOtherShape * fitted->extent_m;
-  if (fit_pending || (untouched && (reshaped || fitted->size != size()))) fitNow();
+  if (fit_pending || (isUntouched() && (reshaped || fitted->size != size()))) fitNow();
   renderer->ResetCameraClippingRange();
   updateLabels();
-  if (window) corners.follow(camera, window);
+  if (!window) return;
+  corners.follow(camera, window);
+  ghost.follow(camera, window);
+}
+
+bool PatchScene::Parts::isUntouched() const {
+  vtkCamera* camera = renderer->GetActiveCamera();
+  return fitted && fitted->position == toEigen(camera->GetPosition()) &&
+         fitted->focus == toEigen(camera->GetFocalPoint());
+}
+
+void PatchScene::Parts::follow(const std::optional<Eigen::Vector3d>& up_o_now) {
+  const bool untouched = isUntouched();
+  vtkCamera* camera = renderer->GetActiveCamera();
+  if (up_o_now && up_o) {
+    turnCameraWithPart(camera, *up_o, *up_o_now);
+  } else if (up_o_now) {
+    standCameraUpright(camera, *up_o_now);
+  }
+  // Following is not somebody's hand on the camera.
+  if (untouched) fitted->position = toEigen(camera->GetPosition());
+  if (up_o_now.has_value() != up_o.has_value() && (untouched || !fitted)) fit_pending = true;
+  up_o = up_o_now;
+  updateGravity();
+  updateGhost();
+}
+
+void PatchScene::Parts::updateGhost() {
+  const bool was_there = ghost.isVisible();
+  ghost.setTurn(upShown().value_or(Eigen::Vector3d::UnitZ()), upShown() ? next_up_o : std::nullopt);
+  if (ghost.isVisible() == was_there) return;
+  // The skin makes room for it.
+  renderer->GetActiveCamera()->SetWindowCenter(ghost.isVisible() ? SceneGhost::kShare : 0, 0);
+  if (isUntouched()) fit_pending = true;
+}
+
+void PatchScene::Parts::showGhostOfLargestPatch() {
+  std::size_t first = 0;
+  const PatchReconstruction* largest = reconstruction ? largestPatch(*reconstruction) : nullptr;
+  if (largest != nullptr) {
+    for (const PatchReconstruction* patch = reconstruction->patches.data(); patch != largest; ++patch) {
+      first += patch->cells.size();
+    }
+  }
+  ghost.setPatch(layout, first, largest == nullptr ? 0 : largest->cells.size());
+  updateGhost();
+}
+
+std::optional<Eigen::Vector3d> PatchScene::Parts::upShown() const {
+  if (up_o) return up_o;
+  const GravityDirection* direction = gravity();
+  return direction == nullptr ? std::nullopt : std::optional<Eigen::Vector3d>(direction->g_o);
 }
 
 void PatchScene::Parts::updateLabels() {
@@ -287,6 +351,7 @@ void PatchScene::Parts::recolor() {
   prism_actor->GetProperty()->SetEdgeColor(colors.edge.data());
   selection_actor->GetProperty()->SetColor(colors.selection.data());
   corners.setColors(colors);
+  ghost.setColors(colors);
   if (!reconstruction) return;
   front_colors = cellColors(*reconstruction, coloring, colors);
   const bool many = layout.cells.size() > kMaxPrismCells;
@@ -334,8 +399,8 @@ const GravityDirection* PatchScene::Parts::gravity() const {
 }
 
 void PatchScene::Parts::updateGravity() {
-  const GravityDirection* direction = gravity();
-  corners.setDown(direction == nullptr ? std::nullopt : std::optional<Eigen::Vector3d>(-direction->g_o));
+  const std::optional<Eigen::Vector3d> up = upShown();
+  corners.setDown(up ? std::optional<Eigen::Vector3d>(-*up) : std::nullopt);
 }
 
 PatchScene::PatchScene() : parts_(std::make_unique<Parts>()) { setSmoothed(true); }
@@ -347,6 +412,7 @@ void PatchScene::attachTo(vtkRenderWindow* window) {
   window->SetNumberOfLayers(2);
   window->AddRenderer(parts_->renderer);
   parts_->corners.attachTo(window);
+  parts_->ghost.attachTo(window);
 }
 
 void PatchScene::setReconstruction(std::shared_ptr<const Reconstruction> reconstruction) {
@@ -371,6 +437,7 @@ void PatchScene::setReconstruction(std::shared_ptr<const Reconstruction> reconst
   parts_->recolor();
   parts_->updateSelection();
   parts_->updateGravity();
+  parts_->showGhostOfLargestPatch();
 }
 
 void PatchScene::setColors(const SceneColors& colors) {
@@ -388,11 +455,34 @@ void PatchScene::setSelection(std::optional<CellId> cell, std::optional<std::pai
   parts_->picked_link = link;
   parts_->updateSelection();
   parts_->updateGravity();
+  parts_->updateGhost();
 }
 
 void PatchScene::setPose(std::optional<PoseId> pose) {
   parts_->pose = pose;
   parts_->updateGravity();
+  parts_->updateGhost();
+}
+
+void PatchScene::setUp(const std::optional<Eigen::Vector3d>& up_o) { parts_->follow(up_o); }
+
+void PatchScene::setNextUp(const std::optional<Eigen::Vector3d>& up_o) {
+  parts_->next_up_o = up_o;
+  parts_->updateGhost();
+}
+
+void PatchScene::setGhostPhase(double phase) { parts_->ghost.setPhase(phase); }
+
+bool PatchScene::showsGhost() const { return parts_->ghost.isVisible(); }
+
+std::optional<Eigen::Vector3d> PatchScene::upShown() const { return parts_->upShown(); }
+
+void PatchScene::spin(double angle_rad) {
+  vtkCamera* camera = parts_->renderer->GetActiveCamera();
+  const Eigen::Vector3d up = parts_->upShown().value_or(toEigen(camera->GetViewUp()));
+  const bool untouched = parts_->isUntouched();
+  spinPartInPicture(camera, up, angle_rad);
+  if (untouched) parts_->fitted->position = toEigen(camera->GetPosition());
 }
 
 void PatchScene::setTextVisible(bool visible) {
@@ -403,6 +493,7 @@ void PatchScene::setTextVisible(bool visible) {
 void PatchScene::setSmoothed(bool smoothed) {
   parts_->renderer->SetUseFXAA(smoothed);
   parts_->corners.setSmoothed(smoothed);
+  parts_->ghost.setSmoothed(smoothed);
 }
 
 void PatchScene::fit() { parts_->fit_pending = true; }
@@ -418,7 +509,7 @@ std::optional<CellId> PatchScene::pick(double x, double y) {
   return parts_->layout.cells[parts_->prisms.cell_of_polygon[polygon]].id;
 }
 
-bool PatchScene::showsGravity() const { return parts_->gravity() != nullptr; }
+bool PatchScene::showsGravity() const { return parts_->upShown().has_value(); }
 
 vtkRenderer* PatchScene::renderer() const { return parts_->renderer; }
 

@@ -1,5 +1,6 @@
 #include "widgets/patch_view.h"
 
+#include "widgets/part_motion.h"
 #include "widgets/patch_scene.h"
 #include "widgets/scene_overlay.h"
 #include "widgets/selection.h"
@@ -90,6 +91,7 @@ struct PatchView::Parts : public QObject {
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   QVTKOpenGLNativeWidget* gl = nullptr;  ///< null without OpenGL
   std::unique_ptr<PatchScene> scene;     ///< likewise
+  PartMotion* motion = nullptr;          ///< likewise
   SceneOverlay* overlay = nullptr;
   QFrame* bar = nullptr;
   QTimer at_rest;
@@ -139,6 +141,11 @@ void PatchView::Parts::build() {
   layout->setRowStretch(1, 1);
   overlay->raise();
   if (bar != nullptr) bar->raise();
+  if (gl != nullptr) {
+    motion = new PartMotion(view, gl, *scene, [this] { requestRender(); });
+    motion->setParent(this);
+    connect(motion, &PartMotion::turnRequested, view, &PatchView::turnRequested);
+  }
   connect(selection, &Selection::changed, this, [this] { updateSelection(); });
   view->setMinimumHeight(180);
   updateOverlay();
@@ -281,6 +288,7 @@ PatchView::PatchView(Selection* selection, QWidget* parent)
 }
 
 PatchView::~PatchView() {
+  delete parts_->motion;
   // The scene gives its OpenGL objects back while the context is still there.
   parts_->scene.reset();
   delete parts_->gl;
@@ -291,6 +299,7 @@ void PatchView::setReconstruction(std::shared_ptr<const Reconstruction> reconstr
   if (parts_->scene) parts_->scene->setReconstruction(parts_->reconstruction);
   parts_->updateSelection();
   parts_->updateOverlay();
+  if (parts_->motion) parts_->motion->refresh();
 }
 
 void PatchView::setTheme(Theme theme) {
@@ -298,6 +307,7 @@ void PatchView::setTheme(Theme theme) {
   const SceneColors colors = sceneColors(theme);
   parts_->overlay->setTheme(theme, colors);
   if (parts_->scene) parts_->scene->setColors(colors);
+  if (parts_->motion) parts_->motion->setTheme(theme);
   QPalette own = palette();
   own.setColor(QPalette::Window, Colors::of(theme).scene_bottom);
   setPalette(own);
@@ -312,6 +322,27 @@ void PatchView::setPose(std::optional<PoseId> pose) {
   parts_->requestRender();
 }
 
+void PatchView::setCurrentUp(const std::optional<Eigen::Vector3d>& up_o) {
+  if (!parts_->motion) return;
+  const bool was_shown = parts_->scene->showsGravity();
+  parts_->motion->setUp(up_o);
+  if (parts_->scene->showsGravity() != was_shown) parts_->updateOverlay();
+}
+
+void PatchView::setNextUp(const std::optional<Eigen::Vector3d>& up_o) {
+  if (parts_->motion) parts_->motion->setNextUp(up_o);
+}
+
+void PatchView::setTurnable(bool turnable) {
+  if (parts_->motion) parts_->motion->setTurnable(turnable);
+}
+
+void PatchView::setAnimated(bool animated) {
+  if (parts_->motion) parts_->motion->setAnimated(animated);
+}
+
+bool PatchView::isAnimating() const { return parts_->motion && parts_->motion->isAnimating(); }
+
 QImage PatchView::screenshot() {
   if (parts_->gl == nullptr) return grab().toImage();
   // A view that was shown keeps its last picture until it is told to draw; one that never was draws for the first time.
@@ -320,6 +351,7 @@ QImage PatchView::screenshot() {
   QImage image = parts_->gl->grabFramebuffer();
   QPainter painter(&image);
   parts_->overlay->paint(painter, parts_->gl->size());
+  parts_->motion->paintCaption(painter, parts_->gl->size());
   return image;
 }
 

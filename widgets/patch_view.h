@@ -29,12 +29,27 @@ class PatchView : public QWidget {
   /// Which pose's gravity the arrow shows; the last one by default.
   void setPose(std::optional<PoseId> pose);
 
+  /// Where up is now, a unit vector in the frame of the largest patch: the picture turns as the part is turned. None:
+  /// it stays. Cheap: may be called 20 times a second.
+  void setCurrentUp(const std::optional<Eigen::Vector3d>& up_o);
+  /// Where up is to be in the next pose: shown as a ghost beside the skin that turns there. None: no ghost.
+  void setNextUp(const std::optional<Eigen::Vector3d>& up_o);
+  /// Whether turnRequested() is obeyed: then a button, Shift and the arrow keys turn the part instead of the picture.
+  void setTurnable(bool turnable);
+  /// Off: nothing moves by itself.
+  void setAnimated(bool animated);
+  [[nodiscard]] bool isAnimating() const;
+
   /// The scene as drawn, without the buttons on top.
   [[nodiscard]] QImage screenshot();
 
  public slots:
   void fit();
   void showStandardView(hexoderm::PatchView::StandardView view);
+
+ signals:
+  /// The part should be turned until this direction of the largest patch's frame points up; at most 20 times a second.
+  void turnRequested(Eigen::Vector3d up_o);
 
  private:
   struct Parts;
