@@ -4,6 +4,7 @@
 #include "widgets/scene_colors.h"
 
 #include <Eigen/Core>
+#include <array>
 #include <memory>
 #include <optional>
 

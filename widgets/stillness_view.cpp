@@ -2,15 +2,14 @@
 
 #include <qwt_plot.h>
 #include <qwt_plot_canvas.h>
-#include <qwt_plot_curve.h>
 #include <qwt_plot_item.h>
 #include <qwt_plot_layout.h>
 #include <qwt_scale_map.h>
 #include <QLabel>
 #include <QLocale>
 #include <QPainter>
+#include <QPolygonF>
 #include <QVBoxLayout>
-#include <QVector>
 #include <algorithm>
 #include <array>
 
@@ -134,6 +133,37 @@ class Ground : public QwtPlotItem {
   Theme theme_ = Theme::Light;
 };
 
+/// The three axes in their lanes. Not Qwt's own curve: its header is no C++20 (destructors with template arguments).
+class Curves : public QwtPlotItem {
+ public:
+  explicit Curves(const StillnessTrace& trace) : trace_(&trace) {}
+  void setTheme(Theme theme) { theme_ = theme; }
+
+  void draw(QPainter* painter, const QwtScaleMap& across, const QwtScaleMap& up,
+            const QRectF& /*canvas*/) const override {
+    painter->setRenderHint(QPainter::Antialiasing);
+    for (int axis = 0; axis < 3; ++axis) {
+      painter->setPen(QPen(axisColor(static_cast<std::size_t>(axis), theme_), 1.5));
+      QPolygonF line;
+      for (const TracePoint& point : trace_->points()) {
+        if (point.deviation_g) {
+          const double lanes = kHalfLane / kLimitsInHalfLane * (*point.deviation_g)(axis) / trace_->limit_g();
+          line.append({across.transform(point.time_s - trace_->now_s()),
+                       up.transform(laneOf(axis) + std::clamp(lanes, -kHalfLane, kHalfLane))});
+        } else {
+          painter->drawPolyline(line);
+          line.clear();
+        }
+      }
+      painter->drawPolyline(line);
+    }
+  }
+
+ private:
+  const StillnessTrace* trace_;
+  Theme theme_ = Theme::Light;
+};
+
 }  // namespace
 
 struct StillnessView::Parts {
@@ -145,7 +175,7 @@ struct StillnessView::Parts {
   QwtPlot* plot = nullptr;
   QLabel* nothing = nullptr;
   Ground* ground = nullptr;  ///< the plot's
-  std::array<QwtPlotCurve*, 3> curves{};
+  Curves* curves = nullptr;  ///< likewise
 
   void refresh();
 };
@@ -163,16 +193,6 @@ void StillnessView::Parts::refresh() {
     header->setAccessibleName(text);
   }
   if (empty) return;
-  for (int axis = 0; axis < 3; ++axis) {
-    QVector<QPointF> samples;
-    samples.reserve(static_cast<int>(trace.points().size()));
-    for (const TracePoint& point : trace.points()) {
-      if (!point.deviation_g) continue;
-      const double lanes = kHalfLane / kLimitsInHalfLane * (*point.deviation_g)(axis) / trace.limit_g();
-      samples.push_back({point.time_s - trace.now_s(), laneOf(axis) + std::clamp(lanes, -kHalfLane, kHalfLane)});
-    }
-    curves.at(static_cast<std::size_t>(axis))->setSamples(samples);
-  }
   plot->replot();
 }
 
@@ -206,12 +226,8 @@ StillnessView::StillnessView(QWidget* parent) : QWidget(parent), parts_(std::mak
   plot->setCanvas(canvas);
   parts_->ground = new Ground(parts_->trace);
   parts_->ground->attach(plot);
-  for (QwtPlotCurve*& curve : parts_->curves) {
-    curve = new QwtPlotCurve;
-    curve->setRenderHint(QwtPlotItem::RenderAntialiased);
-    curve->setPaintAttribute(QwtPlotCurve::ClipPolygons);
-    curve->attach(plot);
-  }
+  parts_->curves = new Curves(parts_->trace);
+  parts_->curves->attach(plot);
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 2, 0, 2);
@@ -251,7 +267,7 @@ void StillnessView::clear() {
 void StillnessView::setTheme(Theme theme) {
   const Colors& colors = Colors::of(theme);
   parts_->ground->setTheme(theme);
-  for (std::size_t axis = 0; axis < 3; ++axis) parts_->curves.at(axis)->setPen(QPen(axisColor(axis, theme), 1.5));
+  parts_->curves->setTheme(theme);
   parts_->plot->setCanvasBackground(colors.panel);
   QPalette own = parts_->plot->palette();
   own.setColor(QPalette::Window, colors.panel);

@@ -26,7 +26,7 @@ void StillnessTrace::add(const HoldStatus& hold, const SkinPreview& preview) {
   const double time_s = preview.time_s;
   if (!std::isfinite(time_s)) return;
   if (!points_.empty() && time_s < points_.back().time_s) clear();
-  limit_g_ = hold.stillness.excess_limit_g;
+  if (hold.stillness.excess_limit_g > 0) limit_g_ = hold.stillness.excess_limit_g;
   const CellId before = cell();
   noteDecisive(hold.stillness.excess_cell, time_s);
   if (cell() != before) showOther();

@@ -44,7 +44,10 @@ TEST(StillnessTrace, ShowsTheDecisiveCellAndChangesToAnotherOnlyAfterASecond) {
   StillnessTrace trace;
   double time_s = 0;
   const auto run = [&](std::uint32_t cell, int steps) {
-    for (int k = 0; k < steps; ++k) trace.add(holdOf(cell), previewOf(time_s += kStep_s, 0.0, std::sin(5 * time_s)));
+    for (int k = 0; k < steps; ++k) {
+      time_s += kStep_s;
+      trace.add(holdOf(cell), previewOf(time_s, 0.0, std::sin(5 * time_s)));
+    }
   };
   run(7, 40);
   EXPECT_EQ(trace.cell(), CellId(7));
