@@ -30,6 +30,7 @@ gui_packages=(
   qtmultimedia5-dev
   qttools5-dev
   qttools5-dev-tools
+  qttranslations5-l10n # Qt's own texts in German, used where they are
   libvtk9-dev
   libvtk9-qt-dev
   qtbase5-dev

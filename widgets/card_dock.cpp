@@ -35,6 +35,12 @@ CardDock::CardDock(const QString& heading, const QString& object_name, QWidget* 
   setWidget(body);
 }
 
+void CardDock::setHeading(const QString& heading) {
+  setWindowTitle(heading);
+  setAccessibleName(heading);
+  title_->setText(heading.toUpper());
+}
+
 void CardDock::setRemark(const QString& remark) { remark_->setText(remark); }
 
 void CardDock::setHead(QWidget* widget) {

@@ -1,20 +1,17 @@
 #include "widgets/graph_painter.h"
 
-#include <QCoreApplication>
-#include <QFontMetricsF>
-#include <QTransform>
+#include "hexoderm/util/units.h"
+#include "widgets/graph_levels.h"
+
+#include <QPainterPath>
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <map>
+#include <tuple>
 
 namespace hexoderm {
 namespace {
 
-// From these radii of a hexagon on (pixels), details are drawn.
-constexpr double kOutlineRadius = 2.5;
-constexpr double kStyleRadius = 4.0;
-constexpr double kIdRadius = 8.0;
-constexpr double kPortRadius = 26.0;
 /// Curves between the ends of cuts help while there are few.
 constexpr std::size_t kMostCutCurves = 4;
 
@@ -26,27 +23,35 @@ QPointF normalOf(const QPointF& a, const QPointF& b) {
 
 }  // namespace
 
-GraphPainter::GraphPainter(const GraphScene& scene, const GraphCamera& camera, Theme theme, const QFont& font)
+GraphPainter::GraphPainter(const GraphScene& scene, const GraphPaint& paint, const GraphCamera& camera,
+                           const GraphStyle& style)
     : scene_(scene),
+      paint_(paint),
       camera_(camera),
-      theme_(theme),
-      colors_(Colors::of(theme)),
-      font_(font),
+      style_(style),
+      colors_(Colors::of(style.theme)),
       radius_px_(scene.radius_m() * camera.scale),
       separation_px_(std::clamp(0.32 * radius_px_, 0.0, 14.0)) {
   const double margin = 3 * radius_px_;
   seen_ = QRectF(QPointF(0, 0), camera.size).adjusted(-margin, -margin, margin, margin);
+  const auto seen = std::ranges::count_if(
+      scene.cells(), [this](const GraphScene::Cell& cell) { return seen_.contains(camera_.toScreen(cell.center)); });
+  is_crowded_ = !style.is_vector && static_cast<std::size_t>(seen) > graph_levels::kCrowd;
 }
 
 void GraphPainter::drawSheet(QPainter& painter) const {
+  using namespace graph_levels;
   // Without smoothing a large skin is drawn several times faster, and at that size nobody sees the difference.
-  painter.setRenderHint(QPainter::Antialiasing, radius_px_ >= kOutlineRadius);
+  const bool smooth = radius_px_ >= kOutlineRadius && !is_crowded_;
+  painter.setRenderHint(QPainter::Antialiasing, smooth);
+  if (style_.marks_tree && smooth) drawTree(painter);
   drawLinks(painter);
   painter.setRenderHint(QPainter::Antialiasing, true);
   if (scene_.cutCount() <= kMostCutCurves) drawCutCurves(painter);
-  painter.setRenderHint(QPainter::Antialiasing, radius_px_ >= kOutlineRadius);
+  painter.setRenderHint(QPainter::Antialiasing, smooth);
   drawCells(painter);
   painter.setRenderHint(QPainter::Antialiasing, true);
+  if (!style_.has_text) return;
   if (radius_px_ >= kIdRadius) {
     drawIds(painter);
     drawCutMarks(painter);
@@ -60,25 +65,28 @@ bool GraphPainter::isSeen(const QPointF& a, const QPointF& b) const {
          std::max(a.y(), b.y()) >= seen_.top() && std::min(a.y(), b.y()) <= seen_.bottom();
 }
 
-QPolygonF GraphPainter::hexagon(std::size_t cell) const {
-  const GraphScene::Cell& drawn = scene_.cells()[cell];
-  const double cosine = std::cos(drawn.angle_rad);
-  const double sine = std::sin(drawn.angle_rad);
+QPolygonF GraphPainter::hexagon(const QPointF& center, double angle_rad) const {
+  const double cosine = camera_.scale * std::cos(angle_rad);
+  const double sine = camera_.scale * std::sin(angle_rad);
   QPolygonF polygon;
   polygon.reserve(6);
   for (const QPointF& corner : scene_.outline()) {
-    polygon << camera_.toScreen(
-        drawn.center + QPointF(cosine * corner.x() - sine * corner.y(), sine * corner.x() + cosine * corner.y()));
+    polygon << center + QPointF(cosine * corner.x() - sine * corner.y(), -sine * corner.x() - cosine * corner.y());
   }
   return polygon;
+}
+
+QPolygonF GraphPainter::hexagon(std::size_t cell) const {
+  const GraphScene::Cell& drawn = scene_.cells()[cell];
+  return hexagon(camera_.toScreen(drawn.center), drawn.angle_rad);
 }
 
 QPen GraphPainter::pen(const LinkStroke& stroke, double width) const {
   QPen pen(stroke.color, width);
   pen.setCapStyle(Qt::FlatCap);
   // Patterns in pen widths; those of Qt are too coarse for the short way between two hexagons.
-  if (radius_px_ >= kStyleRadius && stroke.style == Qt::DashLine) pen.setDashPattern({2.6, 1.3});
-  if (radius_px_ >= kStyleRadius && stroke.style == Qt::DotLine) pen.setDashPattern({1.0, 1.2});
+  if (radius_px_ >= graph_levels::kStyleRadius && stroke.style == Qt::DashLine) pen.setDashPattern({2.6, 1.3});
+  if (radius_px_ >= graph_levels::kStyleRadius && stroke.style == Qt::DotLine) pen.setDashPattern({1.0, 1.2});
   return pen;
 }
 
@@ -93,12 +101,27 @@ void GraphPainter::addDirections(const QPointF& a, const QPointF& b, QVector<QLi
   lines.append(QLineF(b - aside, a - aside));
 }
 
-void GraphPainter::drawStrokes(QPainter& painter, const QVector<QLineF>& lines, const LinkStroke& stroke,
-                               bool in_tree) const {
+/// Lines without smoothing, one pixel wide: Qt has a way of its own for these, many times as fast as any other.
+void GraphPainter::drawThinLines(QPainter& painter, const QVector<QLineF>& lines, const QColor& color) const {
+  painter.setPen(QPen(color, 1, Qt::SolidLine, Qt::FlatCap));
+  painter.drawLines(lines);
+}
+
+void GraphPainter::drawStrokes(QPainter& painter, const QVector<QLineF>& lines, const LinkStroke& stroke) const {
   if (lines.isEmpty()) return;
-  double width = std::clamp(0.14 * radius_px_, 1.0, 4.5);
-  if (in_tree) width *= 1.35;
-  const bool doubled = stroke.doubled && radius_px_ >= kStyleRadius;
+  if (radius_px_ < graph_levels::kOutlineRadius || is_crowded_) {
+    drawThinLines(painter, lines, stroke.color);
+    return;
+  }
+  double width = std::clamp(0.16 * radius_px_, 1.0, 5.0);
+  const bool styled = radius_px_ >= graph_levels::kStyleRadius;
+  if (paint_.scale && styled) {
+    // One end of the scale is hardly seen on a light ground, the other on a dark one.
+    width *= 1.2;
+    painter.setPen(QPen(colors_.text_muted, width + 1.2, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLines(lines);
+  }
+  const bool doubled = stroke.doubled && styled;
   if (doubled) width *= 1.5;
   painter.setPen(pen(stroke, width));
   painter.drawLines(lines);
@@ -108,10 +131,44 @@ void GraphPainter::drawStrokes(QPainter& painter, const QVector<QLineF>& lines, 
   }
 }
 
-void GraphPainter::drawLinks(QPainter& painter) const {
-  // One call per kind of line: 8 pens instead of tens of thousands.
-  std::array<std::array<QVector<QLineF>, 2>, 4> lines;
+/// A pale band under both directions of a link that is on the shortest-path tree.
+void GraphPainter::drawTree(QPainter& painter) const {
+  if (radius_px_ < graph_levels::kStyleRadius) return;
+  QVector<QLineF> lines;
   for (const GraphScene::Link& link : scene_.links()) {
+    if (!link.estimate->used || !link.estimate->in_tree) continue;
+    const QPointF source = camera_.toScreen(scene_.cells()[link.source].center);
+    const QPointF target = camera_.toScreen(scene_.cells()[link.target].center);
+    if (!isSeen(source, target)) continue;
+    if (link.cut) {
+      lines.append(QLineF(source, camera_.toScreen(link.from)));
+      lines.append(QLineF(target, camera_.toScreen(link.to)));
+    } else {
+      lines.append(QLineF(source, target));
+    }
+  }
+  painter.setPen(QPen(colors_.border, 0.98 * radius_px_, Qt::SolidLine, Qt::FlatCap));
+  painter.drawLines(lines);
+}
+
+void GraphPainter::drawLinks(QPainter& painter) const {
+  // One call per kind of line: a few pens instead of tens of thousands.
+  std::vector<QVector<QLineF>> lines(paint_.strokes.size());
+  QVector<QLineF> plain;
+  const bool thin = radius_px_ < graph_levels::kOutlineRadius || is_crowded_;
+  const auto add = [&](const QPointF& a, const QPointF& b, bool in_tree, QVector<QLineF>& group) {
+    if (!thin) {
+      addDirections(a, b, group);
+      return;
+    }
+    group.append(QLineF(a, b));
+    // Where no band fits, the tree's links are a pixel wider.
+    if (in_tree && style_.marks_tree && radius_px_ >= graph_levels::kOutlineRadius) {
+      group.append(QLineF(a, b).translated(0, 1));
+    }
+  };
+  for (std::size_t k = 0; k < scene_.links().size(); ++k) {
+    const GraphScene::Link& link = scene_.links()[k];
     const QPointF source = camera_.toScreen(scene_.cells()[link.source].center);
     const QPointF target = camera_.toScreen(scene_.cells()[link.target].center);
     if (!isSeen(source, target)) continue;
@@ -119,24 +176,22 @@ void GraphPainter::drawLinks(QPainter& painter) const {
       drawMutedLink(painter, link);
       continue;
     }
-    QVector<QLineF>& group =
-        lines.at(static_cast<std::size_t>(link.estimate->quality)).at(link.estimate->in_tree ? 1 : 0);
-    const QPointF from = camera_.toScreen(link.from);
-    const QPointF to = camera_.toScreen(link.to);
+    const std::int16_t kind = paint_.of_link[k];
+    QVector<QLineF>& group = kind == GraphPaint::kPlain ? plain : lines[static_cast<std::size_t>(kind)];
+    const bool in_tree = link.estimate->in_tree;
     if (link.cut) {
-      addDirections(source, from, group);
-      addDirections(target, to, group);
+      add(source, camera_.toScreen(link.from), in_tree, group);
+      add(target, camera_.toScreen(link.to), in_tree, group);
     } else {
-      addDirections(source, target, group);
+      add(source, target, in_tree, group);
     }
   }
-  for (const EdgeQuality quality :
-       {EdgeQuality::Fully, EdgeQuality::Over, EdgeQuality::Partially, EdgeQuality::Undefined}) {
-    for (const bool in_tree : {false, true}) {
-      drawStrokes(painter, lines.at(static_cast<std::size_t>(quality)).at(in_tree ? 1 : 0), linkStroke(quality, theme_),
-                  in_tree);
-    }
+  if (!plain.isEmpty()) {
+    const double width = std::clamp(0.1 * radius_px_, 1.0, 3.0);
+    painter.setPen(QPen(colors_.muted_link, thin ? 1.0 : width, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLines(plain);
   }
+  for (std::size_t k = 0; k < lines.size(); ++k) drawStrokes(painter, lines[k], paint_.strokes[k]);
 }
 
 void GraphPainter::drawMutedLink(QPainter& painter, const GraphScene::Link& link) const {
@@ -161,7 +216,7 @@ void GraphPainter::drawMutedLink(QPainter& painter, const GraphScene::Link& link
     addDirections(source, target, lines);
     painter.drawLines(lines);
   }
-  if (radius_px_ < kOutlineRadius) return;
+  if (radius_px_ < graph_levels::kOutlineRadius) return;
   const QPointF middle = 0.5 * (from + to);
   const double arm = std::clamp(0.36 * radius_px_, 2.5, 11.0);
   painter.setPen(QPen(colors_.text_muted, std::clamp(0.13 * radius_px_, 1.2, 3.0), Qt::SolidLine, Qt::RoundCap));
@@ -195,110 +250,102 @@ QPainterPath GraphPainter::cutCurve(const GraphScene::Link& link) const {
   return path;
 }
 
-void GraphPainter::drawCells(QPainter& painter) const {
+GraphPainter::CellKind GraphPainter::kindOf(std::size_t cell) const {
+  const GraphScene::Cell& drawn = scene_.cells()[cell];
+  return {paint_.of_cell[cell], drawn.origin, drawn.placed_by_links};
+}
+
+QColor GraphPainter::fillOf(std::size_t cell) const {
+  const std::int16_t fill = paint_.of_cell[cell];
+  return fill == GraphPaint::kPlain ? colors_.cell_fill : paint_.fills[static_cast<std::size_t>(fill)];
+}
+
+void GraphPainter::choosePens(QPainter& painter, const CellKind& kind) const {
   const double width = std::clamp(0.09 * radius_px_, 0.8, 2.0);
-  const bool with_outline = radius_px_ >= kOutlineRadius;
-  const QPen plain(colors_.text_muted, width);
-  const QPen origin(colors_.selection, std::max(1.6, 1.9 * width));
-  QPen by_links(colors_.text_muted, width);
-  by_links.setDashPattern({2.5, 2});
-  const QBrush fill(with_outline ? colors_.cell_fill : colors_.text_muted);
-  painter.setPen(with_outline ? plain : QPen(Qt::NoPen));
-  painter.setBrush(fill);
+  QPen pen(colors_.text_muted, width);
+  if (kind.origin) {
+    pen = QPen(colors_.selection, std::max(1.6, 1.9 * width));
+  } else if (kind.by_links) {
+    pen.setDashPattern({2.5, 2});
+  }
+  painter.setPen(pen);
+  painter.setBrush(kind.fill == GraphPaint::kPlain ? colors_.cell_fill
+                                                   : paint_.fills[static_cast<std::size_t>(kind.fill)]);
+}
+
+void GraphPainter::drawCells(QPainter& painter) const {
+  if (radius_px_ < graph_levels::kOutlineRadius) {
+    drawDots(painter);
+  } else if (is_crowded_) {
+    drawStamps(painter);
+  } else {
+    for (std::size_t k = 0; k < scene_.cells().size(); ++k) {
+      if (!seen_.contains(camera_.toScreen(scene_.cells()[k].center))) continue;
+      choosePens(painter, kindOf(k));
+      painter.drawConvexPolygon(hexagon(k));
+    }
+  }
+}
+
+void GraphPainter::drawDots(QPainter& painter) const {
+  const bool filled = colorsCells(paint_.coloring);
+  // Colours of cells want to be seen, those of links between the cells, too.
+  const double half = std::max(0.5, (filled ? 1.3 : 0.85) * radius_px_);
+  for (std::size_t k = 0; k < scene_.cells().size(); ++k) {
+    const QPointF center = camera_.toScreen(scene_.cells()[k].center);
+    if (!seen_.contains(center)) continue;
+    const QRectF dot(center - QPointF(half, half), QSizeF(2 * half, 2 * half));
+    painter.fillRect(dot, filled && paint_.of_cell[k] != GraphPaint::kPlain ? fillOf(k) : colors_.text_muted);
+  }
+  for (const GraphScene::Cell& cell : scene_.cells()) {
+    if (!cell.origin) continue;
+    painter.fillRect(QRectF(camera_.toScreen(cell.center) - QPointF(2.5, 2.5), QSizeF(5, 5)), colors_.selection);
+  }
+}
+
+void GraphPainter::drawStamps(QPainter& painter) const {
+  // A hexagon looks the same after a sixth of a turn, and nobody sees a degree.
+  constexpr double kSixth_deg = 60;
+  const double ratio = painter.device() != nullptr ? painter.device()->devicePixelRatioF() : 1.0;
+  std::map<std::tuple<int, int, bool, bool>, QImage> stamps;
   for (std::size_t k = 0; k < scene_.cells().size(); ++k) {
     const GraphScene::Cell& cell = scene_.cells()[k];
     const QPointF center = camera_.toScreen(cell.center);
     if (!seen_.contains(center)) continue;
-    const bool special = with_outline && (cell.origin || cell.placed_by_links);
-    if (special) painter.setPen(cell.origin ? origin : by_links);
-    if (with_outline) {
-      painter.drawConvexPolygon(hexagon(k));
-    } else if (cell.origin) {
-      painter.fillRect(QRectF(center - QPointF(2.5, 2.5), QSizeF(5, 5)), colors_.selection);
-    } else {
-      const double half = std::max(0.5, 0.85 * radius_px_);
-      painter.fillRect(QRectF(center - QPointF(half, half), QSizeF(2 * half, 2 * half)), fill);
-    }
-    if (special) painter.setPen(plain);
+    const CellKind kind = kindOf(k);
+    const int angle_deg =
+        static_cast<int>(std::lround(std::remainder(cell.angle_rad / kDegree, kSixth_deg) + kSixth_deg)) %
+        static_cast<int>(kSixth_deg);
+    QImage& image = stamps[{kind.fill, angle_deg, kind.origin, kind.by_links}];
+    if (image.isNull()) image = stamp(kind, angle_deg * kDegree, ratio);
+    const double half = 0.5 * image.width() / ratio;
+    painter.drawImage(center - QPointF(half, half), image);
   }
 }
 
-void GraphPainter::drawIds(QPainter& painter) const {
-  const auto digits = static_cast<double>(scene_.longestId());
-  const double pixels = std::min({0.8 * radius_px_, 1.6 * radius_px_ / (0.62 * digits), 24.0});
-  if (pixels < 6) return;
-  QFont font = font_;
-  font.setPixelSize(static_cast<int>(pixels));
-  QFont starred = font;  // the star needs room, too
-  starred.setPixelSize(static_cast<int>(std::min(pixels, 1.62 * radius_px_ / (0.62 * digits + 1.0))));
-  painter.setPen(colors_.text);
-  for (const GraphScene::Cell& cell : scene_.cells()) {
-    const QPointF center = camera_.toScreen(cell.center);
-    if (!seen_.contains(center)) continue;
-    const QRectF box(center - QPointF(2 * radius_px_, radius_px_), QSizeF(4 * radius_px_, 2 * radius_px_));
-    const QString id = QString::number(cell.id.value());
-    painter.setFont(cell.origin ? starred : font);
-    painter.drawText(box, Qt::AlignCenter, cell.origin ? id + QStringLiteral("★") : id);
-  }
+QImage GraphPainter::stamp(const CellKind& kind, double angle_rad, double pixel_ratio) const {
+  const int side = 2 * static_cast<int>(std::ceil((radius_px_ + 2) * pixel_ratio)) + 1;
+  QImage image(side, side, QImage::Format_ARGB32_Premultiplied);
+  image.setDevicePixelRatio(pixel_ratio);
+  image.fill(Qt::transparent);
+  QPainter painter(&image);
+  painter.setRenderHint(QPainter::Antialiasing);
+  choosePens(painter, kind);
+  const double middle = 0.5 * side / pixel_ratio;
+  painter.drawConvexPolygon(hexagon(QPointF(middle, middle), angle_rad));
+  return image;
 }
 
-/// Port numbers where a link leaves its cell: for those who look closely.
-void GraphPainter::drawPorts(QPainter& painter) const {
-  QFont font = font_;
-  font.setPixelSize(static_cast<int>(std::clamp(0.3 * radius_px_, 9.0, 13.0)));
-  painter.setFont(font);
-  painter.setPen(colors_.text_muted);
-  const auto draw = [&](std::size_t cell, const GraphScene::Link& link, PortNumber port) {
-    const QPointF direction = scene_.directionFrom(cell, link);
-    const QPointF place =
-        camera_.toScreen(scene_.cells()[cell].center) + 0.66 * radius_px_ * QPointF(direction.x(), -direction.y());
-    painter.drawText(QRectF(place - QPointF(12, 10), QSizeF(24, 20)), Qt::AlignCenter, QString::number(port.value()));
-  };
-  for (const GraphScene::Link& link : scene_.links()) {
-    if (seen_.contains(camera_.toScreen(link.from))) draw(link.source, link, link.estimate->source.port);
-    if (seen_.contains(camera_.toScreen(link.to))) draw(link.target, link, link.estimate->target.port);
-  }
+QRectF GraphPainter::outlineBounds(std::size_t cell) const {
+  const double reach = std::max(radius_px_, 7.0) + 5;
+  return QRectF(camera_.toScreen(scene_.cells()[cell].center) - QPointF(reach, reach), QSizeF(2 * reach, 2 * reach));
 }
 
-void GraphPainter::drawCutMarks(QPainter& painter) const {
-  QFont font = font_;
-  font.setPixelSize(static_cast<int>(std::clamp(0.62 * radius_px_, 8.0, 14.0)));
-  font.setItalic(true);
-  painter.setFont(font);
-  painter.setPen(colors_.text);
-  const auto draw = [&](std::size_t cell, const GraphScene::Link& link, const QPointF& port) {
-    const QPointF direction = scene_.directionFrom(cell, link);
-    const double out = 0.75 * font.pixelSize();
-    const QPointF place = camera_.toScreen(port) + out * QPointF(direction.x(), -direction.y());
-    if (!seen_.contains(place)) return;
-    painter.drawText(QRectF(place - QPointF(20, 10), QSizeF(40, 20)), Qt::AlignCenter, link.mark);
-  };
-  for (const GraphScene::Link& link : scene_.links()) {
-    if (!link.cut) continue;
-    draw(link.source, link, link.from);
-    draw(link.target, link, link.to);
-  }
-}
-
-void GraphPainter::drawPatchCaptions(QPainter& painter) const {
-  QFont font = font_;
-  font.setPointSizeF(std::max(7.0, 0.88 * (font.pointSizeF() > 0 ? font.pointSizeF() : 10.0)));
-  painter.setFont(font);
-  painter.setPen(colors_.text_muted);
-  const QFontMetricsF metrics(font);
-  for (const GraphScene::Patch& patch : scene_.patches()) {
-    if (patch.patch->cells.empty()) continue;
-    const QRectF box = camera_.toScreen(patch.bounds);
-    QString text = QCoreApplication::translate("hexoderm::GraphView", "Patch %1").arg(patch.patch->id.value() + 1);
-    const double least = metrics.horizontalAdvance(text);
-    if (!box.intersects(seen_) || (box.width() < least && scene_.patches().size() > 6)) continue;
-    const std::size_t count = patch.patch->cells.size();
-    const QString cells = count == 1 ? QCoreApplication::translate("hexoderm::GraphView", "1 cell")
-                                     : QCoreApplication::translate("hexoderm::GraphView", "%1 cells").arg(count);
-    const QString longer = text + QStringLiteral(" · ") + cells;
-    if (metrics.horizontalAdvance(longer) <= std::max(box.width(), 1.6 * least)) text = longer;
-    painter.drawText(QPointF(std::max(6.0, box.left()), std::max(metrics.ascent() + 4, box.top() - 2)), text);
-  }
+QRectF GraphPainter::linkOutlineBounds(std::size_t link) const {
+  const GraphScene::Link& drawn = scene_.links()[link];
+  if (drawn.cut) return {QPointF(0, 0), camera_.size};  // its curve swings wide
+  return outlineBounds(drawn.source) | outlineBounds(drawn.target) |
+         QRectF(camera_.toScreen(drawn.from), camera_.toScreen(drawn.to)).normalized().adjusted(-12, -12, 12, 12);
 }
 
 void GraphPainter::drawCellOutline(QPainter& painter, std::size_t cell, const QColor& color, double width) const {

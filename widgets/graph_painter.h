@@ -1,9 +1,11 @@
 #pragma once
 
+#include "widgets/graph_coloring.h"
 #include "widgets/graph_scene.h"
 #include "widgets/palette.h"
 
 #include <QFont>
+#include <QImage>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPolygonF>
@@ -29,26 +31,56 @@ struct GraphCamera {
   }
 };
 
-/// Draws a GraphScene with a level of detail that follows the size of the hexagons on the screen.
+/// How a graph is drawn, wherever it is.
+struct GraphStyle {
+  Theme theme = Theme::Light;
+  QFont font;
+  bool marks_tree = true;
+  bool has_text = true;    ///< IDs, ports, captions; pictures that are compared go without
+  bool is_vector = false;  ///< everything is a shape of its own, as files that can be enlarged want it
+};
+
+/// Draws a GraphScene with a level of detail that follows the size of the hexagons on the screen, and how many of them
+/// there are: thousands are drawn from one stamp, without smoothing.
 class GraphPainter {
  public:
-  GraphPainter(const GraphScene& scene, const GraphCamera& camera, Theme theme, const QFont& font);
+  /// All must outlive the painter.
+  GraphPainter(const GraphScene& scene, const GraphPaint& paint, const GraphCamera& camera, const GraphStyle& style);
 
   /// Everything but what is picked and pointed at.
   void drawSheet(QPainter& painter) const;
   void drawCellOutline(QPainter& painter, std::size_t cell, const QColor& color, double width) const;
   void drawLinkOutline(QPainter& painter, std::size_t link, const QColor& color, double width) const;
+  /// What these outlines cover, so that nothing else needs to be drawn anew.
+  [[nodiscard]] QRectF outlineBounds(std::size_t cell) const;
+  [[nodiscard]] QRectF linkOutlineBounds(std::size_t link) const;
 
  private:
+  /// A cell's looks: its fill and whether it is the origin or was placed by its links.
+  struct CellKind {
+    std::int16_t fill = GraphPaint::kPlain;
+    bool origin = false;
+    bool by_links = false;
+  };
+
   [[nodiscard]] bool isSeen(const QPointF& a, const QPointF& b) const;
+  [[nodiscard]] QPolygonF hexagon(const QPointF& center, double angle_rad) const;
   [[nodiscard]] QPolygonF hexagon(std::size_t cell) const;
+  [[nodiscard]] CellKind kindOf(std::size_t cell) const;
+  [[nodiscard]] QColor fillOf(std::size_t cell) const;
+  void choosePens(QPainter& painter, const CellKind& kind) const;
   [[nodiscard]] QPen pen(const LinkStroke& stroke, double width) const;
   void drawLinks(QPainter& painter) const;
-  void drawStrokes(QPainter& painter, const QVector<QLineF>& lines, const LinkStroke& stroke, bool in_tree) const;
+  void drawTree(QPainter& painter) const;
+  void drawStrokes(QPainter& painter, const QVector<QLineF>& lines, const LinkStroke& stroke) const;
+  void drawThinLines(QPainter& painter, const QVector<QLineF>& lines, const QColor& color) const;
   void drawMutedLink(QPainter& painter, const GraphScene::Link& link) const;
   void drawCutCurves(QPainter& painter) const;
   [[nodiscard]] QPainterPath cutCurve(const GraphScene::Link& link) const;
   void drawCells(QPainter& painter) const;
+  void drawDots(QPainter& painter) const;
+  void drawStamps(QPainter& painter) const;
+  [[nodiscard]] QImage stamp(const CellKind& kind, double angle_rad, double pixel_ratio) const;
   void drawIds(QPainter& painter) const;
   void drawPorts(QPainter& painter) const;
   void drawCutMarks(QPainter& painter) const;
@@ -56,13 +88,14 @@ class GraphPainter {
   void addDirections(const QPointF& a, const QPointF& b, QVector<QLineF>& lines) const;
 
   const GraphScene& scene_;
+  const GraphPaint& paint_;
   const GraphCamera& camera_;
-  Theme theme_;
+  const GraphStyle& style_;
   const Colors& colors_;
-  QFont font_;
   double radius_px_;      ///< of a drawn hexagon
   double separation_px_;  ///< between the two directions of a link
   QRectF seen_;           ///< the widget with a margin
+  bool is_crowded_;       ///< so many are seen that each must be cheap
 };
 
 }  // namespace hexoderm

@@ -27,6 +27,13 @@ double distanceToSegment(const QPointF& point, const QPointF& a, const QPointF& 
   return lengthOf(point - (a + part * along));
 }
 
+/// The distance, or `reach` where it is at least that: of most segments that is cheap to see.
+double distanceWithin(double reach, const QPointF& point, const QPointF& a, const QPointF& b) {
+  const bool may_be_near = point.x() >= std::min(a.x(), b.x()) - reach && point.x() <= std::max(a.x(), b.x()) + reach &&
+                           point.y() >= std::min(a.y(), b.y()) - reach && point.y() <= std::max(a.y(), b.y()) + reach;
+  return may_be_near ? std::min(reach, distanceToSegment(point, a, b)) : reach;
+}
+
 /// a, b, ... z, aa, ab, ...: as columns of a spreadsheet are named.
 QString letters(std::size_t index) {
   QString text;
@@ -56,6 +63,8 @@ void GraphScene::addCells() {
     for (const CellPlacement& cell : reconstruction.patches[k].cells)
       placements.emplace(cell.cell, std::pair(k, &cell));
   }
+  cells_.reserve(reconstruction.layout.cells.size());
+  index_of_.reserve(reconstruction.layout.cells.size());
   const double reach_m = std::max(reconstruction.model->reach_m(), radius_m_);
   for (const FlatCell& flat : reconstruction.layout.cells) {
     const auto found = placements.find(flat.cell);
@@ -63,6 +72,7 @@ void GraphScene::addCells() {
     const auto& [patch, placement] = found->second;
     index_of_.emplace(flat.cell, cells_.size());
     cells_.push_back({flat.cell,
+                      placement,
                       toPoint(flat.center),
                       flat.angle_rad,
                       patch,
@@ -77,15 +87,19 @@ void GraphScene::addCells() {
 }
 
 void GraphScene::addLinks() {
+  std::unordered_map<PatchId, const PatchReconstruction*> patch_of;
+  for (const PatchReconstruction& patch : reconstruction_->patches) patch_of.emplace(patch.id, &patch);
+  links_.reserve(reconstruction_->layout.links.size());
   for (const FlatLink& flat : reconstruction_->layout.links) {
-    const auto patch = std::ranges::find(reconstruction_->patches, flat.patch, &PatchReconstruction::id);
-    if (patch == reconstruction_->patches.end() || flat.link >= patch->links.size()) continue;
-    const LinkEstimate& estimate = patch->links[flat.link];
+    const auto patch = patch_of.find(flat.patch);
+    if (patch == patch_of.end() || flat.link >= patch->second->links.size()) continue;
+    const LinkEstimate& estimate = patch->second->links[flat.link];
     const auto source = indexOf(estimate.source.cell);
     const auto target = indexOf(estimate.target.cell);
     if (!source || !target) continue;
     cells_[*source].links.push_back(links_.size());
     cells_[*target].links.push_back(links_.size());
+    has_muted_links_ |= !estimate.used;
     links_.push_back({&estimate, *source, *target, toPoint(flat.from), toPoint(flat.to), flat.cut,
                       flat.cut ? letters(cut_count_++) : QString()});
   }
@@ -137,10 +151,11 @@ std::optional<std::size_t> GraphScene::linkAt(const QPointF& point, double toler
     const Link& link = links_[k];
     const QPointF& source = cells_[link.source].center;
     const QPointF& target = cells_[link.target].center;
-    double distance = std::min(distanceToSegment(point, source, link.from), distanceToSegment(point, target, link.to));
+    double distance = distanceWithin(smallest, point, source, link.from);
+    distance = distanceWithin(distance, point, target, link.to);
     // The line between the patches belongs to a muted link, too; a cut one ends at its ports.
-    if (!link.cut) distance = std::min(distance, distanceToSegment(point, link.from, link.to));
-    if (distance > smallest) continue;
+    if (!link.cut) distance = distanceWithin(distance, point, link.from, link.to);
+    if (distance >= smallest) continue;
     smallest = distance;
     nearest = k;
   }

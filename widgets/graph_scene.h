@@ -19,6 +19,7 @@ class GraphScene {
  public:
   struct Cell {
     CellId id;
+    const CellPlacement* placement = nullptr;
     QPointF center;
     double angle_rad = 0;
     std::size_t patch = 0;
@@ -53,6 +54,7 @@ class GraphScene {
   [[nodiscard]] const std::array<QPointF, 6>& outline() const { return outline_; }
   /// Centre to corner of a drawn hexagon, metres.
   [[nodiscard]] double radius_m() const { return radius_m_; }
+  [[nodiscard]] bool hasMutedLinks() const { return has_muted_links_; }
   [[nodiscard]] std::size_t cutCount() const { return cut_count_; }
   [[nodiscard]] std::size_t longestId() const { return longest_id_; }  ///< in digits
 
@@ -83,6 +85,7 @@ class GraphScene {
   QRectF bounds_;
   std::array<QPointF, 6> outline_;
   double radius_m_ = 0;
+  bool has_muted_links_ = false;
   std::size_t cut_count_ = 0;
   std::size_t longest_id_ = 1;
   std::unordered_map<CellId, std::size_t> index_of_;

@@ -1,6 +1,7 @@
 #include "widgets/live_strip.h"
 
 #include "widgets/action_button.h"
+#include "widgets/core_words.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -183,7 +184,7 @@ void LiveStrip::setStatus(const SourceStatus& status, const HoldStatus& hold, bo
   setIfChanged(sign_, sourceStateSign(state_));
   setIfChanged(word_, sourceStateWord(state_));
   // "Streaming: my skin" would say it twice.
-  QString text = QString::fromStdString(status.text);
+  QString text = coreWords(status.text);
   const QString again = word_->text() + QStringLiteral(": ");
   if (text.startsWith(again)) text.remove(0, again.size());
   setIfChanged(text_, text);
@@ -192,7 +193,7 @@ void LiveStrip::setStatus(const SourceStatus& status, const HoldStatus& hold, bo
   capture_row_->setVisible(is_capturing);
   progress_->setValue(is_streaming ? static_cast<int>(kProgressSteps * hold.progress) : 0);
   // What was said of the last reading is no longer true when none come.
-  setIfChanged(hold_, is_streaming ? QString::fromStdString(hold.text) : tr("No readings; what was captured stays"));
+  setIfChanged(hold_, is_streaming ? coreWords(hold.text) : tr("No readings; what was captured stays"));
   paintSign();
 }
 

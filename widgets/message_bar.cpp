@@ -50,6 +50,7 @@ void MessageBar::showMessage(Tone tone, const QString& text, const QString& butt
   update();
   QAccessibleEvent alert(this, QAccessible::Alert);
   QAccessible::updateAccessibility(&alert);
+  emit shown(tone, text);
 }
 
 QString MessageBar::text() const { return text_->text(); }

@@ -20,7 +20,13 @@ class MessageBar : public QFrame {
 
   void showMessage(Tone tone, const QString& text, const QString& button = {}, std::function<void()> pressed = {});
   [[nodiscard]] QString text() const;
+  /// Something went wrong and nobody has closed the message yet: good news should not take its place.
+  [[nodiscard]] bool isUrgent() const { return isVisible() && tone_ == Tone::Bad; }
   void setTheme(Theme theme);
+
+ signals:
+  /// For whoever keeps a record of what the operator was told.
+  void shown(hexoderm::Tone tone, const QString& text);
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;

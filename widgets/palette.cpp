@@ -152,6 +152,11 @@ QColor viridis(double t) {
   return QColor::fromRgbF(mix(0), mix(1), mix(2));
 }
 
+QColor textOn(const QColor& ground) {
+  constexpr int kMiddleGray = 140;  // of perceived lightness, where black and white are read equally well
+  return qGray(ground.rgb()) < kMiddleGray ? kDark.selection : kLight.selection;
+}
+
 Theme systemTheme() {
   if (const std::optional<Theme> wanted = desktopPortalTheme()) return *wanted;
   const QPalette palette = qApp != nullptr ? QApplication::palette() : QPalette();

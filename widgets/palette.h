@@ -50,6 +50,9 @@ QString styleSheet(Theme theme);
 /// Viridis (perceptually uniform, safe for colour-blind eyes) at `t` in [0, 1].
 QColor viridis(double t);
 
+/// Dark or light, whichever is read better on `ground`.
+QColor textOn(const QColor& ground);
+
 /// What the system asks for: the desktop portal's setting where there is one, else the palette's lightness.
 Theme systemTheme();
 

@@ -133,6 +133,7 @@ class StepPanel::Row : public QWidget {
         body_(new QFrame(this)),
         what_(new QLabel(body_)),
         why_(new QLabel(body_)),
+        content_(new QVBoxLayout),
         buttons_(new QVBoxLayout) {
     setObjectName(QStringLiteral("step%1").arg(number));
     head_->setObjectName(QStringLiteral("stepHead%1").arg(number));
@@ -148,6 +149,7 @@ class StepPanel::Row : public QWidget {
     body->setSpacing(8);
     body->addWidget(what_);
     body->addWidget(why_);
+    body->addLayout(content_);
     body->addLayout(buttons_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -173,6 +175,7 @@ class StepPanel::Row : public QWidget {
       buttons_shown_[k]->setAction(k < step.actions.size() ? step.actions[k] : nullptr);
     }
   }
+  void setContent(QWidget* content) { content_->addWidget(content); }
   void setOpen(bool open) {
     body_->setVisible(open);
     head_->setOpen(open);
@@ -185,6 +188,7 @@ class StepPanel::Row : public QWidget {
   QFrame* body_;
   QLabel* what_;
   QLabel* why_;
+  QVBoxLayout* content_;
   QVBoxLayout* buttons_;
   std::vector<ActionButton*> buttons_shown_;
 };
@@ -205,29 +209,34 @@ StepPanel::StepPanel(QWidget* parent) : QScrollArea(parent), layout_(nullptr) {
 }
 
 void StepPanel::setSteps(const std::vector<Step>& steps) {
-  const bool first_time = rows_.empty();
   while (rows_.size() < steps.size()) {
-    const std::size_t index = rows_.size();
-    auto* row = new Row(static_cast<int>(index) + 1, widget());
+    const auto index = static_cast<int>(rows_.size());
+    auto* row = new Row(index + 1, widget());
     row->setTheme(theme_);
-    connect(row->head(), &QAbstractButton::clicked, this, [this, index] {
-      open_ = index;
-      showOpenRow();
-    });
-    layout_->insertWidget(static_cast<int>(index), row);
+    connect(row->head(), &QAbstractButton::clicked, this, [this, index] { openStep(index); });
+    layout_->insertWidget(index, row);
     rows_.push_back(row);
+    if (rows_.size() <= bodies_.size() && bodies_[rows_.size() - 1]) row->setContent(bodies_[rows_.size() - 1]);
   }
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     rows_[k]->setVisible(k < steps.size());
     if (k < steps.size()) rows_[k]->set(steps[k]);
   }
-  const auto current =
-      std::find_if(steps.begin(), steps.end(), [](const Step& step) { return step.state == StepState::Current; });
-  const auto index = static_cast<std::size_t>(current - steps.begin());
-  // What the operator opened stays open until the work itself moves on.
-  if (first_time || index != current_) open_ = index;
-  current_ = index;
   showOpenRow();
+}
+
+void StepPanel::setBody(int step, QWidget* body) {
+  const auto index = static_cast<std::size_t>(step);
+  if (bodies_.size() <= index) bodies_.resize(index + 1, nullptr);
+  bodies_[index] = body;
+  if (index < rows_.size()) rows_[index]->setContent(body);
+}
+
+void StepPanel::openStep(int step) {
+  if (step < 0 || static_cast<std::size_t>(step) >= rows_.size()) return;
+  open_ = static_cast<std::size_t>(step);
+  showOpenRow();
+  emit opened(step);
 }
 
 void StepPanel::setTheme(Theme theme) {

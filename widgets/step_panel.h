@@ -22,7 +22,8 @@ struct Step {
   std::vector<QAction*> actions;
 };
 
-/// The steps from top to bottom; the current one is open, any other opens when it is clicked.
+/// The steps from top to bottom. One is open: the one that was clicked, or that openStep() named; a step never gives
+/// way to another by itself, while somebody reads it.
 class StepPanel : public QScrollArea {
   Q_OBJECT
 
@@ -30,7 +31,19 @@ class StepPanel : public QScrollArea {
   explicit StepPanel(QWidget* parent = nullptr);
 
   void setSteps(const std::vector<Step>& steps);
+  /// What a step shows beside its words, once there is such a step; the panel takes it over.
+  void setBody(int step, QWidget* body);
+  [[nodiscard]] int openIndex() const { return static_cast<int>(open_); }
+
+ public slots:
+  /// Nothing happens if there is no such step.
+  void openStep(int step);
+
+ public:
   void setTheme(Theme theme);
+
+ signals:
+  void opened(int step);
 
  private:
   class Row;
@@ -38,7 +51,7 @@ class StepPanel : public QScrollArea {
 
   QVBoxLayout* layout_;
   std::vector<Row*> rows_;
-  std::size_t current_ = 0;
+  std::vector<QWidget*> bodies_;  ///< by step; null where there is none
   std::size_t open_ = 0;
   Theme theme_ = Theme::Light;
 };

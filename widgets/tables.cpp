@@ -1,5 +1,6 @@
 #include "widgets/tables.h"
 
+#include "widgets/core_words.h"
 #include "widgets/palette.h"
 #include "widgets/words.h"
 
@@ -244,6 +245,7 @@ QVariant LinkTable::data(const QModelIndex& index, int role) const {
       case kYaw:
         return known ? degreesInWords(link.yaw_rad) : noValue();
       case kState:
+        if (link.muted_by == FindingCode::LinkSetAside) return tr("set aside");
         if (!link.used) return tr("muted");
         return link.in_tree ? tr("used, in tree") : tr("used");
       default:
@@ -260,7 +262,7 @@ QVariant LinkTable::data(const QModelIndex& index, int role) const {
     case Qt::ForegroundRole:
       return link.used ? QVariant() : QVariant(QBrush(colors().text_muted));
     case Qt::ToolTipRole:
-      return linkToolTip(link);
+      return linkToolTip(*reconstruction(), link);
     case Qt::AccessibleTextRole:
       return column == kLink ? longLinkName(link) : text();
     default:
@@ -321,7 +323,7 @@ QVariant FindingTable::data(const QModelIndex& index, int role) const {
     case Qt::DisplayRole:
     case Qt::AccessibleTextRole:
       if (index.column() == kSeverity) return severityWord(finding.severity);
-      return index.column() == kWhat ? QString::fromStdString(finding.text) : placeInWords(finding);
+      return index.column() == kWhat ? coreWords(finding.text) : placeInWords(finding);
     case Qt::DecorationRole:
       return index.column() == kSeverity ? QVariant(severityMark(finding.severity)) : QVariant();
     case Qt::TextAlignmentRole:

@@ -1,6 +1,8 @@
 #include "widgets/words.h"
 
+#include "hexoderm/reconstruction/uncertainty.h"
 #include "hexoderm/util/units.h"
+#include "widgets/core_words.h"
 #include "widgets/palette.h"
 
 #include <QCoreApplication>
@@ -8,6 +10,7 @@
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace hexoderm {
@@ -31,6 +34,52 @@ QString listOf(const std::vector<Id>& ids, const QString& one, const QString& se
   QString text = (ids.size() == 1 ? one : several).arg(names.join(QStringLiteral(", ")));
   if (ids.size() > kMost) text += QStringLiteral(" ") + tr("and %1 more").arg(ids.size() - kMost);
   return text;
+}
+
+/// "12.3, −4.0, 0.2".
+QString threeNumbers(const Eigen::Vector3d& vector, int decimals) {
+  const QLocale locale;
+  QStringList numbers;
+  const double zero = 0.5 * std::pow(10.0, -decimals);
+  for (const double value : vector) numbers << locale.toString(std::abs(value) < zero ? 0.0 : value, 'f', decimals);
+  return numbers.join(QStringLiteral(", ")).replace(QLatin1Char('-'), QStringLiteral("−"));
+}
+
+/// "1 → 2 → 6 → 10", its middle left out if it is long.
+QString pathInWords(const std::vector<CellId>& path) {
+  constexpr std::size_t kMostAtEachEnd = 4;
+  QStringList cells;
+  for (std::size_t k = 0; k < path.size(); ++k) {
+    if (path.size() > 2 * kMostAtEachEnd + 1 && k == kMostAtEachEnd) {
+      cells << QStringLiteral("…");
+      k = path.size() - kMostAtEachEnd;
+    }
+    cells << QString::number(path[k].value());
+  }
+  const std::size_t links = path.size() - 1;
+  const QString count = links == 1 ? Words::tr("1 link") : Words::tr("%1 links").arg(links);
+  return Words::tr("Path from the origin: %1 (%2)").arg(cells.join(QStringLiteral(" → ")), count);
+}
+
+/// "Residual in pose 1: 0.3°, 2: 0.4°"; of many poses the worst. Empty if there are none.
+QString poseResiduals(const Reconstruction& reconstruction, const LinkEstimate& link) {
+  constexpr std::size_t kMost = 6;
+  std::vector<std::pair<double, PoseId>> known;
+  for (std::size_t k = 0; k < std::min(link.pose_residual_rad.size(), reconstruction.poses.size()); ++k) {
+    if (link.pose_residual_rad[k]) known.emplace_back(*link.pose_residual_rad[k], reconstruction.poses[k].pose);
+  }
+  if (known.empty()) return {};
+  const bool too_many = known.size() > kMost;
+  if (too_many) {
+    std::ranges::sort(known, [](const auto& a, const auto& b) { return a.first > b.first; });
+    known.resize(kMost);
+  }
+  QStringList poses;
+  for (const auto& [angle_rad, pose] : known) {
+    poses << QStringLiteral("%1: %2").arg(pose.value()).arg(degreesInWords(angle_rad));
+  }
+  return (too_many ? Words::tr("Residual in the worst poses %1") : Words::tr("Residual in pose %1"))
+      .arg(poses.join(QStringLiteral(", ")));
 }
 
 }  // namespace
@@ -72,7 +121,7 @@ QString mutedBecause(const LinkEstimate& link) {
   const auto table = findingTable();
   const auto entry = std::ranges::find(table, *link.muted_by, &FindingDescription::code);
   if (entry == table.end()) return tr("It is not used.");
-  return QString::fromUtf8(entry->meaning.data(), static_cast<int>(entry->meaning.size()));
+  return coreWords(std::string(entry->meaning));
 }
 
 bool hasFigures(const LinkEstimate& link) {
@@ -113,21 +162,46 @@ QString findingToolTip(const Finding& finding) {
   const auto entry = std::ranges::find(table, finding.code, &FindingDescription::code);
   QStringList lines;
   if (entry != table.end()) {
-    lines << QString::fromUtf8(entry->meaning.data(), static_cast<int>(entry->meaning.size()));
+    lines << coreWords(std::string(entry->meaning));
     lines << QString::fromUtf8(entry->name.data(), static_cast<int>(entry->name.size()));
   }
-  return asToolTip(QString::fromStdString(finding.text), lines);
+  return asToolTip(coreWords(finding.text), lines);
 }
 
-QString linkToolTip(const LinkEstimate& link) {
-  QStringList lines;
-  if (!link.used) lines << tr("Muted: %1").arg(mutedBecause(link));
-  if (hasFigures(link)) {
-    lines << (link.in_tree ? tr("%1, on the shortest-path tree") : QStringLiteral("%1")).arg(qualityWord(link.quality));
-    lines << tr("Bend %1, twist %2, yaw %3")
-                 .arg(degreesInWords(link.bend_rad), degreesInWords(link.twist_rad), degreesInWords(link.yaw_rad));
-    lines << tr("Residual %1, predicted %2").arg(degreesInWords(knownResidual(link)), degreesInWords(knownSigma(link)));
+QString mutedBecause(const Reconstruction& reconstruction, const LinkEstimate& link) {
+  if (!link.used && link.muted_by) {
+    const auto isAboutIt = [&](const Finding& finding) {
+      return finding.code == *link.muted_by && finding.cells.size() >= 2 && finding.ports.size() >= 2 &&
+             LinkEnd{finding.cells[0], finding.ports[0]} == link.source &&
+             LinkEnd{finding.cells[1], finding.ports[1]} == link.target;
+    };
+    const auto found = std::ranges::find_if(reconstruction.findings, isAboutIt);
+    if (found != reconstruction.findings.end()) return coreWords(found->text);
   }
+  return mutedBecause(link);
+}
+
+QString linkToolTip(const Reconstruction& reconstruction, const LinkEstimate& link) {
+  QStringList lines;
+  if (link.used) {
+    lines << (link.in_tree ? Words::tr("Used, on the shortest paths to the origin") : Words::tr("Used"));
+  } else {
+    lines << Words::tr("Muted: %1").arg(mutedBecause(reconstruction, link));
+  }
+  if (!hasFigures(link)) return asToolTip(longLinkName(link), lines);
+  const QLocale locale;
+  const Eigen::Vector3d& values = link.singular_values;
+  lines << Words::tr("%1, singular values %2, %3, %4; weight %5")
+               .arg(qualityWord(link.quality), locale.toString(values[0], 'f', 2), locale.toString(values[1], 'f', 2),
+                    locale.toString(values[2], 'f', 2), locale.toString(link.weight, 'g', 3));
+  lines << Words::tr("Bend %1, twist %2, yaw %3")
+               .arg(degreesInWords(link.bend_rad), degreesInWords(link.twist_rad), degreesInWords(link.yaw_rad));
+  lines << Words::tr("Residual %1, predicted deviation %2")
+               .arg(degreesInWords(knownResidual(link)), degreesInWords(knownSigma(link)));
+  if (link.centred) lines << Words::tr("Centred: the mean of each cell's readings was subtracted");
+  if (link.supported) lines << Words::tr("Support axes were added: the poses alone do not fix it");
+  const QString poses = poseResiduals(reconstruction, link);
+  if (!poses.isEmpty()) lines << poses;
   return asToolTip(longLinkName(link), lines);
 }
 
@@ -135,23 +209,35 @@ QString cellToolTip(const Reconstruction& reconstruction, CellId cell) {
   const auto [patch, placement] = reconstruction.find(cell);
   if (placement == nullptr) return {};
   QStringList lines;
-  lines << (patch->origin == cell ? tr("Origin of patch %1") : tr("Patch %1")).arg(patch->id.value() + 1);
-  if (!placement->body_part.empty()) lines << tr("On %1").arg(QString::fromStdString(placement->body_part));
+  lines << (patch->origin == cell ? Words::tr("Origin of patch %1") : Words::tr("Patch %1")).arg(patch->id.value() + 1);
+  if (!placement->body_part.empty()) lines << Words::tr("On %1").arg(QString::fromStdString(placement->body_part));
+  lines << (placement->placed_by == PlacedBy::Links
+                ? Words::tr("Placed through its links: its own readings are not used")
+                : Words::tr("Placed by its own readings"));
   if (patch->origin != cell) {
     const Eigen::Vector3d& t_o_u = placement->T_o_u.t;
-    const QLocale locale;
-    lines << tr("At %1, %2, %3 mm from the origin")
-                 .arg(locale.toString(toMillimetres(t_o_u.x()), 'f', 1),
-                      locale.toString(toMillimetres(t_o_u.y()), 'f', 1),
-                      locale.toString(toMillimetres(t_o_u.z()), 'f', 1));
-    if (placement->path.size() == 2) lines << tr("Next to the origin");
-    if (placement->path.size() > 2) lines << tr("%1 links from the origin").arg(placement->path.size() - 1);
+    const Eigen::Vector3d rpy_rad = rpyFromRotation(placement->T_o_u.R);
+    lines << Words::tr("At %1 mm from the origin").arg(threeNumbers(1e3 * t_o_u, 1));
+    lines << Words::tr("Roll %1, pitch %2, yaw %3")
+                 .arg(degreesInWords(rpy_rad.x()), degreesInWords(rpy_rad.y()), degreesInWords(rpy_rad.z()));
+    if (const auto known = uncertaintyOf(*placement)) {
+      lines << Words::tr("Known to ±%1 mm, ±%2 (95 %)")
+                   .arg(QLocale().toString(toMillimetres(known->position_m), 'f', 1),
+                        degreesInWords(known->orientation_rad));
+    } else {
+      lines << Words::tr("How well it is known is not stated");
+    }
+    if (placement->path.size() > 1) lines << pathInWords(placement->path);
   }
-  if (placement->placed_by == PlacedBy::Links) lines << tr("Placed through its links: its own readings are not used");
+  if (placement->accel_offset_g) {
+    lines << Words::tr("Accelerometer offset %1 mg").arg(threeNumbers(1e3 * *placement->accel_offset_g, 0));
+  }
+  if (placement->accel_scale)
+    lines << Words::tr("Accelerometer scale %1").arg(threeNumbers(*placement->accel_scale, 3));
   for (const Finding& finding : reconstruction.findings) {
     constexpr std::size_t kMostCells = 4;  // one that names half of the skin is not about this cell
     if (finding.severity == Severity::Info || finding.cells.size() > kMostCells) continue;
-    if (std::ranges::find(finding.cells, cell) != finding.cells.end()) lines << QString::fromStdString(finding.text);
+    if (std::ranges::find(finding.cells, cell) != finding.cells.end()) lines << coreWords(finding.text);
   }
   return asToolTip(tr("Cell %1").arg(cell.value()), lines);
 }

@@ -29,8 +29,11 @@ QString severityWord(Severity severity);
 /// "cells 5, 9; pose 3"; an en dash if the finding is about the whole skin.
 QString placeInWords(const Finding& finding);
 
-/// Several lines for a tooltip (rich text).
-QString linkToolTip(const LinkEstimate& link);
+/// The finding's words on why a link is not used; its code's where there is none.
+QString mutedBecause(const Reconstruction& reconstruction, const LinkEstimate& link);
+
+/// Several lines for a tooltip (rich text). Those of links and cells have every figure that is known.
+QString linkToolTip(const Reconstruction& reconstruction, const LinkEstimate& link);
 QString findingToolTip(const Finding& finding);
 QString cellToolTip(const Reconstruction& reconstruction, CellId cell);
 

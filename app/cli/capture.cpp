@@ -94,6 +94,7 @@ class Capture {
       device_ = skin.device;
       can_turn_ = skin.can_turn;
       session_.emplace(*skin.model, skin.neighbors, SourceDescription{skin.device + ", " + source_.address(), "", ""});
+      if (skin.truth) session_->setTruth(*skin.truth);
       store_ = std::make_unique<SessionRecorder>(SessionStore::create(options_.output, *session_));
       common_.endProgress();
       common_.note(device_ + ": " + cellsInWords(skin.neighbors.size()));

@@ -1,5 +1,7 @@
 #include "app/window/actions.h"
 
+#include "widgets/core_words.h"
+
 #include <QMenu>
 
 namespace hexoderm {
@@ -47,6 +49,9 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
                             tr("Save the reconstruction, complete enough to export and draw from it alone"))),
       export_to(make(owner, "actionExport", tr("&Export…"), tr("Write the calibration in a form that others read"),
                      {QKeySequence(QStringLiteral("Ctrl+E"))})),
+      report(make(owner, "actionReport", tr("&Report…"),
+                  tr("Write a report with verdict, pictures and tables, as PDF or as a page for the browser"),
+                  {QKeySequence(QStringLiteral("Ctrl+Shift+E"))})),
       quit(make(owner, "actionQuit", tr("&Quit"), tr("Close the window"), {QKeySequence(QStringLiteral("Ctrl+Q"))})),
       undo(undo_stack->createUndoAction(owner, tr("&Undo"))),
       redo(undo_stack->createRedoAction(owner, tr("&Redo"))),
@@ -54,14 +59,31 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
                        {QKeySequence(Qt::Key_Delete)})),
       delete_pose(make(owner, "actionDeletePose", tr("De&lete pose"), tr("Take the picked pose out of the session"),
                        {QKeySequence(QStringLiteral("Shift+Del"))})),
-      next_pose(make(owner, "actionNextPose", tr("Take the &next pose"),
-                     tr("Turn the simulated part to its next orientation and take the pose"),
-                     {QKeySequence(Qt::Key_Space)})),
+      recapture(make(owner, "actionRecapture", tr("&Recapture pose"),
+                     tr("The next capture takes the place of the picked pose"), {QKeySequence(Qt::Key_R)})),
+      mute_link(make(owner, "actionMuteLink", tr("Set link &aside"),
+                     tr("Keep the picked link out of the solution, as a cable for example"),
+                     {QKeySequence(Qt::Key_M)})),
+      capture(make(owner, "actionCapture", tr("Capture &anyway"), tr("Take the next readings as a pose, moved or not"),
+                   {QKeySequence(Qt::Key_Space)})),
       automatic(make(owner, "actionAutomatic", tr("Capture by itself when &still"),
                      tr("Take a pose as soon as the part is held still after it was moved"),
                      {QKeySequence(Qt::Key_A)})),
+      skip_pose(make(owner, "actionSkipPose", tr("S&kip this pose"),
+                     tr("The part can't be held like this: advise the next best pose"), {QKeySequence(Qt::Key_N)})),
       turn(make(owner, "actionTurn", tr("&Turn to the next pose"),
                 tr("Ask the device to turn itself to where the next pose helps most"), {QKeySequence(Qt::Key_T)})),
+      robot(make(owner, "actionRobot", tr("Let the ro&bot take the poses"),
+                 tr("The device turns itself from pose to pose until there are enough"), {QKeySequence(Qt::Key_B)})),
+      live_mode(make(owner, "actionLiveMode", tr("&Live mode"),
+                     tr("Draw the skin from its readings of this moment alone"), {QKeySequence(Qt::Key_L)})),
+      light_cell(make(owner, "actionLightCell", tr("Li&ght the picked cell"),
+                      tr("Switch on the light of the picked cell on the skin itself"),
+                      {QKeySequence(QStringLiteral("Ctrl+L"))})),
+      show_next_pose(make(owner, "actionShowNextPose", tr("Show me the next pose"),
+                          tr("Open the step in which poses are captured"))),
+      show_finding(make(owner, "actionShowFinding", tr("Show what does not fit"),
+                        tr("Pick the cell or link that the most serious finding is about"))),
       find_cell(
           make(owner, "actionFindCell", tr("Find &cell…"), tr("Pick a cell by typing its ID"), {QKeySequence::Find})),
       fit(make(owner, "actionFit", tr("&Fit"), tr("Show the whole skin"), {QKeySequence(Qt::Key_F)})),
@@ -70,22 +92,39 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
       top(make(owner, "actionTop", tr("&Top view"), tr("Look at the patch from above"))),
       screenshot(make(owner, "actionScreenshot", tr("&Picture of the window"), tr("Save a picture of this window"),
                       {QKeySequence(Qt::Key_F12)})),
-      keys(make(owner, "actionKeys", tr("&Keys"), tr("The list of keys"),
-                {QKeySequence(Qt::Key_F1), QKeySequence(Qt::Key_H)})),
+      guide(make(owner, "actionGuide", tr("User &guide"), tr("How to calibrate a skin, page by page"),
+                 {QKeySequence(Qt::Key_F1)})),
+      keys(make(owner, "actionKeys", tr("&Keys"), tr("The list of keys"), {QKeySequence(Qt::Key_H)})),
       about(make(owner, "actionAbout", tr("&About Hexoderm"), tr("Version and licence"))),
+      preferences(make(owner, "actionPreferences", tr("&Preferences…"),
+                       tr("Appearance, limits of the capture, options of the solver, folders"),
+                       {QKeySequence(QStringLiteral("Ctrl+,"))})),
+      swap_views(make(owner, "actionSwapViews", tr("S&wap graph and 3D view"),
+                      tr("The one in the middle goes to the side, and the other way round"),
+                      {QKeySequence(Qt::Key_G)})),
+      copy_report(make(owner, "actionCopyReport", tr("&Copy for a bug report"),
+                       tr("Versions, graphics, what is open and the last lines of the log, without your folders"))),
+      open_log_folder(make(owner, "actionOpenLogFolder", tr("&Open the log's folder"),
+                           tr("Show the folder in which the log is kept"))),
+      recent(new QMenu(tr("Open &recent"), owner)),
       themes(new QActionGroup(owner)) {
   undo->setObjectName(QStringLiteral("actionUndo"));
   redo->setObjectName(QStringLiteral("actionRedo"));
   undo->setShortcut(QKeySequence::Undo);
   redo->setShortcuts({QKeySequence(QStringLiteral("Ctrl+Shift+Z")), QKeySequence(QStringLiteral("Ctrl+Y"))});
   owner->addActions({undo, redo});
-  next_pose->setIconText(tr("Take the next pose"));
   demo->setIconText(tr("Start the demo skin"));
   // A key that is held must not take a row of poses.
-  for (QAction* action : {next_pose, automatic, turn, toggle_pose, delete_pose, screenshot}) {
+  for (QAction* action : {capture, automatic, skip_pose, turn, robot, live_mode, light_cell, toggle_pose, delete_pose,
+                          recapture, mute_link, screenshot, swap_views}) {
     action->setAutoRepeat(false);
   }
-  automatic->setCheckable(true);
+  for (QAction* action : {automatic, robot, live_mode, light_cell}) action->setCheckable(true);
+  constexpr int kSteps = 7;
+  for (int number = 1; number <= kSteps; ++number) {
+    go_to_step.push_back(make(owner, qPrintable(QStringLiteral("actionStep%1").arg(number)), tr("Step &%1").arg(number),
+                              tr("Open this step"), {QKeySequence(QStringLiteral("Ctrl+%1").arg(number))}));
+  }
 
   theme = {make(owner, "actionThemeSystem", tr("Like the &system"), tr("Light or dark, as the system asks for")),
            make(owner, "actionThemeLight", tr("&Light"), tr("Dark text on a light ground")),
@@ -99,21 +138,32 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
 void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& panels) const {
   QMenu* file = bar->addMenu(tr("&File"));
   file->addActions({demo, connect_skin, disconnect_skin, open});
+  file->addMenu(recent);
   file->addSeparator();
-  file->addActions({save, save_as, save_calibration, export_to});
+  file->addActions({save, save_as, save_calibration, export_to, report});
   file->addSeparator();
   file->addAction(quit);
 
   QMenu* edit = bar->addMenu(tr("&Edit"));
   edit->addActions({undo, redo});
   edit->addSeparator();
-  edit->addActions({toggle_pose, delete_pose});
+  edit->addActions({toggle_pose, delete_pose, recapture});
+  edit->addAction(mute_link);
+  edit->addSeparator();
+  edit->addAction(preferences);
 
   QMenu* session = bar->addMenu(tr("&Session"));
-  session->addActions({next_pose, turn, automatic});
+  session->addActions({capture, automatic, skip_pose});
+  session->addSeparator();
+  session->addActions({turn, robot});
+  session->addSeparator();
+  session->addActions({live_mode, light_cell});
+  session->addSeparator();
+  QMenu* steps = session->addMenu(tr("&Go to step"));
+  for (QAction* step : go_to_step) steps->addAction(step);
 
   QMenu* view = bar->addMenu(tr("&View"));
-  view->addActions({find_cell, fit, front, side, top});
+  view->addActions({find_cell, fit, front, side, top, swap_views});
   view->addSeparator();
   for (QAction* panel : panels) view->addAction(panel);
   view->addSeparator();
@@ -121,50 +171,81 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   view->addAction(screenshot);
 
   QMenu* help = bar->addMenu(tr("&Help"));
-  help->addActions({keys, about});
-  for (QMenu* menu : {file, edit, session, view, help}) menu->setToolTipsVisible(true);
-}
-
-std::vector<QAction*> WindowActions::withKeys() const {
-  std::vector<QAction*> found;
-  for (QAction* action : {next_pose, automatic, turn, toggle_pose, delete_pose, undo, redo, connect_skin, open, save,
-                          save_as, export_to, find_cell, fit, screenshot, keys, quit}) {
-    if (!action->shortcuts().isEmpty()) found.push_back(action);
-  }
-  return found;
+  help->addActions({guide, keys});
+  help->addSeparator();
+  help->addActions({copy_report, open_log_folder});
+  help->addSeparator();
+  help->addAction(about);
+  for (QMenu* menu : {file, edit, session, steps, view, help}) menu->setToolTipsVisible(true);
 }
 
 void WindowActions::refreshCapture(const SessionController& controller, const QString& no_session) {
   const bool live = controller.isLive();
-  next_pose->setText(live ? tr("Capture &now") : tr("Take the &next pose"));
-  next_pose->setIconText(live ? tr("Capture now") : tr("Take the next pose"));
-  next_pose->setProperty(kPurpose, live ? tr("Take the next readings as a pose, moved or not")
-                                        : tr("Turn the simulated part to its next orientation and take the pose"));
   QString no_skin = no_session;
-  if (no_skin.isEmpty() && !live && !controller.isDemo()) {
-    no_skin = tr("This session came from a file; no skin is connected");
-  }
+  if (no_skin.isEmpty() && !live) no_skin = tr("This session came from a file; no skin is connected");
   if (live && controller.live().status().state != SourceState::Streaming) {
-    no_skin = tr("The skin does not send: %1").arg(QString::fromStdString(controller.live().status().text));
+    no_skin = tr("The skin does not send: %1").arg(coreWords(controller.live().status().text));
   }
-  allow(next_pose, no_skin);
-  QString no_turn = no_skin;
-  if (no_turn.isEmpty() && !live) no_turn = tr("No skin is connected");
-  if (no_turn.isEmpty() && !controller.canTurn()) no_turn = tr("This device can't turn itself; turn the part by hand");
-  if (no_turn.isEmpty() && !controller.isCurrent()) no_turn = tr("The reconstruction is being brought up to date");
-  allow(turn, no_turn);
+  allow(capture, no_skin);
+  QString no_advice = no_skin;
+  if (no_advice.isEmpty() && !controller.nextPose()) no_advice = tr("The next pose is being worked out");
+  allow(skip_pose, no_advice);
+  allow(show_next_pose, no_advice);
+  QString no_robot = no_skin;
+  if (no_robot.isEmpty() && !controller.canTurn()) {
+    no_robot = tr("This device can't turn itself; turn the part by hand");
+  }
+  robot->setChecked(controller.isRobotOn());
+  const QString who =
+      controller.isDemo() ? tr("Let the simulated robot take the poses") : tr("Let the robot take the poses");
+  robot->setIconText(controller.isRobotOn() ? tr("Stop the robot") : who);
+  QString no_more = no_robot;
+  if (no_more.isEmpty() && !controller.isRobotOn() && !controller.wantsMorePoses()) {
+    no_more = tr("There are enough poses; turn and capture more by hand if you like");
+  }
+  allow(robot, no_more);
+  if (no_robot.isEmpty() && !controller.nextPose()) no_robot = tr("The next pose is being worked out");
+  allow(turn, no_robot);
   automatic->setChecked(controller.isAutomatic());
   allow(automatic, live ? QString() : tr("No skin is connected"));
   allow(disconnect_skin, controller.live().isRunning() ? QString() : tr("No skin is connected"));
+  live_mode->setChecked(controller.isLiveMode());
+  allow(live_mode, live ? QString() : tr("No skin is connected"));
 }
 
-void WindowActions::refresh(const SessionController& controller, std::optional<int> pose_row) {
-  const Session* session = controller.session();
-  QString no_session;
-  if (!session) {
-    no_session = controller.isEmpty() ? tr("Nothing is open yet")
-                                      : tr("A calibration is open: it holds the result, not the poses");
+QString WindowActions::whyNoSession(const SessionController& controller) {
+  if (controller.session()) return {};
+  return controller.isEmpty() ? tr("Nothing is open yet")
+                              : tr("A calibration is open: it holds the result, not the poses");
+}
+
+void WindowActions::refreshLink(const SessionController& controller, const std::optional<Selection::Link>& picked) {
+  QString no_link = whyNoSession(controller);
+  if (no_link.isEmpty() && !picked) no_link = tr("Pick a link in the graph or in the table of links first");
+  const bool muted = no_link.isEmpty() && controller.session()->findMutedLink(picked->first, picked->second) != nullptr;
+  mute_link->setText(muted ? tr("Take link b&ack") : tr("Set link &aside"));
+  mute_link->setProperty(kPurpose, muted ? tr("Let the picked link into the solution again")
+                                         : tr("Keep the picked link out of the solution, as a cable for example"));
+  allow(mute_link, no_link);
+}
+
+void WindowActions::refreshDevice(const SessionController& controller, std::optional<CellId> cell) {
+  QString no_light;
+  if (!controller.isLive()) {
+    no_light = tr("No skin is connected");
+  } else if (!controller.live().skin() || !controller.live().skin()->can_light_cells) {
+    no_light = tr("The cells of this device have no lights");
+  } else if (!cell && !controller.litCell()) {
+    no_light = tr("Pick a cell first");
   }
+  light_cell->setChecked(controller.litCell().has_value());
+  allow(light_cell, no_light);
+}
+
+void WindowActions::refresh(const SessionController& controller, std::optional<int> pose_row,
+                            std::optional<CellId> cell) {
+  const Session* session = controller.session();
+  const QString no_session = whyNoSession(controller);
   QString no_result;
   if (!controller.reconstruction()) {
     no_result = controller.isEmpty() ? tr("Nothing is open yet") : tr("There is no reconstruction yet");
@@ -177,6 +258,7 @@ void WindowActions::refresh(const SessionController& controller, std::optional<i
   allow(save_as, no_session);
   allow(save_calibration, no_result);
   allow(export_to, no_result);
+  allow(report, no_result);
 
   QString no_pose = no_session;
   const std::optional<std::size_t> index = pose_row ? controller.sessionIndexOfPoseRow(*pose_row) : std::nullopt;
@@ -187,6 +269,14 @@ void WindowActions::refresh(const SessionController& controller, std::optional<i
   allow(delete_pose, no_pose);
 
   refreshCapture(controller, no_session);
+  refreshDevice(controller, cell);
+  QString no_recapture = no_pose;
+  if (no_recapture.isEmpty() && !controller.isLive()) no_recapture = tr("No skin is connected");
+  const bool waits = index && controller.recapturing() == session->poses()[*index].capture->id;
+  recapture->setText(waits ? tr("Don't &recapture") : tr("&Recapture pose"));
+  allow(recapture, no_recapture);
+  const bool has_findings = controller.reconstruction() && !controller.reconstruction()->findings.empty();
+  allow(show_finding, has_findings ? QString() : tr("There are no findings"));
 
   const QString nothing = controller.reconstruction() ? QString() : tr("There is nothing to look at yet");
   for (QAction* action : {find_cell, fit, front, side, top}) allow(action, nothing);

@@ -2,10 +2,12 @@
 
 #include "app/window/session_controller.h"
 #include "app/window/theme.h"
+#include "widgets/selection.h"
 
 #include <QAction>
 #include <QActionGroup>
 #include <QCoreApplication>
+#include <QMenu>
 #include <QMenuBar>
 #include <vector>
 
@@ -27,34 +29,53 @@ class WindowActions {
   QAction* save_as;
   QAction* save_calibration;
   QAction* export_to;
+  QAction* report;
   QAction* quit;
   QAction* undo;
   QAction* redo;
   QAction* toggle_pose;
   QAction* delete_pose;
-  QAction* next_pose;  ///< "Take the next pose" of the demo, "Capture now" of a connected skin
+  QAction* recapture;
+  QAction* mute_link;  ///< "Set link aside", or "Take link back"
+  QAction* capture;
   QAction* automatic;
+  QAction* skip_pose;
   QAction* turn;
+  QAction* robot;  ///< can be checked: the device turns itself from pose to pose
+  QAction* live_mode;
+  QAction* light_cell;
+  QAction* show_next_pose;  ///< where to look, for who holds the part
+  QAction* show_finding;    ///< the one that matters most
   QAction* find_cell;
   QAction* fit;
   QAction* front;
   QAction* side;
   QAction* top;
   QAction* screenshot;
+  QAction* guide;
   QAction* keys;
   QAction* about;
+  QAction* preferences;
+  QAction* swap_views;  ///< graph and 3D view
+  QAction* copy_report;
+  QAction* open_log_folder;
+  std::vector<QAction*> go_to_step;  ///< the first is step 1
+  QMenu* recent;
   QActionGroup* themes;
   std::vector<QAction*> theme;  ///< in the order of ThemeChoice
 
   /// `panels`: the docks' own actions.
   void fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& panels) const;
-  [[nodiscard]] std::vector<QAction*> withKeys() const;
 
   /// Which can be used now, and why the others can't. `pose_row`: the row picked in the table of poses.
-  void refresh(const SessionController& controller, std::optional<int> pose_row);
+  void refresh(const SessionController& controller, std::optional<int> pose_row, std::optional<CellId> cell);
+  /// The same of what can be done with a link. `picked`: of the selection.
+  void refreshLink(const SessionController& controller, const std::optional<Selection::Link>& picked);
 
  private:
+  [[nodiscard]] static QString whyNoSession(const SessionController& controller);
   void refreshCapture(const SessionController& controller, const QString& no_session);
+  void refreshDevice(const SessionController& controller, std::optional<CellId> cell);
 };
 
 }  // namespace hexoderm

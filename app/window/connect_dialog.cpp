@@ -2,6 +2,7 @@
 
 #include "hexoderm/device/open_source.h"
 #include "hexoderm/util/error.h"
+#include "widgets/core_words.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -82,7 +83,7 @@ QString problemWithAddress(const QString& address) {
   try {
     static_cast<void>(openSkinSource(address.toStdString()));
   } catch (const Error& error) {
-    return QString::fromUtf8(error.what());
+    return coreWords(error.what());
   }
   return {};
 }

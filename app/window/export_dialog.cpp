@@ -1,6 +1,7 @@
 #include "app/window/export_dialog.h"
 
 #include "hexoderm/util/error.h"
+#include "widgets/core_words.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -197,7 +198,7 @@ void ExportDialog::check() {
     try {
       request().options.validate();
     } catch (const InvalidArgument& error) {
-      problem = QString::fromUtf8(error.what());
+      problem = coreWords(error.what());
     }
   }
   const bool replaces =

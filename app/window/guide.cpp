@@ -2,6 +2,7 @@
 
 #include "app/window/actions.h"
 #include "app/window/session_controller.h"
+#include "widgets/core_words.h"
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -13,7 +14,7 @@ struct Guide {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::Guide)
 };
 
-/// The first set of directions that tells offsets apart is a tetrahedron's (SPEC step 12): the demo leads there.
+/// The first set of directions that tells offsets apart is a tetrahedron's (SPEC step 12): the guide leads there.
 constexpr std::size_t kGoodPoseCount = 4;
 
 Tone toneOf(VerdictLevel level) {
@@ -38,19 +39,14 @@ std::size_t enabledPoses(const Session& session) {
                                                 [](const SessionPose& pose) { return !pose.disabled; }));
 }
 
-bool wantsMorePoses(const SessionController& controller) {
-  const bool is_over = controller.live().status().state == SourceState::Ended;
-  if (!controller.isDemo() && (!controller.isLive() || is_over)) return false;
-  const Reconstruction* result = controller.reconstruction().get();
-  if (!result || !isExportable(*result)) return true;
-  return result->verdict.level != VerdictLevel::Good && enabledPoses(*controller.session()) < kGoodPoseCount;
-}
-
 QAction* bestAction(const SessionController& controller, const WindowActions& actions) {
   if (controller.isEmpty()) return actions.demo;
   const Reconstruction* result = controller.reconstruction().get();
-  if (wantsMorePoses(controller)) return controller.canTurn() ? actions.turn : actions.next_pose;
-  return result && (isExportable(*result) || !controller.session()) ? actions.export_to : actions.open;
+  if (controller.isRobotOn()) return actions.robot;
+  if (controller.wantsMorePoses()) return controller.canTurn() ? actions.robot : actions.show_next_pose;
+  if (!result || (controller.session() && !isExportable(*result))) return actions.connect_skin;
+  const Finding* finding = worstFinding(*result);
+  return finding && finding->severity == Severity::Error ? actions.show_finding : actions.export_to;
 }
 
 QString findingsInWords(const Reconstruction& reconstruction) {
@@ -62,16 +58,6 @@ QString findingsInWords(const Reconstruction& reconstruction) {
 QString posesInWords(std::size_t count) {
   if (count == 0) return Guide::tr("no poses");
   return count == 1 ? Guide::tr("1 pose") : Guide::tr("%1 poses").arg(count);
-}
-
-/// What the operator should look at before anything else; null if it is nothing.
-const Finding* worstFinding(const Reconstruction& reconstruction) {
-  const Finding* worst = nullptr;
-  for (const Finding& finding : reconstruction.findings) {
-    if (finding.severity == Severity::Info) continue;
-    if (!worst || finding.severity > worst->severity) worst = &finding;
-  }
-  return worst;
 }
 
 Step connectStep(const SessionController& controller, const WindowActions& actions) {
@@ -96,12 +82,12 @@ Step connectStep(const SessionController& controller, const WindowActions& actio
   }
   step.state = StepState::Done;
   step.note = controller.name();
-  step.why = controller.session() ? QString::fromStdString(controller.session()->source().text)
-                                  : QString::fromStdString(controller.reconstruction()->source.text);
+  step.why = controller.session() ? coreWords(controller.session()->source().text)
+                                  : coreWords(controller.reconstruction()->source.text);
   return step;
 }
 
-Step checkStep(const SessionController& controller) {
+Step checkStep(const SessionController& controller, const WindowActions& actions) {
   Step step;
   step.title = Guide::tr("Check the skin");
   const Reconstruction* result = controller.reconstruction().get();
@@ -110,11 +96,12 @@ Step checkStep(const SessionController& controller) {
     return step;
   }
   step.state = StepState::Done;
-  step.note = QString::fromStdString(sizeInWords(*result));
+  step.note = coreWords(sizeInWords(*result));
   step.what = Guide::tr("Compare the skin graph with the skin in front of you.");
   step.why = Guide::tr(
       "Every cell and every link should be there. What was reported but can't be a skin link is listed "
       "under Findings and kept out.");
+  if (controller.isLive()) step.actions = {actions.light_cell};
   return step;
 }
 
@@ -133,28 +120,18 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
     return step;
   }
   const std::size_t enabled = enabledPoses(*controller.session());
-  const bool more = wantsMorePoses(controller);
+  const bool more = controller.wantsMorePoses();
   step.note =
       more && enabled < kGoodPoseCount ? Guide::tr("%1 of %2").arg(enabled).arg(kGoodPoseCount) : posesInWords(enabled);
-  if (controller.isDemo()) step.actions = {actions.next_pose};
-  if (controller.canTurn()) step.actions.push_back(actions.turn);
-  if (controller.isLive()) step.actions.push_back(actions.next_pose);
+  if (controller.isLive()) step.actions = {actions.capture, actions.skip_pose};
+  if (controller.canTurn()) step.actions.insert(step.actions.end(), {actions.turn, actions.robot});
   step.state = more || (result && !isExportable(*result)) ? StepState::Current : StepState::Done;
   // Once there are enough, what is next is no longer about poses.
-  if (result && step.state == StepState::Current) step.what = QString::fromStdString(result->verdict.next_action);
-  if (controller.isLive()) {
-    step.why = Guide::tr(
-        "Gravity seen from several directions tells how every cell is turned against its neighbours. A pose is taken "
-        "by itself when the part is held still after it was moved; Space takes it at once.");
-    return step;
+  if (result && step.state == StepState::Current) step.what = coreWords(result->verdict.next_action);
+  step.why = Guide::tr("Gravity seen from several directions tells how every cell is turned against its neighbours.");
+  if (!controller.isLive()) {
+    step.why += QLatin1Char(' ') + Guide::tr("This session came from a file; no skin is connected to take more.");
   }
-  step.why = controller.isDemo()
-                 ? Guide::tr(
-                       "Gravity seen from several directions tells how every cell is turned against its "
-                       "neighbours. In the demo, the simulated part is turned as the advice says.")
-                 : Guide::tr(
-                       "Gravity seen from several directions tells how every cell is turned against its "
-                       "neighbours. This session came from a file; no skin is connected to take more.");
   return step;
 }
 
@@ -169,12 +146,12 @@ Step reviewStep(const SessionController& controller, const WindowActions& action
   step.note = findingsInWords(*result);
   const Finding* finding = worstFinding(*result);
   if (captured) step.state = finding ? StepState::Current : StepState::Done;
-  step.what = QString::fromStdString(finding ? finding->text : result->verdict.reason);
+  step.what = coreWords(finding ? finding->text : result->verdict.reason);
   if (controller.session()) {
     step.why = Guide::tr(
         "A pose that does not fit can be disabled or deleted in the table of poses, and taken back with "
         "undo. A click on a finding shows the cell or link it is about.");
-    step.actions = {actions.toggle_pose, actions.delete_pose};
+    step.actions = {actions.show_finding, actions.toggle_pose, actions.delete_pose, actions.recapture};
   } else {
     step.why = Guide::tr("A click on a finding shows the cell or link it is about.");
   }
@@ -189,7 +166,7 @@ Step exportStep(const SessionController& controller, const WindowActions& action
     step.why = Guide::tr("Waits for a reconstruction.");
     return step;
   }
-  step.actions = {actions.export_to, actions.save_calibration};
+  step.actions = {actions.export_to, actions.report, actions.save_calibration};
   if (controller.session()) step.actions.push_back(actions.save);
   step.what = Guide::tr("Write the placements in the form you need.");
   step.why =
@@ -201,6 +178,15 @@ Step exportStep(const SessionController& controller, const WindowActions& action
 
 }  // namespace
 
+const Finding* worstFinding(const Reconstruction& reconstruction) {
+  const Finding* worst = nullptr;
+  for (const Finding& finding : reconstruction.findings) {
+    if (finding.severity == Severity::Info) continue;
+    if (!worst || finding.severity > worst->severity) worst = &finding;
+  }
+  return worst;
+}
+
 Banner::Content describeStand(const SessionController& controller, const WindowActions& actions) {
   Banner::Content content;
   content.action = bestAction(controller, actions);
@@ -209,7 +195,7 @@ Banner::Content describeStand(const SessionController& controller, const WindowA
     content.sentence = Guide::tr("Waiting for the skin at %1.").arg(controller.live().address());
   } else if (const Reconstruction* result = controller.reconstruction().get()) {
     content.tone = toneOf(result->verdict.level);
-    content.sentence = QString::fromStdString(result->verdict.reason);
+    content.sentence = coreWords(result->verdict.reason);
   } else if (!controller.isEmpty()) {
     content.sentence = Guide::tr("The placements are being worked out…");
   } else if (!controller.activity().isEmpty()) {
@@ -221,7 +207,8 @@ Banner::Content describeStand(const SessionController& controller, const WindowA
 }
 
 std::vector<Step> describeSteps(const SessionController& controller, const WindowActions& actions) {
-  std::vector<Step> steps = {connectStep(controller, actions), checkStep(controller), captureStep(controller, actions)};
+  std::vector<Step> steps = {connectStep(controller, actions), checkStep(controller, actions),
+                             captureStep(controller, actions)};
   const bool captured = steps.back().state == StepState::Done;
   steps.push_back(reviewStep(controller, actions, captured));
   steps.push_back(exportStep(controller, actions));

@@ -1,12 +1,12 @@
 #pragma once
 
+class QMenuBar;
 class QWidget;
 
 namespace hexoderm {
 
-class WindowActions;
-
-/// The list of keys, made from the actions themselves. Does not stop anybody from working on.
-void showKeysDialog(QWidget* parent, const WindowActions& actions);
+/// Shows the list of keys beside the window: those of all actions in the menus, to be searched. Of several calls one
+/// list remains.
+void showKeysDialog(QWidget* parent, const QMenuBar& menus);
 
 }  // namespace hexoderm

@@ -1,6 +1,7 @@
 #include "app/window/live_source.h"
 
 #include "hexoderm/device/open_source.h"
+#include "widgets/core_words.h"
 
 #include <QMetaObject>
 #include <mutex>
@@ -81,15 +82,21 @@ class LiveSource::Feed final : public SkinListener,
       emit live.holdChanged();
     });
   }
-  void onPreview(SkinPreview /*preview*/) override {}
+  void onPreview(SkinPreview preview) override {
+    if (!keepNewest(preview_, std::move(preview))) return;
+    post([this](LiveSource& live) {
+      live.preview_ = takeNewest(preview_);
+      emit live.previewChanged();
+    });
+  }
 
  private:
   /// True if nobody is on the way to take it yet.
   template <class State>
-  bool keepNewest(std::optional<State>& kept, const State& state) {
+  bool keepNewest(std::optional<State>& kept, State state) {
     const std::lock_guard lock(mutex_);
     const bool is_first = !kept;
-    kept = state;
+    kept = std::move(state);
     return is_first;
   }
   template <class State>
@@ -102,6 +109,7 @@ class LiveSource::Feed final : public SkinListener,
   std::mutex mutex_;
   std::optional<SourceStatus> status_;
   std::optional<HoldStatus> hold_;
+  std::optional<SkinPreview> preview_;
   PoseRecorder recorder_;
   std::unique_ptr<SkinSource> source_;  // last: it calls this object until it has stopped
 };
@@ -112,20 +120,18 @@ LiveSource::~LiveSource() { feed_.reset(); }
 
 void LiveSource::start(const LiveOptions& options) {
   stop();
-  PoseRecorderOptions recorder;
-  recorder.automatic = options.automatic;
-  feed_ = std::make_shared<Feed>(*this, recorder);
+  feed_ = std::make_shared<Feed>(*this, options.recorder);
   feed_->recorder().setNextPoseId(options.next_pose);
   feed_->recorder().setEarlierPoses(options.earlier_poses);
   address_ = options.address;
-  automatic_ = options.automatic;
+  automatic_ = options.recorder.automatic;
   status_.state = SourceState::Connecting;
   status_.text = tr("Connecting to %1").arg(address_).toStdString();
   jobs_.add([feed = feed_, address = address_.toStdString()] {
     try {
       feed->open(address);
     } catch (const std::exception& error) {
-      feed->post([message = QString::fromUtf8(error.what())](LiveSource& live) {
+      feed->post([message = coreWords(error.what())](LiveSource& live) {
         live.stop();
         emit live.failed(message);
       });
@@ -140,6 +146,7 @@ void LiveSource::stop() {
   feed_.reset();
   skin_.reset();
   hold_ = {};
+  preview_ = {};
   status_ = {};
   emit statusChanged();
 }

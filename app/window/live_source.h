@@ -17,7 +17,7 @@ struct LiveOptions {
   QString address;  ///< as openSkinSource() takes it
   PoseId next_pose{1};
   std::vector<std::shared_ptr<const PoseCapture>> earlier_poses;  ///< those that a capture can repeat
-  bool automatic = true;
+  PoseRecorderOptions recorder;
 };
 
 /// A skin that is connected: a source and the recorder of its poses, which run on the source's thread, as signals on
@@ -40,6 +40,8 @@ class LiveSource : public QObject {
   [[nodiscard]] QString address() const { return address_; }
   [[nodiscard]] const SourceStatus& status() const { return status_; }
   [[nodiscard]] const HoldStatus& hold() const { return hold_; }
+  /// What the cells read of late; empty before the first readings.
+  [[nodiscard]] const SkinPreview& preview() const { return preview_; }
   /// What the device said of itself; nothing as long as it did not.
   [[nodiscard]] const std::optional<SkinDescription>& skin() const { return skin_; }
   [[nodiscard]] bool isAutomatic() const { return automatic_; }
@@ -55,6 +57,7 @@ class LiveSource : public QObject {
   void poseCaptured(const hexoderm::CapturedPose& captured);
   /// At most once per turn of the event loop.
   void holdChanged();
+  void previewChanged();
   void statusChanged();
   void commandAnswered(const hexoderm::CommandOutcome& outcome);
   /// The source could not be opened, and is not running any more.
@@ -67,6 +70,7 @@ class LiveSource : public QObject {
   QString address_;
   SourceStatus status_;
   HoldStatus hold_;
+  SkinPreview preview_;
   std::optional<SkinDescription> skin_;
   bool automatic_ = true;
 

@@ -1,12 +1,20 @@
 #include "app/window/main_window.h"
+#include "app/window/preferences.h"
+#include "app/window/screenshot_tour.h"
+#include "app/window/translation.h"
 
 #include <QVTKOpenGLNativeWidget.h>
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QLocale>
+#include <QSettings>
 #include <QSurfaceFormat>
+#include <QTemporaryDir>
 #include <QTextStream>
 #include <QTimer>
+#include <algorithm>
 #include <cstdio>
+#include <cstring>
 
 namespace {
 
@@ -33,7 +41,45 @@ int samplesFromArguments(int argc, char** argv) {
   return 0;
 }
 
-/// Takes the demo's poses one after another, then the picture, as the command line asks.
+/// Settings of its own, so that pictures show what a newcomer sees.
+int runTour(const QString& folder, const QString& size, int largest_width_px, const QString& language,
+            std::optional<ThemeChoice> theme) {
+  const QStringList sides = size.split(QLatin1Char('x'));
+  const QSize window_size = sides.size() == 2 ? QSize(sides[0].toInt(), sides[1].toInt()) : QSize();
+  if (window_size.isEmpty()) {
+    return complain(QCoreApplication::translate("main", "--screenshots-size takes a size, for example 1280x800."),
+                    kUsage);
+  }
+  const QTemporaryDir settings;
+  QSettings::setDefaultFormat(QSettings::IniFormat);
+  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
+  MainWindow window;
+  if (theme) window.setThemeChoice(*theme, false);
+  const QString prefix = language + QLatin1Char('-') +
+                         (window.theme() == Theme::Dark ? QStringLiteral("dark-") : QStringLiteral("light-")) + size;
+  const QStringList problems = ScreenshotTour(window, QDir(folder), prefix, largest_width_px).run(window_size);
+  for (const QString& problem : problems) complain(problem, 0);
+  return problems.isEmpty() ? 0 : 1;
+}
+
+/// The help is in the language, too, so it is looked for before the arguments are parsed.
+QString languageFromArguments(const QStringList& arguments) {
+  const int at = arguments.indexOf(QStringLiteral("--language"));
+  if (at >= 0 && at + 1 < arguments.size()) return arguments[at + 1];
+  const QString prefix = QStringLiteral("--language=");
+  for (const QString& argument : arguments) {
+    if (argument.startsWith(prefix)) return argument.mid(prefix.size());
+  }
+  return QSettings().value(QLatin1String(kLanguageSetting)).toString();
+}
+
+/// What is asked for before there is an application that could parse it.
+bool isAsked(int argc, char** argv, const char* option) {
+  return std::any_of(argv + 1, argv + argc,
+                     [option](const char* argument) { return std::strcmp(argument, option) == 0; });
+}
+
+/// Lets the demo's robot take its poses, then takes the picture, as the command line asks.
 class Script : public QObject {
  public:
   Script(MainWindow& window, int poses, const QString& picture) : window_(window), poses_(poses), picture_(picture) {
@@ -47,17 +93,22 @@ class Script : public QObject {
   void step() {
     SessionController& controller = window_.controller();
     if (done_ || !controller.reconstruction() || controller.isSolving() || !controller.activity().isEmpty()) return;
+    if (!controller.isCurrent()) return;
     if (controller.isDemo() && static_cast<int>(controller.session()->poses().size()) < poses_) {
-      controller.takeNextPose();
+      if (!controller.isRobotOn()) controller.setRobot(true);
       return;
     }
     done_ = true;
+    controller.setRobot(false);
+    controller.setAutomatic(false);
     if (picture_.isEmpty()) return;
     // The views draw what they have just been given when the events before this one are through.
     QTimer::singleShot(0, this, [this] {
-      QCoreApplication::exit(window_.picture().save(picture_, "PNG")
-                                 ? 0
-                                 : complain(tr("The picture %1 could not be written.").arg(picture_), kStorage));
+      QCoreApplication::exit(
+          window_.picture().save(picture_, "PNG")
+              ? 0
+              : complain(QCoreApplication::translate("main", "The picture %1 could not be written.").arg(picture_),
+                         kStorage));
     });
   }
 
@@ -74,10 +125,19 @@ int main(int argc, char** argv) {
   format.setSamples(samplesFromArguments(argc, argv));
   QSurfaceFormat::setDefaultFormat(format);
   installStyle();
-  QApplication app(argc, argv);
   QCoreApplication::setOrganizationName(QStringLiteral("Hexoderm"));
   QCoreApplication::setApplicationName(QStringLiteral("hexoderm"));
+  prepareSoftwareOpenGl(isAsked(argc, argv, "--software-opengl"));
+#if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
+  // As Qt 6 does: dense screens are followed, by their exact scale.
+  QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+  QGuiApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
+#endif
+  QApplication app(argc, argv);
   QCoreApplication::setApplicationVersion(QStringLiteral(HEXODERM_VERSION));
+
+  const QString texts_language = installTranslations(app, languageFromArguments(app.arguments()));
 
   QCommandLineParser parser;
   parser.setApplicationDescription(
@@ -94,6 +154,9 @@ int main(int argc, char** argv) {
   const QCommandLineOption theme(QStringLiteral("theme"),
                                  QCoreApplication::translate("main", "light, dark or system, for this time."),
                                  QStringLiteral("THEME"));
+  const QCommandLineOption language(QStringLiteral("language"),
+                                    QCoreApplication::translate("main", "en, de or system, for this time."),
+                                    QStringLiteral("LANGUAGE"));
   const QCommandLineOption screenshot(
       QStringLiteral("screenshot"),
       QCoreApplication::translate("main", "Save a picture of the window after the first result, and quit."),
@@ -101,7 +164,18 @@ int main(int argc, char** argv) {
   const QCommandLineOption msaa(QStringLiteral("msaa"),
                                 QCoreApplication::translate("main", "Samples per pixel of the 3D view; 0 is fastest."),
                                 QStringLiteral("N"), QStringLiteral("0"));
-  parser.addOptions({demo, poses, theme, screenshot, msaa});
+  // For packaging/screenshots.sh, and nothing that a user looks for.
+  QCommandLineOption tour(QStringLiteral("screenshots"), {}, QStringLiteral("DIR"));
+  QCommandLineOption tour_size(QStringLiteral("screenshots-size"), {}, QStringLiteral("WxH"),
+                               QStringLiteral("1280x800"));
+  QCommandLineOption tour_width(QStringLiteral("screenshots-width"), {}, QStringLiteral("PIXELS"), QStringLiteral("0"));
+  tour.setFlags(QCommandLineOption::HiddenFromHelp);
+  tour_size.setFlags(QCommandLineOption::HiddenFromHelp);
+  tour_width.setFlags(QCommandLineOption::HiddenFromHelp);
+  const QCommandLineOption software_opengl(
+      QStringLiteral("software-opengl"),
+      QCoreApplication::translate("main", "Draw in 3D without the graphics card, for this time."));
+  parser.addOptions({demo, poses, theme, language, screenshot, msaa, software_opengl, tour, tour_size, tour_width});
   parser.process(app);
 
   if (parser.positionalArguments().size() > 1) {
@@ -126,10 +200,17 @@ int main(int argc, char** argv) {
   if (parser.isSet(theme) && !choice) {
     return complain(QCoreApplication::translate("main", "--theme takes light, dark or system."), kUsage);
   }
+  if (parser.isSet(language) && !isLanguageChoice(parser.value(language))) {
+    return complain(QCoreApplication::translate("main", "--language takes en, de or system."), kUsage);
+  }
   if (parser.isSet(screenshot) && !parser.isSet(demo) && parser.positionalArguments().isEmpty()) {
     return complain(QCoreApplication::translate("main", "--screenshot needs a file or --demo to show."), kUsage);
   }
 
+  applyTextFactor(Preferences().textFactor());
+  if (parser.isSet(tour))
+    return runTour(parser.value(tour), parser.value(tour_size), parser.value(tour_width).toInt(), texts_language,
+                   choice);
   MainWindow window;
   if (choice) window.setThemeChoice(*choice, false);
   window.show();

@@ -1,9 +1,11 @@
 #include "app/window/main_window.h"
 
-#include "app/window/guide.h"
+#include "app/window/window_shell.h"
 #include "hexoderm/util/text.h"
 #include "widgets/banner.h"
 #include "widgets/card_dock.h"
+#include "widgets/check_list.h"
+#include "widgets/core_words.h"
 #include "widgets/graph_view.h"
 #include "widgets/live_strip.h"
 #include "widgets/message_bar.h"
@@ -90,8 +92,9 @@ MainWindow::MainWindow(QWidget* parent)
       docks_(new QMainWindow(this)),
       banner_(new Banner),
       message_bar_(new MessageBar),
-      live_strip_(new LiveStrip(actions_.automatic, actions_.next_pose, actions_.disconnect_skin)),
+      live_strip_(new LiveStrip(actions_.automatic, actions_.capture, actions_.disconnect_skin)),
       step_panel_(new StepPanel),
+      check_list_(new CheckList),
       patch_view_(new PatchView(&selection_)),
       graph_view_(new GraphView(&selection_)),
       pose_table_(new PoseTable(this)),
@@ -111,6 +114,7 @@ MainWindow::MainWindow(QWidget* parent)
   // At first no part has the focus, so that keys mean what the list of keys says.
   setFocusPolicy(Qt::StrongFocus);
   setFocus();
+  buildShell();
   buildLayout();
   buildStatusBar();
   connectActions();
@@ -123,6 +127,7 @@ MainWindow::MainWindow(QWidget* parent)
       themeChoiceFromName(settings.value(QStringLiteral("view/theme")).toString()).value_or(ThemeChoice::System),
       false);
   restoreLayout();
+  shell_->begin(*findChild<QMenuBar*>());
   refresh();
 }
 
@@ -136,11 +141,12 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::buildLayout() {
+  step_panel_->setBody(static_cast<int>(GuideStep::Check), check_list_);
   auto* card = new QFrame;
   card->setProperty("card", true);
   auto* card_layout = new QVBoxLayout(card);
   card_layout->setContentsMargins(1, 1, 1, 1);
-  card_layout->addWidget(patch_view_);
+  card_layout->addWidget(shell_->makeCentre(patch_view_));
   patch_view_->setAccessibleName(tr("The patch in three dimensions"));
   patch_view_->setMinimumSize(320, 240);
 
@@ -158,6 +164,7 @@ void MainWindow::buildLayout() {
   auto* steps = new CardDock(tr("Steps"), QStringLiteral("stepsDock"), step_panel_, docks_);
   graph_dock_ = new CardDock(tr("Skin graph"), QStringLiteral("graphDock"), graph_view_, docks_);
   pose_dock_ = new CardDock(tr("Poses"), QStringLiteral("poseDock"), withHint(pose_view_, tr("No poses yet.")), docks_);
+  shell_->setSwapped(patch_view_, graph_view_, graph_dock_);
   CardDock* details = buildDetails();
   docks_->addDockWidget(Qt::LeftDockWidgetArea, steps);
   docks_->addDockWidget(Qt::RightDockWidgetArea, graph_dock_);
@@ -210,6 +217,8 @@ CardDock* MainWindow::buildDetails() {
   detail_tabs_->setDrawBase(false);
   detail_tabs_->addTab(tr("Findings"));
   detail_tabs_->addTab(tr("Links"));
+  pages->addWidget(shell_->makeLogView());
+  detail_tabs_->addTab(tr("Log"));
   connect(detail_tabs_, &QTabBar::currentChanged, pages, &QStackedWidget::setCurrentIndex);
   auto* dock = new CardDock(tr("Findings and links"), QStringLiteral("detailsDock"), pages, docks_);
   dock->setHead(detail_tabs_);
@@ -238,8 +247,8 @@ void MainWindow::connectActions() {
   connect(actions_.save_as, &QAction::triggered, this, [this] { saveSession(true); });
   connect(actions_.save_calibration, &QAction::triggered, this, &MainWindow::saveCalibration);
   connect(actions_.export_to, &QAction::triggered, this, &MainWindow::showExportDialog);
+  connect(actions_.report, &QAction::triggered, this, &MainWindow::askForReport);
   connect(actions_.quit, &QAction::triggered, this, &QWidget::close);
-  connect(actions_.next_pose, &QAction::triggered, &controller_, &SessionController::takeNextPose);
   connect(actions_.toggle_pose, &QAction::triggered, this, [this] {
     const std::optional<int> row = pickedPoseRow();
     const std::optional<std::size_t> index = row ? controller_.sessionIndexOfPoseRow(*row) : std::nullopt;
@@ -249,6 +258,18 @@ void MainWindow::connectActions() {
     const std::optional<int> row = pickedPoseRow();
     if (const auto index = row ? controller_.sessionIndexOfPoseRow(*row) : std::nullopt) controller_.removePose(*index);
   });
+  connect(actions_.show_finding, &QAction::triggered, this, &MainWindow::showWorstFinding);
+  connect(actions_.mute_link, &QAction::triggered, this, [this] {
+    const auto link = selection_.link();
+    if (!link || !controller_.session()) return;
+    controller_.setLinkMuted(link->first, link->second,
+                             !controller_.session()->findMutedLink(link->first, link->second));
+  });
+  graph_view_->setLinkActions({actions_.mute_link});
+  graph_view_->setCellActions({actions_.light_cell});
+  link_view_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  link_view_->addAction(actions_.mute_link);
+  connect(graph_view_, &GraphView::pictureWanted, this, &MainWindow::saveGraph);
   connect(actions_.find_cell, &QAction::triggered, this, [this] {
     graph_dock_->show();
     graph_dock_->raise();
@@ -263,7 +284,7 @@ void MainWindow::connectActions() {
   look(actions_.side, PatchView::StandardView::Side);
   look(actions_.top, PatchView::StandardView::Top);
   connect(actions_.screenshot, &QAction::triggered, this, &MainWindow::savePicture);
-  connect(actions_.keys, &QAction::triggered, this, &MainWindow::showKeys);
+  connect(actions_.guide, &QAction::triggered, this, &MainWindow::showGuide);
   connect(actions_.about, &QAction::triggered, this, &MainWindow::showAbout);
   connect(actions_.themes, &QActionGroup::triggered, this, [this](QAction* action) {
     setThemeChoice(static_cast<ThemeChoice>(actions_.themes->actions().indexOf(action)), true);
@@ -283,6 +304,8 @@ void MainWindow::connectController() {
     message_bar_->hide();
     selection_.clear();
     picked_pose_.reset();
+    openStep(controller_.live().isRunning() ? GuideStep::Capture
+                                            : (controller_.session() ? GuideStep::Review : GuideStep::Export));
   });
   connect(&controller_, &SessionController::sessionSaved, this, [this](const QString& path) {
     showDone(tr("Saved to %1").arg(path), path);
@@ -298,7 +321,14 @@ void MainWindow::connectController() {
 }
 
 void MainWindow::connectSelection() {
+  connect(check_list_, &CheckList::cellPicked, &selection_, &Selection::selectCell);
   connect(&selection_, &Selection::changed, this, &MainWindow::showPickedLink);
+  connect(&selection_, &Selection::changed, this, [this] {
+    // The light on the skin follows what is picked here.
+    if (controller_.litCell() && selection_.cell()) controller_.lightCell(selection_.cell());
+    actions_.refresh(controller_, pickedPoseRow(), selection_.cell());
+    actions_.refreshLink(controller_, selection_.link());
+  });
   connect(finding_view_, &QTableView::clicked, this,
           [this](const QModelIndex& index) { pickFromFinding(index.row()); });
   connect(finding_view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
@@ -320,8 +350,11 @@ void MainWindow::showReconstruction(const std::shared_ptr<const Reconstruction>&
   pose_table_->setReconstruction(reconstruction);
   link_table_->setReconstruction(reconstruction);
   finding_table_->setReconstruction(reconstruction);
-  graph_view_->setReconstruction(reconstruction);
-  patch_view_->setReconstruction(reconstruction);
+  // In live mode the pictures show the moment instead.
+  if (!controller_.isLiveMode()) {
+    graph_view_->setReconstruction(reconstruction);
+    patch_view_->setReconstruction(reconstruction);
+  }
   if (reconstruction && picked) {
     for (std::size_t row = 0; row < reconstruction->poses.size(); ++row) {
       if (reconstruction->poses[row].pose == *picked) pose_view_->selectRow(static_cast<int>(row));
@@ -364,10 +397,28 @@ void MainWindow::pickFromFinding(int row) {
   }
 }
 
+void MainWindow::showWorstFinding() {
+  const Finding* worst = controller_.reconstruction() ? worstFinding(*controller_.reconstruction()) : nullptr;
+  if (!worst) return;
+  openStep(GuideStep::Review);
+  for (int row = 0; row < finding_table_->rowCount(); ++row) {
+    if (&finding_table_->findingAt(row) == worst) finding_view_->selectRow(row);
+  }
+}
+
+void MainWindow::openStep(GuideStep step) { step_panel_->openStep(static_cast<int>(step)); }
+
 void MainWindow::refresh() {
-  actions_.refresh(controller_, pickedPoseRow());
+  actions_.refresh(controller_, pickedPoseRow(), selection_.cell());
+  actions_.refreshLink(controller_, selection_.link());
   banner_->setContent(describeStand(controller_, actions_));
-  step_panel_->setSteps(describeSteps(controller_, actions_));
+  const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
+  const LiveSource& live = controller_.live();
+  check_list_->setCheck(result ? checkSkin(*result, live.preview().means, live.hold().stillness.odd_cells)
+                               : SkinCheck{});
+  const std::vector<Step> steps = describeSteps(controller_, actions_);
+  step_panel_->setSteps(steps);
+  shell_->setSteps(steps);
   refreshStatus();
   refreshLive();
 }
@@ -408,7 +459,7 @@ void MainWindow::refreshStatus() {
   }
   saved_status_->setText(saved);
 
-  graph_dock_->setRemark(result ? QString::fromStdString(sizeInWords(*result)) : QString());
+  graph_dock_->setRemark(result ? coreWords(sizeInWords(*result)) : QString());
   pose_dock_->setRemark(controller_.session() ? tr("Del disable · Ctrl+Z undo") : QString());
   detail_tabs_->setTabText(0, result ? tr("Findings %1").arg(result->findings.size()) : tr("Findings"));
   detail_tabs_->setTabText(1, result ? tr("Links %1").arg(result->linkCount()) : tr("Links"));
@@ -421,6 +472,7 @@ void MainWindow::setThemeChoice(ThemeChoice choice, bool remember) {
   message_bar_->setTheme(theme_);
   live_strip_->setTheme(theme_);
   step_panel_->setTheme(theme_);
+  check_list_->setTheme(theme_);
   patch_view_->setTheme(theme_);
   graph_view_->setTheme(theme_);
   actions_.theme[static_cast<std::size_t>(choice)]->setChecked(true);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/window/actions.h"
+#include "app/window/guide.h"
 #include "app/window/session_controller.h"
 #include "app/window/theme.h"
 #include "widgets/selection.h"
@@ -17,6 +18,7 @@ namespace hexoderm {
 
 class Banner;
 class CardDock;
+class CheckList;
 class FindingTable;
 class GraphView;
 class LiveStrip;
@@ -25,6 +27,7 @@ class MessageBar;
 class PatchView;
 class PoseTable;
 class StepPanel;
+class WindowShell;
 
 /// The one window. Wires the controller's signals to the views and the actions to the controller; decides nothing.
 class MainWindow : public QMainWindow {
@@ -47,6 +50,9 @@ class MainWindow : public QMainWindow {
   void setThemeChoice(ThemeChoice choice, bool remember);
   [[nodiscard]] Theme theme() const { return theme_; }
 
+  /// Log, recent and unsaved sessions, preferences.
+  [[nodiscard]] WindowShell& shell() { return *shell_; }
+
   /// The whole window as it looks now.
   [[nodiscard]] QImage picture();
 
@@ -61,6 +67,7 @@ class MainWindow : public QMainWindow {
   void buildStatusBar();
   QWidget* buildTopBar(const std::vector<QAction*>& panels);
   CardDock* buildDetails();
+  void buildShell();
   void connectActions();
   void connectController();
   void connectSelection();
@@ -74,6 +81,8 @@ class MainWindow : public QMainWindow {
   void showPickedPose();
   void showPickedLink();
   void pickFromFinding(int row);
+  void showWorstFinding();
+  void openStep(GuideStep step);
   [[nodiscard]] std::optional<int> pickedPoseRow() const;
 
   void refreshLive();
@@ -84,10 +93,12 @@ class MainWindow : public QMainWindow {
                   std::function<void(QString)> chosen);
   void saveCalibration();
   void showExportDialog();
+  void askForReport();
   void savePicture();
+  void saveGraph();
   void showDone(const QString& text, const QString& path);
   void afterAskingToSave(std::function<void()> proceed);
-  void showKeys();
+  void showGuide();
   void showAbout();
   [[nodiscard]] QString suggestedName() const;
 
@@ -95,12 +106,14 @@ class MainWindow : public QMainWindow {
   Selection selection_;
   WindowActions actions_;
   Theme theme_ = Theme::Light;
+  std::unique_ptr<WindowShell> shell_;
 
   QMainWindow* docks_;  ///< holds the panels, so that banner and messages stay above them all
   Banner* banner_;
   MessageBar* message_bar_;
   LiveStrip* live_strip_;
   StepPanel* step_panel_;
+  CheckList* check_list_;
   PatchView* patch_view_;
   GraphView* graph_view_;
   PoseTable* pose_table_;

@@ -1,5 +1,6 @@
 #include "app/window/session_commands.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace hexoderm {
@@ -9,8 +10,8 @@ QString nameOf(const SessionPose& pose) { return QString::number(pose.capture->i
 
 }  // namespace
 
-AddPoseCommand::AddPoseCommand(EditedSession edited, SessionPose pose)
-    : edited_(std::move(edited)), pose_(std::move(pose)), index_(edited_.session.poses().size()) {
+AddPoseCommand::AddPoseCommand(EditedSession edited, SessionPose pose, std::optional<std::size_t> index)
+    : edited_(std::move(edited)), pose_(std::move(pose)), index_(index.value_or(edited_.session.poses().size())) {
   setText(tr("take pose %1").arg(nameOf(pose_)));
 }
 
@@ -57,6 +58,26 @@ void RemovePoseCommand::redo() {
 void RemovePoseCommand::undo() {
   edited_.session.addPose(pose_, index_);
   edited_.changed(RestorePose{pose_.capture->id, index_});
+}
+
+MuteLinkCommand::MuteLinkCommand(EditedSession edited, LinkEnd a, LinkEnd b, bool muted)
+    : edited_(std::move(edited)), a_(std::min(a, b)), b_(std::max(a, b)), muted_(muted) {
+  if (const MutedLink* before = edited_.session.findMutedLink(a_, b_)) why_ = before->why;
+  const QString name = QStringLiteral("%1:%2 – %3:%4")
+                           .arg(a_.cell.value())
+                           .arg(a_.port.value())
+                           .arg(b_.cell.value())
+                           .arg(b_.port.value());
+  setText(muted ? tr("set link %1 aside").arg(name) : tr("take link %1 back").arg(name));
+}
+
+void MuteLinkCommand::redo() { set(muted_, {}); }
+
+void MuteLinkCommand::undo() { set(!muted_, why_); }
+
+void MuteLinkCommand::set(bool muted, const std::string& why) {
+  edited_.session.setLinkMuted(a_, b_, muted, why);
+  edited_.changed(SetLinkMuted{a_, b_, muted, why});
 }
 
 }  // namespace hexoderm

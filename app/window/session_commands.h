@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QUndoCommand>
 #include <functional>
+#include <string>
 
 namespace hexoderm {
 
@@ -22,7 +23,8 @@ class AddPoseCommand : public QUndoCommand {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::AddPoseCommand)
 
  public:
-  AddPoseCommand(EditedSession edited, SessionPose pose);
+  /// `index`: among the poses then; none: at the end.
+  AddPoseCommand(EditedSession edited, SessionPose pose, std::optional<std::size_t> index = std::nullopt);
   void redo() override;
   void undo() override;
 
@@ -61,6 +63,25 @@ class RemovePoseCommand : public QUndoCommand {
   EditedSession edited_;
   SessionPose pose_;
   std::size_t index_;
+};
+
+/// Sets a link aside, or takes it back. A reason that it was set aside for is kept for undo.
+class MuteLinkCommand : public QUndoCommand {
+  Q_DECLARE_TR_FUNCTIONS(hexoderm::MuteLinkCommand)
+
+ public:
+  MuteLinkCommand(EditedSession edited, LinkEnd a, LinkEnd b, bool muted);
+  void redo() override;
+  void undo() override;
+
+ private:
+  void set(bool muted, const std::string& why);
+
+  EditedSession edited_;
+  LinkEnd a_;
+  LinkEnd b_;
+  bool muted_;
+  std::string why_;
 };
 
 }  // namespace hexoderm

@@ -1,12 +1,15 @@
 #include "app/window/session_controller.h"
 
+#include "app/window/recovery.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/util/error.h"
+#include "widgets/core_words.h"
 
 #include <QFileInfo>
 #include <QMetaObject>
+#include <QSettings>
 #include <filesystem>
 #include <utility>
 
@@ -38,9 +41,15 @@ Opened openToEdit(const std::filesystem::path& path) {
 }  // namespace
 
 SessionController::SessionController(QObject* parent)
-    : QObject(parent), undo_stack_(this), worker_([this](ReconstructionOutcome outcome) {
+    : QObject(parent),
+      undo_stack_(this),
+      worker_([this](ReconstructionOutcome outcome) {
         QMetaObject::invokeMethod(
             this, [this, outcome = std::move(outcome)] { receive(outcome); }, Qt::QueuedConnection);
+      }),
+      moment_worker_([this](ReconstructionOutcome outcome) {
+        QMetaObject::invokeMethod(
+            this, [this, outcome = std::move(outcome)] { receiveMoment(outcome); }, Qt::QueuedConnection);
       }) {
   connect(&undo_stack_, &QUndoStack::indexChanged, this, [this] {
     if (session_) submit();
@@ -52,6 +61,8 @@ SessionController::SessionController(QObject* parent)
 SessionController::~SessionController() {
   // The stack says so when it is cleared, and by then the worker is gone.
   disconnect(&undo_stack_, nullptr, this, nullptr);
+  // Whoever ends the window was asked first.
+  dropJournal();
 }
 
 std::optional<std::size_t> SessionController::sessionIndexOfPoseRow(int row) const {
@@ -69,17 +80,10 @@ std::optional<std::size_t> SessionController::sessionIndexOfPoseRow(int row) con
 }
 
 void SessionController::startDemo() {
-  const std::uint64_t ticket = ++asked_count_;
-  start(tr("Setting up the demo skin"),
-        [this, ticket]() -> Continuation {
-          auto demo = std::make_shared<DemoSkin>();
-          return [this, ticket, demo] {
-            if (ticket != asked_count_) return;
-            disconnectSource();
-            showSession(std::make_unique<Session>(demo->makeSession()), demo, tr("Demo skin (simulated)"), {});
-          };
-        },
-        {});
+  ConnectRequest request;
+  request.address = QSettings().value(QStringLiteral("demo/source"), QStringLiteral("sim:x17")).toString();
+  request.demo = true;
+  connectTo(request);
 }
 
 void SessionController::openFile(const QString& path) {
@@ -96,9 +100,16 @@ void SessionController::openFile(const QString& path) {
             if (ticket != asked_count_) return;
             disconnectSource();
             if (auto* session = std::get_if<Session>(&opened_file->file)) {
-              showSession(std::make_unique<Session>(std::move(*session)), nullptr, name, path);
+              showSession(std::make_unique<Session>(std::move(*session)), name, path);
             } else {
               showCalibration(std::get<std::shared_ptr<const Reconstruction>>(opened_file->file), name);
+            }
+            if (opened_file->store && QFileInfo(path).absolutePath() == QFileInfo(unsavedFolder()).absoluteFilePath()) {
+              // Recovered: it goes on where it was, and still waits to be saved.
+              scratch_path_ = path;
+              session_path_.clear();
+              name_ = tr("Recovered session");
+              undo_stack_.resetClean();
             }
             if (opened_file->store) {
               journal_ =
@@ -106,7 +117,7 @@ void SessionController::openFile(const QString& path) {
               emit changed();
             } else if (!opened_file->remark.empty()) {
               emit noticed(tr("Changes will not be kept in this file; save the session under another name. %1")
-                               .arg(QString::fromStdString(opened_file->remark)));
+                               .arg(coreWords(opened_file->remark)));
             }
           };
         },
@@ -134,7 +145,8 @@ void SessionController::saveSession(const QString& path) {
                      emit sessionSaved(path);
                      return;
                    }
-                   journal_.reset();
+                   // A scratch file goes on: for what will be changed after this.
+                   if (scratch_path_.isEmpty()) journal_.reset();
                    session_path_ = path;
                    name_ = QFileInfo(path).fileName();
                    saved_at_ = QTime::currentTime();
@@ -162,35 +174,30 @@ void SessionController::exportTo(const ExportRequest& request) {
 }
 
 void SessionController::saveImage(const QImage& image, const QString& path) {
-  startWriting(tr("Saving %1").arg(QFileInfo(path).fileName()), [this, image, path]() -> Continuation {
-    if (!image.save(path, "PNG")) {
-      throw StorageError("The picture " + path.toStdString() + " could not be written: is the folder writable?");
-    }
+  savePicture([image, path] { return image.save(path, "PNG"); }, path);
+}
+
+void SessionController::savePicture(std::function<bool()> write, const QString& path) {
+  startWriting(
+      tr("Saving %1").arg(QFileInfo(path).fileName()), [this, write = std::move(write), path]() -> Continuation {
+        if (!write()) {
+          throw StorageError("The picture " + path.toStdString() + " could not be written: is the folder writable?");
+        }
+        return [this, path] { emit exported(path); };
+      });
+}
+
+void SessionController::writeReport(const std::vector<ReportPicture>& pictures, const QString& path) {
+  if (!reconstruction_) return;
+  const ReportContent content{reconstruction_, name_, pictures, QDateTime::currentDateTime()};
+  startWriting(tr("Writing the report %1").arg(QFileInfo(path).fileName()), [this, content, path]() -> Continuation {
+    hexoderm::writeReport(content, path);
     return [this, path] { emit exported(path); };
   });
 }
 
-void SessionController::takeNextPose() {
-  if (isLive()) {
-    live_.captureNow();
-    return;
-  }
-  if (!isDemo()) return;
-  // The advice for the next pose is in the result of the last.
-  pose_wanted_ = taking_pose_ || !reconstruction_ || isSolving();
-  if (pose_wanted_) return;
-  taking_pose_ = true;
-  const QString label = DemoSkin::nextLabel(*session_);
-  start(
-      tr("Turning the part: %1").arg(label),
-      [this, demo = demo_, label, id = session_->nextPoseId(), seen = reconstruction_,
-       ticket = opened_count_]() -> Continuation {
-        auto capture = std::make_shared<const PoseCapture>(demo->takePose(id, label, *seen));
-        return [this, capture, ticket] {
-          if (ticket == opened_count_ && session_) undo_stack_.push(new AddPoseCommand(edited(), {capture, false}));
-        };
-      },
-      [this] { taking_pose_ = false; });
+void SessionController::captureNow() {
+  if (isLive()) live_.captureNow();
 }
 
 void SessionController::setPoseDisabled(std::size_t index, bool disabled) {
@@ -203,6 +210,11 @@ void SessionController::removePose(std::size_t index) {
   undo_stack_.push(new RemovePoseCommand(edited(), index));
 }
 
+void SessionController::setLinkMuted(LinkEnd a, LinkEnd b, bool muted) {
+  if (!session_ || a == b || (session_->findMutedLink(a, b) != nullptr) == muted) return;
+  undo_stack_.push(new MuteLinkCommand(edited(), a, b, muted));
+}
+
 void SessionController::start(const QString& activity, std::function<Continuation()> work, Continuation finally) {
   activities_.push_back(activity);
   emit changed();
@@ -211,7 +223,7 @@ void SessionController::start(const QString& activity, std::function<Continuatio
     try {
       then = work();
     } catch (const std::exception& error) {
-      then = [this, message = QString::fromUtf8(error.what())] { emit failed(message); };
+      then = [this, message = coreWords(error.what())] { emit failed(message); };
     }
     QMetaObject::invokeMethod(
         this,
@@ -232,30 +244,30 @@ void SessionController::startWriting(const QString& activity, std::function<Cont
 
 void SessionController::closeCurrent() {
   ++opened_count_;
-  pose_wanted_ = false;
   live_session_ = false;
+  recapturing_.reset();
+  robot_ = false;
   announcements_.clear();
   unreachable_.clear();
   asked_turn_ = 0;
   was_stuck_ = false;
   changed_meanwhile_.reset();
-  journal_.reset();
+  dropJournal();
   // The stack's commands refer to the session, so they go first; while there is no session nothing is submitted.
   const std::unique_ptr<Session> old = std::move(session_);
   undo_stack_.clear();
-  demo_.reset();
+  demo_ = false;
   reconstruction_.reset();
+  adviseAnew();
   session_path_.clear();
   saved_at_ = {};
   first_revision_ = submitted_revision_ + 1;
   shown_revision_ = submitted_revision_;
 }
 
-void SessionController::showSession(std::unique_ptr<Session> session, std::shared_ptr<DemoSkin> demo,
-                                    const QString& name, const QString& path) {
+void SessionController::showSession(std::unique_ptr<Session> session, const QString& name, const QString& path) {
   closeCurrent();
   session_ = std::move(session);
-  demo_ = std::move(demo);
   name_ = name;
   session_path_ = path;
   emit reconstructionChanged(nullptr);
@@ -275,8 +287,13 @@ void SessionController::submit() {
   auto snapshot = std::make_shared<SessionSnapshot>(*session_->snapshot());
   // Sessions count their own revisions from 1; results must be told apart across sessions too.
   snapshot->revision = ++submitted_revision_;
-  worker_.submit(std::move(snapshot), {});
+  worker_.submit(std::move(snapshot), options_);
   emit changed();
+}
+
+void SessionController::setSolverOptions(const SolverOptions& options) {
+  options_ = options;
+  if (session_) submit();
 }
 
 void SessionController::receive(const ReconstructionOutcome& outcome) {
@@ -284,12 +301,12 @@ void SessionController::receive(const ReconstructionOutcome& outcome) {
   shown_revision_ = outcome.revision;
   if (outcome.reconstruction) {
     reconstruction_ = outcome.reconstruction;
+    adviseAnew();
     emit reconstructionChanged(reconstruction_);
   } else {
-    emit failed(QString::fromStdString(outcome.error));
+    emit failed(coreWords(outcome.error));
   }
   emit changed();
-  if (std::exchange(pose_wanted_, false)) takeNextPose();
 }
 
 }  // namespace hexoderm

@@ -1,12 +1,13 @@
 #pragma once
 
-#include "app/window/demo.h"
 #include "app/window/job_queue.h"
 #include "app/window/live_source.h"
+#include "app/window/report.h"
 #include "app/window/session_commands.h"
 #include "app/window/session_journal.h"
 #include "hexoderm/io/exporter.h"
 #include "hexoderm/io/open_file.h"
+#include "hexoderm/reconstruction/pose_advisor.h"
 #include "hexoderm/reconstruction/reconstruction_worker.h"
 
 #include <QImage>
@@ -31,9 +32,10 @@ struct ExportRequest {
 
 /// What the dialog that connects asks for.
 struct ConnectRequest {
-  QString address;                ///< as openSkinSource() takes it
-  QString path;                   ///< of the new *.hexo that the poses are kept in
+  QString address;  ///< as openSkinSource() takes it
+  QString path;     ///< of the new *.hexo that the poses are kept in; empty: until it is saved, a scratch file
   bool continue_session = false;  ///< instead, the poses join the session that is open and kept in a file
+  bool demo = false;              ///< the simulated skin that everything can be tried with
 };
 
 /// The only bridge between core and Qt. Owns the session (on the GUI thread), the worker that reconstructs it, the undo
@@ -54,6 +56,7 @@ class SessionController : public QObject {
 
   [[nodiscard]] bool isEmpty() const { return !session_ && !reconstruction_; }
   [[nodiscard]] bool isDemo() const { return session_ && demo_; }
+  [[nodiscard]] const SolverOptions& solverOptions() const { return options_; }
   /// The skin that is connected, or about to be.
   [[nodiscard]] const LiveSource& live() const { return live_; }
   /// The session grows by what a connected skin is captured in.
@@ -61,6 +64,19 @@ class SessionController : public QObject {
   /// The device can be asked to turn itself.
   [[nodiscard]] bool canTurn() const { return isLive() && live_.skin() && live_.skin()->can_turn; }
   [[nodiscard]] bool isAutomatic() const { return automatic_; }
+  /// The device turns itself from pose to pose until there are enough.
+  [[nodiscard]] bool isRobotOn() const { return robot_; }
+  /// The skin as its readings of this moment alone show it, instead of the session's result.
+  [[nodiscard]] bool isLiveMode() const { return live_mode_; }
+  /// The pose that would help most, in the frame of the largest patch; none before the first result, or where no skin
+  /// is connected.
+  [[nodiscard]] const std::optional<PoseAdvice>& nextPose() const { return next_pose_; }
+  /// The cell whose light was switched on.
+  [[nodiscard]] std::optional<CellId> litCell() const { return lit_; }
+  /// The pose that the next capture replaces.
+  [[nodiscard]] std::optional<PoseId> recapturing() const { return recapturing_; }
+  /// Another pose would be worth the trouble: until the result is good, or as good as four poses make it.
+  [[nodiscard]] bool wantsMorePoses() const;
   /// A change of the session has no result yet.
   [[nodiscard]] bool isSolving() const { return session_ && shown_revision_ < submitted_revision_; }
   /// The shown result is that of the session as it is now: no change is being solved, none failed.
@@ -77,10 +93,10 @@ class SessionController : public QObject {
   [[nodiscard]] QString sessionPath() const { return session_path_; }
   /// Of a session that is kept in a file: only what could not be written.
   [[nodiscard]] bool hasUnsavedChanges() const {
-    return session_ && (journal_ ? isJournalStuck() : !undo_stack_.isClean());
+    return session_ && (isKept() ? isJournalStuck() : !undo_stack_.isClean());
   }
   /// Every change is written to sessionPath() as it happens.
-  [[nodiscard]] bool isKept() const { return session_ && journal_; }
+  [[nodiscard]] bool isKept() const { return session_ && journal_ && scratch_path_.isEmpty(); }
   /// When this session was saved, or its file was written to, last; invalid if it never was.
   [[nodiscard]] QTime savedAt() const { return saved_at_; }
 
@@ -93,10 +109,16 @@ class SessionController : public QObject {
   void saveSession(const QString& path);
   void exportTo(const hexoderm::ExportRequest& request);
   void saveImage(const QImage& image, const QString& path);
-  /// The demo's next pose, as soon as the one before has a result. Nothing happens elsewhere.
-  void takeNextPose();
+  /// Of what is shown now, with these pictures, as PDF or HTML by the ending of `path`.
+  void writeReport(const std::vector<hexoderm::ReportPicture>& pictures, const QString& path);
+  /// The next readings become a pose, moved or not. Nothing happens where no skin is connected.
+  void captureNow();
   void setPoseDisabled(std::size_t index, bool disabled);
   void removePose(std::size_t index);
+  /// Keeps a link out of the solution, or lets it in again.
+  void setLinkMuted(LinkEnd a, LinkEnd b, bool muted);
+  /// Calls `write` on the thread for files; false from it is a failure. `exported` follows, as after saveImage().
+  void savePicture(std::function<bool()> write, const QString& path);
 
   /// The session that is open stays until the skin has described itself.
   void connectTo(const hexoderm::ConnectRequest& request);
@@ -104,7 +126,22 @@ class SessionController : public QObject {
   void disconnectSource();
   /// Asks the device to turn itself to where the next pose helps most.
   void turnToNextPose();
+  /// Asks the device to turn until `up_o` (unit, frame of the largest patch) points up.
+  void turnTo(const Eigen::Vector3d& up_o);
+  /// The part can't be brought there: advises the next best pose.
+  void skipPose();
+  void setRobot(bool on);
   void setAutomatic(bool automatic);
+  void setLiveMode(bool on);
+  /// The next capture takes the place of this pose.
+  void recapturePose(std::size_t index);
+  void cancelRecapture();
+  /// Lights a cell of the connected skin, and darkens the one before.
+  void lightCell(std::optional<hexoderm::CellId> cell);
+  /// Of captures, from the next connection on.
+  void setRecorderOptions(const hexoderm::PoseRecorderOptions& options) { recorder_options_ = options; }
+  /// Solves anew with these.
+  void setSolverOptions(const hexoderm::SolverOptions& options);
   /// Writes what could not be written to the session's file.
   void retryWriting();
 
@@ -112,6 +149,9 @@ class SessionController : public QObject {
   /// Anything about session, files or background work changed.
   void changed();
   void reconstructionChanged(std::shared_ptr<const hexoderm::Reconstruction> reconstruction);
+  /// In live mode, for every moment that was solved.
+  void momentSolved(std::shared_ptr<const hexoderm::Reconstruction> reconstruction);
+  void nextPoseChanged();
   void opened(const QString& name);
   void sessionSaved(const QString& path);
   void exported(const QString& path);
@@ -130,20 +170,28 @@ class SessionController : public QObject {
   /// `failed`.
   void start(const QString& activity, std::function<Continuation()> work, Continuation finally);
   void startWriting(const QString& activity, std::function<Continuation()> work);
-  void showSession(std::unique_ptr<Session> session, std::shared_ptr<DemoSkin> demo, const QString& name,
-                   const QString& path);
+  void showSession(std::unique_ptr<Session> session, const QString& name, const QString& path);
   void showCalibration(std::shared_ptr<const Reconstruction> calibration, const QString& name);
   void closeCurrent();
   void submit();
   void receive(const ReconstructionOutcome& outcome);
+  void receiveMoment(const ReconstructionOutcome& outcome);
 
   void connectLive();
   void showSkin(const SkinDescription& skin);
   [[nodiscard]] bool beginLiveSession(const SkinDescription& skin);
   void replaceSkin(const SkinDescription& skin);
   void addCapture(const CapturedPose& captured);
+  /// Of the pose among the session's.
+  [[nodiscard]] std::optional<std::size_t> indexOf(PoseId pose) const;
   void announce(PoseId pose);
+  void announceAll();
   [[nodiscard]] std::vector<std::shared_ptr<const PoseCapture>> enabledCaptures() const;
+
+  void adviseAnew();
+  void letRobotTurn();
+  void sendTurn(const Eigen::Vector3d& up_o);
+  void solveMoment();
 
   [[nodiscard]] EditedSession edited();
   void record(StoreOperation operation);
@@ -153,9 +201,14 @@ class SessionController : public QObject {
     return journal_ && journal_->isWaiting() && !journal_->problem().isEmpty();
   }
   void saveAsJournal(const QString& path);
+  void beginScratch(const QString& name);
+  [[nodiscard]] QString suggestedScratchName() const;
+  void dropJournal();
 
   std::unique_ptr<Session> session_;
-  std::shared_ptr<DemoSkin> demo_;
+  bool demo_ = false;
+  SolverOptions options_;
+  PoseRecorderOptions recorder_options_;
   std::shared_ptr<const Reconstruction> reconstruction_;
   QUndoStack undo_stack_;
   QString name_;
@@ -163,13 +216,19 @@ class SessionController : public QObject {
   QTime saved_at_;
   QStringList activities_;
   int writing_ = 0;
-  bool taking_pose_ = false;
-  bool pose_wanted_ = false;  ///< asked for while the one before was not through
+  QString scratch_path_;        ///< of the journal, where it is only kept until the session is saved
+  bool scratch_fails_ = false;  ///< said once
 
   ConnectRequest connect_request_;
   std::uint64_t connect_revision_ = 0;  ///< submitted last when it was made
   bool live_session_ = false;           ///< the session is that of the connected skin
   bool automatic_ = true;
+  bool robot_ = false;
+  bool live_mode_ = false;
+  std::optional<PoseId> recapturing_;
+  std::optional<CellId> lit_;
+  std::optional<PoseAdvice> next_pose_;
+  std::uint64_t advice_asked_ = 0;  ///< answers to earlier questions are dropped
   struct Announcement {
     QString text;
     bool remarkable = false;
@@ -190,6 +249,8 @@ class SessionController : public QObject {
 
   // Last, so that their threads have ended before anything they report to goes. The journal leaves its end to the jobs.
   ReconstructionWorker worker_;
+  ReconstructionWorker moment_worker_;
+  JobQueue advice_jobs_;
   LiveSource live_;
   JobQueue jobs_;
   std::unique_ptr<SessionJournal> journal_;

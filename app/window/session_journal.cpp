@@ -1,6 +1,7 @@
 #include "app/window/session_journal.h"
 
 #include "app/window/job_queue.h"
+#include "widgets/core_words.h"
 
 #include <QMetaObject>
 #include <utility>
@@ -43,7 +44,7 @@ SessionRecorder::Acknowledge SessionJournal::acknowledgement(std::function<void(
             [weak, written, outcome] {
               const std::shared_ptr<State> state = weak.lock();
               if (!state) return;
-              state->problem = QString::fromStdString(outcome.error);
+              state->problem = coreWords(outcome.error);
               if (!outcome.is_kept) --state->waiting;
               if (outcome.error.empty() && written) written();
               // `changed` may replace the journal, and with it the function that runs.

@@ -1,12 +1,14 @@
 // The part of SessionController about the skin that is connected and the file that the session is kept in.
+#include "app/window/scratch_session.h"
 #include "app/window/session_controller.h"
 
-#include "hexoderm/reconstruction/pose_advisor.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
+#include "widgets/core_words.h"
 
 #include <QFileInfo>
+#include <QRegularExpression>
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -35,10 +37,13 @@ void SessionController::connectLive() {
     asked_turn_ = 0;
     if (outcome.done) return;
     unreachable_.push_back(asked_up_);
-    emit noticed(tr("The device does not turn there: %1. Ask again for the next best pose.")
-                     .arg(QString::fromStdString(outcome.text)));
+    emit noticed(
+        tr("The device does not turn there: %1. The next best pose is advised instead.").arg(coreWords(outcome.text)));
+    adviseAnew();
   });
+  connect(&live_, &LiveSource::previewChanged, this, &SessionController::solveMoment);
   connect(&undo_stack_, &QUndoStack::indexChanged, this, [this] {
+    if (recapturing_ && !indexOf(*recapturing_)) recapturing_.reset();
     if (isLive()) live_.setEarlierPoses(enabledCaptures());
   });
 }
@@ -51,7 +56,8 @@ void SessionController::connectTo(const ConnectRequest& request) {
   connect_revision_ = submitted_revision_;
   LiveOptions options;
   options.address = request.address;
-  options.automatic = automatic_;
+  options.recorder = recorder_options_;
+  options.recorder.automatic = automatic_;
   if (connect_request_.continue_session) {
     options.next_pose = session_->nextPoseId();
     options.earlier_poses = enabledCaptures();
@@ -61,7 +67,12 @@ void SessionController::connectTo(const ConnectRequest& request) {
 
 void SessionController::disconnectSource() {
   live_session_ = false;
+  robot_ = false;
+  recapturing_.reset();
+  lit_.reset();
+  setLiveMode(false);
   live_.stop();
+  adviseAnew();
 }
 
 void SessionController::showSkin(const SkinDescription& skin) {
@@ -83,7 +94,7 @@ bool SessionController::beginLiveSession(const SkinDescription& skin) {
                       .arg(QString::fromStdString(skin.device), name_));
       return false;
     }
-    demo_.reset();
+    demo_ = false;
     live_session_ = true;
     if (skin.neighbors != session_->neighbors()) {
       replaceSkin(skin);
@@ -101,9 +112,16 @@ bool SessionController::beginLiveSession(const SkinDescription& skin) {
   const QString path = connect_request_.path;
   const std::string source = skin.device + ", " + live_.address().toStdString();
   auto session = std::make_unique<Session>(*skin.model, skin.neighbors, SourceDescription{source, "", ""});
-  SessionRecorder::Open open = [path = toPath(path), first = *session] { return SessionStore::create(path, first); };
-  showSession(std::move(session), nullptr, QFileInfo(path).fileName(), path);
-  journal_ = std::make_unique<SessionJournal>(*this, jobs_, path, std::move(open), journalTold());
+  if (skin.truth) session->setTruth(*skin.truth);
+  if (path.isEmpty()) {
+    showSession(std::move(session), connect_request_.demo ? tr("Demo skin (simulated)") : live_.address(), {});
+    beginScratch(connect_request_.demo ? QStringLiteral("demo") : QStringLiteral("live"));
+  } else {
+    SessionRecorder::Open open = [path = toPath(path), first = *session] { return SessionStore::create(path, first); };
+    showSession(std::move(session), QFileInfo(path).fileName(), path);
+    journal_ = std::make_unique<SessionJournal>(*this, jobs_, path, std::move(open), journalTold());
+  }
+  demo_ = connect_request_.demo;
   live_session_ = true;
   emit changed();
   return true;
@@ -114,6 +132,7 @@ void SessionController::replaceSkin(const SkinDescription& skin) {
   Session replaced(*skin.model, skin.neighbors, session_->source());
   if (session_->truth()) replaced.setTruth(*session_->truth());
   for (const SessionPose& pose : session_->poses()) replaced.addPose(pose);
+  for (const MutedLink& link : session_->mutedLinks()) replaced.setLinkMuted(link.source, link.target, true, link.why);
   *session_ = std::move(replaced);
   record(SetSkin{skin.model, skin.neighbors});
   submit();
@@ -127,7 +146,7 @@ void SessionController::addCapture(const CapturedPose& captured) {
   announcement.text = tr("Pose %1 captured: %2.").arg(QString::number(pose.id.value()), cells);
   if (!captured.silent_cells.empty()) {
     announcement.text +=
-        QLatin1Char(' ') + tr("Nothing came from %1.").arg(QString::fromStdString(listInWords(captured.silent_cells)));
+        QLatin1Char(' ') + tr("Nothing came from %1.").arg(coreWords(listInWords(captured.silent_cells)));
   }
   if (captured.repeats) {
     announcement.text += QLatin1Char(' ') + tr("It repeats pose %1, which is only %2° away.")
@@ -136,7 +155,18 @@ void SessionController::addCapture(const CapturedPose& captured) {
   }
   announcement.remarkable = captured.repeats || !captured.silent_cells.empty();
   announcements_[pose.id] = announcement;
-  undo_stack_.push(new AddPoseCommand(edited(), {captured.pose, false}));
+  if (const auto replaced = recapturing_ ? indexOf(*recapturing_) : std::nullopt) {
+    // One step for undo: the pose that was there, back in its place.
+    undo_stack_.beginMacro(tr("recapture pose %1").arg(recapturing_->value()));
+    undo_stack_.push(new RemovePoseCommand(edited(), *replaced));
+    undo_stack_.push(new AddPoseCommand(edited(), {captured.pose, false}, *replaced));
+    recapturing_.reset();
+    undo_stack_.endMacro();
+  } else {
+    undo_stack_.push(new AddPoseCommand(edited(), {captured.pose, false}));
+  }
+  // Where no file keeps the session, there is none to wait for.
+  if (!journal_) announce(pose.id);
 }
 
 void SessionController::announce(PoseId pose) {
@@ -147,6 +177,19 @@ void SessionController::announce(PoseId pose) {
   emit captured(announcement.text, announcement.remarkable);
 }
 
+std::optional<std::size_t> SessionController::indexOf(PoseId pose) const {
+  if (!session_) return std::nullopt;
+  const std::vector<SessionPose>& poses = session_->poses();
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    if (poses[k].capture->id == pose) return k;
+  }
+  return std::nullopt;
+}
+
+void SessionController::announceAll() {
+  while (!announcements_.empty()) announce(announcements_.begin()->first);
+}
+
 std::vector<std::shared_ptr<const PoseCapture>> SessionController::enabledCaptures() const {
   std::vector<std::shared_ptr<const PoseCapture>> captures;
   for (const SessionPose& pose : session_->poses()) {
@@ -155,39 +198,39 @@ std::vector<std::shared_ptr<const PoseCapture>> SessionController::enabledCaptur
   return captures;
 }
 
-void SessionController::turnToNextPose() {
-  if (!canTurn() || !reconstruction_ || reconstruction_->patches.empty()) return;
-  start(tr("Looking for the next pose"),
-        [this, seen = reconstruction_, unreachable = unreachable_, ticket = opened_count_,
-         model = session_->snapshot()->model]() -> Continuation {
-          const PatchReconstruction& patch =
-              *std::max_element(seen->patches.begin(), seen->patches.end(),
-                                [](const auto& a, const auto& b) { return a.cells.size() < b.cells.size(); });
-          std::vector<Eigen::Vector3d> directions_o;
-          for (const GravityDirection& gravity : patch.gravity) directions_o.push_back(gravity.g_o);
-          const Eigen::Vector3d up = adviseNextPose(*model, directions_o, unreachable).up;
-          return [this, ticket, up, origin = patch.origin] {
-            if (ticket != opened_count_ || !isLive()) return;
-            asked_up_ = up;
-            asked_turn_ = live_.send(TurnTo{origin, up});
-          };
-        },
-        {});
-}
-
-void SessionController::setAutomatic(bool automatic) {
-  automatic_ = automatic;
-  live_.setAutomatic(automatic);
-  emit changed();
-}
-
 EditedSession SessionController::edited() {
   return {*session_, [this](StoreOperation operation) { record(std::move(operation)); }};
 }
 
 void SessionController::record(StoreOperation operation) {
   if (changed_meanwhile_) changed_meanwhile_->push_back(operation);
-  if (journal_) appendToJournal(std::move(operation));
+  if (journal_) {
+    appendToJournal(std::move(operation));
+  } else if (!scratch_fails_) {
+    // The first change of a session that came from a file; the change is in the session already.
+    beginScratch(suggestedScratchName());
+  }
+}
+
+void SessionController::beginScratch(const QString& name) {
+  scratch_path_ = newScratchPath(name);
+  SessionRecorder::Open open = [path = toPath(scratch_path_), first = *session_] {
+    return SessionStore::create(path, first);
+  };
+  journal_ = std::make_unique<SessionJournal>(*this, jobs_, scratch_path_, std::move(open), journalTold());
+}
+
+QString SessionController::suggestedScratchName() const {
+  QString name = demo_ ? QStringLiteral("demo") : QFileInfo(name_).fileName().section(QLatin1Char('.'), 0, 0);
+  name.replace(QRegularExpression(QStringLiteral("[^A-Za-z0-9_-]+")), QStringLiteral("_"));
+  return name.isEmpty() ? QStringLiteral("session") : name.left(40);
+}
+
+void SessionController::dropJournal() {
+  journal_.reset();
+  if (scratch_path_.isEmpty()) return;
+  // After the journal has closed it, which happens on the same thread.
+  jobs_.addEssential([path = std::exchange(scratch_path_, {})] { removeScratchFile(path); });
 }
 
 void SessionController::appendToJournal(StoreOperation operation) {
@@ -201,6 +244,16 @@ void SessionController::appendToJournal(StoreOperation operation) {
 
 SessionJournal::Told SessionController::journalTold() {
   return [this](const QString& why) {
+    if (!scratch_path_.isEmpty()) {
+      if (why.isEmpty()) return;
+      // The session can go on without; what the operator was to be told when it was written is told now.
+      scratch_fails_ = true;
+      dropJournal();
+      announceAll();
+      emit noticed(tr("Until it is saved, this session is kept in memory only. %1").arg(why));
+      emit changed();
+      return;
+    }
     if (why.isEmpty()) {
       saved_at_ = QTime::currentTime();
       if (!journal_->isWaiting() && std::exchange(was_stuck_, false)) emit sessionSaved(journal_->path());
@@ -232,6 +285,7 @@ void SessionController::saveAsJournal(const QString& path) {
         return [this, path, ticket, store, copy] {
           if (ticket != opened_count_ || !session_) return;
           was_stuck_ = false;
+          dropJournal();
           journal_ = std::make_unique<SessionJournal>(*this, jobs_, path, std::move(*store), journalTold());
           session_path_ = path;
           name_ = QFileInfo(path).fileName();

@@ -33,8 +33,12 @@ QString panelSheet(const Colors& colors) {
              "QLabel#appName { color: %4; font-weight: 700; padding: 0 4px 0 16px; }"
              "QLabel#sessionName { color: %5; padding: 0 16px; }"
              "QListWidget#exportFormats { border: 1px solid %2; border-radius: 5px; padding: 4px; }"
+             "QListWidget#guideContents { border: 0; padding: 8px; background: %1; }"
+             "QListWidget#guideContents::item { padding: 6px 9px; border-radius: 4px; }"
+             "QListWidget#guideContents::item:selected { background: %6; color: %7; }"
              "QListWidget#exportFormats::item { padding: 6px 9px; border-radius: 4px; }"
              "QListWidget#exportFormats::item:selected { background: %6; color: %7; }"
+             "QScrollArea#welcomePanel, QWidget#welcomeContent { background: %1; border: 0; }"
              "QStatusBar QLabel { padding: 4px 8px; }"
              "QLabel[hint=\"true\"] { color: %5; padding: 12px 14px; background: %1; }")
       .arg(colors.panel.name(), colors.border.name(), colors.panel_active.name(), colors.text.name(),

@@ -1,7 +1,10 @@
 // The part of MainWindow that asks: which file, save first, close now.
 #include "app/window/export_dialog.h"
-#include "app/window/keys_dialog.h"
+#include "app/window/guide_window.h"
 #include "app/window/main_window.h"
+#include "app/window/report_pictures.h"
+#include "app/window/window_shell.h"
+#include "widgets/graph_view.h"
 #include "widgets/message_bar.h"
 #include "widgets/patch_view.h"
 
@@ -50,7 +53,10 @@ QString droppedFile(const QMimeData* data) {
 
 void MainWindow::openFile(const QString& path) {
   rememberFolder(path);
-  afterAskingToSave([this, path] { controller_.openFile(path); });
+  afterAskingToSave([this, path] {
+    shell_->noteAsked(path);
+    controller_.openFile(path);
+  });
 }
 
 void MainWindow::startDemo() {
@@ -127,6 +133,14 @@ void MainWindow::showExportDialog() {
   dialog->open();
 }
 
+void MainWindow::askForReport() {
+  askForPath(tr("Write a report"), suggestedName(), tr("Documents (*.pdf);;Pages for the browser (*.html)"),
+             QStringLiteral(".pdf"), [this](const QString& path) {
+               if (!controller_.reconstruction()) return;
+               controller_.writeReport(takeReportPictures(controller_.reconstruction()), path);
+             });
+}
+
 QImage MainWindow::picture() {
   // The 3D view draws when there is time; until then a picture of the window would show its last state.
   static_cast<void>(patch_view_->screenshot());
@@ -141,6 +155,13 @@ void MainWindow::savePicture() {
   const QDir folder(QDir(pictures).exists() ? pictures : lastFolder());
   const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz"));
   controller_.saveImage(picture(), folder.filePath(QStringLiteral("hexoderm-%1.png").arg(stamp)));
+}
+
+void MainWindow::saveGraph() {
+  askForPath(tr("Save a picture of the graph"), suggestedName() + tr("-graph"),
+             tr("Vector graphics (*.svg);;Pictures (*.png)"), QStringLiteral(".svg"), [this](const QString& path) {
+               controller_.savePicture([picture = graph_view_->picture(), path] { return picture.save(path); }, path);
+             });
 }
 
 void MainWindow::showDone(const QString& text, const QString& path) {
@@ -218,7 +239,27 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
   return QMainWindow::eventFilter(watched, event);
 }
 
-void MainWindow::showKeys() { showKeysDialog(this, actions_); }
+void MainWindow::buildShell() {
+  shell_ = std::make_unique<WindowShell>(WindowShell::Window{
+      *this, controller_, actions_, *message_bar_, [this](const QString& path) { openFile(path); },
+      [this](ThemeChoice choice) { setThemeChoice(choice, true); },
+      [this] {
+        return static_cast<ThemeChoice>(actions_.themes->actions().indexOf(actions_.themes->checkedAction()));
+      }});
+}
+
+void MainWindow::showGuide() {
+  auto* guide = findChild<GuideWindow*>();
+  if (guide == nullptr) {
+    guide = new GuideWindow(this);
+    guide->setAttribute(Qt::WA_DeleteOnClose);
+    guide->setKeys(QWidget::actions());
+  }
+  guide->showPage(guidePageFor(controller_));
+  guide->show();
+  guide->raise();
+  guide->activateWindow();
+}
 
 void MainWindow::showAbout() {
   QMessageBox* box = new QMessageBox(QMessageBox::NoIcon, tr("About Hexoderm"),

@@ -1,8 +1,12 @@
 // The part of MainWindow about the skin that is connected and the file that its poses are kept in.
 #include "app/window/connect_dialog.h"
 #include "app/window/main_window.h"
+#include "app/window/preferences.h"
+#include "widgets/core_words.h"
+#include "widgets/graph_view.h"
 #include "widgets/live_strip.h"
 #include "widgets/message_bar.h"
+#include "widgets/patch_view.h"
 
 #include <QDir>
 #include <QLabel>
@@ -12,8 +16,11 @@
 namespace hexoderm {
 namespace {
 
-/// Where the last file was, else the user's documents, else the place for this program's data, which is made.
+/// What the operator chose, else where the last file was, else the user's documents, else the place for this program's
+/// data, which is made.
 QString folderForSessions() {
+  const QString chosen = Preferences().sessionFolder();
+  if (!chosen.isEmpty() && QDir(chosen).exists()) return chosen;
   const QString last = QSettings().value(QStringLiteral("paths/last")).toString();
   if (!last.isEmpty() && QDir(last).exists()) return last;
   const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
@@ -30,10 +37,42 @@ void MainWindow::connectLive() {
   connect(actions_.disconnect_skin, &QAction::triggered, &controller_, &SessionController::disconnectSource);
   connect(actions_.turn, &QAction::triggered, &controller_, &SessionController::turnToNextPose);
   connect(actions_.automatic, &QAction::triggered, &controller_, &SessionController::setAutomatic);
+  connect(actions_.capture, &QAction::triggered, &controller_, &SessionController::captureNow);
+  connect(actions_.skip_pose, &QAction::triggered, &controller_, &SessionController::skipPose);
+  connect(actions_.robot, &QAction::triggered, &controller_, &SessionController::setRobot);
+  connect(actions_.live_mode, &QAction::triggered, &controller_, &SessionController::setLiveMode);
+  connect(actions_.light_cell, &QAction::triggered, this,
+          [this](bool on) { controller_.lightCell(on ? selection_.cell() : std::nullopt); });
+  connect(actions_.show_next_pose, &QAction::triggered, this, [this] {
+    openStep(GuideStep::Capture);
+    patch_view_->fit();
+  });
+  connect(actions_.recapture, &QAction::triggered, this, [this] {
+    const std::optional<int> row = pickedPoseRow();
+    const std::optional<std::size_t> index = row ? controller_.sessionIndexOfPoseRow(*row) : std::nullopt;
+    if (!index) return;
+    if (controller_.recapturing() == controller_.session()->poses()[*index].capture->id) {
+      controller_.cancelRecapture();
+      return;
+    }
+    controller_.recapturePose(*index);
+    openStep(GuideStep::Capture);
+    message_bar_->showMessage(Tone::Neutral,
+                              tr("The next capture takes the place of pose %1. Hold the part as it was held then.")
+                                  .arg(controller_.session()->poses()[*index].capture->id.value()),
+                              tr("Don't recapture"), [this] { controller_.cancelRecapture(); });
+  });
+  connect(&controller_, &SessionController::nextPoseChanged, this, &MainWindow::refresh);
+  connect(&controller_, &SessionController::momentSolved, this,
+          [this](const std::shared_ptr<const Reconstruction>& moment) {
+            if (!controller_.isLiveMode()) return;
+            graph_view_->setReconstruction(moment);
+            patch_view_->setReconstruction(moment);
+          });
   // While readings come these follow each other quickly, so only what shows them is refreshed.
   connect(&controller_.live(), &LiveSource::holdChanged, this, &MainWindow::refreshLive);
   connect(&controller_, &SessionController::captured, this, [this](const QString& text, bool remarkable) {
-    message_bar_->showMessage(remarkable ? Tone::Caution : Tone::Good, text);
+    if (!message_bar_->isUrgent()) message_bar_->showMessage(remarkable ? Tone::Caution : Tone::Good, text);
   });
   connect(&controller_, &SessionController::noticed, this,
           [this](const QString& text) { message_bar_->showMessage(Tone::Caution, text); });
@@ -56,7 +95,7 @@ void MainWindow::refreshLive() {
                             : live.address();
   source_status_->setText(
       QStringLiteral("%1 %2 · %3").arg(sourceStateSign(status.state), sourceStateWord(status.state), where));
-  source_status_->setToolTip(QString::fromStdString(status.text));
+  source_status_->setToolTip(coreWords(status.text));
 }
 
 void MainWindow::showConnectDialog() {

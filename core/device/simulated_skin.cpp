@@ -190,6 +190,13 @@ const CellModel& SimulatedSkin::model() const { return state_->model; }
 const SimulatedSkinOptions& SimulatedSkin::options() const { return state_->options; }
 const NeighborList& SimulatedSkin::neighbors() const { return state_->neighbors; }
 const std::vector<TrueCell>& SimulatedSkin::truth() const { return state_->truth; }
+
+GroundTruth SimulatedSkin::groundTruth() const {
+  GroundTruth truth;
+  truth.cells.reserve(state_->truth.size());
+  for (const TrueCell& cell : state_->truth) truth.cells.push_back({cell.id, cell.T_b_u});
+  return truth;
+}
 std::optional<std::pair<LinkEnd, LinkEnd>> SimulatedSkin::loop() const { return state_->loop; }
 
 std::string SimulatedSkin::description() const {

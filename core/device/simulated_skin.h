@@ -1,5 +1,6 @@
 #pragma once
 
+#include "hexoderm/device/ground_truth.h"
 #include "hexoderm/device/sample_frame.h"
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/graph/cell_model.h"
@@ -123,6 +124,8 @@ class SimulatedSkin {
   [[nodiscard]] const SimulatedSkinOptions& options() const;
   [[nodiscard]] const NeighborList& neighbors() const;
   [[nodiscard]] const std::vector<TrueCell>& truth() const;
+  /// The part of the truth that is about places.
+  [[nodiscard]] GroundTruth groundTruth() const;
   /// "Simulated x17 on cylinder:r=0.0501, link law bend, seed 1".
   [[nodiscard]] std::string description() const;
   /// The two free ports whose distance is the loop gap of an open ring (ringN); nullopt for other patches.

@@ -91,6 +91,7 @@ struct SimulatedSource::Impl {
     description.neighbors = skin.neighbors();
     description.can_light_cells = true;
     description.can_turn = true;
+    description.truth = std::make_shared<const GroundTruth>(skin.groundTruth());
     listener->onSkin(description);
     say(SourceState::Streaming, "Streaming: " + description.device);
     const Clock::time_point start = Clock::now();

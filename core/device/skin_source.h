@@ -1,5 +1,6 @@
 #pragma once
 
+#include "hexoderm/device/ground_truth.h"
 #include "hexoderm/device/sample_frame.h"
 #include "hexoderm/graph/cell_model.h"
 #include "hexoderm/graph/neighbor_list.h"
@@ -18,6 +19,7 @@ struct SkinDescription {
   NeighborList neighbors;                  ///< as explored; may contradict itself
   bool can_light_cells = false;            ///< answers SetLed
   bool can_turn = false;                   ///< answers TurnTo: a robot that moves itself
+  std::shared_ptr<const GroundTruth> truth{};  ///< of a simulated skin that can tell; else null
 };
 
 /// Where a source stands. Everything from Connecting on can change into everything else while the source runs.

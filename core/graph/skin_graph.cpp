@@ -270,6 +270,17 @@ std::optional<std::size_t> SkinGraph::indexOf(CellId id) const {
   return found == index_of_.end() ? std::nullopt : std::optional(found->second);
 }
 
+std::optional<std::size_t> SkinGraph::indexOf(LinkEnd a, LinkEnd b) const {
+  const LinkEnd& smaller = std::min(a, b);
+  const LinkEnd& larger = std::max(a, b);
+  const auto cell = indexOf(smaller.cell);
+  if (!cell) return std::nullopt;
+  for (const std::size_t link : links_at_[*cell]) {
+    if (sourceEnd(links_[link]) == smaller && targetEnd(links_[link]) == larger) return link;
+  }
+  return std::nullopt;
+}
+
 void SkinGraph::mute(std::span<const std::size_t> links, FindingCode why) {
   for (const std::size_t link : links) links_.at(link).muted_by = why;
   findPatches();

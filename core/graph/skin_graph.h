@@ -43,6 +43,8 @@ class SkinGraph {
   [[nodiscard]] const std::vector<GraphLink>& links() const { return links_; }
   [[nodiscard]] const std::vector<Finding>& findings() const { return findings_; }
   [[nodiscard]] std::optional<std::size_t> indexOf(CellId id) const;
+  /// Index of the link between two ports, in either order.
+  [[nodiscard]] std::optional<std::size_t> indexOf(LinkEnd a, LinkEnd b) const;
   /// Indices of the links at a cell, muted ones included.
   [[nodiscard]] std::span<const std::size_t> linksAt(std::size_t cell) const { return links_at_[cell]; }
   [[nodiscard]] LinkEnd sourceEnd(const GraphLink& link) const { return {cells_[link.source].id, link.source_port}; }

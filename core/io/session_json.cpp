@@ -108,6 +108,13 @@ Session parseSessionJson(std::string_view text, const std::string& file) {
   NeighborList neighbors = readNeighbors(json.at("cells"));
   Session session(std::move(model), std::move(neighbors), std::move(source));
   for (const JsonReader& pose : json.at("poses").items()) session.addPose(readPose(pose));
+  if (const auto muted = json.find("muted_links")) {
+    for (const JsonReader& item : muted->items()) {
+      const MutedLink link = readMutedLink(item);
+      if (session.findMutedLink(link.source, link.target) != nullptr) item.fail("each link once");
+      session.setLinkMuted(link.source, link.target, true, link.why);
+    }
+  }
   if (const auto truth = json.find("truth")) session.setTruth(readTruth(*truth));
   return session;
 }
@@ -123,6 +130,10 @@ std::string sessionToJson(const Session& session) {
   json["cells"] = neighborsJson(session.neighbors());
   json["poses"] = Json::array();
   for (const SessionPose& pose : session.poses()) json["poses"].push_back(poseJson(pose));
+  if (!session.mutedLinks().empty()) {
+    json["muted_links"] = Json::array();
+    for (const MutedLink& link : session.mutedLinks()) json["muted_links"].push_back(mutedLinkJson(link));
+  }
   if (session.truth()) json["truth"] = truthJson(*session.truth());
   return dumpReadable(json);
 }

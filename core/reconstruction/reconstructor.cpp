@@ -49,6 +49,7 @@ class Reconstructor {
 
   std::shared_ptr<const Reconstruction> run() {
     const auto start = std::chrono::steady_clock::now();
+    setLinksAside();
     judgeCells(snapshot_, graph_, table_, findings_);
     leaveOutCells();
     estimateEdges();
@@ -86,6 +87,21 @@ class Reconstructor {
   [[nodiscard]] PoseId poseId(std::size_t pose) const { return snapshot_.poses[pose].capture->id; }
   [[nodiscard]] const Port& sourcePort(const GraphLink& link) const { return model_.port(link.source_port); }
   [[nodiscard]] const Port& targetPort(const GraphLink& link) const { return model_.port(link.target_port); }
+
+  /// What the operator knows to be a cable needs no measurement to be found.
+  void setLinksAside() {
+    std::vector<std::size_t> links;
+    for (const MutedLink& muted : snapshot_.muted_links) {
+      const std::optional<std::size_t> link = graph_.indexOf(muted.source, muted.target);
+      std::string text = "The " + linkInWords(muted.source, muted.target) + " was set aside by hand";
+      if (!muted.why.empty()) text += " (" + muted.why + ")";
+      text += link ? "; it is not used." : ", but the skin reports no such link.";
+      findings_.push_back(makeFinding(FindingCode::LinkSetAside, std::move(text),
+                                      {muted.source.cell, muted.target.cell}, {muted.source.port, muted.target.port}));
+      if (link) links.push_back(*link);
+    }
+    if (!links.empty()) graph_.mute(links, FindingCode::LinkSetAside);
+  }
 
   void leaveOutCells() {
     for (const CellId id : options_.left_out) {

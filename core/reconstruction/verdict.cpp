@@ -1,7 +1,7 @@
 #include "verdict.h"
 
-#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/reconstruction/pose_advisor.h"
+#include "hexoderm/reconstruction/uncertainty.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
@@ -11,34 +11,26 @@
 namespace hexoderm {
 namespace {
 
-constexpr double kSigmasFor95Percent = 1.96;
 // What robot software can use without a second thought, and what it can use at all.
 constexpr double kGoodOrientation = 2 * kDegree;
 constexpr double kGoodPosition_m = 3 * kMillimetre;
 constexpr double kUsableOrientation = 20 * kDegree;
 
-struct Spread {
-  double position_95_m = 0;
-  double orientation_95_rad = 0;
-};
-
 /// Of the cells that were measured; cells placed through their links are named by findings of their own. Where none was
 /// measured, of all.
-Spread worstSpread(const Reconstruction& r) {
+Uncertainty95 worstSpread(const Reconstruction& r) {
   const auto measured = [](const CellPlacement& cell) { return cell.placed_by == PlacedBy::Samples; };
   const bool any_measured = std::ranges::any_of(
       r.patches, [&](const PatchReconstruction& patch) { return std::ranges::any_of(patch.cells, measured); });
-  Spread worst;
+  Uncertainty95 worst;
   for (const PatchReconstruction& patch : r.patches) {
     for (const CellPlacement& cell : patch.cells) {
-      if (!cell.cov_t_r || (any_measured && !measured(cell))) continue;
-      worst.position_95_m =
-          std::max(worst.position_95_m, kSigmasFor95Percent * largestDeviation(cell.cov_t_r->topLeftCorner<3, 3>()));
-      worst.orientation_95_rad = std::max(
-          worst.orientation_95_rad, kSigmasFor95Percent * largestDeviation(cell.cov_t_r->bottomRightCorner<3, 3>()));
+      const std::optional<Uncertainty95> known = any_measured && !measured(cell) ? std::nullopt : uncertaintyOf(cell);
+      if (!known) continue;
+      worst.position_m = std::max(worst.position_m, known->position_m);
+      worst.orientation_rad = std::max(worst.orientation_rad, known->orientation_rad);
     }
   }
-  worst.orientation_95_rad = std::min(worst.orientation_95_rad, kPi);
   return worst;
 }
 
@@ -79,9 +71,9 @@ const Finding* worstFinding(const Reconstruction& r) {
   return worst;
 }
 
-std::string plusMinus(const Spread& spread) {
-  return "±" + formatFixed(toMillimetres(spread.position_95_m), 1) + " mm, ±" +
-         formatFixed(toDegrees(spread.orientation_95_rad), 1) + "°";
+std::string plusMinus(const Uncertainty95& spread) {
+  return "±" + formatFixed(toMillimetres(spread.position_m), 1) + " mm, ±" +
+         formatFixed(toDegrees(spread.orientation_rad), 1) + "°";
 }
 
 }  // namespace
@@ -108,12 +100,12 @@ Verdict judge(const Reconstruction& r) {
     return verdict;
   }
 
-  const Spread spread = worstSpread(r);
-  verdict.position_95_m = spread.position_95_m;
-  verdict.orientation_95_rad = spread.orientation_95_rad;
+  const Uncertainty95 spread = worstSpread(r);
+  verdict.position_95_m = spread.position_m;
+  verdict.orientation_95_rad = spread.orientation_rad;
   if (poses > 0 && advice.sigma_now_rad > 0) {
-    turn += " That should bring ±" + formatFixed(toDegrees(spread.orientation_95_rad), 1) + "° to about ±" +
-            formatFixed(toDegrees(spread.orientation_95_rad * advice.sigma_then_rad / advice.sigma_now_rad), 1) + "°.";
+    turn += " That should bring ±" + formatFixed(toDegrees(spread.orientation_rad), 1) + "° to about ±" +
+            formatFixed(toDegrees(spread.orientation_rad * advice.sigma_then_rad / advice.sigma_now_rad), 1) + "°.";
   }
   const std::size_t undetermined = undeterminedLinks(r);
   const std::size_t used = [&] {
@@ -136,12 +128,12 @@ Verdict judge(const Reconstruction& r) {
     if (poses == 1)
       verdict.reason = "Not enough poses: one leaves the turn about gravity open (" + plusMinus(spread) + ").";
     verdict.next_action = turn;
-  } else if (spread.orientation_95_rad > kUsableOrientation) {
+  } else if (spread.orientation_rad > kUsableOrientation) {
     verdict.level = VerdictLevel::NotEnough;
     verdict.reason = pose_count + " are not enough: known to " + plusMinus(spread) + " only.";
     verdict.next_action = turn;
   } else {
-    const bool precise = spread.orientation_95_rad <= kGoodOrientation && spread.position_95_m <= kGoodPosition_m;
+    const bool precise = spread.orientation_rad <= kGoodOrientation && spread.position_m <= kGoodPosition_m;
     const Finding* finding = worstFinding(r);
     verdict.level = precise && finding == nullptr ? VerdictLevel::Good : VerdictLevel::Usable;
     verdict.reason = (verdict.level == VerdictLevel::Good ? "Good: " : "Usable: ") + plusMinus(spread) +

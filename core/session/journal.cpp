@@ -179,10 +179,18 @@ void JournalState::apply(const JournalEntry& entry, const std::string& where) {
     const auto why = json.find("why");
     pose.disabled = kind == "disable";
     pose.why_disabled = why && pose.disabled ? why->string() : std::string();
+  } else if (kind == "mute" || kind == "unmute") {
+    MutedLink link = readMutedLink(json);
+    const std::pair ends(link.source, link.target);
+    if (kind == "unmute") {
+      muted_links_.erase(ends);
+    } else {
+      muted_links_[ends] = std::move(link.why);
+    }
   } else {
     throw FormatError(where +
-                      ": kind: expected capture, remove, restore, disable, enable, skin, source, truth or "
-                      "options, found \"" +
+                      ": kind: expected capture, remove, restore, disable, enable, mute, unmute, skin, source, truth "
+                      "or options, found \"" +
                       kind.substr(0, 40) + "\"");
   }
 }
@@ -217,6 +225,10 @@ JournalEntry JournalState::entryFor(const StoreOperation& operation, std::int64_
     entry.kind = disable->disabled ? "disable" : "enable";
     detail["capture"] = poseAt(disable->index).entry;
     if (disable->disabled && !disable->why.empty()) detail["why"] = disable->why;
+  } else if (const auto* mute = std::get_if<SetLinkMuted>(&operation)) {
+    entry.kind = mute->muted ? "mute" : "unmute";
+    detail = mutedLinkJson(
+        {std::min(mute->a, mute->b), std::max(mute->a, mute->b), mute->muted ? mute->why : std::string()});
   } else if (const auto* source = std::get_if<SetSource>(&operation)) {
     entry.kind = "source";
     detail = {{"text", source->source.text}, {"file", source->source.file}, {"sha256", source->source.sha256}};
@@ -247,6 +259,7 @@ Session JournalState::session(const std::string& file) const {
     session.removePose(0);
   }
   for (const StoredPose& pose : poses_) session.addPose(pose.pose);
+  for (const auto& [ends, why] : muted_links_) session.setLinkMuted(ends.first, ends.second, true, why);
   return session;
 }
 

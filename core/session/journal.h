@@ -7,6 +7,7 @@
 
 #include <array>
 #include <map>
+#include <utility>
 
 namespace hexoderm {
 
@@ -63,7 +64,8 @@ class JournalState {
   std::shared_ptr<const GroundTruth> truth_;
   std::string options_ = "{}";
   std::vector<StoredPose> poses_;
-  std::vector<StoredPose> removed_;  ///< the last removed last
+  std::vector<StoredPose> removed_;                                 ///< the last removed last
+  std::map<std::pair<LinkEnd, LinkEnd>, std::string> muted_links_;  ///< and why
   std::map<std::int64_t, std::string> raw_sha256_;
   std::int64_t last_entry_ = 0;
   std::int64_t edited_at_ms_ = 0;

@@ -3,8 +3,15 @@
 #include "hexoderm/util/error.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace hexoderm {
+namespace {
+
+/// Of the link's place among those that are set aside.
+std::pair<LinkEnd, LinkEnd> endsOf(const MutedLink& link) { return {link.source, link.target}; }
+
+}  // namespace
 
 Session::Session(CellModel model, NeighborList neighbors, SourceDescription source)
     : model_(std::make_shared<const CellModel>(std::move(model))),
@@ -47,9 +54,27 @@ void Session::setPoseDisabled(std::size_t index, bool disabled, std::string why)
   ++revision_;
 }
 
+const MutedLink* Session::findMutedLink(LinkEnd a, LinkEnd b) const {
+  const auto found = std::ranges::lower_bound(muted_links_, std::pair(std::min(a, b), std::max(a, b)), {}, endsOf);
+  const bool there = found != muted_links_.end() && endsOf(*found) == std::pair(std::min(a, b), std::max(a, b));
+  return there ? &*found : nullptr;
+}
+
+void Session::setLinkMuted(LinkEnd a, LinkEnd b, bool muted, std::string why) {
+  if (a == b) {
+    throw InvalidArgument("a link joins two ports, and both ends are port " + toString(a.port) + " of cell " +
+                          toString(a.cell));
+  }
+  const std::pair ends(std::min(a, b), std::max(a, b));
+  const auto [first, last] = std::ranges::equal_range(muted_links_, ends, {}, endsOf);
+  const auto place = muted_links_.erase(first, last);
+  if (muted) muted_links_.insert(place, {ends.first, ends.second, std::move(why)});
+  ++revision_;
+}
+
 std::shared_ptr<const SessionSnapshot> Session::snapshot() const {
   return std::make_shared<const SessionSnapshot>(
-      SessionSnapshot{revision_, model_, neighbors_, poses_, source_, truth_});
+      SessionSnapshot{revision_, model_, neighbors_, poses_, source_, truth_, muted_links_});
 }
 
 }  // namespace hexoderm

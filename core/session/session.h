@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hexoderm/capture/pose_capture.h"
+#include "hexoderm/device/ground_truth.h"
 #include "hexoderm/graph/cell_model.h"
 #include "hexoderm/graph/neighbor_list.h"
 
@@ -11,16 +12,6 @@
 #include <vector>
 
 namespace hexoderm {
-
-/// Where the cells really are, as a simulator or a measurement knows it. Maps cell to body coordinates.
-struct TrueCellPlacement {
-  CellId id;
-  SE3 T_b_u;
-};
-struct GroundTruth {
-  std::string frame = "body";
-  std::vector<TrueCellPlacement> cells;
-};
 
 /// A pose of a session with what the operator decided about it.
 struct SessionPose {
@@ -36,6 +27,15 @@ struct SourceDescription {
   std::string sha256;  ///< of that file's bytes; of a session store the digest of its journal
 };
 
+/// A link that the operator set aside, because it is a cable for example: it stays known and is kept out of the
+/// solution. Named by its ends, so that it stays set aside when the skin is explored anew.
+struct MutedLink {
+  LinkEnd source;  ///< the smaller (ID, port)
+  LinkEnd target;
+  std::string why{};  ///< the operator's words; empty if none
+  friend bool operator==(const MutedLink&, const MutedLink&) = default;
+};
+
 /// Everything a reconstruction is computed from, as it was at one revision. Immutable: whoever holds the shared pointer
 /// can read it on any thread for as long as it likes.
 struct SessionSnapshot {
@@ -45,6 +45,7 @@ struct SessionSnapshot {
   std::vector<SessionPose> poses;
   SourceDescription source;
   std::shared_ptr<const GroundTruth> truth;  ///< null if not known
+  std::vector<MutedLink> muted_links;        ///< in ascending order of their ends
 };
 
 /// The session while it is worked on: owned by one thread; every change makes a new revision.
@@ -57,6 +58,10 @@ class Session {
   [[nodiscard]] const std::vector<SessionPose>& poses() const { return poses_; }
   [[nodiscard]] const SourceDescription& source() const { return source_; }
   [[nodiscard]] const std::shared_ptr<const GroundTruth>& truth() const { return truth_; }
+  /// In ascending order of their ends.
+  [[nodiscard]] const std::vector<MutedLink>& mutedLinks() const { return muted_links_; }
+  /// Null if the link between these ports, in either order, is not set aside.
+  [[nodiscard]] const MutedLink* findMutedLink(LinkEnd a, LinkEnd b) const;
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
   void setTruth(GroundTruth truth);
@@ -70,6 +75,9 @@ class Session {
   SessionPose removePose(std::size_t index);
   /// `why` is kept while the pose is disabled.
   void setPoseDisabled(std::size_t index, bool disabled, std::string why = {});
+  /// Sets the link between two ports, in either order, aside or takes it back; `why` is kept while it is set aside. The
+  /// link need not be in the topology. Throws InvalidArgument if both ends are the same port.
+  void setLinkMuted(LinkEnd a, LinkEnd b, bool muted, std::string why = {});
 
   [[nodiscard]] std::shared_ptr<const SessionSnapshot> snapshot() const;
 
@@ -79,6 +87,7 @@ class Session {
   std::vector<SessionPose> poses_;
   SourceDescription source_;
   std::shared_ptr<const GroundTruth> truth_;
+  std::vector<MutedLink> muted_links_;
   std::uint32_t largest_pose_id_ = 0;
   std::uint64_t revision_ = 1;
 };

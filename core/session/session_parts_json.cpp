@@ -1,5 +1,6 @@
 #include "hexoderm/session/session_parts_json.h"
 
+#include <algorithm>
 #include <set>
 
 namespace hexoderm {
@@ -46,6 +47,27 @@ NeighborList readNeighbors(const JsonReader& json) {
 Json neighborsJson(const NeighborList& neighbors) {
   Json json = Json::array();
   for (const CellReport& report : neighbors) json.push_back(cellJson(report));
+  return json;
+}
+
+MutedLink readMutedLink(const JsonReader& json) {
+  const auto end = [&](const char* cell, const char* port) {
+    return LinkEnd{CellId(json.at(cell).unsignedInteger()), PortNumber(json.at(port).unsignedInteger())};
+  };
+  const LinkEnd a = end("source", "source_port");
+  const LinkEnd b = end("target", "target_port");
+  if (a == b) json.at("target_port").fail("another port than the source's: a link has two ends");
+  const auto why = json.find("why");
+  return {std::min(a, b), std::max(a, b), why ? why->string() : std::string()};
+}
+
+Json mutedLinkJson(const MutedLink& link) {
+  Json json;
+  json["source"] = link.source.cell.value();
+  json["source_port"] = link.source.port.value();
+  json["target"] = link.target.cell.value();
+  json["target_port"] = link.target.port.value();
+  if (!link.why.empty()) json["why"] = link.why;
   return json;
 }
 

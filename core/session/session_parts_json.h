@@ -12,6 +12,10 @@ namespace hexoderm {
 NeighborList readNeighbors(const JsonReader& json);
 nlohmann::ordered_json neighborsJson(const NeighborList& neighbors);
 
+/// `source`, `source_port`, `target`, `target_port` as in calibration files, and `why` where there is a reason.
+MutedLink readMutedLink(const JsonReader& json);
+nlohmann::ordered_json mutedLinkJson(const MutedLink& link);
+
 GroundTruth readTruth(const JsonReader& json);
 nlohmann::ordered_json truthJson(const GroundTruth& truth);
 

@@ -101,6 +101,9 @@ std::vector<StoreOperation> operationsThatMake(const Session& session) {
   operations.emplace_back(SetSource{session.source()});
   if (session.truth()) operations.emplace_back(SetTruth{*session.truth()});
   for (const SessionPose& pose : session.poses()) operations.emplace_back(AddPose{pose});
+  for (const MutedLink& link : session.mutedLinks()) {
+    operations.emplace_back(SetLinkMuted{link.source, link.target, true, link.why});
+  }
   return operations;
 }
 
@@ -264,5 +267,9 @@ const std::filesystem::path& SessionStore::path() const { return state_->path; }
 Session readSessionStore(const std::filesystem::path& path) { return SessionStore::openReadOnly(path).readSession(); }
 
 bool isSessionStore(const std::filesystem::path& path) { return looksLikeStore(path); }
+
+bool isSessionStoreInUse(const std::filesystem::path& path) {
+  return !StoreLock::forReading(path, path.string()).has_value();
+}
 
 }  // namespace hexoderm

@@ -35,13 +35,20 @@ struct SetPoseDisabled {
   bool disabled = true;
   std::string why{};
 };
+/// As Session::setLinkMuted().
+struct SetLinkMuted {
+  LinkEnd a;
+  LinkEnd b;
+  bool muted = true;
+  std::string why{};
+};
 struct SetSource {
   SourceDescription source;
 };
 struct SetTruth {
   GroundTruth truth;
 };
-/// Cell model and topology as reported anew; poses stay.
+/// Cell model and topology as reported anew; poses, and what was set aside, stay.
 struct SetSkin {
   std::shared_ptr<const CellModel> model;  ///< never null
   NeighborList neighbors;
@@ -50,8 +57,8 @@ struct SetSkin {
 struct SetOptions {
   std::string json;
 };
-using StoreOperation =
-    std::variant<AddPose, RemovePose, RestorePose, SetPoseDisabled, SetSource, SetTruth, SetSkin, SetOptions>;
+using StoreOperation = std::variant<AddPose, RemovePose, RestorePose, SetPoseDisabled, SetLinkMuted, SetSource,
+                                    SetTruth, SetSkin, SetOptions>;
 
 /// What happened to a session, as people may want to see it.
 struct JournalLine {
@@ -120,5 +127,9 @@ void writeSessionStore(const Session& session, const std::filesystem::path& path
 
 /// By its first bytes; whether it is in order, reading will tell. Throws StorageError if it is there and can't be read.
 bool isSessionStore(const std::filesystem::path& path);
+
+/// Whether somebody, here or in another process, has the session open for writing at this moment. A process that was
+/// killed has not. Throws StorageError if the file can't be read.
+bool isSessionStoreInUse(const std::filesystem::path& path);
 
 }  // namespace hexoderm

@@ -4,10 +4,7 @@ namespace hexoderm {
 
 Session beginSimulatedSession(const SimulatedSkin& skin) {
   Session session(skin.model(), skin.neighbors(), {skin.description(), {}, {}});
-  GroundTruth truth;
-  truth.cells.reserve(skin.truth().size());
-  for (const TrueCell& cell : skin.truth()) truth.cells.push_back({cell.id, cell.T_b_u});
-  session.setTruth(std::move(truth));
+  session.setTruth(skin.groundTruth());
   return session;
 }
 

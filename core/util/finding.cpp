@@ -44,6 +44,8 @@ constexpr std::array kTable = {
     FindingDescription{LinkDoesNotClose, "link-does-not-close", Severity::Warning,
                        "With all other links the ends of this link come to lie far apart: it is probably a cable, or "
                        "another link of the loop is. Muted."},
+    FindingDescription{LinkSetAside, "link-set-aside", Severity::Info,
+                       "The operator set a link aside, as a cable for example; it is muted."},
     FindingDescription{NoSamples, "no-samples", Severity::Warning,
                        "A cell has no usable reading in any enabled pose; it is placed through its links."},
     FindingDescription{MissingSamples, "missing-samples", Severity::Info,

@@ -33,6 +33,7 @@ enum class FindingCode {
   ImplausibleYaw,
   LinkNotRigid,
   LinkDoesNotClose,
+  LinkSetAside,
   // cells, judged by their readings
   NoSamples,
   MissingSamples,

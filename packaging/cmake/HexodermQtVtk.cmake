@@ -23,3 +23,10 @@ if(NOT TARGET Qwt::Qwt)
   set_target_properties(Qwt::Qwt PROPERTIES
     IMPORTED_LOCATION "${QWT_LIBRARY}" INTERFACE_INCLUDE_DIRECTORIES "${QWT_INCLUDE_DIR}")
 endif()
+
+# lrelease compiles the translations (qttools5-dev, qttools5-dev-tools).
+find_package(${HEXODERM_QT}LinguistTools QUIET)
+if(NOT ${HEXODERM_QT}LinguistTools_FOUND)
+  message(FATAL_ERROR "${HEXODERM_QT}'s Linguist tools are missing; Debian has them in qttools5-dev and "
+    "qttools5-dev-tools (packaging/setup.sh installs them)")
+endif()

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <map>
 
 namespace hexoderm {
@@ -154,6 +155,25 @@ TEST_F(Cli, FaultsAreNamedByInspect) {
   }
   EXPECT_EQ(found["stuck-sensor"], std::vector<int>{7});
   EXPECT_EQ(found["dead-sensor"], std::vector<int>{12});
+}
+
+TEST_F(Cli, LinksSetAsideByHandAreSaidByInspectAndKeptByConvert) {
+  run("simulate --poses 3 -o arm.session.json");
+  auto session = nlohmann::json::parse(readFile(path("arm.session.json")));
+  const auto& cell = session["cells"][1];
+  const auto& port = *std::ranges::find_if(cell["ports"], [](const auto& p) { return p["cell"] != 0; });
+  session["muted_links"] = {{{"source", cell["id"]},
+                             {"source_port", port["port"]},
+                             {"target", port["cell"]},
+                             {"target_port", port["cell_port"]},
+                             {"why", "a cable"}}};
+  std::ofstream(path("cable.session.json")) << session.dump();
+  EXPECT_EQ(run("convert cable.session.json -o cable.hexo").exit_code, 0);
+  EXPECT_EQ(run("convert cable.hexo -o back.session.json").exit_code, 0);
+  for (const char* file : {"cable.session.json", "cable.hexo", "back.session.json"}) {
+    const Outcome result = run(std::string("inspect ") + file);
+    EXPECT_THAT(result.out, AllOf(HasSubstr("2 patches"), HasSubstr("was set aside by hand (a cable)"))) << file;
+  }
 }
 
 TEST_F(Cli, FaultsOfLinksAreSimulated) {

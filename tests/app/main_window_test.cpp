@@ -1,7 +1,9 @@
 #include "app/window/main_window.h"
 
+#include "app/window/recovery.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/reconstruction/evaluation.h"
+#include "hexoderm/session/session_store.h"
 #include "hexoderm/util/units.h"
 #include "widgets/patch_view.h"
 #include "window_test.h"
@@ -9,6 +11,7 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QListWidget>
+#include <cmath>
 
 namespace hexoderm {
 namespace {
@@ -34,21 +37,20 @@ TEST_F(MainWindowTest, StartsEmptyWithTheDemoOneClickAway) {
   EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Start the demo skin");
   EXPECT_TRUE(find<QPushButton>("bannerButton")->isEnabled());
   EXPECT_FALSE(action("actionExport")->isEnabled());
-  EXPECT_FALSE(action("actionNextPose")->isEnabled());
+  EXPECT_FALSE(action("actionCapture")->isEnabled());
   EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
   keepPicture(window_->picture(), "start-light");
 }
 
 TEST_F(MainWindowTest, GoesFromTheDemoSkinThroughTwoPosesToAnExportedFile) {
-  clickBanner();
-  ASSERT_TRUE(waitForPoses(0));
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(0));
   EXPECT_EQ(controller().name(), "Demo skin (simulated)");
-  EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Take the next pose");
+  EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Let the simulated robot take the poses");
   EXPECT_EQ(controller().reconstruction()->verdict.level, VerdictLevel::NotEnough);
-
-  clickBanner();
+  press(Qt::Key_Space);
   ASSERT_TRUE(waitForPoses(1));
-  clickBanner();
+  press(Qt::Key_T);
+  controller().setAutomatic(true);
   ASSERT_TRUE(waitForPoses(2));
   EXPECT_EQ(find<QTableView>("poseView")->model()->rowCount(), 2);
   EXPECT_EQ(controller().reconstruction()->verdict.level, VerdictLevel::Usable);
@@ -171,11 +173,76 @@ TEST_F(MainWindowTest, SpaceTakesAPoseUnlessAButtonHasTheFocus) {
   EXPECT_EQ(posesShown(), 1U) << "the step was to be opened";
 }
 
-TEST_F(MainWindowTest, AQuickOperatorGetsEveryPoseTheyAskFor) {
-  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(0));
+TEST_F(MainWindowTest, TheRobotTakesAllPosesAndStopsByItself) {
   clickBanner();
+  ASSERT_TRUE(waitUntil([this] { return find<QPushButton>("bannerButton")->text().startsWith("Let the simulated"); }));
   clickBanner();
-  EXPECT_TRUE(waitForPoses(2));
+  EXPECT_TRUE(controller().isRobotOn());
+  EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Stop the robot");
+  ASSERT_TRUE(waitUntil([this] { return !controller().isRobotOn(); })) << message().toStdString();
+  ASSERT_TRUE(waitUntilIdle());
+  EXPECT_FALSE(controller().wantsMorePoses());
+  EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Export…");
+  const Verdict& verdict = controller().reconstruction()->verdict;
+  EXPECT_TRUE(verdict.level == VerdictLevel::Good || posesShown() == 4U) << verdict.reason;
+}
+
+TEST_F(MainWindowTest, ASkippedPoseIsNotAdvisedAgain) {
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
+  ASSERT_TRUE(waitUntil([this] { return controller().nextPose().has_value(); }));
+  const Eigen::Vector3d first = controller().nextPose()->up;
+  press(Qt::Key_N);
+  ASSERT_TRUE(waitUntil([&] { return !controller().nextPose()->up.isApprox(first); }));
+  EXPECT_LT(controller().nextPose()->up.dot(first), std::cos(29.9 * kDegree));
+}
+
+TEST_F(MainWindowTest, APoseIsTakenAgainInItsPlaceAndUndoBringsTheOldOneBack) {
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
+  const auto first = controller().session()->poses()[0].capture;
+  EXPECT_FALSE(action("actionRecapture")->isEnabled());
+  clickRow("poseView", 0);
+  press(Qt::Key_R);
+  EXPECT_EQ(controller().recapturing(), PoseId(1));
+  EXPECT_TRUE(message().contains("takes the place of pose 1")) << message().toStdString();
+  controller().setAutomatic(true);
+  ASSERT_TRUE(waitUntil([&] { return controller().session()->poses()[0].capture != first; }));
+  ASSERT_TRUE(waitForPoses(2));
+  EXPECT_EQ(controller().recapturing(), std::nullopt);
+  EXPECT_EQ(controller().session()->poses()[0].capture->id, PoseId(3));
+  controller().setAutomatic(false);
+  press(Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(waitForPoses(2));
+  EXPECT_EQ(controller().session()->poses()[0].capture, first);
+}
+
+TEST_F(MainWindowTest, LiveModeShowsTheMomentAndGoesBackToTheResult) {
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
+  std::size_t moments = 0;
+  std::shared_ptr<const Reconstruction> moment;
+  QObject::connect(&controller(), &SessionController::momentSolved, window_.get(), [&](const auto& solved) {
+    ++moments;
+    moment = solved;
+  });
+  press(Qt::Key_L);
+  ASSERT_TRUE(waitUntil([&] { return moments >= 5; }));
+  EXPECT_EQ(moment->poses.size(), 1U);
+  EXPECT_EQ(moment->solver, "tree");
+  press(Qt::Key_L);
+  EXPECT_FALSE(controller().isLiveMode());
+  EXPECT_EQ(posesShown(), 2U);
+}
+
+TEST_F(MainWindowTest, WhatWasNotSavedIsInAScratchFileUntilItIsGivenUp) {
+  QDir(unsavedFolder()).removeRecursively();
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
+  EXPECT_FALSE(controller().isKept());
+  EXPECT_TRUE(controller().hasUnsavedChanges());
+  const auto files = [] { return QDir(unsavedFolder()).entryInfoList({"*.hexo"}, QDir::Files); };
+  ASSERT_TRUE(waitUntil([&] { return !controller().isWriting() && files().size() == 1; }));
+  EXPECT_EQ(readSessionStore(files().front().filePath().toStdString()).poses().size(), 2U);
+  controller().undoStack()->setClean();
+  window_.reset();
+  EXPECT_TRUE(files().isEmpty()) << "closed knowingly";
 }
 
 TEST_F(MainWindowTest, DelWhileTypingEditsTheText) {
@@ -244,7 +311,7 @@ TEST_F(MainWindowTest, PanelsAreRemembered) {
 }
 
 TEST_F(MainWindowTest, EveryKeyIsListedAndEscapeClosesTheListOnly) {
-  press(Qt::Key_F1);
+  press(Qt::Key_H);
   auto* keys = waitForDialog<QDialog>("keysDialog");
   ASSERT_NE(keys, nullptr);
   QStringList texts;

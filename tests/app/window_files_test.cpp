@@ -36,8 +36,8 @@ TEST_F(WindowFilesTest, OpensADroppedSession) {
   ASSERT_TRUE(waitForPoses(1));
   EXPECT_EQ(controller().name(), "row.session.json");
   EXPECT_EQ(controller().reconstruction()->cellCount(), 3U);
-  EXPECT_FALSE(action("actionNextPose")->isEnabled());
-  EXPECT_TRUE(action("actionNextPose")->toolTip().contains("no skin is connected"));
+  EXPECT_FALSE(action("actionCapture")->isEnabled());
+  EXPECT_TRUE(action("actionCapture")->toolTip().contains("no skin is connected"));
   EXPECT_FALSE(controller().hasUnsavedChanges());
 }
 
@@ -75,7 +75,7 @@ TEST_F(WindowFilesTest, ABadFileIsNamedAndNothingIsLost) {
 
   window_->openFile(pathTo("missing.session.json"));
   ASSERT_TRUE(waitForMessage("missing.session.json")) << message().toStdString();
-  clickBanner();
+  press(Qt::Key_Space);
   EXPECT_TRUE(waitForPoses(2)) << "work goes on";
 }
 

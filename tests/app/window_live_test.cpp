@@ -29,7 +29,7 @@ class WindowLiveTest : public WindowTest {
     return dialog;
   }
   void connectQuickSkin(const QString& path) {
-    window_->connectTo({kQuickSkin, path, false});
+    window_->connectTo({kQuickSkin, path});
     ASSERT_TRUE(waitForPoses(1)) << message().toStdString();
   }
   static Session read(const QString& path) { return readSessionStore(path.toStdString()); }
@@ -61,8 +61,8 @@ TEST_F(WindowLiveTest, ASimulatedSkinIsConnectedAndEveryPoseIsInItsFile) {
   EXPECT_TRUE(text("sourceStatus").contains("Streaming")) << text("sourceStatus").toStdString();
   ASSERT_TRUE(waitForMessage("Pose 1 captured")) << message().toStdString();
 
-  EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Turn to the next pose");
-  clickBanner();
+  EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Let the robot take the poses");
+  press(Qt::Key_T);
   ASSERT_TRUE(waitForPoses(2)) << message().toStdString();
   ASSERT_TRUE(waitForMessage("Pose 2 captured")) << message().toStdString();
   EXPECT_EQ(controller().reconstruction()->verdict.level, VerdictLevel::Usable);
@@ -73,7 +73,7 @@ TEST_F(WindowLiveTest, ASimulatedSkinIsConnectedAndEveryPoseIsInItsFile) {
   action("actionDisconnect")->trigger();
   EXPECT_FALSE(find<QWidget>("liveStrip")->isVisible());
   EXPECT_EQ(posesShown(), 2U);
-  EXPECT_FALSE(action("actionNextPose")->isEnabled());
+  EXPECT_FALSE(action("actionCapture")->isEnabled());
   ASSERT_TRUE(waitUntilKept());
   EXPECT_EQ(read(path).poses().size(), 2U);
   EXPECT_EQ(read(path).neighbors(), controller().session()->neighbors());
@@ -260,7 +260,7 @@ TEST_F(WindowLiveTest, TheDemoCanBeSavedAsASessionThatKeepsEveryChange) {
   const QString path = pathTo("demo.hexo");
   ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("saveDialog", path));
   ASSERT_TRUE(waitForMessage("Saved to " + path)) << message().toStdString();
-  clickBanner();
+  press(Qt::Key_Space);
   ASSERT_TRUE(waitForPoses(1));
   ASSERT_TRUE(waitUntilKept());
   EXPECT_EQ(read(path).poses().size(), 1U);

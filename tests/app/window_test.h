@@ -29,6 +29,8 @@ class WindowTest : public testing::Test {
     QSettings().clear();
     QSettings().setValue(QStringLiteral("paths/last"), folder_.path());
     QSettings().setValue(QStringLiteral("view/theme"), QStringLiteral("light"));
+    // A demo skin that turns within moments.
+    QSettings().setValue(QStringLiteral("demo/source"), QStringLiteral("sim:x17?speed=20"));
     openWindow();
   }
 
@@ -89,13 +91,20 @@ class WindowTest : public testing::Test {
     QTest::mouseClick(graph, Qt::LeftButton, Qt::NoModifier, *position);
   }
 
-  /// The demo with so many poses, by its button.
+  /// The demo with so many poses and no more: the first where the skin lies, the others where the advice says.
   void takeDemoPoses(std::size_t count) {
+    controller().setAutomatic(false);
     clickBanner();
+    ASSERT_TRUE(waitUntil([this] { return controller().isLive(); })) << message().toStdString();
     ASSERT_TRUE(waitForPoses(0));
     for (std::size_t taken = 1; taken <= count; ++taken) {
-      clickBanner();
-      ASSERT_TRUE(waitForPoses(taken));
+      if (taken > 1) {
+        ASSERT_TRUE(waitUntil([this] { return action("actionTurn")->isEnabled(); }));
+        action("actionTurn")->trigger();
+      }
+      controller().setAutomatic(true);
+      ASSERT_TRUE(waitForPoses(taken)) << message().toStdString();
+      controller().setAutomatic(false);
     }
   }
 

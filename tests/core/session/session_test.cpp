@@ -35,6 +35,28 @@ TEST(Session, APoseIsDisabledForAReasonAsLongAsItIsDisabled) {
   EXPECT_EQ(session.poses()[0].why_disabled, "");
 }
 
+TEST(Session, ALinkIsSetAsideInEitherOrderOfItsEndsAndTakenBack) {
+  const LinkEnd a{CellId(1), PortNumber(2)};
+  const LinkEnd b{CellId(1), PortNumber(3)};
+  const LinkEnd c{CellId(2), PortNumber(1)};
+  Session session = emptySession();
+  session.setLinkMuted(c, b, true, "a cable");
+  session.setLinkMuted(a, c, true);
+  EXPECT_THAT(session.mutedLinks(), testing::ElementsAre(MutedLink{a, c, ""}, MutedLink{b, c, "a cable"}));
+  ASSERT_NE(session.findMutedLink(c, b), nullptr);
+  EXPECT_EQ(session.findMutedLink(b, c)->why, "a cable");
+  EXPECT_EQ(session.findMutedLink(a, b), nullptr);
+
+  const auto before = session.snapshot();
+  session.setLinkMuted(b, c, true, "a joint");
+  EXPECT_EQ(session.findMutedLink(b, c)->why, "a joint");
+  session.setLinkMuted(b, c, false, "not kept");
+  EXPECT_THAT(session.mutedLinks(), testing::ElementsAre(MutedLink{a, c, ""}));
+  EXPECT_THAT(before->muted_links, testing::SizeIs(2)) << "a snapshot stays as it was";
+  EXPECT_LT(before->revision, session.revision());
+  EXPECT_THROW(session.setLinkMuted(a, a, true), InvalidArgument);
+}
+
 TEST(Session, PoseNumbersAreNeverUsedAgain) {
   Session session = emptySession();
   session.addPose(pose(session.nextPoseId().value()));

@@ -1,0 +1,258 @@
+#include "app/window/event_log.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QFile>
+#include <QMetaObject>
+#include <QStandardPaths>
+#include <algorithm>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+const QString kFileName = QStringLiteral("hexoderm.log");
+const QString kOldFileName = QStringLiteral("hexoderm.1.log");
+
+// A complaint that is repeated a thousand times a second must not push everything else out of the log.
+constexpr std::size_t kMaxWaiting = 2 * EventLog::kCapacity;
+
+const char* englishWord(LogSeverity severity) {
+  switch (severity) {
+    case LogSeverity::Info:
+      return "INFO   ";
+    case LogSeverity::Warning:
+      return "WARNING";
+    case LogSeverity::Error:
+      return "ERROR  ";
+  }
+  return "";
+}
+
+}  // namespace
+
+/// The lines, and whom to tell; outlives the log where another thread is just adding.
+struct EventLog::State {
+  mutable std::mutex mutex;
+  std::deque<LogLine> lines;
+  std::uint64_t count = 0;
+  EventLog* owner = nullptr;  ///< null from its end on
+  bool told = false;          ///< grown() is on its way
+};
+
+/// Appends lines to the file on a thread of its own, which lives as long as the disk keeps it waiting.
+class EventLog::Writer : public std::enable_shared_from_this<Writer> {
+ public:
+  explicit Writer(QString folder) : folder_(std::move(folder)) {}
+
+  void start() {
+    std::thread([self = shared_from_this()] { self->run(); }).detach();
+  }
+  void add(const QString& line) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (lines_.size() < kMaxWaiting) lines_.push_back(line);
+    }
+    changed_.notify_all();
+  }
+  bool waitUntilWritten(int timeout_ms) {
+    std::unique_lock lock(mutex_);
+    return changed_.wait_for(lock, std::chrono::milliseconds(timeout_ms), [this] { return lines_.empty() && !busy_; });
+  }
+  void end() {
+    {
+      const std::lock_guard lock(mutex_);
+      ending_ = true;
+    }
+    changed_.notify_all();
+    constexpr int kPatience_ms = 1000;
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, std::chrono::milliseconds(kPatience_ms), [this] { return ended_; });
+  }
+
+ private:
+  void run() {
+    std::unique_lock lock(mutex_);
+    for (;;) {
+      changed_.wait(lock, [this] { return ending_ || !lines_.empty(); });
+      if (lines_.empty()) break;
+      std::deque<QString> batch;
+      batch.swap(lines_);
+      busy_ = true;
+      lock.unlock();
+      write(batch);
+      lock.lock();
+      busy_ = false;
+      changed_.notify_all();
+    }
+    ended_ = true;
+    changed_.notify_all();
+  }
+
+  void write(const std::deque<QString>& batch) {
+    const QDir folder(folder_);
+    if (!folder.exists() && !QDir().mkpath(folder_)) return;
+    QByteArray bytes;
+    for (const QString& line : batch) bytes += line.toUtf8() + '\n';
+    const QString path = folder.filePath(kFileName);
+    const QString old_path = folder.filePath(kOldFileName);
+    if (QFile(path).size() + bytes.size() > kFileBytes) {
+      QFile::remove(old_path);
+      QFile::rename(path, old_path);
+    }
+    // Several windows of several processes may write it; whole lines are appended at once.
+    QFile file(path);
+    if (file.open(QIODevice::WriteOnly | QIODevice::Append | QIODevice::Unbuffered)) file.write(bytes);
+  }
+
+  QString folder_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<QString> lines_;
+  bool busy_ = false;
+  bool ending_ = false;
+  bool ended_ = false;
+};
+
+namespace {
+
+/// The logs that live, the newest last: Qt's message handler is one for the whole process.
+struct Handlers {
+  std::mutex mutex;
+  std::vector<EventLog*> logs;
+  QtMessageHandler before = nullptr;
+};
+Handlers& handlers() {
+  static Handlers instance;
+  return instance;
+}
+
+LogSeverity severityOf(QtMsgType type) {
+  switch (type) {
+    case QtDebugMsg:
+    case QtInfoMsg:
+      return LogSeverity::Info;
+    case QtWarningMsg:
+      return LogSeverity::Warning;
+    case QtCriticalMsg:
+    case QtFatalMsg:
+      return LogSeverity::Error;
+  }
+  return LogSeverity::Warning;
+}
+
+}  // namespace
+
+EventLog::EventLog(const QString& folder, QObject* parent)
+    : QObject(parent), folder_(folder), state_(std::make_shared<State>()) {
+  state_->owner = this;
+  if (!folder_.isEmpty()) {
+    writer_ = std::make_shared<Writer>(folder_);
+    writer_->start();
+  }
+  Handlers& all = handlers();
+  const std::lock_guard lock(all.mutex);
+  if (all.logs.empty()) all.before = qInstallMessageHandler(&EventLog::takeQtMessage);
+  all.logs.push_back(this);
+}
+
+EventLog::~EventLog() {
+  {
+    Handlers& all = handlers();
+    const std::lock_guard lock(all.mutex);
+    all.logs.erase(std::find(all.logs.begin(), all.logs.end(), this));
+    if (all.logs.empty()) qInstallMessageHandler(all.before);
+  }
+  {
+    const std::lock_guard lock(state_->mutex);
+    state_->owner = nullptr;
+  }
+  if (writer_) writer_->end();
+}
+
+void EventLog::takeQtMessage(QtMsgType type, const QMessageLogContext& context, const QString& text) {
+  // Should Qt complain about what add() does, that can't be added again.
+  thread_local bool adding = false;
+  if (adding) return;
+  Handlers& all = handlers();
+  QtMessageHandler before = nullptr;
+  {
+    adding = true;
+    const std::lock_guard lock(all.mutex);
+    before = all.before;
+    if (!all.logs.empty()) all.logs.back()->add(severityOf(type), QStringLiteral("Qt: ") + text);
+    adding = false;
+  }
+  // A fatal message ends the process in there.
+  if (before) before(type, context, text);
+}
+
+void EventLog::add(LogSeverity severity, const QString& text) {
+  LogLine line;
+  line.at_ms = QDateTime::currentMSecsSinceEpoch();
+  line.severity = severity;
+  line.text = text;
+  const std::lock_guard lock(state_->mutex);
+  line.number = ++state_->count;
+  if (writer_) writer_->add(asFileLine(line));
+  state_->lines.push_back(std::move(line));
+  if (state_->lines.size() > kCapacity) state_->lines.pop_front();
+  if (!state_->owner || state_->told) return;
+  state_->told = true;
+  QMetaObject::invokeMethod(
+      state_->owner,
+      [this] {
+        {
+          const std::lock_guard told(state_->mutex);
+          state_->told = false;
+        }
+        emit grown();
+      },
+      Qt::QueuedConnection);
+}
+
+std::vector<LogLine> EventLog::linesAfter(std::uint64_t number) const {
+  const std::lock_guard lock(state_->mutex);
+  const auto first = std::upper_bound(state_->lines.begin(), state_->lines.end(), number,
+                                      [](std::uint64_t value, const LogLine& line) { return value < line.number; });
+  return {first, state_->lines.end()};
+}
+
+std::vector<LogLine> EventLog::newest(std::size_t count) const {
+  const std::lock_guard lock(state_->mutex);
+  return {state_->lines.end() - static_cast<std::ptrdiff_t>(std::min(count, state_->lines.size())),
+          state_->lines.end()};
+}
+
+QString EventLog::filePath() const { return folder_.isEmpty() ? QString() : QDir(folder_).filePath(kFileName); }
+
+bool EventLog::waitUntilWritten(int timeout_ms) const { return !writer_ || writer_->waitUntilWritten(timeout_ms); }
+
+QString severityWord(LogSeverity severity) {
+  switch (severity) {
+    case LogSeverity::Info:
+      return EventLog::tr("Info");
+    case LogSeverity::Warning:
+      return EventLog::tr("Warning");
+    case LogSeverity::Error:
+      return EventLog::tr("Error");
+  }
+  return {};
+}
+
+QString asFileLine(const LogLine& line) {
+  QString text = line.text;
+  text.replace(QLatin1Char('\n'), QStringLiteral(" | "));
+  return QStringLiteral("%1 %2 %3")
+      .arg(QDateTime::fromMSecsSinceEpoch(line.at_ms).toString(QStringLiteral("yyyy-MM-dd HH:mm:ss.zzz")),
+           QLatin1String(englishWord(line.severity)), text);
+}
+
+QString logFolder() { return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation); }
+
+}  // namespace hexoderm

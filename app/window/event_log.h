@@ -1,0 +1,70 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace hexoderm {
+
+enum class LogSeverity { Info, Warning, Error };
+
+/// One thing that the program did, or said to the operator.
+struct LogLine {
+  std::uint64_t number = 0;  ///< 1, 2, 3, ... as they came
+  std::int64_t at_ms = 0;    ///< milliseconds since 1970, UTC
+  LogSeverity severity = LogSeverity::Info;
+  QString text;
+};
+
+/// What happened since the program was started, to be read in the window and to be sent with a report of a bug: the
+/// newest kCapacity lines in memory, and all of them in a file that begins anew at kFileBytes and keeps the one before.
+/// add() may be called from any thread and never waits for the disk; everything else belongs to the thread of this
+/// object. While it lives it also takes what Qt and VTK complain about (qInstallMessageHandler); of several logs the
+/// newest does.
+class EventLog : public QObject {
+  Q_OBJECT
+
+ public:
+  static constexpr std::size_t kCapacity = 10000;
+  static constexpr std::int64_t kFileBytes = 1 << 20;
+
+  /// `folder`: where the file is kept; it is made. Empty: no file.
+  explicit EventLog(const QString& folder, QObject* parent = nullptr);
+  /// Writes what is left; waits for the disk at most a second.
+  ~EventLog() override;
+
+  void add(LogSeverity severity, const QString& text);
+
+  /// In memory, after the line of that number; 0: all. Oldest first.
+  [[nodiscard]] std::vector<LogLine> linesAfter(std::uint64_t number) const;
+  [[nodiscard]] std::vector<LogLine> newest(std::size_t count) const;
+
+  /// Empty without a file.
+  [[nodiscard]] QString folder() const { return folder_; }
+  [[nodiscard]] QString filePath() const;
+  /// Until everything added so far was written or could not be; false if that takes longer. For tests.
+  bool waitUntilWritten(int timeout_ms) const;
+
+ signals:
+  /// At most once per turn of the event loop.
+  void grown();
+
+ private:
+  class Writer;
+  struct State;
+  static void takeQtMessage(QtMsgType type, const QMessageLogContext& context, const QString& text);
+
+  QString folder_;
+  std::shared_ptr<State> state_;
+  std::shared_ptr<Writer> writer_;
+};
+
+QString severityWord(LogSeverity severity);
+/// "2026-11-21 19:23:47.123 WARNING The disk is full": local time, one line whatever the text holds.
+QString asFileLine(const LogLine& line);
+/// Where the program keeps its log.
+QString logFolder();
+
+}  // namespace hexoderm

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <QList>
+#include <QStringList>
+#include <QWidget>
+
+class QAction;
+class QLineEdit;
+class QListWidget;
+class QLabel;
+
+namespace hexoderm {
+
+class GuideBrowser;
+class SessionController;
+
+/// The user guide in a window of its own: a list of its pages, the page, search within it, back and forward. The pages
+/// are Markdown in the program's resources (resources/guide), one folder for each language; where the language of the
+/// window has none, English ones.
+class GuideWindow : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit GuideWindow(QWidget* parent = nullptr);
+
+  /// The pages' names in the order of the list: "demo", "connect", ...
+  static QStringList pages();
+  /// What the page says at its top, in the language of the guide; empty if there is no such page.
+  static QString titleOf(const QString& page);
+
+  /// What the page of keys lists: the texts and shortcuts of these actions.
+  void setKeys(const QList<QAction*>& actions);
+
+  /// Nothing happens if there is no such page.
+  void showPage(const QString& page);
+  [[nodiscard]] QString currentPage() const { return page_; }
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void dressPage();
+  void followPage(const QUrl& url);
+  void find(bool backwards);
+
+  QString page_;
+  QListWidget* contents_;
+  GuideBrowser* browser_;
+  QLineEdit* search_;
+  QLabel* not_found_;
+};
+
+/// The page about what is to be done now.
+QString guidePageFor(const SessionController& controller);
+
+}  // namespace hexoderm

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QWidget>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+class QMenu;
+class QVBoxLayout;
+
+namespace hexoderm {
+
+class JobQueue;
+
+/// A session or calibration that was open lately.
+struct RecentFile {
+  QString path;
+  QString title;           ///< the file's name
+  std::int64_t at_ms = 0;  ///< when it was open last, milliseconds since 1970, UTC
+  int poses = -1;          ///< -1: not known, as for a calibration
+  QString problem;         ///< why it can't be opened; empty if nothing is known against it
+};
+
+/// The files that were open lately, the newest first, at most kMost; kept in the settings. Whether a file is still
+/// there is looked up on another thread, as a folder on a network can be slow.
+class RecentFiles : public QObject {
+  Q_OBJECT
+
+ public:
+  static constexpr std::size_t kMost = 10;
+
+  /// `jobs` must outlive this object.
+  explicit RecentFiles(JobQueue& jobs, QObject* parent = nullptr);
+
+  [[nodiscard]] const std::vector<RecentFile>& files() const { return files_; }
+  /// It is open now. Moves it to the top; `poses` of -1 keeps what was known.
+  void note(const QString& path, int poses);
+  void remove(const QString& path);
+  void clear();
+  /// Looks again which files are there; changed() follows if that is news.
+  void check();
+
+  /// Fills a menu each time it is about to show; `open` is called with the path that was chosen.
+  void serve(QMenu* menu, std::function<void(QString)> open);
+
+ signals:
+  void changed();
+
+ private:
+  void write();
+
+  JobQueue& jobs_;
+  std::vector<RecentFile> files_;
+};
+
+/// "today, 14:32", "yesterday, 09:10" or the date.
+QString timeInWords(std::int64_t at_ms);
+/// "today, 14:32 · 3 poses".
+QString describeRecent(const RecentFile& file);
+
+/// The recent files as a list of buttons: title, when, how many poses. Up and Down move, Return opens, Del takes a file
+/// from the list. A file that is gone is greyed and says why.
+class RecentList : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `files` must outlive the list. `most`: how many are shown.
+  explicit RecentList(RecentFiles& files, std::size_t most = RecentFiles::kMost, QWidget* parent = nullptr);
+
+ signals:
+  void openWanted(const QString& path);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void rebuild();
+  [[nodiscard]] QWidget* makeRow(const RecentFile& file);
+
+  RecentFiles& files_;
+  std::size_t most_;
+  QVBoxLayout* layout_;
+};
+
+}  // namespace hexoderm

@@ -1,0 +1,258 @@
+#include "app/window/recovery.h"
+
+#include "app/window/job_queue.h"
+#include "app/window/recent_files.h"
+#include "hexoderm/session/session_store.h"
+#include "hexoderm/util/error.h"
+#include "widgets/core_words.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMetaObject>
+#include <QPointer>
+#include <QPushButton>
+#include <QStandardPaths>
+#include <QVBoxLayout>
+#include <QVariant>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+constexpr int kDaysUntilGone = 7;
+const QString kDiscarded = QStringLiteral("discarded");
+
+std::filesystem::path toPath(const QString& path) { return {path.toStdU16String()}; }
+
+/// A session and what SQLite keeps beside it.
+constexpr const char* kParts[] = {"", "-wal", "-shm"};
+
+void moveSession(const QString& from, const QString& to) {
+  if (isSessionStoreInUse(toPath(from))) {
+    throw StorageError(from.toStdString() + ": is open in another window, close it there first");
+  }
+  // The journal first: a session without its newest part must never be mistaken for a whole one.
+  for (const char* part : {kParts[1], kParts[2], kParts[0]}) {
+    const QString source = from + QLatin1String(part);
+    if (!QFileInfo::exists(source)) continue;
+    std::error_code error;
+    std::filesystem::rename(toPath(source), toPath(to + QLatin1String(part)), error);
+    if (error) {
+      throw StorageError(source.toStdString() + ": cannot be moved to " + to.toStdString() + ": " + error.message());
+    }
+  }
+}
+
+/// In `folder`, under its own name or with a number behind it.
+QString freeName(const QDir& folder, const QString& name) {
+  const QString base = QFileInfo(name).completeBaseName();
+  QString path = folder.filePath(name);
+  for (int k = 2; QFileInfo::exists(path); ++k) path = folder.filePath(QStringLiteral("%1-%2.hexo").arg(base).arg(k));
+  return path;
+}
+
+}  // namespace
+
+QString unsavedFolder() {
+  return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)).filePath(QStringLiteral("unsaved"));
+}
+
+std::vector<UnsavedSession> findUnsavedSessions(const QString& folder) {
+  std::vector<UnsavedSession> found;
+  for (const QFileInfo& file : QDir(folder).entryInfoList({QStringLiteral("*.hexo")}, QDir::Files)) {
+    UnsavedSession unsaved;
+    unsaved.path = file.absoluteFilePath();
+    unsaved.edited_at_ms = file.lastModified().toMSecsSinceEpoch();
+    try {
+      if (isSessionStoreInUse(toPath(unsaved.path))) continue;
+      const SessionStore store = SessionStore::openReadOnly(toPath(unsaved.path));
+      const Session session = store.readSession();
+      if (session.poses().empty()) continue;
+      unsaved.edited_at_ms = store.editedAtMs();
+      unsaved.poses = session.poses().size();
+      unsaved.cells = session.neighbors().size();
+      unsaved.source = coreWords(session.source().text);
+    } catch (const Error& error) {
+      unsaved.problem = coreWords(error.what());
+    }
+    found.push_back(std::move(unsaved));
+  }
+  std::sort(found.begin(), found.end(),
+            [](const UnsavedSession& a, const UnsavedSession& b) { return a.edited_at_ms > b.edited_at_ms; });
+  return found;
+}
+
+QString discardUnsaved(const QString& path) {
+  const QFileInfo file(path);
+  const QDir folder(file.dir().filePath(kDiscarded));
+  if (!QDir().mkpath(folder.path())) {
+    throw StorageError(folder.path().toStdString() + ": the folder cannot be made");
+  }
+  const QString to = freeName(folder, file.fileName());
+  moveSession(path, to);
+  // The week begins now, whenever the session was worked on.
+  std::error_code ignored;
+  std::filesystem::last_write_time(toPath(to), std::filesystem::file_time_type::clock::now(), ignored);
+  return to;
+}
+
+QString restoreDiscarded(const QString& discarded_path) {
+  const QFileInfo file(discarded_path);
+  QDir folder = file.dir();
+  folder.cdUp();
+  const QString to = freeName(folder, file.fileName());
+  moveSession(discarded_path, to);
+  return to;
+}
+
+void removeOldDiscarded(const QString& folder) {
+  const QDir discarded(QDir(folder).filePath(kDiscarded));
+  const QDateTime limit = QDateTime::currentDateTime().addDays(-kDaysUntilGone);
+  for (const QFileInfo& file : discarded.entryInfoList({QStringLiteral("*.hexo")}, QDir::Files)) {
+    if (file.lastModified() >= limit) continue;
+    for (const char* part : kParts) QFile::remove(file.absoluteFilePath() + QLatin1String(part));
+  }
+}
+
+QString describeUnsaved(const UnsavedSession& session) {
+  const QString when = timeInWords(session.edited_at_ms);
+  if (!session.problem.isEmpty()) {
+    return UnsavedSessions::tr("A session of %1 was not saved and can't be read: %2").arg(when, session.problem);
+  }
+  const QString poses =
+      session.poses == 1 ? UnsavedSessions::tr("1 pose") : UnsavedSessions::tr("%1 poses").arg(session.poses);
+  return UnsavedSessions::tr("A session of %1 with %2 of %3 cells was not saved.").arg(when, poses).arg(session.cells);
+}
+
+UnsavedSessions::UnsavedSessions(JobQueue& jobs, QString folder, QObject* parent)
+    : QObject(parent), jobs_(jobs), folder_(std::move(folder)) {}
+
+bool UnsavedSessions::isDiscarded(const UnsavedSession& session) {
+  return QFileInfo(session.path).dir().dirName() == kDiscarded;
+}
+
+void UnsavedSessions::search() {
+  jobs_.add([self = QPointer<UnsavedSessions>(this), folder = folder_] {
+    removeOldDiscarded(folder);
+    auto sessions = std::make_shared<std::vector<UnsavedSession>>(findUnsavedSessions(folder));
+    QMetaObject::invokeMethod(
+        QCoreApplication::instance(),
+        [self, sessions] {
+          if (!self) return;
+          self->sessions_ = std::move(*sessions);
+          emit self->changed();
+          emit self->found(static_cast<int>(self->sessions_.size()));
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void UnsavedSessions::recover(const QString& path) {
+  const auto gone = std::remove_if(sessions_.begin(), sessions_.end(),
+                                   [&](const UnsavedSession& session) { return session.path == path; });
+  if (gone == sessions_.end()) return;
+  const QString wanted = path;  // which may be of the session that goes
+  sessions_.erase(gone, sessions_.end());
+  emit changed();
+  emit recoverWanted(wanted);
+}
+
+void UnsavedSessions::discard(const QString& path) { move(path, &discardUnsaved); }
+
+void UnsavedSessions::takeBack(const QString& path) { move(path, &restoreDiscarded); }
+
+void UnsavedSessions::move(const QString& path, QString (*how)(const QString&)) {
+  jobs_.add([self = QPointer<UnsavedSessions>(this), path, how] {
+    QString now;
+    QString problem;
+    try {
+      now = how(path);
+    } catch (const Error& error) {
+      problem = coreWords(error.what());
+    }
+    QMetaObject::invokeMethod(
+        QCoreApplication::instance(),
+        [self, path, now, problem] {
+          if (!self) return;
+          if (!problem.isEmpty()) {
+            emit self->failed(problem);
+            return;
+          }
+          for (UnsavedSession& session : self->sessions_) {
+            if (session.path == path) session.path = now;
+          }
+          emit self->changed();
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+RecoveryList::RecoveryList(UnsavedSessions& sessions, QWidget* parent)
+    : QWidget(parent), sessions_(sessions), layout_(new QVBoxLayout(this)) {
+  setObjectName(QStringLiteral("recoveryList"));
+  setAccessibleName(tr("Sessions that were not saved"));
+  layout_->setContentsMargins(0, 0, 0, 0);
+  layout_->setSpacing(8);
+  connect(&sessions_, &UnsavedSessions::changed, this, &RecoveryList::rebuild);
+  rebuild();
+}
+
+void RecoveryList::rebuild() {
+  while (QLayoutItem* item = layout_->takeAt(0)) {
+    // The button whose press led here is still at work.
+    item->widget()->hide();
+    item->widget()->deleteLater();
+    delete item;
+  }
+  for (const UnsavedSession& session : sessions_.all()) layout_->addWidget(makeRow(session));
+  setVisible(!sessions_.all().empty());
+}
+
+QWidget* RecoveryList::makeRow(const UnsavedSession& session) {
+  auto* row = new QFrame;
+  row->setProperty("card", true);
+  const bool is_discarded = UnsavedSessions::isDiscarded(session);
+  auto* text = new QLabel(is_discarded ? tr("Discarded; it is kept for %1 days.").arg(kDaysUntilGone)
+                                       : describeUnsaved(session));
+  text->setObjectName(QStringLiteral("unsavedText"));
+  text->setWordWrap(true);
+  text->setTextFormat(Qt::PlainText);
+  text->setToolTip(session.source);
+  const auto button = [&](const char* name, const QString& words, const QString& tip) {
+    auto* made = new QPushButton(words);
+    made->setObjectName(QLatin1String(name));
+    made->setAccessibleName(words);
+    made->setAccessibleDescription(text->text());
+    made->setToolTip(tip);
+    return made;
+  };
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(12, 8, 8, 8);
+  layout->addWidget(text, 1);
+  const QString path = session.path;
+  if (is_discarded) {
+    auto* undo = button("undoDiscardButton", tr("Undo"), tr("Take the session back"));
+    connect(undo, &QPushButton::clicked, &sessions_, [this, path] { sessions_.takeBack(path); });
+    layout->addWidget(undo);
+    return row;
+  }
+  auto* recover = button("recoverButton", tr("Recover"),
+                         session.problem.isEmpty() ? tr("Open it and go on where it ended") : session.problem);
+  recover->setEnabled(session.problem.isEmpty());
+  connect(recover, &QPushButton::clicked, &sessions_, [this, path] { sessions_.recover(path); });
+  layout->addWidget(recover);
+  auto* discard =
+      button("discardButton", tr("Discard"), tr("Put it away; it can be taken back for %1 days").arg(kDaysUntilGone));
+  connect(discard, &QPushButton::clicked, &sessions_, [this, path] { sessions_.discard(path); });
+  layout->addWidget(discard);
+  return row;
+}
+
+}  // namespace hexoderm

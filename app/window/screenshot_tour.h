@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QDir>
+#include <QSize>
+#include <QString>
+#include <QStringList>
+
+class QWidget;
+
+namespace hexoderm {
+
+class MainWindow;
+
+/// Leads the real window through the demo as a person would, by its buttons, and keeps a picture of every step and of
+/// every dialog: for the user guide, and to see what the window looks like. At each stop it looks for texts that are
+/// cut off. Nothing here knows the steps: it opens those that the panel of steps offers.
+class ScreenshotTour {
+ public:
+  /// Pictures are named `prefix`-stop.png, and are made smaller if they are wider than `largest_width_px` (0: never).
+  /// The window must outlive the tour.
+  ScreenshotTour(MainWindow& window, const QDir& folder, const QString& prefix, int largest_width_px = 0)
+      : window_(window), folder_(folder), prefix_(prefix), largest_width_px_(largest_width_px) {}
+
+  /// Runs the event loop until it is through. What went wrong, in words: texts that are cut off, pictures that could
+  /// not be written, waits that had no end. Empty if all is well.
+  QStringList run(QSize size);
+
+ private:
+  bool waitUntilIdle();
+  void stop(QWidget& shown, const QString& name);
+  void visitSteps(const QString& stage);
+  void visitDialogs();
+
+  MainWindow& window_;
+  QDir folder_;
+  QString prefix_;
+  int largest_width_px_;
+  int stops_ = 0;
+  QStringList problems_;
+};
+
+}  // namespace hexoderm

@@ -1,0 +1,88 @@
+#include "app/window/translation.h"
+
+#include "widgets/core_words.h"
+
+#include <QApplication>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QTranslator>
+
+// Outside of any namespace, as Qt asks for resources of static libraries.
+static void initTranslationResources() { Q_INIT_RESOURCE(translations); }
+
+namespace hexoderm {
+namespace {
+
+constexpr char kTranslatorName[] = "hexodermTranslator";
+
+/// lupdate can't see which context a free function tr() of the namespace asks for, and files its texts under the
+/// namespace: they are looked for there, too.
+class Texts : public QTranslator {
+ public:
+  using QTranslator::QTranslator;
+  QString translate(const char* context, const char* text, const char* comment, int count) const override {
+    QString words = QTranslator::translate(context, text, comment, count);
+    if (words.isEmpty() && QLatin1String(context).startsWith(QLatin1String("hexoderm::"))) {
+      words = QTranslator::translate("hexoderm", text, comment, count);
+    }
+    return words;
+  }
+};
+
+QString systemLanguage() {
+  // "C" and "POSIX" are nobody's language.
+  if (QLocale::system().language() == QLocale::C) return QStringLiteral("en");
+  for (const QString& wanted : QLocale::system().uiLanguages()) {
+    const QString code = wanted.left(2);
+    if (shippedLanguages().contains(code)) return code;
+  }
+  return QStringLiteral("en");
+}
+
+QString folderOfQtsTexts() {
+#if QT_VERSION >= QT_VERSION_CHECK(6, 0, 0)
+  return QLibraryInfo::path(QLibraryInfo::TranslationsPath);
+#else
+  return QLibraryInfo::location(QLibraryInfo::TranslationsPath);
+#endif
+}
+
+void install(QApplication& application, const QString& file) {
+  auto* translator = new Texts(&application);
+  translator->setObjectName(QLatin1String(kTranslatorName));
+  if (translator->load(file)) {
+    QCoreApplication::installTranslator(translator);
+  } else {
+    delete translator;
+  }
+}
+
+}  // namespace
+
+QStringList shippedLanguages() { return {QStringLiteral("en"), QStringLiteral("de")}; }
+
+bool isLanguageChoice(const QString& language) {
+  return language == QStringLiteral("system") || shippedLanguages().contains(language);
+}
+
+QString installTranslations(QApplication& application, const QString& language) {
+  initTranslationResources();
+  const bool is_asked_for = shippedLanguages().contains(language);
+  const QString code = is_asked_for ? language : systemLanguage();
+  const bool is_systems = !is_asked_for || QLocale::system().name().startsWith(code);
+  QLocale::setDefault(is_systems ? QLocale::system() : QLocale(code));
+
+  for (QTranslator* old : application.findChildren<QTranslator*>(QLatin1String(kTranslatorName))) {
+    QCoreApplication::removeTranslator(old);
+    delete old;
+  }
+  if (code != QStringLiteral("en")) {
+    // The one installed last is asked first.
+    install(application, folderOfQtsTexts() + QStringLiteral("/qtbase_") + code + QStringLiteral(".qm"));
+    install(application, QStringLiteral(":/hexoderm/translations/hexoderm_") + code + QStringLiteral(".qm"));
+  }
+  forgetCoreWords();
+  return code;
+}
+
+}  // namespace hexoderm

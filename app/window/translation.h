@@ -1,0 +1,25 @@
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+class QApplication;
+
+namespace hexoderm {
+
+/// The settings key of the language: "system", or one of shippedLanguages().
+inline constexpr char kLanguageSetting[] = "view/language";
+
+/// The languages that Hexoderm has texts in, as their two-letter codes, English first.
+QStringList shippedLanguages();
+
+/// "system" or one of shippedLanguages().
+bool isLanguageChoice(const QString& language);
+
+/// Installs Hexoderm's texts, and Qt's own where they are on this computer. To be called before the first window is
+/// made: what is shown already keeps its language. A language that was asked for brings its way of writing numbers;
+/// with "system" (or anything else) both are the system's, English where its language is not shipped. Returns the code
+/// of the language that texts are in now.
+QString installTranslations(QApplication& application, const QString& language);
+
+}  // namespace hexoderm

@@ -1,0 +1,75 @@
+#include "app/window/welcome_panel.h"
+
+#include "app/window/recent_files.h"
+#include "app/window/recovery.h"
+#include "widgets/action_button.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+#include <QVariant>
+
+namespace hexoderm {
+namespace {
+
+constexpr int kWidestInCharacters = 74;
+constexpr std::size_t kRecentShown = 5;
+
+QLabel* makeLabel(const QString& text, const char* look) {
+  auto* label = new QLabel(text);
+  label->setWordWrap(true);
+  label->setProperty(look, true);
+  return label;
+}
+
+}  // namespace
+
+WelcomePanel::WelcomePanel(const std::vector<QAction*>& choices, RecentFiles& recent, UnsavedSessions& unsaved,
+                           QWidget* parent)
+    : QScrollArea(parent) {
+  setObjectName(QStringLiteral("welcomePanel"));
+  setAccessibleName(tr("Welcome"));
+  setWidgetResizable(true);
+  setFrameShape(QFrame::NoFrame);
+  setFocusPolicy(Qt::NoFocus);
+  auto* column = new QWidget;
+  column->setMaximumWidth(kWidestInCharacters * fontMetrics().averageCharWidth());
+  auto* list = new QVBoxLayout(column);
+  list->setContentsMargins(0, 0, 0, 0);
+  list->setSpacing(6);
+  list->addWidget(makeLabel(tr("Where is every cell of your skin?"), "headline"));
+  list->addWidget(makeLabel(tr("Hold the part still in a few poses; Hexoderm finds out from gravity."), "muted"));
+  list->addSpacing(14);
+  list->addWidget(new RecoveryList(unsaved));
+  for (QAction* action : choices) {
+    auto* button = new ActionButton(column);
+    button->setAction(action);
+    button->setFocusPolicy(Qt::StrongFocus);
+    if (action == choices.front()) button->setProperty("primary", true);
+    auto* purpose = makeLabel(action->property("purpose").toString(), "muted");
+    auto* row = new QHBoxLayout;
+    row->setSpacing(14);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    row->addWidget(button, 2);
+    row->addWidget(purpose, 3);
+    list->addLayout(row);
+  }
+  list->addSpacing(18);
+  list->addWidget(makeLabel(tr("Recent").toUpper(), "caption"));
+  auto* recent_list = new RecentList(recent, kRecentShown);
+  connect(recent_list, &RecentList::openWanted, this, &WelcomePanel::openWanted);
+  list->addWidget(recent_list);
+  list->addStretch(1);
+
+  auto* content = new QWidget;
+  content->setObjectName(QStringLiteral("welcomeContent"));
+  auto* sides = new QHBoxLayout(content);
+  sides->setContentsMargins(28, 36, 28, 24);
+  sides->addStretch(1);
+  sides->addWidget(column, 100);
+  sides->addStretch(1);
+  setWidget(content);
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QScrollArea>
+#include <vector>
+
+class QAction;
+class QVBoxLayout;
+
+namespace hexoderm {
+
+class RecentFiles;
+class UnsavedSessions;
+
+/// What the middle of the window shows as long as nothing is open: what to begin with, what was open lately, and what
+/// was not saved.
+class WelcomePanel : public QScrollArea {
+  Q_OBJECT
+
+ public:
+  /// A button each, the first one being the one that stands out. All must outlive the panel.
+  WelcomePanel(const std::vector<QAction*>& choices, RecentFiles& recent, UnsavedSessions& unsaved,
+               QWidget* parent = nullptr);
+
+ signals:
+  void openWanted(const QString& path);
+};
+
+}  // namespace hexoderm

@@ -1,0 +1,3961 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE" sourcelanguage="en">
+<context>
+    <name>hexoderm</name>
+    <message>
+        <source>%1° or more</source>
+        <translation>%1° oder mehr</translation>
+    </message>
+    <message>
+        <source>own readings</source>
+        <translation>eigene Messwerte</translation>
+    </message>
+    <message>
+        <source>links</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>patch %1</source>
+        <translation>Hautstück %1</translation>
+    </message>
+    <message>
+        <source>link quality</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>Restfehler</translation>
+    </message>
+    <message>
+        <source>predicted deviation</source>
+        <translation>erwartete Abweichung</translation>
+    </message>
+    <message>
+        <source>bend</source>
+        <translation>Biegung</translation>
+    </message>
+    <message>
+        <source>twist</source>
+        <translation>Verwindung</translation>
+    </message>
+    <message>
+        <source>yaw</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>position uncertainty</source>
+        <translation>Unsicherheit des Ortes</translation>
+    </message>
+    <message>
+        <source>orientation uncertainty</source>
+        <translation>Unsicherheit der Drehung</translation>
+    </message>
+    <message>
+        <source>placed by</source>
+        <translation>eingeordnet durch</translation>
+    </message>
+    <message>
+        <source>patch</source>
+        <translation>Hautstück</translation>
+    </message>
+    <message>
+        <source>body part</source>
+        <translation>Körperteil</translation>
+    </message>
+    <message>
+        <source>residual, rms over poses</source>
+        <translation>Restfehler, Effektivwert über die Posen</translation>
+    </message>
+    <message>
+        <source>bend, either way</source>
+        <translation>Biegung, beide Richtungen</translation>
+    </message>
+    <message>
+        <source>twist, either way</source>
+        <translation>Verwindung, beide Richtungen</translation>
+    </message>
+    <message>
+        <source>yaw, either way</source>
+        <translation>Drehung, beide Richtungen</translation>
+    </message>
+    <message>
+        <source>position known to (95 %)</source>
+        <translation>Ort bekannt auf (95 %)</translation>
+    </message>
+    <message>
+        <source>±%1 mm or more</source>
+        <translation>±%1 mm oder mehr</translation>
+    </message>
+    <message>
+        <source>orientation known to (95 %)</source>
+        <translation>Drehung bekannt auf (95 %)</translation>
+    </message>
+    <message>
+        <source>1 link</source>
+        <translation>1 Verbindung</translation>
+    </message>
+    <message>
+        <source>%1 links</source>
+        <translation>%1 Verbindungen</translation>
+    </message>
+    <message>
+        <source>Path from the origin: %1 (%2)</source>
+        <translation>Weg vom Ursprung: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Residual in the worst poses %1</source>
+        <translation>Restfehler in den schlechtesten Posen %1</translation>
+    </message>
+    <message>
+        <source>Residual in pose %1</source>
+        <translation>Restfehler in Pose %1</translation>
+    </message>
+    <message>
+        <source>Link %1 · port %2 — %3 · port %4</source>
+        <translation>Verbindung %1 · Port %2 — %3 · Port %4</translation>
+    </message>
+    <message>
+        <source>It is not used.</source>
+        <translation>Sie wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>cell %1</source>
+        <translation>Zelle %1</translation>
+    </message>
+    <message>
+        <source>cells %1</source>
+        <translation>Zellen %1</translation>
+    </message>
+    <message>
+        <source>pose %1</source>
+        <translation>Pose %1</translation>
+    </message>
+    <message>
+        <source>poses %1</source>
+        <translation>Posen %1</translation>
+    </message>
+    <message>
+        <source>Used, on the shortest paths to the origin</source>
+        <translation>Benutzt, auf den kürzesten Wegen zum Ursprung</translation>
+    </message>
+    <message>
+        <source>Used</source>
+        <translation>Benutzt</translation>
+    </message>
+    <message>
+        <source>Muted: %1</source>
+        <translation>Ausgeschlossen: %1</translation>
+    </message>
+    <message>
+        <source>%1, singular values %2, %3, %4; weight %5</source>
+        <translation>%1, Singulärwerte %2; %3; %4; Gewicht %5</translation>
+    </message>
+    <message>
+        <source>Bend %1, twist %2, yaw %3</source>
+        <translation>Biegung %1, Verwindung %2, Drehung %3</translation>
+    </message>
+    <message>
+        <source>Residual %1, predicted deviation %2</source>
+        <translation>Restfehler %1, erwartete Abweichung %2</translation>
+    </message>
+    <message>
+        <source>Centred: the mean of each cell&apos;s readings was subtracted</source>
+        <translation>Zentriert: Das Mittel der Messwerte jeder Zelle wurde abgezogen</translation>
+    </message>
+    <message>
+        <source>Support axes were added: the poses alone do not fix it</source>
+        <translation>Stützachsen wurden hinzugefügt: Die Posen allein legen sie nicht fest</translation>
+    </message>
+    <message>
+        <source>Origin of patch %1</source>
+        <translation>Ursprung von Hautstück %1</translation>
+    </message>
+    <message>
+        <source>Patch %1</source>
+        <translation>Hautstück %1</translation>
+    </message>
+    <message>
+        <source>On %1</source>
+        <translation>Auf %1</translation>
+    </message>
+    <message>
+        <source>Placed through its links: its own readings are not used</source>
+        <translation>Über ihre Verbindungen eingeordnet: Ihre eigenen Messwerte werden nicht benutzt</translation>
+    </message>
+    <message>
+        <source>Placed by its own readings</source>
+        <translation>Durch eigene Messwerte eingeordnet</translation>
+    </message>
+    <message>
+        <source>At %1 mm from the origin</source>
+        <translation>Bei %1 mm vom Ursprung</translation>
+    </message>
+    <message>
+        <source>Roll %1, pitch %2, yaw %3</source>
+        <translation>Roll %1, Nick %2, Gier %3</translation>
+    </message>
+    <message>
+        <source>Known to ±%1 mm, ±%2 (95 %)</source>
+        <translation>Bekannt auf ±%1 mm, ±%2 (95 %)</translation>
+    </message>
+    <message>
+        <source>How well it is known is not stated</source>
+        <translation>Wie gut es bekannt ist, ist nicht angegeben</translation>
+    </message>
+    <message>
+        <source>Accelerometer offset %1 mg</source>
+        <translation>Nullpunkt des Sensors %1 mg</translation>
+    </message>
+    <message>
+        <source>Accelerometer scale %1</source>
+        <translation>Skalierung des Sensors %1</translation>
+    </message>
+    <message>
+        <source>Cell %1</source>
+        <translation>Zelle %1</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::AddPoseCommand</name>
+    <message>
+        <source>take pose %1</source>
+        <translation>Pose %1 aufnehmen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::Banner</name>
+    <message>
+        <source>Where we stand</source>
+        <translation>Wo wir stehen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::CardDock</name>
+    <message>
+        <source>Drag to move this panel, double-click to take it out of the window</source>
+        <translation>Ziehen verschiebt dieses Feld, Doppelklick löst es aus dem Fenster</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::CheckList</name>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>needs a look</source>
+        <translation>ansehen</translation>
+    </message>
+    <message>
+        <source>in order</source>
+        <translation>in Ordnung</translation>
+    </message>
+    <message>
+        <source>Show: %1</source>
+        <translation>Zeigen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::ConnectDialog</name>
+    <message>
+        <source>Simulated skin</source>
+        <translation>Simulierte Haut</translation>
+    </message>
+    <message>
+        <source>x17, ring8 or sheet:10x10, with ?surface=, seed= and speed= behind. Its readings are made up.</source>
+        <translation>x17, ring8 oder sheet:10x10, dahinter ?surface=, seed= und speed=. Ihre Messwerte sind erfunden.</translation>
+    </message>
+    <message>
+        <source>Network, TCP</source>
+        <translation>Netz, TCP</translation>
+    </message>
+    <message>
+        <source>Name or number of the device, a colon and its port.</source>
+        <translation>Name oder Nummer des Geräts, ein Doppelpunkt und sein Port.</translation>
+    </message>
+    <message>
+        <source>Network, UDP</source>
+        <translation>Netz, UDP</translation>
+    </message>
+    <message>
+        <source>Serial port</source>
+        <translation>Serielle Schnittstelle</translation>
+    </message>
+    <message>
+        <source>The ports that are there now are in the list.</source>
+        <translation>Die gerade vorhandenen Schnittstellen stehen in der Liste.</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>A file that hexoderm-cli capture --record has made; ?speed=4 behind it plays it faster.</source>
+        <translation>Eine Datei von hexoderm-cli capture --record; ?speed=4 dahinter spielt sie schneller ab.</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Durchsuchen…</translation>
+    </message>
+    <message>
+        <source>Connect to a skin</source>
+        <translation>Mit einer Haut verbinden</translation>
+    </message>
+    <message>
+        <source>Where is the skin?</source>
+        <translation>Wo ist die Haut?</translation>
+    </message>
+    <message>
+        <source>Kind of connection</source>
+        <translation>Art der Verbindung</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Add the poses to the session that is open, %1</source>
+        <translation>Die Posen der offenen Sitzung %1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>File that the poses are kept in</source>
+        <translation>Datei, in der die Posen liegen</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>&amp;Kind</source>
+        <translation>&amp;Art</translation>
+    </message>
+    <message>
+        <source>&amp;Address</source>
+        <translation>A&amp;dresse</translation>
+    </message>
+    <message>
+        <source>K&amp;eep in</source>
+        <translation>A&amp;blegen in</translation>
+    </message>
+    <message>
+        <source>for example %1</source>
+        <translation>zum Beispiel %1</translation>
+    </message>
+    <message>
+        <source>No serial port is there now; plug the device in, or type the name of its port.</source>
+        <translation>Es gibt gerade keine serielle Schnittstelle; das Gerät anstecken oder den Namen seiner Schnittstelle eintippen.</translation>
+    </message>
+    <message>
+        <source>Recording to play</source>
+        <translation>Aufzeichnung zum Abspielen</translation>
+    </message>
+    <message>
+        <source>Keep the poses in</source>
+        <translation>Posen ablegen in</translation>
+    </message>
+    <message>
+        <source>Sessions (*.hexo)</source>
+        <translation>Sitzungen (*.hexo)</translation>
+    </message>
+    <message>
+        <source>Say which file the poses should be kept in.</source>
+        <translation>Angeben, in welcher Datei die Posen liegen sollen.</translation>
+    </message>
+    <message>
+        <source>The file&apos;s name should end in %1.</source>
+        <translation>Der Dateiname soll auf %1 enden.</translation>
+    </message>
+    <message>
+        <source>There is no folder %1.</source>
+        <translation>Den Ordner %1 gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>There is a file of this name, and a capture never replaces one.</source>
+        <translation>Es gibt eine Datei dieses Namens, und eine Aufnahme ersetzt nie eine.</translation>
+    </message>
+    <message>
+        <source>Nothing can be written in the folder %1.</source>
+        <translation>Im Ordner %1 lässt sich nichts schreiben.</translation>
+    </message>
+    <message>
+        <source>Type an address, for example %1.</source>
+        <translation>Eine Adresse eintippen, zum Beispiel %1.</translation>
+    </message>
+    <message>
+        <source>There is no file %1.</source>
+        <translation>Die Datei %1 gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Every pose is written to this file before it is called captured.</source>
+        <translation>Jede Pose wird in diese Datei geschrieben, bevor sie als aufgenommen gilt.</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::CoreWords</name>
+    <message>
+        <source>link %1 port %2 - %3 port %4</source>
+        <translation>Verbindung %1 Port %2 – %3 Port %4</translation>
+    </message>
+    <message>
+        <source>cell %1 port %2</source>
+        <translation>Zelle %1 Port %2</translation>
+    </message>
+    <message>
+        <source>cell %1</source>
+        <translation>Zelle %1</translation>
+    </message>
+    <message>
+        <source>in pose %1</source>
+        <translation>in Pose %1</translation>
+    </message>
+    <message>
+        <source>in poses %1</source>
+        <translation>in den Posen %1</translation>
+    </message>
+    <message>
+        <source>1 pose</source>
+        <translation>1 Pose</translation>
+    </message>
+    <message>
+        <source>%1 poses</source>
+        <translation>%1 Posen</translation>
+    </message>
+    <message>
+        <source>1 cell</source>
+        <translation>1 Zelle</translation>
+    </message>
+    <message>
+        <source>%1 cells</source>
+        <translation>%1 Zellen</translation>
+    </message>
+    <message>
+        <source>1 link</source>
+        <translation>1 Verbindung</translation>
+    </message>
+    <message>
+        <source>%1 links</source>
+        <translation>%1 Verbindungen</translation>
+    </message>
+    <message>
+        <source>1 patch</source>
+        <translation>1 Stück</translation>
+    </message>
+    <message>
+        <source>%1 patches</source>
+        <translation>%1 Stücke</translation>
+    </message>
+    <message>
+        <source>±%1 mm, ±%2°</source>
+        <translation>±%1 mm und ±%2°</translation>
+    </message>
+    <message>
+        <source>A cell carries the ID 0, which means &quot;no neighbour&quot;; it is left out.</source>
+        <translation>Eine Zelle trägt die ID 0, die „kein Nachbar“ bedeutet; sie wird weggelassen.</translation>
+    </message>
+    <message>
+        <source>Cell %1 is listed more than once; only the first entry counts.</source>
+        <translation>Zelle %1 ist mehrfach aufgeführt; nur der erste Eintrag zählt.</translation>
+    </message>
+    <message>
+        <source>The neighbour at %1 is reported more than once; it counts once.</source>
+        <translation>Der Nachbar an %1 ist mehrfach gemeldet; er zählt einmal.</translation>
+    </message>
+    <message>
+        <source>Cell %1 reports two different neighbours at port %2: cells %3 and %4. Neither link is used.</source>
+        <translation>Zelle %1 meldet an Port %2 zwei verschiedene Nachbarn: die Zellen %3 und %4. Keine der beiden Verbindungen wird benutzt.</translation>
+    </message>
+    <message>
+        <source>Cell %1 reports a neighbour at port %2, but cell model %3 has no such port. The link is not used.</source>
+        <translation>Zelle %1 meldet einen Nachbarn an Port %2, aber das Zellmodell %3 hat diesen Port nicht. Die Verbindung wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>A computer interface (ID %1) is connected at %2.</source>
+        <translation>Eine Rechnerschnittstelle (ID %1) ist an %2 angeschlossen.</translation>
+    </message>
+    <message>
+        <source>Cell %1 reports itself as its neighbour at port %2. The link is not used.</source>
+        <translation>Zelle %1 meldet sich an Port %2 selbst als Nachbarn. Die Verbindung wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Cell %1 reports cell %2 at port %3, but no such cell was found. The link is not used.</source>
+        <translation>Zelle %1 meldet Zelle %2 an Port %3, aber eine solche Zelle wurde nicht gefunden. Die Verbindung wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Cell %1 reports port %2 of cell %3, but cell model %4 has no such port. The link is not used.</source>
+        <translation>Zelle %1 meldet Port %2 von Zelle %3, aber das Zellmodell %4 hat diesen Port nicht. Die Verbindung wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Cell %1 reports cell %2 at port %3, but cell %4 does not report it back. The link is not used.</source>
+        <translation>Zelle %1 meldet Zelle %2 an Port %3, aber Zelle %4 meldet das nicht zurück. Die Verbindung wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Only cell %1 reports the %2; cell %3 does not report it back. The link is not used.</source>
+        <translation>Nur Zelle %1 meldet die %2; Zelle %3 meldet sie nicht zurück. Die Verbindung wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Cell %1 reports %2 at its port %3, but that port reports %4. Neither link is used.</source>
+        <translation>Zelle %1 meldet %2 an ihrem Port %3, aber dieser Port meldet %4. Keine der beiden Verbindungen wird benutzt.</translation>
+    </message>
+    <message>
+        <source>Cells %1 and %2 report each other at more than one port without naming the other side&apos;s; it can&apos;t be told which ports belong together. No link between them is used.</source>
+        <translation>Die Zellen %1 und %2 melden einander an mehr als einem Port, ohne den Port der Gegenseite zu nennen; welche Ports zusammengehören, lässt sich nicht sagen. Keine Verbindung zwischen ihnen wird benutzt.</translation>
+    </message>
+    <message>
+        <source>The %1 joins ports that cell model %2 forbids to join. It is not used.</source>
+        <translation>Die %1 verbindet Ports, die das Zellmodell %2 nicht zu verbinden erlaubt. Sie wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Cells %1 and %2 are joined %3 times, which two hexagons can&apos;t be. None of these links is used.</source>
+        <translation>Die Zellen %1 und %2 sind %3-mal verbunden, was zwei Sechsecke nicht sein können. Keine dieser Verbindungen wird benutzt.</translation>
+    </message>
+    <message>
+        <source>The %1 joins %2 and %3; the patch ends there.</source>
+        <translation>Die %1 verbindet %2 und %3; dort endet das Hautstück.</translation>
+    </message>
+    <message>
+        <source>The %1 joins cells that the file places in different frames (root cells %2 and %3); the patch ends there.</source>
+        <translation>Die %1 verbindet Zellen, die in der Datei in verschiedenen Koordinatensystemen liegen (Wurzelzellen %2 und %3); dort endet das Hautstück.</translation>
+    </message>
+    <message>
+        <source>The %1 bends by %2 degrees, and a skin link by no more than %3. It is probably a cable or crosses a joint.</source>
+        <translation>Die %1 biegt sich um %2 Grad, eine Hautverbindung um höchstens %3. Wahrscheinlich ist sie ein Kabel oder führt über ein Gelenk.</translation>
+    </message>
+    <message>
+        <source>The %1 is twisted by %2 degrees, and a skin link by no more than %3. It is probably a cable, or a port number is wrong.</source>
+        <translation>Die %1 ist um %2 Grad verwunden, eine Hautverbindung um höchstens %3. Wahrscheinlich ist sie ein Kabel, oder eine Portnummer ist falsch.</translation>
+    </message>
+    <message>
+        <source>The %1 is turned in the surface by %2 degrees, and a skin link by no more than %3. A port number is probably wrong, or it is a cable.</source>
+        <translation>Die %1 ist in der Fläche um %2 Grad gedreht, eine Hautverbindung um höchstens %3. Wahrscheinlich ist eine Portnummer falsch, oder sie ist ein Kabel.</translation>
+    </message>
+    <message>
+        <source>The cells of the %1 moved against each other between poses (misfit %2 standard deviations, limit %3): probably a joint or a cable, or one of the two sensors is bad. The link is not used.</source>
+        <translation>Die Zellen der %1 haben sich zwischen den Posen gegeneinander bewegt (Abweichung %2 Standardabweichungen, Grenze %3): wahrscheinlich ein Gelenk oder ein Kabel, oder einer der beiden Sensoren ist schlecht. Die Verbindung wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>With all other links the ends of the %1 come to lie %2 mm apart, and a skin link leaves no more than %3 mm: it is probably a cable, or another link of the loop is. The link is not used.</source>
+        <translation>Mit allen anderen Verbindungen liegen die Enden der %1 %2 mm auseinander, bei einer Hautverbindung höchstens %3 mm: Wahrscheinlich ist sie oder eine andere Verbindung der Schleife ein Kabel. Die Verbindung wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Cell %1 delivered no reading in any pose; it is placed through its links.</source>
+        <translation>Zelle %1 hat in keiner Pose einen Messwert geliefert; sie wird über ihre Verbindungen eingeordnet.</translation>
+    </message>
+    <message>
+        <source>Cell %1 delivered no reading %2; it is placed from the other poses.</source>
+        <translation>Zelle %1 hat %2 keinen Messwert geliefert; sie wird aus den anderen Posen eingeordnet.</translation>
+    </message>
+    <message>
+        <source>Cell %1 reads %2 on its %3 axis in all poses, while what it reads in all ranges from %4 to %5: the axis is dead. The cell is placed through its links.</source>
+        <translation>Zelle %1 misst auf ihrer %3-Achse in allen Posen %2, insgesamt aber zwischen %4 und %5: Die Achse ist tot. Die Zelle wird über ihre Verbindungen eingeordnet.</translation>
+    </message>
+    <message>
+        <source>Cell %1 reads the end of its range (%2 g) %3; these readings are not used.</source>
+        <translation>Zelle %1 misst %3 das Ende ihres Messbereichs (%2 g); diese Messwerte werden nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Cell %1 reads less than %2 mg %3: its accelerometer is dead. The cell is placed through its links.</source>
+        <translation>Zelle %1 misst %3 weniger als %2 mg: Ihr Beschleunigungssensor ist tot. Die Zelle wird über ihre Verbindungen eingeordnet.</translation>
+    </message>
+    <message>
+        <source>Cell %1 reads less than %2 mg %3; these readings are not used.</source>
+        <translation>Zelle %1 misst %3 weniger als %2 mg; diese Messwerte werden nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Cell %1 reads up to %2 mg %3, expected 1000 mg +- %4 mg; these readings are not used.</source>
+        <translation>Zelle %1 misst %3 bis zu %2 mg, erwartet sind 1000 mg ± %4 mg; diese Messwerte werden nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Cell %1 scatters by %2 in pose %3 (other cells %4, limit %5); the reading is not used.</source>
+        <translation>Zelle %1 streut in Pose %3 um %2 (andere Zellen %4, Grenze %5); der Messwert wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Cell %1 reads the same direction in all poses (within %2 degrees) while the other cells turn by %3 degrees: its accelerometer is stuck. The cell is placed through its links.</source>
+        <translation>Zelle %1 misst in allen Posen dieselbe Richtung (auf %2 Grad genau), während sich die anderen Zellen um %3 Grad drehen: Ihr Beschleunigungssensor hängt. Die Zelle wird über ihre Verbindungen eingeordnet.</translation>
+    </message>
+    <message>
+        <source>Cell %1 reads %2 g on average where there is 1 g, and does not fit its neighbours: its gain is wrong. The cell is placed through its links.</source>
+        <translation>Zelle %1 misst im Mittel %2 g, wo 1 g ist, und passt nicht zu ihren Nachbarn: Ihre Verstärkung ist falsch. Die Zelle wird über ihre Verbindungen eingeordnet.</translation>
+    </message>
+    <message>
+        <source>Cell %1 reads what fits none of the other cells, however it lies: its accelerometer is wrongly wired or broken. The cell is placed through its links.</source>
+        <translation>Was Zelle %1 misst, passt zu keiner anderen Zelle, wie auch immer sie liegt: Ihr Beschleunigungssensor ist falsch verdrahtet oder defekt. Die Zelle wird über ihre Verbindungen eingeordnet.</translation>
+    </message>
+    <message>
+        <source>Cell %1 reads what fits none of the other cells, however it lies: its accelerometer is wrongly wired or broken, or its one link is not rigid. The cell is placed through its links.</source>
+        <translation>Was Zelle %1 misst, passt zu keiner anderen Zelle, wie auch immer sie liegt: Ihr Beschleunigungssensor ist falsch verdrahtet oder defekt, oder ihre einzige Verbindung ist nicht starr. Die Zelle wird über ihre Verbindungen eingeordnet.</translation>
+    </message>
+    <message>
+        <source>Cell %1 was left out; it is placed through its links.</source>
+        <translation>Zelle %1 wurde weggelassen; sie wird über ihre Verbindungen eingeordnet.</translation>
+    </message>
+    <message>
+        <source>Two poses carry the number %1; both are used.</source>
+        <translation>Zwei Posen tragen die Nummer %1; beide werden benutzt.</translation>
+    </message>
+    <message>
+        <source>Pose %1 holds a reading of cell %2, which is not in the skin.</source>
+        <translation>Pose %1 enthält einen Messwert von Zelle %2, die nicht zur Haut gehört.</translation>
+    </message>
+    <message>
+        <source>Pose %1 holds two readings of cell %2; the first counts.</source>
+        <translation>Pose %1 enthält zwei Messwerte von Zelle %2; der erste zählt.</translation>
+    </message>
+    <message>
+        <source>Pose %1 is pose %2 upside down (within %3°), which adds no new direction.</source>
+        <translation>Pose %1 ist Pose %2 auf dem Kopf (auf %3° genau); das bringt keine neue Richtung.</translation>
+    </message>
+    <message>
+        <source>Pose %1 shows gravity where pose %2 does (within %3°), which adds no new direction.</source>
+        <translation>Pose %1 zeigt die Schwerkraft dort, wo Pose %2 sie zeigt (auf %3° genau); das bringt keine neue Richtung.</translation>
+    </message>
+    <message>
+        <source>There is no pose yet: the surface shown follows from ports and priors alone.</source>
+        <translation>Es gibt noch keine Pose: Die gezeigte Fläche folgt allein aus Ports und Vorannahmen.</translation>
+    </message>
+    <message>
+        <source>Gravity was seen along one line only, so the turn about it is a guess: take a pose in which the part is turned by about 90 degrees about a horizontal axis.</source>
+        <translation>Die Schwerkraft wurde nur entlang einer Linie gesehen, die Drehung um diese Linie ist geraten: eine Pose aufnehmen, in der das Teil um etwa 90 Grad um eine waagrechte Achse gedreht ist.</translation>
+    </message>
+    <message>
+        <source>In pose %1 the readings of most cells scatter by %2: the part was probably moving. Take the pose again.</source>
+        <translation>In Pose %1 streuen die Messwerte der meisten Zellen um %2: Wahrscheinlich hat sich das Teil bewegt. Die Pose noch einmal aufnehmen.</translation>
+    </message>
+    <message>
+        <source>In pose %1 most neighbouring cells contradict each other, and without it they don&apos;t: the part probably moved while it was sampled. The pose is not used; take it again.</source>
+        <translation>In Pose %1 widersprechen sich die meisten Nachbarzellen, ohne sie nicht: Wahrscheinlich hat sich das Teil während der Messung bewegt. Die Pose wird nicht benutzt; noch einmal aufnehmen.</translation>
+    </message>
+    <message>
+        <source>In pose %1 the cells contradict each other by %2 times their noise (other poses %3): the part probably moved while it was sampled. Take the pose again.</source>
+        <translation>In Pose %1 widersprechen sich die Zellen um das %2-Fache ihres Rauschens (andere Posen %3): Wahrscheinlich hat sich das Teil während der Messung bewegt. Die Pose noch einmal aufnehmen.</translation>
+    </message>
+    <message>
+        <source>A cell ID is listed twice; the first entry counts.</source>
+        <translation>Eine Zell-ID ist zweimal aufgeführt; der erste Eintrag zählt.</translation>
+    </message>
+    <message>
+        <source>A cell carries ID 0 or an interface&apos;s ID; it is left out.</source>
+        <translation>Eine Zelle trägt die ID 0 oder die einer Schnittstelle; sie wird weggelassen.</translation>
+    </message>
+    <message>
+        <source>A link names a port that the cell model does not have; it is left out.</source>
+        <translation>Eine Verbindung nennt einen Port, den das Zellmodell nicht hat; sie wird weggelassen.</translation>
+    </message>
+    <message>
+        <source>A link names a neighbour that is not in the list of cells; it is left out.</source>
+        <translation>Eine Verbindung nennt einen Nachbarn, der nicht in der Liste der Zellen steht; sie wird weggelassen.</translation>
+    </message>
+    <message>
+        <source>A cell names itself as its neighbour; the link is left out.</source>
+        <translation>Eine Zelle nennt sich selbst als Nachbarn; die Verbindung wird weggelassen.</translation>
+    </message>
+    <message>
+        <source>Only one of two cells reports the link; it is muted.</source>
+        <translation>Nur eine von zwei Zellen meldet die Verbindung; sie ist ausgeschlossen.</translation>
+    </message>
+    <message>
+        <source>The reports of two cells about a link disagree; the links concerned are muted.</source>
+        <translation>Zwei Zellen melden eine Verbindung verschieden; die betroffenen Verbindungen sind ausgeschlossen.</translation>
+    </message>
+    <message>
+        <source>The same port is reported more than once, or two cells are joined twice.</source>
+        <translation>Derselbe Port ist mehrfach gemeldet, oder zwei Zellen sind doppelt verbunden.</translation>
+    </message>
+    <message>
+        <source>A link joins two ports that the cell model forbids to join; it is muted.</source>
+        <translation>Eine Verbindung verbindet zwei Ports, die das Zellmodell nicht zu verbinden erlaubt; sie ist ausgeschlossen.</translation>
+    </message>
+    <message>
+        <source>A cell is connected to a computer interface; the edge is not part of the skin.</source>
+        <translation>Eine Zelle ist an eine Rechnerschnittstelle angeschlossen; diese Kante gehört nicht zur Haut.</translation>
+    </message>
+    <message>
+        <source>A link joins cells of different body parts; it is muted, and the patch ends there.</source>
+        <translation>Eine Verbindung verbindet Zellen verschiedener Körperteile; sie ist ausgeschlossen, und das Hautstück endet dort.</translation>
+    </message>
+    <message>
+        <source>A link bends further than a skin link can; it is probably a cable or crosses a joint.</source>
+        <translation>Eine Verbindung biegt sich weiter, als eine Hautverbindung kann; wahrscheinlich ist sie ein Kabel oder führt über ein Gelenk.</translation>
+    </message>
+    <message>
+        <source>A link twists further than a skin link can; it is probably a cable or a wrong port.</source>
+        <translation>Eine Verbindung verwindet sich weiter, als eine Hautverbindung kann; wahrscheinlich ist sie ein Kabel, oder ein Port ist falsch.</translation>
+    </message>
+    <message>
+        <source>A link is turned in the surface further than a skin link can be; probably a wrong port or a cable.</source>
+        <translation>Eine Verbindung ist in der Fläche weiter gedreht, als eine Hautverbindung sein kann; wahrscheinlich ein falscher Port oder ein Kabel.</translation>
+    </message>
+    <message>
+        <source>The two cells of a link moved against each other between poses; it is probably a joint.</source>
+        <translation>Die beiden Zellen einer Verbindung haben sich zwischen den Posen gegeneinander bewegt; wahrscheinlich ist dort ein Gelenk.</translation>
+    </message>
+    <message>
+        <source>With all other links the ends of this link come to lie far apart: it is probably a cable, or another link of the loop is. Muted.</source>
+        <translation>Mit allen anderen Verbindungen liegen die Enden dieser Verbindung weit auseinander: Wahrscheinlich ist sie oder eine andere Verbindung der Schleife ein Kabel. Ausgeschlossen.</translation>
+    </message>
+    <message>
+        <source>A cell has no usable reading in any enabled pose; it is placed through its links.</source>
+        <translation>Eine Zelle hat in keiner benutzten Pose einen brauchbaren Messwert; sie wird über ihre Verbindungen eingeordnet.</translation>
+    </message>
+    <message>
+        <source>A cell has no reading in some enabled poses; it is placed from the others.</source>
+        <translation>Eine Zelle hat in einigen benutzten Posen keinen Messwert; sie wird aus den anderen eingeordnet.</translation>
+    </message>
+    <message>
+        <source>A cell&apos;s accelerometer reads nothing like gravity; the cell is placed through its links.</source>
+        <translation>Der Beschleunigungssensor einer Zelle misst nichts, was Schwerkraft sein könnte; die Zelle wird über ihre Verbindungen eingeordnet.</translation>
+    </message>
+    <message>
+        <source>A cell&apos;s accelerometer does not change while the part moves; the cell is placed through its links.</source>
+        <translation>Der Beschleunigungssensor einer Zelle ändert sich nicht, während sich das Teil bewegt; die Zelle wird über ihre Verbindungen eingeordnet.</translation>
+    </message>
+    <message>
+        <source>A reading lies at the end of the accelerometer&apos;s range; it is not used.</source>
+        <translation>Ein Messwert liegt am Ende des Messbereichs; er wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>A cell&apos;s readings scatter far more than its sensor&apos;s noise and the other cells&apos;.</source>
+        <translation>Die Messwerte einer Zelle streuen weit mehr als das Rauschen ihres Sensors und das der anderen Zellen.</translation>
+    </message>
+    <message>
+        <source>A cell&apos;s readings are further from 1 g than its sensor&apos;s offset and scale allow.</source>
+        <translation>Die Messwerte einer Zelle liegen weiter von 1 g weg, als Nullpunkt und Skalierung ihres Sensors erlauben.</translation>
+    </message>
+    <message>
+        <source>One axis of a cell&apos;s accelerometer does not follow gravity; the cell is placed through its links.</source>
+        <translation>Eine Achse des Beschleunigungssensors einer Zelle folgt der Schwerkraft nicht; die Zelle wird über ihre Verbindungen eingeordnet.</translation>
+    </message>
+    <message>
+        <source>A cell&apos;s accelerometer reads too much or too little in every pose; it is placed by its links.</source>
+        <translation>Der Beschleunigungssensor einer Zelle misst in jeder Pose zu viel oder zu wenig; sie wird über ihre Verbindungen eingeordnet.</translation>
+    </message>
+    <message>
+        <source>A cell&apos;s readings fit no position of the cell in the patch; the cell is placed through its links.</source>
+        <translation>Die Messwerte einer Zelle passen zu keiner Lage der Zelle im Hautstück; die Zelle wird über ihre Verbindungen eingeordnet.</translation>
+    </message>
+    <message>
+        <source>A cell was left out on request; it is placed through its links.</source>
+        <translation>Eine Zelle wurde auf Wunsch weggelassen; sie wird über ihre Verbindungen eingeordnet.</translation>
+    </message>
+    <message>
+        <source>A pose holds a reading of a cell that is not in the skin; it is not used.</source>
+        <translation>Eine Pose enthält einen Messwert einer Zelle, die nicht zur Haut gehört; er wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>A pose holds two readings of one cell; the first counts.</source>
+        <translation>Eine Pose enthält zwei Messwerte einer Zelle; der erste zählt.</translation>
+    </message>
+    <message>
+        <source>Two poses carry the same ID.</source>
+        <translation>Zwei Posen tragen dieselbe Nummer.</translation>
+    </message>
+    <message>
+        <source>There is no enabled pose: the placement follows from ports and priors alone.</source>
+        <translation>Es gibt keine benutzte Pose: Die Lagen folgen allein aus Ports und Vorannahmen.</translation>
+    </message>
+    <message>
+        <source>The poses show gravity along too few directions to fix every rotation.</source>
+        <translation>Die Posen zeigen die Schwerkraft aus zu wenigen Richtungen, um jede Drehung festzulegen.</translation>
+    </message>
+    <message>
+        <source>Two poses show gravity along nearly the same line, which adds little.</source>
+        <translation>Zwei Posen zeigen die Schwerkraft fast entlang derselben Linie; das bringt wenig.</translation>
+    </message>
+    <message>
+        <source>Most cells scattered far beyond their noise in this pose: the part was probably moving.</source>
+        <translation>Die meisten Zellen streuten in dieser Pose weit über ihr Rauschen hinaus: Wahrscheinlich hat sich das Teil bewegt.</translation>
+    </message>
+    <message>
+        <source>The cells contradict each other in one pose far more than in the others; the part moved.</source>
+        <translation>Die Zellen widersprechen sich in einer Pose weit mehr als in den anderen; das Teil hat sich bewegt.</translation>
+    </message>
+    <message>
+        <source>The skin has no cells.</source>
+        <translation>Die Haut hat keine Zellen.</translation>
+    </message>
+    <message>
+        <source>Check the connection to the skin and explore it again.</source>
+        <translation>Die Verbindung zur Haut prüfen und sie neu erkunden.</translation>
+    </message>
+    <message>
+        <source>One cell: it is its own origin, there is nothing to estimate.</source>
+        <translation>Eine Zelle: Sie ist ihr eigener Ursprung, zu schätzen gibt es nichts.</translation>
+    </message>
+    <message>
+        <source>No cell is linked to another: each is its own origin.</source>
+        <translation>Keine Zelle ist mit einer anderen verbunden: Jede ist ihr eigener Ursprung.</translation>
+    </message>
+    <message>
+        <source>Export.</source>
+        <translation>Exportieren.</translation>
+    </message>
+    <message>
+        <source>Check the links between the cells.</source>
+        <translation>Die Verbindungen zwischen den Zellen prüfen.</translation>
+    </message>
+    <message>
+        <source>Look at the findings, then export.</source>
+        <translation>Die Befunde ansehen, dann exportieren.</translation>
+    </message>
+    <message>
+        <source>Not enough poses: none yet. The surface shown follows from ports alone.</source>
+        <translation>Zu wenige Posen: noch keine. Die gezeigte Fläche folgt allein aus den Ports.</translation>
+    </message>
+    <message>
+        <source>Hold the part still and take a first pose.</source>
+        <translation>Das Teil stillhalten und eine erste Pose aufnehmen.</translation>
+    </message>
+    <message>
+        <source>Not enough poses: one leaves the turn about gravity open (%1).</source>
+        <translation>Zu wenige Posen: Eine lässt die Drehung um die Schwerkraft offen (%1).</translation>
+    </message>
+    <message>
+        <source>Not enough poses: %1 along one line leave the turn about gravity open (%2).</source>
+        <translation>Zu wenige Posen: %1 entlang einer Linie lassen die Drehung um die Schwerkraft offen (%2).</translation>
+    </message>
+    <message>
+        <source>%1 are not enough: known to %2 only.</source>
+        <translation>%1 reichen nicht: nur auf %2 genau.</translation>
+    </message>
+    <message>
+        <source>1 pose are not enough: known to %1 only.</source>
+        <translation>1 Pose reicht nicht: nur auf %1 genau.</translation>
+    </message>
+    <message>
+        <source>Good: %1 at the worst cell (95 %), %2.</source>
+        <translation>Gut: %1 an der schlechtesten Zelle (95 %), %2.</translation>
+    </message>
+    <message>
+        <source>Usable: %1 at the worst cell (95 %), %2.</source>
+        <translation>Brauchbar: %1 an der schlechtesten Zelle (95 %), %2.</translation>
+    </message>
+    <message>
+        <source>Turn the part so that cell %1 faces a wall, its side towards the ceiling.</source>
+        <translation>Das Teil so drehen, dass Zelle %1 zur Wand zeigt, mit einer Kante zur Decke.</translation>
+    </message>
+    <message>
+        <source>Turn the part so that cell %1 faces the ceiling.</source>
+        <translation>Das Teil so drehen, dass Zelle %1 zur Decke zeigt.</translation>
+    </message>
+    <message>
+        <source>Turn the part so that cell %1 faces the floor.</source>
+        <translation>Das Teil so drehen, dass Zelle %1 zum Boden zeigt.</translation>
+    </message>
+    <message>
+        <source>That should bring ±%1° to about ±%2°.</source>
+        <translation>Das sollte aus ±%1° etwa ±%2° machen.</translation>
+    </message>
+    <message>
+        <source>Imported placements; nothing was measured here.</source>
+        <translation>Eingelesene Lagen; hier wurde nichts gemessen.</translation>
+    </message>
+    <message>
+        <source>Check the findings, then export, or take poses of this skin to measure it.</source>
+        <translation>Die Befunde prüfen, dann exportieren, oder Posen dieser Haut aufnehmen, um sie zu vermessen.</translation>
+    </message>
+    <message>
+        <source>Waiting for samples</source>
+        <translation>Wartet auf Messwerte</translation>
+    </message>
+    <message>
+        <source>Waiting for samples: all cells are silent</source>
+        <translation>Wartet auf Messwerte: Alle Zellen schweigen</translation>
+    </message>
+    <message>
+        <source>Waiting for samples: fewer than %1 s so far</source>
+        <translation>Wartet auf Messwerte: bisher weniger als %1 s</translation>
+    </message>
+    <message>
+        <source>Turn the part: it has moved %1 deg since the last capture, more than %2 are needed</source>
+        <translation>Teil drehen: seit der letzten Aufnahme um %1° bewegt, mehr als %2° sind nötig</translation>
+    </message>
+    <message>
+        <source>Hold still: the part turns by %1 deg/s, limit %2</source>
+        <translation>Stillhalten: Das Teil dreht sich mit %1°/s, Grenze %2</translation>
+    </message>
+    <message>
+        <source>Hold still: cell %1 moves %2 mg, limit %3</source>
+        <translation>Stillhalten: Zelle %1 bewegt sich um %2 mg, Grenze %3</translation>
+    </message>
+    <message>
+        <source>Hold still: cell %1 turns by %2 deg/s against the rest, limit %3</source>
+        <translation>Stillhalten: Zelle %1 dreht sich mit %2°/s gegen die anderen, Grenze %3</translation>
+    </message>
+    <message>
+        <source>Capturing what there is, moved or not</source>
+        <translation>Aufnahme läuft, bewegt oder nicht</translation>
+    </message>
+    <message>
+        <source>Keep still: taking samples</source>
+        <translation>Weiter stillhalten: Messung läuft</translation>
+    </message>
+    <message>
+        <source>Still</source>
+        <translation>Ruhig</translation>
+    </message>
+    <message>
+        <source>Still: ready to capture</source>
+        <translation>Ruhig: bereit zur Aufnahme</translation>
+    </message>
+    <message>
+        <source>connecting</source>
+        <translation>Verbindung wird aufgebaut</translation>
+    </message>
+    <message>
+        <source>connected to %1</source>
+        <translation>verbunden mit %1</translation>
+    </message>
+    <message>
+        <source>the device</source>
+        <translation>dem Gerät</translation>
+    </message>
+    <message>
+        <source>connected to the device, %1</source>
+        <translation>mit dem Gerät verbunden, %1</translation>
+    </message>
+    <message>
+        <source>waiting for the device, %1</source>
+        <translation>wartet auf das Gerät, %1</translation>
+    </message>
+    <message>
+        <source>it has not said what it is</source>
+        <translation>es hat noch nicht gesagt, was es ist</translation>
+    </message>
+    <message>
+        <source>its topology has not come</source>
+        <translation>seine Topologie ist noch nicht da</translation>
+    </message>
+    <message>
+        <source>its cell model can&apos;t be used: %1</source>
+        <translation>sein Zellmodell ist nicht verwendbar: %1</translation>
+    </message>
+    <message>
+        <source>%1; it says: %2</source>
+        <translation>%1; es sagt: %2</translation>
+    </message>
+    <message>
+        <source>%1; next try in %2</source>
+        <translation>%1; nächster Versuch in %2</translation>
+    </message>
+    <message>
+        <source>%1; not trying again</source>
+        <translation>%1; kein weiterer Versuch</translation>
+    </message>
+    <message>
+        <source>nothing came for %1; reconnecting after %2</source>
+        <translation>seit %1 kam nichts; neue Verbindung nach %2</translation>
+    </message>
+    <message>
+        <source>only broken messages (%1) for %2; reconnecting after %3</source>
+        <translation>seit %2 nur kaputte Nachrichten (%1); neue Verbindung nach %3</translation>
+    </message>
+    <message>
+        <source>what came is broken: %1</source>
+        <translation>was kam, ist kaputt: %1</translation>
+    </message>
+    <message>
+        <source>the device closed the connection</source>
+        <translation>das Gerät hat die Verbindung beendet</translation>
+    </message>
+    <message>
+        <source>the host is not known: %1</source>
+        <translation>der Rechner ist nicht bekannt: %1</translation>
+    </message>
+    <message>
+        <source>the connection was lost</source>
+        <translation>die Verbindung ging verloren</translation>
+    </message>
+    <message>
+        <source>the connection was closed</source>
+        <translation>die Verbindung wurde geschlossen</translation>
+    </message>
+    <message>
+        <source>the source was stopped</source>
+        <translation>die Quelle wurde angehalten</translation>
+    </message>
+    <message>
+        <source>the device did not answer within %1</source>
+        <translation>das Gerät hat innerhalb von %1 nicht geantwortet</translation>
+    </message>
+    <message>
+        <source>standard input takes no commands</source>
+        <translation>die Standardeingabe nimmt keine Befehle an</translation>
+    </message>
+    <message>
+        <source>playing</source>
+        <translation>wird abgespielt</translation>
+    </message>
+    <message>
+        <source>the recording is over</source>
+        <translation>die Aufzeichnung ist zu Ende</translation>
+    </message>
+    <message>
+        <source>the input is over</source>
+        <translation>die Eingabe ist zu Ende</translation>
+    </message>
+    <message>
+        <source>nothing comes</source>
+        <translation>es kommt nichts</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>Streaming: %1</source>
+        <translation>Empfang: %1</translation>
+    </message>
+    <message>
+        <source>Connection refused</source>
+        <translation>Verbindung abgelehnt</translation>
+    </message>
+    <message>
+        <source>Connection reset by peer</source>
+        <translation>Verbindung von der Gegenseite getrennt</translation>
+    </message>
+    <message>
+        <source>Connection timed out</source>
+        <translation>Zeitüberschreitung beim Verbinden</translation>
+    </message>
+    <message>
+        <source>No route to host</source>
+        <translation>Kein Weg zum Rechner</translation>
+    </message>
+    <message>
+        <source>Network is unreachable</source>
+        <translation>Netz nicht erreichbar</translation>
+    </message>
+    <message>
+        <source>Host not found (authoritative)</source>
+        <translation>Rechner nicht gefunden</translation>
+    </message>
+    <message>
+        <source>No such device</source>
+        <translation>Kein solches Gerät</translation>
+    </message>
+    <message>
+        <source>Device or resource busy</source>
+        <translation>Gerät ist belegt</translation>
+    </message>
+    <message>
+        <source>source &quot;%1&quot;: expected one of %2</source>
+        <translation>Quelle „%1“: erwartet ist eines von %2</translation>
+    </message>
+    <message>
+        <source>source &quot;%1&quot;: expected %2</source>
+        <translation>Quelle „%1“: erwartet ist %2</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Ordner nicht gefunden</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>Keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>Dateisystem nur lesbar</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>Kein Platz mehr auf dem Datenträger</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>Ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>Ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Ein-/Ausgabefehler</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1</source>
+        <translation>lässt sich nicht öffnen: %1</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>lässt sich nicht lesen: %1</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>lässt sich nicht schreiben: %1</translation>
+    </message>
+    <message>
+        <source>cannot be replaced: %1</source>
+        <translation>lässt sich nicht ersetzen: %1</translation>
+    </message>
+    <message>
+        <source>is a folder, expected a file</source>
+        <translation>ist ein Ordner, erwartet ist eine Datei</translation>
+    </message>
+    <message>
+        <source>is a file, expected a folder</source>
+        <translation>ist eine Datei, erwartet ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>is a folder, cannot be written as a file</source>
+        <translation>ist ein Ordner und lässt sich nicht als Datei schreiben</translation>
+    </message>
+    <message>
+        <source>is not a file, expected one</source>
+        <translation>ist keine Datei, erwartet ist eine</translation>
+    </message>
+    <message>
+        <source>exists already, and what a session has captured is never replaced: take another name, or remove the file first</source>
+        <translation>gibt es schon, und was eine Sitzung aufgenommen hat, wird nie ersetzt: anderen Namen wählen oder die Datei vorher entfernen</translation>
+    </message>
+    <message>
+        <source>is open for reading only: save the session elsewhere to go on</source>
+        <translation>ist nur zum Lesen offen: die Sitzung woanders speichern, um weiterzuarbeiten</translation>
+    </message>
+    <message>
+        <source>the file is empty, expected a Hexoderm session</source>
+        <translation>die Datei ist leer, erwartet ist eine Hexoderm-Sitzung</translation>
+    </message>
+    <message>
+        <source>the file is empty, expected JSON</source>
+        <translation>die Datei ist leer, erwartet ist JSON</translation>
+    </message>
+    <message>
+        <source>the file is empty, %1</source>
+        <translation>die Datei ist leer, %1</translation>
+    </message>
+    <message>
+        <source>is none of the files that Hexoderm reads, %1</source>
+        <translation>ist keine der Dateien, die Hexoderm liest, %1</translation>
+    </message>
+    <message>
+        <source>expected a Hexoderm session (*.hexo, or format &quot;hexoderm-session&quot;), a calibration (format &quot;hexoderm-calibration&quot;) or a TUM SkinConfig XML</source>
+        <translation>erwartet ist eine Hexoderm-Sitzung (*.hexo oder Format „hexoderm-session“), eine Kalibrierung (Format „hexoderm-calibration“) oder ein TUM-SkinConfig-XML</translation>
+    </message>
+    <message>
+        <source>is not a Hexoderm session, expected an SQLite database (*.hexo)</source>
+        <translation>ist keine Hexoderm-Sitzung, erwartet ist eine SQLite-Datenbank (*.hexo)</translation>
+    </message>
+    <message>
+        <source>the file ends in the middle (truncated?), expected a whole Hexoderm session</source>
+        <translation>die Datei endet mittendrin (abgeschnitten?), erwartet ist eine vollständige Hexoderm-Sitzung</translation>
+    </message>
+    <message>
+        <source>the file ends in the middle (truncated?), expected complete JSON</source>
+        <translation>die Datei endet mittendrin (abgeschnitten?), erwartet ist vollständiges JSON</translation>
+    </message>
+    <message>
+        <source>this is not JSON, expected a JSON value here</source>
+        <translation>das ist kein JSON, erwartet ist hier ein JSON-Wert</translation>
+    </message>
+    <message>
+        <source>the file is damaged, expected the database of a Hexoderm session (%1)</source>
+        <translation>die Datei ist beschädigt, erwartet ist die Datenbank einer Hexoderm-Sitzung (%1)</translation>
+    </message>
+    <message>
+        <source>the file is damaged: what it holds does not match its digest</source>
+        <translation>die Datei ist beschädigt: Ihr Inhalt passt nicht zu ihrer Prüfsumme</translation>
+    </message>
+    <message>
+        <source>the file is damaged: expected entry %1</source>
+        <translation>die Datei ist beschädigt: erwartet ist Eintrag %1</translation>
+    </message>
+    <message>
+        <source>the file is damaged: they are missing</source>
+        <translation>die Datei ist beschädigt: sie fehlen</translation>
+    </message>
+    <message>
+        <source>the file is damaged: they do not match their digest</source>
+        <translation>die Datei ist beschädigt: sie passen nicht zu ihrer Prüfsumme</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>expected a finite number, found %1</source>
+        <translation>erwartet ist eine endliche Zahl, gefunden wurde %1</translation>
+    </message>
+    <message>
+        <source>another Hexoderm has it open for writing: close it there, or open it for reading</source>
+        <translation>ein anderes Hexoderm hat sie zum Schreiben offen: dort schließen oder zum Lesen öffnen</translation>
+    </message>
+    <message>
+        <source>another Hexoderm is reading it: wait until it has done and try again</source>
+        <translation>ein anderes Hexoderm liest sie: warten, bis es fertig ist, und noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>another program is writing to it: close that program and try again</source>
+        <translation>ein anderes Programm schreibt darin: das Programm schließen und noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>the disk is full: free some space and try again; what was stored before is intact</source>
+        <translation>der Datenträger ist voll: Platz schaffen und noch einmal versuchen; was vorher gespeichert war, ist unversehrt</translation>
+    </message>
+    <message>
+        <source>cannot be written (%1): make the file and its folder writable, or save the session elsewhere</source>
+        <translation>lässt sich nicht schreiben (%1): Datei und Ordner beschreibbar machen oder die Sitzung woanders speichern</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1; make the file writable, or open it for reading and save it elsewhere</source>
+        <translation>lässt sich nicht schreiben: %1; die Datei beschreibbar machen, oder sie zum Lesen öffnen und woanders speichern</translation>
+    </message>
+    <message>
+        <source>cannot be locked against a second writer: %1; keep sessions on a disk of this machine</source>
+        <translation>lässt sich nicht gegen einen zweiten Schreiber sperren: %1; Sitzungen auf einem Datenträger dieses Rechners halten</translation>
+    </message>
+    <message>
+        <source>its file system can&apos;t keep a journal (WAL): keep sessions on a disk of this machine</source>
+        <translation>ihr Dateisystem kann kein Journal (WAL) führen: Sitzungen auf einem Datenträger dieses Rechners halten</translation>
+    </message>
+    <message>
+        <source>the disk does not read or write it (%1): check the disk and try again; what was stored before is kept as far as the disk has it</source>
+        <translation>der Datenträger liest oder schreibt sie nicht (%1): den Datenträger prüfen und noch einmal versuchen; was vorher gespeichert war, bleibt, soweit der Datenträger es hat</translation>
+    </message>
+    <message>
+        <source>no copy can be made to read it: %1</source>
+        <translation>zum Lesen lässt sich keine Kopie anlegen: %1</translation>
+    </message>
+    <message>
+        <source>read back after writing, it does not hold what was meant: %1</source>
+        <translation>nach dem Schreiben zurückgelesen, enthält sie nicht das Gemeinte: %1</translation>
+    </message>
+    <message>
+        <source>The picture %1 could not be written: is the folder writable?</source>
+        <translation>Das Bild %1 ließ sich nicht schreiben: Ist der Ordner beschreibbar?</translation>
+    </message>
+    <message>
+        <source>there are no cells, and so nothing to draw in a %1 file: export csv, dot, vtp or urdf instead</source>
+        <translation>es gibt keine Zellen und damit in einer %1-Datei nichts zu zeichnen: stattdessen csv, dot, vtp oder urdf exportieren</translation>
+    </message>
+    <message>
+        <source>%1: expected letters, digits and _ - . /, found &quot;%2&quot;</source>
+        <translation>%1: erwartet sind Buchstaben, Ziffern und _ - . /, gefunden wurde „%2“</translation>
+    </message>
+    <message>
+        <source>a session holds at most %1 poses</source>
+        <translation>eine Sitzung fasst höchstens %1 Posen</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <comment>the end of a list</comment>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>Cell %1 is dead: it reads %2 mg, no gravity</source>
+        <translation>Zelle %1 ist tot: Sie misst %2 mg, keine Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Cell %1 is stuck: it repeated one reading while the part moved</source>
+        <translation>Zelle %1 hängt: Sie wiederholte einen Messwert, während sich das Teil bewegte</translation>
+    </message>
+    <message>
+        <source>Cell %1 is noisy: it scatters by %2 mg rms while the rest is still</source>
+        <translation>Zelle %1 rauscht: Sie streut um %2 mg (Effektivwert), während der Rest ruht</translation>
+    </message>
+    <message>
+        <source>Cell %1 is restless: it turns by %2 deg/s while the rest is still</source>
+        <translation>Zelle %1 ist unruhig: Sie dreht sich mit %2°/s, während der Rest ruht</translation>
+    </message>
+    <message>
+        <source>Cell %1 is silent: nothing came from it for %2 s</source>
+        <translation>Zelle %1 ist stumm: Seit %2 s kam nichts von ihr</translation>
+    </message>
+    <message>
+        <source>Simulated %1 on %2, link law %3, seed %4</source>
+        <translation>Simulierte Haut %1 auf %2, Verbindungsgesetz %3, Startwert %4</translation>
+    </message>
+    <message>
+        <source>line %1, column %2, at %3: %4</source>
+        <translation>Zeile %1, Spalte %2, bei %3: %4</translation>
+    </message>
+    <message>
+        <source>line %1, column %2: %3</source>
+        <translation>Zeile %1, Spalte %2: %3</translation>
+    </message>
+    <message>
+        <source>cells %1</source>
+        <translation>Zellen %1</translation>
+    </message>
+    <message>
+        <source>Found: %1</source>
+        <translation>Gefunden: %1</translation>
+    </message>
+    <message>
+        <source>Every link joins two ports that fit</source>
+        <translation>Jede Verbindung verbindet zwei passende Ports</translation>
+    </message>
+    <message>
+        <source>%1 of %2 links are kept out: see the findings</source>
+        <translation>%1 von %2 Verbindungen bleiben außen vor: siehe Befunde</translation>
+    </message>
+    <message>
+        <source>Cell %1 reads %2 g: gravity is 1 g, give or take %3 g</source>
+        <translation>Zelle %1 misst %2 g: Schwerkraft ist 1 g, auf %3 g genau</translation>
+    </message>
+    <message>
+        <source>The cell sends and reads %1 g</source>
+        <translation>Die Zelle sendet und misst %1 g</translation>
+    </message>
+    <message>
+        <source>All %1 cells send and read %2 to %3 g</source>
+        <translation>Alle %1 Zellen senden und messen %2 bis %3 g</translation>
+    </message>
+    <message>
+        <source>Nothing comes from %1</source>
+        <translation>Nichts kommt von %1</translation>
+    </message>
+    <message>
+        <source>The skin has no cells</source>
+        <translation>Die Haut hat keine Zellen</translation>
+    </message>
+    <message>
+        <source>No readings have come yet</source>
+        <translation>Noch sind keine Messwerte da</translation>
+    </message>
+    <message>
+        <source>Every cell sends</source>
+        <translation>Jede Zelle sendet</translation>
+    </message>
+    <message>
+        <source>%1 of %2 cells send</source>
+        <translation>%1 von %2 Zellen senden</translation>
+    </message>
+    <message>
+        <source>The %1 was set aside by hand; it is not used.</source>
+        <translation>Die %1 wurde von Hand weggelegt; sie wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>The %1 was set aside by hand (%2); it is not used.</source>
+        <translation>Die %1 wurde von Hand weggelegt (%2); sie wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>The %1 was set aside by hand, but the skin reports no such link.</source>
+        <translation>Die %1 wurde von Hand weggelegt, aber die Haut meldet keine solche Verbindung.</translation>
+    </message>
+    <message>
+        <source>The %1 was set aside by hand (%2), but the skin reports no such link.</source>
+        <translation>Die %1 wurde von Hand weggelegt (%2), aber die Haut meldet keine solche Verbindung.</translation>
+    </message>
+    <message>
+        <source>The operator set a link aside, as a cable for example; it is muted.</source>
+        <translation>Eine Verbindung wurde von Hand weggelegt, als Kabel zum Beispiel; sie ist ausgeschlossen.</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::EventLog</name>
+    <message>
+        <source>Info</source>
+        <translation>Info</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::ExportDialog</name>
+    <message>
+        <source>File to write</source>
+        <translation>Zieldatei</translation>
+    </message>
+    <message>
+        <source>Name of the robot</source>
+        <translation>Name des Roboters</translation>
+    </message>
+    <message>
+        <source>Parent link</source>
+        <translation>Elternglied</translation>
+    </message>
+    <message>
+        <source>Prefix of names</source>
+        <translation>Namensvorsatz</translation>
+    </message>
+    <message>
+        <source>Export the calibration</source>
+        <translation>Kalibrierung exportieren</translation>
+    </message>
+    <message>
+        <source>What should the file be?</source>
+        <translation>Was soll die Datei werden?</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Durchsuchen…</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Write to</source>
+        <translation>Schreiben nach</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Unit of length</source>
+        <translation>Längeneinheit</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Glieder</translation>
+    </message>
+    <message>
+        <source>One for each cell</source>
+        <translation>Eines je Zelle</translation>
+    </message>
+    <message>
+        <source>One for each patch (lighter in RViz)</source>
+        <translation>Eines je Hautstück (leichter in RViz)</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Hexoderm&apos;s own file: everything that is known, to be opened again, compared and exported from later.</source>
+        <translation>Hexoderms eigene Datei: alles, was bekannt ist, um es später zu öffnen, zu vergleichen und zu exportieren.</translation>
+    </message>
+    <message>
+        <source>Say where the file should go.</source>
+        <translation>Angeben, wohin die Datei soll.</translation>
+    </message>
+    <message>
+        <source>There is no folder %1.</source>
+        <translation>Den Ordner %1 gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>%1 is a folder; give the file a name.</source>
+        <translation>%1 ist ein Ordner; der Datei einen Namen geben.</translation>
+    </message>
+    <message>
+        <source>The tables in this folder will be replaced.</source>
+        <translation>Die Tabellen in diesem Ordner werden ersetzt.</translation>
+    </message>
+    <message>
+        <source>There is a file of this name; it will be replaced.</source>
+        <translation>Es gibt eine Datei dieses Namens; sie wird ersetzt.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::FindCellField</name>
+    <message>
+        <source>Find cell…</source>
+        <translation>Zelle suchen…</translation>
+    </message>
+    <message>
+        <source>ID of the cell to find</source>
+        <translation>ID der gesuchten Zelle</translation>
+    </message>
+    <message>
+        <source>no such cell</source>
+        <translation>keine solche Zelle</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::FindingTable</name>
+    <message>
+        <source>Severity</source>
+        <translation>Schwere</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::GraphColoringButton</name>
+    <message>
+        <source>What the colours of links and cells show</source>
+        <translation>Was die Farben der Verbindungen und Zellen zeigen</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>Mark the &amp;shortest paths</source>
+        <translation>&amp;Kürzeste Wege markieren</translation>
+    </message>
+    <message>
+        <source>A band under the links on the shortest paths to the origin</source>
+        <translation>Ein Band unter den Verbindungen auf den kürzesten Wegen zum Ursprung</translation>
+    </message>
+    <message>
+        <source>Colour: %1 ▾</source>
+        <translation>Farbe: %1 ▾</translation>
+    </message>
+    <message>
+        <source>Colour of the graph: %1</source>
+        <translation>Farbe des Graphen: %1</translation>
+    </message>
+    <message>
+        <source>This skin does not say which body parts its cells are on</source>
+        <translation>Diese Haut sagt nicht, auf welchen Körperteilen ihre Zellen sind</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::GraphLegend</name>
+    <message>
+        <source>and so on</source>
+        <translation>und so weiter</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation>nicht benutzt</translation>
+    </message>
+    <message>
+        <source>shortest paths</source>
+        <translation>kürzeste Wege</translation>
+    </message>
+    <message>
+        <source>origin</source>
+        <translation>Ursprung</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::GraphView</name>
+    <message>
+        <source>Patch %1</source>
+        <translation>Hautstück %1</translation>
+    </message>
+    <message>
+        <source>1 cell</source>
+        <translation>1 Zelle</translation>
+    </message>
+    <message>
+        <source>%1 cells</source>
+        <translation>%1 Zellen</translation>
+    </message>
+    <message>
+        <source>No skin is open.</source>
+        <translation>Keine Haut ist offen.</translation>
+    </message>
+    <message>
+        <source>Picked: cell %1</source>
+        <translation>Gewählt: Zelle %1</translation>
+    </message>
+    <message>
+        <source>Picked: %1, %2</source>
+        <translation>Gewählt: %1, %2</translation>
+    </message>
+    <message>
+        <source>This skin has no cells.</source>
+        <translation>Diese Haut hat keine Zellen.</translation>
+    </message>
+    <message>
+        <source>The skin graph appears here as soon as a skin is open.</source>
+        <translation>Der Hautgraph erscheint hier, sobald eine Haut offen ist.</translation>
+    </message>
+    <message>
+        <source>Skin graph</source>
+        <translation>Hautgraph</translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation>nicht benutzt</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>&amp;Einpassen</translation>
+    </message>
+    <message>
+        <source>Find &amp;cell…</source>
+        <translation>&amp;Zelle suchen…</translation>
+    </message>
+    <message>
+        <source>Copy pict&amp;ure</source>
+        <translation>B&amp;ild kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Save picture…</source>
+        <translation>Bild &amp;speichern…</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::Guide</name>
+    <message>
+        <source>no findings</source>
+        <translation>keine Befunde</translation>
+    </message>
+    <message>
+        <source>1 finding</source>
+        <translation>1 Befund</translation>
+    </message>
+    <message>
+        <source>%1 findings</source>
+        <translation>%1 Befunde</translation>
+    </message>
+    <message>
+        <source>no poses</source>
+        <translation>keine Posen</translation>
+    </message>
+    <message>
+        <source>1 pose</source>
+        <translation>1 Pose</translation>
+    </message>
+    <message>
+        <source>%1 poses</source>
+        <translation>%1 Posen</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Check that the device is switched on, and that its address is right.</source>
+        <translation>Prüfen, ob das Gerät eingeschaltet ist und seine Adresse stimmt.</translation>
+    </message>
+    <message>
+        <source>The steps go on when the skin has said which cells it has.</source>
+        <translation>Weiter geht es, wenn die Haut gesagt hat, welche Zellen sie hat.</translation>
+    </message>
+    <message>
+        <source>Start the demo skin, connect to a skin, or open a session or a calibration.</source>
+        <translation>Die Demo-Haut starten, eine Haut verbinden oder eine Sitzung oder Kalibrierung öffnen.</translation>
+    </message>
+    <message>
+        <source>A file can also be dropped onto this window. The demo is a simulation of 17 cells on a cylinder; everything can be tried with it.</source>
+        <translation>Eine Datei lässt sich auch auf dieses Fenster ziehen. Die Demo ist eine Simulation von 17 Zellen auf einem Zylinder; mit ihr lässt sich alles ausprobieren.</translation>
+    </message>
+    <message>
+        <source>Check the skin</source>
+        <translation>Haut prüfen</translation>
+    </message>
+    <message>
+        <source>Waits for a skin.</source>
+        <translation>Wartet auf eine Haut.</translation>
+    </message>
+    <message>
+        <source>Compare the skin graph with the skin in front of you.</source>
+        <translation>Den Hautgraphen mit der Haut auf dem Tisch vergleichen.</translation>
+    </message>
+    <message>
+        <source>Every cell and every link should be there. What was reported but can&apos;t be a skin link is listed under Findings and kept out.</source>
+        <translation>Jede Zelle und jede Verbindung soll da sein. Was gemeldet wurde, aber keine Hautverbindung sein kann, steht unter Befunde und bleibt außen vor.</translation>
+    </message>
+    <message>
+        <source>Capture poses</source>
+        <translation>Posen aufnehmen</translation>
+    </message>
+    <message>
+        <source>A calibration is open. It holds the result; the poses are in its session.</source>
+        <translation>Eine Kalibrierung ist offen. Sie enthält das Ergebnis; die Posen stehen in ihrer Sitzung.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Durchsehen</translation>
+    </message>
+    <message>
+        <source>Waits for a reconstruction.</source>
+        <translation>Wartet auf eine Rekonstruktion.</translation>
+    </message>
+    <message>
+        <source>A pose that does not fit can be disabled or deleted in the table of poses, and taken back with undo. A click on a finding shows the cell or link it is about.</source>
+        <translation>Eine Pose, die nicht passt, lässt sich in der Tabelle der Posen weglassen oder löschen und mit Rückgängig zurückholen. Ein Klick auf einen Befund zeigt die Zelle oder Verbindung, um die es geht.</translation>
+    </message>
+    <message>
+        <source>A click on a finding shows the cell or link it is about.</source>
+        <translation>Ein Klick auf einen Befund zeigt die Zelle oder Verbindung, um die es geht.</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Write the placements in the form you need.</source>
+        <translation>Die Lagen in der gewünschten Form schreiben.</translation>
+    </message>
+    <message>
+        <source>Every file is read back and compared before it is called written.</source>
+        <translation>Jede Datei wird zurückgelesen und verglichen, bevor sie als geschrieben gilt.</translation>
+    </message>
+    <message>
+        <source>It can be exported as it is, but the result is not good enough yet: see the line on top.</source>
+        <translation>Es lässt sich exportieren, wie es ist, aber das Ergebnis ist noch nicht gut genug: siehe die Zeile oben.</translation>
+    </message>
+    <message>
+        <source>Waiting for the skin at %1.</source>
+        <translation>Wartet auf die Haut unter %1.</translation>
+    </message>
+    <message>
+        <source>The placements are being worked out…</source>
+        <translation>Die Lagen werden berechnet…</translation>
+    </message>
+    <message>
+        <source>%1…</source>
+        <translation>%1…</translation>
+    </message>
+    <message>
+        <source>No skin yet: start the demo, connect to a skin, or open a session or a calibration.</source>
+        <translation>Noch keine Haut: die Demo starten, eine Haut verbinden oder eine Sitzung oder Kalibrierung öffnen.</translation>
+    </message>
+    <message>
+        <source>Gravity seen from several directions tells how every cell is turned against its neighbours.</source>
+        <translation>Schwerkraft aus mehreren Richtungen verrät, wie jede Zelle gegen ihre Nachbarn gedreht ist.</translation>
+    </message>
+    <message>
+        <source>This session came from a file; no skin is connected to take more.</source>
+        <translation>Diese Sitzung kam aus einer Datei; für weitere Posen ist keine Haut verbunden.</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::GuideWindow</name>
+    <message>
+        <source>en</source>
+        <comment>language of the user guide</comment>
+        <extracomment>The folder of the user guide in this language: a two-letter code.</extracomment>
+        <translation>de</translation>
+    </message>
+    <message>
+        <source>User guide · Hexoderm</source>
+        <translation>Anleitung · Hexoderm</translation>
+    </message>
+    <message>
+        <source>Pages of the guide</source>
+        <translation>Seiten der Anleitung</translation>
+    </message>
+    <message>
+        <source>Page of the guide</source>
+        <translation>Seite der Anleitung</translation>
+    </message>
+    <message>
+        <source>Search in this page</source>
+        <translation>Auf dieser Seite suchen</translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>nicht gefunden</translation>
+    </message>
+    <message>
+        <source>Back to the page before</source>
+        <translation>Zurück zur Seite davor</translation>
+    </message>
+    <message>
+        <source>Forward again</source>
+        <translation>Wieder vor</translation>
+    </message>
+    <message>
+        <source>Find the one before</source>
+        <translation>Vorige Stelle</translation>
+    </message>
+    <message>
+        <source>Find the next one</source>
+        <translation>Nächste Stelle</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::Id</name>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::KeysDialog</name>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Everywhere</source>
+        <translation>Überall</translation>
+    </message>
+    <message>
+        <source>Cancel or close what is open; never quits</source>
+        <translation>Bricht ab oder schließt, was offen ist; beendet nie</translation>
+    </message>
+    <message>
+        <source>Go to the next control, with Shift to the one before</source>
+        <translation>Zum nächsten Bedienelement, mit Umschalt zum vorigen</translation>
+    </message>
+    <message>
+        <source>Press the button that has the focus</source>
+        <translation>Den Knopf mit dem Fokus drücken</translation>
+    </message>
+    <message>
+        <source>Open the picked row or recent file</source>
+        <translation>Die gewählte Zeile oder letzte Datei öffnen</translation>
+    </message>
+    <message>
+        <source>Search for a key or for what it does</source>
+        <translation>Taste oder Wirkung suchen</translation>
+    </message>
+    <message>
+        <source>No key is like that.</source>
+        <translation>Keine Taste passt dazu.</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::LinkTable</name>
+    <message>
+        <source>muted</source>
+        <translation>ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>used, in tree</source>
+        <translation>benutzt, im Baum</translation>
+    </message>
+    <message>
+        <source>used</source>
+        <translation>benutzt</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>Cell and port of both ends</source>
+        <translation>Zelle und Port beider Enden</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>How well the poses determine the link&apos;s rotation</source>
+        <translation>Wie gut die Posen die Drehung der Verbindung bestimmen</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Restfehler</translation>
+    </message>
+    <message>
+        <source>How badly the readings of the two cells fit together, the estimated errors of their sensors taken away: rms over the poses</source>
+        <translation>Wie schlecht die Messwerte der beiden Zellen zusammenpassen, ohne die geschätzten Fehler ihrer Sensoren: Effektivwert über die Posen</translation>
+    </message>
+    <message>
+        <source>Predicted</source>
+        <translation>Erwartet</translation>
+    </message>
+    <message>
+        <source>Expected standard deviation of the link&apos;s rotation about its worst axis</source>
+        <translation>Erwartete Standardabweichung der Drehung der Verbindung um ihre schlechteste Achse</translation>
+    </message>
+    <message>
+        <source>Bend</source>
+        <translation>Biegung</translation>
+    </message>
+    <message>
+        <source>Angle by which the surface folds at the link</source>
+        <translation>Winkel, um den sich die Fläche an der Verbindung faltet</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation>Verwindung</translation>
+    </message>
+    <message>
+        <source>Angle by which the cells are turned about the line that joins them</source>
+        <translation>Winkel, um den die Zellen um ihre Verbindungslinie gedreht sind</translation>
+    </message>
+    <message>
+        <source>Yaw</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Angle by which the cells are turned within the surface</source>
+        <translation>Winkel, um den die Zellen in der Fläche gedreht sind</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Whether the link is used, and whether it lies on the shortest-path tree</source>
+        <translation>Ob die Verbindung benutzt wird und ob sie auf dem Baum der kürzesten Wege liegt</translation>
+    </message>
+    <message>
+        <source>set aside</source>
+        <translation>weggelegt</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::LiveSource</name>
+    <message>
+        <source>Connecting to %1</source>
+        <translation>Verbindung mit %1</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::LiveStrip</name>
+    <message>
+        <source>Connected skin</source>
+        <translation>Verbundene Haut</translation>
+    </message>
+    <message>
+        <source>Sample frames that came, samples that the device numbered and that never came, and frames that came late</source>
+        <translation>Messrahmen, die kamen, Messwerte, die das Gerät nummerierte und die nie kamen, und Rahmen, die zu spät kamen</translation>
+    </message>
+    <message>
+        <source>How long the part has been held</source>
+        <translation>Wie lange das Teil schon gehalten wird</translation>
+    </message>
+    <message>
+        <source>No readings; what was captured stays</source>
+        <translation>Keine Messwerte; was aufgenommen ist, bleibt</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::LiveWords</name>
+    <message>
+        <source>Stopped</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>Connecting</source>
+        <translation>Verbindet</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Wartet</translation>
+    </message>
+    <message>
+        <source>Streaming</source>
+        <translation>Empfängt</translation>
+    </message>
+    <message>
+        <source>Silent</source>
+        <translation>Stumm</translation>
+    </message>
+    <message>
+        <source>Ended</source>
+        <translation>Beendet</translation>
+    </message>
+    <message>
+        <source>Incompatible</source>
+        <translation>Unpassend</translation>
+    </message>
+    <message>
+        <source>%1 frames · %2 lost · %3 late</source>
+        <translation>%1 Rahmen · %2 verloren · %3 verspätet</translation>
+    </message>
+    <message>
+        <source> · %1 broken</source>
+        <translation> · %1 kaputt</translation>
+    </message>
+    <message>
+        <source> · %1 unknown</source>
+        <translation> · %1 unbekannt</translation>
+    </message>
+    <message>
+        <source> · %1 reconnects</source>
+        <translation> · %1-mal neu verbunden</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::LogModel</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>Schwere</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::LogView</name>
+    <message>
+        <source>Which lines of the log are shown</source>
+        <translation>Welche Zeilen des Protokolls gezeigt werden</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>Warnings and errors</source>
+        <translation>Warnungen und Fehler</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Search the log</source>
+        <translation>Protokoll durchsuchen</translation>
+    </message>
+    <message>
+        <source>Copy for a bug report</source>
+        <translation>Für Fehlerbericht kopieren</translation>
+    </message>
+    <message>
+        <source>Copies versions, graphics, what is open and the last 200 lines; your home folder is left out</source>
+        <translation>Kopiert Versionen, Grafik, was offen ist und die letzten 200 Zeilen; der eigene Ordner bleibt weg</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>This log is not kept in a file</source>
+        <translation>Dieses Protokoll liegt in keiner Datei</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>1 line</source>
+        <translation>1 Zeile</translation>
+    </message>
+    <message>
+        <source>%1 lines</source>
+        <translation>%1 Zeilen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::MainWindow</name>
+    <message>
+        <source>Poses</source>
+        <translation>Posen</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
+        <source>The patch in three dimensions</source>
+        <translation>Das Hautstück in drei Dimensionen</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Skin graph</source>
+        <translation>Hautgraph</translation>
+    </message>
+    <message>
+        <source>No poses yet.</source>
+        <translation>Noch keine Posen.</translation>
+    </message>
+    <message>
+        <source>No findings.</source>
+        <translation>Keine Befunde.</translation>
+    </message>
+    <message>
+        <source>No links yet.</source>
+        <translation>Noch keine Verbindungen.</translation>
+    </message>
+    <message>
+        <source>Findings and links</source>
+        <translation>Befunde und Verbindungen</translation>
+    </message>
+    <message>
+        <source>Saved to %1</source>
+        <translation>Gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>Exported to %1</source>
+        <translation>Exportiert: %1</translation>
+    </message>
+    <message>
+        <source>No skin</source>
+        <translation>Keine Haut</translation>
+    </message>
+    <message>
+        <source>Hexoderm</source>
+        <translation>Hexoderm</translation>
+    </message>
+    <message>
+        <source>%1[*] · Hexoderm</source>
+        <translation>%1[*] · Hexoderm</translation>
+    </message>
+    <message>
+        <source>cells %1/%2</source>
+        <translation>Zellen %1/%2</translation>
+    </message>
+    <message>
+        <source>Cells that were measured in the fullest pose, of all cells</source>
+        <translation>Zellen, die in der vollständigsten Pose gemessen wurden, von allen</translation>
+    </message>
+    <message>
+        <source>solved in %1 ms · %2</source>
+        <translation>gelöst in %1 ms · %2</translation>
+    </message>
+    <message>
+        <source>%1, read from the file</source>
+        <translation>%1, aus der Datei</translation>
+    </message>
+    <message>
+        <source>A direction counts as defined from a singular value of %1 on</source>
+        <translation>Eine Richtung gilt ab einem Singulärwert von %1 als bestimmt</translation>
+    </message>
+    <message>
+        <source>not on disk</source>
+        <translation>nicht auf der Platte</translation>
+    </message>
+    <message>
+        <source>not saved</source>
+        <translation>nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>saved at %1</source>
+        <translation>gespeichert um %1</translation>
+    </message>
+    <message>
+        <source>Del disable · Ctrl+Z undo</source>
+        <translation>Entf nicht benutzen · Strg+Z rückgängig</translation>
+    </message>
+    <message>
+        <source>Findings %1</source>
+        <translation>Befunde %1</translation>
+    </message>
+    <message>
+        <source>Links %1</source>
+        <translation>Verbindungen %1</translation>
+    </message>
+    <message>
+        <source>Open a session or a calibration</source>
+        <translation>Sitzung oder Kalibrierung öffnen</translation>
+    </message>
+    <message>
+        <source>Sessions and calibrations (*.hexo *.json *.xml)</source>
+        <translation>Sitzungen und Kalibrierungen (*.hexo *.json *.xml)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Save the session</source>
+        <translation>Sitzung speichern</translation>
+    </message>
+    <message>
+        <source>Sessions (*.session.json);;Sessions that keep every change (*.hexo)</source>
+        <translation>Sitzungen (*.session.json);;Sitzungen, die jede Änderung behalten (*.hexo)</translation>
+    </message>
+    <message>
+        <source>Save the calibration</source>
+        <translation>Kalibrierung speichern</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.calibration.json)</source>
+        <translation>Kalibrierungen (*.calibration.json)</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>No program to show folders was found. The folder is %1.</source>
+        <translation>Es wurde kein Programm gefunden, das Ordner zeigt. Der Ordner ist %1.</translation>
+    </message>
+    <message>
+        <source>Unsaved poses</source>
+        <translation>Nicht gespeicherte Posen</translation>
+    </message>
+    <message>
+        <source>Save the session first? Its latest changes are not on disk yet.</source>
+        <translation>Die Sitzung vorher speichern? Ihre letzten Änderungen sind noch nicht auf der Platte.</translation>
+    </message>
+    <message>
+        <source>About Hexoderm</source>
+        <translation>Über Hexoderm</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Hexoderm %1&lt;/b&gt;&lt;p&gt;Finds out where every cell of a robot&apos;s artificial skin is.&lt;/p&gt;&lt;p&gt;BSD 3-Clause licence.&lt;/p&gt;</source>
+        <translation>&lt;b&gt;Hexoderm %1&lt;/b&gt;&lt;p&gt;Findet heraus, wo jede Zelle der künstlichen Haut eines Roboters ist.&lt;/p&gt;&lt;p&gt;BSD-3-Klausel-Lizenz.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Not on disk yet; it waits in memory and the work can go on. %1</source>
+        <translation>Noch nicht auf der Platte; es wartet im Speicher, und die Arbeit kann weitergehen. %1</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>Write a report</source>
+        <translation>Bericht schreiben</translation>
+    </message>
+    <message>
+        <source>Documents (*.pdf);;Pages for the browser (*.html)</source>
+        <translation>Dokumente (*.pdf);;Seiten für den Browser (*.html)</translation>
+    </message>
+    <message>
+        <source>The next capture takes the place of pose %1. Hold the part as it was held then.</source>
+        <translation>Die nächste Aufnahme tritt an die Stelle von Pose %1. Das Teil halten wie damals.</translation>
+    </message>
+    <message>
+        <source>Don&apos;t recapture</source>
+        <translation>Nicht neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Save a picture of the graph</source>
+        <translation>Bild des Graphen speichern</translation>
+    </message>
+    <message>
+        <source>-graph</source>
+        <translation>-graph</translation>
+    </message>
+    <message>
+        <source>Vector graphics (*.svg);;Pictures (*.png)</source>
+        <translation>Vektorgrafik (*.svg);;Bilder (*.png)</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::MessageBar</name>
+    <message>
+        <source>Close this message</source>
+        <translation>Diese Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::MuteLinkCommand</name>
+    <message>
+        <source>set link %1 aside</source>
+        <translation>Verbindung %1 weglegen</translation>
+    </message>
+    <message>
+        <source>take link %1 back</source>
+        <translation>Verbindung %1 zurücknehmen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::Palette</name>
+    <message>
+        <source>un-defined</source>
+        <translation>unbestimmt</translation>
+    </message>
+    <message>
+        <source>partially defined</source>
+        <translation>teilweise bestimmt</translation>
+    </message>
+    <message>
+        <source>fully defined</source>
+        <translation>voll bestimmt</translation>
+    </message>
+    <message>
+        <source>over-defined</source>
+        <translation>überbestimmt</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PatchView</name>
+    <message>
+        <source>Skin patch in 3D</source>
+        <translation>Hautstück in 3D</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Show the whole skin</source>
+        <translation>Die ganze Haut zeigen</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Look at the origin cell&apos;s front face</source>
+        <translation>Auf die Vorderseite der Ursprungszelle sehen</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Look along the origin cell&apos;s x axis</source>
+        <translation>Entlang der x-Achse der Ursprungszelle sehen</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>Look along the origin cell&apos;s y axis</source>
+        <translation>Entlang der y-Achse der Ursprungszelle sehen</translation>
+    </message>
+    <message>
+        <source>What the cells&apos; colour shows</source>
+        <translation>Was die Farbe der Zellen zeigt</translation>
+    </message>
+    <message>
+        <source>Colour: %1 ▾</source>
+        <translation>Farbe: %1 ▾</translation>
+    </message>
+    <message>
+        <source>link quality</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>predicted deviation</source>
+        <translation>erwartete Abweichung</translation>
+    </message>
+    <message>
+        <source>patch</source>
+        <translation>Hautstück</translation>
+    </message>
+    <message>
+        <source>The 3D view needs OpenGL 3.2, which is not available here. The graph and the tables still work.
+
+On a remote desktop, software rendering may help: start with LIBGL_ALWAYS_SOFTWARE=1.</source>
+        <translation>Die 3D-Ansicht braucht OpenGL 3.2, das es hier nicht gibt. Graph und Tabellen arbeiten trotzdem.
+
+Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: mit LIBGL_ALWAYS_SOFTWARE=1 starten.</translation>
+    </message>
+    <message>
+        <source>No skin yet: open a session or start the demo.</source>
+        <translation>Noch keine Haut: eine Sitzung öffnen oder die Demo starten.</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PoseTable</name>
+    <message>
+        <source>Pose %1 is disabled: it is kept, but not used.</source>
+        <translation>Pose %1 wird nicht benutzt, bleibt aber erhalten.</translation>
+    </message>
+    <message>
+        <source>%1 cells gave no reading in this pose.</source>
+        <translation>%1 Zellen gaben in dieser Pose keinen Messwert.</translation>
+    </message>
+    <message>
+        <source>There is no earlier pose to compare it with.</source>
+        <translation>Es gibt keine frühere Pose zum Vergleichen.</translation>
+    </message>
+    <message>
+        <source>Pose %1, used</source>
+        <translation>Pose %1, benutzt</translation>
+    </message>
+    <message>
+        <source>Pose %1, disabled</source>
+        <translation>Pose %1, nicht benutzt</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>Pose</translation>
+    </message>
+    <message>
+        <source>Number of the pose; a check mark if it is used, a dash if it is disabled</source>
+        <translation>Nummer der Pose; ein Haken, wenn sie benutzt wird, sonst ein Strich</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>What the pose is called</source>
+        <translation>Wie die Pose heißt</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>Cells that gave a reading, of all cells</source>
+        <translation>Zellen, die einen Messwert gaben, von allen</translation>
+    </message>
+    <message>
+        <source>Noise mg</source>
+        <translation>Rausch mg</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the mean readings, rms over the cells</source>
+        <translation>Standardabweichung der gemittelten Messwerte, Effektivwert über die Zellen</translation>
+    </message>
+    <message>
+        <source>New by</source>
+        <translation>Neu um</translation>
+    </message>
+    <message>
+        <source>Angle to the nearest direction of gravity seen in an earlier pose</source>
+        <translation>Winkel zur nächsten Schwerkraftrichtung einer früheren Pose</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Rest</translation>
+    </message>
+    <message>
+        <source>How badly the pose fits the reconstruction: rms over the links</source>
+        <translation>Wie schlecht die Pose zur Rekonstruktion passt: Effektivwert über die Verbindungen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Groups of preferences</source>
+        <translation>Gruppen von Einstellungen</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Aussehen</translation>
+    </message>
+    <message>
+        <source>Capture</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>Solver</source>
+        <translation>Löser</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>Changes act at once.</source>
+        <translation>Änderungen wirken sofort.</translation>
+    </message>
+    <message>
+        <source>Restore defaults</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>All preferences on all pages become as they were at the first start</source>
+        <translation>Alle Einstellungen auf allen Seiten werden wie beim ersten Start</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Farbschema</translation>
+    </message>
+    <message>
+        <source>Like the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Light or dark, or what the system asks for.</source>
+        <translation>Hell oder dunkel, oder was das System will.</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>The window speaks it from its next start on.</source>
+        <translation>Das Fenster spricht sie ab dem nächsten Start.</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Te&amp;xt size</source>
+        <translation>Sch&amp;riftgröße</translation>
+    </message>
+    <message>
+        <source>Relative to the text size that the system asks for.</source>
+        <translation>Bezogen auf die Schriftgröße des Systems.</translation>
+    </message>
+    <message>
+        <source>&amp;Less motion</source>
+        <translation>&amp;Weniger Bewegung</translation>
+    </message>
+    <message>
+        <source>Views jump to where they would otherwise glide, and nothing moves by itself.</source>
+        <translation>Ansichten springen, wohin sie sonst gleiten, und nichts bewegt sich von selbst.</translation>
+    </message>
+    <message>
+        <source>&amp;Draw without the graphics card</source>
+        <translation>&amp;Ohne Grafikkarte zeichnen</translation>
+    </message>
+    <message>
+        <source>For remote desktops and faulty drivers: OpenGL by the processor, from the next start on. Slower, and enough for thousands of cells.</source>
+        <translation>Für entfernte Bildschirme und fehlerhafte Treiber: OpenGL im Prozessor, ab dem nächsten Start. Langsamer, aber genug für Tausende von Zellen.</translation>
+    </message>
+    <message>
+        <source>Lengths are in millimetres and angles in degrees on screen; files hold metres and radians.</source>
+        <translation>Auf dem Bildschirm sind Längen in Millimetern und Winkel in Grad; Dateien enthalten Meter und Radiant.</translation>
+    </message>
+    <message>
+        <source>&amp;Sound when a pose is captured</source>
+        <translation>&amp;Ton, wenn eine Pose aufgenommen ist</translation>
+    </message>
+    <message>
+        <source>So that you know without looking at the screen.</source>
+        <translation>Damit es auch ohne Blick auf den Bildschirm klar ist.</translation>
+    </message>
+    <message>
+        <source>Largest s&amp;catter</source>
+        <translation>Größte St&amp;reuung</translation>
+    </message>
+    <message>
+        <source>The part counts as still when its cells scatter by less than this beyond their own noise; 30 mg is a hand that holds it. A robot&apos;s arm allows less.</source>
+        <translation>Das Teil gilt als ruhig, wenn seine Zellen um weniger als dies über ihr Rauschen hinaus streuen; 30 mg ist eine Hand, die es hält. Ein Roboterarm erlaubt weniger.</translation>
+    </message>
+    <message>
+        <source>Largest &amp;turn</source>
+        <translation>Größte &amp;Drehung</translation>
+    </message>
+    <message>
+        <source>°/s</source>
+        <translation>°/s</translation>
+    </message>
+    <message>
+        <source>The part counts as still when it turns more slowly than this.</source>
+        <translation>Das Teil gilt als ruhig, wenn es sich langsamer als dies dreht.</translation>
+    </message>
+    <message>
+        <source>&amp;Hold for</source>
+        <translation>&amp;Halten für</translation>
+    </message>
+    <message>
+        <source>How long it must be still before samples are taken.</source>
+        <translation>Wie lange es ruhig sein muss, bevor gemessen wird.</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>Samples of &amp;each cell</source>
+        <translation>Messwerte &amp;je Zelle</translation>
+    </message>
+    <message>
+        <source>Automatic takes 100, or what slower cells send in 0.75 s. More take longer and make the mean steadier.</source>
+        <translation>Automatisch nimmt 100, oder was langsamere Zellen in 0,75 s senden. Mehr dauert länger und macht das Mittel ruhiger.</translation>
+    </message>
+    <message>
+        <source>Limits act from the next connection on.</source>
+        <translation>Grenzen wirken ab der nächsten Verbindung.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>An</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>&amp;Solver</source>
+        <translation>&amp;Löser</translation>
+    </message>
+    <message>
+        <source>Global</source>
+        <translation>Global</translation>
+    </message>
+    <message>
+        <source>Tree, as in the paper</source>
+        <translation>Baum, wie im Aufsatz</translation>
+    </message>
+    <message>
+        <source>Global uses all links and poses at once and says how sure it is; the tree goes from cell to cell along shortest paths.</source>
+        <translation>Global benutzt alle Verbindungen und Posen zugleich und sagt, wie sicher es ist; der Baum geht auf kürzesten Wegen von Zelle zu Zelle.</translation>
+    </message>
+    <message>
+        <source>&amp;Gap between cells</source>
+        <translation>&amp;Spalt zwischen Zellen</translation>
+    </message>
+    <message>
+        <source>Fit: found from closed loops</source>
+        <translation>Anpassen: aus geschlossenen Schleifen</translation>
+    </message>
+    <message>
+        <source>Arc: the mould stretches along an arc</source>
+        <translation>Bogen: Die Form dehnt sich entlang eines Bogens</translation>
+    </message>
+    <message>
+        <source>Pivot: the gap bends in one point</source>
+        <translation>Gelenk: Der Spalt knickt in einem Punkt</translation>
+    </message>
+    <message>
+        <source>How the mould gives way between two cells. Fit estimates it from each patch; a patch without loops can&apos;t tell, and the stated uncertainty says so.</source>
+        <translation>Wie die Form zwischen zwei Zellen nachgibt. Anpassen schätzt es aus jedem Hautstück; ohne Schleifen geht das nicht, und die angegebene Unsicherheit sagt es.</translation>
+    </message>
+    <message>
+        <source>Remove sensor &amp;offsets</source>
+        <translation>&amp;Nullpunkte entfernen</translation>
+    </message>
+    <message>
+        <source>Subtracts each cell&apos;s mean over the poses, which takes its sensor&apos;s offset away. Automatic does so where the poses are good enough for it.</source>
+        <translation>Zieht das Mittel jeder Zelle über die Posen ab, was den Nullpunkt ihres Sensors entfernt. Automatisch tut das, wo die Posen dafür gut genug sind.</translation>
+    </message>
+    <message>
+        <source>Support &amp;axes</source>
+        <translation>Stütz&amp;achsen</translation>
+    </message>
+    <message>
+        <source>Keep links nearly flat in directions that no pose has determined.</source>
+        <translation>Hält Verbindungen fast flach in Richtungen, die keine Pose bestimmt hat.</translation>
+    </message>
+    <message>
+        <source>&amp;Weights of the paths</source>
+        <translation>&amp;Gewichte der Wege</translation>
+    </message>
+    <message>
+        <source>Paper: by class</source>
+        <translation>Aufsatz: nach Güte</translation>
+    </message>
+    <message>
+        <source>By residual</source>
+        <translation>Nach Restfehler</translation>
+    </message>
+    <message>
+        <source>Which links the tree prefers: those of a good class, or those that fit well.</source>
+        <translation>Welche Verbindungen der Baum bevorzugt: die von guter Güte oder die gut passenden.</translation>
+    </message>
+    <message>
+        <source>&amp;Threshold of the classes</source>
+        <translation>S&amp;chwelle der Güte</translation>
+    </message>
+    <message>
+        <source>A direction counts as defined from this singular value on: 0.5 accepts poses 60° to 120° apart, 1 is the paper&apos;s.</source>
+        <translation>Eine Richtung gilt ab diesem Singulärwert als bestimmt: 0,5 lässt Posen mit 60° bis 120° Abstand zu, 1 ist der Wert des Aufsatzes.</translation>
+    </message>
+    <message>
+        <source>the folder of the last file</source>
+        <translation>der Ordner der letzten Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Durchsuchen…</translation>
+    </message>
+    <message>
+        <source>Where new sessions of a connected skin go unless another folder is chosen there.</source>
+        <translation>Wohin neue Sitzungen einer verbundenen Haut kommen, wenn dort kein anderer Ordner gewählt wird.</translation>
+    </message>
+    <message>
+        <source>&amp;Folder for sessions</source>
+        <translation>&amp;Ordner für Sitzungen</translation>
+    </message>
+    <message>
+        <source>Folder for sessions</source>
+        <translation>Ordner für Sitzungen</translation>
+    </message>
+    <message>
+        <source>A session that was not saved anywhere is kept beside the program&apos;s own data, and offered at the next start.</source>
+        <translation>Eine nirgends gespeicherte Sitzung liegt bei den Daten des Programms und wird beim nächsten Start angeboten.</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::RecentFiles</name>
+    <message>
+        <source>The file is not there any more</source>
+        <translation>Die Datei ist nicht mehr da</translation>
+    </message>
+    <message>
+        <source>Its folder is not there: removed, or not connected</source>
+        <translation>Ihr Ordner ist nicht da: entfernt oder nicht verbunden</translation>
+    </message>
+    <message>
+        <source>You may not read this file</source>
+        <translation>Diese Datei darf nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>today, %1</source>
+        <translation>heute, %1</translation>
+    </message>
+    <message>
+        <source>yesterday, %1</source>
+        <translation>gestern, %1</translation>
+    </message>
+    <message>
+        <source> · 1 pose</source>
+        <translation> · 1 Pose</translation>
+    </message>
+    <message>
+        <source> · %1 poses</source>
+        <translation> · %1 Posen</translation>
+    </message>
+    <message>
+        <source>Nothing was open yet</source>
+        <translation>Noch war nichts offen</translation>
+    </message>
+    <message>
+        <source>Clear this list</source>
+        <translation>Liste leeren</translation>
+    </message>
+    <message>
+        <source>Takes all files from this list; the files themselves stay</source>
+        <translation>Nimmt alle Dateien von der Liste; die Dateien selbst bleiben</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::RecentList</name>
+    <message>
+        <source>Sessions and calibrations that you open will be listed here.</source>
+        <translation>Geöffnete Sitzungen und Kalibrierungen stehen später hier.</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
+    <message>
+        <source>%1. Del takes it from the list.</source>
+        <translation>%1. Entf nimmt es von der Liste.</translation>
+    </message>
+    <message>
+        <source>Take it from this list; the file itself stays</source>
+        <translation>Von der Liste nehmen; die Datei selbst bleibt</translation>
+    </message>
+    <message>
+        <source>Take %1 from the list</source>
+        <translation>%1 von der Liste nehmen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::RecoveryList</name>
+    <message>
+        <source>Sessions that were not saved</source>
+        <translation>Nicht gespeicherte Sitzungen</translation>
+    </message>
+    <message>
+        <source>Discarded; it is kept for %1 days.</source>
+        <translation>Verworfen; sie bleibt %1 Tage aufgehoben.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Take the session back</source>
+        <translation>Die Sitzung zurückholen</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Open it and go on where it ended</source>
+        <translation>Öffnen und weitermachen, wo sie aufhörte</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Put it away; it can be taken back for %1 days</source>
+        <translation>Weglegen; %1 Tage lang lässt sie sich zurückholen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::RemovePoseCommand</name>
+    <message>
+        <source>delete pose %1</source>
+        <translation>Pose %1 löschen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::ReportPage</name>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Seite %1 von %2</translation>
+    </message>
+    <message>
+        <source>Calibration report: %1</source>
+        <translation>Kalibrierbericht: %1</translation>
+    </message>
+    <message>
+        <source>Hexoderm calibration report</source>
+        <translation>Hexoderm-Kalibrierbericht</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Next: %1</source>
+        <translation>Als Nächstes: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>links used</source>
+        <translation>Verbindungen benutzt</translation>
+    </message>
+    <message>
+        <source>patches</source>
+        <translation>Hautstücke</translation>
+    </message>
+    <message>
+        <source>poses used</source>
+        <translation>Posen benutzt</translation>
+    </message>
+    <message>
+        <source>±%1 mm</source>
+        <translation>±%1 mm</translation>
+    </message>
+    <message>
+        <source>position, worst cell, 95 %</source>
+        <translation>Ort, schlechteste Zelle, 95 %</translation>
+    </message>
+    <message>
+        <source>±%1</source>
+        <translation>±%1</translation>
+    </message>
+    <message>
+        <source>orientation, worst cell, 95 %</source>
+        <translation>Drehung, schlechteste Zelle, 95 %</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
+        <source>None: nothing about topology, links, cells and poses stood out.</source>
+        <translation>Keine: An Topologie, Verbindungen, Zellen und Posen fiel nichts auf.</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>Schwere</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>Posen</translation>
+    </message>
+    <message>
+        <source>No poses were taken.</source>
+        <translation>Es wurden keine Posen aufgenommen.</translation>
+    </message>
+    <message>
+        <source>used</source>
+        <translation>benutzt</translation>
+    </message>
+    <message>
+        <source>disabled</source>
+        <translation>nicht benutzt</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>Pose</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>Noise mg</source>
+        <translation>Rauschen mg</translation>
+    </message>
+    <message>
+        <source>New by</source>
+        <translation>Neu um</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Restfehler</translation>
+    </message>
+    <message>
+        <source>used, in tree</source>
+        <translation>benutzt, im Baum</translation>
+    </message>
+    <message>
+        <source>muted: %1</source>
+        <translation>ausgeschlossen: %1</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>Predicted</source>
+        <translation>Erwartet</translation>
+    </message>
+    <message>
+        <source>Bend</source>
+        <translation>Biegung</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation>Verwindung</translation>
+    </message>
+    <message>
+        <source>Yaw</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Links with the largest residuals</source>
+        <translation>Verbindungen mit den größten Restfehlern</translation>
+    </message>
+    <message>
+        <source>Position of the cell&apos;s centre in the frame of its patch&apos;s origin cell; ± at 95 %, relative to the origin.</source>
+        <translation>Ort der Zellmitte im Koordinatensystem der Ursprungszelle ihres Hautstücks; ± bei 95 %, bezogen auf den Ursprung.</translation>
+    </message>
+    <message>
+        <source>origin</source>
+        <translation>Ursprung</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>through its links</source>
+        <translation>über ihre Verbindungen</translation>
+    </message>
+    <message>
+        <source>Cell</source>
+        <translation>Zelle</translation>
+    </message>
+    <message>
+        <source>Patch</source>
+        <translation>Hautstück</translation>
+    </message>
+    <message>
+        <source>Body part</source>
+        <translation>Körperteil</translation>
+    </message>
+    <message>
+        <source>x mm</source>
+        <translation>x mm</translation>
+    </message>
+    <message>
+        <source>y mm</source>
+        <translation>y mm</translation>
+    </message>
+    <message>
+        <source>z mm</source>
+        <translation>z mm</translation>
+    </message>
+    <message>
+        <source>± mm</source>
+        <translation>± mm</translation>
+    </message>
+    <message>
+        <source>± turn</source>
+        <translation>± Drehung</translation>
+    </message>
+    <message>
+        <source>Placed</source>
+        <translation>Eingeordnet</translation>
+    </message>
+    <message>
+        <source>%1 more cells are in the calibration file and in the exported tables.</source>
+        <translation>%1 weitere Zellen stehen in der Kalibrierdatei und in den exportierten Tabellen.</translation>
+    </message>
+    <message>
+        <source>All links</source>
+        <translation>Alle Verbindungen</translation>
+    </message>
+    <message>
+        <source>%1 more links are in the calibration file and in the exported tables.</source>
+        <translation>%1 weitere Verbindungen stehen in der Kalibrierdatei und in den exportierten Tabellen.</translation>
+    </message>
+    <message>
+        <source>Options of the reconstruction</source>
+        <translation>Einstellungen der Rekonstruktion</translation>
+    </message>
+    <message>
+        <source>Solver</source>
+        <translation>Löser</translation>
+    </message>
+    <message>
+        <source>Gap model</source>
+        <translation>Spaltmodell</translation>
+    </message>
+    <message>
+        <source>Centring</source>
+        <translation>Zentrierung</translation>
+    </message>
+    <message>
+        <source>Support axes</source>
+        <translation>Stützachsen</translation>
+    </message>
+    <message>
+        <source>Link weights</source>
+        <translation>Gewichte der Verbindungen</translation>
+    </message>
+    <message>
+        <source>A direction counts as defined from</source>
+        <translation>Eine Richtung gilt als bestimmt ab</translation>
+    </message>
+    <message>
+        <source>Limits of bend, twist, yaw</source>
+        <translation>Grenzen für Biegung, Verwindung, Drehung</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
+    </message>
+    <message>
+        <source>Limit of misfit</source>
+        <translation>Grenze der Abweichung</translation>
+    </message>
+    <message>
+        <source>%1 standard deviations</source>
+        <translation>%1 Standardabweichungen</translation>
+    </message>
+    <message>
+        <source>Cells left out</source>
+        <translation>Weggelassene Zellen</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Where it comes from</source>
+        <translation>Woher es stammt</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>SHA-256</source>
+        <translation>SHA-256</translation>
+    </message>
+    <message>
+        <source>Cell model</source>
+        <translation>Zellmodell</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Solved in</source>
+        <translation>Gelöst in</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>Written</source>
+        <translation>Geschrieben</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::ReportPictures</name>
+    <message>
+        <source>Patch, front</source>
+        <translation>Hautstück, vorn</translation>
+    </message>
+    <message>
+        <source>Patch, side</source>
+        <translation>Hautstück, Seite</translation>
+    </message>
+    <message>
+        <source>Patch, top</source>
+        <translation>Hautstück, oben</translation>
+    </message>
+    <message>
+        <source>Skin graph</source>
+        <translation>Hautgraph</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::SceneOverlay</name>
+    <message>
+        <source>gravity</source>
+        <translation>Schwerkraft</translation>
+    </message>
+    <message>
+        <source>worst link&apos;s predicted deviation</source>
+        <translation>erwartete Abweichung der schlechtesten Verbindung</translation>
+    </message>
+    <message>
+        <source>0°</source>
+        <translation>0°</translation>
+    </message>
+    <message>
+        <source>%1° or more</source>
+        <translation>%1° oder mehr</translation>
+    </message>
+    <message>
+        <source>patch %1</source>
+        <translation>Hautstück %1</translation>
+    </message>
+    <message>
+        <source>and so on</source>
+        <translation>und so weiter</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::SessionController</name>
+    <message>
+        <source>Demo skin (simulated)</source>
+        <translation>Demo-Haut (simuliert)</translation>
+    </message>
+    <message>
+        <source>%1 is open already.</source>
+        <translation>%1 ist schon offen.</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Changes will not be kept in this file; save the session under another name. %1</source>
+        <translation>Änderungen bleiben nicht in dieser Datei; die Sitzung unter anderem Namen speichern. %1</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>%1 wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>%1 wird exportiert</translation>
+    </message>
+    <message>
+        <source>The device says that its cells or links have changed; the poses stay.</source>
+        <translation>Das Gerät meldet geänderte Zellen oder Verbindungen; die Posen bleiben.</translation>
+    </message>
+    <message>
+        <source>%1 has other cells than the session %2, so nothing was added. Connect it with a session of its own.</source>
+        <translation>%1 hat andere Zellen als die Sitzung %2, darum wurde nichts hinzugefügt. Mit einer eigenen Sitzung verbinden.</translation>
+    </message>
+    <message>
+        <source>The links are others than those of the session; the poses stay.</source>
+        <translation>Die Verbindungen sind andere als die der Sitzung; die Posen bleiben.</translation>
+    </message>
+    <message>
+        <source>The session that is open was changed while the skin was being connected, so it stays. Save it, and connect again.</source>
+        <translation>Die offene Sitzung wurde geändert, während die Haut verbunden wurde, darum bleibt sie. Speichern und noch einmal verbinden.</translation>
+    </message>
+    <message>
+        <source>1 cell</source>
+        <translation>1 Zelle</translation>
+    </message>
+    <message>
+        <source>%1 cells</source>
+        <translation>%1 Zellen</translation>
+    </message>
+    <message>
+        <source>Pose %1 captured: %2.</source>
+        <translation>Pose %1 aufgenommen: %2.</translation>
+    </message>
+    <message>
+        <source>Nothing came from %1.</source>
+        <translation>Nichts kam von %1.</translation>
+    </message>
+    <message>
+        <source>It repeats pose %1, which is only %2° away.</source>
+        <translation>Sie wiederholt Pose %1, die nur %2° entfernt ist.</translation>
+    </message>
+    <message>
+        <source>Writing the report %1</source>
+        <translation>Der Bericht %1 wird geschrieben</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>The device does not turn there: %1. The next best pose is advised instead.</source>
+        <translation>Das Gerät dreht sich nicht dorthin: %1. Stattdessen wird die nächstbeste Pose geraten.</translation>
+    </message>
+    <message>
+        <source>recapture pose %1</source>
+        <translation>Pose %1 neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>Until it is saved, this session is kept in memory only. %1</source>
+        <translation>Bis sie gespeichert ist, liegt diese Sitzung nur im Speicher. %1</translation>
+    </message>
+    <message>
+        <source>Recovered session</source>
+        <translation>Wiederhergestellte Sitzung</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::SetPoseDisabledCommand</name>
+    <message>
+        <source>disable pose %1</source>
+        <translation>Pose %1 nicht benutzen</translation>
+    </message>
+    <message>
+        <source>enable pose %1</source>
+        <translation>Pose %1 wieder benutzen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::StepPanel</name>
+    <message>
+        <source>waiting</source>
+        <translation>wartet</translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation>aktuell</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>erledigt</translation>
+    </message>
+    <message>
+        <source>Step %1, %2: %3</source>
+        <translation>Schritt %1, %2: %3</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::UnsavedSessions</name>
+    <message>
+        <source>A session of %1 was not saved and can&apos;t be read: %2</source>
+        <translation>Eine Sitzung von %1 wurde nicht gespeichert und lässt sich nicht lesen: %2</translation>
+    </message>
+    <message>
+        <source>1 pose</source>
+        <translation>1 Pose</translation>
+    </message>
+    <message>
+        <source>%1 poses</source>
+        <translation>%1 Posen</translation>
+    </message>
+    <message>
+        <source>A session of %1 with %2 of %3 cells was not saved.</source>
+        <translation>Eine Sitzung von %1 mit %2 von %3 Zellen wurde nicht gespeichert.</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::WelcomePanel</name>
+    <message>
+        <source>Welcome</source>
+        <translation>Willkommen</translation>
+    </message>
+    <message>
+        <source>Where is every cell of your skin?</source>
+        <translation>Wo ist jede Zelle der Haut?</translation>
+    </message>
+    <message>
+        <source>Hold the part still in a few poses; Hexoderm finds out from gravity.</source>
+        <translation>Das Teil in ein paar Posen stillhalten; Hexoderm findet es aus der Schwerkraft heraus.</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Zuletzt</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::WindowActions</name>
+    <message>
+        <source>Start the &amp;demo skin</source>
+        <translation>&amp;Demo-Haut starten</translation>
+    </message>
+    <message>
+        <source>A simulated skin to try everything with</source>
+        <translation>Eine simulierte Haut, um alles auszuprobieren</translation>
+    </message>
+    <message>
+        <source>&amp;Connect to a skin…</source>
+        <translation>Mit einer Haut &amp;verbinden…</translation>
+    </message>
+    <message>
+        <source>Take poses of a skin that is connected, or of a recording</source>
+        <translation>Posen einer angeschlossenen Haut oder einer Aufzeichnung aufnehmen</translation>
+    </message>
+    <message>
+        <source>D&amp;isconnect</source>
+        <translation>&amp;Trennen</translation>
+    </message>
+    <message>
+        <source>End the connection to the skin; what was captured stays</source>
+        <translation>Die Verbindung zur Haut beenden; was aufgenommen ist, bleibt</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Open a session or a calibration</source>
+        <translation>Sitzung oder Kalibrierung öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Save session</source>
+        <translation>Sitzung &amp;speichern</translation>
+    </message>
+    <message>
+        <source>Save the poses taken so far</source>
+        <translation>Die bisher aufgenommenen Posen speichern</translation>
+    </message>
+    <message>
+        <source>Save session &amp;as…</source>
+        <translation>Sitzung speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>Save the session under another name</source>
+        <translation>Die Sitzung unter anderem Namen speichern</translation>
+    </message>
+    <message>
+        <source>Save &amp;calibration…</source>
+        <translation>&amp;Kalibrierung speichern…</translation>
+    </message>
+    <message>
+        <source>Save the reconstruction, complete enough to export and draw from it alone</source>
+        <translation>Die Rekonstruktion speichern, vollständig genug, um allein aus ihr zu exportieren und zu zeichnen</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren…</translation>
+    </message>
+    <message>
+        <source>Write the calibration in a form that others read</source>
+        <translation>Die Kalibrierung in einer Form schreiben, die andere lesen</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>Das Fenster schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;Disable pose</source>
+        <translation>Pose &amp;nicht benutzen</translation>
+    </message>
+    <message>
+        <source>Leave the picked pose out, or take it back</source>
+        <translation>Die gewählte Pose weglassen oder wieder hinzunehmen</translation>
+    </message>
+    <message>
+        <source>De&amp;lete pose</source>
+        <translation>Pose &amp;löschen</translation>
+    </message>
+    <message>
+        <source>Take the picked pose out of the session</source>
+        <translation>Die gewählte Pose aus der Sitzung nehmen</translation>
+    </message>
+    <message>
+        <source>Capture by itself when &amp;still</source>
+        <translation>Von selbst aufnehmen, wenn &amp;ruhig</translation>
+    </message>
+    <message>
+        <source>Take a pose as soon as the part is held still after it was moved</source>
+        <translation>Eine Pose aufnehmen, sobald das Teil nach einer Bewegung stillgehalten wird</translation>
+    </message>
+    <message>
+        <source>&amp;Turn to the next pose</source>
+        <translation>Zur nächsten Pose &amp;drehen</translation>
+    </message>
+    <message>
+        <source>Ask the device to turn itself to where the next pose helps most</source>
+        <translation>Das Gerät bitten, sich dorthin zu drehen, wo die nächste Pose am meisten hilft</translation>
+    </message>
+    <message>
+        <source>Find &amp;cell…</source>
+        <translation>&amp;Zelle suchen…</translation>
+    </message>
+    <message>
+        <source>Pick a cell by typing its ID</source>
+        <translation>Eine Zelle durch Eintippen ihrer ID wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>&amp;Einpassen</translation>
+    </message>
+    <message>
+        <source>Show the whole skin</source>
+        <translation>Die ganze Haut zeigen</translation>
+    </message>
+    <message>
+        <source>F&amp;ront view</source>
+        <translation>Ansicht von &amp;vorn</translation>
+    </message>
+    <message>
+        <source>Look at the patch from the front</source>
+        <translation>Das Hautstück von vorn ansehen</translation>
+    </message>
+    <message>
+        <source>&amp;Side view</source>
+        <translation>Ansicht von der &amp;Seite</translation>
+    </message>
+    <message>
+        <source>Look at the patch from its side</source>
+        <translation>Das Hautstück von der Seite ansehen</translation>
+    </message>
+    <message>
+        <source>&amp;Top view</source>
+        <translation>Ansicht von &amp;oben</translation>
+    </message>
+    <message>
+        <source>Look at the patch from above</source>
+        <translation>Das Hautstück von oben ansehen</translation>
+    </message>
+    <message>
+        <source>&amp;Picture of the window</source>
+        <translation>&amp;Bild des Fensters</translation>
+    </message>
+    <message>
+        <source>Save a picture of this window</source>
+        <translation>Ein Bild dieses Fensters speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Tasten</translation>
+    </message>
+    <message>
+        <source>The list of keys</source>
+        <translation>Die Liste der Tasten</translation>
+    </message>
+    <message>
+        <source>&amp;About Hexoderm</source>
+        <translation>Ü&amp;ber Hexoderm</translation>
+    </message>
+    <message>
+        <source>Version and licence</source>
+        <translation>Version und Lizenz</translation>
+    </message>
+    <message>
+        <source>Start the demo skin</source>
+        <translation>Demo-Haut starten</translation>
+    </message>
+    <message>
+        <source>Like the &amp;system</source>
+        <translation>Wie das &amp;System</translation>
+    </message>
+    <message>
+        <source>Light or dark, as the system asks for</source>
+        <translation>Hell oder dunkel, wie das System es will</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>Dark text on a light ground</source>
+        <translation>Dunkle Schrift auf hellem Grund</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+    <message>
+        <source>Light text on a dark ground</source>
+        <translation>Helle Schrift auf dunklem Grund</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Session</source>
+        <translation>&amp;Sitzung</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>T&amp;heme</source>
+        <translation>&amp;Farbschema</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>Take the next readings as a pose, moved or not</source>
+        <translation>Die nächsten Messwerte als Pose nehmen, bewegt oder nicht</translation>
+    </message>
+    <message>
+        <source>This session came from a file; no skin is connected</source>
+        <translation>Diese Sitzung kam aus einer Datei; keine Haut ist verbunden</translation>
+    </message>
+    <message>
+        <source>The skin does not send: %1</source>
+        <translation>Die Haut sendet nicht: %1</translation>
+    </message>
+    <message>
+        <source>No skin is connected</source>
+        <translation>Keine Haut ist verbunden</translation>
+    </message>
+    <message>
+        <source>This device can&apos;t turn itself; turn the part by hand</source>
+        <translation>Dieses Gerät kann sich nicht selbst drehen; das Teil von Hand drehen</translation>
+    </message>
+    <message>
+        <source>The reconstruction is being brought up to date</source>
+        <translation>Die Rekonstruktion wird auf den neuesten Stand gebracht</translation>
+    </message>
+    <message>
+        <source>Nothing is open yet</source>
+        <translation>Noch ist nichts offen</translation>
+    </message>
+    <message>
+        <source>A calibration is open: it holds the result, not the poses</source>
+        <translation>Eine Kalibrierung ist offen: Sie enthält das Ergebnis, nicht die Posen</translation>
+    </message>
+    <message>
+        <source>There is no reconstruction yet</source>
+        <translation>Es gibt noch keine Rekonstruktion</translation>
+    </message>
+    <message>
+        <source>The last change could not be reconstructed; undo it first</source>
+        <translation>Die letzte Änderung ließ sich nicht rekonstruieren; sie zuerst rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Pick a pose in the table of poses first</source>
+        <translation>Zuerst eine Pose in der Tabelle der Posen wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Enable pose</source>
+        <translation>Pose wieder be&amp;nutzen</translation>
+    </message>
+    <message>
+        <source>There is nothing to look at yet</source>
+        <translation>Noch gibt es nichts zu sehen</translation>
+    </message>
+    <message>
+        <source>Nothing to undo</source>
+        <translation>Nichts rückgängig zu machen</translation>
+    </message>
+    <message>
+        <source>Nothing to redo</source>
+        <translation>Nichts zu wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;Report…</source>
+        <translation>Be&amp;richt…</translation>
+    </message>
+    <message>
+        <source>Write a report with verdict, pictures and tables, as PDF or as a page for the browser</source>
+        <translation>Einen Bericht mit Urteil, Bildern und Tabellen schreiben, als PDF oder als Seite für den Browser</translation>
+    </message>
+    <message>
+        <source>User &amp;guide</source>
+        <translation>An&amp;leitung</translation>
+    </message>
+    <message>
+        <source>How to calibrate a skin, page by page</source>
+        <translation>Wie eine Haut kalibriert wird, Seite für Seite</translation>
+    </message>
+    <message>
+        <source>&amp;Recapture pose</source>
+        <translation>Pose &amp;neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>The next capture takes the place of the picked pose</source>
+        <translation>Die nächste Aufnahme tritt an die Stelle der gewählten Pose</translation>
+    </message>
+    <message>
+        <source>Capture &amp;anyway</source>
+        <translation>&amp;Trotzdem aufnehmen</translation>
+    </message>
+    <message>
+        <source>S&amp;kip this pose</source>
+        <translation>Diese Pose &amp;auslassen</translation>
+    </message>
+    <message>
+        <source>The part can&apos;t be held like this: advise the next best pose</source>
+        <translation>So lässt sich das Teil nicht halten: die nächstbeste Pose raten</translation>
+    </message>
+    <message>
+        <source>Let the ro&amp;bot take the poses</source>
+        <translation>Den &amp;Roboter aufnehmen lassen</translation>
+    </message>
+    <message>
+        <source>The device turns itself from pose to pose until there are enough</source>
+        <translation>Das Gerät dreht sich von Pose zu Pose, bis es genug sind</translation>
+    </message>
+    <message>
+        <source>&amp;Live mode</source>
+        <translation>&amp;Live-Betrieb</translation>
+    </message>
+    <message>
+        <source>Draw the skin from its readings of this moment alone</source>
+        <translation>Die Haut allein aus den Messwerten dieses Augenblicks zeichnen</translation>
+    </message>
+    <message>
+        <source>Li&amp;ght the picked cell</source>
+        <translation>Gewählte Zelle &amp;leuchten lassen</translation>
+    </message>
+    <message>
+        <source>Switch on the light of the picked cell on the skin itself</source>
+        <translation>Das Licht der gewählten Zelle auf der Haut selbst einschalten</translation>
+    </message>
+    <message>
+        <source>Show me the next pose</source>
+        <translation>Nächste Pose zeigen</translation>
+    </message>
+    <message>
+        <source>Open the step in which poses are captured</source>
+        <translation>Den Schritt öffnen, in dem Posen aufgenommen werden</translation>
+    </message>
+    <message>
+        <source>Show what does not fit</source>
+        <translation>Zeigen, was nicht passt</translation>
+    </message>
+    <message>
+        <source>Pick the cell or link that the most serious finding is about</source>
+        <translation>Die Zelle oder Verbindung wählen, um die es beim schwersten Befund geht</translation>
+    </message>
+    <message>
+        <source>The next pose is being worked out</source>
+        <translation>Die nächste Pose wird berechnet</translation>
+    </message>
+    <message>
+        <source>Let the simulated robot take the poses</source>
+        <translation>Den simulierten Roboter aufnehmen lassen</translation>
+    </message>
+    <message>
+        <source>Let the robot take the poses</source>
+        <translation>Den Roboter aufnehmen lassen</translation>
+    </message>
+    <message>
+        <source>Stop the robot</source>
+        <translation>Roboter anhalten</translation>
+    </message>
+    <message>
+        <source>There are enough poses; turn and capture more by hand if you like</source>
+        <translation>Es sind genug Posen; weitere lassen sich von Hand drehen und aufnehmen</translation>
+    </message>
+    <message>
+        <source>The cells of this device have no lights</source>
+        <translation>Die Zellen dieses Geräts haben keine Lichter</translation>
+    </message>
+    <message>
+        <source>Pick a cell first</source>
+        <translation>Zuerst eine Zelle wählen</translation>
+    </message>
+    <message>
+        <source>Don&apos;t &amp;recapture</source>
+        <translation>Nicht &amp;neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>There are no findings</source>
+        <translation>Es gibt keine Befunde</translation>
+    </message>
+    <message>
+        <source>Set link &amp;aside</source>
+        <translation>Verbindung &amp;weglegen</translation>
+    </message>
+    <message>
+        <source>Keep the picked link out of the solution, as a cable for example</source>
+        <translation>Die gewählte Verbindung aus der Lösung heraushalten, als Kabel zum Beispiel</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>&amp;Einstellungen…</translation>
+    </message>
+    <message>
+        <source>Appearance, limits of the capture, options of the solver, folders</source>
+        <translation>Aussehen, Grenzen der Aufnahme, Einstellungen des Lösers, Ordner</translation>
+    </message>
+    <message>
+        <source>S&amp;wap graph and 3D view</source>
+        <translation>Graph und 3D-Ansicht &amp;tauschen</translation>
+    </message>
+    <message>
+        <source>The one in the middle goes to the side, and the other way round</source>
+        <translation>Was in der Mitte ist, kommt zur Seite, und umgekehrt</translation>
+    </message>
+    <message>
+        <source>&amp;Copy for a bug report</source>
+        <translation>Für &amp;Fehlerbericht kopieren</translation>
+    </message>
+    <message>
+        <source>Versions, graphics, what is open and the last lines of the log, without your folders</source>
+        <translation>Versionen, Grafik, was offen ist und die letzten Zeilen des Protokolls, ohne eigene Ordner</translation>
+    </message>
+    <message>
+        <source>&amp;Open the log&apos;s folder</source>
+        <translation>&amp;Ordner des Protokolls öffnen</translation>
+    </message>
+    <message>
+        <source>Show the folder in which the log is kept</source>
+        <translation>Den Ordner zeigen, in dem das Protokoll liegt</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Step &amp;%1</source>
+        <translation>Schritt &amp;%1</translation>
+    </message>
+    <message>
+        <source>Open this step</source>
+        <translation>Diesen Schritt öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Go to step</source>
+        <translation>&amp;Zum Schritt</translation>
+    </message>
+    <message>
+        <source>Pick a link in the graph or in the table of links first</source>
+        <translation>Zuerst eine Verbindung im Graphen oder in der Tabelle der Verbindungen wählen</translation>
+    </message>
+    <message>
+        <source>Take link b&amp;ack</source>
+        <translation>Verbindung &amp;zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Let the picked link into the solution again</source>
+        <translation>Die gewählte Verbindung wieder in die Lösung nehmen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::WindowShell</name>
+    <message>
+        <source>Solved: %1, %2 poses, %3, %4 ms. %5</source>
+        <translation>Gelöst: %1, %2 Posen, %3, %4 ms. %5</translation>
+    </message>
+    <message>
+        <source>Hexoderm %1 starts</source>
+        <translation>Hexoderm %1 startet</translation>
+    </message>
+    <message>
+        <source>Skin patch</source>
+        <translation>Hautstück</translation>
+    </message>
+    <message>
+        <source>Skin graph</source>
+        <translation>Hautgraph</translation>
+    </message>
+    <message>
+        <source>The patch in three dimensions</source>
+        <translation>Das Hautstück in drei Dimensionen</translation>
+    </message>
+    <message>
+        <source>&amp;%1  %2</source>
+        <translation>&amp;%1  %2</translation>
+    </message>
+    <message>
+        <source>Asked for: %1</source>
+        <translation>Verlangt: %1</translation>
+    </message>
+    <message>
+        <source>Opened %1</source>
+        <translation>%1 geöffnet</translation>
+    </message>
+    <message>
+        <source>Skin at %1: %2. %3</source>
+        <translation>Haut unter %1: %2. %3</translation>
+    </message>
+    <message>
+        <source>%1 sessions were not saved. The newest: %2</source>
+        <translation>%1 Sitzungen wurden nicht gespeichert. Die neueste: %2</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>There is no OpenGL 3.2 here, so the 3D view is empty; graph and tables work.</source>
+        <translation>Hier gibt es kein OpenGL 3.2, darum ist die 3D-Ansicht leer; Graph und Tabellen arbeiten.</translation>
+    </message>
+    <message>
+        <source>%1 Drawing by the processor did not help either.</source>
+        <translation>%1 Auch Zeichnen im Prozessor half nicht.</translation>
+    </message>
+    <message>
+        <source>Draw without the graphics card</source>
+        <translation>Ohne Grafikkarte zeichnen</translation>
+    </message>
+    <message>
+        <source>From the next start on, the processor draws. Start Hexoderm again when it suits you.</source>
+        <translation>Ab dem nächsten Start zeichnet der Prozessor. Hexoderm bei Gelegenheit neu starten.</translation>
+    </message>
+    <message>
+        <source>Copied: versions, graphics, what is open and the last lines of the log, without your folders&apos; names. Paste it into the report.</source>
+        <translation>Kopiert: Versionen, Grafik, was offen ist und die letzten Zeilen des Protokolls, ohne Ordnernamen. In den Bericht einfügen.</translation>
+    </message>
+    <message>
+        <source>No program to show folders was found. The log is %1.</source>
+        <translation>Es wurde kein Programm gefunden, das Ordner zeigt. Das Protokoll ist %1.</translation>
+    </message>
+</context>
+<context>
+    <name>main</name>
+    <message>
+        <source>Finds out where every cell of a robot&apos;s artificial skin is.</source>
+        <translation>Findet heraus, wo jede Zelle der künstlichen Haut eines Roboters ist.</translation>
+    </message>
+    <message>
+        <source>A session or calibration to open.</source>
+        <translation>Eine Sitzung oder Kalibrierung zum Öffnen.</translation>
+    </message>
+    <message>
+        <source>Start the demo skin.</source>
+        <translation>Die Demo-Haut starten.</translation>
+    </message>
+    <message>
+        <source>Let the demo take N poses at once.</source>
+        <translation>Die Demo gleich N Posen aufnehmen lassen.</translation>
+    </message>
+    <message>
+        <source>light, dark or system, for this time.</source>
+        <translation>light, dark oder system, für dieses Mal.</translation>
+    </message>
+    <message>
+        <source>en, de or system, for this time.</source>
+        <translation>en, de oder system, für dieses Mal.</translation>
+    </message>
+    <message>
+        <source>Save a picture of the window after the first result, and quit.</source>
+        <translation>Nach dem ersten Ergebnis ein Bild des Fensters speichern und beenden.</translation>
+    </message>
+    <message>
+        <source>Samples per pixel of the 3D view; 0 is fastest.</source>
+        <translation>Abtastungen je Bildpunkt der 3D-Ansicht; 0 ist am schnellsten.</translation>
+    </message>
+    <message>
+        <source>One file at a time; see --help.</source>
+        <translation>Nur eine Datei auf einmal; siehe --help.</translation>
+    </message>
+    <message>
+        <source>Give either --demo or a file, not both.</source>
+        <translation>Entweder --demo oder eine Datei angeben, nicht beides.</translation>
+    </message>
+    <message>
+        <source>--poses takes a number from 0 to 1000.</source>
+        <translation>--poses nimmt eine Zahl von 0 bis 1000.</translation>
+    </message>
+    <message>
+        <source>--poses goes with --demo.</source>
+        <translation>--poses gehört zu --demo.</translation>
+    </message>
+    <message>
+        <source>--msaa takes a number from 0 to 16.</source>
+        <translation>--msaa nimmt eine Zahl von 0 bis 16.</translation>
+    </message>
+    <message>
+        <source>--theme takes light, dark or system.</source>
+        <translation>--theme nimmt light, dark oder system.</translation>
+    </message>
+    <message>
+        <source>--language takes en, de or system.</source>
+        <translation>--language nimmt en, de oder system.</translation>
+    </message>
+    <message>
+        <source>--screenshot needs a file or --demo to show.</source>
+        <translation>--screenshot braucht eine Datei oder --demo zum Zeigen.</translation>
+    </message>
+    <message>
+        <source>The picture %1 could not be written.</source>
+        <translation>Das Bild %1 ließ sich nicht schreiben.</translation>
+    </message>
+    <message>
+        <source>--screenshots-size takes a size, for example 1280x800.</source>
+        <translation>--screenshots-size nimmt eine Größe, zum Beispiel 1280x800.</translation>
+    </message>
+    <message>
+        <source>Draw in 3D without the graphics card, for this time.</source>
+        <translation>3D ohne Grafikkarte zeichnen, für dieses Mal.</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,120 @@
+#include "app/window/guide_window.h"
+#include "app/window/translation.h"
+#include "window_test.h"
+
+#include <QListWidget>
+#include <QRegularExpression>
+#include <QTextBrowser>
+#include <QToolButton>
+
+namespace hexoderm {
+namespace {
+
+QApplication& application() { return *qobject_cast<QApplication*>(QCoreApplication::instance()); }
+
+QString textOf(const QString& language, const QString& page) {
+  QFile file(QStringLiteral(":/hexoderm/guide/%1/%2.md").arg(language, page));
+  EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << file.fileName().toStdString();
+  return QString::fromUtf8(file.readAll());
+}
+
+TEST(UserGuide, HasEveryPageWithATitleInEveryLanguage) {
+  for (const QString& language : shippedLanguages()) {
+    installTranslations(application(), language);
+    for (const QString& page : GuideWindow::pages()) {
+      EXPECT_FALSE(GuideWindow::titleOf(page).isEmpty()) << language.toStdString() << "/" << page.toStdString();
+      EXPECT_TRUE(textOf(language, page).contains(GuideWindow::titleOf(page)));
+    }
+  }
+  EXPECT_EQ(GuideWindow::titleOf(QStringLiteral("keys")), QStringLiteral("Tasten"));
+  installTranslations(application(), QStringLiteral("en"));
+  EXPECT_EQ(GuideWindow::titleOf(QStringLiteral("keys")), QStringLiteral("Keys"));
+  EXPECT_TRUE(GuideWindow::titleOf(QStringLiteral("nothing")).isEmpty());
+}
+
+TEST(UserGuide, LinksAndPicturesLeadSomewhere) {
+  const GuideWindow guide;  // has the resources loaded
+  static const QRegularExpression target(QStringLiteral("\\]\\(([^)]+)\\)"));
+  for (const QString& language : shippedLanguages()) {
+    for (const QString& page : GuideWindow::pages()) {
+      const QString text = textOf(language, page);
+      for (auto it = target.globalMatch(text); it.hasNext();) {
+        const QString path = QStringLiteral(":/hexoderm/guide/%1/%2").arg(language, it.next().captured(1));
+        EXPECT_TRUE(QFile::exists(QDir::cleanPath(path))) << page.toStdString() << ": " << path.toStdString();
+      }
+    }
+  }
+}
+
+TEST(UserGuide, LeadsFromPageToPageAndBack) {
+  GuideWindow guide;
+  guide.show();
+  auto* browser = guide.findChild<QTextBrowser*>(QStringLiteral("guidePage"));
+  auto* contents = guide.findChild<QListWidget*>(QStringLiteral("guideContents"));
+  auto* back = guide.findChild<QToolButton*>(QStringLiteral("guideBack"));
+  ASSERT_TRUE(browser && contents && back);
+  EXPECT_EQ(guide.currentPage(), QStringLiteral("demo"));
+  EXPECT_FALSE(back->isEnabled());
+  EXPECT_TRUE(browser->toPlainText().contains(QStringLiteral("17 cells")));
+
+  const QRect row = contents->visualItemRect(contents->item(4));
+  QTest::mouseClick(contents->viewport(), Qt::LeftButton, Qt::NoModifier, row.center());
+  EXPECT_EQ(guide.currentPage(), GuideWindow::pages().at(4));
+  ASSERT_TRUE(back->isEnabled());
+  QTest::mouseClick(back, Qt::LeftButton);
+  EXPECT_EQ(guide.currentPage(), QStringLiteral("demo"));
+  EXPECT_EQ(contents->currentRow(), 0);
+  guide.showPage(QStringLiteral("no such page"));
+  EXPECT_EQ(guide.currentPage(), QStringLiteral("demo"));
+}
+
+TEST(UserGuide, FindsWordsInThePageOnceAround) {
+  GuideWindow guide;
+  guide.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&guide));
+  auto* browser = guide.findChild<QTextBrowser*>(QStringLiteral("guidePage"));
+  auto* search = guide.findChild<QLineEdit*>(QStringLiteral("guideSearch"));
+  auto* not_found = guide.findChild<QLabel*>(QStringLiteral("guideNotFound"));
+  QTest::keyClicks(search, QStringLiteral("demo"));
+  QTest::keyClick(search, Qt::Key_Return);
+  EXPECT_EQ(browser->textCursor().selectedText().toLower(), QStringLiteral("demo"));
+  const int first = browser->textCursor().position();
+  for (int k = 0; k < 50 && browser->textCursor().position() >= first; ++k) {
+    QTest::keyClick(search, Qt::Key_Return);
+    if (browser->textCursor().position() == first) break;
+  }
+  EXPECT_EQ(browser->textCursor().position(), first) << "it goes once around";
+  EXPECT_FALSE(not_found->isVisible());
+  search->setText(QStringLiteral("xylophone"));
+  QTest::keyClick(search, Qt::Key_Return);
+  EXPECT_TRUE(not_found->isVisible());
+}
+
+class GuideFromTheWindow : public WindowTest {};
+
+TEST_F(GuideFromTheWindow, OpensWithF1AtThePageAboutWhatIsToBeDone) {
+  press(Qt::Key_F1);
+  auto* guide = waitForDialog<GuideWindow>("guideWindow");
+  ASSERT_NE(guide, nullptr);
+  EXPECT_EQ(guide->currentPage(), QStringLiteral("demo"));
+  keepPicture(guide->grab().toImage(), QStringLiteral("guide"));
+  QTest::keyClick(guide, Qt::Key_Escape);
+  EXPECT_TRUE(waitUntil([&] { return window_->findChild<GuideWindow*>() == nullptr; }));
+
+  takeDemoPoses(1);
+  press(Qt::Key_F1);
+  guide = waitForDialog<GuideWindow>("guideWindow");
+  ASSERT_NE(guide, nullptr);
+  EXPECT_EQ(guide->currentPage(), QStringLiteral("capture"));
+  guide->showPage(QStringLiteral("keys"));
+  const QString keys = guide->findChild<QTextBrowser*>(QStringLiteral("guidePage"))->toPlainText();
+  for (const QAction* known : {window_->actions().open, window_->actions().guide, window_->actions().report}) {
+    EXPECT_TRUE(keys.contains(known->shortcut().toString(QKeySequence::NativeText))) << known->text().toStdString();
+    EXPECT_TRUE(keys.contains(known->text().remove('&').remove(QChar(0x2026)))) << known->text().toStdString();
+  }
+  EXPECT_FALSE(keys.contains(QLatin1Char('@')));
+  guide->close();
+}
+
+}  // namespace
+}  // namespace hexoderm

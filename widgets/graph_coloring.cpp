@@ -1,0 +1,228 @@
+#include "widgets/graph_coloring.h"
+
+#include "hexoderm/reconstruction/uncertainty.h"
+#include "hexoderm/util/units.h"
+#include "widgets/scene_colors.h"
+#include "widgets/words.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+namespace hexoderm {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("hexoderm::GraphColoring", text); }
+
+constexpr std::array kColorings = {
+    GraphColoring::Quality,  GraphColoring::Residual, GraphColoring::Deviation, GraphColoring::Bend,
+    GraphColoring::Twist,    GraphColoring::Yaw,      GraphColoring::Position,  GraphColoring::Orientation,
+    GraphColoring::PlacedBy, GraphColoring::Patch,    GraphColoring::BodyPart,
+};
+
+// Where the scales end: beyond what is good, so that what is good can be told apart, and where bad is bad enough.
+constexpr double kResidualEnd = 2 * kDegree;
+constexpr double kBendEnd = 60 * kDegree;
+constexpr double kTwistEnd = 20 * kDegree;
+constexpr double kYawEnd = 6 * kDegree;
+constexpr double kPositionEnd_m = 6 * kMillimetre;
+constexpr double kOrientationEnd = 6 * kDegree;
+/// Steps that a scale is drawn in; the eye tells no more apart.
+constexpr int kSteps = 24;
+
+QString degreesOrMore(double angle_rad) {
+  return tr("%1° or more").arg(QLocale().toString(toDegrees(angle_rad), 'f', 0));
+}
+
+std::optional<double> figureOf(GraphColoring coloring, const LinkEstimate& link) {
+  switch (coloring) {
+    case GraphColoring::Residual:
+      return knownResidual(link);
+    case GraphColoring::Deviation:
+      return knownSigma(link);
+    case GraphColoring::Bend:
+      return hasFigures(link) ? std::optional(std::abs(link.bend_rad)) : std::nullopt;
+    case GraphColoring::Twist:
+      return hasFigures(link) ? std::optional(std::abs(link.twist_rad)) : std::nullopt;
+    case GraphColoring::Yaw:
+      return hasFigures(link) ? std::optional(std::abs(link.yaw_rad)) : std::nullopt;
+    default:
+      return std::nullopt;
+  }
+}
+
+std::optional<double> figureOf(GraphColoring coloring, const CellPlacement& cell) {
+  const std::optional<Uncertainty95> known = uncertaintyOf(cell);
+  if (!known) return std::nullopt;
+  return coloring == GraphColoring::Position ? known->position_m : known->orientation_rad;
+}
+
+std::int16_t stepOf(std::optional<double> figure, const GraphScale& scale) {
+  if (!figure || !std::isfinite(*figure)) return GraphPaint::kPlain;
+  return static_cast<std::int16_t>(std::lround(std::clamp(*figure / scale.end, 0.0, 1.0) * (kSteps - 1)));
+}
+
+/// Classes without an order of their own, spread over the scale; its ends are left out.
+QColor classColor(std::size_t index, std::size_t count) {
+  return viridis((static_cast<double>(index) + 0.5) / static_cast<double>(std::max<std::size_t>(count, 1)));
+}
+
+void paintScale(const GraphScene& scene, GraphPaint& paint) {
+  const GraphScale& scale = *paint.scale;
+  for (int step = 0; step < kSteps; ++step) {
+    const QColor color = viridis(static_cast<double>(step) / (kSteps - 1));
+    if (colorsCells(paint.coloring)) {
+      paint.fills.push_back(color);
+    } else {
+      paint.strokes.push_back({color, Qt::SolidLine, false});
+    }
+  }
+  if (colorsCells(paint.coloring)) {
+    for (std::size_t k = 0; k < scene.cells().size(); ++k) {
+      paint.of_cell[k] = stepOf(figureOf(paint.coloring, *scene.cells()[k].placement), scale);
+      paint.has_unknown |= paint.of_cell[k] == GraphPaint::kPlain;
+    }
+  } else {
+    for (std::size_t k = 0; k < scene.links().size(); ++k) {
+      const LinkEstimate& link = *scene.links()[k].estimate;
+      paint.of_link[k] = stepOf(figureOf(paint.coloring, link), scale);
+      paint.has_unknown |= link.used && paint.of_link[k] == GraphPaint::kPlain;
+    }
+  }
+}
+
+void paintQuality(const GraphScene& scene, Theme theme, GraphPaint& paint) {
+  for (const EdgeQuality quality :
+       {EdgeQuality::Undefined, EdgeQuality::Partially, EdgeQuality::Fully, EdgeQuality::Over}) {
+    paint.strokes.push_back(linkStroke(quality, theme));
+    paint.words.push_back(qualityWord(quality));
+  }
+  for (std::size_t k = 0; k < scene.links().size(); ++k) {
+    paint.of_link[k] = static_cast<std::int16_t>(scene.links()[k].estimate->quality);
+  }
+}
+
+void paintPlacedBy(const GraphScene& scene, GraphPaint& paint) {
+  paint.fills = {classColor(1, 2), classColor(0, 2)};
+  paint.words = {tr("own readings"), tr("links")};
+  for (std::size_t k = 0; k < scene.cells().size(); ++k) paint.of_cell[k] = scene.cells()[k].placed_by_links ? 1 : 0;
+}
+
+void paintPatches(const GraphScene& scene, GraphPaint& paint) {
+  constexpr std::size_t kMostColors = 64;  // more can't be told apart, and then neighbours should at least differ
+  const std::size_t colors = std::min(scene.patches().size(), kMostColors);
+  for (std::size_t k = 0; k < colors; ++k) {
+    paint.fills.push_back(classColor(k, colors));
+    paint.words.push_back(tr("patch %1").arg(scene.patches()[k].patch->id.value() + 1));
+  }
+  if (scene.patches().size() > colors) paint.words.clear();
+  for (std::size_t k = 0; k < scene.cells().size(); ++k) {
+    paint.of_cell[k] = static_cast<std::int16_t>(scene.cells()[k].patch % std::max<std::size_t>(colors, 1));
+  }
+}
+
+void paintBodyParts(const GraphScene& scene, GraphPaint& paint) {
+  std::map<std::string, std::int16_t> parts;
+  for (const GraphScene::Cell& cell : scene.cells()) {
+    if (!cell.placement->body_part.empty()) parts.emplace(cell.placement->body_part, std::int16_t{0});
+  }
+  for (auto& [name, index] : parts) {
+    index = static_cast<std::int16_t>(paint.fills.size());
+    paint.fills.push_back(classColor(paint.fills.size(), parts.size()));
+    paint.words.push_back(QString::fromStdString(name));
+  }
+  for (std::size_t k = 0; k < scene.cells().size(); ++k) {
+    const auto found = parts.find(scene.cells()[k].placement->body_part);
+    if (found != parts.end()) paint.of_cell[k] = found->second;
+    paint.has_unknown |= found == parts.end();
+  }
+}
+
+}  // namespace
+
+std::span<const GraphColoring> graphColorings() { return kColorings; }
+
+bool colorsCells(GraphColoring coloring) { return coloring >= GraphColoring::Position; }
+
+QString coloringName(GraphColoring coloring) {
+  switch (coloring) {
+    case GraphColoring::Quality:
+      return tr("link quality");
+    case GraphColoring::Residual:
+      return tr("residual");
+    case GraphColoring::Deviation:
+      return tr("predicted deviation");
+    case GraphColoring::Bend:
+      return tr("bend");
+    case GraphColoring::Twist:
+      return tr("twist");
+    case GraphColoring::Yaw:
+      return tr("yaw");
+    case GraphColoring::Position:
+      return tr("position uncertainty");
+    case GraphColoring::Orientation:
+      return tr("orientation uncertainty");
+    case GraphColoring::PlacedBy:
+      return tr("placed by");
+    case GraphColoring::Patch:
+      return tr("patch");
+    case GraphColoring::BodyPart:
+      return tr("body part");
+  }
+  return {};
+}
+
+std::optional<GraphScale> scaleOf(GraphColoring coloring) {
+  switch (coloring) {
+    case GraphColoring::Residual:
+      return GraphScale{kResidualEnd, tr("residual, rms over poses"), degreesOrMore(kResidualEnd)};
+    case GraphColoring::Deviation: {
+      const double end = kDeviationScaleEnd_deg * kDegree;
+      return GraphScale{end, tr("predicted deviation"), degreesOrMore(end)};
+    }
+    case GraphColoring::Bend:
+      return GraphScale{kBendEnd, tr("bend, either way"), degreesOrMore(kBendEnd)};
+    case GraphColoring::Twist:
+      return GraphScale{kTwistEnd, tr("twist, either way"), degreesOrMore(kTwistEnd)};
+    case GraphColoring::Yaw:
+      return GraphScale{kYawEnd, tr("yaw, either way"), degreesOrMore(kYawEnd)};
+    case GraphColoring::Position:
+      return GraphScale{kPositionEnd_m, tr("position known to (95 %)"),
+                        tr("±%1 mm or more").arg(QLocale().toString(toMillimetres(kPositionEnd_m), 'f', 0))};
+    case GraphColoring::Orientation:
+      return GraphScale{kOrientationEnd, tr("orientation known to (95 %)"),
+                        QStringLiteral("±") + degreesOrMore(kOrientationEnd)};
+    default:
+      return std::nullopt;
+  }
+}
+
+GraphPaint paintOf(const GraphScene& scene, GraphColoring coloring, Theme theme) {
+  GraphPaint paint;
+  paint.coloring = coloring;
+  paint.scale = scaleOf(coloring);
+  paint.of_link.assign(scene.links().size(), GraphPaint::kPlain);
+  paint.of_cell.assign(scene.cells().size(), GraphPaint::kPlain);
+  if (paint.scale) {
+    paintScale(scene, paint);
+  } else if (coloring == GraphColoring::Quality) {
+    paintQuality(scene, theme, paint);
+  } else if (coloring == GraphColoring::PlacedBy) {
+    paintPlacedBy(scene, paint);
+  } else if (coloring == GraphColoring::Patch) {
+    paintPatches(scene, paint);
+  } else {
+    paintBodyParts(scene, paint);
+  }
+  return paint;
+}
+
+bool knowsBodyParts(const GraphScene& scene) {
+  return std::ranges::any_of(scene.cells(),
+                             [](const GraphScene::Cell& cell) { return !cell.placement->body_part.empty(); });
+}
+
+}  // namespace hexoderm
