@@ -2,6 +2,7 @@
 
 #include "widgets/action_button.h"
 #include "widgets/capture_words.h"
+#include "widgets/core_words.h"
 #include "widgets/hold_ring.h"
 #include "widgets/live_strip.h"
 #include "widgets/toggle_switch.h"
@@ -169,7 +170,7 @@ void CapturePanel::refresh() {
   if (source_->state != SourceState::Streaming) {
     // What was said of the last reading is no longer true when none come.
     ring_->setContent({sourceStateWord(source_->state), tr("no readings"), 0, false});
-    setIfChanged(wait_, QString::fromStdString(source_->text));
+    setIfChanged(wait_, coreWords(source_->text));
     setIfChanged(odd_, {});
     return;
   }

@@ -105,13 +105,19 @@ QString missingInWords(const PoseCoverage& coverage) {
   }
   const MissingDirection& missing = *coverage.missing;
   if (missing.which == 1) return CaptureWords::tr("No pose yet: any direction will do.");
-  const QString which = missing.which == 2 ? CaptureWords::tr("second") : CaptureWords::tr("third");
-  const QString cell = name(missing.facing.cell);
-  const QString how = missing.facing.facing == Facing::Wall
-                          ? CaptureWords::tr("No pose yet with cell %1 facing a wall").arg(cell)
-                          : CaptureWords::tr("No pose yet with cell %1 facing the ceiling or the floor").arg(cell);
-  return CaptureWords::tr("%1: the %2 value is %3, needs %4.")
-      .arg(how, which, number(missing.value, 2), number(coverage.threshold, 2));
+  const bool second = missing.which == 2;
+  QString sentence;
+  if (missing.facing.facing == Facing::Wall) {
+    sentence = second ? CaptureWords::tr("No pose yet with cell %1 facing a wall: the second value is %2, needs %3.")
+                      : CaptureWords::tr("No pose yet with cell %1 facing a wall: the third value is %2, needs %3.");
+  } else {
+    sentence = second
+                   ? CaptureWords::tr(
+                         "No pose yet with cell %1 facing the ceiling or the floor: the second value is %2, needs %3.")
+                   : CaptureWords::tr(
+                         "No pose yet with cell %1 facing the ceiling or the floor: the third value is %2, needs %3.");
+  }
+  return sentence.arg(name(missing.facing.cell), number(missing.value, 2), number(coverage.threshold, 2));
 }
 
 QString poseCountInWords(const PoseCoverage& coverage) {
@@ -125,10 +131,10 @@ QString poseCountInWords(const PoseCoverage& coverage) {
 QString coverageInWords(const PoseCoverage& coverage) {
   QStringList parts = {poseCountInWords(coverage)};
   for (const SeenDirection& seen : coverage.seen) {
-    const QString side = seen.at.side == Hemisphere::Front ? CaptureWords::tr("front") : CaptureWords::tr("back");
-    QString text = CaptureWords::tr("pose %1 on the %2").arg(QString::number(seen.pose.value()), side);
-    if (!seen.enabled) text = CaptureWords::tr("%1, disabled").arg(text);
-    parts.push_back(text);
+    const QString text = seen.at.side == Hemisphere::Front ? CaptureWords::tr("pose %1 on the front")
+                                                           : CaptureWords::tr("pose %1 on the back");
+    const QString said = text.arg(seen.pose.value());
+    parts.push_back(seen.enabled ? said : CaptureWords::tr("%1, disabled").arg(said));
   }
   parts.push_back(CaptureWords::tr("values %1, %2 and %3, limit %4: %5")
                       .arg(number(coverage.singular_values.x(), 2), number(coverage.singular_values.y(), 2),
@@ -170,9 +176,9 @@ QString waitInWords(const HoldStatus& hold) {
       return hold.automatic ? CaptureWords::tr("The part is still")
                             : CaptureWords::tr("The part is still; it does not capture by itself");
     case Blocker::Waiting:
-      return still.cells == 0 ? CaptureWords::tr("Waiting: no cell sends readings")
-                              : CaptureWords::tr("Waiting: %1 s of readings are needed to judge, limit %2")
-                                    .arg(number(still.window_s, 1), milliG(still.excess_limit_g));
+      return still.cells == 0
+                 ? CaptureWords::tr("Waiting: no cell sends readings")
+                 : CaptureWords::tr("Waiting: %1 s of readings are needed to judge").arg(number(still.window_s, 1));
     case Blocker::NotMoved:
       return CaptureWords::tr("Waiting: moved %1 since the last pose, needs %2")
           .arg(degrees(still.moved_rad, 1), degrees(still.rearm_rad, 0));
@@ -183,8 +189,9 @@ QString waitInWords(const HoldStatus& hold) {
       return CaptureWords::tr("Waiting: cell %1 moves %2, limit %3")
           .arg(name(still.excess_cell), milliG(still.excess_g), milliG(still.excess_limit_g));
     case Blocker::CellTurning:
-      return CaptureWords::tr("Waiting: cell %1 turns by %2 against the rest")
-          .arg(name(still.turning_cell), degreesPerSecond(still.turning_rad_s));
+      return CaptureWords::tr("Waiting: cell %1 turns by %2 against the rest, limit %3")
+          .arg(name(still.turning_cell), degreesPerSecond(still.turning_rad_s),
+               degreesPerSecond(kRestlessTimesLimit * still.drift_limit_rad_s));
   }
   return {};
 }

@@ -243,6 +243,284 @@
     </message>
 </context>
 <context>
+    <name>hexoderm::CapturePanel</name>
+    <message>
+        <source>Capturing poses</source>
+        <translation>Posen aufnehmen</translation>
+    </message>
+    <message>
+        <source>No skin is connected, so no pose can be taken.</source>
+        <translation>Es ist keine Haut verbunden, daher kann keine Pose aufgenommen werden.</translation>
+    </message>
+    <message>
+        <source>no readings</source>
+        <translation>keine Messwerte</translation>
+    </message>
+    <message>
+        <source>Captured</source>
+        <translation>Aufgenommen</translation>
+    </message>
+    <message>
+        <source>pose %1</source>
+        <translation>Pose %1</translation>
+    </message>
+    <message>
+        <source>No skin is connected.</source>
+        <translation>Es ist keine Haut verbunden.</translation>
+    </message>
+    <message>
+        <source>Working out which pose helps most…</source>
+        <translation>Es wird berechnet, welche Pose am meisten hilft …</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::CaptureWords</name>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1 mg</source>
+        <translation>%1 mg</translation>
+    </message>
+    <message>
+        <source>%1 °/s</source>
+        <translation>%1 °/s</translation>
+    </message>
+    <message>
+        <source>reads no gravity</source>
+        <translation>misst keine Schwerkraft</translation>
+    </message>
+    <message>
+        <source>stuck</source>
+        <translation>hängt fest</translation>
+    </message>
+    <message>
+        <source>noisy</source>
+        <translation>rauscht</translation>
+    </message>
+    <message>
+        <source>turns by itself</source>
+        <translation>dreht sich für sich</translation>
+    </message>
+    <message>
+        <source>silent</source>
+        <translation>stumm</translation>
+    </message>
+    <message>
+        <source>Hold the part still, any way up.</source>
+        <translation>Das Teil still halten, gleich in welcher Lage.</translation>
+    </message>
+    <message>
+        <source>There are enough poses. Another one would hardly help.</source>
+        <translation>Es sind genug Posen. Eine weitere würde kaum helfen.</translation>
+    </message>
+    <message>
+        <source>Turn the part so that cell %1 faces the ceiling.</source>
+        <translation>Das Teil so drehen, dass Zelle %1 zur Decke zeigt.</translation>
+    </message>
+    <message>
+        <source>Turn the part so that cell %1 faces the floor.</source>
+        <translation>Das Teil so drehen, dass Zelle %1 zum Boden zeigt.</translation>
+    </message>
+    <message>
+        <source>Turn the part so that cell %1 faces a wall, as the picture shows.</source>
+        <translation>Das Teil so drehen, dass Zelle %1 zu einer Wand zeigt, wie im Bild.</translation>
+    </message>
+    <message>
+        <source>It is there: hold it like this.</source>
+        <translation>So ist es richtig: so halten.</translation>
+    </message>
+    <message>
+        <source>Half a turn around a horizontal axis.</source>
+        <translation>Eine halbe Drehung um eine waagerechte Achse.</translation>
+    </message>
+    <message>
+        <source>About %1° around the horizontal axis shown.</source>
+        <translation>Etwa %1° um die gezeigte waagerechte Achse.</translation>
+    </message>
+    <message>
+        <source>Why: what is left does not come from too few directions.</source>
+        <translation>Warum: Was noch fehlt, liegt nicht an zu wenigen Richtungen.</translation>
+    </message>
+    <message>
+        <source>Why: gravity, as every cell feels it, tells how the cells are turned against each other.</source>
+        <translation>Warum: Aus der Schwerkraft, wie jede Zelle sie spürt, folgt, wie die Zellen gegeneinander gedreht sind.</translation>
+    </message>
+    <message>
+        <source>Why: gravity has been seen along one line only. A second direction tells how the cells are turned about it.</source>
+        <translation>Warum: Die Schwerkraft wurde bisher nur entlang einer Linie gesehen. Eine zweite Richtung zeigt, wie die Zellen um diese gedreht sind.</translation>
+    </message>
+    <message>
+        <source>Why: gravity has been seen from two directions. A third one, out of their plane, also reveals each sensor&apos;s offset.</source>
+        <translation>Warum: Die Schwerkraft wurde aus zwei Richtungen gesehen. Eine dritte, außerhalb ihrer Ebene, zeigt auch den Nullpunktfehler jedes Sensors.</translation>
+    </message>
+    <message>
+        <source>Why: the opposite of pose %1 tells each sensor&apos;s offset from its scale.</source>
+        <translation>Warum: Das Gegenteil von Pose %1 trennt bei jedem Sensor Nullpunkt- und Skalenfehler.</translation>
+    </message>
+    <message>
+        <source>Why: a further direction averages out what the sensors still get wrong.</source>
+        <translation>Warum: Eine weitere Richtung mittelt aus, was die Sensoren noch falsch messen.</translation>
+    </message>
+    <message>
+        <source>Orientation is known to ±%1 now, to ±%2 with this pose.</source>
+        <translation>Die Orientierung ist jetzt auf ±%1 bekannt, mit dieser Pose auf ±%2.</translation>
+    </message>
+    <message>
+        <source>No direction is missing: all three values reach %1.</source>
+        <translation>Es fehlt keine Richtung: alle drei Werte erreichen %1.</translation>
+    </message>
+    <message>
+        <source>No pose yet: any direction will do.</source>
+        <translation>Noch keine Pose: jede Richtung ist recht.</translation>
+    </message>
+    <message>
+        <source>No pose yet with cell %1 facing a wall: the second value is %2, needs %3.</source>
+        <translation>Noch keine Pose, in der Zelle %1 zu einer Wand zeigt: der zweite Wert ist %2, nötig sind %3.</translation>
+    </message>
+    <message>
+        <source>No pose yet with cell %1 facing a wall: the third value is %2, needs %3.</source>
+        <translation>Noch keine Pose, in der Zelle %1 zu einer Wand zeigt: der dritte Wert ist %2, nötig sind %3.</translation>
+    </message>
+    <message>
+        <source>No pose yet with cell %1 facing the ceiling or the floor: the second value is %2, needs %3.</source>
+        <translation>Noch keine Pose, in der Zelle %1 zur Decke oder zum Boden zeigt: der zweite Wert ist %2, nötig sind %3.</translation>
+    </message>
+    <message>
+        <source>No pose yet with cell %1 facing the ceiling or the floor: the third value is %2, needs %3.</source>
+        <translation>Noch keine Pose, in der Zelle %1 zur Decke oder zum Boden zeigt: der dritte Wert ist %2, nötig sind %3.</translation>
+    </message>
+    <message>
+        <source>1 pose</source>
+        <translation>1 Pose</translation>
+    </message>
+    <message>
+        <source>%1 poses</source>
+        <translation>%1 Posen</translation>
+    </message>
+    <message>
+        <source>%1, %2 disabled</source>
+        <translation>%1, %2 deaktiviert</translation>
+    </message>
+    <message>
+        <source>pose %1 on the front</source>
+        <translation>Pose %1 vorn</translation>
+    </message>
+    <message>
+        <source>pose %1 on the back</source>
+        <translation>Pose %1 hinten</translation>
+    </message>
+    <message>
+        <source>%1, disabled</source>
+        <translation>%1, deaktiviert</translation>
+    </message>
+    <message>
+        <source>values %1, %2 and %3, limit %4: %5</source>
+        <translation>Werte %1, %2 und %3, Grenze %4: %5</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Capturing…</source>
+        <translation>Aufnahme …</translation>
+    </message>
+    <message>
+        <source>Hold…</source>
+        <translation>Halten …</translation>
+    </message>
+    <message>
+        <source>Still</source>
+        <translation>Still</translation>
+    </message>
+    <message>
+        <source>ready to capture</source>
+        <translation>bereit zur Aufnahme</translation>
+    </message>
+    <message>
+        <source>Turn the part</source>
+        <translation>Teil drehen</translation>
+    </message>
+    <message>
+        <source>then hold it still</source>
+        <translation>dann still halten</translation>
+    </message>
+    <message>
+        <source>Hold still</source>
+        <translation>Still halten</translation>
+    </message>
+    <message>
+        <source>waits for stillness</source>
+        <translation>wartet auf Ruhe</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Wartet</translation>
+    </message>
+    <message>
+        <source>for readings</source>
+        <translation>auf Messwerte</translation>
+    </message>
+    <message>
+        <source>Looking whether it stayed still…</source>
+        <translation>Es wird geprüft, ob es still blieb …</translation>
+    </message>
+    <message>
+        <source>Taking readings as they are, moved or not</source>
+        <translation>Messwerte werden genommen, wie sie sind, bewegt oder nicht</translation>
+    </message>
+    <message>
+        <source>Taking readings of %1 cells</source>
+        <translation>Messwerte von %1 Zellen werden genommen</translation>
+    </message>
+    <message>
+        <source>The part is still</source>
+        <translation>Das Teil ist still</translation>
+    </message>
+    <message>
+        <source>The part is still; it does not capture by itself</source>
+        <translation>Das Teil ist still; es wird nicht von selbst aufgenommen</translation>
+    </message>
+    <message>
+        <source>Waiting: no cell sends readings</source>
+        <translation>Wartet: keine Zelle sendet Messwerte</translation>
+    </message>
+    <message>
+        <source>Waiting: %1 s of readings are needed to judge</source>
+        <translation>Wartet: %1 s Messwerte sind nötig, um zu urteilen</translation>
+    </message>
+    <message>
+        <source>Waiting: moved %1 since the last pose, needs %2</source>
+        <translation>Wartet: seit der letzten Pose um %1 bewegt, nötig sind %2</translation>
+    </message>
+    <message>
+        <source>Waiting: the part turns by %1, limit %2</source>
+        <translation>Wartet: das Teil dreht sich mit %1, Grenze %2</translation>
+    </message>
+    <message>
+        <source>Waiting: cell %1 moves %2, limit %3</source>
+        <translation>Wartet: Zelle %1 bewegt sich um %2, Grenze %3</translation>
+    </message>
+    <message>
+        <source>Waiting: cell %1 turns by %2 against the rest, limit %3</source>
+        <translation>Wartet: Zelle %1 dreht sich mit %2 gegen den Rest, Grenze %3</translation>
+    </message>
+    <message>
+        <source>cell %1 (%2)</source>
+        <translation>Zelle %1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 more</source>
+        <translation>%1 weitere</translation>
+    </message>
+    <message>
+        <source>Not waited for: %1</source>
+        <translation>Nicht gewartet wird auf: %1</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::CardDock</name>
     <message>
         <source>Drag to move this panel, double-click to take it out of the window</source>
@@ -1360,6 +1638,47 @@
     </message>
 </context>
 <context>
+    <name>hexoderm::CoverageView</name>
+    <message>
+        <source>front</source>
+        <translation>vorn</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>hinten</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>next</source>
+        <translation>nächste</translation>
+    </message>
+    <message>
+        <source>%1, limit %2</source>
+        <translation>%1, Grenze %2</translation>
+    </message>
+    <message>
+        <source>Directions of gravity seen</source>
+        <translation>Gesehene Richtungen der Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Front: up is where the origin cell faces. Back: the other half, seen from behind.
+The values say how well the poses hold the cells&apos; turn along three axes.</source>
+        <translation>Vorn: oben ist, wohin die Ursprungszelle zeigt. Hinten: die andere Hälfte, von hinten gesehen.
+Die Werte sagen, wie gut die Posen die Drehung der Zellen entlang dreier Achsen festlegen.</translation>
+    </message>
+    <message>
+        <source>Pose %1</source>
+        <translation>Pose %1</translation>
+    </message>
+    <message>
+        <source>disabled</source>
+        <translation>deaktiviert</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::EventLog</name>
     <message>
         <source>Info</source>
@@ -1509,6 +1828,17 @@
     <message>
         <source>Where</source>
         <translation>Wo</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::GhostCaption</name>
+    <message>
+        <source>next pose</source>
+        <translation>nächste Pose</translation>
+    </message>
+    <message>
+        <source>next pose, %1</source>
+        <translation>nächste Pose, %1</translation>
     </message>
 </context>
 <context>
@@ -1806,6 +2136,13 @@
     <message>
         <source>Find the next one</source>
         <translation>Nächste Stelle</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::HoldRing</name>
+    <message>
+        <source>How long the part has been held</source>
+        <translation>Wie lange das Teil gehalten wurde</translation>
     </message>
 </context>
 <context>
@@ -2306,6 +2643,21 @@
     <message>
         <source>over-defined</source>
         <translation>überbestimmt</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PartMotion</name>
+    <message>
+        <source>Turn the part</source>
+        <translation>Teil drehen</translation>
+    </message>
+    <message>
+        <source>Dragging and the arrow keys turn the part instead of the picture; dragging with Shift always does</source>
+        <translation>Ziehen und die Pfeiltasten drehen das Teil statt des Bildes; Ziehen mit der Umschalttaste immer</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
     </message>
 </context>
 <context>
@@ -3297,6 +3649,53 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: mit LIBGL_ALWA
     <message>
         <source>Steps</source>
         <translation>Schritte</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::StillnessView</name>
+    <message>
+        <source>moving</source>
+        <translation>bewegt</translation>
+    </message>
+    <message>
+        <source>still</source>
+        <translation>still</translation>
+    </message>
+    <message>
+        <source>capturing</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>captured %1</source>
+        <translation>Pose %1</translation>
+    </message>
+    <message>
+        <source>armed again</source>
+        <translation>wieder bereit</translation>
+    </message>
+    <message>
+        <source>starts over</source>
+        <translation>beginnt von vorn</translation>
+    </message>
+    <message>
+        <source>Stillness of the last ten seconds</source>
+        <translation>Ruhe der letzten zehn Sekunden</translation>
+    </message>
+    <message>
+        <source>No readings: when a skin is connected, this shows how still it is held.</source>
+        <translation>Keine Messwerte: wenn eine Haut verbunden ist, zeigt dies, wie still sie gehalten wird.</translation>
+    </message>
+    <message>
+        <source>cell %1, picked</source>
+        <translation>Zelle %1, gewählt</translation>
+    </message>
+    <message>
+        <source>cell %1, which decides</source>
+        <translation>Zelle %1, die entscheidet</translation>
+    </message>
+    <message>
+        <source>%1 · x y z, deviation from its mean, last %2 s, limit %3 mg</source>
+        <translation>%1 · x y z, Abweichung vom Mittel, letzte %2 s, Grenze %3 mg</translation>
     </message>
 </context>
 <context>
