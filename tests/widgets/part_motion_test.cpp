@@ -243,6 +243,8 @@ TEST_F(PartMotionTest, RequestsComeAtMostTwentyTimesASecondAndTheLastIsNotLost) 
 
 TEST_F(PartMotionTest, ArrowKeysTurnThePartInTurnMode) {
   show();
+  view.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&view));
   view.setCurrentUp(Eigen::Vector3d::UnitY());
   view.setTurnable(true);
   QTest::keyClick(&view, Qt::Key_Down);
