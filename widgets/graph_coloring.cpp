@@ -24,12 +24,12 @@ constexpr std::array kColorings = {
 };
 
 // Where the scales end: beyond what is good, so that what is good can be told apart, and where bad is bad enough.
-constexpr double kResidualEnd = 2 * kDegree;
+constexpr double kResidualEnd = kResidualScaleEnd_deg * kDegree;
 constexpr double kBendEnd = 60 * kDegree;
 constexpr double kTwistEnd = 20 * kDegree;
 constexpr double kYawEnd = 6 * kDegree;
-constexpr double kPositionEnd_m = 6 * kMillimetre;
-constexpr double kOrientationEnd = 6 * kDegree;
+constexpr double kPositionEnd_m = kPositionScaleEnd_mm * kMillimetre;
+constexpr double kOrientationEnd = kOrientationScaleEnd_deg * kDegree;
 /// Steps that a scale is drawn in; the eye tells no more apart.
 constexpr int kSteps = 24;
 

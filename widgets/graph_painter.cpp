@@ -46,6 +46,7 @@ void GraphPainter::drawSheet(QPainter& painter) const {
   painter.setRenderHint(QPainter::Antialiasing, smooth);
   if (style_.marks_tree && smooth) drawTree(painter);
   drawLinks(painter);
+  drawMutedLinks(painter);
   painter.setRenderHint(QPainter::Antialiasing, true);
   if (scene_.cutCount() <= kMostCutCurves) drawCutCurves(painter);
   painter.setRenderHint(QPainter::Antialiasing, smooth);
@@ -172,10 +173,7 @@ void GraphPainter::drawLinks(QPainter& painter) const {
     const QPointF source = camera_.toScreen(scene_.cells()[link.source].center);
     const QPointF target = camera_.toScreen(scene_.cells()[link.target].center);
     if (!isSeen(source, target)) continue;
-    if (!link.estimate->used) {
-      drawMutedLink(painter, link);
-      continue;
-    }
+    if (!link.estimate->used) continue;
     const std::int16_t kind = paint_.of_link[k];
     QVector<QLineF>& group = kind == GraphPaint::kPlain ? plain : lines[static_cast<std::size_t>(kind)];
     const bool in_tree = link.estimate->in_tree;
@@ -194,34 +192,42 @@ void GraphPainter::drawLinks(QPainter& painter) const {
   for (std::size_t k = 0; k < lines.size(); ++k) drawStrokes(painter, lines[k], paint_.strokes[k]);
 }
 
-void GraphPainter::drawMutedLink(QPainter& painter, const GraphScene::Link& link) const {
-  const QPointF source = camera_.toScreen(scene_.cells()[link.source].center);
-  const QPointF target = camera_.toScreen(scene_.cells()[link.target].center);
-  const QPointF from = camera_.toScreen(link.from);
-  const QPointF to = camera_.toScreen(link.to);
-  const double gap = std::hypot(to.x() - from.x(), to.y() - from.y());
-  const bool apart = gap > 1.5 * radius_px_;
-  QVector<QLineF> lines;
-  const QPen solid(colors_.muted_link, std::clamp(0.11 * radius_px_, 1.0, 3.0), Qt::SolidLine, Qt::FlatCap);
-  painter.setPen(solid);
-  if (apart) {
-    addDirections(source, from, lines);
-    addDirections(to, target, lines);
-    painter.drawLines(lines);
-    QPen dashed(colors_.muted_link, 1.0);
-    dashed.setDashPattern({4, 4});
-    painter.setPen(dashed);
-    painter.drawLine(from, to);
-  } else {
-    addDirections(source, target, lines);
-    painter.drawLines(lines);
-  }
-  if (radius_px_ < graph_levels::kOutlineRadius) return;
-  const QPointF middle = 0.5 * (from + to);
+/// Grey and crossed. Between cells that lie far apart, a thin line says what belongs together.
+void GraphPainter::drawMutedLinks(QPainter& painter) const {
+  if (!scene_.hasMutedLinks()) return;
+  QVector<QLineF> links;
+  QVector<QLineF> between;
+  QVector<QLineF> crosses;
   const double arm = std::clamp(0.36 * radius_px_, 2.5, 11.0);
-  painter.setPen(QPen(colors_.text_muted, std::clamp(0.13 * radius_px_, 1.2, 3.0), Qt::SolidLine, Qt::RoundCap));
-  painter.drawLine(middle + QPointF(-arm, -arm), middle + QPointF(arm, arm));
-  painter.drawLine(middle + QPointF(-arm, arm), middle + QPointF(arm, -arm));
+  for (const GraphScene::Link& link : scene_.links()) {
+    if (link.estimate->used) continue;
+    const QPointF source = camera_.toScreen(scene_.cells()[link.source].center);
+    const QPointF target = camera_.toScreen(scene_.cells()[link.target].center);
+    if (!isSeen(source, target)) continue;
+    const QPointF from = camera_.toScreen(link.from);
+    const QPointF to = camera_.toScreen(link.to);
+    if (std::hypot(to.x() - from.x(), to.y() - from.y()) > 1.5 * radius_px_) {
+      addDirections(source, from, links);
+      addDirections(to, target, links);
+      between.append(QLineF(from, to));
+    } else {
+      addDirections(source, target, links);
+    }
+    const QPointF middle = 0.5 * (from + to);
+    crosses.append(QLineF(middle + QPointF(-arm, -arm), middle + QPointF(arm, arm)));
+    crosses.append(QLineF(middle + QPointF(-arm, arm), middle + QPointF(arm, -arm)));
+  }
+  const bool thin = radius_px_ < graph_levels::kOutlineRadius || is_crowded_;
+  const auto width = [thin](double pixels) { return thin ? 1.0 : pixels; };
+  painter.setPen(QPen(colors_.muted_link, width(std::clamp(0.11 * radius_px_, 1.0, 3.0)), Qt::SolidLine, Qt::FlatCap));
+  painter.drawLines(links);
+  QPen dashed(colors_.muted_link, 1.0);
+  dashed.setDashPattern({4, 4});
+  painter.setPen(dashed);
+  painter.drawLines(between);
+  if (radius_px_ < graph_levels::kOutlineRadius) return;
+  painter.setPen(QPen(colors_.text_muted, width(std::clamp(0.13 * radius_px_, 1.2, 3.0)), Qt::SolidLine, Qt::RoundCap));
+  painter.drawLines(crosses);
 }
 
 void GraphPainter::drawCutCurves(QPainter& painter) const {

@@ -74,7 +74,7 @@ class GraphPainter {
   void drawTree(QPainter& painter) const;
   void drawStrokes(QPainter& painter, const QVector<QLineF>& lines, const LinkStroke& stroke) const;
   void drawThinLines(QPainter& painter, const QVector<QLineF>& lines, const QColor& color) const;
-  void drawMutedLink(QPainter& painter, const GraphScene::Link& link) const;
+  void drawMutedLinks(QPainter& painter) const;
   void drawCutCurves(QPainter& painter) const;
   [[nodiscard]] QPainterPath cutCurve(const GraphScene::Link& link) const;
   void drawCells(QPainter& painter) const;

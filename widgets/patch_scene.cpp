@@ -6,11 +6,11 @@
 #include "widgets/patch_geometry.h"
 #include "widgets/scene_corners.h"
 #include "widgets/scene_ghost.h"
+#include "widgets/scene_labels.h"
+#include "widgets/scene_skin.h"
 
 #include <vtkActor.h>
-#include <vtkBillboardTextActor3D.h>
 #include <vtkCamera.h>
-#include <vtkCellPicker.h>
 #include <vtkCommand.h>
 #include <vtkLight.h>
 #include <vtkNew.h>
@@ -18,12 +18,10 @@
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
-#include <vtkTextProperty.h>
 #include <vtkWeakPointer.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <unordered_set>
 #include <vector>
 
 namespace hexoderm {
@@ -33,9 +31,6 @@ constexpr double kViewAngle_deg = 30;
 // Parts of the window that a fitted skin fills: buttons above and legend below stay free.
 constexpr double kFitWidth = 0.88;
 constexpr double kFitHeight = 0.74;
-constexpr double kMinLabelFacing = 0.4;  // cosine between a face and the line of sight
-constexpr int kMinLabelPixels = 8;
-constexpr int kMaxLabelPixels = 26;
 
 Eigen::Vector3d toEigen(const double* v) { return {v[0], v[1], v[2]}; }
 
@@ -58,45 +53,40 @@ ViewDirection directionOf(PatchScene::View view) {
   return {Eigen::Vector3d(0.45, 0.42, 1.0).normalized(), Eigen::Vector3d::UnitY()};
 }
 
-/// Fewer than half of the cells are the same: not a skin that lost or gained some cells.
-bool isOtherSkin(const std::vector<SceneCell>& before, const std::vector<SceneCell>& after) {
-  std::unordered_set<CellId> known;
-  for (const SceneCell& cell : before) known.insert(cell.id);
-  const auto kept = std::ranges::count_if(after, [&](const SceneCell& cell) { return known.contains(cell.id); });
-  return 2 * static_cast<std::size_t>(kept) < std::max(before.size(), after.size());
+bool sameCells(const SceneContent* before, const SceneContent* after) {
+  if (before == nullptr || after == nullptr) return before == after;
+  return std::ranges::equal(before->layout.cells, after->layout.cells, {}, &SceneCell::id, &SceneCell::id);
 }
 
-struct Label {
-  vtkNew<vtkBillboardTextActor3D> actor;
-  Eigen::Vector3d anchor;
-  Eigen::Vector3d normal;
-};
+/// Fewer than half of the cells are the same: not a skin that lost or gained some cells.
+bool isOtherSkin(const SceneContent* before, const SceneContent* after) {
+  const std::size_t had = before ? before->layout.cells.size() : 0;
+  const std::size_t has = after ? after->layout.cells.size() : 0;
+  if (had == 0 || has == 0) return had != has;
+  const auto kept = std::ranges::count_if(
+      after->layout.cells, [&](const SceneCell& cell) { return before->layout.find(cell.id) != nullptr; });
+  return 2 * static_cast<std::size_t>(kept) < std::max(had, has);
+}
 
 }  // namespace
 
 struct PatchScene::Parts {
-  std::shared_ptr<const Reconstruction> reconstruction;
-  SceneLayout layout;
-  PrismData prisms;
-  std::vector<Rgb> front_colors;
+  std::shared_ptr<const SceneContent> content;
   SceneColors colors;
-  CellColoring coloring = CellColoring::LinkQuality;
   std::optional<CellId> picked_cell;
   std::optional<std::pair<LinkEnd, LinkEnd>> picked_link;
   std::optional<PoseId> pose;
   bool text_visible = true;
+  ShownItems shown = kShownAtFirst;
 
   vtkNew<vtkRenderer> renderer;
   vtkWeakPointer<vtkRenderWindow> window;
   unsigned long observer = 0;
-  vtkNew<vtkActor> prism_actor;
-  vtkNew<vtkPolyDataMapper> prism_mapper;
-  vtkNew<vtkActor> mark_actor;
-  vtkNew<vtkPolyDataMapper> mark_mapper;
+  SceneSkin skin{renderer};
+  SceneExtras extras{renderer};
+  SceneLabels labels{renderer};
   vtkNew<vtkActor> selection_actor;
   vtkNew<vtkPolyDataMapper> selection_mapper;
-  vtkNew<vtkCellPicker> picker;
-  std::vector<std::unique_ptr<Label>> labels;
   SceneCorners corners;
   SceneGhost ghost;
   std::optional<Eigen::Vector3d> up_o;       ///< now
@@ -108,46 +98,37 @@ struct PatchScene::Parts {
   struct Fitted {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
     Eigen::Vector3d focus = Eigen::Vector3d::Zero();
+    double parallel_scale = 0;
     std::array<int, 2> size{};
     double extent_m = 0;
   };
   std::optional<Fitted> fitted;
-  double extent_m = 0;  ///< diagonal of the patch's bounding box
 
   Parts();
   ~Parts();
 
-  void addActor(vtkActor* actor, vtkPolyDataMapper* mapper);
   void lookFrom(View view);
   void fitNow();
+  /// Nobody has moved the camera since the last fit.
+  [[nodiscard]] bool isUntouched() const;
   void beforeRender();
-  void updateLabels();
-  void rebuildLabels();
   void recolor();
+  void updateItems();
   void updateSelection();
   void updateGravity();
   void updateGhost();
   void showGhostOfLargestPatch();
   void follow(const std::optional<Eigen::Vector3d>& up_o_now);
-  [[nodiscard]] bool isUntouched() const;
   [[nodiscard]] std::optional<Eigen::Vector3d> upShown() const;
   [[nodiscard]] const GravityDirection* gravity() const;
   [[nodiscard]] std::array<int, 2> size() const;
 };
 
 PatchScene::Parts::Parts() {
-  addActor(prism_actor, prism_mapper);
-  addActor(mark_actor, mark_mapper);
-  addActor(selection_actor, selection_mapper);
-
-  vtkProperty* prism = prism_actor->GetProperty();
-  prism->SetInterpolationToFlat();
-  prism->SetAmbient(0.58);
-  prism->SetDiffuse(0.42);
-  prism->SetSpecular(0.0);
-  prism->SetLineWidth(1.2F);
-  // Marks and outlines lie on the faces and keep their colour in any light.
-  mark_actor->GetProperty()->LightingOff();
+  selection_actor->SetMapper(selection_mapper);
+  selection_actor->VisibilityOff();
+  renderer->AddActor(selection_actor);
+  // An outline lies on the faces and keeps its colour in any light.
   selection_actor->GetProperty()->LightingOff();
   selection_actor->GetProperty()->SetLineWidth(3.5F);
 
@@ -165,9 +146,6 @@ PatchScene::Parts::Parts() {
   renderer->GradientBackgroundOn();
   renderer->GetActiveCamera()->SetViewAngle(kViewAngle_deg);
 
-  picker->PickFromListOn();
-  picker->AddPickList(prism_actor);
-  picker->SetTolerance(1e-5);  // not 0: a hit on a tilted face is off its plane by rounding
   observer = renderer->AddObserver(vtkCommand::StartEvent, this, &Parts::beforeRender);
   lookFrom(View::Oblique);
 }
@@ -179,12 +157,6 @@ PatchScene::Parts::~Parts() {
     ghost.detachFrom(window);
     window->RemoveRenderer(renderer);
   }
-}
-
-void PatchScene::Parts::addActor(vtkActor* actor, vtkPolyDataMapper* mapper) {
-  actor->SetMapper(mapper);
-  actor->VisibilityOff();
-  renderer->AddActor(actor);
 }
 
 std::array<int, 2> PatchScene::Parts::size() const {
@@ -206,7 +178,7 @@ void PatchScene::Parts::lookFrom(View view) {
 
 void PatchScene::Parts::fitNow() {
   const auto [width, height] = size();
-  if (layout.points.empty() || width <= 0 || height <= 0) return;
+  if (!content || content->layout.points.empty() || width <= 0 || height <= 0) return;
   fit_pending = false;
   vtkCamera* camera = renderer->GetActiveCamera();
   const Eigen::Vector3d back = -toEigen(camera->GetDirectionOfProjection());
@@ -214,42 +186,50 @@ void PatchScene::Parts::fitNow() {
       (toEigen(camera->GetViewUp()) - toEigen(camera->GetViewUp()).dot(back) * back).normalized();
   const Eigen::Vector3d right = up.cross(back);
   Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& p : layout.points) box.extend(Eigen::Vector3d(right.dot(p), up.dot(p), back.dot(p)));
+  const std::vector<Eigen::Vector3d>& points = content->layout.points;
+  for (const Eigen::Vector3d& p : points) box.extend(Eigen::Vector3d(right.dot(p), up.dot(p), back.dot(p)));
   const Eigen::Vector3d center = box.center();
   const double tan_height = kFitHeight * std::tan(0.5 * kViewAngle_deg * kDegree);
   const double free_width = ghost.isVisible() ? kFitWidth - SceneGhost::kShare : kFitWidth;
   const double tan_width = free_width * std::tan(0.5 * kViewAngle_deg * kDegree) * width / height;
-  double distance = 2 * reconstruction->model->side_m;
-  for (const Eigen::Vector3d& p : layout.points) {
+  const double least = 2 * content->reconstruction->model->side_m;
+  double distance = least;
+  double flat_distance = least;  // from where a skin without depth would fit
+  for (const Eigen::Vector3d& p : points) {
     const Eigen::Vector3d v = Eigen::Vector3d(right.dot(p), up.dot(p), back.dot(p)) - center;
     // A part that is turned has to stay in the picture.
-    const double any_way = up_o ? v.norm() / std::sin(std::atan(std::min(tan_width, tan_height))) : 0;
-    distance = std::max({distance, any_way, v.z() + std::abs(v.x()) / tan_width, v.z() + std::abs(v.y()) / tan_height});
+    if (up_o) distance = std::max(distance, v.norm() / std::sin(std::atan(std::min(tan_width, tan_height))));
+    const double flat = up_o ? v.norm() / std::min(tan_width, tan_height)
+                             : std::max(std::abs(v.x()) / tan_width, std::abs(v.y()) / tan_height);
+    flat_distance = std::max(flat_distance, flat);
+    distance = std::max(distance, v.z() + flat);
   }
   const Eigen::Vector3d focus = right * center.x() + up * center.y() + back * center.z();
   const Eigen::Vector3d position = focus + distance * back;
   camera->SetFocalPoint(focus.x(), focus.y(), focus.z());
   camera->SetPosition(position.x(), position.y(), position.z());
-  fitted = Fitted{position, focus, {width, height}, extent_m};
-}
-
-void PatchScene::Parts::beforeRender() {
-  vtkCamera* camera = renderer->GetActiveCamera();
-  // Small changes, as every new pose brings them, must not make the picture jump.
-  constexpr double kOtherShape = 0.1;
-  const bool reshaped = fitted && std::abs(extent_m - fitted->extent_m) > kOtherShape * fitted->extent_m;
-  if (fit_pending || (isUntouched() && (reshaped || fitted->size != size()))) fitNow();
-  renderer->ResetCameraClippingRange();
-  updateLabels();
-  if (!window) return;
-  corners.follow(camera, window);
-  ghost.follow(camera, window);
+  camera->SetParallelScale(flat_distance * std::tan(0.5 * kViewAngle_deg * kDegree));
+  fitted = Fitted{position, focus, camera->GetParallelScale(), {width, height}, content->extent_m};
 }
 
 bool PatchScene::Parts::isUntouched() const {
   vtkCamera* camera = renderer->GetActiveCamera();
   return fitted && fitted->position == toEigen(camera->GetPosition()) &&
-         fitted->focus == toEigen(camera->GetFocalPoint());
+         fitted->focus == toEigen(camera->GetFocalPoint()) && fitted->parallel_scale == camera->GetParallelScale();
+}
+
+void PatchScene::Parts::beforeRender() {
+  // Small changes, as every new pose brings them, must not make the picture jump.
+  constexpr double kOtherShape = 0.1;
+  const bool reshaped =
+      fitted && content && std::abs(content->extent_m - fitted->extent_m) > kOtherShape * fitted->extent_m;
+  if (fit_pending || (isUntouched() && (reshaped || fitted->size != size()))) fitNow();
+  extras.update();
+  renderer->ResetCameraClippingRange();
+  if (!window) return;
+  labels.update(size(), window->GetDPI());
+  corners.follow(renderer->GetActiveCamera(), window);
+  ghost.follow(renderer->GetActiveCamera(), window);
 }
 
 void PatchScene::Parts::follow(const std::optional<Eigen::Vector3d>& up_o_now) {
@@ -279,13 +259,14 @@ void PatchScene::Parts::updateGhost() {
 
 void PatchScene::Parts::showGhostOfLargestPatch() {
   std::size_t first = 0;
-  const PatchReconstruction* largest = reconstruction ? largestPatch(*reconstruction) : nullptr;
+  const Reconstruction* shown_skin = content ? content->reconstruction.get() : nullptr;
+  const PatchReconstruction* largest = shown_skin ? largestPatch(*shown_skin) : nullptr;
   if (largest != nullptr) {
-    for (const PatchReconstruction* patch = reconstruction->patches.data(); patch != largest; ++patch) {
+    for (const PatchReconstruction* patch = shown_skin->patches.data(); patch != largest; ++patch) {
       first += patch->cells.size();
     }
   }
-  ghost.setPatch(layout, first, largest == nullptr ? 0 : largest->cells.size());
+  ghost.setPatch(content ? content->layout : SceneLayout{}, first, largest == nullptr ? 0 : largest->cells.size());
   updateGhost();
 }
 
@@ -295,96 +276,38 @@ std::optional<Eigen::Vector3d> PatchScene::Parts::upShown() const {
   return direction == nullptr ? std::nullopt : std::optional<Eigen::Vector3d>(direction->g_o);
 }
 
-void PatchScene::Parts::updateLabels() {
-  if (!window || labels.empty()) return;
-  vtkCamera* camera = renderer->GetActiveCamera();
-  const Eigen::Vector3d eye = toEigen(camera->GetPosition());
-  const double side_m = reconstruction->model->side_m;
-  const double pixels_at_one_m = 0.5 * size()[1] / std::tan(0.5 * camera->GetViewAngle() * kDegree);
-  const double text_scale = window->GetDPI() / 72.0;
-  for (const auto& label : labels) {
-    const Eigen::Vector3d sight = eye - label->anchor;
-    const double distance = sight.norm();
-    const Eigen::Vector3d toward = sight / distance;
-    const double facing = label->normal.dot(toward);
-    // Even sizes only, so that zooming does not make new letters at every step.
-    const double wanted = 0.52 * side_m * pixels_at_one_m / distance / text_scale;
-    const int font = 2 * (std::min(static_cast<int>(wanted), kMaxLabelPixels) / 2);
-    const bool visible = text_visible && facing > kMinLabelFacing && font >= kMinLabelPixels;
-    label->actor->SetVisibility(visible);
-    if (!visible) continue;
-    if (label->actor->GetTextProperty()->GetFontSize() != font) label->actor->GetTextProperty()->SetFontSize(font);
-    // The text stands upright to the viewer: it moves along the line of sight until its own tilted face can't cut it,
-    // and stays behind everything that really is in front.
-    const double tilt = std::sqrt(std::max(0.0, 1 - facing * facing)) / facing;
-    const Eigen::Vector3d p = label->anchor + side_m * (0.05 + 0.4 * tilt) * toward;
-    label->actor->SetPosition(p.x(), p.y(), p.z());
-  }
-}
-
-void PatchScene::Parts::rebuildLabels() {
-  const std::size_t wanted = layout.cells.size() <= kMaxLabelledCells ? layout.cells.size() : 0;
-  while (labels.size() > wanted) {
-    renderer->RemoveActor(labels.back()->actor);
-    labels.pop_back();
-  }
-  while (labels.size() < wanted) {
-    labels.push_back(std::make_unique<Label>());
-    vtkTextProperty* property = labels.back()->actor->GetTextProperty();
-    property->SetJustificationToCentered();
-    property->SetVerticalJustificationToCentered();
-    property->BoldOn();
-    labels.back()->actor->PickableOff();
-    renderer->AddActor(labels.back()->actor);
-  }
-  for (std::size_t k = 0; k < labels.size(); ++k) {
-    const SceneCell& cell = layout.cells[k];
-    labels[k]->actor->SetInput(toString(cell.id).c_str());
-    labels[k]->anchor = cell.T_s_u.t;
-    labels[k]->normal = cell.T_s_u.R.col(2);
-  }
-}
-
 void PatchScene::Parts::recolor() {
   renderer->SetBackground2(colors.background_top.data());
   renderer->SetBackground(colors.background_bottom.data());
-  prism_actor->GetProperty()->SetEdgeColor(colors.edge.data());
   selection_actor->GetProperty()->SetColor(colors.selection.data());
   corners.setColors(colors);
   ghost.setColors(colors);
-  if (!reconstruction) return;
-  front_colors = cellColors(*reconstruction, coloring, colors);
-  const bool many = layout.cells.size() > kMaxPrismCells;
-  prisms = makePrisms(layout, front_colors, many);
-  prism_mapper->SetInputData(prisms.surface);
-  prism_actor->GetProperty()->SetEdgeVisibility(!many);
-  prism_actor->SetVisibility(!layout.cells.empty());
-  const bool marked = !layout.cells.empty() && layout.cells.size() <= kMaxMarkedCells;
-  if (marked) mark_mapper->SetInputData(makeMarks(*reconstruction, layout, front_colors, colors));
-  mark_actor->SetVisibility(marked);
-  for (std::size_t k = 0; k < labels.size(); ++k) {
-    Rgb mark = markOn(front_colors[k], colors);
-    labels[k]->actor->GetTextProperty()->SetColor(mark.data());
-  }
+  labels.setColors(skin.frontColors(), colors);
+}
+
+void PatchScene::Parts::updateItems() {
+  skin.setPortsVisible(shown.at(indexOf(SceneItem::Ports)));
+  labels.setVisible(text_visible && shown.at(indexOf(SceneItem::Ids)));
+  corners.setAxesVisible(content && !content->layout.cells.empty() && shown.at(indexOf(SceneItem::Axes)));
+  updateGravity();
 }
 
 void PatchScene::Parts::updateSelection() {
   selection_actor->VisibilityOff();
-  if (!reconstruction) return;
-  if (picked_link && reconstruction->findLink(picked_link->first, picked_link->second) != nullptr) {
-    selection_mapper->SetInputData(makeLinkStroke(*reconstruction, layout, picked_link->first, picked_link->second));
+  if (!content) return;
+  if (picked_link && content->reconstruction->findLink(picked_link->first, picked_link->second) != nullptr) {
+    selection_mapper->SetInputData(makeLinkStroke(*content, picked_link->first, picked_link->second));
     selection_actor->VisibilityOn();
-  } else if (picked_cell) {
-    const auto found = std::ranges::find(layout.cells, *picked_cell, &SceneCell::id);
-    if (found == layout.cells.end()) return;
-    selection_mapper->SetInputData(makeCellOutline(layout, static_cast<std::size_t>(found - layout.cells.begin())));
+  } else if (picked_cell && content->layout.find(*picked_cell) != nullptr) {
+    selection_mapper->SetInputData(makeCellOutline(*content, *picked_cell));
     selection_actor->VisibilityOn();
   }
 }
 
 /// Every patch has a frame of its own: the picked cell's patch counts, else the first with a gravity.
 const GravityDirection* PatchScene::Parts::gravity() const {
-  if (!reconstruction) return nullptr;
+  if (!content || content->layout.cells.empty() || !shown.at(indexOf(SceneItem::Gravity))) return nullptr;
+  const Reconstruction* reconstruction = content->reconstruction.get();
   const std::optional<CellId> picked = picked_link ? std::optional(picked_link->first.cell) : picked_cell;
   const PatchReconstruction* patch = picked ? reconstruction->find(*picked).patch : nullptr;
   if (patch == nullptr) {
@@ -415,40 +338,73 @@ void PatchScene::attachTo(vtkRenderWindow* window) {
   parts_->ghost.attachTo(window);
 }
 
-void PatchScene::setReconstruction(std::shared_ptr<const Reconstruction> reconstruction) {
-  const std::vector<SceneCell> before = std::move(parts_->layout.cells);
-  parts_->reconstruction = std::move(reconstruction);
-  parts_->layout = parts_->reconstruction ? layOutScene(*parts_->reconstruction) : SceneLayout{};
-  const std::vector<SceneCell>& after = parts_->layout.cells;
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& point : parts_->layout.points) box.extend(point);
-  parts_->extent_m = box.isEmpty() ? 0 : box.diagonal().norm();
-  if (isOtherSkin(before, after)) {
-    parts_->lookFrom(View::Oblique);
-  } else if (!std::ranges::equal(before, after, {}, &SceneCell::id, &SceneCell::id)) {
-    parts_->fit_pending = true;
+void PatchScene::setContent(std::shared_ptr<const SceneContent> content) {
+  const std::shared_ptr<const SceneContent> before = std::exchange(parts_->content, std::move(content));
+  const std::shared_ptr<const SceneContent>& after = parts_->content;
+  if (!sameCells(before.get(), after.get())) {
+    if (isOtherSkin(before.get(), after.get())) {
+      parts_->lookFrom(View::Oblique);
+    } else {
+      parts_->fit_pending = true;
+    }
   }
-  if (after.empty()) {
-    parts_->prism_actor->VisibilityOff();
-    parts_->mark_actor->VisibilityOff();
-  }
-  parts_->corners.setVisible(!after.empty());
-  parts_->rebuildLabels();
+  parts_->skin.setContent(after);
+  parts_->extras.setContent(after);
+  parts_->labels.setContent(after);
   parts_->recolor();
+  parts_->updateItems();
   parts_->updateSelection();
-  parts_->updateGravity();
   parts_->showGhostOfLargestPatch();
+}
+
+void PatchScene::setReconstruction(std::shared_ptr<const Reconstruction> reconstruction) {
+  setContent(makeSceneContent(std::move(reconstruction)));
 }
 
 void PatchScene::setColors(const SceneColors& colors) {
   parts_->colors = colors;
+  parts_->skin.setColors(colors);
+  parts_->extras.setColors(colors);
   parts_->recolor();
 }
 
 void PatchScene::setColoring(CellColoring coloring) {
-  parts_->coloring = coloring;
+  parts_->skin.setColoring(coloring);
   parts_->recolor();
 }
+
+void PatchScene::setReadings(CellReadings readings) {
+  parts_->skin.setReadings(std::move(readings));
+  parts_->recolor();
+}
+
+void PatchScene::setTruth(std::shared_ptr<const GroundTruth> truth) { parts_->extras.setTruth(std::move(truth)); }
+
+void PatchScene::setSurface(std::optional<SurfaceEvaluation> surface) {
+  std::unordered_map<CellId, double> distance_m;
+  if (surface) {
+    for (std::size_t k = 0; k < surface->cells.size(); ++k) distance_m[surface->cells[k]] = surface->distance_m[k];
+  }
+  parts_->skin.setSurfaceDistances(std::move(distance_m));
+  parts_->extras.setSurface(std::move(surface));
+  parts_->recolor();
+}
+
+void PatchScene::setLoop(std::optional<LoopEvaluation> loop) { parts_->extras.setLoop(loop); }
+
+void PatchScene::setComparison(std::vector<Comparison> comparison) {
+  parts_->extras.setComparison(std::move(comparison));
+}
+
+void PatchScene::setShown(SceneItem item, bool shown) {
+  parts_->shown.at(indexOf(item)) = shown;
+  parts_->extras.setShown(item, shown);
+  parts_->updateItems();
+}
+
+Availability PatchScene::availability(SceneItem item) const { return parts_->extras.availability(item); }
+
+const SceneNotes& PatchScene::notes() { return parts_->extras.notes(); }
 
 void PatchScene::setSelection(std::optional<CellId> cell, std::optional<std::pair<LinkEnd, LinkEnd>> link) {
   parts_->picked_cell = cell;
@@ -456,6 +412,10 @@ void PatchScene::setSelection(std::optional<CellId> cell, std::optional<std::pai
   parts_->updateSelection();
   parts_->updateGravity();
   parts_->updateGhost();
+}
+
+void PatchScene::setMeasured(std::optional<CellId> first, std::optional<CellId> second) {
+  parts_->extras.setMeasured(first, second);
 }
 
 void PatchScene::setPose(std::optional<PoseId> pose) {
@@ -487,6 +447,7 @@ void PatchScene::spin(double angle_rad) {
 
 void PatchScene::setTextVisible(bool visible) {
   parts_->text_visible = visible;
+  parts_->updateItems();
   parts_->corners.setTextVisible(visible);
 }
 
@@ -500,13 +461,36 @@ void PatchScene::fit() { parts_->fit_pending = true; }
 
 void PatchScene::showStandardView(View view) { parts_->lookFrom(view); }
 
+void PatchScene::setParallel(bool parallel) {
+  vtkCamera* camera = parts_->renderer->GetActiveCamera();
+  if ((camera->GetParallelProjection() != 0) == parallel) return;
+  const double half = std::tan(0.5 * kViewAngle_deg * kDegree);
+  if (parts_->isUntouched()) {
+    parts_->fit_pending = true;
+  } else if (parallel) {
+    camera->SetParallelScale(camera->GetDistance() * half);
+  } else {
+    const Eigen::Vector3d focus = toEigen(camera->GetFocalPoint());
+    const Eigen::Vector3d back = -toEigen(camera->GetDirectionOfProjection());
+    const Eigen::Vector3d position = focus + camera->GetParallelScale() / half * back;
+    camera->SetPosition(position.x(), position.y(), position.z());
+  }
+  camera->SetParallelProjection(parallel);
+}
+
 std::optional<CellId> PatchScene::pick(double x, double y) {
-  if (parts_->layout.cells.empty() || !parts_->window) return std::nullopt;
+  if (!parts_->window) return std::nullopt;
   if (parts_->fit_pending) parts_->fitNow();
-  if (parts_->picker->Pick(x, y, 0, parts_->renderer) == 0) return std::nullopt;
-  const auto polygon = static_cast<std::size_t>(parts_->picker->GetCellId());
-  if (polygon >= parts_->prisms.cell_of_polygon.size()) return std::nullopt;
-  return parts_->layout.cells[parts_->prisms.cell_of_polygon[polygon]].id;
+  return parts_->skin.pick(x, y);
+}
+
+const SceneContent* PatchScene::content() const { return parts_->content.get(); }
+
+const CellReadings& PatchScene::readings() const { return parts_->skin.readings(); }
+
+std::vector<std::optional<double>> PatchScene::values() const {
+  if (!parts_->content) return {};
+  return cellValues(parts_->skin.coloring(), parts_->content->figures, parts_->skin.readings());
 }
 
 bool PatchScene::showsGravity() const { return parts_->upShown().has_value(); }

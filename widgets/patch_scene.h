@@ -1,29 +1,29 @@
 #pragma once
 
-#include "hexoderm/reconstruction/reconstruction.h"
+#include "widgets/cell_coloring.h"
 #include "widgets/scene_colors.h"
+#include "widgets/scene_content.h"
+#include "widgets/scene_extras.h"
+#include "widgets/scene_items.h"
 
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 class vtkRenderer;
 class vtkRenderWindow;
 
 namespace hexoderm {
 
-/// The patch in 3D without Qt: prisms, ports, IDs, origin, axes and the direction of gravity, drawn with VTK into
-/// whatever render window it is attached to. Nothing is drawn until the window renders; every setter is cheap enough to
-/// be called for each new result.
+/// The patch in 3D without Qt: cells, ports, IDs, origin, axes, the direction of gravity, and what is drawn over them
+/// (SceneItem), with VTK into whatever render window it is attached to. Nothing is drawn until the window renders.
 ///
-/// Up to kMaxPrismCells cells are prisms with ports, up to kMaxLabelledCells carry their ID; a larger skin is drawn as
-/// its front faces only.
+/// Up to SceneContent::kMaxPrismCells cells are prisms; a larger skin is drawn as its front faces only. Making a large
+/// skin's content takes longer than a picture does, so it can be made elsewhere and handed over; every other setter is
+/// cheap enough to be called for each new result.
 class PatchScene {
  public:
-  static constexpr std::size_t kMaxPrismCells = 2000;
-  static constexpr std::size_t kMaxMarkedCells = 500;
-  static constexpr std::size_t kMaxLabelledCells = 200;
-
   /// Where the camera looks from, in the patch frame: Front from +z (out of the origin cell's skin), Side from +x, Top
   /// from +y.
   enum class View { Oblique, Front, Side, Top };
@@ -37,11 +37,29 @@ class PatchScene {
   void attachTo(vtkRenderWindow* window);
 
   /// Null empties the scene. The camera moves only when the set of cells has changed.
+  void setContent(std::shared_ptr<const SceneContent> content);
+  /// The same, making the content here and now.
   void setReconstruction(std::shared_ptr<const Reconstruction> reconstruction);
   void setColors(const SceneColors& colors);
   void setColoring(CellColoring coloring);
+  /// The newest readings; cells without one are neutral. Without the distances to a fitted surface, which are the
+  /// scene's own.
+  void setReadings(CellReadings readings);
+  /// Known placements, drawn as outlines; null: none.
+  void setTruth(std::shared_ptr<const GroundTruth> truth);
+  /// A surface fitted to a patch of this reconstruction.
+  void setSurface(std::optional<SurfaceEvaluation> surface);
+  void setLoop(std::optional<LoopEvaluation> loop);
+  /// Of this reconstruction with a reference, per patch.
+  void setComparison(std::vector<Comparison> comparison);
+  void setShown(SceneItem item, bool shown);
+  [[nodiscard]] Availability availability(SceneItem item) const;
+  /// What is drawn over the cells, and how much enlarged.
+  [[nodiscard]] const SceneNotes& notes();
   /// An outline about the cell, a line along the link. What is not in the reconstruction is not shown.
   void setSelection(std::optional<CellId> cell, std::optional<std::pair<LinkEnd, LinkEnd>> link);
+  /// The cells between which is measured: one is outlined, two are joined by a line.
+  void setMeasured(std::optional<CellId> first, std::optional<CellId> second);
   /// Whose gravity the arrow shows; none: the last pose of the patch.
   void setPose(std::optional<PoseId> pose);
   /// Where up is now, a unit vector in the frame of the largest patch: the picture follows, so that up stays upwards
@@ -67,10 +85,16 @@ class PatchScene {
   /// Moves the camera along its direction until everything fits into the window.
   void fit();
   void showStandardView(View view);
+  /// Parallel instead of perspective projection; what is looked at keeps its size.
+  void setParallel(bool parallel);
 
   /// The cell at a pixel of the window (origin lower left); none beside the skin.
   [[nodiscard]] std::optional<CellId> pick(double x, double y);
-  /// Whether the arrow is there: not without a pose.
+  [[nodiscard]] const SceneContent* content() const;
+  [[nodiscard]] const CellReadings& readings() const;
+  /// What the cells are coloured by, in the unit that is shown; for the legend.
+  [[nodiscard]] std::vector<std::optional<double>> values() const;
+  /// Whether the arrow is there: not without a pose, nor while it is switched off.
   [[nodiscard]] bool showsGravity() const;
 
   [[nodiscard]] vtkRenderer* renderer() const;

@@ -1,8 +1,13 @@
 #include "widgets/patch_view.h"
 
+#include "widgets/measure_tool.h"
+#include "widgets/opengl_info.h"
 #include "widgets/part_motion.h"
+#include "widgets/patch_controls.h"
 #include "widgets/patch_scene.h"
+#include "widgets/scene_builder.h"
 #include "widgets/scene_overlay.h"
+#include "widgets/scene_words.h"
 #include "widgets/selection.h"
 
 #include <QVTKOpenGLNativeWidget.h>
@@ -13,16 +18,11 @@
 #include <vtkObjectFactory.h>
 #include <vtkRenderWindowInteractor.h>
 #include <QAction>
-#include <QActionGroup>
-#include <QFrame>
 #include <QGridLayout>
-#include <QHBoxLayout>
-#include <QMenu>
 #include <QMouseEvent>
-#include <QOpenGLContext>
 #include <QPainter>
 #include <QTimer>
-#include <QToolButton>
+#include <algorithm>
 #include <utility>
 
 namespace hexoderm {
@@ -37,18 +37,6 @@ class SceneInteractorStyle : public vtkInteractorStyleTrackballCamera {
 };
 vtkStandardNewMacro(SceneInteractorStyle);
 
-QSurfaceFormat surfaceFormat() {
-  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
-  format.setSamples(0);  // multisampling costs a factor of three in software OpenGL
-  return format;
-}
-
-bool hasOpenGl() {
-  QOpenGLContext context;
-  context.setFormat(surfaceFormat());
-  return context.create() && 10 * context.format().majorVersion() + context.format().minorVersion() >= 32;
-}
-
 Rgb toRgb(const QColor& color) { return {color.redF(), color.greenF(), color.blueF()}; }
 
 SceneColors sceneColors(Theme theme) {
@@ -61,7 +49,8 @@ SceneColors sceneColors(Theme theme) {
   scene.background_top = toRgb(colors.scene_top);
   scene.background_bottom = toRgb(colors.scene_bottom);
   for (std::size_t k = 0; k < scene.quality.size(); ++k) {
-    scene.quality.at(k) = mixed(toRgb(linkStroke(static_cast<EdgeQuality>(k), theme).color), black, calm);
+    scene.link_line.at(k) = toRgb(linkStroke(static_cast<EdgeQuality>(k), theme).color);
+    scene.quality.at(k) = mixed(scene.link_line.at(k), black, calm);
   }
   scene.neutral = toRgb(colors.muted_link);
   constexpr int kScaleSteps = 32;
@@ -74,42 +63,55 @@ SceneColors sceneColors(Theme theme) {
   scene.dark_mark = toRgb(dark ? colors.scene_top : colors.text);
   scene.arrow_shaft = toRgb(colors.text_muted);
   scene.arrow_head = toRgb(colors.accent);
+  scene.text = toRgb(colors.text);
+  scene.overlay = toRgb(colors.accent);
+  scene.ellipsoid = toRgb(dark ? colors.selection : colors.text);
   return scene;
 }
 
 }  // namespace
 
 struct PatchView::Parts : public QObject {
-  Parts(PatchView* owner, Selection* shared) : view(owner), selection(shared) {}
+  Parts(PatchView* owner, Selection* shared) : view(owner), selection(shared), measure(shared, owner) {}
 
   PatchView* view;
   Selection* selection;
+  MeasureTool measure;
   Theme theme = Theme::Light;
   std::shared_ptr<const Reconstruction> reconstruction;
   CellColoring coloring = CellColoring::LinkQuality;
+  std::optional<SurfaceEvaluation> surface;
+  std::optional<LoopEvaluation> loop;
 
+  const OpenGlInfo opengl = queryOpenGl();
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   QVTKOpenGLNativeWidget* gl = nullptr;  ///< null without OpenGL
   std::unique_ptr<PatchScene> scene;     ///< likewise
-  PartMotion* motion = nullptr;          ///< likewise
+  std::unique_ptr<SceneBuilder> builder;
+  PartMotion* motion = nullptr;  ///< likewise
   SceneOverlay* overlay = nullptr;
-  QFrame* bar = nullptr;
+  PatchControls* controls = nullptr;
   QTimer at_rest;
   QTimer render_soon;
   QPoint pressed_at;
 
   void build();
-  void buildControls(QGridLayout* layout);
-  void buildColoringMenu(QHBoxLayout* row);
+  void buildScene(QGridLayout* layout);
+  void connectControls();
   void smoothWhenAtRest();
   void startInteraction() {
     at_rest.stop();
     scene->setSmoothed(false);
   }
   void endInteraction() { at_rest.start(); }
-  QToolButton* addButton(QHBoxLayout* row, const QString& text, const QString& tip);
+  void setContent(std::shared_ptr<const SceneContent> content);
+  void updateControls();
   void updateOverlay();
+  [[nodiscard]] LegendContent legend() const;
   void updateSelection();
+  void updateMeasure();
+  /// What is drawn over the cells has changed.
+  void refresh();
   /// Several changes in one turn of the event loop make one picture.
   void requestRender();
   void pickAt(const QPoint& position);
@@ -120,88 +122,68 @@ void PatchView::Parts::build() {
   auto* layout = new QGridLayout(view);
   layout->setContentsMargins(0, 0, 0, 0);
   overlay = new SceneOverlay(view);
-  if (hasOpenGl()) {
-    gl = new QVTKOpenGLNativeWidget(view);
-    gl->setFormat(surfaceFormat());
-    gl->setRenderWindow(window.Get());
-    gl->setAccessibleName(PatchView::tr("Skin patch in 3D"));
-    gl->setFocusPolicy(Qt::NoFocus);
-    gl->installEventFilter(this);
-    vtkNew<SceneInteractorStyle> style;
-    window->GetInteractor()->SetInteractorStyle(style);
-    scene = std::make_unique<PatchScene>();
-    scene->attachTo(window);
-    layout->addWidget(gl, 0, 0, 2, 1);
-    render_soon.setSingleShot(true);
-    connect(&render_soon, &QTimer::timeout, this, [this] { window->Render(); });
-    smoothWhenAtRest();
-    buildControls(layout);
-  }
+  if (opengl.usable) buildScene(layout);
   layout->addWidget(overlay, 0, 0, 2, 1);
   layout->setRowStretch(1, 1);
   overlay->raise();
-  if (bar != nullptr) bar->raise();
+  if (controls != nullptr) controls->raise();
   if (gl != nullptr) {
     motion = new PartMotion(view, gl, *scene, [this] { requestRender(); });
     motion->setParent(this);
     connect(motion, &PartMotion::turnRequested, view, &PatchView::turnRequested);
   }
   connect(selection, &Selection::changed, this, [this] { updateSelection(); });
+  connect(&measure, &MeasureTool::changed, this, [this] { updateMeasure(); });
   view->setMinimumHeight(180);
   updateOverlay();
 }
 
-QToolButton* PatchView::Parts::addButton(QHBoxLayout* row, const QString& text, const QString& tip) {
-  auto* button = new QToolButton(bar);
-  button->setText(text);
-  button->setToolTip(tip);
-  button->setFocusPolicy(Qt::TabFocus);
-  row->addWidget(button);
-  return button;
+void PatchView::Parts::buildScene(QGridLayout* layout) {
+  gl = new QVTKOpenGLNativeWidget(view);
+  gl->setFormat(sceneSurfaceFormat());
+  gl->setRenderWindow(window.Get());
+  gl->setAccessibleName(PatchView::tr("Skin patch in 3D"));
+  gl->setFocusPolicy(Qt::NoFocus);
+  gl->installEventFilter(this);
+  vtkNew<SceneInteractorStyle> style;
+  window->GetInteractor()->SetInteractorStyle(style);
+  scene = std::make_unique<PatchScene>();
+  scene->attachTo(window);
+  builder = std::make_unique<SceneBuilder>(
+      [this](std::shared_ptr<const SceneContent> content) { setContent(std::move(content)); });
+  layout->addWidget(gl, 0, 0, 2, 1);
+  render_soon.setSingleShot(true);
+  connect(&render_soon, &QTimer::timeout, this, [this] { window->Render(); });
+  smoothWhenAtRest();
+  controls = new PatchControls(view);
+  controls->setRenderer(openGlInWords(opengl));
+  layout->addWidget(controls, 0, 0);
+  connectControls();
+  updateControls();
 }
 
-void PatchView::Parts::buildControls(QGridLayout* layout) {
-  bar = new QFrame(view);
-  auto* row = new QHBoxLayout(bar);
-  row->setContentsMargins(10, 10, 10, 0);
-  buildColoringMenu(row);
-  row->addStretch(1);
-  auto* fit_button = addButton(row, PatchView::tr("Fit"), PatchView::tr("Show the whole skin"));
-  auto* front = addButton(row, PatchView::tr("Front"), PatchView::tr("Look at the origin cell's front face"));
-  auto* side = addButton(row, PatchView::tr("Side"), PatchView::tr("Look along the origin cell's x axis"));
-  auto* top = addButton(row, PatchView::tr("Top"), PatchView::tr("Look along the origin cell's y axis"));
-  layout->addWidget(bar, 0, 0);
-
-  connect(fit_button, &QToolButton::clicked, view, &PatchView::fit);
-  const auto show = [this](StandardView standard) { return [this, standard] { view->showStandardView(standard); }; };
-  connect(front, &QToolButton::clicked, this, show(StandardView::Front));
-  connect(side, &QToolButton::clicked, this, show(StandardView::Side));
-  connect(top, &QToolButton::clicked, this, show(StandardView::Top));
-}
-
-void PatchView::Parts::buildColoringMenu(QHBoxLayout* row) {
-  auto* button = addButton(row, {}, PatchView::tr("What the cells' colour shows"));
-  button->setPopupMode(QToolButton::InstantPopup);
-  auto* menu = new QMenu(button);
-  auto* group = new QActionGroup(menu);
-  const auto add = [&](CellColoring value, const QString& name) {
-    QAction* action = menu->addAction(name);
-    action->setCheckable(true);
-    group->addAction(action);
-    connect(action, &QAction::triggered, this, [this, button, value, name] {
-      button->setText(PatchView::tr("Colour: %1 ▾").arg(name));
-      coloring = value;
-      scene->setColoring(value);
-      updateOverlay();
-      requestRender();
-    });
-    return action;
-  };
-  QAction* first = add(CellColoring::LinkQuality, PatchView::tr("link quality"));
-  add(CellColoring::Deviation, PatchView::tr("predicted deviation"));
-  add(CellColoring::Patch, PatchView::tr("patch"));
-  button->setMenu(menu);
-  first->trigger();
+void PatchView::Parts::connectControls() {
+  connect(controls, &PatchControls::coloringChosen, this, [this](CellColoring chosen) {
+    coloring = chosen;
+    scene->setColoring(chosen);
+    refresh();
+  });
+  connect(controls, &PatchControls::itemToggled, this, [this](SceneItem item, bool shown) {
+    scene->setShown(item, shown);
+    refresh();
+  });
+  connect(controls, &PatchControls::fitRequested, view, &PatchView::fit);
+  connect(controls, &PatchControls::viewRequested, this, [this](PatchScene::View standard) {
+    scene->showStandardView(standard);
+    requestRender();
+  });
+  connect(controls, &PatchControls::heightChanged, overlay, &SceneOverlay::setTopMargin);
+  connect(controls->measureAction(), &QAction::toggled, &measure, &MeasureTool::setActive);
+  connect(controls->parallelAction(), &QAction::toggled, this, [this](bool parallel) {
+    scene->setParallel(parallel);
+    requestRender();
+  });
+  connect(controls->pictureAction(), &QAction::triggered, view, &PatchView::pictureRequested);
 }
 
 /// While the mouse turns the scene, pictures come without smoothing, which costs half their time.
@@ -218,28 +200,79 @@ void PatchView::Parts::smoothWhenAtRest() {
   style->AddObserver(vtkCommand::EndInteractionEvent, this, &Parts::endInteraction);
 }
 
+void PatchView::Parts::setContent(std::shared_ptr<const SceneContent> content) {
+  scene->setContent(std::move(content));
+  updateControls();
+  refresh();
+}
+
+void PatchView::Parts::updateControls() {
+  const SceneContent* content = scene->content();
+  for (int k = 0; k <= static_cast<int>(CellColoring::Temperature); ++k) {
+    const auto each = static_cast<CellColoring>(k);
+    const bool known = content == nullptr || hasValues(each, content->figures, scene->readings());
+    controls->setWhyNot(each, whyNoColoring(each, known));
+  }
+  for (const SceneItem item : kSceneItems) controls->setWhyNot(item, whyNotShown(item, scene->availability(item)));
+}
+
+LegendContent PatchView::Parts::legend() const {
+  LegendContent content;
+  const SceneContent& shown = *scene->content();
+  content.coloring = coloring;
+  content.patches = shown.reconstruction->patches.size();
+  if (isQuantity(coloring)) {
+    const auto values = scene->values();
+    content.range = colorRange(coloring, values);
+    content.some_unknown = std::ranges::any_of(values, [](const auto& value) { return !value; });
+  } else if (coloring == CellColoring::LinkQuality) {
+    content.some_unknown = std::ranges::any_of(shown.figures.quality, [](const auto& quality) { return !quality; });
+  } else if (coloring == CellColoring::BodyPart) {
+    for (const std::string& name : shown.figures.body_parts) content.body_parts.push_back(QString::fromStdString(name));
+    content.some_unknown = std::ranges::any_of(shown.figures.body_part, [](const auto& part) { return !part; });
+  }
+  return content;
+}
+
 void PatchView::Parts::updateOverlay() {
   SceneOverlay::Content content;
   if (gl == nullptr) {
     content.hint = PatchView::tr(
         "The 3D view needs OpenGL 3.2, which is not available here. The graph and the tables still work.\n\n"
-        "On a remote desktop, software rendering may help: start with LIBGL_ALWAYS_SOFTWARE=1.");
+        "On a remote desktop, drawing in software may help: start hexoderm with --software-opengl.");
   } else if (!reconstruction || reconstruction->cellCount() == 0) {
     content.hint = PatchView::tr("No skin yet: open a session or start the demo.");
+  } else if (scene->content() == nullptr) {
+    content.hint =
+        PatchView::tr("Preparing the picture of %n cell(s)…", nullptr, static_cast<int>(reconstruction->cellCount()));
   } else {
     content.gravity = scene->showsGravity();
-    content.coloring = coloring;
-    content.patches = reconstruction->patches.size();
+    content.legend = legend();
+    content.notes = notesInWords(scene->notes(), surface, loop);
+    content.message = measure.words();
   }
   overlay->setContent(content);
-  if (bar != nullptr) bar->setVisible(content.hint.isEmpty());
+  if (controls != nullptr) controls->setVisible(content.hint.isEmpty());
+}
+
+void PatchView::Parts::refresh() {
+  updateOverlay();
+  if (motion != nullptr) motion->refresh();
+  requestRender();
+}
+
+void PatchView::Parts::updateMeasure() {
+  if (!scene) return;
+  controls->measureAction()->setChecked(measure.isActive());
+  scene->setMeasured(measure.first(), measure.second());
+  refresh();
+  emit view->measured(measure.words());
 }
 
 void PatchView::Parts::updateSelection() {
   if (!scene) return;
   scene->setSelection(selection->cell(), selection->link());
-  updateOverlay();
-  requestRender();
+  refresh();
 }
 
 void PatchView::Parts::requestRender() {
@@ -289,6 +322,7 @@ PatchView::PatchView(Selection* selection, QWidget* parent)
 
 PatchView::~PatchView() {
   delete parts_->motion;
+  parts_->builder.reset();
   // The scene gives its OpenGL objects back while the context is still there.
   parts_->scene.reset();
   delete parts_->gl;
@@ -296,10 +330,16 @@ PatchView::~PatchView() {
 
 void PatchView::setReconstruction(std::shared_ptr<const Reconstruction> reconstruction) {
   parts_->reconstruction = std::move(reconstruction);
-  if (parts_->scene) parts_->scene->setReconstruction(parts_->reconstruction);
-  parts_->updateSelection();
-  parts_->updateOverlay();
-  if (parts_->motion) parts_->motion->refresh();
+  parts_->measure.setReconstruction(parts_->reconstruction);
+  if (!parts_->scene) {
+    parts_->updateOverlay();
+  } else if (parts_->reconstruction && parts_->reconstruction->cellCount() > kMaxCellsAtOnce) {
+    parts_->builder->submit(parts_->reconstruction);
+    parts_->refresh();
+  } else {
+    parts_->builder->cancel();
+    parts_->setContent(makeSceneContent(parts_->reconstruction));
+  }
 }
 
 void PatchView::setTheme(Theme theme) {
@@ -318,9 +358,75 @@ void PatchView::setTheme(Theme theme) {
 void PatchView::setPose(std::optional<PoseId> pose) {
   if (!parts_->scene) return;
   parts_->scene->setPose(pose);
-  parts_->updateOverlay();
-  parts_->requestRender();
+  parts_->refresh();
 }
+
+void PatchView::setReadings(const std::vector<CellSample>& samples, const std::vector<CellTemperature>& temperatures) {
+  if (!parts_->scene) return;
+  CellReadings readings;
+  for (const CellSample& sample : samples) readings.acceleration_g[sample.cell] = sample.acceleration_g;
+  for (const CellTemperature& reading : temperatures) readings.temperature_c[reading.cell] = reading.temperature_c;
+  const CellReadings& before = parts_->scene->readings();
+  const bool came_or_went = readings.acceleration_g.empty() != before.acceleration_g.empty() ||
+                            readings.temperature_c.empty() != before.temperature_c.empty();
+  parts_->scene->setReadings(std::move(readings));
+  if (came_or_went) parts_->updateControls();
+  if (isReading(parts_->coloring)) parts_->refresh();
+}
+
+void PatchView::setTruth(std::shared_ptr<const GroundTruth> truth) {
+  if (!parts_->scene) return;
+  parts_->scene->setTruth(std::move(truth));
+  parts_->updateControls();
+  parts_->refresh();
+}
+
+void PatchView::setSurface(std::optional<SurfaceEvaluation> surface) {
+  if (!parts_->scene) return;
+  parts_->surface = surface;
+  parts_->scene->setSurface(std::move(surface));
+  parts_->updateControls();
+  parts_->refresh();
+}
+
+void PatchView::setLoop(std::optional<LoopEvaluation> loop) {
+  if (!parts_->scene) return;
+  parts_->loop = loop;
+  parts_->scene->setLoop(loop);
+  parts_->updateControls();
+  parts_->refresh();
+}
+
+void PatchView::setComparison(std::vector<Comparison> comparison) {
+  if (!parts_->scene) return;
+  parts_->scene->setComparison(std::move(comparison));
+  parts_->updateControls();
+  parts_->refresh();
+}
+
+void PatchView::setColoring(CellColoring coloring) {
+  if (parts_->controls != nullptr) parts_->controls->action(coloring)->setChecked(true);
+}
+
+QAction* PatchView::coloringAction(CellColoring coloring) const {
+  return parts_->controls != nullptr ? parts_->controls->action(coloring) : nullptr;
+}
+
+QAction* PatchView::itemAction(SceneItem item) const {
+  return parts_->controls != nullptr ? parts_->controls->action(item) : nullptr;
+}
+
+QAction* PatchView::measureAction() const {
+  return parts_->controls != nullptr ? parts_->controls->measureAction() : nullptr;
+}
+
+QAction* PatchView::parallelAction() const {
+  return parts_->controls != nullptr ? parts_->controls->parallelAction() : nullptr;
+}
+
+bool PatchView::isUpToDate() const { return !parts_->builder || !parts_->builder->isBusy(); }
+
+QString PatchView::renderer() const { return openGlInWords(parts_->opengl); }
 
 void PatchView::setCurrentUp(const std::optional<Eigen::Vector3d>& up_o) {
   if (!parts_->motion) return;
@@ -345,6 +451,7 @@ bool PatchView::isAnimating() const { return parts_->motion && parts_->motion->i
 
 QImage PatchView::screenshot() {
   if (parts_->gl == nullptr) return grab().toImage();
+  if (parts_->builder->isBusy()) parts_->builder->finish();
   // A view that was shown keeps its last picture until it is told to draw; one that never was draws for the first time.
   parts_->scene->setSmoothed(true);
   if (parts_->gl->isValid()) parts_->window->Render();

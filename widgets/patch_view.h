@@ -1,23 +1,36 @@
 #pragma once
 
+#include "hexoderm/device/sample_frame.h"
+#include "hexoderm/reconstruction/evaluation.h"
 #include "hexoderm/reconstruction/reconstruction.h"
+#include "widgets/cell_coloring.h"
 #include "widgets/palette.h"
+#include "widgets/scene_items.h"
 
 #include <QImage>
 #include <QWidget>
 #include <memory>
+#include <optional>
+#include <vector>
+
+class QAction;
 
 namespace hexoderm {
 
 class Selection;
 
-/// The patch in 3D: true hexagonal prisms with ports, IDs, origin and gravity. Shows the reconstruction it is given and
-/// nothing else; without OpenGL it says so in words and stays empty.
+/// The patch in 3D: true hexagonal prisms with ports, IDs, origin and gravity, coloured by what is chosen, and what is
+/// known beside them: readings, truth, a fitted surface, a loop's gap, differences to another calibration. Shows what
+/// it is given and nothing else; without OpenGL it says so in words and stays empty.
+///
+/// Large skins are prepared on another thread; until that is done, the picture before stays.
 class PatchView : public QWidget {
   Q_OBJECT
 
  public:
   enum class StandardView { Front, Side, Top };
+  /// Larger skins take longer than a few milliseconds to prepare.
+  static constexpr std::size_t kMaxCellsAtOnce = 1500;
 
   /// `selection` must outlive the view.
   explicit PatchView(Selection* selection, QWidget* parent = nullptr);
@@ -28,6 +41,15 @@ class PatchView : public QWidget {
   void setTheme(Theme theme);
   /// Which pose's gravity the arrow shows; the last one by default.
   void setPose(std::optional<PoseId> pose);
+  /// What the cells read now (or in a picked pose), for the colours; empty: nothing. May come many times a second.
+  void setReadings(const std::vector<CellSample>& samples, const std::vector<CellTemperature>& temperatures = {});
+  /// Known placements, of simulated skins; null: none.
+  void setTruth(std::shared_ptr<const GroundTruth> truth);
+  // Results about the reconstruction that is shown. They stay until they are set anew: whoever shows another
+  // reconstruction has to bring them up to date or take them back.
+  void setSurface(std::optional<SurfaceEvaluation> surface);
+  void setLoop(std::optional<LoopEvaluation> loop);
+  void setComparison(std::vector<Comparison> comparison);
 
   /// Where up is now, a unit vector in the frame of the largest patch: the picture turns as the part is turned. None:
   /// it stays. Cheap: may be called 20 times a second.
@@ -40,7 +62,20 @@ class PatchView : public QWidget {
   void setAnimated(bool animated);
   [[nodiscard]] bool isAnimating() const;
 
-  /// The scene as drawn, without the buttons on top.
+  /// Chooses the colours as the menu does.
+  void setColoring(CellColoring coloring);
+
+  // For the window's own menus; all of them are in the view's menus too, without keys. Null without OpenGL.
+  [[nodiscard]] QAction* coloringAction(CellColoring coloring) const;
+  [[nodiscard]] QAction* itemAction(SceneItem item) const;
+  [[nodiscard]] QAction* measureAction() const;
+  [[nodiscard]] QAction* parallelAction() const;
+
+  /// Everything that was set is in the picture, or will be at its next drawing.
+  [[nodiscard]] bool isUpToDate() const;
+  /// What draws here, in words; for an about box or a log.
+  [[nodiscard]] QString renderer() const;
+  /// The scene as drawn, without the buttons on top. Waits for a large skin to be prepared.
   [[nodiscard]] QImage screenshot();
 
  public slots:
@@ -48,8 +83,12 @@ class PatchView : public QWidget {
   void showStandardView(hexoderm::PatchView::StandardView view);
 
  signals:
+  /// "Save picture of the 3D view…" was chosen: the window asks for a path and saves screenshot().
+  void pictureRequested();
   /// The part should be turned until this direction of the largest patch's frame points up; at most 20 times a second.
   void turnRequested(Eigen::Vector3d up_o);
+  /// What the measuring tool says; empty when it ends.
+  void measured(const QString& words);
 
  private:
   struct Parts;

@@ -33,8 +33,8 @@ Rgb onScale(const std::vector<Rgb>& scale, double t) {
   return mixed(scale[lower], scale[upper], position - static_cast<double>(lower));
 }
 
-Rgb patchColor(const SceneColors& colors, std::size_t patch, std::size_t patch_count) {
-  return onScale(colors.scale, (static_cast<double>(patch) + 0.5) / static_cast<double>(patch_count));
+Rgb categoryColor(const SceneColors& colors, std::size_t category, std::size_t count) {
+  return onScale(colors.scale, (static_cast<double>(category) + 0.5) / static_cast<double>(count));
 }
 
 const Rgb& markOn(const Rgb& face, const SceneColors& colors) {

@@ -64,7 +64,7 @@ struct SceneCorners::Parts {
 
   void update() {
     axes->SetDraw(visible);
-    gravity->SetDraw(visible && has_down);
+    gravity->SetDraw(has_down);
   }
 };
 
@@ -138,7 +138,7 @@ void SceneCorners::setDown(const std::optional<Eigen::Vector3d>& down_o) {
   parts_->update();
 }
 
-void SceneCorners::setVisible(bool visible) {
+void SceneCorners::setAxesVisible(bool visible) {
   parts_->visible = visible;
   parts_->update();
 }

@@ -31,7 +31,7 @@ class SceneCorners {
   void setColors(const SceneColors& colors);
   /// Unit vector in the patch frame; none hides the arrow.
   void setDown(const std::optional<Eigen::Vector3d>& down_o);
-  void setVisible(bool visible);
+  void setAxesVisible(bool visible);
   void setTextVisible(bool visible);
   void setSmoothed(bool smoothed);
   /// Looks the same way as `camera`, and keeps the size in pixels; called before each rendering.

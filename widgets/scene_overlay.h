@@ -1,15 +1,16 @@
 #pragma once
 
 #include "widgets/palette.h"
-#include "widgets/scene_colors.h"
+#include "widgets/scene_legend.h"
 
+#include <QStringList>
 #include <QWidget>
 #include <optional>
 
 namespace hexoderm {
 
-/// What is written over the 3D scene: the legend of its colours, the word beside the gravity arrow, and a hint where
-/// there is nothing to see. Lets the mouse through.
+/// What is written over the 3D scene: the legend of its colours, a line for each thing drawn over the cells, the word
+/// beside the gravity arrow, and a hint where there is nothing to see. Lets the mouse through.
 class SceneOverlay : public QWidget {
   Q_OBJECT
 
@@ -17,14 +18,17 @@ class SceneOverlay : public QWidget {
   struct Content {
     QString hint;          ///< instead of everything else, where not empty
     bool gravity = false;  ///< the arrow is there
-    CellColoring coloring = CellColoring::LinkQuality;
-    std::size_t patches = 0;
+    QStringList notes;
+    QString message;  ///< what a tool says or waits for; emphasised above the notes
+    LegendContent legend;
   };
 
   explicit SceneOverlay(QWidget* parent = nullptr);
 
   void setContent(const Content& content);
   void setTheme(Theme theme, const SceneColors& colors);
+  /// Kept free for the buttons.
+  void setTopMargin(int pixels);
   /// The same picture into a screenshot of the given size.
   void paint(QPainter& painter, const QSize& area) const;
 
@@ -32,13 +36,12 @@ class SceneOverlay : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  void paintQualityLegend(QPainter& painter, const QSize& area) const;
-  void paintDeviationLegend(QPainter& painter, const QSize& area) const;
-  void paintPatchLegend(QPainter& painter, const QSize& area) const;
+  void paintNotes(QPainter& painter, const QSize& area) const;
 
   Content content_;
   Theme theme_ = Theme::Light;
   SceneColors colors_;
+  int top_margin_ = 0;
 };
 
 }  // namespace hexoderm

@@ -6,6 +6,7 @@
 #include <QEvent>
 #include <QLabel>
 #include <QPainter>
+#include <QScrollBar>
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
@@ -246,6 +247,9 @@ void StepPanel::setTheme(Theme theme) {
 
 void StepPanel::showOpenRow() {
   for (std::size_t k = 0; k < rows_.size(); ++k) rows_[k]->setOpen(k == open_);
+  // It scrolls up and down only: what is widest must fit, beside the bar.
+  const int widest = widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width();
+  if (widest > minimumWidth()) setMinimumWidth(widest);
 }
 
 }  // namespace hexoderm

@@ -1,7 +1,9 @@
 #include "widgets/tables.h"
 
 #include "widgets/core_words.h"
+#include "hexoderm/util/units.h"
 #include "widgets/palette.h"
+#include "widgets/table_actions.h"
 #include "widgets/words.h"
 
 #include <QApplication>
@@ -96,6 +98,10 @@ QVariant alignment(bool figure) {
   return QVariant::fromValue(static_cast<int>((figure ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter));
 }
 
+QVariant rawDegrees(std::optional<double> angle_rad) {
+  return angle_rad ? QVariant(toDegrees(*angle_rad)) : QVariant();
+}
+
 QString fixed(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
 
 }  // namespace
@@ -132,6 +138,25 @@ QString poseText(const Reconstruction& reconstruction, const PoseSummary& pose, 
   }
 }
 
+QVariant poseRaw(const PoseSummary& pose, int column) {
+  switch (column) {
+    case kPose:
+      return pose.pose.value();
+    case kLabel:
+      return QString::fromStdString(pose.label);
+    case kCells:
+      return static_cast<qulonglong>(pose.cells_measured);
+    case kNoise:
+      return pose.noise_g > 0 ? QVariant(1000 * pose.noise_g) : QVariant();
+    case kNewBy:
+      return rawDegrees(pose.new_by_rad);
+    case kPoseResidual:
+      return rawDegrees(pose.residual_rad);
+    default:
+      return {};
+  }
+}
+
 }  // namespace
 
 int PoseTable::rowCount(const QModelIndex& parent) const {
@@ -147,6 +172,8 @@ QVariant PoseTable::data(const QModelIndex& index, int role) const {
   switch (role) {
     case Qt::DisplayRole:
       return poseText(*reconstruction(), pose, column);
+    case kRawRole:
+      return poseRaw(pose, column);
     case Qt::DecorationRole:
       return column == kPose ? QVariant(checkMark(pose.enabled)) : QVariant();
     case Qt::TextAlignmentRole:
@@ -172,6 +199,10 @@ QVariant PoseTable::data(const QModelIndex& index, int role) const {
 QVariant PoseTable::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal || section < 0 || section >= kPoseColumns) return {};
   if (role == Qt::TextAlignmentRole) return alignment(section >= kCells);
+  if (role == kUnitRole) {
+    if (section == kNoise) return QStringLiteral("mg");
+    return section > kNoise ? QStringLiteral("deg") : QString();
+  }
   const std::array<std::pair<QString, QString>, kPoseColumns> headers = {{
       {tr("Pose"), tr("Number of the pose; a check mark if it is used, a dash if it is disabled")},
       {tr("Label"), tr("What the pose is called")},
@@ -252,9 +283,29 @@ QVariant LinkTable::data(const QModelIndex& index, int role) const {
         return {};
     }
   };
+  const auto raw = [&]() -> QVariant {
+    switch (column) {
+      case kResidual:
+        return rawDegrees(knownResidual(link));
+      case kPredicted:
+        return rawDegrees(knownSigma(link));
+      case kBend:
+        return known ? rawDegrees(link.bend_rad) : QVariant();
+      case kTwist:
+        return known ? rawDegrees(link.twist_rad) : QVariant();
+      case kYaw:
+        return known ? rawDegrees(link.yaw_rad) : QVariant();
+      case kQuality:
+        return known ? QVariant(text()) : QVariant();
+      default:
+        return text();
+    }
+  };
   switch (role) {
     case Qt::DisplayRole:
       return text();
+    case kRawRole:
+      return raw();
     case Qt::DecorationRole:
       return column == kQuality && known ? QVariant(strokeMark(link.quality)) : QVariant();
     case Qt::TextAlignmentRole:
@@ -273,6 +324,7 @@ QVariant LinkTable::data(const QModelIndex& index, int role) const {
 QVariant LinkTable::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal || section < 0 || section >= kLinkColumns) return {};
   if (role == Qt::TextAlignmentRole) return alignment(section >= kResidual && section <= kYaw);
+  if (role == kUnitRole) return section >= kResidual && section <= kYaw ? QStringLiteral("deg") : QString();
   const std::array<std::pair<QString, QString>, kLinkColumns> headers = {{
       {tr("Link"), tr("Cell and port of both ends")},
       {tr("Quality"), tr("How well the poses determine the link's rotation")},

@@ -16,7 +16,9 @@
 namespace hexoderm {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("hexoderm::Words", text); }
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(hexoderm::Words)
+};
 
 /// First line bold, the others plain; escaped, since labels and IDs come from files.
 QString asToolTip(const QString& title, const QStringList& lines) {
@@ -32,7 +34,7 @@ QString listOf(const std::vector<Id>& ids, const QString& one, const QString& se
   QStringList names;
   for (std::size_t k = 0; k < std::min(ids.size(), kMost); ++k) names << QString::number(ids[k].value());
   QString text = (ids.size() == 1 ? one : several).arg(names.join(QStringLiteral(", ")));
-  if (ids.size() > kMost) text += QStringLiteral(" ") + tr("and %1 more").arg(ids.size() - kMost);
+  if (ids.size() > kMost) text += QStringLiteral(" ") + Words::tr("and %1 more").arg(ids.size() - kMost);
   return text;
 }
 
@@ -86,13 +88,16 @@ QString poseResiduals(const Reconstruction& reconstruction, const LinkEstimate& 
 
 QString noValue() { return QStringLiteral("–"); }
 
-QString degreesInWords(std::optional<double> angle_rad) {
-  if (!angle_rad) return noValue();
-  const double degrees = toDegrees(*angle_rad);
-  // "-0.0°" would be a sign without a meaning.
-  QString text = QLocale().toString(std::abs(degrees) < 0.05 ? 0.0 : degrees, 'f', 1);
+QString figureInWords(double value, int decimals) {
+  // "-0.0" would be a sign without a meaning.
+  const double half_of_last = 0.5 * std::pow(10.0, -decimals);
+  QString text = QLocale().toString(std::abs(value) < half_of_last ? 0.0 : value, 'f', decimals);
   text.replace(QLatin1Char('-'), QStringLiteral("−"));
-  return text + QStringLiteral("°");
+  return text;
+}
+
+QString degreesInWords(std::optional<double> angle_rad) {
+  return angle_rad ? figureInWords(toDegrees(*angle_rad), 1) + QStringLiteral("°") : noValue();
 }
 
 QString wholeDegreesInWords(double angle_rad) {
@@ -108,7 +113,7 @@ QString shortLinkName(const LinkEstimate& link) {
 }
 
 QString longLinkName(const LinkEstimate& link) {
-  return tr("Link %1 · port %2 — %3 · port %4")
+  return Words::tr("Link %1 · port %2 — %3 · port %4")
       .arg(link.source.cell.value())
       .arg(link.source.port.value())
       .arg(link.target.cell.value())
@@ -117,10 +122,10 @@ QString longLinkName(const LinkEstimate& link) {
 
 QString mutedBecause(const LinkEstimate& link) {
   if (link.used) return {};
-  if (!link.muted_by) return tr("It is not used.");
+  if (!link.muted_by) return Words::tr("It is not used.");
   const auto table = findingTable();
   const auto entry = std::ranges::find(table, *link.muted_by, &FindingDescription::code);
-  if (entry == table.end()) return tr("It is not used.");
+  if (entry == table.end()) return Words::tr("It is not used.");
   return coreWords(std::string(entry->meaning));
 }
 
@@ -141,19 +146,19 @@ std::optional<double> knownSigma(const LinkEstimate& link) {
 QString severityWord(Severity severity) {
   switch (severity) {
     case Severity::Info:
-      return tr("Note");
+      return Words::tr("Note");
     case Severity::Warning:
-      return tr("Warning");
+      return Words::tr("Warning");
     case Severity::Error:
-      return tr("Error");
+      return Words::tr("Error");
   }
   return {};
 }
 
 QString placeInWords(const Finding& finding) {
   QStringList places;
-  if (!finding.cells.empty()) places << listOf(finding.cells, tr("cell %1"), tr("cells %1"));
-  if (!finding.poses.empty()) places << listOf(finding.poses, tr("pose %1"), tr("poses %1"));
+  if (!finding.cells.empty()) places << listOf(finding.cells, Words::tr("cell %1"), Words::tr("cells %1"));
+  if (!finding.poses.empty()) places << listOf(finding.poses, Words::tr("pose %1"), Words::tr("poses %1"));
   return places.isEmpty() ? noValue() : places.join(QStringLiteral("; "));
 }
 
@@ -239,7 +244,7 @@ QString cellToolTip(const Reconstruction& reconstruction, CellId cell) {
     if (finding.severity == Severity::Info || finding.cells.size() > kMostCells) continue;
     if (std::ranges::find(finding.cells, cell) != finding.cells.end()) lines << coreWords(finding.text);
   }
-  return asToolTip(tr("Cell %1").arg(cell.value()), lines);
+  return asToolTip(Words::tr("Cell %1").arg(cell.value()), lines);
 }
 
 }  // namespace hexoderm

@@ -11,6 +11,8 @@ namespace hexoderm {
 // for what is not known.
 
 QString noValue();
+/// With a real minus sign, and none before a zero.
+QString figureInWords(double value, int decimals);
 QString degreesInWords(std::optional<double> angle_rad);
 QString wholeDegreesInWords(double angle_rad);
 /// "5:2 – 9:3", cell and port of both ends, as on the command line.

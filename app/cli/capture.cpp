@@ -104,9 +104,7 @@ class Capture {
       return;
     }
     if (skin.neighbors == session_->neighbors()) return;
-    Session changed(*skin.model, skin.neighbors, session_->source());
-    for (const SessionPose& pose : session_->poses()) changed.addPose(pose);
-    session_ = std::move(changed);
+    session_->setSkin(*skin.model, skin.neighbors);
     store_->append({SetSkin{skin.model, skin.neighbors}}, {});
     common_.note("The device says that its topology has changed; poses stay.");
   }
@@ -153,6 +151,9 @@ class Capture {
     }
     full_disk_tries_ = 0;
     announce(captured_.at(stored.pose));
+    if (!stored.outcome.without_raw.empty()) {
+      common_.note("Pose " + toString(stored.pose) + " is kept without its raw samples: " + stored.outcome.without_raw);
+    }
     captured_.erase(stored.pose);
     if (waiting_ == 0) decide();
   }
@@ -269,6 +270,7 @@ void print(const Capture& capture, const CaptureOptions& options, const Common& 
                                    {"poses", session.poses().size()},
                                    {"frames", status.frames},
                                    {"lost_samples", status.lost_samples},
+                                   {"dropped_by_device", status.dropped_by_device},
                                    {"late_frames", status.late_frames},
                                    {"rejected_messages", status.rejected_messages},
                                    {"reconnects", status.reconnects}};
@@ -281,6 +283,9 @@ void print(const Capture& capture, const CaptureOptions& options, const Common& 
   if (status.lost_samples + status.late_frames + status.rejected_messages + status.reconnects > 0) {
     std::cout << "On the way: " << status.lost_samples << " samples lost, " << status.late_frames << " frames late, "
               << status.rejected_messages << " messages broken, " << status.reconnects << " reconnects\n";
+  }
+  if (status.dropped_by_device > 0) {
+    std::cout << "The device could not send " << status.dropped_by_device << " samples.\n";
   }
   if (capture.result()) printVerdict(capture.result()->verdict);
 }

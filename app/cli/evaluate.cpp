@@ -55,6 +55,7 @@ class Evaluation {
         std::cout << (kind == SurfaceKind::Plane ? ", normal [" : ", axis [") << formatFixed(surface.axis.x(), 4)
                   << "; " << formatFixed(surface.axis.y(), 4) << "; " << formatFixed(surface.axis.z(), 4) << "]";
       }
+      if (surface.half_angle_rad) std::cout << ", half angle " << degrees(*surface.half_angle_rad, 2);
       std::cout << '\n';
       if (surface.delta_m) {
         std::cout << "  Delta, eq. (20): " << millimetres(*surface.delta_m, 3)
@@ -111,6 +112,7 @@ class Evaluation {
     json["point_mm"] = vectorInMm(surface.point);
     if (surface.kind != SurfaceKind::Sphere) json["axis"] = {surface.axis.x(), surface.axis.y(), surface.axis.z()};
     if (surface.radius_m) json["radius_mm"] = toMillimetres(*surface.radius_m);
+    if (surface.half_angle_rad) json["half_angle_deg"] = toDegrees(*surface.half_angle_rad);
     json["rms_mm"] = toMillimetres(surface.rms_m);
     if (surface.delta_m) json["delta_mm"] = toMillimetres(*surface.delta_m);
     if (surface.epsilon_m) json["epsilon_mm"] = toMillimetres(*surface.epsilon_m);
@@ -184,7 +186,7 @@ void addEvaluate(CLI::App& app, Common& common) {
   CLI::App* command =
       app.add_subcommand("evaluate", "Surface fits, loop closure, comparison with a truth or a calibration");
   command->add_option("calibration", options->input, "Calibration (*.calibration.json, or TUM XML)")->required();
-  command->add_option("--fit", options->fit, "plane, sphere or cylinder through the cell centres");
+  command->add_option("--fit", options->fit, "plane, sphere, cylinder or cone through the cell centres");
   CLI::Option* radius =
       command->add_option("--true-radius", options->true_radius_m, "Known radius in metres: gives eqs. (20), (21)");
   command->add_option("--loop", options->loop, "Gap between two free ports: CELL:PORT,CELL:PORT");

@@ -38,19 +38,29 @@ void Emulator::withDevice(const std::function<void(EmulatedDevice::Messages&)>& 
 bool Emulator::chance(double share) { return share > 0 && static_cast<double>(random_() >> 11U) * 0x1p-53 < share; }
 
 void Emulator::send() {
+  // What gets dropped here was taken for sent when a status behind it was made.
+  std::uint64_t dropped = 0;
+  const auto drop = [&](const skinwire::Samples& samples) {
+    device_.countDropped(samples);
+    dropped += samples.ticks() * samples.cells.size();
+  };
   // Sending may end the connection, which calls back.
   for (skinwire::Message& message : std::exchange(messages_, {})) {
     const auto* samples = std::get_if<skinwire::Samples>(&message);
+    if (auto* status = std::get_if<skinwire::Status>(&message)) {
+      status->samples_sent -= std::min(status->samples_sent, dropped);
+      status->samples_dropped += dropped;
+    }
     if (faults_.is_silent || (samples != nullptr && chance(faults_.drop_share))) continue;
     if (samples != nullptr && link_->isFull()) {
-      device_.countDropped(*samples);
+      drop(*samples);
       continue;
     }
     skinwire::Bytes frame = link_->framed(message);
     if (chance(faults_.garble_share)) {
       frame[random_() % frame.size()] ^= static_cast<std::uint8_t>(1U << (random_() % 8));
     }
-    if (!link_->send(std::move(frame)) && samples != nullptr) device_.countDropped(*samples);
+    if (!link_->send(std::move(frame)) && samples != nullptr) drop(*samples);
   }
 }
 

@@ -153,7 +153,7 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   edit->addAction(preferences);
 
   QMenu* session = bar->addMenu(tr("&Session"));
-  session->addActions({capture, automatic, skip_pose});
+  session->addActions({show_next_pose, capture, automatic, skip_pose});
   session->addSeparator();
   session->addActions({turn, robot});
   session->addSeparator();
@@ -163,7 +163,7 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   for (QAction* step : go_to_step) steps->addAction(step);
 
   QMenu* view = bar->addMenu(tr("&View"));
-  view->addActions({find_cell, fit, front, side, top, swap_views});
+  view->addActions({find_cell, show_finding, fit, front, side, top, swap_views});
   view->addSeparator();
   for (QAction* panel : panels) view->addAction(panel);
   view->addSeparator();

@@ -38,7 +38,7 @@ void addActions(KeyGroup& group, const QList<QAction*>& actions) {
   for (const QAction* action : actions) {
     if (action->menu()) {
       addActions(group, action->menu()->actions());
-    } else if (!action->shortcuts().isEmpty()) {
+    } else if (action->isVisible() && !action->shortcuts().isEmpty()) {
       group.lines.push_back(
           {QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText), plain(action->text())});
     }
@@ -162,7 +162,7 @@ void showKeysDialog(QWidget* parent, const QMenuBar& menus) {
   layout->addWidget(area, 1);
   layout->addWidget(buttons);
   const int width = keys_width + 44 * dialog->fontMetrics().averageCharWidth() + 80;
-  const int height = content->sizeHint().height() + 8 * dialog->fontMetrics().height();
+  const int height = content->sizeHint().height() + 6 * dialog->fontMetrics().height();
   dialog->resize(QSize(width, height).boundedTo(0.85 * parent->screen()->availableSize()));
   dialog->show();
   dialog->raise();

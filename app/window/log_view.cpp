@@ -2,6 +2,7 @@
 
 #include <QComboBox>
 #include <QDateTime>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -154,11 +155,11 @@ LogView::LogView(const EventLog& log, QWidget* parent)
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   table_->horizontalHeader()->setHighlightSections(false);
   table_->horizontalHeader()->setStretchLastSection(true);
-  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  table_->horizontalHeader()->setResizeContentsPrecision(40);
+  fitColumns();
 
   auto* bar = new QHBoxLayout;
   bar->setContentsMargins(12, 6, 12, 6);
+  bar->setSpacing(8);
   bar->addWidget(severity_);
   bar->addWidget(text_, 1);
   bar->addWidget(count_);
@@ -185,6 +186,29 @@ LogView::LogView(const EventLog& log, QWidget* parent)
   connect(model_, &QAbstractItemModel::rowsRemoved, this, &LogView::showCount);
   connect(model_, &QAbstractItemModel::modelReset, this, &LogView::showCount);
   showCount();
+}
+
+void LogView::fitColumns() {
+  // From what is known to be in them: asking every line would be felt.
+  const QFontMetrics metrics(table_->font());
+  int severity = 0;
+  for (const LogSeverity each : {LogSeverity::Info, LogSeverity::Warning, LogSeverity::Error}) {
+    severity =
+        std::max(severity, metrics.horizontalAdvance(severitySign(each) + QLatin1Char(' ') + severityWord(each)));
+  }
+  const int margin = 3 * metrics.averageCharWidth() + 12;
+  table_->setColumnWidth(LogModel::Time, metrics.horizontalAdvance(QStringLiteral("00:00:00")) + margin);
+  table_->setColumnWidth(LogModel::Severity, severity + margin);
+}
+
+void LogView::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) fitColumns();
+}
+
+void LogView::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  table_->scrollToBottom();
 }
 
 void LogView::applyFilter() {

@@ -54,7 +54,12 @@ class LogView : public QWidget {
   void reportWanted();
   void folderWanted();
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
  private:
+  void fitColumns();
   void applyFilter();
   void showCount();
 

@@ -1,17 +1,22 @@
 #include "app/window/main_window.h"
 
+#include "app/window/verification.h"
 #include "app/window/window_shell.h"
 #include "hexoderm/util/text.h"
 #include "widgets/banner.h"
 #include "widgets/card_dock.h"
+#include "widgets/cell_table.h"
 #include "widgets/check_list.h"
 #include "widgets/core_words.h"
 #include "widgets/graph_view.h"
 #include "widgets/live_strip.h"
 #include "widgets/message_bar.h"
 #include "widgets/patch_view.h"
+#include "widgets/residual_view.h"
 #include "widgets/step_panel.h"
+#include "widgets/table_actions.h"
 #include "widgets/tables.h"
+#include "widgets/verify_panel.h"
 
 #include <QApplication>
 #include <QHBoxLayout>
@@ -19,6 +24,7 @@
 #include <QLabel>
 #include <QMenuBar>
 #include <QScreen>
+#include <QScrollArea>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -100,9 +106,14 @@ MainWindow::MainWindow(QWidget* parent)
       pose_table_(new PoseTable(this)),
       link_table_(new LinkTable(this)),
       finding_table_(new FindingTable(this)),
-      pose_view_(makeTable(pose_table_, "poseView", tr("Poses"))),
-      link_view_(makeTable(link_table_, "linkView", tr("Links"))),
+      cell_table_(new CellTable(this)),
+      pose_view_(makeTable(new SortedTable(pose_table_, this), "poseView", tr("Poses"))),
+      link_view_(makeTable(new SortedTable(link_table_, this), "linkView", tr("Links"))),
       finding_view_(makeTable(finding_table_, "findingView", tr("Findings"))),
+      cell_view_(makeTable(new SortedTable(cell_table_, this), "cellView", tr("Cells"))),
+      residual_view_(new ResidualView(&selection_)),
+      verify_panel_(new VerifyPanel(&selection_, docks_)),
+      verification_(new Verification(this)),
       detail_tabs_(new QTabBar),
       session_name_(new QLabel),
       source_status_(new QLabel),
@@ -121,6 +132,7 @@ MainWindow::MainWindow(QWidget* parent)
   connectController();
   connectSelection();
   connectLive();
+  connectVerify();
   qApp->installEventFilter(this);
   const QSettings settings;
   setThemeChoice(
@@ -141,6 +153,7 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::buildLayout() {
+  step_panel_->setBody(static_cast<int>(GuideStep::Connect), shell_->makeConnectBody());
   step_panel_->setBody(static_cast<int>(GuideStep::Check), check_list_);
   auto* card = new QFrame;
   card->setProperty("card", true);
@@ -153,6 +166,7 @@ void MainWindow::buildLayout() {
   stretchColumn(pose_view_, 1);
   stretchColumn(link_view_, link_table_->columnCount() - 1);
   stretchColumn(finding_view_, 1);
+  stretchColumn(cell_view_, cell_table_->columnCount() - 1);
   wrapRows(finding_view_);
 
   docks_->setWindowFlags(Qt::Widget);
@@ -161,6 +175,9 @@ void MainWindow::buildLayout() {
   docks_->setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
   docks_->setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   docks_->setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  // So wide that the sentences of the steps can be read, whatever the size of the text.
+  constexpr int kStepCharacters = 36;
+  step_panel_->setMinimumWidth(kStepCharacters * fontMetrics().averageCharWidth());
   auto* steps = new CardDock(tr("Steps"), QStringLiteral("stepsDock"), step_panel_, docks_);
   graph_dock_ = new CardDock(tr("Skin graph"), QStringLiteral("graphDock"), graph_view_, docks_);
   pose_dock_ = new CardDock(tr("Poses"), QStringLiteral("poseDock"), withHint(pose_view_, tr("No poses yet.")), docks_);
@@ -213,11 +230,15 @@ CardDock* MainWindow::buildDetails() {
   auto* pages = new QStackedWidget;
   pages->addWidget(withHint(finding_view_, tr("No findings.")));
   pages->addWidget(withHint(link_view_, tr("No links yet.")));
+  pages->addWidget(withHint(cell_view_, tr("No cells yet.")));
+  pages->addWidget(residual_view_);
+  pages->addWidget(shell_->makeLogView());
   detail_tabs_->setObjectName(QStringLiteral("detailTabs"));
   detail_tabs_->setDrawBase(false);
   detail_tabs_->addTab(tr("Findings"));
   detail_tabs_->addTab(tr("Links"));
-  pages->addWidget(shell_->makeLogView());
+  detail_tabs_->addTab(tr("Cells"));
+  detail_tabs_->addTab(tr("Residuals"));
   detail_tabs_->addTab(tr("Log"));
   connect(detail_tabs_, &QTabBar::currentChanged, pages, &QStackedWidget::setCurrentIndex);
   auto* dock = new CardDock(tr("Findings and links"), QStringLiteral("detailsDock"), pages, docks_);
@@ -338,7 +359,7 @@ void MainWindow::connectSelection() {
   connect(link_view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           [this](const QModelIndex& current) {
             if (!current.isValid()) return;
-            const LinkEstimate& link = link_table_->linkAt(current.row());
+            const LinkEstimate& link = link_table_->linkAt(sourceRow(current));
             selection_.selectLink(link.source, link.target);
           });
   connect(pose_view_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &MainWindow::showPickedPose);
@@ -355,11 +376,8 @@ void MainWindow::showReconstruction(const std::shared_ptr<const Reconstruction>&
     graph_view_->setReconstruction(reconstruction);
     patch_view_->setReconstruction(reconstruction);
   }
-  if (reconstruction && picked) {
-    for (std::size_t row = 0; row < reconstruction->poses.size(); ++row) {
-      if (reconstruction->poses[row].pose == *picked) pose_view_->selectRow(static_cast<int>(row));
-    }
-  }
+  showReview(reconstruction);
+  if (reconstruction && picked) pickPose(*picked);
   showPickedPose();
   showPickedLink();
 }
@@ -375,7 +393,7 @@ void MainWindow::showPickedPose() {
 
 std::optional<int> MainWindow::pickedPoseRow() const {
   const QModelIndexList rows = pose_view_->selectionModel()->selectedRows();
-  return rows.isEmpty() ? std::nullopt : std::optional(rows.front().row());
+  return rows.isEmpty() ? std::nullopt : std::optional(sourceRow(rows.front()));
 }
 
 void MainWindow::showPickedLink() {
@@ -383,8 +401,8 @@ void MainWindow::showPickedLink() {
   if (row < 0) {
     link_view_->clearSelection();
     link_view_->selectionModel()->clearCurrentIndex();
-  } else if (link_view_->currentIndex().row() != row) {
-    link_view_->selectRow(row);
+  } else if (const QModelIndex shown = shownRow(link_view_, row); link_view_->currentIndex().row() != shown.row()) {
+    link_view_->selectRow(shown.row());
   }
 }
 
@@ -463,6 +481,7 @@ void MainWindow::refreshStatus() {
   pose_dock_->setRemark(controller_.session() ? tr("Del disable · Ctrl+Z undo") : QString());
   detail_tabs_->setTabText(0, result ? tr("Findings %1").arg(result->findings.size()) : tr("Findings"));
   detail_tabs_->setTabText(1, result ? tr("Links %1").arg(result->linkCount()) : tr("Links"));
+  detail_tabs_->setTabText(2, result ? tr("Cells %1").arg(result->cellCount()) : tr("Cells"));
 }
 
 void MainWindow::setThemeChoice(ThemeChoice choice, bool remember) {
@@ -475,11 +494,31 @@ void MainWindow::setThemeChoice(ThemeChoice choice, bool remember) {
   check_list_->setTheme(theme_);
   patch_view_->setTheme(theme_);
   graph_view_->setTheme(theme_);
+  residual_view_->setTheme(theme_);
+  verify_panel_->setTheme(theme_);
   actions_.theme[static_cast<std::size_t>(choice)]->setChecked(true);
   if (remember) QSettings().setValue(QStringLiteral("view/theme"), themeChoiceName(choice));
 }
 
+/// On a screen that is smaller than what the panels need, everything is reached by scrolling.
+void MainWindow::scrollIfScreenIsSmall() {
+  // Messages and the strip of a live skin come and go, and panels need a little more when they are filled.
+  constexpr double kReserve = 1.1;
+  const QSize least =
+      kReserve * minimumSizeHint() + QSize(0, message_bar_->sizeHint().height() + live_strip_->sizeHint().height());
+  const QSize room = screen()->availableSize();
+  if (least.width() <= room.width() && least.height() <= room.height()) return;
+  auto* area = new QScrollArea;
+  area->setObjectName(QStringLiteral("workArea"));
+  area->setFrameShape(QFrame::NoFrame);
+  area->setFocusPolicy(Qt::NoFocus);
+  area->setWidgetResizable(true);
+  delete centralWidget()->layout()->replaceWidget(docks_, area);
+  area->setWidget(docks_);
+}
+
 void MainWindow::restoreLayout() {
+  scrollIfScreenIsSmall();
   resize(QSize(1440, 900).boundedTo(screen()->availableSize()));
   const QSettings settings;
   restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());

@@ -12,6 +12,7 @@
 
 class QLabel;
 class QTableView;
+class QModelIndex;
 class QTabBar;
 
 namespace hexoderm {
@@ -19,6 +20,7 @@ namespace hexoderm {
 class Banner;
 class CardDock;
 class CheckList;
+class CellTable;
 class FindingTable;
 class GraphView;
 class LiveStrip;
@@ -26,8 +28,11 @@ class LinkTable;
 class MessageBar;
 class PatchView;
 class PoseTable;
+class ResidualView;
 class StepPanel;
 class WindowShell;
+class Verification;
+class VerifyPanel;
 
 /// The one window. Wires the controller's signals to the views and the actions to the controller; decides nothing.
 class MainWindow : public QMainWindow {
@@ -40,6 +45,8 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] SessionController& controller() { return controller_; }
   [[nodiscard]] Selection& selection() { return selection_; }
   [[nodiscard]] const WindowActions& actions() const { return actions_; }
+  /// The body of the step Verify.
+  [[nodiscard]] VerifyPanel* verifyPanel() { return verify_panel_; }
 
   /// All ask first if poses would be lost.
   void openFile(const QString& path);
@@ -72,6 +79,8 @@ class MainWindow : public QMainWindow {
   void connectController();
   void connectSelection();
   void connectLive();
+  void scrollIfScreenIsSmall();
+  void connectVerify();
   void restoreLayout();
   void rememberLayout() const;
 
@@ -80,6 +89,12 @@ class MainWindow : public QMainWindow {
   void showReconstruction(const std::shared_ptr<const Reconstruction>& reconstruction);
   void showPickedPose();
   void showPickedLink();
+  void showPickedCell();
+  void showReview(const std::shared_ptr<const Reconstruction>& reconstruction);
+  void pickPose(PoseId pose);
+  /// Rows of the tables and rows of their views, which may be sorted.
+  [[nodiscard]] static int sourceRow(const QModelIndex& index);
+  [[nodiscard]] static QModelIndex shownRow(const QTableView* view, int row);
   void pickFromFinding(int row);
   void showWorstFinding();
   void openStep(GuideStep step);
@@ -119,9 +134,14 @@ class MainWindow : public QMainWindow {
   PoseTable* pose_table_;
   LinkTable* link_table_;
   FindingTable* finding_table_;
+  CellTable* cell_table_;
   QTableView* pose_view_;
   QTableView* link_view_;
   QTableView* finding_view_;
+  QTableView* cell_view_;
+  ResidualView* residual_view_;
+  VerifyPanel* verify_panel_;
+  Verification* verification_;
   QTabBar* detail_tabs_;
   CardDock* graph_dock_ = nullptr;
   CardDock* pose_dock_ = nullptr;

@@ -61,3 +61,6 @@ void applyTextFactor(double factor);
 bool prepareSoftwareOpenGl(bool asked);
 
 }  // namespace hexoderm
+
+Q_DECLARE_METATYPE(hexoderm::SolverOptions)
+Q_DECLARE_METATYPE(hexoderm::PoseRecorderOptions)

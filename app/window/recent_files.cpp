@@ -63,6 +63,10 @@ QString describeRecent(const RecentFile& file) {
 }
 
 RecentFiles::RecentFiles(JobQueue& jobs, QObject* parent) : QObject(parent), jobs_(jobs) {
+  constexpr int kSoon_ms = 1500;
+  write_soon_.setSingleShot(true);
+  write_soon_.setInterval(kSoon_ms);
+  connect(&write_soon_, &QTimer::timeout, this, &RecentFiles::write);
   QSettings settings;
   const int count = settings.beginReadArray(kSetting);
   for (int k = 0; k < count && files_.size() < kMost; ++k) {
@@ -75,6 +79,16 @@ RecentFiles::RecentFiles(JobQueue& jobs, QObject* parent) : QObject(parent), job
     if (!file.title.isEmpty()) files_.push_back(std::move(file));
   }
   settings.endArray();
+}
+
+RecentFiles::~RecentFiles() {
+  if (write_soon_.isActive()) write();
+}
+
+void RecentFiles::changeFiles() {
+  // Settings wait for the disk; a row of poses makes it wait once.
+  write_soon_.start();
+  emit changed();
 }
 
 void RecentFiles::write() {
@@ -104,22 +118,19 @@ void RecentFiles::note(const QString& path, int poses) {
   }
   files_.insert(files_.begin(), std::move(file));
   if (files_.size() > kMost) files_.resize(kMost);
-  write();
-  emit changed();
+  changeFiles();
 }
 
 void RecentFiles::remove(const QString& path) {
   const auto gone = std::remove_if(files_.begin(), files_.end(), [&](const RecentFile& f) { return f.path == path; });
   if (gone == files_.end()) return;
   files_.erase(gone, files_.end());
-  write();
-  emit changed();
+  changeFiles();
 }
 
 void RecentFiles::clear() {
   files_.clear();
-  write();
-  emit changed();
+  changeFiles();
 }
 
 void RecentFiles::check() {
@@ -200,11 +211,25 @@ void RecentList::rebuild() {
     layout_->addWidget(hint);
   }
   const std::size_t count = std::min(most_, files_.files().size());
-  for (std::size_t k = 0; k < count; ++k) layout_->addWidget(makeRow(files_.files()[k]));
-  if (focused.isEmpty()) return;
-  for (auto* button : findChildren<QToolButton*>(QStringLiteral("recentOpen"))) {
-    if (button->property("recentPath").toString() == focused && button->isEnabled()) button->setFocus();
+  for (std::size_t k = 0; k < count; ++k) {
+    QWidget* row = makeRow(files_.files()[k]);
+    layout_->addWidget(row);
+    // At once, not when there is time: the focus goes on to it.
+    row->show();
   }
+  if (focused.isEmpty()) return;
+  for (QToolButton* button : openButtons()) {
+    if (button->property("recentPath").toString() == focused) button->setFocus();
+  }
+}
+
+QList<QToolButton*> RecentList::openButtons() const {
+  QList<QToolButton*> shown;
+  // Rows on their way out are still children.
+  for (auto* button : findChildren<QToolButton*>(QStringLiteral("recentOpen"))) {
+    if (button->isVisibleTo(this)) shown << button;
+  }
+  return shown;
 }
 
 QWidget* RecentList::makeRow(const RecentFile& file) {
@@ -268,17 +293,11 @@ bool RecentList::eventFilter(QObject* watched, QEvent* event) {
     return true;
   }
   const QString path = button->property("recentPath").toString();
-  const QList<QToolButton*> all = findChildren<QToolButton*>(QStringLiteral("recentOpen"));
-  // Rows on their way out are still children.
-  QList<QToolButton*> shown;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(shown), [](QToolButton* b) { return b->isVisible(); });
+  const QList<QToolButton*> shown = openButtons();
   const auto at = static_cast<int>(std::find(shown.begin(), shown.end(), button) - shown.begin());
   if (key == Qt::Key_Delete) {
     files_.remove(path);
-    QList<QToolButton*> left;
-    for (auto* other : findChildren<QToolButton*>(QStringLiteral("recentOpen"))) {
-      if (!other->isHidden()) left << other;
-    }
+    const QList<QToolButton*> left = openButtons();
     if (!left.isEmpty()) left[std::min(at, static_cast<int>(left.size()) - 1)]->setFocus();
   } else if (key == Qt::Key_Up || key == Qt::Key_Down) {
     const int next = at + (key == Qt::Key_Up ? -1 : 1);

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <QList>
 #include <QObject>
 #include <QString>
+#include <QTimer>
 #include <QWidget>
 #include <cstdint>
 #include <functional>
@@ -9,6 +11,7 @@
 #include <vector>
 
 class QMenu;
+class QToolButton;
 class QVBoxLayout;
 
 namespace hexoderm {
@@ -34,6 +37,7 @@ class RecentFiles : public QObject {
 
   /// `jobs` must outlive this object.
   explicit RecentFiles(JobQueue& jobs, QObject* parent = nullptr);
+  ~RecentFiles() override;
 
   [[nodiscard]] const std::vector<RecentFile>& files() const { return files_; }
   /// It is open now. Moves it to the top; `poses` of -1 keeps what was known.
@@ -50,10 +54,12 @@ class RecentFiles : public QObject {
   void changed();
 
  private:
+  void changeFiles();
   void write();
 
   JobQueue& jobs_;
   std::vector<RecentFile> files_;
+  QTimer write_soon_;
 };
 
 /// "today, 14:32", "yesterday, 09:10" or the date.
@@ -79,6 +85,7 @@ class RecentList : public QWidget {
  private:
   void rebuild();
   [[nodiscard]] QWidget* makeRow(const RecentFile& file);
+  [[nodiscard]] QList<QToolButton*> openButtons() const;
 
   RecentFiles& files_;
   std::size_t most_;

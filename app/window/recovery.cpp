@@ -198,10 +198,14 @@ RecoveryList::RecoveryList(UnsavedSessions& sessions, QWidget* parent)
     : QWidget(parent), sessions_(sessions), layout_(new QVBoxLayout(this)) {
   setObjectName(QStringLiteral("recoveryList"));
   setAccessibleName(tr("Sessions that were not saved"));
-  layout_->setContentsMargins(0, 0, 0, 0);
+  layout_->setContentsMargins(0, 0, 0, 8);
   layout_->setSpacing(8);
-  connect(&sessions_, &UnsavedSessions::changed, this, &RecoveryList::rebuild);
+  connect(&sessions_, &UnsavedSessions::changed, this, [this] {
+    rebuild();
+    setVisible(!sessions_.all().empty());
+  });
   rebuild();
+  setHidden(sessions_.all().empty());
 }
 
 void RecoveryList::rebuild() {
@@ -211,8 +215,11 @@ void RecoveryList::rebuild() {
     item->widget()->deleteLater();
     delete item;
   }
-  for (const UnsavedSession& session : sessions_.all()) layout_->addWidget(makeRow(session));
-  setVisible(!sessions_.all().empty());
+  for (const UnsavedSession& session : sessions_.all()) {
+    QWidget* row = makeRow(session);
+    layout_->addWidget(row);
+    row->show();
+  }
 }
 
 QWidget* RecoveryList::makeRow(const UnsavedSession& session) {

@@ -128,12 +128,7 @@ bool SessionController::beginLiveSession(const SkinDescription& skin) {
 }
 
 void SessionController::replaceSkin(const SkinDescription& skin) {
-  // The same object: the commands that can be undone refer to it.
-  Session replaced(*skin.model, skin.neighbors, session_->source());
-  if (session_->truth()) replaced.setTruth(*session_->truth());
-  for (const SessionPose& pose : session_->poses()) replaced.addPose(pose);
-  for (const MutedLink& link : session_->mutedLinks()) replaced.setLinkMuted(link.source, link.target, true, link.why);
-  *session_ = std::move(replaced);
+  session_->setSkin(*skin.model, skin.neighbors);
   record(SetSkin{skin.model, skin.neighbors});
   submit();
 }

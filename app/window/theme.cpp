@@ -83,8 +83,11 @@ Theme resolveTheme(ThemeChoice choice) {
 void installStyle() { QApplication::setStyle(new WindowStyle); }
 
 void applyTheme(Theme theme) {
+  const QString sheet = styleSheet(theme) + panelSheet(Colors::of(theme));
+  // Every widget there is works out its look anew, which takes its time.
+  if (qApp->styleSheet() == sheet) return;
   QApplication::setPalette(qtPalette(theme));
-  qApp->setStyleSheet(styleSheet(theme) + panelSheet(Colors::of(theme)));
+  qApp->setStyleSheet(sheet);
 }
 
 }  // namespace hexoderm

@@ -2,6 +2,7 @@
 #include "app/window/export_dialog.h"
 #include "app/window/guide_window.h"
 #include "app/window/main_window.h"
+#include "app/window/recovery.h"
 #include "app/window/report_pictures.h"
 #include "app/window/window_shell.h"
 #include "widgets/graph_view.h"
@@ -40,6 +41,8 @@ QString lastFolder() {
 }
 
 void rememberFolder(const QString& path) {
+  // Nobody chose the folder that unsaved sessions are recovered from.
+  if (QFileInfo(path).absolutePath() == QFileInfo(unsavedFolder()).absoluteFilePath()) return;
   QSettings().setValue(QStringLiteral("paths/last"), QFileInfo(path).absolutePath());
 }
 

@@ -22,6 +22,7 @@
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QGuiApplication>
+#include <QLabel>
 #include <QMenuBar>
 #include <QOpenGLWidget>
 #include <QSettings>
@@ -77,6 +78,21 @@ QWidget* WindowShell::makeLogView() {
   return view;
 }
 
+QWidget* WindowShell::makeConnectBody() {
+  connect_body_ = new QWidget;
+  auto* layout = new QVBoxLayout(connect_body_);
+  layout->setContentsMargins(0, 8, 0, 0);
+  layout->addWidget(new RecoveryList(unsaved_));
+  auto* title = new QLabel(tr("Recent").toUpper());
+  title->setProperty("caption", true);
+  layout->addWidget(title);
+  constexpr std::size_t kShown = 3;
+  auto* recent = new RecentList(recent_, kShown);
+  connect(recent, &RecentList::openWanted, this, [this](const QString& path) { window_.open_file(path); });
+  layout->addWidget(recent);
+  return connect_body_;
+}
+
 QWidget* WindowShell::makeCentre(QWidget* patch_view) {
   const WindowActions& actions = window_.actions;
   auto* welcome = new WelcomePanel({actions.demo, actions.connect_skin, actions.open}, recent_, unsaved_);
@@ -110,6 +126,8 @@ void WindowShell::swapViews(bool remember) {
   of_graph->layout()->removeWidget(graph_view_);
   of_patch->layout()->addWidget(graph_view_);
   of_graph->layout()->addWidget(patch_view_);
+  graph_view_->show();
+  patch_view_->show();
   const bool swapped = graph_dock_->isAncestorOf(patch_view_);
   graph_dock_->setHeading(swapped ? tr("Skin patch") : tr("Skin graph"));
   graph_view_->setAccessibleName(tr("Skin graph"));
@@ -161,7 +179,7 @@ void WindowShell::setSteps(const std::vector<Step>& steps) {
     const bool is_there = k < steps.size();
     actions[k]->setVisible(is_there);
     actions[k]->setEnabled(is_there);
-    if (is_there) actions[k]->setText(tr("&%1  %2").arg(k + 1).arg(steps[k].title));
+    if (is_there) actions[k]->setText(tr("Step &%1: %2").arg(k + 1).arg(steps[k].title));
   }
 }
 
@@ -274,6 +292,8 @@ void WindowShell::showPreferences() {
   connect(window_.actions.themes, &QActionGroup::triggered, dialog,
           [this, dialog] { dialog->showTheme(window_.theme_in_force()); });
   dialog->show();
+  dialog->raise();
+  dialog->activateWindow();
 }
 
 void WindowShell::offerSoftwareOpenGl() {
@@ -292,7 +312,9 @@ void WindowShell::offerSoftwareOpenGl() {
 }
 
 void WindowShell::showWelcome() {
-  if (welcome_) welcome_->setVisible(window_.controller.isEmpty() && !window_.controller.live().isRunning());
+  const bool is_welcome = window_.controller.isEmpty() && !window_.controller.live().isRunning();
+  if (welcome_) welcome_->setVisible(is_welcome);
+  if (connect_body_) connect_body_->setVisible(!is_welcome);
 }
 
 void WindowShell::copyReport() {

@@ -49,6 +49,8 @@ class WindowShell : public QObject {
 
   /// For the panels below: the log with its buttons.
   [[nodiscard]] QWidget* makeLogView();
+  /// For the step "Connect": recent and unsaved sessions, as long as the welcome does not show them.
+  [[nodiscard]] QWidget* makeConnectBody();
   /// The middle of the window: `patch_view` and above it, while nothing is open, the welcome.
   [[nodiscard]] QWidget* makeCentre(QWidget* patch_view);
   /// The two views that G swaps, and the dock of the second.
@@ -82,6 +84,7 @@ class WindowShell : public QObject {
   QString asked_path_;
   QString source_state_;  ///< last written to the log
   QWidget* welcome_ = nullptr;
+  QWidget* connect_body_ = nullptr;
   QWidget* patch_view_ = nullptr;
   QWidget* graph_view_ = nullptr;
   CardDock* graph_dock_ = nullptr;

@@ -30,7 +30,7 @@ void CaptureWindow::add(const SampleFrame& frame) {
   end_s_ = frame.time_s;
   for (const CellSample& sample : frame.samples) {
     const std::size_t k = indexOf(sample.cell);
-    if (k == CellIndex::kNone || cells_[k].gravity.count() >= wanted_ || !sample.acceleration_g.allFinite()) continue;
+    if (k == CellIndex::kNone || cells_[k].gravity.count() >= wanted_ || !isUsable(sample)) continue;
     const std::uint32_t before = cells_[k].gravity.count();
     cells_[k].gravity.add(sample.acceleration_g);
     countIn(cells_[k], before);

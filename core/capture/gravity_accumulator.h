@@ -3,6 +3,9 @@
 // Private to capture/: samples and device-side means pooled into one mean with its covariance.
 
 #include "hexoderm/capture/pose_capture.h"
+#include "hexoderm/util/limits.h"
+
+#include <algorithm>
 
 namespace hexoderm {
 
@@ -11,30 +14,33 @@ class GravityAccumulator {
  public:
   /// `sample_g` must be finite.
   void add(const Eigen::Vector3d& sample_g) {
-    const double before = count_++;
+    const auto before = static_cast<double>(count_++);
     const Eigen::Vector3d difference = sample_g - mean_g_;
-    mean_g_ += difference / count_;
-    addScatter(before / count_, difference);
+    mean_g_ += difference / (before + 1);
+    addScatter(before / (before + 1), difference);
   }
 
   /// `mean` must be finite, and stand for one sample at least.
   void add(const CellMean& mean) {
-    const double before = count_;
+    const auto before = static_cast<double>(count_);
     const double added = mean.count;
     count_ += mean.count;
     const Eigen::Vector3d difference = mean.mean_g - mean_g_;
-    mean_g_ += difference * (added / count_);
-    addScatter(before * added / count_, difference);
+    mean_g_ += difference * (added / (before + added));
+    addScatter(before * added / (before + added), difference);
     for (int axis = 0; axis < 3; ++axis) scatter_g2_(axis, axis) += (added - 1) * mean.variance_g2(axis);
   }
 
-  [[nodiscard]] std::uint32_t count() const { return count_; }
+  /// At most what 32 bits hold, although means may claim to be of more samples.
+  [[nodiscard]] std::uint32_t count() const {
+    return static_cast<std::uint32_t>(std::min<std::uint64_t>(count_, UINT32_MAX));
+  }
   [[nodiscard]] const Eigen::Vector3d& mean_g() const { return mean_g_; }
 
   [[nodiscard]] GravitySample sample(CellId cell) const {
-    GravitySample sample{cell, mean_g_, Eigen::Matrix3d::Zero(), count_};
+    GravitySample sample{cell, mean_g_, Eigen::Matrix3d::Zero(), count()};
     if (count_ > 1) {
-      const double n = count_;
+      const auto n = static_cast<double>(count_);
       sample.cov_g2 = Eigen::Matrix3d(scatter_g2_.selfadjointView<Eigen::Upper>()) / (n * (n - 1));
     }
     return sample;
@@ -49,14 +55,17 @@ class GravityAccumulator {
     }
   }
 
-  std::uint32_t count_ = 0;
+  std::uint64_t count_ = 0;
   Eigen::Vector3d mean_g_ = Eigen::Vector3d::Zero();
   Eigen::Matrix3d scatter_g2_ = Eigen::Matrix3d::Zero();  ///< upper triangle
 };
 
-/// Whether a device's mean can be used: finite, not of nothing, no negative variance.
+/// Whether what a device sent can be used: finite, and no more than any accelerometer reads.
+inline bool isUsable(const CellSample& sample) { return isWithin(sample.acceleration_g, kMostAcceleration_g); }
+/// The same of its means, which must not be of nothing and have no negative variance.
 inline bool isUsable(const CellMean& mean) {
-  return mean.count > 0 && mean.mean_g.allFinite() && mean.variance_g2.allFinite() && mean.variance_g2.minCoeff() >= 0;
+  return mean.count > 0 && isWithin(mean.mean_g, kMostAcceleration_g) &&
+         isWithin(mean.variance_g2, kMostAcceleration_g * kMostAcceleration_g) && mean.variance_g2.minCoeff() >= 0;
 }
 
 }  // namespace hexoderm

@@ -10,7 +10,7 @@ PoseCapture averageFrames(std::span<const SampleFrame> frames, PoseId id, std::s
   std::map<CellId, GravityAccumulator> cells;
   for (const SampleFrame& frame : frames) {
     for (const CellSample& sample : frame.samples) {
-      if (sample.acceleration_g.allFinite()) cells[sample.cell].add(sample.acceleration_g);
+      if (isUsable(sample)) cells[sample.cell].add(sample.acceleration_g);
     }
     for (const CellMean& mean : frame.means) {
       if (isUsable(mean)) cells[mean.cell].add(mean);

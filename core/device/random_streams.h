@@ -2,6 +2,8 @@
 
 // Private to device/: where a simulated skin's random numbers come from.
 
+#include <boost/random/normal_distribution.hpp>
+
 #include <Eigen/Core>
 #include <cstdint>
 #include <initializer_list>
@@ -27,9 +29,10 @@ inline std::mt19937_64 randomStream(std::uint64_t seed, Stream stream, std::size
   return randomStream(seed, stream, {static_cast<std::uint32_t>(recording)});
 }
 
-class NormalSource {
+template <class Distribution>
+class NormalNumbers {
  public:
-  explicit NormalSource(std::mt19937_64 engine) : engine_(engine) {}
+  explicit NormalNumbers(std::mt19937_64 engine) : engine_(engine) {}
   double next() { return normal_(engine_); }
   Eigen::Vector3d nextVector() {
     const double x = next();
@@ -39,7 +42,11 @@ class NormalSource {
 
  private:
   std::mt19937_64 engine_;
-  std::normal_distribution<double> normal_;
+  Distribution normal_;
 };
+
+using NormalSource = NormalNumbers<std::normal_distribution<double>>;
+/// By the ziggurat method, several times as fast: for what has to keep up with 10,000 cells. Other numbers.
+using FastNormalSource = NormalNumbers<boost::random::normal_distribution<double>>;
 
 }  // namespace hexoderm

@@ -51,6 +51,7 @@ struct StreamRecorder::Impl {
   std::uint32_t topology = 0;
   skinwire::SampleEncoder encoder{0};
   double last_time_s = 0;
+  std::uint64_t lost_samples = 0;  ///< on the way from the device, up to now
   std::vector<skinwire::Samples> messages;
 
   Impl(std::filesystem::path where, SkinListener& listener) : path(std::move(where)), next(listener) {}
@@ -134,11 +135,26 @@ void StreamRecorder::onFrame(const SampleFrame& frame) {
     impl_->last_time_s = frame.time_s;
     impl_->messages.clear();
     impl_->encoder.encode(frame, impl_->messages);
-    for (skinwire::Samples& message : impl_->messages) impl_->write(std::move(message));
+    for (skinwire::Samples& message : impl_->messages) {
+      // The encoder numbers what came; the file tells of what did not.
+      if (message.sequence) *message.sequence += impl_->lost_samples;
+      impl_->write(std::move(message));
+    }
   });
 }
 
-void StreamRecorder::onStatus(const SourceStatus& status) { impl_->next.onStatus(status); }
+void StreamRecorder::onStatus(const SourceStatus& status) {
+  impl_->next.onStatus(status);
+  // Less of them, where one came late after all: what is written can't be taken back.
+  impl_->lost_samples = std::max(impl_->lost_samples, status.lost_samples);
+}
+
+void StreamRecorder::onDeviceStatus(const DeviceStatus& status) {
+  impl_->next.onDeviceStatus(status);
+  impl_->guarded([&] {
+    impl_->write(skinwire::Status{status.text, status.exploring, status.samples_sent, status.samples_dropped});
+  });
+}
 
 void StreamRecorder::onCommandOutcome(const CommandOutcome& outcome) { impl_->next.onCommandOutcome(outcome); }
 

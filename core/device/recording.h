@@ -14,7 +14,8 @@ namespace hexoderm {
 
 /// Writes what a source delivers into a file, as SkinWire's own frames, and passes everything on to another listener:
 /// put it between a source and whoever listens. Frames are passed on first. When the disk fails, recording ends with
-/// error(), and listening goes on.
+/// error(), and listening goes on. What the device says of itself is among the frames, and what was lost on the way is
+/// a gap in their numbering, so that a replay counts the same losses.
 ///
 /// The file: "SKINREC1", then records of arrival time since the beginning (microseconds, 64 bits), length of the body
 /// (32 bits), both little-endian, and the body (major, type, protobuf, CRC-32C). What was written is flushed to the
@@ -31,6 +32,7 @@ class StreamRecorder final : public SkinListener {
   void onFrame(const SampleFrame& frame) override;
   void onStatus(const SourceStatus& status) override;
   void onCommandOutcome(const CommandOutcome& outcome) override;
+  void onDeviceStatus(const DeviceStatus& status) override;
 
   /// Ends the recording. After the source was stopped, or on its thread. Throws StorageError if not all was written.
   void finish();

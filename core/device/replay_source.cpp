@@ -28,6 +28,7 @@ struct ReplaySource::Impl {
     }
     void onStatus(const SourceStatus& status) override { next.onStatus(status); }
     void onCommandOutcome(const CommandOutcome& outcome) override { next.onCommandOutcome(outcome); }
+    void onDeviceStatus(const DeviceStatus& status) override { next.onDeviceStatus(status); }
   };
 
   std::filesystem::path path;
@@ -98,7 +99,10 @@ struct ReplaySource::Impl {
         stream->report(SourceState::Incompatible, name + ": " + stream->lastRejection(), Clock::now());
         break;
       }
-      if (stream->isDescribed()) stream->report(SourceState::Streaming, name + ": playing", Clock::now());
+      if (stream->isDescribed()) {
+        const std::string device = stream->deviceText().empty() ? "" : "; the device said: " + stream->deviceText();
+        stream->report(SourceState::Streaming, name + ": playing" + device, Clock::now());
+      }
       stream->reportCounters(Clock::now());
     }
     if (stream->state() != SourceState::Incompatible && !stop.stop_requested()) {

@@ -6,6 +6,7 @@
 #include "hexoderm/device/random_streams.h"
 #include "hexoderm/device/simulated_faults.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/rounding.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
@@ -81,15 +82,18 @@ struct SimulatedSkin::State {
   struct Hold {
     HandMotion motion;
     Eigen::Vector3d hand_b;
-    NormalSource noise;
+    std::mt19937_64 noise;
     bool is_bent = false;
     std::size_t tick = 0;
   };
   std::optional<Hold> live;
+  FastNormalSource live_noise{std::mt19937_64()};
   double live_clock_s = 0;
 
   Hold hold(const Eigen::Vector3d& up_b);
-  void sense(Hold& holding, SampleFrame& frame);
+  void holdLive(const Eigen::Vector3d& up_b);
+  template <class Noise>
+  void sense(Hold& holding, Noise& noise, SampleFrame& frame);
   void requireCell(CellId cell) const;
 
   State(CellModel cell_model, SimulatedSkinOptions skin_options);
@@ -216,19 +220,25 @@ SimulatedSkin::State::Hold SimulatedSkin::State::hold(const Eigen::Vector3d& up_
   HandMotion motion = in_hand ? HandMotion(up, options, hand_random) : HandMotion(up);
   // A hand holds the part near its middle, not in it.
   const Eigen::Vector3d hand_b = middle_b + kHandOffset_m * NormalSource(hand_random).nextVector();
-  return {std::move(motion), hand_b, NormalSource(randomStream(options.seed, Stream::Noise, recording)),
+  return {std::move(motion), hand_b, randomStream(options.seed, Stream::Noise, recording),
           !bent_sensors.empty() && recording % 2 == 1};
 }
 
+void SimulatedSkin::State::holdLive(const Eigen::Vector3d& up_b) {
+  live = hold(up_b);
+  live_noise = FastNormalSource(live->noise);
+}
+
 /// What all cells read at the hold's next tick.
-void SimulatedSkin::State::sense(Hold& holding, SampleFrame& frame) {
+template <class Noise>
+void SimulatedSkin::State::sense(Hold& holding, Noise& noise, SampleFrame& frame) {
   const Accelerometer& accelerometer = model.accelerometer;
   // White noise of a density d, sampled at a rate f, has the variance d^2 f / 2.
   const double white_g = accelerometer.noise_g_per_sqrt_hz * std::sqrt(accelerometer.rate_hz / 2);
   const auto asOutput = [&](const Eigen::Vector3d& value_g) {
     Eigen::Vector3d output = value_g;
     if (options.sensor_noise && accelerometer.lsb_g > 0) {
-      output = accelerometer.lsb_g * (output / accelerometer.lsb_g).array().round();
+      for (double& value : output) value = accelerometer.lsb_g * nearestWhole(value / accelerometer.lsb_g);
     }
     return Eigen::Vector3d(output.cwiseMin(accelerometer.range_g).cwiseMax(-accelerometer.range_g));
   };
@@ -240,7 +250,7 @@ void SimulatedSkin::State::sense(Hold& holding, SampleFrame& frame) {
     CellHealth& cell = health[c];
     // Drawn also where it is not used: a fault of one cell leaves the others' noise as it was.
     const Eigen::Vector3d unit_noise =
-        options.sensor_noise || cell.noisy ? holding.noise.nextVector() : Eigen::Vector3d::Zero();
+        options.sensor_noise || cell.noisy ? noise.nextVector() : Eigen::Vector3d::Zero();
     if (cell.silent) continue;
     Eigen::Vector3d reading =
         sensor.gain_R_a_b * (body.up_b + body.field_b * (sensor.position_b - holding.hand_b)) + sensor.offset_g;
@@ -253,10 +263,11 @@ void SimulatedSkin::State::sense(Hold& holding, SampleFrame& frame) {
 std::vector<SampleFrame> SimulatedSkin::record(const Eigen::Vector3d& up_b, std::size_t frame_count) {
   State& state = *state_;
   State::Hold holding = state.hold(up_b);
+  NormalSource noise(holding.noise);
   std::vector<SampleFrame> frames(frame_count);
   for (std::size_t k = 0; k < frame_count; ++k) {
     frames[k].time_s = state.clock_s + static_cast<double>(k) / state.model.accelerometer.rate_hz;
-    state.sense(holding, frames[k]);
+    state.sense(holding, noise, frames[k]);
   }
   state.clock_s += static_cast<double>(frame_count) / state.model.accelerometer.rate_hz + kPauseBetweenRecordings_s;
   return frames;
@@ -264,12 +275,11 @@ std::vector<SampleFrame> SimulatedSkin::record(const Eigen::Vector3d& up_b, std:
 
 void SimulatedSkin::turnTo(const Eigen::Vector3d& up_b) {
   State& state = *state_;
-  if (!state.live) state.live = state.hold(Eigen::Vector3d::UnitZ());
+  if (!state.live) state.holdLive(Eigen::Vector3d::UnitZ());
   const double rate_hz = state.model.accelerometer.rate_hz;
   const Eigen::Matrix3d R_w_b = state.live->motion.orientationAt(static_cast<double>(state.live->tick) / rate_hz);
-  State::Hold next = state.hold(up_b);
-  next.motion.arriveFrom(R_w_b);
-  state.live = std::move(next);
+  state.holdLive(up_b);
+  state.live->motion.arriveFrom(R_w_b);
 }
 
 bool SimulatedSkin::turning() const {
@@ -280,17 +290,17 @@ bool SimulatedSkin::turning() const {
 
 SampleFrame SimulatedSkin::next() {
   State& state = *state_;
-  if (!state.live) state.live = state.hold(Eigen::Vector3d::UnitZ());
+  if (!state.live) state.holdLive(Eigen::Vector3d::UnitZ());
   SampleFrame frame;
   frame.time_s = state.live_clock_s;
   state.live_clock_s += 1 / state.model.accelerometer.rate_hz;
-  state.sense(*state.live, frame);
+  state.sense(*state.live, state.live_noise, frame);
   return frame;
 }
 
 void SimulatedSkin::skip(std::size_t ticks) {
   State& state = *state_;
-  if (!state.live) state.live = state.hold(Eigen::Vector3d::UnitZ());
+  if (!state.live) state.holdLive(Eigen::Vector3d::UnitZ());
   state.live->tick += ticks;
   state.live_clock_s += static_cast<double>(ticks) / state.model.accelerometer.rate_hz;
 }

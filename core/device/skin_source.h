@@ -43,6 +43,15 @@ struct SourceStatus {
   std::uint64_t unknown_samples = 0;    ///< of cells that the topology does not have: not delivered
   std::uint64_t rejected_messages = 0;  ///< broken on the way (length, CRC, syntax) or without sense: not delivered
   std::uint64_t reconnects = 0;
+  std::uint64_t dropped_by_device = 0;  ///< samples that it could not send, as it said last; since it started itself
+};
+
+/// What a device says of itself while it streams.
+struct DeviceStatus {
+  std::string text;  ///< for people; empty: nothing remarkable
+  bool exploring = false;
+  std::uint64_t samples_sent = 0;     ///< since the device started
+  std::uint64_t samples_dropped = 0;  ///< likewise; could not be sent
 };
 
 /// Rate of samples that the device should send, Hz.
@@ -84,6 +93,8 @@ class SkinListener {
   /// On every change of state, and about twice a second while counters change.
   virtual void onStatus(const SourceStatus& status) = 0;
   virtual void onCommandOutcome(const CommandOutcome& outcome) = 0;
+  /// Whenever the device says so, in its place among the frames. Not every device does.
+  virtual void onDeviceStatus(const DeviceStatus& /*status*/) {}
 };
 
 /// A skin that delivers by itself: a device on a wire, a recording, a simulated skin. It runs on a thread of its own.

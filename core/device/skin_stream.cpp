@@ -69,12 +69,19 @@ SkinStream::Effect SkinStream::take(Decoded decoded) {
   if (const auto* hello = std::get_if<skinwire::Hello>(&decoded.message)) return takeHello(*hello);
   if (auto* topology = std::get_if<skinwire::Topology>(&decoded.message)) return takeTopology(std::move(*topology));
   if (const auto* status = std::get_if<skinwire::Status>(&decoded.message)) {
-    device_text_ = printable(status->text);
-    if (device_text_.empty() && status->exploring) device_text_ = "exploring its cells";
+    takeStatus(*status);
   } else if (const auto* ack = std::get_if<skinwire::Ack>(&decoded.message)) {
     if (on_ack) on_ack(*ack);
   }
   return Effect::Alive;
+}
+
+void SkinStream::takeStatus(const skinwire::Status& status) {
+  device_text_ = printable(status.text);
+  if (device_text_.empty() && status.exploring) device_text_ = "exploring its cells";
+  if (status_.dropped_by_device != status.samples_dropped) counters_changed_ = true;
+  status_.dropped_by_device = status.samples_dropped;
+  listener_.onDeviceStatus({printable(status.text), status.exploring, status.samples_sent, status.samples_dropped});
 }
 
 void SkinStream::countRejected(std::string why) {

@@ -63,6 +63,7 @@ class SkinStream {
   Effect takeHello(const skinwire::Hello& hello);
   Effect takeTopology(skinwire::Topology part);
   Effect takeSamples(const skinwire::Samples& samples);
+  void takeStatus(const skinwire::Status& status);
   void startCounting();
   void announce();
   void forgetLookUp();

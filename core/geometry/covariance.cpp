@@ -13,4 +13,11 @@ double largestDeviation(const Eigen::Matrix3d& covariance) {
   return std::sqrt(std::max(0.0, solver.eigenvalues().maxCoeff()));
 }
 
+Eigen::Matrix3d ellipsoid95(const Eigen::Matrix3d& covariance) {
+  constexpr double kChiSquare95 = 7.814727903251179;
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
+  const Eigen::Vector3d lengths = (kChiSquare95 * solver.eigenvalues().cwiseMax(0.0)).cwiseSqrt();
+  return solver.eigenvectors() * lengths.asDiagonal();
+}
+
 }  // namespace hexoderm

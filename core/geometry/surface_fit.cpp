@@ -205,6 +205,87 @@ Cylinder cylinderAlong(const Eigen::Vector3d& axis, const Eigen::Matrix3Xd& poin
   return cylinder;
 }
 
+struct Cone {
+  static constexpr int kParameters = 6;
+  static constexpr double kSteepest = kPi / 2 - 1e-3;  ///< beyond that it would be a plane
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< on the axis, nearest to the centroid
+  double radius = 1;                                ///< at the point
+  double angle = 0;                                 ///< between axis and surface; positive: wider along the axis
+
+  [[nodiscard]] Eigen::Vector3d armTo(const Eigen::Vector3d& x) const {
+    const Eigen::Vector3d from = x - point;
+    return from - axis * axis.dot(from);
+  }
+  [[nodiscard]] double distance(const Eigen::Vector3d& x) const {
+    return (armTo(x).norm() - radius) * std::cos(angle) - axis.dot(x - point) * std::sin(angle);
+  }
+  [[nodiscard]] double cost(const Eigen::Matrix3Xd& points) const {
+    double sum = 0;
+    for (const auto& x : points.colwise()) {
+      const double d = distance(x);
+      sum += d * d;
+    }
+    return sum;
+  }
+  using Hessian = Eigen::Matrix<double, 6, 6>;
+  using Vector = Eigen::Matrix<double, 6, 1>;
+  /// Parameters: those of the cylinder, then the angle.
+  void linearise(const Eigen::Matrix3Xd& points, Hessian& H, Vector& g) const {
+    H.setZero();
+    g.setZero();
+    const Eigen::Matrix<double, 3, 2> basis = perpendicularBasis(axis);
+    const double sine = std::sin(angle);
+    const double cosine = std::cos(angle);
+    for (const auto& x : points.colwise()) {
+      const Eigen::Vector3d arm = armTo(x);
+      const double length = arm.norm();
+      if (length < 1e-300) continue;
+      const double along = axis.dot(x - point);
+      const Eigen::Vector2d outward = basis.transpose() * arm / length;
+      Vector row;
+      row << -(along * cosine + length * sine) * outward, -cosine * outward, -cosine,
+          -(length - radius) * sine - along * cosine;
+      H += row * row.transpose();
+      g += row * distance(x);
+    }
+  }
+  [[nodiscard]] Cone moved(const Vector& step) const {
+    const Eigen::Matrix<double, 3, 2> basis = perpendicularBasis(axis);
+    Cone next;
+    next.axis = (axis + basis * step.head<2>()).normalized();
+    next.point = point + basis * step.segment<2>(2);
+    next.angle = std::clamp(angle + step(5), -kSteepest, kSteepest);
+    const double back = next.axis.dot(next.point);
+    next.point -= back * next.axis;
+    next.radius = radius + step(4) - back * std::tan(next.angle);
+    return next;
+  }
+};
+
+/// The algebraic cone with its axis along `axis`: |flat|^2 = 2 c.flat + k + 2 r t z + t^2 z^2, where r is the radius at
+/// z = 0 and t the tangent of the angle. Its two terms in z are fitted as if they were independent.
+Cone coneAlong(const Eigen::Vector3d& axis, const Eigen::Matrix3Xd& points) {
+  const Eigen::Matrix<double, 3, 2> basis = perpendicularBasis(axis);
+  Eigen::Matrix<double, 5, 5> H = Eigen::Matrix<double, 5, 5>::Zero();
+  Eigen::Matrix<double, 5, 1> g = Eigen::Matrix<double, 5, 1>::Zero();
+  for (const auto& x : points.colwise()) {
+    const Eigen::Vector2d flat = basis.transpose() * x;
+    const double z = axis.dot(x);
+    Eigen::Matrix<double, 5, 1> row;
+    row << 2 * flat.x(), 2 * flat.y(), 1, 2 * z, z * z;
+    H += row * row.transpose();
+    g += row * flat.squaredNorm();
+  }
+  const Eigen::Matrix<double, 5, 1> solution = H.completeOrthogonalDecomposition().solve(g);
+  Cone cone;
+  cone.axis = axis;
+  cone.point = basis * solution.head<2>();
+  cone.radius = std::sqrt(std::max(solution(2) + solution.head<2>().squaredNorm(), 1e-12));
+  cone.angle = std::atan(solution(3) / cone.radius);
+  return cone;
+}
+
 /// Directions spread over the half sphere (golden-angle spiral).
 std::vector<Eigen::Vector3d> spreadDirections(int count) {
   std::vector<Eigen::Vector3d> directions;
@@ -215,6 +296,39 @@ std::vector<Eigen::Vector3d> spreadDirections(int count) {
     directions.emplace_back(s * std::cos(k * golden_angle), s * std::sin(k * golden_angle), z);
   }
   return directions;
+}
+
+/// In the principal frame the starts, and with them the result, turn with the points.
+std::vector<Eigen::Vector3d> startingAxes(const Cloud& cloud) {
+  constexpr int kDirections = 60;
+  std::vector<Eigen::Vector3d> axes;
+  for (int k = 0; k < 3; ++k) axes.emplace_back(cloud.axes.col(k));
+  for (const Eigen::Vector3d& direction : spreadDirections(kDirections)) axes.emplace_back(cloud.axes * direction);
+  return axes;
+}
+
+/// The best of the local minima next to the most promising starts.
+template <class Surface>
+Surface bestFrom(const std::vector<Surface>& starts, const Cloud& cloud) {
+  constexpr std::size_t kTries = 12;
+  std::vector<std::pair<double, std::size_t>> ranking;
+  for (std::size_t k = 0; k < starts.size(); ++k) {
+    const double cost = starts[k].cost(cloud.points);
+    ranking.emplace_back(std::isfinite(cost) ? cost : std::numeric_limits<double>::max(), k);
+  }
+  std::ranges::sort(ranking);
+  ranking.resize(kTries);
+  Surface best;
+  double best_cost = std::numeric_limits<double>::infinity();
+  for (const auto& [start_cost, k] : ranking) {
+    Surface surface = starts[k];
+    const double cost = minimise(surface, cloud.points);
+    if (cost < best_cost) {
+      best_cost = cost;
+      best = surface;
+    }
+  }
+  return best;
 }
 
 template <class Surface>
@@ -255,33 +369,32 @@ SphereFit fitSphere(std::span<const Eigen::Vector3d> points_m) {
 CylinderFit fitCylinder(std::span<const Eigen::Vector3d> points_m) {
   const Cloud cloud = normalise(points_m, 5, "cylinder fit");
   requireSolid(cloud, "cylinder fit");
-  constexpr int kDirections = 60;
-  constexpr std::size_t kTries = 12;
-
-  // In the principal frame the starts, and with them the result, turn with the points.
   std::vector<Cylinder> starts;
-  for (int k = 0; k < 3; ++k) starts.push_back(cylinderAlong(cloud.axes.col(k), cloud.points));
-  for (const Eigen::Vector3d& direction : spreadDirections(kDirections)) {
-    starts.push_back(cylinderAlong(cloud.axes * direction, cloud.points));
-  }
-  std::vector<std::pair<double, std::size_t>> ranking;
-  for (std::size_t k = 0; k < starts.size(); ++k) ranking.emplace_back(starts[k].cost(cloud.points), k);
-  std::ranges::sort(ranking);
-  ranking.resize(kTries);
-
-  Cylinder best;
-  double best_cost = std::numeric_limits<double>::infinity();
-  for (const auto& [start_cost, k] : ranking) {
-    Cylinder cylinder = starts[k];
-    const double cost = minimise(cylinder, cloud.points);
-    if (cost < best_cost) {
-      best_cost = cost;
-      best = cylinder;
-    }
-  }
+  for (const Eigen::Vector3d& axis : startingAxes(cloud)) starts.push_back(cylinderAlong(axis, cloud.points));
+  const Cylinder best = bestFrom(starts, cloud);
   CylinderFit fit;
   fit.axis = canonicalSign(best.axis);
   fit.point = cloud.centroid + cloud.scale * (best.point - best.axis * best.axis.dot(best.point));
+  fit.radius_m = cloud.scale * best.radius;
+  fit.distance_m = distances(best, cloud);
+  return fit;
+}
+
+ConeFit fitCone(std::span<const Eigen::Vector3d> points_m) {
+  const Cloud cloud = normalise(points_m, 6, "cone fit");
+  requireSolid(cloud, "cone fit");
+  std::vector<Cone> starts;
+  for (const Eigen::Vector3d& axis : startingAxes(cloud)) {
+    starts.push_back(coneAlong(axis, cloud.points));
+    const Cylinder cylinder = cylinderAlong(axis, cloud.points);
+    starts.push_back({axis, cylinder.point, cylinder.radius, 0});
+  }
+  const Cone best = bestFrom(starts, cloud);
+  ConeFit fit;
+  const double towards_wide = best.angle < 0 ? -1 : 1;
+  fit.axis = towards_wide * best.axis;
+  fit.half_angle_rad = std::abs(best.angle);
+  fit.point = cloud.centroid + cloud.scale * best.point;
   fit.radius_m = cloud.scale * best.radius;
   fit.distance_m = distances(best, cloud);
   return fit;

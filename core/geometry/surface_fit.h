@@ -27,6 +27,15 @@ struct CylinderFit {
   std::vector<double> distance_m;
 };
 
+/// A circular cone. Its surface is followed on past the apex, as if a plane rolled around it.
+struct ConeFit {
+  Eigen::Vector3d point;      ///< on the axis, the foot of the points' centroid
+  Eigen::Vector3d axis;       ///< unit, towards the wide end
+  double radius_m = 0;        ///< at `point`
+  double half_angle_rad = 0;  ///< between axis and surface, 0 (a cylinder) to pi/2
+  std::vector<double> distance_m;
+};
+
 /// At least 3 points not on a line; throws InvalidArgument otherwise.
 PlaneFit fitPlane(std::span<const Eigen::Vector3d> points_m);
 
@@ -36,6 +45,10 @@ SphereFit fitSphere(std::span<const Eigen::Vector3d> points_m);
 /// At least 5 points that are not in a plane; throws InvalidArgument otherwise. Several starting axes are tried,
 /// because the problem has local minima; the best is returned.
 CylinderFit fitCylinder(std::span<const Eigen::Vector3d> points_m);
+
+/// At least 6 points that are not in a plane; throws InvalidArgument otherwise. Starts as fitCylinder() does, from
+/// cones and cylinders along many axes. Points of a cylinder give a half angle near 0.
+ConeFit fitCone(std::span<const Eigen::Vector3d> points_m);
 
 double rms(std::span<const double> values);
 

@@ -1,6 +1,8 @@
 #include "hexoderm/graph/cell_model.h"
 
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/limits.h"
+#include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
 #include <algorithm>
@@ -9,6 +11,11 @@
 
 namespace hexoderm {
 namespace {
+
+// Far beyond every skin, and such that squares, and one divided by them, are still numbers.
+constexpr double kLeast = 1e-12;
+constexpr double kMost = 1e9;
+constexpr double kMostCellLength_m = 1e3;
 
 /// Direction of a port in the surface: ports lie in the cell's plane but for what a model's vector says.
 Eigen::Vector3d outwardDirection(const Port& port) { return port.vector_m.normalized(); }
@@ -52,34 +59,44 @@ void CellModel::validate() const {
   const auto require = [&](bool holds, const std::string& what) {
     if (!holds) throw InvalidArgument("cell model " + name + ": " + what);
   };
-  const auto positive = [&](double value, const std::string& what) {
-    require(std::isfinite(value) && value > 0, what + " must be above 0");
+  const auto positive = [&](double value, const std::string& what, double most = kMost) {
+    require(value > 0, what + " must be above 0");
+    require(value >= kLeast && value <= most,
+            what + " must be from " + formatExact(kLeast) + " to " + formatExact(most));
   };
-  const auto notNegative = [&](double value, const std::string& what) {
-    require(std::isfinite(value) && value >= 0, what + " must not be negative");
+  const auto notNegative = [&](double value, const std::string& what, double most = kMost) {
+    require(value >= 0, what + " must not be negative");
+    if (value != 0) positive(value, what, most);
+  };
+  const auto placed = [&](const SE3& T, const std::string& what) {
+    require(isWithin(T.t, kMostCellLength_m), what + " must be within " + formatExact(kMostCellLength_m) + " m");
   };
   require(!name.empty(), "name must not be empty");
-  positive(side_m, "side_m");
-  notNegative(thickness_m, "thickness_m");
-  notNegative(gap_m, "gap_m");
+  positive(side_m, "side_m", kMostCellLength_m);
+  notNegative(thickness_m, "thickness_m", kMostCellLength_m);
+  notNegative(gap_m, "gap_m", kMostCellLength_m);
   require(!ports.empty(), "there must be at least one port");
   std::set<PortNumber> numbers;
   for (const Port& port : ports) {
     require(numbers.insert(port.number).second, "port " + toString(port.number) + " is listed twice");
-    require(port.vector_m.allFinite() && port.vector_m.head<2>().norm() > 1e-9,
-            "port " + toString(port.number) + ": vector_m must point out of the cell's side");
+    require(isWithin(port.vector_m, kMostCellLength_m) && port.vector_m.head<2>().norm() > 1e-9,
+            "port " + toString(port.number) + ": vector_m must point out of the cell's side, by at most " +
+                formatExact(kMostCellLength_m) + " m");
   }
   for (const auto& [a, b] : forbidden_port_pairs) {
     require(findPort(a) != nullptr && findPort(b) != nullptr, "forbidden_port_pairs names an unknown port");
   }
   require(interface_id.value() > 0, "interface_id must be above 0");
-  positive(accelerometer.range_g, "accelerometer.range_g");
-  notNegative(accelerometer.lsb_g, "accelerometer.lsb_g");
+  positive(accelerometer.range_g, "accelerometer.range_g", kMostAcceleration_g);
+  notNegative(accelerometer.lsb_g, "accelerometer.lsb_g", kMostAcceleration_g);
   positive(accelerometer.rate_hz, "accelerometer.rate_hz");
   notNegative(accelerometer.noise_g_per_sqrt_hz, "accelerometer.noise_g_per_sqrt_hz");
   notNegative(accelerometer.offset_sigma_g, "accelerometer.offset_sigma_g");
   notNegative(accelerometer.scale_sigma, "accelerometer.scale_sigma");
   notNegative(accelerometer.cross_axis_sigma, "accelerometer.cross_axis_sigma");
+  placed(accelerometer.T_u_a, "accelerometer.t_u_m");
+  for (const CellSensor& sensor : sensors) placed(sensor.T_u_s, "sensor " + sensor.name + ": t_u_m");
+  require(std::abs(side_angle_rad) <= kMost, "side_angle_rad must be within " + formatExact(kMost));
   positive(link_sigma_m, "link_sigma_m");
   positive(bend_sigma_rad, "bend_sigma_rad");
   positive(twist_sigma_rad, "twist_sigma_rad");

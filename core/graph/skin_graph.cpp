@@ -250,10 +250,10 @@ SkinGraph::SkinGraph(const CellModel& model, const NeighborList& neighbors) {
     const std::string& part_b = cells_[link.target].body_part;
     if (!link.muted() && part_a != part_b && !part_a.empty() && !part_b.empty()) {
       link.muted_by = FindingCode::BodyPartBoundary;
+      std::string text = "The " + linkInWords(a, b);
+      text.append(" joins ").append(part_a).append(" and ").append(part_b).append("; the patch ends there.");
       findings_.push_back(
-          makeFinding(FindingCode::BodyPartBoundary,
-                      "The " + linkInWords(a, b) + " joins " + part_a + " and " + part_b + "; the patch ends there.",
-                      {a.cell, b.cell}, {a.port, b.port}));
+          makeFinding(FindingCode::BodyPartBoundary, std::move(text), {a.cell, b.cell}, {a.port, b.port}));
     }
     links_.push_back(link);
   }

@@ -3,6 +3,7 @@
 #include "hexoderm/graph/cell_model_json.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
+#include "hexoderm/util/limits.h"
 #include "hexoderm/util/units.h"
 
 #include <algorithm>
@@ -157,7 +158,7 @@ SensorPlacement readSensor(const JsonReader& json) {
   SensorPlacement sensor;
   sensor.name = json.at("name").string();
   if (const auto type = json.find("type")) sensor.type = type->string();
-  sensor.T_o_s = {json.at("q_o_wxyz").unitQuaternion().toRotationMatrix(), json.at("t_o_m").vector3()};
+  sensor.T_o_s = {json.at("q_o_wxyz").unitQuaternion().toRotationMatrix(), json.at("t_o_m").vector3(kMostLength_m)};
   return sensor;
 }
 
@@ -168,7 +169,7 @@ CellPlacement readCell(const JsonReader& json) {
   const std::string placed_by = json.at("placed_by").string();
   if (placed_by != "samples" && placed_by != "links") json.at("placed_by").fail("\"samples\" or \"links\"");
   cell.placed_by = placed_by == "samples" ? PlacedBy::Samples : PlacedBy::Links;
-  cell.T_o_u = {json.at("R_o_u").rotation(), json.at("t_o_u_m").vector3()};
+  cell.T_o_u = {json.at("R_o_u").rotation(), json.at("t_o_u_m").vector3(kMostLength_m)};
   if (const auto q = json.find("q_o_u_wxyz")) {
     if (rotationAngle(q->unitQuaternion().toRotationMatrix().transpose() * cell.T_o_u.R) > 1e-5) {
       q->fail("the same rotation as R_o_u");
@@ -177,8 +178,8 @@ CellPlacement readCell(const JsonReader& json) {
   if (const auto cov = json.find("cov_t_r")) cell.cov_t_r = readCovariance(*cov);
   if (const auto sigma = json.find("sigma_t_m")) static_cast<void>(nonNegativeVector(*sigma));
   if (const auto sigma = json.find("sigma_r_rad")) static_cast<void>(nonNegativeVector(*sigma));
-  if (const auto offset = json.find("accel_offset_g")) cell.accel_offset_g = offset->vector3();
-  if (const auto scale = json.find("accel_scale")) cell.accel_scale = scale->vector3();
+  if (const auto offset = json.find("accel_offset_g")) cell.accel_offset_g = offset->vector3(kMostAcceleration_g);
+  if (const auto scale = json.find("accel_scale")) cell.accel_scale = scale->vector3(kMostAcceleration_g);
   cell.path = readIds<CellId>(json.at("path"));
   for (const JsonReader& sensor : json.at("sensors").items()) cell.sensors.push_back(readSensor(sensor));
   return cell;

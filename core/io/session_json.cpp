@@ -5,6 +5,7 @@
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/json_reader.h"
+#include "hexoderm/util/limits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +32,7 @@ CellModel readModel(const JsonReader& json) {
 }
 
 Eigen::Matrix3d readCovariance(const JsonReader& json) {
-  const std::vector<double> v = json.numbers(6);
+  const std::vector<double> v = json.numbers(6, kMostVariance_g2);
   if (v[0] < 0 || v[3] < 0 || v[5] < 0) json.fail("variances (xx, yy, zz) of at least 0");
   Eigen::Matrix3d cov_g2;
   cov_g2 << v[0], v[1], v[2], v[1], v[3], v[4], v[2], v[4], v[5];
@@ -47,7 +48,7 @@ SessionPose readPose(const JsonReader& json) {
   for (const JsonReader& item : json.at("samples").items()) {
     GravitySample sample;
     sample.cell = CellId(item.at("cell").unsignedInteger());
-    sample.mean_g = item.at("mean_g").vector3();
+    sample.mean_g = item.at("mean_g").vector3(kMostAcceleration_g);
     if (const auto cov = item.find("cov_g2")) sample.cov_g2 = readCovariance(*cov);
     if (const auto count = item.find("count")) sample.count = count->unsignedInteger();
     if (const auto temperature = item.find("temperature_c")) sample.temperature_c = temperature->number();

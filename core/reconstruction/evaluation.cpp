@@ -12,7 +12,7 @@
 namespace hexoderm {
 namespace {
 
-constexpr std::array<std::string_view, 3> kSurfaceNames = {"plane", "sphere", "cylinder"};
+constexpr std::array<std::string_view, 4> kSurfaceNames = {"plane", "sphere", "cylinder", "cone"};
 
 struct ReferenceCell {
   SE3 T_ref_u;
@@ -114,7 +114,7 @@ double chainLength(const Reconstruction& r, const PatchReconstruction& patch, Li
 SurfaceKind surfaceKindFromName(std::string_view name) {
   const auto found = std::ranges::find(kSurfaceNames, name);
   if (found == kSurfaceNames.end()) {
-    throw InvalidArgument("surface: expected plane, sphere or cylinder, found \"" + std::string(name) + "\"");
+    throw InvalidArgument("surface: expected plane, sphere, cylinder or cone, found \"" + std::string(name) + "\"");
   }
   return static_cast<SurfaceKind>(found - kSurfaceNames.begin());
 }
@@ -123,7 +123,9 @@ std::string_view surfaceKindName(SurfaceKind kind) { return kSurfaceNames.at(sta
 
 SurfaceEvaluation evaluateSurface(const PatchReconstruction& patch, SurfaceKind kind,
                                   std::optional<double> true_radius_m) {
-  if (kind == SurfaceKind::Plane && true_radius_m) throw InvalidArgument("a plane has no radius to compare with");
+  if ((kind == SurfaceKind::Plane || kind == SurfaceKind::Cone) && true_radius_m) {
+    throw InvalidArgument("a " + std::string(surfaceKindName(kind)) + " has no one radius to compare with");
+  }
   if (true_radius_m && !(*true_radius_m > 0 && std::isfinite(*true_radius_m))) {
     throw InvalidArgument("true radius: expected metres above 0");
   }
@@ -155,6 +157,15 @@ SurfaceEvaluation evaluateSurface(const PatchReconstruction& patch, SurfaceKind 
       evaluation.point = fit.point;
       evaluation.axis = fit.axis;
       evaluation.radius_m = fit.radius_m;
+      evaluation.distance_m = std::move(fit.distance_m);
+      break;
+    }
+    case SurfaceKind::Cone: {
+      ConeFit fit = fitCone(points);
+      evaluation.point = fit.point;
+      evaluation.axis = fit.axis;
+      evaluation.radius_m = fit.radius_m;
+      evaluation.half_angle_rad = fit.half_angle_rad;
       evaluation.distance_m = std::move(fit.distance_m);
       break;
     }
@@ -199,6 +210,29 @@ LoopEvaluation evaluateLoop(const Reconstruction& reconstruction, LinkEnd first,
   loop.loop_length_m = chainLength(reconstruction, *a.patch, first, second);
   loop.percent = loop.loop_length_m > 0 ? 100 * loop.length_m / loop.loop_length_m : 0;
   return loop;
+}
+
+bool WithinStated::holds() const {
+  // 19 of 20; what is left over of a small number is granted.
+  const auto enough = [this](std::size_t count) { return 20 * count + 19 >= 19 * stated; };
+  return stated > 0 && enough(position) && enough(orientation);
+}
+
+bool isWithinStated(double difference, std::optional<double> sigma) {
+  return sigma && difference <= kWithin95 * *sigma;
+}
+
+WithinStated countWithinStated(const std::vector<Comparison>& comparisons) {
+  WithinStated count;
+  for (const Comparison& comparison : comparisons) {
+    for (const CellDifference& cell : comparison.cells) {
+      if (!cell.sigma_t_m || !cell.sigma_r_rad || (*cell.sigma_t_m == 0 && *cell.sigma_r_rad == 0)) continue;
+      ++count.stated;
+      if (isWithinStated(cell.position_m.norm(), cell.sigma_t_m)) ++count.position;
+      if (isWithinStated(cell.orientation_rad, cell.sigma_r_rad)) ++count.orientation;
+    }
+  }
+  return count;
 }
 
 std::vector<Comparison> compareToTruth(const Reconstruction& reconstruction, const GroundTruth& truth) {

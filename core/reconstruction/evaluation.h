@@ -9,7 +9,7 @@
 
 namespace hexoderm {
 
-enum class SurfaceKind { Plane, Sphere, Cylinder };
+enum class SurfaceKind { Plane, Sphere, Cylinder, Cone };
 /// Throws InvalidArgument listing the kinds there are.
 SurfaceKind surfaceKindFromName(std::string_view name);
 std::string_view surfaceKindName(SurfaceKind kind);
@@ -21,7 +21,8 @@ struct SurfaceEvaluation {
   PatchId patch;
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< on plane or axis; the sphere's centre
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< the plane's normal; unused for the sphere
-  std::optional<double> radius_m;                   ///< none for the plane
+  std::optional<double> radius_m;                   ///< none for the plane; the cone's at `point`
+  std::optional<double> half_angle_rad;             ///< the cone's, which widens along `axis`
   std::vector<CellId> cells;
   std::vector<double> distance_m;  ///< signed, per cell
   double rms_m = 0;
@@ -29,7 +30,8 @@ struct SurfaceEvaluation {
   std::optional<double> epsilon_m;
 };
 
-/// Throws InvalidArgument if the patch has too few cells for the fit, or `true_radius_m` is given for a plane.
+/// Throws InvalidArgument if the patch has too few cells for the fit, or `true_radius_m` is given for a plane or a
+/// cone, which have no one radius.
 SurfaceEvaluation evaluateSurface(const PatchReconstruction& patch, SurfaceKind kind,
                                   std::optional<double> true_radius_m = std::nullopt);
 
@@ -63,6 +65,20 @@ struct Comparison {
   double position_rms_m = 0;
   double orientation_rms_rad = 0;
 };
+
+/// How many cells lie where the stated uncertainty has them with 95 %. A difference counts as within if it is not
+/// longer than 1.96 times the root of its covariance's trace: at least 95 % of a normal error are, whatever its shape.
+struct WithinStated {
+  std::size_t stated = 0;  ///< cells that state an uncertainty; the origin, which is exact by definition, does not
+  std::size_t position = 0;
+  std::size_t orientation = 0;
+
+  /// As many as "95 %" promises, or more.
+  [[nodiscard]] bool holds() const;
+};
+constexpr double kWithin95 = 1.96;
+bool isWithinStated(double difference, std::optional<double> sigma);  ///< false where nothing is stated
+WithinStated countWithinStated(const std::vector<Comparison>& comparisons);
 
 /// One comparison for each patch that shares a cell with the reference.
 std::vector<Comparison> compareToTruth(const Reconstruction& reconstruction, const GroundTruth& truth);

@@ -358,6 +358,10 @@ double closureCost(const JointProblem& problem, const JointState& state) {
   return cost;
 }
 
+Eigen::Vector3d arcOpening_m(const Eigen::Vector3d& U_c, const Eigen::Vector3d& U_n, double e_m) {
+  return arcShift(U_c, U_n, e_m, false).k;
+}
+
 double linkOpening_m(const JointProblem& problem, const JointState& state, std::size_t link) {
   LinkResidual residual;
   evaluateLink(problem, state, problem.links[link], false, residual);

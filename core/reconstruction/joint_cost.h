@@ -91,6 +91,9 @@ double jointCost(const JointProblem& problem, const JointState& state);
 /// Squared distances of all links' end points in units of link_sigma, losses applied.
 double closureCost(const JointProblem& problem, const JointState& state);
 
+/// What the arc adds to a link's opening, k = (2/3) e a^2 m above, for outward directions in one frame (unit); metres.
+Eigen::Vector3d arcOpening_m(const Eigen::Vector3d& U_c, const Eigen::Vector3d& U_n, double e_m);
+
 /// How far the end points of a link are apart, less the arc's share; metres.
 double linkOpening_m(const JointProblem& problem, const JointState& state, std::size_t link);
 

@@ -2,18 +2,41 @@
 
 namespace hexoderm {
 
-PatchMesh makePatchMesh(const Reconstruction& reconstruction) {
-  constexpr std::uint32_t kSides = 6;
+std::vector<Eigen::Vector3d> cellCorners(const Reconstruction& reconstruction, CellCorners corners) {
   const auto outline = reconstruction.model->outline();
   const Eigen::Vector3d down(0, 0, -reconstruction.model->thickness_m);
+  std::vector<Eigen::Vector3d> points;
+  points.reserve((corners == CellCorners::Prism ? 2 : 1) * outline.size() * reconstruction.cellCount());
+  for (const PatchReconstruction& patch : reconstruction.patches) {
+    for (const CellPlacement& placement : patch.cells) {
+      for (const Eigen::Vector3d& corner : outline) points.push_back(placement.T_o_u * corner);
+      if (corners == CellCorners::Front) continue;
+      for (const Eigen::Vector3d& corner : outline) points.push_back(placement.T_o_u * (corner + down));
+    }
+  }
+  return points;
+}
+
+std::array<Eigen::Vector3d, 12> prismCorners(const CellModel& model, const SE3& T) {
+  const auto outline = model.outline();
+  const Eigen::Vector3d down(0, 0, -model.thickness_m);
+  std::array<Eigen::Vector3d, 12> points;
+  for (std::size_t k = 0; k < outline.size(); ++k) {
+    points.at(k) = T * outline.at(k);
+    points.at(k + outline.size()) = T * (outline.at(k) + down);
+  }
+  return points;
+}
+
+PatchMesh makePatchMesh(const Reconstruction& reconstruction) {
+  constexpr std::uint32_t kSides = 6;
   PatchMesh mesh;
+  mesh.points = cellCorners(reconstruction, CellCorners::Prism);
   for (const PatchReconstruction& patch : reconstruction.patches) {
     for (const CellPlacement& placement : patch.cells) {
       const auto cell = static_cast<std::uint32_t>(mesh.cells.size());
-      const auto first = static_cast<std::uint32_t>(mesh.points.size());
+      const std::uint32_t first = 2 * kSides * cell;
       mesh.cells.push_back(placement.cell);
-      for (const Eigen::Vector3d& corner : outline) mesh.points.push_back(placement.T_o_u * corner);
-      for (const Eigen::Vector3d& corner : outline) mesh.points.push_back(placement.T_o_u * (corner + down));
       PatchMesh::Polygon front{{}, cell};
       PatchMesh::Polygon back{{}, cell};
       for (std::uint32_t k = 0; k < kSides; ++k) {

@@ -21,6 +21,13 @@ struct PatchMesh {
   std::vector<CellId> cells;
 };
 
+/// The points of PatchMesh alone, and of large skins only the six front corners a cell: what is drawn many times a
+/// second needs no polygons of its own.
+enum class CellCorners { Prism, Front };
+std::vector<Eigen::Vector3d> cellCorners(const Reconstruction& reconstruction, CellCorners corners);
+/// The twelve points of one cell, placed.
+std::array<Eigen::Vector3d, 12> prismCorners(const CellModel& model, const SE3& T);
+
 /// Every patch in its own frame (all origins coincide).
 PatchMesh makePatchMesh(const Reconstruction& reconstruction);
 

@@ -6,17 +6,10 @@
 #include <algorithm>
 
 namespace hexoderm {
-namespace {
-
-constexpr double kSigmasFor95Percent = 1.96;
-
-}  // namespace
-
 std::optional<Uncertainty95> uncertaintyOf(const CellPlacement& cell) {
   if (!cell.cov_t_r) return std::nullopt;
-  return Uncertainty95{
-      kSigmasFor95Percent * largestDeviation(cell.cov_t_r->topLeftCorner<3, 3>()),
-      std::min(kPi, kSigmasFor95Percent * largestDeviation(cell.cov_t_r->bottomRightCorner<3, 3>()))};
+  return Uncertainty95{kSigmasFor95Percent * largestDeviation(cell.cov_t_r->topLeftCorner<3, 3>()),
+                       std::min(kPi, kSigmasFor95Percent * largestDeviation(cell.cov_t_r->bottomRightCorner<3, 3>()))};
 }
 
 }  // namespace hexoderm

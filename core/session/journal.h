@@ -49,6 +49,8 @@ class JournalState {
   [[nodiscard]] std::int64_t editedAtMs() const { return edited_at_ms_; }
   [[nodiscard]] const std::string& options() const { return options_; }
   [[nodiscard]] bool hasSkin() const { return model_ != nullptr; }
+  /// Of the skin's accelerometers; 0 without a skin.
+  [[nodiscard]] double lsb_g() const { return model_ ? model_->accelerometer.lsb_g : 0; }
 
  private:
   void insert(StoredPose pose, std::size_t place);

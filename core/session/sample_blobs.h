@@ -19,9 +19,10 @@ Bytes encodeSamples(std::span<const GravitySample> samples);
 /// Throws FormatError; `where` begins its message.
 std::vector<GravitySample> decodeSamples(std::span<const std::uint8_t> bytes, const std::string& where);
 
-/// Raw samples of one pose. Numbers take 4 bytes each where all of them are exact as such, as a device's readings often
-/// are, else 8. Throws InvalidArgument for numbers that are not finite.
-Bytes encodeFrames(std::span<const SampleFrame> frames);
+/// Raw samples of one pose. Where all readings are whole multiples of `lsb_g`, as a device's are, numbers take a byte
+/// or two each; where all numbers are exact as such 4 bytes, else 8. 0: no such step is known. Throws InvalidArgument
+/// for numbers that are not finite.
+Bytes encodeFrames(std::span<const SampleFrame> frames, double lsb_g = 0);
 std::vector<SampleFrame> decodeFrames(std::span<const std::uint8_t> bytes, const std::string& where);
 
 }  // namespace hexoderm

@@ -18,6 +18,12 @@ Session::Session(CellModel model, NeighborList neighbors, SourceDescription sour
       neighbors_(std::make_shared<const NeighborList>(std::move(neighbors))),
       source_(std::move(source)) {}
 
+void Session::setSkin(CellModel model, NeighborList neighbors) {
+  model_ = std::make_shared<const CellModel>(std::move(model));
+  neighbors_ = std::make_shared<const NeighborList>(std::move(neighbors));
+  ++revision_;
+}
+
 void Session::setTruth(GroundTruth truth) {
   truth_ = std::make_shared<const GroundTruth>(std::move(truth));
   ++revision_;

@@ -64,6 +64,8 @@ class Session {
   [[nodiscard]] const MutedLink* findMutedLink(LinkEnd a, LinkEnd b) const;
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
+  /// The device describes itself anew: poses, source and truth stay.
+  void setSkin(CellModel model, NeighborList neighbors);
   void setTruth(GroundTruth truth);
   void setSource(SourceDescription source);
 

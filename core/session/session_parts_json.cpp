@@ -1,5 +1,7 @@
 #include "hexoderm/session/session_parts_json.h"
 
+#include "hexoderm/util/limits.h"
+
 #include <algorithm>
 #include <set>
 
@@ -78,7 +80,7 @@ GroundTruth readTruth(const JsonReader& json) {
   for (const JsonReader& cell : json.at("cells").items()) {
     const CellId id(cell.at("id").unsignedInteger());
     if (!known.insert(id).second) cell.at("id").fail("each cell once");
-    truth.cells.push_back({id, {cell.at("R").rotation(), cell.at("t_m").vector3()}});
+    truth.cells.push_back({id, {cell.at("R").rotation(), cell.at("t_m").vector3(kMostLength_m)}});
   }
   return truth;
 }

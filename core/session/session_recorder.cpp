@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <deque>
 #include <exception>
+#include <filesystem>
 #include <mutex>
 #include <optional>
 #include <stop_token>
@@ -12,6 +13,34 @@
 #include <utility>
 
 namespace hexoderm {
+
+namespace {
+
+/// Of poses without raw samples; those of 10,000 cells are a megabyte.
+constexpr std::uintmax_t kRoomForPoses = std::uintmax_t{4} << 20U;
+
+/// Why raw samples should not be tried at all; empty if they may be. They go into SQLite's journal and from there into
+/// the file, and poses must still find room behind them: a disk that is full to the last byte takes none.
+std::string whyNoRawSamples(const std::vector<StoreOperation>& operations, const std::filesystem::path& path) {
+  std::uintmax_t most_bytes = 0;
+  for (const StoreOperation& operation : operations) {
+    const auto* add = std::get_if<AddPose>(&operation);
+    if (add == nullptr || !add->raw) continue;
+    for (const SampleFrame& frame : *add->raw) {
+      most_bytes += 20 + 28 * frame.samples.size() + 56 * frame.means.size() + 12 * frame.temperatures.size();
+    }
+  }
+  if (most_bytes == 0) return {};
+  std::error_code unknown;
+  const std::filesystem::space_info space = std::filesystem::space(path, unknown);
+  const std::uintmax_t needed = 2 * most_bytes + kRoomForPoses;
+  if (unknown || space.available >= needed) return {};
+  const auto mib = [](std::uintmax_t bytes) { return std::to_string(bytes >> 20U) + " MiB"; };
+  return path.string() + ": the disk has only " + mib(space.available) + " left; for raw samples " + mib(needed) +
+         " have to be free";
+}
+
+}  // namespace
 
 struct SessionRecorder::State {
   struct Job {
@@ -70,19 +99,48 @@ struct SessionRecorder::State {
     return job;
   }
 
+  StoreOutcome write(const std::vector<StoreOperation>& operations) {
+    StoreOutcome outcome;
+    try {
+      if (!store && open) store.emplace(open());
+      outcome.revision = operations.empty() ? store->revision() : store->append(operations);
+    } catch (const InvalidArgument& error) {
+      outcome.error = error.what();
+    } catch (const std::exception& error) {
+      outcome.error = error.what();
+      outcome.is_kept = true;
+    }
+    return outcome;
+  }
+
+  /// The same without raw samples, where there are any.
+  static std::optional<std::vector<StoreOperation>> withoutRaw(std::vector<StoreOperation> operations) {
+    bool had_some = false;
+    for (StoreOperation& operation : operations) {
+      if (auto* add = std::get_if<AddPose>(&operation)) had_some = std::exchange(add->raw, nullptr) || had_some;
+    }
+    return had_some ? std::optional(std::move(operations)) : std::nullopt;
+  }
+
+  StoreOutcome writeAllOrWithoutRaw(const std::vector<StoreOperation>& operations) {
+    StoreOutcome outcome;
+    std::string why = store ? whyNoRawSamples(operations, store->path()) : std::string();
+    if (why.empty()) {
+      outcome = write(operations);
+      if (!outcome.is_kept || !store) return outcome;
+      why = outcome.error;
+    }
+    if (const auto bare = withoutRaw(operations)) {
+      outcome = write(*bare);
+      if (outcome.error.empty()) outcome.without_raw = std::move(why);
+    }
+    return outcome;
+  }
+
   /// True if nothing is left.
   bool writeAll() {
     while (const Job* job = firstJob()) {
-      StoreOutcome outcome;
-      try {
-        if (!store && open) store.emplace(open());
-        outcome.revision = job->operations.empty() ? store->revision() : store->append(job->operations);
-      } catch (const InvalidArgument& error) {
-        outcome.error = error.what();
-      } catch (const std::exception& error) {
-        outcome.error = error.what();
-        outcome.is_kept = true;
-      }
+      const StoreOutcome outcome = writeAllOrWithoutRaw(job->operations);
       if (outcome.is_kept) {
         acknowledgeAll(outcome);
         return false;

@@ -16,11 +16,13 @@ struct StoreOutcome {
   std::uint64_t revision = 0;  ///< of the store, once it is on disk; 0 if it is not
   std::string error;           ///< why it is not on disk; empty if it is
   bool is_kept = false;        ///< with an error: it waits in memory, and retry() or the next append() tries again
+  std::string without_raw{};   ///< it is on disk, but without its raw samples: why they are not
 };
 
 /// A thread that owns a SessionStore, so that nobody waits for a disk. What is appended is written in order, each call
 /// in a transaction of its own; if one can't be written it waits, and all that comes after it too, so that nothing is
-/// lost and the order stays.
+/// lost and the order stays. Where the disk has room for a pose but not for the raw samples it was averaged from, the
+/// pose is written without them: it is what nobody can measure again.
 ///
 /// Acknowledgements are called on the store's thread, must not throw and must not destroy the recorder: once with
 /// success or with an error that is final (an operation that makes no sense, or the recorder ends), and before that

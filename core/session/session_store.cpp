@@ -80,7 +80,7 @@ void write(Database& database, std::span<const StoreOperation> operations, Journ
   for (const StoreOperation& operation : operations) {
     Bytes raw;
     const auto* add = std::get_if<AddPose>(&operation);
-    if (add != nullptr && add->raw) raw = encodeFrames(*add->raw);
+    if (add != nullptr && add->raw) raw = encodeFrames(*add->raw, journal.state.lsb_g());
     const JournalEntry entry = journal.state.entryFor(operation, at_ms, raw.empty() ? "" : sha256Of(raw));
     try {
       journal.read(entry, "what is to be stored");  // so that nothing is written that can't be read again

@@ -270,6 +270,12 @@ double JsonReader::number() const {
   return value;
 }
 
+double JsonReader::number(double most) const {
+  const double value = number();
+  if (!(std::abs(value) <= most)) fail("a number from " + formatExact(-most) + " to " + formatExact(most));
+  return value;
+}
+
 double JsonReader::positiveNumber() const {
   const double value = number();
   if (!(value > 0)) fail("a number above 0");
@@ -323,6 +329,20 @@ std::vector<double> JsonReader::numbers(std::size_t count) const {
   return values;
 }
 
+std::vector<double> JsonReader::numbers(std::size_t count, double most) const {
+  std::vector<double> values = numbers(count);
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (std::abs(values[k]) <= most) continue;
+    static_cast<void>(JsonReader((*value_)[k], file_, path_ + "[" + std::to_string(k) + "]").number(most));
+  }
+  return values;
+}
+
+Eigen::Vector3d JsonReader::vector3(double most) const {
+  const std::vector<double> v = numbers(3, most);
+  return {v[0], v[1], v[2]};
+}
+
 Eigen::Vector3d JsonReader::vector3() const {
   const std::vector<double> v = numbers(3);
   return {v[0], v[1], v[2]};
@@ -335,7 +355,7 @@ Eigen::Matrix3d JsonReader::matrix3() const {
 
 Eigen::Matrix3d JsonReader::rotation() const {
   constexpr double kTolerance = 1e-6;
-  const Eigen::Matrix3d R = matrix3();
+  Eigen::Matrix3d R = matrix3();
   if (!(R * R.transpose()).isIdentity(kTolerance) || std::abs(R.determinant() - 1) > kTolerance) {
     fail("a rotation matrix (row-major, orthogonal to 1e-6, determinant +1)");
   }

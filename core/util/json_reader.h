@@ -34,15 +34,18 @@ class JsonReader {
   [[nodiscard]] bool isString() const { return value_->is_string(); }
   [[nodiscard]] bool isNull() const { return value_->is_null(); }
 
-  [[nodiscard]] double number() const;  ///< finite
+  [[nodiscard]] double number() const;             ///< finite
+  [[nodiscard]] double number(double most) const;  ///< at most `most` in magnitude
   [[nodiscard]] double positiveNumber() const;
   [[nodiscard]] double nonNegativeNumber() const;
   [[nodiscard]] std::uint32_t unsignedInteger(std::uint32_t min = 0, std::uint32_t max = UINT32_MAX) const;
   [[nodiscard]] std::int64_t integer() const;  ///< of 64 bits with sign
   [[nodiscard]] bool boolean() const;
   [[nodiscard]] std::string string() const;
-  [[nodiscard]] std::vector<double> numbers(std::size_t count) const;  ///< exactly `count` finite numbers
+  [[nodiscard]] std::vector<double> numbers(std::size_t count) const;               ///< exactly `count` finite numbers
+  [[nodiscard]] std::vector<double> numbers(std::size_t count, double most) const;  ///< ... of at most this magnitude
   [[nodiscard]] Eigen::Vector3d vector3() const;
+  [[nodiscard]] Eigen::Vector3d vector3(double most) const;
   [[nodiscard]] Eigen::Matrix3d matrix3() const;            ///< nine numbers, row-major
   [[nodiscard]] Eigen::Matrix3d rotation() const;           ///< nine numbers, row-major, orthogonal to 1e-6, det +1
   [[nodiscard]] Eigen::Quaterniond unitQuaternion() const;  ///< four numbers w, x, y, z of norm 1 (to 1e-6); normalised

@@ -216,6 +216,15 @@ TEST_F(Cli, LoopGapOfTheRingIsPrinted) {
   EXPECT_THAT(result.out, AllOf(HasSubstr("Loop gap"), HasSubstr("222.2")));
 }
 
+TEST_F(Cli, ConeIsFittedAndItsHalfAnglePrinted) {
+  run("simulate --patch sheet:5x5 --surface cone:r=0.08,angle=0.3 --poses 4 -o cone.session.json");
+  run("solve cone.session.json -o cone.calibration.json");
+  EXPECT_THAT(run("evaluate cone.calibration.json --fit cone").out, AllOf(HasSubstr("cone"), HasSubstr("half angle")));
+  const auto json = nlohmann::json::parse(run("evaluate cone.calibration.json --fit cone --json").out);
+  EXPECT_NEAR(json.at("fits").at(0).at("half_angle_deg").get<double>(), 17.2, 5);
+  EXPECT_EQ(run("evaluate cone.calibration.json --fit cone --true-radius 0.08").exit_code, 2);
+}
+
 TEST_F(Cli, ConvertTakesTumFilesBothWays) {
   const std::string tum = HEXODERM_TEST_DATA "/two_patches.tum.xml";
   EXPECT_EQ(run("convert '" + tum + "' -o tum.calibration.json").exit_code, 0);

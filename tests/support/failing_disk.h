@@ -14,13 +14,13 @@
 
 namespace hexoderm::test {
 
-/// As long as it lives, no write to a file of this process succeeds (EFBIG).
+/// As long as it lives, no write to a file of this process succeeds (EFBIG) beyond so many bytes of the file.
 class NoFileGrows {
  public:
-  NoFileGrows() : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+  explicit NoFileGrows(rlim_t beyond = 0) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
     ::getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit none{0, before_.rlim_max};
-    ::setrlimit(RLIMIT_FSIZE, &none);
+    const rlimit most{beyond, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &most);
   }
   ~NoFileGrows() {
     ::setrlimit(RLIMIT_FSIZE, &before_);

@@ -1,6 +1,8 @@
 #include "widgets/patch_scene.h"
 
+#include "hexoderm/reconstruction/overlays.h"
 #include "support/demo_reconstruction.h"
+#include "support/large_skin.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -40,6 +42,10 @@ SceneColors testColors(bool dark) {
   colors.dark_mark = {0.08, 0.09, 0.11};
   colors.arrow_shaft = {0.6, 0.65, 0.7};
   colors.arrow_head = {0.37, 0.7, 0.91};
+  colors.link_line = {{{0.84, 0.29, 0.27}, {1.0, 0.87, 0.24}, {0.53, 0.96, 0.98}, {0.48, 0.42, 0.91}}};
+  colors.text = dark ? Rgb{0.9, 0.92, 0.93} : Rgb{0.11, 0.14, 0.17};
+  colors.overlay = {0.37, 0.7, 0.91};
+  colors.ellipsoid = dark ? Rgb{1, 1, 1} : Rgb{0.11, 0.14, 0.17};
   return colors;
 }
 
@@ -47,6 +53,36 @@ DemoOptions mixedQualities() {
   DemoOptions options;
   options.arm_quality = {EdgeQuality::Fully, EdgeQuality::Partially, EdgeQuality::Over, EdgeQuality::Undefined};
   return options;
+}
+
+/// The demo with uncertainties that grow along its arms, largest across the path.
+Reconstruction withUncertainties(double factor = 1) {
+  Reconstruction demo = demoReconstruction(mixedQualities());
+  for (CellPlacement& cell : demo.patches[0].cells) {
+    const double sigma_m = 0.0003 * factor * static_cast<double>(cell.path.size() - 1);
+    const Eigen::Vector3d sigmas(0.4 * sigma_m, 0.6 * sigma_m, sigma_m);
+    cell.cov_t_r = Matrix6d::Zero();
+    cell.cov_t_r->topLeftCorner<3, 3>() = cell.T_o_u.R * sigmas.cwiseAbs2().asDiagonal() * cell.T_o_u.R.transpose();
+  }
+  return demo;
+}
+
+GroundTruth truthOf(const Reconstruction& reconstruction) {
+  GroundTruth truth;
+  for (const PatchReconstruction& patch : reconstruction.patches) {
+    for (const CellPlacement& cell : patch.cells) truth.cells.push_back({cell.cell, cell.T_o_u});
+  }
+  return truth;
+}
+
+/// Every cell moved out or in by turns.
+Reconstruction roughened(double by_m) {
+  Reconstruction demo = demoReconstruction(mixedQualities());
+  for (std::size_t k = 0; k < demo.patches[0].cells.size(); ++k) {
+    SE3& T = demo.patches[0].cells[k].T_o_u;
+    T.t += (k % 2 == 0 ? by_m : -by_m) * T.R.col(2);
+  }
+  return demo;
 }
 
 std::shared_ptr<const Reconstruction> shared(Reconstruction reconstruction) {
@@ -170,6 +206,209 @@ TEST_F(PatchSceneTest, TheBaselineComparisonSeesOneChangedColour) {
   changed.patches[0].links[3].quality = EdgeQuality::Undefined;  // the last link of an arm that was fully defined
   scene.setReconstruction(shared(changed));
   EXPECT_GT(differingShare(before, picture()), 1.5 * kMaxDifferingShare);
+}
+
+TEST_F(PatchSceneTest, LooksLikeTheBaselineColouredByPositionUncertainty) {
+  scene.setColors(testColors(false));
+  scene.setReconstruction(shared(withUncertainties()));
+  scene.setColoring(CellColoring::PositionUncertainty);
+  EXPECT_LE(differenceToBaseline(picture(), "patch_scene_uncertainty"), kMaxDifferingShare);
+}
+
+TEST_F(PatchSceneTest, LooksLikeTheBaselineWithEllipsoids) {
+  scene.setReconstruction(shared(withUncertainties()));
+  scene.setShown(SceneItem::Ellipsoids, true);
+  EXPECT_LE(differenceToBaseline(picture(), "patch_scene_ellipsoids"), kMaxDifferingShare);
+  ASSERT_TRUE(scene.notes().ellipsoid_factor.has_value());
+  EXPECT_EQ(*scene.notes().ellipsoid_factor, 2);
+}
+
+TEST_F(PatchSceneTest, LooksLikeTheBaselineWithAFittedCylinder) {
+  const Reconstruction rough = roughened(0.0008);
+  scene.setReconstruction(shared(rough));
+  scene.setSurface(evaluateSurface(rough.patches[0], SurfaceKind::Cylinder));
+  scene.setColoring(CellColoring::SurfaceDistance);
+  EXPECT_LE(differenceToBaseline(picture(), "patch_scene_surface"), kMaxDifferingShare);
+  EXPECT_TRUE(scene.notes().distance_factor.has_value());
+}
+
+TEST_F(PatchSceneTest, LooksLikeTheBaselineWithLinksAndTree) {
+  Reconstruction demo = demoReconstruction(mixedQualities());
+  demo.patches[0].links[6].used = false;
+  scene.setReconstruction(shared(demo));
+  scene.setShown(SceneItem::Links, true);
+  scene.setShown(SceneItem::Tree, true);
+  scene.setShown(SceneItem::Ports, false);
+  scene.showStandardView(PatchScene::View::Front);
+  EXPECT_LE(differenceToBaseline(picture(), "patch_scene_links"), kMaxDifferingShare);
+}
+
+TEST_F(PatchSceneTest, LargeSkinLooksLikeTheBaseline) {
+  scene.setReconstruction(shared(cylinderSheet(60, 40)));
+  EXPECT_LE(differenceToBaseline(picture(), "patch_scene_large"), kMaxDifferingShare);
+}
+
+/// The negative controls of these.
+TEST_F(PatchSceneTest, TheBaselineComparisonSeesLargerUncertainties) {
+  scene.setReconstruction(shared(withUncertainties()));
+  scene.setColoring(CellColoring::PositionUncertainty);
+  const auto coloured = picture();
+  scene.setColoring(CellColoring::LinkQuality);
+  scene.setShown(SceneItem::Ellipsoids, true);
+  const auto ellipsoids = picture();
+  scene.setReconstruction(shared(withUncertainties(1.2)));
+  EXPECT_GT(differingShare(ellipsoids, picture()), 1.5 * kMaxDifferingShare);
+  scene.setShown(SceneItem::Ellipsoids, false);
+  scene.setColoring(CellColoring::PositionUncertainty);
+  scene.setReconstruction(shared(withUncertainties(1.4)));
+  EXPECT_GT(differingShare(coloured, picture()), 1.5 * kMaxDifferingShare);
+}
+
+TEST_F(PatchSceneTest, TheBaselineComparisonSeesAnotherSurface) {
+  const Reconstruction rough = roughened(0.0008);
+  scene.setReconstruction(shared(rough));
+  SurfaceEvaluation surface = evaluateSurface(rough.patches[0], SurfaceKind::Cylinder);
+  scene.setSurface(surface);
+  const auto before = picture();
+  *surface.radius_m += 0.001;
+  for (double& distance_m : surface.distance_m) distance_m -= 0.001;
+  scene.setSurface(surface);
+  EXPECT_GT(differingShare(before, picture()), 1.5 * kMaxDifferingShare);
+}
+
+TEST_F(PatchSceneTest, TheBaselineComparisonSeesChangedCellsOfALargeSkin) {
+  Reconstruction sheet = cylinderSheet(60, 40);
+  scene.setReconstruction(shared(sheet));
+  const auto before = picture();
+  for (LinkEstimate& link : sheet.patches[0].links) {
+    if (link.source.cell == CellId(1219)) link.quality = EdgeQuality::Undefined;  // in the middle of the picture
+  }
+  for (std::size_t k = 1215; k < 1225; ++k) sheet.patches[0].cells[k].T_o_u.t.x() += 0.02;
+  scene.setReconstruction(shared(sheet));
+  EXPECT_GT(differingShare(before, picture()), 1.5 * kMaxDifferingShare);
+}
+
+TEST_F(PatchSceneTest, WhatIsSwitchedOffIsGone) {
+  const Reconstruction demo = withUncertainties();
+  scene.setReconstruction(shared(demo));
+  scene.setTruth(std::make_shared<const GroundTruth>(truthOf(roughened(0.003))));
+  const auto plain = picture();
+  for (const SceneItem item : {SceneItem::Links, SceneItem::Tree, SceneItem::Ellipsoids, SceneItem::Truth}) {
+    EXPECT_EQ(scene.availability(item), Availability::Available);
+    scene.setShown(item, true);
+    EXPECT_GT(differingShare(plain, picture()), kMaxDifferingShare) << "item " << static_cast<int>(item);
+    scene.setShown(item, false);
+    EXPECT_EQ(differingShare(plain, picture()), 0) << "item " << static_cast<int>(item);
+  }
+  for (const SceneItem item : {SceneItem::Ports, SceneItem::Axes, SceneItem::Gravity}) {
+    scene.setShown(item, false);
+    EXPECT_GT(differingShare(plain, picture()), 0) << "item " << static_cast<int>(item);
+    scene.setShown(item, true);
+    EXPECT_EQ(differingShare(plain, picture()), 0) << "item " << static_cast<int>(item);
+  }
+}
+
+TEST_F(PatchSceneTest, ResultsAreDrawnUntilTheyAreTakenBack) {
+  const Reconstruction demo = demoReconstruction();
+  scene.setReconstruction(shared(demo));
+  const auto plain = picture();
+  EXPECT_EQ(scene.availability(SceneItem::Loop), Availability::NoData);
+  scene.setLoop(evaluateLoop(demo, {CellId(14), PortNumber(1)}, {CellId(17), PortNumber(4)}));
+  EXPECT_GT(differingShare(plain, picture()), kMaxDifferingShare);
+  EXPECT_TRUE(scene.notes().loop);
+  scene.setLoop(std::nullopt);
+  EXPECT_EQ(differingShare(plain, picture()), 0);
+
+  scene.setComparison(compareToReconstruction(demo, roughened(0.001)));
+  EXPECT_GT(differingShare(plain, picture()), kMaxDifferingShare);
+  EXPECT_EQ(scene.notes().shift_factor, 10);
+  scene.setComparison({});
+  EXPECT_EQ(differingShare(plain, picture()), 0);
+  EXPECT_EQ(scene.notes().shift_factor, std::nullopt);
+
+  scene.setMeasured(CellId(2), CellId(15));
+  EXPECT_GT(differingShare(plain, picture()), 0.0005);
+  scene.setMeasured(std::nullopt, std::nullopt);
+  EXPECT_EQ(differingShare(plain, picture()), 0);
+}
+
+TEST_F(PatchSceneTest, ResultsAboutAnotherSkinAreNotDrawn) {
+  DemoOptions other;
+  other.first_id = 101;
+  const Reconstruction before = demoReconstruction(other);
+  scene.setReconstruction(shared(before));
+  scene.setSurface(evaluateSurface(before.patches[0], SurfaceKind::Sphere));
+  scene.setLoop(evaluateLoop(before, {CellId(114), PortNumber(1)}, {CellId(117), PortNumber(4)}));
+  scene.setComparison(compareToReconstruction(before, before));
+  picture();
+  DemoOptions options;
+  options.arm_cells = 0;
+  scene.setReconstruction(shared(demoReconstruction(options)));
+  EXPECT_EQ(scene.availability(SceneItem::Loop), Availability::NoData);
+  picture();
+  EXPECT_EQ(scene.notes().distance_factor, std::nullopt);
+  scene.setReconstruction(nullptr);
+  picture();
+  EXPECT_EQ(scene.availability(SceneItem::Surface), Availability::NoSkin);
+}
+
+TEST_F(PatchSceneTest, LargeSkinSaysWhatItLeavesOut) {
+  scene.setReconstruction(shared(cylinderSheet(75, 40)));
+  EXPECT_EQ(scene.availability(SceneItem::Ellipsoids), Availability::TooManyCells);
+  EXPECT_EQ(scene.availability(SceneItem::Links), Availability::Available);
+  scene.setReconstruction(shared(cylinderSheet(130, 40)));
+  EXPECT_EQ(scene.availability(SceneItem::Links), Availability::TooManyCells);
+}
+
+TEST_F(PatchSceneTest, LargeSkinShowsShadedCellsFromBehindAndCanBePickedThere) {
+  const Reconstruction sheet = sheetReconstruction(60, 50);
+  scene.setReconstruction(shared(sheet));
+  scene.setShown(SceneItem::Gravity, false);
+  scene.setShown(SceneItem::Axes, false);
+  scene.setSmoothed(false);
+  scene.showStandardView(PatchScene::View::Front);
+  const CellId middle(30 + 60 * 25);
+  const auto colourOf = [&](vtkImageData* image) {
+    const auto [x, y] = pixelOf(sheet, middle);
+    const auto* p =
+        static_cast<const unsigned char*>(image->GetScalarPointer(static_cast<int>(x), static_cast<int>(y), 0));
+    return std::array<int, 3>{p[0], p[1], p[2]};
+  };
+  const auto front = colourOf(picture());
+  scene.renderer()->GetActiveCamera()->Azimuth(180);
+  const auto behind = colourOf(picture());
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(behind.at(k), 0.70 * front.at(k), 6) << k;
+  const auto [x, y] = pixelOf(sheet, middle);
+  EXPECT_EQ(scene.pick(x, y), middle);
+}
+
+TEST_F(PatchSceneTest, ParallelProjectionKeepsTheSizeAndFits) {
+  const Reconstruction demo = demoReconstruction();
+  scene.setReconstruction(shared(demo));
+  scene.showStandardView(PatchScene::View::Top);
+  const auto perspective = picture();
+  scene.setParallel(true);
+  EXPECT_GT(differingShare(perspective, picture()), kMaxDifferingShare);
+  for (const CellPlacement& cell : demo.patches[0].cells) {
+    const auto [x, y] = pixelOf(demo, cell.cell);
+    EXPECT_THAT(x, testing::AllOf(testing::Gt(0), testing::Lt(kWidth)));
+    EXPECT_THAT(y, testing::AllOf(testing::Gt(0), testing::Lt(kHeight)));
+  }
+  const auto [x, y] = pixelOf(demo, CellId(6));
+  EXPECT_EQ(scene.pick(x, y), CellId(6));
+  scene.setParallel(false);
+  EXPECT_EQ(differingShare(perspective, picture()), 0);
+
+  // What is turned by hand stays as large as it is.
+  vtkCamera* camera = scene.renderer()->GetActiveCamera();
+  camera->Azimuth(20);
+  camera->Dolly(1.5);
+  const double distance = camera->GetDistance();
+  scene.setParallel(true);
+  window->Render();
+  scene.setParallel(false);
+  window->Render();
+  EXPECT_NEAR(camera->GetDistance(), distance, 1e-9);
 }
 
 TEST_F(PatchSceneTest, PicksTheCellUnderThePixel) {

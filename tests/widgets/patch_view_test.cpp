@@ -1,6 +1,9 @@
 #include "widgets/patch_view.h"
 
+#include "hexoderm/reconstruction/evaluation.h"
 #include "support/demo_reconstruction.h"
+#include "support/large_skin.h"
+#include "widgets/scene_overlay.h"
 #include "widgets/selection.h"
 
 #include <QVTKOpenGLNativeWidget.h>
@@ -42,6 +45,8 @@ class PatchViewTest : public testing::Test {
     }
     return nullptr;
   }
+
+  QString words() { return view.findChild<SceneOverlay*>()->accessibleDescription(); }
 
   Selection selection;
   PatchView view{&selection};
@@ -150,20 +155,186 @@ TEST_F(PatchViewTest, ButtonsMoveTheCamera) {
   EXPECT_EQ(view.screenshot(), last);
 }
 
-TEST_F(PatchViewTest, ColourModesChangeThePicture) {
+TEST_F(PatchViewTest, ColourModesChangeThePictureAndTheLegend) {
   show();
-  view.setReconstruction(demo());
-  auto* modes = view.findChild<QMenu*>();
+  Reconstruction skin = demoReconstruction();
+  for (CellPlacement& cell : skin.patches[0].cells) {
+    cell.body_part = cell.cell.value() < 9 ? "forearm" : "upper arm";
+    cell.cov_t_r = Matrix6d::Identity() * 1e-6 * static_cast<double>(cell.path.size() - 1);
+  }
+  view.setReconstruction(std::make_shared<const Reconstruction>(skin));
+  view.setReadings({{CellId(1), {0.1, 0.2, 0.9}}, {CellId(2), {0.5, -0.6, 0.7}}}, {{CellId(2), 31.5}});
+  view.setSurface(evaluateSurface(skin.patches[0], SurfaceKind::Sphere));
+  auto* modes = view.findChild<QMenu*>(QStringLiteral("coloringMenu"));
   ASSERT_NE(modes, nullptr);
   std::vector<QImage> pictures;
+  std::set<QString> legends;
   for (QAction* mode : modes->actions()) {
+    if (mode->isSeparator()) continue;
+    EXPECT_TRUE(mode->isEnabled()) << mode->toolTip().toStdString();
     mode->trigger();
-    pictures.push_back(view.screenshot());
+    legends.insert(words());
+    const QImage picture = view.screenshot();
+    for (const QImage& other : pictures) EXPECT_NE(picture, other) << mode->text().toStdString();
+    pictures.push_back(picture);
   }
-  ASSERT_EQ(pictures.size(), 3U);
-  EXPECT_NE(pictures[0], pictures[1]);
-  EXPECT_NE(pictures[1], pictures[2]);
-  EXPECT_NE(pictures[0], pictures[2]);
+  EXPECT_EQ(pictures.size(), 14U);
+  EXPECT_EQ(legends.size(), 14U);
+}
+
+TEST_F(PatchViewTest, WhatCantBeShownSaysWhy) {
+  show();
+  view.setReconstruction(demo());
+  const auto expectReason = [](const QAction* action) {
+    EXPECT_FALSE(action->isEnabled()) << action->text().toStdString();
+    EXPECT_FALSE(action->toolTip().isEmpty());
+    EXPECT_NE(action->toolTip(), action->text());
+  };
+  for (const CellColoring coloring : {CellColoring::PositionUncertainty, CellColoring::BodyPart, CellColoring::ReadingX,
+                                      CellColoring::Temperature, CellColoring::SurfaceDistance}) {
+    expectReason(view.coloringAction(coloring));
+  }
+  for (const SceneItem item :
+       {SceneItem::Ellipsoids, SceneItem::Truth, SceneItem::Surface, SceneItem::Loop, SceneItem::Comparison}) {
+    expectReason(view.itemAction(item));
+  }
+  EXPECT_TRUE(view.itemAction(SceneItem::Links)->isEnabled());
+  view.setReadings({{CellId(1), {0, 0, 1}}});
+  EXPECT_TRUE(view.coloringAction(CellColoring::ReadingX)->isEnabled());
+  EXPECT_FALSE(view.coloringAction(CellColoring::Temperature)->isEnabled());
+  view.setReadings({});
+  EXPECT_FALSE(view.coloringAction(CellColoring::ReadingX)->isEnabled());
+}
+
+TEST_F(PatchViewTest, ReadingsRecolourTheCellsAtOnce) {
+  show();
+  view.setReconstruction(demo());
+  view.setReadings({{CellId(1), {0, 0, 1}}});
+  view.setColoring(CellColoring::ReadingZ);
+  const QImage up = view.screenshot();
+  EXPECT_TRUE(words().contains(QStringLiteral("z, g"))) << words().toStdString();
+  view.setReadings({{CellId(1), {0, 0, -1}}});
+  EXPECT_NE(view.screenshot(), up);
+  view.setReadings({{CellId(1), {0, 0, 1}}});
+  EXPECT_EQ(view.screenshot(), up);
+}
+
+TEST_F(PatchViewTest, OverlaysAreNamedWithTheirEnlargement) {
+  show();
+  const auto skin = demo();
+  view.setReconstruction(skin);
+  GroundTruth truth;
+  for (const CellPlacement& cell : skin->patches[0].cells) truth.cells.push_back({cell.cell, cell.T_o_u});
+  view.setTruth(std::make_shared<const GroundTruth>(truth));
+  EXPECT_FALSE(words().contains(QStringLiteral("truth"))) << "only where it was asked for";
+  view.itemAction(SceneItem::Truth)->trigger();
+  EXPECT_TRUE(words().contains(QStringLiteral("truth")));
+  view.setLoop(evaluateLoop(*skin, {CellId(14), PortNumber(1)}, {CellId(17), PortNumber(4)}));
+  EXPECT_TRUE(words().contains(QStringLiteral("loop gap: "))) << words().toStdString();
+  Reconstruction before = *skin;
+  before.patches[0].cells[3].T_o_u.t.z() += 0.001;
+  view.setComparison(compareToReconstruction(*skin, before));
+  EXPECT_TRUE(words().contains(QStringLiteral("arrows: from before to now, drawn 10 times as large")))
+      << words().toStdString();
+  view.itemAction(SceneItem::Comparison)->trigger();
+  EXPECT_FALSE(words().contains(QStringLiteral("arrows")));
+}
+
+TEST_F(PatchViewTest, MeasuresBetweenTwoClickedCellsUntilEsc) {
+  show();
+  view.setReconstruction(demo());
+  view.showStandardView(PatchView::StandardView::Front);
+  view.screenshot();
+  QSignalSpy measured(&view, &PatchView::measured);
+  QToolButton* tool = button(view.measureAction()->iconText());
+  ASSERT_NE(tool, nullptr);
+  QTest::mouseClick(tool, Qt::LeftButton);
+  EXPECT_TRUE(measured.last()[0].toString().contains(QStringLiteral("first cell")));
+  click(gl->rect().center());
+  EXPECT_EQ(selection.cell(), CellId(1));
+  EXPECT_TRUE(measured.last()[0].toString().contains(QStringLiteral("second cell")));
+  const QImage one = view.screenshot();
+  selection.selectCell(CellId(6));  // picked in another view: the same
+  const QString result = measured.last()[0].toString();
+  EXPECT_TRUE(result.contains(QStringLiteral("mm")) && result.contains(QStringLiteral("°"))) << result.toStdString();
+  EXPECT_TRUE(words().contains(result));
+  EXPECT_NE(view.screenshot(), one);
+  view.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&view));
+  QTest::keyClick(&view, Qt::Key_Escape);
+  EXPECT_FALSE(view.measureAction()->isChecked());
+  EXPECT_EQ(measured.last()[0].toString(), QString());
+  EXPECT_FALSE(words().contains(QStringLiteral("mm apart")));
+  EXPECT_TRUE(view.isVisible()) << "Esc never closes";
+  selection.selectCell(CellId(3));
+  EXPECT_EQ(measured.last()[0].toString(), QString()) << "it is off";
+}
+
+TEST_F(PatchViewTest, LargeSkinIsPreparedBesideTheWindowAndTheNewestWins) {
+  show();
+  view.setReconstruction(std::make_shared<const Reconstruction>(cylinderSheet(100, 80)));
+  EXPECT_FALSE(view.isUpToDate());
+  EXPECT_TRUE(view.findChild<SceneOverlay*>()->accessibleName().contains(QStringLiteral("8000")) ||
+              view.findChild<SceneOverlay*>()->accessibleName().contains(QStringLiteral("Preparing")));
+  view.setReconstruction(std::make_shared<const Reconstruction>(cylinderSheet(60, 50)));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return view.isUpToDate(); }));
+  EXPECT_TRUE(view.findChild<SceneOverlay*>()->accessibleName().isEmpty());
+  const QImage newest = view.screenshot();
+  view.setReconstruction(demo());
+  EXPECT_TRUE(view.isUpToDate());
+  view.setReconstruction(std::make_shared<const Reconstruction>(cylinderSheet(60, 50)));
+  EXPECT_EQ(view.screenshot(), newest) << "a picture waits for what it has to show";
+  // What is being prepared does not overwrite what came after it.
+  view.setReconstruction(std::make_shared<const Reconstruction>(cylinderSheet(100, 80)));
+  view.setReconstruction(demo(0));
+  const QImage single = view.screenshot();
+  QTest::qWait(0);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return view.isUpToDate(); }));
+  EXPECT_EQ(view.screenshot(), single);
+}
+
+TEST_F(PatchViewTest, IsClosedWhileALargeSkinIsPrepared) {
+  auto other = std::make_unique<PatchView>(&selection);
+  other->setReconstruction(std::make_shared<const Reconstruction>(cylinderSheet(100, 80)));
+  other.reset();
+  QCoreApplication::processEvents();
+}
+
+TEST_F(PatchViewTest, NoButtonIsCutOffInASmallView) {
+  view.resize(320, 240);
+  view.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
+  view.setReconstruction(demo());
+  for (const int width : {320, 430, 640, 1200}) {
+    view.resize(width, 300);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view.width() == width; }));
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    for (QToolButton* each : view.findChildren<QToolButton*>()) {
+      const QRect place(each->mapTo(&view, QPoint(0, 0)), each->size());
+      EXPECT_TRUE(view.rect().contains(place)) << width << " " << each->text().toStdString();
+      EXPECT_GE(each->width(), each->sizeHint().width()) << width << " " << each->text().toStdString();
+    }
+  }
+}
+
+TEST_F(PatchViewTest, OffersToSaveAPicture) {
+  show();
+  view.setReconstruction(demo());
+  QSignalSpy requested(&view, &PatchView::pictureRequested);
+  for (QAction* action : view.findChild<QMenu*>(QStringLiteral("showMenu"))->actions()) {
+    if (action->objectName() == QStringLiteral("actionScenePicture")) action->trigger();
+  }
+  EXPECT_EQ(requested.count(), 1);
+}
+
+TEST_F(PatchViewTest, SaysWhatDraws) {
+  show();
+  EXPECT_FALSE(view.renderer().isEmpty());
+  bool said = false;
+  for (QAction* action : view.findChild<QMenu*>(QStringLiteral("showMenu"))->actions()) {
+    said = said || action->text().contains(view.renderer());
+  }
+  EXPECT_TRUE(said);
 }
 
 TEST_F(PatchViewTest, PoseDecidesWhereGravityPoints) {

@@ -24,6 +24,15 @@ TEST(PatchViewWithoutOpenGl, SaysSoAndStaysUsable) {
   view.setReconstruction(std::make_shared<const Reconstruction>(demoReconstruction()));
   view.setTheme(Theme::Dark);
   view.setPose(PoseId(1));
+  view.setReadings({{CellId(1), {0, 0, 1}}}, {});
+  view.setTruth(std::make_shared<const GroundTruth>());
+  view.setSurface(std::nullopt);
+  view.setLoop(std::nullopt);
+  view.setComparison({});
+  view.setColoring(CellColoring::Patch);
+  EXPECT_EQ(view.measureAction(), nullptr);
+  EXPECT_TRUE(view.isUpToDate());
+  EXPECT_TRUE(view.renderer().contains("OpenGL"));
   view.fit();
   view.showStandardView(PatchView::StandardView::Front);
   selection.selectCell(CellId(2));

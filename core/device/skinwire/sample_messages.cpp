@@ -1,6 +1,7 @@
 #include "hexoderm/device/skinwire/sample_messages.h"
 
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/rounding.h"
 #include "hexoderm/util/text.h"
 
 #include <algorithm>
@@ -32,7 +33,7 @@ std::optional<Lsb> exactLsb(const Eigen::Vector3d& acceleration_g, double lsb_g)
   Lsb lsb{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double value_g = acceleration_g[static_cast<Eigen::Index>(axis)];
-    const double steps = std::round(value_g / lsb_g);
+    const double steps = nearestWhole(value_g / lsb_g);
     if (!(std::abs(steps) < kMost) || steps * lsb_g != value_g) return std::nullopt;
     lsb[axis] = static_cast<std::int32_t>(steps);
   }

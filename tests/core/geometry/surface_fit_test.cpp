@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <tuple>
 
 namespace hexoderm {
 namespace {
@@ -213,12 +214,100 @@ TEST(CylinderFit, RefusesTooFewPointsAndPointsInAPlane) {
   EXPECT_THROW(fitCylinder(moved(kSomewhere, onPlane())), InvalidArgument);
 }
 
+/// Points on a cone about z that widens upwards, apex at the origin, over part of its circumference.
+Points onCone(double half_angle_rad, double from_z, double span_rad) {
+  Points points;
+  for (int ring = 0; ring <= 4; ++ring) {
+    for (int k = 0; k < 6; ++k) {
+      const double z = from_z + 0.015 * ring;
+      const double b = span_rad * (k - 2.5) / 5 + 0.05 * ring;
+      const double radius = z * std::tan(half_angle_rad);
+      points.emplace_back(radius * std::cos(b), radius * std::sin(b), z);
+    }
+  }
+  return points;
+}
+
+class ConeAngle : public testing::TestWithParam<std::tuple<double, double>> {};
+
+TEST_P(ConeAngle, IsExactWithoutNoise) {
+  const auto& [angle, span] = GetParam();
+  const ConeFit fit = fitCone(moved(kSomewhere, onCone(angle * kDegree, 0.05, span * kDegree)));
+  EXPECT_LT(rms(fit.distance_m), 1e-9);
+  EXPECT_NEAR(fit.half_angle_rad, angle * kDegree, 1e-6);
+  EXPECT_LT((fit.axis - kSomewhere.R.col(2)).norm(), 1e-6) << "towards the wide end";
+  const Eigen::Vector3d apex = fit.point - fit.axis * fit.radius_m / std::tan(fit.half_angle_rad);
+  EXPECT_LT((apex - kSomewhere.t).norm(), 1e-6);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cones, ConeAngle,
+                         testing::Combine(testing::Values(5.0, 20.0, 45.0, 70.0), testing::Values(90.0, 200.0, 300.0)));
+
+TEST(ConeFit, IsAMinimumWithNoise) {
+  const Points points = noisy(0.0005, onCone(0.4, 0.05, 4));
+  const ConeFit fit = fitCone(points);
+  const auto cost = [&](const Eigen::Vector3d& point, const Eigen::Vector3d& axis, double radius, double angle) {
+    double sum = 0;
+    for (const Eigen::Vector3d& x : points) {
+      const Eigen::Vector3d a = axis.normalized();
+      sum += std::pow((a.cross(x - point).norm() - radius) * std::cos(angle) - a.dot(x - point) * std::sin(angle), 2);
+    }
+    return sum;
+  };
+  const double best = cost(fit.point, fit.axis, fit.radius_m, fit.half_angle_rad);
+  EXPECT_NEAR(std::sqrt(best / static_cast<double>(points.size())), rms(fit.distance_m), 1e-12);
+  EXPECT_NEAR(fit.half_angle_rad, 0.4, 0.05);
+  const double step = 1e-5;
+  for (const double sign : {-1.0, 1.0}) {
+    EXPECT_GT(cost(fit.point, fit.axis, fit.radius_m + sign * step, fit.half_angle_rad), best);
+    EXPECT_GT(cost(fit.point, fit.axis, fit.radius_m, fit.half_angle_rad + sign * step), best);
+    for (int k = 0; k < 3; ++k) {
+      const Eigen::Vector3d across = fit.axis.cross(Eigen::Vector3d::Unit(k));
+      if (across.norm() < 0.5) continue;
+      EXPECT_GT(cost(fit.point + sign * step * across, fit.axis, fit.radius_m, fit.half_angle_rad), best);
+      EXPECT_GT(cost(fit.point, fit.axis + sign * step * across, fit.radius_m, fit.half_angle_rad), best);
+    }
+  }
+}
+
+TEST(ConeFit, OfACylinderIsTheCylinder) {
+  const ConeFit fit = fitCone(moved(kSomewhere, crossOnCylinder(0.0501, 2)));
+  EXPECT_LT(fit.half_angle_rad, 1e-6);
+  EXPECT_NEAR(fit.radius_m, 0.0501, 1e-7);
+  EXPECT_LT(angleBetweenAxes(fit.axis, kSomewhere.R.col(2)), 1e-6);
+}
+
+TEST(ConeFit, IsNeverWorseThanTheCylinder) {
+  for (const Points& points : {noisy(0.0005, crossOnCylinder(0.0501, 2)), noisy(0.001, onSphere(0.08, 0.8)),
+                               noisy(1e-6, onPlane()), noisy(0.001, onCone(0.3, 0.1, 1))}) {
+    const ConeFit cone = fitCone(points);
+    EXPECT_LE(rms(cone.distance_m), rms(fitCylinder(points).distance_m) * (1 + 1e-6));
+    EXPECT_TRUE(cone.point.allFinite() && cone.axis.allFinite() && std::isfinite(cone.radius_m));
+    EXPECT_GE(cone.half_angle_rad, 0);
+  }
+}
+
+TEST(ConeFit, DoesNotDependOnUnitsPlaceOrOrder) {
+  const Points points = noisy(0.0005, onCone(0.4, 0.05, 4));
+  const ConeFit fit = fitCone(points);
+  EXPECT_NEAR(fitCone(Points(points.rbegin(), points.rend())).half_angle_rad, fit.half_angle_rad, 1e-7);
+  EXPECT_NEAR(fitCone(moved(kSomewhere, points)).half_angle_rad, fit.half_angle_rad, 1e-7);
+  EXPECT_LT((fitCone(moved(kSomewhere, points)).axis - kSomewhere.R * fit.axis).norm(), 1e-6);
+  EXPECT_NEAR(fitCone(scaled(1e6, points)).radius_m / 1e6, fit.radius_m, 1e-8);
+}
+
+TEST(ConeFit, RefusesTooFewPointsAndPointsInAPlane) {
+  EXPECT_THROW(fitCone(Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}}), InvalidArgument);
+  EXPECT_THROW(fitCone(moved(kSomewhere, onPlane())), InvalidArgument);
+}
+
 TEST(SurfaceFits, RefusePointsThatAreNotFinite) {
   Points points = crossOnCylinder(0.05, 2);
   points[3].y() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(fitPlane(points), InvalidArgument);
   EXPECT_THROW(fitSphere(points), InvalidArgument);
   EXPECT_THROW(fitCylinder(points), InvalidArgument);
+  EXPECT_THROW(fitCone(points), InvalidArgument);
 }
 
 TEST(Rms, IsTheRootOfTheMeanSquare) {

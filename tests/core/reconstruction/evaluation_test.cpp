@@ -60,6 +60,17 @@ TEST(Evaluation, PaperMetricsFollowEquations20And21) {
   EXPECT_THAT(sphere.distance_m, SizeIs(17));
 }
 
+TEST(Evaluation, ConeHasAHalfAngleAndNoOneRadius) {
+  const auto result = solved(bentX17());
+  const SurfaceEvaluation cone = evaluateSurface(result->patches.front(), SurfaceKind::Cone);
+  EXPECT_TRUE(cone.half_angle_rad && cone.radius_m);
+  EXPECT_THAT(cone.distance_m, SizeIs(17));
+  EXPECT_LE(cone.rms_m, evaluateSurface(result->patches.front(), SurfaceKind::Cylinder).rms_m * (1 + 1e-6));
+  EXPECT_THROW(evaluateSurface(result->patches.front(), SurfaceKind::Cone, 0.05), InvalidArgument);
+  EXPECT_EQ(surfaceKindFromName("cone"), SurfaceKind::Cone);
+  EXPECT_EQ(surfaceKindName(SurfaceKind::Cone), "cone");
+}
+
 TEST(Evaluation, LoopOfAClosedRingIsClosed) {
   const PinJointedSkin skin = ring(45 * kDegree);
   const LoopEvaluation loop = evaluateLoop(*solved(skin), kFirst, kLast);
@@ -102,6 +113,31 @@ TEST(Evaluation, ComparisonIgnoresTheFramesAndSeesTheDifference) {
   comparison = compareToTruth(*result, truth);
   EXPECT_NEAR(comparison[0].cells[3].orientation_rad, 0.1 * 16 / 17, 1e-4);
   EXPECT_NEAR(comparison[0].orientation_rms_rad, 0.1 * std::sqrt(16.0) / 17, 1e-4);
+}
+
+TEST(Evaluation, NineteenOfTwentyWithinWhatWasStatedAreEnough) {
+  Comparison comparison;
+  for (std::uint32_t k = 0; k < 20; ++k) {
+    CellDifference cell;
+    cell.cell = CellId(k + 1);
+    cell.position_m = {0, 0.0019, 0};
+    cell.orientation_rad = 0.019;
+    cell.sigma_t_m = 0.001;
+    cell.sigma_r_rad = 0.01;
+    comparison.cells.push_back(cell);
+  }
+  comparison.cells.emplace_back().sigma_t_m = 0;  // the origin
+  comparison.cells.back().sigma_r_rad = 0;
+  comparison.cells.emplace_back();  // one that states nothing
+  EXPECT_EQ(countWithinStated({comparison}).stated, 20U);
+  EXPECT_TRUE(countWithinStated({comparison}).holds());
+  comparison.cells[3].position_m.y() = 0.002;
+  EXPECT_EQ(countWithinStated({comparison}).position, 19U);
+  EXPECT_TRUE(countWithinStated({comparison}).holds());
+  comparison.cells[5].orientation_rad = comparison.cells[6].orientation_rad = 0.02;
+  EXPECT_EQ(countWithinStated({comparison}).orientation, 18U);
+  EXPECT_FALSE(countWithinStated({comparison}).holds());
+  EXPECT_FALSE(countWithinStated({}).holds()) << "nothing stated is no statement";
 }
 
 TEST(Evaluation, ReconstructionsComparePatchByPatch) {

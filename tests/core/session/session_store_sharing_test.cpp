@@ -56,6 +56,19 @@ class SharedStore : public testing::Test {
   fs::path path_ = folder_.path() / "arm.hexo";
 };
 
+TEST_F(SharedStore, IsInUseAsLongAsSomebodyWritesIt) {
+  EXPECT_FALSE(isSessionStoreInUse(path_));
+  {
+    const SessionStore writer = SessionStore::open(path_);
+    EXPECT_TRUE(isSessionStoreInUse(path_));
+  }
+  EXPECT_FALSE(isSessionStoreInUse(path_));
+  const SessionStore reader = SessionStore::openReadOnly(path_);
+  EXPECT_FALSE(isSessionStoreInUse(path_));
+  EXPECT_THAT(messageOf<StorageError>([&] { isSessionStoreInUse(folder_.path() / "none.hexo"); }),
+              saysAll("none.hexo", "cannot be read"));
+}
+
 TEST_F(SharedStore, HasOneWriterInThisProcess) {
   {
     const SessionStore store = SessionStore::open(path_);

@@ -57,6 +57,33 @@ TEST(Session, ALinkIsSetAsideInEitherOrderOfItsEndsAndTakenBack) {
   EXPECT_THROW(session.setLinkMuted(a, a, true), InvalidArgument);
 }
 
+TEST(Session, ANewSkinLeavesEverythingElse) {
+  Session session(builtInCellModel("hex-bma150"), {{CellId(1), "", {}}}, {"an arm", "arm.hexo", "abc"});
+  GroundTruth truth;
+  truth.frame = "arm";
+  session.setTruth(truth);
+  for (std::uint32_t id = 1; id <= 3; ++id) session.addPose(pose(id));
+  session.setPoseDisabled(0, true, "the arm moved");
+  session.removePose(2);
+  const auto before = session.snapshot();
+
+  CellModel model = builtInCellModel("hex-bma150");
+  model.name = "another";
+  session.setSkin(model, {{CellId(1), "", {}}, {CellId(2), "", {}}});
+  const auto after = session.snapshot();
+  EXPECT_LT(before->revision, after->revision);
+  EXPECT_EQ(before->model->name, "hex-bma150");
+  EXPECT_EQ(before->neighbors->size(), 1U);
+  EXPECT_EQ(after->model->name, "another");
+  EXPECT_EQ(after->neighbors->size(), 2U);
+  EXPECT_EQ(session.poses().size(), 2U);
+  EXPECT_EQ(session.poses()[0].capture, before->poses[0].capture);
+  EXPECT_EQ(session.poses()[0].why_disabled, "the arm moved");
+  EXPECT_EQ(session.truth(), before->truth);
+  EXPECT_EQ(session.source().text, "an arm");
+  EXPECT_EQ(session.nextPoseId(), PoseId(4)) << "the number of a pose that was removed is not used again";
+}
+
 TEST(Session, PoseNumbersAreNeverUsedAgain) {
   Session session = emptySession();
   session.addPose(pose(session.nextPoseId().value()));

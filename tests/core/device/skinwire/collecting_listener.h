@@ -17,6 +17,7 @@ class CollectingListener : public SkinListener {
     std::vector<SampleFrame> frames;
     std::vector<SourceStatus> statuses;
     std::vector<CommandOutcome> outcomes;
+    std::vector<DeviceStatus> device_statuses;
 
     [[nodiscard]] SourceStatus status() const { return statuses.empty() ? SourceStatus{} : statuses.back(); }
     [[nodiscard]] bool sawState(SourceState state) const {
@@ -50,6 +51,9 @@ class CollectingListener : public SkinListener {
   }
   void onCommandOutcome(const CommandOutcome& outcome) override {
     add([&] { delivered_.outcomes.push_back(outcome); });
+  }
+  void onDeviceStatus(const DeviceStatus& status) override {
+    add([&] { delivered_.device_statuses.push_back(status); });
   }
 
   /// False if it does not come within a time that no test should need.

@@ -114,6 +114,38 @@ TEST(Recording, PassesEverythingOnWhileItRecords) {
   EXPECT_NE(delivered.outcomeOf(7), nullptr);
 }
 
+TEST(Recording, TellsWhatTheDeviceSaidAndWhatWasLostOnTheWay) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "a.skinrec";
+  CollectingListener live;
+  StreamRecorder recorder(path, live);
+  recorder.onSkin(twoCells());
+  recorder.onFrame(frameAt(0.001));
+  recorder.onDeviceStatus({"warm\n", true, 2, 0});
+  SourceStatus status;
+  status.lost_samples = 6;
+  recorder.onStatus(status);
+  recorder.onFrame(frameAt(0.005));
+  recorder.onDeviceStatus({"", false, 4, 6});
+  status.lost_samples = 4;  // two came late
+  recorder.onStatus(status);
+  recorder.onFrame(frameAt(0.006));
+  recorder.finish();
+  ASSERT_EQ(live.delivered().device_statuses.size(), 2U);
+  EXPECT_EQ(live.delivered().device_statuses[1].samples_dropped, 6U);
+
+  const auto delivered = play(path, kAtOnce);
+  EXPECT_EQ(delivered.frames.size(), 3U);
+  ASSERT_EQ(delivered.device_statuses.size(), 2U);
+  EXPECT_EQ(delivered.device_statuses[0].text, "warm ");
+  EXPECT_TRUE(delivered.device_statuses[0].exploring);
+  EXPECT_EQ(delivered.device_statuses[1].samples_sent, 4U);
+  EXPECT_EQ(delivered.device_statuses[1].samples_dropped, 6U);
+  EXPECT_TRUE(delivered.saw(SourceState::Streaming, "the device said: warm"));
+  EXPECT_EQ(delivered.status().dropped_by_device, 6U);
+  EXPECT_EQ(delivered.status().lost_samples, 6U);
+}
+
 TEST(Recording, KeepsFramesAfterTheDevicesClockBeganAnew) {
   const test::TemporaryFolder folder;
   CollectingListener ignored;

@@ -1,0 +1,93 @@
+// The part of MainWindow about how good a calibration is: its tables, its residuals, and the checks of the step Verify.
+#include "app/window/main_window.h"
+#include "app/window/verification.h"
+#include "widgets/cell_table.h"
+#include "widgets/message_bar.h"
+#include "widgets/residual_view.h"
+#include "widgets/table_actions.h"
+#include "widgets/verify_panel.h"
+
+#include <QHeaderView>
+#include <QTableView>
+
+namespace hexoderm {
+
+void MainWindow::connectVerify() {
+  verify_panel_->hide();  // until a step takes it in
+  for (QTableView* view : {pose_view_, link_view_, cell_view_}) {
+    view->horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder);
+    view->setSortingEnabled(true);
+  }
+  const auto tell = [this](TableActions* actions) {
+    connect(actions, &TableActions::saved, this,
+            [this](const QString& path) { showDone(tr("Saved to %1").arg(path), path); });
+    connect(actions, &TableActions::failed, this,
+            [this](const QString& message) { message_bar_->showMessage(Tone::Bad, message); });
+  };
+  tell(new TableActions(pose_view_, QStringLiteral("poses")));
+  tell(new TableActions(link_view_, QStringLiteral("links")));
+  tell(new TableActions(cell_view_, QStringLiteral("cells")));
+  tell(new TableActions(finding_view_, QStringLiteral("findings")));
+  tell(new TableActions(residual_view_->matrix(), QStringLiteral("residuals")));
+  for (TableActions* actions : verify_panel_->tableActions()) tell(actions);
+
+  connect(cell_view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+          [this](const QModelIndex& current) {
+            if (current.isValid()) selection_.selectCell(cell_table_->cellAt(sourceRow(current)));
+          });
+  connect(&selection_, &Selection::changed, this, &MainWindow::showPickedCell);
+  connect(residual_view_, &ResidualView::posePicked, this, &MainWindow::pickPose);
+
+  connect(&controller_, &SessionController::reconstructionChanged, verification_, &Verification::setReconstruction);
+  connect(verify_panel_, &VerifyPanel::holdOutRequested, this, [this](PoseId pose) {
+    if (controller_.session()) verification_->runHoldOut(controller_.session()->snapshot(), pose);
+  });
+  connect(verify_panel_, &VerifyPanel::cancelRequested, verification_, &Verification::cancel);
+  connect(verify_panel_, &VerifyPanel::surfaceRequested, verification_, &Verification::setSurface);
+  connect(verify_panel_, &VerifyPanel::comparisonRequested, verification_, &Verification::compareWith);
+  connect(verify_panel_, &VerifyPanel::comparisonDropped, verification_, &Verification::dropComparison);
+  connect(verification_, &Verification::runningChanged, verify_panel_, &VerifyPanel::setRunning);
+  connect(verification_, &Verification::heldOut, verify_panel_, &VerifyPanel::showHoldOut);
+  connect(verification_, &Verification::loopsFound, verify_panel_, &VerifyPanel::showLoops);
+  connect(verification_, &Verification::surfacesFitted, verify_panel_, &VerifyPanel::showSurfaces);
+  connect(verification_, &Verification::compared, verify_panel_, &VerifyPanel::showComparison);
+  connect(verification_, &Verification::failed, verify_panel_, &VerifyPanel::showFailure);
+  // What one skin was compared with says nothing about the next.
+  connect(&controller_, &SessionController::opened, verify_panel_, &VerifyPanel::dropComparison);
+}
+
+int MainWindow::sourceRow(const QModelIndex& index) {
+  const auto* sorted = qobject_cast<const SortedTable*>(index.model());
+  return sorted ? sorted->mapToSource(index).row() : index.row();
+}
+
+QModelIndex MainWindow::shownRow(const QTableView* view, int row) {
+  const auto* sorted = qobject_cast<const SortedTable*>(view->model());
+  return sorted ? sorted->mapFromSource(sorted->sourceModel()->index(row, 0)) : view->model()->index(row, 0);
+}
+
+void MainWindow::showReview(const std::shared_ptr<const Reconstruction>& reconstruction) {
+  cell_table_->setReconstruction(reconstruction);
+  residual_view_->setReconstruction(reconstruction);
+  verify_panel_->setReconstruction(reconstruction, controller_.session() != nullptr);
+  showPickedCell();
+}
+
+void MainWindow::showPickedCell() {
+  const int row = selection_.cell() ? cell_table_->rowOf(*selection_.cell()) : -1;
+  if (row < 0) {
+    cell_view_->clearSelection();
+    cell_view_->selectionModel()->clearCurrentIndex();
+  } else if (const QModelIndex shown = shownRow(cell_view_, row); cell_view_->currentIndex().row() != shown.row()) {
+    cell_view_->selectRow(shown.row());
+  }
+}
+
+void MainWindow::pickPose(PoseId pose) {
+  const Reconstruction* shown = controller_.reconstruction().get();
+  for (std::size_t row = 0; shown && row < shown->poses.size(); ++row) {
+    if (shown->poses[row].pose == pose) pose_view_->selectRow(shownRow(pose_view_, static_cast<int>(row)).row());
+  }
+}
+
+}  // namespace hexoderm

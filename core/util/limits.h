@@ -1,0 +1,19 @@
+#pragma once
+
+#include <Eigen/Core>
+
+/// Finite numbers that no skin has. They are refused where they come in, or left out where a device sends them, so that
+/// squares, sums and quotients stay finite wherever they are used.
+namespace hexoderm {
+
+inline constexpr double kMostAcceleration_g = 1e6;
+inline constexpr double kMostVariance_g2 = 1e13;  ///< of readings within kMostAcceleration_g, with room for rounding
+inline constexpr double kMostLength_m = 1e6;
+
+/// Every element is a number, and at most `most` in magnitude.
+template <class Derived>
+bool isWithin(const Eigen::MatrixBase<Derived>& values, double most) {
+  return (values.array().abs() <= most).all();  // NaN is not
+}
+
+}  // namespace hexoderm

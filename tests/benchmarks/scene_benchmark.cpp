@@ -1,0 +1,168 @@
+// How fast the patch is drawn: SPEC section 6 asks for 30 frames/s at 10,000 cells and 15 at 100,000 with software
+// OpenGL, multisampling off. Prints frames/s while the camera turns, and how long a new result takes.
+//
+//   LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 1440x900x24" build/release/tests/benchmarks/scene_benchmark
+//
+// The window has the size of the view in a window of 1440 x 900.
+
+#include "support/demo_reconstruction.h"
+#include "support/large_skin.h"
+#include "widgets/patch_scene.h"
+
+#include <benchmark/benchmark.h>
+#include <vtkCamera.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <array>
+#include <map>
+
+namespace hexoderm {
+namespace {
+
+constexpr int kWidth = 720;
+constexpr int kHeight = 600;
+
+SceneColors plainColors() {
+  SceneColors colors;
+  colors.background_top = {0.08, 0.09, 0.11};
+  colors.background_bottom = {0.12, 0.14, 0.17};
+  colors.quality = {{{0.59, 0.20, 0.19}, {0.70, 0.61, 0.17}, {0.37, 0.67, 0.69}, {0.34, 0.29, 0.64}}};
+  colors.link_line = colors.quality;
+  colors.neutral = {0.5, 0.55, 0.6};
+  colors.scale = {{0.27, 0.0, 0.33}, {0.13, 0.57, 0.55}, {0.99, 0.91, 0.14}};
+  colors.light_mark = {1, 1, 1};
+  colors.dark_mark = {0.08, 0.09, 0.11};
+  return colors;
+}
+
+/// 17, 1,260, 10,000 or 100,000 cells.
+std::shared_ptr<const Reconstruction> skinOf(std::int64_t cells) {
+  static std::map<std::int64_t, std::shared_ptr<const Reconstruction>> made;
+  auto& skin = made[cells];
+  if (skin) return skin;
+  const std::map<std::int64_t, std::pair<std::uint32_t, std::uint32_t>> sheets = {
+      {1260, {42, 30}}, {10000, {125, 80}}, {100000, {400, 250}}};
+  const auto sheet = sheets.find(cells);
+  skin = std::make_shared<const Reconstruction>(
+      sheet == sheets.end() ? demoReconstruction() : cylinderSheet(sheet->second.first, sheet->second.second));
+  return skin;
+}
+
+struct Stage {
+  Stage() {
+    window->SetOffScreenRendering(1);
+    window->SetSize(kWidth, kHeight);
+    scene.setColors(plainColors());
+    scene.setSmoothed(false);  // as while the mouse turns the scene
+    scene.attachTo(window);
+  }
+  void draw() {
+    window->Render();
+    window->WaitForCompletion();
+  }
+
+  vtkNew<vtkRenderWindow> window;
+  PatchScene scene;
+};
+
+void turn(benchmark::State& state, bool smoothed) {
+  Stage stage;
+  stage.scene.setReconstruction(skinOf(state.range(0)));
+  stage.scene.setSmoothed(smoothed);
+  stage.draw();
+  for ([[maybe_unused]] auto _ : state) {
+    stage.scene.renderer()->GetActiveCamera()->Azimuth(3);
+    stage.draw();
+  }
+  state.counters["frames/s"] = benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+}
+
+/// While the mouse turns the scene.
+void Turning(benchmark::State& state) { turn(state, false); }
+/// At rest edges are smoothed.
+void TurningSmoothed(benchmark::State& state) { turn(state, true); }
+
+/// A new result of the same skin, on the GUI's thread: what was prepared elsewhere is taken over and drawn.
+void NewResultTakenOverAndDrawn(benchmark::State& state) {
+  Stage stage;
+  const std::array contents = {makeSceneContent(skinOf(state.range(0))), makeSceneContent(skinOf(state.range(0)))};
+  stage.scene.setContent(contents[0]);
+  stage.draw();
+  std::size_t next = 0;
+  for ([[maybe_unused]] auto _ : state) {
+    stage.scene.setContent(contents.at(++next % 2));
+    stage.draw();
+  }
+}
+
+/// The part of it that comes before drawing.
+void NewResultTakenOver(benchmark::State& state) {
+  Stage stage;
+  const auto content = makeSceneContent(skinOf(state.range(0)));
+  stage.draw();
+  for ([[maybe_unused]] auto _ : state) stage.scene.setContent(content);
+}
+
+/// On the other thread for large skins, on the GUI's for small ones.
+void NewResultPrepared(benchmark::State& state) {
+  const auto skin = skinOf(state.range(0));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(makeSceneContent(skin));
+}
+
+void ReadingsRecolour(benchmark::State& state) {
+  Stage stage;
+  const auto skin = skinOf(state.range(0));
+  stage.scene.setReconstruction(skin);
+  stage.scene.setColoring(CellColoring::ReadingZ);
+  stage.draw();
+  CellReadings readings;
+  double g = 0;
+  for ([[maybe_unused]] auto _ : state) {
+    g = g > 0.9 ? -0.9 : g + 0.1;
+    for (const PatchReconstruction& patch : skin->patches) {
+      for (const CellPlacement& cell : patch.cells) readings.acceleration_g[cell.cell] = {0, 0, g};
+    }
+    stage.scene.setReadings(readings);
+    stage.draw();
+  }
+}
+
+/// The first pick of a result sorts its cells; the next ones are quicker.
+void FirstPick(benchmark::State& state) {
+  Stage stage;
+  const auto content = makeSceneContent(skinOf(state.range(0)));
+  stage.scene.setContent(content);
+  stage.draw();
+  for ([[maybe_unused]] auto _ : state) {
+    state.PauseTiming();
+    stage.scene.setContent(content);
+    state.ResumeTiming();
+    benchmark::DoNotOptimize(stage.scene.pick(0.5 * kWidth, 0.5 * kHeight));
+  }
+}
+
+void NextPick(benchmark::State& state) {
+  Stage stage;
+  stage.scene.setReconstruction(skinOf(state.range(0)));
+  stage.draw();
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(stage.scene.pick(0.5 * kWidth, 0.5 * kHeight));
+}
+
+void sizes(benchmark::internal::Benchmark* each) {
+  each->ArgName("cells")->Arg(17)->Arg(1260)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond)->UseRealTime();
+}
+
+BENCHMARK(Turning)->Apply(sizes);
+BENCHMARK(TurningSmoothed)->Apply(sizes);
+BENCHMARK(NewResultPrepared)->Apply(sizes);
+BENCHMARK(NewResultTakenOver)->Apply(sizes);
+BENCHMARK(NewResultTakenOverAndDrawn)->Apply(sizes);
+BENCHMARK(ReadingsRecolour)->Apply(sizes);
+BENCHMARK(FirstPick)->Apply(sizes);
+BENCHMARK(NextPick)->Apply(sizes);
+
+}  // namespace
+}  // namespace hexoderm
+
+BENCHMARK_MAIN();

@@ -1,0 +1,229 @@
+// Finite numbers that no skin has: what is not refused with its key path is solved, evaluated and written without a
+// number that is none.
+
+#include "core/io/export_test_folder.h"
+#include "hexoderm/graph/cell_model_json.h"
+#include "hexoderm/io/calibration_json.h"
+#include "hexoderm/io/exporter.h"
+#include "hexoderm/io/session_json.h"
+#include "hexoderm/reconstruction/evaluation.h"
+#include "hexoderm/reconstruction/pose_advisor.h"
+#include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/session/session_store.h"
+#include "hexoderm/session/simulated_session.h"
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/limits.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <random>
+
+namespace hexoderm {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+constexpr std::array kExtremes = {0.0,   5e-324, 1e-300,  1e-100, 1e-12, 1e-9, 1e-6,  1e-3,   1.0,
+                                  1e3,   1e6,    1e9,     1e12,   1e13,  1e30, 1e100, 1e154,  1e200,
+                                  1e300, 1e308,  -1e-300, -1e-6,  -1e3,  -1e6, -1e12, -1e100, -1e308};
+
+/// Six cells in a ring that is not closed, three poses, and a model that is written out.
+json sessionDocument() {
+  SimulatedSkinOptions options;
+  options.patch = "ring6";
+  CellModel model = builtInCellModel("hex-bma150");
+  model.name = "own";
+  model.sensors.push_back({"thermometer", "temperature", {}});
+  SimulatedSkin skin(model, options);
+  json document = json::parse(sessionToJson(simulateSession(skin, 3)));
+  document["poses"][0]["samples"][0]["temperature_c"] = 25.5;
+  return document;
+}
+
+/// Where the document has numbers that measure something: no versions, counts and IDs.
+std::vector<json::json_pointer> measuresOf(const json& document) {
+  std::vector<json::json_pointer> found;
+  const json flat = document.flatten();
+  for (const auto& [pointer, value] : flat.items()) {
+    if (value.is_number_float()) found.emplace_back(pointer);
+  }
+  // These have whole numbers by chance.
+  for (const char* key : {"side_angle_rad", "accelerometer/range_g", "accelerometer/rate_hz"}) {
+    found.emplace_back(std::string("/cell_model/") + key);
+  }
+  return found;
+}
+
+void expectFinite(const Reconstruction& result, const std::string& what) {
+  // The writer refuses every number that is none.
+  EXPECT_NO_THROW(static_cast<void>(calibrationToJson(result))) << what;
+}
+
+/// All that is computed from a session.
+void useEverything(const Session& session, const std::string& what) {
+  SCOPED_TRACE(what);
+  for (const Solver solver : {Solver::Global, Solver::Tree}) {
+    SolverOptions options;
+    options.solver = solver;
+    const auto result = reconstruct(*session.snapshot(), options);
+    expectFinite(*result, what);
+    for (const PatchReconstruction& patch : result->patches) {
+      std::vector<Eigen::Vector3d> seen;
+      for (const GravityDirection& gravity : patch.gravity) seen.push_back(gravity.g_o);
+      EXPECT_TRUE(adviseNextPose(session.model(), seen, {}).up.allFinite());
+      for (const SurfaceKind kind : {SurfaceKind::Plane, SurfaceKind::Sphere, SurfaceKind::Cylinder}) {
+        try {
+          const SurfaceEvaluation fit = evaluateSurface(patch, kind);
+          EXPECT_TRUE(std::isfinite(fit.rms_m) && fit.point.allFinite() && fit.axis.allFinite());
+          EXPECT_TRUE(!fit.radius_m || std::isfinite(*fit.radius_m));
+        } catch (const InvalidArgument&) {
+          // Too few cells in the patch, or no such surface through them: said in words.
+        }
+      }
+    }
+    if (session.truth()) {
+      for (const Comparison& comparison : compareToTruth(*result, *session.truth())) {
+        EXPECT_TRUE(std::isfinite(comparison.position_rms_m) && std::isfinite(comparison.orientation_rms_rad));
+      }
+    }
+  }
+}
+
+/// Refused with the key, or used. Returns whether it was accepted.
+bool tryDocument(const json& document, const std::string& what, const std::string& key = "") {
+  std::optional<Session> session;
+  try {
+    session = parseSessionJson(document.dump(), "extreme.session.json");
+  } catch (const FormatError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("extreme.session.json: ")) << what;
+    EXPECT_THAT(error.what(), HasSubstr(key)) << what;
+    return false;
+  }
+  useEverything(*session, what);
+  return true;
+}
+
+/// The last part of a pointer that is a name.
+std::string keyOf(json::json_pointer pointer) {
+  while (!pointer.empty() && pointer.back().find_first_not_of("0123456789") == std::string::npos) pointer.pop_back();
+  return pointer.empty() ? "" : pointer.back();
+}
+
+TEST(ExtremeNumbers, EachIsRefusedByItsKeyOrUsed) {
+  const json document = sessionDocument();
+  ASSERT_TRUE(tryDocument(document, "as it is"));
+  std::size_t accepted = 0;
+  std::size_t refused = 0;
+  std::set<std::string> seen;
+  for (const json::json_pointer& pointer : measuresOf(document)) {
+    // One cell of a pose and one pose stand for all.
+    const std::string text = pointer.to_string();
+    std::string kind = text;
+    for (char& c : kind) {
+      if (c >= '0' && c <= '9') c = '#';
+    }
+    if (text.starts_with("/poses") && !seen.insert(kind + text.back()).second) continue;
+    if (text.starts_with("/truth") && !seen.insert(kind + text.back()).second) continue;
+    for (const double value : kExtremes) {
+      json changed = document;
+      changed[pointer] = value;
+      const std::string what = text + " = " + json(value).dump();
+      (tryDocument(changed, what, keyOf(pointer)) ? accepted : refused) += 1;
+    }
+  }
+  EXPECT_GT(accepted, 200U);
+  EXPECT_GT(refused, 200U);
+}
+
+TEST(ExtremeNumbers, SeveralAtOnceAreUsed) {
+  const json document = sessionDocument();
+  const std::vector<json::json_pointer> measures = measuresOf(document);
+  std::mt19937 random(7);
+  const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random()) % n; };
+  std::size_t accepted = 0;
+  for (int k = 0; k < 400; ++k) {
+    json changed = document;
+    std::string what;
+    for (std::size_t n = 1 + below(5); n > 0; --n) {
+      const json::json_pointer& pointer = measures[below(measures.size())];
+      const double value = kExtremes.at(below(kExtremes.size()));
+      changed[pointer] = value;
+      what += pointer.to_string() + " = " + json(value).dump() + "; ";
+    }
+    if (tryDocument(changed, what)) ++accepted;
+  }
+  EXPECT_GT(accepted, 30U);
+}
+
+/// The largest of everything that is accepted, in every cell.
+TEST(ExtremeNumbers, TheLargestReadingsAreUsed) {
+  for (const double reading_g : {kMostAcceleration_g, 1e-6 * kMostAcceleration_g, 1e-300}) {
+    for (const double variance_g2 : {0.0, 5e-324, 1e-12, kMostVariance_g2}) {
+      json document = sessionDocument();
+      double sign = 1;
+      for (json& pose : document["poses"]) {
+        for (json& sample : pose["samples"]) {
+          sample["mean_g"] = {sign * reading_g, reading_g, -sign * reading_g};
+          sample["cov_g2"] = {variance_g2, -variance_g2, variance_g2, variance_g2, -variance_g2, variance_g2};
+          sample["count"] = sign > 0 ? 1U : UINT32_MAX;
+          sign = -sign;
+        }
+      }
+      EXPECT_TRUE(tryDocument(document, json(reading_g).dump() + " g, " + json(variance_g2).dump() + " g^2"));
+    }
+  }
+}
+
+class ExtremeExports : public ExportTest {};
+
+TEST_F(ExtremeExports, AllFormatsHoldThem) {
+  json document = sessionDocument();
+  document["poses"][0]["samples"][1]["mean_g"] = {kMostAcceleration_g, -kMostAcceleration_g, 0};
+  for (json& port : document["cell_model"]["ports"]) {
+    port["vector_m"] = {port["vector_m"][0].get<double>() * 5e4, port["vector_m"][1].get<double>() * 5e4, 0};
+  }
+  const Session session = parseSessionJson(document.dump(), "large.session.json");
+  const auto result = reconstruct(*session.snapshot());
+  for (const ExportFormatDescription& format : exportFormats()) {
+    EXPECT_NO_THROW(exportReconstruction(*result, format.format, in("large" + std::string(format.extension))))
+        << format.name;
+  }
+}
+
+TEST_F(ExtremeExports, AStoreRefusesWhatAFileDoes) {
+  const Session session = parseSessionJson(sessionDocument().dump(), "a.session.json");
+  SessionStore store = SessionStore::create(in("a.hexo"), session);
+  const auto poseOf = [&](double reading_g, double variance_g2) {
+    PoseCapture capture = *session.poses()[0].capture;
+    capture.samples[0].mean_g.x() = reading_g;
+    capture.samples[0].cov_g2(1, 1) = variance_g2;
+    return std::vector<StoreOperation>{AddPose{{std::make_shared<const PoseCapture>(std::move(capture))}}};
+  };
+  EXPECT_NO_THROW(store.append(poseOf(-kMostAcceleration_g, kMostVariance_g2)));
+  EXPECT_THROW(store.append(poseOf(1e7, 1)), InvalidArgument);
+  EXPECT_THROW(store.append(poseOf(-1e308, 1)), InvalidArgument);
+  EXPECT_THROW(store.append(poseOf(1, 1e14)), InvalidArgument);
+  useEverything(store.readSession(), "from the store");
+}
+
+TEST(ExtremeNumbers, AMeanOfAbsurdReadingsIsNotTaken) {
+  SampleFrame frame;
+  frame.samples = {{CellId(1), {0, 0, 1e30}}, {CellId(2), {0, 0, 1}}};
+  frame.means = {{CellId(3), {0, 1e7, 0}, {0, 0, 0}, 5},
+                 {CellId(4), {0, 1, 0}, {1e30, 0, 0}, 5},
+                 {CellId(5), {0, 1, 0}, {0, 0, 0}, UINT32_MAX},
+                 {CellId(5), {0, 1, 0}, {0, 0, 0}, UINT32_MAX}};
+  const std::array frames = {frame};
+  const PoseCapture pose = averageFrames(frames, PoseId(1), "");
+  ASSERT_EQ(pose.samples.size(), 2U);
+  EXPECT_EQ(pose.samples[0].cell, CellId(2));
+  EXPECT_EQ(pose.samples[1].cell, CellId(5));
+  EXPECT_EQ(pose.samples[1].count, UINT32_MAX);
+  EXPECT_TRUE(pose.samples[1].cov_g2.allFinite());
+}
+
+}  // namespace
+}  // namespace hexoderm

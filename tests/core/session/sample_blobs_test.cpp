@@ -1,0 +1,153 @@
+// Raw samples as bytes: every layout brings back every bit, and no bytes bring it down.
+
+#include "sample_blobs.h"
+
+#include "hexoderm/util/error.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <random>
+
+namespace hexoderm {
+namespace {
+
+constexpr double kLsb_g = 0.004;  // no float
+
+std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
+
+void expectSame(const std::vector<SampleFrame>& a, const std::vector<SampleFrame>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    EXPECT_EQ(bits(a[k].time_s), bits(b[k].time_s));
+    ASSERT_EQ(a[k].samples.size(), b[k].samples.size());
+    for (std::size_t c = 0; c < a[k].samples.size(); ++c) {
+      EXPECT_EQ(a[k].samples[c].cell, b[k].samples[c].cell);
+      for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_EQ(bits(a[k].samples[c].acceleration_g[axis]), bits(b[k].samples[c].acceleration_g[axis]));
+      }
+    }
+    ASSERT_EQ(a[k].means.size(), b[k].means.size());
+    for (std::size_t c = 0; c < a[k].means.size(); ++c) {
+      EXPECT_EQ(a[k].means[c].cell, b[k].means[c].cell);
+      EXPECT_EQ(a[k].means[c].count, b[k].means[c].count);
+      EXPECT_EQ(a[k].means[c].mean_g, b[k].means[c].mean_g);
+      EXPECT_EQ(a[k].means[c].variance_g2, b[k].means[c].variance_g2);
+    }
+    ASSERT_EQ(a[k].temperatures.size(), b[k].temperatures.size());
+    for (std::size_t c = 0; c < a[k].temperatures.size(); ++c) {
+      EXPECT_EQ(a[k].temperatures[c].temperature_c, b[k].temperatures[c].temperature_c);
+    }
+  }
+}
+
+/// Cells come and go; readings up to what 16 bits hold.
+std::vector<SampleFrame> framesInSteps() {
+  std::mt19937 random(1);
+  std::uniform_int_distribution<int> steps(-32767, 32767);
+  std::vector<SampleFrame> frames(20);
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    frames[k].time_s = 0.001 * static_cast<double>(k);
+    const std::uint32_t cells = k < 10 ? 7 : static_cast<std::uint32_t>(k % 4);
+    for (std::uint32_t id = 1; id <= cells; ++id) {
+      const Eigen::Vector3d lsb(steps(random), steps(random), steps(random));
+      frames[k].samples.push_back({CellId(id), lsb * kLsb_g});
+    }
+  }
+  frames[3].samples[0].acceleration_g = Eigen::Vector3d(32767, -32767, 0) * kLsb_g;
+  frames[4].means = {{CellId(9), {0.1, 0.2, 0.3}, {1e-9, 0, 1}, 20}};
+  frames[5].temperatures = {{CellId(9), 36.6}};
+  return frames;
+}
+
+/// The first number of the bytes.
+std::uint32_t widthOf(const Bytes& bytes) { return bytes.at(0); }
+
+TEST(SampleBlobs, WholeStepsOfAPartThatIsHeldStillTakeAByteANumber) {
+  std::mt19937 random(3);
+  std::uniform_int_distribution<int> noise(-63, 63);
+  std::vector<SampleFrame> frames(50);
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    for (std::uint32_t id = 1; id <= 100; ++id) {
+      const Eigen::Vector3d lsb(noise(random), noise(random), 250 + noise(random));
+      frames[k].samples.push_back({CellId(id), lsb * kLsb_g});
+    }
+  }
+  const Bytes still = encodeFrames(frames, kLsb_g);
+  EXPECT_EQ(still.size(), 16 + 50 * 20 + 100 * 10 + 49 * 100 * 3);
+  expectSame(decodeFrames(still, "here"), frames);
+  // A step of 127 still fits, one of 128 does not: that frame is written whole, and the next one refers to it.
+  for (const auto& [step, more] : {std::pair(127, 0), std::pair(128, 2 * 7 * 100)}) {
+    for (CellSample& sample : frames[20].samples) sample.acceleration_g = Eigen::Vector3d::Zero();
+    for (CellSample& sample : frames[21].samples) sample.acceleration_g = Eigen::Vector3d::Zero();
+    for (CellSample& sample : frames[19].samples) sample.acceleration_g = Eigen::Vector3d(0, 0, step) * kLsb_g;
+    for (CellSample& sample : frames[18].samples) sample.acceleration_g = Eigen::Vector3d::Zero();
+    for (std::size_t far : {17UL, 22UL}) {
+      for (CellSample& sample : frames[far].samples) sample.acceleration_g = Eigen::Vector3d(1, 0, -1) * kLsb_g;
+    }
+    for (std::size_t far : {16UL, 23UL}) frames[far].samples = frames[17].samples;
+    for (std::size_t k = 0; k < 16; ++k) frames[k].samples = frames[17].samples;
+    for (std::size_t k = 24; k < 50; ++k) frames[k].samples = frames[17].samples;
+    const Bytes bytes = encodeFrames(frames, kLsb_g);
+    EXPECT_EQ(bytes.size(), still.size() + static_cast<std::size_t>(more)) << step;
+    expectSame(decodeFrames(bytes, "here"), frames);
+  }
+}
+
+TEST(SampleBlobs, WholeStepsTakeTwoBytesANumber) {
+  const std::vector<SampleFrame> frames = framesInSteps();
+  const Bytes bytes = encodeFrames(frames, kLsb_g);
+  EXPECT_EQ(widthOf(bytes), 2U);
+  EXPECT_LT(bytes.size(), encodeFrames(frames).size());
+  expectSame(decodeFrames(bytes, "here"), frames);
+}
+
+TEST(SampleBlobs, OtherNumbersTakeFourOrEight) {
+  std::vector<SampleFrame> frames = framesInSteps();
+  EXPECT_EQ(widthOf(encodeFrames(frames)), 8U);
+  expectSame(decodeFrames(encodeFrames(frames), "here"), frames);
+  for (const double odd : {32768 * kLsb_g, kLsb_g / 2, -0.0, 1e300, 0.1 + 1e-9}) {
+    frames[19].samples[2].acceleration_g.y() = odd;
+    const Bytes bytes = encodeFrames(frames, kLsb_g);
+    EXPECT_EQ(widthOf(bytes), 8U) << odd;
+    expectSame(decodeFrames(bytes, "here"), frames);
+  }
+  for (SampleFrame& frame : frames) {
+    frame.means.clear();
+    frame.temperatures.clear();
+    for (CellSample& sample : frame.samples) sample.acceleration_g = {0.5, -0.0, 0.25};
+  }
+  const Bytes bytes = encodeFrames(frames, kLsb_g);
+  EXPECT_EQ(widthOf(bytes), 4U);
+  expectSame(decodeFrames(bytes, "here"), frames);
+}
+
+TEST(SampleBlobs, BytesThatAreCutOffOrChangedAreRefusedOrRead) {
+  for (const double lsb_g : {kLsb_g, 0.0}) {
+    const Bytes whole = encodeFrames(framesInSteps(), lsb_g);
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+      EXPECT_THROW(decodeFrames({whole.data(), size}, "here"), FormatError) << size;
+    }
+    std::mt19937 random(2);
+    for (int k = 0; k < 3'000; ++k) {
+      Bytes changed = whole;
+      changed[random() % 40] = static_cast<std::uint8_t>(random());
+      changed[random() % changed.size()] = static_cast<std::uint8_t>(random());
+      try {
+        for (const SampleFrame& frame : decodeFrames(changed, "here")) {
+          for (const CellSample& sample : frame.samples) ASSERT_TRUE(sample.acceleration_g.allFinite());
+        }
+      } catch (const FormatError&) {
+      }
+    }
+  }
+}
+
+TEST(SampleBlobs, CellsOfNoFrameBeforeAreRefused) {
+  Bytes bytes = encodeFrames(framesInSteps(), kLsb_g);
+  bytes.at(16 + 8 + 3) |= 0x80;  // the first frame's count of samples
+  EXPECT_THROW(decodeFrames(bytes, "here"), FormatError);
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,323 @@
+// Does to the real window what a child at the keyboard would: seeded random clicks, drags, wheels, keys, actions,
+// resizes, dialogs opened and closed; on a skin of 1,260 cells and on the demo. Fails if the window takes no events for
+// longer than a limit, or of course if it crashes.
+//   monkey [--minutes M] [--seed N] [--limit-ms L] [--discount-load] [--trace]
+
+#include "app/window/main_window.h"
+#include "app/window/window_shell.h"
+#include "hexoderm/session/session_store.h"
+#include "hexoderm/session/simulated_session.h"
+#include "watchdog.h"
+
+#include <QVTKOpenGLNativeWidget.h>
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QDesktopServices>
+#include <QDialog>
+#include <QDir>
+#include <QFileDialog>
+#include <QPointer>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <QWheelEvent>
+#include <QWindow>
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <map>
+#include <random>
+
+namespace {
+
+using namespace hexoderm;
+
+/// Nothing outside of this process is started.
+class SwallowUrls : public QObject {
+  Q_OBJECT
+ public slots:
+  void take(const QUrl& /*url*/) {}
+};
+
+class Monkey : public QObject {
+ public:
+  Monkey(MainWindow& window, test::Watchdog& watchdog, QString large_session, std::uint64_t seed)
+      : window_(window), watchdog_(watchdog), large_session_(std::move(large_session)), random_(seed) {
+    constexpr int kPause_ms = 12;
+    timer_.setInterval(kPause_ms);
+    connect(&timer_, &QTimer::timeout, this, &Monkey::act);
+    timer_.start();
+  }
+
+  [[nodiscard]] std::uint64_t acts() const { return acts_; }
+  [[nodiscard]] const std::map<QString, int>& counts() const { return counts_; }
+
+ private:
+  int below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
+  bool chance(double p) { return std::bernoulli_distribution(p)(random_); }
+
+  void act() {
+    if (acting_) {
+      // Something waits for an answer in a loop of its own.
+      if (auto* popup = QApplication::activePopupWidget()) popup->close();
+      if (auto* modal = QApplication::activeModalWidget()) modal->close();
+      return;
+    }
+    acting_ = true;
+    ++acts_;
+    if (!closeFileDialogs()) any();
+    acting_ = false;
+  }
+
+  /// Where files are chosen, the monkey chooses none: it would write anywhere.
+  bool closeFileDialogs() {
+    for (QWidget* top : QApplication::topLevelWidgets()) {
+      auto* dialog = qobject_cast<QFileDialog*>(top);
+      if (!dialog || !dialog->isVisible()) continue;
+      begin(QStringLiteral("cancel a file dialog"));
+      dialog->reject();
+      return true;
+    }
+    return false;
+  }
+
+  void any() {
+    struct Deed {
+      int weight;
+      void (Monkey::*act)();
+    };
+    static const std::vector<Deed> kDeeds = {{30, &Monkey::click},   {8, &Monkey::drag},      {10, &Monkey::wheel},
+                                             {22, &Monkey::key},     {20, &Monkey::trigger},  {3, &Monkey::resize},
+                                             {4, &Monkey::closeTop}, {1, &Monkey::openLarge}, {2, &Monkey::type}};
+    int total = 0;
+    for (const Deed& deed : kDeeds) total += deed.weight;
+    int at = below(total);
+    for (const Deed& deed : kDeeds) {
+      at -= deed.weight;
+      if (at < 0) {
+        (this->*deed.act)();
+        return;
+      }
+    }
+  }
+
+  void begin(const QString& what) {
+    watchdog_.setDoing(what);
+    ++counts_[what.section(QLatin1Char(' '), 0, 0)];
+  }
+
+  /// The window or a dialog of it; what is in front is likelier.
+  QWidget* someTop() {
+    if (auto* popup = QApplication::activePopupWidget(); popup && chance(0.8)) return popup;
+    std::vector<QWidget*> tops;
+    for (QWidget* top : QApplication::topLevelWidgets()) {
+      if (top->isVisible() && top->windowHandle() && (top->isWindow())) tops.push_back(top);
+    }
+    if (auto* active = QApplication::activeWindow(); active && chance(0.5)) return active;
+    if (tops.empty()) return &window_;
+    std::sort(tops.begin(), tops.end(), [](QWidget* a, QWidget* b) { return a->winId() < b->winId(); });
+    return tops[static_cast<std::size_t>(below(static_cast<int>(tops.size())))];
+  }
+  QPoint somewhere(const QWidget& widget) {
+    return {below(std::max(1, widget.width())), below(std::max(1, widget.height()))};
+  }
+  static QString nameOf(QWidget* top, const QPoint& at) {
+    const QWidget* child = top->childAt(at);
+    const QWidget* named = child ? child : top;
+    while (named && named->objectName().isEmpty()) named = named->parentWidget();
+    return QStringLiteral("%1 in %2")
+        .arg(child ? child->metaObject()->className() : top->metaObject()->className(),
+             named ? named->objectName() : QString());
+  }
+  Qt::KeyboardModifiers someModifiers() {
+    Qt::KeyboardModifiers modifiers = Qt::NoModifier;
+    if (chance(0.2)) modifiers |= Qt::ControlModifier;
+    if (chance(0.15)) modifiers |= Qt::ShiftModifier;
+    return modifiers;
+  }
+
+  void click() {
+    QWidget* top = someTop();
+    if (!top->windowHandle()) return;
+    const QPoint at = somewhere(*top);
+    const Qt::MouseButton button = chance(0.9) ? Qt::LeftButton : Qt::RightButton;
+    begin(QStringLiteral("click on %1").arg(nameOf(top, at)));
+    QPointer<QWindow> handle(top->windowHandle());
+    // What is clicked on may be gone before the button comes up, so every event looks whether there is still a window.
+    for (int k = chance(0.1) ? 2 : 1; k > 0; --k) {
+      if (handle) QTest::mousePress(handle, button, Qt::NoModifier, at);
+      if (handle) QTest::mouseRelease(handle, button, Qt::NoModifier, at);
+    }
+  }
+  void drag() {
+    QWidget* top = someTop();
+    QPointer<QWindow> handle(top->windowHandle());
+    if (!handle) return;
+    QPoint at = somewhere(*top);
+    begin(QStringLiteral("drag from %1").arg(nameOf(top, at)));
+    QTest::mousePress(handle, Qt::LeftButton, Qt::NoModifier, at);
+    const QPoint step(below(41) - 20, below(41) - 20);
+    for (int k = 0; k < 6 && handle; ++k) QTest::mouseMove(handle, at += step);
+    if (handle) QTest::mouseRelease(handle, Qt::LeftButton, Qt::NoModifier, at);
+  }
+  void wheel() {
+    QWidget* top = someTop();
+    const QPoint at = somewhere(*top);
+    QWidget* target = top->childAt(at) ? top->childAt(at) : top;
+    begin(QStringLiteral("wheel on %1").arg(nameOf(top, at)));
+    const QPoint delta(0, chance(0.5) ? 120 : -120);
+    QWheelEvent event(target->mapFrom(top, at), top->mapToGlobal(at), {}, delta, Qt::NoButton,
+                      chance(0.2) ? Qt::ControlModifier : Qt::NoModifier, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(target, &event);
+  }
+  void key() {
+    static const std::vector<int> kKeys = {
+        Qt::Key_Tab,  Qt::Key_Backtab, Qt::Key_Return, Qt::Key_Escape, Qt::Key_Space,  Qt::Key_Up,       Qt::Key_Down,
+        Qt::Key_Left, Qt::Key_Right,   Qt::Key_Home,   Qt::Key_End,    Qt::Key_PageUp, Qt::Key_PageDown, Qt::Key_Delete,
+        Qt::Key_F1,   Qt::Key_A,       Qt::Key_F,      Qt::Key_G,      Qt::Key_H,      Qt::Key_R,        Qt::Key_T,
+        Qt::Key_Z,    Qt::Key_Y,       Qt::Key_1,      Qt::Key_2,      Qt::Key_3,      Qt::Key_4,        Qt::Key_5,
+        Qt::Key_6,    Qt::Key_7,       Qt::Key_Comma,  Qt::Key_E,      Qt::Key_K,      Qt::Key_S,        Qt::Key_O};
+    const int code = kKeys[static_cast<std::size_t>(below(static_cast<int>(kKeys.size())))];
+    const Qt::KeyboardModifiers modifiers = someModifiers();
+    QWidget* top = QApplication::activePopupWidget();
+    if (!top) top = QApplication::activeWindow() ? QApplication::activeWindow() : &window_;
+    begin(QStringLiteral("key %1 with focus on %2")
+              .arg(QKeySequence(code | static_cast<int>(modifiers)).toString(),
+                   QApplication::focusWidget() ? QApplication::focusWidget()->objectName() : QString()));
+    QPointer<QWindow> handle(top->windowHandle());
+    if (handle) QTest::keyPress(handle, static_cast<Qt::Key>(code), modifiers);
+    if (handle) QTest::keyRelease(handle, static_cast<Qt::Key>(code), modifiers);
+  }
+  void type() {
+    const QPointer<QWidget> focus = QApplication::focusWidget();
+    if (!focus) return;
+    begin(QStringLiteral("type into %1 %2").arg(focus->metaObject()->className(), focus->objectName()));
+    for (const QChar digit : QString::number(below(2000))) {
+      if (focus) QTest::keyPress(focus, digit.toLatin1());
+      if (focus) QTest::keyRelease(focus, digit.toLatin1());
+    }
+  }
+  void trigger() {
+    const QList<QAction*> actions = window_.QWidget::actions();
+    QAction* action = actions[below(actions.size())];
+    if (!action->isEnabled()) return;
+    begin(QStringLiteral("action %1").arg(action->objectName()));
+    action->trigger();
+  }
+  void resize() {
+    const QSize size(900 + below(900), 560 + below(500));
+    begin(QStringLiteral("resize to %1x%2").arg(size.width()).arg(size.height()));
+    window_.resize(size);
+  }
+  void closeTop() {
+    QWidget* top = someTop();
+    if (top == &window_) return;
+    begin(QStringLiteral("close %1").arg(top->objectName()));
+    top->close();
+  }
+  void openLarge() {
+    begin(QStringLiteral("open 1,260 cells"));
+    window_.openFile(large_session_);
+  }
+
+  MainWindow& window_;
+  test::Watchdog& watchdog_;
+  QString large_session_;
+  std::mt19937_64 random_;
+  QTimer timer_;
+  bool acting_ = false;
+  std::uint64_t acts_ = 0;
+  std::map<QString, int> counts_;
+};
+
+QString writeLargeSession(const QString& path) {
+  SimulatedSkinOptions options;
+  options.patch = "sheet:30x42";
+  options.surface = "cylinder:r=0.3";
+  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+  writeSessionStore(simulateSession(skin, 3, 20), path.toStdString());
+  return path;
+}
+
+void report(const Monkey& monkey, const test::Watchdog& watchdog, std::uint64_t seed) {
+  std::cout << "seed " << seed << ": " << monkey.acts() << " acts, " << watchdog.beats() << " beats, worst stall "
+            << watchdog.worst().wall_ms << " ms (" << watchdog.worst().cpu_ms << " ms computing, "
+            << watchdog.worst().load_ms << " ms the machine was busy): " << watchdog.worst().doing.toStdString()
+            << "\n";
+  for (const auto& [what, count] : monkey.counts()) std::cout << "  " << what.toStdString() << ": " << count << '\n';
+  std::vector<test::Stall> stalls = watchdog.stalls();
+  std::sort(stalls.begin(), stalls.end(), [](const auto& a, const auto& b) { return a.wall_ms > b.wall_ms; });
+  constexpr std::size_t kShown = 40;
+  for (std::size_t k = 0; k < std::min(kShown, stalls.size()); ++k) {
+    std::cout << "  stall " << stalls[k].wall_ms << " ms, computing " << stalls[k].cpu_ms << ", load "
+              << stalls[k].load_ms << ": " << stalls[k].doing.toStdString() << '\n';
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+  format.setSamples(0);
+  QSurfaceFormat::setDefaultFormat(format);
+  installStyle();
+  QApplication application(argc, argv);
+  QApplication::setQuitOnLastWindowClosed(false);
+  QCoreApplication::setOrganizationName(QStringLiteral("HexodermTests"));
+  QCoreApplication::setApplicationName(QStringLiteral("monkey"));
+  QCommandLineParser parser;
+  const QCommandLineOption minutes(QStringLiteral("minutes"), QString(), QStringLiteral("M"), QStringLiteral("20"));
+  const QCommandLineOption seed(QStringLiteral("seed"), QString(), QStringLiteral("N"), QStringLiteral("1"));
+  const QCommandLineOption limit(QStringLiteral("limit-ms"), QString(), QStringLiteral("L"), QStringLiteral("100"));
+  const QCommandLineOption discount(QStringLiteral("discount-load"));
+  const QCommandLineOption trace(QStringLiteral("trace"));
+  parser.addOptions({minutes, seed, limit, discount, trace});
+  parser.process(application);
+
+  const QTemporaryDir folder;
+  QStandardPaths::setTestModeEnabled(true);
+  QSettings::setDefaultFormat(QSettings::IniFormat);
+  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.filePath(QStringLiteral("settings")));
+  QSettings().setValue(QStringLiteral("paths/last"), folder.path());
+  QDir::setCurrent(folder.path());
+  SwallowUrls swallow;
+  QDesktopServices::setUrlHandler(QStringLiteral("file"), &swallow, "take");
+  const QString large = writeLargeSession(folder.filePath(QStringLiteral("large.hexo")));
+
+  const double limit_ms = parser.value(limit).toDouble();
+  bool failed = false;
+  {
+    MainWindow window;
+    window.actions().quit->setEnabled(false);
+    window.show();
+    window.openFile(large);
+    // What is made once, at the start, is not what the monkey looks at.
+    if (!QTest::qWaitFor([&] { return window.controller().reconstruction() != nullptr; }, 60000)) {
+      std::cerr << "monkey: the session was not opened\n";
+      return EXIT_FAILURE;
+    }
+    QTest::qWait(1000);
+    test::Watchdog watchdog(limit_ms, parser.isSet(trace));
+    const Monkey monkey(window, watchdog, large, parser.value(seed).toULongLong());
+    QTimer::singleShot(static_cast<int>(60000 * parser.value(minutes).toDouble()), &application, [] {
+      // Out of a menu's loop too.
+      for (QWidget* top : QApplication::topLevelWidgets()) {
+        if (qobject_cast<QDialog*>(top) || top == QApplication::activePopupWidget()) top->close();
+      }
+      QCoreApplication::quit();
+    });
+    QApplication::exec();
+    report(monkey, watchdog, parser.value(seed).toULongLong());
+    failed = std::any_of(watchdog.stalls().begin(), watchdog.stalls().end(), [&](const test::Stall& stall) {
+      return stall.wall_ms - (parser.isSet(discount) ? stall.load_ms : 0) > limit_ms;
+    });
+    if (monkey.acts() == 0) failed = true;
+  }
+  std::cout << (failed ? "failed: the window stalled for more than " : "passed: no stall of more than ") << limit_ms
+            << " ms\n";
+  return failed ? EXIT_FAILURE : EXIT_SUCCESS;
+}
+
+#include "monkey.moc"

@@ -1,0 +1,11 @@
+#!/bin/bash
+# Twenty minutes of random input on the window: what it does is in monkey.cpp. Builds the program where it is not up to
+# date.
+# Usage: tests/monkey/monkey.sh [--minutes N] [--seed N] [--limit-ms N] [--discount-load] [--trace]
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+source packaging/environment.sh
+cmake --preset release >/dev/null
+cmake --build --preset release --target monkey --parallel "$jobs"
+[ $# -gt 0 ] || set -- --minutes 20
+on_virtual_display build/release/tests/monkey/monkey "$@"

@@ -1,0 +1,116 @@
+#include "widgets/table_actions.h"
+
+#include "sample_reconstruction.h"
+#include "widgets/figure_table.h"
+#include "widgets/tables.h"
+
+#include <gmock/gmock.h>
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QFile>
+#include <QLocale>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace hexoderm {
+namespace {
+
+class TableActionsTest : public testing::Test {
+ protected:
+  TableActionsTest() {
+    table_.setContent({{"Name", {}, {}, 0, true}, {"Length mm", "mm", {}, 2, false}, {"Angle °", "deg", {}, 1, false}},
+                      {{{QStringLiteral("a, b"), 1.0 / 3, QVariant()}},
+                       {{QStringLiteral("say \"x\"\nand go"), -2.5, 1e-7}},
+                       {{QStringLiteral("cell 10"), 10.0, 2.0}},
+                       {{QStringLiteral("cell 9"), 9.0, 3.0}}});
+  }
+  ~TableActionsTest() override { QLocale::setDefault(QLocale::c()); }
+
+  FigureTable table_;
+};
+
+TEST_F(TableActionsTest, CsvQuotesWhatMustBeAndKeepsAllDigits) {
+  EXPECT_EQ(tableAsCsv(table_).toStdString(),
+            "Name,Length mm,Angle (deg)\r\n"
+            "\"a, b\",0.3333333333333333,\r\n"
+            "\"say \"\"x\"\"\nand go\",-2.5,1e-07\r\n"
+            "cell 10,10,2\r\n"
+            "cell 9,9,3\r\n");
+}
+
+TEST_F(TableActionsTest, CsvHasADecimalPointWhateverTheLocale) {
+  const QByteArray before = tableAsCsv(table_);
+  QLocale::setDefault(QLocale(QLocale::German));
+  EXPECT_EQ(table_.index(1, 1).data().toString(), "−2,50") << "what is shown follows the locale";
+  EXPECT_EQ(tableAsCsv(table_), before);
+}
+
+TEST_F(TableActionsTest, CsvOfTheLinksHoldsWhatIsBehindTheTexts) {
+  LinkTable links;
+  links.setReconstruction(sampleTwoPatches());
+  const QList<QByteArray> lines = tableAsCsv(links).split('\n');
+  EXPECT_EQ(lines[0].trimmed().toStdString(),
+            "Link,Quality,Residual (deg),Predicted (deg),Bend (deg),Twist (deg),Yaw (deg),State");
+  const QList<QByteArray> fields = lines[1].trimmed().split(',');
+  EXPECT_NEAR(fields[2].toDouble(), 0.3, 1e-12);
+  EXPECT_NEAR(fields[6].toDouble(), -0.01, 1e-12) << "the table shows 0.0";
+  EXPECT_TRUE(lines[5].trimmed().endsWith(",,,,,,muted")) << lines[5].toStdString();
+}
+
+TEST_F(TableActionsTest, SortsNumbersByValueNamesAsAPersonWouldAndTheUnknownLast) {
+  SortedTable sorted(&table_);
+  const auto names = [&] {
+    QStringList result;
+    for (int row = 0; row < sorted.rowCount(); ++row) result << sorted.index(row, 0).data().toString().left(7);
+    return result.join('|').toStdString();
+  };
+  EXPECT_EQ(names(), "a, b|say \"x\"|cell 10|cell 9");
+  sorted.sort(1, Qt::AscendingOrder);
+  EXPECT_EQ(names(), "say \"x\"|a, b|cell 9|cell 10");
+  sorted.sort(0, Qt::AscendingOrder);
+  EXPECT_EQ(names(), "a, b|cell 9|cell 10|say \"x\"");
+  sorted.sort(2, Qt::AscendingOrder);
+  EXPECT_EQ(sorted.index(3, 0).data().toString(), "a, b");
+  sorted.sort(2, Qt::DescendingOrder);
+  EXPECT_EQ(sorted.index(3, 0).data().toString(), "a, b");
+  EXPECT_EQ(sorted.index(0, 0).data().toString(), "cell 9");
+}
+
+TEST_F(TableActionsTest, CopiesWhatIsShownInItsOrder) {
+  SortedTable sorted(&table_);
+  QTableView view;
+  view.setModel(&sorted);
+  new TableActions(&view, "table");
+  sorted.sort(1, Qt::DescendingOrder);
+  view.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
+  view.setFocus();
+  QTest::keyClick(&view, Qt::Key_C, Qt::ControlModifier);
+  const QStringList lines = QApplication::clipboard()->text().split("\r\n");
+  ASSERT_EQ(lines.size(), 6) << "header, four rows, and the end of the last";
+  EXPECT_TRUE(lines[1].startsWith("cell 10,"));
+}
+
+TEST_F(TableActionsTest, SavesWholeFilesAndSaysWhyItCannot) {
+  QTableView view;
+  view.setModel(&table_);
+  auto* actions = new TableActions(&view, "table");
+  QSignalSpy saved(actions, &TableActions::saved);
+  QSignalSpy failed(actions, &TableActions::failed);
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("table.csv");
+  actions->saveTo(path);
+  ASSERT_EQ(saved.count(), 1);
+  QFile file(path);
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  EXPECT_EQ(file.readAll(), tableAsCsv(table_));
+  actions->saveTo(folder.filePath("no/such/folder/table.csv"));
+  ASSERT_EQ(failed.count(), 1);
+  EXPECT_TRUE(failed[0][0].toString().contains("no/such/folder/table.csv"));
+}
+
+}  // namespace
+}  // namespace hexoderm

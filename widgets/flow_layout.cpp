@@ -1,0 +1,74 @@
+#include "widgets/flow_layout.h"
+
+#include <QWidget>
+#include <algorithm>
+
+namespace hexoderm {
+namespace {
+
+constexpr int kApart = 24;  // between the groups, at least
+
+}  // namespace
+
+FlowLayout::FlowLayout(QWidget* parent) : QLayout(parent) {}
+
+FlowLayout::~FlowLayout() { qDeleteAll(items_); }
+
+QLayoutItem* FlowLayout::itemAt(int index) const { return index >= 0 && index < count() ? items_.at(index) : nullptr; }
+
+QLayoutItem* FlowLayout::takeAt(int index) {
+  if (index < 0 || index >= count()) return nullptr;
+  if (index < second_group_) --second_group_;
+  return items_.takeAt(index);
+}
+
+int FlowLayout::groupWidth(int first, int end) const {
+  int width = 0;
+  for (int k = first; k < end; ++k) width += items_.at(k)->sizeHint().width() + (k > first ? spacing() : 0);
+  return width;
+}
+
+QSize FlowLayout::sizeHint() const {
+  const QMargins margins = contentsMargins();
+  const int width =
+      groupWidth(0, second_group_) + kApart + groupWidth(second_group_, count()) + margins.left() + margins.right();
+  return {width, heightForWidth(width)};
+}
+
+QSize FlowLayout::minimumSize() const {
+  const QMargins margins = contentsMargins();
+  QSize least;
+  for (const QLayoutItem* item : items_) least = least.expandedTo(item->sizeHint());
+  return least.grownBy(margins);
+}
+
+void FlowLayout::setGeometry(const QRect& rect) {
+  QLayout::setGeometry(rect);
+  arrange(rect, true);
+}
+
+int FlowLayout::arrange(const QRect& rect, bool place) const {
+  const QRect room = rect.marginsRemoved(contentsMargins());
+  const int first_width = groupWidth(0, second_group_);
+  const int second_width = groupWidth(second_group_, count());
+  const bool one_row = first_width + kApart + second_width <= room.width();
+  int x = room.left();
+  int y = room.top();
+  int row_height = 0;
+  for (int k = 0; k < count(); ++k) {
+    const QSize size = items_.at(k)->sizeHint();
+    if (k == second_group_ && one_row) x = room.left() + room.width() - second_width;
+    const bool full = x > room.left() && x + size.width() > room.left() + room.width();
+    if (!one_row && (full || (k == second_group_ && k > 0))) {
+      x = room.left();
+      y += row_height + spacing();
+      row_height = 0;
+    }
+    if (place) items_.at(k)->setGeometry(QRect(QPoint(x, y), size));
+    x += size.width() + spacing();
+    row_height = std::max(row_height, size.height());
+  }
+  return y + row_height - rect.top() + contentsMargins().bottom();
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "hexoderm/reconstruction/reconstruction.h"
+#include "widgets/palette.h"
+
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+class QStackedWidget;
+class QTableView;
+class QToolButton;
+
+namespace hexoderm {
+
+class ResidualMatrixDelegate;
+class ResidualPlots;
+class ResidualTable;
+class Selection;
+class SortedTable;
+
+/// From this angle on a residual has the last colour of the scale, which is the same for every skin: 0 to 3 degrees.
+constexpr double kWorstResidualColor_deg = 3;
+/// Viridis for a residual, and what can be read on it.
+QColor residualColor(double residual_deg);
+QColor textColorOn(const QColor& ground);
+
+/// How well each link fits each pose: as a matrix of numbers and colours, or as plots. Picking a cell of the matrix
+/// picks the link, and its pose by posePicked(); a link that is picked elsewhere is picked here.
+class ResidualView : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `selection` must outlive the view.
+  explicit ResidualView(Selection* selection, QWidget* parent = nullptr);
+  ~ResidualView() override;
+
+  void setReconstruction(const std::shared_ptr<const Reconstruction>& reconstruction);
+  void setTheme(Theme theme);
+  /// The matrix, for the actions on tables.
+  [[nodiscard]] QTableView* matrix() const { return matrix_; }
+
+ public slots:
+  void showMatrix();
+  void showPlots();
+
+ signals:
+  void posePicked(hexoderm::PoseId pose);
+
+ private:
+  QWidget* buildHeader();
+  void pickCurrent(const QModelIndex& current);
+  void showPicked();
+  void fitColumns();
+
+  Selection* selection_;
+  ResidualTable* table_;
+  SortedTable* sorted_;
+  QTableView* matrix_;
+  ResidualMatrixDelegate* delegate_;
+  ResidualPlots* plots_;
+  QStackedWidget* pages_;
+  QToolButton* matrix_button_;
+  QToolButton* plots_button_;
+  QWidget* legend_;
+  bool following_ = false;  ///< the matrix is being moved to what was picked elsewhere
+};
+
+}  // namespace hexoderm

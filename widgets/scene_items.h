@@ -1,0 +1,26 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace hexoderm {
+
+/// What can be shown over the cells or left out, in the order of the menu.
+enum class SceneItem { Ports, Ids, Axes, Gravity, Links, Tree, Ellipsoids, Truth, Surface, Loop, Comparison };
+
+inline constexpr std::array kSceneItems = {SceneItem::Ports,      SceneItem::Ids,       SceneItem::Axes,
+                                           SceneItem::Gravity,    SceneItem::Links,     SceneItem::Tree,
+                                           SceneItem::Ellipsoids, SceneItem::Truth,     SceneItem::Surface,
+                                           SceneItem::Loop,       SceneItem::Comparison};
+
+/// Whether an item can be drawn now, and why not.
+enum class Availability { Available, NoSkin, NoData, TooManyCells };
+
+using ShownItems = std::array<bool, kSceneItems.size()>;
+
+/// Links, the tree, ellipsoids and the truth are asked for; the rest is there from the start, or comes with its data.
+inline constexpr ShownItems kShownAtFirst = {true, true, true, true, false, false, false, false, true, true, true};
+
+constexpr std::size_t indexOf(SceneItem item) { return static_cast<std::size_t>(item); }
+
+}  // namespace hexoderm

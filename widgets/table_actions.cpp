@@ -1,0 +1,145 @@
+#include "widgets/table_actions.h"
+
+#include "hexoderm/util/text.h"
+
+#include <QAbstractItemView>
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QCollator>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QSaveFile>
+#include <QSettings>
+#include <algorithm>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+QString lastFolder() {
+  const QString last = QSettings().value(QStringLiteral("paths/last")).toString();
+  return !last.isEmpty() && QDir(last).exists() ? last : QDir::homePath();
+}
+
+bool isReal(const QVariant& value) {
+  return value.userType() == QMetaType::Double || value.userType() == QMetaType::Float;
+}
+
+QByteArray quoted(const QString& field) {
+  QByteArray text = field.toUtf8();
+  const bool special =
+      std::any_of(text.cbegin(), text.cend(), [](char c) { return c == ',' || c == '"' || c == '\n' || c == '\r'; });
+  if (!special) return text;
+  text.replace('"', "\"\"");
+  return '"' + text + '"';
+}
+
+QByteArray field(const QModelIndex& index) {
+  const QVariant raw = index.data(kRawRole);
+  if (isReal(raw)) return QByteArray::fromStdString(formatExact(raw.toDouble()));
+  if (raw.isValid()) return quoted(raw.toString());
+  // Tables that know the role say "not known" by an invalid value; others have no more than their texts.
+  const bool knows_role = index.model()->headerData(index.column(), Qt::Horizontal, kUnitRole).isValid();
+  return knows_role ? QByteArray() : quoted(index.data(Qt::DisplayRole).toString());
+}
+
+QByteArray heading(const QAbstractItemModel& model, int column) {
+  QString name = model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+  if (name.endsWith(QStringLiteral(" °"))) name.chop(2);  // said by the unit
+  const QString unit = model.headerData(column, Qt::Horizontal, kUnitRole).toString();
+  const bool named = unit.isEmpty() || name.endsWith(QLatin1Char(' ') + unit);
+  return quoted(named ? name : QStringLiteral("%1 (%2)").arg(name, unit));
+}
+
+}  // namespace
+
+QByteArray tableAsCsv(const QAbstractItemModel& model) {
+  const int columns = model.columnCount();
+  const int rows = model.rowCount();
+  // Tables without names for their rows leave it to Qt, which counts them.
+  const bool row_names = rows > 0 && model.headerData(0, Qt::Vertical, kRawRole).isValid();
+  QByteArray csv;
+  if (row_names) csv += quoted(model.headerData(0, Qt::Vertical, kUnitRole).toString());
+  for (int column = 0; column < columns; ++column) {
+    if (column > 0 || row_names) csv += ',';
+    csv += heading(model, column);
+  }
+  csv += "\r\n";
+  for (int row = 0; row < rows; ++row) {
+    if (row_names) csv += quoted(model.headerData(row, Qt::Vertical, kRawRole).toString());
+    for (int column = 0; column < columns; ++column) {
+      if (column > 0 || row_names) csv += ',';
+      csv += field(model.index(row, column));
+    }
+    csv += "\r\n";
+  }
+  return csv;
+}
+
+SortedTable::SortedTable(QAbstractItemModel* table, QObject* parent) : QSortFilterProxyModel(parent) {
+  setSourceModel(table);
+}
+
+bool SortedTable::lessThan(const QModelIndex& left, const QModelIndex& right) const {
+  const QVariant a = left.data(kRawRole);
+  const QVariant b = right.data(kRawRole);
+  // The view turns the order round for descending; the unknown stay last.
+  if (!a.isValid() || !b.isValid()) {
+    if (a.isValid() == b.isValid()) return false;
+    return sortOrder() == Qt::AscendingOrder ? a.isValid() : b.isValid();
+  }
+  bool a_is_number = false;
+  bool b_is_number = false;
+  const double x = a.toDouble(&a_is_number);
+  const double y = b.toDouble(&b_is_number);
+  if (a_is_number && b_is_number) return x < y;
+  static const QCollator kCollator = [] {
+    QCollator collator;
+    collator.setNumericMode(true);
+    return collator;
+  }();
+  return kCollator.compare(a.toString(), b.toString()) < 0;
+}
+
+TableActions::TableActions(QAbstractItemView* view, QString file_name)
+    : QObject(view), view_(view), file_name_(std::move(file_name)) {
+  auto* copy = new QAction(tr("Copy as CSV"), view);
+  copy->setObjectName(QStringLiteral("actionCopyCsv"));
+  copy->setShortcut(QKeySequence::Copy);
+  copy->setShortcutContext(Qt::WidgetShortcut);
+  auto* save = new QAction(tr("Save as CSV…"), view);
+  save->setObjectName(QStringLiteral("actionSaveCsv"));
+  connect(copy, &QAction::triggered, this,
+          [this] { QApplication::clipboard()->setText(QString::fromUtf8(tableAsCsv(*view_->model()))); });
+  connect(save, &QAction::triggered, this, &TableActions::askForPath);
+  view->addActions({copy, save});
+  view->setContextMenuPolicy(Qt::ActionsContextMenu);
+}
+
+void TableActions::askForPath() {
+  auto* dialog = new QFileDialog(view_->window(), tr("Save the table"), lastFolder(), tr("Tables (*.csv)"));
+  dialog->setObjectName(QStringLiteral("saveTableDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix(QStringLiteral("csv"));
+  dialog->selectFile(file_name_ + QStringLiteral(".csv"));
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+    QSettings().setValue(QStringLiteral("paths/last"), QFileInfo(path).absolutePath());
+    saveTo(path);
+  });
+  dialog->open();
+}
+
+void TableActions::saveTo(const QString& path) {
+  const QByteArray csv = tableAsCsv(*view_->model());
+  QSaveFile file(path);
+  if (file.open(QIODevice::WriteOnly) && file.write(csv) == csv.size() && file.commit()) {
+    emit saved(path);
+  } else {
+    emit failed(tr("The table %1 could not be written: %2").arg(path, file.errorString()));
+  }
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <QAbstractItemModel>
+#include <QByteArray>
+#include <QObject>
+#include <QSortFilterProxyModel>
+
+class QAbstractItemView;
+
+namespace hexoderm {
+
+/// What is behind the text of a cell of a table: a number in the header's unit, or a text. Invalid: not known.
+constexpr int kRawRole = Qt::UserRole + 1;
+/// Of a header: the unit of the raw numbers below it, such as "deg", empty for counts and texts. Of a row's header:
+/// what the rows are, such as "Link"; their names are its raw value.
+constexpr int kUnitRole = Qt::UserRole + 2;
+
+/// A table as CSV after RFC 4180: UTF-8, lines end with CR LF, fields quoted where they must be. The first line names
+/// the columns with their units, as in "Residual (deg)". Raw numbers come with all their digits and a decimal point
+/// whatever the locale, what is not known as an empty field; cells without a raw value as they are shown. Row names,
+/// where a table has any, come first. Rows stand as the model has them, so a sorted view gives its order.
+QByteArray tableAsCsv(const QAbstractItemModel& model);
+
+/// Sorts any of the tables by what is behind the texts: numbers by value, names with numbers in them as a person would,
+/// what is not known last whichever way round. Unsorted until a header is clicked.
+class SortedTable : public QSortFilterProxyModel {
+  Q_OBJECT
+
+ public:
+  explicit SortedTable(QAbstractItemModel* table, QObject* parent = nullptr);
+
+ protected:
+  bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
+};
+
+/// "Copy as CSV" and "Save as CSV…" in the context menu of a table.
+class TableActions : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Becomes a child of the view. `file_name`: what the file is called at first, without folder and extension.
+  TableActions(QAbstractItemView* view, QString file_name);
+
+  /// Either whole or not at all; tells by saved() or failed().
+  void saveTo(const QString& path);
+
+ signals:
+  void saved(const QString& path);
+  void failed(const QString& message);
+
+ private:
+  void askForPath();
+
+  QAbstractItemView* view_;
+  QString file_name_;
+};
+
+}  // namespace hexoderm
