@@ -93,15 +93,20 @@ void ReportPage::table(const std::vector<Column>& columns, const std::vector<QSt
       "<table width=\"100%\" cellspacing=\"0\" cellpadding=\"3\" style=\"border-collapse: "
       "collapse\">\n<thead><tr>");
   const auto align = [](const Column& column) { return QLatin1String(column.figure ? "right" : "left"); };
-  for (const Column& column : columns) {
-    html_ += QStringLiteral("<th align=\"%1\">%2</th>").arg(align(column), column.title.toHtmlEscaped());
+  // A text right behind a figure would touch it.
+  const auto gap = [&columns](std::size_t k) {
+    return QLatin1String(k > 0 && columns[k - 1].figure && !columns[k].figure ? "&#160;&#160;" : "");
+  };
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    html_ +=
+        QStringLiteral("<th align=\"%1\">%2%3</th>").arg(align(columns[k]), gap(k), columns[k].title.toHtmlEscaped());
   }
   html_ += QStringLiteral("</tr></thead>\n<tbody>\n");
   for (const QStringList& row : rows) {
     html_ += QStringLiteral("<tr>");
-    for (int k = 0; k < row.size(); ++k) {
-      html_ += QStringLiteral("<td align=\"%1\" valign=\"top\">%2</td>")
-                   .arg(align(columns[static_cast<std::size_t>(k)]), row[k].toHtmlEscaped());
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      html_ += QStringLiteral("<td align=\"%1\" valign=\"top\">%2%3</td>")
+                   .arg(align(columns[k]), gap(k), row[static_cast<int>(k)].toHtmlEscaped());
     }
     html_ += QStringLiteral("</tr>\n");
   }

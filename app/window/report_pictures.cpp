@@ -16,7 +16,15 @@ struct ReportPictures {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::ReportPictures)
 };
 
-constexpr QSize kSize(960, 720);
+// Twice the room on the page: sharp in print, and texts in it can still be read.
+constexpr QSize kSize(600, 450);
+
+/// Laid out and drawn as if it were shown, and not on any screen.
+void showNowhere(QWidget& view, QSize size) {
+  view.setAttribute(Qt::WA_DontShowOnScreen);
+  view.resize(size);
+  view.show();
+}
 
 }  // namespace
 
@@ -25,7 +33,7 @@ std::vector<ReportPicture> takeReportPictures(const std::shared_ptr<const Recons
   Selection nothing_picked;
   PatchView patch(&nothing_picked);
   if (patch.findChild<QOpenGLWidget*>() != nullptr) {
-    patch.resize(kSize);
+    showNowhere(patch, kSize);
     patch.setTheme(Theme::Light);
     patch.setReconstruction(reconstruction);
     for (const auto& [view, title] : {std::pair(PatchView::StandardView::Front, ReportPictures::tr("Patch, front")),
@@ -37,15 +45,15 @@ std::vector<ReportPicture> takeReportPictures(const std::shared_ptr<const Recons
     }
   }
   GraphView graph(&nothing_picked);
-  graph.resize(kSize);
+  showNowhere(graph, kSize);
   graph.setTheme(Theme::Light);
   graph.setReconstruction(reconstruction);
   graph.fit();
   pictures.push_back({ReportPictures::tr("Skin graph"), graph.grab().toImage()});
   CoverageView coverage;
-  coverage.resize(kSize);
   coverage.setTheme(Theme::Light);
   coverage.setCoverage(coverageOf(*reconstruction));
+  showNowhere(coverage, QSize(kSize.width(), coverage.heightForWidth(kSize.width())));
   pictures.push_back({ReportPictures::tr("Directions of gravity"), coverage.grab().toImage()});
   return pictures;
 }

@@ -1,4 +1,5 @@
 #include "app/window/report.h"
+#include "app/window/report_pictures.h"
 #include "hexoderm/util/error.h"
 #include "support/reconstruction_builder.h"
 #include "support/temporary_folder.h"
@@ -147,7 +148,11 @@ TEST_F(ReportWindow, WritesAReportWithPicturesFromTheMenu) {
     EXPECT_GT(QFileInfo(pathTo(QString::fromLatin1(name))).size(), 20000);
   }
   const QString html = QString::fromStdString(readAll(pathTo(QStringLiteral("demo.html")).toStdString()));
-  EXPECT_GE(html.count(QStringLiteral("data:image/png")), 4);
+  EXPECT_GE(html.count(QStringLiteral("data:image/png")), 5);
+  for (const ReportPicture& taken : takeReportPictures(controller().reconstruction())) {
+    EXPECT_GE(taken.image.width(), 500) << taken.title.toStdString();
+    EXPECT_GE(taken.image.height(), 200) << taken.title.toStdString();
+  }
   QTextDocument page;
   page.setHtml(html);
   page.setTextWidth(660);
