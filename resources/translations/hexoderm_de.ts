@@ -272,6 +272,14 @@
         <source>Working out which pose helps most…</source>
         <translation>Es wird berechnet, welche Pose am meisten hilft …</translation>
     </message>
+    <message>
+        <source>Turn on</source>
+        <translation>Weiter drehen</translation>
+    </message>
+    <message>
+        <source>%1° to go</source>
+        <translation>noch %1°</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::CaptureWords</name>
@@ -352,10 +360,6 @@
         <translation>Warum: Die Schwerkraft wurde bisher nur entlang einer Linie gesehen. Eine zweite Richtung zeigt, wie die Zellen um diese gedreht sind.</translation>
     </message>
     <message>
-        <source>Why: gravity has been seen from two directions. A third one, out of their plane, also reveals each sensor&apos;s offset.</source>
-        <translation>Warum: Die Schwerkraft wurde aus zwei Richtungen gesehen. Eine dritte, außerhalb ihrer Ebene, zeigt auch den Nullpunktfehler jedes Sensors.</translation>
-    </message>
-    <message>
         <source>Why: the opposite of pose %1 tells each sensor&apos;s offset from its scale.</source>
         <translation>Warum: Das Gegenteil von Pose %1 trennt bei jedem Sensor Nullpunkt- und Skalenfehler.</translation>
     </message>
@@ -374,14 +378,6 @@
     <message>
         <source>No pose yet: any direction will do.</source>
         <translation>Noch keine Pose: jede Richtung ist recht.</translation>
-    </message>
-    <message>
-        <source>No pose yet with cell %1 facing a wall: the second value is %2, needs %3.</source>
-        <translation>Noch keine Pose, in der Zelle %1 zu einer Wand zeigt: der zweite Wert ist %2, nötig sind %3.</translation>
-    </message>
-    <message>
-        <source>No pose yet with cell %1 facing a wall: the third value is %2, needs %3.</source>
-        <translation>Noch keine Pose, in der Zelle %1 zu einer Wand zeigt: der dritte Wert ist %2, nötig sind %3.</translation>
     </message>
     <message>
         <source>No pose yet with cell %1 facing the ceiling or the floor: the second value is %2, needs %3.</source>
@@ -518,6 +514,18 @@
     <message>
         <source>Not waited for: %1</source>
         <translation>Nicht gewartet wird auf: %1</translation>
+    </message>
+    <message>
+        <source>Why: gravity has been seen in one plane only. A direction out of it also reveals each sensor&apos;s offset.</source>
+        <translation>Warum: Die Schwerkraft wurde nur in einer Ebene gesehen. Eine Richtung außerhalb von ihr zeigt auch den Nullpunktfehler jedes Sensors.</translation>
+    </message>
+    <message>
+        <source>No pose yet with the side of cell %1 up or down: the second value is %2, needs %3.</source>
+        <translation>Noch keine Pose, in der die Seite von Zelle %1 oben oder unten ist: der zweite Wert ist %2, nötig sind %3.</translation>
+    </message>
+    <message>
+        <source>No pose yet with the side of cell %1 up or down: the third value is %2, needs %3.</source>
+        <translation>Noch keine Pose, in der die Seite von Zelle %1 oben oder unten ist: der dritte Wert ist %2, nötig sind %3.</translation>
     </message>
 </context>
 <context>
