@@ -30,7 +30,7 @@ constexpr double kLoopArrowWidth = 0.12;  // of the side length
 
 /// The depth at which a thing counts, as GLSL.
 void setDepth(vtkActor* actor, const std::string& depth) {
-  actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Depth::Impl", false,
+  actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Depth::Impl", true,
                                                            "gl_FragDepth = " + depth + ";\n", false);
 }
 

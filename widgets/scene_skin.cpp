@@ -1,5 +1,6 @@
 #include "widgets/scene_skin.h"
 
+#include "hexoderm/util/text.h"
 #include "widgets/patch_geometry.h"
 
 #include <vtkActor.h>
@@ -19,18 +20,10 @@ namespace {
 /// Lights the underside of front faces in a shade of the cell's colour, as prisms have it: two passes, one a side,
 /// would take twice as long.
 void shadeUnderside(vtkActor* actor) {
-  const std::string shade = std::to_string(kUndersideShade);
-  actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Color::Impl", false,
-                                                           "//VTK::Color::Impl\n"
-                                                           "  if (!gl_FrontFacing) {\n"
-                                                           "    ambientColor *= " +
-                                                               shade +
-                                                               ";\n"
-                                                               "    diffuseColor *= " +
-                                                               shade +
-                                                               ";\n"
-                                                               "  }\n",
-                                                           false);
+  const std::string shade = formatFixed(kUndersideShade, 2);
+  const std::string code =
+      "//VTK::Color::Impl\n  if (!gl_FrontFacing) { ambientColor *= " + shade + "; diffuseColor *= " + shade + "; }\n";
+  actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Color::Impl", true, code, false);
 }
 
 /// Where a pixel's line of sight crosses a plane of constant depth, 0 at the front.

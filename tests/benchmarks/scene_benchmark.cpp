@@ -54,8 +54,17 @@ struct Stage {
     window->SetOffScreenRendering(1);
     window->SetSize(kWidth, kHeight);
     scene.setColors(plainColors());
-    scene.setSmoothed(false);  // as while the mouse turns the scene
     scene.attachTo(window);
+  }
+  /// All benchmarks draw in one window: a display that nobody is connected to any more may end.
+  static Stage& showing(const std::shared_ptr<const SceneContent>& content) {
+    static Stage& stage = *new Stage;  // never destroyed: OpenGL may be gone by then
+    stage.scene.setContent(content);
+    stage.scene.setColoring(CellColoring::LinkQuality);
+    stage.scene.setSmoothed(false);  // as while the mouse turns the scene
+    stage.scene.showStandardView(PatchScene::View::Oblique);
+    stage.draw();
+    return stage;
   }
   void draw() {
     window->Render();
@@ -67,8 +76,7 @@ struct Stage {
 };
 
 void turn(benchmark::State& state, bool smoothed) {
-  Stage stage;
-  stage.scene.setReconstruction(skinOf(state.range(0)));
+  Stage& stage = Stage::showing(makeSceneContent(skinOf(state.range(0))));
   stage.scene.setSmoothed(smoothed);
   stage.draw();
   for ([[maybe_unused]] auto _ : state) {
@@ -85,10 +93,8 @@ void TurningSmoothed(benchmark::State& state) { turn(state, true); }
 
 /// A new result of the same skin, on the GUI's thread: what was prepared elsewhere is taken over and drawn.
 void NewResultTakenOverAndDrawn(benchmark::State& state) {
-  Stage stage;
   const std::array contents = {makeSceneContent(skinOf(state.range(0))), makeSceneContent(skinOf(state.range(0)))};
-  stage.scene.setContent(contents[0]);
-  stage.draw();
+  Stage& stage = Stage::showing(contents[0]);
   std::size_t next = 0;
   for ([[maybe_unused]] auto _ : state) {
     stage.scene.setContent(contents.at(++next % 2));
@@ -98,9 +104,8 @@ void NewResultTakenOverAndDrawn(benchmark::State& state) {
 
 /// The part of it that comes before drawing.
 void NewResultTakenOver(benchmark::State& state) {
-  Stage stage;
   const auto content = makeSceneContent(skinOf(state.range(0)));
-  stage.draw();
+  Stage& stage = Stage::showing(content);
   for ([[maybe_unused]] auto _ : state) stage.scene.setContent(content);
 }
 
@@ -111,9 +116,8 @@ void NewResultPrepared(benchmark::State& state) {
 }
 
 void ReadingsRecolour(benchmark::State& state) {
-  Stage stage;
   const auto skin = skinOf(state.range(0));
-  stage.scene.setReconstruction(skin);
+  Stage& stage = Stage::showing(makeSceneContent(skin));
   stage.scene.setColoring(CellColoring::ReadingZ);
   stage.draw();
   CellReadings readings;
@@ -130,10 +134,8 @@ void ReadingsRecolour(benchmark::State& state) {
 
 /// The first pick of a result sorts its cells; the next ones are quicker.
 void FirstPick(benchmark::State& state) {
-  Stage stage;
   const auto content = makeSceneContent(skinOf(state.range(0)));
-  stage.scene.setContent(content);
-  stage.draw();
+  Stage& stage = Stage::showing(content);
   for ([[maybe_unused]] auto _ : state) {
     state.PauseTiming();
     stage.scene.setContent(content);
@@ -143,9 +145,7 @@ void FirstPick(benchmark::State& state) {
 }
 
 void NextPick(benchmark::State& state) {
-  Stage stage;
-  stage.scene.setReconstruction(skinOf(state.range(0)));
-  stage.draw();
+  Stage& stage = Stage::showing(makeSceneContent(skinOf(state.range(0))));
   for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(stage.scene.pick(0.5 * kWidth, 0.5 * kHeight));
 }
 

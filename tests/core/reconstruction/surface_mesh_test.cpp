@@ -110,6 +110,27 @@ TEST(SurfaceMesh, SphereIsACapAboutTheCells) {
   EXPECT_NEAR(reach, 20 * kDegree + 0.1, 1e-4);
 }
 
+TEST(SurfaceMesh, ConeWidensAlongItsAxisAndEndsAtItsTip) {
+  constexpr double kHalfAngle = 20 * kDegree;
+  std::vector<Eigen::Vector3d> places;
+  for (const double z : {0.01, 0.04, 0.08, 0.12}) {
+    for (const double angle : {-50.0, -20.0, 10.0, 45.0})
+      places.push_back(onCylinder(angle, z, z * std::tan(kHalfAngle)));
+  }
+  const PatchReconstruction patch = patchAt(places);
+  const SurfaceEvaluation evaluation = evaluateSurface(patch, SurfaceKind::Cone);
+  const SurfaceMesh mesh = meshSurface(evaluation, patch, 0.03);
+  double low = 1;
+  for (const Eigen::Vector3d& p : localPoints(mesh)) {
+    EXPECT_NEAR(p.head<2>().norm(), p.z() * std::tan(kHalfAngle), 1e-5);
+    low = std::min(low, p.z());
+  }
+  EXPECT_NEAR(low, 0, 1e-4) << "not beyond the tip";
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    EXPECT_NEAR((mesh.centers[k] - mesh.feet[k]).norm(), std::abs(evaluation.distance_m[k]), 1e-9);
+  }
+}
+
 TEST(SurfaceMesh, PlaneCoversTheCells) {
   const PatchReconstruction patch = patchAt({{0, 0, 0}, {0.1, 0, 0}, {0.1, 0.05, 0}, {0, 0.05, 0}});
   const SurfaceMesh mesh = meshSurface(evaluateSurface(patch, SurfaceKind::Plane), patch, 0.01);
