@@ -80,8 +80,7 @@ QString gainInWords(const NextPose& next) {
           "it.");
     case PoseGain::OutOfPlane:
       return CaptureWords::tr(
-          "Why: gravity has been seen from two directions. A third one, out of their plane, also reveals each sensor's "
-          "offset.");
+          "Why: gravity has been seen in one plane only. A direction out of it also reveals each sensor's offset.");
     case PoseGain::Opposite:
       return CaptureWords::tr("Why: the opposite of pose %1 tells each sensor's offset from its scale.")
           .arg(next.opposite_of ? next.opposite_of->value() : 0);
@@ -108,8 +107,9 @@ QString missingInWords(const PoseCoverage& coverage) {
   const bool second = missing.which == 2;
   QString sentence;
   if (missing.facing.facing == Facing::Wall) {
-    sentence = second ? CaptureWords::tr("No pose yet with cell %1 facing a wall: the second value is %2, needs %3.")
-                      : CaptureWords::tr("No pose yet with cell %1 facing a wall: the third value is %2, needs %3.");
+    sentence =
+        second ? CaptureWords::tr("No pose yet with the side of cell %1 up or down: the second value is %2, needs %3.")
+               : CaptureWords::tr("No pose yet with the side of cell %1 up or down: the third value is %2, needs %3.");
   } else {
     sentence = second
                    ? CaptureWords::tr(
