@@ -23,19 +23,18 @@ namespace {
 
 constexpr std::size_t kFewestPoses = 4;  // one held out and three others
 
-template <class PerPatch>
-std::optional<PerPatch> largestOf(const std::vector<PerPatch>& patches) {
-  const auto largest = std::ranges::max_element(patches, {}, [](const PerPatch& patch) { return patch.cells.size(); });
-  return largest == patches.end() ? std::nullopt : std::optional(*largest);
+std::optional<SurfaceEvaluation> largestOf(const std::vector<SurfaceEvaluation>& surfaces) {
+  const auto largest =
+      std::ranges::max_element(surfaces, {}, [](const SurfaceEvaluation& surface) { return surface.cells.size(); });
+  return largest == surfaces.end() ? std::nullopt : std::optional(*largest);
 }
 
-/// The one that a row of a table belongs to, which lists them one after the other.
-template <class PerPatch>
-std::optional<PerPatch> ofRow(const std::vector<PerPatch>& patches, int row) {
+/// The surface that a row of the table belongs to, which lists one after the other.
+std::optional<SurfaceEvaluation> ofRow(const std::vector<SurfaceEvaluation>& surfaces, int row) {
   auto left = static_cast<std::size_t>(row);
-  for (const PerPatch& patch : patches) {
-    if (left < patch.cells.size()) return patch;
-    left -= patch.cells.size();
+  for (const SurfaceEvaluation& surface : surfaces) {
+    if (left < surface.cells.size()) return surface;
+    left -= surface.cells.size();
   }
   return std::nullopt;
 }
@@ -81,13 +80,10 @@ VerifyPanel::VerifyPanel(Selection* selection, QWidget* parent)
   connect(surface_, &VerifySection::cancelled, this, [this] { emit cancelRequested(VerifyCheck::Surface); });
   connect(comparison_, &VerifySection::cancelled, this, [this] { emit cancelRequested(VerifyCheck::Comparison); });
   connect(loop_, &VerifySection::rowPicked, this, [this](int row) {
-    emit loopShown(row < 0 ? std::nullopt : std::optional(loops_.at(static_cast<std::size_t>(row))));
+    emit loopShown(row < 0 ? std::nullopt : std::optional(loops_.at(static_cast<std::size_t>(row)).closure));
   });
   connect(surface_, &VerifySection::rowPicked, this, [this](int row) {
     if (row >= 0) emit surfaceShown(ofRow(surfaces_, row));
-  });
-  connect(comparison_, &VerifySection::rowPicked, this, [this](int row) {
-    if (row >= 0) emit comparisonShown(ofRow(comparisons_, row));
   });
   setReconstruction(nullptr, false);
 }
@@ -123,11 +119,13 @@ void VerifyPanel::buildHoldOut() {
 
 void VerifyPanel::buildSurface() {
   kind_->setObjectName(QStringLiteral("surfaceKind"));
+  kind_->setAccessibleName(tr("Surface through the cells"));
   kind_->addItem(tr("None"), -1);
   for (const SurfaceKind kind : {SurfaceKind::Plane, SurfaceKind::Cylinder, SurfaceKind::Sphere, SurfaceKind::Cone}) {
     kind_->addItem(surfaceKindWord(kind), static_cast<int>(kind));
   }
   radius_mm_->setObjectName(QStringLiteral("surfaceRadius"));
+  radius_mm_->setAccessibleName(tr("True radius of the surface"));
   radius_mm_->setRange(0, 100000);
   radius_mm_->setDecimals(2);
   radius_mm_->setSuffix(tr(" mm"));
@@ -160,7 +158,7 @@ void VerifyPanel::dropComparison() {
   comparison_->setSentence({});
   refreshControls();
   emit comparisonDropped();
-  emit comparisonShown(std::nullopt);
+  emit comparisonShown({});
 }
 
 void VerifyPanel::setReconstruction(std::shared_ptr<const Reconstruction> reconstruction, bool has_readings) {
@@ -194,7 +192,7 @@ void VerifyPanel::setReconstruction(std::shared_ptr<const Reconstruction> recons
     comparisons_.clear();
     emit loopShown(std::nullopt);
     emit surfaceShown(std::nullopt);
-    emit comparisonShown(std::nullopt);
+    emit comparisonShown({});
   }
   refreshControls();
 }
@@ -265,7 +263,7 @@ void VerifyPanel::showLoops(const std::vector<FoundLoop>& loops) {
   loop_->setFigures(loopFigures(loops));
   // What is open is looked at first; nothing is drawn of a sheet with hundreds of closed ones until one is picked.
   const bool open = !loops.empty() && !loops.front().closed;
-  emit loopShown(open ? std::optional(loops.front()) : std::nullopt);
+  emit loopShown(open ? std::optional(loops.front().closure) : std::nullopt);
 }
 
 void VerifyPanel::showSurfaces(const std::vector<SurfaceEvaluation>& surfaces, const QStringList& remarks) {
@@ -292,7 +290,7 @@ void VerifyPanel::showComparison(const std::vector<Comparison>& comparisons, con
   comparison_->setSentence(comparisonInWords(comparisons, against));
   comparison_->setFigures(comparisonFigures(comparisons));
   refreshControls();
-  emit comparisonShown(largestOf(comparisons));
+  emit comparisonShown(comparisons);
 }
 
 void VerifyPanel::showFailure(VerifyCheck check, const QString& message) {

@@ -52,11 +52,11 @@ class VerifyPanel : public QWidget {
   void comparisonRequested(const QString& path);
   void comparisonDropped();
 
-  /// What the views draw: of the patch that is looked at, the largest unless a row of another is picked; none: nothing
-  /// any more.
+  /// What the views draw; none: nothing any more. The surface is that of the largest patch, unless a row of another is
+  /// picked.
   void surfaceShown(const std::optional<hexoderm::SurfaceEvaluation>& surface);
-  void comparisonShown(const std::optional<hexoderm::Comparison>& comparison);
-  void loopShown(const std::optional<hexoderm::FoundLoop>& loop);
+  void comparisonShown(const std::vector<hexoderm::Comparison>& comparisons);
+  void loopShown(const std::optional<hexoderm::LoopEvaluation>& loop);
 
  private:
   void buildHoldOut();

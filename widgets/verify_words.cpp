@@ -10,7 +10,9 @@
 namespace hexoderm {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("hexoderm::Verify", text); }
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(hexoderm::Verify)
+};
 
 QString degrees(double angle_rad) { return figureInWords(toDegrees(angle_rad), 2) + QStringLiteral("°"); }
 QString millimetres(double length_m) { return figureInWords(toMillimetres(length_m), 2) + QStringLiteral(" mm"); }
@@ -30,7 +32,7 @@ QString linkName(LinkEnd source, LinkEnd target) {
 
 Selection::Link ordered(LinkEnd a, LinkEnd b) { return b < a ? Selection::Link(b, a) : Selection::Link(a, b); }
 
-FigureTable::Column cellColumn() { return {tr("Cell"), {}, tr("ID of the cell"), 0, false}; }
+FigureTable::Column cellColumn() { return {Words::tr("Cell"), {}, Words::tr("ID of the cell"), 0, false}; }
 FigureTable::Column degreeColumn(const QString& name, const QString& explanation) {
   return {name, QStringLiteral("deg"), explanation, 2, false};
 }
@@ -47,41 +49,42 @@ VerifySentence holdOutInWords(const HoldOutResult& result) {
   switch (result.outcome) {
     case HoldOutOutcome::TooFewPoses:
       return {Tone::Caution,
-              tr("Needs three poses besides the one that is held out, and there are %1: take another pose.")
+              Words::tr("Needs three poses besides the one that is held out, and there are %1: take another pose.")
                   .arg(result.other_poses)};
     case HoldOutOutcome::NothingToCompare:
-      return {Tone::Caution, tr("In pose %1 no two joined cells can be compared.").arg(result.pose.value())};
+      return {Tone::Caution, Words::tr("In pose %1 no two joined cells can be compared.").arg(result.pose.value())};
     case HoldOutOutcome::Stopped:
-      return {Tone::Neutral, tr("Cancelled.")};
+      return {Tone::Neutral, Words::tr("Cancelled.")};
     case HoldOutOutcome::Evaluated:
       break;
   }
-  const QString figures = tr("The other %1 poses foretell pose %2 to %3 (rms over %4 cells); %5 were expected.")
+  const QString figures = Words::tr("The other %1 poses foretell pose %2 to %3 (rms over %4 cells); %5 were expected.")
                               .arg(result.other_poses)
                               .arg(result.pose.value())
                               .arg(degrees(result.rms_rad))
                               .arg(result.cells.size())
                               .arg(degrees(result.expected_rms_rad));
   const auto worst = std::ranges::max_element(result.cells, {}, &HoldOutCell::error_rad);
-  const QString worst_cell = tr("Worst: cell %1, %2.").arg(worst->cell.value()).arg(degrees(worst->error_rad));
+  const QString worst_cell = Words::tr("Worst: cell %1, %2.").arg(worst->cell.value()).arg(degrees(worst->error_rad));
   switch (result.agreement) {
     case HoldOutAgreement::AsStated:
-      return {Tone::Good, tr("As good as stated. %1").arg(figures)};
+      return {Tone::Good, Words::tr("As good as stated. %1").arg(figures)};
     case HoldOutAgreement::Worse:
-      return {Tone::Caution, tr("Somewhat worse than stated. %1 %2").arg(figures, worst_cell)};
+      return {Tone::Caution, Words::tr("Somewhat worse than stated. %1 %2").arg(figures, worst_cell)};
     case HoldOutAgreement::FarWorse:
       break;
   }
-  return {Tone::Bad,
-          tr("Far worse than stated: the part moved in this pose, or a cell is wrong. %1 %2").arg(figures, worst_cell)};
+  return {Tone::Bad, Words::tr("Far worse than stated: the part moved in this pose, or a cell is wrong. %1 %2")
+                         .arg(figures, worst_cell)};
 }
 
 VerifyFigures holdOutCells(const HoldOutResult& result) {
   VerifyFigures figures;
   figures.columns = {
       cellColumn(),
-      degreeColumn(tr("Error °"), tr("Between the gravity the cell read and what the other cells and poses foretell")),
-      degreeColumn(tr("Expected °"), tr("What the stated uncertainties lead one to expect, rms"))};
+      degreeColumn(Words::tr("Error °"),
+                   Words::tr("Between the gravity the cell read and what the other cells and poses foretell")),
+      degreeColumn(Words::tr("Expected °"), Words::tr("What the stated uncertainties lead one to expect, rms"))};
   for (const HoldOutCell& cell : result.cells) {
     figures.rows.push_back({{cell.cell.value(), toDegrees(cell.error_rad), toDegrees(cell.expected_rad)},
                             cell.cell,
@@ -93,9 +96,10 @@ VerifyFigures holdOutCells(const HoldOutResult& result) {
 
 VerifyFigures holdOutLinks(const HoldOutResult& result) {
   VerifyFigures figures;
-  figures.columns = {{tr("Link"), {}, tr("Cell and port of both ends"), 0, true},
-                     degreeColumn(tr("Error °"), tr("Between what its two cells read, brought into one frame")),
-                     degreeColumn(tr("Expected °"), tr("What the stated uncertainties lead one to expect, rms"))};
+  figures.columns = {
+      {Words::tr("Link"), {}, Words::tr("Cell and port of both ends"), 0, true},
+      degreeColumn(Words::tr("Error °"), Words::tr("Between what its two cells read, brought into one frame")),
+      degreeColumn(Words::tr("Expected °"), Words::tr("What the stated uncertainties lead one to expect, rms"))};
   for (const HoldOutLink& link : result.links) {
     figures.rows.push_back(
         {{linkName(link.source, link.target), toDegrees(link.error_rad), toDegrees(link.expected_rad)},
@@ -109,29 +113,33 @@ VerifyFigures holdOutLinks(const HoldOutResult& result) {
 VerifySentence loopsInWords(const std::vector<FoundLoop>& loops, std::size_t patches) {
   if (loops.empty()) {
     return {Tone::Neutral,
-            patches > 1 ? tr("No loop in any of the %1 patches: nothing closes that could be checked.").arg(patches)
-                        : tr("No loop in this patch: nothing closes that could be checked.")};
+            patches > 1
+                ? Words::tr("No loop in any of the %1 patches: nothing closes that could be checked.").arg(patches)
+                : Words::tr("No loop in this patch: nothing closes that could be checked.")};
   }
   QStringList sentences;
   Tone tone = Tone::Neutral;
   const auto closed = std::ranges::find(loops, true, &FoundLoop::closed);
   if (const FoundLoop& open = loops.front(); !open.closed) {
     const auto count = closed - loops.begin();
-    const QString gap = tr("%1, %2 of its %3")
+    const QString gap = Words::tr("%1, %2 of its %3")
                             .arg(millimetres(open.closure.length_m), percent(open.closure.percent),
                                  millimetres(open.closure.loop_length_m));
-    sentences << (count == 1 ? tr("One open loop; its gap is %1.").arg(gap)
-                             : tr("%1 open loops; the largest gap is %2.").arg(count).arg(gap));
+    sentences << (count == 1 ? Words::tr("One open loop; its gap is %1.").arg(gap)
+                             : Words::tr("%1 open loops; the largest gap is %2.").arg(count).arg(gap));
   }
   if (closed != loops.end()) {
     const auto count = loops.end() - closed;
     const bool closes = closed->closure.length_m <= closed->limit_m;
     tone = closes ? Tone::Good : Tone::Caution;
-    const QString gap = tr("%1 (%2)").arg(millimetres(closed->closure.length_m), percent(closed->closure.percent));
+    const QString gap =
+        Words::tr("%1 (%2)").arg(millimetres(closed->closure.length_m), percent(closed->closure.percent));
     const QString limit = millimetres(closed->limit_m);
-    sentences << (closes ? tr("%1 closed loops close: the largest is left open by %2, and a skin link may leave %3.")
-                         : tr("Of %1 closed loops the largest is left open by %2, more than the %3 a skin link may "
-                              "leave: one of its links is wrong, or many err alike."))
+    sentences << (closes
+                      ? Words::tr(
+                            "%1 closed loops close: the largest is left open by %2, and a skin link may leave %3.")
+                      : Words::tr("Of %1 closed loops the largest is left open by %2, more than the %3 a skin link may "
+                                  "leave: one of its links is wrong, or many err alike."))
                      .arg(count)
                      .arg(gap, limit);
   }
@@ -141,18 +149,19 @@ VerifySentence loopsInWords(const std::vector<FoundLoop>& loops, std::size_t pat
 VerifyFigures loopFigures(const std::vector<FoundLoop>& loops) {
   VerifyFigures figures;
   figures.columns = {
-      {tr("Between"), {}, tr("The two ports at which the loop is closed, or open"), 0, true},
-      {tr("Kind"), {}, tr("Closed by a link, or open between two free ports"), 0, true},
-      {tr("Cells"), {}, tr("Cells of the loop"), 0, false},
-      millimetreColumn(tr("Gap mm"), tr("Length of what is missing when the loop is walked round")),
-      millimetreColumn(tr("X mm"), tr("The gap, in the patch's frame")),
-      millimetreColumn(tr("Y mm"), tr("The gap, in the patch's frame")),
-      millimetreColumn(tr("Z mm"), tr("The gap, in the patch's frame")),
-      {tr("Share %"), QStringLiteral("%"), tr("The gap in per cent of the accumulated port vectors"), 1, false}};
+      {Words::tr("Between"), {}, Words::tr("The two ports at which the loop is closed, or open"), 0, true},
+      {Words::tr("Kind"), {}, Words::tr("Closed by a link, or open between two free ports"), 0, true},
+      {Words::tr("Cells"), {}, Words::tr("Cells of the loop"), 0, false},
+      millimetreColumn(Words::tr("Gap mm"), Words::tr("Length of what is missing when the loop is walked round")),
+      millimetreColumn(Words::tr("X mm"), Words::tr("The gap, in the patch's frame")),
+      millimetreColumn(Words::tr("Y mm"), Words::tr("The gap, in the patch's frame")),
+      millimetreColumn(Words::tr("Z mm"), Words::tr("The gap, in the patch's frame")),
+      {Words::tr("Share %"), QStringLiteral("%"), Words::tr("The gap in per cent of the accumulated port vectors"), 1,
+       false}};
   for (const FoundLoop& loop : loops) {
     const LoopEvaluation& closure = loop.closure;
     FigureTable::Row row;
-    row.values = {linkName(closure.first, closure.second),    loop.closed ? tr("closed") : tr("open"),
+    row.values = {linkName(closure.first, closure.second),    loop.closed ? Words::tr("closed") : Words::tr("open"),
                   static_cast<qulonglong>(loop.cells.size()), toMillimetres(closure.length_m),
                   toMillimetres(closure.gap_m.x()),           toMillimetres(closure.gap_m.y()),
                   toMillimetres(closure.gap_m.z()),           closure.percent};
@@ -170,13 +179,13 @@ VerifyFigures loopFigures(const std::vector<FoundLoop>& loops) {
 QString surfaceKindWord(SurfaceKind kind) {
   switch (kind) {
     case SurfaceKind::Plane:
-      return tr("Plane");
+      return Words::tr("Plane");
     case SurfaceKind::Sphere:
-      return tr("Sphere");
+      return Words::tr("Sphere");
     case SurfaceKind::Cylinder:
-      return tr("Cylinder");
+      return Words::tr("Cylinder");
     case SurfaceKind::Cone:
-      return tr("Cone");
+      return Words::tr("Cone");
   }
   return {};
 }
@@ -187,11 +196,11 @@ VerifySentence surfaceInWords(const SurfaceEvaluation& surface, std::optional<do
   QStringList sentences;
   QString form = surfaceKindWord(surface.kind);
   if (surface.radius_m) {
-    form = surface.half_angle_rad ? tr("%1, half angle %2, radius %3 at its middle")
+    form = surface.half_angle_rad ? Words::tr("%1, half angle %2, radius %3 at its middle")
                                         .arg(form, degrees(*surface.half_angle_rad), millimetres(*surface.radius_m))
-                                  : tr("%1, radius %2").arg(form, millimetres(*surface.radius_m));
+                                  : Words::tr("%1, radius %2").arg(form, millimetres(*surface.radius_m));
   }
-  sentences << tr("%1: %2 cell centres lie within %3 (rms) of it; the worst is cell %4, %5.")
+  sentences << Words::tr("%1: %2 cell centres lie within %3 (rms) of it; the worst is cell %4, %5.")
                    .arg(form)
                    .arg(surface.cells.size())
                    .arg(millimetres(surface.rms_m))
@@ -201,13 +210,14 @@ VerifySentence surfaceInWords(const SurfaceEvaluation& surface, std::optional<do
   if (stated_m) {
     const bool within = std::abs(*worst) <= *stated_m;
     tone = within ? Tone::Good : Tone::Caution;
-    sentences << (within ? tr("That is within the ±%1 stated for positions (95 %).")
-                         : tr("That is more than the ±%1 stated for positions (95 %): the part has another shape, or "
-                              "positions are worse than stated."))
+    sentences << (within ? Words::tr("That is within the ±%1 stated for positions (95 %).")
+                         : Words::tr(
+                               "That is more than the ±%1 stated for positions (95 %): the part has another shape, or "
+                               "positions are worse than stated."))
                      .arg(millimetres(*stated_m));
   }
   if (surface.delta_m && surface.epsilon_m) {
-    sentences << tr("Against the true radius: Δ = %1 (eq. 20), ε = %2 (eq. 21).")
+    sentences << Words::tr("Against the true radius: Δ = %1 (eq. 20), ε = %2 (eq. 21).")
                      .arg(millimetres(*surface.delta_m), millimetres(*surface.epsilon_m));
   }
   return {tone, sentences.join(QLatin1Char(' '))};
@@ -215,7 +225,8 @@ VerifySentence surfaceInWords(const SurfaceEvaluation& surface, std::optional<do
 
 VerifyFigures surfaceFigures(const std::vector<SurfaceEvaluation>& surfaces) {
   VerifyFigures figures;
-  figures.columns = {cellColumn(), millimetreColumn(tr("Distance mm"), tr("From the surface; positive outside of it"))};
+  figures.columns = {cellColumn(),
+                     millimetreColumn(Words::tr("Distance mm"), Words::tr("From the surface; positive outside of it"))};
   for (const SurfaceEvaluation& surface : surfaces) {
     for (std::size_t k = 0; k < surface.cells.size(); ++k) {
       figures.rows.push_back({{surface.cells[k].value(), toMillimetres(surface.distance_m[k])},
@@ -228,7 +239,8 @@ VerifyFigures surfaceFigures(const std::vector<SurfaceEvaluation>& surfaces) {
 }
 
 VerifySentence comparisonInWords(const std::vector<Comparison>& comparisons, const QString& against) {
-  if (comparisons.empty()) return {Tone::Bad, tr("%1 has no cell in common with this calibration.").arg(against)};
+  if (comparisons.empty())
+    return {Tone::Bad, Words::tr("%1 has no cell in common with this calibration.").arg(against)};
   std::size_t cells = 0;
   double position = 0;
   double orientation = 0;
@@ -238,30 +250,33 @@ VerifySentence comparisonInWords(const std::vector<Comparison>& comparisons, con
     position += count * comparison.position_rms_m * comparison.position_rms_m;
     orientation += count * comparison.orientation_rms_rad * comparison.orientation_rms_rad;
   }
-  const QString figures = tr("Against %1, after alignment: %2 and %3 rms over %4 cells.")
+  const QString figures = Words::tr("Against %1, after alignment: %2 and %3 rms over %4 cells.")
                               .arg(against, millimetres(std::sqrt(position / static_cast<double>(cells))),
                                    degrees(std::sqrt(orientation / static_cast<double>(cells))))
                               .arg(cells);
   const WithinStated within = countWithinStated(comparisons);
   if (within.stated == 0) {
-    return {Tone::Neutral, tr("%1 Neither of them states an uncertainty to compare with.").arg(figures)};
+    return {Tone::Neutral, Words::tr("%1 Neither of them states an uncertainty to compare with.").arg(figures)};
   }
-  const QString counts = tr("Of %1 cells, %2 lie and %3 point within what was stated with 95 %.")
+  const QString counts = Words::tr("Of %1 cells, %2 lie and %3 point within what was stated with 95 %.")
                              .arg(within.stated)
                              .arg(within.position)
                              .arg(within.orientation);
   return within.holds()
-             ? VerifySentence{Tone::Good, tr("Within what was stated for 95 % of cells. %1 %2").arg(figures, counts)}
-             : VerifySentence{Tone::Caution,
-                              tr("Further apart than what was stated for 95 % of cells. %1 %2").arg(figures, counts)};
+             ? VerifySentence{Tone::Good,
+                              Words::tr("Within what was stated for 95 % of cells. %1 %2").arg(figures, counts)}
+             : VerifySentence{
+                   Tone::Caution,
+                   Words::tr("Further apart than what was stated for 95 % of cells. %1 %2").arg(figures, counts)};
 }
 
 VerifyFigures comparisonFigures(const std::vector<Comparison>& comparisons) {
   VerifyFigures figures;
-  figures.columns = {cellColumn(), millimetreColumn(tr("Moved mm"), tr("Distance between the two, after alignment")),
-                     millimetreColumn(tr("Stated mm"), tr("Standard deviation stated for that, of both together")),
-                     degreeColumn(tr("Turned °"), tr("Angle between the two, after alignment")),
-                     degreeColumn(tr("Stated °"), tr("Standard deviation stated for that, of both together"))};
+  figures.columns = {
+      cellColumn(), millimetreColumn(Words::tr("Moved mm"), Words::tr("Distance between the two, after alignment")),
+      millimetreColumn(Words::tr("Stated mm"), Words::tr("Standard deviation stated for that, of both together")),
+      degreeColumn(Words::tr("Turned °"), Words::tr("Angle between the two, after alignment")),
+      degreeColumn(Words::tr("Stated °"), Words::tr("Standard deviation stated for that, of both together"))};
   for (const Comparison& comparison : comparisons) {
     for (const CellDifference& cell : comparison.cells) {
       const bool stated = cell.sigma_t_m.value_or(0) > 0 && cell.sigma_r_rad.value_or(0) > 0;

@@ -158,6 +158,21 @@ Step reviewStep(const SessionController& controller, const WindowActions& action
   return step;
 }
 
+Step verifyStep(const SessionController& controller, bool reviewed) {
+  Step step;
+  step.title = Guide::tr("Verify");
+  const Reconstruction* result = controller.reconstruction().get();
+  if (!result) {
+    step.why = Guide::tr("Waits for a reconstruction.");
+    return step;
+  }
+  step.note = Guide::tr("optional");
+  if (reviewed && isExportable(*result)) step.state = StepState::Done;
+  step.what = Guide::tr("See whether the result holds.");
+  step.why = Guide::tr("Each check looks at it from a side that solving it did not use.");
+  return step;
+}
+
 Step exportStep(const SessionController& controller, const WindowActions& actions) {
   Step step;
   step.title = Guide::tr("Export");
@@ -211,6 +226,7 @@ std::vector<Step> describeSteps(const SessionController& controller, const Windo
                              captureStep(controller, actions)};
   const bool captured = steps.back().state == StepState::Done;
   steps.push_back(reviewStep(controller, actions, captured));
+  steps.push_back(verifyStep(controller, steps.back().state == StepState::Done));
   steps.push_back(exportStep(controller, actions));
   // With everything before it done, exporting is what is left to do.
   if (std::all_of(steps.begin(), steps.end() - 1, [](const Step& step) { return step.state == StepState::Done; })) {

@@ -11,7 +11,7 @@ class SessionController;
 class WindowActions;
 
 /// The steps in their order.
-enum class GuideStep { Connect, Check, Capture, Review, Export };
+enum class GuideStep { Connect, Check, Capture, Review, Verify, Export };
 
 /// What the operator should look at before anything else; null if it is nothing.
 const Finding* worstFinding(const Reconstruction& reconstruction);

@@ -376,6 +376,7 @@ void MainWindow::showReconstruction(const std::shared_ptr<const Reconstruction>&
     graph_view_->setReconstruction(reconstruction);
     patch_view_->setReconstruction(reconstruction);
   }
+  patch_view_->setTruth(controller_.session() ? controller_.session()->truth() : nullptr);
   showReview(reconstruction);
   if (reconstruction && picked) pickPose(*picked);
   showPickedPose();

@@ -3,6 +3,7 @@
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/util/error.h"
+#include "widgets/core_words.h"
 
 #include <QFileInfo>
 #include <QMetaObject>
@@ -74,7 +75,7 @@ void Verification::fitSurface() {
               try {
                 surfaces.push_back(evaluateSurface(patch, kind, radius));
               } catch (const InvalidArgument& error) {
-                remarks << tr("Patch %1: %2").arg(patch.id.value() + 1).arg(QString::fromUtf8(error.what()));
+                remarks << tr("Patch %1: %2").arg(patch.id.value() + 1).arg(coreWords(error.what()));
               }
             }
             return [this, surfaces = std::move(surfaces), remarks] { emit surfacesFitted(surfaces, remarks); };
@@ -153,7 +154,7 @@ void Verification::run(const std::stop_token& stop) {
     try {
       announce = work(cancelled);
     } catch (const std::exception& error) {
-      announce = [this, check, message = QString::fromUtf8(error.what())] { emit failed(check, message); };
+      announce = [this, check, message = coreWords(error.what())] { emit failed(check, message); };
     }
     QMetaObject::invokeMethod(
         this, [this, check, number, announce = std::move(announce)] { finish(check, number, announce); },

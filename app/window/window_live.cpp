@@ -63,6 +63,13 @@ void MainWindow::connectLive() {
                               tr("Don't recapture"), [this] { controller_.cancelRecapture(); });
   });
   connect(&controller_, &SessionController::nextPoseChanged, this, &MainWindow::refresh);
+  connect(&controller_.live(), &LiveSource::previewChanged, this,
+          [this] { patch_view_->setReadings(controller_.live().preview().means); });
+  connect(patch_view_, &PatchView::pictureRequested, this, [this] {
+    askForPath(tr("Save a picture of the 3D view"), suggestedName() + tr("-3d"), tr("Pictures (*.png)"),
+               QStringLiteral(".png"),
+               [this](const QString& path) { controller_.saveImage(patch_view_->screenshot(), path); });
+  });
   connect(&controller_, &SessionController::momentSolved, this,
           [this](const std::shared_ptr<const Reconstruction>& moment) {
             if (!controller_.isLiveMode()) return;

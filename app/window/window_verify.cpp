@@ -3,7 +3,9 @@
 #include "app/window/verification.h"
 #include "widgets/cell_table.h"
 #include "widgets/message_bar.h"
+#include "widgets/patch_view.h"
 #include "widgets/residual_view.h"
+#include "widgets/step_panel.h"
 #include "widgets/table_actions.h"
 #include "widgets/verify_panel.h"
 
@@ -13,7 +15,7 @@
 namespace hexoderm {
 
 void MainWindow::connectVerify() {
-  verify_panel_->hide();  // until a step takes it in
+  step_panel_->setBody(static_cast<int>(GuideStep::Verify), verify_panel_);
   for (QTableView* view : {pose_view_, link_view_, cell_view_}) {
     view->horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder);
     view->setSortingEnabled(true);
@@ -52,6 +54,9 @@ void MainWindow::connectVerify() {
   connect(verification_, &Verification::surfacesFitted, verify_panel_, &VerifyPanel::showSurfaces);
   connect(verification_, &Verification::compared, verify_panel_, &VerifyPanel::showComparison);
   connect(verification_, &Verification::failed, verify_panel_, &VerifyPanel::showFailure);
+  connect(verify_panel_, &VerifyPanel::surfaceShown, patch_view_, &PatchView::setSurface);
+  connect(verify_panel_, &VerifyPanel::loopShown, patch_view_, &PatchView::setLoop);
+  connect(verify_panel_, &VerifyPanel::comparisonShown, patch_view_, &PatchView::setComparison);
   // What one skin was compared with says nothing about the next.
   connect(&controller_, &SessionController::opened, verify_panel_, &VerifyPanel::dropComparison);
 }

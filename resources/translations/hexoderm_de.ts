@@ -92,140 +92,572 @@
         <translation>Drehung bekannt auf (95 %)</translation>
     </message>
     <message>
-        <source>1 link</source>
-        <translation>1 Verbindung</translation>
+        <source>Cell</source>
+        <translation>Zelle</translation>
     </message>
     <message>
-        <source>%1 links</source>
-        <translation>%1 Verbindungen</translation>
+        <source>ID of the cell</source>
+        <translation>ID der Zelle</translation>
     </message>
     <message>
-        <source>Path from the origin: %1 (%2)</source>
-        <translation>Weg vom Ursprung: %1 (%2)</translation>
+        <source>Needs three poses besides the one that is held out, and there are %1: take another pose.</source>
+        <translation>Braucht drei Posen außer der zurückgehaltenen, vorhanden sind %1: noch eine Pose aufnehmen.</translation>
     </message>
     <message>
-        <source>Residual in the worst poses %1</source>
-        <translation>Restfehler in den schlechtesten Posen %1</translation>
+        <source>In pose %1 no two joined cells can be compared.</source>
+        <translation>In Pose %1 lassen sich keine zwei verbundenen Zellen vergleichen.</translation>
     </message>
     <message>
-        <source>Residual in pose %1</source>
-        <translation>Restfehler in Pose %1</translation>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
     </message>
     <message>
-        <source>Link %1 · port %2 — %3 · port %4</source>
-        <translation>Verbindung %1 · Port %2 — %3 · Port %4</translation>
+        <source>The other %1 poses foretell pose %2 to %3 (rms over %4 cells); %5 were expected.</source>
+        <translation>Die anderen %1 Posen sagen Pose %2 auf %3 genau voraus (Effektivwert über %4 Zellen); erwartet waren %5.</translation>
     </message>
     <message>
-        <source>It is not used.</source>
-        <translation>Sie wird nicht benutzt.</translation>
+        <source>Worst: cell %1, %2.</source>
+        <translation>Am schlechtesten: Zelle %1, %2.</translation>
     </message>
     <message>
-        <source>Note</source>
-        <translation>Hinweis</translation>
+        <source>As good as stated. %1</source>
+        <translation>So gut wie angegeben. %1</translation>
     </message>
     <message>
-        <source>Warning</source>
-        <translation>Warnung</translation>
+        <source>Somewhat worse than stated. %1 %2</source>
+        <translation>Etwas schlechter als angegeben. %1 %2</translation>
     </message>
     <message>
-        <source>Error</source>
-        <translation>Fehler</translation>
+        <source>Far worse than stated: the part moved in this pose, or a cell is wrong. %1 %2</source>
+        <translation>Weit schlechter als angegeben: Das Teil hat sich in dieser Pose bewegt, oder eine Zelle ist falsch. %1 %2</translation>
     </message>
     <message>
-        <source>cell %1</source>
-        <translation>Zelle %1</translation>
+        <source>Error °</source>
+        <translation>Fehler °</translation>
     </message>
     <message>
-        <source>cells %1</source>
-        <translation>Zellen %1</translation>
+        <source>Between the gravity the cell read and what the other cells and poses foretell</source>
+        <translation>Zwischen der Schwerkraft, die die Zelle maß, und dem, was die anderen Zellen und Posen voraussagen</translation>
     </message>
     <message>
-        <source>pose %1</source>
-        <translation>Pose %1</translation>
+        <source>Expected °</source>
+        <translation>Erwartet °</translation>
     </message>
     <message>
-        <source>poses %1</source>
-        <translation>Posen %1</translation>
+        <source>What the stated uncertainties lead one to expect, rms</source>
+        <translation>Was nach den angegebenen Unsicherheiten zu erwarten ist, Effektivwert</translation>
     </message>
     <message>
-        <source>Used, on the shortest paths to the origin</source>
-        <translation>Benutzt, auf den kürzesten Wegen zum Ursprung</translation>
+        <source>Link</source>
+        <translation>Verbindung</translation>
     </message>
     <message>
-        <source>Used</source>
-        <translation>Benutzt</translation>
+        <source>Cell and port of both ends</source>
+        <translation>Zelle und Port beider Enden</translation>
     </message>
     <message>
-        <source>Muted: %1</source>
-        <translation>Ausgeschlossen: %1</translation>
+        <source>Between what its two cells read, brought into one frame</source>
+        <translation>Zwischen dem, was ihre beiden Zellen messen, in einem Koordinatensystem</translation>
     </message>
     <message>
-        <source>%1, singular values %2, %3, %4; weight %5</source>
-        <translation>%1, Singulärwerte %2; %3; %4; Gewicht %5</translation>
+        <source>No loop in any of the %1 patches: nothing closes that could be checked.</source>
+        <translation>Keine Schleife in einem der %1 Hautstücke: Es schließt sich nichts, was sich prüfen ließe.</translation>
     </message>
     <message>
-        <source>Bend %1, twist %2, yaw %3</source>
-        <translation>Biegung %1, Verwindung %2, Drehung %3</translation>
+        <source>No loop in this patch: nothing closes that could be checked.</source>
+        <translation>Keine Schleife in diesem Hautstück: Es schließt sich nichts, was sich prüfen ließe.</translation>
     </message>
     <message>
-        <source>Residual %1, predicted deviation %2</source>
-        <translation>Restfehler %1, erwartete Abweichung %2</translation>
+        <source>%1, %2 of its %3</source>
+        <translation>%1, %2 ihrer %3</translation>
     </message>
     <message>
-        <source>Centred: the mean of each cell&apos;s readings was subtracted</source>
-        <translation>Zentriert: Das Mittel der Messwerte jeder Zelle wurde abgezogen</translation>
+        <source>One open loop; its gap is %1.</source>
+        <translation>Eine offene Schleife; ihre Lücke ist %1.</translation>
     </message>
     <message>
-        <source>Support axes were added: the poses alone do not fix it</source>
-        <translation>Stützachsen wurden hinzugefügt: Die Posen allein legen sie nicht fest</translation>
+        <source>%1 open loops; the largest gap is %2.</source>
+        <translation>%1 offene Schleifen; die größte Lücke ist %2.</translation>
     </message>
     <message>
-        <source>Origin of patch %1</source>
-        <translation>Ursprung von Hautstück %1</translation>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>Patch %1</source>
-        <translation>Hautstück %1</translation>
+        <source>%1 closed loops close: the largest is left open by %2, and a skin link may leave %3.</source>
+        <translation>%1 geschlossene Schleifen schließen sich: Die größte bleibt um %2 offen, eine Hautverbindung darf %3 lassen.</translation>
     </message>
     <message>
-        <source>On %1</source>
-        <translation>Auf %1</translation>
+        <source>Of %1 closed loops the largest is left open by %2, more than the %3 a skin link may leave: one of its links is wrong, or many err alike.</source>
+        <translation>Von %1 geschlossenen Schleifen bleibt die größte um %2 offen, mehr als die %3, die eine Hautverbindung lassen darf: Eine ihrer Verbindungen ist falsch, oder viele irren gleich.</translation>
     </message>
     <message>
-        <source>Placed through its links: its own readings are not used</source>
-        <translation>Über ihre Verbindungen eingeordnet: Ihre eigenen Messwerte werden nicht benutzt</translation>
+        <source>Between</source>
+        <translation>Zwischen</translation>
     </message>
     <message>
-        <source>Placed by its own readings</source>
-        <translation>Durch eigene Messwerte eingeordnet</translation>
+        <source>The two ports at which the loop is closed, or open</source>
+        <translation>Die beiden Ports, an denen die Schleife geschlossen oder offen ist</translation>
     </message>
     <message>
-        <source>At %1 mm from the origin</source>
-        <translation>Bei %1 mm vom Ursprung</translation>
+        <source>Kind</source>
+        <translation>Art</translation>
     </message>
     <message>
-        <source>Roll %1, pitch %2, yaw %3</source>
-        <translation>Roll %1, Nick %2, Gier %3</translation>
+        <source>Closed by a link, or open between two free ports</source>
+        <translation>Durch eine Verbindung geschlossen oder zwischen zwei freien Ports offen</translation>
     </message>
     <message>
-        <source>Known to ±%1 mm, ±%2 (95 %)</source>
-        <translation>Bekannt auf ±%1 mm, ±%2 (95 %)</translation>
+        <source>Cells</source>
+        <translation>Zellen</translation>
     </message>
     <message>
-        <source>How well it is known is not stated</source>
-        <translation>Wie gut es bekannt ist, ist nicht angegeben</translation>
+        <source>Cells of the loop</source>
+        <translation>Zellen der Schleife</translation>
     </message>
     <message>
-        <source>Accelerometer offset %1 mg</source>
-        <translation>Nullpunkt des Sensors %1 mg</translation>
+        <source>Gap mm</source>
+        <translation>Lücke mm</translation>
     </message>
     <message>
-        <source>Accelerometer scale %1</source>
-        <translation>Skalierung des Sensors %1</translation>
+        <source>Length of what is missing when the loop is walked round</source>
+        <translation>Länge dessen, was nach einem Rundgang fehlt</translation>
     </message>
     <message>
-        <source>Cell %1</source>
-        <translation>Zelle %1</translation>
+        <source>X mm</source>
+        <translation>X mm</translation>
+    </message>
+    <message>
+        <source>The gap, in the patch&apos;s frame</source>
+        <translation>Die Lücke, im Koordinatensystem des Hautstücks</translation>
+    </message>
+    <message>
+        <source>Y mm</source>
+        <translation>Y mm</translation>
+    </message>
+    <message>
+        <source>Z mm</source>
+        <translation>Z mm</translation>
+    </message>
+    <message>
+        <source>Share %</source>
+        <translation>Anteil %</translation>
+    </message>
+    <message>
+        <source>The gap in per cent of the accumulated port vectors</source>
+        <translation>Die Lücke in Prozent der aufsummierten Portvektoren</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>geschlossen</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>offen</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>Cone</source>
+        <translation>Kegel</translation>
+    </message>
+    <message>
+        <source>%1, half angle %2, radius %3 at its middle</source>
+        <translation>%1, halber Winkel %2, Radius %3 in der Mitte</translation>
+    </message>
+    <message>
+        <source>%1, radius %2</source>
+        <translation>%1, Radius %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 cell centres lie within %3 (rms) of it; the worst is cell %4, %5.</source>
+        <translation>%1: %2 Zellmitten liegen im Mittel (Effektivwert) %3 davon entfernt; am weitesten Zelle %4, %5.</translation>
+    </message>
+    <message>
+        <source>That is within the ±%1 stated for positions (95 %).</source>
+        <translation>Das liegt innerhalb der für Orte angegebenen ±%1 (95 %).</translation>
+    </message>
+    <message>
+        <source>That is more than the ±%1 stated for positions (95 %): the part has another shape, or positions are worse than stated.</source>
+        <translation>Das ist mehr als die für Orte angegebenen ±%1 (95 %): Das Teil hat eine andere Form, oder die Orte sind schlechter als angegeben.</translation>
+    </message>
+    <message>
+        <source>Against the true radius: Δ = %1 (eq. 20), ε = %2 (eq. 21).</source>
+        <translation>Gegen den wahren Radius: Δ = %1 (Gl. 20), ε = %2 (Gl. 21).</translation>
+    </message>
+    <message>
+        <source>Distance mm</source>
+        <translation>Abstand mm</translation>
+    </message>
+    <message>
+        <source>From the surface; positive outside of it</source>
+        <translation>Von der Fläche; außerhalb positiv</translation>
+    </message>
+    <message>
+        <source>%1 has no cell in common with this calibration.</source>
+        <translation>%1 hat mit dieser Kalibrierung keine Zelle gemeinsam.</translation>
+    </message>
+    <message>
+        <source>Against %1, after alignment: %2 and %3 rms over %4 cells.</source>
+        <translation>Gegen %1, nach dem Ausrichten: %2 und %3 im Mittel (Effektivwert) über %4 Zellen.</translation>
+    </message>
+    <message>
+        <source>%1 Neither of them states an uncertainty to compare with.</source>
+        <translation>%1 Keine der beiden nennt eine Unsicherheit zum Vergleichen.</translation>
+    </message>
+    <message>
+        <source>Of %1 cells, %2 lie and %3 point within what was stated with 95 %.</source>
+        <translation>Von %1 Zellen liegen %2 und zeigen %3 innerhalb dessen, was mit 95 % angegeben war.</translation>
+    </message>
+    <message>
+        <source>Within what was stated for 95 % of cells. %1 %2</source>
+        <translation>Innerhalb dessen, was für 95 % der Zellen angegeben war. %1 %2</translation>
+    </message>
+    <message>
+        <source>Further apart than what was stated for 95 % of cells. %1 %2</source>
+        <translation>Weiter auseinander, als für 95 % der Zellen angegeben war. %1 %2</translation>
+    </message>
+    <message>
+        <source>Moved mm</source>
+        <translation>Versetzt mm</translation>
+    </message>
+    <message>
+        <source>Distance between the two, after alignment</source>
+        <translation>Abstand der beiden, nach dem Ausrichten</translation>
+    </message>
+    <message>
+        <source>Stated mm</source>
+        <translation>Angegeben mm</translation>
+    </message>
+    <message>
+        <source>Standard deviation stated for that, of both together</source>
+        <translation>Dafür angegebene Standardabweichung, beide zusammen</translation>
+    </message>
+    <message>
+        <source>Turned °</source>
+        <translation>Gedreht °</translation>
+    </message>
+    <message>
+        <source>Angle between the two, after alignment</source>
+        <translation>Winkel zwischen den beiden, nach dem Ausrichten</translation>
+    </message>
+    <message>
+        <source>Stated °</source>
+        <translation>Angegeben °</translation>
+    </message>
+    <message>
+        <source>no link</source>
+        <translation>keine Verbindung</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Cells are coloured by: %1; from %2 (dark) to %3 (bright)</source>
+        <translation>Farbe der Zellen: %1; von %2 (dunkel) bis %3 (hell)</translation>
+    </message>
+    <message>
+        <source>Cells are coloured by: %1</source>
+        <translation>Farbe der Zellen: %1</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>drawn %1 times as large</source>
+        <translation>%1-fach vergrößert gezeichnet</translation>
+    </message>
+    <message>
+        <source>true to scale</source>
+        <translation>maßstäblich</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>cone</source>
+        <translation>Kegel</translation>
+    </message>
+    <message>
+        <source>distance from the origin</source>
+        <translation>Abstand vom Ursprung</translation>
+    </message>
+    <message>
+        <source>distance from the fitted surface</source>
+        <translation>Abstand von der angepassten Fläche</translation>
+    </message>
+    <message>
+        <source>reading x</source>
+        <translation>Messwert x</translation>
+    </message>
+    <message>
+        <source>reading y</source>
+        <translation>Messwert y</translation>
+    </message>
+    <message>
+        <source>reading z</source>
+        <translation>Messwert z</translation>
+    </message>
+    <message>
+        <source>reading, norm</source>
+        <translation>Messwert, Betrag</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>worst link&apos;s residual, °</source>
+        <translation>Restfehler der schlechtesten Verbindung, °</translation>
+    </message>
+    <message>
+        <source>worst link&apos;s predicted deviation, °</source>
+        <translation>erwartete Abweichung der schlechtesten Verbindung, °</translation>
+    </message>
+    <message>
+        <source>position uncertainty (95 %), mm</source>
+        <translation>Unsicherheit des Ortes (95 %), mm</translation>
+    </message>
+    <message>
+        <source>orientation uncertainty (95 %), °</source>
+        <translation>Unsicherheit der Drehung (95 %), °</translation>
+    </message>
+    <message>
+        <source>distance from the origin along the path, mm</source>
+        <translation>Abstand vom Ursprung entlang des Weges, mm</translation>
+    </message>
+    <message>
+        <source>distance from the fitted surface, mm</source>
+        <translation>Abstand von der angepassten Fläche, mm</translation>
+    </message>
+    <message>
+        <source>newest reading along x, g</source>
+        <translation>neuester Messwert entlang x, g</translation>
+    </message>
+    <message>
+        <source>newest reading along y, g</source>
+        <translation>neuester Messwert entlang y, g</translation>
+    </message>
+    <message>
+        <source>newest reading along z, g</source>
+        <translation>neuester Messwert entlang z, g</translation>
+    </message>
+    <message>
+        <source>norm of the newest reading, g</source>
+        <translation>Betrag des neuesten Messwerts, g</translation>
+    </message>
+    <message>
+        <source>temperature, °C</source>
+        <translation>Temperatur, °C</translation>
+    </message>
+    <message>
+        <source>%1 or less</source>
+        <translation>%1 oder weniger</translation>
+    </message>
+    <message>
+        <source>%1 or more</source>
+        <translation>%1 oder mehr</translation>
+    </message>
+    <message>
+        <source>No link was measured yet</source>
+        <translation>Noch ist keine Verbindung gemessen</translation>
+    </message>
+    <message>
+        <source>This result states no uncertainties</source>
+        <translation>Dieses Ergebnis nennt keine Unsicherheiten</translation>
+    </message>
+    <message>
+        <source>This result holds no paths from the origin</source>
+        <translation>Dieses Ergebnis enthält keine Wege vom Ursprung</translation>
+    </message>
+    <message>
+        <source>No surface was fitted yet</source>
+        <translation>Noch ist keine Fläche angepasst</translation>
+    </message>
+    <message>
+        <source>The skin does not say which body part its cells are on</source>
+        <translation>Die Haut sagt nicht, auf welchem Körperteil ihre Zellen sind</translation>
+    </message>
+    <message>
+        <source>There are no readings: connect a skin</source>
+        <translation>Es gibt keine Messwerte: eine Haut verbinden</translation>
+    </message>
+    <message>
+        <source>The skin sends no temperatures</source>
+        <translation>Die Haut sendet keine Temperaturen</translation>
+    </message>
+    <message>
+        <source>&amp;Ports</source>
+        <translation>&amp;Ports</translation>
+    </message>
+    <message>
+        <source>Cell &amp;IDs</source>
+        <translation>&amp;IDs der Zellen</translation>
+    </message>
+    <message>
+        <source>A&amp;xes</source>
+        <translation>&amp;Achsen</translation>
+    </message>
+    <message>
+        <source>&amp;Gravity</source>
+        <translation>&amp;Schwerkraft</translation>
+    </message>
+    <message>
+        <source>&amp;Links by quality</source>
+        <translation>&amp;Verbindungen nach Güte</translation>
+    </message>
+    <message>
+        <source>Shortest-path t&amp;ree</source>
+        <translation>&amp;Baum der kürzesten Wege</translation>
+    </message>
+    <message>
+        <source>&amp;Uncertainty ellipsoids</source>
+        <translation>&amp;Unsicherheitsellipsoide</translation>
+    </message>
+    <message>
+        <source>&amp;Truth</source>
+        <translation>&amp;Wahrheit</translation>
+    </message>
+    <message>
+        <source>Fitted &amp;surface</source>
+        <translation>Angepasste &amp;Fläche</translation>
+    </message>
+    <message>
+        <source>L&amp;oop gap</source>
+        <translation>Lücke der S&amp;chleife</translation>
+    </message>
+    <message>
+        <source>&amp;Differences to the other calibration</source>
+        <translation>&amp;Unterschiede zur anderen Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Discs where a link joins a neighbour, rings where a port is free</source>
+        <translation>Scheiben, wo eine Verbindung ansetzt, Ringe, wo ein Port frei ist</translation>
+    </message>
+    <message>
+        <source>Each cell&apos;s number, on faces that look at you</source>
+        <translation>Die Nummer jeder Zelle, auf zugewandten Seiten</translation>
+    </message>
+    <message>
+        <source>The directions of the patch&apos;s frame, which is the origin cell&apos;s</source>
+        <translation>Die Richtungen im Koordinatensystem des Hautstücks, dem der Ursprungszelle</translation>
+    </message>
+    <message>
+        <source>Where gravity points in the picked pose</source>
+        <translation>Wohin die Schwerkraft in der gewählten Pose zeigt</translation>
+    </message>
+    <message>
+        <source>Every link in the colour and line style of its class; muted links are crossed</source>
+        <translation>Jede Verbindung in Farbe und Linienart ihrer Güte; ausgeschlossene sind durchgestrichen</translation>
+    </message>
+    <message>
+        <source>The links by which every cell is reached from the origin on the shortest way</source>
+        <translation>Die Verbindungen, über die jede Zelle auf kürzestem Weg vom Ursprung erreicht wird</translation>
+    </message>
+    <message>
+        <source>The region that holds each cell&apos;s centre with 95 % probability, relative to the origin</source>
+        <translation>Der Bereich, in dem die Mitte jeder Zelle mit 95 % Wahrscheinlichkeit liegt, bezogen auf den Ursprung</translation>
+    </message>
+    <message>
+        <source>Where the simulated cells really are, moved onto the result as well as possible</source>
+        <translation>Wo die simulierten Zellen wirklich sind, bestmöglich auf das Ergebnis gelegt</translation>
+    </message>
+    <message>
+        <source>The surface fitted to the cells, with each cell&apos;s distance from it</source>
+        <translation>Die an die Zellen angepasste Fläche, mit dem Abstand jeder Zelle</translation>
+    </message>
+    <message>
+        <source>The gap between the two ports where the loop should close</source>
+        <translation>Die Lücke zwischen den beiden Ports, an denen sich die Schleife schließen soll</translation>
+    </message>
+    <message>
+        <source>From where each cell was to where it is now</source>
+        <translation>Von wo jede Zelle war bis wo sie jetzt ist</translation>
+    </message>
+    <message>
+        <source>There is no skin yet</source>
+        <translation>Noch gibt es keine Haut</translation>
+    </message>
+    <message>
+        <source>This skin has too many cells to draw them: at most %1</source>
+        <translation>Diese Haut hat dafür zu viele Zellen: höchstens %1</translation>
+    </message>
+    <message>
+        <source>Only of a simulated skin is the truth known</source>
+        <translation>Nur von einer simulierten Haut ist die Wahrheit bekannt</translation>
+    </message>
+    <message>
+        <source>No loop was evaluated yet</source>
+        <translation>Noch ist keine Schleife ausgewertet</translation>
+    </message>
+    <message>
+        <source>No comparison was made yet</source>
+        <translation>Noch ist nichts verglichen</translation>
+    </message>
+    <message>
+        <source>broad lines: the shortest-path tree</source>
+        <translation>breite Linien: der Baum der kürzesten Wege</translation>
+    </message>
+    <message>
+        <source>ellipsoids: 95 %, %1</source>
+        <translation>Ellipsoide: 95 %, %1</translation>
+    </message>
+    <message>
+        <source>outlines: the truth, moved onto the result</source>
+        <translation>Umrisse: die Wahrheit, auf das Ergebnis gelegt</translation>
+    </message>
+    <message>
+        <source>; rms distance %1, lines %2</source>
+        <translation>; mittlerer Abstand %1, Linien %2</translation>
+    </message>
+    <message>
+        <source>loop gap: %1, %2 % of the loop</source>
+        <translation>Lücke der Schleife: %1, %2 % der Schleife</translation>
+    </message>
+    <message>
+        <source>arrows: from before to now, %1</source>
+        <translation>Pfeile: von vorher zu jetzt, %1</translation>
+    </message>
+    <message>
+        <source>Cells %1 and %2 are in different patches: how these lie to each other is not known</source>
+        <translation>Die Zellen %1 und %2 sind in verschiedenen Hautstücken: Wie diese zueinander liegen, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Cells %1 and %2: %3 apart, their faces %4 to each other</source>
+        <translation>Zellen %1 und %2: %3 Abstand, ihre Flächen %4 zueinander</translation>
+    </message>
+    <message>
+        <source>Cells %1 and %2: %3 ± %4 (95 %) apart, their faces %5 to each other</source>
+        <translation>Zellen %1 und %2: %3 ± %4 (95 %) Abstand, ihre Flächen %5 zueinander</translation>
     </message>
 </context>
 <context>
@@ -247,6 +679,121 @@
     <message>
         <source>Drag to move this panel, double-click to take it out of the window</source>
         <translation>Ziehen verschiebt dieses Feld, Doppelklick löst es aus dem Fenster</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::CellTable</name>
+    <message>
+        <source>origin</source>
+        <translation>Ursprung</translation>
+    </message>
+    <message>
+        <source>readings</source>
+        <translation>Messwerte</translation>
+    </message>
+    <message>
+        <source>links</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>Cell %1</source>
+        <translation>Zelle %1</translation>
+    </message>
+    <message>
+        <source>Orientation in the patch&apos;s frame: roll, pitch and yaw with R = Rz Ry Rx, degrees</source>
+        <translation>Drehung im Koordinatensystem des Hautstücks: Roll, Nick und Gier mit R = Rz Ry Rx, Grad</translation>
+    </message>
+    <message>
+        <source>Position in the patch&apos;s frame, which is its origin cell&apos;s</source>
+        <translation>Ort im Koordinatensystem des Hautstücks, dem seiner Ursprungszelle</translation>
+    </message>
+    <message>
+        <source>Cell</source>
+        <translation>Zelle</translation>
+    </message>
+    <message>
+        <source>ID of the cell</source>
+        <translation>ID der Zelle</translation>
+    </message>
+    <message>
+        <source>Patch</source>
+        <translation>Hautstück</translation>
+    </message>
+    <message>
+        <source>Cells joined by rigid links make a patch; each has a frame of its own</source>
+        <translation>Starr verbundene Zellen bilden ein Hautstück; jedes hat sein eigenes Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>X mm</source>
+        <translation>X mm</translation>
+    </message>
+    <message>
+        <source>Y mm</source>
+        <translation>Y mm</translation>
+    </message>
+    <message>
+        <source>Z mm</source>
+        <translation>Z mm</translation>
+    </message>
+    <message>
+        <source>Roll °</source>
+        <translation>Roll °</translation>
+    </message>
+    <message>
+        <source>Pitch °</source>
+        <translation>Nick °</translation>
+    </message>
+    <message>
+        <source>Yaw °</source>
+        <translation>Gier °</translation>
+    </message>
+    <message>
+        <source>± mm</source>
+        <translation>± mm</translation>
+    </message>
+    <message>
+        <source>Where the cell is with 95 %, relative to the origin, along the worst direction</source>
+        <translation>Wo die Zelle mit 95 % ist, bezogen auf den Ursprung, entlang der schlechtesten Richtung</translation>
+    </message>
+    <message>
+        <source>± °</source>
+        <translation>± °</translation>
+    </message>
+    <message>
+        <source>How the cell lies with 95 %, relative to the origin, about the worst axis</source>
+        <translation>Wie die Zelle mit 95 % liegt, bezogen auf den Ursprung, um die schlechteste Achse</translation>
+    </message>
+    <message>
+        <source>Placed by</source>
+        <translation>Eingeordnet durch</translation>
+    </message>
+    <message>
+        <source>Whether the cell&apos;s own readings place it, or only its links</source>
+        <translation>Ob eigene Messwerte die Zelle einordnen oder nur ihre Verbindungen</translation>
+    </message>
+    <message>
+        <source>Worst residual °</source>
+        <translation>Größter Restfehler °</translation>
+    </message>
+    <message>
+        <source>The largest residual of its links: rms over the poses</source>
+        <translation>Der größte Restfehler ihrer Verbindungen: Effektivwert über die Posen</translation>
+    </message>
+    <message>
+        <source>Offset mg</source>
+        <translation>Nullpunkt mg</translation>
+    </message>
+    <message>
+        <source>Estimated offset of the accelerometer: length of the vector</source>
+        <translation>Geschätzter Nullpunkt des Sensors: Länge des Vektors</translation>
+    </message>
+    <message>
+        <source>Scale %</source>
+        <translation>Skalierung %</translation>
+    </message>
+    <message>
+        <source>Estimated error of the accelerometer&apos;s scale: worst axis</source>
+        <translation>Geschätzter Fehler der Skalierung des Sensors: schlechteste Achse</translation>
     </message>
 </context>
 <context>
@@ -1358,6 +1905,66 @@
         <source>The operator set a link aside, as a cable for example; it is muted.</source>
         <translation>Eine Verbindung wurde von Hand weggelegt, als Kabel zum Beispiel; sie ist ausgeschlossen.</translation>
     </message>
+    <message>
+        <source>plane fit: at least %1 points are needed, there are %2</source>
+        <translation>Ebene: mindestens %1 Punkte sind nötig, vorhanden sind %2</translation>
+    </message>
+    <message>
+        <source>plane fit: all points are the same</source>
+        <translation>Ebene: Alle Punkte sind gleich</translation>
+    </message>
+    <message>
+        <source>plane fit: the points lie on a line</source>
+        <translation>Ebene: Die Punkte liegen auf einer Linie</translation>
+    </message>
+    <message>
+        <source>sphere fit: at least %1 points are needed, there are %2</source>
+        <translation>Kugel: mindestens %1 Punkte sind nötig, vorhanden sind %2</translation>
+    </message>
+    <message>
+        <source>sphere fit: all points are the same</source>
+        <translation>Kugel: Alle Punkte sind gleich</translation>
+    </message>
+    <message>
+        <source>sphere fit: the points lie on a line</source>
+        <translation>Kugel: Die Punkte liegen auf einer Linie</translation>
+    </message>
+    <message>
+        <source>sphere fit: the points lie in a plane</source>
+        <translation>Kugel: Die Punkte liegen in einer Ebene</translation>
+    </message>
+    <message>
+        <source>cylinder fit: at least %1 points are needed, there are %2</source>
+        <translation>Zylinder: mindestens %1 Punkte sind nötig, vorhanden sind %2</translation>
+    </message>
+    <message>
+        <source>cylinder fit: all points are the same</source>
+        <translation>Zylinder: Alle Punkte sind gleich</translation>
+    </message>
+    <message>
+        <source>cylinder fit: the points lie on a line</source>
+        <translation>Zylinder: Die Punkte liegen auf einer Linie</translation>
+    </message>
+    <message>
+        <source>cylinder fit: the points lie in a plane</source>
+        <translation>Zylinder: Die Punkte liegen in einer Ebene</translation>
+    </message>
+    <message>
+        <source>cone fit: at least %1 points are needed, there are %2</source>
+        <translation>Kegel: mindestens %1 Punkte sind nötig, vorhanden sind %2</translation>
+    </message>
+    <message>
+        <source>cone fit: all points are the same</source>
+        <translation>Kegel: Alle Punkte sind gleich</translation>
+    </message>
+    <message>
+        <source>cone fit: the points lie on a line</source>
+        <translation>Kegel: Die Punkte liegen auf einer Linie</translation>
+    </message>
+    <message>
+        <source>cone fit: the points lie in a plane</source>
+        <translation>Kegel: Die Punkte liegen in einer Ebene</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::EventLog</name>
@@ -1806,13 +2413,6 @@
     <message>
         <source>Find the next one</source>
         <translation>Nächste Stelle</translation>
-    </message>
-</context>
-<context>
-    <name>hexoderm::Id</name>
-    <message>
-        <source>and %1 more</source>
-        <translation>und %1 weitere</translation>
     </message>
 </context>
 <context>
@@ -2270,6 +2870,22 @@
         <source>Vector graphics (*.svg);;Pictures (*.png)</source>
         <translation>Vektorgrafik (*.svg);;Bilder (*.png)</translation>
     </message>
+    <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>No cells yet.</source>
+        <translation>Noch keine Zellen.</translation>
+    </message>
+    <message>
+        <source>Residuals</source>
+        <translation>Restfehler</translation>
+    </message>
+    <message>
+        <source>Cells %1</source>
+        <translation>Zellen %1</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MeasureTool</name>
@@ -2298,6 +2914,21 @@
     <message>
         <source>take link %1 back</source>
         <translation>Verbindung %1 zurücknehmen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::OpenGl</name>
+    <message>
+        <source>no OpenGL 3.2</source>
+        <translation>kein OpenGL 3.2</translation>
+    </message>
+    <message>
+        <source>unknown renderer</source>
+        <translation>unbekannter Zeichner</translation>
+    </message>
+    <message>
+        <source>%1, in software</source>
+        <translation>%1, in Software</translation>
     </message>
 </context>
 <context>
@@ -3217,6 +3848,115 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     </message>
 </context>
 <context>
+    <name>hexoderm::ResidualPlots</name>
+    <message>
+        <source>Residuals of each pose</source>
+        <translation>Restfehler jeder Pose</translation>
+    </message>
+    <message>
+        <source>Residuals of the links, the worst first</source>
+        <translation>Restfehler der Verbindungen, die schlechtesten zuerst</translation>
+    </message>
+    <message>
+        <source>Links by their residual beside the predicted deviation</source>
+        <translation>Verbindungen nach Restfehler neben der erwarteten Abweichung</translation>
+    </message>
+    <message>
+        <source>By pose, degrees (box: half of the links)</source>
+        <translation>Je Pose, Grad (Kasten: Hälfte der Verbindungen)</translation>
+    </message>
+    <message>
+        <source>By link, degrees, worst first (circles: predicted)</source>
+        <translation>Je Verbindung, Grad, schlechteste zuerst (Kreise: erwartet)</translation>
+    </message>
+    <message>
+        <source>Number of links by residual / predicted</source>
+        <translation>Zahl der Verbindungen nach Restfehler / erwartet</translation>
+    </message>
+    <message>
+        <source>as predicted</source>
+        <translation>wie erwartet</translation>
+    </message>
+    <message>
+        <source>Click a link to pick it.</source>
+        <translation>Ein Klick wählt die Verbindung.</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::ResidualTable</name>
+    <message>
+        <source>%1, pose %2: %3</source>
+        <translation>%1, Pose %2: %3</translation>
+    </message>
+    <message>
+        <source>%1, all poses: %2</source>
+        <translation>%1, alle Posen: %2</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>Pose %1</source>
+        <translation>Pose %1</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>Rms over the poses, degrees</source>
+        <translation>Effektivwert über die Posen, Grad</translation>
+    </message>
+    <message>
+        <source>Pose %1 is disabled: it is kept, but not used.</source>
+        <translation>Pose %1 wird nicht benutzt, bleibt aber erhalten.</translation>
+    </message>
+    <message>
+        <source>Pose %1 %2, degrees</source>
+        <translation>Pose %1 %2, Grad</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::ResidualView</name>
+    <message>
+        <source>Colours: residual from 0 to %1 degrees and more</source>
+        <translation>Farben: Restfehler von 0 bis %1 Grad und mehr</translation>
+    </message>
+    <message>
+        <source>Residual 0°</source>
+        <translation>Restfehler 0°</translation>
+    </message>
+    <message>
+        <source>≥ %1°</source>
+        <translation>≥ %1°</translation>
+    </message>
+    <message>
+        <source>Residuals per link and pose</source>
+        <translation>Restfehler je Verbindung und Pose</translation>
+    </message>
+    <message>
+        <source>Matrix</source>
+        <translation>Matrix</translation>
+    </message>
+    <message>
+        <source>Every link in every pose, as numbers and colours</source>
+        <translation>Jede Verbindung in jeder Pose, als Zahlen und Farben</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Residuals by pose, by link, and beside what was predicted</source>
+        <translation>Restfehler je Pose, je Verbindung und neben dem Erwarteten</translation>
+    </message>
+    <message>
+        <source>Pose %1</source>
+        <translation>Pose %1</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::SceneLegend</name>
     <message>
         <source>no link</source>
@@ -3248,26 +3988,6 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     <message>
         <source>gravity</source>
         <translation>Schwerkraft</translation>
-    </message>
-    <message>
-        <source>worst link&apos;s predicted deviation</source>
-        <translation>erwartete Abweichung der schlechtesten Verbindung</translation>
-    </message>
-    <message>
-        <source>0°</source>
-        <translation>0°</translation>
-    </message>
-    <message>
-        <source>%1° or more</source>
-        <translation>%1° oder mehr</translation>
-    </message>
-    <message>
-        <source>patch %1</source>
-        <translation>Hautstück %1</translation>
-    </message>
-    <message>
-        <source>and so on</source>
-        <translation>und so weiter</translation>
     </message>
 </context>
 <context>
@@ -3711,6 +4431,29 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     </message>
 </context>
 <context>
+    <name>hexoderm::TableActions</name>
+    <message>
+        <source>Copy as CSV</source>
+        <translation>Als CSV kopieren</translation>
+    </message>
+    <message>
+        <source>Save as CSV…</source>
+        <translation>Als CSV speichern…</translation>
+    </message>
+    <message>
+        <source>Save the table</source>
+        <translation>Tabelle speichern</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>The table %1 could not be written: %2</source>
+        <translation>Die Tabelle %1 ließ sich nicht schreiben: %2</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::UnsavedSessions</name>
     <message>
         <source>A session of %1 was not saved and can&apos;t be read: %2</source>
@@ -3727,6 +4470,163 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     <message>
         <source>A session of %1 with %2 of %3 cells was not saved.</source>
         <translation>Eine Sitzung von %1 mit %2 von %3 Zellen wurde nicht gespeichert.</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::Verification</name>
+    <message>
+        <source>Patch %1: %2</source>
+        <translation>Hautstück %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::VerifyPanel</name>
+    <message>
+        <source>Hold-out pose</source>
+        <translation>Zurückgehaltene Pose</translation>
+    </message>
+    <message>
+        <source>Does it foretell a pose that it has not seen?</source>
+        <translation>Sagt sie eine ungesehene Pose voraus?</translation>
+    </message>
+    <message>
+        <source>Loops</source>
+        <translation>Schleifen</translation>
+    </message>
+    <message>
+        <source>Do chains of cells that meet again close?</source>
+        <translation>Schließen sich Ketten von Zellen, die sich wieder treffen?</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Do the cells lie on the surface they were put on?</source>
+        <translation>Liegen die Zellen auf der Fläche, auf der sie sitzen?</translation>
+    </message>
+    <message>
+        <source>Earlier calibration</source>
+        <translation>Frühere Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Does it repeat?</source>
+        <translation>Wiederholt es sich?</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Ausführen</translation>
+    </message>
+    <message>
+        <source>Choose file…</source>
+        <translation>Datei wählen…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Pose that is held out</source>
+        <translation>Pose, die zurückgehalten wird</translation>
+    </message>
+    <message>
+        <source>By cell</source>
+        <translation>Je Zelle</translation>
+    </message>
+    <message>
+        <source>By link</source>
+        <translation>Je Verbindung</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>True radius</source>
+        <translation>Wahrer Radius</translation>
+    </message>
+    <message>
+        <source>The session has changed since: run it again.</source>
+        <translation>Die Sitzung hat sich seitdem geändert: noch einmal ausführen.</translation>
+    </message>
+    <message>
+        <source>Pose %1</source>
+        <translation>Pose %1</translation>
+    </message>
+    <message>
+        <source>disabled</source>
+        <translation>nicht benutzt</translation>
+    </message>
+    <message>
+        <source>There is no skin yet.</source>
+        <translation>Noch gibt es keine Haut.</translation>
+    </message>
+    <message>
+        <source>A calibration file holds no readings: open the session it was made of.</source>
+        <translation>Eine Kalibrierdatei enthält keine Messwerte: die Sitzung öffnen, aus der sie stammt.</translation>
+    </message>
+    <message>
+        <source>Takes four poses, one to hold out and three others; there are %1.</source>
+        <translation>Braucht vier Posen, eine zurückgehaltene und drei andere; vorhanden sind %1.</translation>
+    </message>
+    <message>
+        <source>Solves without this pose and compares what it foretells with what was read</source>
+        <translation>Löst ohne diese Pose und vergleicht die Voraussage mit dem Gemessenen</translation>
+    </message>
+    <message>
+        <source>Not run yet.</source>
+        <translation>Noch nicht ausgeführt.</translation>
+    </message>
+    <message>
+        <source>Fitted through the centres of the cells</source>
+        <translation>Durch die Mitten der Zellen gelegt</translation>
+    </message>
+    <message>
+        <source>Known from a drawing or measured: gives the paper&apos;s Δ and ε</source>
+        <translation>Aus einer Zeichnung oder gemessen: ergibt Δ und ε des Aufsatzes</translation>
+    </message>
+    <message>
+        <source>Only a cylinder and a sphere have one radius to compare with.</source>
+        <translation>Nur Zylinder und Kugel haben einen Radius zum Vergleichen.</translation>
+    </message>
+    <message>
+        <source>A calibration, or a session that is then solved</source>
+        <translation>Eine Kalibrierung oder eine Sitzung, die dann gelöst wird</translation>
+    </message>
+    <message>
+        <source>Patch %1. %2</source>
+        <translation>Hautstück %1. %2</translation>
+    </message>
+    <message>
+        <source>Compare with an earlier calibration</source>
+        <translation>Mit früherer Kalibrierung vergleichen</translation>
+    </message>
+    <message>
+        <source>Calibrations and sessions (*.calibration.json *.hexo *.session.json *.xml)</source>
+        <translation>Kalibrierungen und Sitzungen (*.calibration.json *.hexo *.session.json *.xml)</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::VerifySection</name>
+    <message>
+        <source>Working</source>
+        <translation>Läuft</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Figures: %1</source>
+        <translation>Zahlen: %1</translation>
     </message>
 </context>
 <context>
@@ -4242,10 +5142,6 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
         <translation>Das Hautstück in drei Dimensionen</translation>
     </message>
     <message>
-        <source>&amp;%1  %2</source>
-        <translation>&amp;%1  %2</translation>
-    </message>
-    <message>
         <source>Asked for: %1</source>
         <translation>Verlangt: %1</translation>
     </message>
@@ -4288,6 +5184,157 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     <message>
         <source>No program to show folders was found. The log is %1.</source>
         <translation>Es wurde kein Programm gefunden, das Ordner zeigt. Das Protokoll ist %1.</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Zuletzt</translation>
+    </message>
+    <message>
+        <source>Step &amp;%1: %2</source>
+        <translation>Schritt &amp;%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::Words</name>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>1 link</source>
+        <translation>1 Verbindung</translation>
+    </message>
+    <message>
+        <source>%1 links</source>
+        <translation>%1 Verbindungen</translation>
+    </message>
+    <message>
+        <source>Path from the origin: %1 (%2)</source>
+        <translation>Weg vom Ursprung: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Residual in the worst poses %1</source>
+        <translation>Restfehler in den schlechtesten Posen %1</translation>
+    </message>
+    <message>
+        <source>Residual in pose %1</source>
+        <translation>Restfehler in Pose %1</translation>
+    </message>
+    <message>
+        <source>Link %1 · port %2 — %3 · port %4</source>
+        <translation>Verbindung %1 · Port %2 — %3 · Port %4</translation>
+    </message>
+    <message>
+        <source>It is not used.</source>
+        <translation>Sie wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>cell %1</source>
+        <translation>Zelle %1</translation>
+    </message>
+    <message>
+        <source>cells %1</source>
+        <translation>Zellen %1</translation>
+    </message>
+    <message>
+        <source>pose %1</source>
+        <translation>Pose %1</translation>
+    </message>
+    <message>
+        <source>poses %1</source>
+        <translation>Posen %1</translation>
+    </message>
+    <message>
+        <source>Used, on the shortest paths to the origin</source>
+        <translation>Benutzt, auf den kürzesten Wegen zum Ursprung</translation>
+    </message>
+    <message>
+        <source>Used</source>
+        <translation>Benutzt</translation>
+    </message>
+    <message>
+        <source>Muted: %1</source>
+        <translation>Ausgeschlossen: %1</translation>
+    </message>
+    <message>
+        <source>%1, singular values %2, %3, %4; weight %5</source>
+        <translation>%1, Singulärwerte %2; %3; %4; Gewicht %5</translation>
+    </message>
+    <message>
+        <source>Bend %1, twist %2, yaw %3</source>
+        <translation>Biegung %1, Verwindung %2, Drehung %3</translation>
+    </message>
+    <message>
+        <source>Residual %1, predicted deviation %2</source>
+        <translation>Restfehler %1, erwartete Abweichung %2</translation>
+    </message>
+    <message>
+        <source>Centred: the mean of each cell&apos;s readings was subtracted</source>
+        <translation>Zentriert: Das Mittel der Messwerte jeder Zelle wurde abgezogen</translation>
+    </message>
+    <message>
+        <source>Support axes were added: the poses alone do not fix it</source>
+        <translation>Stützachsen wurden hinzugefügt: Die Posen allein legen sie nicht fest</translation>
+    </message>
+    <message>
+        <source>Origin of patch %1</source>
+        <translation>Ursprung von Hautstück %1</translation>
+    </message>
+    <message>
+        <source>Patch %1</source>
+        <translation>Hautstück %1</translation>
+    </message>
+    <message>
+        <source>On %1</source>
+        <translation>Auf %1</translation>
+    </message>
+    <message>
+        <source>Placed through its links: its own readings are not used</source>
+        <translation>Über ihre Verbindungen eingeordnet: Ihre eigenen Messwerte werden nicht benutzt</translation>
+    </message>
+    <message>
+        <source>Placed by its own readings</source>
+        <translation>Durch eigene Messwerte eingeordnet</translation>
+    </message>
+    <message>
+        <source>At %1 mm from the origin</source>
+        <translation>Bei %1 mm vom Ursprung</translation>
+    </message>
+    <message>
+        <source>Roll %1, pitch %2, yaw %3</source>
+        <translation>Roll %1, Nick %2, Gier %3</translation>
+    </message>
+    <message>
+        <source>Known to ±%1 mm, ±%2 (95 %)</source>
+        <translation>Bekannt auf ±%1 mm, ±%2 (95 %)</translation>
+    </message>
+    <message>
+        <source>How well it is known is not stated</source>
+        <translation>Wie gut es bekannt ist, ist nicht angegeben</translation>
+    </message>
+    <message>
+        <source>Accelerometer offset %1 mg</source>
+        <translation>Nullpunkt des Sensors %1 mg</translation>
+    </message>
+    <message>
+        <source>Accelerometer scale %1</source>
+        <translation>Skalierung des Sensors %1</translation>
+    </message>
+    <message>
+        <source>Cell %1</source>
+        <translation>Zelle %1</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 #include "hexoderm/capture/pose_recorder.h"
 #include "hexoderm/device/open_source.h"
 #include "hexoderm/device/simulated_skin.h"
+#include "hexoderm/geometry/surface_fit.h"
 #include "hexoderm/graph/skin_graph.h"
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/reconstruction/link_plausibility.h"
@@ -286,6 +287,29 @@ TEST_F(CoreWords, KnowWhatTheCheckOfTheSkinSays) {
   check(three, {{CellId(1), up}, {CellId(2), up}, {CellId(3), 2 * up}});
   check(three, {{CellId(1), up}});
   check(three, {{CellId(1), up}, {CellId(2), up}});
+  expectGermanOfAll();
+}
+
+TEST_F(CoreWords, KnowWhyASurfaceCanNotBeFitted) {
+  const auto refuse = [this](const auto& fit, std::size_t count, const Eigen::Vector3d& along) {
+    std::vector<Eigen::Vector3d> points;
+    for (std::size_t k = 0; k < count; ++k) points.emplace_back(static_cast<double>(k) * along);
+    try {
+      fit(points);
+      ADD_FAILURE() << count << " points were fitted";
+    } catch (const Error& error) {
+      add(error.what());
+    }
+  };
+  const auto refuseAll = [&](const auto& fit) {
+    refuse(fit, 1, Eigen::Vector3d::UnitX());
+    refuse(fit, 9, Eigen::Vector3d::Zero());
+    refuse(fit, 9, Eigen::Vector3d::UnitX());
+  };
+  refuseAll([](const std::vector<Eigen::Vector3d>& points) { static_cast<void>(fitPlane(points)); });
+  refuseAll([](const std::vector<Eigen::Vector3d>& points) { static_cast<void>(fitSphere(points)); });
+  refuseAll([](const std::vector<Eigen::Vector3d>& points) { static_cast<void>(fitCylinder(points)); });
+  refuseAll([](const std::vector<Eigen::Vector3d>& points) { static_cast<void>(fitCone(points)); });
   expectGermanOfAll();
 }
 

@@ -175,17 +175,18 @@ TEST_F(VerifyPanelTest, SaysThatThereIsNoLoopOrHowTheyClose) {
   EXPECT_EQ(sentence("loops"), "No loop in this patch: nothing closes that could be checked.");
   EXPECT_FALSE(find<QTableView>("loopsTable")->isVisible());
 
-  std::vector<std::optional<FoundLoop>> shown;
-  QObject::connect(panel_, &VerifyPanel::loopShown, [&](const std::optional<FoundLoop>& l) { shown.push_back(l); });
+  std::vector<std::optional<LoopEvaluation>> shown;
+  QObject::connect(panel_, &VerifyPanel::loopShown,
+                   [&](const std::optional<LoopEvaluation>& l) { shown.push_back(l); });
   panel_->showLoops({loop(false, 0.0034), loop(true, 0.0012), loop(true, 0.0003)});
   EXPECT_EQ(sentence("loops"),
             "One open loop; its gap is 3.40 mm, 1.7 % of its 200.00 mm. 2 closed loops close: the largest is left open "
             "by 1.20 mm (0.6 %), and a skin link may leave 7.50 mm.");
   ASSERT_EQ(shown.size(), 1U);
-  EXPECT_FALSE(shown[0]->closed) << "the open loop is drawn";
+  EXPECT_NEAR(shown[0]->length_m, 0.0034, 1e-12) << "the open loop is drawn";
   find<QTableView>("loopsTable")->selectRow(2);
   ASSERT_EQ(shown.size(), 2U);
-  EXPECT_NEAR(shown[1]->closure.length_m, 0.0003, 1e-12);
+  EXPECT_NEAR(shown[1]->length_m, 0.0003, 1e-12);
   EXPECT_TRUE(selection_.link().has_value());
   panel_->showLoops({loop(true, 0.009)});
   EXPECT_THAT(sentence("loops"), testing::HasSubstr("more than the 7.50 mm a skin link may leave"));
