@@ -2895,7 +2895,7 @@
     </message>
     <message>
         <source>Measure from cell %1: pick the second cell (Esc ends)</source>
-        <translation>Messen ab Zelle %1: die zweite Zelle wählen (Esc beendet)</translation>
+        <translation>Messen von Zelle %1: die zweite Zelle wählen (Esc beendet)</translation>
     </message>
 </context>
 <context>
@@ -2918,6 +2918,21 @@
 </context>
 <context>
     <name>hexoderm::OpenGl</name>
+    <message>
+        <source>no OpenGL 3.2</source>
+        <translation>kein OpenGL 3.2</translation>
+    </message>
+    <message>
+        <source>unknown renderer</source>
+        <translation>unbekannter Zeichner</translation>
+    </message>
+    <message>
+        <source>%1, in software</source>
+        <translation>%1, in Software</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::OpenGlWords</name>
     <message>
         <source>no OpenGL 3.2</source>
         <translation>kein OpenGL 3.2</translation>
@@ -2958,19 +2973,19 @@
     </message>
     <message>
         <source>Parallel pro&amp;jection</source>
-        <translation>Parallel&amp;projektion</translation>
+        <translation>Parallelpro&amp;jektion</translation>
     </message>
     <message>
         <source>Save picture of the 3D &amp;view…</source>
-        <translation>Bild der 3D-&amp;Ansicht speichern…</translation>
+        <translation>Bild der 3D-Ansicht &amp;speichern…</translation>
     </message>
     <message>
         <source>Distance between two cells, and the angle between their faces</source>
-        <translation>Abstand zweier Zellen und Winkel zwischen ihren Flächen</translation>
+        <translation>Abstand zweier Zellen und der Winkel zwischen ihren Flächen</translation>
     </message>
     <message>
         <source>Without perspective: equal lengths look equally long wherever they are</source>
-        <translation>Ohne Perspektive: Gleiche Längen sehen überall gleich lang aus</translation>
+        <translation>Ohne Perspektive: gleiche Längen sehen überall gleich lang aus</translation>
     </message>
     <message>
         <source>The scene with its legend as an image file</source>
@@ -2994,7 +3009,7 @@
     </message>
     <message>
         <source>What is drawn over the cells, and how</source>
-        <translation>Was über die Zellen gezeichnet wird, und wie</translation>
+        <translation>Was über den Zellen gezeichnet wird, und wie</translation>
     </message>
     <message>
         <source>Show</source>
@@ -3044,10 +3059,6 @@
         <translation>Hautstück in 3D</translation>
     </message>
     <message>
-        <source>No skin yet: open a session or start the demo.</source>
-        <translation>Noch keine Haut: eine Sitzung öffnen oder die Demo starten.</translation>
-    </message>
-    <message>
         <source>The 3D view needs OpenGL 3.2, which is not available here. The graph and the tables still work.
 
 On a remote desktop, drawing in software may help: start hexoderm with --software-opengl.</source>
@@ -3055,12 +3066,13 @@ On a remote desktop, drawing in software may help: start hexoderm with --softwar
 
 Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit --software-opengl starten.</translation>
     </message>
-    <message numerus="yes">
-        <source>Preparing the picture of %n cell(s)…</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
+    <message>
+        <source>No skin yet: open a session or start the demo.</source>
+        <translation>Noch keine Haut: eine Sitzung öffnen oder die Demo starten.</translation>
+    </message>
+    <message>
+        <source>Preparing the picture of %1 cells…</source>
+        <translation>Das Bild von %1 Zellen wird vorbereitet…</translation>
     </message>
 </context>
 <context>
@@ -3945,10 +3957,356 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     </message>
 </context>
 <context>
+    <name>hexoderm::SceneLegend</name>
+    <message>
+        <source>no link</source>
+        <translation>keine Verbindung</translation>
+    </message>
+    <message>
+        <source>patch %1</source>
+        <translation>Hautstück %1</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Cells are coloured by: %1; from %2 (dark) to %3 (bright)</source>
+        <translation>Farbe der Zellen: %1; von %2 (dunkel) bis %3 (hell)</translation>
+    </message>
+    <message>
+        <source>Cells are coloured by: %1</source>
+        <translation>Farbe der Zellen: %1</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::SceneOverlay</name>
     <message>
         <source>gravity</source>
         <translation>Schwerkraft</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::SceneWords</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>drawn %1 times as large</source>
+        <translation>%1-fach vergrößert gezeichnet</translation>
+    </message>
+    <message>
+        <source>true to scale</source>
+        <translation>maßstäblich</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>cone</source>
+        <translation>Kegel</translation>
+    </message>
+    <message>
+        <source>link quality</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>Restfehler</translation>
+    </message>
+    <message>
+        <source>predicted deviation</source>
+        <translation>erwartete Abweichung</translation>
+    </message>
+    <message>
+        <source>position uncertainty</source>
+        <translation>Unsicherheit des Ortes</translation>
+    </message>
+    <message>
+        <source>orientation uncertainty</source>
+        <translation>Unsicherheit der Drehung</translation>
+    </message>
+    <message>
+        <source>distance from the origin</source>
+        <translation>Abstand vom Ursprung</translation>
+    </message>
+    <message>
+        <source>distance from the fitted surface</source>
+        <translation>Abstand von der angepassten Fläche</translation>
+    </message>
+    <message>
+        <source>patch</source>
+        <translation>Hautstück</translation>
+    </message>
+    <message>
+        <source>body part</source>
+        <translation>Körperteil</translation>
+    </message>
+    <message>
+        <source>reading x</source>
+        <translation>Messwert x</translation>
+    </message>
+    <message>
+        <source>reading y</source>
+        <translation>Messwert y</translation>
+    </message>
+    <message>
+        <source>reading z</source>
+        <translation>Messwert z</translation>
+    </message>
+    <message>
+        <source>reading, norm</source>
+        <translation>Messwert, Betrag</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>worst link&apos;s residual, °</source>
+        <translation>Restfehler der schlechtesten Verbindung, °</translation>
+    </message>
+    <message>
+        <source>worst link&apos;s predicted deviation, °</source>
+        <translation>erwartete Abweichung der schlechtesten Verbindung, °</translation>
+    </message>
+    <message>
+        <source>position uncertainty (95 %), mm</source>
+        <translation>Unsicherheit des Ortes (95 %), mm</translation>
+    </message>
+    <message>
+        <source>orientation uncertainty (95 %), °</source>
+        <translation>Unsicherheit der Drehung (95 %), °</translation>
+    </message>
+    <message>
+        <source>distance from the origin along the path, mm</source>
+        <translation>Abstand vom Ursprung entlang des Weges, mm</translation>
+    </message>
+    <message>
+        <source>distance from the fitted surface, mm</source>
+        <translation>Abstand von der angepassten Fläche, mm</translation>
+    </message>
+    <message>
+        <source>newest reading along x, g</source>
+        <translation>neuester Messwert entlang x, g</translation>
+    </message>
+    <message>
+        <source>newest reading along y, g</source>
+        <translation>neuester Messwert entlang y, g</translation>
+    </message>
+    <message>
+        <source>newest reading along z, g</source>
+        <translation>neuester Messwert entlang z, g</translation>
+    </message>
+    <message>
+        <source>norm of the newest reading, g</source>
+        <translation>Betrag des neuesten Messwerts, g</translation>
+    </message>
+    <message>
+        <source>temperature, °C</source>
+        <translation>Temperatur, °C</translation>
+    </message>
+    <message>
+        <source>%1 or less</source>
+        <translation>%1 oder weniger</translation>
+    </message>
+    <message>
+        <source>%1 or more</source>
+        <translation>%1 oder mehr</translation>
+    </message>
+    <message>
+        <source>No link was measured yet</source>
+        <translation>Noch ist keine Verbindung gemessen</translation>
+    </message>
+    <message>
+        <source>This result states no uncertainties</source>
+        <translation>Dieses Ergebnis nennt keine Unsicherheiten</translation>
+    </message>
+    <message>
+        <source>This result holds no paths from the origin</source>
+        <translation>Dieses Ergebnis enthält keine Wege vom Ursprung</translation>
+    </message>
+    <message>
+        <source>No surface was fitted yet</source>
+        <translation>Noch ist keine Fläche angepasst</translation>
+    </message>
+    <message>
+        <source>The skin does not say which body part its cells are on</source>
+        <translation>Die Haut sagt nicht, auf welchem Körperteil ihre Zellen sind</translation>
+    </message>
+    <message>
+        <source>There are no readings: connect a skin</source>
+        <translation>Es gibt keine Messwerte: eine Haut verbinden</translation>
+    </message>
+    <message>
+        <source>The skin sends no temperatures</source>
+        <translation>Die Haut sendet keine Temperaturen</translation>
+    </message>
+    <message>
+        <source>&amp;Ports</source>
+        <translation>&amp;Anschlüsse</translation>
+    </message>
+    <message>
+        <source>Cell &amp;IDs</source>
+        <translation>Zellen-&amp;IDs</translation>
+    </message>
+    <message>
+        <source>A&amp;xes</source>
+        <translation>A&amp;chsen</translation>
+    </message>
+    <message>
+        <source>&amp;Gravity</source>
+        <translation>Sch&amp;werkraft</translation>
+    </message>
+    <message>
+        <source>&amp;Links by quality</source>
+        <translation>Ver&amp;bindungen nach Güte</translation>
+    </message>
+    <message>
+        <source>Shortest-path t&amp;ree</source>
+        <translation>Baum der kü&amp;rzesten Wege</translation>
+    </message>
+    <message>
+        <source>&amp;Uncertainty ellipsoids</source>
+        <translation>&amp;Unsicherheits-Ellipsoide</translation>
+    </message>
+    <message>
+        <source>&amp;Truth</source>
+        <translation>Wahr&amp;heit</translation>
+    </message>
+    <message>
+        <source>Fitted &amp;surface</source>
+        <translation>Angepasste &amp;Fläche</translation>
+    </message>
+    <message>
+        <source>L&amp;oop gap</source>
+        <translation>Spalt der S&amp;chleife</translation>
+    </message>
+    <message>
+        <source>&amp;Differences to the other calibration</source>
+        <translation>&amp;Differenzen zur anderen Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Discs where a link joins a neighbour, rings where a port is free</source>
+        <translation>Scheiben, wo eine Verbindung zum Nachbarn führt, Ringe, wo ein Anschluss frei ist</translation>
+    </message>
+    <message>
+        <source>Each cell&apos;s number, on faces that look at you</source>
+        <translation>Die Nummer jeder Zelle, auf Flächen, die zum Betrachter zeigen</translation>
+    </message>
+    <message>
+        <source>The directions of the patch&apos;s frame, which is the origin cell&apos;s</source>
+        <translation>Die Richtungen des Koordinatensystems des Hautstücks, das der Ursprungszelle</translation>
+    </message>
+    <message>
+        <source>Where gravity points in the picked pose</source>
+        <translation>Wohin die Schwerkraft in der gewählten Haltung zeigt</translation>
+    </message>
+    <message>
+        <source>Every link in the colour and line style of its class; muted links are crossed</source>
+        <translation>Jede Verbindung in Farbe und Strichart ihrer Klasse; ausgenommene sind durchkreuzt</translation>
+    </message>
+    <message>
+        <source>The links by which every cell is reached from the origin on the shortest way</source>
+        <translation>Die Verbindungen, über die jede Zelle vom Ursprung auf kürzestem Weg erreicht wird</translation>
+    </message>
+    <message>
+        <source>The region that holds each cell&apos;s centre with 95 % probability, relative to the origin</source>
+        <translation>Der Bereich, in dem die Mitte jeder Zelle mit 95 % Wahrscheinlichkeit liegt, relativ zum Ursprung</translation>
+    </message>
+    <message>
+        <source>Where the simulated cells really are, moved onto the result as well as possible</source>
+        <translation>Wo die simulierten Zellen wirklich sind, so gut wie möglich auf das Ergebnis geschoben</translation>
+    </message>
+    <message>
+        <source>The surface fitted to the cells, with each cell&apos;s distance from it</source>
+        <translation>Die an die Zellen angepasste Fläche mit dem Abstand jeder Zelle von ihr</translation>
+    </message>
+    <message>
+        <source>The gap between the two ports where the loop should close</source>
+        <translation>Der Spalt zwischen den beiden Anschlüssen, an denen sich die Schleife schließen sollte</translation>
+    </message>
+    <message>
+        <source>From where each cell was to where it is now</source>
+        <translation>Von wo jede Zelle war bis wo sie jetzt ist</translation>
+    </message>
+    <message>
+        <source>There is no skin yet</source>
+        <translation>Noch gibt es keine Haut</translation>
+    </message>
+    <message>
+        <source>This skin has too many cells to draw them: at most %1</source>
+        <translation>Diese Haut hat zu viele Zellen, um sie zu zeichnen: höchstens %1</translation>
+    </message>
+    <message>
+        <source>Only of a simulated skin is the truth known</source>
+        <translation>Nur bei einer simulierten Haut ist die Wahrheit bekannt</translation>
+    </message>
+    <message>
+        <source>No loop was evaluated yet</source>
+        <translation>Noch ist keine Schleife ausgewertet</translation>
+    </message>
+    <message>
+        <source>No comparison was made yet</source>
+        <translation>Noch ist nichts verglichen</translation>
+    </message>
+    <message>
+        <source>broad lines: the shortest-path tree</source>
+        <translation>breite Linien: der Baum der kürzesten Wege</translation>
+    </message>
+    <message>
+        <source>ellipsoids: 95 %, %1</source>
+        <translation>Ellipsoide: 95 %, %1</translation>
+    </message>
+    <message>
+        <source>outlines: the truth, moved onto the result</source>
+        <translation>Umrisse: die Wahrheit, auf das Ergebnis geschoben</translation>
+    </message>
+    <message>
+        <source>%1, radius %2</source>
+        <translation>%1, Radius %2</translation>
+    </message>
+    <message>
+        <source>; rms distance %1, lines %2</source>
+        <translation>; mittlerer Abstand (rms) %1, Striche %2</translation>
+    </message>
+    <message>
+        <source>loop gap: %1, %2 % of the loop</source>
+        <translation>Spalt der Schleife: %1, %2 % der Schleife</translation>
+    </message>
+    <message>
+        <source>arrows: from before to now, %1</source>
+        <translation>Pfeile: von vorher nach jetzt, %1</translation>
+    </message>
+    <message>
+        <source>Cells %1 and %2 are in different patches: how these lie to each other is not known</source>
+        <translation>Die Zellen %1 und %2 sind in verschiedenen Hautstücken: wie diese zueinander liegen, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Cells %1 and %2: %3 apart, their faces %4 to each other</source>
+        <translation>Zellen %1 und %2: Abstand %3, ihre Flächen %4 zueinander</translation>
+    </message>
+    <message>
+        <source>Cells %1 and %2: %3 ± %4 (95 %) apart, their faces %5 to each other</source>
+        <translation>Zellen %1 und %2: Abstand %3 ± %4 (95 %), ihre Flächen %5 zueinander</translation>
     </message>
 </context>
 <context>
