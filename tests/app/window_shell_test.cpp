@@ -493,7 +493,7 @@ TEST_F(WindowShellTest, KeysGoToTheSteps) {
 }
 
 TEST_F(WindowShellTest, TheListOfKeysIsSearched) {
-  press(Qt::Key_F1);
+  press(Qt::Key_H);
   auto* dialog = waitForDialog<QDialog>("keysDialog");
   ASSERT_NE(dialog, nullptr);
   keepPicture(dialog->grab().toImage(), "keys-light");
