@@ -19,6 +19,10 @@ void MainWindow::connectVerify() {
   for (QTableView* view : {pose_view_, link_view_, cell_view_}) {
     view->horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder);
     view->setSortingEnabled(true);
+    // The arrow takes room in every column; it is there once somebody sorts.
+    view->horizontalHeader()->setSortIndicatorShown(false);
+    connect(view->horizontalHeader(), &QHeaderView::sectionClicked, view->horizontalHeader(),
+            [view] { view->horizontalHeader()->setSortIndicatorShown(true); });
   }
   const auto tell = [this](TableActions* actions) {
     connect(actions, &TableActions::saved, this,
