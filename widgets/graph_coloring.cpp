@@ -25,7 +25,7 @@ constexpr std::array kColorings = {
 
 // Where the scales end: beyond what is good, so that what is good can be told apart, and where bad is bad enough.
 constexpr double kResidualEnd = kResidualScaleEnd_deg * kDegree;
-constexpr double kBendEnd = 60 * kDegree;
+constexpr double kBendEnd = 30 * kDegree;
 constexpr double kTwistEnd = 20 * kDegree;
 constexpr double kYawEnd = 6 * kDegree;
 constexpr double kPositionEnd_m = kPositionScaleEnd_mm * kMillimetre;
