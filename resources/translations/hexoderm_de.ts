@@ -4285,8 +4285,8 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
         <translation>; mittlerer Abstand (rms) %1, Striche %2</translation>
     </message>
     <message>
-        <source>loop gap: %1, %2 % of the loop</source>
-        <translation>Spalt der Schleife: %1, %2 % der Schleife</translation>
+        <source>loop gap: %1, %2 % of the loop; the arrow %3</source>
+        <translation>Spalt der Schleife: %1, %2 % der Schleife; der Pfeil %3</translation>
     </message>
     <message>
         <source>arrows: from before to now, %1</source>
