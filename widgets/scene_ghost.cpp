@@ -111,6 +111,7 @@ void SceneGhost::setSmoothed(bool smoothed) { parts_->renderer->SetUseFXAA(smoot
 
 void SceneGhost::setPatch(const SceneLayout& layout, std::size_t first, std::size_t count) {
   parts_->cells = count;
+  const std::size_t per_cell = layout.pointsPerCell();
   Eigen::AlignedBox3d box;
   vtkNew<vtkPoints> corners;
   vtkNew<vtkPoints> dash_ends;
