@@ -19,6 +19,7 @@
 #include <vtkRenderWindowInteractor.h>
 #include <QAction>
 #include <QGridLayout>
+#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QTimer>
@@ -243,8 +244,8 @@ void PatchView::Parts::updateOverlay() {
   } else if (!reconstruction || reconstruction->cellCount() == 0) {
     content.hint = PatchView::tr("No skin yet: open a session or start the demo.");
   } else if (scene->content() == nullptr) {
-    content.hint =
-        PatchView::tr("Preparing the picture of %n cell(s)…", nullptr, static_cast<int>(reconstruction->cellCount()));
+    content.hint = PatchView::tr("Preparing the picture of %1 cells…")
+                       .arg(QLocale().toString(static_cast<int>(reconstruction->cellCount())));
   } else {
     content.gravity = scene->showsGravity();
     content.legend = legend();
