@@ -7,6 +7,7 @@
 #include "widgets/live_strip.h"
 #include "widgets/message_bar.h"
 #include "widgets/patch_view.h"
+#include "widgets/step_panel.h"
 
 #include <QDir>
 #include <QLabel>
@@ -63,8 +64,6 @@ void MainWindow::connectLive() {
                               tr("Don't recapture"), [this] { controller_.cancelRecapture(); });
   });
   connect(&controller_, &SessionController::nextPoseChanged, this, &MainWindow::refresh);
-  connect(&controller_.live(), &LiveSource::previewChanged, this,
-          [this] { patch_view_->setReadings(controller_.live().preview().means); });
   connect(patch_view_, &PatchView::pictureRequested, this, [this] {
     askForPath(tr("Save a picture of the 3D view"), suggestedName() + tr("-3d"), tr("Pictures (*.png)"),
                QStringLiteral(".png"),
@@ -96,7 +95,9 @@ void MainWindow::refreshLive() {
   live_strip_->setVisible(live.isRunning());
   if (!live.isRunning()) return;
   const SourceStatus& status = live.status();
-  live_strip_->setStatus(status, live.hold(), controller_.isLive());
+  // The step's own panel says more.
+  const bool elsewhere = step_panel_->openIndex() != static_cast<int>(GuideStep::Capture);
+  live_strip_->setStatus(status, live.hold(), controller_.isLive() && elsewhere);
   const QString where = live.skin()
                             ? QString::fromStdString(live.skin()->device) + QStringLiteral(" · ") + live.address()
                             : live.address();

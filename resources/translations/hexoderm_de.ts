@@ -92,268 +92,8 @@
         <translation>Drehung bekannt auf (95 %)</translation>
     </message>
     <message>
-        <source>Cell</source>
-        <translation>Zelle</translation>
-    </message>
-    <message>
-        <source>ID of the cell</source>
-        <translation>ID der Zelle</translation>
-    </message>
-    <message>
-        <source>Needs three poses besides the one that is held out, and there are %1: take another pose.</source>
-        <translation>Braucht drei Posen außer der zurückgehaltenen, vorhanden sind %1: noch eine Pose aufnehmen.</translation>
-    </message>
-    <message>
-        <source>In pose %1 no two joined cells can be compared.</source>
-        <translation>In Pose %1 lassen sich keine zwei verbundenen Zellen vergleichen.</translation>
-    </message>
-    <message>
-        <source>Cancelled.</source>
-        <translation>Abgebrochen.</translation>
-    </message>
-    <message>
-        <source>The other %1 poses foretell pose %2 to %3 (rms over %4 cells); %5 were expected.</source>
-        <translation>Die anderen %1 Posen sagen Pose %2 auf %3 genau voraus (Effektivwert über %4 Zellen); erwartet waren %5.</translation>
-    </message>
-    <message>
-        <source>Worst: cell %1, %2.</source>
-        <translation>Am schlechtesten: Zelle %1, %2.</translation>
-    </message>
-    <message>
-        <source>As good as stated. %1</source>
-        <translation>So gut wie angegeben. %1</translation>
-    </message>
-    <message>
-        <source>Somewhat worse than stated. %1 %2</source>
-        <translation>Etwas schlechter als angegeben. %1 %2</translation>
-    </message>
-    <message>
-        <source>Far worse than stated: the part moved in this pose, or a cell is wrong. %1 %2</source>
-        <translation>Weit schlechter als angegeben: Das Teil hat sich in dieser Pose bewegt, oder eine Zelle ist falsch. %1 %2</translation>
-    </message>
-    <message>
-        <source>Error °</source>
-        <translation>Fehler °</translation>
-    </message>
-    <message>
-        <source>Between the gravity the cell read and what the other cells and poses foretell</source>
-        <translation>Zwischen der Schwerkraft, die die Zelle maß, und dem, was die anderen Zellen und Posen voraussagen</translation>
-    </message>
-    <message>
-        <source>Expected °</source>
-        <translation>Erwartet °</translation>
-    </message>
-    <message>
-        <source>What the stated uncertainties lead one to expect, rms</source>
-        <translation>Was nach den angegebenen Unsicherheiten zu erwarten ist, Effektivwert</translation>
-    </message>
-    <message>
-        <source>Link</source>
-        <translation>Verbindung</translation>
-    </message>
-    <message>
-        <source>Cell and port of both ends</source>
-        <translation>Zelle und Port beider Enden</translation>
-    </message>
-    <message>
-        <source>Between what its two cells read, brought into one frame</source>
-        <translation>Zwischen dem, was ihre beiden Zellen messen, in einem Koordinatensystem</translation>
-    </message>
-    <message>
-        <source>No loop in any of the %1 patches: nothing closes that could be checked.</source>
-        <translation>Keine Schleife in einem der %1 Hautstücke: Es schließt sich nichts, was sich prüfen ließe.</translation>
-    </message>
-    <message>
-        <source>No loop in this patch: nothing closes that could be checked.</source>
-        <translation>Keine Schleife in diesem Hautstück: Es schließt sich nichts, was sich prüfen ließe.</translation>
-    </message>
-    <message>
-        <source>%1, %2 of its %3</source>
-        <translation>%1, %2 ihrer %3</translation>
-    </message>
-    <message>
-        <source>One open loop; its gap is %1.</source>
-        <translation>Eine offene Schleife; ihre Lücke ist %1.</translation>
-    </message>
-    <message>
-        <source>%1 open loops; the largest gap is %2.</source>
-        <translation>%1 offene Schleifen; die größte Lücke ist %2.</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>%1 closed loops close: the largest is left open by %2, and a skin link may leave %3.</source>
-        <translation>%1 geschlossene Schleifen schließen sich: Die größte bleibt um %2 offen, eine Hautverbindung darf %3 lassen.</translation>
-    </message>
-    <message>
-        <source>Of %1 closed loops the largest is left open by %2, more than the %3 a skin link may leave: one of its links is wrong, or many err alike.</source>
-        <translation>Von %1 geschlossenen Schleifen bleibt die größte um %2 offen, mehr als die %3, die eine Hautverbindung lassen darf: Eine ihrer Verbindungen ist falsch, oder viele irren gleich.</translation>
-    </message>
-    <message>
-        <source>Between</source>
-        <translation>Zwischen</translation>
-    </message>
-    <message>
-        <source>The two ports at which the loop is closed, or open</source>
-        <translation>Die beiden Ports, an denen die Schleife geschlossen oder offen ist</translation>
-    </message>
-    <message>
-        <source>Kind</source>
-        <translation>Art</translation>
-    </message>
-    <message>
-        <source>Closed by a link, or open between two free ports</source>
-        <translation>Durch eine Verbindung geschlossen oder zwischen zwei freien Ports offen</translation>
-    </message>
-    <message>
-        <source>Cells</source>
-        <translation>Zellen</translation>
-    </message>
-    <message>
-        <source>Cells of the loop</source>
-        <translation>Zellen der Schleife</translation>
-    </message>
-    <message>
-        <source>Gap mm</source>
-        <translation>Lücke mm</translation>
-    </message>
-    <message>
-        <source>Length of what is missing when the loop is walked round</source>
-        <translation>Länge dessen, was nach einem Rundgang fehlt</translation>
-    </message>
-    <message>
-        <source>X mm</source>
-        <translation>X mm</translation>
-    </message>
-    <message>
-        <source>The gap, in the patch&apos;s frame</source>
-        <translation>Die Lücke, im Koordinatensystem des Hautstücks</translation>
-    </message>
-    <message>
-        <source>Y mm</source>
-        <translation>Y mm</translation>
-    </message>
-    <message>
-        <source>Z mm</source>
-        <translation>Z mm</translation>
-    </message>
-    <message>
-        <source>Share %</source>
-        <translation>Anteil %</translation>
-    </message>
-    <message>
-        <source>The gap in per cent of the accumulated port vectors</source>
-        <translation>Die Lücke in Prozent der aufsummierten Portvektoren</translation>
-    </message>
-    <message>
-        <source>closed</source>
-        <translation>geschlossen</translation>
-    </message>
-    <message>
-        <source>open</source>
-        <translation>offen</translation>
-    </message>
-    <message>
-        <source>Plane</source>
-        <translation>Ebene</translation>
-    </message>
-    <message>
-        <source>Sphere</source>
-        <translation>Kugel</translation>
-    </message>
-    <message>
-        <source>Cylinder</source>
-        <translation>Zylinder</translation>
-    </message>
-    <message>
-        <source>Cone</source>
-        <translation>Kegel</translation>
-    </message>
-    <message>
-        <source>%1, half angle %2, radius %3 at its middle</source>
-        <translation>%1, halber Winkel %2, Radius %3 in der Mitte</translation>
-    </message>
-    <message>
         <source>%1, radius %2</source>
         <translation>%1, Radius %2</translation>
-    </message>
-    <message>
-        <source>%1: %2 cell centres lie within %3 (rms) of it; the worst is cell %4, %5.</source>
-        <translation>%1: %2 Zellmitten liegen im Mittel (Effektivwert) %3 davon entfernt; am weitesten Zelle %4, %5.</translation>
-    </message>
-    <message>
-        <source>That is within the ±%1 stated for positions (95 %).</source>
-        <translation>Das liegt innerhalb der für Orte angegebenen ±%1 (95 %).</translation>
-    </message>
-    <message>
-        <source>That is more than the ±%1 stated for positions (95 %): the part has another shape, or positions are worse than stated.</source>
-        <translation>Das ist mehr als die für Orte angegebenen ±%1 (95 %): Das Teil hat eine andere Form, oder die Orte sind schlechter als angegeben.</translation>
-    </message>
-    <message>
-        <source>Against the true radius: Δ = %1 (eq. 20), ε = %2 (eq. 21).</source>
-        <translation>Gegen den wahren Radius: Δ = %1 (Gl. 20), ε = %2 (Gl. 21).</translation>
-    </message>
-    <message>
-        <source>Distance mm</source>
-        <translation>Abstand mm</translation>
-    </message>
-    <message>
-        <source>From the surface; positive outside of it</source>
-        <translation>Von der Fläche; außerhalb positiv</translation>
-    </message>
-    <message>
-        <source>%1 has no cell in common with this calibration.</source>
-        <translation>%1 hat mit dieser Kalibrierung keine Zelle gemeinsam.</translation>
-    </message>
-    <message>
-        <source>Against %1, after alignment: %2 and %3 rms over %4 cells.</source>
-        <translation>Gegen %1, nach dem Ausrichten: %2 und %3 im Mittel (Effektivwert) über %4 Zellen.</translation>
-    </message>
-    <message>
-        <source>%1 Neither of them states an uncertainty to compare with.</source>
-        <translation>%1 Keine der beiden nennt eine Unsicherheit zum Vergleichen.</translation>
-    </message>
-    <message>
-        <source>Of %1 cells, %2 lie and %3 point within what was stated with 95 %.</source>
-        <translation>Von %1 Zellen liegen %2 und zeigen %3 innerhalb dessen, was mit 95 % angegeben war.</translation>
-    </message>
-    <message>
-        <source>Within what was stated for 95 % of cells. %1 %2</source>
-        <translation>Innerhalb dessen, was für 95 % der Zellen angegeben war. %1 %2</translation>
-    </message>
-    <message>
-        <source>Further apart than what was stated for 95 % of cells. %1 %2</source>
-        <translation>Weiter auseinander, als für 95 % der Zellen angegeben war. %1 %2</translation>
-    </message>
-    <message>
-        <source>Moved mm</source>
-        <translation>Versetzt mm</translation>
-    </message>
-    <message>
-        <source>Distance between the two, after alignment</source>
-        <translation>Abstand der beiden, nach dem Ausrichten</translation>
-    </message>
-    <message>
-        <source>Stated mm</source>
-        <translation>Angegeben mm</translation>
-    </message>
-    <message>
-        <source>Standard deviation stated for that, of both together</source>
-        <translation>Dafür angegebene Standardabweichung, beide zusammen</translation>
-    </message>
-    <message>
-        <source>Turned °</source>
-        <translation>Gedreht °</translation>
-    </message>
-    <message>
-        <source>Angle between the two, after alignment</source>
-        <translation>Winkel zwischen den beiden, nach dem Ausrichten</translation>
-    </message>
-    <message>
-        <source>Stated °</source>
-        <translation>Angegeben °</translation>
     </message>
     <message>
         <source>no link</source>
@@ -672,6 +412,284 @@
     <message>
         <source>Where we stand</source>
         <translation>Wo wir stehen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::CapturePanel</name>
+    <message>
+        <source>Capturing poses</source>
+        <translation>Posen aufnehmen</translation>
+    </message>
+    <message>
+        <source>No skin is connected, so no pose can be taken.</source>
+        <translation>Keine Haut ist verbunden, also lässt sich keine Pose aufnehmen.</translation>
+    </message>
+    <message>
+        <source>no readings</source>
+        <translation>keine Messwerte</translation>
+    </message>
+    <message>
+        <source>Captured</source>
+        <translation>Aufgenommen</translation>
+    </message>
+    <message>
+        <source>pose %1</source>
+        <translation>Pose %1</translation>
+    </message>
+    <message>
+        <source>No skin is connected.</source>
+        <translation>Keine Haut ist verbunden.</translation>
+    </message>
+    <message>
+        <source>Working out which pose helps most…</source>
+        <translation>Gesucht wird, welche Pose am meisten hilft…</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::CaptureWords</name>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1 mg</source>
+        <translation>%1 mg</translation>
+    </message>
+    <message>
+        <source>%1 °/s</source>
+        <translation>%1 °/s</translation>
+    </message>
+    <message>
+        <source>reads no gravity</source>
+        <translation>misst keine Schwerkraft</translation>
+    </message>
+    <message>
+        <source>stuck</source>
+        <translation>hängt</translation>
+    </message>
+    <message>
+        <source>noisy</source>
+        <translation>rauscht</translation>
+    </message>
+    <message>
+        <source>turns by itself</source>
+        <translation>dreht sich allein</translation>
+    </message>
+    <message>
+        <source>silent</source>
+        <translation>stumm</translation>
+    </message>
+    <message>
+        <source>Hold the part still, any way up.</source>
+        <translation>Das Teil stillhalten, egal wie herum.</translation>
+    </message>
+    <message>
+        <source>There are enough poses. Another one would hardly help.</source>
+        <translation>Es sind genug Posen. Eine weitere würde kaum helfen.</translation>
+    </message>
+    <message>
+        <source>Turn the part so that cell %1 faces the ceiling.</source>
+        <translation>Das Teil so drehen, dass Zelle %1 zur Decke zeigt.</translation>
+    </message>
+    <message>
+        <source>Turn the part so that cell %1 faces the floor.</source>
+        <translation>Das Teil so drehen, dass Zelle %1 zum Boden zeigt.</translation>
+    </message>
+    <message>
+        <source>Turn the part so that cell %1 faces a wall, as the picture shows.</source>
+        <translation>Das Teil so drehen, dass Zelle %1 zur Wand zeigt, wie im Bild.</translation>
+    </message>
+    <message>
+        <source>It is there: hold it like this.</source>
+        <translation>Geschafft: So halten.</translation>
+    </message>
+    <message>
+        <source>Half a turn around a horizontal axis.</source>
+        <translation>Eine halbe Drehung um eine waagrechte Achse.</translation>
+    </message>
+    <message>
+        <source>About %1° around the horizontal axis shown.</source>
+        <translation>Etwa %1° um die gezeigte waagrechte Achse.</translation>
+    </message>
+    <message>
+        <source>Why: what is left does not come from too few directions.</source>
+        <translation>Warum: Was bleibt, kommt nicht von zu wenigen Richtungen.</translation>
+    </message>
+    <message>
+        <source>Why: gravity, as every cell feels it, tells how the cells are turned against each other.</source>
+        <translation>Warum: Die Schwerkraft, wie jede Zelle sie spürt, verrät, wie die Zellen gegeneinander gedreht sind.</translation>
+    </message>
+    <message>
+        <source>Why: gravity has been seen along one line only. A second direction tells how the cells are turned about it.</source>
+        <translation>Warum: Die Schwerkraft wurde nur entlang einer Linie gesehen. Eine zweite Richtung verrät, wie die Zellen um sie gedreht sind.</translation>
+    </message>
+    <message>
+        <source>Why: gravity has been seen from two directions. A third one, out of their plane, also reveals each sensor&apos;s offset.</source>
+        <translation>Warum: Die Schwerkraft wurde aus zwei Richtungen gesehen. Eine dritte außerhalb ihrer Ebene verrät auch den Nullpunkt jedes Sensors.</translation>
+    </message>
+    <message>
+        <source>Why: the opposite of pose %1 tells each sensor&apos;s offset from its scale.</source>
+        <translation>Warum: Das Gegenteil von Pose %1 trennt Nullpunkt und Skalierung jedes Sensors.</translation>
+    </message>
+    <message>
+        <source>Why: a further direction averages out what the sensors still get wrong.</source>
+        <translation>Warum: Eine weitere Richtung mittelt aus, was die Sensoren noch falsch messen.</translation>
+    </message>
+    <message>
+        <source>Orientation is known to ±%1 now, to ±%2 with this pose.</source>
+        <translation>Die Drehung ist jetzt auf ±%1 bekannt, mit dieser Pose auf ±%2.</translation>
+    </message>
+    <message>
+        <source>No direction is missing: all three values reach %1.</source>
+        <translation>Keine Richtung fehlt: Alle drei Werte erreichen %1.</translation>
+    </message>
+    <message>
+        <source>No pose yet: any direction will do.</source>
+        <translation>Noch keine Pose: Jede Richtung ist recht.</translation>
+    </message>
+    <message>
+        <source>No pose yet with cell %1 facing a wall: the second value is %2, needs %3.</source>
+        <translation>Noch keine Pose mit Zelle %1 zur Wand: Der zweite Wert ist %2, nötig sind %3.</translation>
+    </message>
+    <message>
+        <source>No pose yet with cell %1 facing a wall: the third value is %2, needs %3.</source>
+        <translation>Noch keine Pose mit Zelle %1 zur Wand: Der dritte Wert ist %2, nötig sind %3.</translation>
+    </message>
+    <message>
+        <source>No pose yet with cell %1 facing the ceiling or the floor: the second value is %2, needs %3.</source>
+        <translation>Noch keine Pose mit Zelle %1 zur Decke oder zum Boden: Der zweite Wert ist %2, nötig sind %3.</translation>
+    </message>
+    <message>
+        <source>No pose yet with cell %1 facing the ceiling or the floor: the third value is %2, needs %3.</source>
+        <translation>Noch keine Pose mit Zelle %1 zur Decke oder zum Boden: Der dritte Wert ist %2, nötig sind %3.</translation>
+    </message>
+    <message>
+        <source>1 pose</source>
+        <translation>1 Pose</translation>
+    </message>
+    <message>
+        <source>%1 poses</source>
+        <translation>%1 Posen</translation>
+    </message>
+    <message>
+        <source>%1, %2 disabled</source>
+        <translation>%1, %2 nicht benutzt</translation>
+    </message>
+    <message>
+        <source>pose %1 on the front</source>
+        <translation>Pose %1 vorn</translation>
+    </message>
+    <message>
+        <source>pose %1 on the back</source>
+        <translation>Pose %1 hinten</translation>
+    </message>
+    <message>
+        <source>%1, disabled</source>
+        <translation>%1, nicht benutzt</translation>
+    </message>
+    <message>
+        <source>values %1, %2 and %3, limit %4: %5</source>
+        <translation>Werte %1, %2 und %3, Grenze %4: %5</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Capturing…</source>
+        <translation>Aufnahme…</translation>
+    </message>
+    <message>
+        <source>Hold…</source>
+        <translation>Halten…</translation>
+    </message>
+    <message>
+        <source>Still</source>
+        <translation>Ruhig</translation>
+    </message>
+    <message>
+        <source>ready to capture</source>
+        <translation>bereit zur Aufnahme</translation>
+    </message>
+    <message>
+        <source>Turn the part</source>
+        <translation>Teil drehen</translation>
+    </message>
+    <message>
+        <source>then hold it still</source>
+        <translation>dann stillhalten</translation>
+    </message>
+    <message>
+        <source>Hold still</source>
+        <translation>Stillhalten</translation>
+    </message>
+    <message>
+        <source>waits for stillness</source>
+        <translation>wartet auf Ruhe</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Wartet</translation>
+    </message>
+    <message>
+        <source>for readings</source>
+        <translation>auf Messwerte</translation>
+    </message>
+    <message>
+        <source>Looking whether it stayed still…</source>
+        <translation>Prüft, ob es ruhig blieb…</translation>
+    </message>
+    <message>
+        <source>Taking readings as they are, moved or not</source>
+        <translation>Misst, was da ist, bewegt oder nicht</translation>
+    </message>
+    <message>
+        <source>Taking readings of %1 cells</source>
+        <translation>Misst %1 Zellen</translation>
+    </message>
+    <message>
+        <source>The part is still</source>
+        <translation>Das Teil ist ruhig</translation>
+    </message>
+    <message>
+        <source>The part is still; it does not capture by itself</source>
+        <translation>Das Teil ist ruhig; von selbst wird nicht aufgenommen</translation>
+    </message>
+    <message>
+        <source>Waiting: no cell sends readings</source>
+        <translation>Wartet: Keine Zelle sendet Messwerte</translation>
+    </message>
+    <message>
+        <source>Waiting: %1 s of readings are needed to judge</source>
+        <translation>Wartet: zum Urteilen sind Messwerte von %1 s nötig</translation>
+    </message>
+    <message>
+        <source>Waiting: moved %1 since the last pose, needs %2</source>
+        <translation>Wartet: seit der letzten Pose %1 bewegt, nötig sind %2</translation>
+    </message>
+    <message>
+        <source>Waiting: the part turns by %1, limit %2</source>
+        <translation>Wartet: Das Teil dreht sich mit %1, Grenze %2</translation>
+    </message>
+    <message>
+        <source>Waiting: cell %1 moves %2, limit %3</source>
+        <translation>Wartet: Zelle %1 bewegt sich um %2, Grenze %3</translation>
+    </message>
+    <message>
+        <source>Waiting: cell %1 turns by %2 against the rest, limit %3</source>
+        <translation>Wartet: Zelle %1 dreht sich mit %2 gegen die anderen, Grenze %3</translation>
+    </message>
+    <message>
+        <source>cell %1 (%2)</source>
+        <translation>Zelle %1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 more</source>
+        <translation>%1 weitere</translation>
+    </message>
+    <message>
+        <source>Not waited for: %1</source>
+        <translation>Nicht gewartet wird auf: %1</translation>
     </message>
 </context>
 <context>
@@ -1965,6 +1983,63 @@
         <source>cone fit: the points lie in a plane</source>
         <translation>Kegel: Die Punkte liegen in einer Ebene</translation>
     </message>
+    <message>
+        <source>%1, the port from 1 to 65535 (for example %2)</source>
+        <translation>%1, Port von 1 bis 65535 (zum Beispiel %2)</translation>
+    </message>
+    <message>
+        <source>%1 or %2 (for example %3)</source>
+        <translation>%1 oder %2 (zum Beispiel %3)</translation>
+    </message>
+    <message>
+        <source>expected a Hexoderm session (*.hexo, or format &quot;hexoderm-session&quot;), a calibration (format &quot;hexoderm-calibration&quot;) or a TUM SkinConfig XML, found &quot;%1&quot;</source>
+        <translation>erwartet ist eine Hexoderm-Sitzung (*.hexo oder Format „hexoderm-session“), eine Kalibrierung (Format „hexoderm-calibration“) oder ein TUM-SkinConfig-XML, gefunden wurde „%1“</translation>
+    </message>
+    <message>
+        <source>expected a Hexoderm session (*.hexo, or format &quot;hexoderm-session&quot;), a calibration (format &quot;hexoderm-calibration&quot;) or a TUM SkinConfig XML, but there is none</source>
+        <translation>erwartet ist eine Hexoderm-Sitzung (*.hexo oder Format „hexoderm-session“), eine Kalibrierung (Format „hexoderm-calibration“) oder ein TUM-SkinConfig-XML, angegeben ist keines</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::CoverageView</name>
+    <message>
+        <source>front</source>
+        <translation>vorn</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>hinten</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>next</source>
+        <translation>nächste</translation>
+    </message>
+    <message>
+        <source>%1, limit %2</source>
+        <translation>%1, Grenze %2</translation>
+    </message>
+    <message>
+        <source>Directions of gravity seen</source>
+        <translation>Gesehene Richtungen der Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Front: up is where the origin cell faces. Back: the other half, seen from behind.
+The values say how well the poses hold the cells&apos; turn along three axes.</source>
+        <translation>Vorn: Oben ist, wohin die Ursprungszelle zeigt. Hinten: die andere Hälfte, von hinten gesehen.
+Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhalten.</translation>
+    </message>
+    <message>
+        <source>Pose %1</source>
+        <translation>Pose %1</translation>
+    </message>
+    <message>
+        <source>disabled</source>
+        <translation>nicht benutzt</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::EventLog</name>
@@ -2116,6 +2191,17 @@
     <message>
         <source>Where</source>
         <translation>Wo</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::GhostCaption</name>
+    <message>
+        <source>next pose</source>
+        <translation>nächste Pose</translation>
+    </message>
+    <message>
+        <source>next pose, %1</source>
+        <translation>nächste Pose, %1</translation>
     </message>
 </context>
 <context>
@@ -2369,6 +2455,22 @@
         <source>This session came from a file; no skin is connected to take more.</source>
         <translation>Diese Sitzung kam aus einer Datei; für weitere Posen ist keine Haut verbunden.</translation>
     </message>
+    <message>
+        <source>Verify</source>
+        <translation>Nachprüfen</translation>
+    </message>
+    <message>
+        <source>optional</source>
+        <translation>freiwillig</translation>
+    </message>
+    <message>
+        <source>See whether the result holds.</source>
+        <translation>Sehen, ob das Ergebnis standhält.</translation>
+    </message>
+    <message>
+        <source>Each check looks at it from a side that solving it did not use.</source>
+        <translation>Jede Probe sieht es von einer Seite an, die das Lösen nicht benutzt hat.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::GuideWindow</name>
@@ -2413,6 +2515,13 @@
     <message>
         <source>Find the next one</source>
         <translation>Nächste Stelle</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::HoldRing</name>
+    <message>
+        <source>How long the part has been held</source>
+        <translation>Wie lange das Teil schon gehalten wird</translation>
     </message>
 </context>
 <context>
@@ -2886,6 +2995,18 @@
         <source>Cells %1</source>
         <translation>Zellen %1</translation>
     </message>
+    <message>
+        <source>Save a picture of the 3D view</source>
+        <translation>Bild der 3D-Ansicht speichern</translation>
+    </message>
+    <message>
+        <source>-3d</source>
+        <translation>-3d</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MeasureTool</name>
@@ -2948,6 +3069,21 @@
     <message>
         <source>over-defined</source>
         <translation>überbestimmt</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PartMotion</name>
+    <message>
+        <source>Turn the part</source>
+        <translation>Teil drehen</translation>
+    </message>
+    <message>
+        <source>Dragging and the arrow keys turn the part instead of the picture; dragging with Shift always does</source>
+        <translation>Ziehen und Pfeiltasten drehen das Teil statt des Bildes; Ziehen mit Umschalt tut das immer</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
     </message>
 </context>
 <context>
@@ -3057,9 +3193,9 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     </message>
     <message numerus="yes">
         <source>Preparing the picture of %n cell(s)…</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Das Bild von %n Zelle wird vorbereitet…</numerusform>
+            <numerusform>Das Bild von %n Zellen wird vorbereitet…</numerusform>
         </translation>
     </message>
 </context>
@@ -3834,6 +3970,10 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
         <source>Skin graph</source>
         <translation>Hautgraph</translation>
     </message>
+    <message>
+        <source>Directions of gravity</source>
+        <translation>Richtungen der Schwerkraft</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::ResidualPlots</name>
@@ -4073,6 +4213,53 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     </message>
 </context>
 <context>
+    <name>hexoderm::StillnessView</name>
+    <message>
+        <source>moving</source>
+        <translation>bewegt</translation>
+    </message>
+    <message>
+        <source>still</source>
+        <translation>ruhig</translation>
+    </message>
+    <message>
+        <source>capturing</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>captured %1</source>
+        <translation>%1 aufgenommen</translation>
+    </message>
+    <message>
+        <source>armed again</source>
+        <translation>wieder bereit</translation>
+    </message>
+    <message>
+        <source>starts over</source>
+        <translation>beginnt neu</translation>
+    </message>
+    <message>
+        <source>Stillness of the last ten seconds</source>
+        <translation>Ruhe der letzten zehn Sekunden</translation>
+    </message>
+    <message>
+        <source>No readings: when a skin is connected, this shows how still it is held.</source>
+        <translation>Keine Messwerte: Ist eine Haut verbunden, zeigt dies, wie still sie gehalten wird.</translation>
+    </message>
+    <message>
+        <source>cell %1, picked</source>
+        <translation>Zelle %1, gewählt</translation>
+    </message>
+    <message>
+        <source>cell %1, which decides</source>
+        <translation>Zelle %1, die entscheidet</translation>
+    </message>
+    <message>
+        <source>%1 · x y z, deviation from its mean, last %2 s, limit %3 mg</source>
+        <translation>%1 · x y z, Abweichung vom Mittel, letzte %2 s, Grenze %3 mg</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::TableActions</name>
     <message>
         <source>Copy as CSV</source>
@@ -4119,6 +4306,273 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     <message>
         <source>Patch %1: %2</source>
         <translation>Hautstück %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::Verify</name>
+    <message>
+        <source>Cell</source>
+        <translation>Zelle</translation>
+    </message>
+    <message>
+        <source>ID of the cell</source>
+        <translation>ID der Zelle</translation>
+    </message>
+    <message>
+        <source>Needs three poses besides the one that is held out, and there are %1: take another pose.</source>
+        <translation>Braucht drei Posen außer der zurückgehaltenen, vorhanden sind %1: noch eine Pose aufnehmen.</translation>
+    </message>
+    <message>
+        <source>In pose %1 no two joined cells can be compared.</source>
+        <translation>In Pose %1 lassen sich keine zwei verbundenen Zellen vergleichen.</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The other %1 poses foretell pose %2 to %3 (rms over %4 cells); %5 were expected.</source>
+        <translation>Die anderen %1 Posen sagen Pose %2 auf %3 genau voraus (Effektivwert über %4 Zellen); erwartet waren %5.</translation>
+    </message>
+    <message>
+        <source>Worst: cell %1, %2.</source>
+        <translation>Am schlechtesten: Zelle %1, %2.</translation>
+    </message>
+    <message>
+        <source>As good as stated. %1</source>
+        <translation>So gut wie angegeben. %1</translation>
+    </message>
+    <message>
+        <source>Somewhat worse than stated. %1 %2</source>
+        <translation>Etwas schlechter als angegeben. %1 %2</translation>
+    </message>
+    <message>
+        <source>Far worse than stated: the part moved in this pose, or a cell is wrong. %1 %2</source>
+        <translation>Weit schlechter als angegeben: Das Teil hat sich in dieser Pose bewegt, oder eine Zelle ist falsch. %1 %2</translation>
+    </message>
+    <message>
+        <source>Error °</source>
+        <translation>Fehler °</translation>
+    </message>
+    <message>
+        <source>Between the gravity the cell read and what the other cells and poses foretell</source>
+        <translation>Zwischen der Schwerkraft, die die Zelle maß, und dem, was die anderen Zellen und Posen voraussagen</translation>
+    </message>
+    <message>
+        <source>Expected °</source>
+        <translation>Erwartet °</translation>
+    </message>
+    <message>
+        <source>What the stated uncertainties lead one to expect, rms</source>
+        <translation>Was nach den angegebenen Unsicherheiten zu erwarten ist, Effektivwert</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>Cell and port of both ends</source>
+        <translation>Zelle und Port beider Enden</translation>
+    </message>
+    <message>
+        <source>Between what its two cells read, brought into one frame</source>
+        <translation>Zwischen dem, was ihre beiden Zellen messen, in einem Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>No loop in any of the %1 patches: nothing closes that could be checked.</source>
+        <translation>Keine Schleife in einem der %1 Hautstücke: Es schließt sich nichts, was sich prüfen ließe.</translation>
+    </message>
+    <message>
+        <source>No loop in this patch: nothing closes that could be checked.</source>
+        <translation>Keine Schleife in diesem Hautstück: Es schließt sich nichts, was sich prüfen ließe.</translation>
+    </message>
+    <message>
+        <source>%1, %2 of its %3</source>
+        <translation>%1, %2 ihrer %3</translation>
+    </message>
+    <message>
+        <source>One open loop; its gap is %1.</source>
+        <translation>Eine offene Schleife; ihre Lücke ist %1.</translation>
+    </message>
+    <message>
+        <source>%1 open loops; the largest gap is %2.</source>
+        <translation>%1 offene Schleifen; die größte Lücke ist %2.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 closed loops close: the largest is left open by %2, and a skin link may leave %3.</source>
+        <translation>%1 geschlossene Schleifen schließen sich: Die größte bleibt um %2 offen, eine Hautverbindung darf %3 lassen.</translation>
+    </message>
+    <message>
+        <source>Of %1 closed loops the largest is left open by %2, more than the %3 a skin link may leave: one of its links is wrong, or many err alike.</source>
+        <translation>Von %1 geschlossenen Schleifen bleibt die größte um %2 offen, mehr als die %3, die eine Hautverbindung lassen darf: Eine ihrer Verbindungen ist falsch, oder viele irren gleich.</translation>
+    </message>
+    <message>
+        <source>Between</source>
+        <translation>Zwischen</translation>
+    </message>
+    <message>
+        <source>The two ports at which the loop is closed, or open</source>
+        <translation>Die beiden Ports, an denen die Schleife geschlossen oder offen ist</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Closed by a link, or open between two free ports</source>
+        <translation>Durch eine Verbindung geschlossen oder zwischen zwei freien Ports offen</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>Cells of the loop</source>
+        <translation>Zellen der Schleife</translation>
+    </message>
+    <message>
+        <source>Gap mm</source>
+        <translation>Lücke mm</translation>
+    </message>
+    <message>
+        <source>Length of what is missing when the loop is walked round</source>
+        <translation>Länge dessen, was nach einem Rundgang fehlt</translation>
+    </message>
+    <message>
+        <source>X mm</source>
+        <translation>X mm</translation>
+    </message>
+    <message>
+        <source>The gap, in the patch&apos;s frame</source>
+        <translation>Die Lücke, im Koordinatensystem des Hautstücks</translation>
+    </message>
+    <message>
+        <source>Y mm</source>
+        <translation>Y mm</translation>
+    </message>
+    <message>
+        <source>Z mm</source>
+        <translation>Z mm</translation>
+    </message>
+    <message>
+        <source>Share %</source>
+        <translation>Anteil %</translation>
+    </message>
+    <message>
+        <source>The gap in per cent of the accumulated port vectors</source>
+        <translation>Die Lücke in Prozent der aufsummierten Portvektoren</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>geschlossen</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>offen</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>Cone</source>
+        <translation>Kegel</translation>
+    </message>
+    <message>
+        <source>%1, half angle %2, radius %3 at its middle</source>
+        <translation>%1, halber Winkel %2, Radius %3 in der Mitte</translation>
+    </message>
+    <message>
+        <source>%1, radius %2</source>
+        <translation>%1, Radius %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 cell centres lie within %3 (rms) of it; the worst is cell %4, %5.</source>
+        <translation>%1: %2 Zellmitten liegen im Mittel (Effektivwert) %3 davon entfernt; am weitesten Zelle %4, %5.</translation>
+    </message>
+    <message>
+        <source>That is within the ±%1 stated for positions (95 %).</source>
+        <translation>Das liegt innerhalb der für Orte angegebenen ±%1 (95 %).</translation>
+    </message>
+    <message>
+        <source>That is more than the ±%1 stated for positions (95 %): the part has another shape, or positions are worse than stated.</source>
+        <translation>Das ist mehr als die für Orte angegebenen ±%1 (95 %): Das Teil hat eine andere Form, oder die Orte sind schlechter als angegeben.</translation>
+    </message>
+    <message>
+        <source>Against the true radius: Δ = %1 (eq. 20), ε = %2 (eq. 21).</source>
+        <translation>Gegen den wahren Radius: Δ = %1 (Gl. 20), ε = %2 (Gl. 21).</translation>
+    </message>
+    <message>
+        <source>Distance mm</source>
+        <translation>Abstand mm</translation>
+    </message>
+    <message>
+        <source>From the surface; positive outside of it</source>
+        <translation>Von der Fläche; außerhalb positiv</translation>
+    </message>
+    <message>
+        <source>%1 has no cell in common with this calibration.</source>
+        <translation>%1 hat mit dieser Kalibrierung keine Zelle gemeinsam.</translation>
+    </message>
+    <message>
+        <source>Against %1, after alignment: %2 and %3 rms over %4 cells.</source>
+        <translation>Gegen %1, nach dem Ausrichten: %2 und %3 im Mittel (Effektivwert) über %4 Zellen.</translation>
+    </message>
+    <message>
+        <source>%1 Neither of them states an uncertainty to compare with.</source>
+        <translation>%1 Keine der beiden nennt eine Unsicherheit zum Vergleichen.</translation>
+    </message>
+    <message>
+        <source>Of %1 cells, %2 lie and %3 point within what was stated with 95 %.</source>
+        <translation>Von %1 Zellen liegen %2 und zeigen %3 innerhalb dessen, was mit 95 % angegeben war.</translation>
+    </message>
+    <message>
+        <source>Within what was stated for 95 % of cells. %1 %2</source>
+        <translation>Innerhalb dessen, was für 95 % der Zellen angegeben war. %1 %2</translation>
+    </message>
+    <message>
+        <source>Further apart than what was stated for 95 % of cells. %1 %2</source>
+        <translation>Weiter auseinander, als für 95 % der Zellen angegeben war. %1 %2</translation>
+    </message>
+    <message>
+        <source>Moved mm</source>
+        <translation>Versetzt mm</translation>
+    </message>
+    <message>
+        <source>Distance between the two, after alignment</source>
+        <translation>Abstand der beiden, nach dem Ausrichten</translation>
+    </message>
+    <message>
+        <source>Stated mm</source>
+        <translation>Angegeben mm</translation>
+    </message>
+    <message>
+        <source>Standard deviation stated for that, of both together</source>
+        <translation>Dafür angegebene Standardabweichung, beide zusammen</translation>
+    </message>
+    <message>
+        <source>Turned °</source>
+        <translation>Gedreht °</translation>
+    </message>
+    <message>
+        <source>Angle between the two, after alignment</source>
+        <translation>Winkel zwischen den beiden, nach dem Ausrichten</translation>
+    </message>
+    <message>
+        <source>Stated °</source>
+        <translation>Angegeben °</translation>
     </message>
 </context>
 <context>
@@ -4254,6 +4708,14 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     <message>
         <source>Calibrations and sessions (*.calibration.json *.hexo *.session.json *.xml)</source>
         <translation>Kalibrierungen und Sitzungen (*.calibration.json *.hexo *.session.json *.xml)</translation>
+    </message>
+    <message>
+        <source>Surface through the cells</source>
+        <translation>Fläche durch die Zellen</translation>
+    </message>
+    <message>
+        <source>True radius of the surface</source>
+        <translation>Wahrer Radius der Fläche</translation>
     </message>
 </context>
 <context>
