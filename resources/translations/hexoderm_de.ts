@@ -3990,16 +3990,16 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
         <translation>Verbindungen nach Restfehler neben der erwarteten Abweichung</translation>
     </message>
     <message>
-        <source>By pose, degrees (box: half of the links)</source>
-        <translation>Je Pose, Grad (Kasten: Hälfte der Verbindungen)</translation>
+        <source>By pose, ° (box: half the links)</source>
+        <translation>Je Pose, ° (Kasten: halbe Verbindungen)</translation>
     </message>
     <message>
-        <source>By link, degrees, worst first (circles: predicted)</source>
-        <translation>Je Verbindung, Grad, schlechteste zuerst (Kreise: erwartet)</translation>
+        <source>By link, ° (○ predicted)</source>
+        <translation>Je Verbindung, ° (○ erwartet)</translation>
     </message>
     <message>
-        <source>Number of links by residual / predicted</source>
-        <translation>Zahl der Verbindungen nach Restfehler / erwartet</translation>
+        <source>Links by residual ÷ predicted</source>
+        <translation>Verbindungen nach Restfehler ÷ erwartet</translation>
     </message>
     <message>
         <source>as predicted</source>

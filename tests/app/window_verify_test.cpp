@@ -129,8 +129,12 @@ TEST_F(WindowVerifyTest, ComparesWithAnEarlierCalibrationAndSaysWhatIsWrongWithA
   std::vector<Comparison> drawn;
   QObject::connect(&panel(), &VerifyPanel::comparisonShown,
                    [&](const std::vector<Comparison>& comparisons) { drawn = comparisons; });
-  ASSERT_TRUE(inPanel<QPushButton>("comparisonChoose")->isEnabled());
-  click(inPanel<QPushButton>("comparisonChoose"));
+  auto* choose = inPanel<QPushButton>("comparisonChoose");
+  ASSERT_TRUE(choose->isEnabled());
+  activateWindow();
+  window_->findChild<StepPanel*>()->ensureWidgetVisible(choose);
+  QCoreApplication::processEvents();
+  click(choose);
   ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("comparisonDialog", path));
   ASSERT_TRUE(waitForSentence("comparison", "Against earlier.calibration.json"))
       << sentence("comparison").toStdString();
@@ -138,6 +142,12 @@ TEST_F(WindowVerifyTest, ComparesWithAnEarlierCalibrationAndSaysWhatIsWrongWithA
   EXPECT_EQ(drawn[0].cells.size(), 17U);
   EXPECT_GT(drawn[0].position_rms_m, 0);
   EXPECT_EQ(inPanel<QTableView>("comparisonTable")->model()->rowCount(), 17);
+
+  keepPicture(window_->picture(), "verify-light");
+  window_->setThemeChoice(ThemeChoice::Dark, false);
+  window_->resize(1280, 800);
+  QCoreApplication::processEvents();
+  keepPicture(window_->picture(), "verify-dark");
 
   emit panel().comparisonRequested(writeFile("broken.calibration.json", "{\"format\": "));
   ASSERT_TRUE(waitForSentence("comparison", "broken.calibration.json")) << sentence("comparison").toStdString();
