@@ -2,665 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
-    <name>hexoderm</name>
-    <message>
-        <source>%1° or more</source>
-        <translation>%1° oder mehr</translation>
-    </message>
-    <message>
-        <source>own readings</source>
-        <translation>eigene Messwerte</translation>
-    </message>
-    <message>
-        <source>links</source>
-        <translation>Verbindungen</translation>
-    </message>
-    <message>
-        <source>patch %1</source>
-        <translation>Hautstück %1</translation>
-    </message>
-    <message>
-        <source>link quality</source>
-        <translation>Güte</translation>
-    </message>
-    <message>
-        <source>residual</source>
-        <translation>Restfehler</translation>
-    </message>
-    <message>
-        <source>predicted deviation</source>
-        <translation>erwartete Abweichung</translation>
-    </message>
-    <message>
-        <source>bend</source>
-        <translation>Biegung</translation>
-    </message>
-    <message>
-        <source>twist</source>
-        <translation>Verwindung</translation>
-    </message>
-    <message>
-        <source>yaw</source>
-        <translation>Drehung</translation>
-    </message>
-    <message>
-        <source>position uncertainty</source>
-        <translation>Unsicherheit des Ortes</translation>
-    </message>
-    <message>
-        <source>orientation uncertainty</source>
-        <translation>Unsicherheit der Drehung</translation>
-    </message>
-    <message>
-        <source>placed by</source>
-        <translation>eingeordnet durch</translation>
-    </message>
-    <message>
-        <source>patch</source>
-        <translation>Hautstück</translation>
-    </message>
-    <message>
-        <source>body part</source>
-        <translation>Körperteil</translation>
-    </message>
-    <message>
-        <source>residual, rms over poses</source>
-        <translation>Restfehler, Effektivwert über die Posen</translation>
-    </message>
-    <message>
-        <source>bend, either way</source>
-        <translation>Biegung, beide Richtungen</translation>
-    </message>
-    <message>
-        <source>twist, either way</source>
-        <translation>Verwindung, beide Richtungen</translation>
-    </message>
-    <message>
-        <source>yaw, either way</source>
-        <translation>Drehung, beide Richtungen</translation>
-    </message>
-    <message>
-        <source>position known to (95 %)</source>
-        <translation>Ort bekannt auf (95 %)</translation>
-    </message>
-    <message>
-        <source>±%1 mm or more</source>
-        <translation>±%1 mm oder mehr</translation>
-    </message>
-    <message>
-        <source>orientation known to (95 %)</source>
-        <translation>Drehung bekannt auf (95 %)</translation>
-    </message>
-    <message>
-        <source>%1, radius %2</source>
-        <translation>%1, Radius %2</translation>
-    </message>
-    <message>
-        <source>no link</source>
-        <translation>keine Verbindung</translation>
-    </message>
-    <message>
-        <source>and %1 more</source>
-        <translation>und %1 weitere</translation>
-    </message>
-    <message>
-        <source>not known</source>
-        <translation>nicht bekannt</translation>
-    </message>
-    <message>
-        <source>Cells are coloured by: %1; from %2 (dark) to %3 (bright)</source>
-        <translation>Farbe der Zellen: %1; von %2 (dunkel) bis %3 (hell)</translation>
-    </message>
-    <message>
-        <source>Cells are coloured by: %1</source>
-        <translation>Farbe der Zellen: %1</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>drawn %1 times as large</source>
-        <translation>%1-fach vergrößert gezeichnet</translation>
-    </message>
-    <message>
-        <source>true to scale</source>
-        <translation>maßstäblich</translation>
-    </message>
-    <message>
-        <source>plane</source>
-        <translation>Ebene</translation>
-    </message>
-    <message>
-        <source>sphere</source>
-        <translation>Kugel</translation>
-    </message>
-    <message>
-        <source>cylinder</source>
-        <translation>Zylinder</translation>
-    </message>
-    <message>
-        <source>cone</source>
-        <translation>Kegel</translation>
-    </message>
-    <message>
-        <source>distance from the origin</source>
-        <translation>Abstand vom Ursprung</translation>
-    </message>
-    <message>
-        <source>distance from the fitted surface</source>
-        <translation>Abstand von der angepassten Fläche</translation>
-    </message>
-    <message>
-        <source>reading x</source>
-        <translation>Messwert x</translation>
-    </message>
-    <message>
-        <source>reading y</source>
-        <translation>Messwert y</translation>
-    </message>
-    <message>
-        <source>reading z</source>
-        <translation>Messwert z</translation>
-    </message>
-    <message>
-        <source>reading, norm</source>
-        <translation>Messwert, Betrag</translation>
-    </message>
-    <message>
-        <source>temperature</source>
-        <translation>Temperatur</translation>
-    </message>
-    <message>
-        <source>worst link's residual, °</source>
-        <translation>Restfehler der schlechtesten Verbindung, °</translation>
-    </message>
-    <message>
-        <source>worst link's predicted deviation, °</source>
-        <translation>erwartete Abweichung der schlechtesten Verbindung, °</translation>
-    </message>
-    <message>
-        <source>position uncertainty (95 %), mm</source>
-        <translation>Unsicherheit des Ortes (95 %), mm</translation>
-    </message>
-    <message>
-        <source>orientation uncertainty (95 %), °</source>
-        <translation>Unsicherheit der Drehung (95 %), °</translation>
-    </message>
-    <message>
-        <source>distance from the origin along the path, mm</source>
-        <translation>Abstand vom Ursprung entlang des Weges, mm</translation>
-    </message>
-    <message>
-        <source>distance from the fitted surface, mm</source>
-        <translation>Abstand von der angepassten Fläche, mm</translation>
-    </message>
-    <message>
-        <source>newest reading along x, g</source>
-        <translation>neuester Messwert entlang x, g</translation>
-    </message>
-    <message>
-        <source>newest reading along y, g</source>
-        <translation>neuester Messwert entlang y, g</translation>
-    </message>
-    <message>
-        <source>newest reading along z, g</source>
-        <translation>neuester Messwert entlang z, g</translation>
-    </message>
-    <message>
-        <source>norm of the newest reading, g</source>
-        <translation>Betrag des neuesten Messwerts, g</translation>
-    </message>
-    <message>
-        <source>temperature, °C</source>
-        <translation>Temperatur, °C</translation>
-    </message>
-    <message>
-        <source>%1 or less</source>
-        <translation>%1 oder weniger</translation>
-    </message>
-    <message>
-        <source>%1 or more</source>
-        <translation>%1 oder mehr</translation>
-    </message>
-    <message>
-        <source>No link was measured yet</source>
-        <translation>Noch ist keine Verbindung gemessen</translation>
-    </message>
-    <message>
-        <source>This result states no uncertainties</source>
-        <translation>Dieses Ergebnis nennt keine Unsicherheiten</translation>
-    </message>
-    <message>
-        <source>This result holds no paths from the origin</source>
-        <translation>Dieses Ergebnis enthält keine Wege vom Ursprung</translation>
-    </message>
-    <message>
-        <source>No surface was fitted yet</source>
-        <translation>Noch ist keine Fläche angepasst</translation>
-    </message>
-    <message>
-        <source>The skin does not say which body part its cells are on</source>
-        <translation>Die Haut sagt nicht, auf welchem Körperteil ihre Zellen sind</translation>
-    </message>
-    <message>
-        <source>There are no readings: connect a skin</source>
-        <translation>Es gibt keine Messwerte: eine Haut verbinden</translation>
-    </message>
-    <message>
-        <source>The skin sends no temperatures</source>
-        <translation>Die Haut sendet keine Temperaturen</translation>
-    </message>
-    <message>
-        <source>&amp;Ports</source>
-        <translation>&amp;Ports</translation>
-    </message>
-    <message>
-        <source>Cell &amp;IDs</source>
-        <translation>&amp;IDs der Zellen</translation>
-    </message>
-    <message>
-        <source>A&amp;xes</source>
-        <translation>&amp;Achsen</translation>
-    </message>
-    <message>
-        <source>&amp;Gravity</source>
-        <translation>&amp;Schwerkraft</translation>
-    </message>
-    <message>
-        <source>&amp;Links by quality</source>
-        <translation>&amp;Verbindungen nach Güte</translation>
-    </message>
-    <message>
-        <source>Shortest-path t&amp;ree</source>
-        <translation>&amp;Baum der kürzesten Wege</translation>
-    </message>
-    <message>
-        <source>&amp;Uncertainty ellipsoids</source>
-        <translation>&amp;Unsicherheitsellipsoide</translation>
-    </message>
-    <message>
-        <source>&amp;Truth</source>
-        <translation>&amp;Wahrheit</translation>
-    </message>
-    <message>
-        <source>Fitted &amp;surface</source>
-        <translation>Angepasste &amp;Fläche</translation>
-    </message>
-    <message>
-        <source>L&amp;oop gap</source>
-        <translation>Lücke der S&amp;chleife</translation>
-    </message>
-    <message>
-        <source>&amp;Differences to the other calibration</source>
-        <translation>&amp;Unterschiede zur anderen Kalibrierung</translation>
-    </message>
-    <message>
-        <source>Discs where a link joins a neighbour, rings where a port is free</source>
-        <translation>Scheiben, wo eine Verbindung ansetzt, Ringe, wo ein Port frei ist</translation>
-    </message>
-    <message>
-        <source>Each cell's number, on faces that look at you</source>
-        <translation>Die Nummer jeder Zelle, auf zugewandten Seiten</translation>
-    </message>
-    <message>
-        <source>The directions of the patch's frame, which is the origin cell's</source>
-        <translation>Die Richtungen im Koordinatensystem des Hautstücks, dem der Ursprungszelle</translation>
-    </message>
-    <message>
-        <source>Where gravity points in the picked pose</source>
-        <translation>Wohin die Schwerkraft in der gewählten Pose zeigt</translation>
-    </message>
-    <message>
-        <source>Every link in the colour and line style of its class; muted links are crossed</source>
-        <translation>Jede Verbindung in Farbe und Linienart ihrer Güte; ausgeschlossene sind durchgestrichen</translation>
-    </message>
-    <message>
-        <source>The links by which every cell is reached from the origin on the shortest way</source>
-        <translation>Die Verbindungen, über die jede Zelle auf kürzestem Weg vom Ursprung erreicht wird</translation>
-    </message>
-    <message>
-        <source>The region that holds each cell's centre with 95 % probability, relative to the origin</source>
-        <translation>Der Bereich, in dem die Mitte jeder Zelle mit 95 % Wahrscheinlichkeit liegt, bezogen auf den Ursprung</translation>
-    </message>
-    <message>
-        <source>Where the simulated cells really are, moved onto the result as well as possible</source>
-        <translation>Wo die simulierten Zellen wirklich sind, bestmöglich auf das Ergebnis gelegt</translation>
-    </message>
-    <message>
-        <source>The surface fitted to the cells, with each cell's distance from it</source>
-        <translation>Die an die Zellen angepasste Fläche, mit dem Abstand jeder Zelle</translation>
-    </message>
-    <message>
-        <source>The gap between the two ports where the loop should close</source>
-        <translation>Die Lücke zwischen den beiden Ports, an denen sich die Schleife schließen soll</translation>
-    </message>
-    <message>
-        <source>From where each cell was to where it is now</source>
-        <translation>Von wo jede Zelle war bis wo sie jetzt ist</translation>
-    </message>
-    <message>
-        <source>There is no skin yet</source>
-        <translation>Noch gibt es keine Haut</translation>
-    </message>
-    <message>
-        <source>This skin has too many cells to draw them: at most %1</source>
-        <translation>Diese Haut hat dafür zu viele Zellen: höchstens %1</translation>
-    </message>
-    <message>
-        <source>Only of a simulated skin is the truth known</source>
-        <translation>Nur von einer simulierten Haut ist die Wahrheit bekannt</translation>
-    </message>
-    <message>
-        <source>No loop was evaluated yet</source>
-        <translation>Noch ist keine Schleife ausgewertet</translation>
-    </message>
-    <message>
-        <source>No comparison was made yet</source>
-        <translation>Noch ist nichts verglichen</translation>
-    </message>
-    <message>
-        <source>broad lines: the shortest-path tree</source>
-        <translation>breite Linien: der Baum der kürzesten Wege</translation>
-    </message>
-    <message>
-        <source>ellipsoids: 95 %, %1</source>
-        <translation>Ellipsoide: 95 %, %1</translation>
-    </message>
-    <message>
-        <source>outlines: the truth, moved onto the result</source>
-        <translation>Umrisse: die Wahrheit, auf das Ergebnis gelegt</translation>
-    </message>
-    <message>
-        <source>; rms distance %1, lines %2</source>
-        <translation>; mittlerer Abstand %1, Linien %2</translation>
-    </message>
-    <message>
-        <source>loop gap: %1, %2 % of the loop</source>
-        <translation>Lücke der Schleife: %1, %2 % der Schleife</translation>
-    </message>
-    <message>
-        <source>arrows: from before to now, %1</source>
-        <translation>Pfeile: von vorher zu jetzt, %1</translation>
-    </message>
-    <message>
-        <source>Cells %1 and %2 are in different patches: how these lie to each other is not known</source>
-        <translation>Die Zellen %1 und %2 sind in verschiedenen Hautstücken: Wie diese zueinander liegen, ist nicht bekannt</translation>
-    </message>
-    <message>
-        <source>%1°</source>
-        <translation>%1°</translation>
-    </message>
-    <message>
-        <source>Cells %1 and %2: %3 apart, their faces %4 to each other</source>
-        <translation>Zellen %1 und %2: %3 Abstand, ihre Flächen %4 zueinander</translation>
-    </message>
-    <message>
-        <source>Cells %1 and %2: %3 ± %4 (95 %) apart, their faces %5 to each other</source>
-        <translation>Zellen %1 und %2: %3 ± %4 (95 %) Abstand, ihre Flächen %5 zueinander</translation>
-    </message>
-<message>
-        <source>Cell</source>
-        <translation>Zelle</translation>
-    </message>
-    <message>
-        <source>ID of the cell</source>
-        <translation>ID der Zelle</translation>
-    </message>
-    <message>
-        <source>Needs three poses besides the one that is held out, and there are %1: take another pose.</source>
-        <translation>Braucht drei Posen außer der zurückgehaltenen, vorhanden sind %1: noch eine Pose aufnehmen.</translation>
-    </message>
-    <message>
-        <source>In pose %1 no two joined cells can be compared.</source>
-        <translation>In Pose %1 lassen sich keine zwei verbundenen Zellen vergleichen.</translation>
-    </message>
-    <message>
-        <source>Cancelled.</source>
-        <translation>Abgebrochen.</translation>
-    </message>
-    <message>
-        <source>The other %1 poses foretell pose %2 to %3 (rms over %4 cells); %5 were expected.</source>
-        <translation>Die anderen %1 Posen sagen Pose %2 auf %3 genau voraus (Effektivwert über %4 Zellen); erwartet waren %5.</translation>
-    </message>
-    <message>
-        <source>Worst: cell %1, %2.</source>
-        <translation>Am schlechtesten: Zelle %1, %2.</translation>
-    </message>
-    <message>
-        <source>As good as stated. %1</source>
-        <translation>So gut wie angegeben. %1</translation>
-    </message>
-    <message>
-        <source>Somewhat worse than stated. %1 %2</source>
-        <translation>Etwas schlechter als angegeben. %1 %2</translation>
-    </message>
-    <message>
-        <source>Far worse than stated: the part moved in this pose, or a cell is wrong. %1 %2</source>
-        <translation>Weit schlechter als angegeben: Das Teil hat sich in dieser Pose bewegt, oder eine Zelle ist falsch. %1 %2</translation>
-    </message>
-    <message>
-        <source>Error °</source>
-        <translation>Fehler °</translation>
-    </message>
-    <message>
-        <source>Between the gravity the cell read and what the other cells and poses foretell</source>
-        <translation>Zwischen der Schwerkraft, die die Zelle maß, und dem, was die anderen Zellen und Posen voraussagen</translation>
-    </message>
-    <message>
-        <source>Expected °</source>
-        <translation>Erwartet °</translation>
-    </message>
-    <message>
-        <source>What the stated uncertainties lead one to expect, rms</source>
-        <translation>Was nach den angegebenen Unsicherheiten zu erwarten ist, Effektivwert</translation>
-    </message>
-    <message>
-        <source>Link</source>
-        <translation>Verbindung</translation>
-    </message>
-    <message>
-        <source>Cell and port of both ends</source>
-        <translation>Zelle und Port beider Enden</translation>
-    </message>
-    <message>
-        <source>Between what its two cells read, brought into one frame</source>
-        <translation>Zwischen dem, was ihre beiden Zellen messen, in einem Koordinatensystem</translation>
-    </message>
-    <message>
-        <source>No loop in any of the %1 patches: nothing closes that could be checked.</source>
-        <translation>Keine Schleife in einem der %1 Hautstücke: Es schließt sich nichts, was sich prüfen ließe.</translation>
-    </message>
-    <message>
-        <source>No loop in this patch: nothing closes that could be checked.</source>
-        <translation>Keine Schleife in diesem Hautstück: Es schließt sich nichts, was sich prüfen ließe.</translation>
-    </message>
-    <message>
-        <source>%1, %2 of its %3</source>
-        <translation>%1, %2 ihrer %3</translation>
-    </message>
-    <message>
-        <source>One open loop; its gap is %1.</source>
-        <translation>Eine offene Schleife; ihre Lücke ist %1.</translation>
-    </message>
-    <message>
-        <source>%1 open loops; the largest gap is %2.</source>
-        <translation>%1 offene Schleifen; die größte Lücke ist %2.</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>%1 closed loops close: the largest is left open by %2, and a skin link may leave %3.</source>
-        <translation>%1 geschlossene Schleifen schließen sich: Die größte bleibt um %2 offen, eine Hautverbindung darf %3 lassen.</translation>
-    </message>
-    <message>
-        <source>Of %1 closed loops the largest is left open by %2, more than the %3 a skin link may leave: one of its links is wrong, or many err alike.</source>
-        <translation>Von %1 geschlossenen Schleifen bleibt die größte um %2 offen, mehr als die %3, die eine Hautverbindung lassen darf: Eine ihrer Verbindungen ist falsch, oder viele irren gleich.</translation>
-    </message>
-    <message>
-        <source>Between</source>
-        <translation>Zwischen</translation>
-    </message>
-    <message>
-        <source>The two ports at which the loop is closed, or open</source>
-        <translation>Die beiden Ports, an denen die Schleife geschlossen oder offen ist</translation>
-    </message>
-    <message>
-        <source>Kind</source>
-        <translation>Art</translation>
-    </message>
-    <message>
-        <source>Closed by a link, or open between two free ports</source>
-        <translation>Durch eine Verbindung geschlossen oder zwischen zwei freien Ports offen</translation>
-    </message>
-    <message>
-        <source>Cells</source>
-        <translation>Zellen</translation>
-    </message>
-    <message>
-        <source>Cells of the loop</source>
-        <translation>Zellen der Schleife</translation>
-    </message>
-    <message>
-        <source>Gap mm</source>
-        <translation>Lücke mm</translation>
-    </message>
-    <message>
-        <source>Length of what is missing when the loop is walked round</source>
-        <translation>Länge dessen, was nach einem Rundgang fehlt</translation>
-    </message>
-    <message>
-        <source>X mm</source>
-        <translation>X mm</translation>
-    </message>
-    <message>
-        <source>The gap, in the patch's frame</source>
-        <translation>Die Lücke, im Koordinatensystem des Hautstücks</translation>
-    </message>
-    <message>
-        <source>Y mm</source>
-        <translation>Y mm</translation>
-    </message>
-    <message>
-        <source>Z mm</source>
-        <translation>Z mm</translation>
-    </message>
-    <message>
-        <source>Share %</source>
-        <translation>Anteil %</translation>
-    </message>
-    <message>
-        <source>The gap in per cent of the accumulated port vectors</source>
-        <translation>Die Lücke in Prozent der aufsummierten Portvektoren</translation>
-    </message>
-    <message>
-        <source>closed</source>
-        <translation>geschlossen</translation>
-    </message>
-    <message>
-        <source>open</source>
-        <translation>offen</translation>
-    </message>
-    <message>
-        <source>Plane</source>
-        <translation>Ebene</translation>
-    </message>
-    <message>
-        <source>Sphere</source>
-        <translation>Kugel</translation>
-    </message>
-    <message>
-        <source>Cylinder</source>
-        <translation>Zylinder</translation>
-    </message>
-    <message>
-        <source>Cone</source>
-        <translation>Kegel</translation>
-    </message>
-    <message>
-        <source>%1, half angle %2, radius %3 at its middle</source>
-        <translation>%1, halber Winkel %2, Radius %3 in der Mitte</translation>
-    </message>
-    <message>
-        <source>%1: %2 cell centres lie within %3 (rms) of it; the worst is cell %4, %5.</source>
-        <translation>%1: %2 Zellmitten liegen im Mittel (Effektivwert) %3 davon entfernt; am weitesten Zelle %4, %5.</translation>
-    </message>
-    <message>
-        <source>That is within the ±%1 stated for positions (95 %).</source>
-        <translation>Das liegt innerhalb der für Orte angegebenen ±%1 (95 %).</translation>
-    </message>
-    <message>
-        <source>That is more than the ±%1 stated for positions (95 %): the part has another shape, or positions are worse than stated.</source>
-        <translation>Das ist mehr als die für Orte angegebenen ±%1 (95 %): Das Teil hat eine andere Form, oder die Orte sind schlechter als angegeben.</translation>
-    </message>
-    <message>
-        <source>Against the true radius: Δ = %1 (eq. 20), ε = %2 (eq. 21).</source>
-        <translation>Gegen den wahren Radius: Δ = %1 (Gl. 20), ε = %2 (Gl. 21).</translation>
-    </message>
-    <message>
-        <source>Distance mm</source>
-        <translation>Abstand mm</translation>
-    </message>
-    <message>
-        <source>From the surface; positive outside of it</source>
-        <translation>Von der Fläche; außerhalb positiv</translation>
-    </message>
-    <message>
-        <source>%1 has no cell in common with this calibration.</source>
-        <translation>%1 hat mit dieser Kalibrierung keine Zelle gemeinsam.</translation>
-    </message>
-    <message>
-        <source>Against %1, after alignment: %2 and %3 rms over %4 cells.</source>
-        <translation>Gegen %1, nach dem Ausrichten: %2 und %3 im Mittel (Effektivwert) über %4 Zellen.</translation>
-    </message>
-    <message>
-        <source>%1 Neither of them states an uncertainty to compare with.</source>
-        <translation>%1 Keine der beiden nennt eine Unsicherheit zum Vergleichen.</translation>
-    </message>
-    <message>
-        <source>Of %1 cells, %2 lie and %3 point within what was stated with 95 %.</source>
-        <translation>Von %1 Zellen liegen %2 und zeigen %3 innerhalb dessen, was mit 95 % angegeben war.</translation>
-    </message>
-    <message>
-        <source>Within what was stated for 95 % of cells. %1 %2</source>
-        <translation>Innerhalb dessen, was für 95 % der Zellen angegeben war. %1 %2</translation>
-    </message>
-    <message>
-        <source>Further apart than what was stated for 95 % of cells. %1 %2</source>
-        <translation>Weiter auseinander, als für 95 % der Zellen angegeben war. %1 %2</translation>
-    </message>
-    <message>
-        <source>Moved mm</source>
-        <translation>Versetzt mm</translation>
-    </message>
-    <message>
-        <source>Distance between the two, after alignment</source>
-        <translation>Abstand der beiden, nach dem Ausrichten</translation>
-    </message>
-    <message>
-        <source>Stated mm</source>
-        <translation>Angegeben mm</translation>
-    </message>
-    <message>
-        <source>Standard deviation stated for that, of both together</source>
-        <translation>Dafür angegebene Standardabweichung, beide zusammen</translation>
-    </message>
-    <message>
-        <source>Turned °</source>
-        <translation>Gedreht °</translation>
-    </message>
-    <message>
-        <source>Angle between the two, after alignment</source>
-        <translation>Winkel zwischen den beiden, nach dem Ausrichten</translation>
-    </message>
-    <message>
-        <source>Stated °</source>
-        <translation>Angegeben °</translation>
-    </message>
-    </context>
-<context>
     <name>hexoderm::AddPoseCommand</name>
     <message>
         <source>take pose %1</source>
@@ -703,6 +44,14 @@
     <message>
         <source>Working out which pose helps most…</source>
         <translation>Gesucht wird, welche Pose am meisten hilft…</translation>
+    </message>
+    <message>
+        <source>Turn on</source>
+        <translation>Einschalten</translation>
+    </message>
+    <message>
+        <source>%1° to go</source>
+        <translation>noch %1°</translation>
     </message>
 </context>
 <context>
@@ -784,20 +133,12 @@
         <translation>Warum: Die Schwerkraft wurde nur entlang einer Linie gesehen. Eine zweite Richtung verrät, wie die Zellen um sie gedreht sind.</translation>
     </message>
     <message>
-        <source>Why: gravity has been seen from two directions. A third one, out of their plane, also reveals each sensor's offset.</source>
-        <translation>Warum: Die Schwerkraft wurde aus zwei Richtungen gesehen. Eine dritte außerhalb ihrer Ebene verrät auch den Nullpunkt jedes Sensors.</translation>
-    </message>
-    <message>
-        <source>Why: the opposite of pose %1 tells each sensor's offset from its scale.</source>
+        <source>Why: the opposite of pose %1 tells each sensor&apos;s offset from its scale.</source>
         <translation>Warum: Das Gegenteil von Pose %1 trennt Nullpunkt und Skalierung jedes Sensors.</translation>
     </message>
     <message>
         <source>Why: a further direction averages out what the sensors still get wrong.</source>
         <translation>Warum: Eine weitere Richtung mittelt aus, was die Sensoren noch falsch messen.</translation>
-    </message>
-    <message>
-        <source>Orientation is known to ±%1 now, to ±%2 with this pose.</source>
-        <translation>Die Drehung ist jetzt auf ±%1 bekannt, mit dieser Pose auf ±%2.</translation>
     </message>
     <message>
         <source>No direction is missing: all three values reach %1.</source>
@@ -806,14 +147,6 @@
     <message>
         <source>No pose yet: any direction will do.</source>
         <translation>Noch keine Pose: Jede Richtung ist recht.</translation>
-    </message>
-    <message>
-        <source>No pose yet with cell %1 facing a wall: the second value is %2, needs %3.</source>
-        <translation>Noch keine Pose mit Zelle %1 zur Wand: Der zweite Wert ist %2, nötig sind %3.</translation>
-    </message>
-    <message>
-        <source>No pose yet with cell %1 facing a wall: the third value is %2, needs %3.</source>
-        <translation>Noch keine Pose mit Zelle %1 zur Wand: Der dritte Wert ist %2, nötig sind %3.</translation>
     </message>
     <message>
         <source>No pose yet with cell %1 facing the ceiling or the floor: the second value is %2, needs %3.</source>
@@ -951,6 +284,26 @@
         <source>Not waited for: %1</source>
         <translation>Nicht gewartet wird auf: %1</translation>
     </message>
+    <message>
+        <source>Why: gravity has been seen in one plane only. A direction out of it also reveals each sensor&apos;s offset.</source>
+        <translation>Warum: Die Schwerkraft wurde nur in einer Ebene gesehen. Eine Richtung außerhalb davon zeigt auch den Nullpunktfehler jedes Sensors.</translation>
+    </message>
+    <message>
+        <source>Another pose would hardly make it better.</source>
+        <translation>Eine weitere Pose würde kaum etwas verbessern.</translation>
+    </message>
+    <message>
+        <source>With this pose the error falls to about %1 % of what it is now.</source>
+        <translation>Mit dieser Pose sinkt der Fehler auf etwa %1 % des jetzigen.</translation>
+    </message>
+    <message>
+        <source>No pose yet with the side of cell %1 up or down: the second value is %2, needs %3.</source>
+        <translation>Noch keine Pose, in der die Seite von Zelle %1 nach oben oder unten zeigt: Der zweite Wert ist %2, nötig sind %3.</translation>
+    </message>
+    <message>
+        <source>No pose yet with the side of cell %1 up or down: the third value is %2, needs %3.</source>
+        <translation>Noch keine Pose, in der die Seite von Zelle %1 nach oben oder unten zeigt: Der dritte Wert ist %2, nötig sind %3.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::CardDock</name>
@@ -978,11 +331,11 @@
         <translation>Zelle %1</translation>
     </message>
     <message>
-        <source>Orientation in the patch's frame: roll, pitch and yaw with R = Rz Ry Rx, degrees</source>
+        <source>Orientation in the patch&apos;s frame: roll, pitch and yaw with R = Rz Ry Rx, degrees</source>
         <translation>Drehung im Koordinatensystem des Hautstücks: Roll, Nick und Gier mit R = Rz Ry Rx, Grad</translation>
     </message>
     <message>
-        <source>Position in the patch's frame, which is its origin cell's</source>
+        <source>Position in the patch&apos;s frame, which is its origin cell&apos;s</source>
         <translation>Ort im Koordinatensystem des Hautstücks, dem seiner Ursprungszelle</translation>
     </message>
     <message>
@@ -1046,7 +399,7 @@
         <translation>Eingeordnet durch</translation>
     </message>
     <message>
-        <source>Whether the cell's own readings place it, or only its links</source>
+        <source>Whether the cell&apos;s own readings place it, or only its links</source>
         <translation>Ob eigene Messwerte die Zelle einordnen oder nur ihre Verbindungen</translation>
     </message>
     <message>
@@ -1070,7 +423,7 @@
         <translation>Skalierung %</translation>
     </message>
     <message>
-        <source>Estimated error of the accelerometer's scale: worst axis</source>
+        <source>Estimated error of the accelerometer&apos;s scale: worst axis</source>
         <translation>Geschätzter Fehler der Skalierung des Sensors: schlechteste Achse</translation>
     </message>
 </context>
@@ -1200,7 +553,7 @@
         <translation>Angeben, in welcher Datei die Posen liegen sollen.</translation>
     </message>
     <message>
-        <source>The file's name should end in %1.</source>
+        <source>The file&apos;s name should end in %1.</source>
         <translation>Der Dateiname soll auf %1 enden.</translation>
     </message>
     <message>
@@ -1287,7 +640,7 @@
         <translation>±%1 mm und ±%2°</translation>
     </message>
     <message>
-        <source>A cell carries the ID 0, which means "no neighbour"; it is left out.</source>
+        <source>A cell carries the ID 0, which means &quot;no neighbour&quot;; it is left out.</source>
         <translation>Eine Zelle trägt die ID 0, die „kein Nachbar“ bedeutet; sie wird weggelassen.</translation>
     </message>
     <message>
@@ -1335,7 +688,7 @@
         <translation>Zelle %1 meldet %2 an ihrem Port %3, aber dieser Port meldet %4. Keine der beiden Verbindungen wird benutzt.</translation>
     </message>
     <message>
-        <source>Cells %1 and %2 report each other at more than one port without naming the other side's; it can't be told which ports belong together. No link between them is used.</source>
+        <source>Cells %1 and %2 report each other at more than one port without naming the other side&apos;s; it can&apos;t be told which ports belong together. No link between them is used.</source>
         <translation>Die Zellen %1 und %2 melden einander an mehr als einem Port, ohne den Port der Gegenseite zu nennen; welche Ports zusammengehören, lässt sich nicht sagen. Keine Verbindung zwischen ihnen wird benutzt.</translation>
     </message>
     <message>
@@ -1343,7 +696,7 @@
         <translation>Die %1 verbindet Ports, die das Zellmodell %2 nicht zu verbinden erlaubt. Sie wird nicht benutzt.</translation>
     </message>
     <message>
-        <source>Cells %1 and %2 are joined %3 times, which two hexagons can't be. None of these links is used.</source>
+        <source>Cells %1 and %2 are joined %3 times, which two hexagons can&apos;t be. None of these links is used.</source>
         <translation>Die Zellen %1 und %2 sind %3-mal verbunden, was zwei Sechsecke nicht sein können. Keine dieser Verbindungen wird benutzt.</translation>
     </message>
     <message>
@@ -1459,7 +812,7 @@
         <translation>In Pose %1 streuen die Messwerte der meisten Zellen um %2: Wahrscheinlich hat sich das Teil bewegt. Die Pose noch einmal aufnehmen.</translation>
     </message>
     <message>
-        <source>In pose %1 most neighbouring cells contradict each other, and without it they don't: the part probably moved while it was sampled. The pose is not used; take it again.</source>
+        <source>In pose %1 most neighbouring cells contradict each other, and without it they don&apos;t: the part probably moved while it was sampled. The pose is not used; take it again.</source>
         <translation>In Pose %1 widersprechen sich die meisten Nachbarzellen, ohne sie nicht: Wahrscheinlich hat sich das Teil während der Messung bewegt. Die Pose wird nicht benutzt; noch einmal aufnehmen.</translation>
     </message>
     <message>
@@ -1471,7 +824,7 @@
         <translation>Eine Zell-ID ist zweimal aufgeführt; der erste Eintrag zählt.</translation>
     </message>
     <message>
-        <source>A cell carries ID 0 or an interface's ID; it is left out.</source>
+        <source>A cell carries ID 0 or an interface&apos;s ID; it is left out.</source>
         <translation>Eine Zelle trägt die ID 0 oder die einer Schnittstelle; sie wird weggelassen.</translation>
     </message>
     <message>
@@ -1539,35 +892,35 @@
         <translation>Eine Zelle hat in einigen benutzten Posen keinen Messwert; sie wird aus den anderen eingeordnet.</translation>
     </message>
     <message>
-        <source>A cell's accelerometer reads nothing like gravity; the cell is placed through its links.</source>
+        <source>A cell&apos;s accelerometer reads nothing like gravity; the cell is placed through its links.</source>
         <translation>Der Beschleunigungssensor einer Zelle misst nichts, was Schwerkraft sein könnte; die Zelle wird über ihre Verbindungen eingeordnet.</translation>
     </message>
     <message>
-        <source>A cell's accelerometer does not change while the part moves; the cell is placed through its links.</source>
+        <source>A cell&apos;s accelerometer does not change while the part moves; the cell is placed through its links.</source>
         <translation>Der Beschleunigungssensor einer Zelle ändert sich nicht, während sich das Teil bewegt; die Zelle wird über ihre Verbindungen eingeordnet.</translation>
     </message>
     <message>
-        <source>A reading lies at the end of the accelerometer's range; it is not used.</source>
+        <source>A reading lies at the end of the accelerometer&apos;s range; it is not used.</source>
         <translation>Ein Messwert liegt am Ende des Messbereichs; er wird nicht benutzt.</translation>
     </message>
     <message>
-        <source>A cell's readings scatter far more than its sensor's noise and the other cells'.</source>
+        <source>A cell&apos;s readings scatter far more than its sensor&apos;s noise and the other cells&apos;.</source>
         <translation>Die Messwerte einer Zelle streuen weit mehr als das Rauschen ihres Sensors und das der anderen Zellen.</translation>
     </message>
     <message>
-        <source>A cell's readings are further from 1 g than its sensor's offset and scale allow.</source>
+        <source>A cell&apos;s readings are further from 1 g than its sensor&apos;s offset and scale allow.</source>
         <translation>Die Messwerte einer Zelle liegen weiter von 1 g weg, als Nullpunkt und Skalierung ihres Sensors erlauben.</translation>
     </message>
     <message>
-        <source>One axis of a cell's accelerometer does not follow gravity; the cell is placed through its links.</source>
+        <source>One axis of a cell&apos;s accelerometer does not follow gravity; the cell is placed through its links.</source>
         <translation>Eine Achse des Beschleunigungssensors einer Zelle folgt der Schwerkraft nicht; die Zelle wird über ihre Verbindungen eingeordnet.</translation>
     </message>
     <message>
-        <source>A cell's accelerometer reads too much or too little in every pose; it is placed by its links.</source>
+        <source>A cell&apos;s accelerometer reads too much or too little in every pose; it is placed by its links.</source>
         <translation>Der Beschleunigungssensor einer Zelle misst in jeder Pose zu viel oder zu wenig; sie wird über ihre Verbindungen eingeordnet.</translation>
     </message>
     <message>
-        <source>A cell's readings fit no position of the cell in the patch; the cell is placed through its links.</source>
+        <source>A cell&apos;s readings fit no position of the cell in the patch; the cell is placed through its links.</source>
         <translation>Die Messwerte einer Zelle passen zu keiner Lage der Zelle im Hautstück; die Zelle wird über ihre Verbindungen eingeordnet.</translation>
     </message>
     <message>
@@ -1763,7 +1116,7 @@
         <translation>seine Topologie ist noch nicht da</translation>
     </message>
     <message>
-        <source>its cell model can't be used: %1</source>
+        <source>its cell model can&apos;t be used: %1</source>
         <translation>sein Zellmodell ist nicht verwendbar: %1</translation>
     </message>
     <message>
@@ -1879,11 +1232,11 @@
         <translation>Gerät ist belegt</translation>
     </message>
     <message>
-        <source>source "%1": expected one of %2</source>
+        <source>source &quot;%1&quot;: expected one of %2</source>
         <translation>Quelle „%1“: erwartet ist eines von %2</translation>
     </message>
     <message>
-        <source>source "%1": expected %2</source>
+        <source>source &quot;%1&quot;: expected %2</source>
         <translation>Quelle „%1“: erwartet ist %2</translation>
     </message>
     <message>
@@ -1971,7 +1324,7 @@
         <translation>ist keine der Dateien, die Hexoderm liest, %1</translation>
     </message>
     <message>
-        <source>expected a Hexoderm session (*.hexo, or format "hexoderm-session"), a calibration (format "hexoderm-calibration") or a TUM SkinConfig XML</source>
+        <source>expected a Hexoderm session (*.hexo, or format &quot;hexoderm-session&quot;), a calibration (format &quot;hexoderm-calibration&quot;) or a TUM SkinConfig XML</source>
         <translation>erwartet ist eine Hexoderm-Sitzung (*.hexo oder Format „hexoderm-session“), eine Kalibrierung (Format „hexoderm-calibration“) oder ein TUM-SkinConfig-XML</translation>
     </message>
     <message>
@@ -2047,7 +1400,7 @@
         <translation>lässt sich nicht gegen einen zweiten Schreiber sperren: %1; Sitzungen auf einem Datenträger dieses Rechners halten</translation>
     </message>
     <message>
-        <source>its file system can't keep a journal (WAL): keep sessions on a disk of this machine</source>
+        <source>its file system can&apos;t keep a journal (WAL): keep sessions on a disk of this machine</source>
         <translation>ihr Dateisystem kann kein Journal (WAL) führen: Sitzungen auf einem Datenträger dieses Rechners halten</translation>
     </message>
     <message>
@@ -2071,7 +1424,7 @@
         <translation>es gibt keine Zellen und damit in einer %1-Datei nichts zu zeichnen: stattdessen csv, dot, vtp oder urdf exportieren</translation>
     </message>
     <message>
-        <source>%1: expected letters, digits and _ - . /, found "%2"</source>
+        <source>%1: expected letters, digits and _ - . /, found &quot;%2&quot;</source>
         <translation>%1: erwartet sind Buchstaben, Ziffern und _ - . /, gefunden wurde „%2“</translation>
     </message>
     <message>
@@ -2252,11 +1605,11 @@
         <translation>%1 oder %2 (zum Beispiel %3)</translation>
     </message>
     <message>
-        <source>expected a Hexoderm session (*.hexo, or format "hexoderm-session"), a calibration (format "hexoderm-calibration") or a TUM SkinConfig XML, found "%1"</source>
+        <source>expected a Hexoderm session (*.hexo, or format &quot;hexoderm-session&quot;), a calibration (format &quot;hexoderm-calibration&quot;) or a TUM SkinConfig XML, found &quot;%1&quot;</source>
         <translation>erwartet ist eine Hexoderm-Sitzung (*.hexo oder Format „hexoderm-session“), eine Kalibrierung (Format „hexoderm-calibration“) oder ein TUM-SkinConfig-XML, gefunden wurde „%1“</translation>
     </message>
     <message>
-        <source>expected a Hexoderm session (*.hexo, or format "hexoderm-session"), a calibration (format "hexoderm-calibration") or a TUM SkinConfig XML, but there is none</source>
+        <source>expected a Hexoderm session (*.hexo, or format &quot;hexoderm-session&quot;), a calibration (format &quot;hexoderm-calibration&quot;) or a TUM SkinConfig XML, but there is none</source>
         <translation>erwartet ist eine Hexoderm-Sitzung (*.hexo oder Format „hexoderm-session“), eine Kalibrierung (Format „hexoderm-calibration“) oder ein TUM-SkinConfig-XML, angegeben ist keines</translation>
     </message>
 </context>
@@ -2288,7 +1641,7 @@
     </message>
     <message>
         <source>Front: up is where the origin cell faces. Back: the other half, seen from behind.
-The values say how well the poses hold the cells' turn along three axes.</source>
+The values say how well the poses hold the cells&apos; turn along three axes.</source>
         <translation>Vorn: Oben ist, wohin die Ursprungszelle zeigt. Hinten: die andere Hälfte, von hinten gesehen.
 Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhalten.</translation>
     </message>
@@ -2395,7 +1748,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Roboter</translation>
     </message>
     <message>
-        <source>Hexoderm's own file: everything that is known, to be opened again, compared and exported from later.</source>
+        <source>Hexoderm&apos;s own file: everything that is known, to be opened again, compared and exported from later.</source>
         <translation>Hexoderms eigene Datei: alles, was bekannt ist, um es später zu öffnen, zu vergleichen und zu exportieren.</translation>
     </message>
     <message>
@@ -2465,18 +1818,101 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
 </context>
 <context>
+    <name>hexoderm::GraphColoring</name>
+    <message>
+        <source>%1° or more</source>
+        <translation type="unfinished">%1° oder mehr</translation>
+    </message>
+    <message>
+        <source>own readings</source>
+        <translation type="unfinished">eigene Messwerte</translation>
+    </message>
+    <message>
+        <source>links</source>
+        <translation type="unfinished">Verbindungen</translation>
+    </message>
+    <message>
+        <source>patch %1</source>
+        <translation type="unfinished">Hautstück %1</translation>
+    </message>
+    <message>
+        <source>link quality</source>
+        <translation type="unfinished">Güte</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation type="unfinished">Restfehler</translation>
+    </message>
+    <message>
+        <source>predicted deviation</source>
+        <translation type="unfinished">erwartete Abweichung</translation>
+    </message>
+    <message>
+        <source>bend</source>
+        <translation type="unfinished">Biegung</translation>
+    </message>
+    <message>
+        <source>twist</source>
+        <translation type="unfinished">Verwindung</translation>
+    </message>
+    <message>
+        <source>yaw</source>
+        <translation type="unfinished">Drehung</translation>
+    </message>
+    <message>
+        <source>position uncertainty</source>
+        <translation type="unfinished">Unsicherheit des Ortes</translation>
+    </message>
+    <message>
+        <source>orientation uncertainty</source>
+        <translation type="unfinished">Unsicherheit der Drehung</translation>
+    </message>
+    <message>
+        <source>placed by</source>
+        <translation type="unfinished">eingeordnet durch</translation>
+    </message>
+    <message>
+        <source>patch</source>
+        <translation type="unfinished">Hautstück</translation>
+    </message>
+    <message>
+        <source>body part</source>
+        <translation type="unfinished">Körperteil</translation>
+    </message>
+    <message>
+        <source>residual, rms over poses</source>
+        <translation type="unfinished">Restfehler, Effektivwert über die Posen</translation>
+    </message>
+    <message>
+        <source>bend, either way</source>
+        <translation type="unfinished">Biegung, beide Richtungen</translation>
+    </message>
+    <message>
+        <source>twist, either way</source>
+        <translation type="unfinished">Verwindung, beide Richtungen</translation>
+    </message>
+    <message>
+        <source>yaw, either way</source>
+        <translation type="unfinished">Drehung, beide Richtungen</translation>
+    </message>
+    <message>
+        <source>position known to (95 %)</source>
+        <translation type="unfinished">Ort bekannt auf (95 %)</translation>
+    </message>
+    <message>
+        <source>±%1 mm or more</source>
+        <translation type="unfinished">±%1 mm oder mehr</translation>
+    </message>
+    <message>
+        <source>orientation known to (95 %)</source>
+        <translation type="unfinished">Drehung bekannt auf (95 %)</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::GraphColoringButton</name>
     <message>
         <source>What the colours of links and cells show</source>
         <translation>Was die Farben der Verbindungen und Zellen zeigen</translation>
-    </message>
-    <message>
-        <source>Links</source>
-        <translation>Verbindungen</translation>
-    </message>
-    <message>
-        <source>Cells</source>
-        <translation>Zellen</translation>
     </message>
     <message>
         <source>Mark the &amp;shortest paths</source>
@@ -2644,7 +2080,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Den Hautgraphen mit der Haut auf dem Tisch vergleichen.</translation>
     </message>
     <message>
-        <source>Every cell and every link should be there. What was reported but can't be a skin link is listed under Findings and kept out.</source>
+        <source>Every cell and every link should be there. What was reported but can&apos;t be a skin link is listed under Findings and kept out.</source>
         <translation>Jede Zelle und jede Verbindung soll da sein. Was gemeldet wurde, aber keine Hautverbindung sein kann, steht unter Befunde und bleibt außen vor.</translation>
     </message>
     <message>
@@ -2708,14 +2144,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Noch keine Haut: die Demo starten, eine Haut verbinden oder eine Sitzung oder Kalibrierung öffnen.</translation>
     </message>
     <message>
-        <source>Gravity seen from several directions tells how every cell is turned against its neighbours.</source>
-        <translation>Schwerkraft aus mehreren Richtungen verrät, wie jede Zelle gegen ihre Nachbarn gedreht ist.</translation>
-    </message>
-    <message>
-        <source>This session came from a file; no skin is connected to take more.</source>
-        <translation>Diese Sitzung kam aus einer Datei; für weitere Posen ist keine Haut verbunden.</translation>
-    </message>
-    <message>
         <source>Verify</source>
         <translation>Nachprüfen</translation>
     </message>
@@ -2730,6 +2158,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Each check looks at it from a side that solving it did not use.</source>
         <translation>Jede Probe sieht es von einer Seite an, die das Lösen nicht benutzt hat.</translation>
+    </message>
+    <message>
+        <source>Gravity seen from several directions tells how every cell is turned against its neighbours. This session came from a file; no skin is connected to take more.</source>
+        <translation>Die Schwerkraft aus mehreren Richtungen zeigt, wie jede Zelle gegen ihre Nachbarn gedreht ist. Diese Sitzung kommt aus einer Datei; es ist keine Haut verbunden, die weitere Posen liefern könnte.</translation>
     </message>
 </context>
 <context>
@@ -2846,7 +2278,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Güte</translation>
     </message>
     <message>
-        <source>How well the poses determine the link's rotation</source>
+        <source>How well the poses determine the link&apos;s rotation</source>
         <translation>Wie gut die Posen die Drehung der Verbindung bestimmen</translation>
     </message>
     <message>
@@ -2862,7 +2294,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Erwartet</translation>
     </message>
     <message>
-        <source>Expected standard deviation of the link's rotation about its worst axis</source>
+        <source>Expected standard deviation of the link&apos;s rotation about its worst axis</source>
         <translation>Erwartete Standardabweichung der Drehung der Verbindung um ihre schlechteste Achse</translation>
     </message>
     <message>
@@ -3196,7 +2628,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Über Hexoderm</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Hexoderm %1&lt;/b&gt;&lt;p&gt;Finds out where every cell of a robot's artificial skin is.&lt;/p&gt;&lt;p&gt;BSD 3-Clause licence.&lt;/p&gt;</source>
+        <source>&lt;b&gt;Hexoderm %1&lt;/b&gt;&lt;p&gt;Finds out where every cell of a robot&apos;s artificial skin is.&lt;/p&gt;&lt;p&gt;BSD 3-Clause licence.&lt;/p&gt;</source>
         <translation>&lt;b&gt;Hexoderm %1&lt;/b&gt;&lt;p&gt;Findet heraus, wo jede Zelle der künstlichen Haut eines Roboters ist.&lt;/p&gt;&lt;p&gt;BSD-3-Klausel-Lizenz.&lt;/p&gt;</translation>
     </message>
     <message>
@@ -3220,7 +2652,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Die nächste Aufnahme tritt an die Stelle von Pose %1. Das Teil halten wie damals.</translation>
     </message>
     <message>
-        <source>Don't recapture</source>
+        <source>Don&apos;t recapture</source>
         <translation>Nicht neu aufnehmen</translation>
     </message>
     <message>
@@ -3267,6 +2699,26 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>Pictures (*.png)</source>
         <translation>Bilder (*.png)</translation>
     </message>
+    <message>
+        <source>Directions of gravity seen</source>
+        <translation>Gesehene Richtungen der Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Stillness</source>
+        <translation>Ruhe</translation>
+    </message>
+    <message>
+        <source>This session came from a file.</source>
+        <translation>Diese Sitzung kommt aus einer Datei.</translation>
+    </message>
+    <message>
+        <source>It repeats pose %1.</source>
+        <translation>Sie wiederholt Pose %1.</translation>
+    </message>
+    <message>
+        <source>%1 poses</source>
+        <translation>%1 Posen</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MeasureTool</name>
@@ -3298,7 +2750,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
 </context>
 <context>
-    <name>hexoderm::OpenGl</name>
+    <name>hexoderm::OpenGlWords</name>
     <message>
         <source>no OpenGL 3.2</source>
         <translation>kein OpenGL 3.2</translation>
@@ -3373,7 +2825,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Die Szene mit ihrer Legende als Bilddatei</translation>
     </message>
     <message>
-        <source>What the cells' colour shows</source>
+        <source>What the cells&apos; colour shows</source>
         <translation>Was die Farbe der Zellen zeigt</translation>
     </message>
     <message>
@@ -3409,7 +2861,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Vorn</translation>
     </message>
     <message>
-        <source>Look at the origin cell's front face</source>
+        <source>Look at the origin cell&apos;s front face</source>
         <translation>Auf die Vorderseite der Ursprungszelle sehen</translation>
     </message>
     <message>
@@ -3417,7 +2869,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Seite</translation>
     </message>
     <message>
-        <source>Look along the origin cell's x axis</source>
+        <source>Look along the origin cell&apos;s x axis</source>
         <translation>Entlang der x-Achse der Ursprungszelle sehen</translation>
     </message>
     <message>
@@ -3425,7 +2877,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Oben</translation>
     </message>
     <message>
-        <source>Look along the origin cell's y axis</source>
+        <source>Look along the origin cell&apos;s y axis</source>
         <translation>Entlang der y-Achse der Ursprungszelle sehen</translation>
     </message>
     <message>
@@ -3451,14 +2903,7 @@ On a remote desktop, drawing in software may help: start hexoderm with --softwar
 
 Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit --software-opengl starten.</translation>
     </message>
-    <message numerus="yes">
-        <source>Preparing the picture of %n cell(s)…</source>
-        <translation>
-            <numerusform>Das Bild von %n Zelle wird vorbereitet…</numerusform>
-            <numerusform>Das Bild von %n Zellen wird vorbereitet…</numerusform>
-        </translation>
-    </message>
-<message>
+    <message>
         <source>Preparing the picture of %1 cells…</source>
         <translation>Das Bild von %1 Zellen wird vorbereitet…</translation>
     </message>
@@ -3645,7 +3090,7 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
         <translation>Größte St&amp;reuung</translation>
     </message>
     <message>
-        <source>The part counts as still when its cells scatter by less than this beyond their own noise; 30 mg is a hand that holds it. A robot's arm allows less.</source>
+        <source>The part counts as still when its cells scatter by less than this beyond their own noise; 30 mg is a hand that holds it. A robot&apos;s arm allows less.</source>
         <translation>Das Teil gilt als ruhig, wenn seine Zellen um weniger als dies über ihr Rauschen hinaus streuen; 30 mg ist eine Hand, die es hält. Ein Roboterarm erlaubt weniger.</translation>
     </message>
     <message>
@@ -3729,7 +3174,7 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
         <translation>Gelenk: Der Spalt knickt in einem Punkt</translation>
     </message>
     <message>
-        <source>How the mould gives way between two cells. Fit estimates it from each patch; a patch without loops can't tell, and the stated uncertainty says so.</source>
+        <source>How the mould gives way between two cells. Fit estimates it from each patch; a patch without loops can&apos;t tell, and the stated uncertainty says so.</source>
         <translation>Wie die Form zwischen zwei Zellen nachgibt. Anpassen schätzt es aus jedem Hautstück; ohne Schleifen geht das nicht, und die angegebene Unsicherheit sagt es.</translation>
     </message>
     <message>
@@ -3737,7 +3182,7 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
         <translation>&amp;Nullpunkte entfernen</translation>
     </message>
     <message>
-        <source>Subtracts each cell's mean over the poses, which takes its sensor's offset away. Automatic does so where the poses are good enough for it.</source>
+        <source>Subtracts each cell&apos;s mean over the poses, which takes its sensor&apos;s offset away. Automatic does so where the poses are good enough for it.</source>
         <translation>Zieht das Mittel jeder Zelle über die Posen ab, was den Nullpunkt ihres Sensors entfernt. Automatisch tut das, wo die Posen dafür gut genug sind.</translation>
     </message>
     <message>
@@ -3769,7 +3214,7 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
         <translation>S&amp;chwelle der Güte</translation>
     </message>
     <message>
-        <source>A direction counts as defined from this singular value on: 0.5 accepts poses 60° to 120° apart, 1 is the paper's.</source>
+        <source>A direction counts as defined from this singular value on: 0.5 accepts poses 60° to 120° apart, 1 is the paper&apos;s.</source>
         <translation>Eine Richtung gilt ab diesem Singulärwert als bestimmt: 0,5 lässt Posen mit 60° bis 120° Abstand zu, 1 ist der Wert des Aufsatzes.</translation>
     </message>
     <message>
@@ -3793,7 +3238,7 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
         <translation>Ordner für Sitzungen</translation>
     </message>
     <message>
-        <source>A session that was not saved anywhere is kept beside the program's own data, and offered at the next start.</source>
+        <source>A session that was not saved anywhere is kept beside the program&apos;s own data, and offered at the next start.</source>
         <translation>Eine nirgends gespeicherte Sitzung liegt bei den Daten des Programms und wird beim nächsten Start angeboten.</translation>
     </message>
 </context>
@@ -4064,7 +3509,7 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
         <translation>Verbindungen mit den größten Restfehlern</translation>
     </message>
     <message>
-        <source>Position of the cell's centre in the frame of its patch's origin cell; ± at 95 %, relative to the origin.</source>
+        <source>Position of the cell&apos;s centre in the frame of its patch&apos;s origin cell; ± at 95 %, relative to the origin.</source>
         <translation>Ort der Zellmitte im Koordinatensystem der Ursprungszelle ihres Hautstücks; ± bei 95 %, bezogen auf den Ursprung.</translation>
     </message>
     <message>
@@ -4254,16 +3699,16 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
         <translation>Verbindungen nach Restfehler neben der erwarteten Abweichung</translation>
     </message>
     <message>
-        <source>By pose, degrees (box: half of the links)</source>
-        <translation>Je Pose, Grad (Kasten: Hälfte der Verbindungen)</translation>
+        <source>By pose, ° (box: half the links)</source>
+        <translation>Je Pose, ° (Kasten: halbe Verbindungen)</translation>
     </message>
     <message>
-        <source>By link, degrees, worst first (circles: predicted)</source>
-        <translation>Je Verbindung, Grad, schlechteste zuerst (Kreise: erwartet)</translation>
+        <source>By link, ° (○ predicted)</source>
+        <translation>Je Verbindung, ° (○ erwartet)</translation>
     </message>
     <message>
-        <source>Number of links by residual / predicted</source>
-        <translation>Zahl der Verbindungen nach Restfehler / erwartet</translation>
+        <source>Links by residual ÷ predicted</source>
+        <translation>Verbindungen nach Restfehler ÷ erwartet</translation>
     </message>
     <message>
         <source>as predicted</source>
@@ -4349,10 +3794,356 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     </message>
 </context>
 <context>
+    <name>hexoderm::SceneLegend</name>
+    <message>
+        <source>no link</source>
+        <translation>keine Verbindung</translation>
+    </message>
+    <message>
+        <source>patch %1</source>
+        <translation>Hautstück %1</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Cells are coloured by: %1; from %2 (dark) to %3 (bright)</source>
+        <translation>Farbe der Zellen: %1; von %2 (dunkel) bis %3 (hell)</translation>
+    </message>
+    <message>
+        <source>Cells are coloured by: %1</source>
+        <translation>Farbe der Zellen: %1</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::SceneOverlay</name>
     <message>
         <source>gravity</source>
         <translation>Schwerkraft</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::SceneWords</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>drawn %1 times as large</source>
+        <translation>%1-fach vergrößert gezeichnet</translation>
+    </message>
+    <message>
+        <source>true to scale</source>
+        <translation>maßstäblich</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>cone</source>
+        <translation>Kegel</translation>
+    </message>
+    <message>
+        <source>link quality</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>Restfehler</translation>
+    </message>
+    <message>
+        <source>predicted deviation</source>
+        <translation>erwartete Abweichung</translation>
+    </message>
+    <message>
+        <source>position uncertainty</source>
+        <translation>Unsicherheit des Ortes</translation>
+    </message>
+    <message>
+        <source>orientation uncertainty</source>
+        <translation>Unsicherheit der Drehung</translation>
+    </message>
+    <message>
+        <source>distance from the origin</source>
+        <translation>Abstand vom Ursprung</translation>
+    </message>
+    <message>
+        <source>distance from the fitted surface</source>
+        <translation>Abstand von der angepassten Fläche</translation>
+    </message>
+    <message>
+        <source>patch</source>
+        <translation>Hautstück</translation>
+    </message>
+    <message>
+        <source>body part</source>
+        <translation>Körperteil</translation>
+    </message>
+    <message>
+        <source>reading x</source>
+        <translation>Messwert x</translation>
+    </message>
+    <message>
+        <source>reading y</source>
+        <translation>Messwert y</translation>
+    </message>
+    <message>
+        <source>reading z</source>
+        <translation>Messwert z</translation>
+    </message>
+    <message>
+        <source>reading, norm</source>
+        <translation>Messwert, Betrag</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>worst link&apos;s residual, °</source>
+        <translation>Restfehler der schlechtesten Verbindung, °</translation>
+    </message>
+    <message>
+        <source>worst link&apos;s predicted deviation, °</source>
+        <translation>erwartete Abweichung der schlechtesten Verbindung, °</translation>
+    </message>
+    <message>
+        <source>position uncertainty (95 %), mm</source>
+        <translation>Unsicherheit des Ortes (95 %), mm</translation>
+    </message>
+    <message>
+        <source>orientation uncertainty (95 %), °</source>
+        <translation>Unsicherheit der Drehung (95 %), °</translation>
+    </message>
+    <message>
+        <source>distance from the origin along the path, mm</source>
+        <translation>Abstand vom Ursprung entlang des Weges, mm</translation>
+    </message>
+    <message>
+        <source>distance from the fitted surface, mm</source>
+        <translation>Abstand von der angepassten Fläche, mm</translation>
+    </message>
+    <message>
+        <source>newest reading along x, g</source>
+        <translation>neuester Messwert entlang x, g</translation>
+    </message>
+    <message>
+        <source>newest reading along y, g</source>
+        <translation>neuester Messwert entlang y, g</translation>
+    </message>
+    <message>
+        <source>newest reading along z, g</source>
+        <translation>neuester Messwert entlang z, g</translation>
+    </message>
+    <message>
+        <source>norm of the newest reading, g</source>
+        <translation>Betrag des neuesten Messwerts, g</translation>
+    </message>
+    <message>
+        <source>temperature, °C</source>
+        <translation>Temperatur, °C</translation>
+    </message>
+    <message>
+        <source>%1 or less</source>
+        <translation>%1 oder weniger</translation>
+    </message>
+    <message>
+        <source>%1 or more</source>
+        <translation>%1 oder mehr</translation>
+    </message>
+    <message>
+        <source>No link was measured yet</source>
+        <translation>Noch ist keine Verbindung gemessen</translation>
+    </message>
+    <message>
+        <source>This result states no uncertainties</source>
+        <translation>Dieses Ergebnis nennt keine Unsicherheiten</translation>
+    </message>
+    <message>
+        <source>This result holds no paths from the origin</source>
+        <translation>Dieses Ergebnis enthält keine Wege vom Ursprung</translation>
+    </message>
+    <message>
+        <source>No surface was fitted yet</source>
+        <translation>Noch ist keine Fläche angepasst</translation>
+    </message>
+    <message>
+        <source>The skin does not say which body part its cells are on</source>
+        <translation>Die Haut sagt nicht, auf welchem Körperteil ihre Zellen sind</translation>
+    </message>
+    <message>
+        <source>There are no readings: connect a skin</source>
+        <translation>Es gibt keine Messwerte: eine Haut verbinden</translation>
+    </message>
+    <message>
+        <source>The skin sends no temperatures</source>
+        <translation>Die Haut sendet keine Temperaturen</translation>
+    </message>
+    <message>
+        <source>&amp;Ports</source>
+        <translation>&amp;Anschlüsse</translation>
+    </message>
+    <message>
+        <source>Cell &amp;IDs</source>
+        <translation>Zellen-&amp;IDs</translation>
+    </message>
+    <message>
+        <source>A&amp;xes</source>
+        <translation>A&amp;chsen</translation>
+    </message>
+    <message>
+        <source>&amp;Gravity</source>
+        <translation>Sch&amp;werkraft</translation>
+    </message>
+    <message>
+        <source>&amp;Links by quality</source>
+        <translation>Ver&amp;bindungen nach Güte</translation>
+    </message>
+    <message>
+        <source>Shortest-path t&amp;ree</source>
+        <translation>Baum der kü&amp;rzesten Wege</translation>
+    </message>
+    <message>
+        <source>&amp;Uncertainty ellipsoids</source>
+        <translation>&amp;Unsicherheits-Ellipsoide</translation>
+    </message>
+    <message>
+        <source>&amp;Truth</source>
+        <translation>Wahr&amp;heit</translation>
+    </message>
+    <message>
+        <source>Fitted &amp;surface</source>
+        <translation>Angepasste &amp;Fläche</translation>
+    </message>
+    <message>
+        <source>L&amp;oop gap</source>
+        <translation>Spalt der S&amp;chleife</translation>
+    </message>
+    <message>
+        <source>&amp;Differences to the other calibration</source>
+        <translation>&amp;Differenzen zur anderen Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Discs where a link joins a neighbour, rings where a port is free</source>
+        <translation>Scheiben, wo eine Verbindung zum Nachbarn führt, Ringe, wo ein Anschluss frei ist</translation>
+    </message>
+    <message>
+        <source>Each cell&apos;s number, on faces that look at you</source>
+        <translation>Die Nummer jeder Zelle, auf Flächen, die zum Betrachter zeigen</translation>
+    </message>
+    <message>
+        <source>The directions of the patch&apos;s frame, which is the origin cell&apos;s</source>
+        <translation>Die Richtungen des Koordinatensystems des Hautstücks, das der Ursprungszelle</translation>
+    </message>
+    <message>
+        <source>Where gravity points in the picked pose</source>
+        <translation>Wohin die Schwerkraft in der gewählten Haltung zeigt</translation>
+    </message>
+    <message>
+        <source>Every link in the colour and line style of its class; muted links are crossed</source>
+        <translation>Jede Verbindung in Farbe und Strichart ihrer Klasse; ausgenommene sind durchkreuzt</translation>
+    </message>
+    <message>
+        <source>The links by which every cell is reached from the origin on the shortest way</source>
+        <translation>Die Verbindungen, über die jede Zelle vom Ursprung auf kürzestem Weg erreicht wird</translation>
+    </message>
+    <message>
+        <source>The region that holds each cell&apos;s centre with 95 % probability, relative to the origin</source>
+        <translation>Der Bereich, in dem die Mitte jeder Zelle mit 95 % Wahrscheinlichkeit liegt, relativ zum Ursprung</translation>
+    </message>
+    <message>
+        <source>Where the simulated cells really are, moved onto the result as well as possible</source>
+        <translation>Wo die simulierten Zellen wirklich sind, so gut wie möglich auf das Ergebnis geschoben</translation>
+    </message>
+    <message>
+        <source>The surface fitted to the cells, with each cell&apos;s distance from it</source>
+        <translation>Die an die Zellen angepasste Fläche mit dem Abstand jeder Zelle von ihr</translation>
+    </message>
+    <message>
+        <source>The gap between the two ports where the loop should close</source>
+        <translation>Der Spalt zwischen den beiden Anschlüssen, an denen sich die Schleife schließen sollte</translation>
+    </message>
+    <message>
+        <source>From where each cell was to where it is now</source>
+        <translation>Von wo jede Zelle war bis wo sie jetzt ist</translation>
+    </message>
+    <message>
+        <source>There is no skin yet</source>
+        <translation>Noch gibt es keine Haut</translation>
+    </message>
+    <message>
+        <source>This skin has too many cells to draw them: at most %1</source>
+        <translation>Diese Haut hat zu viele Zellen, um sie zu zeichnen: höchstens %1</translation>
+    </message>
+    <message>
+        <source>Only of a simulated skin is the truth known</source>
+        <translation>Nur bei einer simulierten Haut ist die Wahrheit bekannt</translation>
+    </message>
+    <message>
+        <source>No loop was evaluated yet</source>
+        <translation>Noch ist keine Schleife ausgewertet</translation>
+    </message>
+    <message>
+        <source>No comparison was made yet</source>
+        <translation>Noch ist nichts verglichen</translation>
+    </message>
+    <message>
+        <source>broad lines: the shortest-path tree</source>
+        <translation>breite Linien: der Baum der kürzesten Wege</translation>
+    </message>
+    <message>
+        <source>ellipsoids: 95 %, %1</source>
+        <translation>Ellipsoide: 95 %, %1</translation>
+    </message>
+    <message>
+        <source>outlines: the truth, moved onto the result</source>
+        <translation>Umrisse: die Wahrheit, auf das Ergebnis geschoben</translation>
+    </message>
+    <message>
+        <source>%1, radius %2</source>
+        <translation>%1, Radius %2</translation>
+    </message>
+    <message>
+        <source>; rms distance %1, lines %2</source>
+        <translation>; mittlerer Abstand (rms) %1, Striche %2</translation>
+    </message>
+    <message>
+        <source>loop gap: %1, %2 % of the loop; the arrow %3</source>
+        <translation>Spalt der Schleife: %1, %2 % der Schleife; der Pfeil %3</translation>
+    </message>
+    <message>
+        <source>arrows: from before to now, %1</source>
+        <translation>Pfeile: von vorher nach jetzt, %1</translation>
+    </message>
+    <message>
+        <source>Cells %1 and %2 are in different patches: how these lie to each other is not known</source>
+        <translation>Die Zellen %1 und %2 sind in verschiedenen Hautstücken: wie diese zueinander liegen, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Cells %1 and %2: %3 apart, their faces %4 to each other</source>
+        <translation>Zellen %1 und %2: Abstand %3, ihre Flächen %4 zueinander</translation>
+    </message>
+    <message>
+        <source>Cells %1 and %2: %3 ± %4 (95 %) apart, their faces %5 to each other</source>
+        <translation>Zellen %1 und %2: Abstand %3 ± %4 (95 %), ihre Flächen %5 zueinander</translation>
     </message>
 </context>
 <context>
@@ -4549,7 +4340,7 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
 <context>
     <name>hexoderm::UnsavedSessions</name>
     <message>
-        <source>A session of %1 was not saved and can't be read: %2</source>
+        <source>A session of %1 was not saved and can&apos;t be read: %2</source>
         <translation>Eine Sitzung von %1 wurde nicht gespeichert und lässt sich nicht lesen: %2</translation>
     </message>
     <message>
@@ -4711,7 +4502,7 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
         <translation>X mm</translation>
     </message>
     <message>
-        <source>The gap, in the patch's frame</source>
+        <source>The gap, in the patch&apos;s frame</source>
         <translation>Die Lücke, im Koordinatensystem des Hautstücks</translation>
     </message>
     <message>
@@ -4950,7 +4741,7 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
         <translation>Durch die Mitten der Zellen gelegt</translation>
     </message>
     <message>
-        <source>Known from a drawing or measured: gives the paper's Δ and ε</source>
+        <source>Known from a drawing or measured: gives the paper&apos;s Δ and ε</source>
         <translation>Aus einer Zeichnung oder gemessen: ergibt Δ und ε des Aufsatzes</translation>
     </message>
     <message>
@@ -5263,7 +5054,7 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
         <translation>Keine Haut ist verbunden</translation>
     </message>
     <message>
-        <source>This device can't turn itself; turn the part by hand</source>
+        <source>This device can&apos;t turn itself; turn the part by hand</source>
         <translation>Dieses Gerät kann sich nicht selbst drehen; das Teil von Hand drehen</translation>
     </message>
     <message>
@@ -5339,7 +5130,7 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
         <translation>Diese Pose &amp;auslassen</translation>
     </message>
     <message>
-        <source>The part can't be held like this: advise the next best pose</source>
+        <source>The part can&apos;t be held like this: advise the next best pose</source>
         <translation>So lässt sich das Teil nicht halten: die nächstbeste Pose raten</translation>
     </message>
     <message>
@@ -5411,7 +5202,7 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
         <translation>Zuerst eine Zelle wählen</translation>
     </message>
     <message>
-        <source>Don't &amp;recapture</source>
+        <source>Don&apos;t &amp;recapture</source>
         <translation>Nicht &amp;neu aufnehmen</translation>
     </message>
     <message>
@@ -5451,7 +5242,7 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
         <translation>Versionen, Grafik, was offen ist und die letzten Zeilen des Protokolls, ohne eigene Ordner</translation>
     </message>
     <message>
-        <source>&amp;Open the log's folder</source>
+        <source>&amp;Open the log&apos;s folder</source>
         <translation>&amp;Ordner des Protokolls öffnen</translation>
     </message>
     <message>
@@ -5546,7 +5337,7 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
         <translation>Ab dem nächsten Start zeichnet der Prozessor. Hexoderm bei Gelegenheit neu starten.</translation>
     </message>
     <message>
-        <source>Copied: versions, graphics, what is open and the last lines of the log, without your folders' names. Paste it into the report.</source>
+        <source>Copied: versions, graphics, what is open and the last lines of the log, without your folders&apos; names. Paste it into the report.</source>
         <translation>Kopiert: Versionen, Grafik, was offen ist und die letzten Zeilen des Protokolls, ohne Ordnernamen. In den Bericht einfügen.</translation>
     </message>
     <message>
@@ -5649,7 +5440,7 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
         <translation>Restfehler %1, erwartete Abweichung %2</translation>
     </message>
     <message>
-        <source>Centred: the mean of each cell's readings was subtracted</source>
+        <source>Centred: the mean of each cell&apos;s readings was subtracted</source>
         <translation>Zentriert: Das Mittel der Messwerte jeder Zelle wurde abgezogen</translation>
     </message>
     <message>
@@ -5708,7 +5499,7 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
 <context>
     <name>main</name>
     <message>
-        <source>Finds out where every cell of a robot's artificial skin is.</source>
+        <source>Finds out where every cell of a robot&apos;s artificial skin is.</source>
         <translation>Findet heraus, wo jede Zelle der künstlichen Haut eines Roboters ist.</translation>
     </message>
     <message>
@@ -5782,367 +5573,6 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     <message>
         <source>Draw in 3D without the graphics card, for this time.</source>
         <translation>3D ohne Grafikkarte zeichnen, für dieses Mal.</translation>
-    </message>
-</context>
-<context>
-    <name>hexoderm::OpenGlWords</name>
-    <message>
-        <source>no OpenGL 3.2</source>
-        <translation>kein OpenGL 3.2</translation>
-    </message>
-    <message>
-        <source>unknown renderer</source>
-        <translation>unbekannter Zeichner</translation>
-    </message>
-    <message>
-        <source>%1, in software</source>
-        <translation>%1, in Software</translation>
-    </message>
-</context>
-<context>
-    <name>hexoderm::SceneLegend</name>
-    <message>
-        <source>no link</source>
-        <translation>keine Verbindung</translation>
-    </message>
-    <message>
-        <source>patch %1</source>
-        <translation>Hautstück %1</translation>
-    </message>
-    <message>
-        <source>and %1 more</source>
-        <translation>und %1 weitere</translation>
-    </message>
-    <message>
-        <source>not known</source>
-        <translation>nicht bekannt</translation>
-    </message>
-    <message>
-        <source>Cells are coloured by: %1; from %2 (dark) to %3 (bright)</source>
-        <translation>Farbe der Zellen: %1; von %2 (dunkel) bis %3 (hell)</translation>
-    </message>
-    <message>
-        <source>Cells are coloured by: %1</source>
-        <translation>Farbe der Zellen: %1</translation>
-    </message>
-</context>
-<context>
-    <name>hexoderm::SceneWords</name>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>drawn %1 times as large</source>
-        <translation>%1-fach vergrößert gezeichnet</translation>
-    </message>
-    <message>
-        <source>true to scale</source>
-        <translation>maßstäblich</translation>
-    </message>
-    <message>
-        <source>plane</source>
-        <translation>Ebene</translation>
-    </message>
-    <message>
-        <source>sphere</source>
-        <translation>Kugel</translation>
-    </message>
-    <message>
-        <source>cylinder</source>
-        <translation>Zylinder</translation>
-    </message>
-    <message>
-        <source>cone</source>
-        <translation>Kegel</translation>
-    </message>
-    <message>
-        <source>link quality</source>
-        <translation>Güte</translation>
-    </message>
-    <message>
-        <source>residual</source>
-        <translation>Restfehler</translation>
-    </message>
-    <message>
-        <source>predicted deviation</source>
-        <translation>erwartete Abweichung</translation>
-    </message>
-    <message>
-        <source>position uncertainty</source>
-        <translation>Unsicherheit des Ortes</translation>
-    </message>
-    <message>
-        <source>orientation uncertainty</source>
-        <translation>Unsicherheit der Drehung</translation>
-    </message>
-    <message>
-        <source>distance from the origin</source>
-        <translation>Abstand vom Ursprung</translation>
-    </message>
-    <message>
-        <source>distance from the fitted surface</source>
-        <translation>Abstand von der angepassten Fläche</translation>
-    </message>
-    <message>
-        <source>patch</source>
-        <translation>Hautstück</translation>
-    </message>
-    <message>
-        <source>body part</source>
-        <translation>Körperteil</translation>
-    </message>
-    <message>
-        <source>reading x</source>
-        <translation>Messwert x</translation>
-    </message>
-    <message>
-        <source>reading y</source>
-        <translation>Messwert y</translation>
-    </message>
-    <message>
-        <source>reading z</source>
-        <translation>Messwert z</translation>
-    </message>
-    <message>
-        <source>reading, norm</source>
-        <translation>Messwert, Betrag</translation>
-    </message>
-    <message>
-        <source>temperature</source>
-        <translation>Temperatur</translation>
-    </message>
-    <message>
-        <source>worst link's residual, °</source>
-        <translation>Restfehler der schlechtesten Verbindung, °</translation>
-    </message>
-    <message>
-        <source>worst link's predicted deviation, °</source>
-        <translation>erwartete Abweichung der schlechtesten Verbindung, °</translation>
-    </message>
-    <message>
-        <source>position uncertainty (95 %), mm</source>
-        <translation>Unsicherheit des Ortes (95 %), mm</translation>
-    </message>
-    <message>
-        <source>orientation uncertainty (95 %), °</source>
-        <translation>Unsicherheit der Drehung (95 %), °</translation>
-    </message>
-    <message>
-        <source>distance from the origin along the path, mm</source>
-        <translation>Abstand vom Ursprung entlang des Weges, mm</translation>
-    </message>
-    <message>
-        <source>distance from the fitted surface, mm</source>
-        <translation>Abstand von der angepassten Fläche, mm</translation>
-    </message>
-    <message>
-        <source>newest reading along x, g</source>
-        <translation>neuester Messwert entlang x, g</translation>
-    </message>
-    <message>
-        <source>newest reading along y, g</source>
-        <translation>neuester Messwert entlang y, g</translation>
-    </message>
-    <message>
-        <source>newest reading along z, g</source>
-        <translation>neuester Messwert entlang z, g</translation>
-    </message>
-    <message>
-        <source>norm of the newest reading, g</source>
-        <translation>Betrag des neuesten Messwerts, g</translation>
-    </message>
-    <message>
-        <source>temperature, °C</source>
-        <translation>Temperatur, °C</translation>
-    </message>
-    <message>
-        <source>%1 or less</source>
-        <translation>%1 oder weniger</translation>
-    </message>
-    <message>
-        <source>%1 or more</source>
-        <translation>%1 oder mehr</translation>
-    </message>
-    <message>
-        <source>No link was measured yet</source>
-        <translation>Noch ist keine Verbindung gemessen</translation>
-    </message>
-    <message>
-        <source>This result states no uncertainties</source>
-        <translation>Dieses Ergebnis nennt keine Unsicherheiten</translation>
-    </message>
-    <message>
-        <source>This result holds no paths from the origin</source>
-        <translation>Dieses Ergebnis enthält keine Wege vom Ursprung</translation>
-    </message>
-    <message>
-        <source>No surface was fitted yet</source>
-        <translation>Noch ist keine Fläche angepasst</translation>
-    </message>
-    <message>
-        <source>The skin does not say which body part its cells are on</source>
-        <translation>Die Haut sagt nicht, auf welchem Körperteil ihre Zellen sind</translation>
-    </message>
-    <message>
-        <source>There are no readings: connect a skin</source>
-        <translation>Es gibt keine Messwerte: eine Haut verbinden</translation>
-    </message>
-    <message>
-        <source>The skin sends no temperatures</source>
-        <translation>Die Haut sendet keine Temperaturen</translation>
-    </message>
-    <message>
-        <source>&amp;Ports</source>
-        <translation>&amp;Anschlüsse</translation>
-    </message>
-    <message>
-        <source>Cell &amp;IDs</source>
-        <translation>Zellen-&amp;IDs</translation>
-    </message>
-    <message>
-        <source>A&amp;xes</source>
-        <translation>A&amp;chsen</translation>
-    </message>
-    <message>
-        <source>&amp;Gravity</source>
-        <translation>Sch&amp;werkraft</translation>
-    </message>
-    <message>
-        <source>&amp;Links by quality</source>
-        <translation>Ver&amp;bindungen nach Güte</translation>
-    </message>
-    <message>
-        <source>Shortest-path t&amp;ree</source>
-        <translation>Baum der kü&amp;rzesten Wege</translation>
-    </message>
-    <message>
-        <source>&amp;Uncertainty ellipsoids</source>
-        <translation>&amp;Unsicherheits-Ellipsoide</translation>
-    </message>
-    <message>
-        <source>&amp;Truth</source>
-        <translation>Wahr&amp;heit</translation>
-    </message>
-    <message>
-        <source>Fitted &amp;surface</source>
-        <translation>Angepasste &amp;Fläche</translation>
-    </message>
-    <message>
-        <source>L&amp;oop gap</source>
-        <translation>Spalt der S&amp;chleife</translation>
-    </message>
-    <message>
-        <source>&amp;Differences to the other calibration</source>
-        <translation>&amp;Differenzen zur anderen Kalibrierung</translation>
-    </message>
-    <message>
-        <source>Discs where a link joins a neighbour, rings where a port is free</source>
-        <translation>Scheiben, wo eine Verbindung zum Nachbarn führt, Ringe, wo ein Anschluss frei ist</translation>
-    </message>
-    <message>
-        <source>Each cell's number, on faces that look at you</source>
-        <translation>Die Nummer jeder Zelle, auf Flächen, die zum Betrachter zeigen</translation>
-    </message>
-    <message>
-        <source>The directions of the patch's frame, which is the origin cell's</source>
-        <translation>Die Richtungen des Koordinatensystems des Hautstücks, das der Ursprungszelle</translation>
-    </message>
-    <message>
-        <source>Where gravity points in the picked pose</source>
-        <translation>Wohin die Schwerkraft in der gewählten Haltung zeigt</translation>
-    </message>
-    <message>
-        <source>Every link in the colour and line style of its class; muted links are crossed</source>
-        <translation>Jede Verbindung in Farbe und Strichart ihrer Klasse; ausgenommene sind durchkreuzt</translation>
-    </message>
-    <message>
-        <source>The links by which every cell is reached from the origin on the shortest way</source>
-        <translation>Die Verbindungen, über die jede Zelle vom Ursprung auf kürzestem Weg erreicht wird</translation>
-    </message>
-    <message>
-        <source>The region that holds each cell's centre with 95 % probability, relative to the origin</source>
-        <translation>Der Bereich, in dem die Mitte jeder Zelle mit 95 % Wahrscheinlichkeit liegt, relativ zum Ursprung</translation>
-    </message>
-    <message>
-        <source>Where the simulated cells really are, moved onto the result as well as possible</source>
-        <translation>Wo die simulierten Zellen wirklich sind, so gut wie möglich auf das Ergebnis geschoben</translation>
-    </message>
-    <message>
-        <source>The surface fitted to the cells, with each cell's distance from it</source>
-        <translation>Die an die Zellen angepasste Fläche mit dem Abstand jeder Zelle von ihr</translation>
-    </message>
-    <message>
-        <source>The gap between the two ports where the loop should close</source>
-        <translation>Der Spalt zwischen den beiden Anschlüssen, an denen sich die Schleife schließen sollte</translation>
-    </message>
-    <message>
-        <source>From where each cell was to where it is now</source>
-        <translation>Von wo jede Zelle war bis wo sie jetzt ist</translation>
-    </message>
-    <message>
-        <source>There is no skin yet</source>
-        <translation>Noch gibt es keine Haut</translation>
-    </message>
-    <message>
-        <source>This skin has too many cells to draw them: at most %1</source>
-        <translation>Diese Haut hat zu viele Zellen, um sie zu zeichnen: höchstens %1</translation>
-    </message>
-    <message>
-        <source>Only of a simulated skin is the truth known</source>
-        <translation>Nur bei einer simulierten Haut ist die Wahrheit bekannt</translation>
-    </message>
-    <message>
-        <source>No loop was evaluated yet</source>
-        <translation>Noch ist keine Schleife ausgewertet</translation>
-    </message>
-    <message>
-        <source>No comparison was made yet</source>
-        <translation>Noch ist nichts verglichen</translation>
-    </message>
-    <message>
-        <source>broad lines: the shortest-path tree</source>
-        <translation>breite Linien: der Baum der kürzesten Wege</translation>
-    </message>
-    <message>
-        <source>ellipsoids: 95 %, %1</source>
-        <translation>Ellipsoide: 95 %, %1</translation>
-    </message>
-    <message>
-        <source>outlines: the truth, moved onto the result</source>
-        <translation>Umrisse: die Wahrheit, auf das Ergebnis geschoben</translation>
-    </message>
-    <message>
-        <source>%1, radius %2</source>
-        <translation>%1, Radius %2</translation>
-    </message>
-    <message>
-        <source>; rms distance %1, lines %2</source>
-        <translation>; mittlerer Abstand (rms) %1, Striche %2</translation>
-    </message>
-    <message>
-        <source>loop gap: %1, %2 % of the loop; the arrow %3</source>
-        <translation>Spalt der Schleife: %1, %2 % der Schleife; der Pfeil %3</translation>
-    </message>
-    <message>
-        <source>arrows: from before to now, %1</source>
-        <translation>Pfeile: von vorher nach jetzt, %1</translation>
-    </message>
-    <message>
-        <source>Cells %1 and %2 are in different patches: how these lie to each other is not known</source>
-        <translation>Die Zellen %1 und %2 sind in verschiedenen Hautstücken: wie diese zueinander liegen, ist nicht bekannt</translation>
-    </message>
-    <message>
-        <source>%1°</source>
-        <translation>%1°</translation>
-    </message>
-    <message>
-        <source>Cells %1 and %2: %3 apart, their faces %4 to each other</source>
-        <translation>Zellen %1 und %2: Abstand %3, ihre Flächen %4 zueinander</translation>
-    </message>
-    <message>
-        <source>Cells %1 and %2: %3 ± %4 (95 %) apart, their faces %5 to each other</source>
-        <translation>Zellen %1 und %2: Abstand %3 ± %4 (95 %), ihre Flächen %5 zueinander</translation>
     </message>
 </context>
 </TS>
