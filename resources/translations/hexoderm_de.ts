@@ -1821,91 +1821,91 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <name>hexoderm::GraphColoring</name>
     <message>
         <source>%1° or more</source>
-        <translation type="unfinished">%1° oder mehr</translation>
+        <translation>%1° oder mehr</translation>
     </message>
     <message>
         <source>own readings</source>
-        <translation type="unfinished">eigene Messwerte</translation>
+        <translation>eigene Messwerte</translation>
     </message>
     <message>
         <source>links</source>
-        <translation type="unfinished">Verbindungen</translation>
+        <translation>Verbindungen</translation>
     </message>
     <message>
         <source>patch %1</source>
-        <translation type="unfinished">Hautstück %1</translation>
+        <translation>Hautstück %1</translation>
     </message>
     <message>
         <source>link quality</source>
-        <translation type="unfinished">Güte</translation>
+        <translation>Güte</translation>
     </message>
     <message>
         <source>residual</source>
-        <translation type="unfinished">Restfehler</translation>
+        <translation>Restfehler</translation>
     </message>
     <message>
         <source>predicted deviation</source>
-        <translation type="unfinished">erwartete Abweichung</translation>
+        <translation>erwartete Abweichung</translation>
     </message>
     <message>
         <source>bend</source>
-        <translation type="unfinished">Biegung</translation>
+        <translation>Biegung</translation>
     </message>
     <message>
         <source>twist</source>
-        <translation type="unfinished">Verwindung</translation>
+        <translation>Verdrillung</translation>
     </message>
     <message>
         <source>yaw</source>
-        <translation type="unfinished">Drehung</translation>
+        <translation>Gieren</translation>
     </message>
     <message>
         <source>position uncertainty</source>
-        <translation type="unfinished">Unsicherheit des Ortes</translation>
+        <translation>Unsicherheit des Ortes</translation>
     </message>
     <message>
         <source>orientation uncertainty</source>
-        <translation type="unfinished">Unsicherheit der Drehung</translation>
+        <translation>Unsicherheit der Drehung</translation>
     </message>
     <message>
         <source>placed by</source>
-        <translation type="unfinished">eingeordnet durch</translation>
+        <translation>platziert durch</translation>
     </message>
     <message>
         <source>patch</source>
-        <translation type="unfinished">Hautstück</translation>
+        <translation>Hautstück</translation>
     </message>
     <message>
         <source>body part</source>
-        <translation type="unfinished">Körperteil</translation>
+        <translation>Körperteil</translation>
     </message>
     <message>
         <source>residual, rms over poses</source>
-        <translation type="unfinished">Restfehler, Effektivwert über die Posen</translation>
+        <translation>Restfehler, rms über die Posen</translation>
     </message>
     <message>
         <source>bend, either way</source>
-        <translation type="unfinished">Biegung, beide Richtungen</translation>
+        <translation>Biegung, beide Richtungen</translation>
     </message>
     <message>
         <source>twist, either way</source>
-        <translation type="unfinished">Verwindung, beide Richtungen</translation>
+        <translation>Verdrillung, beide Richtungen</translation>
     </message>
     <message>
         <source>yaw, either way</source>
-        <translation type="unfinished">Drehung, beide Richtungen</translation>
+        <translation>Gieren, beide Richtungen</translation>
     </message>
     <message>
         <source>position known to (95 %)</source>
-        <translation type="unfinished">Ort bekannt auf (95 %)</translation>
+        <translation>Ort bekannt auf (95 %)</translation>
     </message>
     <message>
         <source>±%1 mm or more</source>
-        <translation type="unfinished">±%1 mm oder mehr</translation>
+        <translation>±%1 mm oder mehr</translation>
     </message>
     <message>
         <source>orientation known to (95 %)</source>
-        <translation type="unfinished">Drehung bekannt auf (95 %)</translation>
+        <translation>Drehung bekannt auf (95 %)</translation>
     </message>
 </context>
 <context>
