@@ -1,8 +1,11 @@
 #include "widgets/patch_scene.h"
 
+#include "hexoderm/reconstruction/pose_coverage.h"
 #include "hexoderm/util/units.h"
+#include "widgets/part_camera.h"
 #include "widgets/patch_geometry.h"
 #include "widgets/scene_corners.h"
+#include "widgets/scene_ghost.h"
 #include "widgets/scene_labels.h"
 #include "widgets/scene_skin.h"
 
@@ -85,6 +88,9 @@ struct PatchScene::Parts {
   vtkNew<vtkActor> selection_actor;
   vtkNew<vtkPolyDataMapper> selection_mapper;
   SceneCorners corners;
+  SceneGhost ghost;
+  std::optional<Eigen::Vector3d> up_o;       ///< now
+  std::optional<Eigen::Vector3d> next_up_o;  ///< of the ghost
 
   bool fit_pending = false;
   /// Camera, window and patch as the last fit left them: while nobody has moved the camera, a resized window or a patch
@@ -110,6 +116,10 @@ struct PatchScene::Parts {
   void updateItems();
   void updateSelection();
   void updateGravity();
+  void updateGhost();
+  void showGhostOfLargestPatch();
+  void follow(const std::optional<Eigen::Vector3d>& up_o_now);
+  [[nodiscard]] std::optional<Eigen::Vector3d> upShown() const;
   [[nodiscard]] const GravityDirection* gravity() const;
   [[nodiscard]] std::array<int, 2> size() const;
 };
@@ -144,6 +154,7 @@ PatchScene::Parts::~Parts() {
   renderer->RemoveObserver(observer);
   if (window) {
     corners.detachFrom(window);
+    ghost.detachFrom(window);
     window->RemoveRenderer(renderer);
   }
 }
@@ -179,13 +190,17 @@ void PatchScene::Parts::fitNow() {
   for (const Eigen::Vector3d& p : points) box.extend(Eigen::Vector3d(right.dot(p), up.dot(p), back.dot(p)));
   const Eigen::Vector3d center = box.center();
   const double tan_height = kFitHeight * std::tan(0.5 * kViewAngle_deg * kDegree);
-  const double tan_width = kFitWidth * std::tan(0.5 * kViewAngle_deg * kDegree) * width / height;
+  const double free_width = ghost.isVisible() ? kFitWidth - SceneGhost::kShare : kFitWidth;
+  const double tan_width = free_width * std::tan(0.5 * kViewAngle_deg * kDegree) * width / height;
   const double least = 2 * content->reconstruction->model->side_m;
   double distance = least;
   double flat_distance = least;  // from where a skin without depth would fit
   for (const Eigen::Vector3d& p : points) {
     const Eigen::Vector3d v = Eigen::Vector3d(right.dot(p), up.dot(p), back.dot(p)) - center;
-    const double flat = std::max(std::abs(v.x()) / tan_width, std::abs(v.y()) / tan_height);
+    // A part that is turned has to stay in the picture.
+    if (up_o) distance = std::max(distance, v.norm() / std::sin(std::atan(std::min(tan_width, tan_height))));
+    const double flat = up_o ? v.norm() / std::min(tan_width, tan_height)
+                             : std::max(std::abs(v.x()) / tan_width, std::abs(v.y()) / tan_height);
     flat_distance = std::max(flat_distance, flat);
     distance = std::max(distance, v.z() + flat);
   }
@@ -214,6 +229,51 @@ void PatchScene::Parts::beforeRender() {
   if (!window) return;
   labels.update(size(), window->GetDPI());
   corners.follow(renderer->GetActiveCamera(), window);
+  ghost.follow(renderer->GetActiveCamera(), window);
+}
+
+void PatchScene::Parts::follow(const std::optional<Eigen::Vector3d>& up_o_now) {
+  const bool untouched = isUntouched();
+  vtkCamera* camera = renderer->GetActiveCamera();
+  if (up_o_now && up_o) {
+    turnCameraWithPart(camera, *up_o, *up_o_now);
+  } else if (up_o_now) {
+    standCameraUpright(camera, *up_o_now);
+  }
+  // Following is not somebody's hand on the camera.
+  if (untouched) fitted->position = toEigen(camera->GetPosition());
+  if (up_o_now.has_value() != up_o.has_value() && (untouched || !fitted)) fit_pending = true;
+  up_o = up_o_now;
+  updateGravity();
+  updateGhost();
+}
+
+void PatchScene::Parts::updateGhost() {
+  const bool was_there = ghost.isVisible();
+  ghost.setTurn(upShown().value_or(Eigen::Vector3d::UnitZ()), upShown() ? next_up_o : std::nullopt);
+  if (ghost.isVisible() == was_there) return;
+  // The skin makes room for it.
+  renderer->GetActiveCamera()->SetWindowCenter(ghost.isVisible() ? SceneGhost::kShare : 0, 0);
+  if (isUntouched()) fit_pending = true;
+}
+
+void PatchScene::Parts::showGhostOfLargestPatch() {
+  std::size_t first = 0;
+  const Reconstruction* shown_skin = content ? content->reconstruction.get() : nullptr;
+  const PatchReconstruction* largest = shown_skin ? largestPatch(*shown_skin) : nullptr;
+  if (largest != nullptr) {
+    for (const PatchReconstruction* patch = shown_skin->patches.data(); patch != largest; ++patch) {
+      first += patch->cells.size();
+    }
+  }
+  ghost.setPatch(content ? content->layout : SceneLayout{}, first, largest == nullptr ? 0 : largest->cells.size());
+  updateGhost();
+}
+
+std::optional<Eigen::Vector3d> PatchScene::Parts::upShown() const {
+  if (up_o) return up_o;
+  const GravityDirection* direction = gravity();
+  return direction == nullptr ? std::nullopt : std::optional<Eigen::Vector3d>(direction->g_o);
 }
 
 void PatchScene::Parts::recolor() {
@@ -221,6 +281,7 @@ void PatchScene::Parts::recolor() {
   renderer->SetBackground(colors.background_bottom.data());
   selection_actor->GetProperty()->SetColor(colors.selection.data());
   corners.setColors(colors);
+  ghost.setColors(colors);
   labels.setColors(skin.frontColors(), colors);
 }
 
@@ -261,8 +322,8 @@ const GravityDirection* PatchScene::Parts::gravity() const {
 }
 
 void PatchScene::Parts::updateGravity() {
-  const GravityDirection* direction = gravity();
-  corners.setDown(direction == nullptr ? std::nullopt : std::optional<Eigen::Vector3d>(-direction->g_o));
+  const std::optional<Eigen::Vector3d> up = upShown();
+  corners.setDown(up ? std::optional<Eigen::Vector3d>(-*up) : std::nullopt);
 }
 
 PatchScene::PatchScene() : parts_(std::make_unique<Parts>()) { setSmoothed(true); }
@@ -274,6 +335,7 @@ void PatchScene::attachTo(vtkRenderWindow* window) {
   window->SetNumberOfLayers(2);
   window->AddRenderer(parts_->renderer);
   parts_->corners.attachTo(window);
+  parts_->ghost.attachTo(window);
 }
 
 void PatchScene::setContent(std::shared_ptr<const SceneContent> content) {
@@ -292,6 +354,7 @@ void PatchScene::setContent(std::shared_ptr<const SceneContent> content) {
   parts_->recolor();
   parts_->updateItems();
   parts_->updateSelection();
+  parts_->showGhostOfLargestPatch();
 }
 
 void PatchScene::setReconstruction(std::shared_ptr<const Reconstruction> reconstruction) {
@@ -348,6 +411,7 @@ void PatchScene::setSelection(std::optional<CellId> cell, std::optional<std::pai
   parts_->picked_link = link;
   parts_->updateSelection();
   parts_->updateGravity();
+  parts_->updateGhost();
 }
 
 void PatchScene::setMeasured(std::optional<CellId> first, std::optional<CellId> second) {
@@ -357,6 +421,28 @@ void PatchScene::setMeasured(std::optional<CellId> first, std::optional<CellId> 
 void PatchScene::setPose(std::optional<PoseId> pose) {
   parts_->pose = pose;
   parts_->updateGravity();
+  parts_->updateGhost();
+}
+
+void PatchScene::setUp(const std::optional<Eigen::Vector3d>& up_o) { parts_->follow(up_o); }
+
+void PatchScene::setNextUp(const std::optional<Eigen::Vector3d>& up_o) {
+  parts_->next_up_o = up_o;
+  parts_->updateGhost();
+}
+
+void PatchScene::setGhostPhase(double phase) { parts_->ghost.setPhase(phase); }
+
+bool PatchScene::showsGhost() const { return parts_->ghost.isVisible(); }
+
+std::optional<Eigen::Vector3d> PatchScene::upShown() const { return parts_->upShown(); }
+
+void PatchScene::spin(double angle_rad) {
+  vtkCamera* camera = parts_->renderer->GetActiveCamera();
+  const Eigen::Vector3d up = parts_->upShown().value_or(toEigen(camera->GetViewUp()));
+  const bool untouched = parts_->isUntouched();
+  spinPartInPicture(camera, up, angle_rad);
+  if (untouched) parts_->fitted->position = toEigen(camera->GetPosition());
 }
 
 void PatchScene::setTextVisible(bool visible) {
@@ -368,6 +454,7 @@ void PatchScene::setTextVisible(bool visible) {
 void PatchScene::setSmoothed(bool smoothed) {
   parts_->renderer->SetUseFXAA(smoothed);
   parts_->corners.setSmoothed(smoothed);
+  parts_->ghost.setSmoothed(smoothed);
 }
 
 void PatchScene::fit() { parts_->fit_pending = true; }
@@ -406,7 +493,7 @@ std::vector<std::optional<double>> PatchScene::values() const {
   return cellValues(parts_->skin.coloring(), parts_->content->figures, parts_->skin.readings());
 }
 
-bool PatchScene::showsGravity() const { return parts_->gravity() != nullptr; }
+bool PatchScene::showsGravity() const { return parts_->upShown().has_value(); }
 
 vtkRenderer* PatchScene::renderer() const { return parts_->renderer; }
 

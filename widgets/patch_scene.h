@@ -62,6 +62,19 @@ class PatchScene {
   void setMeasured(std::optional<CellId> first, std::optional<CellId> second);
   /// Whose gravity the arrow shows; none: the last pose of the patch.
   void setPose(std::optional<PoseId> pose);
+  /// Where up is now, a unit vector in the frame of the largest patch: the picture follows, so that up stays upwards
+  /// while the part is turned, and the arrow of gravity with it. None: the picture stays, and the arrow is a pose's
+  /// again.
+  void setUp(const std::optional<Eigen::Vector3d>& up_o);
+  /// Where up is to be in the next pose: its ghost is shown beside the skin. None: no ghost.
+  void setNextUp(const std::optional<Eigen::Vector3d>& up_o);
+  /// How far the ghost has turned from the present orientation (0) to the next (1).
+  void setGhostPhase(double phase);
+  [[nodiscard]] bool showsGhost() const;
+  /// The present up, else that of the pose whose gravity is shown; none without either.
+  [[nodiscard]] std::optional<Eigen::Vector3d> upShown() const;
+  /// The part seems to turn about gravity, counter-clockwise seen from above.
+  void spin(double angle_rad);
   /// IDs and the letters of the axes; pictures that are compared go without.
   void setTextVisible(bool visible);
 

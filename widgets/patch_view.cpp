@@ -2,6 +2,7 @@
 
 #include "widgets/measure_tool.h"
 #include "widgets/opengl_info.h"
+#include "widgets/part_motion.h"
 #include "widgets/patch_controls.h"
 #include "widgets/patch_scene.h"
 #include "widgets/scene_builder.h"
@@ -18,6 +19,7 @@
 #include <vtkRenderWindowInteractor.h>
 #include <QAction>
 #include <QGridLayout>
+#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QTimer>
@@ -64,7 +66,7 @@ SceneColors sceneColors(Theme theme) {
   scene.arrow_head = toRgb(colors.accent);
   scene.text = toRgb(colors.text);
   scene.overlay = toRgb(colors.accent);
-  scene.ellipsoid = toRgb(dark ? colors.selection : colors.text);
+  scene.ellipsoid = toRgb(dark ? colors.selection : colors.panel);
   return scene;
 }
 
@@ -87,6 +89,7 @@ struct PatchView::Parts : public QObject {
   QVTKOpenGLNativeWidget* gl = nullptr;  ///< null without OpenGL
   std::unique_ptr<PatchScene> scene;     ///< likewise
   std::unique_ptr<SceneBuilder> builder;
+  PartMotion* motion = nullptr;  ///< likewise
   SceneOverlay* overlay = nullptr;
   PatchControls* controls = nullptr;
   QTimer at_rest;
@@ -125,6 +128,12 @@ void PatchView::Parts::build() {
   layout->setRowStretch(1, 1);
   overlay->raise();
   if (controls != nullptr) controls->raise();
+  if (gl != nullptr) {
+    motion = new PartMotion(view, gl, *scene, [this] { requestRender(); });
+    motion->setParent(this);
+    connect(motion, &PartMotion::turnRequested, view, &PatchView::turnRequested);
+    connect(controls, &PatchControls::heightChanged, motion, &PartMotion::setTop);
+  }
   connect(selection, &Selection::changed, this, [this] { updateSelection(); });
   connect(&measure, &MeasureTool::changed, this, [this] { updateMeasure(); });
   view->setMinimumHeight(180);
@@ -236,8 +245,8 @@ void PatchView::Parts::updateOverlay() {
   } else if (!reconstruction || reconstruction->cellCount() == 0) {
     content.hint = PatchView::tr("No skin yet: open a session or start the demo.");
   } else if (scene->content() == nullptr) {
-    content.hint =
-        PatchView::tr("Preparing the picture of %n cell(s)…", nullptr, static_cast<int>(reconstruction->cellCount()));
+    content.hint = PatchView::tr("Preparing the picture of %1 cells…")
+                       .arg(QLocale().toString(static_cast<int>(reconstruction->cellCount())));
   } else {
     content.gravity = scene->showsGravity();
     content.legend = legend();
@@ -250,6 +259,7 @@ void PatchView::Parts::updateOverlay() {
 
 void PatchView::Parts::refresh() {
   updateOverlay();
+  if (motion != nullptr) motion->refresh();
   requestRender();
 }
 
@@ -313,6 +323,7 @@ PatchView::PatchView(Selection* selection, QWidget* parent)
 }
 
 PatchView::~PatchView() {
+  delete parts_->motion;
   parts_->builder.reset();
   // The scene gives its OpenGL objects back while the context is still there.
   parts_->scene.reset();
@@ -338,6 +349,7 @@ void PatchView::setTheme(Theme theme) {
   const SceneColors colors = sceneColors(theme);
   parts_->overlay->setTheme(theme, colors);
   if (parts_->scene) parts_->scene->setColors(colors);
+  if (parts_->motion) parts_->motion->setTheme(theme);
   QPalette own = palette();
   own.setColor(QPalette::Window, Colors::of(theme).scene_bottom);
   setPalette(own);
@@ -418,6 +430,27 @@ bool PatchView::isUpToDate() const { return !parts_->builder || !parts_->builder
 
 QString PatchView::renderer() const { return openGlInWords(parts_->opengl); }
 
+void PatchView::setCurrentUp(const std::optional<Eigen::Vector3d>& up_o) {
+  if (!parts_->motion) return;
+  const bool was_shown = parts_->scene->showsGravity();
+  parts_->motion->setUp(up_o);
+  if (parts_->scene->showsGravity() != was_shown) parts_->updateOverlay();
+}
+
+void PatchView::setNextUp(const std::optional<Eigen::Vector3d>& up_o) {
+  if (parts_->motion) parts_->motion->setNextUp(up_o);
+}
+
+void PatchView::setTurnable(bool turnable) {
+  if (parts_->motion) parts_->motion->setTurnable(turnable);
+}
+
+void PatchView::setAnimated(bool animated) {
+  if (parts_->motion) parts_->motion->setAnimated(animated);
+}
+
+bool PatchView::isAnimating() const { return parts_->motion && parts_->motion->isAnimating(); }
+
 QImage PatchView::screenshot() {
   if (parts_->gl == nullptr) return grab().toImage();
   if (parts_->builder->isBusy()) parts_->builder->finish();
@@ -427,6 +460,7 @@ QImage PatchView::screenshot() {
   QImage image = parts_->gl->grabFramebuffer();
   QPainter painter(&image);
   parts_->overlay->paint(painter, parts_->gl->size());
+  parts_->motion->paintCaption(painter, parts_->gl->size());
   return image;
 }
 

@@ -51,6 +51,17 @@ class PatchView : public QWidget {
   void setLoop(std::optional<LoopEvaluation> loop);
   void setComparison(std::vector<Comparison> comparison);
 
+  /// Where up is now, a unit vector in the frame of the largest patch: the picture turns as the part is turned. None:
+  /// it stays. Cheap: may be called 20 times a second.
+  void setCurrentUp(const std::optional<Eigen::Vector3d>& up_o);
+  /// Where up is to be in the next pose: shown as a ghost beside the skin that turns there. None: no ghost.
+  void setNextUp(const std::optional<Eigen::Vector3d>& up_o);
+  /// Whether turnRequested() is obeyed: then a button, Shift and the arrow keys turn the part instead of the picture.
+  void setTurnable(bool turnable);
+  /// Off: nothing moves by itself.
+  void setAnimated(bool animated);
+  [[nodiscard]] bool isAnimating() const;
+
   /// Chooses the colours as the menu does.
   void setColoring(CellColoring coloring);
 
@@ -74,6 +85,8 @@ class PatchView : public QWidget {
  signals:
   /// "Save picture of the 3D view…" was chosen: the window asks for a path and saves screenshot().
   void pictureRequested();
+  /// The part should be turned until this direction of the largest patch's frame points up; at most 20 times a second.
+  void turnRequested(Eigen::Vector3d up_o);
   /// What the measuring tool says; empty when it ends.
   void measured(const QString& words);
 

@@ -8,6 +8,9 @@
 
 namespace hexoderm {
 
+/// A cell that turns by itself may do so at this many times the drift limit.
+inline constexpr double kRestlessTimesLimit = 2;
+
 /// When a part counts as still (SPEC, step 11).
 struct StillnessOptions {
   double drift_limit_rad_s = 0;   ///< the patch's direction turns slower than this; constructor: 1 deg/s

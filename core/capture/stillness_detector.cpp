@@ -17,7 +17,6 @@ constexpr double kLongestWindow_s = 1.5;
 constexpr float kDead_g = 0.1F;
 constexpr double kMovingTimesLimit = 3;    // a patch that drifts faster than this many times the limit is moved
 constexpr double kNoisyTimesOthers = 4;    // rms of a noisy cell over the median
-constexpr double kRestlessTimesLimit = 2;  // drift of a cell that turns alone
 constexpr float kRestlessSigma2 = 36;      // six sigma of its own noise
 constexpr double kLongAgo_s = -1e300;
 constexpr double kWhiteScatter_s = 10;

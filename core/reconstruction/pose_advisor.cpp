@@ -1,5 +1,6 @@
 #include "hexoderm/reconstruction/pose_advisor.h"
 
+#include "hexoderm/reconstruction/pose_coverage.h"
 #include "hexoderm/util/units.h"
 
 #include "rigidity_test.h"
@@ -89,26 +90,20 @@ PoseAdvice adviseNextPose(const CellModel& model, const std::vector<Eigen::Vecto
 }
 
 std::string adviceInWords(const PoseAdvice& advice, const Reconstruction& reconstruction) {
-  const PatchReconstruction* largest = nullptr;
-  for (const PatchReconstruction& patch : reconstruction.patches) {
-    if (largest == nullptr || patch.cells.size() > largest->cells.size()) largest = &patch;
+  const PatchReconstruction* patch = largestPatch(reconstruction);
+  if (patch == nullptr) return {};
+  const CellFacing target = clearestFacing(*patch, advice.up);
+  const std::string begin = "Turn the part so that cell " + toString(target.cell);
+  switch (target.facing) {
+    case Facing::Ceiling:
+      return begin + " faces the ceiling.";
+    case Facing::Floor:
+      return begin + " faces the floor.";
+    case Facing::Wall:
+      // On a nearly flat patch no cell may face up or down: then its edge does, and the wall is what it faces.
+      return begin + " faces a wall, its side towards the ceiling.";
   }
-  if (largest == nullptr || largest->cells.empty()) return {};
-  const CellPlacement* chosen = nullptr;
-  double most_upright = 0;
-  for (const CellPlacement& cell : largest->cells) {
-    const double upright = cell.T_o_u.R.col(2).dot(advice.up);
-    if (chosen == nullptr || std::abs(upright) > std::abs(most_upright) + 1e-9) {
-      chosen = &cell;
-      most_upright = upright;
-    }
-  }
-  const std::string name = "cell " + toString(chosen->cell);
-  const double off = toDegrees(std::acos(std::min(1.0, std::abs(most_upright))));
-  // On a nearly flat patch no cell may face up or down: then its edge does, and the wall is what it faces.
-  constexpr double kClearly = 45;
-  if (off > kClearly) return "Turn the part so that " + name + " faces a wall, its side towards the ceiling.";
-  return "Turn the part so that " + name + (most_upright > 0 ? " faces the ceiling." : " faces the floor.");
+  return {};
 }
 
 }  // namespace hexoderm

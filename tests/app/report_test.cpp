@@ -95,9 +95,9 @@ TEST(Report, IsAPdfOfSeveralPages) {
   for (int k = 0; k < 60; ++k) result.findings.push_back(result.findings.front());
   const QByteArray pdf = reportPdf(contentOf(result));
   EXPECT_TRUE(pdf.startsWith("%PDF"));
-  const auto pages = QRegularExpression(QStringLiteral("/Count (\\d+)")).match(QString::fromLatin1(pdf));
-  ASSERT_TRUE(pages.hasMatch());
-  EXPECT_GE(pages.captured(1).toInt(), 2);
+  const int count = pdf.indexOf("/Count ");
+  ASSERT_GE(count, 0);
+  EXPECT_GE(QString::fromLatin1(pdf.mid(count + 7, 4)).trimmed().section(QLatin1Char('\n'), 0, 0).toInt(), 2);
 }
 
 TEST(Report, OfASkinWithoutAnythingIsStillAReport) {

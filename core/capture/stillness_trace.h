@@ -1,0 +1,86 @@
+#pragma once
+
+#include "hexoderm/capture/pose_recorder.h"
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+namespace hexoderm {
+
+/// What the part did at one moment of a trace.
+enum class TraceState {
+  Moving,      ///< turns, shakes, or is not judged yet
+  Still,       ///< is still; a capture does not run
+  Collecting,  ///< samples are being taken
+};
+
+struct TracePoint {
+  double time_s = 0;
+  /// Of the shown cell's reading from its mean over the last second, accelerometer's axes; absent where the cell sent
+  /// nothing.
+  std::optional<Eigen::Vector3d> deviation_g;
+  TraceState state = TraceState::Moving;
+};
+
+enum class TraceEventKind {
+  Captured,
+  ArmedAgain,  ///< moved enough since the last capture
+  StartsOver,  ///< a motion discarded what was being collected
+};
+struct TraceEvent {
+  double time_s = 0;
+  TraceEventKind kind{};
+  PoseId pose;  ///< of Captured
+};
+
+/// The last ten seconds of one cell's readings and of what the stillness detector made of them, for a strip chart.
+///
+/// The cell is the one that decides whether the part is still, or one that was picked. Which one decides can change
+/// with every judgement; another one is shown only when it has been decisive for a second. Readings of all cells of up
+/// to kMaxKeptCells are kept, so that a cell that is shown from now on comes with its past; of larger skins only the
+/// shown one's. Belongs to one thread.
+class StillnessTrace {
+ public:
+  static constexpr double kSpan_s = 10;
+  static constexpr std::size_t kMaxKeptCells = 1000;
+
+  /// What a PoseRecorder says and what it read, at most 20 times per second. Where device time goes back, the trace
+  /// starts anew. Times that are no number are ignored.
+  void add(const HoldStatus& hold, const SkinPreview& preview);
+  /// `time_s`: device time, for example CapturedPose::end_s.
+  void addCaptured(PoseId pose, double time_s);
+  /// None: the cell that decides.
+  void pick(std::optional<CellId> cell);
+  void clear();
+
+  [[nodiscard]] const std::deque<TracePoint>& points() const { return points_; }
+  [[nodiscard]] const std::deque<TraceEvent>& events() const { return events_; }
+  /// ID 0 as long as no cell has decided anything.
+  [[nodiscard]] CellId cell() const { return picked_.value_or(decisive_); }
+  [[nodiscard]] bool isPicked() const { return picked_.has_value(); }
+  [[nodiscard]] double limit_g() const { return limit_g_; }
+  /// Device time of the last point; 0 without any.
+  [[nodiscard]] double now_s() const { return points_.empty() ? 0 : points_.back().time_s; }
+
+ private:
+  void noteDecisive(CellId cell, double time_s);
+  void noteEvents(const HoldStatus& hold, double time_s);
+  void addPoint(double time_s, TraceState state, const std::vector<CellSample>& means);
+  [[nodiscard]] std::optional<Eigen::Vector3d> deviation(std::size_t point) const;
+  void showOther();
+
+  std::deque<TracePoint> points_;
+  std::deque<TraceEvent> events_;
+  std::deque<std::vector<CellSample>> kept_;             ///< beside points_
+  std::deque<std::optional<Eigen::Vector3d>> readings_;  ///< of the shown cell, beside points_
+  CellId decisive_;
+  CellId candidate_;
+  double candidate_since_s_ = 0;
+  std::optional<CellId> picked_;
+  double limit_g_ = 0.030;
+  std::optional<bool> was_armed_;
+  std::uint64_t restarts_ = 0;
+};
+
+}  // namespace hexoderm

@@ -1,0 +1,156 @@
+#include "widgets/coverage_view.h"
+
+#include "sample_reconstruction.h"
+
+#include <gtest/gtest.h>
+#include <QElapsedTimer>
+#include <QSignalSpy>
+#include <QTest>
+
+namespace hexoderm {
+namespace {
+
+PoseCoverage coverageWith(const std::vector<Eigen::Vector3d>& ups, std::size_t disabled = 99) {
+  auto result = sampleX17();
+  result->poses.clear();
+  for (std::size_t k = 0; k < ups.size(); ++k) {
+    const PoseId id(static_cast<std::uint32_t>(k + 1));
+    result->patches[0].gravity.push_back({id, ups[k].normalized(), 0.01});
+    PoseSummary pose;
+    pose.pose = id;
+    pose.label = "label " + toString(id);
+    result->poses.push_back(pose);
+  }
+  PoseCoverage coverage = coverageOf(*result);
+  if (disabled < ups.size()) {
+    coverage.seen[disabled].enabled = false;
+    --coverage.enabled;
+  }
+  return coverage;
+}
+
+class CoverageViewTest : public testing::Test {
+ protected:
+  void show(const QSize& size = {320, 360}) {
+    view.resize(size);
+    view.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
+  }
+  QColor colorAt(const Eigen::Vector3d& up, const QPoint& beside = {}) {
+    const QImage image = view.grab().toImage();
+    return image.pixelColor((view.placeOf(up).toPoint() + beside) * image.devicePixelRatio());
+  }
+
+  CoverageView view;
+};
+
+TEST_F(CoverageViewTest, DrawsEveryPoseOnItsDisc) {
+  show();
+  const std::vector<Eigen::Vector3d> ups = {{0, 0, 1}, {0.2, 0.3, -0.9}};
+  view.setCoverage(coverageWith({}));
+  const QImage before = view.grab().toImage();
+  view.setCoverage(coverageWith(ups));
+  EXPECT_NE(view.grab().toImage(), before);
+  EXPECT_LT(view.placeOf(ups[0]).x(), view.width() / 2.0);
+  EXPECT_GT(view.placeOf(ups[1].normalized()).x(), view.width() / 2.0);
+  const QColor full = linkStroke(EdgeQuality::Fully, Theme::Light).color;
+  EXPECT_EQ(colorAt(ups[0], {-5, 0}), full);
+  EXPECT_EQ(colorAt(ups[1].normalized(), {-5, 0}), full);
+}
+
+TEST_F(CoverageViewTest, ADisabledPoseIsHollow) {
+  show();
+  const std::vector<Eigen::Vector3d> ups = {{0, 0, 1}, {1, 0, 0.3}};
+  view.setCoverage(coverageWith(ups, 0));
+  EXPECT_EQ(colorAt(ups[0], {-5, 0}), Colors::of(Theme::Light).panel);
+}
+
+TEST_F(CoverageViewTest, AClickPicksThePoseUnderIt) {
+  show();
+  view.setCoverage(coverageWith({{0, 0, 1}, {0.2, 0.3, -0.9}}));
+  QSignalSpy picked(&view, &CoverageView::posePicked);
+  QTest::mouseClick(&view, Qt::LeftButton, {}, view.placeOf(Eigen::Vector3d(0.2, 0.3, -0.9).normalized()).toPoint());
+  ASSERT_EQ(picked.count(), 1);
+  EXPECT_EQ(view.pickedPose(), PoseId(2));
+  QTest::mouseClick(&view, Qt::LeftButton, {}, QPoint(2, 2));
+  EXPECT_EQ(picked.count(), 1) << "beside the poses nothing is picked";
+}
+
+TEST_F(CoverageViewTest, ArrowKeysGoRoundThePoses) {
+  show();
+  view.setCoverage(coverageWith({{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}));
+  QSignalSpy picked(&view, &CoverageView::posePicked);
+  QTest::keyClick(&view, Qt::Key_Right);
+  EXPECT_EQ(view.pickedPose(), PoseId(1));
+  QTest::keyClick(&view, Qt::Key_Right);
+  QTest::keyClick(&view, Qt::Key_Right);
+  QTest::keyClick(&view, Qt::Key_Right);
+  EXPECT_EQ(view.pickedPose(), PoseId(1));
+  QTest::keyClick(&view, Qt::Key_Left);
+  EXPECT_EQ(view.pickedPose(), PoseId(3));
+  EXPECT_EQ(picked.count(), 5);
+}
+
+TEST_F(CoverageViewTest, APosePickedElsewhereIsOutlinedWithoutASignal) {
+  show();
+  view.setCoverage(coverageWith({{0, 0, 1}}));
+  QSignalSpy picked(&view, &CoverageView::posePicked);
+  const QImage before = view.grab().toImage();
+  view.setPickedPose(PoseId(1));
+  EXPECT_NE(view.grab().toImage(), before);
+  EXPECT_EQ(picked.count(), 0);
+}
+
+TEST_F(CoverageViewTest, ShowsNextAndPresentDirectionAndHidesThemAgain) {
+  show();
+  view.setCoverage(coverageWith({{0, 0, 1}}));
+  const QImage before = view.grab().toImage();
+  view.setNext(Eigen::Vector3d(0.3, 0.2, -0.9).normalized());
+  const QImage with_next = view.grab().toImage();
+  EXPECT_NE(with_next, before);
+  const Eigen::Vector3d now = Eigen::Vector3d(-0.5, 0.4, 0.7).normalized();
+  view.setCurrent(now);
+  EXPECT_EQ(colorAt(now), Colors::of(Theme::Light).text);
+  view.setCurrent(std::nullopt);
+  EXPECT_EQ(view.grab().toImage(), with_next);
+  view.setNext(std::nullopt);
+  EXPECT_EQ(view.grab().toImage(), before);
+}
+
+TEST_F(CoverageViewTest, SaysInWordsWhatItShows) {
+  view.setCoverage(coverageWith({{1, 0, 0}, {0, 1, 0}}));
+  const QString words = view.accessibleDescription();
+  EXPECT_TRUE(words.contains(QStringLiteral("2 poses"))) << words.toStdString();
+  EXPECT_TRUE(words.contains(QStringLiteral("fully defined"))) << words.toStdString();
+  EXPECT_TRUE(words.contains(QStringLiteral("facing the ceiling or the floor: the third value is 0.00, needs 0.50")))
+      << words.toStdString();
+  view.setCoverage(coverageWith({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}));
+  EXPECT_TRUE(view.accessibleDescription().contains(QStringLiteral("No direction is missing")));
+}
+
+TEST_F(CoverageViewTest, FitsIntoSmallPlacesAndLooksDifferentInTheDark) {
+  show({180, 230});
+  view.setCoverage(coverageWith({{0, 0, 1}, {0, 0.1, -1}}));
+  EXPECT_TRUE(QRectF(view.rect()).contains(view.placeOf(Eigen::Vector3d::UnitZ())));
+  EXPECT_TRUE(QRectF(view.rect()).contains(view.placeOf(-Eigen::Vector3d::UnitZ())));
+  const QImage light = view.grab().toImage();
+  view.setTheme(Theme::Dark);
+  EXPECT_NE(view.grab().toImage(), light);
+}
+
+TEST_F(CoverageViewTest, FollowsThePresentDirectionQuickly) {
+  show();
+  view.setCoverage(coverageWith({{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}));
+  view.grab();
+  QElapsedTimer clock;
+  clock.start();
+  constexpr int kTimes = 100;
+  for (int k = 0; k < kTimes; ++k) {
+    view.setCurrent(Eigen::Vector3d(std::cos(0.05 * k), std::sin(0.05 * k), 0.4).normalized());
+    view.repaint();
+  }
+  EXPECT_LT(clock.elapsed(), 5 * kTimes) << "ms for all pictures";
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QByteArray>
+#include <QObject>
+#include <memory>
+
+namespace hexoderm {
+
+/// Short tones for whoever looks at the part and not at the screen: one for a captured pose, a lower double one for a
+/// motion that starts a capture over. Silent where there is no audio device; never an error, never waits.
+class CaptureTone : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit CaptureTone(QObject* parent = nullptr);
+  ~CaptureTone() override;
+
+  void setEnabled(bool enabled);
+  [[nodiscard]] bool isEnabled() const;
+  /// There is a device to play on; looked up by the first tone.
+  [[nodiscard]] bool hasDevice() const;
+
+ public slots:
+  void playCaptured();
+  void playStartsOver();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+enum class ToneKind { Captured, StartsOver };
+/// 16 bit signed mono samples of a tone at a sample rate, little-endian.
+QByteArray toneSamples(ToneKind kind, int rate_hz);
+
+}  // namespace hexoderm
