@@ -9,6 +9,13 @@
 #include <algorithm>
 
 namespace hexoderm {
+namespace {
+
+struct OpenGlWords {
+  Q_DECLARE_TR_FUNCTIONS(hexoderm::OpenGlWords)
+};
+
+}  // namespace
 
 QSurfaceFormat sceneSurfaceFormat() {
   QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
@@ -37,10 +44,9 @@ OpenGlInfo queryOpenGl() {
 }
 
 QString openGlInWords(const OpenGlInfo& info) {
-  if (!info.usable) return QCoreApplication::translate("hexoderm::OpenGl", "no OpenGL 3.2");
-  const QString name =
-      info.renderer.isEmpty() ? QCoreApplication::translate("hexoderm::OpenGl", "unknown renderer") : info.renderer;
-  return info.software ? QCoreApplication::translate("hexoderm::OpenGl", "%1, in software").arg(name) : name;
+  if (!info.usable) return OpenGlWords::tr("no OpenGL 3.2");
+  const QString name = info.renderer.isEmpty() ? OpenGlWords::tr("unknown renderer") : info.renderer;
+  return info.software ? OpenGlWords::tr("%1, in software").arg(name) : name;
 }
 
 }  // namespace hexoderm

@@ -19,6 +19,7 @@
 #include <vtkRenderWindowInteractor.h>
 #include <QAction>
 #include <QGridLayout>
+#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QTimer>
@@ -65,7 +66,7 @@ SceneColors sceneColors(Theme theme) {
   scene.arrow_head = toRgb(colors.accent);
   scene.text = toRgb(colors.text);
   scene.overlay = toRgb(colors.accent);
-  scene.ellipsoid = toRgb(dark ? colors.selection : colors.text);
+  scene.ellipsoid = toRgb(dark ? colors.selection : colors.panel);
   return scene;
 }
 
@@ -131,6 +132,7 @@ void PatchView::Parts::build() {
     motion = new PartMotion(view, gl, *scene, [this] { requestRender(); });
     motion->setParent(this);
     connect(motion, &PartMotion::turnRequested, view, &PatchView::turnRequested);
+    connect(controls, &PatchControls::heightChanged, motion, &PartMotion::setTop);
   }
   connect(selection, &Selection::changed, this, [this] { updateSelection(); });
   connect(&measure, &MeasureTool::changed, this, [this] { updateMeasure(); });
@@ -243,8 +245,8 @@ void PatchView::Parts::updateOverlay() {
   } else if (!reconstruction || reconstruction->cellCount() == 0) {
     content.hint = PatchView::tr("No skin yet: open a session or start the demo.");
   } else if (scene->content() == nullptr) {
-    content.hint =
-        PatchView::tr("Preparing the picture of %n cell(s)…", nullptr, static_cast<int>(reconstruction->cellCount()));
+    content.hint = PatchView::tr("Preparing the picture of %1 cells…")
+                       .arg(QLocale().toString(static_cast<int>(reconstruction->cellCount())));
   } else {
     content.gravity = scene->showsGravity();
     content.legend = legend();

@@ -21,7 +21,6 @@ namespace hexoderm {
 namespace {
 
 constexpr vtkIdType kSides = 6;
-constexpr std::size_t kPointsPerCell = 12;
 constexpr int kDashesPerSide = 4;
 constexpr double kMargin = 1.06;        // around the patch
 constexpr double kMiddleHeight = 0.55;  // of the window
@@ -112,13 +111,14 @@ void SceneGhost::setSmoothed(bool smoothed) { parts_->renderer->SetUseFXAA(smoot
 
 void SceneGhost::setPatch(const SceneLayout& layout, std::size_t first, std::size_t count) {
   parts_->cells = count;
+  const std::size_t per_cell = layout.pointsPerCell();
   Eigen::AlignedBox3d box;
   vtkNew<vtkPoints> corners;
   vtkNew<vtkPoints> dash_ends;
   vtkNew<vtkCellArray> faces;
   vtkNew<vtkCellArray> dashes;
   for (std::size_t cell = first; cell < first + count; ++cell) {
-    const Eigen::Vector3d* corner = &layout.points[kPointsPerCell * cell];
+    const Eigen::Vector3d* corner = &layout.points[per_cell * cell];
     for (vtkIdType k = 0; k < kSides; ++k) box.extend(corner[k]);
     if (count > kMaxCells) continue;
     std::array<vtkIdType, kSides> ids{};
@@ -139,7 +139,7 @@ void SceneGhost::setPatch(const SceneLayout& layout, std::size_t first, std::siz
   }
   parts_->center = box.isEmpty() ? Eigen::Vector3d::Zero() : Eigen::Vector3d(box.center());
   parts_->radius_m = 0;
-  for (std::size_t k = kPointsPerCell * first; k < kPointsPerCell * (first + count); ++k) {
+  for (std::size_t k = per_cell * first; k < per_cell * (first + count); ++k) {
     parts_->radius_m = std::max(parts_->radius_m, (layout.points[k] - parts_->center).norm());
   }
   vtkNew<vtkPolyData> fill;

@@ -22,7 +22,9 @@ constexpr int kMargin = 8;    // below and at the sides
 constexpr std::size_t kMaxCategories = 12;
 constexpr std::array kClasses = {EdgeQuality::Undefined, EdgeQuality::Partially, EdgeQuality::Fully, EdgeQuality::Over};
 
-QString tr(const char* text) { return QCoreApplication::translate("hexoderm::Scene", text); }
+struct SceneLegend {
+  Q_DECLARE_TR_FUNCTIONS(hexoderm::SceneLegend)
+};
 
 QColor toQColor(const Rgb& color) { return QColor::fromRgbF(color[0], color[1], color[2]); }
 
@@ -51,19 +53,20 @@ std::vector<Entry> categoryEntries(const LegendContent& content, Theme theme, co
   std::vector<Entry> entries;
   if (content.coloring == CellColoring::LinkQuality) {
     for (const EdgeQuality quality : kClasses) entries.push_back(classEntry(quality, theme));
-    if (content.some_unknown) entries.push_back(swatch(tr("no link"), toQColor(colors.neutral)));
+    if (content.some_unknown) entries.push_back(swatch(SceneLegend::tr("no link"), toQColor(colors.neutral)));
     return entries;
   }
   const bool by_part = content.coloring == CellColoring::BodyPart;
   const std::size_t count = by_part ? content.body_parts.size() : content.patches;
   for (std::size_t k = 0; k < std::min(count, kMaxCategories); ++k) {
-    entries.push_back(
-        swatch(by_part ? content.body_parts[k] : tr("patch %1").arg(k + 1), toQColor(categoryColor(colors, k, count))));
+    entries.push_back(swatch(by_part ? content.body_parts[k] : SceneLegend::tr("patch %1").arg(k + 1),
+                             toQColor(categoryColor(colors, k, count))));
   }
   if (count > kMaxCategories) {
-    entries.push_back({tr("and %1 more").arg(count - kMaxCategories), [](QPainter&, double, double) {}});
+    entries.push_back({SceneLegend::tr("and %1 more").arg(count - kMaxCategories), [](QPainter&, double, double) {}});
   }
-  if (by_part && content.some_unknown) entries.push_back(swatch(tr("not known"), toQColor(colors.neutral)));
+  if (by_part && content.some_unknown)
+    entries.push_back(swatch(SceneLegend::tr("not known"), toQColor(colors.neutral)));
   return entries;
 }
 
@@ -114,7 +117,7 @@ int paintScale(QPainter& painter, const QSize& area, const LegendContent& conten
   const QString title = coloringTitle(content.coloring);
   const QString low = lowEndInWords(content.coloring, content.range);
   const QString high = highEndInWords(content.coloring, content.range);
-  const QString unknown = content.some_unknown ? tr("not known") : QString();
+  const QString unknown = content.some_unknown ? SceneLegend::tr("not known") : QString();
   const int row_height = metrics.height() + 2;
   const int unknown_width = unknown.isEmpty() ? 0 : kBetween + kSample + kSpace + metrics.horizontalAdvance(unknown);
   const int ends = metrics.horizontalAdvance(low) + metrics.horizontalAdvance(high) + 2 * kSpace + unknown_width + 6;
@@ -168,11 +171,11 @@ int paintLegend(QPainter& painter, const QSize& area, const LegendContent& conte
 
 QString legendInWords(const LegendContent& content) {
   if (isQuantity(content.coloring)) {
-    return tr("Cells are coloured by: %1; from %2 (dark) to %3 (bright)")
+    return SceneLegend::tr("Cells are coloured by: %1; from %2 (dark) to %3 (bright)")
         .arg(coloringTitle(content.coloring), lowEndInWords(content.coloring, content.range),
              highEndInWords(content.coloring, content.range));
   }
-  return tr("Cells are coloured by: %1").arg(coloringName(content.coloring));
+  return SceneLegend::tr("Cells are coloured by: %1").arg(coloringName(content.coloring));
 }
 
 }  // namespace hexoderm

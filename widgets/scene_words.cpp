@@ -9,33 +9,36 @@
 namespace hexoderm {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("hexoderm::Scene", text); }
+struct SceneWords {
+  Q_DECLARE_TR_FUNCTIONS(hexoderm::SceneWords)
+};
 
 QString number(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
 
 /// "0.35 mm", "12 mm"
 QString millimetres(double length_m) {
   const double length_mm = toMillimetres(length_m);
-  return tr("%1 mm").arg(number(length_mm, length_mm < 1 ? 2 : 1));
+  return SceneWords::tr("%1 mm").arg(number(length_mm, length_mm < 1 ? 2 : 1));
 }
 
 /// As few decimals as the ends of the scales have.
 QString endNumber(double value) { return QLocale().toString(value, 'g', 6); }
 
 QString enlarged(double factor) {
-  return factor > 1 ? tr("drawn %1 times as large").arg(endNumber(factor)) : tr("true to scale");
+  return factor > 1 ? SceneWords::tr("drawn %1 times as large").arg(endNumber(factor))
+                    : SceneWords::tr("true to scale");
 }
 
 QString surfaceWord(SurfaceKind kind) {
   switch (kind) {
     case SurfaceKind::Plane:
-      return tr("plane");
+      return SceneWords::tr("plane");
     case SurfaceKind::Sphere:
-      return tr("sphere");
+      return SceneWords::tr("sphere");
     case SurfaceKind::Cylinder:
-      return tr("cylinder");
+      return SceneWords::tr("cylinder");
     case SurfaceKind::Cone:
-      return tr("cone");
+      return SceneWords::tr("cone");
   }
   return {};
 }
@@ -45,33 +48,33 @@ QString surfaceWord(SurfaceKind kind) {
 QString coloringName(CellColoring coloring) {
   switch (coloring) {
     case CellColoring::LinkQuality:
-      return tr("link quality");
+      return SceneWords::tr("link quality");
     case CellColoring::Residual:
-      return tr("residual");
+      return SceneWords::tr("residual");
     case CellColoring::Deviation:
-      return tr("predicted deviation");
+      return SceneWords::tr("predicted deviation");
     case CellColoring::PositionUncertainty:
-      return tr("position uncertainty");
+      return SceneWords::tr("position uncertainty");
     case CellColoring::OrientationUncertainty:
-      return tr("orientation uncertainty");
+      return SceneWords::tr("orientation uncertainty");
     case CellColoring::PathDistance:
-      return tr("distance from the origin");
+      return SceneWords::tr("distance from the origin");
     case CellColoring::SurfaceDistance:
-      return tr("distance from the fitted surface");
+      return SceneWords::tr("distance from the fitted surface");
     case CellColoring::Patch:
-      return tr("patch");
+      return SceneWords::tr("patch");
     case CellColoring::BodyPart:
-      return tr("body part");
+      return SceneWords::tr("body part");
     case CellColoring::ReadingX:
-      return tr("reading x");
+      return SceneWords::tr("reading x");
     case CellColoring::ReadingY:
-      return tr("reading y");
+      return SceneWords::tr("reading y");
     case CellColoring::ReadingZ:
-      return tr("reading z");
+      return SceneWords::tr("reading z");
     case CellColoring::ReadingNorm:
-      return tr("reading, norm");
+      return SceneWords::tr("reading, norm");
     case CellColoring::Temperature:
-      return tr("temperature");
+      return SceneWords::tr("temperature");
   }
   return {};
 }
@@ -79,27 +82,27 @@ QString coloringName(CellColoring coloring) {
 QString coloringTitle(CellColoring coloring) {
   switch (coloring) {
     case CellColoring::Residual:
-      return tr("worst link's residual, °");
+      return SceneWords::tr("worst link's residual, °");
     case CellColoring::Deviation:
-      return tr("worst link's predicted deviation, °");
+      return SceneWords::tr("worst link's predicted deviation, °");
     case CellColoring::PositionUncertainty:
-      return tr("position uncertainty (95 %), mm");
+      return SceneWords::tr("position uncertainty (95 %), mm");
     case CellColoring::OrientationUncertainty:
-      return tr("orientation uncertainty (95 %), °");
+      return SceneWords::tr("orientation uncertainty (95 %), °");
     case CellColoring::PathDistance:
-      return tr("distance from the origin along the path, mm");
+      return SceneWords::tr("distance from the origin along the path, mm");
     case CellColoring::SurfaceDistance:
-      return tr("distance from the fitted surface, mm");
+      return SceneWords::tr("distance from the fitted surface, mm");
     case CellColoring::ReadingX:
-      return tr("newest reading along x, g");
+      return SceneWords::tr("newest reading along x, g");
     case CellColoring::ReadingY:
-      return tr("newest reading along y, g");
+      return SceneWords::tr("newest reading along y, g");
     case CellColoring::ReadingZ:
-      return tr("newest reading along z, g");
+      return SceneWords::tr("newest reading along z, g");
     case CellColoring::ReadingNorm:
-      return tr("norm of the newest reading, g");
+      return SceneWords::tr("norm of the newest reading, g");
     case CellColoring::Temperature:
-      return tr("temperature, °C");
+      return SceneWords::tr("temperature, °C");
     case CellColoring::LinkQuality:
     case CellColoring::Patch:
     case CellColoring::BodyPart:
@@ -116,14 +119,15 @@ QString lowEndInWords(CellColoring coloring, const ColorRange& range) {
     case CellColoring::ReadingZ:
     case CellColoring::ReadingNorm:
     case CellColoring::Temperature:
-      return tr("%1 or less").arg(endNumber(range.low));
+      return SceneWords::tr("%1 or less").arg(endNumber(range.low));
     default:
       return endNumber(range.low);
   }
 }
 
 QString highEndInWords(CellColoring coloring, const ColorRange& range) {
-  return coloring == CellColoring::PathDistance ? endNumber(range.high) : tr("%1 or more").arg(endNumber(range.high));
+  return coloring == CellColoring::PathDistance ? endNumber(range.high)
+                                                : SceneWords::tr("%1 or more").arg(endNumber(range.high));
 }
 
 QString whyNoColoring(CellColoring coloring, bool has_values) {
@@ -131,23 +135,23 @@ QString whyNoColoring(CellColoring coloring, bool has_values) {
   switch (coloring) {
     case CellColoring::Residual:
     case CellColoring::Deviation:
-      return tr("No link was measured yet");
+      return SceneWords::tr("No link was measured yet");
     case CellColoring::PositionUncertainty:
     case CellColoring::OrientationUncertainty:
-      return tr("This result states no uncertainties");
+      return SceneWords::tr("This result states no uncertainties");
     case CellColoring::PathDistance:
-      return tr("This result holds no paths from the origin");
+      return SceneWords::tr("This result holds no paths from the origin");
     case CellColoring::SurfaceDistance:
-      return tr("No surface was fitted yet");
+      return SceneWords::tr("No surface was fitted yet");
     case CellColoring::BodyPart:
-      return tr("The skin does not say which body part its cells are on");
+      return SceneWords::tr("The skin does not say which body part its cells are on");
     case CellColoring::ReadingX:
     case CellColoring::ReadingY:
     case CellColoring::ReadingZ:
     case CellColoring::ReadingNorm:
-      return tr("There are no readings: connect a skin");
+      return SceneWords::tr("There are no readings: connect a skin");
     case CellColoring::Temperature:
-      return tr("The skin sends no temperatures");
+      return SceneWords::tr("The skin sends no temperatures");
     case CellColoring::LinkQuality:
     case CellColoring::Patch:
       break;
@@ -158,27 +162,27 @@ QString whyNoColoring(CellColoring coloring, bool has_values) {
 QString itemName(SceneItem item) {
   switch (item) {
     case SceneItem::Ports:
-      return tr("&Ports");
+      return SceneWords::tr("&Ports");
     case SceneItem::Ids:
-      return tr("Cell &IDs");
+      return SceneWords::tr("Cell &IDs");
     case SceneItem::Axes:
-      return tr("A&xes");
+      return SceneWords::tr("A&xes");
     case SceneItem::Gravity:
-      return tr("&Gravity");
+      return SceneWords::tr("&Gravity");
     case SceneItem::Links:
-      return tr("&Links by quality");
+      return SceneWords::tr("&Links by quality");
     case SceneItem::Tree:
-      return tr("Shortest-path t&ree");
+      return SceneWords::tr("Shortest-path t&ree");
     case SceneItem::Ellipsoids:
-      return tr("&Uncertainty ellipsoids");
+      return SceneWords::tr("&Uncertainty ellipsoids");
     case SceneItem::Truth:
-      return tr("&Truth");
+      return SceneWords::tr("&Truth");
     case SceneItem::Surface:
-      return tr("Fitted &surface");
+      return SceneWords::tr("Fitted &surface");
     case SceneItem::Loop:
-      return tr("L&oop gap");
+      return SceneWords::tr("L&oop gap");
     case SceneItem::Comparison:
-      return tr("&Differences to the other calibration");
+      return SceneWords::tr("&Differences to the other calibration");
   }
   return {};
 }
@@ -186,27 +190,27 @@ QString itemName(SceneItem item) {
 QString itemTip(SceneItem item) {
   switch (item) {
     case SceneItem::Ports:
-      return tr("Discs where a link joins a neighbour, rings where a port is free");
+      return SceneWords::tr("Discs where a link joins a neighbour, rings where a port is free");
     case SceneItem::Ids:
-      return tr("Each cell's number, on faces that look at you");
+      return SceneWords::tr("Each cell's number, on faces that look at you");
     case SceneItem::Axes:
-      return tr("The directions of the patch's frame, which is the origin cell's");
+      return SceneWords::tr("The directions of the patch's frame, which is the origin cell's");
     case SceneItem::Gravity:
-      return tr("Where gravity points in the picked pose");
+      return SceneWords::tr("Where gravity points in the picked pose");
     case SceneItem::Links:
-      return tr("Every link in the colour and line style of its class; muted links are crossed");
+      return SceneWords::tr("Every link in the colour and line style of its class; muted links are crossed");
     case SceneItem::Tree:
-      return tr("The links by which every cell is reached from the origin on the shortest way");
+      return SceneWords::tr("The links by which every cell is reached from the origin on the shortest way");
     case SceneItem::Ellipsoids:
-      return tr("The region that holds each cell's centre with 95 % probability, relative to the origin");
+      return SceneWords::tr("The region that holds each cell's centre with 95 % probability, relative to the origin");
     case SceneItem::Truth:
-      return tr("Where the simulated cells really are, moved onto the result as well as possible");
+      return SceneWords::tr("Where the simulated cells really are, moved onto the result as well as possible");
     case SceneItem::Surface:
-      return tr("The surface fitted to the cells, with each cell's distance from it");
+      return SceneWords::tr("The surface fitted to the cells, with each cell's distance from it");
     case SceneItem::Loop:
-      return tr("The gap between the two ports where the loop should close");
+      return SceneWords::tr("The gap between the two ports where the loop should close");
     case SceneItem::Comparison:
-      return tr("From where each cell was to where it is now");
+      return SceneWords::tr("From where each cell was to where it is now");
   }
   return {};
 }
@@ -216,9 +220,9 @@ QString whyNotShown(SceneItem item, Availability availability) {
     case Availability::Available:
       return {};
     case Availability::NoSkin:
-      return tr("There is no skin yet");
+      return SceneWords::tr("There is no skin yet");
     case Availability::TooManyCells:
-      return tr("This skin has too many cells to draw them: at most %1")
+      return SceneWords::tr("This skin has too many cells to draw them: at most %1")
           .arg(QLocale().toString(
               static_cast<int>(item == SceneItem::Ellipsoids ? SceneExtras::kMaxEllipsoids : SceneExtras::kMaxCells)));
     case Availability::NoData:
@@ -226,15 +230,15 @@ QString whyNotShown(SceneItem item, Availability availability) {
   }
   switch (item) {
     case SceneItem::Ellipsoids:
-      return tr("This result states no uncertainties");
+      return SceneWords::tr("This result states no uncertainties");
     case SceneItem::Truth:
-      return tr("Only of a simulated skin is the truth known");
+      return SceneWords::tr("Only of a simulated skin is the truth known");
     case SceneItem::Surface:
-      return tr("No surface was fitted yet");
+      return SceneWords::tr("No surface was fitted yet");
     case SceneItem::Loop:
-      return tr("No loop was evaluated yet");
+      return SceneWords::tr("No loop was evaluated yet");
     case SceneItem::Comparison:
-      return tr("No comparison was made yet");
+      return SceneWords::tr("No comparison was made yet");
     default:
       return {};
   }
@@ -243,20 +247,23 @@ QString whyNotShown(SceneItem item, Availability availability) {
 QStringList notesInWords(const SceneNotes& notes, const std::optional<SurfaceEvaluation>& surface,
                          const std::optional<LoopEvaluation>& loop) {
   QStringList lines;
-  if (notes.tree) lines << tr("broad lines: the shortest-path tree");
-  if (notes.ellipsoid_factor) lines << tr("ellipsoids: 95 %, %1").arg(enlarged(*notes.ellipsoid_factor));
-  if (notes.truth) lines << tr("outlines: the truth, moved onto the result");
+  if (notes.tree) lines << SceneWords::tr("broad lines: the shortest-path tree");
+  if (notes.ellipsoid_factor) lines << SceneWords::tr("ellipsoids: 95 %, %1").arg(enlarged(*notes.ellipsoid_factor));
+  if (notes.truth) lines << SceneWords::tr("outlines: the truth, moved onto the result");
   if (notes.distance_factor && surface) {
-    QString line = surface->radius_m
-                       ? tr("%1, radius %2").arg(surfaceWord(surface->kind), millimetres(*surface->radius_m))
-                       : surfaceWord(surface->kind);
-    line += tr("; rms distance %1, lines %2").arg(millimetres(surface->rms_m), enlarged(*notes.distance_factor));
+    QString line =
+        surface->radius_m
+            ? SceneWords::tr("%1, radius %2").arg(surfaceWord(surface->kind), millimetres(*surface->radius_m))
+            : surfaceWord(surface->kind);
+    line += SceneWords::tr("; rms distance %1, lines %2")
+                .arg(millimetres(surface->rms_m), enlarged(*notes.distance_factor));
     lines << line;
   }
-  if (notes.loop && loop) {
-    lines << tr("loop gap: %1, %2 % of the loop").arg(millimetres(loop->length_m), number(loop->percent, 1));
+  if (notes.loop_factor && loop) {
+    lines << SceneWords::tr("loop gap: %1, %2 % of the loop; the arrow %3")
+                 .arg(millimetres(loop->length_m), number(loop->percent, 1), enlarged(*notes.loop_factor));
   }
-  if (notes.shift_factor) lines << tr("arrows: from before to now, %1").arg(enlarged(*notes.shift_factor));
+  if (notes.shift_factor) lines << SceneWords::tr("arrows: from before to now, %1").arg(enlarged(*notes.shift_factor));
   return lines;
 }
 
@@ -264,14 +271,15 @@ QString distanceInWords(CellId a, CellId b, const std::optional<CellDistance>& d
   const QString from = QString::fromStdString(toString(a));
   const QString to = QString::fromStdString(toString(b));
   if (!distance) {
-    return tr("Cells %1 and %2 are in different patches: how these lie to each other is not known").arg(from, to);
+    return SceneWords::tr("Cells %1 and %2 are in different patches: how these lie to each other is not known")
+        .arg(from, to);
   }
-  const QString angle = tr("%1°").arg(number(toDegrees(distance->angle_rad), 1));
+  const QString angle = SceneWords::tr("%1°").arg(number(toDegrees(distance->angle_rad), 1));
   if (!distance->sigma_m) {
-    return tr("Cells %1 and %2: %3 apart, their faces %4 to each other")
+    return SceneWords::tr("Cells %1 and %2: %3 apart, their faces %4 to each other")
         .arg(from, to, millimetres(distance->length_m), angle);
   }
-  return tr("Cells %1 and %2: %3 ± %4 (95 %) apart, their faces %5 to each other")
+  return SceneWords::tr("Cells %1 and %2: %3 ± %4 (95 %) apart, their faces %5 to each other")
       .arg(from, to, millimetres(distance->length_m), millimetres(kSigmasFor95Percent * *distance->sigma_m), angle);
 }
 
