@@ -1853,11 +1853,11 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>twist</source>
-        <translation>Verdrillung</translation>
+        <translation>Verwindung</translation>
     </message>
     <message>
         <source>yaw</source>
-        <translation>Gieren</translation>
+        <translation>Drehung</translation>
     </message>
     <message>
         <source>position uncertainty</source>
@@ -1869,7 +1869,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>placed by</source>
-        <translation>platziert durch</translation>
+        <translation>eingeordnet durch</translation>
     </message>
     <message>
         <source>patch</source>
@@ -1881,7 +1881,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>residual, rms over poses</source>
-        <translation>Restfehler, rms über die Posen</translation>
+        <translation>Restfehler, Effektivwert über die Posen</translation>
     </message>
     <message>
         <source>bend, either way</source>
@@ -1889,11 +1889,11 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>twist, either way</source>
-        <translation>Verdrillung, beide Richtungen</translation>
+        <translation>Verwindung, beide Richtungen</translation>
     </message>
     <message>
         <source>yaw, either way</source>
-        <translation>Gieren, beide Richtungen</translation>
+        <translation>Drehung, beide Richtungen</translation>
     </message>
     <message>
         <source>position known to (95 %)</source>
@@ -2161,7 +2161,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>Gravity seen from several directions tells how every cell is turned against its neighbours. This session came from a file; no skin is connected to take more.</source>
-        <translation>Die Schwerkraft aus mehreren Richtungen zeigt, wie jede Zelle gegen ihre Nachbarn gedreht ist. Diese Sitzung kommt aus einer Datei; es ist keine Haut verbunden, die weitere Posen liefern könnte.</translation>
+        <translation>Schwerkraft aus mehreren Richtungen verrät, wie jede Zelle gegen ihre Nachbarn gedreht ist. Diese Sitzung kam aus einer Datei; für weitere Posen ist keine Haut verbunden.</translation>
     </message>
 </context>
 <context>
@@ -3995,35 +3995,35 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     </message>
     <message>
         <source>&amp;Ports</source>
-        <translation>&amp;Anschlüsse</translation>
+        <translation>&amp;Ports</translation>
     </message>
     <message>
         <source>Cell &amp;IDs</source>
-        <translation>Zellen-&amp;IDs</translation>
+        <translation>&amp;IDs der Zellen</translation>
     </message>
     <message>
         <source>A&amp;xes</source>
-        <translation>A&amp;chsen</translation>
+        <translation>&amp;Achsen</translation>
     </message>
     <message>
         <source>&amp;Gravity</source>
-        <translation>Sch&amp;werkraft</translation>
+        <translation>&amp;Schwerkraft</translation>
     </message>
     <message>
         <source>&amp;Links by quality</source>
-        <translation>Ver&amp;bindungen nach Güte</translation>
+        <translation>&amp;Verbindungen nach Güte</translation>
     </message>
     <message>
         <source>Shortest-path t&amp;ree</source>
-        <translation>Baum der kü&amp;rzesten Wege</translation>
+        <translation>&amp;Baum der kürzesten Wege</translation>
     </message>
     <message>
         <source>&amp;Uncertainty ellipsoids</source>
-        <translation>&amp;Unsicherheits-Ellipsoide</translation>
+        <translation>&amp;Unsicherheitsellipsoide</translation>
     </message>
     <message>
         <source>&amp;Truth</source>
-        <translation>Wahr&amp;heit</translation>
+        <translation>&amp;Wahrheit</translation>
     </message>
     <message>
         <source>Fitted &amp;surface</source>
@@ -4031,51 +4031,51 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     </message>
     <message>
         <source>L&amp;oop gap</source>
-        <translation>Spalt der S&amp;chleife</translation>
+        <translation>Lücke der S&amp;chleife</translation>
     </message>
     <message>
         <source>&amp;Differences to the other calibration</source>
-        <translation>&amp;Differenzen zur anderen Kalibrierung</translation>
+        <translation>&amp;Unterschiede zur anderen Kalibrierung</translation>
     </message>
     <message>
         <source>Discs where a link joins a neighbour, rings where a port is free</source>
-        <translation>Scheiben, wo eine Verbindung zum Nachbarn führt, Ringe, wo ein Anschluss frei ist</translation>
+        <translation>Scheiben, wo eine Verbindung ansetzt, Ringe, wo ein Port frei ist</translation>
     </message>
     <message>
         <source>Each cell&apos;s number, on faces that look at you</source>
-        <translation>Die Nummer jeder Zelle, auf Flächen, die zum Betrachter zeigen</translation>
+        <translation>Die Nummer jeder Zelle, auf zugewandten Seiten</translation>
     </message>
     <message>
         <source>The directions of the patch&apos;s frame, which is the origin cell&apos;s</source>
-        <translation>Die Richtungen des Koordinatensystems des Hautstücks, das der Ursprungszelle</translation>
+        <translation>Die Richtungen im Koordinatensystem des Hautstücks, dem der Ursprungszelle</translation>
     </message>
     <message>
         <source>Where gravity points in the picked pose</source>
-        <translation>Wohin die Schwerkraft in der gewählten Haltung zeigt</translation>
+        <translation>Wohin die Schwerkraft in der gewählten Pose zeigt</translation>
     </message>
     <message>
         <source>Every link in the colour and line style of its class; muted links are crossed</source>
-        <translation>Jede Verbindung in Farbe und Strichart ihrer Klasse; ausgenommene sind durchkreuzt</translation>
+        <translation>Jede Verbindung in Farbe und Linienart ihrer Güte; ausgeschlossene sind durchgestrichen</translation>
     </message>
     <message>
         <source>The links by which every cell is reached from the origin on the shortest way</source>
-        <translation>Die Verbindungen, über die jede Zelle vom Ursprung auf kürzestem Weg erreicht wird</translation>
+        <translation>Die Verbindungen, über die jede Zelle auf kürzestem Weg vom Ursprung erreicht wird</translation>
     </message>
     <message>
         <source>The region that holds each cell&apos;s centre with 95 % probability, relative to the origin</source>
-        <translation>Der Bereich, in dem die Mitte jeder Zelle mit 95 % Wahrscheinlichkeit liegt, relativ zum Ursprung</translation>
+        <translation>Der Bereich, in dem die Mitte jeder Zelle mit 95 % Wahrscheinlichkeit liegt, bezogen auf den Ursprung</translation>
     </message>
     <message>
         <source>Where the simulated cells really are, moved onto the result as well as possible</source>
-        <translation>Wo die simulierten Zellen wirklich sind, so gut wie möglich auf das Ergebnis geschoben</translation>
+        <translation>Wo die simulierten Zellen wirklich sind, bestmöglich auf das Ergebnis gelegt</translation>
     </message>
     <message>
         <source>The surface fitted to the cells, with each cell&apos;s distance from it</source>
-        <translation>Die an die Zellen angepasste Fläche mit dem Abstand jeder Zelle von ihr</translation>
+        <translation>Die an die Zellen angepasste Fläche, mit dem Abstand jeder Zelle</translation>
     </message>
     <message>
         <source>The gap between the two ports where the loop should close</source>
-        <translation>Der Spalt zwischen den beiden Anschlüssen, an denen sich die Schleife schließen sollte</translation>
+        <translation>Die Lücke zwischen den beiden Ports, an denen sich die Schleife schließen soll</translation>
     </message>
     <message>
         <source>From where each cell was to where it is now</source>
@@ -4087,11 +4087,11 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     </message>
     <message>
         <source>This skin has too many cells to draw them: at most %1</source>
-        <translation>Diese Haut hat zu viele Zellen, um sie zu zeichnen: höchstens %1</translation>
+        <translation>Diese Haut hat dafür zu viele Zellen: höchstens %1</translation>
     </message>
     <message>
         <source>Only of a simulated skin is the truth known</source>
-        <translation>Nur bei einer simulierten Haut ist die Wahrheit bekannt</translation>
+        <translation>Nur von einer simulierten Haut ist die Wahrheit bekannt</translation>
     </message>
     <message>
         <source>No loop was evaluated yet</source>
@@ -4111,7 +4111,7 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     </message>
     <message>
         <source>outlines: the truth, moved onto the result</source>
-        <translation>Umrisse: die Wahrheit, auf das Ergebnis geschoben</translation>
+        <translation>Umrisse: die Wahrheit, auf das Ergebnis gelegt</translation>
     </message>
     <message>
         <source>%1, radius %2</source>
@@ -4119,7 +4119,7 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     </message>
     <message>
         <source>; rms distance %1, lines %2</source>
-        <translation>; mittlerer Abstand (rms) %1, Striche %2</translation>
+        <translation>; mittlerer Abstand %1, Linien %2</translation>
     </message>
     <message>
         <source>loop gap: %1, %2 % of the loop; the arrow %3</source>
@@ -4127,11 +4127,11 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     </message>
     <message>
         <source>arrows: from before to now, %1</source>
-        <translation>Pfeile: von vorher nach jetzt, %1</translation>
+        <translation>Pfeile: von vorher zu jetzt, %1</translation>
     </message>
     <message>
         <source>Cells %1 and %2 are in different patches: how these lie to each other is not known</source>
-        <translation>Die Zellen %1 und %2 sind in verschiedenen Hautstücken: wie diese zueinander liegen, ist nicht bekannt</translation>
+        <translation>Die Zellen %1 und %2 sind in verschiedenen Hautstücken: Wie diese zueinander liegen, ist nicht bekannt</translation>
     </message>
     <message>
         <source>%1°</source>
@@ -4139,11 +4139,11 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     </message>
     <message>
         <source>Cells %1 and %2: %3 apart, their faces %4 to each other</source>
-        <translation>Zellen %1 und %2: Abstand %3, ihre Flächen %4 zueinander</translation>
+        <translation>Zellen %1 und %2: %3 Abstand, ihre Flächen %4 zueinander</translation>
     </message>
     <message>
         <source>Cells %1 and %2: %3 ± %4 (95 %) apart, their faces %5 to each other</source>
-        <translation>Zellen %1 und %2: Abstand %3 ± %4 (95 %), ihre Flächen %5 zueinander</translation>
+        <translation>Zellen %1 und %2: %3 ± %4 (95 %) Abstand, ihre Flächen %5 zueinander</translation>
     </message>
 </context>
 <context>
