@@ -25,7 +25,7 @@ tour() {
   env -u WAYLAND_DISPLAY -u QT_STYLE_OVERRIDE -u QT_SCALE_FACTOR QT_QPA_PLATFORM=xcb LIBGL_ALWAYS_SOFTWARE=1 \
     XDG_CONFIG_HOME="$home/config" XDG_DATA_HOME="$home/data" XDG_CACHE_HOME="$home/cache" \
     XDG_RUNTIME_DIR="$home/runtime" \
-    xvfb-run --auto-servernum --server-args="-screen 0 2000x1200x24 -nolisten tcp" \
+    xvfb-run --auto-servernum --server-args="-screen 0 2000x1200x24 -dpi 96 -nolisten tcp" \
     "$window" --language "$language" --theme "$theme" --screenshots "$folder" --screenshots-size "$size" "$@"
 }
 

@@ -1,5 +1,6 @@
 #include "widgets/capture_panel.h"
 
+#include "hexoderm/util/units.h"
 #include "widgets/action_button.h"
 #include "widgets/capture_words.h"
 #include "widgets/core_words.h"
@@ -11,15 +12,18 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QResizeEvent>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
 namespace hexoderm {
 namespace {
 
 constexpr int kCapturedShown_ms = 2500;
+constexpr double kOnTheWay = 20 * kDegree;
 // Of the usual font: read from three metres, and larger where there is room.
 constexpr double kSmallestSentence = 1.6;
 constexpr double kLargestSentence = 3.0;
@@ -178,7 +182,15 @@ void CapturePanel::refresh() {
     ring_->setContent({tr("Captured"), tr("pose %1").arg(captured_->value()), 1, true});
   } else {
     const HoldWords words = holdInWords(hold_);
-    ring_->setContent({words.word, words.detail, hold_.progress, false});
+    // Who is on the way to the next pose is not told to stop.
+    const bool on_the_way = hold_.phase == HoldPhase::Watching && hold_.stillness.blocker == Blocker::Turning &&
+                            next_ && next_->turn && next_->turn->angle_rad > kOnTheWay;
+    if (on_the_way) {
+      const double left_deg = 10 * std::round(toDegrees(next_->turn->angle_rad) / 10);
+      ring_->setContent({tr("Turn on"), tr("%1° to go").arg(QLocale().toString(left_deg, 'f', 0)), 0, false});
+    } else {
+      ring_->setContent({words.word, words.detail, hold_.progress, false});
+    }
   }
   setIfChanged(wait_, waitInWords(hold_));
   setIfChanged(odd_, oddCellsInWords(hold_));
@@ -212,6 +224,7 @@ void CapturePanel::fitText() {
   const double line = fontMetrics().height();
   const bool beside = width() > kSideBySideAtLines * line;
   columns_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  for (int side : {0, 1}) columns_->setStretch(side, beside || side == 1 ? 1 : 0);
   const double room = beside ? 0.5 * width() : width();
   const double factor =
       std::clamp(kSmallestSentence * room / (kSmallestAtLines * line), kSmallestSentence, kLargestSentence);

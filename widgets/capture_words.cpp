@@ -80,8 +80,7 @@ QString gainInWords(const NextPose& next) {
           "it.");
     case PoseGain::OutOfPlane:
       return CaptureWords::tr(
-          "Why: gravity has been seen from two directions. A third one, out of their plane, also reveals each sensor's "
-          "offset.");
+          "Why: gravity has been seen in one plane only. A direction out of it also reveals each sensor's offset.");
     case PoseGain::Opposite:
       return CaptureWords::tr("Why: the opposite of pose %1 tells each sensor's offset from its scale.")
           .arg(next.opposite_of ? next.opposite_of->value() : 0);
@@ -93,8 +92,11 @@ QString gainInWords(const NextPose& next) {
 
 QString sigmaInWords(const NextPose& next) {
   if (next.gain == PoseGain::First) return {};
-  return CaptureWords::tr("Orientation is known to ±%1 now, to ±%2 with this pose.")
-      .arg(degrees(next.sigma_now_rad, 1), degrees(next.sigma_then_rad, 1));
+  // A share, because the verdict states the worst cell's error and this is that of an edge.
+  const double share = next.sigma_now_rad > 0 ? next.sigma_then_rad / next.sigma_now_rad : 1;
+  if (share > 0.95) return CaptureWords::tr("Another pose would hardly make it better.");
+  return CaptureWords::tr("With this pose the error falls to about %1 % of what it is now.")
+      .arg(QLocale().toString(std::max(1.0, std::round(100 * share)), 'f', 0));
 }
 
 QString missingInWords(const PoseCoverage& coverage) {
@@ -108,8 +110,9 @@ QString missingInWords(const PoseCoverage& coverage) {
   const bool second = missing.which == 2;
   QString sentence;
   if (missing.facing.facing == Facing::Wall) {
-    sentence = second ? CaptureWords::tr("No pose yet with cell %1 facing a wall: the second value is %2, needs %3.")
-                      : CaptureWords::tr("No pose yet with cell %1 facing a wall: the third value is %2, needs %3.");
+    sentence =
+        second ? CaptureWords::tr("No pose yet with the side of cell %1 up or down: the second value is %2, needs %3.")
+               : CaptureWords::tr("No pose yet with the side of cell %1 up or down: the third value is %2, needs %3.");
   } else {
     sentence = second
                    ? CaptureWords::tr(

@@ -318,6 +318,8 @@ const std::vector<const char*>& coreTemplates() {
       // Addresses (core/device/open_source.cpp, wire_address.cpp).
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "source \"%1\": expected one of %2"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "source \"%1\": expected %2"),
+      QT_TRANSLATE_NOOP("hexoderm::CoreWords", "%1, the port from 1 to 65535 (for example %2)"),
+      QT_TRANSLATE_NOOP("hexoderm::CoreWords", "%1 or %2 (for example %3)"),
       // Files (core/util, core/session, core/io).
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "No such file or directory"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "Permission denied"),
@@ -355,6 +357,12 @@ const std::vector<const char*>& coreTemplates() {
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "the file is damaged: expected entry %1"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "the file is damaged: they are missing"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "the file is damaged: they do not match their digest"),
+      QT_TRANSLATE_NOOP("hexoderm::CoreWords",
+                        "expected a Hexoderm session (*.hexo, or format \"hexoderm-session\"), a calibration (format "
+                        "\"hexoderm-calibration\") or a TUM SkinConfig XML, found \"%1\""),
+      QT_TRANSLATE_NOOP("hexoderm::CoreWords",
+                        "expected a Hexoderm session (*.hexo, or format \"hexoderm-session\"), a calibration (format "
+                        "\"hexoderm-calibration\") or a TUM SkinConfig XML, but there is none"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "is missing"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "line %1, column %2, at %3: %4"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "line %1, column %2: %3"),

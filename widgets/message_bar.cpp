@@ -21,7 +21,8 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent), text_(new QLabel(this)
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   button_->setObjectName(QStringLiteral("messageButton"));
   connect(button_, &QPushButton::clicked, this, [this] {
-    if (pressed_) pressed_();
+    // A copy: what it does may bring the next message.
+    if (const std::function<void()> pressed = pressed_) pressed();
   });
   auto* close = new QToolButton(this);
   close->setObjectName(QStringLiteral("messageClose"));

@@ -155,9 +155,13 @@ void PartMotion::place() {
   caption_->setGeometry(view_->rect());
   caption_->raise();
   button_->adjustSize();
-  // Under the row of buttons on top.
-  button_->move(kEdge, kEdge + 2 * button_->height() - button_->height() / 2);
+  button_->move(kEdge, top_);
   button_->raise();
+}
+
+void PartMotion::setTop(int top) {
+  top_ = top;
+  place();
 }
 
 // ---- turning the part
@@ -194,12 +198,14 @@ bool PartMotion::onMouse(QEvent* event) {
     return true;
   }
   if (!is_dragging_) return false;
-  if (event->type() == QEvent::MouseMove) {
+  // Where the button is released counts too: moves that follow each other quickly are not all told.
+  if (event->type() != QEvent::MouseButtonPress) {
     const QPoint moved = mouse->pos() - last_;
     last_ = mouse->pos();
     const double per_pixel = kPi / std::max(1, canvas_->height());
     turnBy(per_pixel * moved.x(), per_pixel * moved.y());
-  } else if (event->type() == QEvent::MouseButtonRelease && mouse->button() == Qt::LeftButton) {
+  }
+  if (event->type() == QEvent::MouseButtonRelease && mouse->button() == Qt::LeftButton) {
     is_dragging_ = false;
     canvas_->setCursor(button_->isChecked() ? Qt::OpenHandCursor : Qt::ArrowCursor);
   }

@@ -133,6 +133,7 @@ void PatchView::Parts::build() {
     motion = new PartMotion(view, gl, *scene, [this] { requestRender(); });
     motion->setParent(this);
     connect(motion, &PartMotion::turnRequested, view, &PatchView::turnRequested);
+    connect(controls, &PatchControls::heightChanged, motion, &PartMotion::setTop);
   }
   connect(selection, &Selection::changed, this, [this] { updateSelection(); });
   connect(&measure, &MeasureTool::changed, this, [this] { updateMeasure(); });

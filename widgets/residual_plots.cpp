@@ -206,9 +206,9 @@ ResidualPlots::ResidualPlots(Selection* selection, QWidget* parent)
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(8, 2, 8, 4);
   layout->setSpacing(14);
-  layout->addWidget(titled(tr("By pose, degrees (box: half of the links)"), parts.pose_plot), 1);
-  layout->addWidget(titled(tr("By link, degrees, worst first (circles: predicted)"), parts.link_plot), 1);
-  layout->addWidget(titled(tr("Number of links by residual / predicted"), parts.ratio_plot), 1);
+  layout->addWidget(titled(tr("By pose, ° (box: half the links)"), parts.pose_plot), 1);
+  layout->addWidget(titled(tr("By link, ° (○ predicted)"), parts.link_plot), 1);
+  layout->addWidget(titled(tr("Links by residual ÷ predicted"), parts.ratio_plot), 1);
   parts.as_predicted->setLabel(QwtText(tr("as predicted")));
 
   const auto whenClicked = [](QwtPlot* plot, auto&& act) {

@@ -2,6 +2,7 @@
 
 #include "widgets/residual_plots.h"
 #include "widgets/residual_table.h"
+#include "widgets/scene_colors.h"
 #include "widgets/selection.h"
 #include "widgets/table_actions.h"
 #include "widgets/words.h"
@@ -21,7 +22,7 @@
 
 namespace hexoderm {
 
-QColor residualColor(double residual_deg) { return viridis(residual_deg / kWorstResidualColor_deg); }
+QColor residualColor(double residual_deg) { return viridis(residual_deg / kResidualScaleEnd_deg); }
 
 QColor textColorOn(const QColor& ground) {
   // Relative luminance of WCAG; from about 0.18 on black has the larger contrast.
@@ -72,7 +73,7 @@ namespace {
 class ResidualLegend : public QWidget {
  public:
   ResidualLegend() {
-    setAccessibleName(ResidualView::tr("Colours: residual from 0 to %1 degrees and more").arg(kWorstResidualColor_deg));
+    setAccessibleName(ResidualView::tr("Colours: residual from 0 to %1 degrees and more").arg(kResidualScaleEnd_deg));
     setToolTip(accessibleName());
   }
   [[nodiscard]] QSize sizeHint() const override {
@@ -98,7 +99,7 @@ class ResidualLegend : public QWidget {
  private:
   static constexpr int kBar = 96;
   static QString left() { return ResidualView::tr("Residual 0°"); }
-  static QString right() { return ResidualView::tr("≥ %1°").arg(kWorstResidualColor_deg); }
+  static QString right() { return ResidualView::tr("≥ %1°").arg(kResidualScaleEnd_deg); }
 };
 
 }  // namespace
@@ -129,8 +130,7 @@ ResidualView::ResidualView(Selection* selection, QWidget* parent)
   matrix_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   matrix_->horizontalHeader()->setHighlightSections(true);
   // In the order of the links until a header is clicked: "All" brings the worst to the top.
-  matrix_->horizontalHeader()->setSortIndicator(-1, Qt::DescendingOrder);
-  matrix_->setSortingEnabled(true);
+  SortedTable::enableIn(matrix_);
   pages_->addWidget(matrix_);
   pages_->addWidget(plots_);
 
@@ -161,7 +161,6 @@ QWidget* ResidualView::buildHeader() {
     button->setToolTip(explanation);
     button->setObjectName(QLatin1String(name));
     button->setCheckable(true);
-    button->setProperty("flat", true);
     group->addButton(button);
     row->addWidget(button);
   };

@@ -19,9 +19,7 @@ class ResidualTable;
 class Selection;
 class SortedTable;
 
-/// From this angle on a residual has the last colour of the scale, which is the same for every skin: 0 to 3 degrees.
-constexpr double kWorstResidualColor_deg = 3;
-/// Viridis for a residual, and what can be read on it.
+/// Viridis for a residual, on the scale that all views share, and what can be read on it.
 QColor residualColor(double residual_deg);
 QColor textColorOn(const QColor& ground);
 

@@ -19,9 +19,9 @@ namespace {
 // The ordinate counts lanes: x around 2, y around 1, z around 0, the ribbon of states below.
 constexpr double kHalfLane = 0.48;
 constexpr double kLimitsInHalfLane = 1.6;
-constexpr double kRibbon = -0.72;
-constexpr double kBottom = -1.25;
+constexpr double kRibbon = -0.62;
 constexpr double kTop = 2.55;
+constexpr double kLetters_s = 0.4;  // room on the left for the names of the axes
 constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
 
 double laneOf(int axis) { return 2.0 - axis; }
@@ -193,6 +193,10 @@ void StillnessView::Parts::refresh() {
     header->setAccessibleName(text);
   }
   if (empty) return;
+  // Under the ribbon its words have room, however high the strip is.
+  const double words = view->fontMetrics().height() + 6;
+  const double lanes = std::max(10.0, plot->canvas()->height() - words);
+  plot->setAxisScale(QwtPlot::yLeft, kRibbon - words * (kTop - kRibbon) / lanes, kTop);
   plot->replot();
 }
 
@@ -206,6 +210,7 @@ StillnessView::StillnessView(QWidget* parent) : QWidget(parent), parts_(std::mak
   // A long text must not widen the window.
   parts_->header->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   parts_->nothing = new QLabel(tr("No readings: when a skin is connected, this shows how still it is held."), this);
+  parts_->nothing->setObjectName(QStringLiteral("stillnessNothing"));
   parts_->nothing->setProperty("muted", true);
   parts_->nothing->setAlignment(Qt::AlignCenter);
   parts_->nothing->setWordWrap(true);
@@ -216,8 +221,7 @@ StillnessView::StillnessView(QWidget* parent) : QWidget(parent), parts_(std::mak
   plot->setAutoReplot(false);
   plot->enableAxis(QwtPlot::xBottom, false);
   plot->enableAxis(QwtPlot::yLeft, false);
-  plot->setAxisScale(QwtPlot::xBottom, -StillnessTrace::kSpan_s, 0);
-  plot->setAxisScale(QwtPlot::yLeft, kBottom, kTop);
+  plot->setAxisScale(QwtPlot::xBottom, -StillnessTrace::kSpan_s - kLetters_s, 0);
   plot->plotLayout()->setCanvasMargin(0);
   auto* canvas = new QwtPlotCanvas(plot);
   canvas->setFrameStyle(QFrame::NoFrame);

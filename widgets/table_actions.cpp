@@ -10,8 +10,11 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QHeaderView>
+#include <QLocale>
 #include <QSaveFile>
 #include <QSettings>
+#include <QTableView>
 #include <algorithm>
 #include <utility>
 
@@ -46,7 +49,8 @@ QByteArray field(const QModelIndex& index) {
 }
 
 QByteArray heading(const QAbstractItemModel& model, int column) {
-  QString name = model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+  const QVariant plain = model.headerData(column, Qt::Horizontal, kNameRole);
+  QString name = (plain.isValid() ? plain : model.headerData(column, Qt::Horizontal, Qt::DisplayRole)).toString();
   if (name.endsWith(QStringLiteral(" °"))) name.chop(2);  // said by the unit
   const QString unit = model.headerData(column, Qt::Horizontal, kUnitRole).toString();
   const bool named = unit.isEmpty() || name.endsWith(QLatin1Char(' ') + unit);
@@ -82,6 +86,24 @@ SortedTable::SortedTable(QAbstractItemModel* table, QObject* parent) : QSortFilt
   setSourceModel(table);
 }
 
+void SortedTable::enableIn(QTableView* view) {
+  view->horizontalHeader()->setSortIndicator(-1, Qt::DescendingOrder);
+  view->setSortingEnabled(true);
+  view->horizontalHeader()->setSortIndicatorShown(false);
+}
+
+void SortedTable::sort(int column, Qt::SortOrder order) {
+  QSortFilterProxyModel::sort(column, order);
+  if (columnCount() > 0) emit headerDataChanged(Qt::Horizontal, 0, columnCount() - 1);
+}
+
+QVariant SortedTable::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (role == kNameRole) return QSortFilterProxyModel::headerData(section, orientation, Qt::DisplayRole);
+  const QVariant value = QSortFilterProxyModel::headerData(section, orientation, role);
+  if (role != Qt::DisplayRole || orientation != Qt::Horizontal || section != sortColumn()) return value;
+  return value.toString() + (sortOrder() == Qt::AscendingOrder ? QStringLiteral(" ↑") : QStringLiteral(" ↓"));
+}
+
 bool SortedTable::lessThan(const QModelIndex& left, const QModelIndex& right) const {
   const QVariant a = left.data(kRawRole);
   const QVariant b = right.data(kRawRole);
@@ -96,7 +118,9 @@ bool SortedTable::lessThan(const QModelIndex& left, const QModelIndex& right) co
   const double y = b.toDouble(&b_is_number);
   if (a_is_number && b_is_number) return x < y;
   static const QCollator kCollator = [] {
-    QCollator collator;
+    // The locale "C" compares bytes and knows no numbers in names.
+    const QLocale locale;
+    QCollator collator(locale.language() == QLocale::C ? QLocale(QLocale::English) : locale);
     collator.setNumericMode(true);
     return collator;
   }();

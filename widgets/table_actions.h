@@ -6,6 +6,7 @@
 #include <QSortFilterProxyModel>
 
 class QAbstractItemView;
+class QTableView;
 
 namespace hexoderm {
 
@@ -14,6 +15,8 @@ constexpr int kRawRole = Qt::UserRole + 1;
 /// Of a header: the unit of the raw numbers below it, such as "deg", empty for counts and texts. Of a row's header:
 /// what the rows are, such as "Link"; their names are its raw value.
 constexpr int kUnitRole = Qt::UserRole + 2;
+/// Of a header that shows more than its name: the name alone.
+constexpr int kNameRole = Qt::UserRole + 3;
 
 /// A table as CSV after RFC 4180: UTF-8, lines end with CR LF, fields quoted where they must be. The first line names
 /// the columns with their units, as in "Residual (deg)". Raw numbers come with all their digits and a decimal point
@@ -22,12 +25,19 @@ constexpr int kUnitRole = Qt::UserRole + 2;
 QByteArray tableAsCsv(const QAbstractItemModel& model);
 
 /// Sorts any of the tables by what is behind the texts: numbers by value, names with numbers in them as a person would,
-/// what is not known last whichever way round. Unsorted until a header is clicked.
+/// what is not known last whichever way round. Unsorted until a header is clicked; then the header says so by an arrow
+/// in its text, because Qt's own takes room from every column.
 class SortedTable : public QSortFilterProxyModel {
   Q_OBJECT
 
  public:
   explicit SortedTable(QAbstractItemModel* table, QObject* parent = nullptr);
+
+  /// Lets clicks on the headers of a view of a sorted table sort it.
+  static void enableIn(QTableView* view);
+
+  void sort(int column, Qt::SortOrder order = Qt::AscendingOrder) override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  protected:
   bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;

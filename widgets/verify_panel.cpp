@@ -105,7 +105,6 @@ void VerifyPanel::buildHoldOut() {
     button->setText(text);
     button->setObjectName(QLatin1String(name));
     button->setCheckable(true);
-    button->setProperty("flat", true);
     button->hide();
     group->addButton(button);
     rows->addWidget(button);
@@ -167,9 +166,10 @@ void VerifyPanel::setReconstruction(std::shared_ptr<const Reconstruction> recons
   has_readings_ = has_readings;
   if (changed && hold_out_result_) {
     hold_out_result_.reset();
+    hold_out_outdated_ = true;
     showHoldOutFigures();
-    hold_out_->setSentence({Tone::Neutral, tr("The session has changed since: run it again.")});
   }
+  if (!reconstruction_) hold_out_outdated_ = false;
   const QVariant chosen = pose_->currentData();
   pose_->clear();
   if (reconstruction_) {
@@ -215,7 +215,8 @@ void VerifyPanel::refreshControls() {
   // A grey button alone would leave open why.
   if (!why.isEmpty() && !hold_out_result_) hold_out_->setSentence({Tone::Neutral, why});
   if (why.isEmpty() && !hold_out_result_ && !hold_out_->isRunning()) {
-    hold_out_->setSentence({Tone::Neutral, tr("Not run yet.")});
+    hold_out_->setSentence(
+        {Tone::Neutral, hold_out_outdated_ ? tr("The session has changed since: run it again.") : tr("Not run yet.")});
   }
 
   const auto kind = static_cast<SurfaceKind>(kind_->currentData().toInt());
@@ -242,6 +243,7 @@ void VerifyPanel::setRunning(VerifyCheck check, bool running) {
 
 void VerifyPanel::showHoldOut(const HoldOutResult& result) {
   hold_out_result_ = result;
+  hold_out_outdated_ = false;
   hold_out_->setSentence(holdOutInWords(result));
   showHoldOutFigures();
 }

@@ -70,6 +70,7 @@ class VerifyPanel : public QWidget {
   std::shared_ptr<const Reconstruction> reconstruction_;
   bool has_readings_ = false;
   std::optional<HoldOutResult> hold_out_result_;
+  bool hold_out_outdated_ = false;  ///< there was a result, of an earlier state
   std::vector<FoundLoop> loops_;
   std::vector<SurfaceEvaluation> surfaces_;
   std::vector<Comparison> comparisons_;

@@ -97,8 +97,7 @@ VerifySection::VerifySection(const QString& heading, const QString& question, co
   view_->horizontalHeader()->setHighlightSections(false);
   view_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   view_->horizontalHeader()->setResizeContentsPrecision(40);
-  view_->horizontalHeader()->setSortIndicator(-1, Qt::DescendingOrder);
-  view_->setSortingEnabled(true);
+  SortedTable::enableIn(view_);
   view_->hide();
   table_actions_ = new TableActions(view_, name);
   connect(view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
@@ -140,6 +139,9 @@ void VerifySection::setFigures(VerifyFigures figures) {
   const int rows = table_->rowCount();
   view_->setVisible(rows > 0);
   if (rows == 0) return;
+  constexpr int kColumnsThatFit = 3;
+  const bool fits = table_->columnCount() <= kColumnsThatFit;
+  view_->horizontalHeader()->setSectionResizeMode(fits ? QHeaderView::Stretch : QHeaderView::ResizeToContents);
   const int shown = std::min(rows, kMostRowsSeen);
   const int bar = view_->horizontalScrollBar()->sizeHint().height();
   view_->setFixedHeight(view_->horizontalHeader()->sizeHint().height() +

@@ -150,21 +150,25 @@ VerifyFigures loopFigures(const std::vector<FoundLoop>& loops) {
   VerifyFigures figures;
   figures.columns = {
       {Words::tr("Between"), {}, Words::tr("The two ports at which the loop is closed, or open"), 0, true},
+      millimetreColumn(Words::tr("Gap mm"), Words::tr("Length of what is missing when the loop is walked round")),
+      {Words::tr("Share %"), QStringLiteral("%"), Words::tr("The gap in per cent of the accumulated port vectors"), 1,
+       false},
       {Words::tr("Kind"), {}, Words::tr("Closed by a link, or open between two free ports"), 0, true},
       {Words::tr("Cells"), {}, Words::tr("Cells of the loop"), 0, false},
-      millimetreColumn(Words::tr("Gap mm"), Words::tr("Length of what is missing when the loop is walked round")),
       millimetreColumn(Words::tr("X mm"), Words::tr("The gap, in the patch's frame")),
       millimetreColumn(Words::tr("Y mm"), Words::tr("The gap, in the patch's frame")),
-      millimetreColumn(Words::tr("Z mm"), Words::tr("The gap, in the patch's frame")),
-      {Words::tr("Share %"), QStringLiteral("%"), Words::tr("The gap in per cent of the accumulated port vectors"), 1,
-       false}};
+      millimetreColumn(Words::tr("Z mm"), Words::tr("The gap, in the patch's frame"))};
   for (const FoundLoop& loop : loops) {
     const LoopEvaluation& closure = loop.closure;
     FigureTable::Row row;
-    row.values = {linkName(closure.first, closure.second),    loop.closed ? Words::tr("closed") : Words::tr("open"),
-                  static_cast<qulonglong>(loop.cells.size()), toMillimetres(closure.length_m),
-                  toMillimetres(closure.gap_m.x()),           toMillimetres(closure.gap_m.y()),
-                  toMillimetres(closure.gap_m.z()),           closure.percent};
+    row.values = {linkName(closure.first, closure.second),
+                  toMillimetres(closure.length_m),
+                  closure.percent,
+                  loop.closed ? Words::tr("closed") : Words::tr("open"),
+                  static_cast<qulonglong>(loop.cells.size()),
+                  toMillimetres(closure.gap_m.x()),
+                  toMillimetres(closure.gap_m.y()),
+                  toMillimetres(closure.gap_m.z())};
     if (loop.closed) {
       row.link = ordered(closure.first, closure.second);
     } else {

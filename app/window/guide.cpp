@@ -123,15 +123,17 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
   const bool more = controller.wantsMorePoses();
   step.note =
       more && enabled < kGoodPoseCount ? Guide::tr("%1 of %2").arg(enabled).arg(kGoodPoseCount) : posesInWords(enabled);
-  if (controller.isLive()) step.actions = {actions.capture, actions.skip_pose};
-  if (controller.canTurn()) step.actions.insert(step.actions.end(), {actions.turn, actions.robot});
+  if (controller.canTurn())
+    step.actions = {actions.robot, actions.live_mode};
+  else if (controller.isLive())
+    step.actions = {actions.live_mode};
   step.state = more || (result && !isExportable(*result)) ? StepState::Current : StepState::Done;
-  // Once there are enough, what is next is no longer about poses.
+  // A connected skin has a panel of its own, which says what to do and why.
+  if (controller.isLive()) return step;
   if (result && step.state == StepState::Current) step.what = coreWords(result->verdict.next_action);
-  step.why = Guide::tr("Gravity seen from several directions tells how every cell is turned against its neighbours.");
-  if (!controller.isLive()) {
-    step.why += QLatin1Char(' ') + Guide::tr("This session came from a file; no skin is connected to take more.");
-  }
+  step.why = Guide::tr(
+      "Gravity seen from several directions tells how every cell is turned against its neighbours. This session came "
+      "from a file; no skin is connected to take more.");
   return step;
 }
 

@@ -4,16 +4,20 @@
 #include "app/window/window_shell.h"
 #include "hexoderm/util/text.h"
 #include "widgets/banner.h"
+#include "widgets/capture_panel.h"
+#include "widgets/capture_tone.h"
 #include "widgets/card_dock.h"
 #include "widgets/cell_table.h"
 #include "widgets/check_list.h"
 #include "widgets/core_words.h"
+#include "widgets/coverage_view.h"
 #include "widgets/graph_view.h"
 #include "widgets/live_strip.h"
 #include "widgets/message_bar.h"
 #include "widgets/patch_view.h"
 #include "widgets/residual_view.h"
 #include "widgets/step_panel.h"
+#include "widgets/stillness_view.h"
 #include "widgets/table_actions.h"
 #include "widgets/tables.h"
 #include "widgets/verify_panel.h"
@@ -36,7 +40,7 @@ namespace hexoderm {
 namespace {
 
 /// Raised when docks come or go, so that an older layout is not forced onto a newer window.
-constexpr int kLayoutVersion = 1;
+constexpr int kLayoutVersion = 2;
 
 QTableView* makeTable(QAbstractItemModel* model, const char* object_name, const QString& accessible_name) {
   auto* view = new QTableView;
@@ -101,6 +105,10 @@ MainWindow::MainWindow(QWidget* parent)
       live_strip_(new LiveStrip(actions_.automatic, actions_.capture, actions_.disconnect_skin)),
       step_panel_(new StepPanel),
       check_list_(new CheckList),
+      capture_panel_(new CapturePanel({actions_.automatic, actions_.capture, actions_.skip_pose, actions_.turn})),
+      coverage_view_(new CoverageView),
+      stillness_view_(new StillnessView),
+      tone_(new CaptureTone(this)),
       patch_view_(new PatchView(&selection_)),
       graph_view_(new GraphView(&selection_)),
       pose_table_(new PoseTable(this)),
@@ -119,7 +127,8 @@ MainWindow::MainWindow(QWidget* parent)
       source_status_(new QLabel),
       cells_status_(new QLabel),
       solve_status_(new QLabel),
-      saved_status_(new QLabel) {
+      saved_status_(new QLabel),
+      said_status_(new QLabel) {
   setObjectName(QStringLiteral("mainWindow"));
   setAcceptDrops(true);
   // At first no part has the focus, so that keys mean what the list of keys says.
@@ -133,6 +142,7 @@ MainWindow::MainWindow(QWidget* parent)
   connectSelection();
   connectLive();
   connectVerify();
+  connectCapture();
   qApp->installEventFilter(this);
   const QSettings settings;
   setThemeChoice(
@@ -181,14 +191,17 @@ void MainWindow::buildLayout() {
   auto* steps = new CardDock(tr("Steps"), QStringLiteral("stepsDock"), step_panel_, docks_);
   graph_dock_ = new CardDock(tr("Skin graph"), QStringLiteral("graphDock"), graph_view_, docks_);
   pose_dock_ = new CardDock(tr("Poses"), QStringLiteral("poseDock"), withHint(pose_view_, tr("No poses yet.")), docks_);
+  coverage_dock_ =
+      new CardDock(tr("Directions of gravity seen"), QStringLiteral("coverageDock"), coverage_view_, docks_);
   shell_->setSwapped(patch_view_, graph_view_, graph_dock_);
   CardDock* details = buildDetails();
   docks_->addDockWidget(Qt::LeftDockWidgetArea, steps);
   docks_->addDockWidget(Qt::RightDockWidgetArea, graph_dock_);
+  docks_->addDockWidget(Qt::RightDockWidgetArea, coverage_dock_);
   docks_->addDockWidget(Qt::RightDockWidgetArea, pose_dock_);
   docks_->addDockWidget(Qt::BottomDockWidgetArea, details);
   docks_->resizeDocks({steps, graph_dock_}, {286, 436}, Qt::Horizontal);
-  docks_->resizeDocks({graph_dock_, pose_dock_}, {440, 320}, Qt::Vertical);
+  docks_->resizeDocks({graph_dock_, coverage_dock_, pose_dock_}, {280, 290, 200}, Qt::Vertical);
   docks_->resizeDocks({details}, {170}, Qt::Vertical);
 
   auto* work = new QVBoxLayout;
@@ -204,8 +217,9 @@ void MainWindow::buildLayout() {
   layout->addWidget(banner_);
   layout->addLayout(work, 1);
   setCentralWidget(centre);
-  setMenuWidget(buildTopBar({steps->toggleViewAction(), graph_dock_->toggleViewAction(), pose_dock_->toggleViewAction(),
-                             details->toggleViewAction()}));
+  setMenuWidget(
+      buildTopBar({steps->toggleViewAction(), graph_dock_->toggleViewAction(), coverage_dock_->toggleViewAction(),
+                   pose_dock_->toggleViewAction(), details->toggleViewAction()}));
 }
 
 QWidget* MainWindow::buildTopBar(const std::vector<QAction*>& panels) {
@@ -233,6 +247,7 @@ CardDock* MainWindow::buildDetails() {
   pages->addWidget(withHint(cell_view_, tr("No cells yet.")));
   pages->addWidget(residual_view_);
   pages->addWidget(shell_->makeLogView());
+  pages->addWidget(stillness_view_);
   detail_tabs_->setObjectName(QStringLiteral("detailTabs"));
   detail_tabs_->setDrawBase(false);
   detail_tabs_->addTab(tr("Findings"));
@@ -240,6 +255,7 @@ CardDock* MainWindow::buildDetails() {
   detail_tabs_->addTab(tr("Cells"));
   detail_tabs_->addTab(tr("Residuals"));
   detail_tabs_->addTab(tr("Log"));
+  detail_tabs_->addTab(tr("Stillness"));
   connect(detail_tabs_, &QTabBar::currentChanged, pages, &QStackedWidget::setCurrentIndex);
   auto* dock = new CardDock(tr("Findings and links"), QStringLiteral("detailsDock"), pages, docks_);
   dock->setHead(detail_tabs_);
@@ -247,7 +263,7 @@ CardDock* MainWindow::buildDetails() {
 }
 
 void MainWindow::buildStatusBar() {
-  for (QLabel* label : {source_status_, cells_status_, solve_status_, saved_status_}) {
+  for (QLabel* label : {source_status_, cells_status_, solve_status_, saved_status_, said_status_}) {
     label->setTextFormat(Qt::PlainText);
   }
   source_status_->setObjectName(QStringLiteral("sourceStatus"));
@@ -258,7 +274,12 @@ void MainWindow::buildStatusBar() {
   statusBar()->addWidget(source_status_);
   statusBar()->addWidget(cells_status_);
   statusBar()->addWidget(solve_status_);
+  said_status_->setObjectName(QStringLiteral("saidStatus"));
+  said_status_->hide();
+  statusBar()->addPermanentWidget(said_status_);
   statusBar()->addPermanentWidget(saved_status_);
+  said_timer_.setSingleShot(true);
+  connect(&said_timer_, &QTimer::timeout, said_status_, &QWidget::hide);
 }
 
 void MainWindow::connectActions() {
@@ -493,6 +514,9 @@ void MainWindow::setThemeChoice(ThemeChoice choice, bool remember) {
   live_strip_->setTheme(theme_);
   step_panel_->setTheme(theme_);
   check_list_->setTheme(theme_);
+  capture_panel_->setTheme(theme_);
+  coverage_view_->setTheme(theme_);
+  stillness_view_->setTheme(theme_);
   patch_view_->setTheme(theme_);
   graph_view_->setTheme(theme_);
   residual_view_->setTheme(theme_);

@@ -6,7 +6,9 @@
 #include "app/window/theme.h"
 #include "widgets/selection.h"
 
+#include <QElapsedTimer>
 #include <QMainWindow>
+#include <QTimer>
 #include <functional>
 #include <memory>
 
@@ -18,8 +20,11 @@ class QTabBar;
 namespace hexoderm {
 
 class Banner;
+class CapturePanel;
+class CaptureTone;
 class CardDock;
 class CheckList;
+class CoverageView;
 class CellTable;
 class FindingTable;
 class GraphView;
@@ -30,6 +35,7 @@ class PatchView;
 class PoseTable;
 class ResidualView;
 class StepPanel;
+class StillnessView;
 class WindowShell;
 class Verification;
 class VerifyPanel;
@@ -81,6 +87,11 @@ class MainWindow : public QMainWindow {
   void connectLive();
   void scrollIfScreenIsSmall();
   void connectVerify();
+  void connectCapture();
+  void showCoverage(const std::shared_ptr<const Reconstruction>& reconstruction);
+  void showNextPose();
+  void showMoment();
+  void followPart();
   void restoreLayout();
   void rememberLayout() const;
 
@@ -129,6 +140,10 @@ class MainWindow : public QMainWindow {
   LiveStrip* live_strip_;
   StepPanel* step_panel_;
   CheckList* check_list_;
+  CapturePanel* capture_panel_;
+  CoverageView* coverage_view_;
+  StillnessView* stillness_view_;
+  CaptureTone* tone_;
   PatchView* patch_view_;
   GraphView* graph_view_;
   PoseTable* pose_table_;
@@ -145,13 +160,19 @@ class MainWindow : public QMainWindow {
   QTabBar* detail_tabs_;
   CardDock* graph_dock_ = nullptr;
   CardDock* pose_dock_ = nullptr;
+  CardDock* coverage_dock_ = nullptr;
   QLabel* session_name_;
   QLabel* source_status_;
   QLabel* cells_status_;
   QLabel* solve_status_;
   QLabel* saved_status_;
+  QLabel* said_status_;  ///< what went as it should, for a moment
+  QTimer said_timer_;
 
   std::optional<PoseId> picked_pose_;
+  std::optional<Eigen::Vector3d> current_up_;  ///< of the part just now, in the frame of the largest patch
+  QElapsedTimer advice_age_;
+  std::uint64_t restarts_ = 0;          ///< of captures, as the recorder last said
   std::function<void()> after_saving_;  ///< what waits for the session to be on disk
   bool may_close_ = false;
   bool close_when_written_ = false;

@@ -192,6 +192,8 @@ void applyTextFactor(double factor) {
 bool prepareSoftwareOpenGl(bool asked) {
   if (!asked && !QSettings().value(kSoftwareOpenGl, false).toBool()) return false;
   qputenv("LIBGL_ALWAYS_SOFTWARE", "1");
+  // It would send all drawing to the display's server, which knows no OpenGL that is new enough.
+  qunsetenv("LIBGL_ALWAYS_INDIRECT");
   qputenv("QT_OPENGL", "software");
   QCoreApplication::setAttribute(Qt::AA_UseSoftwareOpenGL);
   return true;

@@ -178,11 +178,14 @@ void RecentFiles::serve(QMenu* menu, std::function<void(QString)> open) {
     connect(clean, &QAction::triggered, this, &RecentFiles::clear);
   };
   connect(menu, &QMenu::aboutToShow, this, &RecentFiles::check);
-  // Not while it is shown: an action that is just chosen would go.
   connect(menu, &QMenu::aboutToShow, menu, fill);
-  connect(this, &RecentFiles::changed, menu, [menu, fill] {
-    if (!menu->isVisible()) fill();
-  });
+  // Not while it is shown, nor while one of its actions is at work, which would go.
+  connect(
+      this, &RecentFiles::changed, menu,
+      [menu, fill] {
+        if (!menu->isVisible()) fill();
+      },
+      Qt::QueuedConnection);
   fill();
 }
 

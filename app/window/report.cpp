@@ -11,8 +11,11 @@
 #include <QPainter>
 #include <QPdfWriter>
 #include <QTextDocument>
+#include <QThread>
+#include <QUrl>
 #include <cmath>
 #include <filesystem>
+#include <memory>
 
 namespace hexoderm {
 namespace {
@@ -40,13 +43,7 @@ void paintFoot(QPainter& painter, const QRectF& foot, const QString& name, int p
                    painter.fontMetrics().elidedText(name, Qt::ElideMiddle, width));
 }
 
-}  // namespace
-
-QString reportHtml(const ReportContent& content) {
-  return ReportPage(content, [](const QImage& image, std::size_t /*index*/) { return dataUri(image); }).html();
-}
-
-QByteArray reportPdf(const ReportContent& content) {
+QByteArray drawPdf(const ReportContent& content) {
   QByteArray pdf;
   QBuffer buffer(&pdf);
   buffer.open(QIODevice::WriteOnly);
@@ -86,6 +83,21 @@ QByteArray reportPdf(const ReportContent& content) {
     paintFoot(painter, paper, content.name, page + 1, pages);
   }
   painter.end();
+  return pdf;
+}
+
+}  // namespace
+
+QString reportHtml(const ReportContent& content) {
+  return ReportPage(content, [](const QImage& image, std::size_t /*index*/) { return dataUri(image); }).html();
+}
+
+QByteArray reportPdf(const ReportContent& content) {
+  // A document's layout has timers, which ask for a thread of Qt's.
+  QByteArray pdf;
+  const std::unique_ptr<QThread> thread(QThread::create([&] { pdf = drawPdf(content); }));
+  thread->start();
+  thread->wait();
   return pdf;
 }
 

@@ -1,5 +1,7 @@
 #include "app/window/report_pictures.h"
 
+#include "hexoderm/reconstruction/pose_coverage.h"
+#include "widgets/coverage_view.h"
 #include "widgets/graph_view.h"
 #include "widgets/patch_view.h"
 #include "widgets/selection.h"
@@ -40,6 +42,11 @@ std::vector<ReportPicture> takeReportPictures(const std::shared_ptr<const Recons
   graph.setReconstruction(reconstruction);
   graph.fit();
   pictures.push_back({ReportPictures::tr("Skin graph"), graph.grab().toImage()});
+  CoverageView coverage;
+  coverage.resize(kSize);
+  coverage.setTheme(Theme::Light);
+  coverage.setCoverage(coverageOf(*reconstruction));
+  pictures.push_back({ReportPictures::tr("Directions of gravity"), coverage.grab().toImage()});
   return pictures;
 }
 

@@ -184,6 +184,8 @@ class SessionController : public QObject {
   void addCapture(const CapturedPose& captured);
   /// Of the pose among the session's.
   [[nodiscard]] std::optional<std::size_t> indexOf(PoseId pose) const;
+  /// Named by how the part is held, where that is known.
+  [[nodiscard]] std::shared_ptr<const PoseCapture> withLabel(std::shared_ptr<const PoseCapture> pose) const;
   void announce(PoseId pose);
   void announceAll();
   [[nodiscard]] std::vector<std::shared_ptr<const PoseCapture>> enabledCaptures() const;

@@ -1,6 +1,7 @@
 // The part of SessionController about what the operator does next: the advised pose, a device that turns itself, a pose
 // that is taken again, and the skin as it is at this moment.
 #include "app/window/session_controller.h"
+#include "hexoderm/reconstruction/pose_coverage.h"
 
 #include <QMetaObject>
 #include <algorithm>
@@ -17,12 +18,6 @@ constexpr std::size_t kRobotPoseCount = 12;
 std::size_t enabledPoses(const Session& session) {
   return static_cast<std::size_t>(std::count_if(session.poses().begin(), session.poses().end(),
                                                 [](const SessionPose& pose) { return !pose.disabled; }));
-}
-
-const PatchReconstruction* largestPatch(const Reconstruction& reconstruction) {
-  const auto largest = std::max_element(reconstruction.patches.begin(), reconstruction.patches.end(),
-                                        [](const auto& a, const auto& b) { return a.cells.size() < b.cells.size(); });
-  return largest == reconstruction.patches.end() ? nullptr : &*largest;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "app/window/scratch_session.h"
 #include "app/window/session_controller.h"
 
+#include "hexoderm/reconstruction/pose_coverage.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
@@ -150,15 +151,16 @@ void SessionController::addCapture(const CapturedPose& captured) {
   }
   announcement.remarkable = captured.repeats || !captured.silent_cells.empty();
   announcements_[pose.id] = announcement;
+  const std::shared_ptr<const PoseCapture> labelled = withLabel(captured.pose);
   if (const auto replaced = recapturing_ ? indexOf(*recapturing_) : std::nullopt) {
     // One step for undo: the pose that was there, back in its place.
     undo_stack_.beginMacro(tr("recapture pose %1").arg(recapturing_->value()));
     undo_stack_.push(new RemovePoseCommand(edited(), *replaced));
-    undo_stack_.push(new AddPoseCommand(edited(), {captured.pose, false}, *replaced));
+    undo_stack_.push(new AddPoseCommand(edited(), {labelled, false}, *replaced));
     recapturing_.reset();
     undo_stack_.endMacro();
   } else {
-    undo_stack_.push(new AddPoseCommand(edited(), {captured.pose, false}));
+    undo_stack_.push(new AddPoseCommand(edited(), {labelled, false}));
   }
   // Where no file keeps the session, there is none to wait for.
   if (!journal_) announce(pose.id);
@@ -170,6 +172,19 @@ void SessionController::announce(PoseId pose) {
   const Announcement announcement = found->second;
   announcements_.erase(found);
   emit captured(announcement.text, announcement.remarkable);
+}
+
+std::shared_ptr<const PoseCapture> SessionController::withLabel(std::shared_ptr<const PoseCapture> pose) const {
+  if (!pose->label.empty() || !reconstruction_ || !largestPatch(*reconstruction_)) return pose;
+  // The patch's frame is the origin cell's, so its reading alone says where up is; the shape need not be known yet.
+  const CellId origin = largestPatch(*reconstruction_)->origin;
+  const auto of_origin = std::find_if(pose->samples.begin(), pose->samples.end(),
+                                      [&](const GravitySample& sample) { return sample.cell == origin; });
+  if (of_origin == pose->samples.end() || of_origin->mean_g.norm() < 0.5) return pose;
+  const Eigen::Vector3d up_o = reconstruction_->model->accelerometer.T_u_a.R * of_origin->mean_g.normalized();
+  auto labelled = std::make_shared<PoseCapture>(*pose);
+  labelled->label = poseLabel(up_o);
+  return labelled;
 }
 
 std::optional<std::size_t> SessionController::indexOf(PoseId pose) const {

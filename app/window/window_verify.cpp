@@ -9,17 +9,13 @@
 #include "widgets/table_actions.h"
 #include "widgets/verify_panel.h"
 
-#include <QHeaderView>
 #include <QTableView>
 
 namespace hexoderm {
 
 void MainWindow::connectVerify() {
   step_panel_->setBody(static_cast<int>(GuideStep::Verify), verify_panel_);
-  for (QTableView* view : {pose_view_, link_view_, cell_view_}) {
-    view->horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder);
-    view->setSortingEnabled(true);
-  }
+  for (QTableView* view : {pose_view_, link_view_, cell_view_}) SortedTable::enableIn(view);
   const auto tell = [this](TableActions* actions) {
     connect(actions, &TableActions::saved, this,
             [this](const QString& path) { showDone(tr("Saved to %1").arg(path), path); });

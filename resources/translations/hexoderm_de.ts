@@ -2,665 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
-    <name>hexoderm</name>
-    <message>
-        <source>%1° or more</source>
-        <translation>%1° oder mehr</translation>
-    </message>
-    <message>
-        <source>own readings</source>
-        <translation>eigene Messwerte</translation>
-    </message>
-    <message>
-        <source>links</source>
-        <translation>Verbindungen</translation>
-    </message>
-    <message>
-        <source>patch %1</source>
-        <translation>Hautstück %1</translation>
-    </message>
-    <message>
-        <source>link quality</source>
-        <translation>Güte</translation>
-    </message>
-    <message>
-        <source>residual</source>
-        <translation>Restfehler</translation>
-    </message>
-    <message>
-        <source>predicted deviation</source>
-        <translation>erwartete Abweichung</translation>
-    </message>
-    <message>
-        <source>bend</source>
-        <translation>Biegung</translation>
-    </message>
-    <message>
-        <source>twist</source>
-        <translation>Verwindung</translation>
-    </message>
-    <message>
-        <source>yaw</source>
-        <translation>Drehung</translation>
-    </message>
-    <message>
-        <source>position uncertainty</source>
-        <translation>Unsicherheit des Ortes</translation>
-    </message>
-    <message>
-        <source>orientation uncertainty</source>
-        <translation>Unsicherheit der Drehung</translation>
-    </message>
-    <message>
-        <source>placed by</source>
-        <translation>eingeordnet durch</translation>
-    </message>
-    <message>
-        <source>patch</source>
-        <translation>Hautstück</translation>
-    </message>
-    <message>
-        <source>body part</source>
-        <translation>Körperteil</translation>
-    </message>
-    <message>
-        <source>residual, rms over poses</source>
-        <translation>Restfehler, Effektivwert über die Posen</translation>
-    </message>
-    <message>
-        <source>bend, either way</source>
-        <translation>Biegung, beide Richtungen</translation>
-    </message>
-    <message>
-        <source>twist, either way</source>
-        <translation>Verwindung, beide Richtungen</translation>
-    </message>
-    <message>
-        <source>yaw, either way</source>
-        <translation>Drehung, beide Richtungen</translation>
-    </message>
-    <message>
-        <source>position known to (95 %)</source>
-        <translation>Ort bekannt auf (95 %)</translation>
-    </message>
-    <message>
-        <source>±%1 mm or more</source>
-        <translation>±%1 mm oder mehr</translation>
-    </message>
-    <message>
-        <source>orientation known to (95 %)</source>
-        <translation>Drehung bekannt auf (95 %)</translation>
-    </message>
-    <message>
-        <source>Cell</source>
-        <translation>Zelle</translation>
-    </message>
-    <message>
-        <source>ID of the cell</source>
-        <translation>ID der Zelle</translation>
-    </message>
-    <message>
-        <source>Needs three poses besides the one that is held out, and there are %1: take another pose.</source>
-        <translation>Braucht drei Posen außer der zurückgehaltenen, vorhanden sind %1: noch eine Pose aufnehmen.</translation>
-    </message>
-    <message>
-        <source>In pose %1 no two joined cells can be compared.</source>
-        <translation>In Pose %1 lassen sich keine zwei verbundenen Zellen vergleichen.</translation>
-    </message>
-    <message>
-        <source>Cancelled.</source>
-        <translation>Abgebrochen.</translation>
-    </message>
-    <message>
-        <source>The other %1 poses foretell pose %2 to %3 (rms over %4 cells); %5 were expected.</source>
-        <translation>Die anderen %1 Posen sagen Pose %2 auf %3 genau voraus (Effektivwert über %4 Zellen); erwartet waren %5.</translation>
-    </message>
-    <message>
-        <source>Worst: cell %1, %2.</source>
-        <translation>Am schlechtesten: Zelle %1, %2.</translation>
-    </message>
-    <message>
-        <source>As good as stated. %1</source>
-        <translation>So gut wie angegeben. %1</translation>
-    </message>
-    <message>
-        <source>Somewhat worse than stated. %1 %2</source>
-        <translation>Etwas schlechter als angegeben. %1 %2</translation>
-    </message>
-    <message>
-        <source>Far worse than stated: the part moved in this pose, or a cell is wrong. %1 %2</source>
-        <translation>Weit schlechter als angegeben: Das Teil hat sich in dieser Pose bewegt, oder eine Zelle ist falsch. %1 %2</translation>
-    </message>
-    <message>
-        <source>Error °</source>
-        <translation>Fehler °</translation>
-    </message>
-    <message>
-        <source>Between the gravity the cell read and what the other cells and poses foretell</source>
-        <translation>Zwischen der Schwerkraft, die die Zelle maß, und dem, was die anderen Zellen und Posen voraussagen</translation>
-    </message>
-    <message>
-        <source>Expected °</source>
-        <translation>Erwartet °</translation>
-    </message>
-    <message>
-        <source>What the stated uncertainties lead one to expect, rms</source>
-        <translation>Was nach den angegebenen Unsicherheiten zu erwarten ist, Effektivwert</translation>
-    </message>
-    <message>
-        <source>Link</source>
-        <translation>Verbindung</translation>
-    </message>
-    <message>
-        <source>Cell and port of both ends</source>
-        <translation>Zelle und Port beider Enden</translation>
-    </message>
-    <message>
-        <source>Between what its two cells read, brought into one frame</source>
-        <translation>Zwischen dem, was ihre beiden Zellen messen, in einem Koordinatensystem</translation>
-    </message>
-    <message>
-        <source>No loop in any of the %1 patches: nothing closes that could be checked.</source>
-        <translation>Keine Schleife in einem der %1 Hautstücke: Es schließt sich nichts, was sich prüfen ließe.</translation>
-    </message>
-    <message>
-        <source>No loop in this patch: nothing closes that could be checked.</source>
-        <translation>Keine Schleife in diesem Hautstück: Es schließt sich nichts, was sich prüfen ließe.</translation>
-    </message>
-    <message>
-        <source>%1, %2 of its %3</source>
-        <translation>%1, %2 ihrer %3</translation>
-    </message>
-    <message>
-        <source>One open loop; its gap is %1.</source>
-        <translation>Eine offene Schleife; ihre Lücke ist %1.</translation>
-    </message>
-    <message>
-        <source>%1 open loops; the largest gap is %2.</source>
-        <translation>%1 offene Schleifen; die größte Lücke ist %2.</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>%1 closed loops close: the largest is left open by %2, and a skin link may leave %3.</source>
-        <translation>%1 geschlossene Schleifen schließen sich: Die größte bleibt um %2 offen, eine Hautverbindung darf %3 lassen.</translation>
-    </message>
-    <message>
-        <source>Of %1 closed loops the largest is left open by %2, more than the %3 a skin link may leave: one of its links is wrong, or many err alike.</source>
-        <translation>Von %1 geschlossenen Schleifen bleibt die größte um %2 offen, mehr als die %3, die eine Hautverbindung lassen darf: Eine ihrer Verbindungen ist falsch, oder viele irren gleich.</translation>
-    </message>
-    <message>
-        <source>Between</source>
-        <translation>Zwischen</translation>
-    </message>
-    <message>
-        <source>The two ports at which the loop is closed, or open</source>
-        <translation>Die beiden Ports, an denen die Schleife geschlossen oder offen ist</translation>
-    </message>
-    <message>
-        <source>Kind</source>
-        <translation>Art</translation>
-    </message>
-    <message>
-        <source>Closed by a link, or open between two free ports</source>
-        <translation>Durch eine Verbindung geschlossen oder zwischen zwei freien Ports offen</translation>
-    </message>
-    <message>
-        <source>Cells</source>
-        <translation>Zellen</translation>
-    </message>
-    <message>
-        <source>Cells of the loop</source>
-        <translation>Zellen der Schleife</translation>
-    </message>
-    <message>
-        <source>Gap mm</source>
-        <translation>Lücke mm</translation>
-    </message>
-    <message>
-        <source>Length of what is missing when the loop is walked round</source>
-        <translation>Länge dessen, was nach einem Rundgang fehlt</translation>
-    </message>
-    <message>
-        <source>X mm</source>
-        <translation>X mm</translation>
-    </message>
-    <message>
-        <source>The gap, in the patch&apos;s frame</source>
-        <translation>Die Lücke, im Koordinatensystem des Hautstücks</translation>
-    </message>
-    <message>
-        <source>Y mm</source>
-        <translation>Y mm</translation>
-    </message>
-    <message>
-        <source>Z mm</source>
-        <translation>Z mm</translation>
-    </message>
-    <message>
-        <source>Share %</source>
-        <translation>Anteil %</translation>
-    </message>
-    <message>
-        <source>The gap in per cent of the accumulated port vectors</source>
-        <translation>Die Lücke in Prozent der aufsummierten Portvektoren</translation>
-    </message>
-    <message>
-        <source>closed</source>
-        <translation>geschlossen</translation>
-    </message>
-    <message>
-        <source>open</source>
-        <translation>offen</translation>
-    </message>
-    <message>
-        <source>Plane</source>
-        <translation>Ebene</translation>
-    </message>
-    <message>
-        <source>Sphere</source>
-        <translation>Kugel</translation>
-    </message>
-    <message>
-        <source>Cylinder</source>
-        <translation>Zylinder</translation>
-    </message>
-    <message>
-        <source>Cone</source>
-        <translation>Kegel</translation>
-    </message>
-    <message>
-        <source>%1, half angle %2, radius %3 at its middle</source>
-        <translation>%1, halber Winkel %2, Radius %3 in der Mitte</translation>
-    </message>
-    <message>
-        <source>%1, radius %2</source>
-        <translation>%1, Radius %2</translation>
-    </message>
-    <message>
-        <source>%1: %2 cell centres lie within %3 (rms) of it; the worst is cell %4, %5.</source>
-        <translation>%1: %2 Zellmitten liegen im Mittel (Effektivwert) %3 davon entfernt; am weitesten Zelle %4, %5.</translation>
-    </message>
-    <message>
-        <source>That is within the ±%1 stated for positions (95 %).</source>
-        <translation>Das liegt innerhalb der für Orte angegebenen ±%1 (95 %).</translation>
-    </message>
-    <message>
-        <source>That is more than the ±%1 stated for positions (95 %): the part has another shape, or positions are worse than stated.</source>
-        <translation>Das ist mehr als die für Orte angegebenen ±%1 (95 %): Das Teil hat eine andere Form, oder die Orte sind schlechter als angegeben.</translation>
-    </message>
-    <message>
-        <source>Against the true radius: Δ = %1 (eq. 20), ε = %2 (eq. 21).</source>
-        <translation>Gegen den wahren Radius: Δ = %1 (Gl. 20), ε = %2 (Gl. 21).</translation>
-    </message>
-    <message>
-        <source>Distance mm</source>
-        <translation>Abstand mm</translation>
-    </message>
-    <message>
-        <source>From the surface; positive outside of it</source>
-        <translation>Von der Fläche; außerhalb positiv</translation>
-    </message>
-    <message>
-        <source>%1 has no cell in common with this calibration.</source>
-        <translation>%1 hat mit dieser Kalibrierung keine Zelle gemeinsam.</translation>
-    </message>
-    <message>
-        <source>Against %1, after alignment: %2 and %3 rms over %4 cells.</source>
-        <translation>Gegen %1, nach dem Ausrichten: %2 und %3 im Mittel (Effektivwert) über %4 Zellen.</translation>
-    </message>
-    <message>
-        <source>%1 Neither of them states an uncertainty to compare with.</source>
-        <translation>%1 Keine der beiden nennt eine Unsicherheit zum Vergleichen.</translation>
-    </message>
-    <message>
-        <source>Of %1 cells, %2 lie and %3 point within what was stated with 95 %.</source>
-        <translation>Von %1 Zellen liegen %2 und zeigen %3 innerhalb dessen, was mit 95 % angegeben war.</translation>
-    </message>
-    <message>
-        <source>Within what was stated for 95 % of cells. %1 %2</source>
-        <translation>Innerhalb dessen, was für 95 % der Zellen angegeben war. %1 %2</translation>
-    </message>
-    <message>
-        <source>Further apart than what was stated for 95 % of cells. %1 %2</source>
-        <translation>Weiter auseinander, als für 95 % der Zellen angegeben war. %1 %2</translation>
-    </message>
-    <message>
-        <source>Moved mm</source>
-        <translation>Versetzt mm</translation>
-    </message>
-    <message>
-        <source>Distance between the two, after alignment</source>
-        <translation>Abstand der beiden, nach dem Ausrichten</translation>
-    </message>
-    <message>
-        <source>Stated mm</source>
-        <translation>Angegeben mm</translation>
-    </message>
-    <message>
-        <source>Standard deviation stated for that, of both together</source>
-        <translation>Dafür angegebene Standardabweichung, beide zusammen</translation>
-    </message>
-    <message>
-        <source>Turned °</source>
-        <translation>Gedreht °</translation>
-    </message>
-    <message>
-        <source>Angle between the two, after alignment</source>
-        <translation>Winkel zwischen den beiden, nach dem Ausrichten</translation>
-    </message>
-    <message>
-        <source>Stated °</source>
-        <translation>Angegeben °</translation>
-    </message>
-    <message>
-        <source>no link</source>
-        <translation>keine Verbindung</translation>
-    </message>
-    <message>
-        <source>and %1 more</source>
-        <translation>und %1 weitere</translation>
-    </message>
-    <message>
-        <source>not known</source>
-        <translation>nicht bekannt</translation>
-    </message>
-    <message>
-        <source>Cells are coloured by: %1; from %2 (dark) to %3 (bright)</source>
-        <translation>Farbe der Zellen: %1; von %2 (dunkel) bis %3 (hell)</translation>
-    </message>
-    <message>
-        <source>Cells are coloured by: %1</source>
-        <translation>Farbe der Zellen: %1</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>drawn %1 times as large</source>
-        <translation>%1-fach vergrößert gezeichnet</translation>
-    </message>
-    <message>
-        <source>true to scale</source>
-        <translation>maßstäblich</translation>
-    </message>
-    <message>
-        <source>plane</source>
-        <translation>Ebene</translation>
-    </message>
-    <message>
-        <source>sphere</source>
-        <translation>Kugel</translation>
-    </message>
-    <message>
-        <source>cylinder</source>
-        <translation>Zylinder</translation>
-    </message>
-    <message>
-        <source>cone</source>
-        <translation>Kegel</translation>
-    </message>
-    <message>
-        <source>distance from the origin</source>
-        <translation>Abstand vom Ursprung</translation>
-    </message>
-    <message>
-        <source>distance from the fitted surface</source>
-        <translation>Abstand von der angepassten Fläche</translation>
-    </message>
-    <message>
-        <source>reading x</source>
-        <translation>Messwert x</translation>
-    </message>
-    <message>
-        <source>reading y</source>
-        <translation>Messwert y</translation>
-    </message>
-    <message>
-        <source>reading z</source>
-        <translation>Messwert z</translation>
-    </message>
-    <message>
-        <source>reading, norm</source>
-        <translation>Messwert, Betrag</translation>
-    </message>
-    <message>
-        <source>temperature</source>
-        <translation>Temperatur</translation>
-    </message>
-    <message>
-        <source>worst link&apos;s residual, °</source>
-        <translation>Restfehler der schlechtesten Verbindung, °</translation>
-    </message>
-    <message>
-        <source>worst link&apos;s predicted deviation, °</source>
-        <translation>erwartete Abweichung der schlechtesten Verbindung, °</translation>
-    </message>
-    <message>
-        <source>position uncertainty (95 %), mm</source>
-        <translation>Unsicherheit des Ortes (95 %), mm</translation>
-    </message>
-    <message>
-        <source>orientation uncertainty (95 %), °</source>
-        <translation>Unsicherheit der Drehung (95 %), °</translation>
-    </message>
-    <message>
-        <source>distance from the origin along the path, mm</source>
-        <translation>Abstand vom Ursprung entlang des Weges, mm</translation>
-    </message>
-    <message>
-        <source>distance from the fitted surface, mm</source>
-        <translation>Abstand von der angepassten Fläche, mm</translation>
-    </message>
-    <message>
-        <source>newest reading along x, g</source>
-        <translation>neuester Messwert entlang x, g</translation>
-    </message>
-    <message>
-        <source>newest reading along y, g</source>
-        <translation>neuester Messwert entlang y, g</translation>
-    </message>
-    <message>
-        <source>newest reading along z, g</source>
-        <translation>neuester Messwert entlang z, g</translation>
-    </message>
-    <message>
-        <source>norm of the newest reading, g</source>
-        <translation>Betrag des neuesten Messwerts, g</translation>
-    </message>
-    <message>
-        <source>temperature, °C</source>
-        <translation>Temperatur, °C</translation>
-    </message>
-    <message>
-        <source>%1 or less</source>
-        <translation>%1 oder weniger</translation>
-    </message>
-    <message>
-        <source>%1 or more</source>
-        <translation>%1 oder mehr</translation>
-    </message>
-    <message>
-        <source>No link was measured yet</source>
-        <translation>Noch ist keine Verbindung gemessen</translation>
-    </message>
-    <message>
-        <source>This result states no uncertainties</source>
-        <translation>Dieses Ergebnis nennt keine Unsicherheiten</translation>
-    </message>
-    <message>
-        <source>This result holds no paths from the origin</source>
-        <translation>Dieses Ergebnis enthält keine Wege vom Ursprung</translation>
-    </message>
-    <message>
-        <source>No surface was fitted yet</source>
-        <translation>Noch ist keine Fläche angepasst</translation>
-    </message>
-    <message>
-        <source>The skin does not say which body part its cells are on</source>
-        <translation>Die Haut sagt nicht, auf welchem Körperteil ihre Zellen sind</translation>
-    </message>
-    <message>
-        <source>There are no readings: connect a skin</source>
-        <translation>Es gibt keine Messwerte: eine Haut verbinden</translation>
-    </message>
-    <message>
-        <source>The skin sends no temperatures</source>
-        <translation>Die Haut sendet keine Temperaturen</translation>
-    </message>
-    <message>
-        <source>&amp;Ports</source>
-        <translation>&amp;Ports</translation>
-    </message>
-    <message>
-        <source>Cell &amp;IDs</source>
-        <translation>&amp;IDs der Zellen</translation>
-    </message>
-    <message>
-        <source>A&amp;xes</source>
-        <translation>&amp;Achsen</translation>
-    </message>
-    <message>
-        <source>&amp;Gravity</source>
-        <translation>&amp;Schwerkraft</translation>
-    </message>
-    <message>
-        <source>&amp;Links by quality</source>
-        <translation>&amp;Verbindungen nach Güte</translation>
-    </message>
-    <message>
-        <source>Shortest-path t&amp;ree</source>
-        <translation>&amp;Baum der kürzesten Wege</translation>
-    </message>
-    <message>
-        <source>&amp;Uncertainty ellipsoids</source>
-        <translation>&amp;Unsicherheitsellipsoide</translation>
-    </message>
-    <message>
-        <source>&amp;Truth</source>
-        <translation>&amp;Wahrheit</translation>
-    </message>
-    <message>
-        <source>Fitted &amp;surface</source>
-        <translation>Angepasste &amp;Fläche</translation>
-    </message>
-    <message>
-        <source>L&amp;oop gap</source>
-        <translation>Lücke der S&amp;chleife</translation>
-    </message>
-    <message>
-        <source>&amp;Differences to the other calibration</source>
-        <translation>&amp;Unterschiede zur anderen Kalibrierung</translation>
-    </message>
-    <message>
-        <source>Discs where a link joins a neighbour, rings where a port is free</source>
-        <translation>Scheiben, wo eine Verbindung ansetzt, Ringe, wo ein Port frei ist</translation>
-    </message>
-    <message>
-        <source>Each cell&apos;s number, on faces that look at you</source>
-        <translation>Die Nummer jeder Zelle, auf zugewandten Seiten</translation>
-    </message>
-    <message>
-        <source>The directions of the patch&apos;s frame, which is the origin cell&apos;s</source>
-        <translation>Die Richtungen im Koordinatensystem des Hautstücks, dem der Ursprungszelle</translation>
-    </message>
-    <message>
-        <source>Where gravity points in the picked pose</source>
-        <translation>Wohin die Schwerkraft in der gewählten Pose zeigt</translation>
-    </message>
-    <message>
-        <source>Every link in the colour and line style of its class; muted links are crossed</source>
-        <translation>Jede Verbindung in Farbe und Linienart ihrer Güte; ausgeschlossene sind durchgestrichen</translation>
-    </message>
-    <message>
-        <source>The links by which every cell is reached from the origin on the shortest way</source>
-        <translation>Die Verbindungen, über die jede Zelle auf kürzestem Weg vom Ursprung erreicht wird</translation>
-    </message>
-    <message>
-        <source>The region that holds each cell&apos;s centre with 95 % probability, relative to the origin</source>
-        <translation>Der Bereich, in dem die Mitte jeder Zelle mit 95 % Wahrscheinlichkeit liegt, bezogen auf den Ursprung</translation>
-    </message>
-    <message>
-        <source>Where the simulated cells really are, moved onto the result as well as possible</source>
-        <translation>Wo die simulierten Zellen wirklich sind, bestmöglich auf das Ergebnis gelegt</translation>
-    </message>
-    <message>
-        <source>The surface fitted to the cells, with each cell&apos;s distance from it</source>
-        <translation>Die an die Zellen angepasste Fläche, mit dem Abstand jeder Zelle</translation>
-    </message>
-    <message>
-        <source>The gap between the two ports where the loop should close</source>
-        <translation>Die Lücke zwischen den beiden Ports, an denen sich die Schleife schließen soll</translation>
-    </message>
-    <message>
-        <source>From where each cell was to where it is now</source>
-        <translation>Von wo jede Zelle war bis wo sie jetzt ist</translation>
-    </message>
-    <message>
-        <source>There is no skin yet</source>
-        <translation>Noch gibt es keine Haut</translation>
-    </message>
-    <message>
-        <source>This skin has too many cells to draw them: at most %1</source>
-        <translation>Diese Haut hat dafür zu viele Zellen: höchstens %1</translation>
-    </message>
-    <message>
-        <source>Only of a simulated skin is the truth known</source>
-        <translation>Nur von einer simulierten Haut ist die Wahrheit bekannt</translation>
-    </message>
-    <message>
-        <source>No loop was evaluated yet</source>
-        <translation>Noch ist keine Schleife ausgewertet</translation>
-    </message>
-    <message>
-        <source>No comparison was made yet</source>
-        <translation>Noch ist nichts verglichen</translation>
-    </message>
-    <message>
-        <source>broad lines: the shortest-path tree</source>
-        <translation>breite Linien: der Baum der kürzesten Wege</translation>
-    </message>
-    <message>
-        <source>ellipsoids: 95 %, %1</source>
-        <translation>Ellipsoide: 95 %, %1</translation>
-    </message>
-    <message>
-        <source>outlines: the truth, moved onto the result</source>
-        <translation>Umrisse: die Wahrheit, auf das Ergebnis gelegt</translation>
-    </message>
-    <message>
-        <source>; rms distance %1, lines %2</source>
-        <translation>; mittlerer Abstand %1, Linien %2</translation>
-    </message>
-    <message>
-        <source>loop gap: %1, %2 % of the loop</source>
-        <translation>Lücke der Schleife: %1, %2 % der Schleife</translation>
-    </message>
-    <message>
-        <source>arrows: from before to now, %1</source>
-        <translation>Pfeile: von vorher zu jetzt, %1</translation>
-    </message>
-    <message>
-        <source>Cells %1 and %2 are in different patches: how these lie to each other is not known</source>
-        <translation>Die Zellen %1 und %2 sind in verschiedenen Hautstücken: Wie diese zueinander liegen, ist nicht bekannt</translation>
-    </message>
-    <message>
-        <source>%1°</source>
-        <translation>%1°</translation>
-    </message>
-    <message>
-        <source>Cells %1 and %2: %3 apart, their faces %4 to each other</source>
-        <translation>Zellen %1 und %2: %3 Abstand, ihre Flächen %4 zueinander</translation>
-    </message>
-    <message>
-        <source>Cells %1 and %2: %3 ± %4 (95 %) apart, their faces %5 to each other</source>
-        <translation>Zellen %1 und %2: %3 ± %4 (95 %) Abstand, ihre Flächen %5 zueinander</translation>
-    </message>
-</context>
-<context>
     <name>hexoderm::AddPoseCommand</name>
     <message>
         <source>take pose %1</source>
@@ -672,6 +13,296 @@
     <message>
         <source>Where we stand</source>
         <translation>Wo wir stehen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::CapturePanel</name>
+    <message>
+        <source>Capturing poses</source>
+        <translation>Posen aufnehmen</translation>
+    </message>
+    <message>
+        <source>No skin is connected, so no pose can be taken.</source>
+        <translation>Keine Haut ist verbunden, also lässt sich keine Pose aufnehmen.</translation>
+    </message>
+    <message>
+        <source>no readings</source>
+        <translation>keine Messwerte</translation>
+    </message>
+    <message>
+        <source>Captured</source>
+        <translation>Aufgenommen</translation>
+    </message>
+    <message>
+        <source>pose %1</source>
+        <translation>Pose %1</translation>
+    </message>
+    <message>
+        <source>No skin is connected.</source>
+        <translation>Keine Haut ist verbunden.</translation>
+    </message>
+    <message>
+        <source>Working out which pose helps most…</source>
+        <translation>Gesucht wird, welche Pose am meisten hilft…</translation>
+    </message>
+    <message>
+        <source>Turn on</source>
+        <translation>Einschalten</translation>
+    </message>
+    <message>
+        <source>%1° to go</source>
+        <translation>noch %1°</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::CaptureWords</name>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1 mg</source>
+        <translation>%1 mg</translation>
+    </message>
+    <message>
+        <source>%1 °/s</source>
+        <translation>%1 °/s</translation>
+    </message>
+    <message>
+        <source>reads no gravity</source>
+        <translation>misst keine Schwerkraft</translation>
+    </message>
+    <message>
+        <source>stuck</source>
+        <translation>hängt</translation>
+    </message>
+    <message>
+        <source>noisy</source>
+        <translation>rauscht</translation>
+    </message>
+    <message>
+        <source>turns by itself</source>
+        <translation>dreht sich allein</translation>
+    </message>
+    <message>
+        <source>silent</source>
+        <translation>stumm</translation>
+    </message>
+    <message>
+        <source>Hold the part still, any way up.</source>
+        <translation>Das Teil stillhalten, egal wie herum.</translation>
+    </message>
+    <message>
+        <source>There are enough poses. Another one would hardly help.</source>
+        <translation>Es sind genug Posen. Eine weitere würde kaum helfen.</translation>
+    </message>
+    <message>
+        <source>Turn the part so that cell %1 faces the ceiling.</source>
+        <translation>Das Teil so drehen, dass Zelle %1 zur Decke zeigt.</translation>
+    </message>
+    <message>
+        <source>Turn the part so that cell %1 faces the floor.</source>
+        <translation>Das Teil so drehen, dass Zelle %1 zum Boden zeigt.</translation>
+    </message>
+    <message>
+        <source>Turn the part so that cell %1 faces a wall, as the picture shows.</source>
+        <translation>Das Teil so drehen, dass Zelle %1 zur Wand zeigt, wie im Bild.</translation>
+    </message>
+    <message>
+        <source>It is there: hold it like this.</source>
+        <translation>Geschafft: So halten.</translation>
+    </message>
+    <message>
+        <source>Half a turn around a horizontal axis.</source>
+        <translation>Eine halbe Drehung um eine waagrechte Achse.</translation>
+    </message>
+    <message>
+        <source>About %1° around the horizontal axis shown.</source>
+        <translation>Etwa %1° um die gezeigte waagrechte Achse.</translation>
+    </message>
+    <message>
+        <source>Why: what is left does not come from too few directions.</source>
+        <translation>Warum: Was bleibt, kommt nicht von zu wenigen Richtungen.</translation>
+    </message>
+    <message>
+        <source>Why: gravity, as every cell feels it, tells how the cells are turned against each other.</source>
+        <translation>Warum: Die Schwerkraft, wie jede Zelle sie spürt, verrät, wie die Zellen gegeneinander gedreht sind.</translation>
+    </message>
+    <message>
+        <source>Why: gravity has been seen along one line only. A second direction tells how the cells are turned about it.</source>
+        <translation>Warum: Die Schwerkraft wurde nur entlang einer Linie gesehen. Eine zweite Richtung verrät, wie die Zellen um sie gedreht sind.</translation>
+    </message>
+    <message>
+        <source>Why: the opposite of pose %1 tells each sensor&apos;s offset from its scale.</source>
+        <translation>Warum: Das Gegenteil von Pose %1 trennt Nullpunkt und Skalierung jedes Sensors.</translation>
+    </message>
+    <message>
+        <source>Why: a further direction averages out what the sensors still get wrong.</source>
+        <translation>Warum: Eine weitere Richtung mittelt aus, was die Sensoren noch falsch messen.</translation>
+    </message>
+    <message>
+        <source>No direction is missing: all three values reach %1.</source>
+        <translation>Keine Richtung fehlt: Alle drei Werte erreichen %1.</translation>
+    </message>
+    <message>
+        <source>No pose yet: any direction will do.</source>
+        <translation>Noch keine Pose: Jede Richtung ist recht.</translation>
+    </message>
+    <message>
+        <source>No pose yet with cell %1 facing the ceiling or the floor: the second value is %2, needs %3.</source>
+        <translation>Noch keine Pose mit Zelle %1 zur Decke oder zum Boden: Der zweite Wert ist %2, nötig sind %3.</translation>
+    </message>
+    <message>
+        <source>No pose yet with cell %1 facing the ceiling or the floor: the third value is %2, needs %3.</source>
+        <translation>Noch keine Pose mit Zelle %1 zur Decke oder zum Boden: Der dritte Wert ist %2, nötig sind %3.</translation>
+    </message>
+    <message>
+        <source>1 pose</source>
+        <translation>1 Pose</translation>
+    </message>
+    <message>
+        <source>%1 poses</source>
+        <translation>%1 Posen</translation>
+    </message>
+    <message>
+        <source>%1, %2 disabled</source>
+        <translation>%1, %2 nicht benutzt</translation>
+    </message>
+    <message>
+        <source>pose %1 on the front</source>
+        <translation>Pose %1 vorn</translation>
+    </message>
+    <message>
+        <source>pose %1 on the back</source>
+        <translation>Pose %1 hinten</translation>
+    </message>
+    <message>
+        <source>%1, disabled</source>
+        <translation>%1, nicht benutzt</translation>
+    </message>
+    <message>
+        <source>values %1, %2 and %3, limit %4: %5</source>
+        <translation>Werte %1, %2 und %3, Grenze %4: %5</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Capturing…</source>
+        <translation>Aufnahme…</translation>
+    </message>
+    <message>
+        <source>Hold…</source>
+        <translation>Halten…</translation>
+    </message>
+    <message>
+        <source>Still</source>
+        <translation>Ruhig</translation>
+    </message>
+    <message>
+        <source>ready to capture</source>
+        <translation>bereit zur Aufnahme</translation>
+    </message>
+    <message>
+        <source>Turn the part</source>
+        <translation>Teil drehen</translation>
+    </message>
+    <message>
+        <source>then hold it still</source>
+        <translation>dann stillhalten</translation>
+    </message>
+    <message>
+        <source>Hold still</source>
+        <translation>Stillhalten</translation>
+    </message>
+    <message>
+        <source>waits for stillness</source>
+        <translation>wartet auf Ruhe</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Wartet</translation>
+    </message>
+    <message>
+        <source>for readings</source>
+        <translation>auf Messwerte</translation>
+    </message>
+    <message>
+        <source>Looking whether it stayed still…</source>
+        <translation>Prüft, ob es ruhig blieb…</translation>
+    </message>
+    <message>
+        <source>Taking readings as they are, moved or not</source>
+        <translation>Misst, was da ist, bewegt oder nicht</translation>
+    </message>
+    <message>
+        <source>Taking readings of %1 cells</source>
+        <translation>Misst %1 Zellen</translation>
+    </message>
+    <message>
+        <source>The part is still</source>
+        <translation>Das Teil ist ruhig</translation>
+    </message>
+    <message>
+        <source>The part is still; it does not capture by itself</source>
+        <translation>Das Teil ist ruhig; von selbst wird nicht aufgenommen</translation>
+    </message>
+    <message>
+        <source>Waiting: no cell sends readings</source>
+        <translation>Wartet: Keine Zelle sendet Messwerte</translation>
+    </message>
+    <message>
+        <source>Waiting: %1 s of readings are needed to judge</source>
+        <translation>Wartet: zum Urteilen sind Messwerte von %1 s nötig</translation>
+    </message>
+    <message>
+        <source>Waiting: moved %1 since the last pose, needs %2</source>
+        <translation>Wartet: seit der letzten Pose %1 bewegt, nötig sind %2</translation>
+    </message>
+    <message>
+        <source>Waiting: the part turns by %1, limit %2</source>
+        <translation>Wartet: Das Teil dreht sich mit %1, Grenze %2</translation>
+    </message>
+    <message>
+        <source>Waiting: cell %1 moves %2, limit %3</source>
+        <translation>Wartet: Zelle %1 bewegt sich um %2, Grenze %3</translation>
+    </message>
+    <message>
+        <source>Waiting: cell %1 turns by %2 against the rest, limit %3</source>
+        <translation>Wartet: Zelle %1 dreht sich mit %2 gegen die anderen, Grenze %3</translation>
+    </message>
+    <message>
+        <source>cell %1 (%2)</source>
+        <translation>Zelle %1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 more</source>
+        <translation>%1 weitere</translation>
+    </message>
+    <message>
+        <source>Not waited for: %1</source>
+        <translation>Nicht gewartet wird auf: %1</translation>
+    </message>
+    <message>
+        <source>Why: gravity has been seen in one plane only. A direction out of it also reveals each sensor&apos;s offset.</source>
+        <translation>Warum: Die Schwerkraft wurde nur in einer Ebene gesehen. Eine Richtung außerhalb davon zeigt auch den Nullpunktfehler jedes Sensors.</translation>
+    </message>
+    <message>
+        <source>Another pose would hardly make it better.</source>
+        <translation>Eine weitere Pose würde kaum etwas verbessern.</translation>
+    </message>
+    <message>
+        <source>With this pose the error falls to about %1 % of what it is now.</source>
+        <translation>Mit dieser Pose sinkt der Fehler auf etwa %1 % des jetzigen.</translation>
+    </message>
+    <message>
+        <source>No pose yet with the side of cell %1 up or down: the second value is %2, needs %3.</source>
+        <translation>Noch keine Pose, in der die Seite von Zelle %1 nach oben oder unten zeigt: Der zweite Wert ist %2, nötig sind %3.</translation>
+    </message>
+    <message>
+        <source>No pose yet with the side of cell %1 up or down: the third value is %2, needs %3.</source>
+        <translation>Noch keine Pose, in der die Seite von Zelle %1 nach oben oder unten zeigt: Der dritte Wert ist %2, nötig sind %3.</translation>
     </message>
 </context>
 <context>
@@ -1965,6 +1596,63 @@
         <source>cone fit: the points lie in a plane</source>
         <translation>Kegel: Die Punkte liegen in einer Ebene</translation>
     </message>
+    <message>
+        <source>%1, the port from 1 to 65535 (for example %2)</source>
+        <translation>%1, Port von 1 bis 65535 (zum Beispiel %2)</translation>
+    </message>
+    <message>
+        <source>%1 or %2 (for example %3)</source>
+        <translation>%1 oder %2 (zum Beispiel %3)</translation>
+    </message>
+    <message>
+        <source>expected a Hexoderm session (*.hexo, or format &quot;hexoderm-session&quot;), a calibration (format &quot;hexoderm-calibration&quot;) or a TUM SkinConfig XML, found &quot;%1&quot;</source>
+        <translation>erwartet ist eine Hexoderm-Sitzung (*.hexo oder Format „hexoderm-session“), eine Kalibrierung (Format „hexoderm-calibration“) oder ein TUM-SkinConfig-XML, gefunden wurde „%1“</translation>
+    </message>
+    <message>
+        <source>expected a Hexoderm session (*.hexo, or format &quot;hexoderm-session&quot;), a calibration (format &quot;hexoderm-calibration&quot;) or a TUM SkinConfig XML, but there is none</source>
+        <translation>erwartet ist eine Hexoderm-Sitzung (*.hexo oder Format „hexoderm-session“), eine Kalibrierung (Format „hexoderm-calibration“) oder ein TUM-SkinConfig-XML, angegeben ist keines</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::CoverageView</name>
+    <message>
+        <source>front</source>
+        <translation>vorn</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>hinten</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>next</source>
+        <translation>nächste</translation>
+    </message>
+    <message>
+        <source>%1, limit %2</source>
+        <translation>%1, Grenze %2</translation>
+    </message>
+    <message>
+        <source>Directions of gravity seen</source>
+        <translation>Gesehene Richtungen der Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Front: up is where the origin cell faces. Back: the other half, seen from behind.
+The values say how well the poses hold the cells&apos; turn along three axes.</source>
+        <translation>Vorn: Oben ist, wohin die Ursprungszelle zeigt. Hinten: die andere Hälfte, von hinten gesehen.
+Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhalten.</translation>
+    </message>
+    <message>
+        <source>Pose %1</source>
+        <translation>Pose %1</translation>
+    </message>
+    <message>
+        <source>disabled</source>
+        <translation>nicht benutzt</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::EventLog</name>
@@ -2119,18 +1807,112 @@
     </message>
 </context>
 <context>
+    <name>hexoderm::GhostCaption</name>
+    <message>
+        <source>next pose</source>
+        <translation>nächste Pose</translation>
+    </message>
+    <message>
+        <source>next pose, %1</source>
+        <translation>nächste Pose, %1</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::GraphColoring</name>
+    <message>
+        <source>%1° or more</source>
+        <translation>%1° oder mehr</translation>
+    </message>
+    <message>
+        <source>own readings</source>
+        <translation>eigene Messwerte</translation>
+    </message>
+    <message>
+        <source>links</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>patch %1</source>
+        <translation>Hautstück %1</translation>
+    </message>
+    <message>
+        <source>link quality</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>Restfehler</translation>
+    </message>
+    <message>
+        <source>predicted deviation</source>
+        <translation>erwartete Abweichung</translation>
+    </message>
+    <message>
+        <source>bend</source>
+        <translation>Biegung</translation>
+    </message>
+    <message>
+        <source>twist</source>
+        <translation>Verdrillung</translation>
+    </message>
+    <message>
+        <source>yaw</source>
+        <translation>Gieren</translation>
+    </message>
+    <message>
+        <source>position uncertainty</source>
+        <translation>Unsicherheit des Ortes</translation>
+    </message>
+    <message>
+        <source>orientation uncertainty</source>
+        <translation>Unsicherheit der Drehung</translation>
+    </message>
+    <message>
+        <source>placed by</source>
+        <translation>platziert durch</translation>
+    </message>
+    <message>
+        <source>patch</source>
+        <translation>Hautstück</translation>
+    </message>
+    <message>
+        <source>body part</source>
+        <translation>Körperteil</translation>
+    </message>
+    <message>
+        <source>residual, rms over poses</source>
+        <translation>Restfehler, rms über die Posen</translation>
+    </message>
+    <message>
+        <source>bend, either way</source>
+        <translation>Biegung, beide Richtungen</translation>
+    </message>
+    <message>
+        <source>twist, either way</source>
+        <translation>Verdrillung, beide Richtungen</translation>
+    </message>
+    <message>
+        <source>yaw, either way</source>
+        <translation>Gieren, beide Richtungen</translation>
+    </message>
+    <message>
+        <source>position known to (95 %)</source>
+        <translation>Ort bekannt auf (95 %)</translation>
+    </message>
+    <message>
+        <source>±%1 mm or more</source>
+        <translation>±%1 mm oder mehr</translation>
+    </message>
+    <message>
+        <source>orientation known to (95 %)</source>
+        <translation>Drehung bekannt auf (95 %)</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::GraphColoringButton</name>
     <message>
         <source>What the colours of links and cells show</source>
         <translation>Was die Farben der Verbindungen und Zellen zeigen</translation>
-    </message>
-    <message>
-        <source>Links</source>
-        <translation>Verbindungen</translation>
-    </message>
-    <message>
-        <source>Cells</source>
-        <translation>Zellen</translation>
     </message>
     <message>
         <source>Mark the &amp;shortest paths</source>
@@ -2362,12 +2144,24 @@
         <translation>Noch keine Haut: die Demo starten, eine Haut verbinden oder eine Sitzung oder Kalibrierung öffnen.</translation>
     </message>
     <message>
-        <source>Gravity seen from several directions tells how every cell is turned against its neighbours.</source>
-        <translation>Schwerkraft aus mehreren Richtungen verrät, wie jede Zelle gegen ihre Nachbarn gedreht ist.</translation>
+        <source>Verify</source>
+        <translation>Nachprüfen</translation>
     </message>
     <message>
-        <source>This session came from a file; no skin is connected to take more.</source>
-        <translation>Diese Sitzung kam aus einer Datei; für weitere Posen ist keine Haut verbunden.</translation>
+        <source>optional</source>
+        <translation>freiwillig</translation>
+    </message>
+    <message>
+        <source>See whether the result holds.</source>
+        <translation>Sehen, ob das Ergebnis standhält.</translation>
+    </message>
+    <message>
+        <source>Each check looks at it from a side that solving it did not use.</source>
+        <translation>Jede Probe sieht es von einer Seite an, die das Lösen nicht benutzt hat.</translation>
+    </message>
+    <message>
+        <source>Gravity seen from several directions tells how every cell is turned against its neighbours. This session came from a file; no skin is connected to take more.</source>
+        <translation>Die Schwerkraft aus mehreren Richtungen zeigt, wie jede Zelle gegen ihre Nachbarn gedreht ist. Diese Sitzung kommt aus einer Datei; es ist keine Haut verbunden, die weitere Posen liefern könnte.</translation>
     </message>
 </context>
 <context>
@@ -2413,6 +2207,13 @@
     <message>
         <source>Find the next one</source>
         <translation>Nächste Stelle</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::HoldRing</name>
+    <message>
+        <source>How long the part has been held</source>
+        <translation>Wie lange das Teil schon gehalten wird</translation>
     </message>
 </context>
 <context>
@@ -2886,6 +2687,38 @@
         <source>Cells %1</source>
         <translation>Zellen %1</translation>
     </message>
+    <message>
+        <source>Save a picture of the 3D view</source>
+        <translation>Bild der 3D-Ansicht speichern</translation>
+    </message>
+    <message>
+        <source>-3d</source>
+        <translation>-3d</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Directions of gravity seen</source>
+        <translation>Gesehene Richtungen der Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Stillness</source>
+        <translation>Ruhe</translation>
+    </message>
+    <message>
+        <source>This session came from a file.</source>
+        <translation>Diese Sitzung kommt aus einer Datei.</translation>
+    </message>
+    <message>
+        <source>It repeats pose %1.</source>
+        <translation>Sie wiederholt Pose %1.</translation>
+    </message>
+    <message>
+        <source>%1 poses</source>
+        <translation>%1 Posen</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MeasureTool</name>
@@ -2895,7 +2728,7 @@
     </message>
     <message>
         <source>Measure from cell %1: pick the second cell (Esc ends)</source>
-        <translation>Messen von Zelle %1: die zweite Zelle wählen (Esc beendet)</translation>
+        <translation>Messen ab Zelle %1: die zweite Zelle wählen (Esc beendet)</translation>
     </message>
 </context>
 <context>
@@ -2914,21 +2747,6 @@
     <message>
         <source>take link %1 back</source>
         <translation>Verbindung %1 zurücknehmen</translation>
-    </message>
-</context>
-<context>
-    <name>hexoderm::OpenGl</name>
-    <message>
-        <source>no OpenGL 3.2</source>
-        <translation>kein OpenGL 3.2</translation>
-    </message>
-    <message>
-        <source>unknown renderer</source>
-        <translation>unbekannter Zeichner</translation>
-    </message>
-    <message>
-        <source>%1, in software</source>
-        <translation>%1, in Software</translation>
     </message>
 </context>
 <context>
@@ -2966,6 +2784,21 @@
     </message>
 </context>
 <context>
+    <name>hexoderm::PartMotion</name>
+    <message>
+        <source>Turn the part</source>
+        <translation>Teil drehen</translation>
+    </message>
+    <message>
+        <source>Dragging and the arrow keys turn the part instead of the picture; dragging with Shift always does</source>
+        <translation>Ziehen und Pfeiltasten drehen das Teil statt des Bildes; Ziehen mit Umschalt tut das immer</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::PatchControls</name>
     <message>
         <source>&amp;Measure</source>
@@ -2973,19 +2806,19 @@
     </message>
     <message>
         <source>Parallel pro&amp;jection</source>
-        <translation>Parallelpro&amp;jektion</translation>
+        <translation>Parallel&amp;projektion</translation>
     </message>
     <message>
         <source>Save picture of the 3D &amp;view…</source>
-        <translation>Bild der 3D-Ansicht &amp;speichern…</translation>
+        <translation>Bild der 3D-&amp;Ansicht speichern…</translation>
     </message>
     <message>
         <source>Distance between two cells, and the angle between their faces</source>
-        <translation>Abstand zweier Zellen und der Winkel zwischen ihren Flächen</translation>
+        <translation>Abstand zweier Zellen und Winkel zwischen ihren Flächen</translation>
     </message>
     <message>
         <source>Without perspective: equal lengths look equally long wherever they are</source>
-        <translation>Ohne Perspektive: gleiche Längen sehen überall gleich lang aus</translation>
+        <translation>Ohne Perspektive: Gleiche Längen sehen überall gleich lang aus</translation>
     </message>
     <message>
         <source>The scene with its legend as an image file</source>
@@ -3009,7 +2842,7 @@
     </message>
     <message>
         <source>What is drawn over the cells, and how</source>
-        <translation>Was über den Zellen gezeichnet wird, und wie</translation>
+        <translation>Was über die Zellen gezeichnet wird, und wie</translation>
     </message>
     <message>
         <source>Show</source>
@@ -3059,16 +2892,16 @@
         <translation>Hautstück in 3D</translation>
     </message>
     <message>
+        <source>No skin yet: open a session or start the demo.</source>
+        <translation>Noch keine Haut: eine Sitzung öffnen oder die Demo starten.</translation>
+    </message>
+    <message>
         <source>The 3D view needs OpenGL 3.2, which is not available here. The graph and the tables still work.
 
 On a remote desktop, drawing in software may help: start hexoderm with --software-opengl.</source>
         <translation>Die 3D-Ansicht braucht OpenGL 3.2, das es hier nicht gibt. Graph und Tabellen arbeiten trotzdem.
 
 Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit --software-opengl starten.</translation>
-    </message>
-    <message>
-        <source>No skin yet: open a session or start the demo.</source>
-        <translation>Noch keine Haut: eine Sitzung öffnen oder die Demo starten.</translation>
     </message>
     <message>
         <source>Preparing the picture of %1 cells…</source>
@@ -3846,6 +3679,10 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
         <source>Skin graph</source>
         <translation>Hautgraph</translation>
     </message>
+    <message>
+        <source>Directions of gravity</source>
+        <translation>Richtungen der Schwerkraft</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::ResidualPlots</name>
@@ -3862,16 +3699,16 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
         <translation>Verbindungen nach Restfehler neben der erwarteten Abweichung</translation>
     </message>
     <message>
-        <source>By pose, degrees (box: half of the links)</source>
-        <translation>Je Pose, Grad (Kasten: Hälfte der Verbindungen)</translation>
+        <source>By pose, ° (box: half the links)</source>
+        <translation>Je Pose, ° (Kasten: halbe Verbindungen)</translation>
     </message>
     <message>
-        <source>By link, degrees, worst first (circles: predicted)</source>
-        <translation>Je Verbindung, Grad, schlechteste zuerst (Kreise: erwartet)</translation>
+        <source>By link, ° (○ predicted)</source>
+        <translation>Je Verbindung, ° (○ erwartet)</translation>
     </message>
     <message>
-        <source>Number of links by residual / predicted</source>
-        <translation>Zahl der Verbindungen nach Restfehler / erwartet</translation>
+        <source>Links by residual ÷ predicted</source>
+        <translation>Verbindungen nach Restfehler ÷ erwartet</translation>
     </message>
     <message>
         <source>as predicted</source>
@@ -4431,6 +4268,53 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     </message>
 </context>
 <context>
+    <name>hexoderm::StillnessView</name>
+    <message>
+        <source>moving</source>
+        <translation>bewegt</translation>
+    </message>
+    <message>
+        <source>still</source>
+        <translation>ruhig</translation>
+    </message>
+    <message>
+        <source>capturing</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>captured %1</source>
+        <translation>%1 aufgenommen</translation>
+    </message>
+    <message>
+        <source>armed again</source>
+        <translation>wieder bereit</translation>
+    </message>
+    <message>
+        <source>starts over</source>
+        <translation>beginnt neu</translation>
+    </message>
+    <message>
+        <source>Stillness of the last ten seconds</source>
+        <translation>Ruhe der letzten zehn Sekunden</translation>
+    </message>
+    <message>
+        <source>No readings: when a skin is connected, this shows how still it is held.</source>
+        <translation>Keine Messwerte: Ist eine Haut verbunden, zeigt dies, wie still sie gehalten wird.</translation>
+    </message>
+    <message>
+        <source>cell %1, picked</source>
+        <translation>Zelle %1, gewählt</translation>
+    </message>
+    <message>
+        <source>cell %1, which decides</source>
+        <translation>Zelle %1, die entscheidet</translation>
+    </message>
+    <message>
+        <source>%1 · x y z, deviation from its mean, last %2 s, limit %3 mg</source>
+        <translation>%1 · x y z, Abweichung vom Mittel, letzte %2 s, Grenze %3 mg</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::TableActions</name>
     <message>
         <source>Copy as CSV</source>
@@ -4477,6 +4361,273 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     <message>
         <source>Patch %1: %2</source>
         <translation>Hautstück %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::Verify</name>
+    <message>
+        <source>Cell</source>
+        <translation>Zelle</translation>
+    </message>
+    <message>
+        <source>ID of the cell</source>
+        <translation>ID der Zelle</translation>
+    </message>
+    <message>
+        <source>Needs three poses besides the one that is held out, and there are %1: take another pose.</source>
+        <translation>Braucht drei Posen außer der zurückgehaltenen, vorhanden sind %1: noch eine Pose aufnehmen.</translation>
+    </message>
+    <message>
+        <source>In pose %1 no two joined cells can be compared.</source>
+        <translation>In Pose %1 lassen sich keine zwei verbundenen Zellen vergleichen.</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The other %1 poses foretell pose %2 to %3 (rms over %4 cells); %5 were expected.</source>
+        <translation>Die anderen %1 Posen sagen Pose %2 auf %3 genau voraus (Effektivwert über %4 Zellen); erwartet waren %5.</translation>
+    </message>
+    <message>
+        <source>Worst: cell %1, %2.</source>
+        <translation>Am schlechtesten: Zelle %1, %2.</translation>
+    </message>
+    <message>
+        <source>As good as stated. %1</source>
+        <translation>So gut wie angegeben. %1</translation>
+    </message>
+    <message>
+        <source>Somewhat worse than stated. %1 %2</source>
+        <translation>Etwas schlechter als angegeben. %1 %2</translation>
+    </message>
+    <message>
+        <source>Far worse than stated: the part moved in this pose, or a cell is wrong. %1 %2</source>
+        <translation>Weit schlechter als angegeben: Das Teil hat sich in dieser Pose bewegt, oder eine Zelle ist falsch. %1 %2</translation>
+    </message>
+    <message>
+        <source>Error °</source>
+        <translation>Fehler °</translation>
+    </message>
+    <message>
+        <source>Between the gravity the cell read and what the other cells and poses foretell</source>
+        <translation>Zwischen der Schwerkraft, die die Zelle maß, und dem, was die anderen Zellen und Posen voraussagen</translation>
+    </message>
+    <message>
+        <source>Expected °</source>
+        <translation>Erwartet °</translation>
+    </message>
+    <message>
+        <source>What the stated uncertainties lead one to expect, rms</source>
+        <translation>Was nach den angegebenen Unsicherheiten zu erwarten ist, Effektivwert</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>Cell and port of both ends</source>
+        <translation>Zelle und Port beider Enden</translation>
+    </message>
+    <message>
+        <source>Between what its two cells read, brought into one frame</source>
+        <translation>Zwischen dem, was ihre beiden Zellen messen, in einem Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>No loop in any of the %1 patches: nothing closes that could be checked.</source>
+        <translation>Keine Schleife in einem der %1 Hautstücke: Es schließt sich nichts, was sich prüfen ließe.</translation>
+    </message>
+    <message>
+        <source>No loop in this patch: nothing closes that could be checked.</source>
+        <translation>Keine Schleife in diesem Hautstück: Es schließt sich nichts, was sich prüfen ließe.</translation>
+    </message>
+    <message>
+        <source>%1, %2 of its %3</source>
+        <translation>%1, %2 ihrer %3</translation>
+    </message>
+    <message>
+        <source>One open loop; its gap is %1.</source>
+        <translation>Eine offene Schleife; ihre Lücke ist %1.</translation>
+    </message>
+    <message>
+        <source>%1 open loops; the largest gap is %2.</source>
+        <translation>%1 offene Schleifen; die größte Lücke ist %2.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 closed loops close: the largest is left open by %2, and a skin link may leave %3.</source>
+        <translation>%1 geschlossene Schleifen schließen sich: Die größte bleibt um %2 offen, eine Hautverbindung darf %3 lassen.</translation>
+    </message>
+    <message>
+        <source>Of %1 closed loops the largest is left open by %2, more than the %3 a skin link may leave: one of its links is wrong, or many err alike.</source>
+        <translation>Von %1 geschlossenen Schleifen bleibt die größte um %2 offen, mehr als die %3, die eine Hautverbindung lassen darf: Eine ihrer Verbindungen ist falsch, oder viele irren gleich.</translation>
+    </message>
+    <message>
+        <source>Between</source>
+        <translation>Zwischen</translation>
+    </message>
+    <message>
+        <source>The two ports at which the loop is closed, or open</source>
+        <translation>Die beiden Ports, an denen die Schleife geschlossen oder offen ist</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Closed by a link, or open between two free ports</source>
+        <translation>Durch eine Verbindung geschlossen oder zwischen zwei freien Ports offen</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>Cells of the loop</source>
+        <translation>Zellen der Schleife</translation>
+    </message>
+    <message>
+        <source>Gap mm</source>
+        <translation>Lücke mm</translation>
+    </message>
+    <message>
+        <source>Length of what is missing when the loop is walked round</source>
+        <translation>Länge dessen, was nach einem Rundgang fehlt</translation>
+    </message>
+    <message>
+        <source>X mm</source>
+        <translation>X mm</translation>
+    </message>
+    <message>
+        <source>The gap, in the patch&apos;s frame</source>
+        <translation>Die Lücke, im Koordinatensystem des Hautstücks</translation>
+    </message>
+    <message>
+        <source>Y mm</source>
+        <translation>Y mm</translation>
+    </message>
+    <message>
+        <source>Z mm</source>
+        <translation>Z mm</translation>
+    </message>
+    <message>
+        <source>Share %</source>
+        <translation>Anteil %</translation>
+    </message>
+    <message>
+        <source>The gap in per cent of the accumulated port vectors</source>
+        <translation>Die Lücke in Prozent der aufsummierten Portvektoren</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>geschlossen</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>offen</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>Cone</source>
+        <translation>Kegel</translation>
+    </message>
+    <message>
+        <source>%1, half angle %2, radius %3 at its middle</source>
+        <translation>%1, halber Winkel %2, Radius %3 in der Mitte</translation>
+    </message>
+    <message>
+        <source>%1, radius %2</source>
+        <translation>%1, Radius %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 cell centres lie within %3 (rms) of it; the worst is cell %4, %5.</source>
+        <translation>%1: %2 Zellmitten liegen im Mittel (Effektivwert) %3 davon entfernt; am weitesten Zelle %4, %5.</translation>
+    </message>
+    <message>
+        <source>That is within the ±%1 stated for positions (95 %).</source>
+        <translation>Das liegt innerhalb der für Orte angegebenen ±%1 (95 %).</translation>
+    </message>
+    <message>
+        <source>That is more than the ±%1 stated for positions (95 %): the part has another shape, or positions are worse than stated.</source>
+        <translation>Das ist mehr als die für Orte angegebenen ±%1 (95 %): Das Teil hat eine andere Form, oder die Orte sind schlechter als angegeben.</translation>
+    </message>
+    <message>
+        <source>Against the true radius: Δ = %1 (eq. 20), ε = %2 (eq. 21).</source>
+        <translation>Gegen den wahren Radius: Δ = %1 (Gl. 20), ε = %2 (Gl. 21).</translation>
+    </message>
+    <message>
+        <source>Distance mm</source>
+        <translation>Abstand mm</translation>
+    </message>
+    <message>
+        <source>From the surface; positive outside of it</source>
+        <translation>Von der Fläche; außerhalb positiv</translation>
+    </message>
+    <message>
+        <source>%1 has no cell in common with this calibration.</source>
+        <translation>%1 hat mit dieser Kalibrierung keine Zelle gemeinsam.</translation>
+    </message>
+    <message>
+        <source>Against %1, after alignment: %2 and %3 rms over %4 cells.</source>
+        <translation>Gegen %1, nach dem Ausrichten: %2 und %3 im Mittel (Effektivwert) über %4 Zellen.</translation>
+    </message>
+    <message>
+        <source>%1 Neither of them states an uncertainty to compare with.</source>
+        <translation>%1 Keine der beiden nennt eine Unsicherheit zum Vergleichen.</translation>
+    </message>
+    <message>
+        <source>Of %1 cells, %2 lie and %3 point within what was stated with 95 %.</source>
+        <translation>Von %1 Zellen liegen %2 und zeigen %3 innerhalb dessen, was mit 95 % angegeben war.</translation>
+    </message>
+    <message>
+        <source>Within what was stated for 95 % of cells. %1 %2</source>
+        <translation>Innerhalb dessen, was für 95 % der Zellen angegeben war. %1 %2</translation>
+    </message>
+    <message>
+        <source>Further apart than what was stated for 95 % of cells. %1 %2</source>
+        <translation>Weiter auseinander, als für 95 % der Zellen angegeben war. %1 %2</translation>
+    </message>
+    <message>
+        <source>Moved mm</source>
+        <translation>Versetzt mm</translation>
+    </message>
+    <message>
+        <source>Distance between the two, after alignment</source>
+        <translation>Abstand der beiden, nach dem Ausrichten</translation>
+    </message>
+    <message>
+        <source>Stated mm</source>
+        <translation>Angegeben mm</translation>
+    </message>
+    <message>
+        <source>Standard deviation stated for that, of both together</source>
+        <translation>Dafür angegebene Standardabweichung, beide zusammen</translation>
+    </message>
+    <message>
+        <source>Turned °</source>
+        <translation>Gedreht °</translation>
+    </message>
+    <message>
+        <source>Angle between the two, after alignment</source>
+        <translation>Winkel zwischen den beiden, nach dem Ausrichten</translation>
+    </message>
+    <message>
+        <source>Stated °</source>
+        <translation>Angegeben °</translation>
     </message>
 </context>
 <context>
@@ -4612,6 +4763,14 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     <message>
         <source>Calibrations and sessions (*.calibration.json *.hexo *.session.json *.xml)</source>
         <translation>Kalibrierungen und Sitzungen (*.calibration.json *.hexo *.session.json *.xml)</translation>
+    </message>
+    <message>
+        <source>Surface through the cells</source>
+        <translation>Fläche durch die Zellen</translation>
+    </message>
+    <message>
+        <source>True radius of the surface</source>
+        <translation>Wahrer Radius der Fläche</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 #include "widgets/core_words.h"
 #include "window_test.h"
 
+#include <QPainter>
 #include <QRegularExpression>
 #include <QTextDocument>
 #include <QXmlStreamReader>
@@ -95,9 +96,9 @@ TEST(Report, IsAPdfOfSeveralPages) {
   for (int k = 0; k < 60; ++k) result.findings.push_back(result.findings.front());
   const QByteArray pdf = reportPdf(contentOf(result));
   EXPECT_TRUE(pdf.startsWith("%PDF"));
-  const auto pages = QRegularExpression(QStringLiteral("/Count (\\d+)")).match(QString::fromLatin1(pdf));
-  ASSERT_TRUE(pages.hasMatch());
-  EXPECT_GE(pages.captured(1).toInt(), 2);
+  const int count = pdf.indexOf("/Count ");
+  ASSERT_GE(count, 0);
+  EXPECT_GE(QString::fromLatin1(pdf.mid(count + 7, 4)).trimmed().section(QLatin1Char('\n'), 0, 0).toInt(), 2);
 }
 
 TEST(Report, OfASkinWithoutAnythingIsStillAReport) {
@@ -147,6 +148,16 @@ TEST_F(ReportWindow, WritesAReportWithPicturesFromTheMenu) {
   }
   const QString html = QString::fromStdString(readAll(pathTo(QStringLiteral("demo.html")).toStdString()));
   EXPECT_GE(html.count(QStringLiteral("data:image/png")), 4);
+  QTextDocument page;
+  page.setHtml(html);
+  page.setTextWidth(660);
+  QImage picture((page.size() + QSizeF(60, 60)).toSize(), QImage::Format_RGB32);
+  picture.fill(Qt::white);
+  QPainter painter(&picture);
+  painter.translate(30, 30);
+  page.drawContents(&painter);
+  painter.end();
+  keepPicture(picture, QStringLiteral("report"));
   EXPECT_TRUE(textOf(html).contains(coreWords(controller().reconstruction()->verdict.reason)));
 }
 

@@ -33,7 +33,7 @@ std::vector<Message> messagesOf(const QString& language) {
     if (xml.name() == QLatin1String("source")) message.source = xml.readElementText();
     if (xml.name() == QLatin1String("translation")) {
       message.is_unfinished = xml.attributes().hasAttribute(QLatin1String("type"));
-      message.translation = xml.readElementText();
+      message.translation = xml.readElementText(QXmlStreamReader::IncludeChildElements).trimmed();
       messages.push_back(message);
     }
   }

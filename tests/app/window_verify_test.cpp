@@ -1,10 +1,12 @@
 // The tables, residuals and checks of a calibration in the real window.
+#include "app/window/guide.h"
 #include "app/window/verification.h"
 #include "hexoderm/device/simulated_skin.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/units.h"
 #include "widgets/residual_view.h"
+#include "widgets/step_panel.h"
 #include "widgets/verify_panel.h"
 #include "window_test.h"
 
@@ -49,19 +51,15 @@ class WindowVerifyTest : public WindowTest {
   bool waitForSentence(const char* section, const QString& part) {
     return waitUntil([&] { return sentence(section).contains(part); });
   }
-  /// As a step that takes the panel in does, so that it is seen and can be clicked.
   void showPanel() {
-    if (panel().isVisible()) return;
-    panel().resize(290, 620);
-    panel().move(10, 10);
-    panel().show();
-    panel().raise();
+    window_->findChild<StepPanel*>()->openStep(static_cast<int>(GuideStep::Verify));
+    ASSERT_TRUE(waitUntil([&] { return panel().isVisible(); }));
   }
 };
 
 TEST_F(WindowVerifyTest, HoldsAPoseOutAndSaysHowWellTheOthersForetellIt) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(3));
-  showPanel();
+  ASSERT_NO_FATAL_FAILURE(showPanel());
   EXPECT_FALSE(inPanel<QPushButton>("holdOutRun")->isEnabled());
   EXPECT_TRUE(sentence("holdOut").contains("there are 3")) << sentence("holdOut").toStdString();
   for (std::size_t poses = 4; poses <= 6; ++poses) {
@@ -80,7 +78,7 @@ TEST_F(WindowVerifyTest, HoldsAPoseOutAndSaysHowWellTheOthersForetellIt) {
 
 TEST_F(WindowVerifyTest, LoopsSurfaceAndTheTrueRadiusAreJudgedAsPosesCome) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(3));
-  showPanel();
+  ASSERT_NO_FATAL_FAILURE(showPanel());
   ASSERT_TRUE(waitForSentence("loops", "No loop in this patch"));
   std::optional<SurfaceEvaluation> drawn;
   int fits = 0;
@@ -127,11 +125,16 @@ TEST_F(WindowVerifyTest, ComparesWithAnEarlierCalibrationAndSaysWhatIsWrongWithA
   controller().exportTo({std::nullopt, path, {}});
   ASSERT_TRUE(waitForMessage("Exported to " + path));
   ASSERT_NO_FATAL_FAILURE(takePose(4));
-  showPanel();
+  ASSERT_NO_FATAL_FAILURE(showPanel());
   std::vector<Comparison> drawn;
   QObject::connect(&panel(), &VerifyPanel::comparisonShown,
                    [&](const std::vector<Comparison>& comparisons) { drawn = comparisons; });
-  click(inPanel<QPushButton>("comparisonChoose"));
+  auto* choose = inPanel<QPushButton>("comparisonChoose");
+  ASSERT_TRUE(choose->isEnabled());
+  activateWindow();
+  window_->findChild<StepPanel*>()->ensureWidgetVisible(choose);
+  QCoreApplication::processEvents();
+  click(choose);
   ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("comparisonDialog", path));
   ASSERT_TRUE(waitForSentence("comparison", "Against earlier.calibration.json"))
       << sentence("comparison").toStdString();
@@ -139,6 +142,12 @@ TEST_F(WindowVerifyTest, ComparesWithAnEarlierCalibrationAndSaysWhatIsWrongWithA
   EXPECT_EQ(drawn[0].cells.size(), 17U);
   EXPECT_GT(drawn[0].position_rms_m, 0);
   EXPECT_EQ(inPanel<QTableView>("comparisonTable")->model()->rowCount(), 17);
+
+  keepPicture(window_->picture(), "verify-light");
+  window_->setThemeChoice(ThemeChoice::Dark, false);
+  window_->resize(1280, 800);
+  QCoreApplication::processEvents();
+  keepPicture(window_->picture(), "verify-dark");
 
   emit panel().comparisonRequested(writeFile("broken.calibration.json", "{\"format\": "));
   ASSERT_TRUE(waitForSentence("comparison", "broken.calibration.json")) << sentence("comparison").toStdString();

@@ -77,6 +77,8 @@ TEST_F(TableActionsTest, SortsNumbersByValueNamesAsAPersonWouldAndTheUnknownLast
   sorted.sort(2, Qt::DescendingOrder);
   EXPECT_EQ(sorted.index(3, 0).data().toString(), "a, b");
   EXPECT_EQ(sorted.index(0, 0).data().toString(), "cell 9");
+  EXPECT_EQ(sorted.headerData(2, Qt::Horizontal).toString(), QStringLiteral("Angle ° ↓"));
+  EXPECT_TRUE(tableAsCsv(sorted).startsWith("Name,Length mm,Angle (deg)\r\n")) << "files have no arrows";
 }
 
 TEST_F(TableActionsTest, CopiesWhatIsShownInItsOrder) {
@@ -86,7 +88,8 @@ TEST_F(TableActionsTest, CopiesWhatIsShownInItsOrder) {
   new TableActions(&view, "table");
   sorted.sort(1, Qt::DescendingOrder);
   view.show();
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
+  view.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&view));
   view.setFocus();
   QTest::keyClick(&view, Qt::Key_C, Qt::ControlModifier);
   const QStringList lines = QApplication::clipboard()->text().split("\r\n");

@@ -1,0 +1,105 @@
+// The part of MainWindow about capturing: the step's panel, the directions seen, the part in the hand, the tones.
+#include "app/window/main_window.h"
+#include "app/window/window_shell.h"
+#include "hexoderm/reconstruction/pose_coverage.h"
+#include "widgets/capture_panel.h"
+#include "widgets/capture_tone.h"
+#include "widgets/card_dock.h"
+#include "widgets/coverage_view.h"
+#include "widgets/patch_view.h"
+#include "widgets/step_panel.h"
+#include "widgets/stillness_view.h"
+
+#include <QTimer>
+
+namespace hexoderm {
+
+void MainWindow::connectCapture() {
+  step_panel_->setBody(static_cast<int>(GuideStep::Capture), capture_panel_);
+  const LiveSource& live = controller_.live();
+  connect(&live, &LiveSource::previewChanged, this, &MainWindow::showMoment);
+  connect(&live, &LiveSource::statusChanged, this, [this] {
+    const LiveSource& source = controller_.live();
+    capture_panel_->setSource(source.isRunning() ? std::optional(source.status()) : std::nullopt,
+                              controller_.session() ? tr("This session came from a file.") : QString());
+    if (source.isRunning()) return;
+    stillness_view_->clear();
+    patch_view_->setReadings({});
+    patch_view_->setCurrentUp({});
+    coverage_view_->setCurrent({});
+  });
+  connect(&live, &LiveSource::holdChanged, this, [this] {
+    const HoldStatus& hold = controller_.live().hold();
+    capture_panel_->setHold(hold);
+    if (hold.restarts > restarts_) tone_->playStartsOver();
+    restarts_ = hold.restarts;
+  });
+  connect(&live, &LiveSource::poseCaptured, this, [this](const CapturedPose& captured) {
+    tone_->playCaptured();
+    stillness_view_->addCaptured(captured.pose->id, captured.end_s);
+    capture_panel_->showCaptured(
+        captured.pose->id, captured.repeats ? tr("It repeats pose %1.").arg(captured.repeats->value()) : QString());
+  });
+  connect(&controller_, &SessionController::nextPoseChanged, this, &MainWindow::showNextPose);
+  connect(&controller_, &SessionController::reconstructionChanged, this, &MainWindow::showCoverage);
+  connect(step_panel_, &StepPanel::opened, this, &MainWindow::followPart);
+  connect(step_panel_, &StepPanel::opened, this, &MainWindow::refreshLive);
+  connect(coverage_view_, &CoverageView::posePicked, this, &MainWindow::pickPose);
+  connect(patch_view_, &PatchView::turnRequested, &controller_, &SessionController::turnTo);
+  connect(&selection_, &Selection::changed, stillness_view_, [this] { stillness_view_->setCell(selection_.cell()); });
+
+  const Preferences& preferences = shell_->preferences();
+  tone_->setEnabled(preferences.tone());
+  patch_view_->setAnimated(!preferences.reducedMotion());
+  connect(&preferences, &Preferences::toneChanged, tone_, &CaptureTone::setEnabled);
+  connect(&preferences, &Preferences::reducedMotionChanged, patch_view_,
+          [this](bool reduced) { patch_view_->setAnimated(!reduced); });
+}
+
+void MainWindow::showCoverage(const std::shared_ptr<const Reconstruction>& reconstruction) {
+  std::vector<std::shared_ptr<const PoseCapture>> captures;
+  if (controller_.session()) {
+    for (const SessionPose& pose : controller_.session()->poses()) captures.push_back(pose.capture);
+  }
+  coverage_view_->setCoverage(reconstruction ? coverageOf(*reconstruction, captures) : PoseCoverage{});
+  coverage_dock_->setRemark(reconstruction ? tr("%1 poses").arg(reconstruction->poses.size()) : QString());
+}
+
+void MainWindow::showNextPose() {
+  const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
+  const std::optional<PoseAdvice>& advice = controller_.nextPose();
+  const bool wanted = advice && result;
+  coverage_view_->setNext(wanted ? std::optional(advice->up) : std::nullopt);
+  capture_panel_->setAdvice(wanted ? describeNextPose(*advice, *result, current_up_) : std::nullopt);
+  followPart();
+}
+
+void MainWindow::showMoment() {
+  const SkinPreview& preview = controller_.live().preview();
+  const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
+  current_up_ = result ? currentUp(*result, preview.means) : std::nullopt;
+  stillness_view_->add(controller_.live().hold(), preview);
+  patch_view_->setReadings(preview.means);
+  coverage_view_->setCurrent(current_up_);
+  followPart();
+  // How far it is to the next pose, a few times a second: sentences that flicker can't be read.
+  constexpr qint64 kReadable_ms = 400;
+  if (!advice_age_.isValid() || advice_age_.elapsed() > kReadable_ms) {
+    advice_age_.start();
+    if (result && controller_.nextPose()) {
+      capture_panel_->setAdvice(describeNextPose(*controller_.nextPose(), *result, current_up_));
+    }
+  }
+}
+
+void MainWindow::followPart() {
+  // In the other steps the picture is the operator's own to turn.
+  const bool capturing = controller_.isLive() && !controller_.isLiveMode() &&
+                         step_panel_->openIndex() == static_cast<int>(GuideStep::Capture);
+  patch_view_->setTurnable(capturing && controller_.canTurn());
+  patch_view_->setCurrentUp(capturing ? current_up_ : std::nullopt);
+  const bool shows_next = capturing && controller_.nextPose() && controller_.wantsMorePoses();
+  patch_view_->setNextUp(shows_next ? std::optional(controller_.nextPose()->up) : std::nullopt);
+}
+
+}  // namespace hexoderm
