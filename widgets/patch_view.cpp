@@ -66,6 +66,7 @@ SceneColors sceneColors(Theme theme) {
   scene.arrow_head = toRgb(colors.accent);
   scene.text = toRgb(colors.text);
   scene.overlay = toRgb(colors.accent);
+  scene.difference = toRgb(colors.caution);
   scene.ellipsoid = toRgb(dark ? colors.selection : colors.panel);
   return scene;
 }

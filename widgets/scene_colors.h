@@ -30,7 +30,8 @@ struct SceneColors {
   Rgb text{};
   Rgb arrow_shaft{};
   Rgb arrow_head{};
-  Rgb overlay{};  ///< truth, fitted surface, arrows of differences
+  Rgb overlay{};     ///< truth, fitted surface
+  Rgb difference{};  ///< arrows of gaps and differences
   Rgb ellipsoid{};
 };
 

@@ -79,8 +79,8 @@ void SceneExtras::Parts::setStyles() {
   paint(kTruth, colors.overlay);
   paint(kSheet, colors.overlay);
   paint(kDistances, colors.text);
-  paint(kLoop, colors.overlay);
-  paint(kShifts, colors.overlay);
+  paint(kLoop, colors.difference);
+  paint(kShifts, colors.difference);
   paint(kMeasure, colors.selection);
 }
 

@@ -24,7 +24,7 @@ constexpr double kDot = 0.09;
 constexpr double kCross = 0.12;   // half of a muted link's cross
 constexpr double kGapRoom = 1.2;  // the arrow of a gap
 constexpr double kGapArrowWidth = 0.12;
-constexpr double kShiftArrowWidth = 0.07;
+constexpr double kShiftArrowWidth = 0.09;
 
 /// A straight piece of a polyline, cut into dashes; the pattern runs on from piece to piece.
 class Dashes {

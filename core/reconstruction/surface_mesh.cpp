@@ -95,8 +95,8 @@ void meshCone(const SurfaceEvaluation& evaluation, double margin_m, SurfaceMesh&
       const double along_m = z.at(row, mesh.rows);
       const double here_m = radius_m + along_m * std::tan(half_angle_rad);
       mesh.points.emplace_back(evaluation.point + R * (here_m * out + along_m * Eigen::Vector3d::UnitZ()));
-      mesh.normals.emplace_back(
-          R * (std::cos(half_angle_rad) * out - std::sin(half_angle_rad) * Eigen::Vector3d::UnitZ()));
+      mesh.normals.emplace_back(R *
+                                (std::cos(half_angle_rad) * out - std::sin(half_angle_rad) * Eigen::Vector3d::UnitZ()));
     }
   }
 }

@@ -45,6 +45,7 @@ SceneColors testColors(bool dark) {
   colors.link_line = {{{0.84, 0.29, 0.27}, {1.0, 0.87, 0.24}, {0.53, 0.96, 0.98}, {0.48, 0.42, 0.91}}};
   colors.text = dark ? Rgb{0.9, 0.92, 0.93} : Rgb{0.11, 0.14, 0.17};
   colors.overlay = {0.37, 0.7, 0.91};
+  colors.difference = {1.0, 0.87, 0.24};
   colors.ellipsoid = dark ? Rgb{1, 1, 1} : Rgb{0.11, 0.14, 0.17};
   return colors;
 }
