@@ -92,8 +92,11 @@ QString gainInWords(const NextPose& next) {
 
 QString sigmaInWords(const NextPose& next) {
   if (next.gain == PoseGain::First) return {};
-  return CaptureWords::tr("Orientation is known to ±%1 now, to ±%2 with this pose.")
-      .arg(degrees(next.sigma_now_rad, 1), degrees(next.sigma_then_rad, 1));
+  // A share, because the verdict states the worst cell's error and this is that of an edge.
+  const double share = next.sigma_now_rad > 0 ? next.sigma_then_rad / next.sigma_now_rad : 1;
+  if (share > 0.95) return CaptureWords::tr("Another pose would hardly make it better.");
+  return CaptureWords::tr("With this pose the error falls to about %1 % of what it is now.")
+      .arg(QLocale().toString(std::max(1.0, std::round(100 * share)), 'f', 0));
 }
 
 QString missingInWords(const PoseCoverage& coverage) {

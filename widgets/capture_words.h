@@ -15,7 +15,7 @@ QString nextPoseInWords(const NextPose& next);
 QString turnInWords(const NextPose& next);
 /// "Why: gravity has been seen from two directions. ..."
 QString gainInWords(const NextPose& next);
-/// "Orientation is known to ±4.9° now, to ±0.7° with this pose."; empty for the first pose.
+/// "With this pose the error falls to about 14 % of what it is now."; empty for the first pose.
 QString sigmaInWords(const NextPose& next);
 
 /// "No pose yet with cell 7 facing the ceiling or the floor: the third value is 0.02, needs 0.50."; that nothing is

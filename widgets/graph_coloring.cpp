@@ -15,7 +15,9 @@
 namespace hexoderm {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("hexoderm::GraphColoring", text); }
+struct ColoringWords {
+  Q_DECLARE_TR_FUNCTIONS(hexoderm::GraphColoring)
+};
 
 constexpr std::array kColorings = {
     GraphColoring::Quality,  GraphColoring::Residual, GraphColoring::Deviation, GraphColoring::Bend,
@@ -25,7 +27,7 @@ constexpr std::array kColorings = {
 
 // Where the scales end: beyond what is good, so that what is good can be told apart, and where bad is bad enough.
 constexpr double kResidualEnd = kResidualScaleEnd_deg * kDegree;
-constexpr double kBendEnd = 60 * kDegree;
+constexpr double kBendEnd = 30 * kDegree;
 constexpr double kTwistEnd = 20 * kDegree;
 constexpr double kYawEnd = 6 * kDegree;
 constexpr double kPositionEnd_m = kPositionScaleEnd_mm * kMillimetre;
@@ -34,7 +36,7 @@ constexpr double kOrientationEnd = kOrientationScaleEnd_deg * kDegree;
 constexpr int kSteps = 24;
 
 QString degreesOrMore(double angle_rad) {
-  return tr("%1° or more").arg(QLocale().toString(toDegrees(angle_rad), 'f', 0));
+  return ColoringWords::tr("%1° or more").arg(QLocale().toString(toDegrees(angle_rad), 'f', 0));
 }
 
 std::optional<double> figureOf(GraphColoring coloring, const LinkEstimate& link) {
@@ -107,7 +109,7 @@ void paintQuality(const GraphScene& scene, Theme theme, GraphPaint& paint) {
 
 void paintPlacedBy(const GraphScene& scene, GraphPaint& paint) {
   paint.fills = {classColor(1, 2), classColor(0, 2)};
-  paint.words = {tr("own readings"), tr("links")};
+  paint.words = {ColoringWords::tr("own readings"), ColoringWords::tr("links")};
   for (std::size_t k = 0; k < scene.cells().size(); ++k) paint.of_cell[k] = scene.cells()[k].placed_by_links ? 1 : 0;
 }
 
@@ -116,7 +118,7 @@ void paintPatches(const GraphScene& scene, GraphPaint& paint) {
   const std::size_t colors = std::min(scene.patches().size(), kMostColors);
   for (std::size_t k = 0; k < colors; ++k) {
     paint.fills.push_back(classColor(k, colors));
-    paint.words.push_back(tr("patch %1").arg(scene.patches()[k].patch->id.value() + 1));
+    paint.words.push_back(ColoringWords::tr("patch %1").arg(scene.patches()[k].patch->id.value() + 1));
   }
   if (scene.patches().size() > colors) paint.words.clear();
   for (std::size_t k = 0; k < scene.cells().size(); ++k) {
@@ -150,27 +152,27 @@ bool colorsCells(GraphColoring coloring) { return coloring >= GraphColoring::Pos
 QString coloringName(GraphColoring coloring) {
   switch (coloring) {
     case GraphColoring::Quality:
-      return tr("link quality");
+      return ColoringWords::tr("link quality");
     case GraphColoring::Residual:
-      return tr("residual");
+      return ColoringWords::tr("residual");
     case GraphColoring::Deviation:
-      return tr("predicted deviation");
+      return ColoringWords::tr("predicted deviation");
     case GraphColoring::Bend:
-      return tr("bend");
+      return ColoringWords::tr("bend");
     case GraphColoring::Twist:
-      return tr("twist");
+      return ColoringWords::tr("twist");
     case GraphColoring::Yaw:
-      return tr("yaw");
+      return ColoringWords::tr("yaw");
     case GraphColoring::Position:
-      return tr("position uncertainty");
+      return ColoringWords::tr("position uncertainty");
     case GraphColoring::Orientation:
-      return tr("orientation uncertainty");
+      return ColoringWords::tr("orientation uncertainty");
     case GraphColoring::PlacedBy:
-      return tr("placed by");
+      return ColoringWords::tr("placed by");
     case GraphColoring::Patch:
-      return tr("patch");
+      return ColoringWords::tr("patch");
     case GraphColoring::BodyPart:
-      return tr("body part");
+      return ColoringWords::tr("body part");
   }
   return {};
 }
@@ -178,22 +180,23 @@ QString coloringName(GraphColoring coloring) {
 std::optional<GraphScale> scaleOf(GraphColoring coloring) {
   switch (coloring) {
     case GraphColoring::Residual:
-      return GraphScale{kResidualEnd, tr("residual, rms over poses"), degreesOrMore(kResidualEnd)};
+      return GraphScale{kResidualEnd, ColoringWords::tr("residual, rms over poses"), degreesOrMore(kResidualEnd)};
     case GraphColoring::Deviation: {
       const double end = kDeviationScaleEnd_deg * kDegree;
-      return GraphScale{end, tr("predicted deviation"), degreesOrMore(end)};
+      return GraphScale{end, ColoringWords::tr("predicted deviation"), degreesOrMore(end)};
     }
     case GraphColoring::Bend:
-      return GraphScale{kBendEnd, tr("bend, either way"), degreesOrMore(kBendEnd)};
+      return GraphScale{kBendEnd, ColoringWords::tr("bend, either way"), degreesOrMore(kBendEnd)};
     case GraphColoring::Twist:
-      return GraphScale{kTwistEnd, tr("twist, either way"), degreesOrMore(kTwistEnd)};
+      return GraphScale{kTwistEnd, ColoringWords::tr("twist, either way"), degreesOrMore(kTwistEnd)};
     case GraphColoring::Yaw:
-      return GraphScale{kYawEnd, tr("yaw, either way"), degreesOrMore(kYawEnd)};
+      return GraphScale{kYawEnd, ColoringWords::tr("yaw, either way"), degreesOrMore(kYawEnd)};
     case GraphColoring::Position:
-      return GraphScale{kPositionEnd_m, tr("position known to (95 %)"),
-                        tr("±%1 mm or more").arg(QLocale().toString(toMillimetres(kPositionEnd_m), 'f', 0))};
+      return GraphScale{
+          kPositionEnd_m, ColoringWords::tr("position known to (95 %)"),
+          ColoringWords::tr("±%1 mm or more").arg(QLocale().toString(toMillimetres(kPositionEnd_m), 'f', 0))};
     case GraphColoring::Orientation:
-      return GraphScale{kOrientationEnd, tr("orientation known to (95 %)"),
+      return GraphScale{kOrientationEnd, ColoringWords::tr("orientation known to (95 %)"),
                         QStringLiteral("±") + degreesOrMore(kOrientationEnd)};
     default:
       return std::nullopt;

@@ -15,9 +15,8 @@ GraphColoringButton::GraphColoringButton(QWidget* parent) : QToolButton(parent) 
   menu->setToolTipsVisible(true);
   auto* group = new QActionGroup(menu);
   bool cells = false;
-  menu->addSection(tr("Links"));
   for (const GraphColoring coloring : graphColorings()) {
-    if (colorsCells(coloring) && !cells) menu->addSection(tr("Cells"));
+    if (colorsCells(coloring) && !cells) menu->addSeparator();
     cells = colorsCells(coloring);
     addColoring(coloring, group);
     menu->addAction(actions_.back());

@@ -19,7 +19,9 @@ void GraphPicture::draw(QPainter& painter) const {
   painter.fillRect(QRectF(QPointF(0, 0), camera_.size), Colors::of(style_.theme).panel);
   GraphPainter(*scene_, *paint_, camera_, style_).drawSheet(painter);
   if (legend_area_.isEmpty()) return;
-  painter.fillRect(legend_area_, Colors::of(style_.theme).panel);  // in a zoomed view there is something behind it
+  // In a zoomed view there is something behind it.
+  const double top = legend_area_.top() - 3;
+  painter.fillRect(QRectF(0, top, camera_.size.width(), camera_.size.height() - top), Colors::of(style_.theme).panel);
   GraphLegend(*paint_, marks_, style_.theme, style_.font).draw(painter, legend_area_);
 }
 

@@ -260,7 +260,8 @@ void GraphView::keyPressEvent(QKeyEvent* event) {
 }
 
 void GraphView::focusInEvent(QFocusEvent* event) {
-  parts_->shows_focus = event->reason() != Qt::MouseFocusReason && event->reason() != Qt::ActiveWindowFocusReason;
+  parts_->shows_focus = event->reason() != Qt::MouseFocusReason && event->reason() != Qt::ActiveWindowFocusReason &&
+                        event->reason() != Qt::PopupFocusReason;
   update();
   QWidget::focusInEvent(event);
 }

@@ -155,9 +155,13 @@ void PartMotion::place() {
   caption_->setGeometry(view_->rect());
   caption_->raise();
   button_->adjustSize();
-  // Under the row of buttons on top.
-  button_->move(kEdge, kEdge + 2 * button_->height() - button_->height() / 2);
+  button_->move(kEdge, top_);
   button_->raise();
+}
+
+void PartMotion::setTop(int top) {
+  top_ = top;
+  place();
 }
 
 // ---- turning the part

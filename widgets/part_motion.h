@@ -41,6 +41,8 @@ class PartMotion : public QObject {
   /// Off: the ghost is shown as it should be held, and does not move.
   void setAnimated(bool animated);
   void setTheme(Theme theme);
+  /// Where the button is: below what else lies over the picture.
+  void setTop(int top);
   /// What is written beside the ghost, into a screenshot of this size.
   void paintCaption(QPainter& painter, const QSize& area) const;
 
@@ -74,6 +76,7 @@ class PartMotion : public QObject {
   std::optional<Eigen::Vector3d> up_o_;
   std::optional<Eigen::Vector3d> next_o_;
 
+  int top_ = 50;
   bool turnable_ = false;
   bool is_dragging_ = false;
   QPoint last_;

@@ -66,7 +66,7 @@ SceneColors sceneColors(Theme theme) {
   scene.arrow_head = toRgb(colors.accent);
   scene.text = toRgb(colors.text);
   scene.overlay = toRgb(colors.accent);
-  scene.ellipsoid = toRgb(dark ? colors.selection : colors.text);
+  scene.ellipsoid = toRgb(dark ? colors.selection : colors.panel);
   return scene;
 }
 
@@ -132,6 +132,7 @@ void PatchView::Parts::build() {
     motion = new PartMotion(view, gl, *scene, [this] { requestRender(); });
     motion->setParent(this);
     connect(motion, &PartMotion::turnRequested, view, &PatchView::turnRequested);
+    connect(controls, &PatchControls::heightChanged, motion, &PartMotion::setTop);
   }
   connect(selection, &Selection::changed, this, [this] { updateSelection(); });
   connect(&measure, &MeasureTool::changed, this, [this] { updateMeasure(); });

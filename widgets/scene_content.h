@@ -28,6 +28,7 @@ struct SceneLayout {
   std::unordered_map<CellId, std::size_t> index;
 
   [[nodiscard]] const SceneCell* find(CellId id) const;
+  [[nodiscard]] std::size_t pointsPerCell() const { return cells.empty() ? 0 : points.size() / cells.size(); }
 };
 
 /// All that is drawn of a skin's cells but their colours. Making it takes a while for large skins, so it may be made on

@@ -26,8 +26,6 @@ struct Drawn {
 
 enum Kind : std::size_t { kLinks, kTree, kEllipsoids, kTruth, kSheet, kDistances, kLoop, kShifts, kMeasure, kKinds };
 
-constexpr double kLoopArrowWidth = 0.12;  // of the side length
-
 /// The depth at which a thing counts, as GLSL.
 void setDepth(vtkActor* actor, const std::string& depth) {
   actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Depth::Impl", true,
@@ -175,10 +173,10 @@ vtkSmartPointer<vtkPolyData> SceneExtras::Parts::make(Kind kind) {
       return cells() > kMaxCells ? nullptr : enlarged(makeDistanceLines(*content, mesh, patch), notes.distance_factor);
     }
     case kLoop: {
-      notes.loop = draws(SceneItem::Loop);
-      if (!notes.loop) return nullptr;
-      const auto points = *loopPoints();
-      return makeArrow(points.first, points.second, kLoopArrowWidth * content->reconstruction->model->side_m);
+      notes.loop_factor.reset();
+      if (!draws(SceneItem::Loop)) return nullptr;
+      const auto [from, to] = *loopPoints();
+      return enlarged(makeGapArrow(*content, from, to), notes.loop_factor);
     }
     case kShifts:
       notes.shift_factor.reset();
@@ -219,10 +217,10 @@ SceneExtras::SceneExtras(vtkRenderer* renderer) : parts_(std::make_unique<Parts>
     property(kind)->SetAmbient(0.45);
     property(kind)->SetDiffuse(0.55);
   }
-  // Faces lie in the fitted surface; drawn a hair behind them it does not shimmer through. What is measured is seen
-  // through everything.
-  setDepth(parts_->drawn.at(kSheet).actor, "gl_FragCoord.z + 0.0005");
-  setDepth(parts_->drawn.at(kMeasure).actor, "0.001 * gl_FragCoord.z");
+  // Faces lie in the fitted surface, which cuts them here and there; drawn a little behind them it leaves them whole.
+  setDepth(parts_->drawn.at(kSheet).actor, "min(gl_FragCoord.z + 0.01, 1.0)");
+  // Arrows come from below the faces as well as from above: they are seen through everything, as is what is measured.
+  for (const Kind kind : {kLoop, kShifts, kMeasure}) setDepth(parts_->drawn.at(kind).actor, "0.001 * gl_FragCoord.z");
 }
 
 SceneExtras::~SceneExtras() = default;

@@ -19,11 +19,11 @@ namespace hexoderm {
 struct SceneNotes {
   std::optional<double> ellipsoid_factor;
   std::optional<double> shift_factor;
+  std::optional<double> loop_factor;
   std::optional<double> distance_factor;  ///< of the lines from the fitted surface to the cells
   bool truth = false;
   bool tree = false;
   bool links = false;
-  bool loop = false;
 };
 
 /// What is drawn over the cells: links, tree, uncertainty, truth, fitted surface, loop gap, differences, and the line

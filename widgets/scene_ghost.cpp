@@ -111,13 +111,12 @@ void SceneGhost::setSmoothed(bool smoothed) { parts_->renderer->SetUseFXAA(smoot
 
 void SceneGhost::setPatch(const SceneLayout& layout, std::size_t first, std::size_t count) {
   parts_->cells = count;
+  const std::size_t per_cell = layout.pointsPerCell();
   Eigen::AlignedBox3d box;
   vtkNew<vtkPoints> corners;
   vtkNew<vtkPoints> dash_ends;
   vtkNew<vtkCellArray> faces;
   vtkNew<vtkCellArray> dashes;
-  // Of large skins there are the front faces only.
-  const std::size_t per_cell = layout.cells.empty() ? 0 : layout.points.size() / layout.cells.size();
   for (std::size_t cell = first; cell < first + count; ++cell) {
     const Eigen::Vector3d* corner = &layout.points[per_cell * cell];
     for (vtkIdType k = 0; k < kSides; ++k) box.extend(corner[k]);

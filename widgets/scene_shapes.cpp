@@ -21,7 +21,9 @@ constexpr double kTreeLift = 0.035;     // below the links
 constexpr double kDoubleApart = 0.035;  // of a double line's strokes from its middle
 constexpr double kDash = 0.22;          // a dash and the gap behind it
 constexpr double kDot = 0.09;
-constexpr double kCross = 0.12;  // half of a muted link's cross
+constexpr double kCross = 0.12;   // half of a muted link's cross
+constexpr double kGapRoom = 1.2;  // the arrow of a gap
+constexpr double kGapArrowWidth = 0.12;
 constexpr double kShiftArrowWidth = 0.07;
 
 /// A straight piece of a polyline, cut into dashes; the pattern runs on from piece to piece.
@@ -295,10 +297,16 @@ EnlargedShape makeShiftArrows(const SceneContent& content, const std::vector<Cel
   return shape;
 }
 
-vtkSmartPointer<vtkPolyData> makeArrow(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double width) {
+EnlargedShape makeGapArrow(const SceneContent& content, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  const double side_m = content.reconstruction->model->side_m;
+  EnlargedShape shape;
+  shape.factor = enlargement((to - from).norm(), kGapRoom * side_m);
+  const Eigen::Vector3d middle = 0.5 * (from + to);
   MeshBuilder mesh;
-  addArrow(mesh, from, to, width);
-  return mesh.finish();
+  addArrow(mesh, middle + shape.factor * (from - middle), middle + shape.factor * (to - middle),
+           kGapArrowWidth * side_m);
+  shape.data = mesh.finish();
+  return shape;
 }
 
 vtkSmartPointer<vtkPolyData> makeLine(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {

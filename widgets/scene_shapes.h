@@ -41,8 +41,8 @@ EnlargedShape makeDistanceLines(const SceneContent& content, const SurfaceMesh& 
 /// From before to now, all ending at the cells' centres.
 EnlargedShape makeShiftArrows(const SceneContent& content, const std::vector<CellShift>& shifts);
 
-/// A line with a cone at its end. `width` of the shaft, metres.
-vtkSmartPointer<vtkPolyData> makeArrow(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double width);
+/// From one point to the other, enlarged about their middle.
+EnlargedShape makeGapArrow(const SceneContent& content, const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
 /// Straight from a to b.
 vtkSmartPointer<vtkPolyData> makeLine(const Eigen::Vector3d& a, const Eigen::Vector3d& b);

@@ -259,9 +259,9 @@ QStringList notesInWords(const SceneNotes& notes, const std::optional<SurfaceEva
                 .arg(millimetres(surface->rms_m), enlarged(*notes.distance_factor));
     lines << line;
   }
-  if (notes.loop && loop) {
-    lines
-        << SceneWords::tr("loop gap: %1, %2 % of the loop").arg(millimetres(loop->length_m), number(loop->percent, 1));
+  if (notes.loop_factor && loop) {
+    lines << SceneWords::tr("loop gap: %1, %2 % of the loop; the arrow %3")
+                 .arg(millimetres(loop->length_m), number(loop->percent, 1), enlarged(*notes.loop_factor));
   }
   if (notes.shift_factor) lines << SceneWords::tr("arrows: from before to now, %1").arg(enlarged(*notes.shift_factor));
   return lines;

@@ -210,6 +210,7 @@ StillnessView::StillnessView(QWidget* parent) : QWidget(parent), parts_(std::mak
   // A long text must not widen the window.
   parts_->header->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   parts_->nothing = new QLabel(tr("No readings: when a skin is connected, this shows how still it is held."), this);
+  parts_->nothing->setObjectName(QStringLiteral("stillnessNothing"));
   parts_->nothing->setProperty("muted", true);
   parts_->nothing->setAlignment(Qt::AlignCenter);
   parts_->nothing->setWordWrap(true);

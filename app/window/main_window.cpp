@@ -127,7 +127,8 @@ MainWindow::MainWindow(QWidget* parent)
       source_status_(new QLabel),
       cells_status_(new QLabel),
       solve_status_(new QLabel),
-      saved_status_(new QLabel) {
+      saved_status_(new QLabel),
+      said_status_(new QLabel) {
   setObjectName(QStringLiteral("mainWindow"));
   setAcceptDrops(true);
   // At first no part has the focus, so that keys mean what the list of keys says.
@@ -262,7 +263,7 @@ CardDock* MainWindow::buildDetails() {
 }
 
 void MainWindow::buildStatusBar() {
-  for (QLabel* label : {source_status_, cells_status_, solve_status_, saved_status_}) {
+  for (QLabel* label : {source_status_, cells_status_, solve_status_, saved_status_, said_status_}) {
     label->setTextFormat(Qt::PlainText);
   }
   source_status_->setObjectName(QStringLiteral("sourceStatus"));
@@ -273,7 +274,12 @@ void MainWindow::buildStatusBar() {
   statusBar()->addWidget(source_status_);
   statusBar()->addWidget(cells_status_);
   statusBar()->addWidget(solve_status_);
+  said_status_->setObjectName(QStringLiteral("saidStatus"));
+  said_status_->hide();
+  statusBar()->addPermanentWidget(said_status_);
   statusBar()->addPermanentWidget(saved_status_);
+  said_timer_.setSingleShot(true);
+  connect(&said_timer_, &QTimer::timeout, said_status_, &QWidget::hide);
 }
 
 void MainWindow::connectActions() {

@@ -8,6 +8,7 @@
 
 #include <QElapsedTimer>
 #include <QMainWindow>
+#include <QTimer>
 #include <functional>
 #include <memory>
 
@@ -165,6 +166,8 @@ class MainWindow : public QMainWindow {
   QLabel* cells_status_;
   QLabel* solve_status_;
   QLabel* saved_status_;
+  QLabel* said_status_;  ///< what went as it should, for a moment
+  QTimer said_timer_;
 
   std::optional<PoseId> picked_pose_;
   std::optional<Eigen::Vector3d> current_up_;  ///< of the part just now, in the frame of the largest patch

@@ -43,6 +43,7 @@ void MainWindow::connectCapture() {
   connect(&controller_, &SessionController::nextPoseChanged, this, &MainWindow::showNextPose);
   connect(&controller_, &SessionController::reconstructionChanged, this, &MainWindow::showCoverage);
   connect(step_panel_, &StepPanel::opened, this, &MainWindow::followPart);
+  connect(step_panel_, &StepPanel::opened, this, &MainWindow::refreshLive);
   connect(coverage_view_, &CoverageView::posePicked, this, &MainWindow::pickPose);
   connect(patch_view_, &PatchView::turnRequested, &controller_, &SessionController::turnTo);
   connect(&selection_, &Selection::changed, stillness_view_, [this] { stillness_view_->setCell(selection_.cell()); });

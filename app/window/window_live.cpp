@@ -2,6 +2,7 @@
 #include "app/window/connect_dialog.h"
 #include "app/window/main_window.h"
 #include "app/window/preferences.h"
+#include "app/window/window_shell.h"
 #include "widgets/core_words.h"
 #include "widgets/graph_view.h"
 #include "widgets/live_strip.h"
@@ -78,7 +79,16 @@ void MainWindow::connectLive() {
   // While readings come these follow each other quickly, so only what shows them is refreshed.
   connect(&controller_.live(), &LiveSource::holdChanged, this, &MainWindow::refreshLive);
   connect(&controller_, &SessionController::captured, this, [this](const QString& text, bool remarkable) {
-    if (!message_bar_->isUrgent()) message_bar_->showMessage(remarkable ? Tone::Caution : Tone::Good, text);
+    if (remarkable && !message_bar_->isUrgent()) {
+      message_bar_->showMessage(Tone::Caution, text);
+    } else {
+      // What went as it should is no reason to move the window's parts about.
+      constexpr int kShown_ms = 6000;
+      said_status_->setText(text);
+      said_status_->show();
+      said_timer_.start(kShown_ms);
+      shell_->log().add(LogSeverity::Info, text);
+    }
   });
   connect(&controller_, &SessionController::noticed, this,
           [this](const QString& text) { message_bar_->showMessage(Tone::Caution, text); });
@@ -92,11 +102,12 @@ void MainWindow::connectLive() {
 
 void MainWindow::refreshLive() {
   const LiveSource& live = controller_.live();
-  live_strip_->setVisible(live.isRunning());
-  if (!live.isRunning()) return;
   const SourceStatus& status = live.status();
-  // The step's own panel says more.
+  // While all is well the status bar says it, and the step Capture has a panel that says more.
   const bool elsewhere = step_panel_->openIndex() != static_cast<int>(GuideStep::Capture);
+  const bool is_well = controller_.isLive() && status.state == SourceState::Streaming;
+  live_strip_->setVisible(live.isRunning() && (elsewhere || !is_well));
+  if (!live.isRunning()) return;
   live_strip_->setStatus(status, live.hold(), controller_.isLive() && elsewhere);
   const QString where = live.skin()
                             ? QString::fromStdString(live.skin()->device) + QStringLiteral(" · ") + live.address()

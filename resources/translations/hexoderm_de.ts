@@ -2,405 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
-    <name>hexoderm</name>
-    <message>
-        <source>%1° or more</source>
-        <translation>%1° oder mehr</translation>
-    </message>
-    <message>
-        <source>own readings</source>
-        <translation>eigene Messwerte</translation>
-    </message>
-    <message>
-        <source>links</source>
-        <translation>Verbindungen</translation>
-    </message>
-    <message>
-        <source>patch %1</source>
-        <translation>Hautstück %1</translation>
-    </message>
-    <message>
-        <source>link quality</source>
-        <translation>Güte</translation>
-    </message>
-    <message>
-        <source>residual</source>
-        <translation>Restfehler</translation>
-    </message>
-    <message>
-        <source>predicted deviation</source>
-        <translation>erwartete Abweichung</translation>
-    </message>
-    <message>
-        <source>bend</source>
-        <translation>Biegung</translation>
-    </message>
-    <message>
-        <source>twist</source>
-        <translation>Verwindung</translation>
-    </message>
-    <message>
-        <source>yaw</source>
-        <translation>Drehung</translation>
-    </message>
-    <message>
-        <source>position uncertainty</source>
-        <translation>Unsicherheit des Ortes</translation>
-    </message>
-    <message>
-        <source>orientation uncertainty</source>
-        <translation>Unsicherheit der Drehung</translation>
-    </message>
-    <message>
-        <source>placed by</source>
-        <translation>eingeordnet durch</translation>
-    </message>
-    <message>
-        <source>patch</source>
-        <translation>Hautstück</translation>
-    </message>
-    <message>
-        <source>body part</source>
-        <translation>Körperteil</translation>
-    </message>
-    <message>
-        <source>residual, rms over poses</source>
-        <translation>Restfehler, Effektivwert über die Posen</translation>
-    </message>
-    <message>
-        <source>bend, either way</source>
-        <translation>Biegung, beide Richtungen</translation>
-    </message>
-    <message>
-        <source>twist, either way</source>
-        <translation>Verwindung, beide Richtungen</translation>
-    </message>
-    <message>
-        <source>yaw, either way</source>
-        <translation>Drehung, beide Richtungen</translation>
-    </message>
-    <message>
-        <source>position known to (95 %)</source>
-        <translation>Ort bekannt auf (95 %)</translation>
-    </message>
-    <message>
-        <source>±%1 mm or more</source>
-        <translation>±%1 mm oder mehr</translation>
-    </message>
-    <message>
-        <source>orientation known to (95 %)</source>
-        <translation>Drehung bekannt auf (95 %)</translation>
-    </message>
-    <message>
-        <source>%1, radius %2</source>
-        <translation>%1, Radius %2</translation>
-    </message>
-    <message>
-        <source>no link</source>
-        <translation>keine Verbindung</translation>
-    </message>
-    <message>
-        <source>and %1 more</source>
-        <translation>und %1 weitere</translation>
-    </message>
-    <message>
-        <source>not known</source>
-        <translation>nicht bekannt</translation>
-    </message>
-    <message>
-        <source>Cells are coloured by: %1; from %2 (dark) to %3 (bright)</source>
-        <translation>Farbe der Zellen: %1; von %2 (dunkel) bis %3 (hell)</translation>
-    </message>
-    <message>
-        <source>Cells are coloured by: %1</source>
-        <translation>Farbe der Zellen: %1</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>drawn %1 times as large</source>
-        <translation>%1-fach vergrößert gezeichnet</translation>
-    </message>
-    <message>
-        <source>true to scale</source>
-        <translation>maßstäblich</translation>
-    </message>
-    <message>
-        <source>plane</source>
-        <translation>Ebene</translation>
-    </message>
-    <message>
-        <source>sphere</source>
-        <translation>Kugel</translation>
-    </message>
-    <message>
-        <source>cylinder</source>
-        <translation>Zylinder</translation>
-    </message>
-    <message>
-        <source>cone</source>
-        <translation>Kegel</translation>
-    </message>
-    <message>
-        <source>distance from the origin</source>
-        <translation>Abstand vom Ursprung</translation>
-    </message>
-    <message>
-        <source>distance from the fitted surface</source>
-        <translation>Abstand von der angepassten Fläche</translation>
-    </message>
-    <message>
-        <source>reading x</source>
-        <translation>Messwert x</translation>
-    </message>
-    <message>
-        <source>reading y</source>
-        <translation>Messwert y</translation>
-    </message>
-    <message>
-        <source>reading z</source>
-        <translation>Messwert z</translation>
-    </message>
-    <message>
-        <source>reading, norm</source>
-        <translation>Messwert, Betrag</translation>
-    </message>
-    <message>
-        <source>temperature</source>
-        <translation>Temperatur</translation>
-    </message>
-    <message>
-        <source>worst link&apos;s residual, °</source>
-        <translation>Restfehler der schlechtesten Verbindung, °</translation>
-    </message>
-    <message>
-        <source>worst link&apos;s predicted deviation, °</source>
-        <translation>erwartete Abweichung der schlechtesten Verbindung, °</translation>
-    </message>
-    <message>
-        <source>position uncertainty (95 %), mm</source>
-        <translation>Unsicherheit des Ortes (95 %), mm</translation>
-    </message>
-    <message>
-        <source>orientation uncertainty (95 %), °</source>
-        <translation>Unsicherheit der Drehung (95 %), °</translation>
-    </message>
-    <message>
-        <source>distance from the origin along the path, mm</source>
-        <translation>Abstand vom Ursprung entlang des Weges, mm</translation>
-    </message>
-    <message>
-        <source>distance from the fitted surface, mm</source>
-        <translation>Abstand von der angepassten Fläche, mm</translation>
-    </message>
-    <message>
-        <source>newest reading along x, g</source>
-        <translation>neuester Messwert entlang x, g</translation>
-    </message>
-    <message>
-        <source>newest reading along y, g</source>
-        <translation>neuester Messwert entlang y, g</translation>
-    </message>
-    <message>
-        <source>newest reading along z, g</source>
-        <translation>neuester Messwert entlang z, g</translation>
-    </message>
-    <message>
-        <source>norm of the newest reading, g</source>
-        <translation>Betrag des neuesten Messwerts, g</translation>
-    </message>
-    <message>
-        <source>temperature, °C</source>
-        <translation>Temperatur, °C</translation>
-    </message>
-    <message>
-        <source>%1 or less</source>
-        <translation>%1 oder weniger</translation>
-    </message>
-    <message>
-        <source>%1 or more</source>
-        <translation>%1 oder mehr</translation>
-    </message>
-    <message>
-        <source>No link was measured yet</source>
-        <translation>Noch ist keine Verbindung gemessen</translation>
-    </message>
-    <message>
-        <source>This result states no uncertainties</source>
-        <translation>Dieses Ergebnis nennt keine Unsicherheiten</translation>
-    </message>
-    <message>
-        <source>This result holds no paths from the origin</source>
-        <translation>Dieses Ergebnis enthält keine Wege vom Ursprung</translation>
-    </message>
-    <message>
-        <source>No surface was fitted yet</source>
-        <translation>Noch ist keine Fläche angepasst</translation>
-    </message>
-    <message>
-        <source>The skin does not say which body part its cells are on</source>
-        <translation>Die Haut sagt nicht, auf welchem Körperteil ihre Zellen sind</translation>
-    </message>
-    <message>
-        <source>There are no readings: connect a skin</source>
-        <translation>Es gibt keine Messwerte: eine Haut verbinden</translation>
-    </message>
-    <message>
-        <source>The skin sends no temperatures</source>
-        <translation>Die Haut sendet keine Temperaturen</translation>
-    </message>
-    <message>
-        <source>&amp;Ports</source>
-        <translation>&amp;Ports</translation>
-    </message>
-    <message>
-        <source>Cell &amp;IDs</source>
-        <translation>&amp;IDs der Zellen</translation>
-    </message>
-    <message>
-        <source>A&amp;xes</source>
-        <translation>&amp;Achsen</translation>
-    </message>
-    <message>
-        <source>&amp;Gravity</source>
-        <translation>&amp;Schwerkraft</translation>
-    </message>
-    <message>
-        <source>&amp;Links by quality</source>
-        <translation>&amp;Verbindungen nach Güte</translation>
-    </message>
-    <message>
-        <source>Shortest-path t&amp;ree</source>
-        <translation>&amp;Baum der kürzesten Wege</translation>
-    </message>
-    <message>
-        <source>&amp;Uncertainty ellipsoids</source>
-        <translation>&amp;Unsicherheitsellipsoide</translation>
-    </message>
-    <message>
-        <source>&amp;Truth</source>
-        <translation>&amp;Wahrheit</translation>
-    </message>
-    <message>
-        <source>Fitted &amp;surface</source>
-        <translation>Angepasste &amp;Fläche</translation>
-    </message>
-    <message>
-        <source>L&amp;oop gap</source>
-        <translation>Lücke der S&amp;chleife</translation>
-    </message>
-    <message>
-        <source>&amp;Differences to the other calibration</source>
-        <translation>&amp;Unterschiede zur anderen Kalibrierung</translation>
-    </message>
-    <message>
-        <source>Discs where a link joins a neighbour, rings where a port is free</source>
-        <translation>Scheiben, wo eine Verbindung ansetzt, Ringe, wo ein Port frei ist</translation>
-    </message>
-    <message>
-        <source>Each cell&apos;s number, on faces that look at you</source>
-        <translation>Die Nummer jeder Zelle, auf zugewandten Seiten</translation>
-    </message>
-    <message>
-        <source>The directions of the patch&apos;s frame, which is the origin cell&apos;s</source>
-        <translation>Die Richtungen im Koordinatensystem des Hautstücks, dem der Ursprungszelle</translation>
-    </message>
-    <message>
-        <source>Where gravity points in the picked pose</source>
-        <translation>Wohin die Schwerkraft in der gewählten Pose zeigt</translation>
-    </message>
-    <message>
-        <source>Every link in the colour and line style of its class; muted links are crossed</source>
-        <translation>Jede Verbindung in Farbe und Linienart ihrer Güte; ausgeschlossene sind durchgestrichen</translation>
-    </message>
-    <message>
-        <source>The links by which every cell is reached from the origin on the shortest way</source>
-        <translation>Die Verbindungen, über die jede Zelle auf kürzestem Weg vom Ursprung erreicht wird</translation>
-    </message>
-    <message>
-        <source>The region that holds each cell&apos;s centre with 95 % probability, relative to the origin</source>
-        <translation>Der Bereich, in dem die Mitte jeder Zelle mit 95 % Wahrscheinlichkeit liegt, bezogen auf den Ursprung</translation>
-    </message>
-    <message>
-        <source>Where the simulated cells really are, moved onto the result as well as possible</source>
-        <translation>Wo die simulierten Zellen wirklich sind, bestmöglich auf das Ergebnis gelegt</translation>
-    </message>
-    <message>
-        <source>The surface fitted to the cells, with each cell&apos;s distance from it</source>
-        <translation>Die an die Zellen angepasste Fläche, mit dem Abstand jeder Zelle</translation>
-    </message>
-    <message>
-        <source>The gap between the two ports where the loop should close</source>
-        <translation>Die Lücke zwischen den beiden Ports, an denen sich die Schleife schließen soll</translation>
-    </message>
-    <message>
-        <source>From where each cell was to where it is now</source>
-        <translation>Von wo jede Zelle war bis wo sie jetzt ist</translation>
-    </message>
-    <message>
-        <source>There is no skin yet</source>
-        <translation>Noch gibt es keine Haut</translation>
-    </message>
-    <message>
-        <source>This skin has too many cells to draw them: at most %1</source>
-        <translation>Diese Haut hat dafür zu viele Zellen: höchstens %1</translation>
-    </message>
-    <message>
-        <source>Only of a simulated skin is the truth known</source>
-        <translation>Nur von einer simulierten Haut ist die Wahrheit bekannt</translation>
-    </message>
-    <message>
-        <source>No loop was evaluated yet</source>
-        <translation>Noch ist keine Schleife ausgewertet</translation>
-    </message>
-    <message>
-        <source>No comparison was made yet</source>
-        <translation>Noch ist nichts verglichen</translation>
-    </message>
-    <message>
-        <source>broad lines: the shortest-path tree</source>
-        <translation>breite Linien: der Baum der kürzesten Wege</translation>
-    </message>
-    <message>
-        <source>ellipsoids: 95 %, %1</source>
-        <translation>Ellipsoide: 95 %, %1</translation>
-    </message>
-    <message>
-        <source>outlines: the truth, moved onto the result</source>
-        <translation>Umrisse: die Wahrheit, auf das Ergebnis gelegt</translation>
-    </message>
-    <message>
-        <source>; rms distance %1, lines %2</source>
-        <translation>; mittlerer Abstand %1, Linien %2</translation>
-    </message>
-    <message>
-        <source>loop gap: %1, %2 % of the loop</source>
-        <translation>Lücke der Schleife: %1, %2 % der Schleife</translation>
-    </message>
-    <message>
-        <source>arrows: from before to now, %1</source>
-        <translation>Pfeile: von vorher zu jetzt, %1</translation>
-    </message>
-    <message>
-        <source>Cells %1 and %2 are in different patches: how these lie to each other is not known</source>
-        <translation>Die Zellen %1 und %2 sind in verschiedenen Hautstücken: Wie diese zueinander liegen, ist nicht bekannt</translation>
-    </message>
-    <message>
-        <source>%1°</source>
-        <translation>%1°</translation>
-    </message>
-    <message>
-        <source>Cells %1 and %2: %3 apart, their faces %4 to each other</source>
-        <translation>Zellen %1 und %2: %3 Abstand, ihre Flächen %4 zueinander</translation>
-    </message>
-    <message>
-        <source>Cells %1 and %2: %3 ± %4 (95 %) apart, their faces %5 to each other</source>
-        <translation>Zellen %1 und %2: %3 ± %4 (95 %) Abstand, ihre Flächen %5 zueinander</translation>
-    </message>
-</context>
-<context>
     <name>hexoderm::AddPoseCommand</name>
     <message>
         <source>take pose %1</source>
@@ -443,6 +44,14 @@
     <message>
         <source>Working out which pose helps most…</source>
         <translation>Gesucht wird, welche Pose am meisten hilft…</translation>
+    </message>
+    <message>
+        <source>Turn on</source>
+        <translation>Einschalten</translation>
+    </message>
+    <message>
+        <source>%1° to go</source>
+        <translation>noch %1°</translation>
     </message>
 </context>
 <context>
@@ -524,10 +133,6 @@
         <translation>Warum: Die Schwerkraft wurde nur entlang einer Linie gesehen. Eine zweite Richtung verrät, wie die Zellen um sie gedreht sind.</translation>
     </message>
     <message>
-        <source>Why: gravity has been seen from two directions. A third one, out of their plane, also reveals each sensor&apos;s offset.</source>
-        <translation>Warum: Die Schwerkraft wurde aus zwei Richtungen gesehen. Eine dritte außerhalb ihrer Ebene verrät auch den Nullpunkt jedes Sensors.</translation>
-    </message>
-    <message>
         <source>Why: the opposite of pose %1 tells each sensor&apos;s offset from its scale.</source>
         <translation>Warum: Das Gegenteil von Pose %1 trennt Nullpunkt und Skalierung jedes Sensors.</translation>
     </message>
@@ -536,24 +141,12 @@
         <translation>Warum: Eine weitere Richtung mittelt aus, was die Sensoren noch falsch messen.</translation>
     </message>
     <message>
-        <source>Orientation is known to ±%1 now, to ±%2 with this pose.</source>
-        <translation>Die Drehung ist jetzt auf ±%1 bekannt, mit dieser Pose auf ±%2.</translation>
-    </message>
-    <message>
         <source>No direction is missing: all three values reach %1.</source>
         <translation>Keine Richtung fehlt: Alle drei Werte erreichen %1.</translation>
     </message>
     <message>
         <source>No pose yet: any direction will do.</source>
         <translation>Noch keine Pose: Jede Richtung ist recht.</translation>
-    </message>
-    <message>
-        <source>No pose yet with cell %1 facing a wall: the second value is %2, needs %3.</source>
-        <translation>Noch keine Pose mit Zelle %1 zur Wand: Der zweite Wert ist %2, nötig sind %3.</translation>
-    </message>
-    <message>
-        <source>No pose yet with cell %1 facing a wall: the third value is %2, needs %3.</source>
-        <translation>Noch keine Pose mit Zelle %1 zur Wand: Der dritte Wert ist %2, nötig sind %3.</translation>
     </message>
     <message>
         <source>No pose yet with cell %1 facing the ceiling or the floor: the second value is %2, needs %3.</source>
@@ -690,6 +283,26 @@
     <message>
         <source>Not waited for: %1</source>
         <translation>Nicht gewartet wird auf: %1</translation>
+    </message>
+    <message>
+        <source>Why: gravity has been seen in one plane only. A direction out of it also reveals each sensor&apos;s offset.</source>
+        <translation>Warum: Die Schwerkraft wurde nur in einer Ebene gesehen. Eine Richtung außerhalb davon zeigt auch den Nullpunktfehler jedes Sensors.</translation>
+    </message>
+    <message>
+        <source>Another pose would hardly make it better.</source>
+        <translation>Eine weitere Pose würde kaum etwas verbessern.</translation>
+    </message>
+    <message>
+        <source>With this pose the error falls to about %1 % of what it is now.</source>
+        <translation>Mit dieser Pose sinkt der Fehler auf etwa %1 % des jetzigen.</translation>
+    </message>
+    <message>
+        <source>No pose yet with the side of cell %1 up or down: the second value is %2, needs %3.</source>
+        <translation>Noch keine Pose, in der die Seite von Zelle %1 nach oben oder unten zeigt: Der zweite Wert ist %2, nötig sind %3.</translation>
+    </message>
+    <message>
+        <source>No pose yet with the side of cell %1 up or down: the third value is %2, needs %3.</source>
+        <translation>Noch keine Pose, in der die Seite von Zelle %1 nach oben oder unten zeigt: Der dritte Wert ist %2, nötig sind %3.</translation>
     </message>
 </context>
 <context>
@@ -2205,18 +1818,101 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
 </context>
 <context>
+    <name>hexoderm::GraphColoring</name>
+    <message>
+        <source>%1° or more</source>
+        <translation>%1° oder mehr</translation>
+    </message>
+    <message>
+        <source>own readings</source>
+        <translation>eigene Messwerte</translation>
+    </message>
+    <message>
+        <source>links</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>patch %1</source>
+        <translation>Hautstück %1</translation>
+    </message>
+    <message>
+        <source>link quality</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>Restfehler</translation>
+    </message>
+    <message>
+        <source>predicted deviation</source>
+        <translation>erwartete Abweichung</translation>
+    </message>
+    <message>
+        <source>bend</source>
+        <translation>Biegung</translation>
+    </message>
+    <message>
+        <source>twist</source>
+        <translation>Verdrillung</translation>
+    </message>
+    <message>
+        <source>yaw</source>
+        <translation>Gieren</translation>
+    </message>
+    <message>
+        <source>position uncertainty</source>
+        <translation>Unsicherheit des Ortes</translation>
+    </message>
+    <message>
+        <source>orientation uncertainty</source>
+        <translation>Unsicherheit der Drehung</translation>
+    </message>
+    <message>
+        <source>placed by</source>
+        <translation>platziert durch</translation>
+    </message>
+    <message>
+        <source>patch</source>
+        <translation>Hautstück</translation>
+    </message>
+    <message>
+        <source>body part</source>
+        <translation>Körperteil</translation>
+    </message>
+    <message>
+        <source>residual, rms over poses</source>
+        <translation>Restfehler, rms über die Posen</translation>
+    </message>
+    <message>
+        <source>bend, either way</source>
+        <translation>Biegung, beide Richtungen</translation>
+    </message>
+    <message>
+        <source>twist, either way</source>
+        <translation>Verdrillung, beide Richtungen</translation>
+    </message>
+    <message>
+        <source>yaw, either way</source>
+        <translation>Gieren, beide Richtungen</translation>
+    </message>
+    <message>
+        <source>position known to (95 %)</source>
+        <translation>Ort bekannt auf (95 %)</translation>
+    </message>
+    <message>
+        <source>±%1 mm or more</source>
+        <translation>±%1 mm oder mehr</translation>
+    </message>
+    <message>
+        <source>orientation known to (95 %)</source>
+        <translation>Drehung bekannt auf (95 %)</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::GraphColoringButton</name>
     <message>
         <source>What the colours of links and cells show</source>
         <translation>Was die Farben der Verbindungen und Zellen zeigen</translation>
-    </message>
-    <message>
-        <source>Links</source>
-        <translation>Verbindungen</translation>
-    </message>
-    <message>
-        <source>Cells</source>
-        <translation>Zellen</translation>
     </message>
     <message>
         <source>Mark the &amp;shortest paths</source>
@@ -2448,14 +2144,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Noch keine Haut: die Demo starten, eine Haut verbinden oder eine Sitzung oder Kalibrierung öffnen.</translation>
     </message>
     <message>
-        <source>Gravity seen from several directions tells how every cell is turned against its neighbours.</source>
-        <translation>Schwerkraft aus mehreren Richtungen verrät, wie jede Zelle gegen ihre Nachbarn gedreht ist.</translation>
-    </message>
-    <message>
-        <source>This session came from a file; no skin is connected to take more.</source>
-        <translation>Diese Sitzung kam aus einer Datei; für weitere Posen ist keine Haut verbunden.</translation>
-    </message>
-    <message>
         <source>Verify</source>
         <translation>Nachprüfen</translation>
     </message>
@@ -2470,6 +2158,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Each check looks at it from a side that solving it did not use.</source>
         <translation>Jede Probe sieht es von einer Seite an, die das Lösen nicht benutzt hat.</translation>
+    </message>
+    <message>
+        <source>Gravity seen from several directions tells how every cell is turned against its neighbours. This session came from a file; no skin is connected to take more.</source>
+        <translation>Die Schwerkraft aus mehreren Richtungen zeigt, wie jede Zelle gegen ihre Nachbarn gedreht ist. Diese Sitzung kommt aus einer Datei; es ist keine Haut verbunden, die weitere Posen liefern könnte.</translation>
     </message>
 </context>
 <context>
@@ -3007,6 +2699,26 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>Pictures (*.png)</source>
         <translation>Bilder (*.png)</translation>
     </message>
+    <message>
+        <source>Directions of gravity seen</source>
+        <translation>Gesehene Richtungen der Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Stillness</source>
+        <translation>Ruhe</translation>
+    </message>
+    <message>
+        <source>This session came from a file.</source>
+        <translation>Diese Sitzung kommt aus einer Datei.</translation>
+    </message>
+    <message>
+        <source>It repeats pose %1.</source>
+        <translation>Sie wiederholt Pose %1.</translation>
+    </message>
+    <message>
+        <source>%1 poses</source>
+        <translation>%1 Posen</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MeasureTool</name>
@@ -3038,7 +2750,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
 </context>
 <context>
-    <name>hexoderm::OpenGl</name>
+    <name>hexoderm::OpenGlWords</name>
     <message>
         <source>no OpenGL 3.2</source>
         <translation>kein OpenGL 3.2</translation>
@@ -3191,12 +2903,9 @@ On a remote desktop, drawing in software may help: start hexoderm with --softwar
 
 Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit --software-opengl starten.</translation>
     </message>
-    <message numerus="yes">
-        <source>Preparing the picture of %n cell(s)…</source>
-        <translation>
-            <numerusform>Das Bild von %n Zelle wird vorbereitet…</numerusform>
-            <numerusform>Das Bild von %n Zellen wird vorbereitet…</numerusform>
-        </translation>
+    <message>
+        <source>Preparing the picture of %1 cells…</source>
+        <translation>Das Bild von %1 Zellen wird vorbereitet…</translation>
     </message>
 </context>
 <context>
@@ -4085,10 +3794,356 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     </message>
 </context>
 <context>
+    <name>hexoderm::SceneLegend</name>
+    <message>
+        <source>no link</source>
+        <translation>keine Verbindung</translation>
+    </message>
+    <message>
+        <source>patch %1</source>
+        <translation>Hautstück %1</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Cells are coloured by: %1; from %2 (dark) to %3 (bright)</source>
+        <translation>Farbe der Zellen: %1; von %2 (dunkel) bis %3 (hell)</translation>
+    </message>
+    <message>
+        <source>Cells are coloured by: %1</source>
+        <translation>Farbe der Zellen: %1</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::SceneOverlay</name>
     <message>
         <source>gravity</source>
         <translation>Schwerkraft</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::SceneWords</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>drawn %1 times as large</source>
+        <translation>%1-fach vergrößert gezeichnet</translation>
+    </message>
+    <message>
+        <source>true to scale</source>
+        <translation>maßstäblich</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>cone</source>
+        <translation>Kegel</translation>
+    </message>
+    <message>
+        <source>link quality</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>Restfehler</translation>
+    </message>
+    <message>
+        <source>predicted deviation</source>
+        <translation>erwartete Abweichung</translation>
+    </message>
+    <message>
+        <source>position uncertainty</source>
+        <translation>Unsicherheit des Ortes</translation>
+    </message>
+    <message>
+        <source>orientation uncertainty</source>
+        <translation>Unsicherheit der Drehung</translation>
+    </message>
+    <message>
+        <source>distance from the origin</source>
+        <translation>Abstand vom Ursprung</translation>
+    </message>
+    <message>
+        <source>distance from the fitted surface</source>
+        <translation>Abstand von der angepassten Fläche</translation>
+    </message>
+    <message>
+        <source>patch</source>
+        <translation>Hautstück</translation>
+    </message>
+    <message>
+        <source>body part</source>
+        <translation>Körperteil</translation>
+    </message>
+    <message>
+        <source>reading x</source>
+        <translation>Messwert x</translation>
+    </message>
+    <message>
+        <source>reading y</source>
+        <translation>Messwert y</translation>
+    </message>
+    <message>
+        <source>reading z</source>
+        <translation>Messwert z</translation>
+    </message>
+    <message>
+        <source>reading, norm</source>
+        <translation>Messwert, Betrag</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>worst link&apos;s residual, °</source>
+        <translation>Restfehler der schlechtesten Verbindung, °</translation>
+    </message>
+    <message>
+        <source>worst link&apos;s predicted deviation, °</source>
+        <translation>erwartete Abweichung der schlechtesten Verbindung, °</translation>
+    </message>
+    <message>
+        <source>position uncertainty (95 %), mm</source>
+        <translation>Unsicherheit des Ortes (95 %), mm</translation>
+    </message>
+    <message>
+        <source>orientation uncertainty (95 %), °</source>
+        <translation>Unsicherheit der Drehung (95 %), °</translation>
+    </message>
+    <message>
+        <source>distance from the origin along the path, mm</source>
+        <translation>Abstand vom Ursprung entlang des Weges, mm</translation>
+    </message>
+    <message>
+        <source>distance from the fitted surface, mm</source>
+        <translation>Abstand von der angepassten Fläche, mm</translation>
+    </message>
+    <message>
+        <source>newest reading along x, g</source>
+        <translation>neuester Messwert entlang x, g</translation>
+    </message>
+    <message>
+        <source>newest reading along y, g</source>
+        <translation>neuester Messwert entlang y, g</translation>
+    </message>
+    <message>
+        <source>newest reading along z, g</source>
+        <translation>neuester Messwert entlang z, g</translation>
+    </message>
+    <message>
+        <source>norm of the newest reading, g</source>
+        <translation>Betrag des neuesten Messwerts, g</translation>
+    </message>
+    <message>
+        <source>temperature, °C</source>
+        <translation>Temperatur, °C</translation>
+    </message>
+    <message>
+        <source>%1 or less</source>
+        <translation>%1 oder weniger</translation>
+    </message>
+    <message>
+        <source>%1 or more</source>
+        <translation>%1 oder mehr</translation>
+    </message>
+    <message>
+        <source>No link was measured yet</source>
+        <translation>Noch ist keine Verbindung gemessen</translation>
+    </message>
+    <message>
+        <source>This result states no uncertainties</source>
+        <translation>Dieses Ergebnis nennt keine Unsicherheiten</translation>
+    </message>
+    <message>
+        <source>This result holds no paths from the origin</source>
+        <translation>Dieses Ergebnis enthält keine Wege vom Ursprung</translation>
+    </message>
+    <message>
+        <source>No surface was fitted yet</source>
+        <translation>Noch ist keine Fläche angepasst</translation>
+    </message>
+    <message>
+        <source>The skin does not say which body part its cells are on</source>
+        <translation>Die Haut sagt nicht, auf welchem Körperteil ihre Zellen sind</translation>
+    </message>
+    <message>
+        <source>There are no readings: connect a skin</source>
+        <translation>Es gibt keine Messwerte: eine Haut verbinden</translation>
+    </message>
+    <message>
+        <source>The skin sends no temperatures</source>
+        <translation>Die Haut sendet keine Temperaturen</translation>
+    </message>
+    <message>
+        <source>&amp;Ports</source>
+        <translation>&amp;Anschlüsse</translation>
+    </message>
+    <message>
+        <source>Cell &amp;IDs</source>
+        <translation>Zellen-&amp;IDs</translation>
+    </message>
+    <message>
+        <source>A&amp;xes</source>
+        <translation>A&amp;chsen</translation>
+    </message>
+    <message>
+        <source>&amp;Gravity</source>
+        <translation>Sch&amp;werkraft</translation>
+    </message>
+    <message>
+        <source>&amp;Links by quality</source>
+        <translation>Ver&amp;bindungen nach Güte</translation>
+    </message>
+    <message>
+        <source>Shortest-path t&amp;ree</source>
+        <translation>Baum der kü&amp;rzesten Wege</translation>
+    </message>
+    <message>
+        <source>&amp;Uncertainty ellipsoids</source>
+        <translation>&amp;Unsicherheits-Ellipsoide</translation>
+    </message>
+    <message>
+        <source>&amp;Truth</source>
+        <translation>Wahr&amp;heit</translation>
+    </message>
+    <message>
+        <source>Fitted &amp;surface</source>
+        <translation>Angepasste &amp;Fläche</translation>
+    </message>
+    <message>
+        <source>L&amp;oop gap</source>
+        <translation>Spalt der S&amp;chleife</translation>
+    </message>
+    <message>
+        <source>&amp;Differences to the other calibration</source>
+        <translation>&amp;Differenzen zur anderen Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Discs where a link joins a neighbour, rings where a port is free</source>
+        <translation>Scheiben, wo eine Verbindung zum Nachbarn führt, Ringe, wo ein Anschluss frei ist</translation>
+    </message>
+    <message>
+        <source>Each cell&apos;s number, on faces that look at you</source>
+        <translation>Die Nummer jeder Zelle, auf Flächen, die zum Betrachter zeigen</translation>
+    </message>
+    <message>
+        <source>The directions of the patch&apos;s frame, which is the origin cell&apos;s</source>
+        <translation>Die Richtungen des Koordinatensystems des Hautstücks, das der Ursprungszelle</translation>
+    </message>
+    <message>
+        <source>Where gravity points in the picked pose</source>
+        <translation>Wohin die Schwerkraft in der gewählten Haltung zeigt</translation>
+    </message>
+    <message>
+        <source>Every link in the colour and line style of its class; muted links are crossed</source>
+        <translation>Jede Verbindung in Farbe und Strichart ihrer Klasse; ausgenommene sind durchkreuzt</translation>
+    </message>
+    <message>
+        <source>The links by which every cell is reached from the origin on the shortest way</source>
+        <translation>Die Verbindungen, über die jede Zelle vom Ursprung auf kürzestem Weg erreicht wird</translation>
+    </message>
+    <message>
+        <source>The region that holds each cell&apos;s centre with 95 % probability, relative to the origin</source>
+        <translation>Der Bereich, in dem die Mitte jeder Zelle mit 95 % Wahrscheinlichkeit liegt, relativ zum Ursprung</translation>
+    </message>
+    <message>
+        <source>Where the simulated cells really are, moved onto the result as well as possible</source>
+        <translation>Wo die simulierten Zellen wirklich sind, so gut wie möglich auf das Ergebnis geschoben</translation>
+    </message>
+    <message>
+        <source>The surface fitted to the cells, with each cell&apos;s distance from it</source>
+        <translation>Die an die Zellen angepasste Fläche mit dem Abstand jeder Zelle von ihr</translation>
+    </message>
+    <message>
+        <source>The gap between the two ports where the loop should close</source>
+        <translation>Der Spalt zwischen den beiden Anschlüssen, an denen sich die Schleife schließen sollte</translation>
+    </message>
+    <message>
+        <source>From where each cell was to where it is now</source>
+        <translation>Von wo jede Zelle war bis wo sie jetzt ist</translation>
+    </message>
+    <message>
+        <source>There is no skin yet</source>
+        <translation>Noch gibt es keine Haut</translation>
+    </message>
+    <message>
+        <source>This skin has too many cells to draw them: at most %1</source>
+        <translation>Diese Haut hat zu viele Zellen, um sie zu zeichnen: höchstens %1</translation>
+    </message>
+    <message>
+        <source>Only of a simulated skin is the truth known</source>
+        <translation>Nur bei einer simulierten Haut ist die Wahrheit bekannt</translation>
+    </message>
+    <message>
+        <source>No loop was evaluated yet</source>
+        <translation>Noch ist keine Schleife ausgewertet</translation>
+    </message>
+    <message>
+        <source>No comparison was made yet</source>
+        <translation>Noch ist nichts verglichen</translation>
+    </message>
+    <message>
+        <source>broad lines: the shortest-path tree</source>
+        <translation>breite Linien: der Baum der kürzesten Wege</translation>
+    </message>
+    <message>
+        <source>ellipsoids: 95 %, %1</source>
+        <translation>Ellipsoide: 95 %, %1</translation>
+    </message>
+    <message>
+        <source>outlines: the truth, moved onto the result</source>
+        <translation>Umrisse: die Wahrheit, auf das Ergebnis geschoben</translation>
+    </message>
+    <message>
+        <source>%1, radius %2</source>
+        <translation>%1, Radius %2</translation>
+    </message>
+    <message>
+        <source>; rms distance %1, lines %2</source>
+        <translation>; mittlerer Abstand (rms) %1, Striche %2</translation>
+    </message>
+    <message>
+        <source>loop gap: %1, %2 % of the loop; the arrow %3</source>
+        <translation>Spalt der Schleife: %1, %2 % der Schleife; der Pfeil %3</translation>
+    </message>
+    <message>
+        <source>arrows: from before to now, %1</source>
+        <translation>Pfeile: von vorher nach jetzt, %1</translation>
+    </message>
+    <message>
+        <source>Cells %1 and %2 are in different patches: how these lie to each other is not known</source>
+        <translation>Die Zellen %1 und %2 sind in verschiedenen Hautstücken: wie diese zueinander liegen, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Cells %1 and %2: %3 apart, their faces %4 to each other</source>
+        <translation>Zellen %1 und %2: Abstand %3, ihre Flächen %4 zueinander</translation>
+    </message>
+    <message>
+        <source>Cells %1 and %2: %3 ± %4 (95 %) apart, their faces %5 to each other</source>
+        <translation>Zellen %1 und %2: Abstand %3 ± %4 (95 %), ihre Flächen %5 zueinander</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 #include "widgets/core_words.h"
 #include "window_test.h"
 
+#include <QPainter>
 #include <QRegularExpression>
 #include <QTextDocument>
 #include <QXmlStreamReader>
@@ -147,6 +148,16 @@ TEST_F(ReportWindow, WritesAReportWithPicturesFromTheMenu) {
   }
   const QString html = QString::fromStdString(readAll(pathTo(QStringLiteral("demo.html")).toStdString()));
   EXPECT_GE(html.count(QStringLiteral("data:image/png")), 4);
+  QTextDocument page;
+  page.setHtml(html);
+  page.setTextWidth(660);
+  QImage picture((page.size() + QSizeF(60, 60)).toSize(), QImage::Format_RGB32);
+  picture.fill(Qt::white);
+  QPainter painter(&picture);
+  painter.translate(30, 30);
+  page.drawContents(&painter);
+  painter.end();
+  keepPicture(picture, QStringLiteral("report"));
   EXPECT_TRUE(textOf(html).contains(coreWords(controller().reconstruction()->verdict.reason)));
 }
 

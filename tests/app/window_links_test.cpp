@@ -120,7 +120,8 @@ TEST_F(WindowLinksTest, TheMenusOfGraphAndTableOfferIt) {
   EXPECT_TRUE(find<QTableView>("linkView")->actions().contains(action("actionMuteLink")));
   action("actionMuteLink")->trigger();
   ASSERT_TRUE(waitForPatches(2));
-  auto* table = qobject_cast<LinkTable*>(find<QTableView>("linkView")->model());
+  auto* table = window_->findChild<LinkTable*>();
+  ASSERT_NE(table, nullptr);
   const int row = table->rowOf(link.first, link.second);
   ASSERT_GE(row, 0);
   EXPECT_EQ(table->index(row, table->columnCount() - 1).data(), "set aside");

@@ -139,7 +139,8 @@ class WindowTest : public testing::Test {
     return waitUntil([&] { return message().contains(part); });
   }
   QString message() {
-    return find<QWidget>("messageBar")->isVisible() ? find<QLabel>("messageText")->text() : QString();
+    if (find<QWidget>("messageBar")->isVisible()) return find<QLabel>("messageText")->text();
+    return find<QLabel>("saidStatus")->isVisible() ? find<QLabel>("saidStatus")->text() : QString();
   }
   QString writeFile(const QString& name, const QByteArray& content) {
     QFile file(pathTo(name));

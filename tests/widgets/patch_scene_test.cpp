@@ -314,7 +314,7 @@ TEST_F(PatchSceneTest, ResultsAreDrawnUntilTheyAreTakenBack) {
   EXPECT_EQ(scene.availability(SceneItem::Loop), Availability::NoData);
   scene.setLoop(evaluateLoop(demo, {CellId(14), PortNumber(1)}, {CellId(17), PortNumber(4)}));
   EXPECT_GT(differingShare(plain, picture()), 0.001);
-  EXPECT_TRUE(scene.notes().loop);
+  EXPECT_TRUE(scene.notes().loop_factor.has_value());
   scene.setLoop(std::nullopt);
   EXPECT_EQ(differingShare(plain, picture()), 0);
 
