@@ -161,7 +161,6 @@ struct ResidualPlots::Parts {
     }
     pose_plot->setAxisScaleDraw(QwtPlot::xBottom, pose_scale);
     link_plot->setAxisScaleEngine(QwtPlot::yLeft, new QwtLogScaleEngine);
-    link_plot->setAxisMaxMajor(QwtPlot::yLeft, 4);
     ratio_plot->setAxisScaleDraw(QwtPlot::xBottom, new FigureScale);
     picked->setLineStyle(QwtPlotMarker::VLine);
     picked->attach(link_plot);
@@ -251,6 +250,18 @@ void ResidualPlots::setReconstruction(std::shared_ptr<const Reconstruction> reco
 void ResidualPlots::showEvent(QShowEvent* event) {
   if (parts_->stale) refresh();
   QWidget::showEvent(event);
+}
+
+void ResidualPlots::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  // As many numbers as fit above each other: headings and the lower axis take about four lines.
+  constexpr int kMost = 6;
+  const int line = fontMetrics().height();
+  const int steps = std::clamp((height() - 4 * line) / (2 * line), 1, kMost);
+  for (QwtPlot* plot : {parts_->pose_plot, parts_->link_plot, parts_->ratio_plot}) {
+    plot->setAxisMaxMajor(QwtPlot::yLeft, steps);
+    plot->replot();
+  }
 }
 
 void ResidualPlots::refresh() {

@@ -84,7 +84,7 @@ VerifyFigures holdOutCells(const HoldOutResult& result) {
       cellColumn(),
       degreeColumn(Words::tr("Error °"),
                    Words::tr("Between the gravity the cell read and what the other cells and poses foretell")),
-      degreeColumn(Words::tr("Expected °"), Words::tr("What the stated uncertainties lead one to expect, rms"))};
+      degreeColumn(Words::tr("Expected"), Words::tr("What the stated uncertainties lead one to expect, rms"))};
   for (const HoldOutCell& cell : result.cells) {
     figures.rows.push_back({{cell.cell.value(), toDegrees(cell.error_rad), toDegrees(cell.expected_rad)},
                             cell.cell,
@@ -99,7 +99,7 @@ VerifyFigures holdOutLinks(const HoldOutResult& result) {
   figures.columns = {
       {Words::tr("Link"), {}, Words::tr("Cell and port of both ends"), 0, true},
       degreeColumn(Words::tr("Error °"), Words::tr("Between what its two cells read, brought into one frame")),
-      degreeColumn(Words::tr("Expected °"), Words::tr("What the stated uncertainties lead one to expect, rms"))};
+      degreeColumn(Words::tr("Expected"), Words::tr("What the stated uncertainties lead one to expect, rms"))};
   for (const HoldOutLink& link : result.links) {
     figures.rows.push_back(
         {{linkName(link.source, link.target), toDegrees(link.error_rad), toDegrees(link.expected_rad)},

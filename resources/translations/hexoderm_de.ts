@@ -4414,8 +4414,8 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
         <translation>Zwischen der Schwerkraft, die die Zelle maß, und dem, was die anderen Zellen und Posen voraussagen</translation>
     </message>
     <message>
-        <source>Expected °</source>
-        <translation>Erwartet °</translation>
+        <source>Expected</source>
+        <translation>Erwartet</translation>
     </message>
     <message>
         <source>What the stated uncertainties lead one to expect, rms</source>

@@ -77,7 +77,7 @@ TEST_F(TableActionsTest, SortsNumbersByValueNamesAsAPersonWouldAndTheUnknownLast
   sorted.sort(2, Qt::DescendingOrder);
   EXPECT_EQ(sorted.index(3, 0).data().toString(), "a, b");
   EXPECT_EQ(sorted.index(0, 0).data().toString(), "cell 9");
-  EXPECT_EQ(sorted.headerData(2, Qt::Horizontal).toString(), QStringLiteral("Angle ° ↓"));
+  EXPECT_EQ(sorted.headerData(2, Qt::Horizontal, Qt::DisplayRole).toString(), QStringLiteral("Angle ° ↓"));
   EXPECT_TRUE(tableAsCsv(sorted).startsWith("Name,Length mm,Angle (deg)\r\n")) << "files have no arrows";
 }
 
