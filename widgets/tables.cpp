@@ -1,7 +1,7 @@
 #include "widgets/tables.h"
 
-#include "widgets/core_words.h"
 #include "hexoderm/util/units.h"
+#include "widgets/core_words.h"
 #include "widgets/palette.h"
 #include "widgets/table_actions.h"
 #include "widgets/words.h"

@@ -14,11 +14,11 @@ namespace hexoderm {
 
 /// What a device says of itself before it streams.
 struct SkinDescription {
-  std::string device;                      ///< for people, for example "emulated x17"
-  std::shared_ptr<const CellModel> model;  ///< never null
-  NeighborList neighbors;                  ///< as explored; may contradict itself
-  bool can_light_cells = false;            ///< answers SetLed
-  bool can_turn = false;                   ///< answers TurnTo: a robot that moves itself
+  std::string device;                          ///< for people, for example "emulated x17"
+  std::shared_ptr<const CellModel> model;      ///< never null
+  NeighborList neighbors;                      ///< as explored; may contradict itself
+  bool can_light_cells = false;                ///< answers SetLed
+  bool can_turn = false;                       ///< answers TurnTo: a robot that moves itself
   std::shared_ptr<const GroundTruth> truth{};  ///< of a simulated skin that can tell; else null
 };
 
