@@ -80,7 +80,7 @@ QString gainInWords(const NextPose& next) {
           "it.");
     case PoseGain::OutOfPlane:
       return CaptureWords::tr(
-          "Why: gravity has been seen in one plane only. A direction out of it also reveals each sensor's offset.");
+          "Why: two directions can't tell a cell's turn from its sensor's offset. A third one, far from both, can.");
     case PoseGain::Opposite:
       return CaptureWords::tr("Why: the opposite of pose %1 tells each sensor's offset from its scale.")
           .arg(next.opposite_of ? next.opposite_of->value() : 0);

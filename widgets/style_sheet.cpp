@@ -28,7 +28,7 @@ QLabel[muted="true"] { color: @text_muted@; }
 QLabel[caption="true"] { color: @text_muted@; font-size: @small@pt; letter-spacing: 1px; }
 QLabel[headline="true"] { font-size: @large@pt; font-weight: 600; }
 
-QMenuBar { background: @panel@; border-bottom: 1px solid @border@; padding: 3px 6px; }
+QMenuBar { background: @panel@; border-bottom: 1px solid @border@; padding: 3px 5px; }
 QMenuBar::item { background: transparent; color: @text_muted@; padding: 4px 9px; border-radius: 4px; }
 QMenuBar::item:selected, QMenuBar::item:pressed { background: @panel_active@; color: @text@; }
 QMenu { background: @panel@; border: 1px solid @border@; padding: 4px; }
@@ -77,13 +77,13 @@ QLineEdit:focus, QPlainTextEdit:focus, QTextEdit:focus { border-color: @accent@;
 
 QAbstractItemView { background: @panel@; border: 0; outline: 0; }
 QTableView { gridline-color: transparent; selection-background-color: @panel_active@; selection-color: @text@; }
-QTableView::item { border: 0; border-bottom: 1px solid @border@; padding: 3px 6px; }
+QTableView::item { border: 0; border-bottom: 1px solid @border@; padding: 3px 5px; }
 QTableView::item:hover { background: @hover@; color: @text@; }
 QTableView::item:selected { background: @panel_active@; color: @text@; border-top: 1px solid @selection@;
                             border-bottom: 1px solid @selection@; }
 QHeaderView { background: @panel@; border: 0; }
 QHeaderView::section { background: @panel@; color: @text_muted@; border: 0; border-bottom: 1px solid @border@;
-                       padding: 4px 9px; font-weight: 400; }
+                       padding: 4px 5px; font-weight: 400; }
 QTableCornerButton::section { background: @panel@; border: 0; }
 
 QTabWidget::pane { border: 0; }

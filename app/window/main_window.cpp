@@ -191,8 +191,7 @@ void MainWindow::buildLayout() {
   auto* steps = new CardDock(tr("Steps"), QStringLiteral("stepsDock"), step_panel_, docks_);
   graph_dock_ = new CardDock(tr("Skin graph"), QStringLiteral("graphDock"), graph_view_, docks_);
   pose_dock_ = new CardDock(tr("Poses"), QStringLiteral("poseDock"), withHint(pose_view_, tr("No poses yet.")), docks_);
-  coverage_dock_ =
-      new CardDock(tr("Directions of gravity seen"), QStringLiteral("coverageDock"), coverage_view_, docks_);
+  coverage_dock_ = new CardDock(tr("Directions seen"), QStringLiteral("coverageDock"), coverage_view_, docks_);
   shell_->setSwapped(patch_view_, graph_view_, graph_dock_);
   CardDock* details = buildDetails();
   docks_->addDockWidget(Qt::LeftDockWidgetArea, steps);
@@ -200,8 +199,8 @@ void MainWindow::buildLayout() {
   docks_->addDockWidget(Qt::RightDockWidgetArea, coverage_dock_);
   docks_->addDockWidget(Qt::RightDockWidgetArea, pose_dock_);
   docks_->addDockWidget(Qt::BottomDockWidgetArea, details);
-  docks_->resizeDocks({steps, graph_dock_}, {286, 436}, Qt::Horizontal);
-  docks_->resizeDocks({graph_dock_, coverage_dock_, pose_dock_}, {280, 290, 200}, Qt::Vertical);
+  docks_->resizeDocks({steps, graph_dock_}, {286, 420}, Qt::Horizontal);
+  docks_->resizeDocks({graph_dock_, coverage_dock_, pose_dock_}, {300, 250, 180}, Qt::Vertical);
   docks_->resizeDocks({details}, {170}, Qt::Vertical);
 
   auto* work = new QVBoxLayout;

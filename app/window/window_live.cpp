@@ -8,7 +8,6 @@
 #include "widgets/live_strip.h"
 #include "widgets/message_bar.h"
 #include "widgets/patch_view.h"
-#include "widgets/step_panel.h"
 
 #include <QDir>
 #include <QLabel>
@@ -104,11 +103,10 @@ void MainWindow::refreshLive() {
   const LiveSource& live = controller_.live();
   const SourceStatus& status = live.status();
   // While all is well the status bar says it, and the step Capture has a panel that says more.
-  const bool elsewhere = step_panel_->openIndex() != static_cast<int>(GuideStep::Capture);
   const bool is_well = controller_.isLive() && status.state == SourceState::Streaming;
-  live_strip_->setVisible(live.isRunning() && (elsewhere || !is_well));
+  live_strip_->setVisible(live.isRunning() && !is_well);
   if (!live.isRunning()) return;
-  live_strip_->setStatus(status, live.hold(), controller_.isLive() && elsewhere);
+  live_strip_->setStatus(status, live.hold(), controller_.isLive());
   const QString where = live.skin()
                             ? QString::fromStdString(live.skin()->device) + QStringLiteral(" · ") + live.address()
                             : live.address();

@@ -285,10 +285,6 @@
         <translation>Nicht gewartet wird auf: %1</translation>
     </message>
     <message>
-        <source>Why: gravity has been seen in one plane only. A direction out of it also reveals each sensor&apos;s offset.</source>
-        <translation>Warum: Die Schwerkraft wurde nur in einer Ebene gesehen. Eine Richtung außerhalb davon zeigt auch den Nullpunktfehler jedes Sensors.</translation>
-    </message>
-    <message>
         <source>Another pose would hardly make it better.</source>
         <translation>Eine weitere Pose würde kaum etwas verbessern.</translation>
     </message>
@@ -303,6 +299,10 @@
     <message>
         <source>No pose yet with the side of cell %1 up or down: the third value is %2, needs %3.</source>
         <translation>Noch keine Pose, in der die Seite von Zelle %1 nach oben oder unten zeigt: Der dritte Wert ist %2, nötig sind %3.</translation>
+    </message>
+    <message>
+        <source>Why: two directions can&apos;t tell a cell&apos;s turn from its sensor&apos;s offset. A third one, far from both, can.</source>
+        <translation>Warum: Zwei Richtungen unterscheiden die Drehung einer Zelle nicht vom Nullpunktfehler ihres Sensors. Eine dritte, weit von beiden, kann es.</translation>
     </message>
 </context>
 <context>
@@ -2700,10 +2700,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Bilder (*.png)</translation>
     </message>
     <message>
-        <source>Directions of gravity seen</source>
-        <translation>Gesehene Richtungen der Schwerkraft</translation>
-    </message>
-    <message>
         <source>Stillness</source>
         <translation>Ruhe</translation>
     </message>
@@ -2718,6 +2714,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>%1 poses</source>
         <translation>%1 Posen</translation>
+    </message>
+    <message>
+        <source>Directions seen</source>
+        <translation>Gesehene Richtungen</translation>
     </message>
 </context>
 <context>
@@ -2932,7 +2932,7 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     </message>
     <message>
         <source>Pose</source>
-        <translation>Pose</translation>
+        <translation>Nr.</translation>
     </message>
     <message>
         <source>Number of the pose; a check mark if it is used, a dash if it is disabled</source>
@@ -2964,7 +2964,7 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     </message>
     <message>
         <source>New by</source>
-        <translation>Neu um</translation>
+        <translation>Neu</translation>
     </message>
     <message>
         <source>Angle to the nearest direction of gravity seen in an earlier pose</source>
@@ -3466,7 +3466,7 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     </message>
     <message>
         <source>New by</source>
-        <translation>Neu um</translation>
+        <translation>Neu</translation>
     </message>
     <message>
         <source>Residual</source>
@@ -4666,7 +4666,7 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     </message>
     <message>
         <source>Run</source>
-        <translation>Ausführen</translation>
+        <translation>Prüfen</translation>
     </message>
     <message>
         <source>Choose file…</source>

@@ -60,9 +60,9 @@ TEST_F(CliCapture, NeverReplacesASession) {
 }
 
 TEST_F(CliCapture, AFullDiskIsSaidAndWhatFittedIsKept) {
-  // Files may grow to 256 KiB: room for a session and some poses of 400 cells, not for all.
+  // Files may grow to 512 KiB: room for a session with its truth and some poses of 400 cells, not for all.
   const Outcome outcome = run("capture --source 'sim:sheet:20x20?speed=max' --auto --poses 12 -o sheet.hexo",
-                              "trap '' XFSZ; ulimit -f 256; ");
+                              "trap '' XFSZ; ulimit -f 512; ");
   EXPECT_EQ(outcome.exit_code, 5) << outcome.err;
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("sheet.hexo"), HasSubstr("Trying again")));
   const Session session = readSessionStore(path("sheet.hexo"));

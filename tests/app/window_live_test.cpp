@@ -57,10 +57,7 @@ TEST_F(WindowLiveTest, ASimulatedSkinIsConnectedAndEveryPoseIsInItsFile) {
   EXPECT_EQ(controller().name(), "arm.hexo");
   EXPECT_EQ(controller().reconstruction()->cellCount(), 17U);
   EXPECT_EQ(text("liveState"), "Streaming");
-  EXPECT_FALSE(find<QWidget>("liveStrip")->isVisible()) << "the step's panel says more";
-  press(Qt::Key_4, Qt::ControlModifier);
-  EXPECT_TRUE(find<QWidget>("liveStrip")->isVisible());
-  press(Qt::Key_3, Qt::ControlModifier);
+  EXPECT_FALSE(find<QWidget>("liveStrip")->isVisible()) << "nothing is wrong, and the step's panel says more";
   EXPECT_TRUE(text("sourceStatus").contains("Streaming")) << text("sourceStatus").toStdString();
   ASSERT_TRUE(waitForMessage("Pose 1 captured")) << message().toStdString();
 
