@@ -188,6 +188,9 @@ void MainWindow::buildLayout() {
   // So wide that the sentences of the steps can be read, whatever the size of the text.
   constexpr int kStepCharacters = 36;
   step_panel_->setMinimumWidth(kStepCharacters * fontMetrics().averageCharWidth());
+  // All columns of the poses, with their headings.
+  constexpr int kPoseCharacters = 56;
+  pose_view_->setMinimumWidth(kPoseCharacters * fontMetrics().averageCharWidth());
   auto* steps = new CardDock(tr("Steps"), QStringLiteral("stepsDock"), step_panel_, docks_);
   graph_dock_ = new CardDock(tr("Skin graph"), QStringLiteral("graphDock"), graph_view_, docks_);
   pose_dock_ = new CardDock(tr("Poses"), QStringLiteral("poseDock"), withHint(pose_view_, tr("No poses yet.")), docks_);
