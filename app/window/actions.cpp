@@ -35,7 +35,8 @@ QAction* make(QWidget* owner, const char* name, const QString& text, const QStri
 }  // namespace
 
 WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
-    : demo(make(owner, "actionDemo", tr("Start the &demo skin"), tr("A simulated skin to try everything with"))),
+    : demo(make(owner, "actionDemo", tr("Start the &demo skin"), tr("A simulated skin to try everything with"),
+                {QKeySequence(QStringLiteral("Ctrl+D"))})),
       connect_skin(make(owner, "actionConnect", tr("&Connect to a skin…"),
                         tr("Take poses of a skin that is connected, or of a recording"),
                         {QKeySequence(QStringLiteral("Ctrl+K"))})),

@@ -172,6 +172,7 @@ class MainWindow : public QMainWindow {
   std::optional<PoseId> picked_pose_;
   std::optional<Eigen::Vector3d> current_up_;  ///< of the part just now, in the frame of the largest patch
   QElapsedTimer advice_age_;
+  bool follows_part_ = false;
   std::uint64_t restarts_ = 0;          ///< of captures, as the recorder last said
   std::function<void()> after_saving_;  ///< what waits for the session to be on disk
   bool may_close_ = false;

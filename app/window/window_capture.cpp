@@ -10,7 +10,7 @@
 #include "widgets/step_panel.h"
 #include "widgets/stillness_view.h"
 
-#include <QTimer>
+#include <utility>
 
 namespace hexoderm {
 
@@ -96,6 +96,8 @@ void MainWindow::followPart() {
   // In the other steps the picture is the operator's own to turn.
   const bool capturing = controller_.isLive() && !controller_.isLiveMode() &&
                          step_panel_->openIndex() == static_cast<int>(GuideStep::Capture);
+  // Where the part was held last, all of it is to be seen when it is the operator's to turn again.
+  if (std::exchange(follows_part_, capturing) && !capturing) patch_view_->fit();
   patch_view_->setTurnable(capturing && controller_.canTurn());
   patch_view_->setCurrentUp(capturing ? current_up_ : std::nullopt);
   const bool shows_next = capturing && controller_.nextPose() && controller_.wantsMorePoses();

@@ -3824,7 +3824,7 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     <name>hexoderm::SceneOverlay</name>
     <message>
         <source>gravity</source>
-        <translation>Schwerkraft</translation>
+        <translation>Schwere</translation>
     </message>
 </context>
 <context>

@@ -10,6 +10,7 @@
 
 #include <QComboBox>
 #include <QDockWidget>
+#include <QElapsedTimer>
 #include <QListWidget>
 #include <cmath>
 
@@ -185,6 +186,26 @@ TEST_F(MainWindowTest, TheRobotTakesAllPosesAndStopsByItself) {
   EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Export…");
   const Verdict& verdict = controller().reconstruction()->verdict;
   EXPECT_TRUE(verdict.level == VerdictLevel::Good || posesShown() == 4U) << verdict.reason;
+}
+
+TEST_F(MainWindowTest, FourKeysLeadFromTheStartToAnExportedCalibrationWithinAMinute) {
+  // At the speed at which a newcomer sees it.
+  QSettings().setValue(QStringLiteral("demo/source"), QStringLiteral("sim:x17"));
+  QElapsedTimer clock;
+  clock.start();
+  press(Qt::Key_D, Qt::ControlModifier);
+  ASSERT_TRUE(waitUntil([this] { return action("actionRobot")->isEnabled(); }));
+  press(Qt::Key_B);
+  EXPECT_TRUE(controller().isRobotOn());
+  constexpr int kMinute_ms = 60000;
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !controller().isRobotOn(); }, kMinute_ms)) << message().toStdString();
+  ASSERT_TRUE(waitUntilIdle());
+  press(Qt::Key_E, Qt::ControlModifier);
+  auto* dialog = waitForDialog<QDialog>("exportDialog");
+  ASSERT_NE(dialog, nullptr);
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  ASSERT_TRUE(waitForMessage("Exported to ")) << message().toStdString();
+  EXPECT_LT(clock.elapsed(), kMinute_ms);
 }
 
 TEST_F(MainWindowTest, ASkippedPoseIsNotAdvisedAgain) {
