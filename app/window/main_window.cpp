@@ -1,5 +1,6 @@
 #include "app/window/main_window.h"
 
+#include "app/window/table_views.h"
 #include "app/window/verification.h"
 #include "app/window/window_shell.h"
 #include "hexoderm/util/text.h"
@@ -41,58 +42,6 @@ namespace {
 
 /// Raised when docks come or go, so that an older layout is not forced onto a newer window.
 constexpr int kLayoutVersion = 2;
-
-QTableView* makeTable(QAbstractItemModel* model, const char* object_name, const QString& accessible_name) {
-  auto* view = new QTableView;
-  view->setObjectName(QLatin1String(object_name));
-  view->setAccessibleName(accessible_name);
-  view->setModel(model);
-  view->setSelectionBehavior(QAbstractItemView::SelectRows);
-  view->setSelectionMode(QAbstractItemView::SingleSelection);
-  view->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  view->setShowGrid(false);
-  view->setWordWrap(false);
-  view->setTabKeyNavigation(false);
-  view->setFrameShape(QFrame::NoFrame);
-  view->verticalHeader()->hide();
-  view->horizontalHeader()->setHighlightSections(false);
-  view->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  // Measuring every row of a large skin on each update would take longer than solving it.
-  view->horizontalHeader()->setResizeContentsPrecision(40);
-  return view;
-}
-
-/// One column takes the room that the others leave.
-void stretchColumn(QTableView* view, int column) {
-  view->horizontalHeader()->setSectionResizeMode(column, QHeaderView::Stretch);
-}
-
-/// Long texts take as many lines as they need, as long as measuring them is quick.
-void wrapRows(QTableView* view) {
-  constexpr int kManyRows = 300;
-  view->setWordWrap(true);
-  view->setTextElideMode(Qt::ElideRight);
-  const auto choose = [view] {
-    view->verticalHeader()->setSectionResizeMode(view->model()->rowCount() <= kManyRows ? QHeaderView::ResizeToContents
-                                                                                        : QHeaderView::Fixed);
-  };
-  QObject::connect(view->model(), &QAbstractItemModel::modelReset, view, choose);
-  choose();
-}
-
-/// The table, or a word on why it is empty.
-QWidget* withHint(QTableView* view, const QString& hint) {
-  auto* label = new QLabel(hint);
-  label->setProperty("hint", true);
-  label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  auto* pages = new QStackedWidget;
-  pages->addWidget(view);
-  pages->addWidget(label);
-  const auto choose = [pages, view] { pages->setCurrentIndex(view->model()->rowCount() > 0 ? 0 : 1); };
-  QObject::connect(view->model(), &QAbstractItemModel::modelReset, pages, choose);
-  choose();
-  return pages;
-}
 
 }  // namespace
 

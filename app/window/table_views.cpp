@@ -1,0 +1,59 @@
+#include "app/window/table_views.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QStackedWidget>
+#include <QTableView>
+
+namespace hexoderm {
+
+QTableView* makeTable(QAbstractItemModel* model, const char* object_name, const QString& accessible_name) {
+  auto* view = new QTableView;
+  view->setObjectName(QLatin1String(object_name));
+  view->setAccessibleName(accessible_name);
+  view->setModel(model);
+  view->setSelectionBehavior(QAbstractItemView::SelectRows);
+  view->setSelectionMode(QAbstractItemView::SingleSelection);
+  view->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  view->setShowGrid(false);
+  view->setWordWrap(false);
+  view->setTabKeyNavigation(false);
+  view->setFrameShape(QFrame::NoFrame);
+  view->verticalHeader()->hide();
+  view->horizontalHeader()->setHighlightSections(false);
+  view->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  // Measuring every row of a large skin on each update would take longer than solving it.
+  view->horizontalHeader()->setResizeContentsPrecision(40);
+  return view;
+}
+
+void stretchColumn(QTableView* view, int column) {
+  view->horizontalHeader()->setSectionResizeMode(column, QHeaderView::Stretch);
+}
+
+void wrapRows(QTableView* view) {
+  constexpr int kManyRows = 300;
+  view->setWordWrap(true);
+  view->setTextElideMode(Qt::ElideRight);
+  const auto choose = [view] {
+    view->verticalHeader()->setSectionResizeMode(view->model()->rowCount() <= kManyRows ? QHeaderView::ResizeToContents
+                                                                                        : QHeaderView::Fixed);
+  };
+  QObject::connect(view->model(), &QAbstractItemModel::modelReset, view, choose);
+  choose();
+}
+
+QWidget* withHint(QTableView* view, const QString& hint) {
+  auto* label = new QLabel(hint);
+  label->setProperty("hint", true);
+  label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  auto* pages = new QStackedWidget;
+  pages->addWidget(view);
+  pages->addWidget(label);
+  const auto choose = [pages, view] { pages->setCurrentIndex(view->model()->rowCount() > 0 ? 0 : 1); };
+  QObject::connect(view->model(), &QAbstractItemModel::modelReset, pages, choose);
+  choose();
+  return pages;
+}
+
+}  // namespace hexoderm
