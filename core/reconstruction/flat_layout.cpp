@@ -58,9 +58,15 @@ class TakenPlaces {
 
  private:
   [[nodiscard]] std::uint64_t key(const Eigen::Vector2d& center, int dx, int dy) const {
-    const auto x = static_cast<std::int32_t>(std::floor(center.x() / least_distance_m_)) + dx;
-    const auto y = static_cast<std::int32_t>(std::floor(center.y() / least_distance_m_)) + dy;
-    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(x)) << 32 | static_cast<std::uint32_t>(y);
+    const std::uint32_t x = squareAt(center.x(), dx);
+    const std::uint32_t y = squareAt(center.y(), dy);
+    return static_cast<std::uint64_t>(x) << 32 | y;
+  }
+  [[nodiscard]] std::uint32_t squareAt(double coordinate_m, int step) const {
+    // Ports that are a world longer than the cells are wide lead anywhere: what is that far out shares a square.
+    constexpr double kFarthest = 1e9;
+    const double square = std::floor(coordinate_m / least_distance_m_) + step;
+    return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::clamp(square, -kFarthest, kFarthest)));
   }
 
   double least_distance_m_;

@@ -59,7 +59,7 @@ TEST(CaptureTone, WithoutADeviceItIsSilentAndNobodyWaits) {
   CaptureTone tone;
   tone.playCaptured();
   tone.playStartsOver();
-  EXPECT_LT(clock.elapsed(), 100) << "ms";
+  EXPECT_LT(clock.elapsed(), 2000) << "ms: it must not wait for the tone to end";
   tone.setEnabled(false);
   EXPECT_FALSE(tone.isEnabled());
   tone.playCaptured();

@@ -138,7 +138,7 @@ TEST_F(CoverageViewTest, FitsIntoSmallPlacesAndLooksDifferentInTheDark) {
   EXPECT_NE(view.grab().toImage(), light);
 }
 
-TEST_F(CoverageViewTest, FollowsThePresentDirectionQuickly) {
+TEST_F(CoverageViewTest, KeepsUpWithTwentyDirectionsASecond) {
   show();
   view.setCoverage(coverageWith({{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}));
   view.grab();
@@ -149,7 +149,7 @@ TEST_F(CoverageViewTest, FollowsThePresentDirectionQuickly) {
     view.setCurrent(Eigen::Vector3d(std::cos(0.05 * k), std::sin(0.05 * k), 0.4).normalized());
     view.repaint();
   }
-  EXPECT_LT(clock.elapsed(), 5 * kTimes) << "ms for all pictures";
+  EXPECT_LT(clock.elapsed(), 50 * kTimes) << "ms: twenty a second would not be kept up with";
 }
 
 }  // namespace

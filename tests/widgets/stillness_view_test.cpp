@@ -97,7 +97,7 @@ TEST_F(StillnessViewTest, KeepsUpWithTwentyPicturesASecond) {
     view.add(holdAt(50), previewAt(210 + k));
     view.repaint();
   }
-  EXPECT_LT(clock.elapsed(), 10 * kTimes) << "ms for all pictures";
+  EXPECT_LT(clock.elapsed(), 50 * kTimes) << "ms: twenty a second would not be kept up with";
 }
 
 }  // namespace

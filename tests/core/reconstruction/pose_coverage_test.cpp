@@ -155,7 +155,7 @@ TEST(PoseCoverage, DisabledPosesAreShownFromTheirReadingsAndCountForNothing) {
   ASSERT_EQ(coverage.seen.size(), 3U);
   EXPECT_EQ(coverage.enabled, 2U);
   EXPECT_FALSE(coverage.seen[1].enabled);
-  const Eigen::Vector3d& was = coverageOf(*before).seen[1].up_o;
+  const Eigen::Vector3d was = coverageOf(*before).seen[1].up_o;
   EXPECT_LT(toDegrees(angleBetween(coverage.seen[1].up_o, was)), 5);
   EXPECT_NEAR(coverage.singular_values.sum(), 2, 1e-9);
 
