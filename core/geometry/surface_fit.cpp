@@ -75,14 +75,30 @@ Eigen::Matrix<double, 3, 2> perpendicularBasis(const Eigen::Vector3d& axis) {
   return basis;
 }
 
-/// Levenberg-Marquardt (Marquardt's diagonal scaling) for small problems. `Surface` has kParameters, cost(points),
+/// From its foot on the axis through `point` to x.
+Eigen::Vector3d armTo(const Eigen::Vector3d& x, const Eigen::Vector3d& point, const Eigen::Vector3d& axis) {
+  const Eigen::Vector3d from = x - point;
+  return from - axis * axis.dot(from);
+}
+
+template <class Surface>
+double costOf(const Surface& surface, const Eigen::Matrix3Xd& points) {
+  double sum = 0;
+  for (const auto& x : points.colwise()) {
+    const double d = surface.distance(x);
+    sum += d * d;
+  }
+  return sum;
+}
+
+/// Levenberg-Marquardt (Marquardt's diagonal scaling) for small problems. `Surface` has kParameters, distance(x),
 /// linearise(points, H, g) for H = J^T J and g = J^T r, and moved(step). Every accepted step lowers the cost, so the
 /// result is never worse than the start and always finite.
 template <class Surface>
 double minimise(Surface& surface, const Eigen::Matrix3Xd& points) {
   using Hessian = Eigen::Matrix<double, Surface::kParameters, Surface::kParameters>;
   using Vector = Eigen::Matrix<double, Surface::kParameters, 1>;
-  double cost = surface.cost(points);
+  double cost = costOf(surface, points);
   double damping = 1e-4;
   for (int iteration = 0; iteration < 200; ++iteration) {
     Hessian H;
@@ -95,7 +111,7 @@ double minimise(Surface& surface, const Eigen::Matrix3Xd& points) {
       damped.diagonal() += damping * (H.diagonal().array() + 1e-12).matrix();
       const Vector step = damped.ldlt().solve(-g);
       const Surface candidate = surface.moved(step);
-      const double candidate_cost = candidate.cost(points);
+      const double candidate_cost = costOf(candidate, points);
       if (std::isfinite(candidate_cost) && candidate_cost < cost) {
         relative_gain = (cost - candidate_cost) / cost;
         surface = candidate;
@@ -117,9 +133,6 @@ struct Sphere {
   double radius = 1;
 
   [[nodiscard]] double distance(const Eigen::Vector3d& x) const { return (x - center).norm() - radius; }
-  [[nodiscard]] double cost(const Eigen::Matrix3Xd& points) const {
-    return ((points.colwise() - center).colwise().norm().array() - radius).square().sum();
-  }
   void linearise(const Eigen::Matrix3Xd& points, Eigen::Matrix4d& H, Eigen::Vector4d& g) const {
     H.setZero();
     g.setZero();
@@ -142,19 +155,7 @@ struct Cylinder {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< on the axis, nearest to the centroid
   double radius = 1;
 
-  [[nodiscard]] Eigen::Vector3d armTo(const Eigen::Vector3d& x) const {
-    const Eigen::Vector3d from = x - point;
-    return from - axis * axis.dot(from);
-  }
-  [[nodiscard]] double distance(const Eigen::Vector3d& x) const { return armTo(x).norm() - radius; }
-  [[nodiscard]] double cost(const Eigen::Matrix3Xd& points) const {
-    double sum = 0;
-    for (const auto& x : points.colwise()) {
-      const double d = distance(x);
-      sum += d * d;
-    }
-    return sum;
-  }
+  [[nodiscard]] double distance(const Eigen::Vector3d& x) const { return armTo(x, point, axis).norm() - radius; }
   using Hessian = Eigen::Matrix<double, 5, 5>;
   using Vector = Eigen::Matrix<double, 5, 1>;
   /// Parameters: turn of the axis towards the two perpendicular directions, shift along them, radius.
@@ -163,7 +164,7 @@ struct Cylinder {
     g.setZero();
     const Eigen::Matrix<double, 3, 2> basis = perpendicularBasis(axis);
     for (const auto& x : points.colwise()) {
-      const Eigen::Vector3d arm = armTo(x);
+      const Eigen::Vector3d arm = armTo(x, point, axis);
       const double length = arm.norm();
       if (length < 1e-300) continue;
       const double along = axis.dot(x - point);
@@ -213,20 +214,8 @@ struct Cone {
   double radius = 1;                                ///< at the point
   double angle = 0;                                 ///< between axis and surface; positive: wider along the axis
 
-  [[nodiscard]] Eigen::Vector3d armTo(const Eigen::Vector3d& x) const {
-    const Eigen::Vector3d from = x - point;
-    return from - axis * axis.dot(from);
-  }
   [[nodiscard]] double distance(const Eigen::Vector3d& x) const {
-    return (armTo(x).norm() - radius) * std::cos(angle) - axis.dot(x - point) * std::sin(angle);
-  }
-  [[nodiscard]] double cost(const Eigen::Matrix3Xd& points) const {
-    double sum = 0;
-    for (const auto& x : points.colwise()) {
-      const double d = distance(x);
-      sum += d * d;
-    }
-    return sum;
+    return (armTo(x, point, axis).norm() - radius) * std::cos(angle) - axis.dot(x - point) * std::sin(angle);
   }
   using Hessian = Eigen::Matrix<double, 6, 6>;
   using Vector = Eigen::Matrix<double, 6, 1>;
@@ -238,7 +227,7 @@ struct Cone {
     const double sine = std::sin(angle);
     const double cosine = std::cos(angle);
     for (const auto& x : points.colwise()) {
-      const Eigen::Vector3d arm = armTo(x);
+      const Eigen::Vector3d arm = armTo(x, point, axis);
       const double length = arm.norm();
       if (length < 1e-300) continue;
       const double along = axis.dot(x - point);
@@ -313,7 +302,7 @@ Surface bestFrom(const std::vector<Surface>& starts, const Cloud& cloud) {
   constexpr std::size_t kTries = 12;
   std::vector<std::pair<double, std::size_t>> ranking;
   for (std::size_t k = 0; k < starts.size(); ++k) {
-    const double cost = starts[k].cost(cloud.points);
+    const double cost = costOf(starts[k], cloud.points);
     ranking.emplace_back(std::isfinite(cost) ? cost : std::numeric_limits<double>::max(), k);
   }
   std::ranges::sort(ranking);
