@@ -1,0 +1,189 @@
+// From where the scene is seen, and what lies under a pixel.
+#include "patch_scene_test.h"
+
+namespace hexoderm {
+namespace {
+
+TEST_F(PatchSceneTest, LargeSkinShowsShadedCellsFromBehindAndCanBePickedThere) {
+  const Reconstruction sheet = sheetReconstruction(60, 50);
+  scene.setReconstruction(shared(sheet));
+  scene.setShown(SceneItem::Gravity, false);
+  scene.setShown(SceneItem::Axes, false);
+  scene.setSmoothed(false);
+  scene.showStandardView(PatchScene::View::Front);
+  const CellId middle(30 + 60 * 25);
+  const auto colourOf = [&](vtkImageData* image) {
+    const auto [x, y] = pixelOf(sheet, middle);
+    const auto* p =
+        static_cast<const unsigned char*>(image->GetScalarPointer(static_cast<int>(x), static_cast<int>(y), 0));
+    return std::array<int, 3>{p[0], p[1], p[2]};
+  };
+  const auto front = colourOf(picture());
+  scene.renderer()->GetActiveCamera()->Azimuth(180);
+  const auto behind = colourOf(picture());
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(behind.at(k), 0.70 * front.at(k), 6) << k;
+  const auto [x, y] = pixelOf(sheet, middle);
+  EXPECT_EQ(scene.pick(x, y), middle);
+}
+
+TEST_F(PatchSceneTest, ParallelProjectionKeepsTheSizeAndFits) {
+  const Reconstruction demo = demoReconstruction();
+  scene.setReconstruction(shared(demo));
+  scene.showStandardView(PatchScene::View::Top);
+  const auto perspective = picture();
+  scene.setParallel(true);
+  EXPECT_GT(differingShare(perspective, picture()), kMaxDifferingShare);
+  for (const CellPlacement& cell : demo.patches[0].cells) {
+    const auto [x, y] = pixelOf(demo, cell.cell);
+    EXPECT_THAT(x, testing::AllOf(testing::Gt(0), testing::Lt(kWidth)));
+    EXPECT_THAT(y, testing::AllOf(testing::Gt(0), testing::Lt(kHeight)));
+  }
+  const auto [x, y] = pixelOf(demo, CellId(6));
+  EXPECT_EQ(scene.pick(x, y), CellId(6));
+  scene.setParallel(false);
+  EXPECT_EQ(differingShare(perspective, picture()), 0);
+
+  // What is turned by hand stays as large as it is.
+  vtkCamera* camera = scene.renderer()->GetActiveCamera();
+  camera->Azimuth(20);
+  camera->Dolly(1.5);
+  const double distance = camera->GetDistance();
+  scene.setParallel(true);
+  window->Render();
+  scene.setParallel(false);
+  window->Render();
+  EXPECT_NEAR(camera->GetDistance(), distance, 1e-9);
+}
+
+TEST_F(PatchSceneTest, PicksTheCellUnderThePixel) {
+  const Reconstruction demo = demoReconstruction();
+  scene.setReconstruction(shared(demo));
+  scene.showStandardView(PatchScene::View::Front);
+  window->Render();
+  for (const std::uint32_t id : {1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U, 9U}) {
+    const auto [x, y] = pixelOf(demo, CellId(id));
+    EXPECT_EQ(scene.pick(x, y), CellId(id));
+  }
+  EXPECT_EQ(scene.pick(2, kHeight - 2), std::nullopt);
+}
+
+TEST_F(PatchSceneTest, PicksTheNearestCellWhereTwoOverlap) {
+  Reconstruction demo = demoReconstruction();
+  demo.patches[0].cells[1].T_o_u = demo.patches[0].cells[0].T_o_u;
+  demo.patches[0].cells[1].T_o_u.t.z() -= 0.02;  // cell 2 hides behind cell 1
+  scene.setReconstruction(shared(demo));
+  scene.showStandardView(PatchScene::View::Front);
+  window->Render();
+  const auto [x, y] = pixelOf(demo, CellId(1));
+  EXPECT_EQ(scene.pick(x, y), CellId(1));
+}
+
+TEST_F(PatchSceneTest, KeepsTheCameraWhileTheCellsAreTheSame) {
+  Reconstruction demo = demoReconstruction();
+  scene.setReconstruction(shared(demo));
+  window->Render();
+  scene.renderer()->GetActiveCamera()->Azimuth(30);
+  const auto turned = cameraPosition();
+  demo.patches[0].cells[1].T_o_u.t.z() += 0.05;
+  demo.patches[0].links[0].quality = EdgeQuality::Over;
+  scene.setReconstruction(shared(demo));
+  window->Render();
+  EXPECT_EQ(cameraPosition(), turned);
+}
+
+TEST_F(PatchSceneTest, FollowsThePatchIntoAnotherShapeUntilTheCameraIsMoved) {
+  Reconstruction demo = demoReconstruction();
+  scene.setReconstruction(shared(demo));
+  window->Render();
+  const auto first = cameraPosition();
+  for (CellPlacement& cell : demo.patches[0].cells) cell.T_o_u.t *= 1.02;
+  scene.setReconstruction(shared(demo));
+  window->Render();
+  EXPECT_EQ(cameraPosition(), first) << "a new pose's small changes don't make the picture jump";
+  for (CellPlacement& cell : demo.patches[0].cells) cell.T_o_u.t *= 1.3;
+  scene.setReconstruction(shared(demo));
+  window->Render();
+  EXPECT_NE(cameraPosition(), first);
+}
+
+TEST_F(PatchSceneTest, FitsAgainWhenCellsComeOrGo) {
+  DemoOptions options;
+  scene.setReconstruction(shared(demoReconstruction(options)));
+  window->Render();
+  const auto before = cameraPosition();
+  options.arm_cells = 2;
+  scene.setReconstruction(shared(demoReconstruction(options)));
+  window->Render();
+  EXPECT_NE(cameraPosition(), before);
+}
+
+TEST_F(PatchSceneTest, FitsAgainInAResizedWindowUntilTheCameraIsMoved) {
+  scene.setReconstruction(shared(demoReconstruction()));
+  window->Render();
+  const auto wide = cameraPosition();
+  window->SetSize(kWidth / 3, kHeight);
+  window->Render();
+  const auto narrow = cameraPosition();
+  EXPECT_NE(narrow, wide);
+  scene.renderer()->GetActiveCamera()->Azimuth(10);
+  const auto moved = cameraPosition();
+  window->SetSize(kWidth, kHeight);
+  window->Render();
+  EXPECT_EQ(cameraPosition(), moved);
+}
+
+TEST_F(PatchSceneTest, FitShowsEveryCellFromEverySide) {
+  const Reconstruction demo = demoReconstruction();
+  scene.setReconstruction(shared(demo));
+  for (const auto view :
+       {PatchScene::View::Oblique, PatchScene::View::Front, PatchScene::View::Side, PatchScene::View::Top}) {
+    scene.showStandardView(view);
+    window->Render();
+    for (const CellPlacement& cell : demo.patches[0].cells) {
+      const auto [x, y] = pixelOf(demo, cell.cell);
+      EXPECT_THAT(x, testing::AllOf(testing::Gt(0), testing::Lt(kWidth))) << "cell " << cell.cell;
+      EXPECT_THAT(y, testing::AllOf(testing::Gt(0), testing::Lt(kHeight))) << "cell " << cell.cell;
+    }
+  }
+}
+
+TEST_F(PatchSceneTest, SingleCellFillsTheMiddleAndCanBePicked) {
+  DemoOptions options;
+  options.arm_cells = 0;
+  scene.setReconstruction(shared(demoReconstruction(options)));
+  window->Render();
+  EXPECT_EQ(scene.pick(0.5 * kWidth, 0.5 * kHeight), CellId(1));
+}
+
+TEST_F(PatchSceneTest, TenThousandCellsAreDrawnAndPicked) {
+  const Reconstruction sheet = sheetReconstruction(100, 100);
+  scene.setReconstruction(shared(sheet));
+  scene.showStandardView(PatchScene::View::Front);
+  window->Render();
+  const auto [x, y] = pixelOf(sheet, CellId(5050));
+  EXPECT_EQ(scene.pick(x, y), CellId(5050));
+}
+
+TEST_F(PatchSceneTest, PatchesStandSideBySide) {
+  const CellModel model = builtInCellModel("hex-bma150");
+  DemoOptions second;
+  second.first_id = 101;
+  const Reconstruction two = demoReconstruction({demoPatch(model), demoPatch(model, second)});
+  scene.setReconstruction(shared(two));
+  scene.showStandardView(PatchScene::View::Front);
+  window->Render();
+  std::optional<CellId> left;
+  std::optional<CellId> right;
+  for (int x = 0; x < kWidth; ++x) {
+    const auto cell = scene.pick(x, 0.5 * kHeight);
+    if (!cell) continue;
+    if (!left) left = cell;
+    right = cell;
+  }
+  ASSERT_TRUE(left && right);
+  EXPECT_LT(left->value(), 100U);
+  EXPECT_GT(right->value(), 100U);
+}
+
+}  // namespace
+}  // namespace hexoderm
