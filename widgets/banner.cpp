@@ -10,6 +10,19 @@
 
 namespace hexoderm {
 
+Tone toneOf(VerdictLevel level) {
+  switch (level) {
+    case VerdictLevel::Good:
+      return Tone::Good;
+    case VerdictLevel::Usable:
+    case VerdictLevel::NotEnough:
+      return Tone::Caution;
+    case VerdictLevel::Failed:
+      return Tone::Bad;
+  }
+  return Tone::Neutral;
+}
+
 QColor toneColor(Tone tone, Theme theme) {
   const Colors& colors = Colors::of(theme);
   switch (tone) {

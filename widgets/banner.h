@@ -14,6 +14,7 @@ class ActionButton;
 /// How good or bad a message is; always said in its words too.
 enum class Tone { Neutral, Good, Caution, Bad };
 QColor toneColor(Tone tone, Theme theme);
+Tone toneOf(VerdictLevel level);
 
 /// One sentence on where we stand and one button: the best next action.
 class Banner : public QFrame {

@@ -14,29 +14,8 @@ struct Guide {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::Guide)
 };
 
-/// The first set of directions that tells offsets apart is a tetrahedron's (SPEC step 12): the guide leads there.
-constexpr std::size_t kGoodPoseCount = 4;
-
-Tone toneOf(VerdictLevel level) {
-  switch (level) {
-    case VerdictLevel::Good:
-      return Tone::Good;
-    case VerdictLevel::Usable:
-    case VerdictLevel::NotEnough:
-      return Tone::Caution;
-    case VerdictLevel::Failed:
-      return Tone::Bad;
-  }
-  return Tone::Neutral;
-}
-
 bool isExportable(const Reconstruction& reconstruction) {
   return reconstruction.verdict.level == VerdictLevel::Good || reconstruction.verdict.level == VerdictLevel::Usable;
-}
-
-std::size_t enabledPoses(const Session& session) {
-  return static_cast<std::size_t>(std::count_if(session.poses().begin(), session.poses().end(),
-                                                [](const SessionPose& pose) { return !pose.disabled; }));
 }
 
 QAction* bestAction(const SessionController& controller, const WindowActions& actions) {
@@ -119,10 +98,10 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
     }
     return step;
   }
-  const std::size_t enabled = enabledPoses(*controller.session());
+  const std::size_t enabled = controller.enabledPoses();
   const bool more = controller.wantsMorePoses();
   step.note =
-      more && enabled < kGoodPoseCount ? Guide::tr("%1 of %2").arg(enabled).arg(kGoodPoseCount) : posesInWords(enabled);
+      more && enabled < SessionController::kGoodPoseCount ? Guide::tr("%1 of %2").arg(enabled).arg(SessionController::kGoodPoseCount) : posesInWords(enabled);
   if (controller.canTurn())
     step.actions = {actions.robot, actions.live_mode};
   else if (controller.isLive())

@@ -23,19 +23,6 @@ QString millimetres(double length_m) { return QLocale().toString(toMillimetres(l
 
 QString utf8(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<int>(text.size())); }
 
-Tone toneOf(VerdictLevel level) {
-  switch (level) {
-    case VerdictLevel::Good:
-      return Tone::Good;
-    case VerdictLevel::Usable:
-    case VerdictLevel::NotEnough:
-      return Tone::Caution;
-    case VerdictLevel::Failed:
-      return Tone::Bad;
-  }
-  return Tone::Neutral;
-}
-
 /// QTextDocument knows neither flex nor variables nor max-width; what it does not know it skips.
 QString styles() {
   const Colors& colors = Colors::of(Theme::Light);

@@ -75,6 +75,9 @@ class SessionController : public QObject {
   [[nodiscard]] std::optional<CellId> litCell() const { return lit_; }
   /// The pose that the next capture replaces.
   [[nodiscard]] std::optional<PoseId> recapturing() const { return recapturing_; }
+  /// The first set of directions that tells offsets apart is a tetrahedron's (SPEC step 12): the guide leads there.
+  static constexpr std::size_t kGoodPoseCount = 4;
+  [[nodiscard]] std::size_t enabledPoses() const;
   /// Another pose would be worth the trouble: until the result is good, or as good as four poses make it.
   [[nodiscard]] bool wantsMorePoses() const;
   /// A change of the session has no result yet.

@@ -10,24 +10,23 @@
 namespace hexoderm {
 namespace {
 
-/// The first set of directions that tells offsets apart is a tetrahedron's (SPEC step 12): the guide leads there.
-constexpr std::size_t kGoodPoseCount = 4;
 /// A robot that is not done after so many poses will not be.
 constexpr std::size_t kRobotPoseCount = 12;
 
-std::size_t enabledPoses(const Session& session) {
-  return static_cast<std::size_t>(std::count_if(session.poses().begin(), session.poses().end(),
+}  // namespace
+
+std::size_t SessionController::enabledPoses() const {
+  if (!session_) return 0;
+  return static_cast<std::size_t>(std::count_if(session_->poses().begin(), session_->poses().end(),
                                                 [](const SessionPose& pose) { return !pose.disabled; }));
 }
-
-}  // namespace
 
 bool SessionController::wantsMorePoses() const {
   if (!isLive() || live_.status().state == SourceState::Ended) return false;
   if (!reconstruction_) return true;
   const VerdictLevel level = reconstruction_->verdict.level;
   if (level == VerdictLevel::Good) return false;
-  return level != VerdictLevel::Usable || enabledPoses(*session_) < kGoodPoseCount;
+  return level != VerdictLevel::Usable || enabledPoses() < kGoodPoseCount;
 }
 
 void SessionController::adviseAnew() {
@@ -86,7 +85,7 @@ void SessionController::setRobot(bool on) {
 void SessionController::letRobotTurn() {
   // The first pose is taken where the part lies.
   if (!robot_ || !canTurn() || !next_pose_ || !isCurrent() || session_->poses().empty()) return;
-  if (!wantsMorePoses() || enabledPoses(*session_) >= kRobotPoseCount) {
+  if (!wantsMorePoses() || enabledPoses() >= kRobotPoseCount) {
     robot_ = false;
     emit changed();
     return;

@@ -4,6 +4,7 @@
 #include "hexoderm/reconstruction/pose_coverage.h"
 #include "widgets/capture_panel.h"
 #include "widgets/capture_tone.h"
+#include "widgets/capture_words.h"
 #include "widgets/card_dock.h"
 #include "widgets/coverage_view.h"
 #include "widgets/patch_view.h"
@@ -61,8 +62,9 @@ void MainWindow::showCoverage(const std::shared_ptr<const Reconstruction>& recon
   if (controller_.session()) {
     for (const SessionPose& pose : controller_.session()->poses()) captures.push_back(pose.capture);
   }
-  coverage_view_->setCoverage(reconstruction ? coverageOf(*reconstruction, captures) : PoseCoverage{});
-  coverage_dock_->setRemark(reconstruction ? tr("%1 poses").arg(reconstruction->poses.size()) : QString());
+  const PoseCoverage coverage = reconstruction ? coverageOf(*reconstruction, captures) : PoseCoverage{};
+  coverage_view_->setCoverage(coverage);
+  coverage_dock_->setRemark(reconstruction ? poseCountInWords(coverage) : QString());
 }
 
 void MainWindow::showNextPose() {

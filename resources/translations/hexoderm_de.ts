@@ -2712,10 +2712,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Sie wiederholt Pose %1.</translation>
     </message>
     <message>
-        <source>%1 poses</source>
-        <translation>%1 Posen</translation>
-    </message>
-    <message>
         <source>Directions seen</source>
         <translation>Gesehene Richtungen</translation>
     </message>
