@@ -30,6 +30,7 @@ test_environment=(XDG_CONFIG_HOME="$home/config" XDG_DATA_HOME="$home/data" XDG_
 
 passed=0
 failed=0
+with_failures=()  # results that name tests which did not pass
 # Builds and tests one preset, and adds its tests to the counts. A stage that can't be built counts as one failure.
 run_stage() {
   local preset="$1" targets=() select=() results="$root/build/$1/test-results.xml" start=$SECONDS ok
@@ -65,6 +66,7 @@ run_stage() {
   # A test that did not run, for whatever reason, has not passed.
   passed=$((passed + run))
   failed=$((failed + all - run))
+  [ "$all" -eq "$run" ] || with_failures+=("$results")
   if [ $ok = no ] && [ "$all" -eq "$run" ]; then
     echo "== $preset: ctest failed before or after its tests"
     failed=$((failed + 1))
@@ -76,6 +78,9 @@ mkdir -p build
 for stage in "${stages[@]}"; do
   run_stage "$stage"
 done
+
+# Once more at the end: a stage's own words are thousands of lines above.
+[ ${#with_failures[@]} -eq 0 ] || "$root/packaging/failed_tests.py" "${with_failures[@]}"
 
 unregistered="$(cat build/release/tests/unregistered_tests.txt 2>/dev/null || echo 0)"
 if [ "$unregistered" -gt 0 ]; then
