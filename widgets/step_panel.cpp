@@ -135,6 +135,7 @@ class StepPanel::Row : public QWidget {
         what_(new QLabel(body_)),
         why_(new QLabel(body_)),
         content_(new QVBoxLayout),
+        because_(new QLabel(body_)),
         buttons_(new QVBoxLayout) {
     setObjectName(QStringLiteral("step%1").arg(number));
     head_->setObjectName(QStringLiteral("stepHead%1").arg(number));
@@ -146,11 +147,15 @@ class StepPanel::Row : public QWidget {
     why_->setTextFormat(Qt::PlainText);
     why_->setProperty("muted", true);
     auto* body = new QVBoxLayout(body_);
+    because_->setObjectName(QStringLiteral("stepBecause%1").arg(number));
+    because_->setWordWrap(true);
+    because_->setTextFormat(Qt::PlainText);
     body->setContentsMargins(kMargin + 6, 2, kMargin, 14);
     body->setSpacing(8);
     body->addWidget(what_);
     body->addWidget(why_);
     body->addLayout(content_);
+    body->addWidget(because_);
     body->addLayout(buttons_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -167,6 +172,9 @@ class StepPanel::Row : public QWidget {
     why_->setText(step.why);
     why_->setVisible(!step.why.isEmpty());
     while (buttons_shown_.size() < step.actions.size()) {
+    because_->setText(step.ready ? StepPanel::tr("✓ Ready: %1").arg(step.because)
+                                 : StepPanel::tr("■ Blocked: %1").arg(step.because));
+    because_->setVisible(!step.because.isEmpty());
       auto* button = new ActionButton(body_);
       button->setFocusPolicy(Qt::TabFocus);
       buttons_->addWidget(button, 0, Qt::AlignLeft);
@@ -190,6 +198,7 @@ class StepPanel::Row : public QWidget {
   QLabel* what_;
   QLabel* why_;
   QVBoxLayout* content_;
+  QLabel* because_;
   QVBoxLayout* buttons_;
   std::vector<ActionButton*> buttons_shown_;
 };

@@ -19,6 +19,8 @@ struct Step {
   StepState state = StepState::Waiting;
   QString what;  ///< what to do now
   QString why;   ///< why, or what it is waiting for
+  bool ready = false;
+  QString because;  ///< why it is ready, or what blocks it, as a sentence; empty: nothing is said
   std::vector<QAction*> actions;
 };
 

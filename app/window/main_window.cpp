@@ -405,9 +405,10 @@ void MainWindow::refresh() {
   banner_->setContent(describeStand(controller_, actions_));
   const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
   const LiveSource& live = controller_.live();
-  check_list_->setCheck(result ? checkSkin(*result, live.preview().means, live.hold().stillness.odd_cells)
-                               : SkinCheck{});
-  const std::vector<Step> steps = describeSteps(controller_, actions_);
+  const SkinCheck check =
+      result ? checkSkin(*result, live.preview().means, live.hold().stillness.odd_cells) : SkinCheck{};
+  check_list_->setCheck(check);
+  const std::vector<Step> steps = describeSteps(controller_, actions_, check);
   step_panel_->setSteps(steps);
   shell_->setSteps(steps);
   refreshStatus();
