@@ -217,6 +217,7 @@ void WindowActions::refreshCapture(const SessionController& controller, const QS
 QString WindowActions::whyNoSession(const SessionController& controller) {
   if (controller.session()) return {};
   return controller.isEmpty() ? tr("Nothing is open yet")
+  live_mode->setIconText(controller.isLiveMode() ? tr("End live mode") : tr("Live mode"));
                               : tr("A calibration is open: it holds the result, not the poses");
 }
 
@@ -239,7 +240,10 @@ void WindowActions::refreshDevice(const SessionController& controller, std::opti
   } else if (!cell && !controller.litCell()) {
     no_light = tr("Pick a cell first");
   }
-  light_cell->setChecked(controller.litCell().has_value());
+  const std::optional<CellId> lit = controller.litCell();
+  light_cell->setChecked(lit.has_value());
+  // A button shows no tick: its words say whether the light is on, and where.
+  light_cell->setIconText(lit ? tr("Switch the light of cell %1 off").arg(lit->value()) : tr("Light the picked cell"));
   allow(light_cell, no_light);
 }
 
