@@ -324,18 +324,14 @@ void MainWindow::connectSelection() {
   });
   connect(finding_view_, &QTableView::clicked, this,
           [this](const QModelIndex& index) { pickFromFinding(index.row()); });
-  connect(finding_view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
-          [this](const QModelIndex& current) {
-            if (current.isValid()) pickFromFinding(current.row());
-          });
-  connect(link_view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
-          [this](const QModelIndex& current) {
-            if (!current.isValid()) return;
-            const LinkEstimate& link = link_table_->linkAt(sourceRow(current));
-            selection_.selectLink(link.source, link.target);
-          });
+  onPicked(finding_view_, this, [this](const QModelIndex& picked) { pickFromFinding(picked.row()); });
+  onPicked(link_view_, this, [this](const QModelIndex& picked) {
+    const LinkEstimate& link = link_table_->linkAt(sourceRow(picked));
+    selection_.selectLink(link.source, link.target);
+  });
   connect(pose_view_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &MainWindow::showPickedPose);
 }
+  onPicked(pose_view_, this, [this](const QModelIndex& /*picked*/) { showPickedPose(); });
 
 void MainWindow::showReconstruction(const std::shared_ptr<const Reconstruction>& reconstruction) {
   // The pose stays picked although the tables start anew.
@@ -374,7 +370,8 @@ void MainWindow::showPickedLink() {
   if (row < 0) {
     link_view_->clearSelection();
     link_view_->selectionModel()->clearCurrentIndex();
-  } else if (const QModelIndex shown = shownRow(link_view_, row); link_view_->currentIndex().row() != shown.row()) {
+  } else if (const QModelIndex shown = shownRow(link_view_, row);
+             !link_view_->selectionModel()->isRowSelected(shown.row(), {})) {
     link_view_->selectRow(shown.row());
   }
 }
