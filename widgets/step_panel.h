@@ -32,6 +32,9 @@ class StepPanel : public QScrollArea {
  public:
   explicit StepPanel(QWidget* parent = nullptr);
 
+  /// Property of the buttons that open a step: pressing it would change nothing.
+  static constexpr const char* kIsOpen = "stepIsOpen";
+
   void setSteps(const std::vector<Step>& steps);
   /// What a step shows beside its words, once there is such a step; the panel takes it over.
   void setBody(int step, QWidget* body);

@@ -93,6 +93,10 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
       top(make(owner, "actionTop", tr("&Top view"), tr("Look at the patch from above"))),
       screenshot(make(owner, "actionScreenshot", tr("&Picture of the window"), tr("Save a picture of this window"),
                       {QKeySequence(Qt::Key_F12)})),
+      next_pane(make(owner, "actionNextPane", tr("&Next part of the window"),
+                     tr("Take the keyboard to the next part: steps, pictures, tables"), {QKeySequence(Qt::Key_F6)})),
+      previous_pane(make(owner, "actionPreviousPane", tr("Pre&vious part of the window"),
+                         tr("Take the keyboard to the part before"), {QKeySequence(QStringLiteral("Shift+F6"))})),
       guide(make(owner, "actionGuide", tr("User &guide"), tr("How to calibrate a skin, page by page"),
                  {QKeySequence(Qt::Key_F1)})),
       keys(make(owner, "actionKeys", tr("&Keys"), tr("The list of keys"), {QKeySequence(Qt::Key_H)})),
@@ -168,6 +172,8 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   view->addSeparator();
   for (QAction* panel : panels) view->addAction(panel);
   view->addSeparator();
+  view->addActions({next_pane, previous_pane});
+  view->addSeparator();
   view->addMenu(tr("T&heme"))->addActions(themes->actions());
   view->addAction(screenshot);
 
@@ -211,13 +217,13 @@ void WindowActions::refreshCapture(const SessionController& controller, const QS
   allow(automatic, live ? QString() : tr("No skin is connected"));
   allow(disconnect_skin, controller.live().isRunning() ? QString() : tr("No skin is connected"));
   live_mode->setChecked(controller.isLiveMode());
+  live_mode->setIconText(controller.isLiveMode() ? tr("End live mode") : tr("Live mode"));
   allow(live_mode, live ? QString() : tr("No skin is connected"));
 }
 
 QString WindowActions::whyNoSession(const SessionController& controller) {
   if (controller.session()) return {};
   return controller.isEmpty() ? tr("Nothing is open yet")
-  live_mode->setIconText(controller.isLiveMode() ? tr("End live mode") : tr("Live mode"));
                               : tr("A calibration is open: it holds the result, not the poses");
 }
 

@@ -80,8 +80,9 @@ MainWindow::MainWindow(QWidget* parent)
       said_status_(new QLabel) {
   setObjectName(QStringLiteral("mainWindow"));
   setAcceptDrops(true);
-  // At first no part has the focus, so that keys mean what the list of keys says.
-  setFocusPolicy(Qt::StrongFocus);
+  // At first no part has the focus, and none has it after a click beside all, so that keys mean what the list of keys
+  // says. Tab does not stop here: nothing would be seen of it.
+  setFocusPolicy(Qt::ClickFocus);
   setFocus();
   buildShell();
   buildLayout();
@@ -92,7 +93,7 @@ MainWindow::MainWindow(QWidget* parent)
   connectLive();
   connectVerify();
   connectCapture();
-  qApp->installEventFilter(this);
+  connectKeys();
   const QSettings settings;
   setThemeChoice(
       themeChoiceFromName(settings.value(QStringLiteral("view/theme")).toString()).value_or(ThemeChoice::System),
@@ -330,8 +331,8 @@ void MainWindow::connectSelection() {
     selection_.selectLink(link.source, link.target);
   });
   connect(pose_view_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &MainWindow::showPickedPose);
-}
   onPicked(pose_view_, this, [this](const QModelIndex& /*picked*/) { showPickedPose(); });
+}
 
 void MainWindow::showReconstruction(const std::shared_ptr<const Reconstruction>& reconstruction) {
   // The pose stays picked although the tables start anew.
