@@ -12,7 +12,8 @@ namespace {
 QFont fitted(QFont font, const QString& text, double width, double most_pt) {
   font.setPointSizeF(most_pt);
   const double needed = QFontMetricsF(font).horizontalAdvance(text);
-  if (needed > width && needed > 0) font.setPointSizeF(most_pt * width / needed);
+  constexpr double kSmallest_pt = 1;  // Qt has no font of no size, which a ring without room would ask for
+  if (needed > width && needed > 0) font.setPointSizeF(std::max(kSmallest_pt, most_pt * width / needed));
   return font;
 }
 
