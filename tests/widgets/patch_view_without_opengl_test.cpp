@@ -20,6 +20,8 @@ TEST(PatchViewWithoutOpenGl, SaysSoAndStaysUsable) {
   auto* overlay = view.findChild<SceneOverlay*>();
   ASSERT_NE(overlay, nullptr);
   EXPECT_TRUE(overlay->accessibleName().contains("OpenGL"));
+  EXPECT_TRUE(overlay->accessibleName().contains("Preferences, \"Draw without the graphics card\""))
+      << overlay->accessibleName().toStdString();
 
   view.setReconstruction(std::make_shared<const Reconstruction>(demoReconstruction()));
   view.setTheme(Theme::Dark);

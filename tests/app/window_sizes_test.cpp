@@ -1,0 +1,88 @@
+// Skins of every size in the window: none, one cell, a thousand poses, a hundred thousand cells.
+
+#include "hexoderm/device/simulated_skin.h"
+#include "hexoderm/session/session_store.h"
+#include "hexoderm/session/simulated_session.h"
+#include "window_test.h"
+
+namespace hexoderm {
+namespace {
+
+class WindowSizesTest : public WindowTest {
+ protected:
+  /// However busy the computer is.
+  template <class Condition>
+  static bool waitLong(Condition condition) {
+    constexpr int kMilliseconds = 200000;
+    return QTest::qWaitFor(condition, kMilliseconds);
+  }
+  void open(const QString& path) {
+    window_->openFile(path);
+    ASSERT_TRUE(waitLong([&] { return controller().name() == QFileInfo(path).fileName(); })) << message().toStdString();
+    ASSERT_TRUE(waitLong([this] { return controller().isCurrent() && controller().activity().isEmpty(); }));
+  }
+  QString writeSheet(const QString& sheet, std::size_t poses, std::size_t frames) {
+    SimulatedSkinOptions options;
+    options.patch = sheet.toStdString();
+    SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+    writeSessionStore(simulateSession(skin, poses, frames), pathTo("sheet.hexo").toStdString());
+    return pathTo("sheet.hexo");
+  }
+  /// The pictures and the keys still do what they are for.
+  void expectUsable(CellId cell) {
+    press(Qt::Key_F, Qt::ControlModifier);
+    QTest::keyClicks(QApplication::focusWidget(), QString::number(cell.value()));
+    EXPECT_EQ(window_->selection().cell(), cell);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    EXPECT_FALSE(window_->picture().isNull());
+    for (int step = 1; step <= 6; ++step) press(Qt::Key_0 + step, Qt::ControlModifier);
+    EXPECT_TRUE(action("actionExport")->isEnabled()) << action("actionExport")->toolTip().toStdString();
+  }
+};
+
+TEST_F(WindowSizesTest, AnEmptySkinIsSaidToBeEmpty) {
+  ASSERT_NO_FATAL_FAILURE(
+      open(writeFile("empty.session.json", R"({"format": "hexoderm-session", "version": 1, "cell_model": "hex-bma150",
+                                              "cells": [], "poses": []})")));
+  EXPECT_EQ(controller().reconstruction()->cellCount(), 0U);
+  EXPECT_FALSE(find<QLabel>("bannerSentence")->text().isEmpty());
+  for (int step = 1; step <= 6; ++step) press(Qt::Key_0 + step, Qt::ControlModifier);
+  EXPECT_FALSE(window_->picture().isNull());
+}
+
+TEST_F(WindowSizesTest, ASingleCellIsShownAndPicked) {
+  ASSERT_NO_FATAL_FAILURE(
+      open(writeFile("one.session.json", R"({"format": "hexoderm-session", "version": 1, "cell_model": "hex-bma150",
+                                       "cells": [{"id": 5, "ports": []}],
+                                       "poses": [{"id": 1, "samples": [{"cell": 5, "mean_g": [0, 0, 1]}]},
+                                                 {"id": 2, "samples": [{"cell": 5, "mean_g": [1, 0, 0]}]}]})")));
+  ASSERT_TRUE(waitForPoses(2));
+  EXPECT_EQ(controller().reconstruction()->cellCount(), 1U);
+  ASSERT_NO_FATAL_FAILURE(clickCellInGraph(CellId(5)));
+  EXPECT_EQ(window_->selection().cell(), CellId(5));
+  ASSERT_NO_FATAL_FAILURE(expectUsable(CellId(5)));
+}
+
+TEST_F(WindowSizesTest, AHundredCellsWithAThousandPoses) {
+  ASSERT_NO_FATAL_FAILURE(open(writeSheet("sheet:10x10", 1000, 2)));
+  ASSERT_TRUE(waitLong([this] { return posesShown() == 1000; }));
+  auto* poses = find<QTableView>("poseView");
+  EXPECT_EQ(poses->model()->rowCount(), 1000);
+  poses->setFocus();
+  press(Qt::Key_End, Qt::ControlModifier);
+  EXPECT_TRUE(poses->selectionModel()->isRowSelected(999, {}));
+  press(Qt::Key_Delete);
+  ASSERT_TRUE(waitLong([this] { return controller().isCurrent(); }));
+  EXPECT_TRUE(controller().session()->poses()[999].disabled);
+  ASSERT_NO_FATAL_FAILURE(expectUsable(CellId(77)));
+}
+
+TEST_F(WindowSizesTest, AHundredThousandCells) {
+  ASSERT_NO_FATAL_FAILURE(open(writeSheet("sheet:317x316", 6, 2)));
+  ASSERT_TRUE(waitLong([this] { return posesShown() == 6; }));
+  EXPECT_EQ(controller().reconstruction()->cellCount(), 100172U);
+  ASSERT_NO_FATAL_FAILURE(expectUsable(CellId(4711)));
+}
+
+}  // namespace
+}  // namespace hexoderm
