@@ -81,7 +81,7 @@ void MainWindow::showMoment() {
   const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
   current_up_ = result ? currentUp(*result, preview.means) : std::nullopt;
   stillness_view_->add(controller_.live().hold(), preview);
-  patch_view_->setReadings(preview.means);
+  patch_view_->setReadings(preview.means, preview.temperatures);
   coverage_view_->setCurrent(current_up_);
   followPart();
   // How far it is to the next pose, a few times a second: sentences that flicker can't be read.
