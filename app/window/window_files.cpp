@@ -2,7 +2,7 @@
 #include "app/window/export_dialog.h"
 #include "app/window/guide_window.h"
 #include "app/window/main_window.h"
-#include "app/window/recovery.h"
+#include "app/window/preferences.h"
 #include "app/window/report_pictures.h"
 #include "app/window/window_shell.h"
 #include "widgets/graph_view.h"
@@ -21,7 +21,6 @@
 #include <QKeyEvent>
 #include <QMessageBox>
 #include <QMimeData>
-#include <QSettings>
 #include <QStandardPaths>
 #include <QUrl>
 #include <utility>
@@ -33,19 +32,6 @@ const QString kSessionExtension = QStringLiteral(".session.json");
 const QString kJournalExtension = QStringLiteral(".hexo");
 const QString kCalibrationExtension = QStringLiteral(".calibration.json");
 
-QString lastFolder() {
-  const QString folder = QSettings().value(QStringLiteral("paths/last")).toString();
-  if (!folder.isEmpty() && QDir(folder).exists()) return folder;
-  const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-  return QDir(documents).exists() ? documents : QDir::homePath();
-}
-
-void rememberFolder(const QString& path) {
-  // Nobody chose the folder that unsaved sessions are recovered from.
-  if (QFileInfo(path).absolutePath() == QFileInfo(unsavedFolder()).absoluteFilePath()) return;
-  QSettings().setValue(QStringLiteral("paths/last"), QFileInfo(path).absolutePath());
-}
-
 /// The one local file of a drag, if that is what is dragged.
 QString droppedFile(const QMimeData* data) {
   return data->urls().size() == 1 && data->urls().front().isLocalFile() ? data->urls().front().toLocalFile()
@@ -56,10 +42,7 @@ QString droppedFile(const QMimeData* data) {
 
 void MainWindow::openFile(const QString& path) {
   rememberFolder(path);
-  afterAskingToSave([this, path] {
-    shell_->noteAsked(path);
-    controller_.openFile(path);
-  });
+  afterAskingToSave([this, path] { controller_.openFile(path); });
 }
 
 void MainWindow::startDemo() {
@@ -146,6 +129,7 @@ void MainWindow::askForReport() {
 
 QImage MainWindow::picture() {
   // The 3D view draws when there is time; until then a picture of the window would show its last state.
+  patch_view_->waitUntilUpToDate();
   static_cast<void>(patch_view_->screenshot());
   // Nor have layouts caught up with a text that has just changed; inner ones ask outer ones for room.
   constexpr int kNested = 4;
@@ -157,7 +141,8 @@ void MainWindow::savePicture() {
   const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
   const QDir folder(QDir(pictures).exists() ? pictures : lastFolder());
   const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz"));
-  controller_.saveImage(picture(), folder.filePath(QStringLiteral("hexoderm-%1.png").arg(stamp)));
+  const QString path = folder.filePath(QStringLiteral("hexoderm-%1.png").arg(stamp));
+  patch_view_->whenUpToDate([this, path] { controller_.saveImage(picture(), path); });
 }
 
 void MainWindow::saveGraph() {
