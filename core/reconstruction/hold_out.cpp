@@ -16,7 +16,6 @@
 namespace hexoderm {
 namespace {
 
-constexpr std::size_t kFewestOthers = 3;
 constexpr double kWorse = 1.5;
 constexpr double kFarWorse = 3;
 /// A corrected reading shorter than this shows no direction worth a comparison.
@@ -207,7 +206,7 @@ HoldOutResult evaluateHoldOut(const SessionSnapshot& snapshot, PoseId pose, cons
   HoldOutResult result;
   result.pose = pose;
   result.other_poses = static_cast<std::size_t>(std::ranges::count(others.poses, false, &SessionPose::disabled));
-  if (result.other_poses < kFewestOthers) return result;
+  if (result.other_poses < kFewestOtherPoses) return result;
   result.outcome = HoldOutOutcome::Stopped;
   if (stop.stop_requested()) return result;
   const auto reconstruction = reconstruct(others, options);

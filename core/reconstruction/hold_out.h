@@ -21,6 +21,9 @@ enum class HoldOutAgreement { AsStated, Worse, FarWorse };
 /// "as_stated", "worse", "far_worse", as in reports.
 std::string_view holdOutAgreementName(HoldOutAgreement agreement);
 
+/// Poses besides the one that is held out: offsets and attitudes can't be told apart with fewer.
+inline constexpr std::size_t kFewestOtherPoses = 3;
+
 struct HoldOutCell {
   CellId cell;
   double error_rad = 0;

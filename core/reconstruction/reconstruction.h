@@ -43,6 +43,13 @@ struct LinkEstimate {
   std::optional<FindingCode> muted_by;
   /// Angle between c_p and R_c_n n_p per entry of Reconstruction::poses; absent where a cell has no sample.
   std::vector<std::optional<double>> pose_residual_rad;
+
+  /// `residual_rad` and `sigma_rad`, absent where none was computed (links that no pose measured; files that don't
+  /// state them).
+  [[nodiscard]] std::optional<double> knownResidual() const;
+  [[nodiscard]] std::optional<double> knownSigma() const;
+  /// It was measured or solved, so that its angles mean something.
+  [[nodiscard]] bool hasFigures() const;
 };
 
 enum class PlacedBy { Samples, Links };
