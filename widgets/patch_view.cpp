@@ -68,6 +68,7 @@ SceneColors sceneColors(Theme theme) {
   scene.overlay = toRgb(colors.accent);
   scene.difference = toRgb(colors.caution);
   scene.ellipsoid = toRgb(dark ? colors.selection : colors.panel);
+  for (std::size_t k = 0; k < scene.axis.size(); ++k) scene.axis.at(k) = toRgb(colors.axis.at(k));
   return scene;
 }
 
@@ -79,7 +80,6 @@ struct PatchView::Parts : public QObject {
   PatchView* view;
   Selection* selection;
   MeasureTool measure;
-  Theme theme = Theme::Light;
   std::shared_ptr<const Reconstruction> reconstruction;
   CellColoring coloring = CellColoring::LinkQuality;
   std::optional<SurfaceEvaluation> surface;
@@ -93,6 +93,7 @@ struct PatchView::Parts : public QObject {
   PartMotion* motion = nullptr;  ///< likewise
   SceneOverlay* overlay = nullptr;
   PatchControls* controls = nullptr;
+  std::vector<std::function<void()>> waiting;  ///< for the picture to be up to date
   QTimer at_rest;
   QTimer render_soon;
   QPoint pressed_at;
@@ -211,6 +212,9 @@ void PatchView::Parts::setContent(std::shared_ptr<const SceneContent> content) {
   scene->setContent(std::move(content));
   updateControls();
   refresh();
+  // What is delivered may be older than what was submitted since.
+  if (builder->isBusy()) return;
+  for (const std::function<void()>& then : std::exchange(waiting, {})) then();
 }
 
 void PatchView::Parts::updateControls() {
@@ -273,7 +277,6 @@ void PatchView::Parts::updateMeasure() {
   controls->measureAction()->setChecked(measure.isActive());
   scene->setMeasured(measure.first(), measure.second());
   refresh();
-  emit view->measured(measure.words());
 }
 
 void PatchView::Parts::updateSelection() {
@@ -350,7 +353,6 @@ void PatchView::setReconstruction(std::shared_ptr<const Reconstruction> reconstr
 }
 
 void PatchView::setTheme(Theme theme) {
-  parts_->theme = theme;
   const SceneColors colors = sceneColors(theme);
   parts_->overlay->setTheme(theme, colors);
   if (parts_->scene) parts_->scene->setColors(colors);
@@ -411,29 +413,7 @@ void PatchView::setComparison(std::vector<Comparison> comparison) {
   parts_->refresh();
 }
 
-void PatchView::setColoring(CellColoring coloring) {
-  if (parts_->controls != nullptr) parts_->controls->action(coloring)->setChecked(true);
-}
-
-QAction* PatchView::coloringAction(CellColoring coloring) const {
-  return parts_->controls != nullptr ? parts_->controls->action(coloring) : nullptr;
-}
-
-QAction* PatchView::itemAction(SceneItem item) const {
-  return parts_->controls != nullptr ? parts_->controls->action(item) : nullptr;
-}
-
-QAction* PatchView::measureAction() const {
-  return parts_->controls != nullptr ? parts_->controls->measureAction() : nullptr;
-}
-
-QAction* PatchView::parallelAction() const {
-  return parts_->controls != nullptr ? parts_->controls->parallelAction() : nullptr;
-}
-
 bool PatchView::isUpToDate() const { return !parts_->builder || !parts_->builder->isBusy(); }
-
-QString PatchView::renderer() const { return openGlInWords(parts_->opengl); }
 
 void PatchView::setCurrentUp(const std::optional<Eigen::Vector3d>& up_o) {
   if (!parts_->motion) return;
@@ -456,9 +436,20 @@ void PatchView::setAnimated(bool animated) {
 
 bool PatchView::isAnimating() const { return parts_->motion && parts_->motion->isAnimating(); }
 
+void PatchView::whenUpToDate(std::function<void()> then) {
+  if (isUpToDate()) {
+    then();
+  } else {
+    parts_->waiting.push_back(std::move(then));
+  }
+}
+
+void PatchView::waitUntilUpToDate() {
+  if (!isUpToDate()) parts_->builder->finish();
+}
+
 QImage PatchView::screenshot() {
   if (parts_->gl == nullptr) return grab().toImage();
-  if (parts_->builder->isBusy()) parts_->builder->finish();
   // A view that was shown keeps its last picture until it is told to draw; one that never was draws for the first time.
   parts_->scene->setSmoothed(true);
   if (parts_->gl->isValid()) parts_->window->Render();
