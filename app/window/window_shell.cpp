@@ -15,7 +15,6 @@
 #include "widgets/step_panel.h"
 #include "widgets/words.h"
 
-#include <QAbstractButton>
 #include <QClipboard>
 #include <QDesktopServices>
 #include <QDir>
@@ -51,11 +50,9 @@ LogSeverity severityOf(Tone tone) {
 
 /// One line on a result: how large, how, how long, how good.
 QString resultInWords(const Reconstruction& result) {
-  return WindowShell::tr("Solved: %1, %2 poses, %3, %4 ms. %5")
-      .arg(coreWords(sizeInWords(result)))
-      .arg(result.poses.size())
-      .arg(QString::fromStdString(result.solver), QString::fromStdString(formatFixed(1e3 * result.solve_seconds, 1)),
-           coreWords(result.verdict.reason));
+  return WindowShell::tr("Solved: %1, %2, %3, %4 ms. %5")
+      .arg(coreWords(sizeInWords(result)), posesInWords(result.poses.size()), QString::fromStdString(result.solver),
+           QString::fromStdString(formatFixed(1e3 * result.solve_seconds, 1)), coreWords(result.verdict.reason));
 }
 
 bool isIn(const QString& path, const QString& folder) {
@@ -155,22 +152,6 @@ void WindowShell::connectActions(QMenuBar& menus) {
   connect(actions.open_log_folder, &QAction::triggered, this, &WindowShell::openLogFolder);
   connect(actions.swap_views, &QAction::triggered, this, [this] { swapViews(true); });
   connect(actions.keys, &QAction::triggered, this, [this, &menus] { showKeysDialog(&window_.window, menus); });
-  for (std::size_t k = 0; k < actions.go_to_step.size(); ++k) {
-    connect(actions.go_to_step[k], &QAction::triggered, this, [this, k] { goToStep(static_cast<int>(k) + 1); });
-  }
-}
-
-void WindowShell::goToStep(int number) {
-  auto* head = window_.window.findChild<QAbstractButton*>(QStringLiteral("stepHead%1").arg(number));
-  if (!head) return;
-  for (QWidget* outer = head; outer; outer = outer->parentWidget()) {
-    if (auto* dock = qobject_cast<CardDock*>(outer)) {
-      dock->show();
-      dock->raise();
-    }
-  }
-  head->click();
-  head->setFocus(Qt::ShortcutFocusReason);
 }
 
 void WindowShell::setSteps(const std::vector<Step>& steps) {
@@ -237,11 +218,7 @@ void WindowShell::connectRecent() {
 
 void WindowShell::noteOpen() {
   const SessionController& controller = window_.controller;
-  QString path = controller.sessionPath();
-  // A calibration has no path to save to.
-  if (path.isEmpty() && !controller.session() && QFileInfo(asked_path_).fileName() == controller.name()) {
-    path = asked_path_;
-  }
+  const QString path = controller.session() ? controller.sessionPath() : controller.calibrationPath();
   if (path.isEmpty() || isIn(path, unsavedFolder())) return;
   recent_.note(path, controller.session() ? static_cast<int>(controller.session()->poses().size()) : -1);
 }
@@ -253,7 +230,9 @@ void WindowShell::connectRecovery() {
   connect(&unsaved_, &UnsavedSessions::found, this, [this](int count) {
     if (count == 0) return;
     const UnsavedSession newest = unsaved_.all().front();
-    log_.add(LogSeverity::Info, tr("%1 sessions were not saved. The newest: %2").arg(count).arg(newest.path));
+    log_.add(LogSeverity::Info, count == 1
+                                    ? tr("One session was not saved: %1").arg(newest.path)
+                                    : tr("%1 sessions were not saved. The newest: %2").arg(count).arg(newest.path));
     // Who began with something else has not seen the welcome, which says it too.
     if ((window_.controller.isEmpty() && window_.controller.activity().isEmpty()) || !newest.problem.isEmpty()) return;
     window_.messages.showMessage(Tone::Caution, describeUnsaved(newest), tr("Recover"), [this, path = newest.path] {
