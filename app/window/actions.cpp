@@ -103,8 +103,9 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
       swap_views(make(owner, "actionSwapViews", tr("S&wap graph and 3D view"),
                       tr("The one in the middle goes to the side, and the other way round"),
                       {QKeySequence(Qt::Key_G)})),
-      copy_report(make(owner, "actionCopyReport", tr("&Copy for a bug report"),
-                       tr("Versions, graphics, what is open and the last lines of the log, without your folders"))),
+      copy_report(
+          make(owner, "actionCopyReport", tr("&Copy for a bug report"),
+               tr("Versions, graphics, what is open and the last lines of the log, with your home folder as ~"))),
       open_log_folder(make(owner, "actionOpenLogFolder", tr("&Open the log's folder"),
                            tr("Show the folder in which the log is kept"))),
       recent(new QMenu(tr("Open &recent"), owner)),

@@ -22,6 +22,7 @@
 #include "widgets/table_actions.h"
 #include "widgets/tables.h"
 #include "widgets/verify_panel.h"
+#include "widgets/words.h"
 
 #include <QApplication>
 #include <QHBoxLayout>
@@ -434,13 +435,13 @@ void MainWindow::refreshStatus() {
     }
     cells_status_->setText(tr("cells %1/%2").arg(measured).arg(result->cellCount()));
     cells_status_->setToolTip(tr("Cells that were measured in the fullest pose, of all cells"));
-    solve_status_->setText(controller_.session()
-                               ? tr("solved in %1 ms · %2")
-                                     .arg(QString::fromStdString(formatFixed(1e3 * result->solve_seconds, 1)),
-                                          QString::fromStdString(result->solver))
-                               : tr("%1, read from the file").arg(QString::fromStdString(result->solver)));
+    solve_status_->setText(
+        controller_.session()
+            ? tr("solved in %1 ms · %2")
+                  .arg(figureInWords(1e3 * result->solve_seconds, 1), QString::fromStdString(result->solver))
+            : tr("%1, read from the file").arg(QString::fromStdString(result->solver)));
     solve_status_->setToolTip(tr("A direction counts as defined from a singular value of %1 on")
-                                  .arg(QString::fromStdString(formatFixed(result->options.class_threshold, 2))));
+                                  .arg(figureInWords(result->options.class_threshold, 2)));
   }
   QString saved;
   if (controller_.hasUnsavedChanges()) {

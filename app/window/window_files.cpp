@@ -256,7 +256,7 @@ void MainWindow::showGuide() {
   if (guide == nullptr) {
     guide = new GuideWindow(this);
     guide->setAttribute(Qt::WA_DeleteOnClose);
-    guide->setKeys(QWidget::actions());
+    guide->setKeys(*findChild<QMenuBar*>());
   }
   guide->showPage(guidePageFor(controller_));
   guide->show();

@@ -54,7 +54,7 @@ QString resultInWords(const Reconstruction& result) {
   return WindowShell::tr("Solved: %1, %2 poses, %3, %4 ms. %5")
       .arg(coreWords(sizeInWords(result)))
       .arg(result.poses.size())
-      .arg(QString::fromStdString(result.solver), QString::fromStdString(formatFixed(1e3 * result.solve_seconds, 1)),
+      .arg(QString::fromStdString(result.solver), figureInWords(1e3 * result.solve_seconds, 1),
            coreWords(result.verdict.reason));
 }
 
@@ -320,8 +320,8 @@ void WindowShell::showWelcome() {
 void WindowShell::copyReport() {
   QGuiApplication::clipboard()->setText(composeBugReport(log_, window_.controller, window_.window));
   window_.messages.showMessage(
-      Tone::Good, tr("Copied: versions, graphics, what is open and the last lines of the log, without your folders' "
-                     "names. Paste it into the report."));
+      Tone::Good, tr("Copied: versions, graphics, what is open and the last lines of the log, with your home "
+                     "folder as ~. Paste it into the report."));
 }
 
 void WindowShell::openLogFolder() {
