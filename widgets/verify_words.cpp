@@ -42,6 +42,8 @@ FigureTable::Column millimetreColumn(const QString& name, const QString& explana
 
 /// Far beyond what was expected of it.
 constexpr double kRemarkable = 3;
+/// A check that expects more than this (degrees) passes over what an operator would call a fault.
+constexpr double kCoarse_deg = 0.6;
 
 }  // namespace
 
@@ -66,16 +68,27 @@ VerifySentence holdOutInWords(const HoldOutResult& result) {
                               .arg(degrees(result.expected_rms_rad));
   const auto worst = std::ranges::max_element(result.cells, {}, &HoldOutCell::error_rad);
   const QString worst_cell = Words::tr("Worst: cell %1, %2.").arg(worst->cell.value()).arg(degrees(worst->error_rad));
+  const double expected_deg = toDegrees(result.expected_rms_rad);
+  QString more = worst_cell;
+  if (result.turning_rad_s2 > kTurned * result.expected_turning_rad_s2) {
+    more += QLatin1Char(' ') + Words::tr("The part turned while it was read: %1 rad/s², of a still hand %2 are expected.")
+                                   .arg(localized(result.turning_rad_s2), localized(result.expected_turning_rad_s2));
+  }
   switch (result.agreement) {
     case HoldOutAgreement::AsStated:
+      if (expected_deg > kCoarse_deg) {
+        return {Tone::Good, Words::tr("As good as stated, but this is a coarse check: with so few poses, less than about "
+                                      "%1 of a movement would not show. %2")
+                                .arg(degrees(kShowing * result.expected_rms_rad), figures)};
+      }
       return {Tone::Good, Words::tr("As good as stated. %1").arg(figures)};
     case HoldOutAgreement::Worse:
-      return {Tone::Caution, Words::tr("Somewhat worse than stated. %1 %2").arg(figures, worst_cell)};
+      return {Tone::Caution, Words::tr("Somewhat worse than stated. %1 %2").arg(figures, more)};
     case HoldOutAgreement::FarWorse:
       break;
   }
   return {Tone::Bad, Words::tr("Far worse than stated: the part moved in this pose, or a cell is wrong. %1 %2")
-                         .arg(figures, worst_cell)};
+                         .arg(figures, more)};
 }
 
 VerifyFigures holdOutCells(const HoldOutResult& result) {
