@@ -26,7 +26,9 @@ struct Limits {
 };
 constexpr Limits kRms{1.5, 3};
 constexpr Limits kCell{4, 8};
-constexpr Limits kTurning{2, 3};  // hands tremble differently
+constexpr Limits kTurning{2, 3};   // hands tremble differently
+constexpr double kDetectable = 4;  // of the expected rms, as simulated skins of 17 and 100 cells show
+
 /// A corrected reading shorter than this shows no direction worth a comparison.
 constexpr double kShortest_g = 0.5;
 
@@ -334,6 +336,7 @@ HoldOutResult evaluateHoldOut(const SessionSnapshot& snapshot, PoseId pose, cons
   result.rms_rad = rootMeanSquare(result.cells, &HoldOutCell::error_rad);
   result.expected_rms_rad = rootMeanSquare(result.cells, &HoldOutCell::expected_rad);
   result.expected_turning_rad_s2 = std::sqrt(3.0) * kSwingSigma * kStandardGravity;
+  result.detectable_rad = kDetectable * result.expected_rms_rad;
   judge(result);
   return result;
 }

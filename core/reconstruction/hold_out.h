@@ -51,7 +51,7 @@ struct HoldOutLink {
 /// the stillest pose of the session; where every pose trembles, more is expected than is seen, up to about a third.
 ///
 /// With three other poses offsets and gains are known from their priors mostly: the expected error of uncalibrated
-/// sensors is then above a degree, and what moved by less does not show. From five on it is about 0.2 degrees.
+/// sensors is then above a degree, and the check is coarse (detectable_rad). From five on it is about 0.2 degrees.
 struct HoldOutResult {
   HoldOutOutcome outcome = HoldOutOutcome::TooFewPoses;
   PoseId pose;

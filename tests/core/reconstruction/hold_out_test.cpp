@@ -174,6 +174,11 @@ TEST(HoldOut, APartThatBentInThePoseIsFound) {
   }
 }
 
+TEST(HoldOut, ThreeOtherPosesAreACoarseCheckAndFiveAFineOne) {
+  EXPECT_GT(evaluateHoldOut(*simulated("x17", 1, 4).snapshot(), PoseId(4)).detectable_rad, 3 * kDegree);
+  EXPECT_LT(evaluateHoldOut(*simulated("x17", 1, 6).snapshot(), PoseId(4)).detectable_rad, 1.5 * kDegree);
+}
+
 TEST(HoldOut, APartThatWasTurnedWhileItWasReadIsFoundThoughItsReadingsAgree) {
   // A swing of 10 rad/s^2, as when the hand gives way: one motion of a rigid part, and no rest.
   SimulatedSkin skin(builtInCellModel("hex-bma150"), SimulatedSkinOptions());
