@@ -60,8 +60,10 @@ struct HoldOutResult {
   std::vector<HoldOutLink> links;
   double rms_rad = 0;           ///< over cells
   double expected_rms_rad = 0;  ///< root of the mean of the cells' expected squares
-  double turning_rad_s2 =
-      0;  ///< length of the swing that fits best, as an angular acceleration; of the patch that turns most
+  /// Half of the part that turned by this much against the other half would be found three times in four.
+  double detectable_rad = 0;
+  /// The swing that fits best, as an angular acceleration; of the patch that turns most.
+  double turning_rad_s2 = 0;
   /// Rms of what a tremor leaves, 0.05 degrees at 4 to 12 Hz averaged over 0.1 s, with what it did to the other poses.
   double expected_turning_rad_s2 = 0;
   /// As stated: rms up to 1.5 times what is expected, the worst cell's error up to 4 times (of 10,000 cells one is
