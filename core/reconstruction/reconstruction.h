@@ -84,7 +84,7 @@ struct GravityDirection {
     Eigen::Vector3d at_origin_o_g = Eigen::Vector3d::UnitZ();
     Eigen::Vector3d swing_o = Eigen::Vector3d::Zero();  ///< angular acceleration, g/m
   };
-  std::optional<Force> force;
+  std::optional<Force> force{};
 };
 
 /// How much of the way from pivot (0) to arc (1) the gaps of a patch go (SPEC step 10), and how well that is known.

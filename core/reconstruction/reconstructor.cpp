@@ -407,7 +407,7 @@ class Reconstructor {
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
       for (const Eigen::Vector3d& g : seen) sum += g;
       if (sum.norm() < 1e-6) continue;
-      GravityDirection direction{poseId(pose), sum.normalized(), 0, std::nullopt};
+      GravityDirection direction{poseId(pose), sum.normalized(), 0};
       double scatter = 0;
       for (const Eigen::Vector3d& g : seen) scatter += std::pow(angleBetween(g, direction.g_o), 2);
       direction.sigma_rad = std::sqrt(scatter) / static_cast<double>(seen.size());
