@@ -181,6 +181,10 @@ void PatchView::Parts::connectControls() {
     requestRender();
   });
   connect(controls, &PatchControls::heightChanged, overlay, &SceneOverlay::setTopMargin);
+  connect(controls, &PatchControls::heightChanged, this, [this](int height) {
+    scene->setTopMargin(qRound(height * gl->devicePixelRatioF()));
+    requestRender();
+  });
   connect(controls->measureAction(), &QAction::toggled, &measure, &MeasureTool::setActive);
   connect(controls->parallelAction(), &QAction::toggled, this, [this](bool parallel) {
     scene->setParallel(parallel);

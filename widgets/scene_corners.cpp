@@ -162,7 +162,6 @@ void SceneCorners::follow(vtkCamera* camera, vtkRenderWindow* window) {
   const double left = std::min(1 - width, scale * kLeft / size[0]);
   const double bottom = std::min(1 - height, scale * kBottom / size[1]);
   parts_->axes->SetViewport(left, bottom, left + width, bottom + height);
-  // The word stands to the right of the arrow.
   const double right = std::max(0.0, 1 - width - scale * kRight / size[0]);
   parts_->gravity->SetViewport(right, bottom, right + width, bottom + height);
   double back[3];

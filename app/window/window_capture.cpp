@@ -102,7 +102,7 @@ void MainWindow::followPart() {
   if (std::exchange(follows_part_, capturing) && !capturing) patch_view_->fit();
   patch_view_->setTurnable(capturing && controller_.canTurn());
   patch_view_->setCurrentUp(capturing ? current_up_ : std::nullopt);
-  const bool shows_next = capturing && controller_.nextPose() && controller_.wantsMorePoses();
+  const bool shows_next = capturing && controller_.nextPose();
   patch_view_->setNextUp(shows_next ? std::optional(controller_.nextPose()->up) : std::nullopt);
 }
 

@@ -2569,7 +2569,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>Del disable · Ctrl+Z undo</source>
-        <translation>Entf nicht benutzen · Strg+Z rückgängig</translation>
+        <translation>Entf: nicht benutzen · Strg+Z: zurück</translation>
     </message>
     <message>
         <source>Findings %1</source>
@@ -3820,7 +3820,7 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     <name>hexoderm::SceneOverlay</name>
     <message>
         <source>gravity</source>
-        <translation>Schwere</translation>
+        <translation>Schwerkraft</translation>
     </message>
 </context>
 <context>

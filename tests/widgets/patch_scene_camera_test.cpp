@@ -183,6 +183,28 @@ TEST_F(PatchSceneTest, FitsAgainWhenCellsComeOrGo) {
   EXPECT_NE(cameraPosition(), before);
 }
 
+TEST_F(PatchSceneTest, FitsAgainWhenThePatchLeavesThePicture) {
+  const Reconstruction demo = demoReconstruction();
+  const auto movedBy = [&demo](double up_m) {
+    Reconstruction moved = demo;
+    for (CellPlacement& cell : moved.patches[0].cells) cell.T_o_u.t.y() += up_m;
+    return shared(std::move(moved));
+  };
+  for (const bool parallel : {false, true}) {
+    scene.setParallel(parallel);
+    scene.setReconstruction(movedBy(0));
+    scene.showStandardView(PatchScene::View::Front);
+    window->Render();
+    const auto fitted = cameraPosition();
+    scene.setReconstruction(movedBy(0.001));
+    window->Render();
+    EXPECT_EQ(cameraPosition(), fitted) << "it would jump with every pose";
+    scene.setReconstruction(movedBy(0.05));
+    window->Render();
+    EXPECT_NEAR(cameraPosition().at(1), fitted.at(1) + 0.05, 1e-9);
+  }
+}
+
 TEST_F(PatchSceneTest, FitsAgainInAResizedWindowUntilTheCameraIsMoved) {
   scene.setReconstruction(shared(demoReconstruction()));
   window->Render();
