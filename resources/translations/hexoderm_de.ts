@@ -4625,6 +4625,14 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
         <source>Stated °</source>
         <translation>Angegeben °</translation>
     </message>
+    <message>
+        <source>The part turned while it was read: %1 rad/s², of a still hand %2 are expected.</source>
+        <translation>Das Teil drehte sich, während es gelesen wurde: %1 rad/s²; von einer ruhigen Hand werden %2 erwartet.</translation>
+    </message>
+    <message>
+        <source>As good as stated, but a coarse check: with so few poses, a part that bent by less than about %1 would not show. %2</source>
+        <translation>So gut wie angegeben, aber eine grobe Prüfung: Bei so wenigen Posen fiele ein Teil, das sich um weniger als etwa %1 verbogen hat, nicht auf. %2</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::VerifyPanel</name>
