@@ -348,6 +348,8 @@ const std::vector<const char*>& coreTemplates() {
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "the file is empty, %1"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "is none of the files that Hexoderm reads, %1"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords",
+                        "is a recording, which is not opened but played: connect to it as replay:FILE"),
+      QT_TRANSLATE_NOOP("hexoderm::CoreWords",
                         "expected a Hexoderm session (*.hexo, or format \"hexoderm-session\"), a calibration (format "
                         "\"hexoderm-calibration\") or a TUM SkinConfig XML"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "is not a Hexoderm session, expected an SQLite database (*.hexo)"),

@@ -81,8 +81,9 @@ MainWindow::MainWindow(QWidget* parent)
       said_status_(new QLabel) {
   setObjectName(QStringLiteral("mainWindow"));
   setAcceptDrops(true);
-  // At first no part has the focus, so that keys mean what the list of keys says.
-  setFocusPolicy(Qt::StrongFocus);
+  // At first no part has the focus, and none has it after a click beside all, so that keys mean what the list of keys
+  // says. Tab does not stop here: nothing would be seen of it.
+  setFocusPolicy(Qt::ClickFocus);
   setFocus();
   buildShell();
   buildLayout();
@@ -93,7 +94,7 @@ MainWindow::MainWindow(QWidget* parent)
   connectLive();
   connectVerify();
   connectCapture();
-  qApp->installEventFilter(this);
+  connectKeys();
   const QSettings settings;
   setThemeChoice(
       themeChoiceFromName(settings.value(QStringLiteral("view/theme")).toString()).value_or(ThemeChoice::System),
@@ -325,17 +326,13 @@ void MainWindow::connectSelection() {
   });
   connect(finding_view_, &QTableView::clicked, this,
           [this](const QModelIndex& index) { pickFromFinding(index.row()); });
-  connect(finding_view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
-          [this](const QModelIndex& current) {
-            if (current.isValid()) pickFromFinding(current.row());
-          });
-  connect(link_view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
-          [this](const QModelIndex& current) {
-            if (!current.isValid()) return;
-            const LinkEstimate& link = link_table_->linkAt(sourceRow(current));
-            selection_.selectLink(link.source, link.target);
-          });
+  onPicked(finding_view_, this, [this](const QModelIndex& picked) { pickFromFinding(picked.row()); });
+  onPicked(link_view_, this, [this](const QModelIndex& picked) {
+    const LinkEstimate& link = link_table_->linkAt(sourceRow(picked));
+    selection_.selectLink(link.source, link.target);
+  });
   connect(pose_view_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &MainWindow::showPickedPose);
+  onPicked(pose_view_, this, [this](const QModelIndex& /*picked*/) { showPickedPose(); });
 }
 
 void MainWindow::showReconstruction(const std::shared_ptr<const Reconstruction>& reconstruction) {
@@ -375,7 +372,8 @@ void MainWindow::showPickedLink() {
   if (row < 0) {
     link_view_->clearSelection();
     link_view_->selectionModel()->clearCurrentIndex();
-  } else if (const QModelIndex shown = shownRow(link_view_, row); link_view_->currentIndex().row() != shown.row()) {
+  } else if (const QModelIndex shown = shownRow(link_view_, row);
+             !link_view_->selectionModel()->isRowSelected(shown.row(), {})) {
     link_view_->selectRow(shown.row());
   }
 }
@@ -406,9 +404,10 @@ void MainWindow::refresh() {
   banner_->setContent(describeStand(controller_, actions_));
   const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
   const LiveSource& live = controller_.live();
-  check_list_->setCheck(result ? checkSkin(*result, live.preview().means, live.hold().stillness.odd_cells)
-                               : SkinCheck{});
-  const std::vector<Step> steps = describeSteps(controller_, actions_);
+  const SkinCheck check =
+      result ? checkSkin(*result, live.preview().means, live.hold().stillness.odd_cells) : SkinCheck{};
+  check_list_->setCheck(check);
+  const std::vector<Step> steps = describeSteps(controller_, actions_, check);
   step_panel_->setSteps(steps);
   shell_->setSteps(steps);
   refreshStatus();

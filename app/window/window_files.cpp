@@ -9,16 +9,12 @@
 #include "widgets/message_bar.h"
 #include "widgets/patch_view.h"
 
-#include <QAbstractButton>
-#include <QAbstractSpinBox>
 #include <QCloseEvent>
-#include <QComboBox>
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QDesktopServices>
 #include <QDir>
 #include <QFileDialog>
-#include <QKeyEvent>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
@@ -229,17 +225,6 @@ void MainWindow::dropEvent(QDropEvent* event) {
   if (path.isEmpty()) return;
   event->acceptProposedAction();
   openFile(path);
-}
-
-bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
-  // Space presses the button that has the focus before it takes a pose.
-  if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space &&
-      (qobject_cast<QAbstractButton*>(watched) || qobject_cast<QComboBox*>(watched) ||
-       qobject_cast<QAbstractSpinBox*>(watched))) {
-    event->accept();
-    return true;
-  }
-  return QMainWindow::eventFilter(watched, event);
 }
 
 void MainWindow::buildShell() {

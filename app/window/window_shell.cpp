@@ -4,6 +4,7 @@
 #include "app/window/bug_report.h"
 #include "app/window/keys_dialog.h"
 #include "app/window/log_view.h"
+#include "app/window/panes.h"
 #include "app/window/preferences_dialog.h"
 #include "app/window/session_controller.h"
 #include "app/window/welcome_panel.h"
@@ -16,6 +17,7 @@
 #include "widgets/words.h"
 
 #include <QAbstractButton>
+#include <QApplication>
 #include <QClipboard>
 #include <QDesktopServices>
 #include <QDir>
@@ -171,6 +173,7 @@ void WindowShell::goToStep(int number) {
   }
   head->click();
   head->setFocus(Qt::ShortcutFocusReason);
+  bringIntoView(head);
 }
 
 void WindowShell::setSteps(const std::vector<Step>& steps) {
@@ -313,6 +316,8 @@ void WindowShell::offerSoftwareOpenGl() {
 
 void WindowShell::showWelcome() {
   const bool is_welcome = window_.controller.isEmpty() && !window_.controller.live().isRunning();
+  // Who chose by a key what is opened goes on with keys that mean what the list of keys says, not with a neighbour.
+  if (welcome_ && !is_welcome && welcome_->isAncestorOf(QApplication::focusWidget())) window_.window.setFocus();
   if (welcome_) welcome_->setVisible(is_welcome);
   if (connect_body_) connect_body_->setVisible(!is_welcome);
 }

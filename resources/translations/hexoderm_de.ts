@@ -1324,6 +1324,10 @@
         <translation>ist keine der Dateien, die Hexoderm liest, %1</translation>
     </message>
     <message>
+        <source>is a recording, which is not opened but played: connect to it as replay:FILE</source>
+        <translation>ist eine Aufzeichnung, die nicht geöffnet, sondern abgespielt wird: als replay:DATEI verbinden</translation>
+    </message>
+    <message>
         <source>expected a Hexoderm session (*.hexo, or format &quot;hexoderm-session&quot;), a calibration (format &quot;hexoderm-calibration&quot;) or a TUM SkinConfig XML</source>
         <translation>erwartet ist eine Hexoderm-Sitzung (*.hexo oder Format „hexoderm-session“), eine Kalibrierung (Format „hexoderm-calibration“) oder ein TUM-SkinConfig-XML</translation>
     </message>
@@ -2163,6 +2167,46 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>Gravity seen from several directions tells how every cell is turned against its neighbours. This session came from a file; no skin is connected to take more.</source>
         <translation>Schwerkraft aus mehreren Richtungen verrät, wie jede Zelle gegen ihre Nachbarn gedreht ist. Diese Sitzung kam aus einer Datei; für weitere Posen ist keine Haut verbunden.</translation>
     </message>
+    <message>
+        <source>There is no skin yet.</source>
+        <translation>Noch gibt es keine Haut.</translation>
+    </message>
+    <message>
+        <source>Nothing is connected and nothing is open yet.</source>
+        <translation>Noch ist nichts verbunden und nichts offen.</translation>
+    </message>
+    <message>
+        <source>The skin has said which cells it has, and sends.</source>
+        <translation>Die Haut hat gesagt, welche Zellen sie hat, und sendet.</translation>
+    </message>
+    <message>
+        <source>A session is open.</source>
+        <translation>Eine Sitzung ist offen.</translation>
+    </message>
+    <message>
+        <source>A calibration is open.</source>
+        <translation>Eine Kalibrierung ist offen.</translation>
+    </message>
+    <message>
+        <source>The cells and links are those of the file.</source>
+        <translation>Zellen und Verbindungen sind die der Datei.</translation>
+    </message>
+    <message>
+        <source>The skin sends, so poses can be taken.</source>
+        <translation>Die Haut sendet, also lassen sich Posen aufnehmen.</translation>
+    </message>
+    <message>
+        <source>There is a reconstruction of %1.</source>
+        <translation>Es gibt eine Rekonstruktion aus %1.</translation>
+    </message>
+    <message>
+        <source>There is a result to look at.</source>
+        <translation>Es gibt ein Ergebnis, das man ansehen kann.</translation>
+    </message>
+    <message>
+        <source>There is a result of everything that was captured.</source>
+        <translation>Es gibt ein Ergebnis aus allem, was aufgenommen wurde.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::GuideWindow</name>
@@ -2894,10 +2938,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>The 3D view needs OpenGL 3.2, which is not available here. The graph and the tables still work.
 
-On a remote desktop, drawing in software may help: start hexoderm with --software-opengl.</source>
+On a remote desktop, or with a faulty driver, it may help to let the processor draw: Edit, Preferences, &quot;Draw without the graphics card&quot;, then start Hexoderm again.</source>
         <translation>Die 3D-Ansicht braucht OpenGL 3.2, das es hier nicht gibt. Graph und Tabellen arbeiten trotzdem.
 
-Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit --software-opengl starten.</translation>
+Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helfen, den Prozessor zeichnen zu lassen: Bearbeiten, Einstellungen, &quot;Ohne Grafikkarte zeichnen&quot;, dann Hexoderm neu starten.</translation>
     </message>
     <message>
         <source>Preparing the picture of %1 cells…</source>
@@ -4262,6 +4306,14 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
         <source>Steps</source>
         <translation>Schritte</translation>
     </message>
+    <message>
+        <source>✓ Ready: %1</source>
+        <translation>✓ Bereit: %1</translation>
+    </message>
+    <message>
+        <source>■ Blocked: %1</source>
+        <translation>■ Blockiert: %1</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::StillnessView</name>
@@ -5280,6 +5332,38 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     <message>
         <source>Let the picked link into the solution again</source>
         <translation>Die gewählte Verbindung wieder in die Lösung nehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Next part of the window</source>
+        <translation>&amp;Nächster Teil des Fensters</translation>
+    </message>
+    <message>
+        <source>Take the keyboard to the next part: steps, pictures, tables</source>
+        <translation>Die Tastatur zum nächsten Teil bringen: Schritte, Bilder, Tabellen</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious part of the window</source>
+        <translation>&amp;Voriger Teil des Fensters</translation>
+    </message>
+    <message>
+        <source>Take the keyboard to the part before</source>
+        <translation>Die Tastatur zum Teil davor bringen</translation>
+    </message>
+    <message>
+        <source>End live mode</source>
+        <translation>Live-Betrieb beenden</translation>
+    </message>
+    <message>
+        <source>Live mode</source>
+        <translation>Live-Betrieb</translation>
+    </message>
+    <message>
+        <source>Switch the light of cell %1 off</source>
+        <translation>Licht von Zelle %1 ausschalten</translation>
+    </message>
+    <message>
+        <source>Light the picked cell</source>
+        <translation>Gewählte Zelle leuchten lassen</translation>
     </message>
 </context>
 <context>
