@@ -332,7 +332,7 @@
     </message>
     <message>
         <source>Orientation in the patch&apos;s frame: roll, pitch and yaw with R = Rz Ry Rx, degrees</source>
-        <translation>Drehung im Koordinatensystem des Hautstücks: Roll, Nick und Gier mit R = Rz Ry Rx, Grad</translation>
+        <translation>Orientierung im Koordinatensystem des Hautstücks: Rollen, Nicken und Gieren mit R = Rz Ry Rx, Grad</translation>
     </message>
     <message>
         <source>Position in the patch&apos;s frame, which is its origin cell&apos;s</source>
@@ -368,15 +368,15 @@
     </message>
     <message>
         <source>Roll °</source>
-        <translation>Roll °</translation>
+        <translation>Rollen °</translation>
     </message>
     <message>
         <source>Pitch °</source>
-        <translation>Nick °</translation>
+        <translation>Nicken °</translation>
     </message>
     <message>
         <source>Yaw °</source>
-        <translation>Gier °</translation>
+        <translation>Gieren °</translation>
     </message>
     <message>
         <source>± mm</source>
@@ -629,11 +629,11 @@
     </message>
     <message>
         <source>1 patch</source>
-        <translation>1 Stück</translation>
+        <translation>1 Hautstück</translation>
     </message>
     <message>
         <source>%1 patches</source>
-        <translation>%1 Stücke</translation>
+        <translation>%1 Hautstücke</translation>
     </message>
     <message>
         <source>±%1 mm, ±%2°</source>
@@ -729,15 +729,15 @@
     </message>
     <message>
         <source>Cell %1 delivered no reading in any pose; it is placed through its links.</source>
-        <translation>Zelle %1 hat in keiner Pose einen Messwert geliefert; sie wird über ihre Verbindungen eingeordnet.</translation>
+        <translation>Zelle %1 hat in keiner Pose einen Messwert geliefert; sie wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
         <source>Cell %1 delivered no reading %2; it is placed from the other poses.</source>
-        <translation>Zelle %1 hat %2 keinen Messwert geliefert; sie wird aus den anderen Posen eingeordnet.</translation>
+        <translation>Zelle %1 hat %2 keinen Messwert geliefert; sie wird aus den anderen Posen verortet.</translation>
     </message>
     <message>
         <source>Cell %1 reads %2 on its %3 axis in all poses, while what it reads in all ranges from %4 to %5: the axis is dead. The cell is placed through its links.</source>
-        <translation>Zelle %1 misst auf ihrer %3-Achse in allen Posen %2, insgesamt aber zwischen %4 und %5: Die Achse ist tot. Die Zelle wird über ihre Verbindungen eingeordnet.</translation>
+        <translation>Zelle %1 misst auf ihrer %3-Achse in allen Posen %2, insgesamt aber zwischen %4 und %5: Die Achse ist tot. Die Zelle wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
         <source>Cell %1 reads the end of its range (%2 g) %3; these readings are not used.</source>
@@ -745,7 +745,7 @@
     </message>
     <message>
         <source>Cell %1 reads less than %2 mg %3: its accelerometer is dead. The cell is placed through its links.</source>
-        <translation>Zelle %1 misst %3 weniger als %2 mg: Ihr Beschleunigungssensor ist tot. Die Zelle wird über ihre Verbindungen eingeordnet.</translation>
+        <translation>Zelle %1 misst %3 weniger als %2 mg: Ihr Beschleunigungssensor ist tot. Die Zelle wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
         <source>Cell %1 reads less than %2 mg %3; these readings are not used.</source>
@@ -761,23 +761,23 @@
     </message>
     <message>
         <source>Cell %1 reads the same direction in all poses (within %2 degrees) while the other cells turn by %3 degrees: its accelerometer is stuck. The cell is placed through its links.</source>
-        <translation>Zelle %1 misst in allen Posen dieselbe Richtung (auf %2 Grad genau), während sich die anderen Zellen um %3 Grad drehen: Ihr Beschleunigungssensor hängt. Die Zelle wird über ihre Verbindungen eingeordnet.</translation>
+        <translation>Zelle %1 misst in allen Posen dieselbe Richtung (auf %2 Grad genau), während sich die anderen Zellen um %3 Grad drehen: Ihr Beschleunigungssensor hängt. Die Zelle wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
         <source>Cell %1 reads %2 g on average where there is 1 g, and does not fit its neighbours: its gain is wrong. The cell is placed through its links.</source>
-        <translation>Zelle %1 misst im Mittel %2 g, wo 1 g ist, und passt nicht zu ihren Nachbarn: Ihre Verstärkung ist falsch. Die Zelle wird über ihre Verbindungen eingeordnet.</translation>
+        <translation>Zelle %1 misst im Mittel %2 g, wo 1 g ist, und passt nicht zu ihren Nachbarn: Ihre Verstärkung ist falsch. Die Zelle wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
         <source>Cell %1 reads what fits none of the other cells, however it lies: its accelerometer is wrongly wired or broken. The cell is placed through its links.</source>
-        <translation>Was Zelle %1 misst, passt zu keiner anderen Zelle, wie auch immer sie liegt: Ihr Beschleunigungssensor ist falsch verdrahtet oder defekt. Die Zelle wird über ihre Verbindungen eingeordnet.</translation>
+        <translation>Was Zelle %1 misst, passt zu keiner anderen Zelle, wie auch immer sie liegt: Ihr Beschleunigungssensor ist falsch verdrahtet oder defekt. Die Zelle wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
         <source>Cell %1 reads what fits none of the other cells, however it lies: its accelerometer is wrongly wired or broken, or its one link is not rigid. The cell is placed through its links.</source>
-        <translation>Was Zelle %1 misst, passt zu keiner anderen Zelle, wie auch immer sie liegt: Ihr Beschleunigungssensor ist falsch verdrahtet oder defekt, oder ihre einzige Verbindung ist nicht starr. Die Zelle wird über ihre Verbindungen eingeordnet.</translation>
+        <translation>Was Zelle %1 misst, passt zu keiner anderen Zelle, wie auch immer sie liegt: Ihr Beschleunigungssensor ist falsch verdrahtet oder defekt, oder ihre einzige Verbindung ist nicht starr. Die Zelle wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
         <source>Cell %1 was left out; it is placed through its links.</source>
-        <translation>Zelle %1 wurde weggelassen; sie wird über ihre Verbindungen eingeordnet.</translation>
+        <translation>Zelle %1 wurde weggelassen; sie wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
         <source>Two poses carry the number %1; both are used.</source>
@@ -885,19 +885,19 @@
     </message>
     <message>
         <source>A cell has no usable reading in any enabled pose; it is placed through its links.</source>
-        <translation>Eine Zelle hat in keiner benutzten Pose einen brauchbaren Messwert; sie wird über ihre Verbindungen eingeordnet.</translation>
+        <translation>Eine Zelle hat in keiner benutzten Pose einen brauchbaren Messwert; sie wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
         <source>A cell has no reading in some enabled poses; it is placed from the others.</source>
-        <translation>Eine Zelle hat in einigen benutzten Posen keinen Messwert; sie wird aus den anderen eingeordnet.</translation>
+        <translation>Eine Zelle hat in einigen benutzten Posen keinen Messwert; sie wird aus den anderen verortet.</translation>
     </message>
     <message>
         <source>A cell&apos;s accelerometer reads nothing like gravity; the cell is placed through its links.</source>
-        <translation>Der Beschleunigungssensor einer Zelle misst nichts, was Schwerkraft sein könnte; die Zelle wird über ihre Verbindungen eingeordnet.</translation>
+        <translation>Der Beschleunigungssensor einer Zelle misst nichts, was Schwerkraft sein könnte; die Zelle wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
         <source>A cell&apos;s accelerometer does not change while the part moves; the cell is placed through its links.</source>
-        <translation>Der Beschleunigungssensor einer Zelle ändert sich nicht, während sich das Teil bewegt; die Zelle wird über ihre Verbindungen eingeordnet.</translation>
+        <translation>Der Beschleunigungssensor einer Zelle ändert sich nicht, während sich das Teil bewegt; die Zelle wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
         <source>A reading lies at the end of the accelerometer&apos;s range; it is not used.</source>
@@ -913,19 +913,19 @@
     </message>
     <message>
         <source>One axis of a cell&apos;s accelerometer does not follow gravity; the cell is placed through its links.</source>
-        <translation>Eine Achse des Beschleunigungssensors einer Zelle folgt der Schwerkraft nicht; die Zelle wird über ihre Verbindungen eingeordnet.</translation>
+        <translation>Eine Achse des Beschleunigungssensors einer Zelle folgt der Schwerkraft nicht; die Zelle wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
         <source>A cell&apos;s accelerometer reads too much or too little in every pose; it is placed by its links.</source>
-        <translation>Der Beschleunigungssensor einer Zelle misst in jeder Pose zu viel oder zu wenig; sie wird über ihre Verbindungen eingeordnet.</translation>
+        <translation>Der Beschleunigungssensor einer Zelle misst in jeder Pose zu viel oder zu wenig; sie wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
         <source>A cell&apos;s readings fit no position of the cell in the patch; the cell is placed through its links.</source>
-        <translation>Die Messwerte einer Zelle passen zu keiner Lage der Zelle im Hautstück; die Zelle wird über ihre Verbindungen eingeordnet.</translation>
+        <translation>Die Messwerte einer Zelle passen zu keiner Lage der Zelle im Hautstück; die Zelle wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
         <source>A cell was left out on request; it is placed through its links.</source>
-        <translation>Eine Zelle wurde auf Wunsch weggelassen; sie wird über ihre Verbindungen eingeordnet.</translation>
+        <translation>Eine Zelle wurde auf Wunsch weggelassen; sie wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
         <source>A pose holds a reading of a cell that is not in the skin; it is not used.</source>
@@ -1417,7 +1417,7 @@
     </message>
     <message>
         <source>read back after writing, it does not hold what was meant: %1</source>
-        <translation>nach dem Schreiben zurückgelesen, enthält sie nicht das Gemeinte: %1</translation>
+        <translation>nach dem Schreiben zurückgelesen, enthält sie nicht, was geschrieben werden sollte: %1</translation>
     </message>
     <message>
         <source>The picture %1 could not be written: is the folder writable?</source>
@@ -1522,23 +1522,23 @@
     </message>
     <message>
         <source>The %1 was set aside by hand; it is not used.</source>
-        <translation>Die %1 wurde von Hand weggelegt; sie wird nicht benutzt.</translation>
+        <translation>Die %1 wurde von Hand ausgeschlossen; sie wird nicht benutzt.</translation>
     </message>
     <message>
         <source>The %1 was set aside by hand (%2); it is not used.</source>
-        <translation>Die %1 wurde von Hand weggelegt (%2); sie wird nicht benutzt.</translation>
+        <translation>Die %1 wurde von Hand ausgeschlossen (%2); sie wird nicht benutzt.</translation>
     </message>
     <message>
         <source>The %1 was set aside by hand, but the skin reports no such link.</source>
-        <translation>Die %1 wurde von Hand weggelegt, aber die Haut meldet keine solche Verbindung.</translation>
+        <translation>Die %1 wurde von Hand ausgeschlossen, aber die Haut meldet keine solche Verbindung.</translation>
     </message>
     <message>
         <source>The %1 was set aside by hand (%2), but the skin reports no such link.</source>
-        <translation>Die %1 wurde von Hand weggelegt (%2), aber die Haut meldet keine solche Verbindung.</translation>
+        <translation>Die %1 wurde von Hand ausgeschlossen (%2), aber die Haut meldet keine solche Verbindung.</translation>
     </message>
     <message>
         <source>The operator set a link aside, as a cable for example; it is muted.</source>
-        <translation>Eine Verbindung wurde von Hand weggelegt, als Kabel zum Beispiel; sie ist ausgeschlossen.</translation>
+        <translation>Eine Verbindung wurde von Hand ausgeschlossen, als Kabel zum Beispiel; sie wird nicht benutzt.</translation>
     </message>
     <message>
         <source>plane fit: at least %1 points are needed, there are %2</source>
@@ -1615,6 +1615,18 @@
     <message>
         <source>expected a Hexoderm session (*.hexo, or format &quot;hexoderm-session&quot;), a calibration (format &quot;hexoderm-calibration&quot;) or a TUM SkinConfig XML, but there is none</source>
         <translation>erwartet ist eine Hexoderm-Sitzung (*.hexo oder Format „hexoderm-session“), eine Kalibrierung (Format „hexoderm-calibration“) oder ein TUM-SkinConfig-XML, angegeben ist keines</translation>
+    </message>
+    <message>
+        <source>%1 cells read %2 to %3 g: gravity is 1 g, give or take %4 g</source>
+        <translation>%1 Zellen messen %2 bis %3 g: Die Schwerkraft ist 1 g, plus oder minus %4 g</translation>
+    </message>
+    <message>
+        <source>The cell sends</source>
+        <translation>Die Zelle sendet</translation>
+    </message>
+    <message>
+        <source>All %1 cells send</source>
+        <translation>Alle %1 Zellen senden</translation>
     </message>
 </context>
 <context>
@@ -1799,7 +1811,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <name>hexoderm::FindingTable</name>
     <message>
         <source>Severity</source>
-        <translation>Schwere</translation>
+        <translation>Stufe</translation>
     </message>
     <message>
         <source>What</source>
@@ -1861,7 +1873,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>yaw</source>
-        <translation>Drehung</translation>
+        <translation>Gieren</translation>
     </message>
     <message>
         <source>position uncertainty</source>
@@ -1869,11 +1881,11 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>orientation uncertainty</source>
-        <translation>Unsicherheit der Drehung</translation>
+        <translation>Unsicherheit der Orientierung</translation>
     </message>
     <message>
         <source>placed by</source>
-        <translation>eingeordnet durch</translation>
+        <translation>verortet durch</translation>
     </message>
     <message>
         <source>patch</source>
@@ -1897,7 +1909,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>yaw, either way</source>
-        <translation>Drehung, beide Richtungen</translation>
+        <translation>Gieren, beide Richtungen</translation>
     </message>
     <message>
         <source>position known to (95 %)</source>
@@ -1909,7 +1921,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>orientation known to (95 %)</source>
-        <translation>Drehung bekannt auf (95 %)</translation>
+        <translation>Orientierung bekannt auf (95 %)</translation>
     </message>
 </context>
 <context>
@@ -2153,7 +2165,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>optional</source>
-        <translation>freiwillig</translation>
+        <translation>optional</translation>
     </message>
     <message>
         <source>See whether the result holds.</source>
@@ -2359,7 +2371,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>Yaw</source>
-        <translation>Drehung</translation>
+        <translation>Gieren</translation>
     </message>
     <message>
         <source>Angle by which the cells are turned within the surface</source>
@@ -2375,7 +2387,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>set aside</source>
-        <translation>weggelegt</translation>
+        <translation>ausgeschlossen</translation>
     </message>
 </context>
 <context>
@@ -2393,7 +2405,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>Sample frames that came, samples that the device numbered and that never came, and frames that came late</source>
-        <translation>Messrahmen, die kamen, Messwerte, die das Gerät nummerierte und die nie kamen, und Rahmen, die zu spät kamen</translation>
+        <translation>Datensätze, die kamen, Messwerte, die das Gerät nummerierte und die nie kamen, und Datensätze, die zu spät kamen</translation>
     </message>
     <message>
         <source>How long the part has been held</source>
@@ -2432,11 +2444,11 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>Incompatible</source>
-        <translation>Unpassend</translation>
+        <translation>Nicht kompatibel</translation>
     </message>
     <message>
         <source>%1 frames · %2 lost · %3 late</source>
-        <translation>%1 Rahmen · %2 verloren · %3 verspätet</translation>
+        <translation>%1 Datensätze · %2 verloren · %3 verspätet</translation>
     </message>
     <message>
         <source> · %1 broken</source>
@@ -2459,7 +2471,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>Severity</source>
-        <translation>Schwere</translation>
+        <translation>Stufe</translation>
     </message>
     <message>
         <source>What</source>
@@ -2782,7 +2794,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <name>hexoderm::MuteLinkCommand</name>
     <message>
         <source>set link %1 aside</source>
-        <translation>Verbindung %1 weglegen</translation>
+        <translation>Verbindung %1 ausschließen</translation>
     </message>
     <message>
         <source>take link %1 back</source>
@@ -3207,7 +3219,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Arc: the mould stretches along an arc</source>
-        <translation>Bogen: Die Form dehnt sich entlang eines Bogens</translation>
+        <translation>Bogen: Die Einbettung dehnt sich entlang eines Bogens</translation>
     </message>
     <message>
         <source>Pivot: the gap bends in one point</source>
@@ -3215,7 +3227,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>How the mould gives way between two cells. Fit estimates it from each patch; a patch without loops can&apos;t tell, and the stated uncertainty says so.</source>
-        <translation>Wie die Form zwischen zwei Zellen nachgibt. Anpassen schätzt es aus jedem Hautstück; ohne Schleifen geht das nicht, und die angegebene Unsicherheit sagt es.</translation>
+        <translation>Wie die Einbettung zwischen zwei Zellen nachgibt. Anpassen schätzt es aus jedem Hautstück; ohne Schleifen geht das nicht, und die angegebene Unsicherheit sagt es.</translation>
     </message>
     <message>
         <source>Remove sensor &amp;offsets</source>
@@ -3446,7 +3458,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>orientation, worst cell, 95 %</source>
-        <translation>Drehung, schlechteste Zelle, 95 %</translation>
+        <translation>Orientierung, schlechteste Zelle, 95 %</translation>
     </message>
     <message>
         <source>Findings</source>
@@ -3458,7 +3470,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Severity</source>
-        <translation>Schwere</translation>
+        <translation>Stufe</translation>
     </message>
     <message>
         <source>What</source>
@@ -3542,7 +3554,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Yaw</source>
-        <translation>Drehung</translation>
+        <translation>Gieren</translation>
     </message>
     <message>
         <source>Links with the largest residuals</source>
@@ -3642,7 +3654,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Limits of bend, twist, yaw</source>
-        <translation>Grenzen für Biegung, Verwindung, Drehung</translation>
+        <translation>Grenzen für Biegung, Verwindung, Gieren</translation>
     </message>
     <message>
         <source>%1, %2, %3</source>
@@ -3740,7 +3752,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>By pose, ° (box: half the links)</source>
-        <translation>Je Pose, ° (Kasten: halbe Verbindungen)</translation>
+        <translation>Je Pose, ° (Kasten: die Hälfte der Verbindungen)</translation>
     </message>
     <message>
         <source>By link, ° (○ predicted)</source>
@@ -3915,7 +3927,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>orientation uncertainty</source>
-        <translation>Unsicherheit der Drehung</translation>
+        <translation>Unsicherheit der Orientierung</translation>
     </message>
     <message>
         <source>distance from the origin</source>
@@ -3967,7 +3979,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>orientation uncertainty (95 %), °</source>
-        <translation>Unsicherheit der Drehung (95 %), °</translation>
+        <translation>Unsicherheit der Orientierung (95 %), °</translation>
     </message>
     <message>
         <source>distance from the origin along the path, mm</source>
@@ -4159,11 +4171,11 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>; rms distance %1, lines %2</source>
-        <translation>; mittlerer Abstand %1, Linien %2</translation>
+        <translation>; Effektivwert der Abstände %1, Linien %2</translation>
     </message>
     <message>
         <source>loop gap: %1, %2 % of the loop; the arrow %3</source>
-        <translation>Spalt der Schleife: %1, %2 % der Schleife; der Pfeil %3</translation>
+        <translation>Lücke der Schleife: %1, %2 % der Schleife; der Pfeil %3</translation>
     </message>
     <message>
         <source>arrows: from before to now, %1</source>
@@ -4258,7 +4270,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>The device does not turn there: %1. The next best pose is advised instead.</source>
-        <translation>Das Gerät dreht sich nicht dorthin: %1. Stattdessen wird die nächstbeste Pose geraten.</translation>
+        <translation>Das Gerät dreht sich nicht dorthin: %1. Stattdessen wird eine andere Pose vorgeschlagen.</translation>
     </message>
     <message>
         <source>recapture pose %1</source>
@@ -4511,7 +4523,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Of %1 closed loops the largest is left open by %2, more than the %3 a skin link may leave: one of its links is wrong, or many err alike.</source>
-        <translation>Von %1 geschlossenen Schleifen bleibt die größte um %2 offen, mehr als die %3, die eine Hautverbindung lassen darf: Eine ihrer Verbindungen ist falsch, oder viele irren gleich.</translation>
+        <translation>Von %1 geschlossenen Schleifen bleibt die größte um %2 offen, mehr als die %3, die eine Hautverbindung lassen darf: Eine ihrer Verbindungen ist falsch, oder viele haben denselben Fehler.</translation>
     </message>
     <message>
         <source>Between</source>
@@ -4762,7 +4774,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>The session has changed since: run it again.</source>
-        <translation>Die Sitzung hat sich seitdem geändert: noch einmal ausführen.</translation>
+        <translation>Die Sitzung hat sich seitdem geändert: noch einmal prüfen.</translation>
     </message>
     <message>
         <source>Pose %1</source>
@@ -5187,11 +5199,11 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>The part can&apos;t be held like this: advise the next best pose</source>
-        <translation>So lässt sich das Teil nicht halten: die nächstbeste Pose raten</translation>
+        <translation>So lässt sich das Teil nicht halten: eine andere Pose vorschlagen</translation>
     </message>
     <message>
         <source>Let the ro&amp;bot take the poses</source>
-        <translation>Den &amp;Roboter aufnehmen lassen</translation>
+        <translation>&amp;Roboter nimmt Posen auf</translation>
     </message>
     <message>
         <source>The device turns itself from pose to pose until there are enough</source>
@@ -5235,11 +5247,11 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Let the simulated robot take the poses</source>
-        <translation>Den simulierten Roboter aufnehmen lassen</translation>
+        <translation>Simulierter Roboter nimmt Posen auf</translation>
     </message>
     <message>
         <source>Let the robot take the poses</source>
-        <translation>Den Roboter aufnehmen lassen</translation>
+        <translation>Roboter nimmt Posen auf</translation>
     </message>
     <message>
         <source>Stop the robot</source>
@@ -5267,7 +5279,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Set link &amp;aside</source>
-        <translation>Verbindung &amp;weglegen</translation>
+        <translation>Verbindung &amp;ausschließen</translation>
     </message>
     <message>
         <source>Keep the picked link out of the solution, as a cable for example</source>
@@ -5292,10 +5304,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>&amp;Copy for a bug report</source>
         <translation>Für &amp;Fehlerbericht kopieren</translation>
-    </message>
-    <message>
-        <source>Versions, graphics, what is open and the last lines of the log, without your folders</source>
-        <translation>Versionen, Grafik, was offen ist und die letzten Zeilen des Protokolls, ohne eigene Ordner</translation>
     </message>
     <message>
         <source>&amp;Open the log&apos;s folder</source>
@@ -5365,6 +5373,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <source>Light the picked cell</source>
         <translation>Gewählte Zelle leuchten lassen</translation>
     </message>
+    <message>
+        <source>Versions, graphics, what is open and the last lines of the log, with your home folder as ~</source>
+        <translation>Versionen, Grafik, was offen ist und die letzten Zeilen des Protokolls, mit dem eigenen Ordner als ~</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::WindowShell</name>
@@ -5425,10 +5437,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Ab dem nächsten Start zeichnet der Prozessor. Hexoderm bei Gelegenheit neu starten.</translation>
     </message>
     <message>
-        <source>Copied: versions, graphics, what is open and the last lines of the log, without your folders&apos; names. Paste it into the report.</source>
-        <translation>Kopiert: Versionen, Grafik, was offen ist und die letzten Zeilen des Protokolls, ohne Ordnernamen. In den Bericht einfügen.</translation>
-    </message>
-    <message>
         <source>No program to show folders was found. The log is %1.</source>
         <translation>Es wurde kein Programm gefunden, das Ordner zeigt. Das Protokoll ist %1.</translation>
     </message>
@@ -5439,6 +5447,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Step &amp;%1: %2</source>
         <translation>Schritt &amp;%1: %2</translation>
+    </message>
+    <message>
+        <source>Copied: versions, graphics, what is open and the last lines of the log, with your home folder as ~. Paste it into the report.</source>
+        <translation>Kopiert: Versionen, Grafik, was offen ist und die letzten Zeilen des Protokolls, mit dem eigenen Ordner als ~. In den Bericht einfügen.</translation>
     </message>
 </context>
 <context>
@@ -5521,7 +5533,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Bend %1, twist %2, yaw %3</source>
-        <translation>Biegung %1, Verwindung %2, Drehung %3</translation>
+        <translation>Biegung %1, Verwindung %2, Gieren %3</translation>
     </message>
     <message>
         <source>Residual %1, predicted deviation %2</source>
@@ -5549,11 +5561,11 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Placed through its links: its own readings are not used</source>
-        <translation>Über ihre Verbindungen eingeordnet: Ihre eigenen Messwerte werden nicht benutzt</translation>
+        <translation>Über ihre Verbindungen verortet: Ihre eigenen Messwerte werden nicht benutzt</translation>
     </message>
     <message>
         <source>Placed by its own readings</source>
-        <translation>Durch eigene Messwerte eingeordnet</translation>
+        <translation>Durch eigene Messwerte verortet</translation>
     </message>
     <message>
         <source>At %1 mm from the origin</source>
@@ -5561,7 +5573,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Roll %1, pitch %2, yaw %3</source>
-        <translation>Roll %1, Nick %2, Gier %3</translation>
+        <translation>Rollen %1, Nicken %2, Gieren %3</translation>
     </message>
     <message>
         <source>Known to ±%1 mm, ±%2 (95 %)</source>
