@@ -193,7 +193,7 @@ void PatchView::Parts::connectControls() {
   connect(controls->pictureAction(), &QAction::triggered, view, &PatchView::pictureRequested);
 }
 
-/// While the mouse turns the scene, pictures come without smoothing, which costs half their time.
+/// While the mouse turns the scene, pictures come without smoothing.
 void PatchView::Parts::smoothWhenAtRest() {
   constexpr int kRest_ms = 150;
   at_rest.setSingleShot(true);
