@@ -323,7 +323,24 @@ const std::vector<const char*>& coreTemplates() {
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "source \"%1\": expected %2"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "%1, the port from 1 to 65535 (for example %2)"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "%1 or %2 (for example %3)"),
-      // Files (core/util, core/session, core/io).
+      // How a pose is called (core/reconstruction/pose_coverage.cpp).
+      QT_TRANSLATE_NOOP("hexoderm::CoreWords", "facing ceiling"),
+      QT_TRANSLATE_NOOP("hexoderm::CoreWords", "facing floor"),
+      QT_TRANSLATE_NOOP("hexoderm::CoreWords", "facing wall, %1 up"),
+      QT_TRANSLATE_NOOP("hexoderm::CoreWords", "tilted up, %1 up"),
+      QT_TRANSLATE_NOOP("hexoderm::CoreWords", "tilted down, %1 up"),
+      // Formats of export (core/io/exporter.cpp).
+      QT_TRANSLATE_NOOP("hexoderm::CoreWords", "folder of tables: cells, sensors, links, poses, residuals"),
+      QT_TRANSLATE_NOOP("hexoderm::CoreWords", "skin graph for Graphviz, with ports and quality"),
+      QT_TRANSLATE_NOOP("hexoderm::CoreWords", "mesh of the cells in metres, coloured by quality"),
+      QT_TRANSLATE_NOOP("hexoderm::CoreWords", "mesh of the cells for CAD, in millimetres or metres"),
+      QT_TRANSLATE_NOOP("hexoderm::CoreWords", "everything about the cells and sensors for ParaView and VTK, lossless"),
+      QT_TRANSLATE_NOOP("hexoderm::CoreWords", "links for every cell and sensor, or for every patch, for ROS"),
+      // Files (core/util, core/session, core/io; app/window/recovery.cpp, report.cpp).
+      QT_TRANSLATE_NOOP("hexoderm::CoreWords", "%1: is open in another window, close it there first"),
+      QT_TRANSLATE_NOOP("hexoderm::CoreWords", "%1: cannot be moved to %2: %3"),
+      QT_TRANSLATE_NOOP("hexoderm::CoreWords", "%1: the folder cannot be made"),
+      QT_TRANSLATE_NOOP("hexoderm::CoreWords", "%1: expected a name that ends in .pdf or .html"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "No such file or directory"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "Permission denied"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "Read-only file system"),

@@ -124,7 +124,7 @@ QString poseText(const Reconstruction& reconstruction, const PoseSummary& pose, 
     case kPose:
       return QString::number(pose.pose.value());
     case kLabel:
-      return pose.label.empty() ? noValue() : QString::fromStdString(pose.label);
+      return pose.label.empty() ? noValue() : coreWords(pose.label);
     case kCells:
       return QStringLiteral("%1/%2").arg(pose.cells_measured).arg(reconstruction.cellCount());
     case kNoise:

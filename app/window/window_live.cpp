@@ -107,9 +107,8 @@ void MainWindow::refreshLive() {
   live_strip_->setVisible(live.isRunning() && !is_well);
   if (!live.isRunning()) return;
   live_strip_->setStatus(status, live.hold(), controller_.isLive());
-  const QString where = live.skin()
-                            ? QString::fromStdString(live.skin()->device) + QStringLiteral(" · ") + live.address()
-                            : live.address();
+  const QString where =
+      live.skin() ? coreWords(live.skin()->device) + QStringLiteral(" · ") + live.address() : live.address();
   source_status_->setText(
       QStringLiteral("%1 %2 · %3").arg(sourceStateSign(status.state), sourceStateWord(status.state), where));
   source_status_->setToolTip(coreWords(status.text));

@@ -1628,6 +1628,66 @@
         <source>All %1 cells send</source>
         <translation>Alle %1 Zellen senden</translation>
     </message>
+    <message>
+        <source>facing ceiling</source>
+        <translation>zur Decke</translation>
+    </message>
+    <message>
+        <source>facing floor</source>
+        <translation>zum Boden</translation>
+    </message>
+    <message>
+        <source>facing wall, %1 up</source>
+        <translation>zur Wand, %1 oben</translation>
+    </message>
+    <message>
+        <source>tilted up, %1 up</source>
+        <translation>aufwärts, %1 oben</translation>
+    </message>
+    <message>
+        <source>tilted down, %1 up</source>
+        <translation>abwärts, %1 oben</translation>
+    </message>
+    <message>
+        <source>folder of tables: cells, sensors, links, poses, residuals</source>
+        <translation>Ordner mit Tabellen: Zellen, Sensoren, Verbindungen, Posen, Restfehler</translation>
+    </message>
+    <message>
+        <source>skin graph for Graphviz, with ports and quality</source>
+        <translation>Hautgraph für Graphviz, mit Ports und Güte</translation>
+    </message>
+    <message>
+        <source>mesh of the cells in metres, coloured by quality</source>
+        <translation>Netz der Zellen in Metern, nach Güte gefärbt</translation>
+    </message>
+    <message>
+        <source>mesh of the cells for CAD, in millimetres or metres</source>
+        <translation>Netz der Zellen für CAD, in Millimetern oder Metern</translation>
+    </message>
+    <message>
+        <source>everything about the cells and sensors for ParaView and VTK, lossless</source>
+        <translation>alles über Zellen und Sensoren für ParaView und VTK, verlustfrei</translation>
+    </message>
+    <message>
+        <source>links for every cell and sensor, or for every patch, for ROS</source>
+        <translation>Glieder für jede Zelle und jeden Sensor oder für jedes Hautstück, für ROS</translation>
+    </message>
+    <message>
+        <source>%1: is open in another window, close it there first</source>
+        <translation>%1: ist in einem anderen Fenster offen und muss dort zuerst geschlossen werden</translation>
+    </message>
+    <message>
+        <source>%1: cannot be moved to %2: %3</source>
+        <translation>%1: lässt sich nicht nach %2 verschieben: %3</translation>
+    </message>
+    <message>
+        <source>%1: the folder cannot be made</source>
+        <translation>%1: Der Ordner lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>%1: expected a name that ends in .pdf or .html</source>
+        <translation>%1: Erwartet wird ein Name, der auf .pdf oder .html endet</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::CoverageView</name>
