@@ -182,7 +182,7 @@ QVariant PoseTable::data(const QModelIndex& index, int role) const {
       return pose.enabled ? QVariant() : QVariant(QBrush(colors().text_muted));
     case Qt::ToolTipRole:
       if (!pose.enabled) return tr("Pose %1 is disabled: it is kept, but not used.").arg(pose.pose.value());
-      if (column == kLabel) return QString::fromStdString(pose.label);
+      if (column == kLabel) return coreWords(pose.label);
       if (column == kCells && pose.cells_measured < reconstruction()->cellCount()) {
         return tr("%1 cells gave no reading in this pose.").arg(reconstruction()->cellCount() - pose.cells_measured);
       }
