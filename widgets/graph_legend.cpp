@@ -1,6 +1,5 @@
 #include "widgets/graph_legend.h"
 
-#include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QLinearGradient>
 #include <QPainter>
@@ -9,8 +8,6 @@
 
 namespace hexoderm {
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("hexoderm::GraphLegend", text); }
 
 // In heights of a row, so that the legend grows with the system's font.
 constexpr double kSampleWidth = 1.5;

@@ -145,14 +145,13 @@ PatchScene::Parts::Parts() {
 
   vtkNew<vtkLight> key;
   key->SetLightTypeToCameraLight();
-  key->SetPosition(-0.3, 0.45, 1.0);
+  key->SetPosition(SceneLights::kKeyFrom[0], SceneLights::kKeyFrom[1], SceneLights::kKeyFrom[2]);
   key->SetFocalPoint(0, 0, 0);
-  key->SetIntensity(0.75);
+  key->SetIntensity(SceneLights::kKey);
   renderer->AddLight(key);
-  // Straight from the viewer: together they give text, which VTK lights like a surface, its full colour.
   vtkNew<vtkLight> fill;
   fill->SetLightTypeToHeadlight();
-  fill->SetIntensity(0.4);
+  fill->SetIntensity(SceneLights::kHead);
   renderer->AddLight(fill);
   renderer->GradientBackgroundOn();
   renderer->GetActiveCamera()->SetViewAngle(kViewAngle_deg);
@@ -268,6 +267,7 @@ void PatchScene::Parts::beforeRender() {
   extras.update();
   renderer->ResetCameraClippingRange();
   if (!window) return;
+  skin.update(size()[1]);
   labels.update(size(), window->GetDPI());
   corners.follow(renderer->GetActiveCamera(), window);
   ghost.follow(renderer->GetActiveCamera(), window);

@@ -194,7 +194,7 @@ void PatchView::Parts::connectControls() {
   connect(controls->pictureAction(), &QAction::triggered, view, &PatchView::pictureRequested);
 }
 
-/// While the mouse turns the scene, pictures come without smoothing, which costs half their time.
+/// While the mouse turns the scene, pictures come without smoothing.
 void PatchView::Parts::smoothWhenAtRest() {
   constexpr int kRest_ms = 150;
   at_rest.setSingleShot(true);
@@ -250,7 +250,9 @@ void PatchView::Parts::updateOverlay() {
   if (gl == nullptr) {
     content.hint = PatchView::tr(
         "The 3D view needs OpenGL 3.2, which is not available here. The graph and the tables still work.\n\n"
-        "On a remote desktop, drawing in software may help: start hexoderm with --software-opengl.");
+        "On a remote desktop, or with a faulty driver, it may help to let the processor draw: Edit, Preferences, "
+        "\"Draw "
+        "without the graphics card\", then start Hexoderm again.");
   } else if (!reconstruction || reconstruction->cellCount() == 0) {
     content.hint = PatchView::tr("No skin yet: open a session or start the demo.");
   } else if (scene->content() == nullptr) {

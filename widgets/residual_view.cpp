@@ -129,8 +129,7 @@ ResidualView::ResidualView(Selection* selection, QWidget* parent)
   layout->addWidget(buildHeader());
   layout->addWidget(pages_, 1);
 
-  connect(matrix_->selectionModel(), &QItemSelectionModel::currentChanged, this,
-          [this](const QModelIndex& current) { pickCurrent(current); });
+  onPicked(matrix_, this, [this](const QModelIndex& picked) { pickCurrent(picked); });
   connect(matrix_, &QTableView::clicked, this, &ResidualView::pickCurrent);
   connect(plots_, &ResidualPlots::posePicked, this, &ResidualView::posePicked);
   connect(selection_, &Selection::changed, this, &ResidualView::showPicked);

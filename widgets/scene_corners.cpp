@@ -80,6 +80,7 @@ SceneCorners::SceneCorners() : parts_(std::make_unique<Parts>()) {
     parts_->axes->AddActor(parts_->axis_sticks.back()->actor);
     vtkBillboardTextActor3D* letter = parts_->letters.at(index);
     letter->SetInput(kAxisNames.at(index));
+    letter->ForceOpaqueOn();  // as SceneLabels
     letter->SetPosition(1.3 * tip.x(), 1.3 * tip.y(), 1.3 * tip.z());
     letter->GetTextProperty()->SetFontSize(12);
     letter->GetTextProperty()->SetJustificationToCentered();

@@ -50,6 +50,7 @@ class StepHead : public QAbstractButton {
   }
   void setOpen(bool open) {
     open_ = open;
+    setProperty(StepPanel::kIsOpen, open);
     update();
   }
   void setTheme(Theme theme) {
@@ -134,6 +135,7 @@ class StepPanel::Row : public QWidget {
         body_(new QFrame(this)),
         what_(new QLabel(body_)),
         why_(new QLabel(body_)),
+        because_(new QLabel(body_)),
         content_(new QVBoxLayout),
         buttons_(new QVBoxLayout) {
     setObjectName(QStringLiteral("step%1").arg(number));
@@ -145,11 +147,15 @@ class StepPanel::Row : public QWidget {
     why_->setWordWrap(true);
     why_->setTextFormat(Qt::PlainText);
     why_->setProperty("muted", true);
+    because_->setObjectName(QStringLiteral("stepBecause%1").arg(number));
+    because_->setWordWrap(true);
+    because_->setTextFormat(Qt::PlainText);
     auto* body = new QVBoxLayout(body_);
     body->setContentsMargins(kMargin + 6, 2, kMargin, 14);
     body->setSpacing(8);
     body->addWidget(what_);
     body->addWidget(why_);
+    body->addWidget(because_);
     body->addLayout(content_);
     body->addLayout(buttons_);
     auto* layout = new QVBoxLayout(this);
@@ -166,6 +172,9 @@ class StepPanel::Row : public QWidget {
     what_->setVisible(!step.what.isEmpty());
     why_->setText(step.why);
     why_->setVisible(!step.why.isEmpty());
+    because_->setText(step.ready ? StepPanel::tr("✓ Ready: %1").arg(step.because)
+                                 : StepPanel::tr("■ Blocked: %1").arg(step.because));
+    because_->setVisible(!step.because.isEmpty());
     while (buttons_shown_.size() < step.actions.size()) {
       auto* button = new ActionButton(body_);
       button->setFocusPolicy(Qt::TabFocus);
@@ -189,6 +198,7 @@ class StepPanel::Row : public QWidget {
   QFrame* body_;
   QLabel* what_;
   QLabel* why_;
+  QLabel* because_;
   QVBoxLayout* content_;
   QVBoxLayout* buttons_;
   std::vector<ActionButton*> buttons_shown_;
@@ -200,6 +210,8 @@ StepPanel::StepPanel(QWidget* parent) : QScrollArea(parent), layout_(nullptr) {
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  // Its steps take the focus, and are scrolled into view then.
+  setFocusPolicy(Qt::NoFocus);
   auto* content = new QWidget;
   content->setObjectName(QStringLiteral("stepContent"));
   layout_ = new QVBoxLayout(content);
@@ -237,6 +249,10 @@ void StepPanel::openStep(int step) {
   if (step < 0 || static_cast<std::size_t>(step) >= rows_.size()) return;
   open_ = static_cast<std::size_t>(step);
   showOpenRow();
+  // Where the step before it was long, this one would now be above what is seen.
+  widget()->layout()->activate();
+  ensureWidgetVisible(rows_[open_]);
+  ensureWidgetVisible(rows_[open_]->head());
   emit opened(step);
 }
 

@@ -19,6 +19,8 @@ struct Step {
   StepState state = StepState::Waiting;
   QString what;  ///< what to do now
   QString why;   ///< why, or what it is waiting for
+  bool ready = false;
+  QString because;  ///< why it is ready, or what blocks it, as a sentence; empty: nothing is said
   std::vector<QAction*> actions;
 };
 
@@ -29,6 +31,9 @@ class StepPanel : public QScrollArea {
 
  public:
   explicit StepPanel(QWidget* parent = nullptr);
+
+  /// Property of the buttons that open a step: pressing it would change nothing.
+  static constexpr const char* kIsOpen = "stepIsOpen";
 
   void setSteps(const std::vector<Step>& steps);
   /// What a step shows beside its words, once there is such a step; the panel takes it over.

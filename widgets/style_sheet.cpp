@@ -76,9 +76,12 @@ QLineEdit, QPlainTextEdit, QTextEdit { background: @panel@; border: 1px solid @b
 QLineEdit:focus, QPlainTextEdit:focus, QTextEdit:focus { border-color: @accent@; }
 
 QAbstractItemView { background: @panel@; border: 0; outline: 0; }
-QTableView { gridline-color: transparent; selection-background-color: @panel_active@; selection-color: @text@; }
+QTableView { gridline-color: transparent; selection-background-color: @panel_active@; selection-color: @text@;
+             border: 1px solid transparent; }
+QTableView:focus { border-color: @accent@; }
 QTableView::item { border: 0; border-bottom: 1px solid @border@; padding: 3px 5px; }
 QTableView::item:hover { background: @hover@; color: @text@; }
+QTableView::item:focus { background: @hover@; color: @text@; }
 QTableView::item:selected { background: @panel_active@; color: @text@; border-top: 1px solid @selection@;
                             border-bottom: 1px solid @selection@; }
 QHeaderView { background: @panel@; border: 0; }

@@ -131,4 +131,19 @@ TableActions::TableActions(QAbstractItemView* view, QString name) : QObject(view
   view->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
+void onPicked(QAbstractItemView* view, QObject* receiver, std::function<void(const QModelIndex&)> picked) {
+  QObject::connect(view->selectionModel(), &QItemSelectionModel::selectionChanged, receiver,
+                   [picked](const QItemSelection& selected) {
+                     const QModelIndexList indexes = selected.indexes();
+                     if (!indexes.isEmpty()) picked(indexes.front());
+                   });
+  QObject::connect(view, &QAbstractItemView::activated, receiver, [view, picked](const QModelIndex& index) {
+    if (view->selectionModel()->isSelected(index)) {
+      picked(index);  // again, as something else may have been picked elsewhere since
+    } else {
+      view->setCurrentIndex(index);
+    }
+  });
+}
+
 }  // namespace hexoderm

@@ -4,6 +4,7 @@
 #include <QByteArray>
 #include <QObject>
 #include <QSortFilterProxyModel>
+#include <functional>
 
 class QAbstractItemView;
 class QTableView;
@@ -60,5 +61,9 @@ class TableActions : public QObject {
   QAbstractItemView* view_;
   QString name_;
 };
+
+/// Calls `picked` with the row, or cell, that somebody picks: by a click, an arrow key, or Return where the keyboard
+/// is. A Tab that passes through the table picks nothing, although the view calls its first row the current one then.
+void onPicked(QAbstractItemView* view, QObject* receiver, std::function<void(const QModelIndex&)> picked);
 
 }  // namespace hexoderm

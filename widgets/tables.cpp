@@ -114,7 +114,7 @@ QString poseText(const Reconstruction& reconstruction, const PoseSummary& pose, 
     case kPose:
       return QString::number(pose.pose.value());
     case kLabel:
-      return pose.label.empty() ? noValue() : QString::fromStdString(pose.label);
+      return pose.label.empty() ? noValue() : coreWords(pose.label);
     case kCells:
       return QStringLiteral("%1/%2").arg(pose.cells_measured).arg(reconstruction.cellCount());
     case kNoise:
@@ -172,7 +172,7 @@ QVariant PoseTable::data(const QModelIndex& index, int role) const {
       return pose.enabled ? QVariant() : QVariant(QBrush(colors().text_muted));
     case Qt::ToolTipRole:
       if (!pose.enabled) return tr("Pose %1 is disabled: it is kept, but not used.").arg(pose.pose.value());
-      if (column == kLabel) return QString::fromStdString(pose.label);
+      if (column == kLabel) return coreWords(pose.label);
       if (column == kCells && pose.cells_measured < reconstruction()->cellCount()) {
         return tr("%1 cells gave no reading in this pose.").arg(reconstruction()->cellCount() - pose.cells_measured);
       }

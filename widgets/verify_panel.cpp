@@ -1,6 +1,7 @@
 #include "widgets/verify_panel.h"
 
 #include "hexoderm/util/units.h"
+#include "widgets/core_words.h"
 #include "widgets/table_actions.h"
 
 #include <QButtonGroup>
@@ -176,7 +177,7 @@ void VerifyPanel::setReconstruction(std::shared_ptr<const Reconstruction> recons
   if (reconstruction_) {
     for (const PoseSummary& pose : reconstruction_->poses) {
       QString text = tr("Pose %1").arg(pose.pose.value());
-      if (!pose.label.empty()) text += QStringLiteral(" · ") + QString::fromStdString(pose.label);
+      if (!pose.label.empty()) text += QStringLiteral(" · ") + coreWords(pose.label);
       if (!pose.enabled) text += QStringLiteral(" · ") + tr("disabled");
       pose_->addItem(text, pose.pose.value());
     }

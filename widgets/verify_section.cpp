@@ -100,8 +100,10 @@ VerifySection::VerifySection(const QString& heading, const QString& question, co
   SortedTable::enableIn(view_);
   view_->hide();
   table_actions_ = new TableActions(view_, name);
-  connect(view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
-          [this](const QModelIndex& current) { pick(current.isValid() ? sorted_->mapToSource(current).row() : -1); });
+  onPicked(view_, this, [this](const QModelIndex& picked) { pick(sorted_->mapToSource(picked).row()); });
+  connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
+    if (!view_->selectionModel()->hasSelection()) pick(-1);
+  });
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);

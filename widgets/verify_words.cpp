@@ -33,6 +33,11 @@ FigureTable::Column millimetreColumn(const QString& name, const QString& explana
   return {name, QStringLiteral("mm"), explanation, 2, false};
 }
 
+/// Bent by less than this, a part is as good as straight; a check that can't see as much is coarse.
+constexpr double kCoarse_rad = 2.5 * kDegree;
+/// Turning beyond this share of what is expected is not as stated.
+constexpr double kTurned = 2;
+
 }  // namespace
 
 VerifySentence holdOutInWords(const HoldOutResult& result) {
@@ -56,16 +61,29 @@ VerifySentence holdOutInWords(const HoldOutResult& result) {
                               .arg(degrees(result.expected_rms_rad));
   const auto worst = std::ranges::max_element(result.cells, {}, &HoldOutCell::error_rad);
   const QString worst_cell = Words::tr("Worst: cell %1, %2.").arg(worst->cell.value()).arg(degrees(worst->error_rad));
+  QString more = worst_cell;
+  if (result.turning_rad_s2 > kTurned * result.expected_turning_rad_s2) {
+    more += QLatin1Char(' ') +
+            Words::tr("The part turned while it was read: %1 rad/s², of a still hand %2 are expected.")
+                .arg(figureInWords(result.turning_rad_s2, 1), figureInWords(result.expected_turning_rad_s2, 1));
+  }
   switch (result.agreement) {
     case HoldOutAgreement::AsStated:
+      if (result.detectable_rad > kCoarse_rad) {
+        return {Tone::Caution,
+                Words::tr("As good as stated, but a coarse check: with so few poses, a part that bent by "
+                          "less than about %1 would not show. %2")
+                    .arg(degrees(result.detectable_rad), figures)};
+      }
       return {Tone::Good, Words::tr("As good as stated. %1").arg(figures)};
     case HoldOutAgreement::Worse:
-      return {Tone::Caution, Words::tr("Somewhat worse than stated. %1 %2").arg(figures, worst_cell)};
+      return {Tone::Caution, Words::tr("Somewhat worse than stated. %1 %2").arg(figures, more)};
     case HoldOutAgreement::FarWorse:
       break;
   }
-  return {Tone::Bad, Words::tr("Far worse than stated: the part moved in this pose, or a cell is wrong. %1 %2")
-                         .arg(figures, worst_cell)};
+  return {
+      Tone::Bad,
+      Words::tr("Far worse than stated: the part moved in this pose, or a cell is wrong. %1 %2").arg(figures, more)};
 }
 
 VerifyFigures holdOutCells(const HoldOutResult& result) {

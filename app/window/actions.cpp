@@ -95,6 +95,10 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
       top(make(owner, "actionTop", tr("&Top view"), tr("Look at the patch from above"))),
       screenshot(make(owner, "actionScreenshot", tr("&Picture of the window"), tr("Save a picture of this window"),
                       {QKeySequence(Qt::Key_F12)})),
+      next_pane(make(owner, "actionNextPane", tr("&Next part of the window"),
+                     tr("Take the keyboard to the next part: steps, pictures, tables"), {QKeySequence(Qt::Key_F6)})),
+      previous_pane(make(owner, "actionPreviousPane", tr("Pre&vious part of the window"),
+                         tr("Take the keyboard to the part before"), {QKeySequence(QStringLiteral("Shift+F6"))})),
       guide(make(owner, "actionGuide", tr("User &guide"), tr("How to calibrate a skin, page by page"),
                  {QKeySequence(Qt::Key_F1)})),
       keys(make(owner, "actionKeys", tr("&Keys"), tr("The list of keys"), {QKeySequence(Qt::Key_H)})),
@@ -105,8 +109,9 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
       swap_views(make(owner, "actionSwapViews", tr("S&wap graph and 3D view"),
                       tr("The one in the middle goes to the side, and the other way round"),
                       {QKeySequence(Qt::Key_G)})),
-      copy_report(make(owner, "actionCopyReport", tr("&Copy for a bug report"),
-                       tr("Versions, graphics, what is open and the last lines of the log, without your folders"))),
+      copy_report(
+          make(owner, "actionCopyReport", tr("&Copy for a bug report"),
+               tr("Versions, graphics, what is open and the last lines of the log, with your home folder as ~"))),
       open_log_folder(make(owner, "actionOpenLogFolder", tr("&Open the log's folder"),
                            tr("Show the folder in which the log is kept"))),
       recent(new QMenu(tr("Open &recent"), owner)),
@@ -170,6 +175,8 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   view->addSeparator();
   for (QAction* panel : panels) view->addAction(panel);
   view->addSeparator();
+  view->addActions({next_pane, previous_pane});
+  view->addSeparator();
   view->addMenu(tr("T&heme"))->addActions(themes->actions());
   view->addAction(screenshot);
 
@@ -213,6 +220,7 @@ void WindowActions::refreshCapture(const SessionController& controller, const QS
   allow(automatic, live ? QString() : tr("No skin is connected"));
   allow(disconnect_skin, controller.live().isRunning() ? QString() : tr("No skin is connected"));
   live_mode->setChecked(controller.isLiveMode());
+  live_mode->setIconText(controller.isLiveMode() ? tr("End live mode") : tr("Live mode"));
   allow(live_mode, live ? QString() : tr("No skin is connected"));
 }
 
@@ -241,7 +249,10 @@ void WindowActions::refreshDevice(const SessionController& controller, std::opti
   } else if (!cell && !controller.litCell()) {
     no_light = tr("Pick a cell first");
   }
-  light_cell->setChecked(controller.litCell().has_value());
+  const std::optional<CellId> lit = controller.litCell();
+  light_cell->setChecked(lit.has_value());
+  // A button shows no tick: its words say whether the light is on, and where.
+  light_cell->setIconText(lit ? tr("Switch the light of cell %1 off").arg(lit->value()) : tr("Light the picked cell"));
   allow(light_cell, no_light);
 }
 

@@ -55,6 +55,8 @@ class WindowActions {
   QAction* side;
   QAction* top;
   QAction* screenshot;
+  QAction* next_pane;  ///< F6, as Tab within one
+  QAction* previous_pane;
   QAction* guide;
   QAction* keys;
   QAction* about;

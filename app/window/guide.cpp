@@ -36,6 +36,20 @@ QString findingsInWords(const Reconstruction& reconstruction) {
   return count == 1 ? Guide::tr("1 finding") : Guide::tr("%1 findings").arg(count);
 }
 
+QString noResult(const SessionController& controller) {
+  return controller.isEmpty() ? Guide::tr("There is no skin yet.") : Guide::tr("The placements are being worked out…");
+}
+
+void say(Step& step, bool ready, const QString& because) {
+  step.ready = ready;
+  step.because = because;
+}
+
+/// Of an action that the step is about: its own reason, or why it can't be used.
+void sayOf(Step& step, const QAction& action, const QString& because) {
+  say(step, action.isEnabled(), action.isEnabled() ? because : action.toolTip() + QLatin1Char('.'));
+}
+
 Step connectStep(const SessionController& controller, const WindowActions& actions) {
   Step step;
   step.title = Guide::tr("Connect");
@@ -46,6 +60,7 @@ Step connectStep(const SessionController& controller, const WindowActions& actio
     step.note = controller.live().address();
     step.what = Guide::tr("Check that the device is switched on, and that its address is right.");
     step.why = Guide::tr("The steps go on when the skin has said which cells it has.");
+    say(step, false, coreWords(controller.live().status().text));
     return step;
   }
   if (controller.isEmpty()) {
@@ -54,25 +69,40 @@ Step connectStep(const SessionController& controller, const WindowActions& actio
     step.why = Guide::tr(
         "A file can also be dropped onto this window. The demo is a simulation of 17 cells on a "
         "cylinder; everything can be tried with it.");
+    say(step, false, Guide::tr("Nothing is connected and nothing is open yet."));
     return step;
   }
   step.state = StepState::Done;
   step.note = controller.name();
   step.why = controller.session() ? coreWords(controller.session()->source().text)
                                   : coreWords(controller.reconstruction()->source.text);
+  if (controller.isLive()) {
+    const bool sends = controller.live().status().state == SourceState::Streaming;
+    say(step, sends,
+        sends ? Guide::tr("The skin has said which cells it has, and sends.")
+              : coreWords(controller.live().status().text));
+  } else {
+    say(step, true, controller.session() ? Guide::tr("A session is open.") : Guide::tr("A calibration is open."));
+  }
   return step;
 }
 
-Step checkStep(const SessionController& controller, const WindowActions& actions) {
+Step checkStep(const SessionController& controller, const WindowActions& actions, const SkinCheck& check) {
   Step step;
   step.title = Guide::tr("Check the skin");
   const Reconstruction* result = controller.reconstruction().get();
   if (!result) {
     step.why = Guide::tr("Waits for a skin.");
+    say(step, false, Guide::tr("There is no skin yet."));
     return step;
   }
   step.state = StepState::Done;
   step.note = coreWords(sizeInWords(*result));
+  if (controller.isLive()) {
+    say(step, check.ready, coreWords(check.because) + QLatin1Char('.'));
+  } else {
+    say(step, true, Guide::tr("The cells and links are those of the file."));
+  }
   step.what = Guide::tr("Compare the skin graph with the skin in front of you.");
   step.why = Guide::tr(
       "Every cell and every link should be there. What was reported but can't be a skin link is listed "
@@ -93,6 +123,7 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
     } else {
       step.why = Guide::tr("Waits for a skin.");
     }
+    sayOf(step, *actions.capture, {});
     return step;
   }
   const std::size_t enabled = controller.enabledPoses();
@@ -106,6 +137,7 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
     step.actions = {actions.live_mode};
   step.state = more || (result && !isExportable(*result)) ? StepState::Current : StepState::Done;
   // A connected skin has a panel of its own, which says what to do and why.
+  sayOf(step, *actions.capture, Guide::tr("The skin sends, so poses can be taken."));
   if (controller.isLive()) return step;
   if (result && step.state == StepState::Current) step.what = coreWords(result->verdict.next_action);
   step.why = Guide::tr(
@@ -120,9 +152,13 @@ Step reviewStep(const SessionController& controller, const WindowActions& action
   const Reconstruction* result = controller.reconstruction().get();
   if (!result) {
     step.why = Guide::tr("Waits for a reconstruction.");
+    say(step, false, noResult(controller));
     return step;
   }
   step.note = findingsInWords(*result);
+  say(step, true,
+      Guide::tr("There is a reconstruction of %1.")
+          .arg(posesInWords(controller.session() ? controller.enabledPoses() : result->poses.size())));
   const Finding* finding = worstFinding(*result);
   if (captured) step.state = finding ? StepState::Current : StepState::Done;
   step.what = coreWords(finding ? finding->text : result->verdict.reason);
@@ -143,9 +179,11 @@ Step verifyStep(const SessionController& controller, bool reviewed) {
   const Reconstruction* result = controller.reconstruction().get();
   if (!result) {
     step.why = Guide::tr("Waits for a reconstruction.");
+    say(step, false, noResult(controller));
     return step;
   }
   step.note = Guide::tr("optional");
+  say(step, true, Guide::tr("There is a result to look at."));
   if (reviewed && isExportable(*result)) step.state = StepState::Done;
   step.what = Guide::tr("See whether the result holds.");
   step.why = Guide::tr("Each check looks at it from a side that solving it did not use.");
@@ -158,9 +196,11 @@ Step exportStep(const SessionController& controller, const WindowActions& action
   const Reconstruction* result = controller.reconstruction().get();
   if (!result) {
     step.why = Guide::tr("Waits for a reconstruction.");
+    say(step, false, noResult(controller));
     return step;
   }
   step.actions = {actions.export_to, actions.report, actions.save_calibration};
+  sayOf(step, *actions.export_to, Guide::tr("There is a result of everything that was captured."));
   if (controller.session()) step.actions.push_back(actions.save);
   step.what = Guide::tr("Write the placements in the form you need.");
   step.why =
@@ -191,8 +231,9 @@ Banner::Content describeStand(const SessionController& controller, const WindowA
   return content;
 }
 
-std::vector<Step> describeSteps(const SessionController& controller, const WindowActions& actions) {
-  std::vector<Step> steps = {connectStep(controller, actions), checkStep(controller, actions),
+std::vector<Step> describeSteps(const SessionController& controller, const WindowActions& actions,
+                                const SkinCheck& check) {
+  std::vector<Step> steps = {connectStep(controller, actions), checkStep(controller, actions, check),
                              captureStep(controller, actions)};
   const bool captured = steps.back().state == StepState::Done;
   steps.push_back(reviewStep(controller, actions, captured));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "hexoderm/reconstruction/skin_check.h"
 #include "widgets/banner.h"
 #include "widgets/step_panel.h"
 
@@ -16,6 +17,8 @@ enum class GuideStep { Connect, Check, Capture, Review, Verify, Export };
 /// Where the operator stands and what is best done next, in words, from what the controller knows. Nothing is judged
 /// here: how good a result is, core's verdict says.
 Banner::Content describeStand(const SessionController& controller, const WindowActions& actions);
-std::vector<Step> describeSteps(const SessionController& controller, const WindowActions& actions);
+/// `check`: of the skin that is shown. The actions know already which of them can be used.
+std::vector<Step> describeSteps(const SessionController& controller, const WindowActions& actions,
+                                const SkinCheck& check);
 
 }  // namespace hexoderm

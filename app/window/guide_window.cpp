@@ -1,5 +1,6 @@
 #include "app/window/guide_window.h"
 
+#include "app/window/keys_dialog.h"
 #include "app/window/session_controller.h"
 
 #include <QAction>
@@ -162,14 +163,10 @@ GuideWindow::GuideWindow(QWidget* parent)
   showPage(pages().front());
 }
 
-void GuideWindow::setKeys(const QList<QAction*>& actions) {
+void GuideWindow::setKeys(const QMenuBar& menus) {
   browser_->keys.clear();
-  for (const QAction* action : actions) {
-    if (action->shortcuts().isEmpty()) continue;
-    QString what = action->text();
-    what.remove(QLatin1Char('&')).remove(QChar(0x2026));
-    browser_->keys += QStringLiteral("| %1 | %2 |\n")
-                          .arg(QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText), what);
+  for (const KeyGroup& group : keysOf(menus)) {
+    for (const KeyLine& line : group.lines) browser_->keys += QStringLiteral("| %1 | %2 |\n").arg(line.keys, line.what);
   }
 }
 

@@ -4,7 +4,7 @@
 #include <QStringList>
 #include <QWidget>
 
-class QAction;
+class QMenuBar;
 class QLineEdit;
 class QListWidget;
 class QLabel;
@@ -28,8 +28,8 @@ class GuideWindow : public QWidget {
   /// What the page says at its top, in the language of the guide; empty if there is no such page.
   static QString titleOf(const QString& page);
 
-  /// What the page of keys lists: the texts and shortcuts of these actions.
-  void setKeys(const QList<QAction*>& actions);
+  /// What the page of keys lists.
+  void setKeys(const QMenuBar& menus);
 
   /// Nothing happens if there is no such page.
   void showPage(const QString& page);

@@ -23,6 +23,7 @@
 #include "widgets/table_actions.h"
 #include "widgets/tables.h"
 #include "widgets/verify_panel.h"
+#include "widgets/words.h"
 
 #include <QApplication>
 #include <QHBoxLayout>
@@ -82,8 +83,9 @@ MainWindow::MainWindow(QWidget* parent)
       said_status_(new QLabel) {
   setObjectName(QStringLiteral("mainWindow"));
   setAcceptDrops(true);
-  // At first no part has the focus, so that keys mean what the list of keys says.
-  setFocusPolicy(Qt::StrongFocus);
+  // At first no part has the focus, and none has it after a click beside all, so that keys mean what the list of keys
+  // says. Tab does not stop here: nothing would be seen of it.
+  setFocusPolicy(Qt::ClickFocus);
   setFocus();
   buildShell();
   buildLayout();
@@ -94,7 +96,7 @@ MainWindow::MainWindow(QWidget* parent)
   connectLive();
   connectVerify();
   connectCapture();
-  qApp->installEventFilter(this);
+  connectKeys();
   setThemeChoice(shell_->preferences().theme(), false);
   restoreLayout();
   shell_->begin(*findChild<QMenuBar*>());
@@ -333,17 +335,13 @@ void MainWindow::connectSelection() {
   });
   connect(finding_view_, &QTableView::clicked, this,
           [this](const QModelIndex& index) { pickFromFinding(index.row()); });
-  connect(finding_view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
-          [this](const QModelIndex& current) {
-            if (current.isValid()) pickFromFinding(current.row());
-          });
-  connect(link_view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
-          [this](const QModelIndex& current) {
-            if (!current.isValid()) return;
-            const LinkEstimate& link = link_table_->linkAt(sourceRow(current));
-            selection_.selectLink(link.source, link.target);
-          });
+  onPicked(finding_view_, this, [this](const QModelIndex& picked) { pickFromFinding(picked.row()); });
+  onPicked(link_view_, this, [this](const QModelIndex& picked) {
+    const LinkEstimate& link = link_table_->linkAt(sourceRow(picked));
+    selection_.selectLink(link.source, link.target);
+  });
   connect(pose_view_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &MainWindow::showPickedPose);
+  onPicked(pose_view_, this, [this](const QModelIndex& /*picked*/) { showPickedPose(); });
 }
 
 void MainWindow::showReconstruction(const std::shared_ptr<const Reconstruction>& reconstruction) {
@@ -383,7 +381,8 @@ void MainWindow::showPickedLink() {
   if (row < 0) {
     link_view_->clearSelection();
     link_view_->selectionModel()->clearCurrentIndex();
-  } else if (const QModelIndex shown = shownRow(link_view_, row); link_view_->currentIndex().row() != shown.row()) {
+  } else if (const QModelIndex shown = shownRow(link_view_, row);
+             !link_view_->selectionModel()->isRowSelected(shown.row(), {})) {
     link_view_->selectRow(shown.row());
   }
 }
@@ -414,9 +413,10 @@ void MainWindow::refresh() {
   banner_->setContent(describeStand(controller_, actions_));
   const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
   const LiveSource& live = controller_.live();
-  check_list_->setCheck(result ? checkSkin(*result, live.preview().means, live.hold().stillness.odd_cells)
-                               : SkinCheck{});
-  const std::vector<Step> steps = describeSteps(controller_, actions_);
+  const SkinCheck check =
+      result ? checkSkin(*result, live.preview().means, live.hold().stillness.odd_cells) : SkinCheck{};
+  check_list_->setCheck(check);
+  const std::vector<Step> steps = describeSteps(controller_, actions_, check);
   step_panel_->setSteps(steps);
   shell_->setSteps(steps);
   refreshStatus();
@@ -443,13 +443,13 @@ void MainWindow::refreshStatus() {
     }
     cells_status_->setText(tr("cells %1/%2").arg(measured).arg(result->cellCount()));
     cells_status_->setToolTip(tr("Cells that were measured in the fullest pose, of all cells"));
-    solve_status_->setText(controller_.session()
-                               ? tr("solved in %1 ms · %2")
-                                     .arg(QString::fromStdString(formatFixed(1e3 * result->solve_seconds, 1)),
-                                          QString::fromStdString(result->solver))
-                               : tr("%1, read from the file").arg(QString::fromStdString(result->solver)));
+    solve_status_->setText(
+        controller_.session()
+            ? tr("solved in %1 ms · %2")
+                  .arg(figureInWords(1e3 * result->solve_seconds, 1), QString::fromStdString(result->solver))
+            : tr("%1, read from the file").arg(QString::fromStdString(result->solver)));
     solve_status_->setToolTip(tr("A direction counts as defined from a singular value of %1 on")
-                                  .arg(QString::fromStdString(formatFixed(result->options.class_threshold, 2))));
+                                  .arg(figureInWords(result->options.class_threshold, 2)));
   }
   QString saved;
   if (controller_.hasUnsavedChanges()) {

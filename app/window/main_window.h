@@ -2,6 +2,7 @@
 
 #include "app/window/actions.h"
 #include "app/window/guide.h"
+#include "app/window/panes.h"
 #include "app/window/session_controller.h"
 #include "app/window/theme.h"
 #include "widgets/selection.h"
@@ -74,6 +75,7 @@ class MainWindow : public QMainWindow {
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
+  bool focusNextPrevChild(bool next) override;
 
  private:
   void buildLayout();
@@ -89,6 +91,7 @@ class MainWindow : public QMainWindow {
   void connectVerify();
   void askForComparison();
   void connectCapture();
+  void connectKeys();
   void showCoverage(const std::shared_ptr<const Reconstruction>& reconstruction);
   void showNextPose();
   void showMoment();
@@ -132,6 +135,7 @@ class MainWindow : public QMainWindow {
   SessionController controller_;
   Selection selection_;
   WindowActions actions_;
+  Panes panes_;
   Theme theme_ = Theme::Light;
   std::unique_ptr<WindowShell> shell_;
 

@@ -30,7 +30,10 @@ const QString kSetting = QStringLiteral("recent/files");
 QString shortFolder(const QString& path) {
   const QString folder = QDir::toNativeSeparators(QFileInfo(path).absolutePath());
   const QString home = QDir::toNativeSeparators(QDir::homePath());
-  return home.size() > 1 && folder.startsWith(home) ? QLatin1Char('~') + folder.mid(home.size()) : folder;
+  const QChar separator = QDir::separator();
+  return home.size() > 1 && (folder + separator).startsWith(home + separator)
+             ? QLatin1Char('~') + folder.mid(home.size())
+             : folder;
 }
 
 QString problemWith(const QString& path) {

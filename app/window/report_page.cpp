@@ -217,7 +217,7 @@ void ReportPage::addPoses() {
   }
   std::vector<QStringList> rows;
   for (const PoseSummary& pose : result_.poses) {
-    rows.push_back({QString::number(pose.pose.value()), pose.label.empty() ? noValue() : utf8(pose.label),
+    rows.push_back({QString::number(pose.pose.value()), pose.label.empty() ? noValue() : coreWords(pose.label),
                     pose.enabled ? tr("used") : tr("disabled"),
                     QStringLiteral("%1/%2").arg(pose.cells_measured).arg(result_.cellCount()),
                     pose.noise_g > 0 ? QLocale().toString(1000 * pose.noise_g, 'f', 1) : noValue(),

@@ -9,16 +9,12 @@
 #include "widgets/message_bar.h"
 #include "widgets/patch_view.h"
 
-#include <QAbstractButton>
-#include <QAbstractSpinBox>
 #include <QCloseEvent>
-#include <QComboBox>
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QDesktopServices>
 #include <QDir>
 #include <QFileDialog>
-#include <QKeyEvent>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QStandardPaths>
@@ -216,17 +212,6 @@ void MainWindow::dropEvent(QDropEvent* event) {
   openFile(path);
 }
 
-bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
-  // Space presses the button that has the focus before it takes a pose.
-  if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space &&
-      (qobject_cast<QAbstractButton*>(watched) || qobject_cast<QComboBox*>(watched) ||
-       qobject_cast<QAbstractSpinBox*>(watched))) {
-    event->accept();
-    return true;
-  }
-  return QMainWindow::eventFilter(watched, event);
-}
-
 void MainWindow::buildShell() {
   shell_ = std::make_unique<WindowShell>(WindowShell::Window{
       *this, controller_, actions_, *message_bar_, [this](const QString& path) { openFile(path); },
@@ -241,7 +226,7 @@ void MainWindow::showGuide() {
   if (guide == nullptr) {
     guide = new GuideWindow(this);
     guide->setAttribute(Qt::WA_DeleteOnClose);
-    guide->setKeys(QWidget::actions());
+    guide->setKeys(*findChild<QMenuBar*>());
   }
   guide->showPage(guidePageFor(controller_));
   guide->show();

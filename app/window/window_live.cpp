@@ -104,9 +104,8 @@ void MainWindow::refreshLive() {
           .arg(countersInWords(status, live.hold())));
   if (!live.isRunning()) return;
   live_strip_->setStatus(status, live.hold());
-  const QString where = live.skin()
-                            ? QString::fromStdString(live.skin()->device) + QStringLiteral(" · ") + live.address()
-                            : live.address();
+  const QString where =
+      live.skin() ? coreWords(live.skin()->device) + QStringLiteral(" · ") + live.address() : live.address();
   source_status_->setText(
       QStringLiteral("%1 %2 · %3").arg(sourceStateSign(status.state), sourceStateWord(status.state), where));
   source_status_->setToolTip(coreWords(status.text));

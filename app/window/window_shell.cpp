@@ -7,7 +7,6 @@
 #include "app/window/preferences_dialog.h"
 #include "app/window/session_controller.h"
 #include "app/window/welcome_panel.h"
-#include "hexoderm/util/text.h"
 #include "widgets/card_dock.h"
 #include "widgets/core_words.h"
 #include "widgets/live_strip.h"
@@ -15,6 +14,7 @@
 #include "widgets/step_panel.h"
 #include "widgets/words.h"
 
+#include <QApplication>
 #include <QClipboard>
 #include <QDesktopServices>
 #include <QDir>
@@ -52,7 +52,7 @@ LogSeverity severityOf(Tone tone) {
 QString resultInWords(const Reconstruction& result) {
   return WindowShell::tr("Solved: %1, %2, %3, %4 ms. %5")
       .arg(coreWords(sizeInWords(result)), posesInWords(result.poses.size()), QString::fromStdString(result.solver),
-           QString::fromStdString(formatFixed(1e3 * result.solve_seconds, 1)), coreWords(result.verdict.reason));
+           figureInWords(1e3 * result.solve_seconds, 1), coreWords(result.verdict.reason));
 }
 
 bool isIn(const QString& path, const QString& folder) {
@@ -292,6 +292,8 @@ void WindowShell::offerSoftwareOpenGl() {
 
 void WindowShell::showWelcome() {
   const bool is_welcome = window_.controller.isEmpty() && !window_.controller.live().isRunning();
+  // Who chose by a key what is opened goes on with keys that mean what the list of keys says, not with a neighbour.
+  if (welcome_ && !is_welcome && welcome_->isAncestorOf(QApplication::focusWidget())) window_.window.setFocus();
   if (welcome_) welcome_->setVisible(is_welcome);
   if (connect_body_) connect_body_->setVisible(!is_welcome);
 }
@@ -299,8 +301,8 @@ void WindowShell::showWelcome() {
 void WindowShell::copyReport() {
   QGuiApplication::clipboard()->setText(composeBugReport(log_, window_.controller, window_.window));
   window_.messages.showMessage(
-      Tone::Good, tr("Copied: versions, graphics, what is open and the last lines of the log, without your folders' "
-                     "names. Paste it into the report."));
+      Tone::Good, tr("Copied: versions, graphics, what is open and the last lines of the log, with your home "
+                     "folder as ~. Paste it into the report."));
 }
 
 void WindowShell::openLogFolder() {

@@ -30,10 +30,8 @@ void MainWindow::connectVerify() {
   serve(new TableActions(residual_view_->matrix(), QStringLiteral("residuals")));
   for (TableActions* actions : verify_panel_->tableActions()) serve(actions);
 
-  connect(cell_view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
-          [this](const QModelIndex& current) {
-            if (current.isValid()) selection_.selectCell(cell_table_->cellAt(sourceRow(current)));
-          });
+  onPicked(cell_view_, this,
+           [this](const QModelIndex& picked) { selection_.selectCell(cell_table_->cellAt(sourceRow(picked))); });
   connect(&selection_, &Selection::changed, this, &MainWindow::showPickedCell);
   connect(residual_view_, &ResidualView::posePicked, this, &MainWindow::pickPose);
 
@@ -94,7 +92,8 @@ void MainWindow::showPickedCell() {
   if (row < 0) {
     cell_view_->clearSelection();
     cell_view_->selectionModel()->clearCurrentIndex();
-  } else if (const QModelIndex shown = shownRow(cell_view_, row); cell_view_->currentIndex().row() != shown.row()) {
+  } else if (const QModelIndex shown = shownRow(cell_view_, row);
+             !cell_view_->selectionModel()->isRowSelected(shown.row(), {})) {
     cell_view_->selectRow(shown.row());
   }
 }

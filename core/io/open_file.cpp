@@ -8,12 +8,23 @@
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/json_reader.h"
 
+#include <array>
+#include <fstream>
+
 namespace hexoderm {
 namespace {
 
 constexpr std::string_view kExpected =
     "expected a Hexoderm session (*.hexo, or format \"hexoderm-session\"), a calibration (format "
     "\"hexoderm-calibration\") or a TUM SkinConfig XML";
+
+/// Told by its first bytes alone, as it may be very large.
+bool isRecording(const std::filesystem::path& path) {
+  constexpr std::string_view kBegins = "SKINREC";
+  std::array<char, kBegins.size()> first{};
+  std::ifstream file(path, std::ios::binary);
+  return file.read(first.data(), first.size()) && std::string_view(first.data(), first.size()) == kBegins;
+}
 
 /// The first character that says something: byte order mark and white space skipped, 0 if there is none.
 char firstCharacter(std::string_view text) {
@@ -27,6 +38,9 @@ char firstCharacter(std::string_view text) {
 
 OpenedFile openFile(const std::filesystem::path& path, const CellModel& model_for_tum) {
   if (isSessionStore(path)) return readSessionStore(path);
+  if (isRecording(path)) {
+    throw FormatError(path.string() + ": is a recording, which is not opened but played: connect to it as replay:FILE");
+  }
   const std::string text = readFile(path);
   const std::string file = path.string();
   switch (firstCharacter(text)) {

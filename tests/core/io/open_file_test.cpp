@@ -100,6 +100,7 @@ TEST(OpenFile, SaysWhatItReadsWhenAFileIsNoneOfIt) {
   EXPECT_THAT(complaint("{\"format\": \"hexoderm-manifest\"}"), saysAll("f.dat", "format", "\"hexoderm-manifest\""));
   EXPECT_THAT(complaint(std::string("SQLite format 3\0 and no more", 28)), saysAll("f.dat", "not a Hexoderm session"));
   EXPECT_THAT(complaint("<robot/>"), saysAll("f.dat", "SkinConfig", "robot"));
+  EXPECT_THAT(complaint("SKINREC1 and no more"), saysAll("f.dat", "recording", "replay:"));
 }
 
 TEST(OpenFile, NamesWhatIsWrongInsideAFile) {
