@@ -163,7 +163,7 @@ void GraphLegend::drawSample(QPainter& painter, const Entry& entry, const QRectF
       return;
     }
     case Sample::Tree:
-      line(y, 3 * thick);
+      drawStroke(painter, {entry.stroke.color}, line, 3 * thick);
       return;
     case Sample::Origin:
       painter.setPen(entry.stroke.color);
