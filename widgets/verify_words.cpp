@@ -33,11 +33,6 @@ FigureTable::Column millimetreColumn(const QString& name, const QString& explana
   return {name, QStringLiteral("mm"), explanation, 2, false};
 }
 
-/// Bent by less than this, a part is as good as straight; a check that can't see as much is coarse.
-constexpr double kCoarse_rad = 2.5 * kDegree;
-/// Turning beyond this share of what is expected is not as stated.
-constexpr double kTurned = 2;
-
 }  // namespace
 
 VerifySentence holdOutInWords(const HoldOutResult& result) {
@@ -62,14 +57,14 @@ VerifySentence holdOutInWords(const HoldOutResult& result) {
   const auto worst = std::ranges::max_element(result.cells, {}, &HoldOutCell::error_rad);
   const QString worst_cell = Words::tr("Worst: cell %1, %2.").arg(worst->cell.value()).arg(degrees(worst->error_rad));
   QString more = worst_cell;
-  if (result.turning_rad_s2 > kTurned * result.expected_turning_rad_s2) {
+  if (result.turned) {
     more += QLatin1Char(' ') +
             Words::tr("The part turned while it was read: %1 rad/s², of a still hand %2 are expected.")
                 .arg(figureInWords(result.turning_rad_s2, 1), figureInWords(result.expected_turning_rad_s2, 1));
   }
   switch (result.agreement) {
     case HoldOutAgreement::AsStated:
-      if (result.detectable_rad > kCoarse_rad) {
+      if (result.coarse) {
         return {Tone::Caution,
                 Words::tr("As good as stated, but a coarse check: with so few poses, a part that bent by "
                           "less than about %1 would not show. %2")

@@ -25,7 +25,8 @@ struct Limits {
 };
 constexpr Limits kRms{1.5, 3};
 constexpr Limits kCell{4, 8};
-constexpr Limits kTurning{2, 3};   // hands tremble differently
+constexpr Limits kTurning{2, 3};  // hands tremble differently
+constexpr double kCoarse_rad = 2.5 * kDegree;
 constexpr double kDetectable = 4;  // of the expected rms, as simulated skins of 17 and 100 cells show
 
 /// A corrected reading shorter than this shows no direction worth a comparison.
@@ -336,6 +337,8 @@ HoldOutResult evaluateHoldOut(const SessionSnapshot& snapshot, PoseId pose, cons
   result.expected_rms_rad = rootMeanSquare(result.cells, &HoldOutCell::expected_rad);
   result.expected_turning_rad_s2 = std::sqrt(3.0) * kSwingSigma * kStandardGravity;
   result.detectable_rad = kDetectable * result.expected_rms_rad;
+  result.coarse = result.detectable_rad > kCoarse_rad;
+  result.turned = result.turning_rad_s2 > kTurning.worse * result.expected_turning_rad_s2;
   judge(result);
   return result;
 }

@@ -65,10 +65,12 @@ struct HoldOutResult {
   double expected_rms_rad = 0;  ///< root of the mean of the cells' expected squares
   /// Half of the part that turned by this much against the other half would be found three times in four.
   double detectable_rad = 0;
+  bool coarse = false;  ///< that is more than 2.5 degrees: what is as stated may still be bent
   /// The swing that fits best, as an angular acceleration; of the patch that turns most.
   double turning_rad_s2 = 0;
   /// Rms of what a tremor leaves, 0.05 degrees at 4 to 12 Hz averaged over 0.1 s, with what it did to the other poses.
   double expected_turning_rad_s2 = 0;
+  bool turned = false;  ///< by more than 2 times what is expected
   /// As stated: rms up to 1.5 times what is expected, the worst cell's error up to 4 times (of 10,000 cells one is
   /// beyond by chance once in a thousand times), turning up to 2 times. Far worse: beyond 3, 8 or 3 times. A part that
   /// moved while it was read, or was deformed, shows in the rms, in the turning, or in both; a broken sensor at its

@@ -146,11 +146,13 @@ TEST_F(VerifyPanelTest, HoldOutHasAVerdictAndFiguresThatPick) {
             "As good as stated. The other 5 poses foretell pose 3 to 0.40° (rms over 17 cells); 0.50° were expected.");
   HoldOutResult coarse = heldOut(HoldOutAgreement::AsStated, 0.4);
   coarse.detectable_rad = 5 * kDegree;
+  coarse.coarse = true;
   panel_->showHoldOut(coarse);
   EXPECT_THAT(sentence("holdOut"), testing::StartsWith("As good as stated, but a coarse check"));
   EXPECT_THAT(sentence("holdOut"), testing::HasSubstr("bent by less than about 5.00° would not show"));
   HoldOutResult turned = heldOut(HoldOutAgreement::FarWorse, 0.4);
   turned.turning_rad_s2 = 10;
+  turned.turned = true;
   turned.expected_turning_rad_s2 = 1.7;
   panel_->showHoldOut(turned);
   EXPECT_THAT(sentence("holdOut"), testing::HasSubstr("turned while it was read: 10.0 rad/s², of a still hand 1.7"));
