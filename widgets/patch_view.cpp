@@ -7,6 +7,7 @@
 #include "widgets/patch_scene.h"
 #include "widgets/scene_builder.h"
 #include "widgets/scene_overlay.h"
+#include "widgets/scene_widget.h"
 #include "widgets/scene_words.h"
 #include "widgets/selection.h"
 
@@ -143,7 +144,7 @@ void PatchView::Parts::build() {
 }
 
 void PatchView::Parts::buildScene(QGridLayout* layout) {
-  gl = new QVTKOpenGLNativeWidget(view);
+  gl = new SceneWidget(view);
   gl->setFormat(sceneSurfaceFormat());
   gl->setRenderWindow(window.Get());
   gl->setAccessibleName(PatchView::tr("Skin patch in 3D"));
@@ -194,7 +195,7 @@ void PatchView::Parts::connectControls() {
   connect(controls->pictureAction(), &QAction::triggered, view, &PatchView::pictureRequested);
 }
 
-/// While the mouse turns the scene, pictures come without smoothing.
+/// While the mouse turns the scene or the view is resized, pictures come without smoothing.
 void PatchView::Parts::smoothWhenAtRest() {
   constexpr int kRest_ms = 150;
   at_rest.setSingleShot(true);
@@ -310,6 +311,10 @@ bool PatchView::Parts::eventFilter(QObject*, QEvent* event) {
       return true;
     case QEvent::Show:  // what changed while it was hidden
       requestRender();
+      return false;
+    case QEvent::Resize:
+      startInteraction();
+      endInteraction();
       return false;
     case QEvent::MouseButtonPress:
       pressed_at = static_cast<QMouseEvent*>(event)->pos();

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <QColor>
 #include <QList>
 #include <QStringList>
+#include <QTimer>
 #include <QWidget>
 
 class QMenuBar;
@@ -21,7 +23,8 @@ class GuideWindow : public QWidget {
   Q_OBJECT
 
  public:
-  explicit GuideWindow(QWidget* parent = nullptr);
+  /// Begins with `first_page`, or with the first one if there is no such page.
+  explicit GuideWindow(QWidget* parent = nullptr, const QString& first_page = {});
 
   /// The pages' names in the order of the list: "demo", "connect", ...
   static QStringList pages();
@@ -44,6 +47,8 @@ class GuideWindow : public QWidget {
   void find(bool backwards);
 
   QString page_;
+  QColor link_color_;
+  QTimer dress_anew_;
   QListWidget* contents_;
   GuideBrowser* browser_;
   QLineEdit* search_;

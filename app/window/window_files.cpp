@@ -222,13 +222,14 @@ void MainWindow::buildShell() {
 }
 
 void MainWindow::showGuide() {
+  const QString page = guidePageFor(controller_);
   auto* guide = findChild<GuideWindow*>();
   if (guide == nullptr) {
-    guide = new GuideWindow(this);
+    guide = new GuideWindow(this, page);
     guide->setAttribute(Qt::WA_DeleteOnClose);
     guide->setKeys(*findChild<QMenuBar*>());
   }
-  guide->showPage(guidePageFor(controller_));
+  guide->showPage(page);
   guide->show();
   guide->raise();
   guide->activateWindow();

@@ -247,12 +247,15 @@ QString writeLargeSession(const QString& path) {
 
 /// What counts of a stall.
 double counted_ms(const test::Stall& stall, bool discount_load) {
-  return stall.wall_ms - (discount_load ? stall.load_ms() : 0);
+  return discount_load ? stall.alone_ms() : stall.wall_ms;
 }
 
 void describe(const test::Stall& stall) {
-  std::cout << stall.wall_ms << " ms (computing " << stall.cpu_ms << ", in the queue for a processor " << stall.queue_ms
-            << ", other threads computing " << stall.others_ms << "): " << stall.doing.toStdString() << '\n';
+  const auto ms = [](double value) { return QString::number(value, 'f', 0).toStdString(); };
+  std::cout << ms(stall.wall_ms) << " ms (alone at most " << ms(stall.alone_ms()) << "; computing " << ms(stall.cpu_ms)
+            << ", queueing " << ms(stall.queue_ms) << ", drawing " << ms(stall.drawing_ms) << ", its queueing "
+            << ms(stall.drawing_queue_ms) << ", other threads " << ms(stall.others_ms)
+            << "): " << stall.doing.toStdString() << '\n';
 }
 
 void report(const Monkey& monkey, const test::Watchdog& watchdog, std::uint64_t seed, bool discount_load) {
@@ -264,7 +267,7 @@ void report(const Monkey& monkey, const test::Watchdog& watchdog, std::uint64_t 
             [&](const auto& a, const auto& b) { return counted_ms(a, discount_load) > counted_ms(b, discount_load); });
   constexpr std::size_t kShown = 40;
   for (std::size_t k = 0; k < std::min(kShown, stalls.size()); ++k) {
-    std::cout << "  stall, counts as " << counted_ms(stalls[k], discount_load) << ": ";
+    std::cout << "  stall of ";
     describe(stalls[k]);
   }
 }

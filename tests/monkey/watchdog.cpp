@@ -5,6 +5,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include <QDir>
 #include <algorithm>
 #include <chrono>
 #include <csignal>
@@ -26,10 +27,10 @@ std::int64_t now_ns() {
       .count();
 }
 
-std::int64_t clock_ns(clockid_t clock) {
+double clock_ms(clockid_t clock) {
   timespec time{};
   ::clock_gettime(clock, &time);
-  return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
+  return 1e3 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) / kNsPerMs;
 }
 
 void writeStack(int signal) {
@@ -53,7 +54,11 @@ void writeStackOn(int signal) {
 
 }  // namespace
 
-double Stall::load_ms() const { return std::max(0.0, queue_ms - others_ms); }
+double Stall::alone_ms() const {
+  const double waiting_ms = wall_ms - cpu_ms - queue_ms;
+  const double elsewhere_ms = std::max(0.0, waiting_ms - drawing_ms - drawing_queue_ms);
+  return std::min(wall_ms, cpu_ms + drawing_ms + others_ms + elsewhere_ms);
+}
 
 Watchdog::Watchdog(double limit_ms, bool trace)
     : limit_ms_(limit_ms),
@@ -67,7 +72,10 @@ Watchdog::Watchdog(double limit_ms, bool trace)
   for (const int signal : {SIGUSR1, SIGSEGV, SIGABRT, SIGFPE, SIGBUS}) writeStackOn(signal);
   // Where the kernel does not count, nothing is taken for a queue.
   static_cast<void>(schedule_.open(QIODevice::ReadOnly | QIODevice::Unbuffered));
-  last_ = times();
+  last_cpu_ms_ = clock_ms(CLOCK_THREAD_CPUTIME_ID);
+  last_process_ms_ = clock_ms(CLOCK_PROCESS_CPUTIME_ID);
+  last_queue_ms_ = turnsOf(schedule_).queue_ms;
+  findDrawingThreads();
   heart_.setTimerType(Qt::PreciseTimer);
   heart_.setInterval(kBeat_ms);
   connect(&heart_, &QTimer::timeout, this, &Watchdog::beat);
@@ -86,35 +94,59 @@ void Watchdog::setDoing(const QString& doing) {
   doing_for_thread_ = doing;
 }
 
-Watchdog::Times Watchdog::times() const {
-  Times times;
-  times.cpu_ns = clock_ns(CLOCK_THREAD_CPUTIME_ID);
-  times.process_ns = clock_ns(CLOCK_PROCESS_CPUTIME_ID);
+Watchdog::Turns Watchdog::turnsOf(const QFile& schedule) {
   // Three figures: time on a processor, time in the queue for one, turns.
   char line[96] = {};
-  if (schedule_.handle() >= 0 && ::pread(schedule_.handle(), line, sizeof(line) - 1, 0) > 0) {
-    long long on_processor = 0;
-    long long in_queue = 0;
-    if (std::sscanf(line, "%lld %lld", &on_processor, &in_queue) == 2) times.queue_ns = in_queue;
+  long long cpu_ns = 0;
+  long long queue_ns = 0;
+  if (schedule.handle() < 0 || ::pread(schedule.handle(), line, sizeof(line) - 1, 0) <= 0 ||
+      std::sscanf(line, "%lld %lld", &cpu_ns, &queue_ns) != 2) {
+    return {};
   }
-  return times;
+  return {static_cast<double>(cpu_ns) / kNsPerMs, static_cast<double>(queue_ns) / kNsPerMs};
+}
+
+void Watchdog::findDrawingThreads() {
+  for (const QString& id : QDir(QStringLiteral("/proc/self/task")).entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
+    QFile name(QStringLiteral("/proc/self/task/%1/comm").arg(id));
+    if (!name.open(QIODevice::ReadOnly) || !name.readAll().contains("llvmpipe")) continue;
+    auto schedule = std::make_unique<QFile>(QStringLiteral("/proc/self/task/%1/schedstat").arg(id));
+    if (!schedule->open(QIODevice::ReadOnly | QIODevice::Unbuffered)) continue;
+    last_drawing_.push_back(turnsOf(*schedule));
+    drawing_schedules_.push_back(std::move(schedule));
+  }
 }
 
 void Watchdog::beat() {
   const std::int64_t now = now_ns();
-  const Times times = this->times();
-  const std::int64_t cpu_ns = times.cpu_ns - last_.cpu_ns;
+  const double cpu_ms = clock_ms(CLOCK_THREAD_CPUTIME_ID);
+  const double process_ms = clock_ms(CLOCK_PROCESS_CPUTIME_ID);
+  const double queue_ms = turnsOf(schedule_).queue_ms;
   Stall stall;
   stall.wall_ms = static_cast<double>(now - last_beat_ns_) / kNsPerMs - kBeat_ms;
-  stall.cpu_ms = static_cast<double>(cpu_ns) / kNsPerMs;
-  stall.others_ms = static_cast<double>(times.process_ns - last_.process_ns - cpu_ns) / kNsPerMs;
-  stall.queue_ms = static_cast<double>(times.queue_ns - last_.queue_ns) / kNsPerMs;
+  stall.cpu_ms = cpu_ms - last_cpu_ms_;
+  stall.queue_ms = queue_ms - last_queue_ms_;
+  stall.others_ms = process_ms - last_process_ms_ - stall.cpu_ms;
+  double busiest_ms = 0;
+  for (std::size_t k = 0; k < drawing_schedules_.size(); ++k) {
+    const Turns turns = turnsOf(*drawing_schedules_[k]);
+    const double computed_ms = turns.cpu_ms - last_drawing_[k].cpu_ms;
+    const double queued_ms = turns.queue_ms - last_drawing_[k].queue_ms;
+    stall.others_ms -= computed_ms;
+    stall.drawing_ms = std::max(stall.drawing_ms, computed_ms);
+    busiest_ms = std::max(busiest_ms, computed_ms + queued_ms);
+    last_drawing_[k] = turns;
+  }
+  stall.drawing_queue_ms = busiest_ms - stall.drawing_ms;
+  stall.others_ms = std::max(0.0, stall.others_ms);
   stall.doing = doing_before_.isEmpty() ? doing_ : doing_before_ + QStringLiteral(", then ") + doing_;
   if (stall.wall_ms > worst_.wall_ms) worst_ = stall;
   if (stall.wall_ms > limit_ms_) stalls_.push_back(stall);
   ++beats_;
-  last_ = times;
   last_beat_ns_ = now;
+  last_cpu_ms_ = cpu_ms;
+  last_process_ms_ = process_ms;
+  last_queue_ms_ = queue_ms;
 }
 
 void Watchdog::watch() {

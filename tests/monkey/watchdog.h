@@ -6,23 +6,27 @@
 #include <QTimer>
 #include <atomic>
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <thread>
 #include <vector>
 
 namespace hexoderm::test {
 
-/// A time in which the GUI thread took no events. What is neither computing nor a queue is waiting: for other threads
-/// (such as those that draw in software OpenGL), the display, a disk.
+/// A time in which the GUI thread took no events, and what went on in it as the kernel counts it.
 struct Stall {
   double wall_ms = 0;
-  double cpu_ms = 0;     ///< that the GUI thread computed in it
-  double others_ms = 0;  ///< that the other threads of this process computed, at the same time or not
-  double queue_ms = 0;   ///< that the GUI thread was ready to compute but had no processor, as the kernel counts it
+  double cpu_ms = 0;            ///< that the GUI thread computed
+  double queue_ms = 0;          ///< that it was ready to but had no processor
+  double drawing_ms = 0;        ///< that a thread that draws in software OpenGL computed, at most
+  double drawing_queue_ms = 0;  ///< by how much longer one was at it, for want of a processor
+  double others_ms = 0;         ///< that all other threads of this process computed
   QString doing;
 
-  /// What other programs surely took from it: at most others_ms of the queue were behind threads of our own.
-  [[nodiscard]] double load_ms() const;
+  /// How long it would have been at most, were there nothing else on the machine: what was computed one after another
+  /// (only the threads that draw work side by side), and the time in which the GUI thread waited for anything but them,
+  /// such as the display or a disk. Only what other programs made of it is left out.
+  [[nodiscard]] double alone_ms() const;
 };
 
 /// Measures how long the event loop is busy with anything at a time: a heartbeat every 5 ms on the GUI thread, and a
@@ -46,19 +50,23 @@ class Watchdog : public QObject {
   void beat();
   void watch();
 
-  /// Of the GUI thread, of all threads, in the queue; since they began.
-  struct Times {
-    std::int64_t cpu_ns = 0;
-    std::int64_t process_ns = 0;
-    std::int64_t queue_ns = 0;
+  /// Of one thread since it began.
+  struct Turns {
+    double cpu_ms = 0;
+    double queue_ms = 0;
   };
-  [[nodiscard]] Times times() const;
+  static Turns turnsOf(const QFile& schedule);
+  void findDrawingThreads();
 
   double limit_ms_;
   bool trace_;
   QTimer heart_;
   QFile schedule_;
-  Times last_;
+  std::vector<std::unique_ptr<QFile>> drawing_schedules_;
+  double last_cpu_ms_ = 0;
+  double last_process_ms_ = 0;
+  double last_queue_ms_ = 0;
+  std::vector<Turns> last_drawing_;
   std::uint64_t beats_ = 0;
   std::vector<Stall> stalls_;
   Stall worst_;

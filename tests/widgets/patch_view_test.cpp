@@ -10,6 +10,12 @@
 
 #include <QVTKOpenGLNativeWidget.h>
 #include <gtest/gtest.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
 #include <QAction>
 #include <QMenu>
 #include <QRegularExpression>
@@ -76,6 +82,41 @@ TEST_F(PatchViewTest, ScreenshotShowsTheSkinInBothThemes) {
   EXPECT_GT(coloursIn(dark), 60U);
   EXPECT_GT(qGray(light.pixel(3, 3)), 180);
   EXPECT_LT(qGray(dark.pixel(3, 3)), 60);
+}
+
+TEST_F(PatchViewTest, IsSmoothedWhenItRestsAndNotWhileItIsResized) {
+  show();
+  view.setReconstruction(demo());
+  vtkRenderer* renderer = gl->renderWindow()->GetRenderers()->GetFirstRenderer();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return renderer->GetUseFXAA(); }));
+  view.resize(700, 500);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return gl->width() > 640; }));
+  EXPECT_FALSE(renderer->GetUseFXAA());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return renderer->GetUseFXAA(); }));
+}
+
+TEST(PatchViewInAWindow, SeveralSizesOneAfterTheOtherMakeOnePicture) {
+  Selection selection;
+  PatchView view(&selection);
+  view.resize(640, 480);
+  view.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
+  view.setReconstruction(demo());
+  auto* gl = view.findChild<QVTKOpenGLNativeWidget*>();
+  vtkRenderer* renderer = gl->renderWindow()->GetRenderers()->GetFirstRenderer();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return renderer->GetUseFXAA(); }));
+  QCoreApplication::processEvents();
+  int pictures = 0;
+  vtkNew<vtkCallbackCommand> count;
+  count->SetClientData(&pictures);
+  count->SetCallback([](vtkObject*, unsigned long, void* client, void*) { ++*static_cast<int*>(client); });
+  const unsigned long observer = gl->renderWindow()->AddObserver(vtkCommand::StartEvent, count);
+  for (const int width : {700, 660, 720, 680}) view.setFixedSize(width, 500);
+  EXPECT_EQ(gl->width(), 680);
+  EXPECT_EQ(pictures, 0);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return pictures > 0; }));
+  EXPECT_EQ(gl->renderWindow()->GetSize()[0], qRound(680 * gl->devicePixelRatioF()));
+  gl->renderWindow()->RemoveObserver(observer);
 }
 
 TEST(PatchViewInAWindow, ChangesMadeWhileHiddenAreDrawnWhenShownAgain) {
