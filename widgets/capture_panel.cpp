@@ -156,7 +156,6 @@ void CapturePanel::showCaptured(PoseId pose, const QString& remark) {
 }
 
 void CapturePanel::setTheme(Theme theme) {
-  theme_ = theme;
   ring_->setTheme(theme);
   if (auto* toggle = qobject_cast<ToggleSwitch*>(switch_)) toggle->setTheme(theme);
   QPalette colors = remark_->palette();

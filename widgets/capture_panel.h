@@ -71,7 +71,6 @@ class CapturePanel : public QWidget {
   HoldStatus hold_;
   std::optional<NextPose> next_;
   std::optional<PoseId> captured_;
-  Theme theme_ = Theme::Light;
 };
 
 }  // namespace hexoderm

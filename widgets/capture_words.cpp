@@ -2,9 +2,9 @@
 
 #include "hexoderm/util/units.h"
 #include "widgets/palette.h"
+#include "widgets/words.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
@@ -16,13 +16,14 @@ struct CaptureWords {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::CaptureWords)
 };
 
-QString number(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
 QString name(CellId cell) { return QString::number(cell.value()); }
 QString degrees(double angle_rad, int decimals) {
-  return CaptureWords::tr("%1°").arg(number(toDegrees(angle_rad), decimals));
+  return CaptureWords::tr("%1°").arg(figureInWords(toDegrees(angle_rad), decimals));
 }
-QString milliG(double value_g) { return CaptureWords::tr("%1 mg").arg(number(1000 * value_g, 0)); }
-QString degreesPerSecond(double rate_rad_s) { return CaptureWords::tr("%1 °/s").arg(number(toDegrees(rate_rad_s), 1)); }
+QString milliG(double value_g) { return CaptureWords::tr("%1 mg").arg(figureInWords(1000 * value_g, 0)); }
+QString degreesPerSecond(double rate_rad_s) {
+  return CaptureWords::tr("%1 °/s").arg(figureInWords(toDegrees(rate_rad_s), 1));
+}
 
 QString kindInWords(OddCellKind kind) {
   switch (kind) {
@@ -65,7 +66,7 @@ QString turnInWords(const NextPose& next) {
   if (next.turn->angle_rad < kThere) return CaptureWords::tr("It is there: hold it like this.");
   const double rounded = kStep_deg * std::round(toDegrees(next.turn->angle_rad) / kStep_deg);
   if (rounded >= 180) return CaptureWords::tr("Half a turn around a horizontal axis.");
-  return CaptureWords::tr("About %1° around the horizontal axis shown.").arg(number(rounded, 0));
+  return CaptureWords::tr("About %1° around the horizontal axis shown.").arg(figureInWords(rounded, 0));
 }
 
 QString gainInWords(const NextPose& next) {
@@ -96,14 +97,14 @@ QString sigmaInWords(const NextPose& next) {
   const double share = next.sigma_now_rad > 0 ? next.sigma_then_rad / next.sigma_now_rad : 1;
   if (share > 0.95) return CaptureWords::tr("Another pose would hardly make it better.");
   return CaptureWords::tr("With this pose the error falls to about %1 % of what it is now.")
-      .arg(QLocale().toString(std::max(1.0, std::round(100 * share)), 'f', 0));
+      .arg(figureInWords(std::max(1.0, std::round(100 * share)), 0));
 }
 
 QString missingInWords(const PoseCoverage& coverage) {
   if (!coverage.missing) {
     return coverage.enabled == 0 ? QString()
                                  : CaptureWords::tr("No direction is missing: all three values reach %1.")
-                                       .arg(number(coverage.threshold, 2));
+                                       .arg(figureInWords(coverage.threshold, 2));
   }
   const MissingDirection& missing = *coverage.missing;
   if (missing.which == 1) return CaptureWords::tr("No pose yet: any direction will do.");
@@ -120,12 +121,11 @@ QString missingInWords(const PoseCoverage& coverage) {
                    : CaptureWords::tr(
                          "No pose yet with cell %1 facing the ceiling or the floor: the third value is %2, needs %3.");
   }
-  return sentence.arg(name(missing.facing.cell), number(missing.value, 2), number(coverage.threshold, 2));
+  return sentence.arg(name(missing.facing.cell), figureInWords(missing.value, 2), figureInWords(coverage.threshold, 2));
 }
 
 QString poseCountInWords(const PoseCoverage& coverage) {
-  const QString count =
-      coverage.enabled == 1 ? CaptureWords::tr("1 pose") : CaptureWords::tr("%1 poses").arg(coverage.enabled);
+  const QString count = posesInWords(coverage.enabled);
   std::size_t disabled = 0;
   for (const SeenDirection& seen : coverage.seen) disabled += seen.enabled ? 0U : 1U;
   return disabled == 0 ? count : CaptureWords::tr("%1, %2 disabled").arg(count).arg(disabled);
@@ -140,14 +140,15 @@ QString coverageInWords(const PoseCoverage& coverage) {
     parts.push_back(seen.enabled ? said : CaptureWords::tr("%1, disabled").arg(said));
   }
   parts.push_back(CaptureWords::tr("values %1, %2 and %3, limit %4: %5")
-                      .arg(number(coverage.singular_values.x(), 2), number(coverage.singular_values.y(), 2),
-                           number(coverage.singular_values.z(), 2), number(coverage.threshold, 2),
+                      .arg(figureInWords(coverage.singular_values.x(), 2),
+                           figureInWords(coverage.singular_values.y(), 2),
+                           figureInWords(coverage.singular_values.z(), 2), figureInWords(coverage.threshold, 2),
                            qualityWord(coverage.quality)));
   return parts.join(QStringLiteral("; ")) + QStringLiteral(". ") + missingInWords(coverage);
 }
 
 HoldWords holdInWords(const HoldStatus& hold) {
-  const QString percent = CaptureWords::tr("%1 %").arg(number(std::floor(100 * hold.progress), 0));
+  const QString percent = CaptureWords::tr("%1 %").arg(figureInWords(std::floor(100 * hold.progress), 0));
   if (hold.phase != HoldPhase::Watching) {
     return {hold.forced ? CaptureWords::tr("Capturing…") : CaptureWords::tr("Hold…"), percent};
   }
@@ -179,9 +180,9 @@ QString waitInWords(const HoldStatus& hold) {
       return hold.automatic ? CaptureWords::tr("The part is still")
                             : CaptureWords::tr("The part is still; it does not capture by itself");
     case Blocker::Waiting:
-      return still.cells == 0
-                 ? CaptureWords::tr("Waiting: no cell sends readings")
-                 : CaptureWords::tr("Waiting: %1 s of readings are needed to judge").arg(number(still.window_s, 1));
+      return still.cells == 0 ? CaptureWords::tr("Waiting: no cell sends readings")
+                              : CaptureWords::tr("Waiting: %1 s of readings are needed to judge")
+                                    .arg(figureInWords(still.window_s, 1));
     case Blocker::NotMoved:
       return CaptureWords::tr("Waiting: moved %1 since the last pose, needs %2")
           .arg(degrees(still.moved_rad, 1), degrees(still.rearm_rad, 0));

@@ -29,13 +29,6 @@ enum CellColumn {
   kCellColumns
 };
 
-/// The axis whose scale is furthest from 1, less 1, in per cent.
-double worstScalePercent(const Eigen::Vector3d& scale) {
-  Eigen::Index axis = 0;
-  (scale.array() - 1).abs().maxCoeff(&axis);
-  return 100 * (scale(axis) - 1);
-}
-
 bool isText(int column) { return column == kPlacedBy; }
 
 int decimalsOf(int column) {
@@ -113,7 +106,7 @@ QVariant CellTable::data(const QModelIndex& index, int role) const {
       case kOffset:
         return cell.offset_g ? QVariant(1000 * cell.offset_g->norm()) : QVariant();
       case kScale:
-        return cell.scale ? QVariant(worstScalePercent(*cell.scale)) : QVariant();
+        return cell.worst_scale_error ? QVariant(100 * *cell.worst_scale_error) : QVariant();
       default:
         return {};
     }

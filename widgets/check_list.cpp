@@ -2,8 +2,6 @@
 
 #include "widgets/core_words.h"
 
-#include "widgets/core_words.h"
-
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>

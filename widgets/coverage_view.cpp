@@ -2,6 +2,7 @@
 
 #include "hexoderm/util/units.h"
 #include "widgets/capture_words.h"
+#include "widgets/core_words.h"
 
 #include <QHelpEvent>
 #include <QKeyEvent>
@@ -264,13 +265,8 @@ void CoverageView::Parts::paintGauges(QPainter& painter, const Layout& layout) c
 void CoverageView::Parts::paintWords(QPainter& painter, const Layout& layout) const {
   const QFontMetrics metrics = view->fontMetrics();
   const double width = view->width() - 2 * kMargin;
-  const LinkStroke stroke = linkStroke(coverage.quality, theme);
   const double middle = layout.words_top + 0.5 * line();
-  const double apart = stroke.doubled ? 2 : 0;
-  painter.setPen(QPen(stroke.color, stroke.doubled ? 2 : 3, stroke.style, Qt::FlatCap));
-  for (const double offset : {-apart, apart}) {
-    painter.drawLine(QPointF(kMargin, middle + offset), QPointF(kMargin + 26, middle + offset));
-  }
+  drawStroke(painter, linkStroke(coverage.quality, theme), QLineF(kMargin, middle, kMargin + 26, middle), 3);
   painter.setPen(colors().text);
   painter.drawText(
       QRectF(kMargin + 33, layout.words_top, width - 33, line()), Qt::AlignLeft | Qt::AlignVCenter,
@@ -391,7 +387,7 @@ bool CoverageView::event(QEvent* event) {
          "well the poses hold the cells' turn along three axes.");
   if (seen != nullptr) {
     text = tr("Pose %1").arg(seen->pose.value());
-    if (!seen->label.empty()) text += QStringLiteral(" · ") + QString::fromStdString(seen->label);
+    if (!seen->label.empty()) text += QStringLiteral(" · ") + coreWords(seen->label);
     if (!seen->enabled) text += QStringLiteral(" · ") + tr("disabled");
   }
   QToolTip::showText(help->globalPos(), text, this);

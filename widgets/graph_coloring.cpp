@@ -1,15 +1,14 @@
 #include "widgets/graph_coloring.h"
 
-#include "hexoderm/reconstruction/uncertainty.h"
+#include "hexoderm/reconstruction/cell_figures.h"
 #include "hexoderm/util/units.h"
 #include "widgets/scene_colors.h"
-#include "widgets/words.h"
+#include "widgets/scene_words.h"
 
 #include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
 
 namespace hexoderm {
@@ -42,24 +41,22 @@ QString degreesOrMore(double angle_rad) {
 std::optional<double> figureOf(GraphColoring coloring, const LinkEstimate& link) {
   switch (coloring) {
     case GraphColoring::Residual:
-      return knownResidual(link);
+      return link.knownResidual();
     case GraphColoring::Deviation:
-      return knownSigma(link);
+      return link.knownSigma();
     case GraphColoring::Bend:
-      return hasFigures(link) ? std::optional(std::abs(link.bend_rad)) : std::nullopt;
+      return link.hasFigures() ? std::optional(std::abs(link.bend_rad)) : std::nullopt;
     case GraphColoring::Twist:
-      return hasFigures(link) ? std::optional(std::abs(link.twist_rad)) : std::nullopt;
+      return link.hasFigures() ? std::optional(std::abs(link.twist_rad)) : std::nullopt;
     case GraphColoring::Yaw:
-      return hasFigures(link) ? std::optional(std::abs(link.yaw_rad)) : std::nullopt;
+      return link.hasFigures() ? std::optional(std::abs(link.yaw_rad)) : std::nullopt;
     default:
       return std::nullopt;
   }
 }
 
-std::optional<double> figureOf(GraphColoring coloring, const CellPlacement& cell) {
-  const std::optional<Uncertainty95> known = uncertaintyOf(cell);
-  if (!known) return std::nullopt;
-  return coloring == GraphColoring::Position ? known->position_m : known->orientation_rad;
+CellFigures figuresOf(const GraphScene& scene) {
+  return scene.reconstruction() ? makeCellFigures(*scene.reconstruction()) : CellFigures{};
 }
 
 std::int16_t stepOf(std::optional<double> figure, const GraphScale& scale) {
@@ -83,9 +80,13 @@ void paintScale(const GraphScene& scene, GraphPaint& paint) {
     }
   }
   if (colorsCells(paint.coloring)) {
-    for (std::size_t k = 0; k < scene.cells().size(); ++k) {
-      paint.of_cell[k] = stepOf(figureOf(paint.coloring, *scene.cells()[k].placement), scale);
-      paint.has_unknown |= paint.of_cell[k] == GraphPaint::kPlain;
+    const CellFigures figures = figuresOf(scene);
+    const auto& values = paint.coloring == GraphColoring::Position ? figures.position_95_m : figures.orientation_95_rad;
+    for (std::size_t k = 0; k < figures.cells.size(); ++k) {
+      const std::optional<std::size_t> cell = scene.indexOf(figures.cells[k]);
+      if (!cell) continue;
+      paint.of_cell[*cell] = stepOf(values[k], scale);
+      paint.has_unknown |= paint.of_cell[*cell] == GraphPaint::kPlain;
     }
   } else {
     for (std::size_t k = 0; k < scene.links().size(); ++k) {
@@ -127,19 +128,16 @@ void paintPatches(const GraphScene& scene, GraphPaint& paint) {
 }
 
 void paintBodyParts(const GraphScene& scene, GraphPaint& paint) {
-  std::map<std::string, std::int16_t> parts;
-  for (const GraphScene::Cell& cell : scene.cells()) {
-    if (!cell.placement->body_part.empty()) parts.emplace(cell.placement->body_part, std::int16_t{0});
-  }
-  for (auto& [name, index] : parts) {
-    index = static_cast<std::int16_t>(paint.fills.size());
-    paint.fills.push_back(classColor(paint.fills.size(), parts.size()));
+  const CellFigures figures = figuresOf(scene);
+  for (const std::string& name : figures.body_parts) {
+    paint.fills.push_back(classColor(paint.fills.size(), figures.body_parts.size()));
     paint.words.push_back(QString::fromStdString(name));
   }
-  for (std::size_t k = 0; k < scene.cells().size(); ++k) {
-    const auto found = parts.find(scene.cells()[k].placement->body_part);
-    if (found != parts.end()) paint.of_cell[k] = found->second;
-    paint.has_unknown |= found == parts.end();
+  for (std::size_t k = 0; k < figures.cells.size(); ++k) {
+    const std::optional<std::size_t> cell = scene.indexOf(figures.cells[k]);
+    if (!cell) continue;
+    if (figures.body_part[k]) paint.of_cell[*cell] = static_cast<std::int16_t>(*figures.body_part[k]);
+    paint.has_unknown |= !figures.body_part[k];
   }
 }
 
@@ -152,11 +150,11 @@ bool colorsCells(GraphColoring coloring) { return coloring >= GraphColoring::Pos
 QString coloringName(GraphColoring coloring) {
   switch (coloring) {
     case GraphColoring::Quality:
-      return ColoringWords::tr("link quality");
+      return coloringName(CellColoring::LinkQuality);
     case GraphColoring::Residual:
-      return ColoringWords::tr("residual");
+      return coloringName(CellColoring::Residual);
     case GraphColoring::Deviation:
-      return ColoringWords::tr("predicted deviation");
+      return coloringName(CellColoring::Deviation);
     case GraphColoring::Bend:
       return ColoringWords::tr("bend");
     case GraphColoring::Twist:
@@ -164,15 +162,15 @@ QString coloringName(GraphColoring coloring) {
     case GraphColoring::Yaw:
       return ColoringWords::tr("yaw");
     case GraphColoring::Position:
-      return ColoringWords::tr("position uncertainty");
+      return coloringName(CellColoring::PositionUncertainty);
     case GraphColoring::Orientation:
-      return ColoringWords::tr("orientation uncertainty");
+      return coloringName(CellColoring::OrientationUncertainty);
     case GraphColoring::PlacedBy:
       return ColoringWords::tr("placed by");
     case GraphColoring::Patch:
-      return ColoringWords::tr("patch");
+      return coloringName(CellColoring::Patch);
     case GraphColoring::BodyPart:
-      return ColoringWords::tr("body part");
+      return coloringName(CellColoring::BodyPart);
   }
   return {};
 }
@@ -183,7 +181,7 @@ std::optional<GraphScale> scaleOf(GraphColoring coloring) {
       return GraphScale{kResidualEnd, ColoringWords::tr("residual, rms over poses"), degreesOrMore(kResidualEnd)};
     case GraphColoring::Deviation: {
       const double end = kDeviationScaleEnd_deg * kDegree;
-      return GraphScale{end, ColoringWords::tr("predicted deviation"), degreesOrMore(end)};
+      return GraphScale{end, coloringName(coloring), degreesOrMore(end)};
     }
     case GraphColoring::Bend:
       return GraphScale{kBendEnd, ColoringWords::tr("bend, either way"), degreesOrMore(kBendEnd)};

@@ -31,7 +31,7 @@ enum class GraphColoring {
 /// All of them, those of links first.
 std::span<const GraphColoring> graphColorings();
 bool colorsCells(GraphColoring coloring);
-/// "predicted deviation" and so on, for menus (translated).
+/// "predicted deviation" and so on, for menus (translated): what the 3D scene offers too is called the same there.
 QString coloringName(GraphColoring coloring);
 
 /// A quantity's colours: viridis from 0 to `end` (radians or metres), the same for every skin and every result, so that
@@ -59,7 +59,7 @@ struct GraphPaint {
   bool has_unknown = false;           ///< something that the scale is for has no figure
 };
 
-/// Asks core for every cell's uncertainty where that is to be shown: some milliseconds for 10,000 cells.
+/// Asks core for the figures of every cell where these are to be shown: some milliseconds for 10,000 cells.
 GraphPaint paintOf(const GraphScene& scene, GraphColoring coloring, Theme theme);
 /// True if at least one cell says which body part it is on.
 bool knowsBodyParts(const GraphScene& scene);

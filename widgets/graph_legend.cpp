@@ -1,6 +1,5 @@
 #include "widgets/graph_legend.h"
 
-#include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QLinearGradient>
 #include <QPainter>
@@ -9,8 +8,6 @@
 
 namespace hexoderm {
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("hexoderm::GraphLegend", text); }
 
 // In heights of a row, so that the legend grows with the system's font.
 constexpr double kSampleWidth = 1.5;
@@ -146,21 +143,10 @@ void GraphLegend::drawEntries(QPainter& painter, const QRectF& area) const {
 void GraphLegend::drawSample(QPainter& painter, const Entry& entry, const QRectF& box) const {
   const double y = box.center().y();
   const double thick = std::max(2.0, 0.16 * box.height());
-  const auto line = [&](double at, double width) {
-    QPen pen(entry.stroke.color, width, Qt::SolidLine, Qt::FlatCap);
-    if (entry.stroke.style == Qt::DashLine) pen.setDashPattern({2.6, 1.3});
-    if (entry.stroke.style == Qt::DotLine) pen.setDashPattern({1.0, 1.2});
-    painter.setPen(pen);
-    painter.drawLine(QPointF(box.left(), at), QPointF(box.right(), at));
-  };
+  const QLineF line(box.left(), y, box.right(), y);
   switch (entry.sample) {
     case Sample::Line:
-      if (entry.stroke.doubled) {
-        line(y - 0.75 * thick, 0.7 * thick);
-        line(y + 0.75 * thick, 0.7 * thick);
-      } else {
-        line(y, thick);
-      }
+      drawStroke(painter, entry.stroke, line, thick);
       return;
     case Sample::Fill:
       if (entry.stroke.color.alpha() == 0) return;
@@ -169,7 +155,7 @@ void GraphLegend::drawSample(QPainter& painter, const Entry& entry, const QRectF
       painter.drawRect(box.adjusted(0.2 * box.width(), 0.2 * box.height(), -0.2 * box.width(), -0.2 * box.height()));
       return;
     case Sample::Muted: {
-      line(y, 0.7 * thick);
+      drawStroke(painter, entry.stroke, line, 0.7 * thick);
       const double arm = 0.26 * box.height();
       painter.setPen(QPen(colors_.text_muted, 0.6 * thick, Qt::SolidLine, Qt::RoundCap));
       painter.drawLine(box.center() - QPointF(arm, arm), box.center() + QPointF(arm, arm));
@@ -177,7 +163,7 @@ void GraphLegend::drawSample(QPainter& painter, const Entry& entry, const QRectF
       return;
     }
     case Sample::Tree:
-      line(y, 3 * thick);
+      drawStroke(painter, {entry.stroke.color}, line, 3 * thick);
       return;
     case Sample::Origin:
       painter.setPen(entry.stroke.color);

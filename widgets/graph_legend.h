@@ -2,6 +2,7 @@
 
 #include "widgets/graph_coloring.h"
 
+#include <QCoreApplication>
 #include <QFont>
 #include <QRectF>
 #include <vector>
@@ -18,6 +19,8 @@ struct GraphMarks {
 
 /// The words for the colours of the graph, below it: each class with its line or fill, or a scale with its unit.
 class GraphLegend {
+  Q_DECLARE_TR_FUNCTIONS(hexoderm::GraphLegend)
+
  public:
   GraphLegend(const GraphPaint& paint, const GraphMarks& marks, Theme theme, const QFont& font);
 

@@ -83,12 +83,8 @@ QPolygonF GraphPainter::hexagon(std::size_t cell) const {
 }
 
 QPen GraphPainter::pen(const LinkStroke& stroke, double width) const {
-  QPen pen(stroke.color, width);
-  pen.setCapStyle(Qt::FlatCap);
-  // Patterns in pen widths; those of Qt are too coarse for the short way between two hexagons.
-  if (radius_px_ >= graph_levels::kStyleRadius && stroke.style == Qt::DashLine) pen.setDashPattern({2.6, 1.3});
-  if (radius_px_ >= graph_levels::kStyleRadius && stroke.style == Qt::DotLine) pen.setDashPattern({1.0, 1.2});
-  return pen;
+  if (radius_px_ >= graph_levels::kStyleRadius) return strokePen(stroke, width);
+  return {stroke.color, width, Qt::SolidLine, Qt::FlatCap};
 }
 
 /// The two directed edges of a link, or one line where both would fall together.

@@ -1,5 +1,4 @@
 #include "widgets/graph_view_parts.h"
-#include "widgets/core_words.h"
 
 #include "widgets/core_words.h"
 #include "widgets/find_cell_field.h"

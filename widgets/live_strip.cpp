@@ -4,14 +4,11 @@
 #include "widgets/core_words.h"
 
 #include <QAction>
-#include <QCheckBox>
 #include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
-#include <QProgressBar>
-#include <QVBoxLayout>
-#include <QVariant>
+#include <QStringList>
 
 namespace hexoderm {
 namespace {
@@ -19,8 +16,6 @@ namespace {
 struct LiveWords {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::LiveWords)
 };
-
-constexpr int kProgressSteps = 100;
 
 QLabel* plainLabel(const char* object_name, QWidget* parent) {
   auto* label = new QLabel(parent);
@@ -31,18 +26,11 @@ QLabel* plainLabel(const char* object_name, QWidget* parent) {
   return label;
 }
 
-ActionButton* buttonFor(QAction* action, const char* object_name, QWidget* parent) {
-  auto* button = new ActionButton(parent);
-  button->setObjectName(QLatin1String(object_name));
-  button->setAction(action);
-  // A click leaves the keys where they were.
-  button->setFocusPolicy(Qt::TabFocus);
-  return button;
-}
-
 void setIfChanged(QLabel* label, const QString& text) {
   if (label->text() != text) label->setText(text);
 }
+
+QString countInWords(std::uint64_t count) { return QLocale().toString(static_cast<qulonglong>(count)); }
 
 }  // namespace
 
@@ -104,31 +92,41 @@ Tone sourceStateTone(SourceState state) {
 }
 
 QString countersInWords(const SourceStatus& status, const HoldStatus& hold) {
-  const auto number = [](std::uint64_t count) { return QLocale().toString(static_cast<qulonglong>(count)); };
-  QString text =
-      LiveWords::tr("%1 frames · %2 lost · %3 late")
-          .arg(number(status.frames), number(status.lost_samples), number(status.late_frames + hold.late_frames));
-  if (status.rejected_messages > 0) text += LiveWords::tr(" · %1 broken").arg(number(status.rejected_messages));
-  if (status.unknown_samples > 0) text += LiveWords::tr(" · %1 unknown").arg(number(status.unknown_samples));
-  if (status.reconnects > 0) text += LiveWords::tr(" · %1 reconnects").arg(number(status.reconnects));
+  QString text = LiveWords::tr("%1 frames · %2 lost · %3 late")
+                     .arg(countInWords(status.frames), countInWords(status.lost_samples),
+                          countInWords(status.late_frames + hold.late_frames));
+  if (status.dropped_by_device > 0) {
+    text += LiveWords::tr(" · %1 dropped by the device").arg(countInWords(status.dropped_by_device));
+  }
+  if (status.rejected_messages > 0) text += LiveWords::tr(" · %1 broken").arg(countInWords(status.rejected_messages));
+  if (status.unknown_samples > 0) text += LiveWords::tr(" · %1 unknown").arg(countInWords(status.unknown_samples));
+  if (status.reconnects > 0) text += LiveWords::tr(" · %1 reconnects").arg(countInWords(status.reconnects));
   return text;
 }
 
-LiveStrip::LiveStrip(QAction* automatic, QAction* capture, QAction* end, QWidget* parent)
+QString lossesInWords(const SourceStatus& status, const HoldStatus& hold) {
+  QStringList losses;
+  const auto add = [&losses](std::uint64_t count, const QString& one, const QString& several) {
+    if (count == 1) losses << one;
+    if (count > 1) losses << several.arg(countInWords(count));
+  };
+  add(status.lost_samples, LiveWords::tr("1 sample lost"), LiveWords::tr("%1 samples lost"));
+  add(status.late_frames + hold.late_frames, LiveWords::tr("1 frame late"), LiveWords::tr("%1 frames late"));
+  add(status.dropped_by_device, LiveWords::tr("1 sample dropped by the device"),
+      LiveWords::tr("%1 samples dropped by the device"));
+  return losses.join(QStringLiteral(" · "));
+}
+
+LiveStrip::LiveStrip(QAction* end, QWidget* parent)
     : QFrame(parent),
       sign_(plainLabel("liveSign", this)),
       word_(plainLabel("liveState", this)),
       text_(plainLabel("liveText", this)),
-      counters_(plainLabel("liveCounters", this)),
-      capture_row_(new QWidget(this)),
-      progress_(new QProgressBar(capture_row_)),
-      hold_(plainLabel("liveHold", capture_row_)),
-      automatic_(new QCheckBox(capture_row_)) {
+      counters_(plainLabel("liveCounters", this)) {
   setObjectName(QStringLiteral("liveStrip"));
   setAccessibleName(tr("Connected skin"));
   setProperty("card", true);
   word_->setProperty("headline", true);
-  hold_->setProperty("headline", true);
   counters_->setProperty("muted", true);
   counters_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   // Counting does not move what is beside it.
@@ -136,50 +134,25 @@ LiveStrip::LiveStrip(QAction* automatic, QAction* capture, QAction* end, QWidget
   counters_->setToolTip(
       tr("Sample frames that came, samples that the device numbered and that never came, and frames that came late"));
   // A long text must not widen the window.
-  for (QLabel* label : {text_, hold_}) {
-    label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    label->setWordWrap(true);
-  }
-  progress_->setObjectName(QStringLiteral("liveProgress"));
-  progress_->setAccessibleName(tr("How long the part has been held"));
-  progress_->setRange(0, kProgressSteps);
-  progress_->setTextVisible(false);
-  progress_->setFixedWidth(150);
-  automatic_->setObjectName(QStringLiteral("liveAutomatic"));
-  automatic_->setFocusPolicy(Qt::TabFocus);
-  connect(automatic_, &QCheckBox::clicked, automatic, [automatic] { automatic->trigger(); });
-  const auto follow = [this, automatic] {
-    automatic_->setText(automatic->iconText());
-    automatic_->setChecked(automatic->isChecked());
-    automatic_->setEnabled(automatic->isEnabled());
-    automatic_->setToolTip(automatic->toolTip());
-  };
-  connect(automatic, &QAction::changed, this, follow);
-  follow();
-
-  auto* state_row = new QHBoxLayout;
-  state_row->setSpacing(10);
-  state_row->addWidget(sign_);
-  state_row->addWidget(word_);
-  state_row->addWidget(text_, 1);
-  state_row->addWidget(counters_);
-  state_row->addWidget(buttonFor(end, "liveDisconnect", this));
-  auto* capture_row = new QHBoxLayout(capture_row_);
-  capture_row->setContentsMargins(0, 0, 0, 0);
-  capture_row->setSpacing(12);
-  capture_row->addWidget(progress_);
-  capture_row->addWidget(hold_, 1);
-  capture_row->addWidget(automatic_);
-  capture_row->addWidget(buttonFor(capture, "liveCapture", capture_row_));
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(14, 8, 10, 8);
-  layout->setSpacing(6);
-  layout->addLayout(state_row);
-  layout->addWidget(capture_row_);
+  text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  text_->setWordWrap(true);
+  auto* disconnect = new ActionButton(this);
+  disconnect->setObjectName(QStringLiteral("liveDisconnect"));
+  disconnect->setAction(end);
+  // A click leaves the keys where they were.
+  disconnect->setFocusPolicy(Qt::TabFocus);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(14, 8, 10, 8);
+  row->setSpacing(10);
+  row->addWidget(sign_);
+  row->addWidget(word_);
+  row->addWidget(text_, 1);
+  row->addWidget(counters_);
+  row->addWidget(disconnect);
   hide();
 }
 
-void LiveStrip::setStatus(const SourceStatus& status, const HoldStatus& hold, bool is_capturing) {
+void LiveStrip::setStatus(const SourceStatus& status, const HoldStatus& hold) {
   state_ = status.state;
   setIfChanged(sign_, sourceStateSign(state_));
   setIfChanged(word_, sourceStateWord(state_));
@@ -189,11 +162,6 @@ void LiveStrip::setStatus(const SourceStatus& status, const HoldStatus& hold, bo
   if (text.startsWith(again)) text.remove(0, again.size());
   setIfChanged(text_, text);
   setIfChanged(counters_, countersInWords(status, hold));
-  const bool is_streaming = state_ == SourceState::Streaming;
-  capture_row_->setVisible(is_capturing);
-  progress_->setValue(is_streaming ? static_cast<int>(kProgressSteps * hold.progress) : 0);
-  // What was said of the last reading is no longer true when none come.
-  setIfChanged(hold_, is_streaming ? coreWords(hold.text) : tr("No readings; what was captured stays"));
   paintSign();
 }
 

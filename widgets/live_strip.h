@@ -7,9 +7,7 @@
 #include <QFrame>
 
 class QAction;
-class QCheckBox;
 class QLabel;
-class QProgressBar;
 
 namespace hexoderm {
 
@@ -18,20 +16,22 @@ QString sourceStateWord(SourceState state);
 /// A sign of its own for each state, so that no meaning hangs on hue.
 QString sourceStateSign(SourceState state);
 Tone sourceStateTone(SourceState state);
-/// "17,230 frames · 0 lost · 0 late"; what is broken is added where there is any.
+/// "17,230 frames · 0 lost · 0 late"; what else went wrong is added where there is any.
 QString countersInWords(const SourceStatus& status, const HoldStatus& hold);
 
-/// A skin that is connected: where its source stands, whether the part is still and what moves, and what can be done
-/// about it. Always in view while there is a source.
+/// "12 samples lost · 3 frames late · 40 samples dropped by the device": what there is of that; empty: nothing.
+QString lossesInWords(const SourceStatus& status, const HoldStatus& hold);
+
+/// A skin that does not send as it should, or not yet: where its source stands, and its end. The window shows it until
+/// all is well; then the status bar and the step Capture say how it goes.
 class LiveStrip : public QFrame {
   Q_OBJECT
 
  public:
-  /// `automatic` can be checked.
-  LiveStrip(QAction* automatic, QAction* capture, QAction* end, QWidget* parent = nullptr);
+  /// `end` ends the connection.
+  explicit LiveStrip(QAction* end, QWidget* parent = nullptr);
 
-  /// `is_capturing`: poses are taken, so that stillness is shown.
-  void setStatus(const SourceStatus& status, const HoldStatus& hold, bool is_capturing);
+  void setStatus(const SourceStatus& status, const HoldStatus& hold);
   void setTheme(Theme theme);
 
  private:
@@ -41,10 +41,6 @@ class LiveStrip : public QFrame {
   QLabel* word_;
   QLabel* text_;
   QLabel* counters_;
-  QWidget* capture_row_;
-  QProgressBar* progress_;
-  QLabel* hold_;
-  QCheckBox* automatic_;
   SourceState state_ = SourceState::Stopped;
   Theme theme_ = Theme::Light;
 };

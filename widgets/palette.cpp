@@ -2,9 +2,12 @@
 
 #include "hexoderm/io/exporter.h"
 #include "widgets/desktop_portal.h"
+#include "widgets/scene_colors.h"
 
 #include <QApplication>
 #include <QCoreApplication>
+#include <QLineF>
+#include <QPainter>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,6 +32,7 @@ const Colors kLight = {
     .cell_fill = QColor(0xFF, 0xFF, 0xFF),
     .selection = QColor(0x00, 0x00, 0x00),
     .muted_link = QColor(0x8A, 0x93, 0x9E),
+    .axis = {QColor(0xC2, 0x41, 0x0C), QColor(0x00, 0x80, 0x6F), QColor(0x3B, 0x3F, 0xB0)},
 };
 
 const Colors kDark = {
@@ -48,6 +52,7 @@ const Colors kDark = {
     .cell_fill = QColor(0x1E, 0x22, 0x27),
     .selection = QColor(0xFF, 0xFF, 0xFF),
     .muted_link = QColor(0x75, 0x7F, 0x8B),
+    .axis = {QColor(0xF4, 0x89, 0x4A), QColor(0x7B, 0xE0, 0xC8), QColor(0x6C, 0x9C, 0xFF)},
 };
 
 /// Every 17th of the 256 colours of viridis (van der Walt, Smith, Firing; CC0); between them it is nearly linear.
@@ -92,6 +97,27 @@ LinkStroke linkStroke(EdgeQuality quality, Theme theme) {
       return {color, Qt::SolidLine, true};
   }
   return {};
+}
+
+QPen strokePen(const LinkStroke& stroke, double width) {
+  QPen pen(stroke.color, width, Qt::SolidLine, Qt::FlatCap);
+  // In pen widths.
+  if (stroke.style == Qt::DashLine) pen.setDashPattern({2.6, 1.3});
+  if (stroke.style == Qt::DotLine) pen.setDashPattern({1.0, 1.2});
+  return pen;
+}
+
+void drawStroke(QPainter& painter, const LinkStroke& stroke, const QLineF& line, double width) {
+  if (!stroke.doubled) {
+    painter.setPen(strokePen(stroke, width));
+    painter.drawLine(line);
+    return;
+  }
+  painter.setPen(strokePen(stroke, 0.7 * width));
+  const QLineF normal = line.normalVector().unitVector();
+  const QPointF aside = 0.75 * width * QPointF(normal.dx(), normal.dy());
+  painter.drawLine(line.translated(aside));
+  painter.drawLine(line.translated(-aside));
 }
 
 QString qualityWord(EdgeQuality quality) {
@@ -153,8 +179,8 @@ QColor viridis(double t) {
 }
 
 QColor textOn(const QColor& ground) {
-  constexpr int kMiddleGray = 140;  // of perceived lightness, where black and white are read equally well
-  return qGray(ground.rgb()) < kMiddleGray ? kDark.selection : kLight.selection;
+  const Rgb below = {ground.redF(), ground.greenF(), ground.blueF()};
+  return contrast(below, {1, 1, 1}) > contrast(below, {0, 0, 0}) ? kDark.selection : kLight.selection;
 }
 
 Theme systemTheme() {

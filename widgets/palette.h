@@ -4,7 +4,12 @@
 
 #include <QColor>
 #include <QPalette>
+#include <QPen>
 #include <QString>
+#include <array>
+
+class QLineF;
+class QPainter;
 
 namespace hexoderm {
 
@@ -35,11 +40,16 @@ struct Colors {
   QColor cell_fill;  ///< hexagons of the graph
   QColor selection;  ///< outline of what is picked: black or white, not a hue
   QColor muted_link;
+  std::array<QColor, 3> axis;  ///< x, y, z: as red, green and blue as who can't tell red from green allows
 
   static const Colors& of(Theme theme);
 };
 
 LinkStroke linkStroke(EdgeQuality quality, Theme theme);
+/// Its pen, `width` thick: the same pattern in every view, shorter than Qt's own, as lines of links are.
+QPen strokePen(const LinkStroke& stroke, double width);
+/// A sample of it, for legends and tables: `width` is that of the single line, and the double one takes 2.2 times that.
+void drawStroke(QPainter& painter, const LinkStroke& stroke, const QLineF& line, double width);
 /// "fully defined" and so on, for legends and tooltips (translated).
 QString qualityWord(EdgeQuality quality);
 

@@ -152,10 +152,11 @@ void PartMotion::updateCaption() {
 
 void PartMotion::place() {
   constexpr int kEdge = 10;
+  constexpr int kBelowControls = 6;
   caption_->setGeometry(view_->rect());
   caption_->raise();
   button_->adjustSize();
-  button_->move(kEdge, top_);
+  button_->move(kEdge, top_ + kBelowControls);
   button_->raise();
 }
 

@@ -71,29 +71,46 @@ std::unordered_map<CellId, std::unordered_set<PortNumber>> joinedPorts(const Rec
   return joined;
 }
 
+/// Colours of points are the fastest to draw.
+vtkSmartPointer<vtkPolyData> withPointColors(vtkPolyData* faces, std::size_t points_per_cell,
+                                             const std::vector<Rgb>& front_colors) {
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->ShallowCopy(faces);
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  colors->SetNumberOfTuples(static_cast<vtkIdType>(points_per_cell * front_colors.size()));
+  unsigned char* out = front_colors.empty() ? nullptr : colors->GetPointer(0);
+  for (const Rgb& color : front_colors) {
+    const Bytes bytes = toBytes(color);
+    for (std::size_t k = 0; k < points_per_cell; ++k) out = std::ranges::copy(bytes, out).out;
+  }
+  data->GetPointData()->SetScalars(colors);
+  return data;
+}
+
 }  // namespace
 
 vtkSmartPointer<vtkPolyData> makeColoredSurface(const SceneContent& content, const std::vector<Rgb>& front_colors) {
+  if (!content.prisms) return withPointColors(content.surface, 6, front_colors);
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->ShallowCopy(content.surface);
+  const std::size_t per_cell = content.polygonsPerCell();
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetNumberOfComponents(3);
-  // Colours of points are the fastest to draw; the polygons of a prism share their points.
-  constexpr std::size_t kFrontPoints = 6;
-  const std::size_t per_cell = content.prisms ? content.polygonsPerCell() : kFrontPoints;
   colors->SetNumberOfTuples(static_cast<vtkIdType>(per_cell * front_colors.size()));
   unsigned char* out = front_colors.empty() ? nullptr : colors->GetPointer(0);
   for (const Rgb& color : front_colors) {
     const Bytes front = toBytes(color);
-    const Bytes shade = content.prisms ? toBytes(mixed({0, 0, 0}, color, kUndersideShade)) : front;
+    const Bytes shade = toBytes(mixed({0, 0, 0}, color, kUndersideShade));
     for (std::size_t k = 0; k < per_cell; ++k) out = std::ranges::copy(k == 0 ? front : shade, out).out;
   }
-  if (content.prisms) {
-    data->GetCellData()->SetScalars(colors);
-  } else {
-    data->GetPointData()->SetScalars(colors);
-  }
+  // The polygons of a prism share their points.
+  data->GetCellData()->SetScalars(colors);
   return data;
+}
+
+vtkSmartPointer<vtkPolyData> makeColoredBricks(const SceneContent& content, const std::vector<Rgb>& front_colors) {
+  return withPointColors(content.bricks, 4, front_colors);
 }
 
 vtkSmartPointer<vtkPolyData> makePortMarks(const SceneContent& content, const std::vector<Rgb>& front_colors,

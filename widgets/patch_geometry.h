@@ -14,6 +14,8 @@ namespace hexoderm {
 /// The surface with one colour a cell; the sides and backs of prisms are darker. Shares points and polygons with the
 /// content's.
 vtkSmartPointer<vtkPolyData> makeColoredSurface(const SceneContent& content, const std::vector<Rgb>& front_colors);
+/// The same with SceneContent::bricks, which must be there.
+vtkSmartPointer<vtkPolyData> makeColoredBricks(const SceneContent& content, const std::vector<Rgb>& front_colors);
 
 /// Sides, backs and undersides, of the front face's colour.
 inline constexpr double kUndersideShade = 0.70;

@@ -22,15 +22,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace hexoderm {
 namespace {
 
 constexpr double kViewAngle_deg = 30;
-// Parts of the window that a fitted skin fills: buttons above and legend below stay free.
+// Parts of the window that a fitted skin fills: the legend below stays free, and what covers the top.
 constexpr double kFitWidth = 0.88;
 constexpr double kFitHeight = 0.74;
+constexpr double kLeastFitHeight = 0.4;
 
 Eigen::Vector3d toEigen(const double* v) { return {v[0], v[1], v[2]}; }
 
@@ -93,6 +95,8 @@ struct PatchScene::Parts {
   std::optional<Eigen::Vector3d> next_up_o;  ///< of the ghost
 
   bool fit_pending = false;
+  bool content_is_new = false;  ///< since the last picture
+  int top_margin = 0;           ///< pixels
   /// Camera, window and patch as the last fit left them: while nobody has moved the camera, a resized window or a patch
   /// that has taken another shape (flat at first, bent from the first poses on) is fitted again.
   struct Fitted {
@@ -111,6 +115,13 @@ struct PatchScene::Parts {
   void fitNow();
   /// Nobody has moved the camera since the last fit.
   [[nodiscard]] bool isUntouched() const;
+  /// The patch has another shape than it was fitted with, or part of it has come close to the edge of the picture.
+  [[nodiscard]] bool hasOutgrownTheFit() const;
+  /// Shares of the window.
+  [[nodiscard]] double freeWidth() const { return ghost.isVisible() ? kFitWidth - SceneGhost::kShare : kFitWidth; }
+  [[nodiscard]] double freeHeight() const;
+  /// The free part of the window has the focus in its middle.
+  void centerInFreePart();
   void beforeRender();
   void recolor();
   void updateItems();
@@ -134,14 +145,13 @@ PatchScene::Parts::Parts() {
 
   vtkNew<vtkLight> key;
   key->SetLightTypeToCameraLight();
-  key->SetPosition(-0.3, 0.45, 1.0);
+  key->SetPosition(SceneLights::kKeyFrom[0], SceneLights::kKeyFrom[1], SceneLights::kKeyFrom[2]);
   key->SetFocalPoint(0, 0, 0);
-  key->SetIntensity(0.75);
+  key->SetIntensity(SceneLights::kKey);
   renderer->AddLight(key);
-  // Straight from the viewer: together they give text, which VTK lights like a surface, its full colour.
   vtkNew<vtkLight> fill;
   fill->SetLightTypeToHeadlight();
-  fill->SetIntensity(0.4);
+  fill->SetIntensity(SceneLights::kHead);
   renderer->AddLight(fill);
   renderer->GradientBackgroundOn();
   renderer->GetActiveCamera()->SetViewAngle(kViewAngle_deg);
@@ -163,6 +173,18 @@ std::array<int, 2> PatchScene::Parts::size() const {
   if (!window) return {0, 0};
   const int* pixels = window->GetSize();
   return {pixels[0], pixels[1]};
+}
+
+double PatchScene::Parts::freeHeight() const {
+  const int height = size()[1];
+  if (height <= 0) return kFitHeight;
+  const double below = 0.5 * (1 - kFitHeight);
+  const double above = static_cast<double>(top_margin) / height;
+  return std::max(kLeastFitHeight, 1 - below - std::max(below, above));
+}
+
+void PatchScene::Parts::centerInFreePart() {
+  renderer->GetActiveCamera()->SetWindowCenter(ghost.isVisible() ? SceneGhost::kShare : 0, kFitHeight - freeHeight());
 }
 
 void PatchScene::Parts::lookFrom(View view) {
@@ -189,9 +211,8 @@ void PatchScene::Parts::fitNow() {
   const std::vector<Eigen::Vector3d>& points = content->layout.points;
   for (const Eigen::Vector3d& p : points) box.extend(Eigen::Vector3d(right.dot(p), up.dot(p), back.dot(p)));
   const Eigen::Vector3d center = box.center();
-  const double tan_height = kFitHeight * std::tan(0.5 * kViewAngle_deg * kDegree);
-  const double free_width = ghost.isVisible() ? kFitWidth - SceneGhost::kShare : kFitWidth;
-  const double tan_width = free_width * std::tan(0.5 * kViewAngle_deg * kDegree) * width / height;
+  const double tan_height = freeHeight() * std::tan(0.5 * kViewAngle_deg * kDegree);
+  const double tan_width = freeWidth() * std::tan(0.5 * kViewAngle_deg * kDegree) * width / height;
   const double least = 2 * content->reconstruction->model->side_m;
   double distance = least;
   double flat_distance = least;  // from where a skin without depth would fit
@@ -218,15 +239,35 @@ bool PatchScene::Parts::isUntouched() const {
          fitted->focus == toEigen(camera->GetFocalPoint()) && fitted->parallel_scale == camera->GetParallelScale();
 }
 
-void PatchScene::Parts::beforeRender() {
+bool PatchScene::Parts::hasOutgrownTheFit() const {
   // Small changes, as every new pose brings them, must not make the picture jump.
   constexpr double kOtherShape = 0.1;
-  const bool reshaped =
-      fitted && content && std::abs(content->extent_m - fitted->extent_m) > kOtherShape * fitted->extent_m;
-  if (fit_pending || (isUntouched() && (reshaped || fitted->size != size()))) fitNow();
+  constexpr double kEdge = 0.08;
+  if (std::abs(content->extent_m - fitted->extent_m) > kOtherShape * fitted->extent_m) return true;
+  const auto [width, height] = size();
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const Eigen::Vector3d position = toEigen(camera->GetPosition());
+  const Eigen::Vector3d ahead = toEigen(camera->GetDirectionOfProjection());
+  const Eigen::Vector3d right = ahead.cross(toEigen(camera->GetViewUp())).normalized();
+  const Eigen::Vector3d up = right.cross(ahead);
+  const double tan_height = std::tan(0.5 * kViewAngle_deg * kDegree);
+  const double tan_width = tan_height * width / height;
+  return std::any_of(content->layout.points.begin(), content->layout.points.end(), [&](const Eigen::Vector3d& p) {
+    const Eigen::Vector3d v = p - position;
+    const double depth = camera->GetParallelProjection() ? camera->GetParallelScale() / tan_height : v.dot(ahead);
+    return std::abs(v.dot(right)) > (freeWidth() + kEdge) * tan_width * depth ||
+           std::abs(v.dot(up)) > (freeHeight() + kEdge) * tan_height * depth;
+  });
+}
+
+void PatchScene::Parts::beforeRender() {
+  centerInFreePart();
+  const bool outgrown = std::exchange(content_is_new, false) && content && isUntouched() && hasOutgrownTheFit();
+  if (fit_pending || outgrown || (isUntouched() && fitted->size != size())) fitNow();
   extras.update();
   renderer->ResetCameraClippingRange();
   if (!window) return;
+  skin.update(size()[1]);
   labels.update(size(), window->GetDPI());
   corners.follow(renderer->GetActiveCamera(), window);
   ghost.follow(renderer->GetActiveCamera(), window);
@@ -253,7 +294,6 @@ void PatchScene::Parts::updateGhost() {
   ghost.setTurn(upShown().value_or(Eigen::Vector3d::UnitZ()), upShown() ? next_up_o : std::nullopt);
   if (ghost.isVisible() == was_there) return;
   // The skin makes room for it.
-  renderer->GetActiveCamera()->SetWindowCenter(ghost.isVisible() ? SceneGhost::kShare : 0, 0);
   if (isUntouched()) fit_pending = true;
 }
 
@@ -340,6 +380,7 @@ void PatchScene::attachTo(vtkRenderWindow* window) {
 
 void PatchScene::setContent(std::shared_ptr<const SceneContent> content) {
   const std::shared_ptr<const SceneContent> before = std::exchange(parts_->content, std::move(content));
+  parts_->content_is_new = true;
   const std::shared_ptr<const SceneContent>& after = parts_->content;
   if (!sameCells(before.get(), after.get())) {
     if (isOtherSkin(before.get(), after.get())) {
@@ -455,6 +496,10 @@ void PatchScene::setSmoothed(bool smoothed) {
   parts_->renderer->SetUseFXAA(smoothed);
   parts_->corners.setSmoothed(smoothed);
   parts_->ghost.setSmoothed(smoothed);
+}
+
+void PatchScene::setTopMargin(int pixels) {
+  if (std::exchange(parts_->top_margin, pixels) != pixels && parts_->isUntouched()) parts_->fit_pending = true;
 }
 
 void PatchScene::fit() { parts_->fit_pending = true; }

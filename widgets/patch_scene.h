@@ -82,6 +82,8 @@ class PatchScene {
   /// turns the camera with the mouse switches it off meanwhile.
   void setSmoothed(bool smoothed);
 
+  /// Pixels of the window's top that something else covers: what is fitted stays below.
+  void setTopMargin(int pixels);
   /// Moves the camera along its direction until everything fits into the window.
   void fit();
   void showStandardView(View view);

@@ -7,6 +7,7 @@
 #include "widgets/patch_scene.h"
 #include "widgets/scene_builder.h"
 #include "widgets/scene_overlay.h"
+#include "widgets/scene_widget.h"
 #include "widgets/scene_words.h"
 #include "widgets/selection.h"
 
@@ -68,6 +69,7 @@ SceneColors sceneColors(Theme theme) {
   scene.overlay = toRgb(colors.accent);
   scene.difference = toRgb(colors.caution);
   scene.ellipsoid = toRgb(dark ? colors.selection : colors.panel);
+  for (std::size_t k = 0; k < scene.axis.size(); ++k) scene.axis.at(k) = toRgb(colors.axis.at(k));
   return scene;
 }
 
@@ -79,7 +81,6 @@ struct PatchView::Parts : public QObject {
   PatchView* view;
   Selection* selection;
   MeasureTool measure;
-  Theme theme = Theme::Light;
   std::shared_ptr<const Reconstruction> reconstruction;
   CellColoring coloring = CellColoring::LinkQuality;
   std::optional<SurfaceEvaluation> surface;
@@ -93,6 +94,7 @@ struct PatchView::Parts : public QObject {
   PartMotion* motion = nullptr;  ///< likewise
   SceneOverlay* overlay = nullptr;
   PatchControls* controls = nullptr;
+  std::vector<std::function<void()>> waiting;  ///< for the picture to be up to date
   QTimer at_rest;
   QTimer render_soon;
   QPoint pressed_at;
@@ -142,7 +144,7 @@ void PatchView::Parts::build() {
 }
 
 void PatchView::Parts::buildScene(QGridLayout* layout) {
-  gl = new QVTKOpenGLNativeWidget(view);
+  gl = new SceneWidget(view);
   gl->setFormat(sceneSurfaceFormat());
   gl->setRenderWindow(window.Get());
   gl->setAccessibleName(PatchView::tr("Skin patch in 3D"));
@@ -181,6 +183,10 @@ void PatchView::Parts::connectControls() {
     requestRender();
   });
   connect(controls, &PatchControls::heightChanged, overlay, &SceneOverlay::setTopMargin);
+  connect(controls, &PatchControls::heightChanged, this, [this](int height) {
+    scene->setTopMargin(qRound(height * gl->devicePixelRatioF()));
+    requestRender();
+  });
   connect(controls->measureAction(), &QAction::toggled, &measure, &MeasureTool::setActive);
   connect(controls->parallelAction(), &QAction::toggled, this, [this](bool parallel) {
     scene->setParallel(parallel);
@@ -189,7 +195,7 @@ void PatchView::Parts::connectControls() {
   connect(controls->pictureAction(), &QAction::triggered, view, &PatchView::pictureRequested);
 }
 
-/// While the mouse turns the scene, pictures come without smoothing, which costs half their time.
+/// While the mouse turns the scene or the view is resized, pictures come without smoothing.
 void PatchView::Parts::smoothWhenAtRest() {
   constexpr int kRest_ms = 150;
   at_rest.setSingleShot(true);
@@ -207,6 +213,9 @@ void PatchView::Parts::setContent(std::shared_ptr<const SceneContent> content) {
   scene->setContent(std::move(content));
   updateControls();
   refresh();
+  // What is delivered may be older than what was submitted since.
+  if (builder->isBusy()) return;
+  for (const std::function<void()>& then : std::exchange(waiting, {})) then();
 }
 
 void PatchView::Parts::updateControls() {
@@ -271,7 +280,6 @@ void PatchView::Parts::updateMeasure() {
   controls->measureAction()->setChecked(measure.isActive());
   scene->setMeasured(measure.first(), measure.second());
   refresh();
-  emit view->measured(measure.words());
 }
 
 void PatchView::Parts::updateSelection() {
@@ -303,6 +311,10 @@ bool PatchView::Parts::eventFilter(QObject*, QEvent* event) {
       return true;
     case QEvent::Show:  // what changed while it was hidden
       requestRender();
+      return false;
+    case QEvent::Resize:
+      startInteraction();
+      endInteraction();
       return false;
     case QEvent::MouseButtonPress:
       pressed_at = static_cast<QMouseEvent*>(event)->pos();
@@ -348,7 +360,6 @@ void PatchView::setReconstruction(std::shared_ptr<const Reconstruction> reconstr
 }
 
 void PatchView::setTheme(Theme theme) {
-  parts_->theme = theme;
   const SceneColors colors = sceneColors(theme);
   parts_->overlay->setTheme(theme, colors);
   if (parts_->scene) parts_->scene->setColors(colors);
@@ -409,29 +420,7 @@ void PatchView::setComparison(std::vector<Comparison> comparison) {
   parts_->refresh();
 }
 
-void PatchView::setColoring(CellColoring coloring) {
-  if (parts_->controls != nullptr) parts_->controls->action(coloring)->setChecked(true);
-}
-
-QAction* PatchView::coloringAction(CellColoring coloring) const {
-  return parts_->controls != nullptr ? parts_->controls->action(coloring) : nullptr;
-}
-
-QAction* PatchView::itemAction(SceneItem item) const {
-  return parts_->controls != nullptr ? parts_->controls->action(item) : nullptr;
-}
-
-QAction* PatchView::measureAction() const {
-  return parts_->controls != nullptr ? parts_->controls->measureAction() : nullptr;
-}
-
-QAction* PatchView::parallelAction() const {
-  return parts_->controls != nullptr ? parts_->controls->parallelAction() : nullptr;
-}
-
 bool PatchView::isUpToDate() const { return !parts_->builder || !parts_->builder->isBusy(); }
-
-QString PatchView::renderer() const { return openGlInWords(parts_->opengl); }
 
 void PatchView::setCurrentUp(const std::optional<Eigen::Vector3d>& up_o) {
   if (!parts_->motion) return;
@@ -454,9 +443,20 @@ void PatchView::setAnimated(bool animated) {
 
 bool PatchView::isAnimating() const { return parts_->motion && parts_->motion->isAnimating(); }
 
+void PatchView::whenUpToDate(std::function<void()> then) {
+  if (isUpToDate()) {
+    then();
+  } else {
+    parts_->waiting.push_back(std::move(then));
+  }
+}
+
+void PatchView::waitUntilUpToDate() {
+  if (!isUpToDate()) parts_->builder->finish();
+}
+
 QImage PatchView::screenshot() {
   if (parts_->gl == nullptr) return grab().toImage();
-  if (parts_->builder->isBusy()) parts_->builder->finish();
   // A view that was shown keeps its last picture until it is told to draw; one that never was draws for the first time.
   parts_->scene->setSmoothed(true);
   if (parts_->gl->isValid()) parts_->window->Render();

@@ -9,11 +9,10 @@
 
 #include <QImage>
 #include <QWidget>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
-
-class QAction;
 
 namespace hexoderm {
 
@@ -62,20 +61,14 @@ class PatchView : public QWidget {
   void setAnimated(bool animated);
   [[nodiscard]] bool isAnimating() const;
 
-  /// Chooses the colours as the menu does.
-  void setColoring(CellColoring coloring);
-
-  // For the window's own menus; all of them are in the view's menus too, without keys. Null without OpenGL.
-  [[nodiscard]] QAction* coloringAction(CellColoring coloring) const;
-  [[nodiscard]] QAction* itemAction(SceneItem item) const;
-  [[nodiscard]] QAction* measureAction() const;
-  [[nodiscard]] QAction* parallelAction() const;
-
   /// Everything that was set is in the picture, or will be at its next drawing.
   [[nodiscard]] bool isUpToDate() const;
-  /// What draws here, in words; for an about box or a log.
-  [[nodiscard]] QString renderer() const;
-  /// The scene as drawn, without the buttons on top. Waits for a large skin to be prepared.
+  /// Calls `then` as soon as everything that was set is in the picture: at once, except while a large skin is being
+  /// prepared. Never after the view has gone.
+  void whenUpToDate(std::function<void()> then);
+  /// Waits until it is, as long as preparing takes. For pictures that nobody watches being taken.
+  void waitUntilUpToDate();
+  /// The scene as drawn, without the buttons on top; while a large skin is being prepared, as it was before.
   [[nodiscard]] QImage screenshot();
 
  public slots:
@@ -87,8 +80,6 @@ class PatchView : public QWidget {
   void pictureRequested();
   /// The part should be turned until this direction of the largest patch's frame points up; at most 20 times a second.
   void turnRequested(Eigen::Vector3d up_o);
-  /// What the measuring tool says; empty when it ends.
-  void measured(const QString& words);
 
  private:
   struct Parts;

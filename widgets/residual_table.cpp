@@ -44,7 +44,7 @@ std::optional<PoseId> ResidualTable::poseAt(int column) const {
 
 std::optional<double> ResidualTable::residualAt(const QModelIndex& index) const {
   const LinkEstimate& link = linkAt(index.row());
-  if (index.column() == 0) return knownResidual(link);
+  if (index.column() == 0) return link.knownResidual();
   const auto pose = static_cast<std::size_t>(index.column() - 1);
   return pose < link.pose_residual_rad.size() ? link.pose_residual_rad[pose] : std::nullopt;
 }

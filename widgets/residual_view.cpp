@@ -18,21 +18,10 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <cmath>
 
 namespace hexoderm {
 
 QColor residualColor(double residual_deg) { return viridis(residual_deg / kResidualScaleEnd_deg); }
-
-QColor textColorOn(const QColor& ground) {
-  // Relative luminance of WCAG; from about 0.18 on black has the larger contrast.
-  const auto linear = [](double channel) {
-    return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
-  };
-  const double luminance =
-      0.2126 * linear(ground.redF()) + 0.7152 * linear(ground.greenF()) + 0.0722 * linear(ground.blueF());
-  return luminance > 0.18 ? Qt::black : Qt::white;
-}
 
 /// Paints the cells itself: a thousand columns leave no time for a style sheet.
 class ResidualMatrixDelegate : public QStyledItemDelegate {
@@ -49,7 +38,7 @@ class ResidualMatrixDelegate : public QStyledItemDelegate {
     if (residual.isValid()) {
       const QColor ground = residualColor(residual.toDouble());
       painter->fillRect(cell, ground);
-      text = textColorOn(ground);
+      text = textOn(ground);
     }
     painter->setPen(text);
     painter->setFont(option.font);

@@ -6,18 +6,18 @@
 namespace hexoderm {
 namespace {
 
-/// Relative luminance and contrast ratio as the WCAG defines them.
+/// Relative luminance as the WCAG defines it.
 double luminance(const Rgb& color) {
   const auto linear = [](double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
   return 0.2126 * linear(color[0]) + 0.7152 * linear(color[1]) + 0.0722 * linear(color[2]);
 }
 
+}  // namespace
+
 double contrast(const Rgb& a, const Rgb& b) {
   const auto [low, high] = std::minmax({luminance(a), luminance(b)});
   return (high + 0.05) / (low + 0.05);
 }
-
-}  // namespace
 
 Rgb mixed(const Rgb& a, const Rgb& b, double share_of_b) {
   Rgb result{};

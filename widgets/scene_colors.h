@@ -33,6 +33,7 @@ struct SceneColors {
   Rgb overlay{};     ///< truth, fitted surface
   Rgb difference{};  ///< arrows of gaps and differences
   Rgb ellipsoid{};
+  std::array<Rgb, 3> axis{};  ///< x, y, z
 };
 
 /// `t` in [0, 1] on the scale; beyond it the ends.
@@ -40,6 +41,8 @@ Rgb onScale(const std::vector<Rgb>& scale, double t);
 /// Categories are spread evenly over the scale, its ends left out.
 Rgb categoryColor(const SceneColors& colors, std::size_t category, std::size_t count);
 Rgb mixed(const Rgb& a, const Rgb& b, double share_of_b);
+/// Contrast ratio as the WCAG defines it: 1 to 21.
+double contrast(const Rgb& a, const Rgb& b);
 /// Which of the two marks is read better on this face.
 const Rgb& markOn(const Rgb& face, const SceneColors& colors);
 

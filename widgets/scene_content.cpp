@@ -78,33 +78,61 @@ vtkSmartPointer<vtkPolyData> makePrisms(const SceneLayout& layout) {
   return data;
 }
 
-vtkSmartPointer<vtkPolyData> makeFrontFaces(const SceneLayout& layout) {
-  constexpr std::array<vtkIdType, 12> kTriangles = {0, 1, 2, 0, 2, 3, 0, 3, 5, 3, 4, 5};
+/// `Points` points a cell with its normal, cut into triangles.
+template <std::size_t Points, std::size_t Corners>
+vtkSmartPointer<vtkPolyData> makeFaces(const SceneLayout& layout, const std::vector<Eigen::Vector3d>& points,
+                                       const std::array<vtkIdType, Corners>& corners_of_cell) {
   const auto count = static_cast<vtkIdType>(layout.cells.size());
+  constexpr auto kPoints = static_cast<vtkIdType>(Points);
+  constexpr auto kCorners = static_cast<vtkIdType>(Corners);
   vtkNew<vtkFloatArray> normals;
   normals->SetNumberOfComponents(3);
-  normals->SetNumberOfTuples(kSides * count);
+  normals->SetNumberOfTuples(kPoints * count);
   vtkNew<vtkIdTypeArray> offsets;
-  offsets->SetNumberOfValues(4 * count + 1);
+  offsets->SetNumberOfValues(kCorners / 3 * count + 1);
   vtkNew<vtkIdTypeArray> corners;
-  corners->SetNumberOfValues(12 * count);
+  corners->SetNumberOfValues(kCorners * count);
   float* normal = normals->GetPointer(0);
   vtkIdType* corner = corners->GetPointer(0);
   for (vtkIdType cell = 0; cell < count; ++cell) {
     const Eigen::Vector3f n = layout.cells[static_cast<std::size_t>(cell)].T_s_u.R.col(2).cast<float>();
-    for (vtkIdType k = 0; k < kSides; ++k) {
+    for (vtkIdType k = 0; k < kPoints; ++k) {
       for (int axis = 0; axis < 3; ++axis) *normal++ = n[axis];
     }
-    for (const vtkIdType k : kTriangles) *corner++ = kSides * cell + k;
+    for (const vtkIdType k : corners_of_cell) *corner++ = kPoints * cell + k;
   }
-  for (vtkIdType k = 0; k <= 4 * count; ++k) offsets->SetValue(k, 3 * k);
+  for (vtkIdType k = 0; k <= kCorners / 3 * count; ++k) offsets->SetValue(k, 3 * k);
   vtkNew<vtkCellArray> triangles;
   triangles->SetData(offsets, corners);
   auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(makePoints(layout.points));
+  data->SetPoints(makePoints(points));
   data->SetPolys(triangles);
   data->GetPointData()->SetNormals(normals);
   return data;
+}
+
+vtkSmartPointer<vtkPolyData> makeFrontFaces(const SceneLayout& layout) {
+  constexpr std::array<vtkIdType, 12> kTriangles = {0, 1, 2, 0, 2, 3, 0, 3, 5, 3, 4, 5};
+  return makeFaces<kSides>(layout, layout.points, kTriangles);
+}
+
+/// Two opposite sides made half as long again: 1.5 sides by the hexagon's width is the hexagon's area, and rows of them
+/// close as rows of hexagons do.
+vtkSmartPointer<vtkPolyData> makeBricks(const SceneLayout& layout) {
+  constexpr double kHalfSide = 0.75;
+  constexpr std::array<vtkIdType, 6> kTriangles = {0, 1, 2, 0, 2, 3};
+  std::vector<Eigen::Vector3d> points;
+  points.reserve(4 * layout.cells.size());
+  for (std::size_t first = 0; first < layout.points.size(); first += kSides) {
+    for (const std::size_t side : {0, 3}) {
+      const Eigen::Vector3d& a = layout.points[first + side];
+      const Eigen::Vector3d& b = layout.points[first + side + 1];
+      const Eigen::Vector3d middle = 0.5 * (a + b);
+      points.emplace_back(middle - kHalfSide * (b - a));
+      points.emplace_back(middle + kHalfSide * (b - a));
+    }
+  }
+  return makeFaces<4>(layout, points, kTriangles);
 }
 
 }  // namespace
@@ -126,6 +154,7 @@ std::shared_ptr<const SceneContent> makeSceneContent(std::shared_ptr<const Recon
   for (const Eigen::Vector3d& point : content->layout.points) box.extend(point);
   content->extent_m = box.isEmpty() ? 0 : box.diagonal().norm();
   content->surface = content->prisms ? makePrisms(content->layout) : makeFrontFaces(content->layout);
+  if (!content->prisms) content->bricks = makeBricks(content->layout);
   return content;
 }
 

@@ -45,6 +45,9 @@ struct SceneContent {
   double extent_m = 0;  ///< diagonal of the bounding box
   bool prisms = true;
   vtkSmartPointer<vtkPolyData> surface;  ///< without colours
+  /// A large skin from far away: hexagons of a few pixels look like bricks of the same area, which join as closely and
+  /// have half the triangles. Null for prisms.
+  vtkSmartPointer<vtkPolyData> bricks;
 
   [[nodiscard]] std::size_t polygonsPerCell() const { return prisms ? 8 : 4; }
 };

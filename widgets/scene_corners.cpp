@@ -23,8 +23,6 @@ namespace hexoderm {
 namespace {
 
 constexpr double kLengthRange = 1.15;  // half the height of what a corner shows; the axes are 0.7 long
-/// x, y, z as everywhere in robotics; light enough for dark and dark enough for light backgrounds.
-constexpr std::array<Rgb, 3> kAxisColors = {{{0.85, 0.31, 0.29}, {0.22, 0.63, 0.33}, {0.27, 0.48, 0.90}}};
 constexpr std::array<const char*, 3> kAxisNames = {"x", "y", "z"};
 
 /// A round stick between two points.
@@ -79,13 +77,11 @@ SceneCorners::SceneCorners() : parts_(std::make_unique<Parts>()) {
     const auto index = static_cast<std::size_t>(k);
     const Eigen::Vector3d tip = 0.7 * Eigen::Vector3d::Unit(k);
     parts_->axis_sticks.push_back(std::make_unique<Stick>(Eigen::Vector3d::Zero(), tip, 0.045));
-    Rgb color = kAxisColors.at(index);
-    parts_->axis_sticks.back()->actor->GetProperty()->SetColor(color.data());
     parts_->axes->AddActor(parts_->axis_sticks.back()->actor);
     vtkBillboardTextActor3D* letter = parts_->letters.at(index);
     letter->SetInput(kAxisNames.at(index));
+    letter->ForceOpaqueOn();  // as SceneLabels
     letter->SetPosition(1.3 * tip.x(), 1.3 * tip.y(), 1.3 * tip.z());
-    letter->GetTextProperty()->SetColor(color.data());
     letter->GetTextProperty()->SetFontSize(12);
     letter->GetTextProperty()->SetJustificationToCentered();
     letter->GetTextProperty()->SetVerticalJustificationToCentered();
@@ -122,6 +118,11 @@ void SceneCorners::setColors(const SceneColors& colors) {
   Rgb head = colors.arrow_head;
   parts_->shaft.actor->GetProperty()->SetColor(shaft.data());
   parts_->head->GetProperty()->SetColor(head.data());
+  for (std::size_t k = 0; k < colors.axis.size(); ++k) {
+    Rgb axis = colors.axis.at(k);
+    parts_->axis_sticks.at(k)->actor->GetProperty()->SetColor(axis.data());
+    parts_->letters.at(k)->GetTextProperty()->SetColor(axis.data());
+  }
 }
 
 void SceneCorners::setDown(const std::optional<Eigen::Vector3d>& down_o) {
@@ -161,7 +162,6 @@ void SceneCorners::follow(vtkCamera* camera, vtkRenderWindow* window) {
   const double left = std::min(1 - width, scale * kLeft / size[0]);
   const double bottom = std::min(1 - height, scale * kBottom / size[1]);
   parts_->axes->SetViewport(left, bottom, left + width, bottom + height);
-  // The word stands to the right of the arrow.
   const double right = std::max(0.0, 1 - width - scale * kRight / size[0]);
   parts_->gravity->SetViewport(right, bottom, right + width, bottom + height);
   double back[3];

@@ -19,7 +19,7 @@ class SceneCorners {
   static constexpr int kSize = 84;
   static constexpr int kBottom = 34;
   static constexpr int kLeft = 14;
-  static constexpr int kRight = 44;
+  static constexpr int kRight = 14;
 
   SceneCorners();
   ~SceneCorners();

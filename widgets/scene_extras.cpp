@@ -41,6 +41,7 @@ struct SceneExtras::Parts {
   ShownItems shown = kShownAtFirst;
   std::shared_ptr<const GroundTruth> truth;
   std::optional<SurfaceEvaluation> surface;
+  std::optional<SurfaceMesh> surface_mesh;  ///< its sheet and the distances are drawn from the same
   std::optional<LoopEvaluation> loop;
   std::vector<Comparison> comparison;
   std::optional<CellId> first;
@@ -167,7 +168,8 @@ vtkSmartPointer<vtkPolyData> SceneExtras::Parts::make(Kind kind) {
       if (!draws(SceneItem::Surface)) return nullptr;
       const std::size_t patch = *surfacePatch();
       const Reconstruction& r = *content->reconstruction;
-      const SurfaceMesh mesh = meshSurface(*surface, r.patches[patch], 1.5 * r.model->side_m);
+      if (!surface_mesh) surface_mesh = meshSurface(*surface, r.patches[patch], 1.5 * r.model->side_m);
+      const SurfaceMesh& mesh = *surface_mesh;
       if (mesh.points.empty()) return nullptr;
       if (kind == kSheet) return makeSurfaceSheet(*content, mesh, patch);
       return cells() > kMaxCells ? nullptr : enlarged(makeDistanceLines(*content, mesh, patch), notes.distance_factor);
@@ -227,6 +229,7 @@ SceneExtras::~SceneExtras() = default;
 
 void SceneExtras::setContent(std::shared_ptr<const SceneContent> content) {
   parts_->content = std::move(content);
+  parts_->surface_mesh.reset();
   parts_->invalidateAll();
 }
 
@@ -248,6 +251,7 @@ void SceneExtras::setTruth(std::shared_ptr<const GroundTruth> truth) {
 
 void SceneExtras::setSurface(std::optional<SurfaceEvaluation> surface) {
   parts_->surface = std::move(surface);
+  parts_->surface_mesh.reset();
   parts_->invalidate({kSheet, kDistances});
 }
 

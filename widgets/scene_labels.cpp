@@ -43,6 +43,9 @@ void SceneLabels::setContent(const std::shared_ptr<const SceneContent>& content)
     property->SetVerticalJustificationToCentered();
     property->BoldOn();
     labels_.back()->actor->PickableOff();
+    // Drawn after all faces: what is not letter is let through, and VTK's pass for translucent things, which takes
+    // longer than everything else in a software renderer, is not needed.
+    labels_.back()->actor->ForceOpaqueOn();
     renderer_->AddActor(labels_.back()->actor);
   }
   for (std::size_t k = 0; k < labels_.size(); ++k) {

@@ -34,13 +34,9 @@ struct Entry {
   std::function<void(QPainter&, double x, double y)> draw;
 };
 
-/// The line of a quality class exactly as the graph draws it.
 Entry classEntry(EdgeQuality quality, Theme theme) {
   return {qualityWord(quality), [stroke = linkStroke(quality, theme)](QPainter& painter, double x, double y) {
-            painter.setPen(QPen(stroke.color, stroke.doubled ? 2.0 : 3.0, stroke.style, Qt::FlatCap));
-            const double apart = stroke.doubled ? 2.0 : 0.0;
-            painter.drawLine(QPointF(x, y - apart), QPointF(x + kSample, y - apart));
-            if (stroke.doubled) painter.drawLine(QPointF(x, y + apart), QPointF(x + kSample, y + apart));
+            drawStroke(painter, stroke, QLineF(x, y, x + kSample, y), 3);
           }};
 }
 

@@ -3,8 +3,26 @@
 #include "widgets/scene_corners.h"
 
 #include <QPainter>
+#include <algorithm>
 
 namespace hexoderm {
+namespace {
+
+constexpr int kPadding = 6;
+
+/// On a ground that keeps it readable over any cell.
+void writeOnGround(QPainter& painter, const QRect& place, const QString& text, const QColor& color, QColor ground) {
+  ground.setAlphaF(0.78);
+  painter.save();
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(ground);
+  painter.drawRoundedRect(place.adjusted(-kPadding, -3, kPadding, 3), 3, 3);
+  painter.setPen(color);
+  painter.drawText(place.adjusted(0, 0, 1, 0), Qt::TextWordWrap, text);
+  painter.restore();
+}
+
+}  // namespace
 
 SceneOverlay::SceneOverlay(QWidget* parent) : QWidget(parent) {
   setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -49,20 +67,23 @@ void SceneOverlay::paint(QPainter& painter, const QSize& area) const {
     return;
   }
   if (content_.gravity) {
-    painter.setPen(colors.text_muted);
-    const int right = area.width() - 12;
-    const int middle = area.height() - SceneCorners::kBottom - SceneCorners::kSize / 2;
-    painter.drawText(QRect(right - 120, middle - 12, 120, 24), Qt::AlignRight | Qt::AlignVCenter, tr("gravity"));
+    // Above the arrow, wherever that points.
+    const QRect arrow(area.width() - SceneCorners::kRight - SceneCorners::kSize,
+                      area.height() - SceneCorners::kBottom - SceneCorners::kSize, SceneCorners::kSize,
+                      SceneCorners::kSize);
+    QRect word = painter.fontMetrics().boundingRect(tr("gravity"));
+    word.moveCenter(QPoint(arrow.center().x(), arrow.top() - word.height()));
+    word.moveRight(std::min(word.right(), area.width() - kPadding - SceneCorners::kRight / 2));
+    writeOnGround(painter, word, tr("gravity"), colors.text_muted, colors.scene_bottom);
   }
   paintNotes(painter, area);
   paintLegend(painter, area, content_.legend, theme_, colors_);
 }
 
-/// Below the buttons on the left, on a ground that keeps them readable over any cell.
+/// Below the buttons on the left.
 void SceneOverlay::paintNotes(QPainter& painter, const QSize& area) const {
   const Colors& colors = Colors::of(theme_);
   constexpr int kMargin = 12;
-  constexpr int kPadding = 6;
   const QRect room(kMargin + kPadding, top_margin_ + kPadding, area.width() - 2 * (kMargin + kPadding),
                    area.height() - top_margin_);
   int top = room.top();
@@ -72,13 +93,7 @@ void SceneOverlay::paintNotes(QPainter& painter, const QSize& area) const {
     painter.setFont(font);
     const QRect needed =
         painter.boundingRect(QRect(room.left(), top, room.width(), area.height()), Qt::TextWordWrap, text);
-    QColor ground = colors.scene_top;
-    ground.setAlphaF(0.78);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(ground);
-    painter.drawRoundedRect(needed.adjusted(-kPadding, -3, kPadding, 3), 3, 3);
-    painter.setPen(color);
-    painter.drawText(needed.adjusted(0, 0, 1, 0), Qt::TextWordWrap, text);
+    writeOnGround(painter, needed, text, color, colors.scene_top);
     top = needed.bottom() + kPadding;
   };
   painter.save();

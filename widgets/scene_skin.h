@@ -4,6 +4,7 @@
 #include "widgets/scene_colors.h"
 #include "widgets/scene_content.h"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -11,6 +12,14 @@
 class vtkRenderer;
 
 namespace hexoderm {
+
+/// Both shine from the camera's side and turn with it: one from above its left shoulder, one straight from it.
+/// Together they give text, which VTK lights like a surface, its full colour.
+struct SceneLights {
+  static constexpr std::array<double, 3> kKeyFrom = {-0.3, 0.45, 1.0};  ///< right, up, towards the viewer
+  static constexpr double kKey = 0.75;
+  static constexpr double kHead = 0.4;
+};
 
 /// The cells in the scene: prisms or front faces, their colours, ports and origin; and which of them a pixel shows.
 class SceneSkin {
@@ -34,6 +43,9 @@ class SceneSkin {
   [[nodiscard]] const std::vector<Rgb>& frontColors() const;
   [[nodiscard]] CellColoring coloring() const;
   [[nodiscard]] const CellReadings& readings() const;
+
+  /// To be called before each rendering: as the camera stands, cells are lit, and drawn in as much detail as shows.
+  void update(int window_height);
 
   /// The cell at a pixel of the window (origin lower left); none beside the skin.
   [[nodiscard]] std::optional<CellId> pick(double x, double y) const;

@@ -2,6 +2,8 @@
 
 #include "hexoderm/geometry/covariance.h"
 #include "hexoderm/util/units.h"
+#include "widgets/verify_words.h"
+#include "widgets/words.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -13,13 +15,8 @@ struct SceneWords {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::SceneWords)
 };
 
-QString number(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
-
-/// "0.35 mm", "12 mm"
-QString millimetres(double length_m) {
-  const double length_mm = toMillimetres(length_m);
-  return SceneWords::tr("%1 mm").arg(number(length_mm, length_mm < 1 ? 2 : 1));
-}
+/// "0.35 mm", "12.0 mm"
+QString millimetres(double length_m) { return millimetresInWords(length_m, length_m < kMillimetre ? 2 : 1); }
 
 /// As few decimals as the ends of the scales have.
 QString endNumber(double value) { return QLocale().toString(value, 'g', 6); }
@@ -27,20 +24,6 @@ QString endNumber(double value) { return QLocale().toString(value, 'g', 6); }
 QString enlarged(double factor) {
   return factor > 1 ? SceneWords::tr("drawn %1 times as large").arg(endNumber(factor))
                     : SceneWords::tr("true to scale");
-}
-
-QString surfaceWord(SurfaceKind kind) {
-  switch (kind) {
-    case SurfaceKind::Plane:
-      return SceneWords::tr("plane");
-    case SurfaceKind::Sphere:
-      return SceneWords::tr("sphere");
-    case SurfaceKind::Cylinder:
-      return SceneWords::tr("cylinder");
-    case SurfaceKind::Cone:
-      return SceneWords::tr("cone");
-  }
-  return {};
 }
 
 }  // namespace
@@ -253,15 +236,15 @@ QStringList notesInWords(const SceneNotes& notes, const std::optional<SurfaceEva
   if (notes.distance_factor && surface) {
     QString line =
         surface->radius_m
-            ? SceneWords::tr("%1, radius %2").arg(surfaceWord(surface->kind), millimetres(*surface->radius_m))
-            : surfaceWord(surface->kind);
+            ? SceneWords::tr("%1, radius %2").arg(surfaceKindWord(surface->kind), millimetres(*surface->radius_m))
+            : surfaceKindWord(surface->kind);
     line += SceneWords::tr("; rms distance %1, lines %2")
                 .arg(millimetres(surface->rms_m), enlarged(*notes.distance_factor));
     lines << line;
   }
   if (notes.loop_factor && loop) {
     lines << SceneWords::tr("loop gap: %1, %2 % of the loop; the arrow %3")
-                 .arg(millimetres(loop->length_m), number(loop->percent, 1), enlarged(*notes.loop_factor));
+                 .arg(millimetres(loop->length_m), figureInWords(loop->percent, 1), enlarged(*notes.loop_factor));
   }
   if (notes.shift_factor) lines << SceneWords::tr("arrows: from before to now, %1").arg(enlarged(*notes.shift_factor));
   return lines;
@@ -274,7 +257,7 @@ QString distanceInWords(CellId a, CellId b, const std::optional<CellDistance>& d
     return SceneWords::tr("Cells %1 and %2 are in different patches: how these lie to each other is not known")
         .arg(from, to);
   }
-  const QString angle = SceneWords::tr("%1°").arg(number(toDegrees(distance->angle_rad), 1));
+  const QString angle = degreesInWords(distance->angle_rad);
   if (!distance->sigma_m) {
     return SceneWords::tr("Cells %1 and %2: %3 apart, their faces %4 to each other")
         .arg(from, to, millimetres(distance->length_m), angle);

@@ -256,6 +256,14 @@ void StepPanel::openStep(int step) {
   emit opened(step);
 }
 
+void StepPanel::goToStep(int step) {
+  openStep(step);
+  if (step != openIndex()) return;
+  QAbstractButton* head = rows_[open_]->head();
+  head->setFocus(Qt::ShortcutFocusReason);
+  ensureWidgetVisible(head);
+}
+
 void StepPanel::setTheme(Theme theme) {
   theme_ = theme;
   for (Row* row : rows_) row->setTheme(theme);

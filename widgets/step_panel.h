@@ -43,6 +43,8 @@ class StepPanel : public QScrollArea {
  public slots:
   /// Nothing happens if there is no such step.
   void openStep(int step);
+  /// The same, and the keyboard goes on from its heading.
+  void goToStep(int step);
 
  public:
   void setTheme(Theme theme);

@@ -26,11 +26,6 @@ constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
 
 double laneOf(int axis) { return 2.0 - axis; }
 
-QColor axisColor(std::size_t axis, Theme theme) {
-  constexpr std::array kHues = {EdgeQuality::Fully, EdgeQuality::Partially, EdgeQuality::Over};
-  return linkStroke(kHues.at(axis), theme).color;
-}
-
 QString stateWord(TraceState state) {
   switch (state) {
     case TraceState::Moving:
@@ -143,7 +138,7 @@ class Curves : public QwtPlotItem {
             const QRectF& /*canvas*/) const override {
     painter->setRenderHint(QPainter::Antialiasing);
     for (int axis = 0; axis < 3; ++axis) {
-      painter->setPen(QPen(axisColor(static_cast<std::size_t>(axis), theme_), 1.5));
+      painter->setPen(QPen(Colors::of(theme_).axis.at(static_cast<std::size_t>(axis)), 1.5));
       QPolygonF line;
       for (const TracePoint& point : trace_->points()) {
         if (point.deviation_g) {

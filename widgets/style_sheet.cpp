@@ -123,7 +123,7 @@ QString styleSheet(Theme theme) {
   initStyleResources();
   const Colors& colors = Colors::of(theme);
   QString sheet = QString::fromUtf8(kSheet);
-  const std::array<std::pair<const char*, QColor>, 18> named = {{
+  const std::array<std::pair<const char*, QColor>, 15> named = {{
       {"window", colors.window},
       {"panel", colors.panel},
       {"panel_active", colors.panel_active},
@@ -139,9 +139,6 @@ QString styleSheet(Theme theme) {
       {"handle", mixed(colors.border, colors.text_muted, 0.3)},
       {"accent_hover", mixed(colors.accent, colors.text, 0.15)},
       {"accent_pressed", mixed(colors.accent, colors.text, 0.3)},
-      {"good", colors.good},
-      {"caution", colors.caution},
-      {"bad", colors.bad},
   }};
   for (const auto& [name, color] : named) sheet.replace(QStringLiteral("@%1@").arg(QLatin1String(name)), color.name());
 

@@ -7,24 +7,14 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QCollator>
-#include <QDir>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QHeaderView>
 #include <QLocale>
-#include <QSaveFile>
-#include <QSettings>
 #include <QTableView>
 #include <algorithm>
 #include <utility>
 
 namespace hexoderm {
 namespace {
-
-QString lastFolder() {
-  const QString last = QSettings().value(QStringLiteral("paths/last")).toString();
-  return !last.isEmpty() && QDir(last).exists() ? last : QDir::homePath();
-}
 
 bool isReal(const QVariant& value) {
   return value.userType() == QMetaType::Double || value.userType() == QMetaType::Float;
@@ -127,8 +117,7 @@ bool SortedTable::lessThan(const QModelIndex& left, const QModelIndex& right) co
   return kCollator.compare(a.toString(), b.toString()) < 0;
 }
 
-TableActions::TableActions(QAbstractItemView* view, QString file_name)
-    : QObject(view), view_(view), file_name_(std::move(file_name)) {
+TableActions::TableActions(QAbstractItemView* view, QString name) : QObject(view), view_(view), name_(std::move(name)) {
   auto* copy = new QAction(tr("Copy as CSV"), view);
   copy->setObjectName(QStringLiteral("actionCopyCsv"));
   copy->setShortcut(QKeySequence::Copy);
@@ -137,33 +126,9 @@ TableActions::TableActions(QAbstractItemView* view, QString file_name)
   save->setObjectName(QStringLiteral("actionSaveCsv"));
   connect(copy, &QAction::triggered, this,
           [this] { QApplication::clipboard()->setText(QString::fromUtf8(tableAsCsv(*view_->model()))); });
-  connect(save, &QAction::triggered, this, &TableActions::askForPath);
+  connect(save, &QAction::triggered, this, [this] { emit saveRequested(name_, tableAsCsv(*view_->model())); });
   view->addActions({copy, save});
   view->setContextMenuPolicy(Qt::ActionsContextMenu);
-}
-
-void TableActions::askForPath() {
-  auto* dialog = new QFileDialog(view_->window(), tr("Save the table"), lastFolder(), tr("Tables (*.csv)"));
-  dialog->setObjectName(QStringLiteral("saveTableDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix(QStringLiteral("csv"));
-  dialog->selectFile(file_name_ + QStringLiteral(".csv"));
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-    QSettings().setValue(QStringLiteral("paths/last"), QFileInfo(path).absolutePath());
-    saveTo(path);
-  });
-  dialog->open();
-}
-
-void TableActions::saveTo(const QString& path) {
-  const QByteArray csv = tableAsCsv(*view_->model());
-  QSaveFile file(path);
-  if (file.open(QIODevice::WriteOnly) && file.write(csv) == csv.size() && file.commit()) {
-    emit saved(path);
-  } else {
-    emit failed(tr("The table %1 could not be written: %2").arg(path, file.errorString()));
-  }
 }
 
 void onPicked(QAbstractItemView* view, QObject* receiver, std::function<void(const QModelIndex&)> picked) {

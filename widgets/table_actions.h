@@ -44,26 +44,22 @@ class SortedTable : public QSortFilterProxyModel {
   bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
 };
 
-/// "Copy as CSV" and "Save as CSV…" in the context menu of a table.
+/// "Copy as CSV" and "Save as CSV…" in the context menu of a table. Where the file goes, and writing it, is the
+/// window's business.
 class TableActions : public QObject {
   Q_OBJECT
 
  public:
-  /// Becomes a child of the view. `file_name`: what the file is called at first, without folder and extension.
-  TableActions(QAbstractItemView* view, QString file_name);
-
-  /// Either whole or not at all; tells by saved() or failed().
-  void saveTo(const QString& path);
+  /// Becomes a child of the view. `name`: what the file is called at first, without folder and extension.
+  TableActions(QAbstractItemView* view, QString name);
 
  signals:
-  void saved(const QString& path);
-  void failed(const QString& message);
+  /// The table as it is shown now.
+  void saveRequested(const QString& name, const QByteArray& csv);
 
  private:
-  void askForPath();
-
   QAbstractItemView* view_;
-  QString file_name_;
+  QString name_;
 };
 
 /// Calls `picked` with the row, or cell, that somebody picks: by a click, an arrow key, or Return where the keyboard

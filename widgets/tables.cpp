@@ -9,7 +9,6 @@
 #include <QApplication>
 #include <QBrush>
 #include <QIcon>
-#include <QLocale>
 #include <QPainter>
 #include <QPixmap>
 #include <algorithm>
@@ -60,14 +59,7 @@ QIcon checkMark(bool enabled) {
 /// A piece of the line that the link has in the graph.
 QIcon strokeMark(EdgeQuality quality) {
   return drawMark([quality](QPainter& painter) {
-    const LinkStroke stroke = linkStroke(quality, currentTheme());
-    QPen pen(stroke.color, stroke.doubled ? 2.0 : 2.8, stroke.style, Qt::FlatCap);
-    if (stroke.style == Qt::DashLine) pen.setDashPattern({2.1, 1.1});
-    if (stroke.style == Qt::DotLine) pen.setDashPattern({1.0, 0.8});
-    painter.setPen(pen);
-    for (const double y : stroke.doubled ? std::array{5.5, 10.5} : std::array{8.0, 8.0}) {
-      painter.drawLine(QPointF(0.5, y), QPointF(kMark - 0.5, y));
-    }
+    drawStroke(painter, linkStroke(quality, currentTheme()), QLineF(0.5, 8, kMark - 0.5, 8), 2.8);
   });
 }
 
@@ -102,8 +94,6 @@ QVariant rawDegrees(std::optional<double> angle_rad) {
   return angle_rad ? QVariant(toDegrees(*angle_rad)) : QVariant();
 }
 
-QString fixed(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
-
 }  // namespace
 
 void ReconstructionTable::setReconstruction(std::shared_ptr<const Reconstruction> reconstruction) {
@@ -124,11 +114,11 @@ QString poseText(const Reconstruction& reconstruction, const PoseSummary& pose, 
     case kPose:
       return QString::number(pose.pose.value());
     case kLabel:
-      return pose.label.empty() ? noValue() : QString::fromStdString(pose.label);
+      return pose.label.empty() ? noValue() : coreWords(pose.label);
     case kCells:
       return QStringLiteral("%1/%2").arg(pose.cells_measured).arg(reconstruction.cellCount());
     case kNoise:
-      return pose.noise_g > 0 ? fixed(1000 * pose.noise_g, 1) : noValue();
+      return pose.noise_g > 0 ? figureInWords(1000 * pose.noise_g, 1) : noValue();
     case kNewBy:
       return pose.new_by_rad ? wholeDegreesInWords(*pose.new_by_rad) : noValue();
     case kPoseResidual:
@@ -182,7 +172,7 @@ QVariant PoseTable::data(const QModelIndex& index, int role) const {
       return pose.enabled ? QVariant() : QVariant(QBrush(colors().text_muted));
     case Qt::ToolTipRole:
       if (!pose.enabled) return tr("Pose %1 is disabled: it is kept, but not used.").arg(pose.pose.value());
-      if (column == kLabel) return QString::fromStdString(pose.label);
+      if (column == kLabel) return coreWords(pose.label);
       if (column == kCells && pose.cells_measured < reconstruction()->cellCount()) {
         return tr("%1 cells gave no reading in this pose.").arg(reconstruction()->cellCount() - pose.cells_measured);
       }
@@ -258,7 +248,7 @@ QVariant LinkTable::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
   const LinkEstimate& link = linkAt(index.row());
   const int column = index.column();
-  const bool known = hasFigures(link);
+  const bool known = link.hasFigures();
   const auto text = [&]() -> QString {
     switch (column) {
       case kLink:
@@ -266,9 +256,9 @@ QVariant LinkTable::data(const QModelIndex& index, int role) const {
       case kQuality:
         return known ? qualityWord(link.quality) : noValue();
       case kResidual:
-        return degreesInWords(knownResidual(link));
+        return degreesInWords(link.knownResidual());
       case kPredicted:
-        return degreesInWords(knownSigma(link));
+        return degreesInWords(link.knownSigma());
       case kBend:
         return known ? degreesInWords(link.bend_rad) : noValue();
       case kTwist:
@@ -286,9 +276,9 @@ QVariant LinkTable::data(const QModelIndex& index, int role) const {
   const auto raw = [&]() -> QVariant {
     switch (column) {
       case kResidual:
-        return rawDegrees(knownResidual(link));
+        return rawDegrees(link.knownResidual());
       case kPredicted:
-        return rawDegrees(knownSigma(link));
+        return rawDegrees(link.knownSigma());
       case kBend:
         return known ? rawDegrees(link.bend_rad) : QVariant();
       case kTwist:

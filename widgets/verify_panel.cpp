@@ -1,18 +1,15 @@
 #include "widgets/verify_panel.h"
 
 #include "hexoderm/util/units.h"
+#include "widgets/core_words.h"
 #include "widgets/table_actions.h"
 
 #include <QButtonGroup>
 #include <QComboBox>
-#include <QDir>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QSettings>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -20,8 +17,6 @@
 
 namespace hexoderm {
 namespace {
-
-constexpr std::size_t kFewestPoses = 4;  // one held out and three others
 
 std::optional<SurfaceEvaluation> largestOf(const std::vector<SurfaceEvaluation>& surfaces) {
   const auto largest =
@@ -97,6 +92,7 @@ void VerifyPanel::buildHoldOut() {
   QHBoxLayout* row = hold_out_->addRow();
   row->addWidget(pose_, 1);
   row->addWidget(run_);
+  connect(pose_, qOverload<int>(&QComboBox::activated), this, &VerifyPanel::refreshControls);
   connect(run_, &QPushButton::clicked, this, [this] { emit holdOutRequested(PoseId(pose_->currentData().toUInt())); });
 
   QHBoxLayout* rows = hold_out_->addRow();
@@ -147,12 +143,18 @@ void VerifyPanel::buildComparison() {
   row->addWidget(choose_);
   row->addWidget(drop_);
   row->addStretch();
-  connect(choose_, &QPushButton::clicked, this, &VerifyPanel::askForFile);
+  connect(choose_, &QPushButton::clicked, this, &VerifyPanel::comparisonFileWanted);
   connect(drop_, &QPushButton::clicked, this, &VerifyPanel::dropComparison);
 }
 
+void VerifyPanel::compareWith(const QString& path) {
+  compares_ = true;
+  refreshControls();
+  emit comparisonRequested(path);
+}
+
 void VerifyPanel::dropComparison() {
-  comparisons_.clear();
+  compares_ = false;
   comparison_->setFigures({});
   comparison_->setSentence({});
   refreshControls();
@@ -175,7 +177,7 @@ void VerifyPanel::setReconstruction(std::shared_ptr<const Reconstruction> recons
   if (reconstruction_) {
     for (const PoseSummary& pose : reconstruction_->poses) {
       QString text = tr("Pose %1").arg(pose.pose.value());
-      if (!pose.label.empty()) text += QStringLiteral(" · ") + QString::fromStdString(pose.label);
+      if (!pose.label.empty()) text += QStringLiteral(" · ") + coreWords(pose.label);
       if (!pose.enabled) text += QStringLiteral(" · ") + tr("disabled");
       pose_->addItem(text, pose.pose.value());
     }
@@ -189,12 +191,18 @@ void VerifyPanel::setReconstruction(std::shared_ptr<const Reconstruction> recons
     }
     loops_.clear();
     surfaces_.clear();
-    comparisons_.clear();
     emit loopShown(std::nullopt);
     emit surfaceShown(std::nullopt);
     emit comparisonShown({});
   }
   refreshControls();
+}
+
+/// What is left to solve with when the chosen pose is held out.
+std::size_t VerifyPanel::otherPoses() const {
+  const PoseId chosen(pose_->currentData().toUInt());
+  return static_cast<std::size_t>(std::ranges::count_if(
+      reconstruction_->poses, [chosen](const PoseSummary& pose) { return pose.enabled && pose.pose != chosen; }));
 }
 
 void VerifyPanel::refreshControls() {
@@ -204,10 +212,13 @@ void VerifyPanel::refreshControls() {
     why = no_skin;
   } else if (!has_readings_) {
     why = tr("A calibration file holds no readings: open the session it was made of.");
-  } else if (reconstruction_->poses.size() < kFewestPoses) {
-    why = tr("Takes four poses, one to hold out and three others; there are %1.").arg(reconstruction_->poses.size());
   }
   pose_->setEnabled(why.isEmpty());
+  if (why.isEmpty() && otherPoses() < kFewestOtherPoses) {
+    why = tr("Takes %1 other poses that are not disabled; besides this one there are %2.")
+              .arg(kFewestOtherPoses)
+              .arg(otherPoses());
+  }
   run_->setEnabled(why.isEmpty() && !hold_out_->isRunning());
   run_->setToolTip(why.isEmpty() ? tr("Solves without this pose and compares what it foretells with what was read")
                                  : why);
@@ -228,7 +239,7 @@ void VerifyPanel::refreshControls() {
                                : tr("Only a cylinder and a sphere have one radius to compare with."));
   choose_->setEnabled(reconstruction_ != nullptr);
   choose_->setToolTip(reconstruction_ ? tr("A calibration, or a session that is then solved") : no_skin);
-  drop_->setVisible(!comparisons_.empty());
+  drop_->setVisible(compares_);
 }
 
 void VerifyPanel::setTheme(Theme theme) {
@@ -288,23 +299,33 @@ void VerifyPanel::showSurfaces(const std::vector<SurfaceEvaluation>& surfaces, c
 }
 
 void VerifyPanel::showComparison(const std::vector<Comparison>& comparisons, const QString& against) {
-  comparisons_ = comparisons;
   comparison_->setSentence(comparisonInWords(comparisons, against));
   comparison_->setFigures(comparisonFigures(comparisons));
-  refreshControls();
   emit comparisonShown(comparisons);
 }
 
 void VerifyPanel::showFailure(VerifyCheck check, const QString& message) {
   const std::array<VerifySection*, 4> sections = {hold_out_, loop_, surface_, comparison_};
   VerifySection* section = sections.at(static_cast<std::size_t>(check));
-  if (check == VerifyCheck::HoldOut) {
-    hold_out_result_.reset();
-    showHoldOutFigures();
-  } else {
-    section->setFigures({});
-  }
+  section->setFigures({});
   section->setSentence({Tone::Bad, message});
+  switch (check) {
+    case VerifyCheck::HoldOut:
+      hold_out_result_.reset();
+      showHoldOutFigures();
+      break;
+    case VerifyCheck::Loops:
+      loops_.clear();
+      emit loopShown(std::nullopt);
+      break;
+    case VerifyCheck::Surface:
+      surfaces_.clear();
+      emit surfaceShown(std::nullopt);
+      break;
+    case VerifyCheck::Comparison:
+      emit comparisonShown({});
+      break;
+  }
 }
 
 std::array<TableActions*, 4> VerifyPanel::tableActions() const {
@@ -325,21 +346,6 @@ void VerifyPanel::requestSurface() {
   const bool known = radius_mm_->isEnabled() && radius_mm_->value() > 0;
   emit surfaceRequested(static_cast<SurfaceKind>(kind),
                         known ? std::optional(radius_mm_->value() * kMillimetre) : std::nullopt);
-}
-
-void VerifyPanel::askForFile() {
-  const QString last = QSettings().value(QStringLiteral("paths/last")).toString();
-  auto* dialog = new QFileDialog(window(), tr("Compare with an earlier calibration"),
-                                 !last.isEmpty() && QDir(last).exists() ? last : QDir::homePath(),
-                                 tr("Calibrations and sessions (*.calibration.json *.hexo *.session.json *.xml)"));
-  dialog->setObjectName(QStringLiteral("comparisonDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-    QSettings().setValue(QStringLiteral("paths/last"), QFileInfo(path).absolutePath());
-    emit comparisonRequested(path);
-  });
-  dialog->open();
 }
 
 }  // namespace hexoderm

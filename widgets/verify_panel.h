@@ -38,7 +38,10 @@ class VerifyPanel : public QWidget {
   /// One a patch; `remarks` say why there is none of another.
   void showSurfaces(const std::vector<SurfaceEvaluation>& surfaces, const QStringList& remarks);
   void showComparison(const std::vector<Comparison>& comparisons, const QString& against);
+  /// With the file that was chosen, until dropComparison(), whether it can be read or not.
+  void compareWith(const QString& path);
   void dropComparison();
+  /// What an earlier result showed goes, in the other views too.
   void showFailure(VerifyCheck check, const QString& message);
 
   /// For the actions on its tables.
@@ -49,6 +52,8 @@ class VerifyPanel : public QWidget {
   void cancelRequested(hexoderm::VerifyCheck check);
   /// No kind: no surface any more.
   void surfaceRequested(std::optional<hexoderm::SurfaceKind> kind, std::optional<double> true_radius_m);
+  /// Which one, the window asks, and answers by compareWith().
+  void comparisonFileWanted();
   void comparisonRequested(const QString& path);
   void comparisonDropped();
 
@@ -64,8 +69,8 @@ class VerifyPanel : public QWidget {
   void buildComparison();
   void requestSurface();
   void refreshControls();
+  [[nodiscard]] std::size_t otherPoses() const;
   void showHoldOutFigures();
-  void askForFile();
 
   std::shared_ptr<const Reconstruction> reconstruction_;
   bool has_readings_ = false;
@@ -73,7 +78,7 @@ class VerifyPanel : public QWidget {
   bool hold_out_outdated_ = false;  ///< there was a result, of an earlier state
   std::vector<FoundLoop> loops_;
   std::vector<SurfaceEvaluation> surfaces_;
-  std::vector<Comparison> comparisons_;
+  bool compares_ = false;  ///< a file is chosen
 
   VerifySection* hold_out_;
   VerifySection* loop_;

@@ -15,19 +15,12 @@ struct Words {
 };
 
 QString degrees(double angle_rad) { return figureInWords(toDegrees(angle_rad), 2) + QStringLiteral("°"); }
-QString millimetres(double length_m) { return figureInWords(toMillimetres(length_m), 2) + QStringLiteral(" mm"); }
+QString millimetres(double length_m) { return millimetresInWords(length_m, 2); }
 QString percent(double value) { return figureInWords(value, 1) + QStringLiteral(" %"); }
 
 QVariant inDegrees(std::optional<double> angle_rad) { return angle_rad ? QVariant(toDegrees(*angle_rad)) : QVariant(); }
 QVariant inMillimetres(std::optional<double> length_m) {
   return length_m ? QVariant(toMillimetres(*length_m)) : QVariant();
-}
-
-QString linkName(LinkEnd source, LinkEnd target) {
-  LinkEstimate link;
-  link.source = source;
-  link.target = target;
-  return shortLinkName(link);
 }
 
 Selection::Link ordered(LinkEnd a, LinkEnd b) { return b < a ? Selection::Link(b, a) : Selection::Link(a, b); }
@@ -39,9 +32,6 @@ FigureTable::Column degreeColumn(const QString& name, const QString& explanation
 FigureTable::Column millimetreColumn(const QString& name, const QString& explanation) {
   return {name, QStringLiteral("mm"), explanation, 2, false};
 }
-
-/// Far beyond what was expected of it.
-constexpr double kRemarkable = 3;
 
 }  // namespace
 
@@ -66,16 +56,29 @@ VerifySentence holdOutInWords(const HoldOutResult& result) {
                               .arg(degrees(result.expected_rms_rad));
   const auto worst = std::ranges::max_element(result.cells, {}, &HoldOutCell::error_rad);
   const QString worst_cell = Words::tr("Worst: cell %1, %2.").arg(worst->cell.value()).arg(degrees(worst->error_rad));
+  QString more = worst_cell;
+  if (result.turned) {
+    more += QLatin1Char(' ') +
+            Words::tr("The part turned while it was read: %1 rad/s², of a still hand %2 are expected.")
+                .arg(figureInWords(result.turning_rad_s2, 1), figureInWords(result.expected_turning_rad_s2, 1));
+  }
   switch (result.agreement) {
     case HoldOutAgreement::AsStated:
+      if (result.coarse) {
+        return {Tone::Caution,
+                Words::tr("As good as stated, but a coarse check: with so few poses, a part that bent by "
+                          "less than about %1 would not show. %2")
+                    .arg(degrees(result.detectable_rad), figures)};
+      }
       return {Tone::Good, Words::tr("As good as stated. %1").arg(figures)};
     case HoldOutAgreement::Worse:
-      return {Tone::Caution, Words::tr("Somewhat worse than stated. %1 %2").arg(figures, worst_cell)};
+      return {Tone::Caution, Words::tr("Somewhat worse than stated. %1 %2").arg(figures, more)};
     case HoldOutAgreement::FarWorse:
       break;
   }
-  return {Tone::Bad, Words::tr("Far worse than stated: the part moved in this pose, or a cell is wrong. %1 %2")
-                         .arg(figures, worst_cell)};
+  return {
+      Tone::Bad,
+      Words::tr("Far worse than stated: the part moved in this pose, or a cell is wrong. %1 %2").arg(figures, more)};
 }
 
 VerifyFigures holdOutCells(const HoldOutResult& result) {
@@ -89,7 +92,7 @@ VerifyFigures holdOutCells(const HoldOutResult& result) {
     figures.rows.push_back({{cell.cell.value(), toDegrees(cell.error_rad), toDegrees(cell.expected_rad)},
                             cell.cell,
                             std::nullopt,
-                            cell.error_rad > kRemarkable * cell.expected_rad});
+                            isRemarkable(cell.error_rad, cell.expected_rad)});
   }
   return figures;
 }
@@ -102,10 +105,10 @@ VerifyFigures holdOutLinks(const HoldOutResult& result) {
       degreeColumn(Words::tr("Expected"), Words::tr("What the stated uncertainties lead one to expect, rms"))};
   for (const HoldOutLink& link : result.links) {
     figures.rows.push_back(
-        {{linkName(link.source, link.target), toDegrees(link.error_rad), toDegrees(link.expected_rad)},
+        {{shortLinkName(link.source, link.target), toDegrees(link.error_rad), toDegrees(link.expected_rad)},
          std::nullopt,
          ordered(link.source, link.target),
-         link.error_rad > kRemarkable * link.expected_rad});
+         isRemarkable(link.error_rad, link.expected_rad)});
   }
   return figures;
 }
@@ -130,7 +133,7 @@ VerifySentence loopsInWords(const std::vector<FoundLoop>& loops, std::size_t pat
   }
   if (closed != loops.end()) {
     const auto count = loops.end() - closed;
-    const bool closes = closed->closure.length_m <= closed->limit_m;
+    const bool closes = closed->closesWithinLimit();
     tone = closes ? Tone::Good : Tone::Caution;
     const QString gap =
         Words::tr("%1 (%2)").arg(millimetres(closed->closure.length_m), percent(closed->closure.percent));
@@ -161,7 +164,7 @@ VerifyFigures loopFigures(const std::vector<FoundLoop>& loops) {
   for (const FoundLoop& loop : loops) {
     const LoopEvaluation& closure = loop.closure;
     FigureTable::Row row;
-    row.values = {linkName(closure.first, closure.second),
+    row.values = {shortLinkName(closure.first, closure.second),
                   toMillimetres(closure.length_m),
                   closure.percent,
                   loop.closed ? Words::tr("closed") : Words::tr("open"),
@@ -174,7 +177,7 @@ VerifyFigures loopFigures(const std::vector<FoundLoop>& loops) {
     } else {
       row.cell = closure.first.cell;
     }
-    row.remarkable = loop.closed && closure.length_m > loop.limit_m;
+    row.remarkable = loop.closed && !loop.closesWithinLimit();
     figures.rows.push_back(std::move(row));
   }
   return figures;
@@ -195,8 +198,7 @@ QString surfaceKindWord(SurfaceKind kind) {
 }
 
 VerifySentence surfaceInWords(const SurfaceEvaluation& surface, std::optional<double> stated_m) {
-  const auto worst = std::ranges::max_element(surface.distance_m, {}, [](double d) { return std::abs(d); });
-  const auto worst_cell = surface.cells.at(static_cast<std::size_t>(worst - surface.distance_m.begin()));
+  const std::size_t worst = surface.furthest();
   QStringList sentences;
   QString form = surfaceKindWord(surface.kind);
   if (surface.radius_m) {
@@ -208,11 +210,11 @@ VerifySentence surfaceInWords(const SurfaceEvaluation& surface, std::optional<do
                    .arg(form)
                    .arg(surface.cells.size())
                    .arg(millimetres(surface.rms_m))
-                   .arg(worst_cell.value())
-                   .arg(millimetres(std::abs(*worst)));
+                   .arg(surface.cells.at(worst).value())
+                   .arg(millimetres(std::abs(surface.distance_m.at(worst))));
   Tone tone = Tone::Neutral;
   if (stated_m) {
-    const bool within = std::abs(*worst) <= *stated_m;
+    const bool within = surface.liesWithin(*stated_m);
     tone = within ? Tone::Good : Tone::Caution;
     sentences << (within ? Words::tr("That is within the ±%1 stated for positions (95 %).")
                          : Words::tr(
@@ -236,7 +238,7 @@ VerifyFigures surfaceFigures(const std::vector<SurfaceEvaluation>& surfaces) {
       figures.rows.push_back({{surface.cells[k].value(), toMillimetres(surface.distance_m[k])},
                               surface.cells[k],
                               std::nullopt,
-                              std::abs(surface.distance_m[k]) > kRemarkable * surface.rms_m});
+                              isRemarkable(surface.distance_m[k], surface.rms_m)});
     }
   }
   return figures;
@@ -245,20 +247,11 @@ VerifyFigures surfaceFigures(const std::vector<SurfaceEvaluation>& surfaces) {
 VerifySentence comparisonInWords(const std::vector<Comparison>& comparisons, const QString& against) {
   if (comparisons.empty())
     return {Tone::Bad, Words::tr("%1 has no cell in common with this calibration.").arg(against)};
-  std::size_t cells = 0;
-  double position = 0;
-  double orientation = 0;
-  for (const Comparison& comparison : comparisons) {
-    const auto count = static_cast<double>(comparison.cells.size());
-    cells += comparison.cells.size();
-    position += count * comparison.position_rms_m * comparison.position_rms_m;
-    orientation += count * comparison.orientation_rms_rad * comparison.orientation_rms_rad;
-  }
+  const ComparisonSummary summary = summariseComparisons(comparisons);
+  const WithinStated& within = summary.within;
   const QString figures = Words::tr("Against %1, after alignment: %2 and %3 rms over %4 cells.")
-                              .arg(against, millimetres(std::sqrt(position / static_cast<double>(cells))),
-                                   degrees(std::sqrt(orientation / static_cast<double>(cells))))
-                              .arg(cells);
-  const WithinStated within = countWithinStated(comparisons);
+                              .arg(against, millimetres(summary.position_rms_m), degrees(summary.orientation_rms_rad))
+                              .arg(summary.cells);
   if (within.stated == 0) {
     return {Tone::Neutral, Words::tr("%1 Neither of them states an uncertainty to compare with.").arg(figures)};
   }

@@ -38,13 +38,11 @@ QString listOf(const std::vector<Id>& ids, const QString& one, const QString& se
   return text;
 }
 
-/// "12.3, −4.0, 0.2".
+/// "12.3; −4.0; 0.2": a comma is a decimal point in some languages.
 QString threeNumbers(const Eigen::Vector3d& vector, int decimals) {
-  const QLocale locale;
   QStringList numbers;
-  const double zero = 0.5 * std::pow(10.0, -decimals);
-  for (const double value : vector) numbers << locale.toString(std::abs(value) < zero ? 0.0 : value, 'f', decimals);
-  return numbers.join(QStringLiteral(", ")).replace(QLatin1Char('-'), QStringLiteral("−"));
+  for (const double value : vector) numbers << figureInWords(value, decimals);
+  return numbers.join(QStringLiteral("; "));
 }
 
 /// "1 → 2 → 6 → 10", its middle left out if it is long.
@@ -100,16 +98,23 @@ QString degreesInWords(std::optional<double> angle_rad) {
   return angle_rad ? figureInWords(toDegrees(*angle_rad), 1) + QStringLiteral("°") : noValue();
 }
 
-QString wholeDegreesInWords(double angle_rad) {
-  return QLocale().toString(toDegrees(angle_rad), 'f', 0) + QStringLiteral("°");
+QString wholeDegreesInWords(double angle_rad) { return figureInWords(toDegrees(angle_rad), 0) + QStringLiteral("°"); }
+
+QString millimetresInWords(double length_m, int decimals) {
+  return Words::tr("%1 mm").arg(figureInWords(toMillimetres(length_m), decimals));
 }
 
-QString shortLinkName(const LinkEstimate& link) {
+QString posesInWords(std::size_t count) {
+  if (count == 0) return Words::tr("no poses");
+  return count == 1 ? Words::tr("1 pose") : Words::tr("%1 poses").arg(count);
+}
+
+QString shortLinkName(LinkEnd a, LinkEnd b) {
   return QStringLiteral("%1:%2 – %3:%4")
-      .arg(link.source.cell.value())
-      .arg(link.source.port.value())
-      .arg(link.target.cell.value())
-      .arg(link.target.port.value());
+      .arg(a.cell.value())
+      .arg(a.port.value())
+      .arg(b.cell.value())
+      .arg(b.port.value());
 }
 
 QString longLinkName(const LinkEstimate& link) {
@@ -127,20 +132,6 @@ QString mutedBecause(const LinkEstimate& link) {
   const auto entry = std::ranges::find(table, *link.muted_by, &FindingDescription::code);
   if (entry == table.end()) return Words::tr("It is not used.");
   return coreWords(std::string(entry->meaning));
-}
-
-bool hasFigures(const LinkEstimate& link) {
-  return link.used || knownResidual(link).has_value() || knownSigma(link).has_value();
-}
-
-std::optional<double> knownResidual(const LinkEstimate& link) {
-  const bool measured =
-      std::ranges::any_of(link.pose_residual_rad, [](const auto& angle) { return angle.has_value(); });
-  return measured || link.residual_rad > 0 ? std::optional(link.residual_rad) : std::nullopt;
-}
-
-std::optional<double> knownSigma(const LinkEstimate& link) {
-  return link.sigma_rad > 0 ? std::optional(link.sigma_rad) : std::nullopt;
 }
 
 QString severityWord(Severity severity) {
@@ -193,16 +184,15 @@ QString linkToolTip(const Reconstruction& reconstruction, const LinkEstimate& li
   } else {
     lines << Words::tr("Muted: %1").arg(mutedBecause(reconstruction, link));
   }
-  if (!hasFigures(link)) return asToolTip(longLinkName(link), lines);
-  const QLocale locale;
+  if (!link.hasFigures()) return asToolTip(longLinkName(link), lines);
   const Eigen::Vector3d& values = link.singular_values;
   lines << Words::tr("%1, singular values %2, %3, %4; weight %5")
-               .arg(qualityWord(link.quality), locale.toString(values[0], 'f', 2), locale.toString(values[1], 'f', 2),
-                    locale.toString(values[2], 'f', 2), locale.toString(link.weight, 'g', 3));
+               .arg(qualityWord(link.quality), figureInWords(values[0], 2), figureInWords(values[1], 2),
+                    figureInWords(values[2], 2), QLocale().toString(link.weight, 'g', 3));
   lines << Words::tr("Bend %1, twist %2, yaw %3")
                .arg(degreesInWords(link.bend_rad), degreesInWords(link.twist_rad), degreesInWords(link.yaw_rad));
   lines << Words::tr("Residual %1, predicted deviation %2")
-               .arg(degreesInWords(knownResidual(link)), degreesInWords(knownSigma(link)));
+               .arg(degreesInWords(link.knownResidual()), degreesInWords(link.knownSigma()));
   if (link.centred) lines << Words::tr("Centred: the mean of each cell's readings was subtracted");
   if (link.supported) lines << Words::tr("Support axes were added: the poses alone do not fix it");
   const QString poses = poseResiduals(reconstruction, link);
@@ -226,9 +216,8 @@ QString cellToolTip(const Reconstruction& reconstruction, CellId cell) {
     lines << Words::tr("Roll %1, pitch %2, yaw %3")
                  .arg(degreesInWords(rpy_rad.x()), degreesInWords(rpy_rad.y()), degreesInWords(rpy_rad.z()));
     if (const auto known = uncertaintyOf(*placement)) {
-      lines << Words::tr("Known to ±%1 mm, ±%2 (95 %)")
-                   .arg(QLocale().toString(toMillimetres(known->position_m), 'f', 1),
-                        degreesInWords(known->orientation_rad));
+      lines << Words::tr("Known to ±%1, ±%2 (95 %)")
+                   .arg(millimetresInWords(known->position_m, 1), degreesInWords(known->orientation_rad));
     } else {
       lines << Words::tr("How well it is known is not stated");
     }

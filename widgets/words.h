@@ -15,17 +15,17 @@ QString noValue();
 QString figureInWords(double value, int decimals);
 QString degreesInWords(std::optional<double> angle_rad);
 QString wholeDegreesInWords(double angle_rad);
+/// "12.35 mm".
+QString millimetresInWords(double length_m, int decimals);
+/// "no poses", "1 pose", "4 poses".
+QString posesInWords(std::size_t count);
 /// "5:2 – 9:3", cell and port of both ends, as on the command line.
-QString shortLinkName(const LinkEstimate& link);
+QString shortLinkName(LinkEnd a, LinkEnd b);
+inline QString shortLinkName(const LinkEstimate& link) { return shortLinkName(link.source, link.target); }
 /// "Link 5 · port 2 — 9 · port 3".
 QString longLinkName(const LinkEstimate& link);
 /// Why a link is muted, one sentence; empty if it is not.
 QString mutedBecause(const LinkEstimate& link);
-/// True if the link was measured or solved, so that its angles mean something.
-bool hasFigures(const LinkEstimate& link);
-/// The residual and the predicted deviation, absent where none was computed (imported files, unmeasured links).
-std::optional<double> knownResidual(const LinkEstimate& link);
-std::optional<double> knownSigma(const LinkEstimate& link);
 
 QString severityWord(Severity severity);
 /// "cells 5, 9; pose 3"; an en dash if the finding is about the whole skin.

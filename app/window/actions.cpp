@@ -12,7 +12,7 @@ constexpr const char* kPurpose = "purpose";
 
 void allow(QAction* action, const QString& why_not) {
   const bool can = why_not.isEmpty();
-  QString tip = can ? action->property(kPurpose).toString() : why_not;
+  QString tip = can ? purposeOf(*action) : why_not;
   action->setStatusTip(tip);
   if (can && !action->shortcut().isEmpty()) {
     tip += QStringLiteral(" (%1)").arg(action->shortcut().toString(QKeySequence::NativeText));
@@ -33,6 +33,8 @@ QAction* make(QWidget* owner, const char* name, const QString& text, const QStri
 }
 
 }  // namespace
+
+QString purposeOf(const QAction& action) { return action.property(kPurpose).toString(); }
 
 WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
     : demo(make(owner, "actionDemo", tr("Start the &demo skin"), tr("A simulated skin to try everything with"),
@@ -107,8 +109,9 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
       swap_views(make(owner, "actionSwapViews", tr("S&wap graph and 3D view"),
                       tr("The one in the middle goes to the side, and the other way round"),
                       {QKeySequence(Qt::Key_G)})),
-      copy_report(make(owner, "actionCopyReport", tr("&Copy for a bug report"),
-                       tr("Versions, graphics, what is open and the last lines of the log, without your folders"))),
+      copy_report(
+          make(owner, "actionCopyReport", tr("&Copy for a bug report"),
+               tr("Versions, graphics, what is open and the last lines of the log, with your home folder as ~"))),
       open_log_folder(make(owner, "actionOpenLogFolder", tr("&Open the log's folder"),
                            tr("Show the folder in which the log is kept"))),
       recent(new QMenu(tr("Open &recent"), owner)),

@@ -13,6 +13,9 @@
 
 namespace hexoderm {
 
+/// What an action is for, also while its tool tip says why it can't be used.
+QString purposeOf(const QAction& action);
+
 /// Everything the window can do, each with its key. An action that can't be used says why in its tool tip.
 class WindowActions {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::WindowActions)

@@ -9,6 +9,7 @@
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <QOpenGLWidget>
+#include <QRegularExpression>
 #include <QScreen>
 #include <QStringList>
 #include <QSysInfo>
@@ -73,8 +74,9 @@ QString sessionInWords(const SessionController& controller) {
 }  // namespace
 
 QString withoutHome(QString text, const QString& home) {
-  if (home.size() > 1) text.replace(home, QStringLiteral("~"));
-  return text;
+  if (home.size() < 2) return text;
+  const QRegularExpression whole_name(QRegularExpression::escape(home) + QStringLiteral("(?![\\w.-])"));
+  return text.replace(whole_name, QStringLiteral("~"));
 }
 
 QString composeBugReport(const EventLog& log, const SessionController& controller, QWidget& window) {

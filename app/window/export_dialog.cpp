@@ -154,7 +154,7 @@ QString ExportDialog::extension() const {
 void ExportDialog::chooseFormat() {
   const std::optional<ExportFormatDescription> format = formatOfRow(formats_->currentRow());
   summary_->setText(format
-                        ? toQString(format->summary)
+                        ? coreWords(std::string(format->summary))
                         : tr("Hexoderm's own file: everything that is known, to be opened again, compared and exported "
                              "from later."));
   options_->setCurrentIndex(!format                                ? 0

@@ -2,7 +2,9 @@
 
 #include "app/window/actions.h"
 #include "app/window/session_controller.h"
+#include "hexoderm/reconstruction/verdict.h"
 #include "widgets/core_words.h"
+#include "widgets/words.h"
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -32,11 +34,6 @@ QString findingsInWords(const Reconstruction& reconstruction) {
   const std::size_t count = reconstruction.findings.size();
   if (count == 0) return Guide::tr("no findings");
   return count == 1 ? Guide::tr("1 finding") : Guide::tr("%1 findings").arg(count);
-}
-
-QString posesInWords(std::size_t count) {
-  if (count == 0) return Guide::tr("no poses");
-  return count == 1 ? Guide::tr("1 pose") : Guide::tr("%1 poses").arg(count);
 }
 
 QString noResult(const SessionController& controller) {
@@ -214,15 +211,6 @@ Step exportStep(const SessionController& controller, const WindowActions& action
 }
 
 }  // namespace
-
-const Finding* worstFinding(const Reconstruction& reconstruction) {
-  const Finding* worst = nullptr;
-  for (const Finding& finding : reconstruction.findings) {
-    if (finding.severity == Severity::Info) continue;
-    if (!worst || finding.severity > worst->severity) worst = &finding;
-  }
-  return worst;
-}
 
 Banner::Content describeStand(const SessionController& controller, const WindowActions& actions) {
   Banner::Content content;

@@ -14,9 +14,6 @@ class WindowActions;
 /// The steps in their order.
 enum class GuideStep { Connect, Check, Capture, Review, Verify, Export };
 
-/// What the operator should look at before anything else; null if it is nothing.
-const Finding* worstFinding(const Reconstruction& reconstruction);
-
 /// Where the operator stands and what is best done next, in words, from what the controller knows. Nothing is judged
 /// here: how good a result is, core's verdict says.
 Banner::Content describeStand(const SessionController& controller, const WindowActions& actions);

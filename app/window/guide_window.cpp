@@ -1,5 +1,6 @@
 #include "app/window/guide_window.h"
 
+#include "app/window/keys_dialog.h"
 #include "app/window/session_controller.h"
 
 #include <QAction>
@@ -74,7 +75,7 @@ class GuideBrowser : public QTextBrowser {
   }
 };
 
-GuideWindow::GuideWindow(QWidget* parent)
+GuideWindow::GuideWindow(QWidget* parent, const QString& first_page)
     : QWidget(parent, Qt::Window),
       contents_(new QListWidget),
       browser_(new GuideBrowser),
@@ -159,17 +160,19 @@ GuideWindow::GuideWindow(QWidget* parent)
   layout->addWidget(splitter, 1);
   resize(980, 720);
   browser_->setFocus();
-  showPage(pages().front());
+  showPage(pages().contains(first_page) ? first_page : pages().front());
+  dress_anew_.setSingleShot(true);
+  connect(&dress_anew_, &QTimer::timeout, this, [this] {
+    const int at = browser_->verticalScrollBar()->value();
+    browser_->reload();
+    browser_->verticalScrollBar()->setValue(at);
+  });
 }
 
-void GuideWindow::setKeys(const QList<QAction*>& actions) {
+void GuideWindow::setKeys(const QMenuBar& menus) {
   browser_->keys.clear();
-  for (const QAction* action : actions) {
-    if (action->shortcuts().isEmpty()) continue;
-    QString what = action->text();
-    what.remove(QLatin1Char('&')).remove(QChar(0x2026));
-    browser_->keys += QStringLiteral("| %1 | %2 |\n")
-                          .arg(QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText), what);
+  for (const KeyGroup& group : keysOf(menus)) {
+    for (const KeyLine& line : group.lines) browser_->keys += QStringLiteral("| %1 | %2 |\n").arg(line.keys, line.what);
   }
 }
 
@@ -180,6 +183,7 @@ void GuideWindow::showPage(const QString& page) {
 
 void GuideWindow::followPage(const QUrl& url) {
   page_ = url.fileName().section(QLatin1Char('.'), 0, 0);
+  link_color_ = palette().color(QPalette::Link);
   dressPage();
   const int row = pages().indexOf(page_);
   if (row >= 0) contents_->setCurrentRow(row);
@@ -188,6 +192,9 @@ void GuideWindow::followPage(const QUrl& url) {
 void GuideWindow::dressPage() {
   // Markdown says what a paragraph is and not how it looks: room between the lines and around headings.
   const int line = browser_->fontMetrics().height();
+  // All in one, or the page would be laid out anew for every paragraph.
+  QTextCursor all(browser_->document());
+  all.beginEditBlock();
   for (QTextBlock block = browser_->document()->begin(); block.isValid(); block = block.next()) {
     QTextCursor cursor(block);
     QTextBlockFormat format;
@@ -211,6 +218,7 @@ void GuideWindow::dressPage() {
     format.setBottomMargin(0.7 * line);
     table->setFormat(format);
   }
+  all.endEditBlock();
   browser_->verticalScrollBar()->setValue(0);
 }
 
@@ -228,11 +236,8 @@ void GuideWindow::find(bool backwards) {
 
 void GuideWindow::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  // Colours of links are the palette's at the time of reading.
-  if (event->type() == QEvent::PaletteChange && !currentPage().isEmpty()) {
-    browser_->reload();
-    dressPage();
-  }
+  // Colours of links are the palette's at the time of reading; one change of theme changes it several times.
+  if (event->type() == QEvent::PaletteChange && palette().color(QPalette::Link) != link_color_) dress_anew_.start();
 }
 
 QString guidePageFor(const SessionController& controller) {

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <QColor>
 #include <QList>
 #include <QStringList>
+#include <QTimer>
 #include <QWidget>
 
-class QAction;
+class QMenuBar;
 class QLineEdit;
 class QListWidget;
 class QLabel;
@@ -21,15 +23,16 @@ class GuideWindow : public QWidget {
   Q_OBJECT
 
  public:
-  explicit GuideWindow(QWidget* parent = nullptr);
+  /// Begins with `first_page`, or with the first one if there is no such page.
+  explicit GuideWindow(QWidget* parent = nullptr, const QString& first_page = {});
 
   /// The pages' names in the order of the list: "demo", "connect", ...
   static QStringList pages();
   /// What the page says at its top, in the language of the guide; empty if there is no such page.
   static QString titleOf(const QString& page);
 
-  /// What the page of keys lists: the texts and shortcuts of these actions.
-  void setKeys(const QList<QAction*>& actions);
+  /// What the page of keys lists.
+  void setKeys(const QMenuBar& menus);
 
   /// Nothing happens if there is no such page.
   void showPage(const QString& page);
@@ -44,6 +47,8 @@ class GuideWindow : public QWidget {
   void find(bool backwards);
 
   QString page_;
+  QColor link_color_;
+  QTimer dress_anew_;
   QListWidget* contents_;
   GuideBrowser* browser_;
   QLineEdit* search_;

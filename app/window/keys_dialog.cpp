@@ -23,15 +23,6 @@ struct KeysDialog {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::KeysDialog)
 };
 
-struct KeyLine {
-  QString keys;
-  QString what;
-};
-struct KeyGroup {
-  QString title;
-  std::vector<KeyLine> lines;
-};
-
 QString plain(QString text) { return text.remove(QLatin1Char('&')).remove(QStringLiteral("…")); }
 
 void addActions(KeyGroup& group, const QList<QAction*>& actions) {
@@ -43,23 +34,6 @@ void addActions(KeyGroup& group, const QList<QAction*>& actions) {
           {QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText), plain(action->text())});
     }
   }
-}
-
-/// In the order of the menus, as every action is in one of them.
-std::vector<KeyGroup> groupsOf(const QMenuBar& menus) {
-  std::vector<KeyGroup> groups;
-  for (const QAction* menu : menus.actions()) {
-    KeyGroup group{plain(menu->text()), {}};
-    if (menu->menu()) addActions(group, menu->menu()->actions());
-    if (!group.lines.empty()) groups.push_back(std::move(group));
-  }
-  const auto key = [](int code) { return QKeySequence(code).toString(QKeySequence::NativeText); };
-  groups.push_back({KeysDialog::tr("Everywhere"),
-                    {{key(Qt::Key_Escape), KeysDialog::tr("Cancel or close what is open; never quits")},
-                     {key(Qt::Key_Tab), KeysDialog::tr("Go to the next control, with Shift to the one before")},
-                     {key(Qt::Key_Space), KeysDialog::tr("Press the button that has the focus")},
-                     {key(Qt::Key_Return), KeysDialog::tr("Open the picked row or recent file")}}});
-  return groups;
 }
 
 /// A heading with its keys, of which a search hides those that it does not mean.
@@ -96,6 +70,22 @@ ShownGroup show(const KeyGroup& group, int keys_width, QVBoxLayout* layout) {
 
 }  // namespace
 
+std::vector<KeyGroup> keysOf(const QMenuBar& menus) {
+  std::vector<KeyGroup> groups;
+  for (const QAction* menu : menus.actions()) {
+    KeyGroup group{plain(menu->text()), {}};
+    if (menu->menu()) addActions(group, menu->menu()->actions());
+    if (!group.lines.empty()) groups.push_back(std::move(group));
+  }
+  const auto key = [](int code) { return QKeySequence(code).toString(QKeySequence::NativeText); };
+  groups.push_back({KeysDialog::tr("Everywhere"),
+                    {{key(Qt::Key_Escape), KeysDialog::tr("Cancel or close what is open; never quits")},
+                     {key(Qt::Key_Tab), KeysDialog::tr("Go to the next control, with Shift to the one before")},
+                     {key(Qt::Key_Space), KeysDialog::tr("Press the button that has the focus")},
+                     {key(Qt::Key_Return), KeysDialog::tr("Open the picked row or recent file")}}});
+  return groups;
+}
+
 void showKeysDialog(QWidget* parent, const QMenuBar& menus) {
   if (auto* open = parent->findChild<QDialog*>(QStringLiteral("keysDialog"))) {
     open->raise();
@@ -116,7 +106,7 @@ void showKeysDialog(QWidget* parent, const QMenuBar& menus) {
   auto* list = new QVBoxLayout(content);
   list->setContentsMargins(0, 0, 10, 0);
   list->setSpacing(0);
-  const std::vector<KeyGroup> groups = groupsOf(menus);
+  const std::vector<KeyGroup> groups = keysOf(menus);
   QFont bold = dialog->font();
   bold.setWeight(QFont::DemiBold);
   int keys_width = 0;

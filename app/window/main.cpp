@@ -2,8 +2,8 @@
 #include "app/window/preferences.h"
 #include "app/window/screenshot_tour.h"
 #include "app/window/translation.h"
+#include "widgets/opengl_info.h"
 
-#include <QVTKOpenGLNativeWidget.h>
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QLocale>
@@ -28,17 +28,6 @@ constexpr int kStorage = 5;
 int complain(const QString& message, int code) {
   QTextStream(stderr) << "hexoderm: " << message << '\n';
   return code;
-}
-
-/// Multisampling costs a factor of three in software OpenGL, so it is off unless asked for, and the surface format must
-/// be set before there is an application.
-int samplesFromArguments(int argc, char** argv) {
-  for (int k = 1; k < argc; ++k) {
-    const QString argument = QString::fromLocal8Bit(argv[k]);
-    if (argument == QStringLiteral("--msaa") && k + 1 < argc) return QString::fromLocal8Bit(argv[k + 1]).toInt();
-    if (argument.startsWith(QStringLiteral("--msaa="))) return argument.mid(7).toInt();
-  }
-  return 0;
 }
 
 /// Settings of its own, so that pictures show what a newcomer sees.
@@ -70,7 +59,7 @@ QString languageFromArguments(const QStringList& arguments) {
   for (const QString& argument : arguments) {
     if (argument.startsWith(prefix)) return argument.mid(prefix.size());
   }
-  return QSettings().value(QLatin1String(kLanguageSetting)).toString();
+  return Preferences().language();
 }
 
 /// What is asked for before there is an application that could parse it.
@@ -121,9 +110,7 @@ class Script : public QObject {
 }  // namespace
 
 int main(int argc, char** argv) {
-  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
-  format.setSamples(samplesFromArguments(argc, argv));
-  QSurfaceFormat::setDefaultFormat(format);
+  QSurfaceFormat::setDefaultFormat(sceneSurfaceFormat());
   installStyle();
   QCoreApplication::setOrganizationName(QStringLiteral("Hexoderm"));
   QCoreApplication::setApplicationName(QStringLiteral("hexoderm"));
@@ -161,9 +148,6 @@ int main(int argc, char** argv) {
       QStringLiteral("screenshot"),
       QCoreApplication::translate("main", "Save a picture of the window after the first result, and quit."),
       QStringLiteral("FILE"));
-  const QCommandLineOption msaa(QStringLiteral("msaa"),
-                                QCoreApplication::translate("main", "Samples per pixel of the 3D view; 0 is fastest."),
-                                QStringLiteral("N"), QStringLiteral("0"));
   // For packaging/screenshots.sh, and nothing that a user looks for.
   QCommandLineOption tour(QStringLiteral("screenshots"), {}, QStringLiteral("DIR"));
   QCommandLineOption tour_size(QStringLiteral("screenshots-size"), {}, QStringLiteral("WxH"),
@@ -175,7 +159,7 @@ int main(int argc, char** argv) {
   const QCommandLineOption software_opengl(
       QStringLiteral("software-opengl"),
       QCoreApplication::translate("main", "Draw in 3D without the graphics card, for this time."));
-  parser.addOptions({demo, poses, theme, language, screenshot, msaa, software_opengl, tour, tour_size, tour_width});
+  parser.addOptions({demo, poses, theme, language, screenshot, software_opengl, tour, tour_size, tour_width});
   parser.process(app);
 
   if (parser.positionalArguments().size() > 1) {
@@ -191,10 +175,6 @@ int main(int argc, char** argv) {
   }
   if (pose_count > 0 && !parser.isSet(demo)) {
     return complain(QCoreApplication::translate("main", "--poses goes with --demo."), kUsage);
-  }
-  const int samples = parser.value(msaa).toInt(&is_number);
-  if (!is_number || samples < 0 || samples > 16) {
-    return complain(QCoreApplication::translate("main", "--msaa takes a number from 0 to 16."), kUsage);
   }
   const std::optional<ThemeChoice> choice = themeChoiceFromName(parser.value(theme));
   if (parser.isSet(theme) && !choice) {

@@ -3,6 +3,7 @@
 #include "app/window/table_views.h"
 #include "app/window/verification.h"
 #include "app/window/window_shell.h"
+#include "hexoderm/reconstruction/verdict.h"
 #include "hexoderm/util/text.h"
 #include "widgets/banner.h"
 #include "widgets/capture_panel.h"
@@ -22,6 +23,7 @@
 #include "widgets/table_actions.h"
 #include "widgets/tables.h"
 #include "widgets/verify_panel.h"
+#include "widgets/words.h"
 
 #include <QApplication>
 #include <QHBoxLayout>
@@ -51,7 +53,7 @@ MainWindow::MainWindow(QWidget* parent)
       docks_(new QMainWindow(this)),
       banner_(new Banner),
       message_bar_(new MessageBar),
-      live_strip_(new LiveStrip(actions_.automatic, actions_.capture, actions_.disconnect_skin)),
+      live_strip_(new LiveStrip(actions_.disconnect_skin)),
       step_panel_(new StepPanel),
       check_list_(new CheckList),
       capture_panel_(new CapturePanel({actions_.automatic, actions_.capture, actions_.skip_pose, actions_.turn})),
@@ -74,6 +76,7 @@ MainWindow::MainWindow(QWidget* parent)
       detail_tabs_(new QTabBar),
       session_name_(new QLabel),
       source_status_(new QLabel),
+      losses_status_(new QLabel),
       cells_status_(new QLabel),
       solve_status_(new QLabel),
       saved_status_(new QLabel),
@@ -94,10 +97,7 @@ MainWindow::MainWindow(QWidget* parent)
   connectVerify();
   connectCapture();
   connectKeys();
-  const QSettings settings;
-  setThemeChoice(
-      themeChoiceFromName(settings.value(QStringLiteral("view/theme")).toString()).value_or(ThemeChoice::System),
-      false);
+  setThemeChoice(shell_->preferences().theme(), false);
   restoreLayout();
   shell_->begin(*findChild<QMenuBar*>());
   refresh();
@@ -142,6 +142,13 @@ void MainWindow::buildLayout() {
   constexpr int kPoseCharacters = 56;
   pose_view_->setMinimumWidth(kPoseCharacters * fontMetrics().averageCharWidth());
   auto* steps = new CardDock(tr("Steps"), QStringLiteral("stepsDock"), step_panel_, docks_);
+  for (std::size_t k = 0; k < actions_.go_to_step.size(); ++k) {
+    connect(actions_.go_to_step[k], &QAction::triggered, this, [this, steps, k] {
+      steps->show();
+      steps->raise();
+      step_panel_->goToStep(static_cast<int>(k));
+    });
+  }
   graph_dock_ = new CardDock(tr("Skin graph"), QStringLiteral("graphDock"), graph_view_, docks_);
   pose_dock_ = new CardDock(tr("Poses"), QStringLiteral("poseDock"), withHint(pose_view_, tr("No poses yet.")), docks_);
   coverage_dock_ = new CardDock(tr("Directions seen"), QStringLiteral("coverageDock"), coverage_view_, docks_);
@@ -215,15 +222,18 @@ CardDock* MainWindow::buildDetails() {
 }
 
 void MainWindow::buildStatusBar() {
-  for (QLabel* label : {source_status_, cells_status_, solve_status_, saved_status_, said_status_}) {
+  for (QLabel* label : {source_status_, losses_status_, cells_status_, solve_status_, saved_status_, said_status_}) {
     label->setTextFormat(Qt::PlainText);
   }
   source_status_->setObjectName(QStringLiteral("sourceStatus"));
+  losses_status_->setObjectName(QStringLiteral("lossesStatus"));
+  losses_status_->hide();
   cells_status_->setObjectName(QStringLiteral("cellsStatus"));
   solve_status_->setObjectName(QStringLiteral("solveStatus"));
   saved_status_->setObjectName(QStringLiteral("savedStatus"));
   statusBar()->setSizeGripEnabled(false);
   statusBar()->addWidget(source_status_);
+  statusBar()->addWidget(losses_status_);
   statusBar()->addWidget(cells_status_);
   statusBar()->addWidget(solve_status_);
   said_status_->setObjectName(QStringLiteral("saidStatus"));
@@ -433,13 +443,13 @@ void MainWindow::refreshStatus() {
     }
     cells_status_->setText(tr("cells %1/%2").arg(measured).arg(result->cellCount()));
     cells_status_->setToolTip(tr("Cells that were measured in the fullest pose, of all cells"));
-    solve_status_->setText(controller_.session()
-                               ? tr("solved in %1 ms · %2")
-                                     .arg(QString::fromStdString(formatFixed(1e3 * result->solve_seconds, 1)),
-                                          QString::fromStdString(result->solver))
-                               : tr("%1, read from the file").arg(QString::fromStdString(result->solver)));
+    solve_status_->setText(
+        controller_.session()
+            ? tr("solved in %1 ms · %2")
+                  .arg(figureInWords(1e3 * result->solve_seconds, 1), QString::fromStdString(result->solver))
+            : tr("%1, read from the file").arg(QString::fromStdString(result->solver)));
     solve_status_->setToolTip(tr("A direction counts as defined from a singular value of %1 on")
-                                  .arg(QString::fromStdString(formatFixed(result->options.class_threshold, 2))));
+                                  .arg(figureInWords(result->options.class_threshold, 2)));
   }
   QString saved;
   if (controller_.hasUnsavedChanges()) {
@@ -472,7 +482,7 @@ void MainWindow::setThemeChoice(ThemeChoice choice, bool remember) {
   residual_view_->setTheme(theme_);
   verify_panel_->setTheme(theme_);
   actions_.theme[static_cast<std::size_t>(choice)]->setChecked(true);
-  if (remember) QSettings().setValue(QStringLiteral("view/theme"), themeChoiceName(choice));
+  if (remember) shell_->preferences().setTheme(choice);
 }
 
 /// On a screen that is smaller than what the panels need, everything is reached by scrolling.

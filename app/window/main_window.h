@@ -67,7 +67,7 @@ class MainWindow : public QMainWindow {
   /// Log, recent and unsaved sessions, preferences.
   [[nodiscard]] WindowShell& shell() { return *shell_; }
 
-  /// The whole window as it looks now.
+  /// The whole window as it looks now. Waits for the 3D view to be up to date (PatchView::whenUpToDate()).
   [[nodiscard]] QImage picture();
 
  protected:
@@ -89,6 +89,7 @@ class MainWindow : public QMainWindow {
   void connectLive();
   void scrollIfScreenIsSmall();
   void connectVerify();
+  void askForComparison();
   void connectCapture();
   void connectKeys();
   void showCoverage(const std::shared_ptr<const Reconstruction>& reconstruction);
@@ -167,6 +168,7 @@ class MainWindow : public QMainWindow {
   CardDock* coverage_dock_ = nullptr;
   QLabel* session_name_;
   QLabel* source_status_;
+  QLabel* losses_status_;
   QLabel* cells_status_;
   QLabel* solve_status_;
   QLabel* saved_status_;

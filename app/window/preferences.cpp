@@ -1,11 +1,16 @@
 #include "app/window/preferences.h"
 
+#include "app/window/recovery.h"
+#include "app/window/translation.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
 
 #include <QApplication>
+#include <QDir>
+#include <QFileInfo>
 #include <QFont>
 #include <QSettings>
+#include <QStandardPaths>
 #include <algorithm>
 #include <cmath>
 
@@ -23,6 +28,7 @@ const QString kExcess = QStringLiteral("capture/excess_limit_mg");
 const QString kHold = QStringLiteral("capture/hold_s");
 const QString kSamples = QStringLiteral("capture/samples_per_cell");
 const QString kFolder = QStringLiteral("paths/sessions");
+const QString kLastFolder = QStringLiteral("paths/last");
 const QString kSolver = QStringLiteral("solver/solver");
 const QString kGapModel = QStringLiteral("solver/gap_model");
 const QString kCentring = QStringLiteral("solver/centre");
@@ -64,10 +70,16 @@ Preferences::Preferences(QObject* parent) : QObject(parent) {}
 
 QString Preferences::language() const {
   const QString language = QSettings().value(kLanguage).toString();
-  return language == QLatin1String("en") || language == QLatin1String("de") ? language : QStringLiteral("system");
+  return isLanguageChoice(language) ? language : QLatin1String(kSystemLanguage);
 }
 
 void Preferences::setLanguage(const QString& language) { QSettings().setValue(kLanguage, language); }
+
+ThemeChoice Preferences::theme() const {
+  return themeChoiceFromName(QSettings().value(kTheme).toString()).value_or(ThemeChoice::System);
+}
+
+void Preferences::setTheme(ThemeChoice choice) { QSettings().setValue(kTheme, themeChoiceName(choice)); }
 
 double Preferences::textFactor() const {
   double factor = 1;
@@ -175,6 +187,18 @@ void Preferences::restoreDefaults() {
   if (tone() != tone_before) emit toneChanged(tone());
   if (reducedMotion() != motion_before) emit reducedMotionChanged(reducedMotion());
   emit restored();
+}
+
+QString lastFolder() {
+  const QString folder = QSettings().value(kLastFolder).toString();
+  if (!folder.isEmpty() && QDir(folder).exists()) return folder;
+  const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+  return QDir(documents).exists() ? documents : QDir::homePath();
+}
+
+void rememberFolder(const QString& file) {
+  if (file.isEmpty() || QFileInfo(file).absolutePath() == QFileInfo(unsavedFolder()).absoluteFilePath()) return;
+  QSettings().setValue(kLastFolder, QFileInfo(file).absolutePath());
 }
 
 void applyTextFactor(double factor) {

@@ -17,9 +17,11 @@ class Preferences : public QObject {
  public:
   explicit Preferences(QObject* parent = nullptr);
 
-  /// "system", "en" or "de"; which translation there is, main() looks up at the start.
+  /// "system" or one of shippedLanguages(); main() looks it up at the start.
   [[nodiscard]] QString language() const;
   void setLanguage(const QString& language);
+  [[nodiscard]] ThemeChoice theme() const;
+  void setTheme(ThemeChoice choice);
   /// On top of the system's text size: 0.8 to 2.
   [[nodiscard]] double textFactor() const;
   void setTextFactor(double factor);
@@ -52,6 +54,12 @@ class Preferences : public QObject {
   /// The defaults are restored, the theme's too; dialogs show everything anew.
   void restored();
 };
+
+/// Where dialogs begin to look for a file: where the last one was, as long as there is that folder; else the user's
+/// documents, else the home folder.
+QString lastFolder();
+/// For lastFolder(): `file` was chosen. Nobody chose the folder that unsaved sessions are recovered from.
+void rememberFolder(const QString& file);
 
 /// Gives the application the system's text size times a factor; theme.h's applyTheme() must follow.
 void applyTextFactor(double factor);

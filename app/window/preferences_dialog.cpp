@@ -1,6 +1,7 @@
 #include "app/window/preferences_dialog.h"
 
 #include "app/window/preferences.h"
+#include "app/window/translation.h"
 #include "hexoderm/util/units.h"
 
 #include <QCheckBox>
@@ -28,7 +29,6 @@ namespace hexoderm {
 namespace {
 
 constexpr std::array<double, 6> kTextFactors = {0.9, 1.0, 1.15, 1.3, 1.5, 2.0};
-constexpr std::array<const char*, 3> kLanguages = {"system", "en", "de"};
 constexpr double kMilliG = 1e-3;
 
 QFormLayout* makeForm() {
@@ -150,9 +150,12 @@ QWidget* PreferencesDialog::makeAppearance() {
   QFormLayout* form = makeForm();
   theme_ = makeChoice(form, "preferenceTheme", tr("&Theme"), {tr("Like the system"), tr("Light"), tr("Dark")},
                       tr("Light or dark, or what the system asks for."));
-  language_ = makeChoice(form, "preferenceLanguage", tr("&Language"),
-                         {tr("Like the system"), QStringLiteral("English"), QStringLiteral("Deutsch")},
+  language_ = makeChoice(form, "preferenceLanguage", tr("&Language"), {tr("Like the system")},
                          tr("The window speaks it from its next start on."));
+  language_->setItemData(0, QLatin1String(kSystemLanguage));
+  for (const QString& language : shippedLanguages()) {
+    language_->addItem(languageName(language), language);
+  }
   QStringList sizes;
   for (const double factor : kTextFactors) {
     sizes << (factor == 1.0 ? tr("Like the system") : tr("%1 %").arg(qRound(100 * factor)));
@@ -174,9 +177,8 @@ QWidget* PreferencesDialog::makeAppearance() {
 
   connect(theme_, qOverload<int>(&QComboBox::activated), this,
           [this](int index) { emit themeChosen(static_cast<ThemeChoice>(index)); });
-  connect(language_, qOverload<int>(&QComboBox::activated), this, [this](int index) {
-    preferences_.setLanguage(QLatin1String(kLanguages.at(static_cast<std::size_t>(index))));
-  });
+  connect(language_, qOverload<int>(&QComboBox::activated), this,
+          [this](int index) { preferences_.setLanguage(language_->itemData(index).toString()); });
   connect(text_size_, qOverload<int>(&QComboBox::activated), this,
           [this](int index) { preferences_.setTextFactor(kTextFactors.at(static_cast<std::size_t>(index))); });
   connect(reduced_motion_, &QCheckBox::clicked, this, [this](bool on) { preferences_.setReducedMotion(on); });
@@ -296,9 +298,7 @@ void PreferencesDialog::showTheme(ThemeChoice theme) { theme_->setCurrentIndex(s
 
 void PreferencesDialog::showAll() {
   showing_ = true;
-  for (std::size_t k = 0; k < kLanguages.size(); ++k) {
-    if (preferences_.language() == QLatin1String(kLanguages.at(k))) language_->setCurrentIndex(static_cast<int>(k));
-  }
+  language_->setCurrentIndex(language_->findData(preferences_.language()));
   std::size_t nearest = 0;
   for (std::size_t k = 0; k < kTextFactors.size(); ++k) {
     const double factor = preferences_.textFactor();

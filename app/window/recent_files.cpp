@@ -1,6 +1,7 @@
 #include "app/window/recent_files.h"
 
 #include "app/window/job_queue.h"
+#include "widgets/words.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -29,7 +30,10 @@ const QString kSetting = QStringLiteral("recent/files");
 QString shortFolder(const QString& path) {
   const QString folder = QDir::toNativeSeparators(QFileInfo(path).absolutePath());
   const QString home = QDir::toNativeSeparators(QDir::homePath());
-  return home.size() > 1 && folder.startsWith(home) ? QLatin1Char('~') + folder.mid(home.size()) : folder;
+  const QChar separator = QDir::separator();
+  return home.size() > 1 && (folder + separator).startsWith(home + separator)
+             ? QLatin1Char('~') + folder.mid(home.size())
+             : folder;
 }
 
 QString problemWith(const QString& path) {
@@ -57,8 +61,7 @@ QString timeInWords(std::int64_t at_ms) {
 QString describeRecent(const RecentFile& file) {
   if (!file.problem.isEmpty()) return file.problem;
   QString words = timeInWords(file.at_ms);
-  if (file.poses == 1) words += RecentFiles::tr(" · 1 pose");
-  if (file.poses >= 0 && file.poses != 1) words += RecentFiles::tr(" · %1 poses").arg(file.poses);
+  if (file.poses >= 0) words += QStringLiteral(" · ") + posesInWords(static_cast<std::size_t>(file.poses));
   return words;
 }
 

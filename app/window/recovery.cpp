@@ -5,6 +5,7 @@
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/util/error.h"
 #include "widgets/core_words.h"
+#include "widgets/words.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -126,9 +127,9 @@ QString describeUnsaved(const UnsavedSession& session) {
   if (!session.problem.isEmpty()) {
     return UnsavedSessions::tr("A session of %1 was not saved and can't be read: %2").arg(when, session.problem);
   }
-  const QString poses =
-      session.poses == 1 ? UnsavedSessions::tr("1 pose") : UnsavedSessions::tr("%1 poses").arg(session.poses);
-  return UnsavedSessions::tr("A session of %1 with %2 of %3 cells was not saved.").arg(when, poses).arg(session.cells);
+  return UnsavedSessions::tr("A session of %1 with %2 of %3 cells was not saved.")
+      .arg(when, posesInWords(session.poses))
+      .arg(session.cells);
 }
 
 UnsavedSessions::UnsavedSessions(JobQueue& jobs, QString folder, QObject* parent)

@@ -19,7 +19,7 @@ constexpr std::size_t kMostRows = 400;
 // In the 96ths of an inch of CSS: a little less than the width between the margins of A4.
 constexpr int kPageWidth_px = 640;
 
-QString millimetres(double length_m) { return QLocale().toString(toMillimetres(length_m), 'f', 1); }
+QString millimetres(double length_m) { return figureInWords(toMillimetres(length_m), 1); }
 
 QString utf8(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<int>(text.size())); }
 
@@ -217,7 +217,7 @@ void ReportPage::addPoses() {
   }
   std::vector<QStringList> rows;
   for (const PoseSummary& pose : result_.poses) {
-    rows.push_back({QString::number(pose.pose.value()), pose.label.empty() ? noValue() : utf8(pose.label),
+    rows.push_back({QString::number(pose.pose.value()), pose.label.empty() ? noValue() : coreWords(pose.label),
                     pose.enabled ? tr("used") : tr("disabled"),
                     QStringLiteral("%1/%2").arg(pose.cells_measured).arg(result_.cellCount()),
                     pose.noise_g > 0 ? QLocale().toString(1000 * pose.noise_g, 'f', 1) : noValue(),
@@ -237,10 +237,10 @@ void ReportPage::addPoses() {
 void ReportPage::linkTable(const std::vector<const LinkEstimate*>& links) {
   std::vector<QStringList> rows;
   for (const LinkEstimate* link : links) {
-    const bool known = hasFigures(*link);
+    const bool known = link->hasFigures();
     rows.push_back(
-        {shortLinkName(*link), known ? qualityWord(link->quality) : noValue(), degreesInWords(knownResidual(*link)),
-         degreesInWords(knownSigma(*link)), known ? degreesInWords(link->bend_rad) : noValue(),
+        {shortLinkName(*link), known ? qualityWord(link->quality) : noValue(), degreesInWords(link->knownResidual()),
+         degreesInWords(link->knownSigma()), known ? degreesInWords(link->bend_rad) : noValue(),
          known ? degreesInWords(link->twist_rad) : noValue(), known ? degreesInWords(link->yaw_rad) : noValue(),
          link->used ? (link->in_tree ? tr("used, in tree") : tr("used")) : tr("muted: %1").arg(mutedBecause(*link))});
   }
@@ -259,7 +259,7 @@ void ReportPage::addWorstLinks() {
   std::vector<const LinkEstimate*> links;
   for (const PatchReconstruction& patch : result_.patches) {
     for (const LinkEstimate& link : patch.links) {
-      if (link.used && knownResidual(link)) links.push_back(&link);
+      if (link.used && link.knownResidual()) links.push_back(&link);
     }
   }
   if (links.empty()) return;

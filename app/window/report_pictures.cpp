@@ -36,6 +36,7 @@ std::vector<ReportPicture> takeReportPictures(const std::shared_ptr<const Recons
     showNowhere(patch, kSize);
     patch.setTheme(Theme::Light);
     patch.setReconstruction(reconstruction);
+    patch.waitUntilUpToDate();
     for (const auto& [view, title] : {std::pair(PatchView::StandardView::Front, ReportPictures::tr("Patch, front")),
                                       std::pair(PatchView::StandardView::Side, ReportPictures::tr("Patch, side")),
                                       std::pair(PatchView::StandardView::Top, ReportPictures::tr("Patch, top"))}) {

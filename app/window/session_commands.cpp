@@ -1,5 +1,7 @@
 #include "app/window/session_commands.h"
 
+#include "widgets/words.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -63,11 +65,7 @@ void RemovePoseCommand::undo() {
 MuteLinkCommand::MuteLinkCommand(EditedSession edited, LinkEnd a, LinkEnd b, bool muted)
     : edited_(std::move(edited)), a_(std::min(a, b)), b_(std::max(a, b)), muted_(muted) {
   if (const MutedLink* before = edited_.session.findMutedLink(a_, b_)) why_ = before->why;
-  const QString name = QStringLiteral("%1:%2 – %3:%4")
-                           .arg(a_.cell.value())
-                           .arg(a_.port.value())
-                           .arg(b_.cell.value())
-                           .arg(b_.port.value());
+  const QString name = shortLinkName(a_, b_);
   setText(muted ? tr("set link %1 aside").arg(name) : tr("take link %1 back").arg(name));
 }
 

@@ -5,6 +5,7 @@
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/file.h"
 #include "widgets/core_words.h"
 
 #include <QFileInfo>
@@ -102,7 +103,7 @@ void SessionController::openFile(const QString& path) {
             if (auto* session = std::get_if<Session>(&opened_file->file)) {
               showSession(std::make_unique<Session>(std::move(*session)), name, path);
             } else {
-              showCalibration(std::get<std::shared_ptr<const Reconstruction>>(opened_file->file), name);
+              showCalibration(std::get<std::shared_ptr<const Reconstruction>>(opened_file->file), path);
             }
             if (opened_file->store && QFileInfo(path).absolutePath() == QFileInfo(unsavedFolder()).absoluteFilePath()) {
               // Recovered: it goes on where it was, and still waits to be saved.
@@ -187,6 +188,13 @@ void SessionController::savePicture(std::function<bool()> write, const QString& 
       });
 }
 
+void SessionController::saveTable(const QByteArray& csv, const QString& path) {
+  startWriting(tr("Saving %1").arg(QFileInfo(path).fileName()), [this, csv, path]() -> Continuation {
+    writeFileAtomically(toPath(path), std::string_view(csv.constData(), static_cast<std::size_t>(csv.size())));
+    return [this, path] { emit exported(path); };
+  });
+}
+
 void SessionController::writeReport(const std::vector<ReportPicture>& pictures, const QString& path) {
   if (!reconstruction_) return;
   const ReportContent content{reconstruction_, name_, pictures, QDateTime::currentDateTime()};
@@ -244,6 +252,7 @@ void SessionController::startWriting(const QString& activity, std::function<Cont
 
 void SessionController::closeCurrent() {
   ++opened_count_;
+  calibration_path_.clear();
   live_session_ = false;
   recapturing_.reset();
   robot_ = false;
@@ -275,12 +284,13 @@ void SessionController::showSession(std::unique_ptr<Session> session, const QStr
   emit opened(name);
 }
 
-void SessionController::showCalibration(std::shared_ptr<const Reconstruction> calibration, const QString& name) {
+void SessionController::showCalibration(std::shared_ptr<const Reconstruction> calibration, const QString& path) {
   closeCurrent();
-  name_ = name;
+  name_ = QFileInfo(path).fileName();
+  calibration_path_ = path;
   reconstruction_ = std::move(calibration);
   emit reconstructionChanged(reconstruction_);
-  emit opened(name);
+  emit opened(name_);
 }
 
 void SessionController::submit() {

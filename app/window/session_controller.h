@@ -98,6 +98,8 @@ class SessionController : public QObject {
   [[nodiscard]] bool hasUnsavedChanges() const {
     return session_ && (isKept() ? isJournalStuck() : !undo_stack_.isClean());
   }
+  /// The file that the calibration which is open was read from; empty if none is.
+  [[nodiscard]] QString calibrationPath() const { return calibration_path_; }
   /// Every change is written to sessionPath() as it happens.
   [[nodiscard]] bool isKept() const { return session_ && journal_ && scratch_path_.isEmpty(); }
   /// When this session was saved, or its file was written to, last; invalid if it never was.
@@ -112,6 +114,8 @@ class SessionController : public QObject {
   void saveSession(const QString& path);
   void exportTo(const hexoderm::ExportRequest& request);
   void saveImage(const QImage& image, const QString& path);
+  /// A table of the window, as CSV.
+  void saveTable(const QByteArray& csv, const QString& path);
   /// Of what is shown now, with these pictures, as PDF or HTML by the ending of `path`.
   void writeReport(const std::vector<hexoderm::ReportPicture>& pictures, const QString& path);
   /// The next readings become a pose, moved or not. Nothing happens where no skin is connected.
@@ -174,7 +178,7 @@ class SessionController : public QObject {
   void start(const QString& activity, std::function<Continuation()> work, Continuation finally);
   void startWriting(const QString& activity, std::function<Continuation()> work);
   void showSession(std::unique_ptr<Session> session, const QString& name, const QString& path);
-  void showCalibration(std::shared_ptr<const Reconstruction> calibration, const QString& name);
+  void showCalibration(std::shared_ptr<const Reconstruction> calibration, const QString& path);
   void closeCurrent();
   void submit();
   void receive(const ReconstructionOutcome& outcome);
@@ -218,6 +222,7 @@ class SessionController : public QObject {
   QUndoStack undo_stack_;
   QString name_;
   QString session_path_;
+  QString calibration_path_;
   QTime saved_at_;
   QStringList activities_;
   int writing_ = 0;

@@ -7,6 +7,7 @@
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 #include "widgets/core_words.h"
+#include "widgets/words.h"
 
 #include <QFileInfo>
 #include <QRegularExpression>
@@ -147,7 +148,7 @@ void SessionController::addCapture(const CapturedPose& captured) {
   if (captured.repeats) {
     announcement.text += QLatin1Char(' ') + tr("It repeats pose %1, which is only %2° away.")
                                                 .arg(QString::number(captured.repeats->value()),
-                                                     QString::number(toDegrees(captured.repeat_angle_rad), 'f', 1));
+                                                     figureInWords(toDegrees(captured.repeat_angle_rad), 1));
   }
   announcement.remarkable = captured.repeats || !captured.silent_cells.empty();
   announcements_[pose.id] = announcement;

@@ -91,7 +91,7 @@ class Finder {
   }
 
   void lookAt(const QAbstractButton& button) {
-    if (button.text().isEmpty() || button.property("drawsItself").toBool()) return;
+    if (button.text().isEmpty()) return;
     // The hint has room to spare at the sides; what counts is the text and the style's own margins.
     const int text_px = button.fontMetrics().size(Qt::TextShowMnemonic, button.text()).width();
     const int icon_px = button.icon().isNull() ? 0 : button.iconSize().width();

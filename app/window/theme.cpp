@@ -1,8 +1,11 @@
 #include "app/window/theme.h"
 
 #include <QApplication>
+#include <QEvent>
 #include <QProxyStyle>
+#include <QRegularExpression>
 #include <QStyleFactory>
+#include <QWidget>
 
 namespace hexoderm {
 namespace {
@@ -45,6 +48,26 @@ QString panelSheet(const Colors& colors) {
            colors.text_muted.name(), colors.accent.name(), colors.accent_text.name());
 }
 
+/// Works out anew how a widget and all in it look; `resizes`: what they measure, too.
+void dress(QWidget& widget, bool resizes) {
+  widget.style()->polish(&widget);
+  if (resizes) {
+    QEvent change(QEvent::StyleChange);
+    QCoreApplication::sendEvent(&widget, &change);
+  }
+  widget.update();
+  const QObjectList children = widget.children();
+  for (QObject* child : children) {
+    if (auto* inner = qobject_cast<QWidget*>(child)) dress(*inner, resizes);
+  }
+}
+
+/// What a sheet says of sizes: all but the colours and the pictures that have them.
+QString withoutColors(QString sheet) {
+  static const QRegularExpression kColor(QStringLiteral("#[0-9a-fA-F]{6}|url\\([^)]*\\)"));
+  return sheet.remove(kColor);
+}
+
 }  // namespace
 
 QString themeChoiceName(ThemeChoice choice) {
@@ -84,10 +107,21 @@ void installStyle() { QApplication::setStyle(new WindowStyle); }
 
 void applyTheme(Theme theme) {
   const QString sheet = styleSheet(theme) + panelSheet(Colors::of(theme));
-  // Every widget there is works out its look anew, which takes its time.
-  if (qApp->styleSheet() == sheet) return;
+  const QString before = qApp->styleSheet();
+  if (before == sheet) return;
   QApplication::setPalette(qtPalette(theme));
+  if (before.isEmpty()) {
+    qApp->setStyleSheet(sheet);
+    return;
+  }
+  // Left to setStyleSheet(), every widget would be dressed once for itself and once for each widget that it is in. It
+  // dresses those whose rules it remembers, so it is made to forget them all.
+  qApp->style()->unpolish(qApp);
   qApp->setStyleSheet(sheet);
+  const bool resizes = withoutColors(before) != withoutColors(sheet);
+  for (QWidget* top : QApplication::topLevelWidgets()) {
+    if (!top->parentWidget()) dress(*top, resizes);
+  }
 }
 
 }  // namespace hexoderm

@@ -6,6 +6,7 @@
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QTranslator>
+#include <array>
 
 // Outside of any namespace, as Qt asks for resources of static libraries.
 static void initTranslationResources() { Q_INIT_RESOURCE(translations); }
@@ -13,21 +14,12 @@ static void initTranslationResources() { Q_INIT_RESOURCE(translations); }
 namespace hexoderm {
 namespace {
 
-constexpr char kTranslatorName[] = "hexodermTranslator";
-
-/// lupdate can't see which context a free function tr() of the namespace asks for, and files its texts under the
-/// namespace: they are looked for there, too.
-class Texts : public QTranslator {
- public:
-  using QTranslator::QTranslator;
-  QString translate(const char* context, const char* text, const char* comment, int count) const override {
-    QString words = QTranslator::translate(context, text, comment, count);
-    if (words.isEmpty() && QLatin1String(context).startsWith(QLatin1String("hexoderm::"))) {
-      words = QTranslator::translate("hexoderm", text, comment, count);
-    }
-    return words;
-  }
+struct Language {
+  const char* code;
+  const char* name;
 };
+constexpr std::array<Language, 2> kLanguages = {{{"en", "English"}, {"de", "Deutsch"}}};
+constexpr char kTranslatorName[] = "hexodermTranslator";
 
 QString systemLanguage() {
   // "C" and "POSIX" are nobody's language.
@@ -48,7 +40,7 @@ QString folderOfQtsTexts() {
 }
 
 void install(QApplication& application, const QString& file) {
-  auto* translator = new Texts(&application);
+  auto* translator = new QTranslator(&application);
   translator->setObjectName(QLatin1String(kTranslatorName));
   if (translator->load(file)) {
     QCoreApplication::installTranslator(translator);
@@ -59,10 +51,21 @@ void install(QApplication& application, const QString& file) {
 
 }  // namespace
 
-QStringList shippedLanguages() { return {QStringLiteral("en"), QStringLiteral("de")}; }
+QStringList shippedLanguages() {
+  QStringList codes;
+  for (const Language& language : kLanguages) codes << QLatin1String(language.code);
+  return codes;
+}
+
+QString languageName(const QString& language) {
+  for (const Language& shipped : kLanguages) {
+    if (language == QLatin1String(shipped.code)) return QString::fromUtf8(shipped.name);
+  }
+  return language;
+}
 
 bool isLanguageChoice(const QString& language) {
-  return language == QStringLiteral("system") || shippedLanguages().contains(language);
+  return language == QLatin1String(kSystemLanguage) || shippedLanguages().contains(language);
 }
 
 QString installTranslations(QApplication& application, const QString& language) {

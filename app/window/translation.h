@@ -7,13 +7,16 @@ class QApplication;
 
 namespace hexoderm {
 
-/// The settings key of the language: "system", or one of shippedLanguages().
-inline constexpr char kLanguageSetting[] = "view/language";
+/// Instead of a language's code: what the system says.
+inline constexpr char kSystemLanguage[] = "system";
 
 /// The languages that Hexoderm has texts in, as their two-letter codes, English first.
 QStringList shippedLanguages();
 
-/// "system" or one of shippedLanguages().
+/// As who speaks it calls it, of one of shippedLanguages().
+QString languageName(const QString& language);
+
+/// kSystemLanguage or one of shippedLanguages().
 bool isLanguageChoice(const QString& language);
 
 /// Installs Hexoderm's texts, and Qt's own where they are on this computer. To be called before the first window is

@@ -1,5 +1,6 @@
 #include "app/window/welcome_panel.h"
 
+#include "app/window/actions.h"
 #include "app/window/recent_files.h"
 #include "app/window/recovery.h"
 #include "widgets/action_button.h"
@@ -8,7 +9,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
-#include <QVariant>
 
 namespace hexoderm {
 namespace {
@@ -47,7 +47,7 @@ WelcomePanel::WelcomePanel(const std::vector<QAction*>& choices, RecentFiles& re
     button->setAction(action);
     button->setFocusPolicy(Qt::StrongFocus);
     if (action == choices.front()) button->setProperty("primary", true);
-    auto* purpose = makeLabel(action->property("purpose").toString(), "muted");
+    auto* purpose = makeLabel(purposeOf(*action), "muted");
     auto* row = new QHBoxLayout;
     row->setSpacing(14);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);

@@ -81,7 +81,7 @@ void MainWindow::showMoment() {
   const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
   current_up_ = result ? currentUp(*result, preview.means) : std::nullopt;
   stillness_view_->add(controller_.live().hold(), preview);
-  patch_view_->setReadings(preview.means);
+  patch_view_->setReadings(preview.means, preview.temperatures);
   coverage_view_->setCurrent(current_up_);
   followPart();
   // How far it is to the next pose, a few times a second: sentences that flicker can't be read.
@@ -102,7 +102,7 @@ void MainWindow::followPart() {
   if (std::exchange(follows_part_, capturing) && !capturing) patch_view_->fit();
   patch_view_->setTurnable(capturing && controller_.canTurn());
   patch_view_->setCurrentUp(capturing ? current_up_ : std::nullopt);
-  const bool shows_next = capturing && controller_.nextPose() && controller_.wantsMorePoses();
+  const bool shows_next = capturing && controller_.nextPose();
   patch_view_->setNextUp(shows_next ? std::optional(controller_.nextPose()->up) : std::nullopt);
 }
 

@@ -2,7 +2,7 @@
 #include "app/window/export_dialog.h"
 #include "app/window/guide_window.h"
 #include "app/window/main_window.h"
-#include "app/window/recovery.h"
+#include "app/window/preferences.h"
 #include "app/window/report_pictures.h"
 #include "app/window/window_shell.h"
 #include "widgets/graph_view.h"
@@ -17,7 +17,6 @@
 #include <QFileDialog>
 #include <QMessageBox>
 #include <QMimeData>
-#include <QSettings>
 #include <QStandardPaths>
 #include <QUrl>
 #include <utility>
@@ -29,19 +28,6 @@ const QString kSessionExtension = QStringLiteral(".session.json");
 const QString kJournalExtension = QStringLiteral(".hexo");
 const QString kCalibrationExtension = QStringLiteral(".calibration.json");
 
-QString lastFolder() {
-  const QString folder = QSettings().value(QStringLiteral("paths/last")).toString();
-  if (!folder.isEmpty() && QDir(folder).exists()) return folder;
-  const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-  return QDir(documents).exists() ? documents : QDir::homePath();
-}
-
-void rememberFolder(const QString& path) {
-  // Nobody chose the folder that unsaved sessions are recovered from.
-  if (QFileInfo(path).absolutePath() == QFileInfo(unsavedFolder()).absoluteFilePath()) return;
-  QSettings().setValue(QStringLiteral("paths/last"), QFileInfo(path).absolutePath());
-}
-
 /// The one local file of a drag, if that is what is dragged.
 QString droppedFile(const QMimeData* data) {
   return data->urls().size() == 1 && data->urls().front().isLocalFile() ? data->urls().front().toLocalFile()
@@ -52,10 +38,7 @@ QString droppedFile(const QMimeData* data) {
 
 void MainWindow::openFile(const QString& path) {
   rememberFolder(path);
-  afterAskingToSave([this, path] {
-    shell_->noteAsked(path);
-    controller_.openFile(path);
-  });
+  afterAskingToSave([this, path] { controller_.openFile(path); });
 }
 
 void MainWindow::startDemo() {
@@ -142,6 +125,7 @@ void MainWindow::askForReport() {
 
 QImage MainWindow::picture() {
   // The 3D view draws when there is time; until then a picture of the window would show its last state.
+  patch_view_->waitUntilUpToDate();
   static_cast<void>(patch_view_->screenshot());
   // Nor have layouts caught up with a text that has just changed; inner ones ask outer ones for room.
   constexpr int kNested = 4;
@@ -153,7 +137,8 @@ void MainWindow::savePicture() {
   const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
   const QDir folder(QDir(pictures).exists() ? pictures : lastFolder());
   const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz"));
-  controller_.saveImage(picture(), folder.filePath(QStringLiteral("hexoderm-%1.png").arg(stamp)));
+  const QString path = folder.filePath(QStringLiteral("hexoderm-%1.png").arg(stamp));
+  patch_view_->whenUpToDate([this, path] { controller_.saveImage(picture(), path); });
 }
 
 void MainWindow::saveGraph() {
@@ -237,13 +222,14 @@ void MainWindow::buildShell() {
 }
 
 void MainWindow::showGuide() {
+  const QString page = guidePageFor(controller_);
   auto* guide = findChild<GuideWindow*>();
   if (guide == nullptr) {
-    guide = new GuideWindow(this);
+    guide = new GuideWindow(this, page);
     guide->setAttribute(Qt::WA_DeleteOnClose);
-    guide->setKeys(QWidget::actions());
+    guide->setKeys(*findChild<QMenuBar*>());
   }
-  guide->showPage(guidePageFor(controller_));
+  guide->showPage(page);
   guide->show();
   guide->raise();
   guide->activateWindow();

@@ -11,24 +11,13 @@
 
 #include <QDir>
 #include <QLabel>
-#include <QSettings>
-#include <QStandardPaths>
 
 namespace hexoderm {
 namespace {
 
-/// What the operator chose, else where the last file was, else the user's documents, else the place for this program's
-/// data, which is made.
 QString folderForSessions() {
   const QString chosen = Preferences().sessionFolder();
-  if (!chosen.isEmpty() && QDir(chosen).exists()) return chosen;
-  const QString last = QSettings().value(QStringLiteral("paths/last")).toString();
-  if (!last.isEmpty() && QDir(last).exists()) return last;
-  const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-  if (QDir(documents).exists()) return documents;
-  const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
-  QDir().mkpath(data);
-  return data;
+  return !chosen.isEmpty() && QDir(chosen).exists() ? chosen : lastFolder();
 }
 
 }  // namespace
@@ -66,8 +55,9 @@ void MainWindow::connectLive() {
   connect(&controller_, &SessionController::nextPoseChanged, this, &MainWindow::refresh);
   connect(patch_view_, &PatchView::pictureRequested, this, [this] {
     askForPath(tr("Save a picture of the 3D view"), suggestedName() + tr("-3d"), tr("Pictures (*.png)"),
-               QStringLiteral(".png"),
-               [this](const QString& path) { controller_.saveImage(patch_view_->screenshot(), path); });
+               QStringLiteral(".png"), [this](const QString& path) {
+                 patch_view_->whenUpToDate([this, path] { controller_.saveImage(patch_view_->screenshot(), path); });
+               });
   });
   connect(&controller_, &SessionController::momentSolved, this,
           [this](const std::shared_ptr<const Reconstruction>& moment) {
@@ -105,11 +95,17 @@ void MainWindow::refreshLive() {
   // While all is well the status bar says it, and the step Capture has a panel that says more.
   const bool is_well = controller_.isLive() && status.state == SourceState::Streaming;
   live_strip_->setVisible(live.isRunning() && !is_well);
+  const QString losses = live.isRunning() ? lossesInWords(status, live.hold()) : QString();
+  losses_status_->setVisible(!losses.isEmpty());
+  losses_status_->setText(losses);
+  losses_status_->setToolTip(
+      tr("Since the skin was connected: %1. Poses need no more than their own samples, so a few lost ones do no harm; "
+         "many speak of a slow network or cable.")
+          .arg(countersInWords(status, live.hold())));
   if (!live.isRunning()) return;
-  live_strip_->setStatus(status, live.hold(), controller_.isLive());
-  const QString where = live.skin()
-                            ? QString::fromStdString(live.skin()->device) + QStringLiteral(" · ") + live.address()
-                            : live.address();
+  live_strip_->setStatus(status, live.hold());
+  const QString where =
+      live.skin() ? coreWords(live.skin()->device) + QStringLiteral(" · ") + live.address() : live.address();
   source_status_->setText(
       QStringLiteral("%1 %2 · %3").arg(sourceStateSign(status.state), sourceStateWord(status.state), where));
   source_status_->setToolTip(coreWords(status.text));
@@ -124,12 +120,10 @@ void MainWindow::showConnectDialog() {
 }
 
 void MainWindow::connectTo(const ConnectRequest& request) {
-  if (!request.continue_session) {
-    QSettings().setValue(QStringLiteral("paths/last"), QFileInfo(request.path).absolutePath());
-  }
   if (request.continue_session) {
     controller_.connectTo(request);
   } else {
+    rememberFolder(request.path);
     afterAskingToSave([this, request] { controller_.connectTo(request); });
   }
 }

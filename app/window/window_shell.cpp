@@ -4,11 +4,9 @@
 #include "app/window/bug_report.h"
 #include "app/window/keys_dialog.h"
 #include "app/window/log_view.h"
-#include "app/window/panes.h"
 #include "app/window/preferences_dialog.h"
 #include "app/window/session_controller.h"
 #include "app/window/welcome_panel.h"
-#include "hexoderm/util/text.h"
 #include "widgets/card_dock.h"
 #include "widgets/core_words.h"
 #include "widgets/live_strip.h"
@@ -16,7 +14,6 @@
 #include "widgets/step_panel.h"
 #include "widgets/words.h"
 
-#include <QAbstractButton>
 #include <QApplication>
 #include <QClipboard>
 #include <QDesktopServices>
@@ -53,11 +50,9 @@ LogSeverity severityOf(Tone tone) {
 
 /// One line on a result: how large, how, how long, how good.
 QString resultInWords(const Reconstruction& result) {
-  return WindowShell::tr("Solved: %1, %2 poses, %3, %4 ms. %5")
-      .arg(coreWords(sizeInWords(result)))
-      .arg(result.poses.size())
-      .arg(QString::fromStdString(result.solver), QString::fromStdString(formatFixed(1e3 * result.solve_seconds, 1)),
-           coreWords(result.verdict.reason));
+  return WindowShell::tr("Solved: %1, %2, %3, %4 ms. %5")
+      .arg(coreWords(sizeInWords(result)), posesInWords(result.poses.size()), QString::fromStdString(result.solver),
+           figureInWords(1e3 * result.solve_seconds, 1), coreWords(result.verdict.reason));
 }
 
 bool isIn(const QString& path, const QString& folder) {
@@ -157,23 +152,6 @@ void WindowShell::connectActions(QMenuBar& menus) {
   connect(actions.open_log_folder, &QAction::triggered, this, &WindowShell::openLogFolder);
   connect(actions.swap_views, &QAction::triggered, this, [this] { swapViews(true); });
   connect(actions.keys, &QAction::triggered, this, [this, &menus] { showKeysDialog(&window_.window, menus); });
-  for (std::size_t k = 0; k < actions.go_to_step.size(); ++k) {
-    connect(actions.go_to_step[k], &QAction::triggered, this, [this, k] { goToStep(static_cast<int>(k) + 1); });
-  }
-}
-
-void WindowShell::goToStep(int number) {
-  auto* head = window_.window.findChild<QAbstractButton*>(QStringLiteral("stepHead%1").arg(number));
-  if (!head) return;
-  for (QWidget* outer = head; outer; outer = outer->parentWidget()) {
-    if (auto* dock = qobject_cast<CardDock*>(outer)) {
-      dock->show();
-      dock->raise();
-    }
-  }
-  head->click();
-  head->setFocus(Qt::ShortcutFocusReason);
-  bringIntoView(head);
 }
 
 void WindowShell::setSteps(const std::vector<Step>& steps) {
@@ -240,11 +218,7 @@ void WindowShell::connectRecent() {
 
 void WindowShell::noteOpen() {
   const SessionController& controller = window_.controller;
-  QString path = controller.sessionPath();
-  // A calibration has no path to save to.
-  if (path.isEmpty() && !controller.session() && QFileInfo(asked_path_).fileName() == controller.name()) {
-    path = asked_path_;
-  }
+  const QString path = controller.session() ? controller.sessionPath() : controller.calibrationPath();
   if (path.isEmpty() || isIn(path, unsavedFolder())) return;
   recent_.note(path, controller.session() ? static_cast<int>(controller.session()->poses().size()) : -1);
 }
@@ -256,7 +230,9 @@ void WindowShell::connectRecovery() {
   connect(&unsaved_, &UnsavedSessions::found, this, [this](int count) {
     if (count == 0) return;
     const UnsavedSession newest = unsaved_.all().front();
-    log_.add(LogSeverity::Info, tr("%1 sessions were not saved. The newest: %2").arg(count).arg(newest.path));
+    log_.add(LogSeverity::Info, count == 1
+                                    ? tr("One session was not saved: %1").arg(newest.path)
+                                    : tr("%1 sessions were not saved. The newest: %2").arg(count).arg(newest.path));
     // Who began with something else has not seen the welcome, which says it too.
     if ((window_.controller.isEmpty() && window_.controller.activity().isEmpty()) || !newest.problem.isEmpty()) return;
     window_.messages.showMessage(Tone::Caution, describeUnsaved(newest), tr("Recover"), [this, path = newest.path] {
@@ -325,8 +301,8 @@ void WindowShell::showWelcome() {
 void WindowShell::copyReport() {
   QGuiApplication::clipboard()->setText(composeBugReport(log_, window_.controller, window_.window));
   window_.messages.showMessage(
-      Tone::Good, tr("Copied: versions, graphics, what is open and the last lines of the log, without your folders' "
-                     "names. Paste it into the report."));
+      Tone::Good, tr("Copied: versions, graphics, what is open and the last lines of the log, with your home "
+                     "folder as ~. Paste it into the report."));
 }
 
 void WindowShell::openLogFolder() {

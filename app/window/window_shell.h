@@ -58,8 +58,6 @@ class WindowShell : public QObject {
 
   /// When the window is built: connects it all, and looks for sessions that were not saved.
   void begin(QMenuBar& menus);
-  /// The window was asked to open it: so a calibration's path is known when it is shown.
-  void noteAsked(const QString& path) { asked_path_ = path; }
   void setSteps(const std::vector<Step>& steps);
 
   void copyReport();
@@ -73,7 +71,6 @@ class WindowShell : public QObject {
   void offerSoftwareOpenGl();
   void openLogFolder();
   void showPreferences();
-  void goToStep(int number);
   void showWelcome();
   void noteOpen();
   void swapViews(bool remember);
@@ -81,7 +78,6 @@ class WindowShell : public QObject {
   Window window_;
   EventLog log_;
   Preferences preferences_;
-  QString asked_path_;
   QString source_state_;  ///< last written to the log
   QWidget* welcome_ = nullptr;
   QWidget* connect_body_ = nullptr;

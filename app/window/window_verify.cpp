@@ -1,14 +1,15 @@
 // The part of MainWindow about how good a calibration is: its tables, its residuals, and the checks of the step Verify.
 #include "app/window/main_window.h"
+#include "app/window/preferences.h"
 #include "app/window/verification.h"
 #include "widgets/cell_table.h"
-#include "widgets/message_bar.h"
 #include "widgets/patch_view.h"
 #include "widgets/residual_view.h"
 #include "widgets/step_panel.h"
 #include "widgets/table_actions.h"
 #include "widgets/verify_panel.h"
 
+#include <QFileDialog>
 #include <QTableView>
 
 namespace hexoderm {
@@ -16,18 +17,18 @@ namespace hexoderm {
 void MainWindow::connectVerify() {
   step_panel_->setBody(static_cast<int>(GuideStep::Verify), verify_panel_);
   for (QTableView* view : {pose_view_, link_view_, cell_view_}) SortedTable::enableIn(view);
-  const auto tell = [this](TableActions* actions) {
-    connect(actions, &TableActions::saved, this,
-            [this](const QString& path) { showDone(tr("Saved to %1").arg(path), path); });
-    connect(actions, &TableActions::failed, this,
-            [this](const QString& message) { message_bar_->showMessage(Tone::Bad, message); });
+  const auto serve = [this](TableActions* actions) {
+    connect(actions, &TableActions::saveRequested, this, [this](const QString& name, const QByteArray& csv) {
+      askForPath(tr("Save the table"), name, tr("Tables (*.csv)"), QStringLiteral(".csv"),
+                 [this, csv](const QString& path) { controller_.saveTable(csv, path); });
+    });
   };
-  tell(new TableActions(pose_view_, QStringLiteral("poses")));
-  tell(new TableActions(link_view_, QStringLiteral("links")));
-  tell(new TableActions(cell_view_, QStringLiteral("cells")));
-  tell(new TableActions(finding_view_, QStringLiteral("findings")));
-  tell(new TableActions(residual_view_->matrix(), QStringLiteral("residuals")));
-  for (TableActions* actions : verify_panel_->tableActions()) tell(actions);
+  serve(new TableActions(pose_view_, QStringLiteral("poses")));
+  serve(new TableActions(link_view_, QStringLiteral("links")));
+  serve(new TableActions(cell_view_, QStringLiteral("cells")));
+  serve(new TableActions(finding_view_, QStringLiteral("findings")));
+  serve(new TableActions(residual_view_->matrix(), QStringLiteral("residuals")));
+  for (TableActions* actions : verify_panel_->tableActions()) serve(actions);
 
   onPicked(cell_view_, this,
            [this](const QModelIndex& picked) { selection_.selectCell(cell_table_->cellAt(sourceRow(picked))); });
@@ -40,6 +41,7 @@ void MainWindow::connectVerify() {
   });
   connect(verify_panel_, &VerifyPanel::cancelRequested, verification_, &Verification::cancel);
   connect(verify_panel_, &VerifyPanel::surfaceRequested, verification_, &Verification::setSurface);
+  connect(verify_panel_, &VerifyPanel::comparisonFileWanted, this, &MainWindow::askForComparison);
   connect(verify_panel_, &VerifyPanel::comparisonRequested, verification_, &Verification::compareWith);
   connect(verify_panel_, &VerifyPanel::comparisonDropped, verification_, &Verification::dropComparison);
   connect(verification_, &Verification::runningChanged, verify_panel_, &VerifyPanel::setRunning);
@@ -53,6 +55,19 @@ void MainWindow::connectVerify() {
   connect(verify_panel_, &VerifyPanel::comparisonShown, patch_view_, &PatchView::setComparison);
   // What one skin was compared with says nothing about the next.
   connect(&controller_, &SessionController::opened, verify_panel_, &VerifyPanel::dropComparison);
+}
+
+void MainWindow::askForComparison() {
+  auto* dialog = new QFileDialog(this, tr("Compare with an earlier calibration"), lastFolder(),
+                                 tr("Calibrations and sessions (*.calibration.json *.hexo *.session.json *.xml)"));
+  dialog->setObjectName(QStringLiteral("comparisonDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+    rememberFolder(path);
+    verify_panel_->compareWith(path);
+  });
+  dialog->open();
 }
 
 int MainWindow::sourceRow(const QModelIndex& index) {

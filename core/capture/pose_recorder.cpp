@@ -170,7 +170,10 @@ struct PoseRecorder::State {
     }
     if (!judged) return;
     listener.onHold(status());
-    listener.onPreview({detector.stillness().time_s, detector.recentMeans()});
+    SkinPreview preview{detector.stillness().time_s, detector.recentMeans()};
+    preview.temperatures.reserve(temperatures_c.size());
+    for (const auto& [cell, temperature_c] : temperatures_c) preview.temperatures.push_back({cell, temperature_c});
+    listener.onPreview(std::move(preview));
   }
 
   void begin(double time_s, bool is_forced) {

@@ -65,10 +65,12 @@ struct HoldStatus {
   std::uint64_t restarts = 0;     ///< collections that a motion discarded
 };
 
-/// Mean of about the last 100 ms of every cell that sent something then.
+/// Mean of about the last 100 ms of every cell that sent something then, and the temperature that each cell sent last,
+/// of those that measure it.
 struct SkinPreview {
   double time_s = 0;
   std::vector<CellSample> means;
+  std::vector<CellTemperature> temperatures{};
 };
 
 /// Receives what a PoseRecorder makes, on the thread that feeds it. May call the recorder's commands.

@@ -13,6 +13,19 @@ constexpr double kLowestTremor_hz = 4;
 constexpr double kHighestTremor_hz = 12;
 constexpr double kFastestTurn = 120 * kDegree;  // per second
 constexpr double kPeakOverMean = 1.875;         // of the rate of the smoothest way
+constexpr double kDriftsOneWay_s = 3;           // before the person notices and comes back, as far beyond the middle
+
+/// Seconds of drift that are left after so long a time, and whether it goes forth (1) or back (-1).
+struct Drift {
+  double seconds = 0;
+  double way = 0;
+};
+Drift driftAfter(double time_s) {
+  if (time_s < 0) return {};
+  const double phase_s = std::fmod(time_s + kDriftsOneWay_s, 4 * kDriftsOneWay_s);
+  if (phase_s < 2 * kDriftsOneWay_s) return {phase_s - kDriftsOneWay_s, 1};
+  return {3 * kDriftsOneWay_s - phase_s, -1};
+}
 
 }  // namespace
 
@@ -62,7 +75,7 @@ HandMotion::Approach HandMotion::approachAt(double time_s) const {
 
 Eigen::Vector3d HandMotion::turnAt(double time_s) const {
   // Drift begins when the part is there.
-  Eigen::Vector3d turn = drift_rad_s_ * std::max(0.0, time_s - arrival_s_);
+  Eigen::Vector3d turn = drift_rad_s_ * driftAfter(time_s - arrival_s_).seconds;
   for (int axis = 0; axis < 3; ++axis) {
     for (const Wave& wave : turn_.at(static_cast<std::size_t>(axis))) {
       turn(axis) += wave.amplitude * std::sin(wave.rate_rad_s * time_s + wave.phase_rad);
@@ -81,7 +94,7 @@ BodyMotion HandMotion::at(double time_s) const {
   }
   const Approach approach = approachAt(time_s);
   const Eigen::Vector3d turn = turnAt(time_s);
-  Eigen::Vector3d rate = time_s >= arrival_s_ ? drift_rad_s_ : Eigen::Vector3d::Zero();
+  Eigen::Vector3d rate = drift_rad_s_ * driftAfter(time_s - arrival_s_).way;
   Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();
   Eigen::Vector3d force = Eigen::Vector3d::UnitZ();
   for (int axis = 0; axis < 3; ++axis) {

@@ -9,11 +9,8 @@
 namespace hexoderm {
 namespace {
 
-void raise(std::optional<double>& worst, double value) { worst = std::max(worst.value_or(value), value); }
-
-bool isMeasured(const LinkEstimate& link) {
-  return link.residual_rad > 0 ||
-         std::ranges::any_of(link.pose_residual_rad, [](const auto& angle) { return angle.has_value(); });
+void raise(std::optional<double>& worst, std::optional<double> value) {
+  if (value) worst = std::max(worst.value_or(*value), *value);
 }
 
 void addLinks(const PatchReconstruction& patch, const std::unordered_map<CellId, std::size_t>& index,
@@ -25,8 +22,8 @@ void addLinks(const PatchReconstruction& patch, const std::unordered_map<CellId,
       if (found == index.end()) continue;
       const std::size_t cell = found->second;
       figures.quality[cell] = std::min(figures.quality[cell].value_or(link.quality), link.quality);
-      if (isMeasured(link)) raise(figures.residual_rad[cell], link.residual_rad);
-      if (link.sigma_rad > 0) raise(figures.sigma_rad[cell], link.sigma_rad);
+      raise(figures.residual_rad[cell], link.knownResidual());
+      raise(figures.sigma_rad[cell], link.knownSigma());
     }
   }
 }

@@ -28,7 +28,7 @@ struct CellFigures {
   std::vector<std::optional<std::size_t>> body_part;
 };
 
-/// O(cells + links); about 0.1 s for 100,000 cells.
+/// O(n log n) in cells and links.
 CellFigures makeCellFigures(const Reconstruction& reconstruction);
 
 }  // namespace hexoderm

@@ -1,6 +1,7 @@
 #include "hexoderm/reconstruction/evaluation.h"
 
 #include "hexoderm/geometry/alignment.h"
+#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/util/error.h"
 
 #include <algorithm>
@@ -212,6 +213,15 @@ LoopEvaluation evaluateLoop(const Reconstruction& reconstruction, LinkEnd first,
   return loop;
 }
 
+std::size_t SurfaceEvaluation::furthest() const {
+  const auto worst = std::ranges::max_element(distance_m, {}, [](double distance) { return std::abs(distance); });
+  return static_cast<std::size_t>(worst - distance_m.begin());
+}
+
+bool SurfaceEvaluation::liesWithin(double position_95_m) const {
+  return std::abs(distance_m.at(furthest())) <= position_95_m;
+}
+
 bool WithinStated::holds() const {
   // 19 of 20; what is left over of a small number is granted.
   const auto enough = [this](std::size_t count) { return 20 * count + 19 >= 19 * stated; };
@@ -219,7 +229,7 @@ bool WithinStated::holds() const {
 }
 
 bool isWithinStated(double difference, std::optional<double> sigma) {
-  return sigma && difference <= kWithin95 * *sigma;
+  return sigma && difference <= kSigmasFor95Percent * *sigma;
 }
 
 WithinStated countWithinStated(const std::vector<Comparison>& comparisons) {
@@ -233,6 +243,27 @@ WithinStated countWithinStated(const std::vector<Comparison>& comparisons) {
     }
   }
   return count;
+}
+
+ComparisonSummary summariseComparisons(const std::vector<Comparison>& comparisons) {
+  ComparisonSummary summary;
+  for (const Comparison& comparison : comparisons) {
+    const auto count = static_cast<double>(comparison.cells.size());
+    summary.cells += comparison.cells.size();
+    summary.position_rms_m += count * comparison.position_rms_m * comparison.position_rms_m;
+    summary.orientation_rms_rad += count * comparison.orientation_rms_rad * comparison.orientation_rms_rad;
+  }
+  if (summary.cells > 0) {
+    summary.position_rms_m = std::sqrt(summary.position_rms_m / static_cast<double>(summary.cells));
+    summary.orientation_rms_rad = std::sqrt(summary.orientation_rms_rad / static_cast<double>(summary.cells));
+  }
+  summary.within = countWithinStated(comparisons);
+  return summary;
+}
+
+bool isRemarkable(double error, double expected) {
+  constexpr double kTimes = 3;
+  return std::abs(error) > kTimes * expected;
 }
 
 std::vector<Comparison> compareToTruth(const Reconstruction& reconstruction, const GroundTruth& truth) {

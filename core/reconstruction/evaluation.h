@@ -28,6 +28,11 @@ struct SurfaceEvaluation {
   double rms_m = 0;
   std::optional<double> delta_m;
   std::optional<double> epsilon_m;
+
+  /// Of the cell that is furthest from the surface: its place in `cells`. There is one.
+  [[nodiscard]] std::size_t furthest() const;
+  /// No cell is further from the surface than positions are stated to err (95 %, the worst cell's).
+  [[nodiscard]] bool liesWithin(double position_95_m) const;
 };
 
 /// Throws InvalidArgument if the patch has too few cells for the fit, or `true_radius_m` is given for a plane or a
@@ -76,9 +81,20 @@ struct WithinStated {
   /// As many as "95 %" promises, or more.
   [[nodiscard]] bool holds() const;
 };
-constexpr double kWithin95 = 1.96;
 bool isWithinStated(double difference, std::optional<double> sigma);  ///< false where nothing is stated
 WithinStated countWithinStated(const std::vector<Comparison>& comparisons);
+
+/// All cells of several comparisons together; none: zeros.
+struct ComparisonSummary {
+  std::size_t cells = 0;
+  double position_rms_m = 0;
+  double orientation_rms_rad = 0;
+  WithinStated within;
+};
+ComparisonSummary summariseComparisons(const std::vector<Comparison>& comparisons);
+
+/// Beyond three times what it is expected to be, or is on the whole: worth a look.
+bool isRemarkable(double error, double expected);
 
 /// One comparison for each patch that shares a cell with the reference.
 std::vector<Comparison> compareToTruth(const Reconstruction& reconstruction, const GroundTruth& truth);

@@ -53,6 +53,8 @@ GravityTable::GravityTable(const SessionSnapshot& snapshot, const SkinGraph& gra
       entry.sample_sigma_g = std::sqrt(stated_variance * count);
       entry.variance_g2 = std::max(stated_variance > 0 ? stated_variance : white_variance / count,
                                    step_variance / count + kTremorFloor_g * kTremorFloor_g);
+      entry.own_variance_g2 =
+          std::max(stated_variance > 0 ? sample.cov_g2.trace() / 3 : white_variance / count, step_variance / count);
       entry.measured = true;
       entry.usable = true;
     }

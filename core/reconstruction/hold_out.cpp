@@ -2,6 +2,7 @@
 
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/units.h"
 
 #include "accelerometer_fit.h"
 #include "gravity_table.h"
@@ -12,15 +13,28 @@
 #include <array>
 #include <cmath>
 #include <unordered_map>
+#include <utility>
 
 namespace hexoderm {
 namespace {
 
-constexpr std::size_t kFewestOthers = 3;
-constexpr double kWorse = 1.5;
-constexpr double kFarWorse = 3;
+/// How many times what is expected is still as stated, and what is beyond doubt.
+struct Limits {
+  double worse;
+  double far_worse;
+};
+constexpr Limits kRms{1.5, 3};
+constexpr Limits kCell{4, 8};
+constexpr Limits kTurning{2, 3};  // hands tremble differently
+constexpr double kCoarse_rad = 2.5 * kDegree;
+constexpr double kDetectable = 4;  // of the expected rms, as simulated skins of 17 and 100 cells show
+
 /// A corrected reading shorter than this shows no direction worth a comparison.
 constexpr double kShortest_g = 0.5;
+
+/// 1 sigma per axis, g/m, of the swing that is left when the other poses foretell one: the mean over 0.1 s of a
+/// tremor of 0.05 degrees at 4 to 12 Hz is 0.6 rad/s^2, and what it did to the others comes on top.
+constexpr double kSwingSigma = 1 / kStandardGravity;
 
 /// The unknowns of one cell: a small turn of its attitude (accelerometer axes), then per axis offset and gains.
 constexpr int kUnknowns = 15;
@@ -38,11 +52,36 @@ Jacobian readingJacobian(const Eigen::Matrix3d& gain, const Eigen::Vector3d& v) 
   return J;
 }
 
-/// A cell's view of the left-out pose.
+/// A cell's view of the left-out pose: the specific force there, patch frame.
 struct Seen {
   CellId cell;
-  Eigen::Vector3d direction_o;  ///< unit, patch frame
-  double expected_sq = 0;       ///< P_u
+  Eigen::Vector3d at_o;  ///< where the cell is, m
+  Eigen::Vector3d force_o_g;
+  Eigen::Matrix3d covariance_g2;  ///< of force_o_g
+};
+
+/// The motion that all cells share in a pose: the specific force at the patch's origin, then the swing (g/m).
+using Motion = Eigen::Matrix<double, 6, 1>;
+using MotionJacobian = Eigen::Matrix<double, 3, 6>;
+
+MotionJacobian motionJacobian(const Eigen::Vector3d& at_o) {
+  MotionJacobian X;
+  X << Eigen::Matrix3d::Identity(), -skew(at_o);
+  return X;
+}
+
+/// The most probable motion given what some cells see, and its covariance.
+struct MotionFit {
+  Matrix6d information = Matrix6d::Zero();
+  Motion right = Motion::Zero();
+
+  MotionFit() { information.diagonal().tail<3>().setConstant(1 / (kSwingSigma * kSwingSigma)); }
+  void add(const Seen& seen, double sign) {
+    const MotionJacobian X = motionJacobian(seen.at_o);
+    const MotionJacobian weighted = seen.covariance_g2.llt().solve(X);
+    information += sign * X.transpose() * weighted;
+    right += sign * weighted.transpose() * seen.force_o_g;
+  }
 };
 
 class HoldOut {
@@ -56,6 +95,7 @@ class HoldOut {
         table_(everything_, graph_, ignored_) {
     for (std::size_t k = 0; k < snapshot.poses.size(); ++k) place_of_.emplace(snapshot.poses[k].capture->id, k);
     left_out_ = place_of_.at(pose);
+    stillest_ = stillestPose();
   }
 
   void evaluate(const PatchReconstruction& patch, HoldOutResult& result) const {
@@ -64,28 +104,28 @@ class HoldOut {
       if (const std::optional<Seen> view = look(patch, cell)) seen.push_back(*view);
     }
     if (seen.size() < 2) return;
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    double expected_sum = 0;
+    MotionFit all;
+    for (const Seen& view : seen) all.add(view, 1);
     std::unordered_map<CellId, const Seen*> by_cell;
     for (const Seen& view : seen) {
-      sum += view.direction_o;
-      expected_sum += view.expected_sq;
       by_cell.emplace(view.cell, &view);
-    }
-    const auto others = static_cast<double>(seen.size() - 1);
-    for (const Seen& view : seen) {
-      const double expected_sq = view.expected_sq + (expected_sum - view.expected_sq) / (others * others);
+      MotionFit others = all;
+      others.add(view, -1);
+      const Eigen::LDLT<Matrix6d> factor(others.information);
+      const MotionJacobian X = motionJacobian(view.at_o);
+      const Eigen::Vector3d foretold = X * factor.solve(others.right);
+      const Eigen::Matrix3d covariance = view.covariance_g2 + X * factor.solve(X.transpose());
       result.cells.push_back(
-          {view.cell, angleBetween(view.direction_o, sum - view.direction_o), std::sqrt(expected_sq)});
+          {view.cell, angleBetween(view.force_o_g, foretold), std::sqrt(squareAcross(covariance, view.force_o_g))});
     }
+    const Motion motion = all.information.ldlt().solve(all.right);
+    result.turning_rad_s2 = std::max(result.turning_rad_s2, motion.tail<3>().norm() * kStandardGravity);
     for (const LinkEstimate& link : patch.links) {
       const auto c = by_cell.find(link.source.cell);
       const auto n = by_cell.find(link.target.cell);
       if (!link.used || c == by_cell.end() || n == by_cell.end()) continue;
-      result.links.push_back({link.source, link.target, angleBetween(c->second->direction_o, n->second->direction_o),
-                              std::sqrt(c->second->expected_sq + n->second->expected_sq)});
+      addLink(link, *c->second, *n->second, motion, result);
     }
-    result.degrees_of_freedom += 2 * (seen.size() - 1);
   }
 
  private:
@@ -93,6 +133,20 @@ class HoldOut {
     SessionSnapshot copy = snapshot;
     for (SessionPose& pose : copy.poses) pose.disabled = false;
     return copy;
+  }
+
+  /// Expected square of the angle between a vector about v and v itself.
+  static double squareAcross(const Eigen::Matrix3d& covariance, const Eigen::Vector3d& v) {
+    const Eigen::Vector3d along = v.normalized();
+    return (covariance.trace() - along.dot(covariance * along)) / v.squaredNorm();
+  }
+
+  static void addLink(const LinkEstimate& link, const Seen& c, const Seen& n, const Motion& motion,
+                      HoldOutResult& result) {
+    const Eigen::Vector3d swing = motion.tail<3>();
+    const Eigen::Vector3d at_c = n.force_o_g + swing.cross(c.at_o - n.at_o);
+    result.links.push_back({link.source, link.target, angleBetween(c.force_o_g, at_c),
+                            std::sqrt(squareAcross(c.covariance_g2 + n.covariance_g2, c.force_o_g))});
   }
 
   [[nodiscard]] std::optional<Seen> look(const PatchReconstruction& patch, const CellPlacement& cell) const {
@@ -109,7 +163,10 @@ class HoldOut {
       const auto place = place_of_.find(gravity.pose);
       if (place == place_of_.end() || !table_.at(*index, place->second).usable) continue;
       const GravityTable::Entry& reading = table_.at(*index, place->second);
-      forces.emplace_back(R_a_o * gravity.g_o);
+      const Eigen::Vector3d force_o =
+          gravity.force ? Eigen::Vector3d(gravity.force->at_origin_o_g + gravity.force->swing_o.cross(cell.T_o_u.t))
+                        : gravity.g_o;
+      forces.emplace_back(R_a_o * force_o);
       readings.push_back({readings.size(), R_a_u * reading.mean_g, reading.variance_g2});
     }
     if (readings.empty()) return std::nullopt;
@@ -119,31 +176,72 @@ class HoldOut {
     const Eigen::Matrix3d inverse = fit.gain.inverse();
     const Eigen::Vector3d v = inverse * (R_a_u * entry.mean_g - fit.offset_g);
     if (!v.allFinite() || v.norm() < kShortest_g) return std::nullopt;
-    const Eigen::Vector3d towards = v.normalized();
-    const Jacobian J = readingJacobian(fit.gain, towards);
-    Eigen::Matrix3d scatter = J * unknownsCovariance(cell, readings, forces, fit.gain) * J.transpose();
-    scatter.diagonal().array() += entry.variance_g2;
-    const Eigen::Matrix3d across = (Eigen::Matrix3d::Identity() - towards * towards.transpose()) * inverse;
-    return Seen{cell.cell, R_a_o.transpose() * towards,
-                (across * scatter * across.transpose()).trace() / v.squaredNorm()};
+    const double scatter_g2 = ownVariance(*index);
+    const Jacobian J = readingJacobian(fit.gain, v.normalized());
+    Eigen::Matrix3d covariance = J * unknownsCovariance(cell, readings, forces, fit.gain, scatter_g2) * J.transpose();
+    covariance.diagonal().array() += scatter_g2;
+    const Eigen::Matrix3d to_o = R_a_o.transpose() * inverse;
+    return Seen{cell.cell, cell.T_o_u.t, R_a_o.transpose() * v, to_o * covariance * to_o.transpose()};
   }
 
+  /// Where the skin as a whole scattered least: a hand's tremor is in what a cell scatters by as well as the sensor's
+  /// own noise, and this is the pose with the least of it.
+  [[nodiscard]] std::optional<std::size_t> stillestPose() const {
+    std::optional<std::size_t> stillest;
+    double least = 0;
+    for (std::size_t pose = 0; pose < table_.poseCount(); ++pose) {
+      std::vector<double> scatter;
+      for (std::size_t cell = 0; cell < table_.cellCount(); ++cell) {
+        const GravityTable::Entry& entry = table_.at(cell, pose);
+        if (entry.usable && entry.own_variance_g2 > 0) scatter.push_back(entry.own_variance_g2);
+      }
+      if (scatter.empty()) continue;
+      const auto middle = scatter.begin() + static_cast<std::ptrdiff_t>(scatter.size() / 2);
+      std::ranges::nth_element(scatter, middle);
+      if (!stillest || *middle < least) {
+        stillest = pose;
+        least = *middle;
+      }
+    }
+    return stillest;
+  }
+
+  /// What the sensor's own noise leaves in a mean of a cell, per axis, tremor apart.
+  [[nodiscard]] double ownVariance(std::size_t cell) const {
+    constexpr double kLeast_g2 = 1e-12;  // a model may have neither noise nor steps
+    double least = table_.at(cell, left_out_).own_variance_g2;
+    if (stillest_ && table_.at(cell, *stillest_).usable) {
+      least = std::min(least, table_.at(cell, *stillest_).own_variance_g2);
+    }
+    return std::max(least, kLeast_g2);
+  }
+
+  /// Errors of the attitude and of the sensor's fit. The solver weighs readings as if each had a hand's tremor to
+  /// itself (GravityTable), and they scatter by `scatter_g2` about the motion that all cells share: with the solver's
+  /// information A, its priors' L and the readings' N = A - L, the errors are A^-1 (L + scatter N / variance) A^-1.
   [[nodiscard]] Information unknownsCovariance(const CellPlacement& cell, const std::vector<CellReading>& readings,
-                                               const std::vector<Eigen::Vector3d>& forces,
-                                               const Eigen::Matrix3d& gain) const {
+                                               const std::vector<Eigen::Vector3d>& forces, const Eigen::Matrix3d& gain,
+                                               double scatter_g2) const {
     Information information = Information::Zero();
     information.topLeftCorner<3, 3>() = elastomerInformation(cell.cell);
     for (int axis = 0; axis < 3; ++axis) information.diagonal().segment<4>(3 + 4 * axis) = prior_.precision(axis);
     Information normal = Information::Zero();
+    Information scattered = Information::Zero();
     for (std::size_t k = 0; k < readings.size(); ++k) {
       const Jacobian J = readingJacobian(gain, forces[k]);
-      normal.noalias() += J.transpose() * J / readings[k].variance_g2;
+      const Information share = J.transpose() * J / readings[k].variance_g2;
+      normal += share;
+      scattered += scatter_g2 / readings[k].variance_g2 * share;
     }
-    if (joint_) return (information + normal).ldlt().solve(Information::Identity());
+    if (joint_) {
+      const Eigen::LDLT<Information> factor(information + normal);
+      const Information spread = factor.solve(information + scattered);
+      return factor.solve(spread.transpose());
+    }
     // The tree turns the cell so that its raw readings fit and takes the sensor's errors for part of gravity.
     const Eigen::Matrix3d attitude = (normal + information).topLeftCorner<3, 3>().inverse();
     const Information priors = information.diagonal().cwiseInverse().asDiagonal();
-    Eigen::Matrix<double, kUnknowns, kUnknowns> carried = Information::Identity();
+    Information carried = Information::Identity();
     carried.topLeftCorner<3, 3>().setZero();
     carried.topRightCorner<3, 12>() = -attitude * normal.topRightCorner<3, 12>();
     Information covariance = carried * priors * carried.transpose();
@@ -182,12 +280,29 @@ class HoldOut {
   GravityTable table_;
   std::unordered_map<PoseId, std::size_t> place_of_;  ///< the first of each ID
   std::size_t left_out_ = 0;
+  std::optional<std::size_t> stillest_;  ///< none: no pose says how its readings scatter
 };
 
 double rootMeanSquare(const std::vector<HoldOutCell>& cells, double HoldOutCell::*value) {
   double sum = 0;
   for (const HoldOutCell& cell : cells) sum += cell.*value * (cell.*value);
   return std::sqrt(sum / static_cast<double>(cells.size()));
+}
+
+void judge(HoldOutResult& result) {
+  double worst = 0;
+  for (const HoldOutCell& cell : result.cells) worst = std::max(worst, cell.error_rad / cell.expected_rad);
+  const std::array<std::pair<double, Limits>, 3> ratios = {
+      {{result.rms_rad / result.expected_rms_rad, kRms},
+       {worst, kCell},
+       {result.turning_rad_s2 / result.expected_turning_rad_s2, kTurning}}};
+  result.agreement = HoldOutAgreement::AsStated;
+  for (const auto& [ratio, limits] : ratios) {
+    const HoldOutAgreement found = ratio > limits.far_worse ? HoldOutAgreement::FarWorse
+                                   : ratio > limits.worse   ? HoldOutAgreement::Worse
+                                                            : HoldOutAgreement::AsStated;
+    result.agreement = std::max(result.agreement, found);
+  }
 }
 
 }  // namespace
@@ -207,7 +322,7 @@ HoldOutResult evaluateHoldOut(const SessionSnapshot& snapshot, PoseId pose, cons
   HoldOutResult result;
   result.pose = pose;
   result.other_poses = static_cast<std::size_t>(std::ranges::count(others.poses, false, &SessionPose::disabled));
-  if (result.other_poses < kFewestOthers) return result;
+  if (result.other_poses < kFewestOtherPoses) return result;
   result.outcome = HoldOutOutcome::Stopped;
   if (stop.stop_requested()) return result;
   const auto reconstruction = reconstruct(others, options);
@@ -220,11 +335,11 @@ HoldOutResult evaluateHoldOut(const SessionSnapshot& snapshot, PoseId pose, cons
   if (result.cells.empty()) return result;
   result.rms_rad = rootMeanSquare(result.cells, &HoldOutCell::error_rad);
   result.expected_rms_rad = rootMeanSquare(result.cells, &HoldOutCell::expected_rad);
-  if (result.rms_rad > kFarWorse * result.expected_rms_rad) {
-    result.agreement = HoldOutAgreement::FarWorse;
-  } else if (result.rms_rad > kWorse * result.expected_rms_rad) {
-    result.agreement = HoldOutAgreement::Worse;
-  }
+  result.expected_turning_rad_s2 = std::sqrt(3.0) * kSwingSigma * kStandardGravity;
+  result.detectable_rad = kDetectable * result.expected_rms_rad;
+  result.coarse = result.detectable_rad > kCoarse_rad;
+  result.turned = result.turning_rad_s2 > kTurning.worse * result.expected_turning_rad_s2;
+  judge(result);
   return result;
 }
 

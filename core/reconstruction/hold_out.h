@@ -21,6 +21,9 @@ enum class HoldOutAgreement { AsStated, Worse, FarWorse };
 /// "as_stated", "worse", "far_worse", as in reports.
 std::string_view holdOutAgreementName(HoldOutAgreement agreement);
 
+/// Poses besides the one that is held out: offsets and attitudes can't be told apart with fewer.
+inline constexpr std::size_t kFewestOtherPoses = 3;
+
 struct HoldOutCell {
   CellId cell;
   double error_rad = 0;
@@ -36,17 +39,22 @@ struct HoldOutLink {
 /// How well a reconstruction foretells a pose that it has not seen.
 ///
 /// Of each patch, solved without the pose, every cell's reading y in the pose is freed from the errors of its sensor
-/// and turned into the patch frame: d_u = R_o_u gain_u^-1 (y_u - offset_u), a direction. They should all be one, that
-/// of gravity, but which one nobody says: the patch's attitude in the pose is free, of which a direction shows two
-/// degrees. So each cell is compared with what the N - 1 others foretell,
-///   error_u = angle(d_u, unit sum of d_k over k != u),
-/// and 2 N - 2 degrees of freedom are left in a patch. A link's error is the angle between the directions of its cells.
+/// and turned into the patch frame: s_u = R_o_u gain_u^-1 (y_u - offset_u), the specific force at the cell. All cells
+/// should see one motion of a rigid part, s_u = f + w x t_u: gravity and whatever a hand's tremor adds to it (f), and a
+/// swing w, for a hand turns the part too while it is sampled. Nobody says f, and w little (prior: see
+/// expected_turning_rad_s2). So each cell is compared with what the N - 1 others foretell by f and w,
+///   error_u = angle(s_u, f_others + w_others x t_u),
+/// and a link's error is the angle between what its two cells see, the swing between them apart.
 ///
 /// Expected: with attitude, offset and gains of a cell unknown but for their priors (the elastomer's of its links among
-/// them) and for what its readings in the other poses say, its direction in this one has a mean squared error P_u, the
-/// reading's own noise included; E error_u^2 = P_u + sum of P_k / (N - 1)^2 over the others, of a link P_c + P_n. What
-/// all cells have in common (how well the poses' gravity directions are known) cancels out; angular accelerations of a
-/// large part that a hand turns are not foreseen, so that its errors are larger than expected.
+/// them) and for what its readings in the other poses say, s_u has a covariance S_u, the reading's own noise included;
+/// what the others foretell has one that follows from theirs. Only the sensor's own noise counts there, not the tremor
+/// that the solver grants each reading (GravityTable): tremor moves the part as a whole, and what it did to the other
+/// poses comes out here as a motion again, which is fitted away. The sensor's own noise is what a cell scatters by in
+/// the stillest pose of the session; where every pose trembles, up to half as much again is expected as is seen.
+///
+/// With three other poses offsets and gains are known from their priors mostly: the expected error of uncalibrated
+/// sensors is then above a degree, and the check is coarse (detectable_rad). From five on it is about 0.2 degrees.
 struct HoldOutResult {
   HoldOutOutcome outcome = HoldOutOutcome::TooFewPoses;
   PoseId pose;
@@ -55,8 +63,19 @@ struct HoldOutResult {
   std::vector<HoldOutLink> links;
   double rms_rad = 0;           ///< over cells
   double expected_rms_rad = 0;  ///< root of the mean of the cells' expected squares
-  std::size_t degrees_of_freedom = 0;
-  HoldOutAgreement agreement = HoldOutAgreement::AsStated;  ///< up to 1.5 and 3 times the expected rms
+  /// Half of the part that turned by this much against the other half would be found three times in four.
+  double detectable_rad = 0;
+  bool coarse = false;  ///< that is more than 2.5 degrees: what is as stated may still be bent
+  /// The swing that fits best, as an angular acceleration; of the patch that turns most.
+  double turning_rad_s2 = 0;
+  /// Rms of what a tremor leaves, 0.05 degrees at 4 to 12 Hz averaged over 0.1 s, with what it did to the other poses.
+  double expected_turning_rad_s2 = 0;
+  bool turned = false;  ///< by more than 2 times what is expected
+  /// As stated: rms up to 1.5 times what is expected, the worst cell's error up to 4 times (of 10,000 cells one is
+  /// beyond by chance once in a thousand times), turning up to 2 times. Far worse: beyond 3, 8 or 3 times. A part that
+  /// moved while it was read, or was deformed, shows in the rms, in the turning, or in both; a broken sensor at its
+  /// cell.
+  HoldOutAgreement agreement = HoldOutAgreement::AsStated;
 };
 
 /// Solves the session without the pose and evaluates it there. Disabled poses stay out, and can be the one that is

@@ -25,6 +25,9 @@ struct FoundLoop {
   std::vector<CellId> cells;  ///< from first to second, along the fewest links
   LoopEvaluation closure;
   double limit_m = 0;  ///< of a closed one: what a skin link may leave open (SolverOptions::max_opening)
+
+  /// Leaves no more open than a skin link may.
+  [[nodiscard]] bool closesWithinLimit() const { return closed && closure.length_m <= limit_m; }
 };
 
 /// The loops of every patch, those with the largest gaps first, open ones before closed ones; empty: no patch has one.

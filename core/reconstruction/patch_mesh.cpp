@@ -3,15 +3,13 @@
 namespace hexoderm {
 
 std::vector<Eigen::Vector3d> cellCorners(const Reconstruction& reconstruction, CellCorners corners) {
-  const auto outline = reconstruction.model->outline();
-  const Eigen::Vector3d down(0, 0, -reconstruction.model->thickness_m);
+  const std::ptrdiff_t kept = corners == CellCorners::Prism ? 12 : 6;  // the front's come first
   std::vector<Eigen::Vector3d> points;
-  points.reserve((corners == CellCorners::Prism ? 2 : 1) * outline.size() * reconstruction.cellCount());
+  points.reserve(static_cast<std::size_t>(kept) * reconstruction.cellCount());
   for (const PatchReconstruction& patch : reconstruction.patches) {
     for (const CellPlacement& placement : patch.cells) {
-      for (const Eigen::Vector3d& corner : outline) points.push_back(placement.T_o_u * corner);
-      if (corners == CellCorners::Front) continue;
-      for (const Eigen::Vector3d& corner : outline) points.push_back(placement.T_o_u * (corner + down));
+      const auto prism = prismCorners(*reconstruction.model, placement.T_o_u);
+      points.insert(points.end(), prism.begin(), prism.begin() + kept);
     }
   }
   return points;

@@ -22,10 +22,10 @@ struct PatchMesh {
 };
 
 /// The points of PatchMesh alone, and of large skins only the six front corners a cell: what is drawn many times a
-/// second needs no polygons of its own.
+/// second needs no polygons of its own. Metres, in the frame of each cell's patch.
 enum class CellCorners { Prism, Front };
 std::vector<Eigen::Vector3d> cellCorners(const Reconstruction& reconstruction, CellCorners corners);
-/// The twelve points of one cell, placed.
+/// The twelve points of one cell in the frame that T leads to from the cell frame, m.
 std::array<Eigen::Vector3d, 12> prismCorners(const CellModel& model, const SE3& T);
 
 /// Every patch in its own frame (all origins coincide).

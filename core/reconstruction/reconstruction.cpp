@@ -22,6 +22,20 @@ std::string counted(std::size_t count, const std::string& singular, const std::s
 
 }  // namespace
 
+std::optional<double> LinkEstimate::knownResidual() const {
+  // A file may state the rms alone.
+  const bool is_measured =
+      residual_rad > 0 ||
+      std::ranges::any_of(pose_residual_rad, [](const std::optional<double>& angle) { return angle.has_value(); });
+  return is_measured ? std::optional(residual_rad) : std::nullopt;
+}
+
+std::optional<double> LinkEstimate::knownSigma() const {
+  return sigma_rad > 0 ? std::optional(sigma_rad) : std::nullopt;
+}
+
+bool LinkEstimate::hasFigures() const { return used || knownResidual() || knownSigma(); }
+
 std::string_view qualityName(EdgeQuality quality) { return kQualityNames.at(static_cast<std::size_t>(quality)); }
 std::optional<EdgeQuality> qualityFromName(std::string_view name) { return fromName<EdgeQuality>(kQualityNames, name); }
 std::string_view verdictName(VerdictLevel level) { return kVerdictNames.at(static_cast<std::size_t>(level)); }

@@ -43,6 +43,13 @@ struct LinkEstimate {
   std::optional<FindingCode> muted_by;
   /// Angle between c_p and R_c_n n_p per entry of Reconstruction::poses; absent where a cell has no sample.
   std::vector<std::optional<double>> pose_residual_rad;
+
+  /// `residual_rad` and `sigma_rad`, absent where none was computed (links that no pose measured; files that don't
+  /// state them).
+  [[nodiscard]] std::optional<double> knownResidual() const;
+  [[nodiscard]] std::optional<double> knownSigma() const;
+  /// It was measured or solved, so that its angles mean something.
+  [[nodiscard]] bool hasFigures() const;
 };
 
 enum class PlacedBy { Samples, Links };
@@ -77,6 +84,14 @@ struct GravityDirection {
   Eigen::Vector3d g_o = Eigen::Vector3d::UnitZ();  ///< unit, points up (specific force)
   /// Tree: scatter of the cells about it, divided by sqrt(cells). Global: predicted, worst axis.
   double sigma_rad = 0;
+  /// The specific force itself at a point t of the patch, at_origin_o_g + swing_o x t: a hand that turns the part while
+  /// it is sampled adds to gravity, the more the farther out. Of a fresh result of the global solver; files don't hold
+  /// it.
+  struct Force {
+    Eigen::Vector3d at_origin_o_g = Eigen::Vector3d::UnitZ();
+    Eigen::Vector3d swing_o = Eigen::Vector3d::Zero();  ///< angular acceleration, g/m
+  };
+  std::optional<Force> force{};
 };
 
 /// How much of the way from pivot (0) to arc (1) the gaps of a patch go (SPEC step 10), and how well that is known.

@@ -383,7 +383,9 @@ class Reconstructor {
         const Eigen::Vector3d up = force.normalized();
         // Across the direction: [up]x takes what lies along it away.
         const Eigen::Matrix3d across = skew(up) * solution.covariance->force(k) * skew(up).transpose();
-        result.gravity.push_back({poseId(work.joint->poses()[k]), up, worstSigma(across) / force.norm()});
+        const Eigen::Vector3d swing = solution.state.acceleration_o[k] / kStandardGravity;
+        result.gravity.push_back({poseId(work.joint->poses()[k]), up, worstSigma(across) / force.norm(),
+                                  GravityDirection::Force{force - swing.cross(solution.state.middle_o), swing}});
       }
       result.gap_share = GapShareEstimate{solution.state.gap_share, solution.covariance->gapShareSigma()};
       result.covariance = work.joint->placementCovariance(graph_);

@@ -16,8 +16,10 @@ double quantile(const std::vector<double>& sorted, double share) {
   return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
-bool isMeasured(const LinkEstimate& link) {
-  return std::ranges::any_of(link.pose_residual_rad, [](const auto& angle) { return angle.has_value(); });
+double furthestFromZero(const Eigen::Vector3d& values) {
+  Eigen::Index axis = 0;
+  values.cwiseAbs().maxCoeff(&axis);
+  return values(axis);
 }
 
 PoseResiduals describe(std::size_t index, PoseId pose, std::vector<double> residuals) {
@@ -57,10 +59,11 @@ std::vector<CellSummary> summariseCells(const Reconstruction& reconstruction) {
   std::unordered_map<CellId, double> worst;
   for (const PatchReconstruction& patch : reconstruction.patches) {
     for (const LinkEstimate& link : patch.links) {
-      if (!link.used || !isMeasured(link)) continue;
+      const std::optional<double> residual_rad = link.knownResidual();
+      if (!link.used || !residual_rad) continue;
       for (const CellId cell : {link.source.cell, link.target.cell}) {
         double& largest = worst.try_emplace(cell, 0.0).first->second;
-        largest = std::max(largest, link.residual_rad);
+        largest = std::max(largest, *residual_rad);
       }
     }
   }
@@ -76,7 +79,7 @@ std::vector<CellSummary> summariseCells(const Reconstruction& reconstruction) {
       summary.stated = uncertaintyOf(cell);
       if (const auto found = worst.find(cell.cell); found != worst.end()) summary.worst_residual_rad = found->second;
       summary.offset_g = cell.accel_offset_g;
-      summary.scale = cell.accel_scale;
+      if (cell.accel_scale) summary.worst_scale_error = furthestFromZero(cell.accel_scale->array() - 1);
       summaries.push_back(summary);
     }
   }
@@ -93,9 +96,9 @@ ResidualSummary summariseResiduals(const Reconstruction& reconstruction) {
       for (std::size_t pose = 0; pose < std::min(by_pose.size(), link.pose_residual_rad.size()); ++pose) {
         if (link.pose_residual_rad[pose]) by_pose[pose].push_back(*link.pose_residual_rad[pose]);
       }
-      if (!isMeasured(link)) continue;
-      summary.links.push_back(
-          {p, k, link.residual_rad, link.sigma_rad > 0 ? std::optional(link.sigma_rad) : std::nullopt});
+      if (const std::optional<double> residual_rad = link.knownResidual()) {
+        summary.links.push_back({p, k, *residual_rad, link.knownSigma()});
+      }
     }
   }
   for (std::size_t pose = 0; pose < by_pose.size(); ++pose) {

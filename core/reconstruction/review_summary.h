@@ -21,7 +21,8 @@ struct CellSummary {
   /// The largest residual of its links that are in use; absent where none was measured.
   std::optional<double> worst_residual_rad;
   std::optional<Eigen::Vector3d> offset_g;
-  std::optional<Eigen::Vector3d> scale;
+  /// Scale less 1 of the axis whose scale is furthest from 1.
+  std::optional<double> worst_scale_error;
 };
 /// All cells, patch by patch, ascending.
 std::vector<CellSummary> summariseCells(const Reconstruction& reconstruction);

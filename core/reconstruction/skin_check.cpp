@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
+#include <utility>
 
 namespace hexoderm {
 namespace {
@@ -38,31 +40,44 @@ SkinCheckItem checkLinks(const Reconstruction& reconstruction) {
   return item;
 }
 
+std::string rangeInWords(std::span<const CellSample> readings) {
+  const auto [least, most] = std::minmax_element(
+      readings.begin(), readings.end(),
+      [](const CellSample& a, const CellSample& b) { return a.acceleration_g.norm() < b.acceleration_g.norm(); });
+  const std::string least_g = formatFixed(least->acceleration_g.norm(), 2);
+  if (readings.size() == 1) return least_g + " g";
+  return least_g + " to " + formatFixed(most->acceleration_g.norm(), 2) + " g";
+}
+
 void checkReadings(const CellModel& model, std::span<const CellSample> readings, const std::set<CellId>& silent,
                    std::vector<SkinCheckItem>& items) {
   const Accelerometer& accelerometer = model.accelerometer;
   const double tolerance_g = 5 * std::hypot(accelerometer.offset_sigma_g, accelerometer.scale_sigma);
-  double least_g = readings.front().acceleration_g.norm();
-  double most_g = least_g;
-  for (const CellSample& reading : readings) {
-    const double norm_g = reading.acceleration_g.norm();
-    least_g = std::min(least_g, norm_g);
-    most_g = std::max(most_g, norm_g);
-    if (std::abs(norm_g - 1) <= tolerance_g) continue;
-    items.push_back({Severity::Warning,
-                     "Cell " + toString(reading.cell) + " reads " + formatFixed(norm_g, 2) +
-                         " g: gravity is 1 g, give or take " + formatFixed(tolerance_g, 2) + " g",
-                     {reading.cell}});
+  std::vector<CellSample> odd;
+  std::copy_if(readings.begin(), readings.end(), std::back_inserter(odd), [&](const CellSample& reading) {
+    return !(std::abs(reading.acceleration_g.norm() - 1) <= tolerance_g);
+  });
+  if (!odd.empty()) {
+    SkinCheckItem item{Severity::Warning, {}, {}};
+    for (const CellSample& reading : odd) item.cells.push_back(reading.cell);
+    item.text = (odd.size() == 1 ? "Cell " + toString(odd.front().cell) + " reads "
+                                 : std::to_string(odd.size()) + " cells read ") +
+                rangeInWords(odd) + ": gravity is 1 g, give or take " + formatFixed(tolerance_g, 2) + " g";
+    items.push_back(std::move(item));
   }
-  if (silent.empty()) {
-    items.push_back({Severity::Info,
-                     readings.size() == 1 ? "The cell sends and reads " + formatFixed(least_g, 2) + " g"
-                                          : "All " + std::to_string(readings.size()) + " cells send and read " +
-                                                formatFixed(least_g, 2) + " to " + formatFixed(most_g, 2) + " g",
-                     {}});
-  } else {
+  if (!silent.empty()) {
     const std::vector<CellId> cells(silent.begin(), silent.end());
     items.push_back({Severity::Warning, "Nothing comes from " + cellsInWords(cells), cells});
+  } else if (odd.empty()) {
+    items.push_back({Severity::Info,
+                     readings.size() == 1
+                         ? "The cell sends and reads " + rangeInWords(readings)
+                         : "All " + std::to_string(readings.size()) + " cells send and read " + rangeInWords(readings),
+                     {}});
+  } else {
+    items.push_back({Severity::Info,
+                     readings.size() == 1 ? "The cell sends" : "All " + std::to_string(readings.size()) + " cells send",
+                     {}});
   }
 }
 

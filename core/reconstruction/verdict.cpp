@@ -62,6 +62,13 @@ bool nothingToEstimate(const Reconstruction& r) {
   return std::ranges::all_of(r.patches, [](const auto& patch) { return patch.cells.size() == 1; });
 }
 
+std::string plusMinus(const Uncertainty95& spread) {
+  return "±" + formatFixed(toMillimetres(spread.position_m), 1) + " mm, ±" +
+         formatFixed(toDegrees(spread.orientation_rad), 1) + "°";
+}
+
+}  // namespace
+
 const Finding* worstFinding(const Reconstruction& r) {
   const Finding* worst = nullptr;
   for (const Finding& finding : r.findings) {
@@ -70,13 +77,6 @@ const Finding* worstFinding(const Reconstruction& r) {
   }
   return worst;
 }
-
-std::string plusMinus(const Uncertainty95& spread) {
-  return "±" + formatFixed(toMillimetres(spread.position_m), 1) + " mm, ±" +
-         formatFixed(toDegrees(spread.orientation_rad), 1) + "°";
-}
-
-}  // namespace
 
 Verdict judge(const Reconstruction& r) {
   Verdict verdict;

@@ -157,14 +157,6 @@
         <translation>Noch keine Pose mit Zelle %1 zur Decke oder zum Boden: Der dritte Wert ist %2, nötig sind %3.</translation>
     </message>
     <message>
-        <source>1 pose</source>
-        <translation>1 Pose</translation>
-    </message>
-    <message>
-        <source>%1 poses</source>
-        <translation>%1 Posen</translation>
-    </message>
-    <message>
         <source>%1, %2 disabled</source>
         <translation>%1, %2 nicht benutzt</translation>
     </message>
@@ -332,7 +324,7 @@
     </message>
     <message>
         <source>Orientation in the patch&apos;s frame: roll, pitch and yaw with R = Rz Ry Rx, degrees</source>
-        <translation>Drehung im Koordinatensystem des Hautstücks: Roll, Nick und Gier mit R = Rz Ry Rx, Grad</translation>
+        <translation>Orientierung im Koordinatensystem des Hautstücks: Rollen, Nicken und Gieren mit R = Rz Ry Rx, Grad</translation>
     </message>
     <message>
         <source>Position in the patch&apos;s frame, which is its origin cell&apos;s</source>
@@ -368,15 +360,15 @@
     </message>
     <message>
         <source>Roll °</source>
-        <translation>Roll °</translation>
+        <translation>Rollen °</translation>
     </message>
     <message>
         <source>Pitch °</source>
-        <translation>Nick °</translation>
+        <translation>Nicken °</translation>
     </message>
     <message>
         <source>Yaw °</source>
-        <translation>Gier °</translation>
+        <translation>Gieren °</translation>
     </message>
     <message>
         <source>± mm</source>
@@ -629,11 +621,11 @@
     </message>
     <message>
         <source>1 patch</source>
-        <translation>1 Stück</translation>
+        <translation>1 Hautstück</translation>
     </message>
     <message>
         <source>%1 patches</source>
-        <translation>%1 Stücke</translation>
+        <translation>%1 Hautstücke</translation>
     </message>
     <message>
         <source>±%1 mm, ±%2°</source>
@@ -729,15 +721,15 @@
     </message>
     <message>
         <source>Cell %1 delivered no reading in any pose; it is placed through its links.</source>
-        <translation>Zelle %1 hat in keiner Pose einen Messwert geliefert; sie wird über ihre Verbindungen eingeordnet.</translation>
+        <translation>Zelle %1 hat in keiner Pose einen Messwert geliefert; sie wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
         <source>Cell %1 delivered no reading %2; it is placed from the other poses.</source>
-        <translation>Zelle %1 hat %2 keinen Messwert geliefert; sie wird aus den anderen Posen eingeordnet.</translation>
+        <translation>Zelle %1 hat %2 keinen Messwert geliefert; sie wird aus den anderen Posen verortet.</translation>
     </message>
     <message>
         <source>Cell %1 reads %2 on its %3 axis in all poses, while what it reads in all ranges from %4 to %5: the axis is dead. The cell is placed through its links.</source>
-        <translation>Zelle %1 misst auf ihrer %3-Achse in allen Posen %2, insgesamt aber zwischen %4 und %5: Die Achse ist tot. Die Zelle wird über ihre Verbindungen eingeordnet.</translation>
+        <translation>Zelle %1 misst auf ihrer %3-Achse in allen Posen %2, insgesamt aber zwischen %4 und %5: Die Achse ist tot. Die Zelle wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
         <source>Cell %1 reads the end of its range (%2 g) %3; these readings are not used.</source>
@@ -745,7 +737,7 @@
     </message>
     <message>
         <source>Cell %1 reads less than %2 mg %3: its accelerometer is dead. The cell is placed through its links.</source>
-        <translation>Zelle %1 misst %3 weniger als %2 mg: Ihr Beschleunigungssensor ist tot. Die Zelle wird über ihre Verbindungen eingeordnet.</translation>
+        <translation>Zelle %1 misst %3 weniger als %2 mg: Ihr Beschleunigungssensor ist tot. Die Zelle wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
         <source>Cell %1 reads less than %2 mg %3; these readings are not used.</source>
@@ -761,23 +753,23 @@
     </message>
     <message>
         <source>Cell %1 reads the same direction in all poses (within %2 degrees) while the other cells turn by %3 degrees: its accelerometer is stuck. The cell is placed through its links.</source>
-        <translation>Zelle %1 misst in allen Posen dieselbe Richtung (auf %2 Grad genau), während sich die anderen Zellen um %3 Grad drehen: Ihr Beschleunigungssensor hängt. Die Zelle wird über ihre Verbindungen eingeordnet.</translation>
+        <translation>Zelle %1 misst in allen Posen dieselbe Richtung (auf %2 Grad genau), während sich die anderen Zellen um %3 Grad drehen: Ihr Beschleunigungssensor hängt. Die Zelle wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
         <source>Cell %1 reads %2 g on average where there is 1 g, and does not fit its neighbours: its gain is wrong. The cell is placed through its links.</source>
-        <translation>Zelle %1 misst im Mittel %2 g, wo 1 g ist, und passt nicht zu ihren Nachbarn: Ihre Verstärkung ist falsch. Die Zelle wird über ihre Verbindungen eingeordnet.</translation>
+        <translation>Zelle %1 misst im Mittel %2 g, wo 1 g ist, und passt nicht zu ihren Nachbarn: Ihre Verstärkung ist falsch. Die Zelle wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
         <source>Cell %1 reads what fits none of the other cells, however it lies: its accelerometer is wrongly wired or broken. The cell is placed through its links.</source>
-        <translation>Was Zelle %1 misst, passt zu keiner anderen Zelle, wie auch immer sie liegt: Ihr Beschleunigungssensor ist falsch verdrahtet oder defekt. Die Zelle wird über ihre Verbindungen eingeordnet.</translation>
+        <translation>Was Zelle %1 misst, passt zu keiner anderen Zelle, wie auch immer sie liegt: Ihr Beschleunigungssensor ist falsch verdrahtet oder defekt. Die Zelle wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
         <source>Cell %1 reads what fits none of the other cells, however it lies: its accelerometer is wrongly wired or broken, or its one link is not rigid. The cell is placed through its links.</source>
-        <translation>Was Zelle %1 misst, passt zu keiner anderen Zelle, wie auch immer sie liegt: Ihr Beschleunigungssensor ist falsch verdrahtet oder defekt, oder ihre einzige Verbindung ist nicht starr. Die Zelle wird über ihre Verbindungen eingeordnet.</translation>
+        <translation>Was Zelle %1 misst, passt zu keiner anderen Zelle, wie auch immer sie liegt: Ihr Beschleunigungssensor ist falsch verdrahtet oder defekt, oder ihre einzige Verbindung ist nicht starr. Die Zelle wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
         <source>Cell %1 was left out; it is placed through its links.</source>
-        <translation>Zelle %1 wurde weggelassen; sie wird über ihre Verbindungen eingeordnet.</translation>
+        <translation>Zelle %1 wurde weggelassen; sie wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
         <source>Two poses carry the number %1; both are used.</source>
@@ -885,19 +877,19 @@
     </message>
     <message>
         <source>A cell has no usable reading in any enabled pose; it is placed through its links.</source>
-        <translation>Eine Zelle hat in keiner benutzten Pose einen brauchbaren Messwert; sie wird über ihre Verbindungen eingeordnet.</translation>
+        <translation>Eine Zelle hat in keiner benutzten Pose einen brauchbaren Messwert; sie wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
         <source>A cell has no reading in some enabled poses; it is placed from the others.</source>
-        <translation>Eine Zelle hat in einigen benutzten Posen keinen Messwert; sie wird aus den anderen eingeordnet.</translation>
+        <translation>Eine Zelle hat in einigen benutzten Posen keinen Messwert; sie wird aus den anderen verortet.</translation>
     </message>
     <message>
         <source>A cell&apos;s accelerometer reads nothing like gravity; the cell is placed through its links.</source>
-        <translation>Der Beschleunigungssensor einer Zelle misst nichts, was Schwerkraft sein könnte; die Zelle wird über ihre Verbindungen eingeordnet.</translation>
+        <translation>Der Beschleunigungssensor einer Zelle misst nichts, was Schwerkraft sein könnte; die Zelle wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
         <source>A cell&apos;s accelerometer does not change while the part moves; the cell is placed through its links.</source>
-        <translation>Der Beschleunigungssensor einer Zelle ändert sich nicht, während sich das Teil bewegt; die Zelle wird über ihre Verbindungen eingeordnet.</translation>
+        <translation>Der Beschleunigungssensor einer Zelle ändert sich nicht, während sich das Teil bewegt; die Zelle wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
         <source>A reading lies at the end of the accelerometer&apos;s range; it is not used.</source>
@@ -913,19 +905,19 @@
     </message>
     <message>
         <source>One axis of a cell&apos;s accelerometer does not follow gravity; the cell is placed through its links.</source>
-        <translation>Eine Achse des Beschleunigungssensors einer Zelle folgt der Schwerkraft nicht; die Zelle wird über ihre Verbindungen eingeordnet.</translation>
+        <translation>Eine Achse des Beschleunigungssensors einer Zelle folgt der Schwerkraft nicht; die Zelle wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
         <source>A cell&apos;s accelerometer reads too much or too little in every pose; it is placed by its links.</source>
-        <translation>Der Beschleunigungssensor einer Zelle misst in jeder Pose zu viel oder zu wenig; sie wird über ihre Verbindungen eingeordnet.</translation>
+        <translation>Der Beschleunigungssensor einer Zelle misst in jeder Pose zu viel oder zu wenig; sie wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
         <source>A cell&apos;s readings fit no position of the cell in the patch; the cell is placed through its links.</source>
-        <translation>Die Messwerte einer Zelle passen zu keiner Lage der Zelle im Hautstück; die Zelle wird über ihre Verbindungen eingeordnet.</translation>
+        <translation>Die Messwerte einer Zelle passen zu keiner Lage der Zelle im Hautstück; die Zelle wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
         <source>A cell was left out on request; it is placed through its links.</source>
-        <translation>Eine Zelle wurde auf Wunsch weggelassen; sie wird über ihre Verbindungen eingeordnet.</translation>
+        <translation>Eine Zelle wurde auf Wunsch weggelassen; sie wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
         <source>A pose holds a reading of a cell that is not in the skin; it is not used.</source>
@@ -1417,7 +1409,7 @@
     </message>
     <message>
         <source>read back after writing, it does not hold what was meant: %1</source>
-        <translation>nach dem Schreiben zurückgelesen, enthält sie nicht das Gemeinte: %1</translation>
+        <translation>nach dem Schreiben zurückgelesen, enthält sie nicht, was geschrieben werden sollte: %1</translation>
     </message>
     <message>
         <source>The picture %1 could not be written: is the folder writable?</source>
@@ -1522,23 +1514,23 @@
     </message>
     <message>
         <source>The %1 was set aside by hand; it is not used.</source>
-        <translation>Die %1 wurde von Hand weggelegt; sie wird nicht benutzt.</translation>
+        <translation>Die %1 wurde von Hand ausgeschlossen; sie wird nicht benutzt.</translation>
     </message>
     <message>
         <source>The %1 was set aside by hand (%2); it is not used.</source>
-        <translation>Die %1 wurde von Hand weggelegt (%2); sie wird nicht benutzt.</translation>
+        <translation>Die %1 wurde von Hand ausgeschlossen (%2); sie wird nicht benutzt.</translation>
     </message>
     <message>
         <source>The %1 was set aside by hand, but the skin reports no such link.</source>
-        <translation>Die %1 wurde von Hand weggelegt, aber die Haut meldet keine solche Verbindung.</translation>
+        <translation>Die %1 wurde von Hand ausgeschlossen, aber die Haut meldet keine solche Verbindung.</translation>
     </message>
     <message>
         <source>The %1 was set aside by hand (%2), but the skin reports no such link.</source>
-        <translation>Die %1 wurde von Hand weggelegt (%2), aber die Haut meldet keine solche Verbindung.</translation>
+        <translation>Die %1 wurde von Hand ausgeschlossen (%2), aber die Haut meldet keine solche Verbindung.</translation>
     </message>
     <message>
         <source>The operator set a link aside, as a cable for example; it is muted.</source>
-        <translation>Eine Verbindung wurde von Hand weggelegt, als Kabel zum Beispiel; sie ist ausgeschlossen.</translation>
+        <translation>Eine Verbindung wurde von Hand ausgeschlossen, als Kabel zum Beispiel; sie wird nicht benutzt.</translation>
     </message>
     <message>
         <source>plane fit: at least %1 points are needed, there are %2</source>
@@ -1615,6 +1607,78 @@
     <message>
         <source>expected a Hexoderm session (*.hexo, or format &quot;hexoderm-session&quot;), a calibration (format &quot;hexoderm-calibration&quot;) or a TUM SkinConfig XML, but there is none</source>
         <translation>erwartet ist eine Hexoderm-Sitzung (*.hexo oder Format „hexoderm-session“), eine Kalibrierung (Format „hexoderm-calibration“) oder ein TUM-SkinConfig-XML, angegeben ist keines</translation>
+    </message>
+    <message>
+        <source>%1 cells read %2 to %3 g: gravity is 1 g, give or take %4 g</source>
+        <translation>%1 Zellen messen %2 bis %3 g: Die Schwerkraft ist 1 g, plus oder minus %4 g</translation>
+    </message>
+    <message>
+        <source>The cell sends</source>
+        <translation>Die Zelle sendet</translation>
+    </message>
+    <message>
+        <source>All %1 cells send</source>
+        <translation>Alle %1 Zellen senden</translation>
+    </message>
+    <message>
+        <source>facing ceiling</source>
+        <translation>zur Decke</translation>
+    </message>
+    <message>
+        <source>facing floor</source>
+        <translation>zum Boden</translation>
+    </message>
+    <message>
+        <source>facing wall, %1 up</source>
+        <translation>zur Wand, %1 oben</translation>
+    </message>
+    <message>
+        <source>tilted up, %1 up</source>
+        <translation>aufwärts, %1 oben</translation>
+    </message>
+    <message>
+        <source>tilted down, %1 up</source>
+        <translation>abwärts, %1 oben</translation>
+    </message>
+    <message>
+        <source>folder of tables: cells, sensors, links, poses, residuals</source>
+        <translation>Ordner mit Tabellen: Zellen, Sensoren, Verbindungen, Posen, Restfehler</translation>
+    </message>
+    <message>
+        <source>skin graph for Graphviz, with ports and quality</source>
+        <translation>Hautgraph für Graphviz, mit Ports und Güte</translation>
+    </message>
+    <message>
+        <source>mesh of the cells in metres, coloured by quality</source>
+        <translation>Netz der Zellen in Metern, nach Güte gefärbt</translation>
+    </message>
+    <message>
+        <source>mesh of the cells for CAD, in millimetres or metres</source>
+        <translation>Netz der Zellen für CAD, in Millimetern oder Metern</translation>
+    </message>
+    <message>
+        <source>everything about the cells and sensors for ParaView and VTK, lossless</source>
+        <translation>alles über Zellen und Sensoren für ParaView und VTK, verlustfrei</translation>
+    </message>
+    <message>
+        <source>links for every cell and sensor, or for every patch, for ROS</source>
+        <translation>Glieder für jede Zelle und jeden Sensor oder für jedes Hautstück, für ROS</translation>
+    </message>
+    <message>
+        <source>%1: is open in another window, close it there first</source>
+        <translation>%1: ist in einem anderen Fenster offen und muss dort zuerst geschlossen werden</translation>
+    </message>
+    <message>
+        <source>%1: cannot be moved to %2: %3</source>
+        <translation>%1: lässt sich nicht nach %2 verschieben: %3</translation>
+    </message>
+    <message>
+        <source>%1: the folder cannot be made</source>
+        <translation>%1: Der Ordner lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>%1: expected a name that ends in .pdf or .html</source>
+        <translation>%1: Erwartet wird ein Name, der auf .pdf oder .html endet</translation>
     </message>
 </context>
 <context>
@@ -1799,7 +1863,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <name>hexoderm::FindingTable</name>
     <message>
         <source>Severity</source>
-        <translation>Schwere</translation>
+        <translation>Stufe</translation>
     </message>
     <message>
         <source>What</source>
@@ -1840,18 +1904,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Hautstück %1</translation>
     </message>
     <message>
-        <source>link quality</source>
-        <translation>Güte</translation>
-    </message>
-    <message>
-        <source>residual</source>
-        <translation>Restfehler</translation>
-    </message>
-    <message>
-        <source>predicted deviation</source>
-        <translation>erwartete Abweichung</translation>
-    </message>
-    <message>
         <source>bend</source>
         <translation>Biegung</translation>
     </message>
@@ -1861,27 +1913,11 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>yaw</source>
-        <translation>Drehung</translation>
-    </message>
-    <message>
-        <source>position uncertainty</source>
-        <translation>Unsicherheit des Ortes</translation>
-    </message>
-    <message>
-        <source>orientation uncertainty</source>
-        <translation>Unsicherheit der Drehung</translation>
+        <translation>Gieren</translation>
     </message>
     <message>
         <source>placed by</source>
-        <translation>eingeordnet durch</translation>
-    </message>
-    <message>
-        <source>patch</source>
-        <translation>Hautstück</translation>
-    </message>
-    <message>
-        <source>body part</source>
-        <translation>Körperteil</translation>
+        <translation>verortet durch</translation>
     </message>
     <message>
         <source>residual, rms over poses</source>
@@ -1897,7 +1933,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>yaw, either way</source>
-        <translation>Drehung, beide Richtungen</translation>
+        <translation>Gieren, beide Richtungen</translation>
     </message>
     <message>
         <source>position known to (95 %)</source>
@@ -1909,7 +1945,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>orientation known to (95 %)</source>
-        <translation>Drehung bekannt auf (95 %)</translation>
+        <translation>Orientierung bekannt auf (95 %)</translation>
     </message>
 </context>
 <context>
@@ -2040,18 +2076,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>%1 Befunde</translation>
     </message>
     <message>
-        <source>no poses</source>
-        <translation>keine Posen</translation>
-    </message>
-    <message>
-        <source>1 pose</source>
-        <translation>1 Pose</translation>
-    </message>
-    <message>
-        <source>%1 poses</source>
-        <translation>%1 Posen</translation>
-    </message>
-    <message>
         <source>Connect</source>
         <translation>Verbinden</translation>
     </message>
@@ -2153,7 +2177,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>optional</source>
-        <translation>freiwillig</translation>
+        <translation>optional</translation>
     </message>
     <message>
         <source>See whether the result holds.</source>
@@ -2359,7 +2383,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>Yaw</source>
-        <translation>Drehung</translation>
+        <translation>Gieren</translation>
     </message>
     <message>
         <source>Angle by which the cells are turned within the surface</source>
@@ -2375,7 +2399,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>set aside</source>
-        <translation>weggelegt</translation>
+        <translation>ausgeschlossen</translation>
     </message>
 </context>
 <context>
@@ -2393,15 +2417,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>Sample frames that came, samples that the device numbered and that never came, and frames that came late</source>
-        <translation>Messrahmen, die kamen, Messwerte, die das Gerät nummerierte und die nie kamen, und Rahmen, die zu spät kamen</translation>
-    </message>
-    <message>
-        <source>How long the part has been held</source>
-        <translation>Wie lange das Teil schon gehalten wird</translation>
-    </message>
-    <message>
-        <source>No readings; what was captured stays</source>
-        <translation>Keine Messwerte; was aufgenommen ist, bleibt</translation>
+        <translation>Datensätze, die kamen, Messwerte, die das Gerät nummerierte und die nie kamen, und Datensätze, die zu spät kamen</translation>
     </message>
 </context>
 <context>
@@ -2432,11 +2448,11 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>Incompatible</source>
-        <translation>Unpassend</translation>
+        <translation>Nicht kompatibel</translation>
     </message>
     <message>
         <source>%1 frames · %2 lost · %3 late</source>
-        <translation>%1 Rahmen · %2 verloren · %3 verspätet</translation>
+        <translation>%1 Datensätze · %2 verloren · %3 verspätet</translation>
     </message>
     <message>
         <source> · %1 broken</source>
@@ -2450,6 +2466,34 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source> · %1 reconnects</source>
         <translation> · %1-mal neu verbunden</translation>
     </message>
+    <message>
+        <source> · %1 dropped by the device</source>
+        <translation> · %1 vom Gerät verworfen</translation>
+    </message>
+    <message>
+        <source>1 sample lost</source>
+        <translation>1 Messwert verloren</translation>
+    </message>
+    <message>
+        <source>%1 samples lost</source>
+        <translation>%1 Messwerte verloren</translation>
+    </message>
+    <message>
+        <source>1 frame late</source>
+        <translation>1 Rahmen verspätet</translation>
+    </message>
+    <message>
+        <source>%1 frames late</source>
+        <translation>%1 Rahmen verspätet</translation>
+    </message>
+    <message>
+        <source>1 sample dropped by the device</source>
+        <translation>1 Messwert vom Gerät verworfen</translation>
+    </message>
+    <message>
+        <source>%1 samples dropped by the device</source>
+        <translation>%1 Messwerte vom Gerät verworfen</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::LogModel</name>
@@ -2459,7 +2503,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>Severity</source>
-        <translation>Schwere</translation>
+        <translation>Stufe</translation>
     </message>
     <message>
         <source>What</source>
@@ -2613,7 +2657,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>Del disable · Ctrl+Z undo</source>
-        <translation>Entf nicht benutzen · Strg+Z rückgängig</translation>
+        <translation>Entf: nicht benutzen · Strg+Z: zurück</translation>
     </message>
     <message>
         <source>Findings %1</source>
@@ -2759,6 +2803,26 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>Directions seen</source>
         <translation>Gesehene Richtungen</translation>
     </message>
+    <message>
+        <source>Since the skin was connected: %1. Poses need no more than their own samples, so a few lost ones do no harm; many speak of a slow network or cable.</source>
+        <translation>Seit die Haut verbunden ist: %1. Posen brauchen nur ihre eigenen Messwerte, einzelne verlorene schaden nicht; viele sprechen für ein langsames Netz oder Kabel.</translation>
+    </message>
+    <message>
+        <source>Save the table</source>
+        <translation>Tabelle speichern</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Compare with an earlier calibration</source>
+        <translation>Mit früherer Kalibrierung vergleichen</translation>
+    </message>
+    <message>
+        <source>Calibrations and sessions (*.calibration.json *.hexo *.session.json *.xml)</source>
+        <translation>Kalibrierungen und Sitzungen (*.calibration.json *.hexo *.session.json *.xml)</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MeasureTool</name>
@@ -2782,7 +2846,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <name>hexoderm::MuteLinkCommand</name>
     <message>
         <source>set link %1 aside</source>
-        <translation>Verbindung %1 weglegen</translation>
+        <translation>Verbindung %1 ausschließen</translation>
     </message>
     <message>
         <source>take link %1 back</source>
@@ -3207,7 +3271,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Arc: the mould stretches along an arc</source>
-        <translation>Bogen: Die Form dehnt sich entlang eines Bogens</translation>
+        <translation>Bogen: Die Einbettung dehnt sich entlang eines Bogens</translation>
     </message>
     <message>
         <source>Pivot: the gap bends in one point</source>
@@ -3215,7 +3279,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>How the mould gives way between two cells. Fit estimates it from each patch; a patch without loops can&apos;t tell, and the stated uncertainty says so.</source>
-        <translation>Wie die Form zwischen zwei Zellen nachgibt. Anpassen schätzt es aus jedem Hautstück; ohne Schleifen geht das nicht, und die angegebene Unsicherheit sagt es.</translation>
+        <translation>Wie die Einbettung zwischen zwei Zellen nachgibt. Anpassen schätzt es aus jedem Hautstück; ohne Schleifen geht das nicht, und die angegebene Unsicherheit sagt es.</translation>
     </message>
     <message>
         <source>Remove sensor &amp;offsets</source>
@@ -3303,14 +3367,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>yesterday, %1</source>
         <translation>gestern, %1</translation>
-    </message>
-    <message>
-        <source> · 1 pose</source>
-        <translation> · 1 Pose</translation>
-    </message>
-    <message>
-        <source> · %1 poses</source>
-        <translation> · %1 Posen</translation>
     </message>
     <message>
         <source>Nothing was open yet</source>
@@ -3446,7 +3502,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>orientation, worst cell, 95 %</source>
-        <translation>Drehung, schlechteste Zelle, 95 %</translation>
+        <translation>Orientierung, schlechteste Zelle, 95 %</translation>
     </message>
     <message>
         <source>Findings</source>
@@ -3458,7 +3514,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Severity</source>
-        <translation>Schwere</translation>
+        <translation>Stufe</translation>
     </message>
     <message>
         <source>What</source>
@@ -3542,7 +3598,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Yaw</source>
-        <translation>Drehung</translation>
+        <translation>Gieren</translation>
     </message>
     <message>
         <source>Links with the largest residuals</source>
@@ -3642,7 +3698,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Limits of bend, twist, yaw</source>
-        <translation>Grenzen für Biegung, Verwindung, Drehung</translation>
+        <translation>Grenzen für Biegung, Verwindung, Gieren</translation>
     </message>
     <message>
         <source>%1, %2, %3</source>
@@ -3740,7 +3796,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>By pose, ° (box: half the links)</source>
-        <translation>Je Pose, ° (Kasten: halbe Verbindungen)</translation>
+        <translation>Je Pose, ° (Kasten: die Hälfte der Verbindungen)</translation>
     </message>
     <message>
         <source>By link, ° (○ predicted)</source>
@@ -3864,15 +3920,11 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <name>hexoderm::SceneOverlay</name>
     <message>
         <source>gravity</source>
-        <translation>Schwere</translation>
+        <translation>Schwerkraft</translation>
     </message>
 </context>
 <context>
     <name>hexoderm::SceneWords</name>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
     <message>
         <source>drawn %1 times as large</source>
         <translation>%1-fach vergrößert gezeichnet</translation>
@@ -3880,22 +3932,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>true to scale</source>
         <translation>maßstäblich</translation>
-    </message>
-    <message>
-        <source>plane</source>
-        <translation>Ebene</translation>
-    </message>
-    <message>
-        <source>sphere</source>
-        <translation>Kugel</translation>
-    </message>
-    <message>
-        <source>cylinder</source>
-        <translation>Zylinder</translation>
-    </message>
-    <message>
-        <source>cone</source>
-        <translation>Kegel</translation>
     </message>
     <message>
         <source>link quality</source>
@@ -3915,7 +3951,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>orientation uncertainty</source>
-        <translation>Unsicherheit der Drehung</translation>
+        <translation>Unsicherheit der Orientierung</translation>
     </message>
     <message>
         <source>distance from the origin</source>
@@ -3967,7 +4003,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>orientation uncertainty (95 %), °</source>
-        <translation>Unsicherheit der Drehung (95 %), °</translation>
+        <translation>Unsicherheit der Orientierung (95 %), °</translation>
     </message>
     <message>
         <source>distance from the origin along the path, mm</source>
@@ -4159,11 +4195,11 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>; rms distance %1, lines %2</source>
-        <translation>; mittlerer Abstand %1, Linien %2</translation>
+        <translation>; Effektivwert der Abstände %1, Linien %2</translation>
     </message>
     <message>
         <source>loop gap: %1, %2 % of the loop; the arrow %3</source>
-        <translation>Spalt der Schleife: %1, %2 % der Schleife; der Pfeil %3</translation>
+        <translation>Lücke der Schleife: %1, %2 % der Schleife; der Pfeil %3</translation>
     </message>
     <message>
         <source>arrows: from before to now, %1</source>
@@ -4172,10 +4208,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Cells %1 and %2 are in different patches: how these lie to each other is not known</source>
         <translation>Die Zellen %1 und %2 sind in verschiedenen Hautstücken: Wie diese zueinander liegen, ist nicht bekannt</translation>
-    </message>
-    <message>
-        <source>%1°</source>
-        <translation>%1°</translation>
     </message>
     <message>
         <source>Cells %1 and %2: %3 apart, their faces %4 to each other</source>
@@ -4258,7 +4290,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>The device does not turn there: %1. The next best pose is advised instead.</source>
-        <translation>Das Gerät dreht sich nicht dorthin: %1. Stattdessen wird die nächstbeste Pose geraten.</translation>
+        <translation>Das Gerät dreht sich nicht dorthin: %1. Stattdessen wird eine andere Pose vorgeschlagen.</translation>
     </message>
     <message>
         <source>recapture pose %1</source>
@@ -4372,32 +4404,12 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <source>Save as CSV…</source>
         <translation>Als CSV speichern…</translation>
     </message>
-    <message>
-        <source>Save the table</source>
-        <translation>Tabelle speichern</translation>
-    </message>
-    <message>
-        <source>Tables (*.csv)</source>
-        <translation>Tabellen (*.csv)</translation>
-    </message>
-    <message>
-        <source>The table %1 could not be written: %2</source>
-        <translation>Die Tabelle %1 ließ sich nicht schreiben: %2</translation>
-    </message>
 </context>
 <context>
     <name>hexoderm::UnsavedSessions</name>
     <message>
         <source>A session of %1 was not saved and can&apos;t be read: %2</source>
         <translation>Eine Sitzung von %1 wurde nicht gespeichert und lässt sich nicht lesen: %2</translation>
-    </message>
-    <message>
-        <source>1 pose</source>
-        <translation>1 Pose</translation>
-    </message>
-    <message>
-        <source>%1 poses</source>
-        <translation>%1 Posen</translation>
     </message>
     <message>
         <source>A session of %1 with %2 of %3 cells was not saved.</source>
@@ -4511,7 +4523,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Of %1 closed loops the largest is left open by %2, more than the %3 a skin link may leave: one of its links is wrong, or many err alike.</source>
-        <translation>Von %1 geschlossenen Schleifen bleibt die größte um %2 offen, mehr als die %3, die eine Hautverbindung lassen darf: Eine ihrer Verbindungen ist falsch, oder viele irren gleich.</translation>
+        <translation>Von %1 geschlossenen Schleifen bleibt die größte um %2 offen, mehr als die %3, die eine Hautverbindung lassen darf: Eine ihrer Verbindungen ist falsch, oder viele haben denselben Fehler.</translation>
     </message>
     <message>
         <source>Between</source>
@@ -4677,6 +4689,14 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <source>Stated °</source>
         <translation>Angegeben °</translation>
     </message>
+    <message>
+        <source>The part turned while it was read: %1 rad/s², of a still hand %2 are expected.</source>
+        <translation>Das Teil drehte sich, während es gelesen wurde: %1 rad/s²; von einer ruhigen Hand werden %2 erwartet.</translation>
+    </message>
+    <message>
+        <source>As good as stated, but a coarse check: with so few poses, a part that bent by less than about %1 would not show. %2</source>
+        <translation>So gut wie angegeben, aber eine grobe Prüfung: Bei so wenigen Posen fiele ein Teil, das sich um weniger als etwa %1 verbogen hat, nicht auf. %2</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::VerifyPanel</name>
@@ -4754,7 +4774,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>The session has changed since: run it again.</source>
-        <translation>Die Sitzung hat sich seitdem geändert: noch einmal ausführen.</translation>
+        <translation>Die Sitzung hat sich seitdem geändert: noch einmal prüfen.</translation>
     </message>
     <message>
         <source>Pose %1</source>
@@ -4771,10 +4791,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>A calibration file holds no readings: open the session it was made of.</source>
         <translation>Eine Kalibrierdatei enthält keine Messwerte: die Sitzung öffnen, aus der sie stammt.</translation>
-    </message>
-    <message>
-        <source>Takes four poses, one to hold out and three others; there are %1.</source>
-        <translation>Braucht vier Posen, eine zurückgehaltene und drei andere; vorhanden sind %1.</translation>
     </message>
     <message>
         <source>Solves without this pose and compares what it foretells with what was read</source>
@@ -4805,20 +4821,16 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Hautstück %1. %2</translation>
     </message>
     <message>
-        <source>Compare with an earlier calibration</source>
-        <translation>Mit früherer Kalibrierung vergleichen</translation>
-    </message>
-    <message>
-        <source>Calibrations and sessions (*.calibration.json *.hexo *.session.json *.xml)</source>
-        <translation>Kalibrierungen und Sitzungen (*.calibration.json *.hexo *.session.json *.xml)</translation>
-    </message>
-    <message>
         <source>Surface through the cells</source>
         <translation>Fläche durch die Zellen</translation>
     </message>
     <message>
         <source>True radius of the surface</source>
         <translation>Wahrer Radius der Fläche</translation>
+    </message>
+    <message>
+        <source>Takes %1 other poses that are not disabled; besides this one there are %2.</source>
+        <translation>Braucht %1 andere Posen, die benutzt werden; außer dieser gibt es %2.</translation>
     </message>
 </context>
 <context>
@@ -5179,11 +5191,11 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>The part can&apos;t be held like this: advise the next best pose</source>
-        <translation>So lässt sich das Teil nicht halten: die nächstbeste Pose raten</translation>
+        <translation>So lässt sich das Teil nicht halten: eine andere Pose vorschlagen</translation>
     </message>
     <message>
         <source>Let the ro&amp;bot take the poses</source>
-        <translation>Den &amp;Roboter aufnehmen lassen</translation>
+        <translation>&amp;Roboter nimmt Posen auf</translation>
     </message>
     <message>
         <source>The device turns itself from pose to pose until there are enough</source>
@@ -5227,11 +5239,11 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Let the simulated robot take the poses</source>
-        <translation>Den simulierten Roboter aufnehmen lassen</translation>
+        <translation>Simulierter Roboter nimmt Posen auf</translation>
     </message>
     <message>
         <source>Let the robot take the poses</source>
-        <translation>Den Roboter aufnehmen lassen</translation>
+        <translation>Roboter nimmt Posen auf</translation>
     </message>
     <message>
         <source>Stop the robot</source>
@@ -5259,7 +5271,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Set link &amp;aside</source>
-        <translation>Verbindung &amp;weglegen</translation>
+        <translation>Verbindung &amp;ausschließen</translation>
     </message>
     <message>
         <source>Keep the picked link out of the solution, as a cable for example</source>
@@ -5284,10 +5296,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>&amp;Copy for a bug report</source>
         <translation>Für &amp;Fehlerbericht kopieren</translation>
-    </message>
-    <message>
-        <source>Versions, graphics, what is open and the last lines of the log, without your folders</source>
-        <translation>Versionen, Grafik, was offen ist und die letzten Zeilen des Protokolls, ohne eigene Ordner</translation>
     </message>
     <message>
         <source>&amp;Open the log&apos;s folder</source>
@@ -5357,13 +5365,13 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <source>Light the picked cell</source>
         <translation>Gewählte Zelle leuchten lassen</translation>
     </message>
+    <message>
+        <source>Versions, graphics, what is open and the last lines of the log, with your home folder as ~</source>
+        <translation>Versionen, Grafik, was offen ist und die letzten Zeilen des Protokolls, mit dem eigenen Ordner als ~</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::WindowShell</name>
-    <message>
-        <source>Solved: %1, %2 poses, %3, %4 ms. %5</source>
-        <translation>Gelöst: %1, %2 Posen, %3, %4 ms. %5</translation>
-    </message>
     <message>
         <source>Hexoderm %1 starts</source>
         <translation>Hexoderm %1 startet</translation>
@@ -5417,10 +5425,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Ab dem nächsten Start zeichnet der Prozessor. Hexoderm bei Gelegenheit neu starten.</translation>
     </message>
     <message>
-        <source>Copied: versions, graphics, what is open and the last lines of the log, without your folders&apos; names. Paste it into the report.</source>
-        <translation>Kopiert: Versionen, Grafik, was offen ist und die letzten Zeilen des Protokolls, ohne Ordnernamen. In den Bericht einfügen.</translation>
-    </message>
-    <message>
         <source>No program to show folders was found. The log is %1.</source>
         <translation>Es wurde kein Programm gefunden, das Ordner zeigt. Das Protokoll ist %1.</translation>
     </message>
@@ -5431,6 +5435,18 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Step &amp;%1: %2</source>
         <translation>Schritt &amp;%1: %2</translation>
+    </message>
+    <message>
+        <source>Copied: versions, graphics, what is open and the last lines of the log, with your home folder as ~. Paste it into the report.</source>
+        <translation>Kopiert: Versionen, Grafik, was offen ist und die letzten Zeilen des Protokolls, mit dem eigenen Ordner als ~. In den Bericht einfügen.</translation>
+    </message>
+    <message>
+        <source>Solved: %1, %2, %3, %4 ms. %5</source>
+        <translation>Gelöst: %1, %2, %3, %4 ms. %5</translation>
+    </message>
+    <message>
+        <source>One session was not saved: %1</source>
+        <translation>Eine Sitzung wurde nicht gespeichert: %1</translation>
     </message>
 </context>
 <context>
@@ -5513,7 +5529,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Bend %1, twist %2, yaw %3</source>
-        <translation>Biegung %1, Verwindung %2, Drehung %3</translation>
+        <translation>Biegung %1, Verwindung %2, Gieren %3</translation>
     </message>
     <message>
         <source>Residual %1, predicted deviation %2</source>
@@ -5541,11 +5557,11 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Placed through its links: its own readings are not used</source>
-        <translation>Über ihre Verbindungen eingeordnet: Ihre eigenen Messwerte werden nicht benutzt</translation>
+        <translation>Über ihre Verbindungen verortet: Ihre eigenen Messwerte werden nicht benutzt</translation>
     </message>
     <message>
         <source>Placed by its own readings</source>
-        <translation>Durch eigene Messwerte eingeordnet</translation>
+        <translation>Durch eigene Messwerte verortet</translation>
     </message>
     <message>
         <source>At %1 mm from the origin</source>
@@ -5553,11 +5569,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Roll %1, pitch %2, yaw %3</source>
-        <translation>Roll %1, Nick %2, Gier %3</translation>
-    </message>
-    <message>
-        <source>Known to ±%1 mm, ±%2 (95 %)</source>
-        <translation>Bekannt auf ±%1 mm, ±%2 (95 %)</translation>
+        <translation>Rollen %1, Nicken %2, Gieren %3</translation>
     </message>
     <message>
         <source>How well it is known is not stated</source>
@@ -5574,6 +5586,26 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Cell %1</source>
         <translation>Zelle %1</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>no poses</source>
+        <translation>keine Posen</translation>
+    </message>
+    <message>
+        <source>1 pose</source>
+        <translation>1 Pose</translation>
+    </message>
+    <message>
+        <source>%1 poses</source>
+        <translation>%1 Posen</translation>
+    </message>
+    <message>
+        <source>Known to ±%1, ±%2 (95 %)</source>
+        <translation>Bekannt auf ±%1, ±%2 (95 %)</translation>
     </message>
 </context>
 <context>
@@ -5607,10 +5639,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Nach dem ersten Ergebnis ein Bild des Fensters speichern und beenden.</translation>
     </message>
     <message>
-        <source>Samples per pixel of the 3D view; 0 is fastest.</source>
-        <translation>Abtastungen je Bildpunkt der 3D-Ansicht; 0 ist am schnellsten.</translation>
-    </message>
-    <message>
         <source>One file at a time; see --help.</source>
         <translation>Nur eine Datei auf einmal; siehe --help.</translation>
     </message>
@@ -5625,10 +5653,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>--poses goes with --demo.</source>
         <translation>--poses gehört zu --demo.</translation>
-    </message>
-    <message>
-        <source>--msaa takes a number from 0 to 16.</source>
-        <translation>--msaa nimmt eine Zahl von 0 bis 16.</translation>
     </message>
     <message>
         <source>--theme takes light, dark or system.</source>

@@ -89,7 +89,13 @@ NeighborList trueTopology(const std::string& patch) {
   return cells;
 }
 
-/// The whole of what a host does, on any wire. The device is quicker than life, so that the part is soon there.
+// Quicker than life, so that the part is soon there, and with so few samples that no busy host misses one.
+std::vector<std::string> ringOn(std::vector<std::string> wire) {
+  wire.insert(wire.end(), {"--patch", "ring8", "--ideal", "--rate", "100", "--speed", "4"});
+  return wire;
+}
+
+/// The whole of what a host does, on any wire.
 void talk(const Emulator& emulator, std::size_t cells) {
   Host host(emulator.address);
   ASSERT_TRUE(host.waitForFrames(200));
@@ -101,7 +107,7 @@ void talk(const Emulator& emulator, std::size_t cells) {
     EXPECT_THAT(delivered.skins[0].device, HasSubstr("emulated"));
     for (std::size_t k = 1; k < 200; ++k) {
       EXPECT_THAT(delivered.frames[k].samples, SizeIs(cells));
-      EXPECT_NEAR(delivered.frames[k].time_s - delivered.frames[k - 1].time_s, 0.001, 1e-6);
+      EXPECT_NEAR(delivered.frames[k].time_s - delivered.frames[k - 1].time_s, 0.01, 1e-6);
     }
   }
 
@@ -123,26 +129,24 @@ void talk(const Emulator& emulator, std::size_t cells) {
 }
 
 TEST(Emulator, IsASkinOnTcp) {
-  const Emulator emulator({"--tcp", "0", "--patch", "ring8", "--ideal", "--speed", "4"});
+  const Emulator emulator(ringOn({"--tcp", "0"}));
   EXPECT_THAT(emulator.address, StartsWith("tcp://127.0.0.1:"));
   EXPECT_THAT(emulator.about, HasSubstr("8 cells"));
   talk(emulator, 8);
   talk(emulator, 8);  // one host after the other
 }
 
-TEST(Emulator, IsASkinOnTcpInLines) {
-  talk(Emulator({"--tcp", "0", "--json", "--patch", "ring8", "--ideal", "--speed", "4"}), 8);
-}
+TEST(Emulator, IsASkinOnTcpInLines) { talk(Emulator(ringOn({"--tcp", "0", "--json"})), 8); }
 
 TEST(Emulator, IsASkinOnUdp) {
-  const Emulator emulator({"--udp", "0", "--patch", "ring8", "--ideal", "--speed", "4"});
+  const Emulator emulator(ringOn({"--udp", "0"}));
   EXPECT_THAT(emulator.address, StartsWith("udp://127.0.0.1:"));
   talk(emulator, 8);
   talk(emulator, 8);
 }
 
 TEST(Emulator, IsASkinOnAPseudoTerminal) {
-  const Emulator emulator({"--pty", "--patch", "ring8", "--ideal", "--speed", "4"});
+  const Emulator emulator(ringOn({"--pty"}));
   EXPECT_THAT(emulator.address, StartsWith("serial:/dev/pts/"));
   talk(emulator, 8);
 }

@@ -183,6 +183,7 @@ TEST_F(WindowShellTest, AReportHoldsVersionsAndLinesAndNoHome) {
   EXPECT_FALSE(report.contains("line 20\n")) << "more than the last lines";
   EXPECT_FALSE(report.contains(QDir::homePath()));
   EXPECT_EQ(withoutHome("in " + secret, QDir::homePath()), "in ~/secret-project/arm.hexo");
+  EXPECT_EQ(withoutHome("in /home/me2/arm.hexo and /home/me", "/home/me"), "in /home/me2/arm.hexo and ~");
   EXPECT_EQ(withoutHome("in /x", "/"), "in /x");
 }
 

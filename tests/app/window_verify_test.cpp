@@ -61,7 +61,7 @@ TEST_F(WindowVerifyTest, HoldsAPoseOutAndSaysHowWellTheOthersForetellIt) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(3));
   ASSERT_NO_FATAL_FAILURE(showPanel());
   EXPECT_FALSE(inPanel<QPushButton>("holdOutRun")->isEnabled());
-  EXPECT_TRUE(sentence("holdOut").contains("there are 3")) << sentence("holdOut").toStdString();
+  EXPECT_TRUE(sentence("holdOut").contains("besides this one there are 2")) << sentence("holdOut").toStdString();
   for (std::size_t poses = 4; poses <= 6; ++poses) {
     ASSERT_NO_FATAL_FAILURE(takePose(poses));
   }
@@ -149,9 +149,15 @@ TEST_F(WindowVerifyTest, ComparesWithAnEarlierCalibrationAndSaysWhatIsWrongWithA
   QCoreApplication::processEvents();
   keepPicture(window_->picture(), "verify-dark");
 
-  emit panel().comparisonRequested(writeFile("broken.calibration.json", "{\"format\": "));
+  panel().compareWith(writeFile("broken.calibration.json", "{\"format\": "));
   ASSERT_TRUE(waitForSentence("comparison", "broken.calibration.json")) << sentence("comparison").toStdString();
   EXPECT_EQ(inPanel<QTableView>("comparisonTable")->model()->rowCount(), 0);
+  EXPECT_TRUE(drawn.empty());
+  ASSERT_TRUE(inPanel<QPushButton>("comparisonRemove")->isVisible());
+  inPanel<QPushButton>("comparisonRemove")->click();
+  EXPECT_EQ(sentence("comparison"), "");
+  ASSERT_NO_FATAL_FAILURE(takePose(5));
+  EXPECT_EQ(sentence("comparison"), "") << "the file that can't be read is not read again";
 }
 
 TEST_F(WindowVerifyTest, TheTableOfCellsPicksAndIsSavedAsItIsSorted) {
@@ -173,8 +179,8 @@ TEST_F(WindowVerifyTest, TheTableOfCellsPicksAndIsSavedAsItIsSorted) {
   ASSERT_NE(save, nullptr);
   save->trigger();
   const QString path = pathTo("cells.csv");
-  ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("saveTableDialog", path));
-  ASSERT_TRUE(waitForMessage("Saved to " + path)) << message().toStdString();
+  ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("saveDialog", path));
+  ASSERT_TRUE(waitForMessage("Exported to " + path)) << message().toStdString();
   QFile file(path);
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));
   EXPECT_TRUE(file.readLine().startsWith("Cell,Patch,X mm,"));

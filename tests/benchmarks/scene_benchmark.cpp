@@ -3,8 +3,8 @@
 //
 //   LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 1440x900x24" build/release/tests/benchmarks/scene_benchmark
 //
-// The window has the size of the view in a window of 1440 x 900. The column CPU is the time of all threads together: on
-// a busy computer it says more than the frames/s do.
+// README.md here has what came of it. The window has the size of the view in a window of 1440 x 900. The column CPU is
+// the time of all threads together: on a busy computer it says more than the frames/s do.
 
 #include "support/demo_reconstruction.h"
 #include "support/large_skin.h"

@@ -5,9 +5,11 @@
 #include <time.h>
 #include <unistd.h>
 
+#include <QDir>
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <iostream>
 #include <utility>
@@ -25,10 +27,10 @@ std::int64_t now_ns() {
       .count();
 }
 
-std::int64_t cpuOfThisThread_ns() {
+double clock_ms(clockid_t clock) {
   timespec time{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
+  ::clock_gettime(clock, &time);
+  return 1e3 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) / kNsPerMs;
 }
 
 void writeStack(int signal) {
@@ -52,13 +54,28 @@ void writeStackOn(int signal) {
 
 }  // namespace
 
+double Stall::alone_ms() const {
+  const double waiting_ms = wall_ms - cpu_ms - queue_ms;
+  const double elsewhere_ms = std::max(0.0, waiting_ms - drawing_ms - drawing_queue_ms);
+  return std::min(wall_ms, cpu_ms + drawing_ms + others_ms + elsewhere_ms);
+}
+
 Watchdog::Watchdog(double limit_ms, bool trace)
-    : limit_ms_(limit_ms), trace_(trace), last_beat_ns_(now_ns()), gui_thread_(::pthread_self()) {
+    : limit_ms_(limit_ms),
+      trace_(trace),
+      schedule_(QStringLiteral("/proc/thread-self/schedstat")),
+      last_beat_ns_(now_ns()),
+      gui_thread_(::pthread_self()) {
   // The first call loads a library, which a signal handler must not.
   void* frame = nullptr;
   ::backtrace(&frame, 1);
   for (const int signal : {SIGUSR1, SIGSEGV, SIGABRT, SIGFPE, SIGBUS}) writeStackOn(signal);
-  last_cpu_ns_ = cpuOfThisThread_ns();
+  // Where the kernel does not count, nothing is taken for a queue.
+  static_cast<void>(schedule_.open(QIODevice::ReadOnly | QIODevice::Unbuffered));
+  last_cpu_ms_ = clock_ms(CLOCK_THREAD_CPUTIME_ID);
+  last_process_ms_ = clock_ms(CLOCK_PROCESS_CPUTIME_ID);
+  last_queue_ms_ = turnsOf(schedule_).queue_ms;
+  findDrawingThreads();
   heart_.setTimerType(Qt::PreciseTimer);
   heart_.setInterval(kBeat_ms);
   connect(&heart_, &QTimer::timeout, this, &Watchdog::beat);
@@ -77,39 +94,77 @@ void Watchdog::setDoing(const QString& doing) {
   doing_for_thread_ = doing;
 }
 
+Watchdog::Turns Watchdog::turnsOf(const QFile& schedule) {
+  // Three figures: time on a processor, time in the queue for one, turns.
+  char line[96] = {};
+  long long cpu_ns = 0;
+  long long queue_ns = 0;
+  if (schedule.handle() < 0 || ::pread(schedule.handle(), line, sizeof(line) - 1, 0) <= 0 ||
+      std::sscanf(line, "%lld %lld", &cpu_ns, &queue_ns) != 2) {
+    return {};
+  }
+  return {static_cast<double>(cpu_ns) / kNsPerMs, static_cast<double>(queue_ns) / kNsPerMs};
+}
+
+void Watchdog::findDrawingThreads() {
+  for (const QString& id : QDir(QStringLiteral("/proc/self/task")).entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
+    QFile name(QStringLiteral("/proc/self/task/%1/comm").arg(id));
+    if (!name.open(QIODevice::ReadOnly) || !name.readAll().contains("llvmpipe")) continue;
+    auto schedule = std::make_unique<QFile>(QStringLiteral("/proc/self/task/%1/schedstat").arg(id));
+    if (!schedule->open(QIODevice::ReadOnly | QIODevice::Unbuffered)) continue;
+    last_drawing_.push_back(turnsOf(*schedule));
+    drawing_schedules_.push_back(std::move(schedule));
+  }
+}
+
 void Watchdog::beat() {
   const std::int64_t now = now_ns();
-  const std::int64_t cpu = cpuOfThisThread_ns();
-  const std::int64_t load = load_ns_;
+  const double cpu_ms = clock_ms(CLOCK_THREAD_CPUTIME_ID);
+  const double process_ms = clock_ms(CLOCK_PROCESS_CPUTIME_ID);
+  const double queue_ms = turnsOf(schedule_).queue_ms;
   Stall stall;
   stall.wall_ms = static_cast<double>(now - last_beat_ns_) / kNsPerMs - kBeat_ms;
-  stall.cpu_ms = static_cast<double>(cpu - last_cpu_ns_) / kNsPerMs;
-  stall.load_ms = static_cast<double>(load - last_load_ns_) / kNsPerMs;
+  stall.cpu_ms = cpu_ms - last_cpu_ms_;
+  stall.queue_ms = queue_ms - last_queue_ms_;
+  stall.others_ms = process_ms - last_process_ms_ - stall.cpu_ms;
+  double busiest_ms = 0;
+  for (std::size_t k = 0; k < drawing_schedules_.size(); ++k) {
+    const Turns turns = turnsOf(*drawing_schedules_[k]);
+    const double computed_ms = turns.cpu_ms - last_drawing_[k].cpu_ms;
+    const double queued_ms = turns.queue_ms - last_drawing_[k].queue_ms;
+    stall.others_ms -= computed_ms;
+    stall.drawing_ms = std::max(stall.drawing_ms, computed_ms);
+    busiest_ms = std::max(busiest_ms, computed_ms + queued_ms);
+    last_drawing_[k] = turns;
+  }
+  stall.drawing_queue_ms = busiest_ms - stall.drawing_ms;
+  stall.others_ms = std::max(0.0, stall.others_ms);
   stall.doing = doing_before_.isEmpty() ? doing_ : doing_before_ + QStringLiteral(", then ") + doing_;
   if (stall.wall_ms > worst_.wall_ms) worst_ = stall;
   if (stall.wall_ms > limit_ms_) stalls_.push_back(stall);
   ++beats_;
   last_beat_ns_ = now;
-  last_cpu_ns_ = cpu;
-  last_load_ns_ = load;
+  last_cpu_ms_ = cpu_ms;
+  last_process_ms_ = process_ms;
+  last_queue_ms_ = queue_ms;
 }
 
 void Watchdog::watch() {
-  std::int64_t reported_beat = 0;
+  std::int64_t traced_beat = 0;
+  double next_trace_ms = 0;
   while (!ending_) {
-    const std::int64_t before = now_ns();
     std::this_thread::sleep_for(kGlance);
-    const std::int64_t now = now_ns();
-    const std::int64_t late =
-        now - before - std::chrono::duration_cast<std::chrono::nanoseconds>(kGlance).count() - 1'000'000;
-    if (late > 0) load_ns_ += late;
     const std::int64_t beat = last_beat_ns_;
-    const double silent_ms = static_cast<double>(now - beat) / kNsPerMs;
-    if (trace_ && silent_ms > limit_ms_ + kBeat_ms && beat != reported_beat) {
-      reported_beat = beat;
+    const double silent_ms = static_cast<double>(now_ns() - beat) / kNsPerMs;
+    if (beat != traced_beat) {
+      traced_beat = beat;
+      next_trace_ms = limit_ms_ / 2;
+    }
+    if (trace_ && silent_ms > next_trace_ms) {
+      next_trace_ms = silent_ms + limit_ms_ / 4;
       {
         const std::lock_guard lock(doing_mutex_);
-        std::cerr << "--- doing: " << doing_for_thread_.toStdString() << std::endl;
+        std::cerr << "--- after " << silent_ms << " ms, doing: " << doing_for_thread_.toStdString() << std::endl;
       }
       ::pthread_kill(gui_thread_, SIGUSR1);
     }

@@ -1,22 +1,32 @@
 #pragma once
 
+#include <QFile>
 #include <QObject>
 #include <QString>
 #include <QTimer>
 #include <atomic>
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <thread>
 #include <vector>
 
 namespace hexoderm::test {
 
-/// A time in which the GUI thread took no events.
+/// A time in which the GUI thread took no events, and what went on in it as the kernel counts it.
 struct Stall {
   double wall_ms = 0;
-  double cpu_ms = 0;   ///< that the GUI thread computed in it
-  double load_ms = 0;  ///< for which not even a sleeping thread of this process got its turn: the machine was busy
+  double cpu_ms = 0;            ///< that the GUI thread computed
+  double queue_ms = 0;          ///< that it was ready to but had no processor
+  double drawing_ms = 0;        ///< that a thread that draws in software OpenGL computed, at most
+  double drawing_queue_ms = 0;  ///< by how much longer one was at it, for want of a processor
+  double others_ms = 0;         ///< that all other threads of this process computed
   QString doing;
+
+  /// How long it would have been at most, were there nothing else on the machine: what was computed one after another
+  /// (only the threads that draw work side by side), and the time in which the GUI thread waited for anything but them,
+  /// such as the display or a disk. Only what other programs made of it is left out.
+  [[nodiscard]] double alone_ms() const;
 };
 
 /// Measures how long the event loop is busy with anything at a time: a heartbeat every 5 ms on the GUI thread, and a
@@ -24,7 +34,8 @@ struct Stall {
 class Watchdog : public QObject {
  public:
   /// A heartbeat that is later than `limit_ms` is a stall. `trace`: writes the GUI thread's stack to stderr while it
-  /// stalls. A loop that hangs for half a minute ends the process; so does a crash, which writes the stack too.
+  /// stalls, from half of the limit on, again and again. A loop that hangs for half a minute ends the process; so does
+  /// a crash, which writes the stack too.
   Watchdog(double limit_ms, bool trace);
   ~Watchdog() override;
 
@@ -32,25 +43,36 @@ class Watchdog : public QObject {
   void setDoing(const QString& doing);
 
   [[nodiscard]] const std::vector<Stall>& stalls() const { return stalls_; }
-  [[nodiscard]] const Stall& worst() const { return worst_; }
+  [[nodiscard]] const Stall& worst() const { return worst_; }  ///< of those and of the shorter ones
   [[nodiscard]] std::uint64_t beats() const { return beats_; }
 
  private:
   void beat();
   void watch();
 
+  /// Of one thread since it began.
+  struct Turns {
+    double cpu_ms = 0;
+    double queue_ms = 0;
+  };
+  static Turns turnsOf(const QFile& schedule);
+  void findDrawingThreads();
+
   double limit_ms_;
   bool trace_;
   QTimer heart_;
-  std::int64_t last_cpu_ns_ = 0;
-  std::int64_t last_load_ns_ = 0;
+  QFile schedule_;
+  std::vector<std::unique_ptr<QFile>> drawing_schedules_;
+  double last_cpu_ms_ = 0;
+  double last_process_ms_ = 0;
+  double last_queue_ms_ = 0;
+  std::vector<Turns> last_drawing_;
   std::uint64_t beats_ = 0;
   std::vector<Stall> stalls_;
   Stall worst_;
   QString doing_;
   QString doing_before_;
   std::atomic<std::int64_t> last_beat_ns_;
-  std::atomic<std::int64_t> load_ns_{0};
   std::atomic<bool> ending_{false};
   std::mutex doing_mutex_;
   QString doing_for_thread_;

@@ -4,6 +4,7 @@
 #include "widgets/action_button.h"
 #include "widgets/capture_words.h"
 #include "widgets/hold_ring.h"
+#include "widgets/live_strip.h"
 #include "widgets/toggle_switch.h"
 
 #include <gtest/gtest.h>
@@ -63,6 +64,23 @@ class CapturePanelTest : public testing::Test {
   QAction turn{QStringLiteral("Turn the part for me")};
   CapturePanel panel{{&automatic, &capture, &skip, &turn}};
 };
+
+TEST(LiveStrip, NamesWhatWasLostAndNothingWhereNothingWas) {
+  SourceStatus status;
+  status.frames = 17230;
+  HoldStatus hold;
+  EXPECT_EQ(lossesInWords(status, hold), "");
+  EXPECT_EQ(countersInWords(status, hold), "17,230 frames · 0 lost · 0 late");
+  status.lost_samples = 1;
+  EXPECT_EQ(lossesInWords(status, hold), "1 sample lost");
+  status.lost_samples = 12;
+  EXPECT_EQ(lossesInWords(status, hold), "12 samples lost");
+  status.late_frames = 1;
+  hold.late_frames = 2;
+  status.dropped_by_device = 40;
+  EXPECT_EQ(lossesInWords(status, hold), "12 samples lost · 3 frames late · 40 samples dropped by the device");
+  EXPECT_EQ(countersInWords(status, hold), "17,230 frames · 12 lost · 3 late · 40 dropped by the device");
+}
 
 TEST_F(CapturePanelTest, WithoutASkinItSaysSoAndTheRingIsAway) {
   show();

@@ -203,11 +203,14 @@ TEST_F(GraphColorsTest, TheToolTipOfACellHasAllItsFigures) {
   show(result);
   const std::string text = toolTipAt(cell(13));
   for (const char* part :
-       {"Cell 13", "Patch 1", "On fore&lt;arm&gt;", "Placed by its own readings", "At 12.3, −4.0, 0.0 mm",
+       {"Cell 13", "Patch 1", "On fore&lt;arm&gt;", "Placed by its own readings", "At 12.3; −4.0; 0.0 mm",
         "Roll 5.7°, pitch −11.5°, yaw 17.2°", "Known to ±0.2 mm", "Path from the origin: 1 → 5 → 9 → 13 (3 links)",
-        "Accelerometer offset 61, −12, 0 mg", "Accelerometer scale 1.010, 0.980, 1.000"}) {
+        "Accelerometer offset 61; −12; 0 mg", "Accelerometer scale 1.010; 0.980; 1.000"}) {
     EXPECT_THAT(text, testing::HasSubstr(part));
   }
+  QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+  EXPECT_THAT(toolTipAt(cell(13)), testing::HasSubstr("12,3; −4,0; 0,0 mm"));
+  QLocale::setDefault(QLocale::c());
   for (std::uint32_t id = 20; id < 40; ++id) placement.path.insert(placement.path.end() - 1, CellId(id));
   EXPECT_THAT(toolTipAt(cell(13)), testing::HasSubstr("1 → 5 → 9 → 20 → … → 37 → 38 → 39 → 13 (23 links)"));
   QToolTip::hideText();

@@ -2,6 +2,10 @@
 
 #include "qt_test.h"
 
+#include <Eigen/Core>
+#include <QImage>
+#include <QLineF>
+#include <QPainter>
 #include <QRegularExpression>
 #include <QWidget>
 
@@ -69,6 +73,68 @@ TEST_P(PaletteOfTheme, MarksAndStrokesStandOutFromTheirGround) {
        {EdgeQuality::Undefined, EdgeQuality::Partially, EdgeQuality::Fully, EdgeQuality::Over}) {
     EXPECT_GE(contrast(linkStroke(quality, GetParam()).color, colors_.panel), 3) << qualityName(quality);
   }
+}
+
+/// CIE L*a*b* of what an eye without one of the three cones sees (Machado, Oliveira, Fernandes 2009); none: as it is.
+Eigen::Vector3d seen(const QColor& color, const Eigen::Matrix3d& cones) {
+  const auto linear = [](double value) {
+    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+  };
+  Eigen::Matrix3d xyz;
+  xyz << 0.4124, 0.3576, 0.1805, 0.2126, 0.7152, 0.0722, 0.0193, 0.1192, 0.9505;
+  const Eigen::Vector3d rgb =
+      (cones * Eigen::Vector3d(linear(color.redF()), linear(color.greenF()), linear(color.blueF())))
+          .cwiseMax(0)
+          .cwiseMin(1);
+  const Eigen::Vector3d f = (xyz * rgb).cwiseQuotient(Eigen::Vector3d(0.9505, 1, 1.0888)).unaryExpr([](double t) {
+    return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116;
+  });
+  return {116 * f.y() - 16, 500 * (f.x() - f.y()), 200 * (f.y() - f.z())};
+}
+
+TEST_P(PaletteOfTheme, AxesAreToldApartByEveryEye) {
+  Eigen::Matrix3d no_red, no_green, no_blue;
+  no_red << 0.152286, 1.052583, -0.204868, 0.114503, 0.786281, 0.099216, -0.003882, -0.048116, 1.051998;
+  no_green << 0.367322, 0.860646, -0.227968, 0.280085, 0.672501, 0.047413, -0.011820, 0.042940, 0.968881;
+  no_blue << 1.255528, -0.076749, -0.178779, -0.078411, 0.930809, 0.147602, 0.004733, 0.691367, 0.303900;
+  for (const Eigen::Matrix3d& cones : {Eigen::Matrix3d(Eigen::Matrix3d::Identity()), no_red, no_green, no_blue}) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double apart = (seen(colors_.axis.at(k), cones) - seen(colors_.axis.at((k + 1) % 3), cones)).norm();
+      EXPECT_GE(apart, 20) << "a difference of 2 is just seen; axis " << k;
+    }
+  }
+  for (const QColor& axis : colors_.axis) {
+    for (const QColor& ground : {colors_.panel, colors_.scene_top, colors_.scene_bottom}) {
+      EXPECT_GE(contrast(axis, ground), 3);
+    }
+  }
+}
+
+TEST_P(PaletteOfTheme, TextOnAnyColourHasTheLargerContrast) {
+  for (int k = 0; k <= 100; ++k) {
+    const QColor ground = viridis(k / 100.0);
+    EXPECT_GE(contrast(textOn(ground), ground), 4.5) << k;
+  }
+}
+
+TEST_P(PaletteOfTheme, AStrokeLooksTheSameWhereverItIsDrawn) {
+  const auto inked = [&](EdgeQuality quality) {
+    QImage image(52, 12, QImage::Format_RGB32);
+    image.fill(colors_.panel);
+    QPainter painter(&image);
+    drawStroke(painter, linkStroke(quality, GetParam()), QLineF(0, 6, 52, 6), 4);
+    painter.end();
+    std::array<int, 2> count{};  // on the middle line, and above it
+    for (int x = 0; x < image.width(); ++x) {
+      count[0] += image.pixelColor(x, 5) != colors_.panel ? 1 : 0;
+      count[1] += image.pixelColor(x, 3) != colors_.panel ? 1 : 0;
+    }
+    return count;
+  };
+  EXPECT_EQ(inked(EdgeQuality::Fully), (std::array{52, 0}));
+  EXPECT_EQ(inked(EdgeQuality::Over), (std::array{0, 52})) << "two lines";
+  EXPECT_NEAR(inked(EdgeQuality::Partially)[0], 52 * 2.6 / 3.9, 6);
+  EXPECT_NEAR(inked(EdgeQuality::Undefined)[0], 52 * 1.0 / 2.2, 6);
 }
 
 TEST_P(PaletteOfTheme, StrokesDifferInStyleAndWordNotOnlyInHue) {

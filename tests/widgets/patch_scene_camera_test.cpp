@@ -1,6 +1,14 @@
 // From where the scene is seen, and what lies under a pixel.
 #include "patch_scene_test.h"
 
+#include <vtkActor.h>
+#include <vtkActorCollection.h>
+#include <vtkDataSet.h>
+#include <vtkMapper.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 namespace hexoderm {
 namespace {
 
@@ -24,6 +32,64 @@ TEST_F(PatchSceneTest, LargeSkinShowsShadedCellsFromBehindAndCanBePickedThere) {
   for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(behind.at(k), 0.70 * front.at(k), 6) << k;
   const auto [x, y] = pixelOf(sheet, middle);
   EXPECT_EQ(scene.pick(x, y), middle);
+}
+
+TEST_F(PatchSceneTest, CellsOfAPixelAreDrawnAsBricksThatLookTheSame) {
+  const auto sheet = shared(sheetReconstruction(300, 220));
+  const auto content = makeSceneContent(sheet);
+  // As large as hexagons, in their places.
+  ASSERT_EQ(content->bricks->GetNumberOfPoints(), 4 * 300 * 220);
+  const double side_m = sheet->model->side_m;
+  for (const vtkIdType cell : {0, 12345, 65999}) {
+    std::array<Eigen::Vector3d, 4> corner;
+    for (vtkIdType k = 0; k < 4; ++k)
+      content->bricks->GetPoint(4 * cell + k, corner.at(static_cast<std::size_t>(k)).data());
+    EXPECT_NEAR((corner[1] - corner[0]).cross(corner[3] - corner[0]).norm() / (1.5 * std::sqrt(3) * side_m * side_m), 1,
+                0.02);
+    const Eigen::Vector3d middle = 0.25 * (corner[0] + corner[1] + corner[2] + corner[3]);
+    EXPECT_LT((middle - content->layout.cells[static_cast<std::size_t>(cell)].T_s_u.t).norm(), 0.05 * side_m);
+  }
+
+  const auto pointsDrawn = [&] {
+    vtkIdType most = 0;
+    vtkActorCollection* actors = scene.renderer()->GetActors();
+    actors->InitTraversal();
+    while (vtkActor* actor = actors->GetNextActor()) {
+      if (actor->GetVisibility() != 0) most = std::max(most, actor->GetMapper()->GetInput()->GetNumberOfPoints());
+    }
+    return most;
+  };
+  const auto middleOf = [](vtkImageData* image) {
+    double sum = 0;
+    for (int y = kHeight / 2 - 30; y < kHeight / 2 + 30; ++y) {
+      for (int x = kWidth / 2 - 30; x < kWidth / 2 + 30; ++x) {
+        sum += static_cast<const unsigned char*>(image->GetScalarPointer(x, y, 0))[1];
+      }
+    }
+    return sum / 3600;
+  };
+  scene.setContent(content);
+  scene.setSmoothed(false);
+  scene.showStandardView(PatchScene::View::Front);
+  const double far = middleOf(picture());
+  EXPECT_EQ(pointsDrawn(), 4 * 300 * 220);
+  vtkCamera* camera = scene.renderer()->GetActiveCamera();
+  camera->Dolly(40);
+  const double near = middleOf(picture());
+  EXPECT_EQ(pointsDrawn(), 6 * 300 * 220);
+  EXPECT_NEAR(far, near, 12);
+  // Colours reach what is drawn, whichever it is.
+  scene.setColoring(CellColoring::Patch);
+  const double recoloured = middleOf(picture());
+  camera->Dolly(1.0 / 40);
+  EXPECT_NEAR(middleOf(picture()), recoloured, 12);
+  EXPECT_GT(std::abs(recoloured - near), 12);
+  scene.setParallel(true);
+  picture();
+  EXPECT_EQ(pointsDrawn(), 4 * 300 * 220);
+  camera->Zoom(40);
+  picture();
+  EXPECT_EQ(pointsDrawn(), 6 * 300 * 220);
 }
 
 TEST_F(PatchSceneTest, ParallelProjectionKeepsTheSizeAndFits) {
@@ -115,6 +181,28 @@ TEST_F(PatchSceneTest, FitsAgainWhenCellsComeOrGo) {
   scene.setReconstruction(shared(demoReconstruction(options)));
   window->Render();
   EXPECT_NE(cameraPosition(), before);
+}
+
+TEST_F(PatchSceneTest, FitsAgainWhenThePatchLeavesThePicture) {
+  const Reconstruction demo = demoReconstruction();
+  const auto movedBy = [&demo](double up_m) {
+    Reconstruction moved = demo;
+    for (CellPlacement& cell : moved.patches[0].cells) cell.T_o_u.t.y() += up_m;
+    return shared(std::move(moved));
+  };
+  for (const bool parallel : {false, true}) {
+    scene.setParallel(parallel);
+    scene.setReconstruction(movedBy(0));
+    scene.showStandardView(PatchScene::View::Front);
+    window->Render();
+    const auto fitted = cameraPosition();
+    scene.setReconstruction(movedBy(0.001));
+    window->Render();
+    EXPECT_EQ(cameraPosition(), fitted) << "it would jump with every pose";
+    scene.setReconstruction(movedBy(0.05));
+    window->Render();
+    EXPECT_NEAR(cameraPosition().at(1), fitted.at(1) + 0.05, 1e-9);
+  }
 }
 
 TEST_F(PatchSceneTest, FitsAgainInAResizedWindowUntilTheCameraIsMoved) {

@@ -42,6 +42,7 @@ inline SceneColors testColors(bool dark) {
   colors.text = dark ? Rgb{0.9, 0.92, 0.93} : Rgb{0.11, 0.14, 0.17};
   colors.overlay = {0.37, 0.7, 0.91};
   colors.difference = {1.0, 0.87, 0.24};
+  colors.axis = {{{0.85, 0.31, 0.29}, {0.22, 0.63, 0.33}, {0.27, 0.48, 0.90}}};
   colors.ellipsoid = dark ? Rgb{1, 1, 1} : Rgb{0.11, 0.14, 0.17};
   return colors;
 }

@@ -143,8 +143,6 @@ TEST_F(ResidualViewTest, ColoursCanBeReadAndAreTheSameForEverySkin) {
   EXPECT_EQ(residualColor(0), viridis(0));
   EXPECT_EQ(residualColor(2), viridis(1));
   EXPECT_EQ(residualColor(30), viridis(1));
-  EXPECT_EQ(textColorOn(viridis(0)), QColor(Qt::white));
-  EXPECT_EQ(textColorOn(viridis(1)), QColor(Qt::black));
 }
 
 TEST_F(ResidualViewTest, LargeSkinsAreShownAtOnce) {

@@ -79,6 +79,8 @@ class VerifyPanelTest : public testing::Test {
   std::shared_ptr<Reconstruction> skin() {
     auto reconstruction = sampleX17();
     reconstruction->verdict.position_95_m = 0.0012;
+    reconstruction->poses.push_back(reconstruction->poses.front());
+    reconstruction->poses.back().pose = PoseId(5);
     return reconstruction;
   }
   std::string sentence(const char* section) {
@@ -108,11 +110,18 @@ TEST_F(VerifyPanelTest, SaysWhyAPoseCannotBeHeldOut) {
   panel_->setReconstruction(skin(), false);
   EXPECT_FALSE(run->isEnabled());
   EXPECT_THAT(sentence("holdOut"), testing::HasSubstr("A calibration file holds no readings"));
-  auto three = skin();
-  three->poses.pop_back();
-  panel_->setReconstruction(three, true);
+  // Of four poses one is disabled: it can be foretold by the three others, and none of these by two.
+  auto four = skin();
+  four->poses.pop_back();
+  panel_->setReconstruction(four, true);
   EXPECT_FALSE(run->isEnabled());
-  EXPECT_THAT(sentence("holdOut"), testing::HasSubstr("there are 3"));
+  EXPECT_THAT(sentence("holdOut"), testing::HasSubstr("besides this one there are 2"));
+  auto* pose = find<QComboBox>("holdOutPose");
+  ASSERT_TRUE(pose->isEnabled()) << "another one may do";
+  pose->setFocus();
+  QTest::keyClick(pose, Qt::Key_Up);
+  EXPECT_EQ(pose->currentData().toUInt(), 3U);
+  EXPECT_TRUE(run->isEnabled());
   panel_->setReconstruction(skin(), true);
   EXPECT_TRUE(run->isEnabled());
 }
@@ -135,7 +144,20 @@ TEST_F(VerifyPanelTest, HoldOutHasAVerdictAndFiguresThatPick) {
   panel_->showHoldOut(heldOut(HoldOutAgreement::AsStated, 0.4));
   EXPECT_EQ(sentence("holdOut"),
             "As good as stated. The other 5 poses foretell pose 3 to 0.40° (rms over 17 cells); 0.50° were expected.");
+  HoldOutResult coarse = heldOut(HoldOutAgreement::AsStated, 0.4);
+  coarse.detectable_rad = 5 * kDegree;
+  coarse.coarse = true;
+  panel_->showHoldOut(coarse);
+  EXPECT_THAT(sentence("holdOut"), testing::StartsWith("As good as stated, but a coarse check"));
+  EXPECT_THAT(sentence("holdOut"), testing::HasSubstr("bent by less than about 5.00° would not show"));
+  HoldOutResult turned = heldOut(HoldOutAgreement::FarWorse, 0.4);
+  turned.turning_rad_s2 = 10;
+  turned.turned = true;
+  turned.expected_turning_rad_s2 = 1.7;
+  panel_->showHoldOut(turned);
+  EXPECT_THAT(sentence("holdOut"), testing::HasSubstr("turned while it was read: 10.0 rad/s², of a still hand 1.7"));
   panel_->showHoldOut(heldOut(HoldOutAgreement::FarWorse, 2));
+  EXPECT_THAT(sentence("holdOut"), testing::Not(testing::HasSubstr("turned")));
   EXPECT_THAT(sentence("holdOut"), testing::StartsWith("Far worse than stated"));
   EXPECT_THAT(sentence("holdOut"), testing::HasSubstr("Worst: cell 8, 6.00°."));
   auto* table = find<QTableView>("holdOutTable");
@@ -262,6 +284,41 @@ TEST_F(VerifyPanelTest, ComparisonSaysWhetherItRepeatsAsStated) {
   EXPECT_EQ(find<QTableView>("comparisonTable")->model()->rowCount(), 16);
   panel_->showComparison({}, "other.calibration.json");
   EXPECT_EQ(sentence("comparison"), "other.calibration.json has no cell in common with this calibration.");
+}
+
+TEST_F(VerifyPanelTest, AChosenFileCanBeRemovedAlthoughItCannotBeRead) {
+  panel_->setReconstruction(skin(), true);
+  auto* remove = find<QPushButton>("comparisonRemove");
+  EXPECT_FALSE(remove->isVisible());
+  panel_->compareWith("/no/such.hexo");
+  panel_->showFailure(VerifyCheck::Comparison, "It can't be read.");
+  ASSERT_TRUE(remove->isVisible());
+  int dropped = 0;
+  QObject::connect(panel_, &VerifyPanel::comparisonDropped, [&] { ++dropped; });
+  QTest::mouseClick(remove, Qt::LeftButton);
+  EXPECT_EQ(dropped, 1);
+  EXPECT_EQ(sentence("comparison"), "");
+  EXPECT_FALSE(remove->isVisible());
+}
+
+TEST_F(VerifyPanelTest, WhatFailsTakesItsEarlierResultOutOfTheOtherViews) {
+  panel_->setReconstruction(skin(), true);
+  std::optional<SurfaceEvaluation> surface;
+  std::optional<LoopEvaluation> shown_loop;
+  std::vector<Comparison> comparisons;
+  QObject::connect(panel_, &VerifyPanel::surfaceShown, [&](const auto& shown) { surface = shown; });
+  QObject::connect(panel_, &VerifyPanel::loopShown, [&](const auto& shown) { shown_loop = shown; });
+  QObject::connect(panel_, &VerifyPanel::comparisonShown, [&](const auto& shown) { comparisons = shown; });
+  panel_->showSurfaces({cylinder()}, {});
+  panel_->showLoops({loop(false, 0.01)});
+  panel_->showComparison({Comparison{}}, "earlier.hexo");
+  ASSERT_TRUE(surface && shown_loop && comparisons.size() == 1);
+  panel_->showFailure(VerifyCheck::Surface, "No.");
+  panel_->showFailure(VerifyCheck::Loops, "No.");
+  panel_->showFailure(VerifyCheck::Comparison, "No.");
+  EXPECT_FALSE(surface);
+  EXPECT_FALSE(shown_loop);
+  EXPECT_TRUE(comparisons.empty());
 }
 
 TEST_F(VerifyPanelTest, FitsTheColumnOfStepsInBothThemes) {

@@ -433,12 +433,17 @@ TEST(PoseRecorder, PoolsMeansThatTheDeviceMadeByTheirCounts) {
 TEST(PoseRecorder, ShowsThePresentReadingsAtMostTwentyTimesASecond) {
   SyntheticStream stream(cells(3));
   stream.hold(3);
+  stream.frames[10].temperatures.push_back({CellId(2), 31.5});
+  stream.frames[1000].temperatures.push_back({CellId(2), 32.5});
   Captures captures;
   PoseRecorder recorder(captures);
   feed(recorder, stream.frames);
   EXPECT_NEAR(static_cast<double>(captures.previews.size()), 59, 1);
   EXPECT_EQ(captures.holds.size(), captures.previews.size());
   const SkinPreview& preview = captures.previews.back();
+  ASSERT_THAT(preview.temperatures, SizeIs(1));
+  EXPECT_EQ(preview.temperatures[0].cell, CellId(2));
+  EXPECT_EQ(preview.temperatures[0].temperature_c, 32.5) << "the last one said";
   const PoseCapture recent =
       averageFrames(between(stream.frames, preview.time_s - 0.1005, preview.time_s - 0.0005), PoseId(1), "");
   ASSERT_THAT(preview.means, SizeIs(3));

@@ -194,6 +194,22 @@ TEST(SimulatedHand, Drifts) {
   EXPECT_GT(largest, 0.45);
 }
 
+TEST(SimulatedHand, HeldForLongIsStillTheSamePose) {
+  SimulatedSkinOptions options = onlyHand();
+  options.hand_orientation_sigma_rad = 0;
+  options.tremor_angle_sigma_rad = 0;
+  options.tremor_acceleration_g = 0;
+  SimulatedSkin skin(kModel, options);
+  skin.record(kUp, 1);
+  const std::vector<SampleFrame> half_a_minute = skin.record(kUp, 30'000);
+  double largest = 0;
+  for (std::size_t k = 0; k < half_a_minute.size(); k += 100) {
+    largest = std::max(largest, toDegrees(angleBetween(upSeen(skin, {half_a_minute[k]}), kUp)));
+  }
+  EXPECT_GT(largest, 0.7);
+  EXPECT_LT(largest, 1.501) << "drift that never comes back would be 15 degrees";
+}
+
 TEST(SimulatedHand, TremorShakesAllCellsAlike) {
   SimulatedSkinOptions options = onlyHand();
   options.hand_orientation_sigma_rad = 0;

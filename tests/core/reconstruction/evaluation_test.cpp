@@ -140,6 +140,34 @@ TEST(Evaluation, NineteenOfTwentyWithinWhatWasStatedAreEnough) {
   EXPECT_FALSE(countWithinStated({}).holds()) << "nothing stated is no statement";
 }
 
+TEST(Evaluation, ComparisonsAreSummarisedCellByCell) {
+  Comparison large;
+  large.cells.resize(3);
+  large.position_rms_m = 0.002;
+  large.orientation_rms_rad = 0.02;
+  Comparison small;
+  small.cells.resize(1);
+  small.position_rms_m = 0.004;
+  small.cells[0].sigma_t_m = 0.001;
+  small.cells[0].sigma_r_rad = 0.01;
+  const ComparisonSummary summary = summariseComparisons({large, small});
+  EXPECT_EQ(summary.cells, 4U);
+  EXPECT_NEAR(summary.position_rms_m, std::sqrt((3 * 4.0 + 16.0) / 4) * 1e-3, 1e-12);
+  EXPECT_NEAR(summary.orientation_rms_rad, 0.02 * std::sqrt(0.75), 1e-12);
+  EXPECT_EQ(summary.within.stated, 1U);
+  EXPECT_EQ(summariseComparisons({}).position_rms_m, 0);
+}
+
+TEST(Evaluation, ASurfaceIsJudgedByItsFurthestCellOnEitherSide) {
+  SurfaceEvaluation surface;
+  surface.distance_m = {0.0004, -0.0012, 0.0011};
+  EXPECT_EQ(surface.furthest(), 1U);
+  EXPECT_TRUE(surface.liesWithin(0.0012));
+  EXPECT_FALSE(surface.liesWithin(0.0011));
+  EXPECT_TRUE(isRemarkable(-0.0012, 0.00039));
+  EXPECT_FALSE(isRemarkable(-0.0012, 0.0005));
+}
+
 TEST(Evaluation, ReconstructionsComparePatchByPatch) {
   const auto a = solved(bentX17());
   const auto b = solved(bentX17(), 6);

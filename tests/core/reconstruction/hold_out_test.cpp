@@ -9,6 +9,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace hexoderm {
 namespace {
@@ -27,14 +31,13 @@ Session simulated(const std::string& patch, std::uint64_t seed, std::size_t pose
   return simulateSession(skin, poses);
 }
 
-/// The session with one reading of one pose turned about the cell's z.
-Session withReadingTurned(const Session& session, std::size_t pose, CellId cell, double angle_rad) {
+/// The session with the readings of one pose changed.
+template <typename Change>
+Session withReadings(const Session& session, std::size_t pose, const Change& change) {
   Session result(session.model(), session.neighbors());
   for (std::size_t k = 0; k < session.poses().size(); ++k) {
     PoseCapture capture = *session.poses()[k].capture;
-    for (GravitySample& sample : capture.samples) {
-      if (k == pose && sample.cell == cell) sample.mean_g = expSO3({angle_rad, 0, angle_rad}) * sample.mean_g;
-    }
+    if (k == pose) std::ranges::for_each(capture.samples, change);
     result.addPose({std::make_shared<const PoseCapture>(std::move(capture)), session.poses()[k].disabled});
   }
   return result;
@@ -47,43 +50,89 @@ TEST(HoldOut, ExactReadingsAreForetoldExactly) {
   EXPECT_EQ(result.other_poses, 5U);
   ASSERT_THAT(result.cells, SizeIs(17));
   EXPECT_THAT(result.links, SizeIs(16));
-  EXPECT_EQ(result.degrees_of_freedom, 32U);
   // Priors pull a little.
   EXPECT_THAT(result.cells, Each(Field(&HoldOutCell::error_rad, Lt(0.02 * kDegree))));
   EXPECT_EQ(result.agreement, HoldOutAgreement::AsStated);
   EXPECT_GT(result.expected_rms_rad, 0.05 * kDegree) << "what is stated does not know that nothing is wrong";
 }
 
-TEST(HoldOut, ErrorsAreAsLargeAsExpectedInTheMeanOverSeeds) {
-  // Of hand-held skins with uncalibrated sensors, for three to seven other poses: the mean of the squares, in units of
-  // what is expected. A hand's tremor moves all cells alike, and each is granted it, so with many poses less is seen
-  // than expected, most of all between neighbours.
-  for (const std::size_t poses : {4U, 6U, 8U}) {
-    double squares = 0;
-    double expected = 0;
-    double link_squares = 0;
-    double link_expected = 0;
-    for (std::uint64_t seed = 1; seed <= 25; ++seed) {
-      const Session session = simulated("x17", seed, poses);
-      const HoldOutResult result = evaluateHoldOut(*session.snapshot(), PoseId(static_cast<std::uint32_t>(poses)));
-      ASSERT_EQ(result.outcome, HoldOutOutcome::Evaluated);
-      squares += result.rms_rad * result.rms_rad;
-      expected += result.expected_rms_rad * result.expected_rms_rad;
-      for (const HoldOutLink& link : result.links) {
-        link_squares += link.error_rad * link.error_rad;
-        link_expected += link.expected_rad * link.expected_rad;
-      }
-    }
-    RecordProperty("nees_" + std::to_string(poses), std::to_string(squares / expected));
-    EXPECT_GT(squares / expected, 0.35) << poses << " poses";
-    EXPECT_LT(squares / expected, 1.6) << poses << " poses";
-    EXPECT_GT(link_squares / link_expected, 0.1) << poses << " poses";
-    EXPECT_LT(link_squares / link_expected, 1.6) << poses << " poses";
+struct Scene {
+  const char* patch;
+  const char* surface;
+  bool hand_held;
+  std::size_t poses;
+  friend std::ostream& operator<<(std::ostream& out, const Scene& scene) {
+    return out << scene.patch << (scene.hand_held ? " in a hand, " : " on a table, ") << scene.poses << " poses";
   }
+};
+
+class HoldOutOf : public testing::TestWithParam<Scene> {
+ protected:
+  /// Ratios of what is observed to what is expected, in ascending order; the pose that is held out changes with the
+  /// seed.
+  struct Ratios {
+    std::vector<double> rms;
+    std::vector<double> links;
+    std::vector<double> worst_cell;
+    std::size_t as_stated = 0;
+  };
+  static Ratios overSeeds(std::uint64_t seeds) {
+    Ratios ratios;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+      SimulatedSkinOptions options;
+      options.patch = GetParam().patch;
+      options.surface = GetParam().surface;
+      options.hand_held = GetParam().hand_held;
+      options.seed = seed;
+      SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+      const Session session = simulateSession(skin, GetParam().poses);
+      const PoseId held_out(static_cast<std::uint32_t>(1 + seed % GetParam().poses));
+      const HoldOutResult result = evaluateHoldOut(*session.snapshot(), held_out);
+      EXPECT_EQ(result.outcome, HoldOutOutcome::Evaluated);
+      ratios.rms.push_back(result.rms_rad / result.expected_rms_rad);
+      double squares = 0;
+      for (const HoldOutLink& link : result.links) squares += std::pow(link.error_rad / link.expected_rad, 2);
+      ratios.links.push_back(std::sqrt(squares / static_cast<double>(result.links.size())));
+      double worst = 0;
+      for (const HoldOutCell& cell : result.cells) worst = std::max(worst, cell.error_rad / cell.expected_rad);
+      ratios.worst_cell.push_back(worst);
+      if (result.agreement == HoldOutAgreement::AsStated) ++ratios.as_stated;
+    }
+    for (std::vector<double>* each : {&ratios.rms, &ratios.links, &ratios.worst_cell}) std::ranges::sort(*each);
+    return ratios;
+  }
+};
+
+TEST_P(HoldOutOf, ErrsAsMuchAsExpectedInTheMedianOverSeeds) {
+  constexpr std::size_t kSeeds = 21;
+  const Ratios ratios = overSeeds(kSeeds);
+  const double median = ratios.rms[kSeeds / 2];
+  RecordProperty("median", std::to_string(median));
+  EXPECT_GT(median, 0.87);
+  EXPECT_LT(median, 1.13);
+  const double of_links = ratios.links[kSeeds / 2];
+  RecordProperty("median_of_links", std::to_string(of_links));
+  EXPECT_GT(of_links, 0.85);
+  EXPECT_LT(of_links, 1.15);
+  // No seed is far from it, and no cell by itself: nothing is wrong with any of these skins.
+  EXPECT_GT(ratios.rms.front(), 0.6);
+  EXPECT_LT(ratios.worst_cell.back(), 4);
+  EXPECT_GE(ratios.as_stated, kSeeds - 1);
 }
 
+INSTANTIATE_TEST_SUITE_P(
+    Skins, HoldOutOf,
+    testing::Values(Scene{"x17", "", true, 4}, Scene{"x17", "", true, 6}, Scene{"x17", "", true, 8},
+                    Scene{"x17", "", false, 4}, Scene{"x17", "", false, 6}, Scene{"x17", "", false, 8},
+                    Scene{"sheet:10x10", "cylinder:r=0.1", true, 4}, Scene{"sheet:10x10", "cylinder:r=0.1", true, 6},
+                    Scene{"sheet:10x10", "cylinder:r=0.1", true, 8}, Scene{"sheet:10x10", "cylinder:r=0.1", false, 4},
+                    Scene{"sheet:10x10", "cylinder:r=0.1", false, 6},
+                    Scene{"sheet:10x10", "cylinder:r=0.1", false, 8}));
+
 TEST(HoldOut, ACellThatReadsOtherwiseInThePoseStandsOut) {
-  const Session session = withReadingTurned(simulated("x17", 3, 6), 2, CellId(8), 20 * kDegree);
+  const Session session = withReadings(simulated("x17", 3, 6), 2, [](GravitySample& sample) {
+    if (sample.cell == CellId(8)) sample.mean_g = expSO3({20 * kDegree, 0, 20 * kDegree}) * sample.mean_g;
+  });
   const HoldOutResult result = evaluateHoldOut(*session.snapshot(), PoseId(3));
   const auto worst = std::ranges::max_element(result.cells, {}, &HoldOutCell::error_rad);
   ASSERT_NE(worst, result.cells.end());
@@ -96,6 +145,61 @@ TEST(HoldOut, ACellThatReadsOtherwiseInThePoseStandsOut) {
   for (std::size_t k = 0; k < 2; ++k) {
     EXPECT_TRUE(links[k].source.cell == CellId(8) || links[k].target.cell == CellId(8)) << k;
   }
+}
+
+TEST(HoldOut, AnOffsetThatJumpedInThePoseIsFoundWithFewPosesAndInLargeSkins) {
+  for (const auto& [patch, poses] : {std::pair("x17", 4U), std::pair("x17", 6U), std::pair("sheet:10x10", 4U)}) {
+    const Session session = withReadings(simulated(patch, 3, poses), 2, [](GravitySample& sample) {
+      if (sample.cell == CellId(8)) sample.mean_g += Eigen::Vector3d(0.12, 0, 0.12);
+    });
+    const HoldOutResult result = evaluateHoldOut(*session.snapshot(), PoseId(3));
+    const auto worst = std::ranges::max_element(
+        result.cells, {}, [](const HoldOutCell& cell) { return cell.error_rad / cell.expected_rad; });
+    EXPECT_EQ(worst->cell, CellId(8)) << patch << ", " << poses << " poses";
+    EXPECT_NE(result.agreement, HoldOutAgreement::AsStated) << patch << ", " << poses << " poses";
+  }
+}
+
+TEST(HoldOut, APartThatBentInThePoseIsFound) {
+  // All that lies on one side of the part's middle was turned against the rest.
+  for (const auto& [poses, angle] : {std::pair(4U, 10 * kDegree), std::pair(6U, 3 * kDegree)}) {
+    SimulatedSkin skin(builtInCellModel("hex-bma150"), SimulatedSkinOptions());
+    const Session session = withReadings(simulateSession(skin, poses), 2, [&, angle = angle](GravitySample& sample) {
+      const SE3& T_b_u = std::ranges::find(skin.truth(), sample.cell, &TrueCell::id)->T_b_u;
+      const Eigen::Vector3d turn = angle * Eigen::Vector3d(0.3, 0.5, 0.8).normalized();
+      if (T_b_u.t.y() > 0) sample.mean_g = T_b_u.R.transpose() * expSO3(turn) * T_b_u.R * sample.mean_g;
+    });
+    const HoldOutResult result = evaluateHoldOut(*session.snapshot(), PoseId(3));
+    EXPECT_EQ(result.agreement, HoldOutAgreement::FarWorse) << poses << " poses";
+  }
+}
+
+TEST(HoldOut, ThreeOtherPosesAreACoarseCheckAndFiveAFineOne) {
+  const HoldOutResult few = evaluateHoldOut(*simulated("x17", 1, 4).snapshot(), PoseId(4));
+  EXPECT_TRUE(few.coarse);
+  EXPECT_GT(few.detectable_rad, 3 * kDegree);
+  const HoldOutResult more = evaluateHoldOut(*simulated("x17", 1, 6).snapshot(), PoseId(4));
+  EXPECT_FALSE(more.coarse);
+  EXPECT_LT(more.detectable_rad, 1.5 * kDegree);
+}
+
+TEST(HoldOut, APartThatWasTurnedWhileItWasReadIsFoundThoughItsReadingsAgree) {
+  // A swing of 10 rad/s^2, as when the hand gives way: one motion of a rigid part, and no rest.
+  SimulatedSkin skin(builtInCellModel("hex-bma150"), SimulatedSkinOptions());
+  const Session still = simulateSession(skin, 6);
+  const Session session = withReadings(still, 2, [&](GravitySample& sample) {
+    const SE3& T_b_u = std::ranges::find(skin.truth(), sample.cell, &TrueCell::id)->T_b_u;
+    const Eigen::Vector3d swing = Eigen::Vector3d(6, -8, 0) / kStandardGravity;
+    sample.mean_g += T_b_u.R.transpose() * swing.cross(T_b_u.t);
+  });
+  const HoldOutResult before = evaluateHoldOut(*still.snapshot(), PoseId(3));
+  const HoldOutResult result = evaluateHoldOut(*session.snapshot(), PoseId(3));
+  EXPECT_EQ(before.agreement, HoldOutAgreement::AsStated);
+  EXPECT_FALSE(before.turned);
+  EXPECT_TRUE(result.turned);
+  EXPECT_NEAR(result.turning_rad_s2, 10, 2.5);
+  EXPECT_LT(result.rms_rad, 1.5 * result.expected_rms_rad);
+  EXPECT_EQ(result.agreement, HoldOutAgreement::FarWorse);
 }
 
 TEST(HoldOut, TurningTheWholePartInThePoseChangesNothing) {
@@ -131,7 +235,7 @@ TEST(HoldOut, HasNothingToCompareWhereAPatchIsASingleCell) {
   skin.neighbors.clear();
   const HoldOutResult result = evaluateHoldOut(*skin.session(orthogonalUps(5)).snapshot(), PoseId(1));
   EXPECT_EQ(result.outcome, HoldOutOutcome::NothingToCompare);
-  EXPECT_EQ(result.degrees_of_freedom, 0U);
+  EXPECT_THAT(result.links, IsEmpty());
 }
 
 TEST(HoldOut, WorksOnWhatTheTreeSolverMakes) {

@@ -63,6 +63,31 @@ TEST(ReviewSummary, LinksAreRankedAndThoseThatWereNotMeasuredLeftOut) {
   EXPECT_EQ(summary.links[2].link, 0U);
 }
 
+TEST(ReviewSummary, OfAFileThatStatesTheRmsAloneLinksHaveTheirResiduals) {
+  Reconstruction imported = threeLinks();
+  for (LinkEstimate& link : imported.patches[0].links) link.pose_residual_rad.clear();
+  EXPECT_EQ(imported.patches[0].links[1].knownResidual(), 0.4);
+  EXPECT_EQ(imported.patches[0].links[3].knownResidual(), std::nullopt);
+  EXPECT_EQ(imported.patches[0].links[1].knownSigma(), 0.1);
+  EXPECT_EQ(imported.patches[0].links[2].knownSigma(), std::nullopt);
+  const ResidualSummary summary = summariseResiduals(imported);
+  ASSERT_THAT(summary.links, SizeIs(3));
+  EXPECT_EQ(summary.links[0].residual_rad, 0.4);
+  EXPECT_THAT(summary.poses, IsEmpty());
+  EXPECT_EQ(summariseCells(imported)[2].worst_residual_rad, 0.4);
+}
+
+TEST(ReviewSummary, ALinkThatWasSolvedOrMeasuredHasFigures) {
+  LinkEstimate link;
+  EXPECT_FALSE(link.hasFigures());
+  link.used = true;
+  EXPECT_TRUE(link.hasFigures());
+  link.used = false;
+  link.pose_residual_rad = {std::nullopt, 0.0};
+  EXPECT_TRUE(link.hasFigures());
+  EXPECT_EQ(link.knownResidual(), 0.0) << "measured, and nothing is left";
+}
+
 TEST(ReviewSummary, RatiosCountWhatIsPredicted) {
   const ResidualSummary summary = summariseResiduals(threeLinks());
   std::size_t count = 0;
@@ -76,6 +101,15 @@ TEST(ReviewSummary, RatiosCountWhatIsPredicted) {
   }
   EXPECT_EQ(count, 2U);
   EXPECT_THAT(summariseResiduals(Reconstruction()).ratios, IsEmpty());
+}
+
+TEST(ReviewSummary, TheWorstScaleIsTheOneFurthestFromOne) {
+  Reconstruction result = threeLinks();
+  result.patches[0].cells[1].accel_scale = Eigen::Vector3d(1.02, 0.95, 1.04);
+  const std::vector<CellSummary> cells = summariseCells(result);
+  EXPECT_FALSE(cells[0].worst_scale_error.has_value());
+  ASSERT_TRUE(cells[1].worst_scale_error.has_value());
+  EXPECT_NEAR(*cells[1].worst_scale_error, -0.05, 1e-12);
 }
 
 TEST(ReviewSummary, CellsCarryTheWorstOfTheirLinks) {

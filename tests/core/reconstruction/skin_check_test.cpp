@@ -50,6 +50,18 @@ TEST(SkinCheck, NamesCellsThatReadNoGravityOrSendNothing) {
   EXPECT_THAT(check.items, Contains(Field(&SkinCheckItem::text, "Nothing comes from cell 17")));
 }
 
+TEST(SkinCheck, ADeviceThatSendsAnotherUnitIsOneSentenceAndNotOneForEachCell) {
+  const auto skin = x17();
+  std::vector<CellSample> readings = readingsOf(*skin);
+  for (CellSample& reading : readings) reading.acceleration_g *= 9.81;
+  const SkinCheck check = checkSkin(*skin, readings, {});
+  ASSERT_THAT(check.items, SizeIs(4));
+  EXPECT_THAT(check.items[2].text, HasSubstr("17 cells read 9.81 to 9.81 g: gravity is 1 g"));
+  EXPECT_EQ(check.items[2].severity, Severity::Warning);
+  EXPECT_THAT(check.items[2].cells, SizeIs(17));
+  EXPECT_EQ(check.items[3].text, "All 17 cells send");
+}
+
 TEST(SkinCheck, RepeatsWhatTheDetectorComplainsAbout) {
   const auto skin = x17();
   const std::vector<OddCell> odd = {{CellId(3), OddCellKind::Noisy, 0.22}, {CellId(4), OddCellKind::Silent, 2}};
