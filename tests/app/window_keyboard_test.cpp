@@ -123,15 +123,16 @@ void DemoByKeys::capturePoses() {
   ASSERT_TRUE(waitUntil([this] { return action("actionTurn")->isEnabled(); }));
   ASSERT_NO_FATAL_FAILURE(tabTo("captureTurnForMe"));
   key(Qt::Key_Space);
-  ASSERT_TRUE(waitForPoses(3)) << text("captureWait").toStdString();
+  ASSERT_TRUE(waitUntil([this] { return posesShown() >= 3; })) << text("captureWait").toStdString();
   // The second is taken again, in its place.
   ASSERT_NO_FATAL_FAILURE(tabTo("poseView"));
   ASSERT_NO_FATAL_FAILURE(goToRow(1));
+  const auto second = controller().session()->poses()[1].capture;
   key(Qt::Key_R);
-  EXPECT_EQ(controller().recapturing(), PoseId(2));
-  ASSERT_TRUE(waitUntil([this] { return controller().session()->poses()[1].capture->id == PoseId(4); }))
+  EXPECT_EQ(controller().recapturing(), second->id);
+  ASSERT_TRUE(waitUntil([&] { return controller().session()->poses()[1].capture != second; }))
       << text("captureWait").toStdString();
-  ASSERT_TRUE(waitForPoses(3));
+  ASSERT_TRUE(waitUntilIdle());
   // The robot does the rest.
   key(Qt::Key_B);
   EXPECT_TRUE(controller().isRobotOn());
@@ -139,6 +140,8 @@ void DemoByKeys::capturePoses() {
   ASSERT_TRUE(waitUntilIdle());
   ASSERT_GE(posesShown(), 4U);
   key(Qt::Key_A);
+  EXPECT_FALSE(controller().isAutomatic());
+  ASSERT_TRUE(waitUntilIdle());
 }
 
 void DemoByKeys::review() {
