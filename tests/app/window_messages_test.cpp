@@ -9,6 +9,7 @@
 #include "window_test.h"
 
 #include <QRegularExpression>
+#include <QTabBar>
 
 namespace hexoderm {
 namespace {
@@ -280,7 +281,7 @@ TEST_F(WindowMessagesTest, GarbageAndWrongChecksumsAreSaidAndLoseNothing) {
   EXPECT_EQ(posesShown(), 1U);
   device_.hangUp();
   ASSERT_NO_FATAL_FAILURE(device_.accept());
-  device_.say(QByteArray(64, '\xff'));
+  device_.say(QByteArray::fromHex("0200000001060000"));  // no message is as short as this one claims to be
   ASSERT_TRUE(waitForText("liveText", "broken")) << text("liveText").toStdString();
   ASSERT_NO_FATAL_FAILURE(device_.accept());
   device_.introduce();
@@ -308,9 +309,11 @@ TEST_F(WindowMessagesTest, EveryButtonThatCanNotBePressedSaysWhy) {
     for (int step = 1; step <= 6; ++step) {
       press(Qt::Key_0 + step, Qt::ControlModifier);
       for (const auto* button : window_->findChildren<QAbstractButton*>()) {
-        if (!button->isVisible() || button->isEnabled()) continue;
+        // The arrows beside tabs that find no room say it themselves.
+        if (!button->isVisible() || button->isEnabled() || qobject_cast<QTabBar*>(button->parentWidget())) continue;
         EXPECT_FALSE(button->toolTip().isEmpty())
-            << when << ", step " << step << ": \"" << button->text().toStdString() << "\" is grey and does not say why";
+            << when << ", step " << step << ": " << button->objectName().toStdString() << " \""
+            << button->text().toStdString() << "\" is grey and does not say why";
       }
     }
   };
