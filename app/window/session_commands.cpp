@@ -17,11 +17,11 @@ AddPoseCommand::AddPoseCommand(EditedSession edited, SessionPose pose, std::opti
 
 void AddPoseCommand::redo() {
   edited_.session.addPose(pose_, index_);
-  // A file keeps what was captured once, so from the second time on it only comes back.
+  // A file that keeps the capture already only takes it back.
   if (std::exchange(is_new_, false)) {
     edited_.changed(AddPose{pose_, index_});
   } else {
-    edited_.changed(RestorePose{pose_.capture->id, index_});
+    edited_.changed(RestorePose{pose_, index_});
   }
 }
 
@@ -57,7 +57,7 @@ void RemovePoseCommand::redo() {
 
 void RemovePoseCommand::undo() {
   edited_.session.addPose(pose_, index_);
-  edited_.changed(RestorePose{pose_.capture->id, index_});
+  edited_.changed(RestorePose{pose_, index_});
 }
 
 MuteLinkCommand::MuteLinkCommand(EditedSession edited, LinkEnd a, LinkEnd b, bool muted)

@@ -25,9 +25,10 @@ struct AddPose {
 struct RemovePose {
   std::size_t index = 0;
 };
-/// Takes back the last removal of a pose with this ID: it is as it was before, at place `index`.
+/// Takes back the last removal of a pose with this ID: it is as it was before, at place `index`. A file that was made
+/// after the removal knows nothing of it, and takes the pose as a capture.
 struct RestorePose {
-  PoseId id;
+  SessionPose pose;  ///< as it was removed
   std::size_t index = 0;
 };
 struct SetPoseDisabled {
