@@ -251,7 +251,8 @@ void SessionController::closeCurrent() {
   unreachable_.clear();
   asked_turn_ = 0;
   was_stuck_ = false;
-  changed_meanwhile_.reset();
+  scratch_fails_ = false;
+  saves_under_way_.clear();
   dropJournal();
   // The stack's commands refer to the session, so they go first; while there is no session nothing is submitted.
   const std::unique_ptr<Session> old = std::move(session_);

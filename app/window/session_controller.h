@@ -243,8 +243,9 @@ class SessionController : public QObject {
   std::uint32_t asked_turn_ = 0;
   Eigen::Vector3d asked_up_ = Eigen::Vector3d::Zero();
   std::vector<Eigen::Vector3d> unreachable_;
-  /// What was changed while the session was being copied into a new file.
-  std::optional<std::vector<StoreOperation>> changed_meanwhile_;
+  /// For each new file that the session is being copied into: what was changed meanwhile. Belongs to the job that makes
+  /// it, so that it goes with a job that fails.
+  std::vector<std::weak_ptr<std::vector<StoreOperation>>> saves_under_way_;
 
   std::uint64_t asked_count_ = 0;         ///< the last request to open something: earlier ones are dropped
   std::uint64_t opened_count_ = 0;        ///< which session or calibration this is: late answers for others are dropped

@@ -213,7 +213,10 @@ EditedSession SessionController::edited() {
 }
 
 void SessionController::record(StoreOperation operation) {
-  if (changed_meanwhile_) changed_meanwhile_->push_back(operation);
+  std::erase_if(saves_under_way_, [](const auto& save) { return save.expired(); });
+  for (const auto& save : saves_under_way_) {
+    if (const auto changed_meanwhile = save.lock()) changed_meanwhile->push_back(operation);
+  }
   if (journal_) {
     appendToJournal(std::move(operation));
   } else if (!scratch_fails_) {
@@ -287,27 +290,27 @@ void SessionController::retryWriting() {
 }
 
 void SessionController::saveAsJournal(const QString& path) {
-  changed_meanwhile_.emplace();
-  startWriting(
-      tr("Saving %1").arg(QFileInfo(path).fileName()),
-      [this, path, copy = std::make_shared<const Session>(*session_), ticket = opened_count_]() -> Continuation {
-        auto store = std::make_shared<SessionStore>(SessionStore::create(toPath(path), *copy));
-        return [this, path, ticket, store, copy] {
-          if (ticket != opened_count_ || !session_) return;
-          was_stuck_ = false;
-          dropJournal();
-          journal_ = std::make_unique<SessionJournal>(*this, jobs_, path, std::move(*store), journalTold());
-          session_path_ = path;
-          name_ = QFileInfo(path).fileName();
-          saved_at_ = QTime::currentTime();
-          if (const auto operations = std::exchange(changed_meanwhile_, std::nullopt)) {
-            for (const StoreOperation& operation : *operations) appendToJournal(operation);
-          }
-          // Captures that waited for the file before are in this one.
-          for (const SessionPose& pose : copy->poses()) announce(pose.capture->id);
-          emit sessionSaved(path);
-        };
-      });
+  auto changed_meanwhile = std::make_shared<std::vector<StoreOperation>>();
+  saves_under_way_.push_back(changed_meanwhile);
+  startWriting(tr("Saving %1").arg(QFileInfo(path).fileName()),
+               [this, path, changed_meanwhile = std::move(changed_meanwhile),
+                copy = std::make_shared<const Session>(*session_), ticket = opened_count_]() -> Continuation {
+                 auto store = std::make_shared<SessionStore>(SessionStore::create(toPath(path), *copy));
+                 return [this, path, ticket, store, copy, changed_meanwhile] {
+                   if (ticket != opened_count_ || !session_) return;
+                   was_stuck_ = false;
+                   dropJournal();
+                   journal_ = std::make_unique<SessionJournal>(*this, jobs_, path, std::move(*store), journalTold());
+                   session_path_ = path;
+                   name_ = QFileInfo(path).fileName();
+                   saved_at_ = QTime::currentTime();
+                   for (const StoreOperation& operation : std::exchange(*changed_meanwhile, {}))
+                     appendToJournal(operation);
+                   // Captures that waited for the file before are in this one.
+                   for (const SessionPose& pose : copy->poses()) announce(pose.capture->id);
+                   emit sessionSaved(path);
+                 };
+               });
 }
 
 }  // namespace hexoderm

@@ -101,5 +101,47 @@ TEST_F(WindowKeepingTest, ACaptureThatWasUndoneBeforeSavingComesBackInTheFile) {
   EXPECT_THAT(poseIds(read(path)), ElementsAre(1U, 2U));
 }
 
+TEST_F(WindowKeepingTest, ASessionGetsItsScratchFileAlthoughTheOneBeforeGotNone) {
+  ASSERT_TRUE(QDir().mkpath(QFileInfo(unsavedFolder()).absolutePath()));
+  QFile in_the_way(unsavedFolder());
+  ASSERT_TRUE(in_the_way.open(QIODevice::WriteOnly));
+  ASSERT_NO_FATAL_FAILURE(open("first.session.json", simulated(2)));
+  controller().setPoseDisabled(0, true);
+  ASSERT_TRUE(waitForMessage("kept in memory only")) << message().toStdString();
+  ASSERT_TRUE(in_the_way.remove());
+  controller().setPoseDisabled(1, true);
+  ASSERT_TRUE(waitUntilWritten());
+  EXPECT_EQ(scratchOf("first"), QString()) << "it was said to be kept in memory only";
+
+  ASSERT_NO_FATAL_FAILURE(open("second.session.json", simulated(2)));
+  controller().setPoseDisabled(1, true);
+  ASSERT_TRUE(waitUntilWritten());
+  ASSERT_FALSE(scratchOf("second").isEmpty());
+  EXPECT_TRUE(read(scratchOf("second")).poses()[1].disabled);
+}
+
+TEST_F(WindowKeepingTest, WhatChangesBetweenTwoSavesIsInBothFiles) {
+  ASSERT_NO_FATAL_FAILURE(open("four.session.json", simulated(4)));
+  const QString first = pathTo("first.hexo");
+  const QString second = pathTo("second.hexo");
+  // Nothing is saved before the event loop runs again.
+  controller().saveSession(first);
+  controller().setPoseDisabled(0, true);
+  controller().saveSession(second);
+  controller().setPoseDisabled(1, true);
+  ASSERT_TRUE(waitUntil([&] { return controller().sessionPath() == second; }));
+  controller().setPoseDisabled(2, true);
+  ASSERT_TRUE(waitUntilWritten());
+  const auto disabled = [](const Session& session) {
+    std::vector<std::uint32_t> ids;
+    for (const SessionPose& pose : session.poses()) {
+      if (pose.disabled) ids.push_back(pose.capture->id.value());
+    }
+    return ids;
+  };
+  EXPECT_THAT(disabled(read(second)), ElementsAre(1U, 2U, 3U));
+  EXPECT_THAT(disabled(read(first)), ElementsAre(1U, 2U)) << "until the second file took over";
+}
+
 }  // namespace
 }  // namespace hexoderm
