@@ -244,12 +244,8 @@ void SessionController::startWriting(const QString& activity, std::function<Cont
 
 void SessionController::closeCurrent() {
   ++opened_count_;
-  live_session_ = false;
-  recapturing_.reset();
-  robot_ = false;
+  forgetSource();
   announcements_.clear();
-  unreachable_.clear();
-  asked_turn_ = 0;
   was_stuck_ = false;
   scratch_fails_ = false;
   saves_under_way_.clear();
@@ -259,7 +255,6 @@ void SessionController::closeCurrent() {
   undo_stack_.clear();
   demo_ = false;
   reconstruction_.reset();
-  adviseAnew();
   session_path_.clear();
   saved_at_ = {};
   first_revision_ = submitted_revision_ + 1;

@@ -181,6 +181,8 @@ class SessionController : public QObject {
   void receiveMoment(const ReconstructionOutcome& outcome);
 
   void connectLive();
+  /// What was asked of the skin that was connected, and what it could not do, says nothing about the next.
+  void forgetSource();
   void showSkin(const SkinDescription& skin);
   [[nodiscard]] bool beginLiveSession(const SkinDescription& skin);
   void replaceSkin(const SkinDescription& skin);

@@ -55,6 +55,7 @@ void SessionController::sendTurn(const Eigen::Vector3d& up_o) {
   asked_up_ = up_o;
   asked_turn_ = live_.send(TurnTo{largestPatch(*reconstruction_)->origin, up_o});
 }
+  if (std::exchange(robot_, false)) emit changed();
 
 void SessionController::turnToNextPose() {
   if (canTurn() && next_pose_) sendTurn(next_pose_->up);
@@ -62,7 +63,6 @@ void SessionController::turnToNextPose() {
 
 void SessionController::turnTo(const Eigen::Vector3d& up_o) {
   if (!canTurn() || !reconstruction_ || !largestPatch(*reconstruction_)) return;
-  robot_ = false;
   asked_turn_ = 0;
   live_.send(TurnTo{largestPatch(*reconstruction_)->origin, up_o.normalized()});
 }

@@ -51,7 +51,7 @@ void SessionController::connectLive() {
 
 void SessionController::connectTo(const ConnectRequest& request) {
   ++asked_count_;
-  live_session_ = false;
+  forgetSource();
   connect_request_ = request;
   connect_request_.continue_session = request.continue_session && isKept();
   connect_revision_ = submitted_revision_;
@@ -67,12 +67,18 @@ void SessionController::connectTo(const ConnectRequest& request) {
 }
 
 void SessionController::disconnectSource() {
+  forgetSource();
+  live_.stop();
+}
+
+void SessionController::forgetSource() {
   live_session_ = false;
   robot_ = false;
   recapturing_.reset();
   lit_.reset();
+  asked_turn_ = 0;
+  unreachable_.clear();
   setLiveMode(false);
-  live_.stop();
   adviseAnew();
 }
 

@@ -143,5 +143,34 @@ TEST_F(WindowKeepingTest, WhatChangesBetweenTwoSavesIsInBothFiles) {
   EXPECT_THAT(disabled(read(first)), ElementsAre(1U, 2U)) << "until the second file took over";
 }
 
+TEST_F(WindowKeepingTest, TheNextSkinIsAskedNothingThatTheLastWasAsked) {
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
+  controller().saveSession(pathTo("arm.hexo"));
+  ASSERT_TRUE(waitUntil([this] { return controller().isKept(); }));
+  controller().setRobot(true);
+  controller().setLiveMode(true);
+  controller().lightCell(CellId(3));
+  ASSERT_TRUE(controller().isRobotOn() && controller().isLiveMode() && controller().litCell());
+  // A skin that is never there.
+  ConnectRequest request;
+  request.address = QStringLiteral("replay:") + pathTo("none.skinrec");
+  request.continue_session = true;
+  controller().connectTo(request);
+  EXPECT_FALSE(controller().isRobotOn());
+  EXPECT_FALSE(controller().isLiveMode());
+  EXPECT_EQ(controller().litCell(), std::nullopt);
+  ASSERT_TRUE(waitUntil([this] { return !controller().live().isRunning(); }));
+  EXPECT_FALSE(action("actionLiveMode")->isChecked());
+}
+
+TEST_F(WindowKeepingTest, ATurnByHandEndsTheRobotsRunForAllToSee) {
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
+  controller().setRobot(true);
+  ASSERT_TRUE(action("actionRobot")->isChecked());
+  controller().turnTo(Eigen::Vector3d::UnitX());
+  EXPECT_FALSE(controller().isRobotOn());
+  EXPECT_FALSE(action("actionRobot")->isChecked());
+}
+
 }  // namespace
 }  // namespace hexoderm
