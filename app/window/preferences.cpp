@@ -49,11 +49,6 @@ void readNumber(const QString& key, double& value, double unit = 1) {
   if (is_number && std::isfinite(read)) value = read * unit;
 }
 
-bool isSame(const SolverOptions& a, const SolverOptions& b) {
-  return a.solver == b.solver && a.gap_model == b.gap_model && a.centring == b.centring &&
-         a.support_axes == b.support_axes && a.weights == b.weights && a.class_threshold == b.class_threshold;
-}
-
 void set(const QString& key, std::string_view name) {
   QSettings().setValue(key, QString::fromUtf8(name.data(), static_cast<int>(name.size())));
 }
@@ -122,7 +117,7 @@ SolverOptions Preferences::solverOptions() const {
 }
 
 void Preferences::setSolverOptions(const SolverOptions& options) {
-  if (isSame(options, solverOptions())) return;
+  if (options == solverOptions()) return;
   set(kSolver, solverName(options.solver));
   set(kGapModel, gapModelName(options.gap_model));
   set(kCentring, centringName(options.centring));
