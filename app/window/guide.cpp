@@ -112,8 +112,8 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
   if (controller.isLive()) return step;
   if (result && step.state == StepState::Current) step.what = coreWords(result->verdict.next_action);
   step.why = Guide::tr(
-      "Gravity seen from several directions tells how every cell is turned against its neighbours. This session came "
-      "from a file; no skin is connected to take more.");
+      "Gravity seen from several directions tells how every cell is turned against its neighbours. No skin is "
+      "connected to take more.");
   return step;
 }
 

@@ -2160,8 +2160,8 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Jede Probe sieht es von einer Seite an, die das Lösen nicht benutzt hat.</translation>
     </message>
     <message>
-        <source>Gravity seen from several directions tells how every cell is turned against its neighbours. This session came from a file; no skin is connected to take more.</source>
-        <translation>Schwerkraft aus mehreren Richtungen verrät, wie jede Zelle gegen ihre Nachbarn gedreht ist. Diese Sitzung kam aus einer Datei; für weitere Posen ist keine Haut verbunden.</translation>
+        <source>Gravity seen from several directions tells how every cell is turned against its neighbours. No skin is connected to take more.</source>
+        <translation>Schwerkraft aus mehreren Richtungen verrät, wie jede Zelle gegen ihre Nachbarn gedreht ist. Für weitere Posen ist keine Haut verbunden.</translation>
     </message>
 </context>
 <context>
@@ -2702,10 +2702,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Stillness</source>
         <translation>Ruhe</translation>
-    </message>
-    <message>
-        <source>This session came from a file.</source>
-        <translation>Diese Sitzung kommt aus einer Datei.</translation>
     </message>
     <message>
         <source>It repeats pose %1.</source>
@@ -5036,10 +5032,6 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
     <message>
         <source>Take the next readings as a pose, moved or not</source>
         <translation>Die nächsten Messwerte als Pose nehmen, bewegt oder nicht</translation>
-    </message>
-    <message>
-        <source>This session came from a file; no skin is connected</source>
-        <translation>Diese Sitzung kam aus einer Datei; keine Haut ist verbunden</translation>
     </message>
     <message>
         <source>The skin does not send: %1</source>

@@ -74,6 +74,9 @@ TEST_F(WindowLiveTest, ASimulatedSkinIsConnectedAndEveryPoseIsInItsFile) {
   EXPECT_FALSE(find<QWidget>("liveStrip")->isVisible());
   EXPECT_EQ(posesShown(), 2U);
   EXPECT_FALSE(action("actionCapture")->isEnabled());
+  EXPECT_EQ(action("actionCapture")->toolTip(), "No skin is connected");
+  EXPECT_EQ(text("captureWhat"), "No skin is connected.");
+  EXPECT_EQ(text("captureWait"), "No skin is connected, so no pose can be taken.");
   ASSERT_TRUE(waitUntilKept());
   EXPECT_EQ(read(path).poses().size(), 2U);
   EXPECT_EQ(read(path).neighbors(), controller().session()->neighbors());
