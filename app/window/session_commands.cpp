@@ -31,18 +31,21 @@ void AddPoseCommand::undo() {
 }
 
 SetPoseDisabledCommand::SetPoseDisabledCommand(EditedSession edited, std::size_t index, bool disabled)
-    : edited_(std::move(edited)), index_(index), disabled_(disabled) {
+    : edited_(std::move(edited)),
+      index_(index),
+      disabled_(disabled),
+      why_(edited_.session.poses().at(index).why_disabled) {
   const QString pose = nameOf(edited_.session.poses().at(index));
   setText(disabled ? tr("disable pose %1").arg(pose) : tr("enable pose %1").arg(pose));
 }
 
-void SetPoseDisabledCommand::redo() { set(disabled_); }
+void SetPoseDisabledCommand::redo() { set(disabled_, {}); }
 
-void SetPoseDisabledCommand::undo() { set(!disabled_); }
+void SetPoseDisabledCommand::undo() { set(!disabled_, why_); }
 
-void SetPoseDisabledCommand::set(bool disabled) {
-  edited_.session.setPoseDisabled(index_, disabled);
-  edited_.changed(SetPoseDisabled{index_, disabled});
+void SetPoseDisabledCommand::set(bool disabled, const std::string& why) {
+  edited_.session.setPoseDisabled(index_, disabled, why);
+  edited_.changed(SetPoseDisabled{index_, disabled, why});
 }
 
 RemovePoseCommand::RemovePoseCommand(EditedSession edited, std::size_t index)
