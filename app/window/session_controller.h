@@ -150,6 +150,8 @@ class SessionController : public QObject {
 
  signals:
   /// Anything about session, files or background work changed.
+  /// Where it ends, the result that was not shown meanwhile is still the same.
+  void liveModeChanged(bool on);
   void changed();
   void reconstructionChanged(std::shared_ptr<const hexoderm::Reconstruction> reconstruction);
   /// In live mode, for every moment that was solved.
@@ -179,10 +181,10 @@ class SessionController : public QObject {
   void submit();
   void receive(const ReconstructionOutcome& outcome);
   void receiveMoment(const ReconstructionOutcome& outcome);
-
-  void connectLive();
   /// What was asked of the skin that was connected, and what it could not do, says nothing about the next.
   void forgetSource();
+
+  void connectLive();
   void showSkin(const SkinDescription& skin);
   [[nodiscard]] bool beginLiveSession(const SkinDescription& skin);
   void replaceSkin(const SkinDescription& skin);
@@ -230,6 +232,7 @@ class SessionController : public QObject {
   std::uint64_t connect_revision_ = 0;  ///< submitted last when it was made
   bool live_session_ = false;           ///< the session is that of the connected skin
   bool automatic_ = true;
+  bool moment_fails_ = false;  ///< said once
   bool robot_ = false;
   bool live_mode_ = false;
   std::optional<PoseId> recapturing_;

@@ -128,8 +128,8 @@ void SessionController::lightCell(std::optional<CellId> cell) {
 void SessionController::setLiveMode(bool on) {
   if (live_mode_ == (on && isLive())) return;
   live_mode_ = on && isLive();
-  // What was shown instead is shown again.
-  if (!live_mode_) emit reconstructionChanged(reconstruction_);
+  moment_fails_ = false;
+  emit liveModeChanged(live_mode_);
   emit changed();
 }
 
