@@ -96,10 +96,11 @@ QString discardUnsaved(const QString& path) {
     throw StorageError(folder.path().toStdString() + ": the folder cannot be made");
   }
   const QString to = freeName(folder, file.fileName());
+  // The week begins now, whenever the session was worked on; without that it might be gone at the next start.
+  std::error_code error;
+  std::filesystem::last_write_time(toPath(path), std::filesystem::file_time_type::clock::now(), error);
+  if (error) throw StorageError(path.toStdString() + ": cannot be put away for a while: " + error.message());
   moveSession(path, to);
-  // The week begins now, whenever the session was worked on.
-  std::error_code ignored;
-  std::filesystem::last_write_time(toPath(to), std::filesystem::file_time_type::clock::now(), ignored);
   return to;
 }
 

@@ -2,6 +2,7 @@
 // that is taken again, and the skin as it is at this moment.
 #include "app/window/session_controller.h"
 #include "hexoderm/reconstruction/pose_coverage.h"
+#include "widgets/core_words.h"
 
 #include <QMetaObject>
 #include <algorithm>
@@ -54,8 +55,8 @@ void SessionController::adviseAnew() {
 void SessionController::sendTurn(const Eigen::Vector3d& up_o) {
   asked_up_ = up_o;
   asked_turn_ = live_.send(TurnTo{largestPatch(*reconstruction_)->origin, up_o});
-}
   if (std::exchange(robot_, false)) emit changed();
+}
 
 void SessionController::turnToNextPose() {
   if (canTurn() && next_pose_) sendTurn(next_pose_->up);
@@ -152,7 +153,14 @@ void SessionController::solveMoment() {
 }
 
 void SessionController::receiveMoment(const ReconstructionOutcome& outcome) {
-  if (live_mode_ && outcome.reconstruction) emit momentSolved(outcome.reconstruction);
+  if (!live_mode_) return;
+  if (outcome.reconstruction) {
+    moment_fails_ = false;
+    emit momentSolved(outcome.reconstruction);
+  } else if (!std::exchange(moment_fails_, true)) {
+    emit noticed(
+        tr("What is shown stands still: the skin as it is now can't be solved. %1").arg(coreWords(outcome.error)));
+  }
 }
 
 }  // namespace hexoderm

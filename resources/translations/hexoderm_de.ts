@@ -4149,6 +4149,10 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
         <translation>%1 ist schon offen.</translation>
     </message>
     <message>
+        <source>What is shown stands still: the skin as it is now can&apos;t be solved. %1</source>
+        <translation>Das Gezeigte steht still: Die Haut, wie sie jetzt ist, lässt sich nicht lösen. %1</translation>
+    </message>
+    <message>
         <source>Opening %1</source>
         <translation>%1 wird geöffnet</translation>
     </message>

@@ -249,9 +249,26 @@ TEST_F(MainWindowTest, LiveModeShowsTheMomentAndGoesBackToTheResult) {
   EXPECT_EQ(moment->poses.size(), 1U);
   EXPECT_EQ(moment->solver, "tree");
   press(Qt::Key_L);
+  QSignalSpy results(&controller(), &SessionController::reconstructionChanged);
   EXPECT_FALSE(controller().isLiveMode());
   EXPECT_EQ(posesShown(), 2U);
 }
+  EXPECT_TRUE(results.isEmpty()) << "the result is the same as before";
+}
+
+TEST_F(MainWindowTest, LiveModeSaysOnceThatTheMomentCanNotBeSolved) {
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
+  SolverOptions impossible;
+  impossible.class_threshold = -1;
+  controller().setSolverOptions(impossible);
+  QSignalSpy noticed(&controller(), &SessionController::noticed);
+  QSignalSpy moments(&controller().live(), &LiveSource::previewChanged);
+  controller().setLiveMode(true);
+  ASSERT_TRUE(waitUntil([&] { return !noticed.isEmpty(); }));
+  EXPECT_TRUE(noticed[0][0].toString().contains("can't be solved")) << noticed[0][0].toString().toStdString();
+  const int before = moments.size();
+  ASSERT_TRUE(waitUntil([&] { return moments.size() > before + 10; }));
+  EXPECT_EQ(noticed.size(), 1);
 
 TEST_F(MainWindowTest, WhatWasNotSavedIsInAScratchFileUntilItIsGivenUp) {
   QDir(unsavedFolder()).removeRecursively();
