@@ -156,13 +156,17 @@ void UnsavedSessions::search() {
 }
 
 void UnsavedSessions::recover(const QString& path) {
+  const bool is_known = std::any_of(sessions_.begin(), sessions_.end(),
+                                    [&](const UnsavedSession& session) { return session.path == path; });
+  if (is_known) emit recoverWanted(QString(path));  // which may be of a session that goes meanwhile
+}
+
+void UnsavedSessions::noteOpened(const QString& path) {
   const auto gone = std::remove_if(sessions_.begin(), sessions_.end(),
                                    [&](const UnsavedSession& session) { return session.path == path; });
   if (gone == sessions_.end()) return;
-  const QString wanted = path;  // which may be of the session that goes
   sessions_.erase(gone, sessions_.end());
   emit changed();
-  emit recoverWanted(wanted);
 }
 
 void UnsavedSessions::discard(const QString& path) { move(path, &discardUnsaved); }

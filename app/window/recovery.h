@@ -55,8 +55,10 @@ class UnsavedSessions : public QObject {
   [[nodiscard]] const std::vector<UnsavedSession>& all() const { return sessions_; }
   [[nodiscard]] static bool isDiscarded(const UnsavedSession& session);
 
-  /// It goes from the list, and recoverWanted() asks for it to be opened.
+  /// recoverWanted() asks for it to be opened; until it is, it stays in the list.
   void recover(const QString& path);
+  /// It goes from the list, if it is there.
+  void noteOpened(const QString& path);
   /// Puts it away for a week; takeBack() until then.
   void discard(const QString& path);
   void takeBack(const QString& path);

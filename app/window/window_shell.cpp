@@ -251,6 +251,8 @@ void WindowShell::connectRecovery() {
   connect(&unsaved_, &UnsavedSessions::failed, this,
           [this](const QString& message) { window_.messages.showMessage(Tone::Bad, message); });
   connect(&unsaved_, &UnsavedSessions::found, this, [this](int count) {
+  connect(&window_.controller, &SessionController::opened, this,
+          [this] { unsaved_.noteOpened(window_.controller.sessionPath()); });
     if (count == 0) return;
     const UnsavedSession newest = unsaved_.all().front();
     log_.add(LogSeverity::Info, tr("%1 sessions were not saved. The newest: %2").arg(count).arg(newest.path));

@@ -260,6 +260,38 @@ TEST_F(WindowShellTest, TheMenuOfRecentFilesIsClearedFromWithin) {
 
 TEST_F(WindowShellTest, KeepsTenRecentFilesAtMost) {
   for (int k = 0; k < 14; ++k) shell().recentFiles().note(pathTo(QStringLiteral("%1.hexo").arg(k)), k);
+TEST_F(WindowShellTest, AnUnsavedSessionStaysInTheListUntilItIsOpen) {
+  writeSession(unsavedFolder() + "/one.hexo", 3);
+  reopenWindow();
+  ASSERT_TRUE(waitUntil([&] { return shell().unsavedSessions().all().size() == 1; }));
+  const QString path = shell().unsavedSessions().all()[0].path;
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
+
+  shell().unsavedSessions().recover(path);
+  auto* box = waitForDialog<QMessageBox>("unsavedBox");
+  ASSERT_NE(box, nullptr);
+  click(box->button(QMessageBox::Cancel));
+  ASSERT_TRUE(waitUntil([&] { return !window_->findChild<QMessageBox*>("unsavedBox"); }));
+  EXPECT_EQ(shell().unsavedSessions().all().size(), 1U) << "nothing was opened";
+
+  // It is not there for a moment: it can't be opened, and can be tried again.
+  ASSERT_TRUE(QFile::rename(path, path + ".away"));
+  shell().unsavedSessions().recover(path);
+  box = waitForDialog<QMessageBox>("unsavedBox");
+  ASSERT_NE(box, nullptr);
+  click(box->button(QMessageBox::Discard));
+  ASSERT_TRUE(waitForMessage("one.hexo")) << message().toStdString();
+  EXPECT_EQ(shell().unsavedSessions().all().size(), 1U);
+  ASSERT_TRUE(QFile::rename(path + ".away", path));
+  ASSERT_TRUE(waitUntil([&] { return !window_->findChild<QMessageBox*>("unsavedBox"); }));
+  shell().unsavedSessions().recover(path);
+  box = waitForDialog<QMessageBox>("unsavedBox");
+  ASSERT_NE(box, nullptr);
+  click(box->button(QMessageBox::Discard));
+  ASSERT_TRUE(waitForPoses(3)) << message().toStdString();
+  EXPECT_TRUE(shell().unsavedSessions().all().empty());
+}
+
   shell().recentFiles().note(pathTo("9.hexo"), -1);
   ASSERT_EQ(shell().recentFiles().files().size(), RecentFiles::kMost);
   EXPECT_EQ(shell().recentFiles().files()[0].title, "9.hexo");
