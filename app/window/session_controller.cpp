@@ -72,11 +72,8 @@ std::optional<std::size_t> SessionController::sessionIndexOfPoseRow(int row) con
   const auto index = static_cast<std::size_t>(row);
   const PoseId id = reconstruction_->poses[index].pose;
   const std::vector<SessionPose>& poses = session_->poses();
-  if (index < poses.size() && poses[index].capture->id == id) return index;
-  for (std::size_t k = 0; k < poses.size(); ++k) {
-    if (poses[k].capture->id == id) return k;
-  }
-  return std::nullopt;
+  // Several poses of a file may carry one number; as long as nothing changed, the row says which is meant.
+  return index < poses.size() && poses[index].capture->id == id ? std::optional(index) : indexOf(id);
 }
 
 void SessionController::startDemo() {
