@@ -185,6 +185,9 @@ void WindowShell::setSteps(const std::vector<Step>& steps) {
 
 void WindowShell::connectLog() {
   const SessionController& controller = window_.controller;
+  connect(&log_, &EventLog::fileFailed, this, [this](const QString& why) {
+    window_.messages.showMessage(Tone::Caution, tr("The log is kept in memory only. %1").arg(why));
+  });
   // What the operator was told.
   connect(&window_.messages, &MessageBar::shown, this,
           [this](Tone tone, const QString& text) { log_.add(severityOf(tone), text); });
@@ -248,11 +251,11 @@ void WindowShell::noteOpen() {
 
 void WindowShell::connectRecovery() {
   connect(&unsaved_, &UnsavedSessions::recoverWanted, this, [this](const QString& path) { window_.open_file(path); });
+  connect(&window_.controller, &SessionController::opened, this,
+          [this] { unsaved_.noteOpened(window_.controller.sessionPath()); });
   connect(&unsaved_, &UnsavedSessions::failed, this,
           [this](const QString& message) { window_.messages.showMessage(Tone::Bad, message); });
   connect(&unsaved_, &UnsavedSessions::found, this, [this](int count) {
-  connect(&window_.controller, &SessionController::opened, this,
-          [this] { unsaved_.noteOpened(window_.controller.sessionPath()); });
     if (count == 0) return;
     const UnsavedSession newest = unsaved_.all().front();
     log_.add(LogSeverity::Info, tr("%1 sessions were not saved. The newest: %2").arg(count).arg(newest.path));

@@ -1657,6 +1657,14 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
 <context>
     <name>hexoderm::EventLog</name>
     <message>
+        <source>The folder %1 can&apos;t be made.</source>
+        <translation>Der Ordner %1 lässt sich nicht anlegen.</translation>
+    </message>
+    <message>
+        <source>%1 lines are missing here: they could not be written, or came too fast</source>
+        <translation>Hier fehlen %1 Zeilen: Sie ließen sich nicht schreiben oder kamen zu schnell</translation>
+    </message>
+    <message>
         <source>Info</source>
         <translation>Info</translation>
     </message>
@@ -4141,16 +4149,16 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
 <context>
     <name>hexoderm::SessionController</name>
     <message>
+        <source>What is shown stands still: the skin as it is now can&apos;t be solved. %1</source>
+        <translation>Das Gezeigte steht still: Die Haut, wie sie jetzt ist, lässt sich nicht lösen. %1</translation>
+    </message>
+    <message>
         <source>Demo skin (simulated)</source>
         <translation>Demo-Haut (simuliert)</translation>
     </message>
     <message>
         <source>%1 is open already.</source>
         <translation>%1 ist schon offen.</translation>
-    </message>
-    <message>
-        <source>What is shown stands still: the skin as it is now can&apos;t be solved. %1</source>
-        <translation>Das Gezeigte steht still: Die Haut, wie sie jetzt ist, lässt sich nicht lösen. %1</translation>
     </message>
     <message>
         <source>Opening %1</source>
@@ -5272,6 +5280,10 @@ Auf einem entfernten Bildschirm kann Zeichnen in Software helfen: hexoderm mit -
 </context>
 <context>
     <name>hexoderm::WindowShell</name>
+    <message>
+        <source>The log is kept in memory only. %1</source>
+        <translation>Das Protokoll bleibt nur im Speicher. %1</translation>
+    </message>
     <message>
         <source>Solved: %1, %2 poses, %3, %4 ms. %5</source>
         <translation>Gelöst: %1, %2 Posen, %3, %4 ms. %5</translation>
