@@ -16,7 +16,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QSettings>
 #include <QSignalBlocker>
 #include <QStyle>
@@ -75,13 +74,10 @@ QStringList serialPorts() {
   return ports;
 }
 
-/// What is wrong with an address, in core's words; empty if nothing is. Quick enough for every key that is typed: a
-/// simulated skin of thousands of cells takes a while to build, and has its address checked on connecting.
+/// What is wrong with an address, in core's words; empty if nothing is.
 QString problemWithAddress(const QString& address) {
-  static const QRegularExpression large(QStringLiteral("^sim:[^?]*\\d{3}"));
-  if (large.match(address).hasMatch()) return {};
   try {
-    static_cast<void>(openSkinSource(address.toStdString()));
+    checkSkinAddress(address.toStdString());
   } catch (const Error& error) {
     return coreWords(error.what());
   }

@@ -131,6 +131,16 @@ TEST_F(WindowLiveTest, AWrongAddressIsRefusedInWords) {
   EXPECT_FALSE(controller().live().isRunning());
 }
 
+TEST_F(WindowLiveTest, TheAddressOfALargeSkinIsCheckedAsItIsTyped) {
+  QDialog* dialog = openConnectDialog("Simulated skin", "sheet:99x99");
+  ASSERT_NE(dialog, nullptr);
+  EXPECT_TRUE(dialog->findChild<QPushButton*>("connectButton")->isEnabled());
+  QTest::keyClicks(dialog->findChild<QComboBox*>("connectAddress")->lineEdit(), "99");
+  EXPECT_FALSE(dialog->findChild<QPushButton*>("connectButton")->isEnabled());
+  const QString note = dialog->findChild<QLabel*>("connectNote")->text();
+  EXPECT_TRUE(note.contains("100000 cells")) << note.toStdString();
+}
+
 TEST_F(WindowLiveTest, ADeviceThatIsNotThereIsSaidAndCanBeGivenUp) {
   QTcpServer server;
   ASSERT_TRUE(server.listen(QHostAddress::LocalHost));
