@@ -178,14 +178,9 @@ class Capture {
   /// What the poses so far are good for, and what comes next.
   void decide() {
     result_ = reconstruct(*session_->snapshot(), {}, result_.get());
-    // Without a number of poses, the device goes on until they are good for something, or it has no more to offer.
-    constexpr std::size_t kFewest = 4;
-    constexpr std::size_t kMost = 12;
     const std::size_t count = session_->poses().size();
-    done_ = options_.poses > 0
-                ? count >= options_.poses
-                : options_.automatic &&
-                      (count >= kMost || (count >= kFewest && result_->verdict.level == VerdictLevel::Good));
+    done_ = options_.poses > 0 ? count >= options_.poses
+                               : options_.automatic && (count >= kMostPosesByItself || enoughPoses(*result_));
     if (done_ || result_->patches.empty()) return;
     advised_in_ = &*std::ranges::max_element(result_->patches, {},
                                              [](const PatchReconstruction& patch) { return patch.cells.size(); });
@@ -332,7 +327,7 @@ void addCapture(CLI::App& app, Common& common) {
   for (const SourceKind& kind : sourceKinds()) kinds += (kinds.empty() ? "" : ", ") + std::string(kind.example);
   command->add_option("--source", options->source, kinds)->required();
   command->add_option("--poses", options->poses,
-                      "End after so many (default: at the stream's end or Ctrl+C; with --auto when they are good)");
+                      "End after so many (default: at the stream's end or Ctrl+C; with --auto when they are enough)");
   command->add_flag("--auto", options->automatic, "The device turns itself, to where each pose helps most");
   command->add_flag("--keep-raw", options->keep_raw, "Keep every sample of the poses in the session too");
   command->add_option("--record", options->recording, "Write all that the device sends to this file, for replay:FILE");

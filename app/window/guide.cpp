@@ -100,9 +100,8 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
   }
   const std::size_t enabled = controller.enabledPoses();
   const bool more = controller.wantsMorePoses();
-  step.note = more && enabled < SessionController::kGoodPoseCount
-                  ? Guide::tr("%1 of %2").arg(enabled).arg(SessionController::kGoodPoseCount)
-                  : posesInWords(enabled);
+  step.note =
+      more && enabled < kGoodPoseCount ? Guide::tr("%1 of %2").arg(enabled).arg(kGoodPoseCount) : posesInWords(enabled);
   if (controller.canTurn())
     step.actions = {actions.robot, actions.live_mode};
   else if (controller.isLive())

@@ -75,10 +75,8 @@ class SessionController : public QObject {
   [[nodiscard]] std::optional<CellId> litCell() const { return lit_; }
   /// The pose that the next capture replaces.
   [[nodiscard]] std::optional<PoseId> recapturing() const { return recapturing_; }
-  /// The first set of directions that tells offsets apart is a tetrahedron's (SPEC step 12): the guide leads there.
-  static constexpr std::size_t kGoodPoseCount = 4;
   [[nodiscard]] std::size_t enabledPoses() const;
-  /// Another pose would be worth the trouble: until the result is good, or as good as four poses make it.
+  /// The skin that is connected should be held for another pose, see enoughPoses().
   [[nodiscard]] bool wantsMorePoses() const;
   /// A change of the session has no result yet.
   [[nodiscard]] bool isSolving() const { return session_ && shown_revision_ < submitted_revision_; }
@@ -150,10 +148,10 @@ class SessionController : public QObject {
 
  signals:
   /// Anything about session, files or background work changed.
-  /// Where it ends, the result that was not shown meanwhile is still the same.
-  void liveModeChanged(bool on);
   void changed();
   void reconstructionChanged(std::shared_ptr<const hexoderm::Reconstruction> reconstruction);
+  /// Where it ends, the result that was not shown meanwhile is still the same.
+  void liveModeChanged(bool on);
   /// In live mode, for every moment that was solved.
   void momentSolved(std::shared_ptr<const hexoderm::Reconstruction> reconstruction);
   void nextPoseChanged();
@@ -181,10 +179,10 @@ class SessionController : public QObject {
   void submit();
   void receive(const ReconstructionOutcome& outcome);
   void receiveMoment(const ReconstructionOutcome& outcome);
-  /// What was asked of the skin that was connected, and what it could not do, says nothing about the next.
-  void forgetSource();
 
   void connectLive();
+  /// What was asked of the skin that was connected, and what it could not do, says nothing about the next.
+  void forgetSource();
   void showSkin(const SkinDescription& skin);
   [[nodiscard]] bool beginLiveSession(const SkinDescription& skin);
   void replaceSkin(const SkinDescription& skin);
@@ -232,9 +230,9 @@ class SessionController : public QObject {
   std::uint64_t connect_revision_ = 0;  ///< submitted last when it was made
   bool live_session_ = false;           ///< the session is that of the connected skin
   bool automatic_ = true;
-  bool moment_fails_ = false;  ///< said once
   bool robot_ = false;
   bool live_mode_ = false;
+  bool moment_fails_ = false;  ///< said once
   std::optional<PoseId> recapturing_;
   std::optional<CellId> lit_;
   std::optional<PoseAdvice> next_pose_;

@@ -9,13 +9,6 @@
 #include <utility>
 
 namespace hexoderm {
-namespace {
-
-/// A robot that is not done after so many poses will not be.
-constexpr std::size_t kRobotPoseCount = 12;
-
-}  // namespace
-
 std::size_t SessionController::enabledPoses() const {
   if (!session_) return 0;
   return static_cast<std::size_t>(std::count_if(session_->poses().begin(), session_->poses().end(),
@@ -24,10 +17,7 @@ std::size_t SessionController::enabledPoses() const {
 
 bool SessionController::wantsMorePoses() const {
   if (!isLive() || live_.status().state == SourceState::Ended) return false;
-  if (!reconstruction_) return true;
-  const VerdictLevel level = reconstruction_->verdict.level;
-  if (level == VerdictLevel::Good) return false;
-  return level != VerdictLevel::Usable || enabledPoses() < kGoodPoseCount;
+  return !reconstruction_ || !enoughPoses(*reconstruction_);
 }
 
 void SessionController::adviseAnew() {
@@ -55,7 +45,6 @@ void SessionController::adviseAnew() {
 void SessionController::sendTurn(const Eigen::Vector3d& up_o) {
   asked_up_ = up_o;
   asked_turn_ = live_.send(TurnTo{largestPatch(*reconstruction_)->origin, up_o});
-  if (std::exchange(robot_, false)) emit changed();
 }
 
 void SessionController::turnToNextPose() {
@@ -66,6 +55,7 @@ void SessionController::turnTo(const Eigen::Vector3d& up_o) {
   if (!canTurn() || !reconstruction_ || !largestPatch(*reconstruction_)) return;
   asked_turn_ = 0;
   live_.send(TurnTo{largestPatch(*reconstruction_)->origin, up_o.normalized()});
+  if (std::exchange(robot_, false)) emit changed();
 }
 
 void SessionController::skipPose() {
@@ -86,7 +76,7 @@ void SessionController::setRobot(bool on) {
 void SessionController::letRobotTurn() {
   // The first pose is taken where the part lies.
   if (!robot_ || !canTurn() || !next_pose_ || !isCurrent() || session_->poses().empty()) return;
-  if (!wantsMorePoses() || enabledPoses() >= kRobotPoseCount) {
+  if (!wantsMorePoses() || enabledPoses() >= kMostPosesByItself) {
     robot_ = false;
     emit changed();
     return;

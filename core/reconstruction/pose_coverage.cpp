@@ -231,7 +231,7 @@ std::optional<NextPose> describeNextPose(const PoseAdvice& advice, const Reconst
     next.gain = opposite == patch->gravity.end() ? PoseGain::Further : PoseGain::Opposite;
     if (opposite != patch->gravity.end()) next.opposite_of = opposite->pose;
   }
-  next.worthwhile = quality < EdgeQuality::Fully || advice.sigma_then_rad <= (1 - kLeastGain) * advice.sigma_now_rad;
+  next.worthwhile = !enoughPoses(reconstruction) || advice.sigma_then_rad <= (1 - kLeastGain) * advice.sigma_now_rad;
   return next;
 }
 

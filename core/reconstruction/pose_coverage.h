@@ -115,7 +115,7 @@ struct NextPose {
   std::optional<PoseId> opposite_of;  ///< for Opposite
   double sigma_now_rad = 0;           ///< as in PoseAdvice
   double sigma_then_rad = 0;
-  /// Lowers the predicted error by at least a twentieth, or all that was said so far is not enough for a class.
+  /// There are not enough poses yet, see enoughPoses(), or this one lowers the predicted error by at least a twentieth.
   bool worthwhile = true;
 };
 /// Nothing without a patch. `current_up_o`: unit, see currentUp.

@@ -267,7 +267,12 @@ TEST(NextPose, AfterManyPosesAnotherOneIsNotWorthwhile) {
   const CellModel model = builtInCellModel("hex-bma150");
   Ups ups = {{0, 0, 1}};
   while (ups.size() < 30) ups.push_back(adviseNextPose(model, ups).up);
-  EXPECT_FALSE(describeNextPose(adviseNextPose(model, ups), withGravity(ups))->worthwhile);
+  Reconstruction many = withGravity(ups);
+  many.verdict.level = VerdictLevel::Usable;
+  EXPECT_FALSE(describeNextPose(adviseNextPose(model, ups), many)->worthwhile);
+  many.verdict.level = VerdictLevel::NotEnough;
+  EXPECT_TRUE(describeNextPose(adviseNextPose(model, ups), many)->worthwhile)
+      << "nobody is told that there are enough as long as the verdict says that there are not";
 }
 
 TEST(NextPose, TurnsFromWhereThePartIsNow) {
