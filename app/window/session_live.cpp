@@ -181,15 +181,9 @@ void SessionController::announce(PoseId pose) {
 }
 
 std::shared_ptr<const PoseCapture> SessionController::withLabel(std::shared_ptr<const PoseCapture> pose) const {
-  if (!pose->label.empty() || !reconstruction_ || !largestPatch(*reconstruction_)) return pose;
-  // The patch's frame is the origin cell's, so its reading alone says where up is; the shape need not be known yet.
-  const CellId origin = largestPatch(*reconstruction_)->origin;
-  const auto of_origin = std::find_if(pose->samples.begin(), pose->samples.end(),
-                                      [&](const GravitySample& sample) { return sample.cell == origin; });
-  if (of_origin == pose->samples.end() || of_origin->mean_g.norm() < 0.5) return pose;
-  const Eigen::Vector3d up_o = reconstruction_->model->accelerometer.T_u_a.R * of_origin->mean_g.normalized();
+  if (!pose->label.empty() || !reconstruction_) return pose;
   auto labelled = std::make_shared<PoseCapture>(*pose);
-  labelled->label = poseLabel(up_o);
+  labelled->label = poseLabel(*reconstruction_, *pose);
   return labelled;
 }
 

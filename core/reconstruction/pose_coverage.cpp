@@ -248,4 +248,13 @@ std::string poseLabel(const Eigen::Vector3d& up_o) {
   return std::string(way) + axisName(up_o);
 }
 
+std::string poseLabel(const Reconstruction& reconstruction, const PoseCapture& capture) {
+  constexpr double kLeast_g = 0.5;
+  const PatchReconstruction* patch = largestPatch(reconstruction);
+  if (patch == nullptr) return {};
+  const auto sample = std::ranges::find(capture.samples, patch->origin, &GravitySample::cell);
+  if (sample == capture.samples.end() || !(sample->mean_g.norm() >= kLeast_g)) return {};
+  return poseLabel(reconstruction.model->accelerometer.T_u_a.R * sample->mean_g.normalized());
+}
+
 }  // namespace hexoderm

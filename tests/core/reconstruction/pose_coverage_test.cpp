@@ -293,5 +293,19 @@ TEST(PoseLabel, SaysWhatTheOriginCellFaces) {
   EXPECT_EQ(poseLabel(Eigen::Vector3d(0, -1, -1).normalized()), "tilted down, -y up");
 }
 
+TEST(PoseLabel, OfACaptureIsWhatItsOriginReads) {
+  const Reconstruction result = withGravity({});
+  const CellId origin = largestPatch(result)->origin;
+  PoseCapture capture;
+  EXPECT_EQ(poseLabel(result, capture), "") << "the origin was not heard";
+  const Eigen::Matrix3d R_a_u = result.model->accelerometer.T_u_a.R.transpose();
+  capture.samples = {{CellId(999), {0, 0, 1}, {}, 1}, {origin, R_a_u * Eigen::Vector3d(0, 0, -1.05), {}, 1}};
+  EXPECT_EQ(poseLabel(result, capture), "facing floor");
+  capture.samples[1].mean_g *= 0.01;
+  EXPECT_EQ(poseLabel(result, capture), "") << "no gravity";
+  Reconstruction none;
+  EXPECT_EQ(poseLabel(none, capture), "");
+}
+
 }  // namespace
 }  // namespace hexoderm
