@@ -1,5 +1,6 @@
 #include "app/window/connect_dialog.h"
 
+#include "app/window/session_paths.h"
 #include "hexoderm/device/open_source.h"
 #include "hexoderm/util/error.h"
 #include "widgets/core_words.h"
@@ -7,7 +8,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
-#include <QDateTime>
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QFileDialog>
@@ -91,14 +91,6 @@ QString recordingOf(const Kind& kind, const QString& address) {
 }
 
 }  // namespace
-
-QString newSessionPath(const QString& folder) {
-  const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss"));
-  const QString base = QDir(folder).filePath(QStringLiteral("skin-%1").arg(stamp));
-  QString path = base + kExtension;
-  for (int k = 2; QFileInfo::exists(path); ++k) path = QStringLiteral("%1-%2").arg(base).arg(k) + kExtension;
-  return path;
-}
 
 ConnectDialog::ConnectDialog(const QString& folder, const QString& open_session, QWidget* parent)
     : QDialog(parent),

@@ -23,9 +23,6 @@ struct UnsavedSession {
   QString problem;  ///< why it can't be read; empty if it can
 };
 
-/// Where sessions are kept that were not saved anywhere: AppDataLocation/unsaved.
-QString unsavedFolder();
-
 /// The sessions `*.hexo` in a folder that no living process has open, the newest first; those without poses are not
 /// worth a question and left out. Changes nothing. Reads every file: not on the GUI thread.
 std::vector<UnsavedSession> findUnsavedSessions(const QString& folder);

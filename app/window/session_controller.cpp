@@ -1,6 +1,6 @@
 #include "app/window/session_controller.h"
 
-#include "app/window/recovery.h"
+#include "app/window/session_paths.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/session/session_store.h"
@@ -15,8 +15,6 @@
 
 namespace hexoderm {
 namespace {
-
-std::filesystem::path toPath(const QString& path) { return {path.toStdU16String()}; }
 
 /// A file as it was opened; a session store that can be written stays open for what comes.
 struct Opened {
@@ -101,7 +99,7 @@ void SessionController::openFile(const QString& path) {
             } else {
               showCalibration(std::get<std::shared_ptr<const Reconstruction>>(opened_file->file), name);
             }
-            if (opened_file->store && QFileInfo(path).absolutePath() == QFileInfo(unsavedFolder()).absoluteFilePath()) {
+            if (opened_file->store && isInUnsavedFolder(path)) {
               // Recovered: it goes on where it was, and still waits to be saved.
               scratch_path_ = path;
               session_path_.clear();

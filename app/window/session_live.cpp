@@ -1,6 +1,6 @@
 // The part of SessionController about the skin that is connected and the file that the session is kept in.
-#include "app/window/scratch_session.h"
 #include "app/window/session_controller.h"
+#include "app/window/session_paths.h"
 
 #include "hexoderm/reconstruction/pose_coverage.h"
 #include "hexoderm/util/error.h"
@@ -17,8 +17,6 @@
 
 namespace hexoderm {
 namespace {
-
-std::filesystem::path toPath(const QString& path) { return {path.toStdU16String()}; }
 
 std::set<CellId> cellsOf(const NeighborList& neighbors) {
   std::set<CellId> cells;
@@ -243,7 +241,7 @@ void SessionController::dropJournal() {
   journal_.reset();
   if (scratch_path_.isEmpty()) return;
   // After the journal has closed it, which happens on the same thread.
-  jobs_.addEssential([path = std::exchange(scratch_path_, {})] { removeScratchFile(path); });
+  jobs_.addEssential([path = toPath(std::exchange(scratch_path_, {}))] { removeSessionStore(path); });
 }
 
 void SessionController::appendToJournal(StoreOperation operation) {

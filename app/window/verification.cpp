@@ -1,5 +1,6 @@
 #include "app/window/verification.h"
 
+#include "app/window/session_paths.h"
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/util/error.h"
@@ -8,7 +9,6 @@
 #include <QFileInfo>
 #include <QMetaObject>
 #include <algorithm>
-#include <filesystem>
 #include <utility>
 
 namespace hexoderm {
@@ -18,7 +18,7 @@ std::size_t slotOf(VerifyCheck check) { return static_cast<std::size_t>(check); 
 
 /// A session is solved with the options of what it is compared with.
 std::shared_ptr<const Reconstruction> readReference(const QString& path, const SolverOptions& options) {
-  const OpenedFile file = openFile(std::filesystem::path(path.toStdU16String()), builtInCellModel("hex-bma150"));
+  const OpenedFile file = openFile(toPath(path), builtInCellModel("hex-bma150"));
   if (const auto* session = std::get_if<Session>(&file)) return reconstruct(*session->snapshot(), options);
   return std::get<std::shared_ptr<const Reconstruction>>(file);
 }

@@ -2,8 +2,8 @@
 #include "app/window/export_dialog.h"
 #include "app/window/guide_window.h"
 #include "app/window/main_window.h"
-#include "app/window/recovery.h"
 #include "app/window/report_pictures.h"
+#include "app/window/session_paths.h"
 #include "app/window/window_shell.h"
 #include "widgets/graph_view.h"
 #include "widgets/message_bar.h"
@@ -42,7 +42,7 @@ QString lastFolder() {
 
 void rememberFolder(const QString& path) {
   // Nobody chose the folder that unsaved sessions are recovered from.
-  if (QFileInfo(path).absolutePath() == QFileInfo(unsavedFolder()).absoluteFilePath()) return;
+  if (isInUnsavedFolder(path)) return;
   QSettings().setValue(QStringLiteral("paths/last"), QFileInfo(path).absolutePath());
 }
 

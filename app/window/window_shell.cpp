@@ -6,6 +6,7 @@
 #include "app/window/log_view.h"
 #include "app/window/preferences_dialog.h"
 #include "app/window/session_controller.h"
+#include "app/window/session_paths.h"
 #include "app/window/welcome_panel.h"
 #include "hexoderm/util/text.h"
 #include "widgets/card_dock.h"
@@ -56,10 +57,6 @@ QString resultInWords(const Reconstruction& result) {
       .arg(result.poses.size())
       .arg(QString::fromStdString(result.solver), QString::fromStdString(formatFixed(1e3 * result.solve_seconds, 1)),
            coreWords(result.verdict.reason));
-}
-
-bool isIn(const QString& path, const QString& folder) {
-  return QFileInfo(path).absolutePath() == QFileInfo(folder).absoluteFilePath();
 }
 
 }  // namespace
@@ -245,7 +242,7 @@ void WindowShell::noteOpen() {
   if (path.isEmpty() && !controller.session() && QFileInfo(asked_path_).fileName() == controller.name()) {
     path = asked_path_;
   }
-  if (path.isEmpty() || isIn(path, unsavedFolder())) return;
+  if (path.isEmpty() || isInUnsavedFolder(path)) return;
   recent_.note(path, controller.session() ? static_cast<int>(controller.session()->poses().size()) : -1);
 }
 

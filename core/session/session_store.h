@@ -129,6 +129,13 @@ void writeSessionStore(const Session& session, const std::filesystem::path& path
 /// By its first bytes; whether it is in order, reading will tell. Throws StorageError if it is there and can't be read.
 bool isSessionStore(const std::filesystem::path& path);
 
+/// Moves a session that nobody has open, with what SQLite keeps beside it ("-wal", "-shm"). Throws StorageError if
+/// somebody has it open, if something is at `to` already, or if it can't be moved: then it stays where it is.
+void moveSessionStore(const std::filesystem::path& from, const std::filesystem::path& to);
+/// Removes a session that nobody has open, with what SQLite keeps beside it. Nothing happens where there is none, or it
+/// can't be removed.
+void removeSessionStore(const std::filesystem::path& path) noexcept;
+
 /// Whether somebody, here or in another process, has the session open for writing at this moment. A process that was
 /// killed has not. Throws StorageError if the file can't be read.
 bool isSessionStoreInUse(const std::filesystem::path& path);

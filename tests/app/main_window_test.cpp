@@ -1,6 +1,6 @@
 #include "app/window/main_window.h"
 
-#include "app/window/recovery.h"
+#include "app/window/session_paths.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/reconstruction/evaluation.h"
 #include "hexoderm/session/session_store.h"

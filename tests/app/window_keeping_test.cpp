@@ -1,5 +1,5 @@
 // What is undone, saved and connected in any order is in the file, and nothing of one skin is left for the next.
-#include "app/window/recovery.h"
+#include "app/window/session_paths.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/session/simulated_session.h"

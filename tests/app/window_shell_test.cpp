@@ -3,6 +3,7 @@
 #include "app/window/window_shell.h"
 
 #include "app/window/bug_report.h"
+#include "app/window/session_paths.h"
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/error.h"
