@@ -129,9 +129,8 @@ QWidget* CapturePanel::makeButton(QAction* action, const char* object_name) {
   return row;
 }
 
-void CapturePanel::setSource(const std::optional<SourceStatus>& status, const QString& why) {
+void CapturePanel::setSource(const std::optional<SourceStatus>& status) {
   source_ = status;
-  no_source_ = why;
   refresh();
   refreshAdvice();
 }
@@ -166,7 +165,7 @@ void CapturePanel::setTheme(Theme theme) {
 void CapturePanel::refresh() {
   ring_->setVisible(source_.has_value());
   if (!source_) {
-    setIfChanged(wait_, no_source_.isEmpty() ? tr("No skin is connected, so no pose can be taken.") : no_source_);
+    setIfChanged(wait_, tr("No skin is connected, so no pose can be taken."));
     setIfChanged(odd_, {});
     return;
   }

@@ -34,8 +34,8 @@ class CapturePanel : public QWidget {
   };
   explicit CapturePanel(const Actions& actions, QWidget* parent = nullptr);
 
-  /// Where the source stands; none: no skin is connected, and `why` says what then (may be empty).
-  void setSource(const std::optional<SourceStatus>& status, const QString& why = {});
+  /// Where the source stands; none: no skin is connected.
+  void setSource(const std::optional<SourceStatus>& status);
   /// Cheap: at most 20 times a second. Shown while the source streams.
   void setHold(const HoldStatus& hold);
   /// Nothing: advice is still being worked out.
@@ -67,7 +67,6 @@ class CapturePanel : public QWidget {
   QWidget* switch_ = nullptr;
   QTimer* captured_timer_;
   std::optional<SourceStatus> source_;
-  QString no_source_;
   HoldStatus hold_;
   std::optional<NextPose> next_;
   std::optional<PoseId> captured_;

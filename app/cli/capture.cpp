@@ -5,6 +5,7 @@
 #include "hexoderm/device/recording.h"
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/reconstruction/pose_advisor.h"
+#include "hexoderm/reconstruction/pose_coverage.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/util/text.h"
 
@@ -95,6 +96,7 @@ class Capture {
       can_turn_ = skin.can_turn;
       session_.emplace(*skin.model, skin.neighbors, SourceDescription{skin.device + ", " + source_.address(), "", ""});
       if (skin.truth) session_->setTruth(*skin.truth);
+      without_poses_ = reconstruct(*session_->snapshot());
       store_ = std::make_unique<SessionRecorder>(SessionStore::create(options_.output, *session_));
       common_.endProgress();
       common_.note(device_ + ": " + cellsInWords(skin.neighbors.size()));
@@ -105,6 +107,7 @@ class Capture {
     }
     if (skin.neighbors == session_->neighbors()) return;
     session_->setSkin(*skin.model, skin.neighbors);
+    without_poses_ = reconstruct(*Session(*skin.model, skin.neighbors).snapshot());
     store_->append({SetSkin{skin.model, skin.neighbors}}, {});
     common_.note("The device says that its topology has changed; poses stay.");
   }
@@ -112,8 +115,10 @@ class Capture {
   void handle(const CapturedPose& captured) {
     made_progress_ = true;
     if (!session_ || (options_.poses > 0 && session_->poses().size() >= options_.poses)) return;
-    session_->addPose({captured.pose, false});
-    AddPose add{{captured.pose, false}};
+    auto labelled = std::make_shared<PoseCapture>(*captured.pose);
+    if (labelled->label.empty()) labelled->label = poseLabel(*without_poses_, *labelled);
+    session_->addPose({labelled, false});
+    AddPose add{{labelled, false}};
     if (options_.keep_raw) add.raw = std::make_shared<const std::vector<SampleFrame>>(captured.frames);
     ++waiting_;
     store_->append({add}, [this, id = captured.pose->id](const StoreOutcome& outcome) {
@@ -178,14 +183,9 @@ class Capture {
   /// What the poses so far are good for, and what comes next.
   void decide() {
     result_ = reconstruct(*session_->snapshot(), {}, result_.get());
-    // Without a number of poses, the device goes on until they are good for something, or it has no more to offer.
-    constexpr std::size_t kFewest = 4;
-    constexpr std::size_t kMost = 12;
     const std::size_t count = session_->poses().size();
-    done_ = options_.poses > 0
-                ? count >= options_.poses
-                : options_.automatic &&
-                      (count >= kMost || (count >= kFewest && result_->verdict.level == VerdictLevel::Good));
+    done_ = options_.poses > 0 ? count >= options_.poses
+                               : options_.automatic && (count >= kMostPosesByItself || enoughPoses(*result_));
     if (done_ || result_->patches.empty()) return;
     advised_in_ = &*std::ranges::max_element(result_->patches, {},
                                              [](const PatchReconstruction& patch) { return patch.cells.size(); });
@@ -251,6 +251,8 @@ class Capture {
   SourceStatus status_;
   HoldStatus hold_;
 
+  /// Names the poses: unlike the result, the same for the same recording however fast it is played.
+  std::shared_ptr<const Reconstruction> without_poses_;
   std::shared_ptr<const Reconstruction> result_;
   const PatchReconstruction* advised_in_ = nullptr;
   std::vector<Eigen::Vector3d> unreachable_;
@@ -332,7 +334,7 @@ void addCapture(CLI::App& app, Common& common) {
   for (const SourceKind& kind : sourceKinds()) kinds += (kinds.empty() ? "" : ", ") + std::string(kind.example);
   command->add_option("--source", options->source, kinds)->required();
   command->add_option("--poses", options->poses,
-                      "End after so many (default: at the stream's end or Ctrl+C; with --auto when they are good)");
+                      "End after so many (default: at the stream's end or Ctrl+C; with --auto when they are enough)");
   command->add_flag("--auto", options->automatic, "The device turns itself, to where each pose helps most");
   command->add_flag("--keep-raw", options->keep_raw, "Keep every sample of the poses in the session too");
   command->add_option("--record", options->recording, "Write all that the device sends to this file, for replay:FILE");

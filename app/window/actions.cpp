@@ -192,7 +192,7 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
 void WindowActions::refreshCapture(const SessionController& controller, const QString& no_session) {
   const bool live = controller.isLive();
   QString no_skin = no_session;
-  if (no_skin.isEmpty() && !live) no_skin = tr("This session came from a file; no skin is connected");
+  if (no_skin.isEmpty() && !live) no_skin = tr("No skin is connected");
   if (live && controller.live().status().state != SourceState::Streaming) {
     no_skin = tr("The skin does not send: %1").arg(coreWords(controller.live().status().text));
   }

@@ -1,5 +1,6 @@
 #include "app/window/connect_dialog.h"
 
+#include "app/window/session_paths.h"
 #include "hexoderm/device/open_source.h"
 #include "hexoderm/util/error.h"
 #include "widgets/core_words.h"
@@ -7,7 +8,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QCoreApplication>
-#include <QDateTime>
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QFileDialog>
@@ -16,7 +16,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QSettings>
 #include <QSignalBlocker>
 #include <QStyle>
@@ -75,13 +74,10 @@ QStringList serialPorts() {
   return ports;
 }
 
-/// What is wrong with an address, in core's words; empty if nothing is. Quick enough for every key that is typed: a
-/// simulated skin of thousands of cells takes a while to build, and has its address checked on connecting.
+/// What is wrong with an address, in core's words; empty if nothing is.
 QString problemWithAddress(const QString& address) {
-  static const QRegularExpression large(QStringLiteral("^sim:[^?]*\\d{3}"));
-  if (large.match(address).hasMatch()) return {};
   try {
-    static_cast<void>(openSkinSource(address.toStdString()));
+    checkSkinAddress(address.toStdString());
   } catch (const Error& error) {
     return coreWords(error.what());
   }
@@ -95,14 +91,6 @@ QString recordingOf(const Kind& kind, const QString& address) {
 }
 
 }  // namespace
-
-QString newSessionPath(const QString& folder) {
-  const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss"));
-  const QString base = QDir(folder).filePath(QStringLiteral("skin-%1").arg(stamp));
-  QString path = base + kExtension;
-  for (int k = 2; QFileInfo::exists(path); ++k) path = QStringLiteral("%1-%2").arg(base).arg(k) + kExtension;
-  return path;
-}
 
 ConnectDialog::ConnectDialog(const QString& folder, const QString& open_session, QWidget* parent)
     : QDialog(parent),

@@ -48,7 +48,4 @@ class ConnectDialog : public QDialog {
   QPushButton* connect_;
 };
 
-/// A name that is not taken yet: "skin-20261121-173335.hexo" in `folder`.
-QString newSessionPath(const QString& folder);
-
 }  // namespace hexoderm

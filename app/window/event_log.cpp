@@ -36,19 +36,11 @@ const char* englishWord(LogSeverity severity) {
 
 }  // namespace
 
-/// The lines, and whom to tell; outlives the log where another thread is just adding.
-struct EventLog::State {
-  mutable std::mutex mutex;
-  std::deque<LogLine> lines;
-  std::uint64_t count = 0;
-  EventLog* owner = nullptr;  ///< null from its end on
-  bool told = false;          ///< grown() is on its way
-};
-
-/// Appends lines to the file on a thread of its own, which lives as long as the disk keeps it waiting.
+/// Appends lines to the file on a thread of its own, which lives as long as the disk keeps it waiting, and so may
+/// outlive the log.
 class EventLog::Writer : public std::enable_shared_from_this<Writer> {
  public:
-  explicit Writer(QString folder) : folder_(std::move(folder)) {}
+  Writer(EventLog& log, QString folder) : log_(&log), folder_(std::move(folder)) {}
 
   void start() {
     std::thread([self = shared_from_this()] { self->run(); }).detach();
@@ -56,7 +48,11 @@ class EventLog::Writer : public std::enable_shared_from_this<Writer> {
   void add(const QString& line) {
     {
       const std::lock_guard lock(mutex_);
-      if (lines_.size() < kMaxWaiting) lines_.push_back(line);
+      if (dropped_ == 0 && lines_.size() < kMaxWaiting) {
+        lines_.push_back(line);
+      } else {
+        ++dropped_;
+      }
     }
     changed_.notify_all();
   }
@@ -68,6 +64,7 @@ class EventLog::Writer : public std::enable_shared_from_this<Writer> {
     {
       const std::lock_guard lock(mutex_);
       ending_ = true;
+      log_ = nullptr;
     }
     changed_.notify_all();
     constexpr int kPatience_ms = 1000;
@@ -77,26 +74,51 @@ class EventLog::Writer : public std::enable_shared_from_this<Writer> {
 
  private:
   void run() {
+    std::size_t refused = 0;  // by the disk, before what waits
     std::unique_lock lock(mutex_);
     for (;;) {
       changed_.wait(lock, [this] { return ending_ || !lines_.empty(); });
       if (lines_.empty()) break;
       std::deque<QString> batch;
       batch.swap(lines_);
+      const std::size_t dropped = std::exchange(dropped_, 0);
+      const std::size_t count = batch.size() + dropped;
+      if (refused > 0) batch.push_front(linesAreMissing(refused));
+      if (dropped > 0) batch.push_back(linesAreMissing(dropped));
       busy_ = true;
       lock.unlock();
-      write(batch);
+      const QString problem = write(batch);
       lock.lock();
       busy_ = false;
+      refused = problem.isEmpty() ? 0 : refused + count;
+      if (!problem.isEmpty()) say(problem);
       changed_.notify_all();
     }
     ended_ = true;
     changed_.notify_all();
   }
 
-  void write(const std::deque<QString>& batch) {
+  static QString linesAreMissing(std::size_t count) {
+    LogLine line;
+    line.at_ms = QDateTime::currentMSecsSinceEpoch();
+    line.severity = LogSeverity::Warning;
+    line.text = EventLog::tr("%1 lines are missing here: they could not be written, or came too fast").arg(count);
+    return asFileLine(line);
+  }
+
+  /// Once: what comes next fails too, as a rule, and would say nothing new. With the lock.
+  void say(const QString& problem) {
+    if (!log_ || std::exchange(said_, true)) return;
+    QMetaObject::invokeMethod(
+        log_, [log = log_, problem] { emit log->fileFailed(problem); }, Qt::QueuedConnection);
+  }
+
+  /// Why it could not; empty if it could.
+  QString write(const std::deque<QString>& batch) {
     const QDir folder(folder_);
-    if (!folder.exists() && !QDir().mkpath(folder_)) return;
+    if (!folder.exists() && !QDir().mkpath(folder_)) {
+      return EventLog::tr("The folder %1 can't be made.").arg(QDir::toNativeSeparators(folder_));
+    }
     QByteArray bytes;
     for (const QString& line : batch) bytes += line.toUtf8() + '\n';
     const QString path = folder.filePath(kFileName);
@@ -107,13 +129,20 @@ class EventLog::Writer : public std::enable_shared_from_this<Writer> {
     }
     // Several windows of several processes may write it; whole lines are appended at once.
     QFile file(path);
-    if (file.open(QIODevice::WriteOnly | QIODevice::Append | QIODevice::Unbuffered)) file.write(bytes);
+    if (file.open(QIODevice::WriteOnly | QIODevice::Append | QIODevice::Unbuffered) &&
+        file.write(bytes) == bytes.size()) {
+      return {};
+    }
+    return QStringLiteral("%1: %2").arg(QDir::toNativeSeparators(path), file.errorString());
   }
 
+  EventLog* log_;  ///< null once it ends
   QString folder_;
-  std::mutex mutex_;
+  std::mutex mutex_;  ///< guards all but the folder
   std::condition_variable changed_;
   std::deque<QString> lines_;
+  std::size_t dropped_ = 0;  ///< that came after those, and are too many
+  bool said_ = false;
   bool busy_ = false;
   bool ending_ = false;
   bool ended_ = false;
@@ -148,11 +177,9 @@ LogSeverity severityOf(QtMsgType type) {
 
 }  // namespace
 
-EventLog::EventLog(const QString& folder, QObject* parent)
-    : QObject(parent), folder_(folder), state_(std::make_shared<State>()) {
-  state_->owner = this;
+EventLog::EventLog(const QString& folder, QObject* parent) : QObject(parent), folder_(folder) {
   if (!folder_.isEmpty()) {
-    writer_ = std::make_shared<Writer>(folder_);
+    writer_ = std::make_shared<Writer>(*this, folder_);
     writer_->start();
   }
   Handlers& all = handlers();
@@ -167,10 +194,6 @@ EventLog::~EventLog() {
     const std::lock_guard lock(all.mutex);
     all.logs.erase(std::find(all.logs.begin(), all.logs.end(), this));
     if (all.logs.empty()) qInstallMessageHandler(all.before);
-  }
-  {
-    const std::lock_guard lock(state_->mutex);
-    state_->owner = nullptr;
   }
   if (writer_) writer_->end();
 }
@@ -197,19 +220,19 @@ void EventLog::add(LogSeverity severity, const QString& text) {
   line.at_ms = QDateTime::currentMSecsSinceEpoch();
   line.severity = severity;
   line.text = text;
-  const std::lock_guard lock(state_->mutex);
-  line.number = ++state_->count;
+  const std::lock_guard lock(mutex_);
+  line.number = ++count_;
   if (writer_) writer_->add(asFileLine(line));
-  state_->lines.push_back(std::move(line));
-  if (state_->lines.size() > kCapacity) state_->lines.pop_front();
-  if (!state_->owner || state_->told) return;
-  state_->told = true;
+  lines_.push_back(std::move(line));
+  if (lines_.size() > kCapacity) lines_.pop_front();
+  if (told_) return;
+  told_ = true;
   QMetaObject::invokeMethod(
-      state_->owner,
+      this,
       [this] {
         {
-          const std::lock_guard told(state_->mutex);
-          state_->told = false;
+          const std::lock_guard told(mutex_);
+          told_ = false;
         }
         emit grown();
       },
@@ -217,16 +240,15 @@ void EventLog::add(LogSeverity severity, const QString& text) {
 }
 
 std::vector<LogLine> EventLog::linesAfter(std::uint64_t number) const {
-  const std::lock_guard lock(state_->mutex);
-  const auto first = std::upper_bound(state_->lines.begin(), state_->lines.end(), number,
+  const std::lock_guard lock(mutex_);
+  const auto first = std::upper_bound(lines_.begin(), lines_.end(), number,
                                       [](std::uint64_t value, const LogLine& line) { return value < line.number; });
-  return {first, state_->lines.end()};
+  return {first, lines_.end()};
 }
 
 std::vector<LogLine> EventLog::newest(std::size_t count) const {
-  const std::lock_guard lock(state_->mutex);
-  return {state_->lines.end() - static_cast<std::ptrdiff_t>(std::min(count, state_->lines.size())),
-          state_->lines.end()};
+  const std::lock_guard lock(mutex_);
+  return {lines_.end() - static_cast<std::ptrdiff_t>(std::min(count, lines_.size())), lines_.end()};
 }
 
 QString EventLog::filePath() const { return folder_.isEmpty() ? QString() : QDir(folder_).filePath(kFileName); }

@@ -3,7 +3,9 @@
 #include <QObject>
 #include <QString>
 #include <cstdint>
+#include <deque>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace hexoderm {
@@ -20,9 +22,10 @@ struct LogLine {
 
 /// What happened since the program was started, to be read in the window and to be sent with a report of a bug: the
 /// newest kCapacity lines in memory, and all of them in a file that begins anew at kFileBytes and keeps the one before.
-/// add() may be called from any thread and never waits for the disk; everything else belongs to the thread of this
-/// object. While it lives it also takes what Qt and VTK complain about (qInstallMessageHandler); of several logs the
-/// newest does.
+/// Where a line can't be in the file, because the disk refuses or is too slow, the file says how many are missing.
+/// add() may be called from any thread while the log lives, and never waits for the disk; everything else belongs to
+/// the thread of this object. While it lives it also takes what Qt and VTK complain about (qInstallMessageHandler); of
+/// several logs the newest does.
 class EventLog : public QObject {
   Q_OBJECT
 
@@ -50,15 +53,20 @@ class EventLog : public QObject {
  signals:
   /// At most once per turn of the event loop.
   void grown();
+  /// Said once: the file can't be written, and why.
+  void fileFailed(const QString& why);
 
  private:
   class Writer;
-  struct State;
   static void takeQtMessage(QtMsgType type, const QMessageLogContext& context, const QString& text);
 
   QString folder_;
-  std::shared_ptr<State> state_;
   std::shared_ptr<Writer> writer_;
+
+  mutable std::mutex mutex_;  ///< guards what follows
+  std::deque<LogLine> lines_;
+  std::uint64_t count_ = 0;
+  bool told_ = false;  ///< grown() is on its way
 };
 
 QString severityWord(LogSeverity severity);

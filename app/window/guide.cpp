@@ -128,9 +128,8 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
   }
   const std::size_t enabled = controller.enabledPoses();
   const bool more = controller.wantsMorePoses();
-  step.note = more && enabled < SessionController::kGoodPoseCount
-                  ? Guide::tr("%1 of %2").arg(enabled).arg(SessionController::kGoodPoseCount)
-                  : posesInWords(enabled);
+  step.note =
+      more && enabled < kGoodPoseCount ? Guide::tr("%1 of %2").arg(enabled).arg(kGoodPoseCount) : posesInWords(enabled);
   if (controller.canTurn())
     step.actions = {actions.robot, actions.live_mode};
   else if (controller.isLive())
@@ -141,8 +140,8 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
   if (controller.isLive()) return step;
   if (result && step.state == StepState::Current) step.what = coreWords(result->verdict.next_action);
   step.why = Guide::tr(
-      "Gravity seen from several directions tells how every cell is turned against its neighbours. This session came "
-      "from a file; no skin is connected to take more.");
+      "Gravity seen from several directions tells how every cell is turned against its neighbours. No skin is "
+      "connected to take more.");
   return step;
 }
 

@@ -368,6 +368,7 @@ void MainWindow::showPickedPose() {
     picked_pose_ = pose_table_->reconstruction()->poses[static_cast<std::size_t>(*row)].pose;
   }
   patch_view_->setPose(picked_pose_);
+  coverage_view_->setPickedPose(picked_pose_);
   refresh();
 }
 

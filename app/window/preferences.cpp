@@ -1,6 +1,6 @@
 #include "app/window/preferences.h"
 
-#include "app/window/recovery.h"
+#include "app/window/session_paths.h"
 #include "app/window/translation.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
@@ -53,11 +53,6 @@ void readNumber(const QString& key, double& value, double unit = 1) {
   bool is_number = false;
   const double read = QSettings().value(key).toDouble(&is_number);
   if (is_number && std::isfinite(read)) value = read * unit;
-}
-
-bool isSame(const SolverOptions& a, const SolverOptions& b) {
-  return a.solver == b.solver && a.gap_model == b.gap_model && a.centring == b.centring &&
-         a.support_axes == b.support_axes && a.weights == b.weights && a.class_threshold == b.class_threshold;
 }
 
 void set(const QString& key, std::string_view name) {
@@ -134,7 +129,7 @@ SolverOptions Preferences::solverOptions() const {
 }
 
 void Preferences::setSolverOptions(const SolverOptions& options) {
-  if (isSame(options, solverOptions())) return;
+  if (options == solverOptions()) return;
   set(kSolver, solverName(options.solver));
   set(kGapModel, gapModelName(options.gap_model));
   set(kCentring, centringName(options.centring));
@@ -197,7 +192,7 @@ QString lastFolder() {
 }
 
 void rememberFolder(const QString& file) {
-  if (file.isEmpty() || QFileInfo(file).absolutePath() == QFileInfo(unsavedFolder()).absoluteFilePath()) return;
+  if (file.isEmpty() || isInUnsavedFolder(file)) return;
   QSettings().setValue(kLastFolder, QFileInfo(file).absolutePath());
 }
 

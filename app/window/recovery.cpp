@@ -2,6 +2,7 @@
 
 #include "app/window/job_queue.h"
 #include "app/window/recent_files.h"
+#include "app/window/session_paths.h"
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/util/error.h"
 #include "widgets/core_words.h"
@@ -16,7 +17,6 @@
 #include <QMetaObject>
 #include <QPointer>
 #include <QPushButton>
-#include <QStandardPaths>
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
@@ -30,40 +30,7 @@ namespace {
 constexpr int kDaysUntilGone = 7;
 const QString kDiscarded = QStringLiteral("discarded");
 
-std::filesystem::path toPath(const QString& path) { return {path.toStdU16String()}; }
-
-/// A session and what SQLite keeps beside it.
-constexpr const char* kParts[] = {"", "-wal", "-shm"};
-
-void moveSession(const QString& from, const QString& to) {
-  if (isSessionStoreInUse(toPath(from))) {
-    throw StorageError(from.toStdString() + ": is open in another window, close it there first");
-  }
-  // The journal first: a session without its newest part must never be mistaken for a whole one.
-  for (const char* part : {kParts[1], kParts[2], kParts[0]}) {
-    const QString source = from + QLatin1String(part);
-    if (!QFileInfo::exists(source)) continue;
-    std::error_code error;
-    std::filesystem::rename(toPath(source), toPath(to + QLatin1String(part)), error);
-    if (error) {
-      throw StorageError(source.toStdString() + ": cannot be moved to " + to.toStdString() + ": " + error.message());
-    }
-  }
-}
-
-/// In `folder`, under its own name or with a number behind it.
-QString freeName(const QDir& folder, const QString& name) {
-  const QString base = QFileInfo(name).completeBaseName();
-  QString path = folder.filePath(name);
-  for (int k = 2; QFileInfo::exists(path); ++k) path = folder.filePath(QStringLiteral("%1-%2.hexo").arg(base).arg(k));
-  return path;
-}
-
 }  // namespace
-
-QString unsavedFolder() {
-  return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)).filePath(QStringLiteral("unsaved"));
-}
 
 std::vector<UnsavedSession> findUnsavedSessions(const QString& folder) {
   std::vector<UnsavedSession> found;
@@ -96,11 +63,12 @@ QString discardUnsaved(const QString& path) {
   if (!QDir().mkpath(folder.path())) {
     throw StorageError(folder.path().toStdString() + ": the folder cannot be made");
   }
-  const QString to = freeName(folder, file.fileName());
-  moveSession(path, to);
-  // The week begins now, whenever the session was worked on.
-  std::error_code ignored;
-  std::filesystem::last_write_time(toPath(to), std::filesystem::file_time_type::clock::now(), ignored);
+  const QString to = freePath(folder, file.completeBaseName());
+  // The week begins now, whenever the session was worked on; without that it might be gone at the next start.
+  std::error_code error;
+  std::filesystem::last_write_time(toPath(path), std::filesystem::file_time_type::clock::now(), error);
+  if (error) throw StorageError(path.toStdString() + ": cannot be put away for a while: " + error.message());
+  moveSessionStore(toPath(path), toPath(to));
   return to;
 }
 
@@ -108,8 +76,8 @@ QString restoreDiscarded(const QString& discarded_path) {
   const QFileInfo file(discarded_path);
   QDir folder = file.dir();
   folder.cdUp();
-  const QString to = freeName(folder, file.fileName());
-  moveSession(discarded_path, to);
+  const QString to = freePath(folder, file.completeBaseName());
+  moveSessionStore(toPath(discarded_path), toPath(to));
   return to;
 }
 
@@ -117,8 +85,7 @@ void removeOldDiscarded(const QString& folder) {
   const QDir discarded(QDir(folder).filePath(kDiscarded));
   const QDateTime limit = QDateTime::currentDateTime().addDays(-kDaysUntilGone);
   for (const QFileInfo& file : discarded.entryInfoList({QStringLiteral("*.hexo")}, QDir::Files)) {
-    if (file.lastModified() >= limit) continue;
-    for (const char* part : kParts) QFile::remove(file.absoluteFilePath() + QLatin1String(part));
+    if (file.lastModified() < limit) removeSessionStore(toPath(file.absoluteFilePath()));
   }
 }
 
@@ -156,13 +123,17 @@ void UnsavedSessions::search() {
 }
 
 void UnsavedSessions::recover(const QString& path) {
+  const bool is_known = std::any_of(sessions_.begin(), sessions_.end(),
+                                    [&](const UnsavedSession& session) { return session.path == path; });
+  if (is_known) emit recoverWanted(QString(path));  // which may be of a session that goes meanwhile
+}
+
+void UnsavedSessions::noteOpened(const QString& path) {
   const auto gone = std::remove_if(sessions_.begin(), sessions_.end(),
                                    [&](const UnsavedSession& session) { return session.path == path; });
   if (gone == sessions_.end()) return;
-  const QString wanted = path;  // which may be of the session that goes
   sessions_.erase(gone, sessions_.end());
   emit changed();
-  emit recoverWanted(wanted);
 }
 
 void UnsavedSessions::discard(const QString& path) { move(path, &discardUnsaved); }

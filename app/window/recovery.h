@@ -23,9 +23,6 @@ struct UnsavedSession {
   QString problem;  ///< why it can't be read; empty if it can
 };
 
-/// Where sessions are kept that were not saved anywhere: AppDataLocation/unsaved.
-QString unsavedFolder();
-
 /// The sessions `*.hexo` in a folder that no living process has open, the newest first; those without poses are not
 /// worth a question and left out. Changes nothing. Reads every file: not on the GUI thread.
 std::vector<UnsavedSession> findUnsavedSessions(const QString& folder);
@@ -55,8 +52,10 @@ class UnsavedSessions : public QObject {
   [[nodiscard]] const std::vector<UnsavedSession>& all() const { return sessions_; }
   [[nodiscard]] static bool isDiscarded(const UnsavedSession& session);
 
-  /// It goes from the list, and recoverWanted() asks for it to be opened.
+  /// recoverWanted() asks for it to be opened; until it is, it stays in the list.
   void recover(const QString& path);
+  /// It goes from the list, if it is there.
+  void noteOpened(const QString& path);
   /// Puts it away for a week; takeBack() until then.
   void discard(const QString& path);
   void takeBack(const QString& path);

@@ -1,6 +1,7 @@
 #include "app/window/report.h"
 
 #include "app/window/report_page.h"
+#include "app/window/session_paths.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
 #include "widgets/palette.h"
@@ -14,7 +15,6 @@
 #include <QThread>
 #include <QUrl>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 
 namespace hexoderm {
@@ -111,8 +111,7 @@ void writeReport(const ReportContent& content, const QString& path) {
   } else {
     throw InvalidArgument(path.toStdString() + ": expected a name that ends in .pdf or .html");
   }
-  writeFileAtomically(std::filesystem::path(path.toStdU16String()),
-                      {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+  writeFileAtomically(toPath(path), {bytes.constData(), static_cast<std::size_t>(bytes.size())});
 }
 
 }  // namespace hexoderm

@@ -19,11 +19,11 @@ AddPoseCommand::AddPoseCommand(EditedSession edited, SessionPose pose, std::opti
 
 void AddPoseCommand::redo() {
   edited_.session.addPose(pose_, index_);
-  // A file keeps what was captured once, so from the second time on it only comes back.
+  // A file that keeps the capture already only takes it back.
   if (std::exchange(is_new_, false)) {
     edited_.changed(AddPose{pose_, index_});
   } else {
-    edited_.changed(RestorePose{pose_.capture->id, index_});
+    edited_.changed(RestorePose{pose_, index_});
   }
 }
 
@@ -33,18 +33,21 @@ void AddPoseCommand::undo() {
 }
 
 SetPoseDisabledCommand::SetPoseDisabledCommand(EditedSession edited, std::size_t index, bool disabled)
-    : edited_(std::move(edited)), index_(index), disabled_(disabled) {
+    : edited_(std::move(edited)),
+      index_(index),
+      disabled_(disabled),
+      why_(edited_.session.poses().at(index).why_disabled) {
   const QString pose = nameOf(edited_.session.poses().at(index));
   setText(disabled ? tr("disable pose %1").arg(pose) : tr("enable pose %1").arg(pose));
 }
 
-void SetPoseDisabledCommand::redo() { set(disabled_); }
+void SetPoseDisabledCommand::redo() { set(disabled_, {}); }
 
-void SetPoseDisabledCommand::undo() { set(!disabled_); }
+void SetPoseDisabledCommand::undo() { set(!disabled_, why_); }
 
-void SetPoseDisabledCommand::set(bool disabled) {
-  edited_.session.setPoseDisabled(index_, disabled);
-  edited_.changed(SetPoseDisabled{index_, disabled});
+void SetPoseDisabledCommand::set(bool disabled, const std::string& why) {
+  edited_.session.setPoseDisabled(index_, disabled, why);
+  edited_.changed(SetPoseDisabled{index_, disabled, why});
 }
 
 RemovePoseCommand::RemovePoseCommand(EditedSession edited, std::size_t index)
@@ -59,7 +62,7 @@ void RemovePoseCommand::redo() {
 
 void RemovePoseCommand::undo() {
   edited_.session.addPose(pose_, index_);
-  edited_.changed(RestorePose{pose_.capture->id, index_});
+  edited_.changed(RestorePose{pose_, index_});
 }
 
 MuteLinkCommand::MuteLinkCommand(EditedSession edited, LinkEnd a, LinkEnd b, bool muted)

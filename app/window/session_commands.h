@@ -35,6 +35,7 @@ class AddPoseCommand : public QUndoCommand {
   bool is_new_ = true;
 };
 
+/// Disables a pose, or enables it again. A reason that it was disabled for is kept for undo.
 class SetPoseDisabledCommand : public QUndoCommand {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::SetPoseDisabledCommand)
 
@@ -44,11 +45,12 @@ class SetPoseDisabledCommand : public QUndoCommand {
   void undo() override;
 
  private:
-  void set(bool disabled);
+  void set(bool disabled, const std::string& why);
 
   EditedSession edited_;
   std::size_t index_;
   bool disabled_;
+  std::string why_;
 };
 
 class RemovePoseCommand : public QUndoCommand {

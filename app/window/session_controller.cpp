@@ -1,6 +1,6 @@
 #include "app/window/session_controller.h"
 
-#include "app/window/recovery.h"
+#include "app/window/session_paths.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/session/session_store.h"
@@ -16,8 +16,6 @@
 
 namespace hexoderm {
 namespace {
-
-std::filesystem::path toPath(const QString& path) { return {path.toStdU16String()}; }
 
 /// A file as it was opened; a session store that can be written stays open for what comes.
 struct Opened {
@@ -73,11 +71,8 @@ std::optional<std::size_t> SessionController::sessionIndexOfPoseRow(int row) con
   const auto index = static_cast<std::size_t>(row);
   const PoseId id = reconstruction_->poses[index].pose;
   const std::vector<SessionPose>& poses = session_->poses();
-  if (index < poses.size() && poses[index].capture->id == id) return index;
-  for (std::size_t k = 0; k < poses.size(); ++k) {
-    if (poses[k].capture->id == id) return k;
-  }
-  return std::nullopt;
+  // Several poses of a file may carry one number; as long as nothing changed, the row says which is meant.
+  return index < poses.size() && poses[index].capture->id == id ? std::optional(index) : indexOf(id);
 }
 
 void SessionController::startDemo() {
@@ -105,7 +100,7 @@ void SessionController::openFile(const QString& path) {
             } else {
               showCalibration(std::get<std::shared_ptr<const Reconstruction>>(opened_file->file), path);
             }
-            if (opened_file->store && QFileInfo(path).absolutePath() == QFileInfo(unsavedFolder()).absoluteFilePath()) {
+            if (opened_file->store && isInUnsavedFolder(path)) {
               // Recovered: it goes on where it was, and still waits to be saved.
               scratch_path_ = path;
               session_path_.clear();
@@ -253,21 +248,17 @@ void SessionController::startWriting(const QString& activity, std::function<Cont
 void SessionController::closeCurrent() {
   ++opened_count_;
   calibration_path_.clear();
-  live_session_ = false;
-  recapturing_.reset();
-  robot_ = false;
+  forgetSource();
   announcements_.clear();
-  unreachable_.clear();
-  asked_turn_ = 0;
   was_stuck_ = false;
-  changed_meanwhile_.reset();
+  scratch_fails_ = false;
+  saves_under_way_.clear();
   dropJournal();
   // The stack's commands refer to the session, so they go first; while there is no session nothing is submitted.
   const std::unique_ptr<Session> old = std::move(session_);
   undo_stack_.clear();
   demo_ = false;
   reconstruction_.reset();
-  adviseAnew();
   session_path_.clear();
   saved_at_ = {};
   first_revision_ = submitted_revision_ + 1;

@@ -75,10 +75,8 @@ class SessionController : public QObject {
   [[nodiscard]] std::optional<CellId> litCell() const { return lit_; }
   /// The pose that the next capture replaces.
   [[nodiscard]] std::optional<PoseId> recapturing() const { return recapturing_; }
-  /// The first set of directions that tells offsets apart is a tetrahedron's (SPEC step 12): the guide leads there.
-  static constexpr std::size_t kGoodPoseCount = 4;
   [[nodiscard]] std::size_t enabledPoses() const;
-  /// Another pose would be worth the trouble: until the result is good, or as good as four poses make it.
+  /// The skin that is connected should be held for another pose, see enoughPoses().
   [[nodiscard]] bool wantsMorePoses() const;
   /// A change of the session has no result yet.
   [[nodiscard]] bool isSolving() const { return session_ && shown_revision_ < submitted_revision_; }
@@ -156,6 +154,8 @@ class SessionController : public QObject {
   /// Anything about session, files or background work changed.
   void changed();
   void reconstructionChanged(std::shared_ptr<const hexoderm::Reconstruction> reconstruction);
+  /// Where it ends, the result that was not shown meanwhile is still the same.
+  void liveModeChanged(bool on);
   /// In live mode, for every moment that was solved.
   void momentSolved(std::shared_ptr<const hexoderm::Reconstruction> reconstruction);
   void nextPoseChanged();
@@ -185,6 +185,8 @@ class SessionController : public QObject {
   void receiveMoment(const ReconstructionOutcome& outcome);
 
   void connectLive();
+  /// What was asked of the skin that was connected, and what it could not do, says nothing about the next.
+  void forgetSource();
   void showSkin(const SkinDescription& skin);
   [[nodiscard]] bool beginLiveSession(const SkinDescription& skin);
   void replaceSkin(const SkinDescription& skin);
@@ -235,6 +237,7 @@ class SessionController : public QObject {
   bool automatic_ = true;
   bool robot_ = false;
   bool live_mode_ = false;
+  bool moment_fails_ = false;  ///< said once
   std::optional<PoseId> recapturing_;
   std::optional<CellId> lit_;
   std::optional<PoseAdvice> next_pose_;
@@ -248,8 +251,9 @@ class SessionController : public QObject {
   std::uint32_t asked_turn_ = 0;
   Eigen::Vector3d asked_up_ = Eigen::Vector3d::Zero();
   std::vector<Eigen::Vector3d> unreachable_;
-  /// What was changed while the session was being copied into a new file.
-  std::optional<std::vector<StoreOperation>> changed_meanwhile_;
+  /// For each new file that the session is being copied into: what was changed meanwhile. Belongs to the job that makes
+  /// it, so that it goes with a job that fails.
+  std::vector<std::weak_ptr<std::vector<StoreOperation>>> saves_under_way_;
 
   std::uint64_t asked_count_ = 0;         ///< the last request to open something: earlier ones are dropped
   std::uint64_t opened_count_ = 0;        ///< which session or calibration this is: late answers for others are dropped

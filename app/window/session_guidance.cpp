@@ -2,19 +2,13 @@
 // that is taken again, and the skin as it is at this moment.
 #include "app/window/session_controller.h"
 #include "hexoderm/reconstruction/pose_coverage.h"
+#include "widgets/core_words.h"
 
 #include <QMetaObject>
 #include <algorithm>
 #include <utility>
 
 namespace hexoderm {
-namespace {
-
-/// A robot that is not done after so many poses will not be.
-constexpr std::size_t kRobotPoseCount = 12;
-
-}  // namespace
-
 std::size_t SessionController::enabledPoses() const {
   if (!session_) return 0;
   return static_cast<std::size_t>(std::count_if(session_->poses().begin(), session_->poses().end(),
@@ -23,10 +17,7 @@ std::size_t SessionController::enabledPoses() const {
 
 bool SessionController::wantsMorePoses() const {
   if (!isLive() || live_.status().state == SourceState::Ended) return false;
-  if (!reconstruction_) return true;
-  const VerdictLevel level = reconstruction_->verdict.level;
-  if (level == VerdictLevel::Good) return false;
-  return level != VerdictLevel::Usable || enabledPoses() < kGoodPoseCount;
+  return !reconstruction_ || !enoughPoses(*reconstruction_);
 }
 
 void SessionController::adviseAnew() {
@@ -62,9 +53,9 @@ void SessionController::turnToNextPose() {
 
 void SessionController::turnTo(const Eigen::Vector3d& up_o) {
   if (!canTurn() || !reconstruction_ || !largestPatch(*reconstruction_)) return;
-  robot_ = false;
   asked_turn_ = 0;
   live_.send(TurnTo{largestPatch(*reconstruction_)->origin, up_o.normalized()});
+  if (std::exchange(robot_, false)) emit changed();
 }
 
 void SessionController::skipPose() {
@@ -85,7 +76,7 @@ void SessionController::setRobot(bool on) {
 void SessionController::letRobotTurn() {
   // The first pose is taken where the part lies.
   if (!robot_ || !canTurn() || !next_pose_ || !isCurrent() || session_->poses().empty()) return;
-  if (!wantsMorePoses() || enabledPoses() >= kRobotPoseCount) {
+  if (!wantsMorePoses() || enabledPoses() >= kMostPosesByItself) {
     robot_ = false;
     emit changed();
     return;
@@ -128,8 +119,8 @@ void SessionController::lightCell(std::optional<CellId> cell) {
 void SessionController::setLiveMode(bool on) {
   if (live_mode_ == (on && isLive())) return;
   live_mode_ = on && isLive();
-  // What was shown instead is shown again.
-  if (!live_mode_) emit reconstructionChanged(reconstruction_);
+  moment_fails_ = false;
+  emit liveModeChanged(live_mode_);
   emit changed();
 }
 
@@ -152,7 +143,14 @@ void SessionController::solveMoment() {
 }
 
 void SessionController::receiveMoment(const ReconstructionOutcome& outcome) {
-  if (live_mode_ && outcome.reconstruction) emit momentSolved(outcome.reconstruction);
+  if (!live_mode_) return;
+  if (outcome.reconstruction) {
+    moment_fails_ = false;
+    emit momentSolved(outcome.reconstruction);
+  } else if (!std::exchange(moment_fails_, true)) {
+    emit noticed(
+        tr("What is shown stands still: the skin as it is now can't be solved. %1").arg(coreWords(outcome.error)));
+  }
 }
 
 }  // namespace hexoderm

@@ -1,6 +1,6 @@
 // The part of SessionController about the skin that is connected and the file that the session is kept in.
-#include "app/window/scratch_session.h"
 #include "app/window/session_controller.h"
+#include "app/window/session_paths.h"
 
 #include "hexoderm/reconstruction/pose_coverage.h"
 #include "hexoderm/util/error.h"
@@ -18,8 +18,6 @@
 
 namespace hexoderm {
 namespace {
-
-std::filesystem::path toPath(const QString& path) { return {path.toStdU16String()}; }
 
 std::set<CellId> cellsOf(const NeighborList& neighbors) {
   std::set<CellId> cells;
@@ -52,7 +50,7 @@ void SessionController::connectLive() {
 
 void SessionController::connectTo(const ConnectRequest& request) {
   ++asked_count_;
-  live_session_ = false;
+  forgetSource();
   connect_request_ = request;
   connect_request_.continue_session = request.continue_session && isKept();
   connect_revision_ = submitted_revision_;
@@ -68,12 +66,18 @@ void SessionController::connectTo(const ConnectRequest& request) {
 }
 
 void SessionController::disconnectSource() {
+  forgetSource();
+  live_.stop();
+}
+
+void SessionController::forgetSource() {
   live_session_ = false;
   robot_ = false;
   recapturing_.reset();
   lit_.reset();
+  asked_turn_ = 0;
+  unreachable_.clear();
   setLiveMode(false);
-  live_.stop();
   adviseAnew();
 }
 
@@ -176,15 +180,9 @@ void SessionController::announce(PoseId pose) {
 }
 
 std::shared_ptr<const PoseCapture> SessionController::withLabel(std::shared_ptr<const PoseCapture> pose) const {
-  if (!pose->label.empty() || !reconstruction_ || !largestPatch(*reconstruction_)) return pose;
-  // The patch's frame is the origin cell's, so its reading alone says where up is; the shape need not be known yet.
-  const CellId origin = largestPatch(*reconstruction_)->origin;
-  const auto of_origin = std::find_if(pose->samples.begin(), pose->samples.end(),
-                                      [&](const GravitySample& sample) { return sample.cell == origin; });
-  if (of_origin == pose->samples.end() || of_origin->mean_g.norm() < 0.5) return pose;
-  const Eigen::Vector3d up_o = reconstruction_->model->accelerometer.T_u_a.R * of_origin->mean_g.normalized();
+  if (!pose->label.empty() || !reconstruction_) return pose;
   auto labelled = std::make_shared<PoseCapture>(*pose);
-  labelled->label = poseLabel(up_o);
+  labelled->label = poseLabel(*reconstruction_, *pose);
   return labelled;
 }
 
@@ -214,7 +212,10 @@ EditedSession SessionController::edited() {
 }
 
 void SessionController::record(StoreOperation operation) {
-  if (changed_meanwhile_) changed_meanwhile_->push_back(operation);
+  std::erase_if(saves_under_way_, [](const auto& save) { return save.expired(); });
+  for (const auto& save : saves_under_way_) {
+    if (const auto changed_meanwhile = save.lock()) changed_meanwhile->push_back(operation);
+  }
   if (journal_) {
     appendToJournal(std::move(operation));
   } else if (!scratch_fails_) {
@@ -241,7 +242,7 @@ void SessionController::dropJournal() {
   journal_.reset();
   if (scratch_path_.isEmpty()) return;
   // After the journal has closed it, which happens on the same thread.
-  jobs_.addEssential([path = std::exchange(scratch_path_, {})] { removeScratchFile(path); });
+  jobs_.addEssential([path = toPath(std::exchange(scratch_path_, {}))] { removeSessionStore(path); });
 }
 
 void SessionController::appendToJournal(StoreOperation operation) {
@@ -288,27 +289,27 @@ void SessionController::retryWriting() {
 }
 
 void SessionController::saveAsJournal(const QString& path) {
-  changed_meanwhile_.emplace();
-  startWriting(
-      tr("Saving %1").arg(QFileInfo(path).fileName()),
-      [this, path, copy = std::make_shared<const Session>(*session_), ticket = opened_count_]() -> Continuation {
-        auto store = std::make_shared<SessionStore>(SessionStore::create(toPath(path), *copy));
-        return [this, path, ticket, store, copy] {
-          if (ticket != opened_count_ || !session_) return;
-          was_stuck_ = false;
-          dropJournal();
-          journal_ = std::make_unique<SessionJournal>(*this, jobs_, path, std::move(*store), journalTold());
-          session_path_ = path;
-          name_ = QFileInfo(path).fileName();
-          saved_at_ = QTime::currentTime();
-          if (const auto operations = std::exchange(changed_meanwhile_, std::nullopt)) {
-            for (const StoreOperation& operation : *operations) appendToJournal(operation);
-          }
-          // Captures that waited for the file before are in this one.
-          for (const SessionPose& pose : copy->poses()) announce(pose.capture->id);
-          emit sessionSaved(path);
-        };
-      });
+  auto changed_meanwhile = std::make_shared<std::vector<StoreOperation>>();
+  saves_under_way_.push_back(changed_meanwhile);
+  startWriting(tr("Saving %1").arg(QFileInfo(path).fileName()),
+               [this, path, changed_meanwhile = std::move(changed_meanwhile),
+                copy = std::make_shared<const Session>(*session_), ticket = opened_count_]() -> Continuation {
+                 auto store = std::make_shared<SessionStore>(SessionStore::create(toPath(path), *copy));
+                 return [this, path, ticket, store, copy, changed_meanwhile] {
+                   if (ticket != opened_count_ || !session_) return;
+                   was_stuck_ = false;
+                   dropJournal();
+                   journal_ = std::make_unique<SessionJournal>(*this, jobs_, path, std::move(*store), journalTold());
+                   session_path_ = path;
+                   name_ = QFileInfo(path).fileName();
+                   saved_at_ = QTime::currentTime();
+                   for (const StoreOperation& operation : std::exchange(*changed_meanwhile, {}))
+                     appendToJournal(operation);
+                   // Captures that waited for the file before are in this one.
+                   for (const SessionPose& pose : copy->poses()) announce(pose.capture->id);
+                   emit sessionSaved(path);
+                 };
+               });
 }
 
 }  // namespace hexoderm

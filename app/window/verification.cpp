@@ -1,5 +1,6 @@
 #include "app/window/verification.h"
 
+#include "app/window/session_paths.h"
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/util/error.h"
@@ -8,7 +9,6 @@
 #include <QFileInfo>
 #include <QMetaObject>
 #include <algorithm>
-#include <filesystem>
 #include <utility>
 
 namespace hexoderm {
@@ -16,9 +16,10 @@ namespace {
 
 std::size_t slotOf(VerifyCheck check) { return static_cast<std::size_t>(check); }
 
-std::shared_ptr<const Reconstruction> readReference(const QString& path) {
-  const OpenedFile file = openFile(std::filesystem::path(path.toStdU16String()), builtInCellModel("hex-bma150"));
-  if (const auto* session = std::get_if<Session>(&file)) return reconstruct(*session->snapshot());
+/// A session is solved with the options of what it is compared with.
+std::shared_ptr<const Reconstruction> readReference(const QString& path, const SolverOptions& options) {
+  const OpenedFile file = openFile(toPath(path), builtInCellModel("hex-bma150"));
+  if (const auto* session = std::get_if<Session>(&file)) return reconstruct(*session->snapshot(), options);
   return std::get<std::shared_ptr<const Reconstruction>>(file);
 }
 
@@ -47,9 +48,11 @@ void Verification::setReconstruction(std::shared_ptr<const Reconstruction> recon
 }
 
 void Verification::runHoldOut(std::shared_ptr<const SessionSnapshot> session, PoseId pose) {
+  if (!reconstruction_) return;
   request(VerifyCheck::HoldOut,
-          [this, session = std::move(session), pose](const std::stop_token& stop) -> Announcement {
-            return [this, result = evaluateHoldOut(*session, pose, {}, stop)] { emit heldOut(result); };
+          [this, session = std::move(session), pose,
+           options = reconstruction_->options](const std::stop_token& stop) -> Announcement {
+            return [this, result = evaluateHoldOut(*session, pose, options, stop)] { emit heldOut(result); };
           });
 }
 
@@ -96,12 +99,16 @@ void Verification::dropComparison() {
 
 void Verification::compare() {
   if (!reconstruction_ || reference_path_.isEmpty()) return;
+  if (reference_options_ != reconstruction_->options) reference_.reset();
   request(VerifyCheck::Comparison,
           [this, seen = reconstruction_, path = reference_path_,
-           known = reference_](const std::stop_token&) -> Announcement {
-            const std::shared_ptr<const Reconstruction> reference = known ? known : readReference(path);
-            return [this, path, reference, comparisons = compareToReconstruction(*seen, *reference)] {
+           known = reference_](const std::stop_token& stop) -> Announcement {
+            const std::shared_ptr<const Reconstruction> reference = known ? known : readReference(path, seen->options);
+            // Nobody waits for it any more, and comparing takes its time too.
+            if (stop.stop_requested()) return [] {};
+            return [this, path, seen, reference, comparisons = compareToReconstruction(*seen, *reference)] {
               reference_ = reference;
+              reference_options_ = seen->options;
               emit compared(comparisons, QFileInfo(path).fileName());
             };
           });

@@ -32,11 +32,12 @@ class Verification : public QObject {
   /// What is verified from now on; null: nothing. Loops, surface and comparison are computed anew; a hold-out that is
   /// running is cancelled.
   void setReconstruction(std::shared_ptr<const Reconstruction> reconstruction);
-  /// `session`: as it is now.
+  /// `session`: as it is now; it is solved with the options of the reconstruction. Nothing happens without one.
   void runHoldOut(std::shared_ptr<const SessionSnapshot> session, PoseId pose);
   /// No kind: none from now on.
   void setSurface(std::optional<SurfaceKind> kind, std::optional<double> true_radius_m);
-  /// A calibration, or a session that is then solved. Stays in force until dropComparison().
+  /// A calibration, or a session that is then solved with the options of the reconstruction. Stays in force until
+  /// dropComparison().
   void compareWith(const QString& path);
   void dropComparison();
   void cancel(VerifyCheck check);
@@ -71,6 +72,7 @@ class Verification : public QObject {
   std::optional<double> true_radius_m_;
   QString reference_path_;
   std::shared_ptr<const Reconstruction> reference_;  ///< of reference_path_, once it was read
+  SolverOptions reference_options_;                  ///< that it was solved with, if it is a session
 
   std::mutex mutex_;  ///< guards the slots
   std::condition_variable_any arrived_;

@@ -21,8 +21,7 @@ void MainWindow::connectCapture() {
   connect(&live, &LiveSource::previewChanged, this, &MainWindow::showMoment);
   connect(&live, &LiveSource::statusChanged, this, [this] {
     const LiveSource& source = controller_.live();
-    capture_panel_->setSource(source.isRunning() ? std::optional(source.status()) : std::nullopt,
-                              controller_.session() ? tr("This session came from a file.") : QString());
+    capture_panel_->setSource(source.isRunning() ? std::optional(source.status()) : std::nullopt);
     if (source.isRunning()) return;
     stillness_view_->clear();
     patch_view_->setReadings({});

@@ -65,6 +65,11 @@ void MainWindow::connectLive() {
             graph_view_->setReconstruction(moment);
             patch_view_->setReconstruction(moment);
           });
+  connect(&controller_, &SessionController::liveModeChanged, this, [this](bool on) {
+    if (on) return;
+    graph_view_->setReconstruction(controller_.reconstruction());
+    patch_view_->setReconstruction(controller_.reconstruction());
+  });
   // While readings come these follow each other quickly, so only what shows them is refreshed.
   connect(&controller_.live(), &LiveSource::holdChanged, this, &MainWindow::refreshLive);
   connect(&controller_, &SessionController::captured, this, [this](const QString& text, bool remarkable) {

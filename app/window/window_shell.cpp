@@ -6,6 +6,7 @@
 #include "app/window/log_view.h"
 #include "app/window/preferences_dialog.h"
 #include "app/window/session_controller.h"
+#include "app/window/session_paths.h"
 #include "app/window/welcome_panel.h"
 #include "widgets/card_dock.h"
 #include "widgets/core_words.h"
@@ -53,10 +54,6 @@ QString resultInWords(const Reconstruction& result) {
   return WindowShell::tr("Solved: %1, %2, %3, %4 ms. %5")
       .arg(coreWords(sizeInWords(result)), posesInWords(result.poses.size()), QString::fromStdString(result.solver),
            figureInWords(1e3 * result.solve_seconds, 1), coreWords(result.verdict.reason));
-}
-
-bool isIn(const QString& path, const QString& folder) {
-  return QFileInfo(path).absolutePath() == QFileInfo(folder).absoluteFilePath();
 }
 
 }  // namespace
@@ -166,6 +163,9 @@ void WindowShell::setSteps(const std::vector<Step>& steps) {
 
 void WindowShell::connectLog() {
   const SessionController& controller = window_.controller;
+  connect(&log_, &EventLog::fileFailed, this, [this](const QString& why) {
+    window_.messages.showMessage(Tone::Caution, tr("The log is kept in memory only. %1").arg(why));
+  });
   // What the operator was told.
   connect(&window_.messages, &MessageBar::shown, this,
           [this](Tone tone, const QString& text) { log_.add(severityOf(tone), text); });
@@ -219,12 +219,14 @@ void WindowShell::connectRecent() {
 void WindowShell::noteOpen() {
   const SessionController& controller = window_.controller;
   const QString path = controller.session() ? controller.sessionPath() : controller.calibrationPath();
-  if (path.isEmpty() || isIn(path, unsavedFolder())) return;
+  if (path.isEmpty() || isInUnsavedFolder(path)) return;
   recent_.note(path, controller.session() ? static_cast<int>(controller.session()->poses().size()) : -1);
 }
 
 void WindowShell::connectRecovery() {
   connect(&unsaved_, &UnsavedSessions::recoverWanted, this, [this](const QString& path) { window_.open_file(path); });
+  connect(&window_.controller, &SessionController::opened, this,
+          [this] { unsaved_.noteOpened(window_.controller.sessionPath()); });
   connect(&unsaved_, &UnsavedSessions::failed, this,
           [this](const QString& message) { window_.messages.showMessage(Tone::Bad, message); });
   connect(&unsaved_, &UnsavedSessions::found, this, [this](int count) {

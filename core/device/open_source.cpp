@@ -41,27 +41,33 @@ std::unique_ptr<SkinSource> openReplay(const std::string& address) {
   return std::make_unique<ReplaySource>(file, options);
 }
 
-}  // namespace
-
-std::span<const SourceKind> sourceKinds() {
-  static const std::vector<SourceKind> kinds = {
-      {"tcp://", "tcp://HOST:PORT", openWire},
-      {"udp://", "udp://HOST:PORT", openWire},
-      {"serial:", "serial:/dev/DEVICE[?baud=N]", openWire},
-      {"stdin", "stdin", openStdin},
-      {"replay:", "replay:FILE[?speed=X|max|step]", openReplay},
-      {"sim:", "sim:PATCH[?surface=...&seed=N&speed=X|max]", SimulatedSource::open},
-  };
-  return kinds;
-}
-
-std::unique_ptr<SkinSource> openSkinSource(const std::string& address) {
+const SourceKind& kindOf(const std::string& address) {
   std::string known;
   for (const SourceKind& kind : sourceKinds()) {
-    if (address.starts_with(kind.prefix)) return kind.open(address);
+    if (address.starts_with(kind.prefix)) return kind;
     known += (known.empty() ? "" : ", ") + std::string(kind.example);
   }
   throw InvalidArgument("source \"" + address + "\": expected one of " + known);
 }
+
+}  // namespace
+
+std::span<const SourceKind> sourceKinds() {
+  // Until they are started these hold their address and no more, so that opening one is a check of it.
+  const auto by_opening = [](auto open) { return [open](const std::string& address) { open(address); }; };
+  static const std::vector<SourceKind> kinds = {
+      {"tcp://", "tcp://HOST:PORT", openWire, by_opening(openWire)},
+      {"udp://", "udp://HOST:PORT", openWire, by_opening(openWire)},
+      {"serial:", "serial:/dev/DEVICE[?baud=N]", openWire, by_opening(openWire)},
+      {"stdin", "stdin", openStdin, by_opening(openStdin)},
+      {"replay:", "replay:FILE[?speed=X|max|step]", openReplay, by_opening(openReplay)},
+      {"sim:", "sim:PATCH[?surface=...&seed=N&speed=X|max]", SimulatedSource::open, SimulatedSource::check},
+  };
+  return kinds;
+}
+
+std::unique_ptr<SkinSource> openSkinSource(const std::string& address) { return kindOf(address).open(address); }
+
+void checkSkinAddress(const std::string& address) { kindOf(address).check(address); }
 
 }  // namespace hexoderm

@@ -15,6 +15,7 @@ struct SourceKind {
   std::string_view prefix;   ///< "tcp://"; an address that begins with it is of this kind
   std::string_view example;  ///< for people: "tcp://HOST:PORT"
   std::function<std::unique_ptr<SkinSource>(const std::string& address)> open;
+  std::function<void(const std::string& address)> check;  ///< as checkSkinAddress()
 };
 
 /// All kinds there are, in the order in which they are listed to people. A new kind of source is a new entry.
@@ -24,5 +25,9 @@ std::span<const SourceKind> sourceKinds();
 /// "replay:FILE[?speed=X|max|step]" or "sim:PATCH[?surface=...&seed=N&speed=X|max]". Throws InvalidArgument naming what
 /// was expected.
 std::unique_ptr<SkinSource> openSkinSource(const std::string& address);
+
+/// Throws as openSkinSource() for what is wrong with the address itself. Opens and builds nothing, and is quick enough
+/// for every key that is typed.
+void checkSkinAddress(const std::string& address);
 
 }  // namespace hexoderm

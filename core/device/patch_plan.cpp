@@ -128,8 +128,8 @@ PatchPlan planSheet(std::size_t rows, std::size_t cols, const CellModel& model, 
 
 }  // namespace
 
-PatchPlan planPatch(const std::string& patch, const CellModel& model) {
-  if (patch == "x17") return planX17(model, patch);
+PatchShape parsePatch(const std::string& patch) {
+  if (patch == "x17") return {};
   const std::string ring = "ring";
   if (patch.starts_with(ring) && patch.size() > ring.size()) {
     std::string_view count = std::string_view(patch).substr(ring.size());
@@ -137,7 +137,7 @@ PatchPlan planPatch(const std::string& patch, const CellModel& model) {
     if (closed) count.remove_suffix(kClosed.size());
     const std::size_t cells = parseUnsigned(count, "patch \"" + patch + "\", cells");
     if (cells < 3 || cells > kMaxCells) throw InvalidArgument("patch \"" + patch + "\": a ring has 3 to 100000 cells");
-    return planRing(cells, closed, model, patch);
+    return {closed ? PatchKind::ClosedRing : PatchKind::Ring, cells, 1};
   }
   const std::string sheet = "sheet:";
   if (patch.starts_with(sheet)) {
@@ -148,9 +148,23 @@ PatchPlan planPatch(const std::string& patch, const CellModel& model) {
     if (rows == 0 || cols == 0 || rows > kMaxCells || cols > kMaxCells || rows * cols > kMaxCells) {
       throw InvalidArgument("patch \"" + patch + "\": a sheet has 1 to 100000 cells");
     }
-    return planSheet(rows, cols, model, patch);
+    return {PatchKind::Sheet, rows, cols};
   }
   throw InvalidArgument("patch \"" + patch + "\" is not known; expected x17, ringN, ringN:closed or sheet:ROWSxCOLS");
+}
+
+PatchPlan planPatch(const std::string& patch, const CellModel& model) {
+  const PatchShape shape = parsePatch(patch);
+  switch (shape.kind) {
+    case PatchKind::X17:
+      return planX17(model, patch);
+    case PatchKind::Ring:
+    case PatchKind::ClosedRing:
+      return planRing(shape.rows, shape.kind == PatchKind::ClosedRing, model, patch);
+    case PatchKind::Sheet:
+      return planSheet(shape.rows, shape.cols, model, patch);
+  }
+  return {};
 }
 
 std::vector<PlannedLink> PatchPlan::allLinks() const {

@@ -33,9 +33,19 @@ struct PatchPlan {
   [[nodiscard]] std::vector<PlannedLink> allLinks() const;
 };
 
-/// x17 | ringN | ringN:closed | sheet:ROWSxCOLS, made of the model's pairs of opposite ports. Throws InvalidArgument
-/// for any other text, a ring of less than 3 cells, a patch of more than 100,000, or a model with too few opposite
-/// ports.
+enum class PatchKind { X17, Ring, ClosedRing, Sheet };
+/// What the name of a patch says.
+struct PatchShape {
+  PatchKind kind = PatchKind::X17;
+  std::size_t rows = 0;  ///< of a sheet; of a ring all its cells
+  std::size_t cols = 0;
+};
+/// x17 | ringN | ringN:closed | sheet:ROWSxCOLS. Throws InvalidArgument for any other text, a ring of less than 3 cells
+/// and a patch of more than 100,000.
+PatchShape parsePatch(const std::string& patch);
+
+/// A patch by its name, made of the model's pairs of opposite ports. Throws as parsePatch(), and InvalidArgument for a
+/// model with too few opposite ports.
 PatchPlan planPatch(const std::string& patch, const CellModel& model);
 
 /// Radius of the cylinder around which that many cells in a line just close to a ring: by a link that bends (tangents

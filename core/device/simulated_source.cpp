@@ -1,5 +1,7 @@
 #include "hexoderm/device/simulated_source.h"
 
+#include "hexoderm/device/patch_plan.h"
+#include "hexoderm/geometry/surface.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
 
@@ -116,13 +118,21 @@ SimulatedSource::SimulatedSource(SimulatedSkin skin, double speed, std::string a
     : impl_(std::make_unique<Impl>(std::move(skin), speed, std::move(address))) {}
 SimulatedSource::~SimulatedSource() { stop(); }
 
-std::unique_ptr<SkinSource> SimulatedSource::open(const std::string& address) {
+namespace {
+
+struct SimulatedAddress {
+  SimulatedSkinOptions options;
+  double speed = 1;
+};
+
+SimulatedAddress parseAddress(const std::string& address) {
   constexpr std::string_view kPrefix = "sim:";
   const std::string what = "source \"" + address + "\": ";
   const std::size_t query = address.find('?');
-  SimulatedSkinOptions options;
+  SimulatedAddress parsed;
+  SimulatedSkinOptions& options = parsed.options;
+  double& speed = parsed.speed;
   options.patch = address.substr(kPrefix.size(), query == std::string::npos ? query : query - kPrefix.size());
-  double speed = 1;
   if (query != std::string::npos) {
     for (const std::string& part : split(address.substr(query + 1), '&')) {
       const std::size_t equals = part.find('=');
@@ -139,7 +149,22 @@ std::unique_ptr<SkinSource> SimulatedSource::open(const std::string& address) {
       }
     }
   }
-  return std::make_unique<SimulatedSource>(SimulatedSkin(builtInCellModel("hex-bma150"), options), speed, address);
+  if (!(speed > 0)) throw InvalidArgument(what + "speed must be above 0");
+  return parsed;
+}
+
+}  // namespace
+
+std::unique_ptr<SkinSource> SimulatedSource::open(const std::string& address) {
+  const SimulatedAddress parsed = parseAddress(address);
+  return std::make_unique<SimulatedSource>(SimulatedSkin(builtInCellModel("hex-bma150"), parsed.options), parsed.speed,
+                                           address);
+}
+
+void SimulatedSource::check(const std::string& address) {
+  const SimulatedSkinOptions options = parseAddress(address).options;
+  parsePatch(options.patch);
+  if (!options.surface.empty()) makeSurface(options.surface);
 }
 
 void SimulatedSource::start(SkinListener& listener) {

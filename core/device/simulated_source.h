@@ -17,6 +17,9 @@ class SimulatedSource final : public SkinSource {
   /// "sim:PATCH[?surface=...&seed=N&speed=X|max]", patch and surface as in SimulatedSkinOptions, of hex-bma150 cells.
   /// Throws InvalidArgument naming what was expected.
   static std::unique_ptr<SkinSource> open(const std::string& address);
+  /// Throws as open() for what the address itself says; builds nothing, however many cells there are. That a patch does
+  /// not fit its surface only building shows.
+  static void check(const std::string& address);
   ~SimulatedSource() override;
   SimulatedSource(const SimulatedSource&) = delete;
   SimulatedSource& operator=(const SimulatedSource&) = delete;

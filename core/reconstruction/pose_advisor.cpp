@@ -89,6 +89,13 @@ PoseAdvice adviseNextPose(const CellModel& model, const std::vector<Eigen::Vecto
   return advice;
 }
 
+bool enoughPoses(const Reconstruction& reconstruction) {
+  const auto enabled = std::ranges::count(reconstruction.poses, true, &PoseSummary::enabled);
+  const VerdictLevel level = reconstruction.verdict.level;
+  return static_cast<std::size_t>(enabled) >= kGoodPoseCount &&
+         (level == VerdictLevel::Usable || level == VerdictLevel::Good);
+}
+
 std::string adviceInWords(const PoseAdvice& advice, const Reconstruction& reconstruction) {
   const PatchReconstruction* patch = largestPatch(reconstruction);
   if (patch == nullptr) return {};

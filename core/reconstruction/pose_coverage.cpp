@@ -231,7 +231,7 @@ std::optional<NextPose> describeNextPose(const PoseAdvice& advice, const Reconst
     next.gain = opposite == patch->gravity.end() ? PoseGain::Further : PoseGain::Opposite;
     if (opposite != patch->gravity.end()) next.opposite_of = opposite->pose;
   }
-  next.worthwhile = quality < EdgeQuality::Fully || advice.sigma_then_rad <= (1 - kLeastGain) * advice.sigma_now_rad;
+  next.worthwhile = !enoughPoses(reconstruction) || advice.sigma_then_rad <= (1 - kLeastGain) * advice.sigma_now_rad;
   return next;
 }
 
@@ -246,6 +246,15 @@ std::string poseLabel(const Eigen::Vector3d& up_o) {
                     : elevation_rad > 0               ? "tilted up, "
                                                       : "tilted down, ";
   return std::string(way) + axisName(up_o);
+}
+
+std::string poseLabel(const Reconstruction& reconstruction, const PoseCapture& capture) {
+  constexpr double kLeast_g = 0.5;
+  const PatchReconstruction* patch = largestPatch(reconstruction);
+  if (patch == nullptr) return {};
+  const auto sample = std::ranges::find(capture.samples, patch->origin, &GravitySample::cell);
+  if (sample == capture.samples.end() || !(sample->mean_g.norm() >= kLeast_g)) return {};
+  return poseLabel(reconstruction.model->accelerometer.T_u_a.R * sample->mean_g.normalized());
 }
 
 }  // namespace hexoderm

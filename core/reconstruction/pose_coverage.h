@@ -115,7 +115,7 @@ struct NextPose {
   std::optional<PoseId> opposite_of;  ///< for Opposite
   double sigma_now_rad = 0;           ///< as in PoseAdvice
   double sigma_then_rad = 0;
-  /// Lowers the predicted error by at least a twentieth, or all that was said so far is not enough for a class.
+  /// There are not enough poses yet, see enoughPoses(), or this one lowers the predicted error by at least a twentieth.
   bool worthwhile = true;
 };
 /// Nothing without a patch. `current_up_o`: unit, see currentUp.
@@ -125,5 +125,8 @@ std::optional<NextPose> describeNextPose(const PoseAdvice& advice, const Reconst
 /// A short label of a pose by what the origin cell, in whose frame `up_o` is, faces: "facing ceiling", "facing floor",
 /// "facing wall, +y up", "tilted up, -x up", "tilted down, ...".
 std::string poseLabel(const Eigen::Vector3d& up_o);
+/// The same for a capture, from the reading of the largest patch's origin alone: `reconstruction` may be one without
+/// any pose. Empty where there is no patch or the origin read no gravity.
+std::string poseLabel(const Reconstruction& reconstruction, const PoseCapture& capture);
 
 }  // namespace hexoderm

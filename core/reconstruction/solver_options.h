@@ -44,6 +44,7 @@ struct SolverOptions {
 
   /// Throws InvalidArgument naming the first value out of range.
   void validate() const;
+  friend bool operator==(const SolverOptions&, const SolverOptions&) = default;
 };
 
 std::string_view solverName(Solver solver);

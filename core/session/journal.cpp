@@ -60,6 +60,23 @@ std::string hexOf(const Digest& digest) {
 std::int64_t captureOf(const JsonReader& json) { return json.at("capture").unsignedInteger(1); }
 std::size_t placeIn(const JsonReader& json) { return json.at("place").unsignedInteger(); }
 
+void requireCapture(const SessionPose& pose) {
+  if (!pose.capture) throw InvalidArgument("a pose must hold a capture");
+}
+
+/// Makes the entry a capture; its detail is returned.
+Json sayCapture(const SessionPose& pose, std::size_t place, JournalEntry& entry) {
+  const PoseCapture& capture = *pose.capture;
+  entry.kind = "capture";
+  entry.samples = encodeSamples(capture.samples);
+  Json detail = {{"pose", capture.id.value()}, {"place", place}, {"cells", capture.samples.size()}};
+  if (!capture.label.empty()) detail["label"] = capture.label;
+  if (capture.taken_at_ms) detail["taken_at_ms"] = *capture.taken_at_ms;
+  if (pose.disabled) detail["disabled"] = true;
+  if (!pose.why_disabled.empty()) detail["why_disabled"] = pose.why_disabled;
+  return detail;
+}
+
 }  // namespace
 
 Digest JournalEntry::expectedDigest(const Digest& previous) const {
@@ -106,13 +123,10 @@ std::size_t JournalState::placeOf(std::int64_t capture) const {
   return static_cast<std::size_t>(found - poses_.begin());
 }
 
-std::int64_t JournalState::lastRemoved(PoseId id) const {
+const JournalState::StoredPose* JournalState::lastRemoved(PoseId id) const {
   const auto found = std::find_if(removed_.rbegin(), removed_.rend(),
                                   [&](const StoredPose& pose) { return pose.pose.capture->id == id; });
-  if (found == removed_.rend()) {
-    throw InvalidArgument("no pose " + toString(id) + " was removed that could be restored");
-  }
-  return found->entry;
+  return found == removed_.rend() ? nullptr : &*found;
 }
 
 std::string JournalState::rawSha256(std::int64_t capture) const {
@@ -202,25 +216,21 @@ JournalEntry JournalState::entryFor(const StoreOperation& operation, std::int64_
   entry.at_ms = at_ms;
   Json detail = Json::object();
   if (const auto* add = std::get_if<AddPose>(&operation)) {
-    if (!add->pose.capture) throw InvalidArgument("a pose must hold a capture");
-    const PoseCapture& capture = *add->pose.capture;
-    entry.kind = "capture";
-    entry.samples = encodeSamples(capture.samples);
-    detail["pose"] = capture.id.value();
-    detail["place"] = add->index.value_or(poses_.size());
-    detail["cells"] = capture.samples.size();
-    if (!capture.label.empty()) detail["label"] = capture.label;
-    if (capture.taken_at_ms) detail["taken_at_ms"] = *capture.taken_at_ms;
-    if (add->pose.disabled) detail["disabled"] = true;
-    if (!add->pose.why_disabled.empty()) detail["why_disabled"] = add->pose.why_disabled;
+    requireCapture(add->pose);
+    detail = sayCapture(add->pose, add->index.value_or(poses_.size()), entry);
     if (!raw_sha256.empty()) detail["raw_sha256"] = raw_sha256;
   } else if (const auto* remove = std::get_if<RemovePose>(&operation)) {
     entry.kind = "remove";
     detail["capture"] = poseAt(remove->index).entry;
   } else if (const auto* restored = std::get_if<RestorePose>(&operation)) {
-    entry.kind = "restore";
-    detail["capture"] = lastRemoved(restored->id);
-    detail["place"] = restored->index;
+    requireCapture(restored->pose);
+    if (const StoredPose* removed = lastRemoved(restored->pose.capture->id)) {
+      entry.kind = "restore";
+      detail["capture"] = removed->entry;
+      detail["place"] = restored->index;
+    } else {
+      detail = sayCapture(restored->pose, restored->index, entry);
+    }
   } else if (const auto* disable = std::get_if<SetPoseDisabled>(&operation)) {
     entry.kind = disable->disabled ? "disable" : "enable";
     detail["capture"] = poseAt(disable->index).entry;

@@ -57,7 +57,8 @@ class JournalState {
   StoredPose take(std::size_t index);
   void restore(std::int64_t capture, std::size_t place);
   [[nodiscard]] std::size_t placeOf(std::int64_t capture) const;
-  [[nodiscard]] std::int64_t lastRemoved(PoseId id) const;
+  /// Null if none of this ID was removed.
+  [[nodiscard]] const StoredPose* lastRemoved(PoseId id) const;
   void apply(const JournalEntry& entry, const std::string& where);
 
   std::shared_ptr<const CellModel> model_;

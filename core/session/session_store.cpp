@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
@@ -23,6 +24,10 @@ namespace {
 
 constexpr std::string_view kInsertEntry =
     "INSERT INTO journal (entry, at_ms, kind, detail, samples, digest) VALUES (?1, ?2, ?3, ?4, ?5, ?6)";
+
+/// A session's file, and what SQLite keeps beside it.
+constexpr std::array<const char*, 3> kParts = {"", "-wal", "-shm"};
+std::filesystem::path with(std::filesystem::path path, const char* part) { return path += part; }
 
 std::int64_t nowMs() {
   return std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::system_clock::now().time_since_epoch())
@@ -270,6 +275,34 @@ bool isSessionStore(const std::filesystem::path& path) { return looksLikeStore(p
 
 bool isSessionStoreInUse(const std::filesystem::path& path) {
   return !StoreLock::forReading(path, path.string()).has_value();
+}
+
+void moveSessionStore(const std::filesystem::path& from, const std::filesystem::path& to) {
+  const auto fail = [&](const std::string& why) {
+    throw StorageError(from.string() + ": cannot be moved to " + to.string() + ": " + why);
+  };
+  if (isSessionStoreInUse(from))
+    throw StorageError(from.string() + ": is open in another window, close it there first");
+  std::error_code error;
+  for (const char* part : kParts) {
+    if (std::filesystem::exists(with(to, part), error)) fail("something of that name is there");
+  }
+  // The journal first: a session without its newest part must never be mistaken for a whole one.
+  std::vector<const char*> moved;
+  for (auto part = kParts.rbegin(); part != kParts.rend(); ++part) {
+    if (!std::filesystem::exists(with(from, *part), error)) continue;
+    std::filesystem::rename(with(from, *part), with(to, *part), error);
+    if (error) {
+      std::error_code ignored;
+      for (const char* before : moved) std::filesystem::rename(with(to, before), with(from, before), ignored);
+      fail(error.message());
+    }
+    moved.push_back(*part);
+  }
+}
+
+void removeSessionStore(const std::filesystem::path& path) noexcept {
+  for (const char* part : kParts) ::unlink(with(path, part).c_str());
 }
 
 }  // namespace hexoderm

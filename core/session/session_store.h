@@ -25,9 +25,10 @@ struct AddPose {
 struct RemovePose {
   std::size_t index = 0;
 };
-/// Takes back the last removal of a pose with this ID: it is as it was before, at place `index`.
+/// Takes back the last removal of a pose with this ID: it is as it was before, at place `index`. A file that was made
+/// after the removal knows nothing of it, and takes the pose as a capture.
 struct RestorePose {
-  PoseId id;
+  SessionPose pose;  ///< as it was removed
   std::size_t index = 0;
 };
 struct SetPoseDisabled {
@@ -127,6 +128,13 @@ void writeSessionStore(const Session& session, const std::filesystem::path& path
 
 /// By its first bytes; whether it is in order, reading will tell. Throws StorageError if it is there and can't be read.
 bool isSessionStore(const std::filesystem::path& path);
+
+/// Moves a session that nobody has open, with what SQLite keeps beside it ("-wal", "-shm"). Throws StorageError if
+/// somebody has it open, if something is at `to` already, or if it can't be moved: then it stays where it is.
+void moveSessionStore(const std::filesystem::path& from, const std::filesystem::path& to);
+/// Removes a session that nobody has open, with what SQLite keeps beside it. Nothing happens where there is none, or it
+/// can't be removed.
+void removeSessionStore(const std::filesystem::path& path) noexcept;
 
 /// Whether somebody, here or in another process, has the session open for writing at this moment. A process that was
 /// killed has not. Throws StorageError if the file can't be read.

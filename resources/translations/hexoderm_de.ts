@@ -1725,6 +1725,14 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
 <context>
     <name>hexoderm::EventLog</name>
     <message>
+        <source>The folder %1 can&apos;t be made.</source>
+        <translation>Der Ordner %1 lässt sich nicht anlegen.</translation>
+    </message>
+    <message>
+        <source>%1 lines are missing here: they could not be written, or came too fast</source>
+        <translation>Hier fehlen %1 Zeilen: Sie ließen sich nicht schreiben oder kamen zu schnell</translation>
+    </message>
+    <message>
         <source>Info</source>
         <translation>Info</translation>
     </message>
@@ -2188,8 +2196,8 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Jede Probe sieht es von einer Seite an, die das Lösen nicht benutzt hat.</translation>
     </message>
     <message>
-        <source>Gravity seen from several directions tells how every cell is turned against its neighbours. This session came from a file; no skin is connected to take more.</source>
-        <translation>Schwerkraft aus mehreren Richtungen verrät, wie jede Zelle gegen ihre Nachbarn gedreht ist. Diese Sitzung kam aus einer Datei; für weitere Posen ist keine Haut verbunden.</translation>
+        <source>Gravity seen from several directions tells how every cell is turned against its neighbours. No skin is connected to take more.</source>
+        <translation>Schwerkraft aus mehreren Richtungen verrät, wie jede Zelle gegen ihre Nachbarn gedreht ist. Für weitere Posen ist keine Haut verbunden.</translation>
     </message>
     <message>
         <source>There is no skin yet.</source>
@@ -2790,10 +2798,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Stillness</source>
         <translation>Ruhe</translation>
-    </message>
-    <message>
-        <source>This session came from a file.</source>
-        <translation>Diese Sitzung kommt aus einer Datei.</translation>
     </message>
     <message>
         <source>It repeats pose %1.</source>
@@ -4221,6 +4225,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
 <context>
     <name>hexoderm::SessionController</name>
     <message>
+        <source>What is shown stands still: the skin as it is now can&apos;t be solved. %1</source>
+        <translation>Das Gezeigte steht still: Die Haut, wie sie jetzt ist, lässt sich nicht lösen. %1</translation>
+    </message>
+    <message>
         <source>Demo skin (simulated)</source>
         <translation>Demo-Haut (simuliert)</translation>
     </message>
@@ -5102,10 +5110,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Die nächsten Messwerte als Pose nehmen, bewegt oder nicht</translation>
     </message>
     <message>
-        <source>This session came from a file; no skin is connected</source>
-        <translation>Diese Sitzung kam aus einer Datei; keine Haut ist verbunden</translation>
-    </message>
-    <message>
         <source>The skin does not send: %1</source>
         <translation>Die Haut sendet nicht: %1</translation>
     </message>
@@ -5372,6 +5376,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
 </context>
 <context>
     <name>hexoderm::WindowShell</name>
+    <message>
+        <source>The log is kept in memory only. %1</source>
+        <translation>Das Protokoll bleibt nur im Speicher. %1</translation>
+    </message>
     <message>
         <source>Hexoderm %1 starts</source>
         <translation>Hexoderm %1 startet</translation>

@@ -1,10 +1,11 @@
 #include "app/window/main_window.h"
 
-#include "app/window/recovery.h"
+#include "app/window/session_paths.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/reconstruction/evaluation.h"
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/util/units.h"
+#include "widgets/coverage_view.h"
 #include "widgets/patch_view.h"
 #include "window_test.h"
 
@@ -248,9 +249,26 @@ TEST_F(MainWindowTest, LiveModeShowsTheMomentAndGoesBackToTheResult) {
   ASSERT_TRUE(waitUntil([&] { return moments >= 5; }));
   EXPECT_EQ(moment->poses.size(), 1U);
   EXPECT_EQ(moment->solver, "tree");
+  QSignalSpy results(&controller(), &SessionController::reconstructionChanged);
   press(Qt::Key_L);
   EXPECT_FALSE(controller().isLiveMode());
   EXPECT_EQ(posesShown(), 2U);
+  EXPECT_TRUE(results.isEmpty()) << "the result is the same as before";
+}
+
+TEST_F(MainWindowTest, LiveModeSaysOnceThatTheMomentCanNotBeSolved) {
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
+  SolverOptions impossible;
+  impossible.class_threshold = -1;
+  controller().setSolverOptions(impossible);
+  QSignalSpy noticed(&controller(), &SessionController::noticed);
+  QSignalSpy moments(&controller().live(), &LiveSource::previewChanged);
+  controller().setLiveMode(true);
+  ASSERT_TRUE(waitUntil([&] { return !noticed.isEmpty(); }));
+  EXPECT_TRUE(noticed[0][0].toString().contains("can't be solved")) << noticed[0][0].toString().toStdString();
+  const int before = moments.size();
+  ASSERT_TRUE(waitUntil([&] { return moments.size() > before + 10; }));
+  EXPECT_EQ(noticed.size(), 1);
 }
 
 TEST_F(MainWindowTest, WhatWasNotSavedIsInAScratchFileUntilItIsGivenUp) {
@@ -296,6 +314,12 @@ TEST_F(MainWindowTest, WhatIsPickedAnywhereIsPickedEverywhere) {
   ASSERT_NO_FATAL_FAILURE(clickCellInGraph(CellId(1)));
   EXPECT_EQ(window_->selection().cell(), CellId(1));
   EXPECT_TRUE(find<QTableView>("linkView")->selectionModel()->selectedRows().isEmpty());
+
+  const auto* directions = window_->findChild<CoverageView*>();
+  clickRow("poseView", 1);
+  EXPECT_EQ(directions->pickedPose(), PoseId(2));
+  find<QTableView>("poseView")->clearSelection();
+  EXPECT_EQ(directions->pickedPose(), std::nullopt);
 }
 
 TEST_F(MainWindowTest, ThemesSwitchAndAreRemembered) {

@@ -37,7 +37,7 @@ TEST_F(WindowFilesTest, OpensADroppedSession) {
   EXPECT_EQ(controller().name(), "row.session.json");
   EXPECT_EQ(controller().reconstruction()->cellCount(), 3U);
   EXPECT_FALSE(action("actionCapture")->isEnabled());
-  EXPECT_TRUE(action("actionCapture")->toolTip().contains("no skin is connected"));
+  EXPECT_TRUE(action("actionCapture")->toolTip().contains("No skin is connected"));
   EXPECT_FALSE(controller().hasUnsavedChanges());
 }
 

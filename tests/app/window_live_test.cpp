@@ -74,6 +74,9 @@ TEST_F(WindowLiveTest, ASimulatedSkinIsConnectedAndEveryPoseIsInItsFile) {
   EXPECT_FALSE(find<QWidget>("liveStrip")->isVisible());
   EXPECT_EQ(posesShown(), 2U);
   EXPECT_FALSE(action("actionCapture")->isEnabled());
+  EXPECT_EQ(action("actionCapture")->toolTip(), "No skin is connected");
+  EXPECT_EQ(text("captureWhat"), "No skin is connected.");
+  EXPECT_EQ(text("captureWait"), "No skin is connected, so no pose can be taken.");
   ASSERT_TRUE(waitUntilKept());
   EXPECT_EQ(read(path).poses().size(), 2U);
   EXPECT_EQ(read(path).neighbors(), controller().session()->neighbors());
@@ -125,6 +128,16 @@ TEST_F(WindowLiveTest, AWrongAddressIsRefusedInWords) {
   QTest::keyClick(dialog, Qt::Key_Escape);
   EXPECT_TRUE(waitUntil([&] { return window_->findChild<QDialog*>("connectDialog") == nullptr; }));
   EXPECT_FALSE(controller().live().isRunning());
+}
+
+TEST_F(WindowLiveTest, TheAddressOfALargeSkinIsCheckedAsItIsTyped) {
+  QDialog* dialog = openConnectDialog("Simulated skin", "sheet:99x99");
+  ASSERT_NE(dialog, nullptr);
+  EXPECT_TRUE(dialog->findChild<QPushButton*>("connectButton")->isEnabled());
+  QTest::keyClicks(dialog->findChild<QComboBox*>("connectAddress")->lineEdit(), "99");
+  EXPECT_FALSE(dialog->findChild<QPushButton*>("connectButton")->isEnabled());
+  const QString note = dialog->findChild<QLabel*>("connectNote")->text();
+  EXPECT_TRUE(note.contains("100000 cells")) << note.toStdString();
 }
 
 TEST_F(WindowLiveTest, ADeviceThatIsNotThereIsSaidAndCanBeGivenUp) {

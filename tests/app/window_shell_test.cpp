@@ -3,6 +3,7 @@
 #include "app/window/window_shell.h"
 
 #include "app/window/bug_report.h"
+#include "app/window/session_paths.h"
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/error.h"
@@ -23,7 +24,6 @@
 #include <QTabWidget>
 #include <QToolButton>
 #include <set>
-#include <thread>
 
 namespace hexoderm {
 namespace {
@@ -70,76 +70,6 @@ class WindowShellTest : public WindowTest {
     return nullptr;
   }
 };
-
-TEST(EventLogTest, KeepsTheNewestLinesOfManyThreads) {
-  EventLog log({});
-  constexpr int kThreads = 4;
-  constexpr int kEach = 3000;
-  {
-    std::vector<std::jthread> threads;
-    for (int t = 0; t < kThreads; ++t) {
-      threads.emplace_back([&log] {
-        for (int k = 0; k < kEach; ++k) log.add(LogSeverity::Info, QString::number(k));
-      });
-    }
-  }
-  const std::vector<LogLine> lines = log.linesAfter(0);
-  ASSERT_EQ(lines.size(), EventLog::kCapacity);
-  EXPECT_EQ(lines.back().number, std::uint64_t{kThreads * kEach});
-  EXPECT_EQ(lines.front().number, lines.back().number - EventLog::kCapacity + 1);
-  EXPECT_EQ(log.linesAfter(lines.back().number - 3).size(), 3U);
-  EXPECT_EQ(log.newest(7).front().number, lines.back().number - 6);
-}
-
-TEST(EventLogTest, TakesWhatQtComplainsAboutAsLongAsItLives) {
-  std::uint64_t before = 0;
-  {
-    EventLog log({});
-    EventLog newer({});
-    qWarning("a signal was lost");
-    ASSERT_EQ(newer.linesAfter(0).size(), 1U);
-    EXPECT_EQ(newer.linesAfter(0)[0].text, "Qt: a signal was lost");
-    EXPECT_EQ(newer.linesAfter(0)[0].severity, LogSeverity::Warning);
-    before = log.linesAfter(0).size();
-  }
-  EXPECT_EQ(before, 0U);
-  qWarning("nobody listens, and nothing happens");
-}
-
-TEST(EventLogTest, WritesAFileThatBeginsAnewWhenItIsFull) {
-  const QTemporaryDir folder;
-  EventLog log(folder.filePath("logs"));
-  log.add(LogSeverity::Error, "first\nof two lines");
-  ASSERT_TRUE(log.waitUntilWritten(5000));
-  QFile file(log.filePath());
-  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
-  const QByteArray written = file.readAll();
-  EXPECT_TRUE(written.contains("ERROR   first | of two lines\n")) << written.toStdString();
-  file.close();
-
-  const QString long_text(1000, 'x');
-  for (int k = 0; k < 1500; ++k) {
-    log.add(LogSeverity::Info, long_text);
-    if (k % 100 == 0) {
-      ASSERT_TRUE(log.waitUntilWritten(5000));
-    }
-  }
-  ASSERT_TRUE(log.waitUntilWritten(5000));
-  EXPECT_LE(QFileInfo(log.filePath()).size(), EventLog::kFileBytes);
-  const QFileInfo old(QDir(log.folder()).filePath("hexoderm.1.log"));
-  EXPECT_TRUE(old.exists());
-  EXPECT_LE(old.size(), EventLog::kFileBytes);
-}
-
-TEST(EventLogTest, GoesOnWithoutAFileWhereNoneCanBeMade) {
-  const QTemporaryDir folder;
-  QFile in_the_way(folder.filePath("logs"));
-  ASSERT_TRUE(in_the_way.open(QIODevice::WriteOnly));
-  EventLog log(folder.filePath("logs"));
-  log.add(LogSeverity::Info, "still here");
-  EXPECT_TRUE(log.waitUntilWritten(5000));
-  EXPECT_EQ(log.linesAfter(0).size(), 1U);
-}
 
 TEST_F(WindowShellTest, TheLogTellsWhatHappenedAndCanBeSearched) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
@@ -330,6 +260,38 @@ TEST_F(WindowShellTest, OffersAnUnsavedSessionAndRecoversIt) {
   ASSERT_TRUE(waitForPoses(poses));
   EXPECT_EQ(shell().unsavedSessions().all().size(), 1U);
   EXPECT_TRUE(shell().recentFiles().files().empty()) << "a scratch file is no recent file";
+}
+
+TEST_F(WindowShellTest, AnUnsavedSessionStaysInTheListUntilItIsOpen) {
+  writeSession(unsavedFolder() + "/one.hexo", 3);
+  reopenWindow();
+  ASSERT_TRUE(waitUntil([&] { return shell().unsavedSessions().all().size() == 1; }));
+  const QString path = shell().unsavedSessions().all()[0].path;
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
+
+  shell().unsavedSessions().recover(path);
+  auto* box = waitForDialog<QMessageBox>("unsavedBox");
+  ASSERT_NE(box, nullptr);
+  click(box->button(QMessageBox::Cancel));
+  ASSERT_TRUE(waitUntil([&] { return !window_->findChild<QMessageBox*>("unsavedBox"); }));
+  EXPECT_EQ(shell().unsavedSessions().all().size(), 1U) << "nothing was opened";
+
+  // It is not there for a moment: it can't be opened, and can be tried again.
+  ASSERT_TRUE(QFile::rename(path, path + ".away"));
+  shell().unsavedSessions().recover(path);
+  box = waitForDialog<QMessageBox>("unsavedBox");
+  ASSERT_NE(box, nullptr);
+  click(box->button(QMessageBox::Discard));
+  ASSERT_TRUE(waitForMessage("one.hexo")) << message().toStdString();
+  EXPECT_EQ(shell().unsavedSessions().all().size(), 1U);
+  ASSERT_TRUE(QFile::rename(path + ".away", path));
+  ASSERT_TRUE(waitUntil([&] { return !window_->findChild<QMessageBox*>("unsavedBox"); }));
+  shell().unsavedSessions().recover(path);
+  box = waitForDialog<QMessageBox>("unsavedBox");
+  ASSERT_NE(box, nullptr);
+  click(box->button(QMessageBox::Discard));
+  ASSERT_TRUE(waitForPoses(3)) << message().toStdString();
+  EXPECT_TRUE(shell().unsavedSessions().all().empty());
 }
 
 TEST_F(WindowShellTest, RecoversWhatAKilledProgramLeft) {

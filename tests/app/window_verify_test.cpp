@@ -3,6 +3,7 @@
 #include "app/window/verification.h"
 #include "hexoderm/device/simulated_skin.h"
 #include "hexoderm/io/session_json.h"
+#include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/units.h"
 #include "widgets/residual_view.h"
@@ -233,7 +234,10 @@ TEST_F(WindowVerifyTest, TheNewestRequestWinsAndACancelledOneSaysNothing) {
   QObject::connect(&verification, &Verification::heldOut,
                    [&](const HoldOutResult& result) { results.push_back(result.pose); });
   bool running = false;
-  QObject::connect(&verification, &Verification::runningChanged, [&](VerifyCheck, bool now) { running = now; });
+  QObject::connect(&verification, &Verification::runningChanged, [&](VerifyCheck check, bool now) {
+    if (check == VerifyCheck::HoldOut) running = now;
+  });
+  verification.setReconstruction(controller().reconstruction());
   const auto snapshot = controller().session()->snapshot();
   for (std::uint32_t pose = 1; pose <= 4; ++pose) verification.runHoldOut(snapshot, PoseId(pose));
   EXPECT_TRUE(running);
@@ -245,6 +249,34 @@ TEST_F(WindowVerifyTest, TheNewestRequestWinsAndACancelledOneSaysNothing) {
   verification.runHoldOut(snapshot, PoseId(5));
   ASSERT_TRUE(waitUntil([&] { return results.size() > 1; }));
   EXPECT_THAT(results, testing::ElementsAre(PoseId(4), PoseId(5)));
+}
+
+TEST_F(WindowVerifyTest, WhatIsVerifiedIsTheSolverThatWasUsed) {
+  SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
+  const Session session = simulateSession(skin, 5, 20);
+  const QString path = pathTo("same.session.json");
+  writeSessionJson(session, path.toStdString());
+  SolverOptions options;
+  options.solver = Solver::Tree;
+  Verification verification;
+  std::optional<HoldOutResult> held_out;
+  std::vector<Comparison> comparisons;
+  QObject::connect(&verification, &Verification::heldOut, [&](const HoldOutResult& result) { held_out = result; });
+  QObject::connect(&verification, &Verification::compared,
+                   [&](const std::vector<Comparison>& compared) { comparisons = compared; });
+  verification.setReconstruction(reconstruct(*session.snapshot(), options));
+  verification.runHoldOut(session.snapshot(), PoseId(3));
+  verification.compareWith(path);
+  ASSERT_TRUE(waitUntil([&] { return held_out && !comparisons.empty(); }));
+  EXPECT_EQ(held_out->rms_rad, evaluateHoldOut(*session.snapshot(), PoseId(3), options).rms_rad);
+  EXPECT_NE(held_out->rms_rad, evaluateHoldOut(*session.snapshot(), PoseId(3)).rms_rad);
+  EXPECT_EQ(comparisons[0].position_rms_m, 0) << "the same session, solved in the same way";
+
+  // The session is solved anew when the solver is another.
+  comparisons.clear();
+  verification.setReconstruction(reconstruct(*session.snapshot()));
+  ASSERT_TRUE(waitUntil([&] { return !comparisons.empty(); }));
+  EXPECT_NEAR(comparisons[0].position_rms_m, 0, 1e-9);
 }
 
 }  // namespace

@@ -86,10 +86,10 @@ TEST_F(CapturePanelTest, WithoutASkinItSaysSoAndTheRingIsAway) {
   show();
   EXPECT_TRUE(ring()->isHidden());
   EXPECT_TRUE(text("captureWhat").contains(QStringLiteral("No skin is connected")));
-  panel.setSource(std::nullopt, QStringLiteral("This session came from a file."));
-  EXPECT_EQ(text("captureWait"), QStringLiteral("This session came from a file."));
+  const QString none = QStringLiteral("No skin is connected, so no pose can be taken.");
+  EXPECT_EQ(text("captureWait"), none);
   panel.setHold(shaking());
-  EXPECT_EQ(text("captureWait"), QStringLiteral("This session came from a file."));
+  EXPECT_EQ(text("captureWait"), none);
 }
 
 TEST_F(CapturePanelTest, SaysWhatToDoHowFarAndWhy) {

@@ -56,5 +56,18 @@ TEST(PoseAdvisor, SaysWhichCellFacesWhere) {
   EXPECT_EQ(adviceInWords(advice, *result), "Turn the part so that cell 9 faces the floor.");
 }
 
+TEST(EnoughPoses, AreFourThatAreEnabledAndOfUse) {
+  Reconstruction result;
+  result.poses.resize(5);
+  for (std::size_t k = 0; k < result.poses.size(); ++k) result.poses[k].enabled = k != 2;
+  for (const auto& [level, enough] : {std::pair(VerdictLevel::Failed, false), std::pair(VerdictLevel::NotEnough, false),
+                                      std::pair(VerdictLevel::Usable, true), std::pair(VerdictLevel::Good, true)}) {
+    result.verdict.level = level;
+    EXPECT_EQ(enoughPoses(result), enough);
+  }
+  result.poses[0].enabled = false;
+  EXPECT_FALSE(enoughPoses(result)) << "three are left";
+}
+
 }  // namespace
 }  // namespace hexoderm

@@ -267,7 +267,12 @@ TEST(NextPose, AfterManyPosesAnotherOneIsNotWorthwhile) {
   const CellModel model = builtInCellModel("hex-bma150");
   Ups ups = {{0, 0, 1}};
   while (ups.size() < 30) ups.push_back(adviseNextPose(model, ups).up);
-  EXPECT_FALSE(describeNextPose(adviseNextPose(model, ups), withGravity(ups))->worthwhile);
+  Reconstruction many = withGravity(ups);
+  many.verdict.level = VerdictLevel::Usable;
+  EXPECT_FALSE(describeNextPose(adviseNextPose(model, ups), many)->worthwhile);
+  many.verdict.level = VerdictLevel::NotEnough;
+  EXPECT_TRUE(describeNextPose(adviseNextPose(model, ups), many)->worthwhile)
+      << "nobody is told that there are enough as long as the verdict says that there are not";
 }
 
 TEST(NextPose, TurnsFromWhereThePartIsNow) {
@@ -286,6 +291,20 @@ TEST(PoseLabel, SaysWhatTheOriginCellFaces) {
   EXPECT_EQ(poseLabel({-1, 0, 0}), "facing wall, -x up");
   EXPECT_EQ(poseLabel(Eigen::Vector3d(1, 0, 1).normalized()), "tilted up, +x up");
   EXPECT_EQ(poseLabel(Eigen::Vector3d(0, -1, -1).normalized()), "tilted down, -y up");
+}
+
+TEST(PoseLabel, OfACaptureIsWhatItsOriginReads) {
+  const Reconstruction result = withGravity({});
+  const CellId origin = largestPatch(result)->origin;
+  PoseCapture capture;
+  EXPECT_EQ(poseLabel(result, capture), "") << "the origin was not heard";
+  const Eigen::Matrix3d R_a_u = result.model->accelerometer.T_u_a.R.transpose();
+  capture.samples = {{CellId(999), {0, 0, 1}, {}, 1}, {origin, R_a_u * Eigen::Vector3d(0, 0, -1.05), {}, 1}};
+  EXPECT_EQ(poseLabel(result, capture), "facing floor");
+  capture.samples[1].mean_g *= 0.01;
+  EXPECT_EQ(poseLabel(result, capture), "") << "no gravity";
+  Reconstruction none;
+  EXPECT_EQ(poseLabel(none, capture), "");
 }
 
 }  // namespace

@@ -227,6 +227,29 @@ TEST_F(SharedStore, IsReadInAReadOnlyFolder) {
   }
 }
 
+TEST_F(SharedStore, IsMovedAndRemovedWithItsJournal) {
+  const fs::path left = folder_.path() / "left.hexo";
+  const fs::path moved = folder_.path() / "moved.hexo";
+  leaveBehindAKilledWriter(path_, left, 1, true);
+  const SessionStore writer = SessionStore::open(path_);
+
+  EXPECT_THAT(messageOf<StorageError>([&] { moveSessionStore(path_, moved); }), saysAll("arm.hexo", "close it there"));
+  EXPECT_THAT(messageOf<StorageError>([&] { moveSessionStore(left, path_); }), saysAll("left.hexo", "is there"));
+  EXPECT_THAT(messageOf<StorageError>([&] { moveSessionStore(left, folder_.path() / "none" / "a.hexo"); }),
+              saysAll("left.hexo", "cannot be moved"));
+  EXPECT_EQ(readSessionStore(left).poses().size(), 2U) << "where it cannot be moved it stays";
+
+  moveSessionStore(left, moved);
+  EXPECT_FALSE(fs::exists(left));
+  EXPECT_FALSE(fs::exists(left.string() + "-wal"));
+  EXPECT_EQ(readSessionStore(moved).poses().size(), 2U);
+  removeSessionStore(moved);
+  removeSessionStore(moved);
+  for (const auto& entry : fs::directory_iterator(folder_.path())) {
+    EXPECT_TRUE(entry.path().filename().string().starts_with("arm.hexo")) << entry.path();
+  }
+}
+
 TEST_F(SharedStore, AWritableFileInAReadOnlyFolderIsNotOpenedForWriting) {
   ::chmod(path_.c_str(), 0666);
   ::chmod(folder_.path().c_str(), 0555);

@@ -115,6 +115,7 @@ TEST_F(SessionStoreTest, CapturesAreThereAfterReopening) {
 TEST_F(SessionStoreTest, RemovedPosesStayInTheFileAndComeBackAsTheyWere) {
   SessionStore store = SessionStore::create(path_, sessionWithEverything());
   const SessionPose second = store.readSession().poses()[1];
+  const SessionPose third = store.readSession().poses()[2];
   appendOne(store, RemovePose{1});
   appendOne(store, RemovePose{1});
   EXPECT_THAT(poseIds(store.readSession()), ElementsAre(1U));
@@ -125,13 +126,30 @@ TEST_F(SessionStoreTest, RemovedPosesStayInTheFileAndComeBackAsTheyWere) {
   EXPECT_EQ(store.readSession().nextPoseId(), PoseId(4));
 
   store = SessionStore::open(path_);
-  appendOne(store, RestorePose{PoseId(2), 0});
+  appendOne(store, RestorePose{second, 0});
   EXPECT_THAT(poseIds(store.readSession()), ElementsAre(2U, 1U));
   expectSamePose(store.readSession().poses()[0], second);
-  appendOne(store, RestorePose{PoseId(3), 2});
+  appendOne(store, RestorePose{third, 2});
   EXPECT_THAT(poseIds(readSessionStore(path_)), ElementsAre(2U, 1U, 3U));
   EXPECT_THAT(kinds(store), ElementsAre("skin", "source", "truth", "capture", "capture", "capture", "mute", "mute",
                                         "remove", "remove", "restore", "restore"));
+}
+
+TEST_F(SessionStoreTest, APoseThatWasRemovedBeforeTheFileWasMadeComesBackAllTheSame) {
+  Session session = sessionWithEverything();
+  session.setPoseDisabled(1, true, "someone leaned on the arm");
+  const SessionPose removed = session.removePose(1);
+  SessionStore store = SessionStore::create(path_, session);
+  appendOne(store, RestorePose{removed, 1});
+  session.addPose(removed, 1);
+  expectSameSession(readSessionStore(path_), session);
+  EXPECT_EQ(kinds(store).back(), "capture");
+
+  // From now on the file knows it.
+  appendOne(store, RemovePose{1});
+  appendOne(store, RestorePose{removed, 1});
+  expectSameSession(readSessionStore(path_), session);
+  EXPECT_EQ(kinds(store).back(), "restore");
 }
 
 TEST_F(SessionStoreTest, OfPosesWithOneNumberTheLastRemovedIsRestored) {
@@ -142,9 +160,9 @@ TEST_F(SessionStoreTest, OfPosesWithOneNumberTheLastRemovedIsRestored) {
   appendOne(store, second);
   appendOne(store, RemovePose{0});
   appendOne(store, RemovePose{0});
-  appendOne(store, RestorePose{PoseId(7), 0});
+  appendOne(store, RestorePose{second.pose, 0});
   expectSamePose(store.readSession().poses()[0], second.pose);
-  appendOne(store, RestorePose{PoseId(7), 0});
+  appendOne(store, RestorePose{first.pose, 0});
   expectSamePose(readSessionStore(path_).poses()[0], first.pose);
 }
 
@@ -231,7 +249,8 @@ TEST_F(SessionStoreTest, RefusesWhatMakesNoSenseAndStaysAsItWas) {
   const std::vector<std::pair<StoreOperation, std::string>> bad = {
       {RemovePose{3}, "no pose at place 3"},
       {SetPoseDisabled{7}, "no pose at place 7"},
-      {RestorePose{PoseId(1), 0}, "no pose 1 was removed"},
+      {RestorePose{capture(9, 1).pose, 4}, "no place 4"},
+      {RestorePose{}, "must hold a capture"},
       {AddPose{capture(9, 1).pose, 4}, "no place 4"},
       {AddPose{}, "must hold a capture"},
       {SetLinkMuted{{CellId(1), PortNumber(2)}, {CellId(1), PortNumber(2)}}, "two ends"},
@@ -268,7 +287,7 @@ TEST_F(SessionStoreTest, KeepsRawSamples) {
   second.raw = device;
   store.append(std::vector<StoreOperation>{first, second, capture(3, 0.5)});
   appendOne(store, RemovePose{0});
-  appendOne(store, RestorePose{PoseId(1), 2});
+  appendOne(store, RestorePose{first.pose, 2});
 
   const SessionStore reader = SessionStore::openReadOnly(path_);
   EXPECT_THAT(poseIds(reader.readSession()), ElementsAre(2U, 3U, 1U));

@@ -39,15 +39,37 @@ TEST(OpenSkinSource, SaysWhatItExpected) {
       {"replay:", "replay:FILE"},
       {"replay:a?speed=0", "above 0"},
       {"replay:a?speed=fast", "above 0"},
+      {"sim:", "is not known; expected x17"},
+      {"sim:ring2", "3 to 100000"},
+      {"sim:sheet:10", "sheet:ROWSxCOLS"},
+      {"sim:sheet:1000x1000", "1 to 100000"},
+      {"sim:x17?surface=cube:r=1", "cube"},
+      {"sim:x17?speed=0", "above 0"},
+      {"sim:x17?seed=-1", "seed"},
+      {"sim:x17?sped=2", "sim:PATCH"},
+  };
+  const auto refusal = [](auto&& use) -> std::string {
+    try {
+      use();
+      return "";
+    } catch (const InvalidArgument& error) {
+      return error.what();
+    }
   };
   for (const auto& [address, expected] : cases) {
-    try {
-      openSkinSource(address);
-      ADD_FAILURE() << address << " was accepted";
-    } catch (const InvalidArgument& error) {
-      EXPECT_THAT(error.what(), testing::HasSubstr(expected)) << address;
-    }
+    const std::string opening = refusal([&, text = address] { openSkinSource(text); });
+    EXPECT_THAT(opening, testing::HasSubstr(expected)) << address;
+    EXPECT_EQ(refusal([&, text = address] { checkSkinAddress(text); }), opening) << address;
   }
+}
+
+TEST(CheckSkinAddress, TakesWhatCanBeOpenedAndBuildsNoSkinForIt) {
+  for (const char* address : {"tcp://localhost:7700", "serial:/dev/ttyACM0?baud=921600", "stdin", "replay:a?speed=max",
+                              "sim:x17", "sim:ring8:closed", "sim:x17?surface=cylinder:r=0.05&seed=2&speed=max"}) {
+    EXPECT_NO_THROW(checkSkinAddress(address)) << address;
+  }
+  // Building one of these takes about a second, a thousand of them would take the test's time and more.
+  for (int k = 0; k < 1000; ++k) checkSkinAddress("sim:sheet:316x316");
 }
 
 }  // namespace

@@ -1,0 +1,136 @@
+// What happened, in memory and in a file.
+#include "app/window/event_log.h"
+
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <thread>
+
+namespace hexoderm {
+namespace {
+
+constexpr int kPatience_ms = 20000;
+
+QByteArray contentOf(const QString& path) {
+  QFile file(path);
+  EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << path.toStdString();
+  return file.readAll();
+}
+
+TEST(EventLogTest, KeepsTheNewestLinesOfManyThreads) {
+  EventLog log({});
+  constexpr int kThreads = 4;
+  constexpr int kEach = 3000;
+  {
+    std::vector<std::jthread> threads;
+    for (int t = 0; t < kThreads; ++t) {
+      threads.emplace_back([&log] {
+        for (int k = 0; k < kEach; ++k) log.add(LogSeverity::Info, QString::number(k));
+      });
+    }
+  }
+  const std::vector<LogLine> lines = log.linesAfter(0);
+  ASSERT_EQ(lines.size(), EventLog::kCapacity);
+  EXPECT_EQ(lines.back().number, std::uint64_t{kThreads * kEach});
+  EXPECT_EQ(lines.front().number, lines.back().number - EventLog::kCapacity + 1);
+  EXPECT_EQ(log.linesAfter(lines.back().number - 3).size(), 3U);
+  EXPECT_EQ(log.newest(7).front().number, lines.back().number - 6);
+}
+
+TEST(EventLogTest, TakesWhatQtComplainsAboutAsLongAsItLives) {
+  std::uint64_t before = 0;
+  {
+    EventLog log({});
+    EventLog newer({});
+    qWarning("a signal was lost");
+    ASSERT_EQ(newer.linesAfter(0).size(), 1U);
+    EXPECT_EQ(newer.linesAfter(0)[0].text, "Qt: a signal was lost");
+    EXPECT_EQ(newer.linesAfter(0)[0].severity, LogSeverity::Warning);
+    before = log.linesAfter(0).size();
+  }
+  EXPECT_EQ(before, 0U);
+  qWarning("nobody listens, and nothing happens");
+}
+
+TEST(EventLogTest, WritesAFileThatBeginsAnewWhenItIsFull) {
+  const QTemporaryDir folder;
+  EventLog log(folder.filePath("logs"));
+  log.add(LogSeverity::Error, "first\nof two lines");
+  ASSERT_TRUE(log.waitUntilWritten(kPatience_ms));
+  QFile file(log.filePath());
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  const QByteArray written = file.readAll();
+  EXPECT_TRUE(written.contains("ERROR   first | of two lines\n")) << written.toStdString();
+  file.close();
+
+  const QString long_text(1000, 'x');
+  for (int k = 0; k < 1500; ++k) {
+    log.add(LogSeverity::Info, long_text);
+    if (k % 100 == 0) {
+      ASSERT_TRUE(log.waitUntilWritten(kPatience_ms));
+    }
+  }
+  ASSERT_TRUE(log.waitUntilWritten(kPatience_ms));
+  EXPECT_LE(QFileInfo(log.filePath()).size(), EventLog::kFileBytes);
+  const QFileInfo old(QDir(log.folder()).filePath("hexoderm.1.log"));
+  EXPECT_TRUE(old.exists());
+  EXPECT_LE(old.size(), EventLog::kFileBytes);
+}
+
+TEST(EventLogTest, GoesOnWithoutAFileWhereNoneCanBeMade) {
+  const QTemporaryDir folder;
+  QFile in_the_way(folder.filePath("logs"));
+  ASSERT_TRUE(in_the_way.open(QIODevice::WriteOnly));
+  EventLog log(folder.filePath("logs"));
+  QSignalSpy failed(&log, &EventLog::fileFailed);
+  log.add(LogSeverity::Info, "still here");
+  ASSERT_TRUE(log.waitUntilWritten(kPatience_ms));
+  log.add(LogSeverity::Info, "and here");
+  ASSERT_TRUE(log.waitUntilWritten(kPatience_ms));
+  EXPECT_EQ(log.linesAfter(0).size(), 2U);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !failed.isEmpty(); }, kPatience_ms));
+  QCoreApplication::processEvents();
+  EXPECT_EQ(failed.size(), 1) << "said once";
+  EXPECT_TRUE(failed[0][0].toString().contains("logs")) << failed[0][0].toString().toStdString();
+
+  ASSERT_TRUE(in_the_way.remove());
+  log.add(LogSeverity::Info, "in the file again");
+  ASSERT_TRUE(log.waitUntilWritten(kPatience_ms));
+  const QByteArray written = contentOf(log.filePath());
+  const int missing = written.indexOf("WARNING 2 lines are missing here");
+  EXPECT_GE(missing, 0) << written.toStdString();
+  EXPECT_GT(written.indexOf("INFO    in the file again"), missing) << written.toStdString();
+}
+
+TEST(EventLogTest, TheFileSaysWhatCameTooFastForIt) {
+  const QTemporaryDir folder;
+  // Whoever writes to a pipe waits until somebody reads, as with a disk that hangs.
+  const QString path = folder.filePath("hexoderm.log");
+  ASSERT_EQ(::mkfifo(path.toUtf8().constData(), 0600), 0);
+  EventLog log(folder.path());
+  constexpr std::size_t kMore = 3 * EventLog::kCapacity;
+  for (std::size_t k = 0; k < kMore; ++k) log.add(LogSeverity::Info, QStringLiteral("line %1").arg(k));
+  QFile pipe(path);
+  ASSERT_TRUE(pipe.open(QIODevice::ReadOnly | QIODevice::Unbuffered));
+  std::size_t lines = 0;
+  QByteArray text;
+  while (!text.contains("too fast\n")) {
+    const QByteArray read = pipe.read(1 << 16);
+    if (read.isEmpty()) continue;
+    text = text.right(200) + read;
+    lines += static_cast<std::size_t>(read.count('\n'));
+  }
+  const int at = text.lastIndexOf("WARNING ") + 8;
+  const QByteArray count = text.mid(at, text.indexOf(" lines are missing") - at);
+  EXPECT_EQ(lines - 1 + count.toUInt(), kMore) << count.toStdString();
+}
+
+}  // namespace
+}  // namespace hexoderm
