@@ -71,7 +71,7 @@ TEST(UserGuide, LeadsFromPageToPageAndBack) {
 TEST(UserGuide, FindsWordsInThePageOnceAround) {
   GuideWindow guide;
   guide.show();
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(&guide));
+  ASSERT_TRUE(test::waitUntilExposed(guide));
   auto* browser = guide.findChild<QTextBrowser*>(QStringLiteral("guidePage"));
   auto* search = guide.findChild<QLineEdit*>(QStringLiteral("guideSearch"));
   auto* not_found = guide.findChild<QLabel*>(QStringLiteral("guideNotFound"));

@@ -3,6 +3,7 @@
 #include "hexoderm/reconstruction/evaluation.h"
 #include "support/demo_reconstruction.h"
 #include "support/large_skin.h"
+#include "support/qt_wait.h"
 #include "widgets/scene_overlay.h"
 #include "widgets/selection.h"
 
@@ -29,7 +30,7 @@ class PatchViewTest : public testing::Test {
   void show() {
     view.resize(640, 480);
     view.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
+    ASSERT_TRUE(test::waitUntilExposed(view));
     gl = view.findChild<QVTKOpenGLNativeWidget*>();
     ASSERT_NE(gl, nullptr);
   }
@@ -81,13 +82,13 @@ TEST(PatchViewInAWindow, ChangesMadeWhileHiddenAreDrawnWhenShownAgain) {
   view->resize(640, 480);
   window.resize(640, 480);
   window.show();
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  ASSERT_TRUE(test::waitUntilExposed(window));
   auto* gl = view->findChild<QVTKOpenGLNativeWidget*>();
-  ASSERT_TRUE(QTest::qWaitFor([gl] { return qGray(gl->grabFramebuffer().pixel(3, 3)) > 180; }));
+  ASSERT_TRUE(test::waitUntil([gl] { return qGray(gl->grabFramebuffer().pixel(3, 3)) > 180; }));
   view->hide();
   view->setTheme(Theme::Dark);
   view->show();
-  EXPECT_TRUE(QTest::qWaitFor([gl] { return qGray(gl->grabFramebuffer().pixel(3, 3)) < 60; }));
+  EXPECT_TRUE(test::waitUntil([gl] { return qGray(gl->grabFramebuffer().pixel(3, 3)) < 60; }));
 }
 
 TEST_F(PatchViewTest, ScreenshotWorksBeforeTheViewWasShown) {
@@ -260,7 +261,7 @@ TEST_F(PatchViewTest, MeasuresBetweenTwoClickedCellsUntilEsc) {
   EXPECT_TRUE(words().contains(result));
   EXPECT_NE(view.screenshot(), one);
   view.activateWindow();
-  ASSERT_TRUE(QTest::qWaitForWindowActive(&view));
+  ASSERT_TRUE(test::waitUntilActive(view));
   QTest::keyClick(&view, Qt::Key_Escape);
   EXPECT_FALSE(view.measureAction()->isChecked());
   EXPECT_EQ(measured.last()[0].toString(), QString());
@@ -276,7 +277,7 @@ TEST_F(PatchViewTest, LargeSkinIsPreparedBesideTheWindowAndTheNewestWins) {
   EXPECT_FALSE(view.isUpToDate());
   EXPECT_TRUE(view.findChild<SceneOverlay*>()->accessibleName().contains(QStringLiteral("Preparing")));
   view.setReconstruction(std::make_shared<const Reconstruction>(cylinderSheet(60, 50)));
-  ASSERT_TRUE(QTest::qWaitFor([this] { return view.isUpToDate(); }));
+  ASSERT_TRUE(test::waitUntil([this] { return view.isUpToDate(); }));
   EXPECT_TRUE(view.findChild<SceneOverlay*>()->accessibleName().isEmpty());
   const QImage newest = view.screenshot();
   view.setReconstruction(demo());
@@ -284,11 +285,14 @@ TEST_F(PatchViewTest, LargeSkinIsPreparedBesideTheWindowAndTheNewestWins) {
   view.setReconstruction(std::make_shared<const Reconstruction>(cylinderSheet(60, 50)));
   EXPECT_EQ(view.screenshot(), newest) << "a picture waits for what it has to show";
   // What is being prepared does not overwrite what came after it.
-  view.setReconstruction(std::make_shared<const Reconstruction>(cylinderSheet(100, 80)));
   view.setReconstruction(demo(0));
   const QImage single = view.screenshot();
-  QTest::qWait(0);
-  ASSERT_TRUE(QTest::qWaitFor([this] { return view.isUpToDate(); }));
+  const auto large = std::make_shared<const Reconstruction>(cylinderSheet(100, 80));
+  view.setReconstruction(large);
+  view.setReconstruction(demo(0));
+  PatchView later(&selection);  // by the time that it has prepared the same, the other has too
+  later.setReconstruction(large);
+  ASSERT_TRUE(test::waitUntil([&] { return later.isUpToDate(); }));
   EXPECT_EQ(view.screenshot(), single);
 }
 
@@ -302,11 +306,11 @@ TEST_F(PatchViewTest, IsClosedWhileALargeSkinIsPrepared) {
 TEST_F(PatchViewTest, NoButtonIsCutOffInASmallView) {
   view.resize(320, 240);
   view.show();
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
+  ASSERT_TRUE(test::waitUntilExposed(view));
   view.setReconstruction(demo());
   for (const int width : {320, 430, 640, 1200}) {
     view.resize(width, 300);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view.width() == width; }));
+    ASSERT_TRUE(test::waitUntil([&] { return view.width() == width; }));
     QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     for (QToolButton* each : view.findChildren<QToolButton*>()) {
       const QRect place(each->mapTo(&view, QPoint(0, 0)), each->size());
