@@ -13,7 +13,7 @@
 namespace hexoderm {
 namespace {
 
-constexpr int kPatience_ms = 60000;
+constexpr int kPatience_ms = 120000;
 constexpr std::size_t kMostPoses = 8;
 
 bool waitUntil(const std::function<bool()>& condition) {

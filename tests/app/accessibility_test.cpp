@@ -2,6 +2,7 @@
 // nothing is cut off.
 
 #include "app/window/window_shell.h"
+#include "support/qt_wait.h"
 #include "window_test.h"
 
 #include <QAbstractButton>
@@ -90,7 +91,7 @@ class AccessibilityTest : public WindowTest {
         }
         return dialog != nullptr;
       })) << opened.action;
-      ASSERT_TRUE(QTest::qWaitForWindowExposed(dialog));
+      ASSERT_TRUE(test::waitUntilExposed(*dialog));
       if (auto* tabs = dialog->findChild<QTabWidget*>()) {
         for (int k = 0; k < tabs->count(); ++k) {
           tabs->setCurrentIndex(k);

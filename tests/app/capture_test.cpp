@@ -16,7 +16,8 @@ using ::testing::HasSubstr;
 class CliCapture : public Cli {};
 
 TEST_F(CliCapture, ASimulatedSkinCalibratesItselfWithoutHands) {
-  const Outcome capture = run("capture --source 'sim:x17?seed=5&speed=max' --auto --poses 4 --json -o arm.hexo");
+  const Outcome capture =
+      run("capture --source 'sim:x17?seed=5&speed=max' --auto --poses 4 --timeout 600 --json -o arm.hexo");
   ASSERT_EQ(capture.exit_code, 0) << capture.err;
   const auto json = nlohmann::json::parse(capture.out);
   EXPECT_EQ(json.at("cells"), 17);
@@ -36,7 +37,8 @@ TEST_F(CliCapture, ASimulatedSkinCalibratesItselfWithoutHands) {
 }
 
 TEST_F(CliCapture, ARecordingGivesTheSamePosesAgain) {
-  ASSERT_EQ(run("capture --source 'sim:ring8?speed=max' --auto --poses 3 --record ring.skinrec -o a.hexo").exit_code,
+  ASSERT_EQ(run("capture --source 'sim:ring8?speed=max' --auto --poses 3 --timeout 600 --record ring.skinrec -o a.hexo")
+                .exit_code,
             0);
   const Outcome replay = run("capture --source 'replay:ring.skinrec?speed=max' -o b.hexo");
   ASSERT_NE(replay.exit_code, 4) << replay.err;
@@ -61,8 +63,9 @@ TEST_F(CliCapture, NeverReplacesASession) {
 
 TEST_F(CliCapture, AFullDiskIsSaidAndWhatFittedIsKept) {
   // Files may grow to 512 KiB: room for a session with its truth and some poses of 400 cells, not for all.
-  const Outcome outcome = run("capture --source 'sim:sheet:20x20?speed=max' --auto --poses 12 -o sheet.hexo",
-                              "trap '' XFSZ; ulimit -f 512; ");
+  const Outcome outcome =
+      run("capture --source 'sim:sheet:20x20?speed=max' --auto --poses 12 --timeout 600 -o sheet.hexo",
+          "trap '' XFSZ; ulimit -f 512; ");
   EXPECT_EQ(outcome.exit_code, 5) << outcome.err;
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("sheet.hexo"), HasSubstr("Trying again")));
   const Session session = readSessionStore(path("sheet.hexo"));
@@ -76,7 +79,8 @@ TEST_F(CliCapture, RawSamplesThatDoNotFitCostNoPose) {
       "mkdir disk && unshare --user --map-root-user --mount sh -c 'mount -t tmpfs -o size=3m none disk || exit 97; "
       "\"$0\" \"$@\"; code=$?; cp disk/sheet.hexo . ; exit $code' ";
   const Outcome outcome =
-      run("capture --source 'sim:sheet:20x20?speed=max' --auto --poses 2 --keep-raw -o disk/sheet.hexo", small_disk);
+      run("capture --source 'sim:sheet:20x20?speed=max' --auto --poses 2 --timeout 600 --keep-raw -o disk/sheet.hexo",
+          small_disk);
   if (!exists("sheet.hexo") && outcome.err.find("unshare: ") != std::string::npos) {
     GTEST_LOG_(INFO) << "no small disk can be mounted here; SessionRecorderTest covers the same";
     return;
@@ -89,7 +93,12 @@ TEST_F(CliCapture, RawSamplesThatDoNotFitCostNoPose) {
 }
 
 TEST_F(CliCapture, InterruptedItKeepsWhatThereIs) {
-  const Outcome outcome = run("capture --source 'sim:x17?speed=20' -o arm.hexo", "timeout -s INT 2 ");
+  // Ctrl+C as soon as it has said so; more can't come, for the part lies still.
+  const Outcome outcome = run("capture --source 'sim:x17?speed=20' -o arm.hexo",
+                              "interrupt_at() { said=$1; shift; \"$@\" & "
+                              "until grep -q \"$said\" stderr.txt || ! kill -0 $!; do sleep 0.02; done; "
+                              "kill -s INT $!; wait $!; }; interrupt_at 'Pose 1 captured' ");
+  EXPECT_EQ(outcome.exit_code, 1) << "good for little: " << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("1 pose of 17 cells"));
   EXPECT_EQ(readSessionStore(path("arm.hexo")).poses().size(), 1U);
 }

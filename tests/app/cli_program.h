@@ -3,6 +3,7 @@
 // The real program hexoderm-cli, run as a user would, in a folder of its own.
 
 #include "hexoderm/util/file.h"
+#include "support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -24,16 +25,11 @@ struct Outcome {
 
 class Cli : public ::testing::Test {
  protected:
-  Cli() : folder_(std::filesystem::temp_directory_path() / ("hexoderm-cli-test-" + std::to_string(::getpid()))) {
-    std::filesystem::create_directories(folder_);
-  }
-  ~Cli() override { std::filesystem::remove_all(folder_); }
-
   /// `before`: what the shell is to run in front of the program, for example "sender | ".
   Outcome run(const std::string& arguments, const std::string& before = "") const {
     const std::string errors = path("stderr.txt");
     const std::string command =
-        "cd '" + folder_.string() + "' && " + before + "'" HEXODERM_CLI "' " + arguments + " 2>" + errors;
+        "cd '" + folder_.path().string() + "' && " + before + "'" HEXODERM_CLI "' " + arguments + " 2>" + errors;
     Outcome result;
     std::FILE* pipe = ::popen(command.c_str(), "r");
     std::array<char, 4096> buffer{};
@@ -44,10 +40,10 @@ class Cli : public ::testing::Test {
     result.err = readFile(errors);
     return result;
   }
-  [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  [[nodiscard]] bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
+  [[nodiscard]] std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
+  [[nodiscard]] bool exists(const std::string& name) const { return std::filesystem::exists(path(name)); }
 
-  std::filesystem::path folder_;
+  test::TemporaryFolder folder_;
 };
 
 }  // namespace hexoderm

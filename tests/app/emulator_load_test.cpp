@@ -1,6 +1,7 @@
 // 10,000 cells at 1 kHz on TCP: whatever this computer can do of it, every sample is received or said to be missing.
 
 #include "hexoderm/device/wire_source.h"
+#include "support/patience.h"
 
 #include "emulator_program.h"
 
@@ -65,7 +66,7 @@ class Bookkeeper final : public SkinListener {
   template <class Condition>
   bool waitUntil(Condition condition) {
     std::unique_lock lock(mutex_);
-    return changed_.wait_for(lock, std::chrono::seconds(60), [&] { return condition(*this); });
+    return changed_.wait_for(lock, test::kPatience, [&] { return condition(*this); });
   }
   /// The device's rate is about to change.
   void endOfClock() {
@@ -118,7 +119,7 @@ TEST_P(EmulatorUnderLoad, KeepsUpOrSaysPreciselyWhatWasDropped) {
   const Emulator emulator(arguments);
   Bookkeeper bookkeeper(means_of);
   WireOptions patient;
-  patient.silent_after = patient.reconnect_after = patient.command_timeout = std::chrono::milliseconds(60'000);
+  patient.silent_after = patient.reconnect_after = patient.command_timeout = test::kForever;
   WireSource source(emulator.address, patient);
   source.start(bookkeeper);
   constexpr double kLong_s = 3;

@@ -16,7 +16,7 @@
 namespace hexoderm {
 namespace {
 
-constexpr int kPatience_ms = 20000;
+constexpr int kPatience_ms = 120000;
 
 QByteArray contentOf(const QString& path) {
   QFile file(path);

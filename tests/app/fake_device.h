@@ -37,7 +37,7 @@ class FakeDevice {
 
   /// Waits for the host, as often as it comes.
   void accept() {
-    constexpr int kMilliseconds = 20000;
+    constexpr int kMilliseconds = 120000;
     ASSERT_TRUE(QTest::qWaitFor([this] { return server_.hasPendingConnections(); }, kMilliseconds));
     host_.reset(server_.nextPendingConnection());
     is_introduced_ = false;

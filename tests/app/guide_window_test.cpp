@@ -1,6 +1,7 @@
 #include "app/window/guide_window.h"
 #include "app/window/theme.h"
 #include "app/window/translation.h"
+#include "support/qt_wait.h"
 #include "window_test.h"
 
 #include <QListWidget>
@@ -78,7 +79,7 @@ TEST(UserGuide, ReadsItsPageOnceWhenTheThemeChangesAndStaysWhereItIs) {
   EXPECT_EQ(guide.currentPage(), QStringLiteral("faults"));
   guide.resize(500, 300);
   guide.show();
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(&guide));
+  ASSERT_TRUE(test::waitUntilExposed(guide));
   auto* browser = guide.findChild<QTextBrowser*>(QStringLiteral("guidePage"));
   ASSERT_NE(browser, nullptr);
   QScrollBar* bar = browser->verticalScrollBar();
@@ -86,7 +87,7 @@ TEST(UserGuide, ReadsItsPageOnceWhenTheThemeChangesAndStaysWhereItIs) {
   bar->setValue(50);
   QSignalSpy read(browser, &QTextBrowser::sourceChanged);
   applyTheme(Theme::Dark);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return read.count() > 0; }));
+  EXPECT_TRUE(test::waitUntil([&] { return read.count() > 0; }));
   QCoreApplication::processEvents();
   EXPECT_EQ(read.count(), 1);
   EXPECT_EQ(bar->value(), 50);
@@ -97,7 +98,7 @@ TEST(UserGuide, ReadsItsPageOnceWhenTheThemeChangesAndStaysWhereItIs) {
 TEST(UserGuide, FindsWordsInThePageOnceAround) {
   GuideWindow guide;
   guide.show();
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(&guide));
+  ASSERT_TRUE(test::waitUntilExposed(guide));
   auto* browser = guide.findChild<QTextBrowser*>(QStringLiteral("guidePage"));
   auto* search = guide.findChild<QLineEdit*>(QStringLiteral("guideSearch"));
   auto* not_found = guide.findChild<QLabel*>(QStringLiteral("guideNotFound"));

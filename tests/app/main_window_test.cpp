@@ -11,7 +11,6 @@
 
 #include <QComboBox>
 #include <QDockWidget>
-#include <QElapsedTimer>
 #include <QListWidget>
 #include <cmath>
 
@@ -51,8 +50,8 @@ TEST_F(MainWindowTest, GoesFromTheDemoSkinThroughTwoPosesToAnExportedFile) {
   EXPECT_EQ(controller().reconstruction()->verdict.level, VerdictLevel::NotEnough);
   press(Qt::Key_Space);
   ASSERT_TRUE(waitForPoses(1));
-  press(Qt::Key_T);
-  controller().setAutomatic(true);
+  ASSERT_NO_FATAL_FAILURE(turnBy([this] { press(Qt::Key_T); }));
+  press(Qt::Key_Space);
   ASSERT_TRUE(waitForPoses(2));
   EXPECT_EQ(find<QTableView>("poseView")->model()->rowCount(), 2);
   EXPECT_EQ(controller().reconstruction()->verdict.level, VerdictLevel::Usable);
@@ -186,27 +185,28 @@ TEST_F(MainWindowTest, TheRobotTakesAllPosesAndStopsByItself) {
   EXPECT_FALSE(controller().wantsMorePoses());
   EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Export…");
   const Verdict& verdict = controller().reconstruction()->verdict;
-  EXPECT_TRUE(verdict.level == VerdictLevel::Good || posesShown() == 4U) << verdict.reason;
+  EXPECT_TRUE(verdict.level == VerdictLevel::Good ||
+              (verdict.level == VerdictLevel::Usable && posesShown() >= SessionController::kGoodPoseCount))
+      << posesShown() << " poses: " << verdict.reason;
 }
 
 TEST_F(MainWindowTest, FourKeysLeadFromTheStartToAnExportedCalibrationWithinAMinute) {
   // At the speed at which a newcomer sees it.
   QSettings().setValue(QStringLiteral("demo/source"), QStringLiteral("sim:x17"));
-  QElapsedTimer clock;
-  clock.start();
   press(Qt::Key_D, Qt::ControlModifier);
   ASSERT_TRUE(waitUntil([this] { return action("actionRobot")->isEnabled(); }));
   press(Qt::Key_B);
   EXPECT_TRUE(controller().isRobotOn());
-  constexpr int kMinute_ms = 60000;
-  ASSERT_TRUE(QTest::qWaitFor([this] { return !controller().isRobotOn(); }, kMinute_ms)) << message().toStdString();
+  ASSERT_TRUE(waitUntil([this] { return !controller().isRobotOn(); })) << message().toStdString();
+  // By the skin's clock: a busy computer is no fault of the window.
+  const double rate_hz = controller().session()->model().accelerometer.rate_hz;
+  EXPECT_LT(static_cast<double>(controller().live().status().frames) / rate_hz, 60);
   ASSERT_TRUE(waitUntilIdle());
   press(Qt::Key_E, Qt::ControlModifier);
   auto* dialog = waitForDialog<QDialog>("exportDialog");
   ASSERT_NE(dialog, nullptr);
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
   ASSERT_TRUE(waitForMessage("Exported to ")) << message().toStdString();
-  EXPECT_LT(clock.elapsed(), kMinute_ms);
 }
 
 TEST_F(MainWindowTest, ASkippedPoseIsNotAdvisedAgain) {
@@ -226,12 +226,11 @@ TEST_F(MainWindowTest, APoseIsTakenAgainInItsPlaceAndUndoBringsTheOldOneBack) {
   press(Qt::Key_R);
   EXPECT_EQ(controller().recapturing(), PoseId(1));
   EXPECT_TRUE(message().contains("takes the place of pose 1")) << message().toStdString();
-  controller().setAutomatic(true);
+  press(Qt::Key_Space);
   ASSERT_TRUE(waitUntil([&] { return controller().session()->poses()[0].capture != first; }));
   ASSERT_TRUE(waitForPoses(2));
   EXPECT_EQ(controller().recapturing(), std::nullopt);
   EXPECT_EQ(controller().session()->poses()[0].capture->id, PoseId(3));
-  controller().setAutomatic(false);
   press(Qt::Key_Z, Qt::ControlModifier);
   ASSERT_TRUE(waitForPoses(2));
   EXPECT_EQ(controller().session()->poses()[0].capture, first);

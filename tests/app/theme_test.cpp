@@ -1,4 +1,5 @@
 #include "app/window/theme.h"
+#include "support/qt_wait.h"
 
 #include <gtest/gtest.h>
 
@@ -46,7 +47,7 @@ TEST(ThemeTest, AChangeDressesAWidgetOnceHoweverDeepItIsInOthers) {
   auto* label = new QLabel(QStringLiteral("deep"), inner);
   label->setProperty("muted", true);
   window.show();
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  ASSERT_TRUE(test::waitUntilExposed(window));
 
   style->times.clear();
   applyTheme(Theme::Dark);
@@ -97,7 +98,7 @@ std::unique_ptr<QWidget> makeParts() {
 
 QImage pictureOf(QWidget& window) {
   window.show();
-  EXPECT_TRUE(QTest::qWaitForWindowExposed(&window));
+  EXPECT_TRUE(test::waitUntilExposed(window));
   QImage picture = window.grab().toImage();
   window.hide();
   return picture;
@@ -124,16 +125,16 @@ TEST(ThemeTest, LargerTextMakesRoomForItselfInWhatIsThere) {
   const QFont usual = QApplication::font();
   const std::unique_ptr<QWidget> window = makeParts();
   window->show();
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+  ASSERT_TRUE(test::waitUntilExposed(*window));
   const int height = window->sizeHint().height();
   QFont large = usual;
   large.setPointSizeF(1.5 * usual.pointSizeF());
   QApplication::setFont(large);
   applyTheme(Theme::Light);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return window->sizeHint().height() > 1.15 * height; }));
+  EXPECT_TRUE(test::waitUntil([&] { return window->sizeHint().height() > 1.15 * height; }));
   QApplication::setFont(usual);
   applyTheme(Theme::Light);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return window->sizeHint().height() == height; }));
+  EXPECT_TRUE(test::waitUntil([&] { return window->sizeHint().height() == height; }));
 }
 
 }  // namespace

@@ -121,7 +121,7 @@ TEST(Translation, TheSystemsLanguageIsTakenWhereItIsShipped) {
     environment.remove(QStringLiteral("LANGUAGE"));
     program.setProcessEnvironment(environment);
     program.start(QStringLiteral(HEXODERM_PROGRAM), arguments + QStringList{QStringLiteral("--help")});
-    EXPECT_TRUE(program.waitForFinished(30000));
+    EXPECT_TRUE(program.waitForFinished(test::kPatience_ms));
     return QString::fromUtf8(program.readAllStandardOutput());
   };
   const QString english = QStringLiteral("A session or calibration to open.");

@@ -183,8 +183,7 @@ Finished runProgram(const QStringList& arguments) {
   environment.insert("XDG_CONFIG_HOME", home.path());
   process.setProcessEnvironment(environment);
   process.start(QStringLiteral(HEXODERM_PROGRAM), arguments);
-  constexpr int kMilliseconds = 60000;
-  if (!process.waitForFinished(kMilliseconds) || process.exitStatus() != QProcess::NormalExit) process.kill();
+  if (!process.waitForFinished(test::kPatience_ms) || process.exitStatus() != QProcess::NormalExit) process.kill();
   return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
           QString::fromUtf8(process.readAllStandardError())};
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/window/main_window.h"
+#include "support/qt_wait.h"
 #include "widgets/graph_view.h"
 
 #include <gmock/gmock.h>
@@ -18,6 +19,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace hexoderm {
@@ -51,11 +53,10 @@ class WindowTest : public testing::Test {
   }
   QAction* action(const char* object_name) { return find<QAction>(object_name); }
 
-  /// Lets the event loop run until it is so; false if that takes suspiciously long.
+  /// Lets the event loop run until it is so; false if it never comes.
   template <class Condition>
   static bool waitUntil(Condition condition) {
-    constexpr int kMilliseconds = 20000;
-    return QTest::qWaitFor(condition, kMilliseconds);
+    return test::waitUntil(condition);
   }
   bool waitUntilIdle() {
     return waitUntil([this] {
@@ -72,7 +73,7 @@ class WindowTest : public testing::Test {
   /// Where there is no window manager, nobody gives the focus back when a dialog has closed.
   void activateWindow() {
     window_->activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get()));
+    ASSERT_TRUE(test::waitUntilActive(*window_));
   }
   /// A key for the window itself, whichever of its parts has the focus.
   void press(int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
@@ -91,24 +92,40 @@ class WindowTest : public testing::Test {
     QTest::mouseClick(graph, Qt::LeftButton, Qt::NoModifier, *position);
   }
 
+  /// Lets the simulated part turn, as `ask` asks it to, and waits by its own clock until it is there. Tests that count
+  /// poses then capture by themselves: a part in a hand drifts, and automatic capture takes it for another pose after
+  /// some ten seconds of that clock, which are half a second here.
+  template <class Ask>
+  void turnBy(Ask ask) {
+    constexpr std::uint64_t kLongestTurn = 3500;  // samples: half a turn, and what a status may be late
+    ASSERT_TRUE(waitUntil([this] { return action("actionTurn")->isEnabled(); }));
+    ask();
+    const LiveSource& live = controller().live();
+    std::optional<std::uint64_t> from;
+    const auto connection = QObject::connect(&live, &LiveSource::statusChanged, window_.get(), [&] {
+      if (!from) from = live.status().frames;
+    });
+    EXPECT_TRUE(waitUntil([&] { return from && live.status().frames >= *from + kLongestTurn; }));
+    QObject::disconnect(connection);
+  }
+  /// The pose that is advised.
+  void takeNextPose() {
+    const std::size_t before = posesShown();
+    ASSERT_NO_FATAL_FAILURE(turnBy([this] { action("actionTurn")->trigger(); }));
+    controller().captureNow();
+    ASSERT_TRUE(waitForPoses(before + 1)) << message().toStdString();
+  }
+
   /// The demo with so many poses and no more: the first where the skin lies, the others where the advice says.
   void takeDemoPoses(std::size_t count) {
     controller().setAutomatic(false);
     clickBanner();
     ASSERT_TRUE(waitUntil([this] { return controller().isLive(); })) << message().toStdString();
     ASSERT_TRUE(waitForPoses(0));
-    // At once: the demo is twenty times quicker than life, and a hand that drifts meanwhile takes one pose more.
-    const auto one_is_enough = QObject::connect(&controller().live(), &LiveSource::poseCaptured, window_.get(),
-                                                [this] { controller().setAutomatic(false); });
-    for (std::size_t taken = 1; taken <= count; ++taken) {
-      if (taken > 1) {
-        ASSERT_TRUE(waitUntil([this] { return action("actionTurn")->isEnabled(); }));
-        action("actionTurn")->trigger();
-      }
-      controller().setAutomatic(true);
-      ASSERT_TRUE(waitForPoses(taken)) << message().toStdString();
-    }
-    QObject::disconnect(one_is_enough);
+    if (count == 0) return;
+    controller().captureNow();
+    ASSERT_TRUE(waitForPoses(1)) << message().toStdString();
+    for (std::size_t taken = 1; taken < count; ++taken) ASSERT_NO_FATAL_FAILURE(takeNextPose());
   }
 
   template <class T>

@@ -1,11 +1,13 @@
-// main() of the tests of the window: the surface format that VTK needs, settings and standard folders that are not the
-// user's. Listing tests needs no display.
+// main() of the tests of the window: the surface format that VTK needs, settings and standard folders that are neither
+// the user's nor those of the same tests run beside these. Listing tests needs no display.
 
 #include "app/window/theme.h"
 
 #include <QVTKOpenGLNativeWidget.h>
 #include <gtest/gtest.h>
 #include <QApplication>
+#include <QDir>
+#include <QFile>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QSurfaceFormat>
@@ -14,6 +16,12 @@
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   if (testing::GTEST_FLAG(list_tests)) return RUN_ALL_TESTS();
+  // Caches of fonts and shaders stay where they are: making them takes seconds.
+  if (qEnvironmentVariableIsEmpty("XDG_CACHE_HOME")) {
+    qputenv("XDG_CACHE_HOME", QFile::encodeName(QDir::home().filePath(QStringLiteral(".cache"))));
+  }
+  const QTemporaryDir home;
+  qputenv("HOME", QFile::encodeName(home.path()));
   QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
   format.setSamples(0);
   QSurfaceFormat::setDefaultFormat(format);
@@ -22,8 +30,7 @@ int main(int argc, char** argv) {
   QCoreApplication::setOrganizationName(QStringLiteral("HexodermTests"));
   QCoreApplication::setApplicationName(QStringLiteral("main_window_test"));
   QStandardPaths::setTestModeEnabled(true);
-  const QTemporaryDir settings;
   QSettings::setDefaultFormat(QSettings::IniFormat);
-  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
+  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, home.path());
   return RUN_ALL_TESTS();
 }

@@ -1,6 +1,7 @@
 #include "widgets/capture_panel.h"
 
 #include "hexoderm/util/units.h"
+#include "support/qt_wait.h"
 #include "widgets/action_button.h"
 #include "widgets/capture_words.h"
 #include "widgets/hold_ring.h"
@@ -53,7 +54,7 @@ class CapturePanelTest : public testing::Test {
   void show(const QSize& size = {300, 640}) {
     panel.resize(size);
     panel.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
+    ASSERT_TRUE(test::waitUntilExposed(panel));
   }
   QString text(const char* name) { return panel.findChild<QLabel*>(QLatin1String(name))->text(); }
   HoldRing* ring() { return panel.findChild<HoldRing*>(); }
@@ -164,7 +165,7 @@ TEST_F(CapturePanelTest, ACaptureIsShownForAMomentAndARepetitionStaysInWords) {
   panel.showCaptured(PoseId(3), QStringLiteral("Pose 3 repeats pose 1."));
   EXPECT_TRUE(ring()->content().captured);
   EXPECT_EQ(ring()->content().detail, QStringLiteral("pose 3"));
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !ring()->content().captured; }));
+  EXPECT_TRUE(test::waitUntil([&] { return !ring()->content().captured; }));
   EXPECT_EQ(text("captureRemark"), QStringLiteral("Pose 3 repeats pose 1."));
   panel.showCaptured(PoseId(4));
   EXPECT_EQ(text("captureRemark"), QString());
@@ -222,13 +223,13 @@ TEST_F(CapturePanelTest, TheSentenceGrowsWithItsPlaceAndIsNeverCutOff) {
   EXPECT_GE(what->height(), what->heightForWidth(what->width()));
   const double narrow = what->font().pointSizeF();
   panel.resize(1200, 500);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return what->font().pointSizeF() > 1.2 * narrow; }));
+  EXPECT_TRUE(test::waitUntil([&] { return what->font().pointSizeF() > 1.2 * narrow; }));
 }
 
 TEST_F(CapturePanelTest, EverythingIsReachedByTab) {
   show();
   panel.activateWindow();
-  ASSERT_TRUE(QTest::qWaitForWindowActive(&panel));
+  ASSERT_TRUE(test::waitUntilActive(panel));
   std::set<QString> reached;
   for (int k = 0; k < 8; ++k) {
     QTest::keyClick(panel.focusWidget() ? panel.focusWidget() : &panel, Qt::Key_Tab);

@@ -2,6 +2,7 @@
 
 #include "graph_view_fixture.h"
 #include "hexoderm/reconstruction/uncertainty.h"
+#include "support/qt_wait.h"
 
 #include <QAction>
 #include <QClipboard>
@@ -139,7 +140,7 @@ TEST_F(GraphColorsTest, LegendAndButtonGiveWayInASmallViewAndTheSkinKeepsClearOf
     EXPECT_LT(cell(id).y(), view_.height() - 24) << "above the legend";
   }
   view_.resize(200, 130);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !button()->isVisible(); }));
+  ASSERT_TRUE(test::waitUntil([&] { return !button()->isVisible(); }));
   EXPECT_EQ(markedPixels(image(), QRect(0, view_.height() - 10, view_.width(), 10)), 0);
 }
 
@@ -235,14 +236,14 @@ TEST_F(GraphColorsTest, ARightClickPicksWhatIsThereAndOffersWhatCanBeDoneWithIt)
   EXPECT_FALSE(menu->actions().contains(&light));
   QTest::mouseClick(menu, Qt::LeftButton, Qt::NoModifier, menu->actionGeometry(&mute).center());
   EXPECT_EQ(muted.count(), 1);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return view_.findChild<QMenu*>("graphMenu") == nullptr; }));
+  ASSERT_TRUE(test::waitUntil([&] { return view_.findChild<QMenu*>("graphMenu") == nullptr; }));
 
   menu = menuAt(cell(13));
   ASSERT_NE(menu, nullptr);
   EXPECT_EQ(selection_.cell(), CellId(13));
   EXPECT_TRUE(menu->actions().contains(&light));
   QTest::keyClick(menu, Qt::Key_Escape);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return view_.findChild<QMenu*>("graphMenu") == nullptr; }));
+  ASSERT_TRUE(test::waitUntil([&] { return view_.findChild<QMenu*>("graphMenu") == nullptr; }));
 
   QContextMenuEvent key(QContextMenuEvent::Keyboard, QPoint(3, 3), view_.mapToGlobal(QPoint(3, 3)));
   QApplication::sendEvent(&view_, &key);
@@ -266,7 +267,7 @@ TEST_F(GraphColorsTest, PointingDrawsNoMoreThanWhatItTouches) {
   QApplication::processEvents();
   view_.installEventFilter(&painted);
   moveMouse(cell(31));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !painted.area.isEmpty(); }));
+  ASSERT_TRUE(test::waitUntil([&] { return !painted.area.isEmpty(); }));
   EXPECT_LT(painted.area.width(), view_.width() / 2);
   EXPECT_TRUE(painted.area.contains(cell(31)));
 }

@@ -2,6 +2,7 @@
 
 #include "qt_test.h"
 #include "sample_reconstruction.h"
+#include "support/qt_wait.h"
 #include "widgets/graph_view.h"
 #include "widgets/selection.h"
 
@@ -23,7 +24,7 @@ class GraphViewTest : public testing::Test {
     QApplication::setPalette(qtPalette(Theme::Light));
     view_.resize(500, 360);
     view_.show();
-    EXPECT_TRUE(QTest::qWaitForWindowExposed(&view_));
+    EXPECT_TRUE(test::waitUntilExposed(view_));
   }
 
   void show(std::shared_ptr<const Reconstruction> reconstruction) {
@@ -46,7 +47,7 @@ class GraphViewTest : public testing::Test {
     } mouse;
     view_.installEventFilter(&mouse);
     QTest::mouseMove(&view_, to);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return mouse.at == to; }));
+    EXPECT_TRUE(test::waitUntil([&] { return mouse.at == to; }));
   }
   void drag(QPoint from, QPoint to) {
     QTest::mousePress(&view_, Qt::LeftButton, Qt::NoModifier, from);

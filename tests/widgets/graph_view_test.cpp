@@ -1,6 +1,7 @@
 #include "widgets/graph_view.h"
 
 #include "graph_view_fixture.h"
+#include "support/qt_wait.h"
 
 #include <QLineEdit>
 
@@ -154,7 +155,7 @@ TEST_F(GraphViewTest, KeepsItsViewWhenOnlyFiguresChangeAndFitsANewSkin) {
 TEST_F(GraphViewTest, FollowsItsSizeUntilSomebodyZooms) {
   show(sampleX17());
   view_.resize(300, 220);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return view_.rect().contains(cell(16)) && view_.rect().contains(cell(17)); }));
+  EXPECT_TRUE(test::waitUntil([&] { return view_.rect().contains(cell(16)) && view_.rect().contains(cell(17)); }));
 }
 
 TEST_F(GraphViewTest, ArrowKeysWalkAlongTheLinksFromTheOrigin) {

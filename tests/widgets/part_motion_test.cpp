@@ -1,6 +1,7 @@
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/util/units.h"
 #include "support/demo_reconstruction.h"
+#include "support/qt_wait.h"
 #include "widgets/part_camera.h"
 #include "widgets/patch_scene.h"
 #include "widgets/patch_view.h"
@@ -83,7 +84,7 @@ class PartMotionTest : public testing::Test {
   void show(std::shared_ptr<const Reconstruction> shown = nullptr) {
     view.resize(720, 560);
     view.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
+    ASSERT_TRUE(test::waitUntilExposed(view));
     gl = view.findChild<QVTKOpenGLNativeWidget*>();
     ASSERT_NE(gl, nullptr);
     view.setReconstruction(shown ? shown : std::make_shared<const Reconstruction>(demoReconstruction()));
@@ -97,7 +98,7 @@ class PartMotionTest : public testing::Test {
   }
   /// Waits for a request, also for one that is still held back, that turns the part so far away from `up`.
   bool isAskedFor(double angle_deg, const Eigen::Vector3d& up, double tolerance_deg = 1.5) {
-    return QTest::qWaitFor([&] {
+    return test::waitUntil([&] {
       return !asked.empty() && std::abs(toDegrees(angleBetween(asked.back(), up)) - angle_deg) < tolerance_deg;
     });
   }
@@ -171,7 +172,7 @@ TEST_F(PartMotionTest, TheGhostTurnsAndThenRests) {
   view.setAnimated(true);
   EXPECT_TRUE(view.isAnimating());
   EXPECT_NE(view.screenshot(), target) << "it begins with the present orientation";
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !view.isAnimating(); }, 15000));
+  EXPECT_TRUE(test::waitUntil([&] { return !view.isAnimating(); }));
   EXPECT_EQ(view.screenshot(), target);
 }
 
@@ -184,7 +185,7 @@ TEST_F(PartMotionTest, NothingMovesWhileTheViewIsHiddenOrMotionIsUnwanted) {
   view.hide();
   EXPECT_FALSE(view.isAnimating());
   view.show();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return view.isAnimating(); }));
+  EXPECT_TRUE(test::waitUntil([&] { return view.isAnimating(); }));
 }
 
 TEST_F(PartMotionTest, ALargeSkinGetsAnArrowInstead) {
@@ -227,7 +228,7 @@ TEST_F(PartMotionTest, ShiftTurnsThePartWithoutTheModeAndPlainDraggingTurnsTheCa
   EXPECT_TRUE(asked.empty());
   EXPECT_NE(view.screenshot(), before);
   drag({0, 60}, Qt::ShiftModifier);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !asked.empty(); }));
+  EXPECT_TRUE(test::waitUntil([&] { return !asked.empty(); }));
 }
 
 TEST_F(PartMotionTest, RequestsComeAtMostTwentyTimesASecondAndTheLastIsNotLost) {
@@ -244,7 +245,7 @@ TEST_F(PartMotionTest, RequestsComeAtMostTwentyTimesASecondAndTheLastIsNotLost) 
 TEST_F(PartMotionTest, ArrowKeysTurnThePartInTurnMode) {
   show();
   view.activateWindow();
-  ASSERT_TRUE(QTest::qWaitForWindowActive(&view));
+  ASSERT_TRUE(test::waitUntilActive(view));
   view.setCurrentUp(Eigen::Vector3d::UnitY());
   view.setTurnable(true);
   QTest::keyClick(&view, Qt::Key_Down);

@@ -1,6 +1,7 @@
 #include "widgets/table_actions.h"
 
 #include "sample_reconstruction.h"
+#include "support/qt_wait.h"
 #include "widgets/figure_table.h"
 #include "widgets/tables.h"
 
@@ -87,7 +88,7 @@ TEST_F(TableActionsTest, CopiesWhatIsShownInItsOrder) {
   sorted.sort(1, Qt::DescendingOrder);
   view.show();
   view.activateWindow();
-  ASSERT_TRUE(QTest::qWaitForWindowActive(&view));
+  ASSERT_TRUE(test::waitUntilActive(view));
   view.setFocus();
   QTest::keyClick(&view, Qt::Key_C, Qt::ControlModifier);
   const QStringList lines = QApplication::clipboard()->text().split("\r\n");

@@ -2,6 +2,7 @@
 
 #include "hexoderm/util/units.h"
 #include "sample_reconstruction.h"
+#include "support/qt_wait.h"
 #include "widgets/selection.h"
 
 #include <gmock/gmock.h>
@@ -69,7 +70,7 @@ class VerifyPanelTest : public testing::Test {
     scroll_.setWidgetResizable(true);
     scroll_.resize(262, 640);
     scroll_.show();
-    EXPECT_TRUE(QTest::qWaitForWindowExposed(&scroll_));
+    EXPECT_TRUE(test::waitUntilExposed(scroll_));
   }
   void setTheme(Theme theme) {
     QApplication::setPalette(qtPalette(theme));
@@ -182,7 +183,7 @@ TEST_F(VerifyPanelTest, LongWorkShowsItselfAndCanBeCancelled) {
   panel_->setRunning(VerifyCheck::HoldOut, true);
   auto* cancel = find<QPushButton>("holdOutCancel");
   EXPECT_FALSE(find<QPushButton>("holdOutRun")->isEnabled());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return cancel->isVisible(); }));
+  ASSERT_TRUE(test::waitUntil([&] { return cancel->isVisible(); }));
   EXPECT_EQ(sentence("holdOut"), "");
   QTest::mouseClick(cancel, Qt::LeftButton);
   EXPECT_THAT(cancelled, testing::ElementsAre(VerifyCheck::HoldOut));

@@ -3,6 +3,7 @@
 
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/util/units.h"
+#include "support/changed_session.h"
 #include "support/matchers.h"
 #include "support/pin_jointed_skin.h"
 
@@ -40,16 +41,6 @@ INSTANTIATE_TEST_SUITE_P(Solvers, SkinFaults, kEverySolver, nameOf);
 const Finding* findFinding(const Reconstruction& result, FindingCode code) {
   const auto found = std::ranges::find(result.findings, code, &Finding::code);
   return found == result.findings.end() ? nullptr : &*found;
-}
-
-Session changed(const Session& session, const std::function<void(std::size_t pose, GravitySample&)>& change) {
-  Session result(session.model(), session.neighbors());
-  for (std::size_t p = 0; p < session.poses().size(); ++p) {
-    PoseCapture capture = *session.poses()[p].capture;
-    for (GravitySample& sample : capture.samples) change(p, sample);
-    result.addPose({std::make_shared<const PoseCapture>(capture), false});
-  }
-  return result;
 }
 
 Session withNeighbors(const Session& session, const NeighborList& neighbors) {

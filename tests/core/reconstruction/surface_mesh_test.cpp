@@ -126,9 +126,34 @@ TEST(SurfaceMesh, ConeWidensAlongItsAxisAndEndsAtItsTip) {
     low = std::min(low, p.z());
   }
   EXPECT_NEAR(low, 0, 1e-4) << "not beyond the tip";
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    EXPECT_NEAR((mesh.centers[k] - mesh.feet[k]).norm(), std::abs(evaluation.distance_m[k]), 1e-9);
+}
+
+TEST(SurfaceMesh, FeetOnAConeLieOnItAndSquareToIt) {
+  constexpr double kHalfAngle = 20 * kDegree;
+  std::vector<Eigen::Vector3d> places;
+  for (const double z : {0.02, 0.04, 0.08, 0.12}) {
+    // Off the cone by a millimetre at most, inwards and outwards.
+    for (const double angle : {-50.0, -20.0, 10.0, 45.0})
+      places.push_back(onCylinder(angle, z, z * std::tan(kHalfAngle) + 0.001 * std::sin(angle + 50 * z)));
   }
+  const PatchReconstruction patch = patchAt(places);
+  const SurfaceEvaluation evaluation = evaluateSurface(patch, SurfaceKind::Cone);
+  ASSERT_TRUE(evaluation.half_angle_rad.has_value());
+  EXPECT_NEAR(*evaluation.half_angle_rad, kHalfAngle, 2 * kDegree);
+  const SurfaceMesh mesh = meshSurface(evaluation, patch, 0.03);
+  ASSERT_EQ(mesh.feet.size(), places.size());
+  const Eigen::Vector3d tip =
+      evaluation.point - *evaluation.radius_m / std::tan(*evaluation.half_angle_rad) * evaluation.axis;
+  double farthest = 0;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const Eigen::Vector3d from_tip = mesh.feet[k] - tip;
+    EXPECT_NEAR(angleBetween(from_tip, evaluation.axis), *evaluation.half_angle_rad, 1e-7);
+    const Eigen::Vector3d off = mesh.centers[k] - mesh.feet[k];
+    EXPECT_NEAR(off.dot(from_tip.normalized()), 0, 1e-9) << "square to the line from the tip";
+    EXPECT_NEAR(off.norm(), std::abs(evaluation.distance_m[k]), 1e-9);
+    farthest = std::max(farthest, off.norm());
+  }
+  EXPECT_GT(farthest, 0.0003) << "the cells lie on the cone: nothing was shown";
 }
 
 TEST(SurfaceMesh, PlaneCoversTheCells) {

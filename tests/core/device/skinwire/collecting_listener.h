@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hexoderm/device/skin_source.h"
+#include "support/patience.h"
 
 #include <chrono>
 #include <condition_variable>
@@ -56,11 +57,11 @@ class CollectingListener : public SkinListener {
     add([&] { delivered_.device_statuses.push_back(status); });
   }
 
-  /// False if it does not come within a time that no test should need.
+  /// False if it never comes.
   template <class Condition>
   bool waitFor(const Condition& condition) {
     std::unique_lock lock(mutex_);
-    return changed_.wait_for(lock, std::chrono::seconds(20), [&] { return condition(delivered_); });
+    return changed_.wait_for(lock, test::kPatience, [&] { return condition(delivered_); });
   }
   [[nodiscard]] Delivered delivered() {
     const std::lock_guard lock(mutex_);

@@ -77,7 +77,9 @@ void expectDeviceOnTcp(std::vector<std::string> command, std::size_t cells) {
   const std::size_t at = line.find("tcp://");
   ASSERT_NE(at, std::string::npos) << line;
   CollectingListener listener;
-  WireSource source(line.substr(at));
+  WireOptions patient;
+  patient.silent_after = patient.reconnect_after = patient.command_timeout = test::kForever;
+  WireSource source(line.substr(at), patient);
   source.start(listener);
   ASSERT_TRUE(listener.waitFor([](const Delivered& d) { return d.frames.size() >= 20; })) << "nothing came";
   const std::uint32_t led = source.send(SetLed{CellId(1), 255, 0, 0});

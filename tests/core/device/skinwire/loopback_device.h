@@ -65,7 +65,6 @@ class TcpDevice {
   DeviceConnection accept(skinwire::Framing framing = skinwire::Framing::Length) {
     return {acceptor_.accept(), framing};
   }
-  void close() { acceptor_.close(); }
   /// True if a connection waits to be accepted.
   bool hasCaller() {
     acceptor_.non_blocking(true);
@@ -80,6 +79,22 @@ class TcpDevice {
   boost::asio::io_context io_;
   boost::asio::ip::tcp::acceptor acceptor_{io_,
                                            boost::asio::ip::tcp::endpoint(boost::asio::ip::address_v4::loopback(), 0)};
+};
+
+/// A port that nobody listens at, and that nobody else gets as long as this lives.
+class AbsentTcpDevice {
+ public:
+  AbsentTcpDevice() {
+    socket_.open(boost::asio::ip::tcp::v4());
+    socket_.bind(boost::asio::ip::tcp::endpoint(boost::asio::ip::address_v4::loopback(), 0));
+  }
+  [[nodiscard]] std::string address() const {
+    return "tcp://127.0.0.1:" + std::to_string(socket_.local_endpoint().port());
+  }
+
+ private:
+  boost::asio::io_context io_;
+  boost::asio::ip::tcp::socket socket_{io_};
 };
 
 class UdpDevice {

@@ -216,16 +216,15 @@ TEST(Recording, ImpossibleLengthsEndItWithoutAllocation) {
 TEST(Recording, IsPlayedInRealTimeOrFaster) {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "a.skinrec";
+  // Eleven days, in a tenth of a second.
   constexpr std::uint64_t kMillion = 1'000'000;
   write(path, recordingOf({{0, skinwire::helloMessage()},
                            {0, skinwire::topologyMessage()},
-                           {100 * kMillion, skinwire::rawSamples(0, 1000)}}));
+                           {kMillion * kMillion, skinwire::rawSamples(0, 1000)}}));
   const auto began = std::chrono::steady_clock::now();
-  const auto delivered = play(path, {1000, false});
-  const std::chrono::duration<double> took_s = std::chrono::steady_clock::now() - began;
+  const auto delivered = play(path, {10.0 * kMillion, false});
+  EXPECT_GE(std::chrono::steady_clock::now() - began, std::chrono::milliseconds(100));
   EXPECT_EQ(delivered.frames.size(), 2U);
-  EXPECT_GE(took_s.count(), 0.1);
-  EXPECT_LT(took_s.count(), 50);
 
   // At its own pace it can be stopped long before its end.
   CollectingListener listener;

@@ -49,10 +49,10 @@ TEST(StdinSource, DeliversLinesUntilTheInputIsOver) {
   pipe.writeLine(skinwire::topologyMessage());
   pipe.write("what is this\n");
   pipe.writeLine(skinwire::rawSamples(0, 1000));
-  ASSERT_TRUE(listener.waitFor([](const Delivered& d) { return d.status().state == SourceState::Streaming; }));
+  ASSERT_TRUE(listener.waitFor([](const Delivered& d) { return d.sawState(SourceState::Streaming); }));
   pipe.write(skinwire::encodeLine(skinwire::rawSamples(4, 3000)));  // without a line feed
   pipe.closeWriter();
-  ASSERT_TRUE(listener.waitFor([](const Delivered& d) { return d.status().state == SourceState::Ended; }));
+  ASSERT_TRUE(listener.waitFor([](const Delivered& d) { return d.sawState(SourceState::Ended); }));
   EXPECT_EQ(listener.delivered().frames.size(), 4U);
   EXPECT_EQ(listener.delivered().status().rejected_messages, 1U);
   source.stop();
@@ -82,7 +82,7 @@ TEST(StdinSource, ReadsAFileThatWasRedirected) {
   CollectingListener listener;
   StdinSource source(file);
   source.start(listener);
-  EXPECT_TRUE(listener.waitFor([](const Delivered& d) { return d.status().state == SourceState::Ended; }));
+  EXPECT_TRUE(listener.waitFor([](const Delivered& d) { return d.sawState(SourceState::Ended); }));
   source.stop();
   EXPECT_EQ(listener.delivered().frames.size(), 2U);
   ::close(file);
@@ -93,12 +93,12 @@ TEST(StdinSource, SaysSilenceAndRefusesCommands) {
   CollectingListener listener;
   StdinSource source(pipe.reader(), std::chrono::milliseconds(50));
   source.start(listener);
-  ASSERT_TRUE(listener.waitFor([](const Delivered& d) { return d.status().state == SourceState::Silent; }));
+  ASSERT_TRUE(listener.waitFor([](const Delivered& d) { return d.sawState(SourceState::Silent); }));
   const std::uint32_t command = source.send(SetRate{100});
   ASSERT_TRUE(listener.waitFor([&](const Delivered& d) { return d.outcomeOf(command) != nullptr; }));
   EXPECT_FALSE(listener.delivered().outcomeOf(command)->done);
   pipe.write("{\"major\": 2}\n");
-  EXPECT_TRUE(listener.waitFor([](const Delivered& d) { return d.status().state == SourceState::Incompatible; }));
+  EXPECT_TRUE(listener.waitFor([](const Delivered& d) { return d.sawState(SourceState::Incompatible); }));
   source.stop();
 }
 

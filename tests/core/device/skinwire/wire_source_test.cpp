@@ -18,18 +18,31 @@ using std::chrono::milliseconds;
 using testing::HasSubstr;
 using Delivered = CollectingListener::Delivered;
 
-/// Everything in a tenth of the time.
+/// Everything in a tenth of the time, for tests that wait for time-outs.
 WireOptions quick() {
   return {milliseconds(10),  milliseconds(100), milliseconds(150),
           milliseconds(300), milliseconds(50),  milliseconds(300)};
 }
 
-/// As in real life, for tests in which nothing may time out.
+/// Where something has to come in time, a computer that stands still for a moment looks like a device that does. Tries
+/// with more and more patience, until `passes(options)`; false if no patience helps.
+template <class Test>
+bool passesWithPatience(const Test& passes) {
+  for (const int times : {1, 5, 25}) {
+    WireOptions options = quick();
+    options.silent_after *= times;
+    options.reconnect_after *= times;
+    options.command_timeout *= times;
+    if (passes(options)) return true;
+  }
+  return false;
+}
+
+/// For tests in which nothing may time out: what happens has another reason.
 WireOptions patient() {
   WireOptions options;
   options.first_retry = milliseconds(10);
-  options.silent_after = options.reconnect_after = milliseconds(60'000);
-  options.command_timeout = milliseconds(60'000);
+  options.silent_after = options.reconnect_after = options.command_timeout = test::kForever;
   return options;
 }
 
@@ -42,8 +55,9 @@ void describe(Device& device) {
 auto frames(std::size_t count) {
   return [count](const Delivered& d) { return d.frames.size() >= count; };
 }
+/// It has been so: it may have changed again before a busy computer looks.
 auto state(SourceState wanted) {
-  return [wanted](const Delivered& d) { return d.status().state == wanted; };
+  return [wanted](const Delivered& d) { return d.sawState(wanted); };
 }
 auto status(SourceState wanted, std::string text) {
   return [wanted, text = std::move(text)](const Delivered& d) { return d.saw(wanted, text); };
@@ -124,9 +138,7 @@ TEST(WireSource, CommandsAreAnsweredByNumberInTheDevicesDialect) {
 TEST(WireSource, CommandsThatCantBeAnsweredFailAndSayWhy) {
   TcpDevice device;
   CollectingListener listener;
-  WireOptions options = quick();
-  options.silent_after = options.reconnect_after = milliseconds(60'000);
-  WireSource source(device.address(), options);
+  WireSource source(device.address(), patient());
   const std::uint32_t early = source.send(SetRate{100});
   source.start(listener);
   ASSERT_TRUE(listener.waitFor(outcome(early)));
@@ -141,20 +153,37 @@ TEST(WireSource, CommandsThatCantBeAnsweredFailAndSayWhy) {
   const std::uint32_t led = source.send(SetLed{CellId(1), 0, 0, 0});
   const std::uint32_t turn = source.send(TurnTo{CellId(1), Eigen::Vector3d::UnitX()});
   const std::uint32_t senseless = source.send(SetRate{-1});
-  const std::uint32_t unanswered = source.send(SetRate{100});
-  const std::uint32_t slow = source.send(ExploreAgain{});
+  const std::uint32_t unanswered = source.send(ExploreAgain{});
   ASSERT_TRUE(listener.waitFor(outcome(senseless)));
   EXPECT_THAT(listener.delivered().outcomeOf(led)->text, HasSubstr("can't light"));
   EXPECT_THAT(listener.delivered().outcomeOf(turn)->text, HasSubstr("can't turn"));
   EXPECT_THAT(listener.delivered().outcomeOf(senseless)->text, HasSubstr("rate_hz"));
-
-  // The device that says that it is at it is waited for longer than the one that says nothing.
-  while (listener.delivered().outcomeOf(unanswered) == nullptr) connection.send(skinwire::Ack{slow, false, "", true});
-  EXPECT_THAT(listener.delivered().outcomeOf(unanswered)->text, HasSubstr("did not answer"));
-  EXPECT_EQ(listener.delivered().outcomeOf(slow), nullptr);
+  EXPECT_EQ(listener.delivered().outcomeOf(unanswered), nullptr);
   connection.close();
-  ASSERT_TRUE(listener.waitFor(outcome(slow)));
-  EXPECT_THAT(listener.delivered().outcomeOf(slow)->text, HasSubstr("connection was lost"));
+  ASSERT_TRUE(listener.waitFor(outcome(unanswered)));
+  EXPECT_THAT(listener.delivered().outcomeOf(unanswered)->text, HasSubstr("connection was lost"));
+}
+
+TEST(WireSource, ADeviceThatSaysThatItIsAtItIsWaitedForLongerThanOneThatSaysNothing) {
+  EXPECT_TRUE(passesWithPatience([](WireOptions options) {
+    options.silent_after = options.reconnect_after = test::kForever;
+    TcpDevice device;
+    CollectingListener listener;
+    WireSource source(device.address(), options);
+    source.start(listener);
+    DeviceConnection connection = device.accept();
+    describe(connection);
+    EXPECT_TRUE(listener.waitFor(state(SourceState::Streaming)));
+    const std::uint32_t slow = source.send(ExploreAgain{});
+    const std::uint32_t unanswered = source.send(SetRate{100});
+    while (listener.delivered().outcomeOf(unanswered) == nullptr) {
+      connection.send(skinwire::Ack{slow, false, "", true});
+      DeviceConnection::pause(milliseconds(1));
+    }
+    const Delivered delivered = listener.delivered();
+    EXPECT_THAT(delivered.outcomeOf(unanswered)->text, HasSubstr("did not answer"));
+    return delivered.outcomeOf(slow) == nullptr;
+  }));
 }
 
 TEST(WireSource, ConnectsAgainWhenTheCableWasPulled) {
@@ -166,10 +195,9 @@ TEST(WireSource, ConnectsAgainWhenTheCableWasPulled) {
   describe(*connection);
   connection->send(skinwire::rawSamples(100, 1'000'000));
   ASSERT_TRUE(listener.waitFor(frames(2)));
-  const auto pulled = std::chrono::steady_clock::now();
   connection.reset();
+  // Not by a time-out: none comes.
   ASSERT_TRUE(listener.waitFor(status(SourceState::Connecting, "next try in")));
-  EXPECT_LT(std::chrono::steady_clock::now() - pulled, std::chrono::seconds(1));
 
   connection = device.accept();
   describe(*connection);
@@ -244,7 +272,7 @@ TEST(WireSource, BrokenLinesAreCountedAndSkipped) {
 TEST(WireSource, AnotherMajorVersionIsNamedAndNotTriedAgain) {
   TcpDevice device;
   CollectingListener listener;
-  WireSource source(device.address(), quick());
+  WireSource source(device.address(), patient());
   source.start(listener);
   DeviceConnection connection = device.accept(Framing::Lines);
   const std::string line = "{\"major\": 2, \"hello\": {\"device\": \"of the future\"}}\n";
@@ -274,29 +302,30 @@ TEST(WireSource, SilenceIsSaidAndThenTheConnectionIsMadeAnew) {
 }
 
 TEST(WireSource, AStatusNowAndThenIsNoSilence) {
-  TcpDevice device;
-  CollectingListener listener;
-  WireSource source(device.address(), quick());
-  source.start(listener);
-  DeviceConnection connection = device.accept();
-  describe(connection);
-  // Longer than the time after which the connection would be made anew.
-  const auto end = std::chrono::steady_clock::now() + 2 * quick().reconnect_after;
-  while (std::chrono::steady_clock::now() < end) {
-    connection.send(skinwire::Status{"resting", false, 0, 0});
-    // A quarter of the time after which it would be said to be silent.
-    connection.pause(quick().silent_after / 4);
-  }
-  source.stop();
-  EXPECT_EQ(listener.delivered().status().reconnects, 0U);
+  EXPECT_TRUE(passesWithPatience([](const WireOptions& options) {
+    TcpDevice device;
+    CollectingListener listener;
+    WireSource source(device.address(), options);
+    source.start(listener);
+    DeviceConnection connection = device.accept();
+    describe(connection);
+    // Longer than the time after which the connection would be made anew.
+    const auto end = std::chrono::steady_clock::now() + 2 * options.reconnect_after;
+    while (std::chrono::steady_clock::now() < end) {
+      connection.send(skinwire::Status{"resting", false, 0, 0});
+      // A quarter of the time after which it would be said to be silent.
+      connection.pause(quick().silent_after / 4);
+    }
+    source.stop();
+    const Delivered delivered = listener.delivered();
+    return !delivered.sawState(SourceState::Silent) && delivered.status().reconnects == 0;
+  }));
 }
 
 TEST(WireSource, WaitsLongerAndLongerForADeviceThatIsNotThere) {
-  TcpDevice device;
-  const std::string address = device.address();
-  device.close();
+  const AbsentTcpDevice device;
   CollectingListener listener;
-  WireSource source(address, quick());
+  WireSource source(device.address(), quick());
   source.start(listener);
   for (const char* wait : {"0.01 s", "0.02 s", "0.04 s", "0.08 s", "0.10 s"}) {
     ASSERT_TRUE(listener.waitFor(status(SourceState::Connecting, std::string("next try in ") + wait))) << wait;
@@ -351,7 +380,9 @@ TEST(WireSource, StopsInEveryState) {
 TEST(WireSource, UdpDevicesAreAskedAndKeptSending) {
   UdpDevice device;
   CollectingListener listener;
-  WireSource source(device.address(), quick());
+  WireOptions options = patient();
+  options.describe_every = milliseconds(50);
+  WireSource source(device.address(), options);
   source.start(listener);
   EXPECT_EQ(device.receive().request, skinwire::Request(skinwire::Describe{}));
   describe(device);
@@ -445,7 +476,7 @@ TEST(WireSource, DeliversFromASerialPortAfterGarbage) {
 TEST(WireSource, ASerialPortThatIsUnpluggedOrMissingIsSaid) {
   SerialDevice device;
   CollectingListener listener;
-  WireSource source(device.address(), quick());
+  WireSource source(device.address(), patient());
   source.start(listener);
   device.receive();
   describe(device);
