@@ -54,7 +54,7 @@ class Capture {
   Capture(const CaptureOptions& options, const Common& common, SkinSource& source, CaptureEvents& events)
       : options_(options), common_(common), source_(source), events_(events) {}
 
-  /// Returns when there are poses enough, the stream is over, or the user ends it.
+  /// Returns when the poses are good, the stream is over, or the user ends it.
   void run() {
     using Clock = std::chrono::steady_clock;
     const auto patience = std::chrono::duration<double>(options_.timeout_s);
@@ -184,8 +184,10 @@ class Capture {
   void decide() {
     result_ = reconstruct(*session_->snapshot(), {}, result_.get());
     const std::size_t count = session_->poses().size();
-    done_ = options_.poses > 0 ? count >= options_.poses
-                               : options_.automatic && (count >= kMostPosesByItself || enoughPoses(*result_));
+    // A pose costs a device nothing: where a person could stop, it goes on until the result is good.
+    const bool is_good = enoughPoses(*result_) && result_->verdict.level == VerdictLevel::Good;
+    done_ =
+        options_.poses > 0 ? count >= options_.poses : options_.automatic && (is_good || count >= kMostPosesByItself);
     if (done_ || result_->patches.empty()) return;
     advised_in_ = &*std::ranges::max_element(result_->patches, {},
                                              [](const PatchReconstruction& patch) { return patch.cells.size(); });
@@ -334,7 +336,7 @@ void addCapture(CLI::App& app, Common& common) {
   for (const SourceKind& kind : sourceKinds()) kinds += (kinds.empty() ? "" : ", ") + std::string(kind.example);
   command->add_option("--source", options->source, kinds)->required();
   command->add_option("--poses", options->poses,
-                      "End after so many (default: at the stream's end or Ctrl+C; with --auto when they are enough)");
+                      "End after so many (default: at the stream's end or Ctrl+C; with --auto when they are good)");
   command->add_flag("--auto", options->automatic, "The device turns itself, to where each pose helps most");
   command->add_flag("--keep-raw", options->keep_raw, "Keep every sample of the poses in the session too");
   command->add_option("--record", options->recording, "Write all that the device sends to this file, for replay:FILE");
