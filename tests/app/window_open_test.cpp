@@ -187,7 +187,7 @@ const Broken kBroken[] = {
      [](WindowOpenTest& t) {
        return replaced(static_cast<Test&>(t).session(), "\"mean_g\": [", "\"mean_g\": [1e999, ");
      },
-     {"line"}},
+     {"poses[0].samples[0].mean_g[0]"}},
     {"SessionWithANegativeCount",
      "b.session.json",
      [](WindowOpenTest& t) { return replaced(static_cast<Test&>(t).session(), "\"count\": 20", "\"count\": -20"); },
