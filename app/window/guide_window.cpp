@@ -69,10 +69,24 @@ class GuideBrowser : public QTextBrowser {
 
   QVariant loadResource(int type, const QUrl& name) override {
     const QVariant resource = QTextBrowser::loadResource(type, name);
+    if (name.path().endsWith(QStringLiteral(".md")) && filling_.isNull()) {
+      filling_ = QTextCursor(document());
+      filling_.beginEditBlock();
+    }
     if (!name.path().endsWith(QStringLiteral("/keys.md"))) return resource;
     QString page = QString::fromUtf8(resource.toByteArray());
     return page.replace(QStringLiteral("@keys@\n"), keys).toUtf8();
   }
+
+  /// A page is laid out when it is complete; Qt would do so anew for every word of a table.
+  void layOut() {
+    if (filling_.isNull()) return;
+    filling_.endEditBlock();
+    filling_ = QTextCursor();
+  }
+
+ private:
+  QTextCursor filling_;  ///< while a page is read
 };
 
 GuideWindow::GuideWindow(QWidget* parent, const QString& first_page)
@@ -192,9 +206,6 @@ void GuideWindow::followPage(const QUrl& url) {
 void GuideWindow::dressPage() {
   // Markdown says what a paragraph is and not how it looks: room between the lines and around headings.
   const int line = browser_->fontMetrics().height();
-  // All in one, or the page would be laid out anew for every paragraph.
-  QTextCursor all(browser_->document());
-  all.beginEditBlock();
   for (QTextBlock block = browser_->document()->begin(); block.isValid(); block = block.next()) {
     QTextCursor cursor(block);
     QTextBlockFormat format;
@@ -218,7 +229,7 @@ void GuideWindow::dressPage() {
     format.setBottomMargin(0.7 * line);
     table->setFormat(format);
   }
-  all.endEditBlock();
+  browser_->layOut();
   browser_->verticalScrollBar()->setValue(0);
 }
 

@@ -126,15 +126,22 @@ TEST(ThemeTest, LargerTextMakesRoomForItselfInWhatIsThere) {
   const std::unique_ptr<QWidget> window = makeParts();
   window->show();
   ASSERT_TRUE(test::waitUntilExposed(*window));
+  auto* button = window->findChild<QPushButton*>();
+  auto* label = window->findChild<QLabel*>();
+  const int button_height = button->sizeHint().height();
+  const int label_height = label->sizeHint().height();
   const int height = window->sizeHint().height();
   QFont large = usual;
   large.setPointSizeF(1.5 * usual.pointSizeF());
   QApplication::setFont(large);
   applyTheme(Theme::Light);
-  EXPECT_TRUE(test::waitUntil([&] { return window->sizeHint().height() > 1.15 * height; }));
+  EXPECT_TRUE(test::waitUntil([&] { return window->sizeHint().height() > height; }));
+  EXPECT_GT(button->sizeHint().height(), button_height);
+  EXPECT_GT(label->sizeHint().height(), 1.3 * label_height);
   QApplication::setFont(usual);
   applyTheme(Theme::Light);
   EXPECT_TRUE(test::waitUntil([&] { return window->sizeHint().height() == height; }));
+  EXPECT_EQ(button->sizeHint().height(), button_height);
 }
 
 }  // namespace

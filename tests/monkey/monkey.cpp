@@ -29,6 +29,7 @@
 #include <iostream>
 #include <map>
 #include <random>
+#include <utility>
 
 namespace {
 
@@ -65,14 +66,20 @@ class Monkey : public QObject {
       auto* modal = QApplication::activeModalWidget();
       if (popup) popup->close();
       if (modal) modal->close();
-      // A drag of text lasts until it is dropped or given up.
-      if (!popup && !modal && window_.windowHandle()) QTest::keyClick(window_.windowHandle(), Qt::Key_Escape);
-      return;
+      if (popup || modal) {
+        waited_ = 0;
+        return;
+      }
+      // A drag of text lasts until it is dropped or given up. Where nothing is open, whoever sits there goes on.
+      constexpr int kPatience = 20;
+      if (window_.windowHandle()) QTest::keyClick(window_.windowHandle(), Qt::Key_Escape);
+      if (++waited_ < kPatience) return;
     }
-    acting_ = true;
+    waited_ = 0;
+    const bool is_nested = std::exchange(acting_, true);
     ++acts_;
     if (!closeFileDialogs()) any();
-    acting_ = false;
+    acting_ = is_nested;
   }
 
   /// Where files are chosen, the monkey chooses none: it would write anywhere.
@@ -232,6 +239,7 @@ class Monkey : public QObject {
   std::mt19937_64 random_;
   QTimer timer_;
   bool acting_ = false;
+  int waited_ = 0;  ///< turns for which something waited for an answer that nothing on the screen asks for
   std::uint64_t acts_ = 0;
   std::map<QString, int> counts_;
 };
