@@ -439,10 +439,10 @@ TEST_F(CoreWords, KnowWhyAFileOrAnAddressIsRefused) {
 TEST_F(CoreWords, TranslateListsWithinATextAndKeepNames) {
   EXPECT_EQ(coreWords("Cell 3 delivered no reading in poses 1, 2 and 5; it is placed from the other poses."),
             QStringLiteral("Zelle 3 hat in den Posen 1, 2 und 5 keinen Messwert geliefert; sie wird aus den anderen "
-                           "Posen eingeordnet."));
+                           "Posen verortet."));
   EXPECT_EQ(coreWords("The link 1 port 2 - 3 port 4 joins hand and arm; the patch ends there."),
             QStringLiteral("Die Verbindung 1 Port 2 – 3 Port 4 verbindet hand und arm; dort endet das Hautstück."));
-  EXPECT_EQ(coreWords("17 cells, 16 links, 1 patch"), QStringLiteral("17 Zellen, 16 Verbindungen, 1 Stück"));
+  EXPECT_EQ(coreWords("17 cells, 16 links, 1 patch"), QStringLiteral("17 Zellen, 16 Verbindungen, 1 Hautstück"));
 }
 
 TEST_F(CoreWords, LeaveWhatTheyDoNotKnowAsItIs) {
