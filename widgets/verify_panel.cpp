@@ -89,9 +89,11 @@ void VerifyPanel::buildHoldOut() {
   pose_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   pose_->setMinimumContentsLength(8);
   run_->setObjectName(QStringLiteral("holdOutRun"));
+  // Names of poses are long in some languages.
+  hold_out_->addRow()->addWidget(pose_, 1);
   QHBoxLayout* row = hold_out_->addRow();
-  row->addWidget(pose_, 1);
   row->addWidget(run_);
+  row->addStretch();
   connect(pose_, qOverload<int>(&QComboBox::activated), this, &VerifyPanel::refreshControls);
   connect(run_, &QPushButton::clicked, this, [this] { emit holdOutRequested(PoseId(pose_->currentData().toUInt())); });
 
