@@ -3,6 +3,7 @@
 #include "app/window/session_paths.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/reconstruction/evaluation.h"
+#include "hexoderm/reconstruction/pose_advisor.h"
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/util/units.h"
 #include "widgets/coverage_view.h"
@@ -184,10 +185,8 @@ TEST_F(MainWindowTest, TheRobotTakesAllPosesAndStopsByItself) {
   ASSERT_TRUE(waitUntilIdle());
   EXPECT_FALSE(controller().wantsMorePoses());
   EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Export…");
-  const Verdict& verdict = controller().reconstruction()->verdict;
-  EXPECT_TRUE(verdict.level == VerdictLevel::Good ||
-              (verdict.level == VerdictLevel::Usable && posesShown() >= SessionController::kGoodPoseCount))
-      << posesShown() << " poses: " << verdict.reason;
+  EXPECT_TRUE(enoughPoses(*controller().reconstruction()))
+      << posesShown() << " poses: " << controller().reconstruction()->verdict.reason;
 }
 
 TEST_F(MainWindowTest, FourKeysLeadFromTheStartToAnExportedCalibrationWithinAMinute) {
