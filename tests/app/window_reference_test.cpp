@@ -1,6 +1,7 @@
 // The reference data, opened in the window as a user would open it.
 
 #include "hexoderm/reconstruction/evaluation.h"
+#include "hexoderm/reconstruction/verdict.h"
 #include "hexoderm/util/units.h"
 #include "window_test.h"
 
