@@ -107,6 +107,9 @@ void Panes::noteFocus(QWidget* widget) {
 }
 
 void bringIntoView(QWidget* widget) {
+  // What has just come or gone has not moved the others yet; inner layouts ask outer ones for room.
+  constexpr int kNested = 4;
+  for (int k = 0; k < kNested; ++k) QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
   for (QWidget* outer = widget->parentWidget(); outer; outer = outer->parentWidget()) {
     if (auto* area = qobject_cast<QScrollArea*>(outer)) area->ensureWidgetVisible(widget);
   }

@@ -12,7 +12,9 @@ class KeyboardTest : public WindowTest {
  protected:
   /// To the popup, dialog or window that has the keyboard, as the window system does it.
   static void key(int code, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
-    QTest::keyClick(static_cast<QWidget*>(nullptr), Qt::Key(code), modifiers);
+    QTest::keyPress(static_cast<QWidget*>(nullptr), Qt::Key(code), modifiers);
+    // The key may have closed what it was pressed in.
+    if (QGuiApplication::focusWindow()) QTest::keyRelease(static_cast<QWidget*>(nullptr), Qt::Key(code), modifiers);
   }
   static void keys(const QString& text) {
     for (const QChar& letter : text) QTest::keyClick(static_cast<QWidget*>(nullptr), letter.toLatin1());

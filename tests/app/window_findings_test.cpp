@@ -4,6 +4,7 @@
 #include "hexoderm/device/simulated_skin.h"
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/io/session_json.h"
+#include "hexoderm/reconstruction/verdict.h"
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/units.h"
 #include "widgets/tables.h"
