@@ -46,10 +46,7 @@ class Monkey : public QObject {
  public:
   Monkey(MainWindow& window, test::Watchdog& watchdog, QString large_session, std::uint64_t seed)
       : window_(window), watchdog_(watchdog), large_session_(std::move(large_session)), random_(seed) {
-    constexpr int kPause_ms = 12;
-    timer_.setInterval(kPause_ms);
-    connect(&timer_, &QTimer::timeout, this, &Monkey::act);
-    timer_.start();
+    actSoon();
   }
 
   [[nodiscard]] std::uint64_t acts() const { return acts_; }
@@ -59,20 +56,23 @@ class Monkey : public QObject {
   int below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
   bool chance(double p) { return std::bernoulli_distribution(p)(random_); }
 
+  /// Each time by a timer of its own: one whose slot runs an event loop would not fire in it.
+  void actSoon() {
+    constexpr int kPause_ms = 12;
+    QTimer::singleShot(kPause_ms, this, &Monkey::act);
+  }
+
   void act() {
+    actSoon();
     if (acting_) {
       // Something waits for an answer in a loop of its own.
       auto* popup = QApplication::activePopupWidget();
       auto* modal = QApplication::activeModalWidget();
       if (popup) popup->close();
       if (modal) modal->close();
-      if (popup || modal) {
-        waited_ = 0;
-        return;
-      }
-      // A drag of text lasts until it is dropped or given up. Where nothing is open, whoever sits there goes on.
+      // A drag of text lasts until it is dropped or given up. What does not close like this is clicked at.
       constexpr int kPatience = 20;
-      if (window_.windowHandle()) QTest::keyClick(window_.windowHandle(), Qt::Key_Escape);
+      if (!popup && !modal && window_.windowHandle()) QTest::keyClick(window_.windowHandle(), Qt::Key_Escape);
       if (++waited_ < kPatience) return;
     }
     waited_ = 0;
@@ -237,9 +237,8 @@ class Monkey : public QObject {
   test::Watchdog& watchdog_;
   QString large_session_;
   std::mt19937_64 random_;
-  QTimer timer_;
   bool acting_ = false;
-  int waited_ = 0;  ///< turns for which something waited for an answer that nothing on the screen asks for
+  int waited_ = 0;  ///< turns for which something waited for an answer
   std::uint64_t acts_ = 0;
   std::map<QString, int> counts_;
 };

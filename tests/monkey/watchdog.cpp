@@ -7,6 +7,7 @@
 
 #include <QDir>
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -48,7 +49,7 @@ void writeStack(int signal) {
 void writeStackOn(int signal) {
   struct sigaction action {};
   action.sa_handler = &writeStack;
-  action.sa_flags = SA_RESTART;
+  action.sa_flags = SA_RESTART | SA_ONSTACK;
   ::sigaction(signal, &action, nullptr);
 }
 
@@ -68,6 +69,12 @@ Watchdog::Watchdog(double limit_ms, bool trace)
       schedule_(QStringLiteral("/proc/thread-self/schedstat")),
       last_beat_ns_(now_ns()),
       gui_thread_(::pthread_self()) {
+  // Where the stack itself is used up, there is one left to say so on.
+  static std::array<char, 256 * 1024> spare;
+  stack_t stack{};
+  stack.ss_sp = spare.data();
+  stack.ss_size = spare.size();
+  ::sigaltstack(&stack, nullptr);
   // The first call loads a library, which a signal handler must not.
   void* frame = nullptr;
   ::backtrace(&frame, 1);
