@@ -190,6 +190,7 @@ TEST_F(PartMotionTest, NothingMovesWhileTheViewIsHiddenOrMotionIsUnwanted) {
 
 TEST_F(PartMotionTest, ALargeSkinGetsAnArrowInstead) {
   show(std::make_shared<const Reconstruction>(sheetReconstruction(50, 41)));
+  ASSERT_TRUE(test::waitUntil([&] { return view.isUpToDate(); }));
   const QImage before = view.screenshot();
   view.setNextUp(Eigen::Vector3d::UnitX());
   EXPECT_NE(view.screenshot(), before);
