@@ -83,7 +83,7 @@ void SessionController::startDemo() {
 }
 
 void SessionController::openFile(const QString& path) {
-  if (journal_ && QFileInfo(path) == QFileInfo(journal_->path())) {
+  if (journal_ && isSameFile(path, journal_->path())) {
     emit noticed(tr("%1 is open already.").arg(journal_->path()));
     return;
   }
@@ -122,7 +122,7 @@ void SessionController::openFile(const QString& path) {
 
 void SessionController::saveSession(const QString& path) {
   if (!session_) return;
-  if (journal_ && QFileInfo(path) == QFileInfo(journal_->path())) {
+  if (journal_ && isSameFile(path, journal_->path())) {
     retryWriting();
     return;
   }

@@ -15,6 +15,12 @@ QString stamp() { return QDateTime::currentDateTime().toString(QStringLiteral("y
 
 std::filesystem::path toPath(const QString& path) { return {path.toStdU16String()}; }
 
+bool isSameFile(const QString& a, const QString& b) {
+  const QFileInfo file(a);
+  const QFileInfo other(b);
+  return file.absoluteFilePath() == other.absoluteFilePath() || (file.exists() && other.exists() && file == other);
+}
+
 QString freePath(const QDir& folder, const QString& name) {
   QString path = folder.filePath(name + QStringLiteral(".hexo"));
   for (int k = 2; QFileInfo::exists(path); ++k) path = folder.filePath(QStringLiteral("%1-%2.hexo").arg(name).arg(k));

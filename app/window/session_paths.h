@@ -13,6 +13,9 @@ namespace hexoderm {
 
 std::filesystem::path toPath(const QString& path);
 
+/// Unlike Qt's comparison, which takes any two files that are not there for the same.
+bool isSameFile(const QString& a, const QString& b);
+
 /// "NAME.hexo" in the folder, or "NAME-2.hexo", ...: the first that is not taken.
 QString freePath(const QDir& folder, const QString& name);
 

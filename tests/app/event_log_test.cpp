@@ -2,7 +2,6 @@
 #include "app/window/event_log.h"
 
 #include <gmock/gmock.h>
-#include <sys/stat.h>
 
 #include <QCoreApplication>
 #include <QDir>
@@ -107,29 +106,6 @@ TEST(EventLogTest, GoesOnWithoutAFileWhereNoneCanBeMade) {
   const int missing = written.indexOf("WARNING 2 lines are missing here");
   EXPECT_GE(missing, 0) << written.toStdString();
   EXPECT_GT(written.indexOf("INFO    in the file again"), missing) << written.toStdString();
-}
-
-TEST(EventLogTest, TheFileSaysWhatCameTooFastForIt) {
-  const QTemporaryDir folder;
-  // Whoever writes to a pipe waits until somebody reads, as with a disk that hangs.
-  const QString path = folder.filePath("hexoderm.log");
-  ASSERT_EQ(::mkfifo(path.toUtf8().constData(), 0600), 0);
-  EventLog log(folder.path());
-  constexpr std::size_t kMore = 3 * EventLog::kCapacity;
-  for (std::size_t k = 0; k < kMore; ++k) log.add(LogSeverity::Info, QStringLiteral("line %1").arg(k));
-  QFile pipe(path);
-  ASSERT_TRUE(pipe.open(QIODevice::ReadOnly | QIODevice::Unbuffered));
-  std::size_t lines = 0;
-  QByteArray text;
-  while (!text.contains("too fast\n")) {
-    const QByteArray read = pipe.read(1 << 16);
-    if (read.isEmpty()) continue;
-    text = text.right(200) + read;
-    lines += static_cast<std::size_t>(read.count('\n'));
-  }
-  const int at = text.lastIndexOf("WARNING ") + 8;
-  const QByteArray count = text.mid(at, text.indexOf(" lines are missing") - at);
-  EXPECT_EQ(lines - 1 + count.toUInt(), kMore) << count.toStdString();
 }
 
 }  // namespace
