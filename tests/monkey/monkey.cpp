@@ -65,21 +65,26 @@ class Monkey : public QObject {
   void act() {
     actSoon();
     if (acting_) {
-      // Something waits for an answer in a loop of its own.
-      auto* popup = QApplication::activePopupWidget();
-      auto* modal = QApplication::activeModalWidget();
-      if (popup) popup->close();
-      if (modal) modal->close();
-      // A drag of text lasts until it is dropped or given up. What does not close like this is clicked at.
+      // QTest lets events through in the middle of a key; only what lasts waits for an answer in a loop of its own.
       constexpr int kPatience = 20;
-      if (!popup && !modal && window_.windowHandle()) QTest::keyClick(window_.windowHandle(), Qt::Key_Escape);
-      if (++waited_ < kPatience) return;
+      if (++waited_ == kPatience) closeWhatWaits();
+      // What does not close like this is clicked at.
+      if (waited_ < 2 * kPatience) return;
     }
     waited_ = 0;
     const bool is_nested = std::exchange(acting_, true);
     ++acts_;
     if (!closeFileDialogs()) any();
     acting_ = is_nested;
+  }
+
+  void closeWhatWaits() {
+    QWidget* popup = QApplication::activePopupWidget();
+    QPointer<QWidget> modal = QApplication::activeModalWidget();
+    if (popup) popup->close();
+    if (modal) modal->close();
+    // A drag of text lasts until it is dropped or given up.
+    if (!popup && !modal && window_.windowHandle()) QTest::keyClick(window_.windowHandle(), Qt::Key_Escape);
   }
 
   /// Where files are chosen, the monkey chooses none: it would write anywhere.
