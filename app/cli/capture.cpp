@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <iostream>
@@ -50,21 +51,22 @@ std::string cellsInWords(std::size_t count) { return std::to_string(count) + (co
 
 /// One run of the command: what the events lead to.
 class Capture {
+  using Clock = std::chrono::steady_clock;
+
  public:
   Capture(const CaptureOptions& options, const Common& common, SkinSource& source, CaptureEvents& events)
       : options_(options), common_(common), source_(source), events_(events) {}
 
   /// Returns when the poses are good, the stream is over, or the user ends it.
   void run() {
-    using Clock = std::chrono::steady_clock;
     const auto patience = std::chrono::duration<double>(options_.timeout_s);
     Clock::time_point last_progress = Clock::now();
     while (!done_ && !interrupted) {
       const std::optional<CaptureEvent> event = events_.next(std::chrono::milliseconds(100));
       if (event) std::visit([this](const auto& what) { handle(what); }, *event);
-      if (made_progress_ || full_disk_tries_ > 0) last_progress = Clock::now();
+      if (made_progress_ || disk_is_full_since_) last_progress = Clock::now();
       made_progress_ = false;
-      if (!event && full_disk_tries_ > 0 && Clock::now() >= next_try_) tryAgain();
+      if (disk_is_full_since_ && Clock::now() >= next_try_) tryAgain();
       if (!event && status_.state == SourceState::Ended) break;
       if (status_.state == SourceState::Incompatible) throw DeviceError(source_.address() + ": " + status_.text);
       if (Clock::now() - last_progress > patience && (!session_ || options_.automatic)) {
@@ -77,7 +79,7 @@ class Capture {
   /// Waits until all that was captured is on disk. Throws StorageError if something can't be.
   void finish() {
     common_.endProgress();
-    while (store_ && waiting_ > 0 && full_disk_tries_ == 0) handleStored(std::chrono::milliseconds(100));
+    while (store_ && waiting_ > 0 && !disk_is_full_since_) handleStored(std::chrono::milliseconds(100));
     store_.reset();  // tries for the last time
     while (handleStored(std::chrono::milliseconds(0))) continue;
     if (!lost_.empty()) throw StorageError(lost_);
@@ -139,13 +141,14 @@ class Capture {
     made_progress_ = true;
     if (stored.outcome.is_kept) {
       // The disk may have room again in a moment; until then the pose waits in memory.
-      if (full_disk_tries_++ == 0) {
+      constexpr auto kPatienceWithDisk = std::chrono::seconds(10);
+      if (!disk_is_full_since_) {
+        disk_is_full_since_ = Clock::now();
+        next_try_ = *disk_is_full_since_ + kBetweenTries;
         common_.endProgress();
-        common_.note(stored.outcome.error + " Trying again.");
+        common_.note(stored.outcome.error + ". Trying again.");
       }
-      next_try_ = std::chrono::steady_clock::now() + std::chrono::seconds(1);
-      constexpr int kMostTries = 10;
-      done_ = full_disk_tries_ >= kMostTries;
+      done_ = Clock::now() - *disk_is_full_since_ >= kPatienceWithDisk;
       return;
     }
     --waiting_;
@@ -154,7 +157,7 @@ class Capture {
       done_ = true;
       return;
     }
-    full_disk_tries_ = 0;
+    disk_is_full_since_.reset();
     announce(captured_.at(stored.pose));
     if (!stored.outcome.without_raw.empty()) {
       common_.note("Pose " + toString(stored.pose) + " is kept without its raw samples: " + stored.outcome.without_raw);
@@ -164,7 +167,7 @@ class Capture {
   }
 
   void tryAgain() {
-    next_try_ = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+    next_try_ = Clock::now() + kBetweenTries;
     store_->retry();
   }
 
@@ -245,9 +248,11 @@ class Capture {
   std::unique_ptr<SessionRecorder> store_;
   std::map<PoseId, CapturedPose> captured_;  ///< not yet on disk
   std::size_t waiting_ = 0;
-  std::string lost_;         ///< why something is not on disk and never will be
-  int full_disk_tries_ = 0;  ///< how often the first pose that waits was refused by the disk
-  std::chrono::steady_clock::time_point next_try_{};
+  std::string lost_;  ///< why something is not on disk and never will be
+
+  static constexpr auto kBetweenTries = std::chrono::seconds(1);
+  std::optional<Clock::time_point> disk_is_full_since_;  ///< when it first refused a pose that still waits
+  Clock::time_point next_try_{};
   std::string device_;
   bool can_turn_ = false;
   SourceStatus status_;
