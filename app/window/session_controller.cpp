@@ -247,6 +247,8 @@ void SessionController::startWriting(const QString& activity, std::function<Cont
 
 void SessionController::closeCurrent() {
   ++opened_count_;
+  worker_.cancel();
+  moment_worker_.cancel();
   calibration_path_.clear();
   forgetSource();
   announcements_.clear();

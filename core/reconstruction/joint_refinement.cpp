@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace hexoderm {
 namespace {
@@ -13,7 +14,8 @@ namespace {
 constexpr std::size_t kCellsForAccelerations = 100;
 constexpr double kLinksPerCellOfASheet = 1.2;      // a chain has less than one, a wide sheet two
 constexpr std::size_t kPosesForAccelerations = 3;  // with two they do harm
-// With many poses tremor averages out, and the dense part of the equations is small enough without them.
+// With many poses tremor averages out (widenNoise), and the dense part of the equations is small enough without
+// them.
 constexpr std::size_t kMostPosesForAccelerations = 50;
 // What a hand's translation leaves in a mean; and on a large part, what its turning does at the middle of a patch.
 constexpr double kForceSigma_g = 0.003;
@@ -29,6 +31,15 @@ GapShare gapShareOf(GapModel model) {
       break;
   }
   return {0.5, 0.5};
+}
+
+template <typename Range, typename Value>
+double medianOf(const Range& range, Value value) {
+  std::vector<double> values;
+  for (const auto& element : range) values.push_back(value(element));
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
 }
 
 /// The covariance of any two cells from that of the whole patch.
@@ -131,14 +142,22 @@ std::size_t JointRefinement::localOf(std::size_t cell) const {
   return static_cast<std::size_t>(std::ranges::lower_bound(cells_, cell) - cells_.begin());
 }
 
-void JointRefinement::solve() {
-  const JointSolverOptions options;
+void JointRefinement::solve(const std::stop_token& stop) {
+  JointSolverOptions options;
+  options.stop = stop;
   solveWithLinkSpread(options);
+  if (stop.stop_requested()) return;
   if (!problem_->accelerations && accelerationsShow()) {
     problem_->accelerations = true;
     solution_ = solveJointly(*problem_, solution_.state, options);
+    if (stop.stop_requested()) return;
   }
   fitSensors();
+  if (widenNoise()) {
+    solveWithLinkSpread(options);
+    if (stop.stop_requested()) return;
+    fitSensors();
+  }
 }
 
 /// Where links close loops, their end points show whether this mould keeps them together as well as the model has it:
@@ -185,6 +204,51 @@ void JointRefinement::fitSensors() {
   for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
     fitCell(*problem_, prior, solution_.state, cell, sensors_[cell]);
   }
+}
+
+double JointRefinement::squaredLever(std::size_t cell) const {
+  return (solution_.state.cells[cell].t - solution_.state.middle_o).squaredNorm();
+}
+
+/// Of more poses than angular accelerations are estimated for, these leave errors in the readings that grow with the
+/// distance from the middle, and with hundreds of poses any cell would look broken for them. They count as noise, as
+/// large as the readings show: a reading's variance V becomes f V + (2/3) (s l / g)^2, with its cell's lever l, for
+/// accelerations of s per axis; f (at least 1) is what the inner cells need, s what the outer ones need beyond that.
+/// Medians, because single cells may be broken. True if the variances have grown: the solution is to be found again.
+bool JointRefinement::widenNoise() {
+  if (problem_->accelerations || problem_->poses <= kMostPosesForAccelerations || noise_is_widened_) return false;
+  struct Seen {
+    double lever_sq = 0;  // m^2
+    double variance_g2 = 0;
+    double residual_g2 = 0;  // mean square, per axis
+  };
+  std::vector<Seen> seen;
+  for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
+    const std::vector<CellReading>& readings = problem_->readings[cell];
+    if (readings.empty()) continue;
+    Seen of_cell{squaredLever(cell)};
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+      of_cell.variance_g2 += readings[k].variance_g2 / static_cast<double>(readings.size());
+      of_cell.residual_g2 += sensors_[cell].fit.residual_g[k].squaredNorm() / static_cast<double>(3 * readings.size());
+    }
+    seen.push_back(of_cell);
+  }
+  if (seen.size() < 2) return false;
+  std::ranges::sort(seen, {}, &Seen::lever_sq);
+  const std::span<const Seen> inner(seen.begin(), seen.begin() + static_cast<std::ptrdiff_t>(seen.size() / 2));
+  const std::span<const Seen> outer(seen.begin() + static_cast<std::ptrdiff_t>(seen.size() / 2), seen.end());
+  const double factor = medianOf(inner, [](const Seen& cell) { return cell.residual_g2 / cell.variance_g2; });
+  const double swing_g2 = medianOf(outer, [factor](const Seen& cell) {  // (2/3) (s / g)^2, per m^2
+    return cell.lever_sq > 0 ? (cell.residual_g2 - factor * cell.variance_g2) / cell.lever_sq : 0;
+  });
+  if (factor <= 1 && swing_g2 <= 0) return false;
+  for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
+    for (CellReading& reading : problem_->readings[cell]) {
+      reading.variance_g2 = std::max(1.0, factor) * reading.variance_g2 + std::max(0.0, swing_g2) * squaredLever(cell);
+    }
+  }
+  noise_is_widened_ = true;
+  return true;
 }
 
 void JointRefinement::leaveOut(std::size_t cell) { problem_->readings[localOf(cell)].clear(); }

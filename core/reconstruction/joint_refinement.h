@@ -20,9 +20,9 @@ class JointRefinement {
                   const SolverOptions& options, const std::vector<std::size_t>& cells, std::size_t origin,
                   const std::vector<SE3>& placements);
 
-  /// Solves from the latest state. Angular accelerations are estimated where the patch is large enough to show them, or
-  /// where the data say so.
-  void solve();
+  /// Solves from the latest state, unless `stop` is requested: then what is there is no solution. Angular accelerations
+  /// are estimated where the patch is large enough to show them, or where the data say so.
+  void solve(const std::stop_token& stop);
 
   /// From now on the cell is placed by its links. Needs another solve().
   void leaveOut(std::size_t cell);
@@ -57,6 +57,8 @@ class JointRefinement {
   /// Place of a cell of the graph in the problem.
   [[nodiscard]] std::size_t localOf(std::size_t cell) const;
   void fitSensors();
+  bool widenNoise();
+  [[nodiscard]] double squaredLever(std::size_t cell) const;
   void solveWithLinkSpread(const JointSolverOptions& options);
   [[nodiscard]] bool accelerationsShow() const;
 
@@ -66,6 +68,7 @@ class JointRefinement {
   std::shared_ptr<JointProblem> problem_;
   JointSolution solution_;
   std::vector<SensorState> sensors_;
+  bool noise_is_widened_ = false;
 };
 
 }  // namespace hexoderm

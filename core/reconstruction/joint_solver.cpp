@@ -249,7 +249,7 @@ JointSolution JointSolver::descend(const JointProblem& problem, const JointState
       damping = damping > 2 * kFirstDamping ? damping / 5 : 0;
     }
   }
-  if (!options.covariance) return solution;
+  if (!options.covariance || solution.termination == JointTermination::Stopped) return solution;
   if (factor_is_at_optimum) {
     solution.covariance.reset(
         new JointCovariance(std::make_unique<JointCovariance::State>(problem, std::move(factor))));

@@ -13,7 +13,7 @@ struct JointSolverOptions {
   /// A step that promises to lower the cost by less than this share of it is the last.
   double cost_tolerance = 1e-8;
   bool covariance = true;  ///< compute JointSolution::covariance
-  std::stop_token stop;    ///< checked before every step; the state so far is the result
+  std::stop_token stop;    ///< checked before every step; the state so far is the result, without covariance
 };
 
 enum class JointTermination { Converged, Stopped, StepLimit };
@@ -50,7 +50,7 @@ struct JointSolution {
   double cost = 0;
   int iterations = 0;
   JointTermination termination = JointTermination::Converged;
-  std::shared_ptr<const JointCovariance> covariance;  ///< null if it was not asked for
+  std::shared_ptr<const JointCovariance> covariance;  ///< null if it was not asked for or is not due
 };
 
 /// Levenberg-Marquardt on jointCost from `initial`: plain Gauss-Newton steps while they lower the cost, damped ones

@@ -4,7 +4,6 @@
 #include <exception>
 #include <mutex>
 #include <optional>
-#include <stop_token>
 #include <thread>
 #include <utility>
 
@@ -21,21 +20,35 @@ struct ReconstructionWorker::State {
   std::mutex mutex;
   std::condition_variable_any arrived;
   std::optional<Letter> mailbox;
-  std::jthread thread;  // last: started when everything it uses exists, joined before any of it goes
+  std::stop_source solving;  // of the solve that runs
+  std::jthread thread;       // last: started when everything it uses exists, joined before any of it goes
 
   std::optional<Letter> waitForLetter(const std::stop_token& stop) {
     std::unique_lock lock(mutex);
     arrived.wait(lock, stop, [this] { return mailbox.has_value(); });
     if (stop.stop_requested()) return std::nullopt;
+    solving = std::stop_source();
     return std::exchange(mailbox, std::nullopt);
+  }
+
+  void cancel() {
+    std::stop_source running;
+    {
+      const std::lock_guard lock(mutex);
+      mailbox.reset();
+      running = solving;
+    }
+    running.request_stop();
   }
 
   void run(const std::stop_token& stop) {
     while (const std::optional<Letter> letter = waitForLetter(stop)) {
+      const std::stop_callback ends_with_thread(stop, [this] { cancel(); });
       ReconstructionOutcome outcome;
       outcome.revision = letter->snapshot->revision;
       try {
-        outcome.reconstruction = solve(*letter->snapshot, letter->options);
+        outcome.reconstruction = solve(*letter->snapshot, letter->options, solving.get_token());
+        if (outcome.reconstruction == nullptr) continue;
       } catch (const std::exception& error) {
         outcome.error = error.what();
       }
@@ -51,10 +64,11 @@ ReconstructionWorker::ReconstructionWorker(Report report, Solve solve) : state_(
 }
 
 ReconstructionWorker::Solve ReconstructionWorker::startingFromTheLast() {
-  return [last = std::shared_ptr<const Reconstruction>()](const SessionSnapshot& snapshot,
-                                                          const SolverOptions& options) mutable {
-    last = reconstruct(snapshot, options, last.get());
-    return last;
+  return [last = std::shared_ptr<const Reconstruction>()](const SessionSnapshot& snapshot, const SolverOptions& options,
+                                                          const std::stop_token& stop) mutable {
+    auto result = reconstruct(snapshot, options, last.get(), stop);
+    if (result) last = result;
+    return result;
   };
 }
 
@@ -67,5 +81,7 @@ void ReconstructionWorker::submit(std::shared_ptr<const SessionSnapshot> snapsho
   }
   state_->arrived.notify_one();
 }
+
+void ReconstructionWorker::cancel() { state_->cancel(); }
 
 }  // namespace hexoderm

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <stop_token>
 #include <string>
 
 namespace hexoderm {
@@ -18,11 +19,13 @@ struct ReconstructionOutcome {
 
 /// A thread with a one-slot mailbox: the newest snapshot wins, one that is being solved is never cancelled (a quick
 /// operator would never see a result). `report` is called on the worker's thread, for every snapshot that was solved,
-/// in order of submission. The destructor finishes the running solve, drops what waits and joins.
+/// in order of submission. The destructor stops the running solve, drops what waits and joins.
 class ReconstructionWorker {
  public:
   using Report = std::function<void(ReconstructionOutcome)>;
-  using Solve = std::function<std::shared_ptr<const Reconstruction>(const SessionSnapshot&, const SolverOptions&)>;
+  /// Null if it ended early because stop was requested.
+  using Solve = std::function<std::shared_ptr<const Reconstruction>(const SessionSnapshot&, const SolverOptions&,
+                                                                    const std::stop_token& stop)>;
   /// reconstruct(), each time from where the last one ended: what changed is usually one pose.
   static Solve startingFromTheLast();
   /// `solve` is what the thread does with a snapshot; whatever it throws becomes the outcome's error.
@@ -33,6 +36,9 @@ class ReconstructionWorker {
 
   /// Never waits for a solve.
   void submit(std::shared_ptr<const SessionSnapshot> snapshot, SolverOptions options);
+  /// For when nobody wants a result any more: stops the running solve, drops what waits. Never waits itself, so that
+  /// one more report may come.
+  void cancel();
 
  private:
   struct State;

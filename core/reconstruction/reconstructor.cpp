@@ -22,6 +22,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <stop_token>
 
 namespace hexoderm {
 namespace {
@@ -35,12 +36,17 @@ struct PatchWork {
   std::unique_ptr<JointRefinement> joint;
 };
 
+/// Thrown to leave a reconstruction that nobody waits for any more.
+struct Stopped {};
+
 class Reconstructor {
  public:
-  Reconstructor(const SessionSnapshot& snapshot, const SolverOptions& options, const Reconstruction* earlier)
+  Reconstructor(const SessionSnapshot& snapshot, const SolverOptions& options, const Reconstruction* earlier,
+                const std::stop_token& stop)
       : snapshot_(snapshot),
         options_(options),
         earlier_(earlier),
+        stop_(stop),
         model_(*snapshot.model),
         graph_(model_, *snapshot.neighbors),
         findings_(graph_.findings()),
@@ -66,6 +72,7 @@ class Reconstructor {
       for (const PatchWork& work : works) findInconsistentPoses(*work.joint);
     }
 
+    leaveIfStopped();
     auto result = std::make_shared<Reconstruction>();
     result->revision = snapshot_.revision;
     result->solver = solverName(options_.solver);
@@ -84,6 +91,10 @@ class Reconstructor {
   }
 
  private:
+  void leaveIfStopped() const {
+    if (stop_.stop_requested()) throw Stopped();
+  }
+
   [[nodiscard]] PoseId poseId(std::size_t pose) const { return snapshot_.poses[pose].capture->id; }
   [[nodiscard]] const Port& sourcePort(const GraphLink& link) const { return model_.port(link.source_port); }
   [[nodiscard]] const Port& targetPort(const GraphLink& link) const { return model_.port(link.target_port); }
@@ -163,6 +174,7 @@ class Reconstructor {
   /// Removes the worst pose or cell and looks again, until what is left to blame are links.
   void findSuspects() {
     for (;;) {
+      leaveIfStopped();
       const SuspectSearch search(model_, graph_, table_, readings_, edges_, options_);
       if (const auto pose = search.worstPose()) {
         findings_.push_back(makeFinding(
@@ -254,7 +266,8 @@ class Reconstructor {
       const std::vector<std::size_t>& cells = graph_.patches()[work.patch];
       work.joint = std::make_unique<JointRefinement>(model_, graph_, table_, options_, cells, work.origin,
                                                      startingPlacements(work));
-      work.joint->solve();
+      work.joint->solve(stop_);
+      leaveIfStopped();
       bool dropped = false;
       while (const auto cell = worstSensor(*work.joint, cells)) {
         const auto links =
@@ -262,7 +275,8 @@ class Reconstructor {
         findings_.push_back(describeBadSensor(graph_, table_, snapshot_, *cell, links == 1));
         dropReadings(*cell);
         work.joint->leaveOut(*cell);
-        work.joint->solve();
+        work.joint->solve(stop_);
+        leaveIfStopped();
         dropped = true;
       }
       if (dropped) estimateEdges();
@@ -312,12 +326,15 @@ class Reconstructor {
     // Of two cells neither is the odd one out.
     constexpr std::size_t kFewestForAVote = 3;
     if (cells.size() < kFewestForAVote) return std::nullopt;
+    // With hundreds of poses the smallest misfit is significant; only one that also matters makes a sensor useless.
+    constexpr double kLeastTimes = 2;
     std::optional<std::size_t> worst;
     double worst_misfit = options_.max_misfit;
     for (const std::size_t cell : cells) {
       if (!readings_.measured(cell) || table_.usablePoses(cell).size() < 2) continue;
-      const double misfit = joint.misfitOf(cell).deviate();
-      if (misfit <= worst_misfit) continue;
+      const Misfit found = joint.misfitOf(cell);
+      const double misfit = found.deviate();
+      if (misfit <= worst_misfit || found.chi_squared < kLeastTimes * found.degrees) continue;
       worst = cell;
       worst_misfit = misfit;
     }
@@ -472,6 +489,7 @@ class Reconstructor {
   const SessionSnapshot& snapshot_;
   const SolverOptions& options_;
   const Reconstruction* earlier_;
+  const std::stop_token& stop_;
   const CellModel& model_;
   SkinGraph graph_;
   std::vector<Finding> findings_;
@@ -486,9 +504,13 @@ class Reconstructor {
 }  // namespace
 
 std::shared_ptr<const Reconstruction> reconstruct(const SessionSnapshot& snapshot, const SolverOptions& options,
-                                                  const Reconstruction* earlier) {
+                                                  const Reconstruction* earlier, const std::stop_token& stop) {
   options.validate();
-  return Reconstructor(snapshot, options, earlier).run();
+  try {
+    return Reconstructor(snapshot, options, earlier, stop).run();
+  } catch (const Stopped&) {
+    return nullptr;
+  }
 }
 
 }  // namespace hexoderm

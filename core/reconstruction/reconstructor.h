@@ -3,6 +3,7 @@
 #include "hexoderm/reconstruction/reconstruction.h"
 
 #include <memory>
+#include <stop_token>
 
 namespace hexoderm {
 
@@ -12,9 +13,12 @@ namespace hexoderm {
 /// `earlier`: a result of the same skin with other poses or options, from which the global solver starts where a patch
 /// has the same cells and origin; it changes how long the solver takes, not where it ends. May be null.
 ///
+/// `stop`: looked at before every step that may take seconds; once it is requested, the result is null.
+///
 /// Throws InvalidArgument for options out of range. Everything that can be wrong with a skin or its poses is a finding;
 /// no poses, one pose, an empty skin and a single cell give a result. No value in the result is NaN or infinite.
 std::shared_ptr<const Reconstruction> reconstruct(const SessionSnapshot& snapshot, const SolverOptions& options = {},
-                                                  const Reconstruction* earlier = nullptr);
+                                                  const Reconstruction* earlier = nullptr,
+                                                  const std::stop_token& stop = {});
 
 }  // namespace hexoderm

@@ -13,7 +13,7 @@ class WindowSizesTest : public WindowTest {
   /// However busy the computer is.
   template <class Condition>
   static bool waitLong(Condition condition) {
-    constexpr int kMilliseconds = 200000;
+    constexpr int kMilliseconds = 600000;
     return QTest::qWaitFor(condition, kMilliseconds);
   }
   void open(const QString& path) {
@@ -61,6 +61,23 @@ TEST_F(WindowSizesTest, ASingleCellIsShownAndPicked) {
   ASSERT_NO_FATAL_FAILURE(clickCellInGraph(CellId(5)));
   EXPECT_EQ(window_->selection().cell(), CellId(5));
   ASSERT_NO_FATAL_FAILURE(expectUsable(CellId(5)));
+}
+
+TEST_F(WindowSizesTest, AThousandPosesAreLeftForAnotherSessionAndForTheEndWhileTheyAreSolved) {
+  const QString many = writeSkin("sheet:10x10", 1000, 2);
+  const QString few = pathTo("few.hexo");
+  SimulatedSkin x17(builtInCellModel("hex-bma150"), {});
+  writeSessionStore(simulateSession(x17, 3, 2), few.toStdString());
+  const auto beginSolving = [&] {
+    window_->openFile(many);
+    ASSERT_TRUE(waitLong([&] { return controller().name() == QFileInfo(many).fileName(); })) << message().toStdString();
+    ASSERT_FALSE(controller().isCurrent());
+  };
+  ASSERT_NO_FATAL_FAILURE(beginSolving());
+  ASSERT_NO_FATAL_FAILURE(open(few));
+  EXPECT_EQ(posesShown(), 3);
+  ASSERT_NO_FATAL_FAILURE(beginSolving());
+  window_.reset();
 }
 
 TEST_F(WindowSizesTest, AHundredThousandCells) {

@@ -54,7 +54,7 @@ class Outcomes {
 class HeldSolve {
  public:
   ReconstructionWorker::Solve solve() {
-    return [this](const SessionSnapshot& snapshot, const SolverOptions&) {
+    return [this](const SessionSnapshot& snapshot, const SolverOptions&, const std::stop_token&) {
       std::unique_lock lock(mutex_);
       ++begun_;
       changed_.notify_all();
@@ -115,10 +115,11 @@ TEST(ReconstructionWorker, OptionsTravelWithTheirSnapshot) {
   Outcomes outcomes;
   std::vector<double> thresholds;
   {
-    ReconstructionWorker worker(outcomes.report(), [&](const SessionSnapshot&, const SolverOptions& options) {
-      thresholds.push_back(options.class_threshold);
-      return std::make_shared<const Reconstruction>();
-    });
+    ReconstructionWorker worker(outcomes.report(),
+                                [&](const SessionSnapshot&, const SolverOptions& options, const std::stop_token&) {
+                                  thresholds.push_back(options.class_threshold);
+                                  return std::make_shared<const Reconstruction>();
+                                });
     SolverOptions options;
     options.class_threshold = 0.75;
     worker.submit(snapshotOf(1), options);
@@ -143,20 +144,67 @@ TEST(ReconstructionWorker, AnErrorBecomesAnOutcomeAndTheWorkerGoesOn) {
   EXPECT_NE(seen[1].reconstruction, nullptr);
 }
 
-TEST(ReconstructionWorker, TheDestructorFinishesTheRunningSolveAndDropsWhatWaits) {
+/// A solve that ends only when it is told to stop.
+class EndlessSolve {
+ public:
+  ReconstructionWorker::Solve solve() {
+    return [this](const SessionSnapshot& snapshot, const SolverOptions&, const std::stop_token& stop) {
+      std::unique_lock lock(mutex_);
+      begun_.push_back(snapshot.revision);
+      changed_.notify_all();
+      changed_.wait(lock, stop, [] { return false; });
+      return std::shared_ptr<const Reconstruction>();
+    };
+  }
+  void waitUntilBegun(std::size_t count) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return begun_.size() >= count; });
+  }
+  std::vector<std::uint64_t> begun() {
+    const std::lock_guard lock(mutex_);
+    return begun_;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable_any changed_;
+  std::vector<std::uint64_t> begun_;
+};
+
+TEST(ReconstructionWorker, TheDestructorStopsTheRunningSolveAndDropsWhatWaits) {
   Outcomes outcomes;
-  HeldSolve held;
-  auto worker = std::make_unique<ReconstructionWorker>(outcomes.report(), held.solve());
-  worker->submit(snapshotOf(1), {});
-  held.waitUntilBegun();
-  worker->submit(snapshotOf(2), {});
-  // The destructor must be able to begin while the solve still runs; it asks the thread to stop before it joins.
-  std::thread destroyer([&worker] { worker.reset(); });
-  held.release();
-  destroyer.join();
-  // Revision 2 may have been taken up before the destructor began, never dropped halfway.
-  EXPECT_EQ(outcomes.revisions().size(), static_cast<std::size_t>(held.begun()));
-  EXPECT_EQ(outcomes.revisions().front(), 1U);
+  EndlessSolve endless;
+  {
+    ReconstructionWorker worker(outcomes.report(), endless.solve());
+    worker.submit(snapshotOf(1), {});
+    endless.waitUntilBegun(1);
+    worker.submit(snapshotOf(2), {});
+  }
+  EXPECT_THAT(endless.begun(), ElementsAre(1));
+  EXPECT_THAT(outcomes.revisions(), ElementsAre());
+}
+
+TEST(ReconstructionWorker, CancelStopsTheRunningSolveDropsWhatWaitsAndGoesOn) {
+  Outcomes outcomes;
+  EndlessSolve endless;
+  ReconstructionWorker worker(outcomes.report(), endless.solve());
+  worker.cancel();  // nothing runs: nothing happens
+  worker.submit(snapshotOf(1), {});
+  endless.waitUntilBegun(1);
+  worker.submit(snapshotOf(2), {});
+  worker.cancel();
+  worker.submit(snapshotOf(3), {});
+  endless.waitUntilBegun(2);
+  EXPECT_THAT(endless.begun(), ElementsAre(1, 3));
+  EXPECT_THAT(outcomes.revisions(), ElementsAre());
+}
+
+TEST(ReconstructionWorker, ACancelledReconstructionLeavesNothingAndTheNextIsWhole) {
+  std::stop_source cancelled;
+  cancelled.request_stop();
+  const ReconstructionWorker::Solve solve = ReconstructionWorker::startingFromTheLast();
+  EXPECT_EQ(solve(*snapshotOf(1), {}, cancelled.get_token()), nullptr);
+  ASSERT_NE(solve(*snapshotOf(2), {}, {}), nullptr);
 }
 
 TEST(ReconstructionWorker, GoesAwayWithoutEverHavingWorked) {

@@ -1,0 +1,75 @@
+// Skins with more poses than the joint estimate finds angular accelerations for: the tremor of the hand that is left in
+// them must make no healthy cell look broken.
+
+#include "hexoderm/device/simulated_skin.h"
+#include "hexoderm/reconstruction/evaluation.h"
+#include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/session/simulated_session.h"
+#include "support/changed_session.h"
+#include "support/matchers.h"
+
+#include <string>
+#include <vector>
+
+namespace hexoderm {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+// With assertions and sanitizers dense algebra takes a hundred times as long.
+#ifdef NDEBUG
+constexpr std::size_t kMany = 200;
+constexpr const char* kSheet = "sheet:10x10";
+#else
+constexpr std::size_t kMany = 60;
+constexpr const char* kSheet = "sheet:6x6";
+#endif
+
+Session measured(const std::string& patch, std::size_t poses) {
+  SimulatedSkinOptions options;
+  options.patch = patch;
+  options.seed = 3;
+  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+  return simulateSession(skin, poses);
+}
+
+/// Cells whose accelerometers are said to be broken.
+std::vector<CellId> blamedCells(const Reconstruction& result) {
+  std::vector<CellId> cells;
+  for (const Finding& finding : result.findings) {
+    if (finding.code == FindingCode::InconsistentSensor) cells.push_back(finding.cells.at(0));
+  }
+  return cells;
+}
+
+double orientationError_rad(const Session& session, const Reconstruction& result) {
+  return compareToTruth(result, *session.truth()).at(0).orientation_rms_rad;
+}
+
+class ManyPosesOf : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Skins, ManyPosesOf, ::testing::Values("x17", "ring31:closed", kSheet));
+
+TEST_P(ManyPosesOf, BlameNoHealthyCellAndMakeNothingWorse) {
+  const Session few = measured(GetParam(), 40);
+  const Session many = measured(GetParam(), kMany);
+  const auto from_few = reconstruct(*few.snapshot());
+  const auto from_many = reconstruct(*many.snapshot());
+  EXPECT_THAT(blamedCells(*from_many), IsEmpty());
+  EXPECT_EQ(from_many->poses.size(), kMany);
+  EXPECT_THAT(*from_many, IsFinite());
+  EXPECT_LT(orientationError_rad(many, *from_many), 1.1 * orientationError_rad(few, *from_few));
+}
+
+TEST(ManyPoses, ABrokenCellIsNamedAndNoOther) {
+  // A cell whose second axis is wired the wrong way round: no rotation of the cell explains that.
+  constexpr CellId kBroken{24};
+  const Session session = changed(measured(kSheet, kMany), [](std::size_t, GravitySample& sample) {
+    if (sample.cell == kBroken) sample.mean_g.y() *= -1;
+  });
+  const auto result = reconstruct(*session.snapshot());
+  EXPECT_THAT(blamedCells(*result), ElementsAre(kBroken));
+}
+
+}  // namespace
+}  // namespace hexoderm
