@@ -13,6 +13,7 @@
 #include "widgets/check_list.h"
 #include "widgets/core_words.h"
 #include "widgets/coverage_view.h"
+#include "widgets/desktop_portal.h"
 #include "widgets/graph_view.h"
 #include "widgets/live_strip.h"
 #include "widgets/message_bar.h"
@@ -292,6 +293,11 @@ void MainWindow::connectActions() {
   connect(actions_.about, &QAction::triggered, this, &MainWindow::showAbout);
   connect(actions_.themes, &QActionGroup::triggered, this, [this](QAction* action) {
     setThemeChoice(static_cast<ThemeChoice>(actions_.themes->actions().indexOf(action)), true);
+  });
+  connect(new DesktopThemeWatch(this), &DesktopThemeWatch::changed, this, [this](Theme theme) {
+    setSystemTheme(theme);
+    if (actions_.theme[static_cast<std::size_t>(ThemeChoice::System)]->isChecked())
+      setThemeChoice(ThemeChoice::System, false);
   });
 }
 
