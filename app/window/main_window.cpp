@@ -467,7 +467,10 @@ void MainWindow::refreshStatus() {
   saved_status_->setText(saved);
 
   graph_dock_->setRemark(result ? coreWords(sizeInWords(*result)) : QString());
-  pose_dock_->setRemark(controller_.session() ? tr("Del disable · Ctrl+Z undo") : QString());
+  const bool has_poses = controller_.session() && !controller_.session()->poses().empty();
+  const QString keys =
+      controller_.isLive() ? tr("R recapture · Del disable · Ctrl+Z undo") : tr("Del disable · Ctrl+Z undo");
+  pose_dock_->setRemark(has_poses ? keys : QString());
   detail_tabs_->setTabText(0, result ? tr("Findings %1").arg(result->findings.size()) : tr("Findings"));
   detail_tabs_->setTabText(1, result ? tr("Links %1").arg(result->linkCount()) : tr("Links"));
   detail_tabs_->setTabText(2, result ? tr("Cells %1").arg(result->cellCount()) : tr("Cells"));

@@ -99,7 +99,7 @@ void judgePoses(const std::vector<PoseSummary>& poses, const std::vector<PatchRe
   }
   if (enabled.empty()) {
     findings.push_back(makeFinding(FindingCode::NoPoses,
-                                   "There is no pose yet: the surface shown follows from ports and priors alone."));
+                                   "There is no pose yet: the shape shown follows from the ports alone."));
     return;
   }
   std::size_t open = 0;
