@@ -4876,6 +4876,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <source>Takes %1 other poses that are not disabled; besides this one there are %2.</source>
         <translation>Braucht %1 andere Posen, die benutzt werden; außer dieser gibt es %2.</translation>
     </message>
+    <message>
+        <source>Takes %1 poses that are not disabled, and there is none yet.</source>
+        <translation>Braucht %1 benutzte Posen, und noch gibt es keine.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::VerifySection</name>
