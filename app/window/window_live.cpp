@@ -81,7 +81,7 @@ void MainWindow::connectLive() {
       said_status_->setText(text);
       said_status_->show();
       said_timer_.start(kShown_ms);
-      shell_->log().add(LogSeverity::Info, text);
+      shell_->log().add(Severity::Info, text);
     }
   });
   connect(&controller_, &SessionController::noticed, this,

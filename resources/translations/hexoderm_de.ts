@@ -1732,18 +1732,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>%1 lines are missing here: they could not be written, or came too fast</source>
         <translation>Hier fehlen %1 Zeilen: Sie ließen sich nicht schreiben oder kamen zu schnell</translation>
     </message>
-    <message>
-        <source>Info</source>
-        <translation>Info</translation>
-    </message>
-    <message>
-        <source>Warning</source>
-        <translation>Warnung</translation>
-    </message>
-    <message>
-        <source>Error</source>
-        <translation>Fehler</translation>
-    </message>
 </context>
 <context>
     <name>hexoderm::ExportDialog</name>
