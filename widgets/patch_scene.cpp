@@ -110,6 +110,11 @@ struct PatchScene::Parts {
     double extent_m = 0;
   };
   std::optional<Fitted> fitted;
+  struct KeptView {
+    Eigen::Vector3d back;
+    Eigen::Vector3d up;
+  };
+  std::optional<KeptView> kept_view;
 
   Parts();
   ~Parts();
@@ -572,6 +577,22 @@ void PatchScene::setTopMargin(int pixels) {
 }
 
 void PatchScene::fit() { parts_->fit_pending = true; }
+
+void PatchScene::keepView() {
+  vtkCamera* camera = parts_->renderer->GetActiveCamera();
+  parts_->kept_view = Parts::KeptView{-toEigen(camera->GetDirectionOfProjection()), toEigen(camera->GetViewUp())};
+}
+
+void PatchScene::returnToKeptView() {
+  if (!parts_->kept_view) return;
+  vtkCamera* camera = parts_->renderer->GetActiveCamera();
+  const Eigen::Vector3d& up = parts_->kept_view->up;
+  const Eigen::Vector3d position = toEigen(camera->GetFocalPoint()) + camera->GetDistance() * parts_->kept_view->back;
+  camera->SetPosition(position.x(), position.y(), position.z());
+  camera->SetViewUp(up.x(), up.y(), up.z());
+  parts_->kept_view.reset();
+  parts_->fit_pending = true;
+}
 
 void PatchScene::showStandardView(View view) { parts_->lookFrom(view); }
 

@@ -97,8 +97,13 @@ void MainWindow::followPart() {
   // In the other steps the picture is the operator's own to turn.
   const bool capturing = controller_.isLive() && !controller_.isLiveMode() &&
                          step_panel_->openIndex() == static_cast<int>(GuideStep::Capture);
-  // Where the part was held last, all of it is to be seen when it is the operator's to turn again.
-  if (std::exchange(follows_part_, capturing) && !capturing) patch_view_->fit();
+  if (std::exchange(follows_part_, capturing) != capturing) {
+    if (capturing) {
+      patch_view_->keepView();
+    } else {
+      patch_view_->returnToKeptView();
+    }
+  }
   patch_view_->setTurnable(capturing && controller_.canTurn());
   patch_view_->setCurrentUp(capturing ? current_up_ : std::nullopt);
   const bool shows_next = capturing && controller_.nextPose();

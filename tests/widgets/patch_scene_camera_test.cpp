@@ -284,6 +284,24 @@ TEST_F(PatchSceneTest, APatchThatGrowsStaysBelowWhatCoversTheTop) {
   }
 }
 
+TEST_F(PatchSceneTest, AfterThePartWasFollowedItIsSeenFromWhereItWasBefore) {
+  scene.setReconstruction(shared(demoReconstruction()));
+  scene.showStandardView(PatchScene::View::Top);
+  window->Render();
+  const auto before = picture();
+  scene.keepView();
+  scene.setUp(Eigen::Vector3d::UnitY());
+  scene.setUp(Eigen::Vector3d::UnitX());
+  EXPECT_GT(differingShare(before, picture()), kMaxDifferingShare);
+  scene.setUp(std::nullopt);
+  scene.returnToKeptView();
+  EXPECT_LE(differingShare(before, picture()), kMaxDifferingShare);
+  const auto again = cameraPosition();
+  scene.returnToKeptView();
+  window->Render();
+  EXPECT_EQ(cameraPosition(), again) << "nothing was kept";
+}
+
 TEST_F(PatchSceneTest, SingleCellFillsTheMiddleAndCanBePicked) {
   DemoOptions options;
   options.arm_cells = 0;
