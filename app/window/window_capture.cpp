@@ -69,9 +69,9 @@ void MainWindow::showCoverage(const std::shared_ptr<const Reconstruction>& recon
 void MainWindow::showNextPose() {
   const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
   const std::optional<PoseAdvice>& advice = controller_.nextPose();
-  const bool wanted = advice && result;
-  coverage_view_->setNext(wanted ? std::optional(advice->up) : std::nullopt);
-  capture_panel_->setAdvice(wanted ? describeNextPose(*advice, *result, current_up_) : std::nullopt);
+  const bool known = advice && result;
+  coverage_view_->setNext(known && controller_.isNextPoseWanted() ? std::optional(advice->up) : std::nullopt);
+  capture_panel_->setAdvice(known ? describeNextPose(*advice, *result, current_up_) : std::nullopt);
   followPart();
 }
 
@@ -106,7 +106,7 @@ void MainWindow::followPart() {
   }
   patch_view_->setTurnable(capturing && controller_.canTurn());
   patch_view_->setCurrentUp(capturing ? current_up_ : std::nullopt);
-  const bool shows_next = capturing && controller_.nextPose();
+  const bool shows_next = capturing && controller_.isNextPoseWanted();
   patch_view_->setNextUp(shows_next ? std::optional(controller_.nextPose()->up) : std::nullopt);
 }
 
