@@ -204,8 +204,10 @@ void WindowActions::refreshCapture(const SessionController& controller, const QS
   allow(show_next_pose, no_advice);
   QString not_wanted;
   if (controller.nextPose() && !controller.isNextPoseWanted()) {
-    not_wanted = controller.enabledPoses() == 0
-                     ? tr("Any way up will do for the first pose")
+    // After a capture the advice from before it is still there for a moment.
+    not_wanted = controller.enabledPoses() == 0 ? tr("Any way up will do for the first pose")
+                 : controller.wantsMorePoses()
+                     ? tr("The next pose is being worked out")
                      : tr("There are enough poses; turn and capture more by hand if you like");
   }
   allow(skip_pose, no_advice.isEmpty() ? not_wanted : no_advice);
