@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -29,10 +30,12 @@ namespace hexoderm {
 namespace {
 
 constexpr double kViewAngle_deg = 30;
+constexpr double kEdge = 0.08;  // half the window: what a patch that grows may go beyond the fit
 // Parts of the window that a fitted skin fills: the legend below stays free, and what covers the top.
 constexpr double kFitWidth = 0.88;
 constexpr double kFitHeight = 0.74;
 constexpr double kLeastFitHeight = 0.4;
+constexpr double kBelowTop = 0.02;  // between what covers the top and the skin
 
 Eigen::Vector3d toEigen(const double* v) { return {v[0], v[1], v[2]}; }
 
@@ -107,12 +110,20 @@ struct PatchScene::Parts {
     double extent_m = 0;
   };
   std::optional<Fitted> fitted;
+  struct KeptView {
+    Eigen::Vector3d back;
+    Eigen::Vector3d up;
+  };
+  std::optional<KeptView> kept_view;
 
   Parts();
   ~Parts();
 
   void lookFrom(View view);
   void fitNow();
+  /// How far the camera has to go to its right so that the arrow of gravity covers none of the points, which are seen
+  /// from (right, up, towards the viewer) around what is looked at. None if others would leave the picture.
+  [[nodiscard]] std::optional<double> shiftPastArrow(const std::vector<Eigen::Vector3d>& seen, double distance) const;
   /// Nobody has moved the camera since the last fit.
   [[nodiscard]] bool isUntouched() const;
   /// The patch has another shape than it was fitted with, or part of it has come close to the edge of the picture.
@@ -120,6 +131,12 @@ struct PatchScene::Parts {
   /// Shares of the window.
   [[nodiscard]] double freeWidth() const { return ghost.isVisible() ? kFitWidth - SceneGhost::kShare : kFitWidth; }
   [[nodiscard]] double freeHeight() const;
+  /// What a patch that grows may go beyond the fit until it is fitted again, in half heights of the window.
+  [[nodiscard]] double slackAbove() const;
+  /// The upper left corner of where the arrow of gravity and its word are, in half windows from the window's middle.
+  [[nodiscard]] Eigen::Vector2d cornerFrom(int around_px) const;
+  /// Where the middle of the window is, seen from what the camera looks at, in half windows.
+  [[nodiscard]] Eigen::Vector2d windowCenter() const;
   /// The free part of the window has the focus in its middle.
   void centerInFreePart();
   void beforeRender();
@@ -180,11 +197,29 @@ double PatchScene::Parts::freeHeight() const {
   if (height <= 0) return kFitHeight;
   const double below = 0.5 * (1 - kFitHeight);
   const double above = static_cast<double>(top_margin) / height;
-  return std::max(kLeastFitHeight, 1 - below - std::max(below, above));
+  return std::max(kLeastFitHeight, 1 - below - std::max(below, above + kBelowTop));
+}
+
+double PatchScene::Parts::slackAbove() const {
+  const double fitted_top = 2 * freeHeight() - kFitHeight;
+  const double covered_from = 1 - 2.0 * top_margin / std::max(1, size()[1]);
+  return std::clamp(covered_from - fitted_top, 0.0, kEdge);
+}
+
+Eigen::Vector2d PatchScene::Parts::cornerFrom(int around_px) const {
+  const auto [width, height] = size();
+  const double scale = window ? window->GetDPI() / 72.0 : 1;
+  return {1 - 2 * scale * (SceneCorners::kRight + SceneCorners::kSize + around_px) / width,
+          -1 + 2 * scale * (SceneCorners::kBottom + SceneCorners::kSize + SceneCorners::kWord + around_px) / height};
+}
+
+Eigen::Vector2d PatchScene::Parts::windowCenter() const {
+  return {ghost.isVisible() ? SceneGhost::kShare : 0, kFitHeight - freeHeight()};
 }
 
 void PatchScene::Parts::centerInFreePart() {
-  renderer->GetActiveCamera()->SetWindowCenter(ghost.isVisible() ? SceneGhost::kShare : 0, kFitHeight - freeHeight());
+  const Eigen::Vector2d center = windowCenter();
+  renderer->GetActiveCamera()->SetWindowCenter(center.x(), center.y());
 }
 
 void PatchScene::Parts::lookFrom(View view) {
@@ -196,6 +231,25 @@ void PatchScene::Parts::lookFrom(View view) {
   camera->SetViewUp(direction.up.x(), direction.up.y(), direction.up.z());
   camera->OrthogonalizeViewUp();
   fit_pending = true;
+}
+
+std::optional<double> PatchScene::Parts::shiftPastArrow(const std::vector<Eigen::Vector3d>& seen,
+                                                        double distance) const {
+  constexpr int kAround_px = 8;
+  const auto [width, height] = size();
+  const bool parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
+  const Eigen::Vector2d corner = cornerFrom(kAround_px) + windowCenter();
+  const double tan_height = std::tan(0.5 * kViewAngle_deg * kDegree);
+  double least = 0;
+  double most = std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector3d& v : seen) {
+    const double half_height = tan_height * (parallel ? distance : distance - v.z());
+    const double half_width = half_height * width / height;
+    if (v.y() < corner.y() * half_height) least = std::max(least, v.x() - corner.x() * half_width);
+    most = std::min(most, v.x() + freeWidth() * half_width);
+  }
+  if (least > 0 && least > most) return std::nullopt;
+  return least;
 }
 
 void PatchScene::Parts::fitNow() {
@@ -216,8 +270,11 @@ void PatchScene::Parts::fitNow() {
   const double least = 2 * content->reconstruction->model->side_m;
   double distance = least;
   double flat_distance = least;  // from where a skin without depth would fit
+  std::vector<Eigen::Vector3d> seen;
+  seen.reserve(points.size());
   for (const Eigen::Vector3d& p : points) {
     const Eigen::Vector3d v = Eigen::Vector3d(right.dot(p), up.dot(p), back.dot(p)) - center;
+    seen.push_back(v);
     // A part that is turned has to stay in the picture.
     if (up_o) distance = std::max(distance, v.norm() / std::sin(std::atan(std::min(tan_width, tan_height))));
     const double flat = up_o ? v.norm() / std::min(tan_width, tan_height)
@@ -225,7 +282,21 @@ void PatchScene::Parts::fitNow() {
     flat_distance = std::max(flat_distance, flat);
     distance = std::max(distance, v.z() + flat);
   }
-  const Eigen::Vector3d focus = right * center.x() + up * center.y() + back * center.z();
+  double shift = 0;
+  // A part that is turned has room on all sides.
+  if (upShown() && !up_o) {
+    constexpr double kFarther = 1.04;
+    constexpr double kFarthest = 1.5;
+    for (double away = 1; away < kFarthest; away *= kFarther) {
+      const auto found = shiftPastArrow(seen, away * (camera->GetParallelProjection() != 0 ? flat_distance : distance));
+      if (!found) continue;
+      shift = *found;
+      distance *= away;
+      flat_distance *= away;
+      break;
+    }
+  }
+  const Eigen::Vector3d focus = right * (center.x() + shift) + up * center.y() + back * center.z();
   const Eigen::Vector3d position = focus + distance * back;
   camera->SetFocalPoint(focus.x(), focus.y(), focus.z());
   camera->SetPosition(position.x(), position.y(), position.z());
@@ -242,7 +313,6 @@ bool PatchScene::Parts::isUntouched() const {
 bool PatchScene::Parts::hasOutgrownTheFit() const {
   // Small changes, as every new pose brings them, must not make the picture jump.
   constexpr double kOtherShape = 0.1;
-  constexpr double kEdge = 0.08;
   if (std::abs(content->extent_m - fitted->extent_m) > kOtherShape * fitted->extent_m) return true;
   const auto [width, height] = size();
   vtkCamera* camera = renderer->GetActiveCamera();
@@ -252,11 +322,15 @@ bool PatchScene::Parts::hasOutgrownTheFit() const {
   const Eigen::Vector3d up = right.cross(ahead);
   const double tan_height = std::tan(0.5 * kViewAngle_deg * kDegree);
   const double tan_width = tan_height * width / height;
+  const bool has_arrow = upShown() && !up_o;
+  const Eigen::Vector2d corner = cornerFrom(0) + windowCenter();
   return std::any_of(content->layout.points.begin(), content->layout.points.end(), [&](const Eigen::Vector3d& p) {
     const Eigen::Vector3d v = p - position;
     const double depth = camera->GetParallelProjection() ? camera->GetParallelScale() / tan_height : v.dot(ahead);
     return std::abs(v.dot(right)) > (freeWidth() + kEdge) * tan_width * depth ||
-           std::abs(v.dot(up)) > (freeHeight() + kEdge) * tan_height * depth;
+           v.dot(up) > (freeHeight() + slackAbove()) * tan_height * depth ||
+           -v.dot(up) > (freeHeight() + kEdge) * tan_height * depth ||
+           (has_arrow && v.dot(right) > corner.x() * tan_width * depth && v.dot(up) < corner.y() * tan_height * depth);
   });
 }
 
@@ -503,6 +577,22 @@ void PatchScene::setTopMargin(int pixels) {
 }
 
 void PatchScene::fit() { parts_->fit_pending = true; }
+
+void PatchScene::keepView() {
+  vtkCamera* camera = parts_->renderer->GetActiveCamera();
+  parts_->kept_view = Parts::KeptView{-toEigen(camera->GetDirectionOfProjection()), toEigen(camera->GetViewUp())};
+}
+
+void PatchScene::returnToKeptView() {
+  if (!parts_->kept_view) return;
+  vtkCamera* camera = parts_->renderer->GetActiveCamera();
+  const Eigen::Vector3d& up = parts_->kept_view->up;
+  const Eigen::Vector3d position = toEigen(camera->GetFocalPoint()) + camera->GetDistance() * parts_->kept_view->back;
+  camera->SetPosition(position.x(), position.y(), position.z());
+  camera->SetViewUp(up.x(), up.y(), up.z());
+  parts_->kept_view.reset();
+  parts_->fit_pending = true;
+}
 
 void PatchScene::showStandardView(View view) { parts_->lookFrom(view); }
 

@@ -87,6 +87,9 @@ class PatchScene {
   /// Moves the camera along its direction until everything fits into the window.
   void fit();
   void showStandardView(View view);
+  /// From where is looked now; returnToKeptView() looks from there again and fits. Without a kept view it does nothing.
+  void keepView();
+  void returnToKeptView();
   /// Parallel instead of perspective projection; what is looked at keeps its size.
   void setParallel(bool parallel);
 

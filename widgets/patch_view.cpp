@@ -473,6 +473,16 @@ void PatchView::fit() {
   parts_->requestRender();
 }
 
+void PatchView::keepView() {
+  if (parts_->scene) parts_->scene->keepView();
+}
+
+void PatchView::returnToKeptView() {
+  if (!parts_->scene) return;
+  parts_->scene->returnToKeptView();
+  parts_->requestRender();
+}
+
 void PatchView::showStandardView(StandardView view) {
   if (!parts_->scene) return;
   switch (view) {

@@ -74,6 +74,10 @@ class PatchView : public QWidget {
  public slots:
   void fit();
   void showStandardView(hexoderm::PatchView::StandardView view);
+  /// For the time in which the picture follows the part: afterwards it is seen again, all of it, from where it was seen
+  /// before.
+  void keepView();
+  void returnToKeptView();
 
  signals:
   /// "Save picture of the 3D view…" was chosen: the window asks for a path and saves screenshot().

@@ -22,7 +22,9 @@
 namespace hexoderm {
 namespace {
 
-constexpr double kLengthRange = 1.15;  // half the height of what a corner shows; the axes are 0.7 long
+constexpr double kLengthRange = 1.15;  // half the height of what a corner shows; see kAxisLength
+constexpr double kAxisLength = 0.7;
+constexpr double kLetterBeyond = 0.27;  // in the picture, from an axis's tip to the middle of its letter
 constexpr std::array<const char*, 3> kAxisNames = {"x", "y", "z"};
 
 /// A round stick between two points.
@@ -64,7 +66,25 @@ struct SceneCorners::Parts {
     axes->SetDraw(visible);
     gravity->SetDraw(has_down);
   }
+  void placeLetters(const Eigen::Vector3d& back);
 };
+
+/// Beyond the tips as they are seen: an axis that points at the viewer is short, and has its letter beside it.
+void SceneCorners::Parts::placeLetters(const Eigen::Vector3d& back) {
+  constexpr double kShort = 0.15;
+  std::array<Eigen::Vector3d, 3> seen;
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector3d axis = Eigen::Vector3d::Unit(k);
+    seen.at(static_cast<std::size_t>(k)) = axis - axis.dot(back) * back;
+  }
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    const Eigen::Vector3d away =
+        seen.at(k).norm() > kShort ? seen.at(k) : Eigen::Vector3d(-seen.at((k + 1) % 3) - seen.at((k + 2) % 3));
+    const Eigen::Vector3d p =
+        kAxisLength * Eigen::Vector3d::Unit(static_cast<Eigen::Index>(k)) + kLetterBeyond * away.normalized();
+    letters.at(k)->SetPosition(p.x(), p.y(), p.z());
+  }
+}
 
 SceneCorners::SceneCorners() : parts_(std::make_unique<Parts>()) {
   for (vtkRenderer* renderer : {parts_->axes.Get(), parts_->gravity.Get()}) {
@@ -75,13 +95,12 @@ SceneCorners::SceneCorners() : parts_(std::make_unique<Parts>()) {
   }
   for (int k = 0; k < 3; ++k) {
     const auto index = static_cast<std::size_t>(k);
-    const Eigen::Vector3d tip = 0.7 * Eigen::Vector3d::Unit(k);
+    const Eigen::Vector3d tip = kAxisLength * Eigen::Vector3d::Unit(k);
     parts_->axis_sticks.push_back(std::make_unique<Stick>(Eigen::Vector3d::Zero(), tip, 0.045));
     parts_->axes->AddActor(parts_->axis_sticks.back()->actor);
     vtkBillboardTextActor3D* letter = parts_->letters.at(index);
     letter->SetInput(kAxisNames.at(index));
     letter->ForceOpaqueOn();  // as SceneLabels
-    letter->SetPosition(1.3 * tip.x(), 1.3 * tip.y(), 1.3 * tip.z());
     letter->GetTextProperty()->SetFontSize(12);
     letter->GetTextProperty()->SetJustificationToCentered();
     letter->GetTextProperty()->SetVerticalJustificationToCentered();
@@ -168,6 +187,7 @@ void SceneCorners::follow(vtkCamera* camera, vtkRenderWindow* window) {
   camera->GetDirectionOfProjection(back);
   double up[3];
   camera->GetViewUp(up);
+  parts_->placeLetters(-Eigen::Vector3d(back));
   for (vtkRenderer* renderer : {parts_->axes.Get(), parts_->gravity.Get()}) {
     vtkCamera* own = renderer->GetActiveCamera();
     own->SetFocalPoint(0, 0, 0);

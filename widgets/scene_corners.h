@@ -20,6 +20,7 @@ class SceneCorners {
   static constexpr int kBottom = 34;
   static constexpr int kLeft = 14;
   static constexpr int kRight = 14;
+  static constexpr int kWord = 30;  ///< above the arrow
 
   SceneCorners();
   ~SceneCorners();

@@ -1,11 +1,13 @@
 #include "widgets/scene_ghost.h"
 
 #include "hexoderm/geometry/se3.h"
+#include "hexoderm/util/units.h"
 
 #include <vtkActor.h>
 #include <vtkArrowSource.h>
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
+#include <vtkLineSource.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
@@ -26,6 +28,7 @@ constexpr double kMargin = 1.06;        // around the patch
 constexpr double kMiddleHeight = 0.55;  // of the window
 constexpr double kMostHeight = 0.56;
 constexpr double kBesideEdge = 0.02;
+constexpr double kLeastTurn = 15 * kDegree;  // smaller ones are said to be there already
 
 struct Drawn {
   vtkNew<vtkPolyDataMapper> mapper;
@@ -44,6 +47,8 @@ struct SceneGhost::Parts {
   Drawn fill;
   Drawn outline;
   Drawn arrow;
+  Drawn axis;  ///< about which it turns
+  vtkNew<vtkLineSource> axis_line;
   vtkNew<vtkArrowSource> arrow_source;
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   double radius_m = 0;
@@ -64,7 +69,14 @@ void SceneGhost::Parts::update() {
   outline.actor->SetVisibility(!isArrow());
   arrow.actor->SetVisibility(isArrow());
   if (!isVisible()) return;
-  const Eigen::Matrix3d R = expSO3(phase * logSO3(shortestRotation(*to_up, from_up)));
+  const Eigen::Vector3d turn = logSO3(shortestRotation(*to_up, from_up));
+  const Eigen::Matrix3d R = expSO3(phase * turn);
+  axis.actor->SetVisibility(turn.norm() > kLeastTurn);
+  if (turn.norm() > kLeastTurn) {
+    const Eigen::Vector3d end = radius_m * turn.normalized();
+    axis_line->SetPoint1(-end.x(), -end.y(), -end.z());
+    axis_line->SetPoint2(end.x(), end.y(), end.z());
+  }
   const auto set = [](vtkActor* actor, const Eigen::Matrix3d& rotation, const Eigen::Vector3d& translation) {
     vtkNew<vtkMatrix4x4> matrix;
     for (int row = 0; row < 3; ++row) {
@@ -85,13 +97,16 @@ SceneGhost::SceneGhost() : parts_(std::make_unique<Parts>()) {
   renderer->SetLayer(1);
   renderer->InteractiveOff();
   renderer->GetActiveCamera()->ParallelProjectionOn();
-  for (Drawn* drawn : {&parts_->fill, &parts_->outline, &parts_->arrow}) renderer->AddActor(drawn->actor);
+  for (Drawn* drawn : {&parts_->fill, &parts_->outline, &parts_->arrow, &parts_->axis})
+    renderer->AddActor(drawn->actor);
   parts_->fill.actor->GetProperty()->SetOpacity(0.16);
   parts_->outline.actor->GetProperty()->SetLineWidth(1.4F);
   parts_->arrow_source->SetTipResolution(32);
   parts_->arrow_source->SetShaftResolution(24);
   parts_->arrow.mapper->SetInputConnection(parts_->arrow_source->GetOutputPort());
   parts_->arrow.actor->GetProperty()->SetOpacity(0.55);
+  parts_->axis.mapper->SetInputConnection(parts_->axis_line->GetOutputPort());
+  parts_->axis.actor->GetProperty()->SetLineWidth(1.6F);
   parts_->update();
 }
 
@@ -102,7 +117,7 @@ void SceneGhost::detachFrom(vtkRenderWindow* window) { window->RemoveRenderer(pa
 
 void SceneGhost::setColors(const SceneColors& colors) {
   Rgb color = colors.arrow_head;
-  for (Drawn* drawn : {&parts_->fill, &parts_->outline, &parts_->arrow}) {
+  for (Drawn* drawn : {&parts_->fill, &parts_->outline, &parts_->arrow, &parts_->axis}) {
     drawn->actor->GetProperty()->SetColor(color.data());
   }
 }

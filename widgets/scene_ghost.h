@@ -14,8 +14,8 @@ class vtkRenderWindow;
 namespace hexoderm {
 
 /// The patch as it should be held next: its front faces with dashed outlines, small, on the right of the scene. It is
-/// seen from where the scene is seen from, and turns from the present orientation to the next one. A skin of more than
-/// kMaxCells is shown as an arrow that is to point up.
+/// seen from where the scene is seen from, and turns from the present orientation to the next one about an axis that is
+/// drawn through it. A skin of more than kMaxCells is shown as an arrow that is to point up.
 class SceneGhost {
  public:
   static constexpr std::size_t kMaxCells = 2000;

@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kMinLabelFacing = 0.4;  // cosine between a face and the line of sight
 constexpr int kMinLabelPixels = 8;
+constexpr double kTightest = 0.65;  // share of its room that a label of that size is given at least
 constexpr int kMaxLabelPixels = 26;
 
 }  // namespace
@@ -83,8 +84,8 @@ void SceneLabels::update(const std::array<int, 2>& window_size, int dpi) {
     const double pixels_per_m = parallel ? pixels_parallel : pixels_at_one_m / distance;
     // Even sizes only, so that zooming does not make new letters at every step.
     const double wanted = 0.52 * side_m_ * pixels_per_m / text_scale;
-    const int font = 2 * (static_cast<int>(std::min(wanted, 1.0 * kMaxLabelPixels)) / 2);
-    const bool visible = visible_ && facing > kMinLabelFacing && font >= kMinLabelPixels;
+    const int font = std::max(kMinLabelPixels, 2 * static_cast<int>(std::min(wanted, 1.0 * kMaxLabelPixels) / 2));
+    const bool visible = visible_ && facing > kMinLabelFacing && wanted >= kTightest * kMinLabelPixels;
     label->actor->SetVisibility(visible);
     if (!visible) continue;
     if (label->actor->GetTextProperty()->GetFontSize() != font) label->actor->GetTextProperty()->SetFontSize(font);

@@ -201,8 +201,16 @@ void WindowActions::refreshCapture(const SessionController& controller, const QS
   allow(capture, no_skin);
   QString no_advice = no_skin;
   if (no_advice.isEmpty() && !controller.nextPose()) no_advice = tr("The next pose is being worked out");
-  allow(skip_pose, no_advice);
   allow(show_next_pose, no_advice);
+  QString not_wanted;
+  if (controller.nextPose() && !controller.isNextPoseWanted()) {
+    // After a capture the advice from before it is still there for a moment.
+    not_wanted = controller.enabledPoses() == 0 ? tr("Any way up will do for the first pose")
+                 : controller.wantsMorePoses()
+                     ? tr("The next pose is being worked out")
+                     : tr("There are enough poses; turn and capture more by hand if you like");
+  }
+  allow(skip_pose, no_advice.isEmpty() ? not_wanted : no_advice);
   QString no_robot = no_skin;
   if (no_robot.isEmpty() && !controller.canTurn()) {
     no_robot = tr("This device can't turn itself; turn the part by hand");
@@ -217,7 +225,7 @@ void WindowActions::refreshCapture(const SessionController& controller, const QS
   }
   allow(robot, no_more);
   if (no_robot.isEmpty() && !controller.nextPose()) no_robot = tr("The next pose is being worked out");
-  allow(turn, no_robot);
+  allow(turn, no_robot.isEmpty() ? not_wanted : no_robot);
   automatic->setChecked(controller.isAutomatic());
   allow(automatic, live ? QString() : tr("No skin is connected"));
   allow(disconnect_skin, controller.live().isRunning() ? QString() : tr("No skin is connected"));

@@ -2,6 +2,7 @@
 
 #include "app/window/main_window.h"
 #include "app/window/text_fit.h"
+#include "widgets/patch_view.h"
 
 #include <QAbstractButton>
 #include <QApplication>
@@ -109,6 +110,8 @@ QStringList ScreenshotTour::run(QSize size) {
   if (!folder_.mkpath(QStringLiteral("."))) return {QStringLiteral("there is no folder %1").arg(folder_.path())};
   window_.showNormal();
   window_.resize(size);
+  // A picture shows the next pose as the part should be held, not on the way there.
+  for (PatchView* view : window_.findChildren<PatchView*>()) view->setAnimated(false);
   settle();
   stop(window_, QStringLiteral("empty"));
   window_.startDemo();

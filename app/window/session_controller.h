@@ -71,6 +71,8 @@ class SessionController : public QObject {
   /// The pose that would help most, in the frame of the largest patch; none before the first result, or where no skin
   /// is connected.
   [[nodiscard]] const std::optional<PoseAdvice>& nextPose() const { return next_pose_; }
+  /// Following that advice would help: not for the first pose, which may be any, nor where there are enough.
+  [[nodiscard]] bool isNextPoseWanted() const { return next_pose_ && next_pose_wanted_; }
   /// The cell whose light was switched on.
   [[nodiscard]] std::optional<CellId> litCell() const { return lit_; }
   /// The pose that the next capture replaces.
@@ -241,6 +243,7 @@ class SessionController : public QObject {
   std::optional<PoseId> recapturing_;
   std::optional<CellId> lit_;
   std::optional<PoseAdvice> next_pose_;
+  bool next_pose_wanted_ = false;
   std::uint64_t advice_asked_ = 0;  ///< answers to earlier questions are dropped
   struct Announcement {
     QString text;

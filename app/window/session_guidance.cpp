@@ -30,11 +30,14 @@ void SessionController::adviseAnew() {
     std::vector<Eigen::Vector3d> directions_o;
     for (const GravityDirection& gravity : largestPatch(*seen)->gravity) directions_o.push_back(gravity.g_o);
     const PoseAdvice advice = adviseNextPose(*seen->model, directions_o, unreachable);
+    const std::optional<NextPose> next = describeNextPose(advice, *seen);
+    const bool wanted = next && next->gain != PoseGain::First && next->worthwhile;
     QMetaObject::invokeMethod(
         this,
-        [this, ticket, advice] {
+        [this, ticket, advice, wanted] {
           if (ticket != advice_asked_) return;
           next_pose_ = advice;
+          next_pose_wanted_ = wanted;
           emit nextPoseChanged();
           letRobotTurn();
         },

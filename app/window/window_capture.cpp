@@ -69,9 +69,9 @@ void MainWindow::showCoverage(const std::shared_ptr<const Reconstruction>& recon
 void MainWindow::showNextPose() {
   const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
   const std::optional<PoseAdvice>& advice = controller_.nextPose();
-  const bool wanted = advice && result;
-  coverage_view_->setNext(wanted ? std::optional(advice->up) : std::nullopt);
-  capture_panel_->setAdvice(wanted ? describeNextPose(*advice, *result, current_up_) : std::nullopt);
+  const bool known = advice && result;
+  coverage_view_->setNext(known && controller_.isNextPoseWanted() ? std::optional(advice->up) : std::nullopt);
+  capture_panel_->setAdvice(known ? describeNextPose(*advice, *result, current_up_) : std::nullopt);
   followPart();
 }
 
@@ -97,11 +97,16 @@ void MainWindow::followPart() {
   // In the other steps the picture is the operator's own to turn.
   const bool capturing = controller_.isLive() && !controller_.isLiveMode() &&
                          step_panel_->openIndex() == static_cast<int>(GuideStep::Capture);
-  // Where the part was held last, all of it is to be seen when it is the operator's to turn again.
-  if (std::exchange(follows_part_, capturing) && !capturing) patch_view_->fit();
+  if (std::exchange(follows_part_, capturing) != capturing) {
+    if (capturing) {
+      patch_view_->keepView();
+    } else {
+      patch_view_->returnToKeptView();
+    }
+  }
   patch_view_->setTurnable(capturing && controller_.canTurn());
   patch_view_->setCurrentUp(capturing ? current_up_ : std::nullopt);
-  const bool shows_next = capturing && controller_.nextPose();
+  const bool shows_next = capturing && controller_.isNextPoseWanted();
   patch_view_->setNextUp(shows_next ? std::optional(controller_.nextPose()->up) : std::nullopt);
 }
 

@@ -5282,6 +5282,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Roboter anhalten</translation>
     </message>
     <message>
+        <source>Any way up will do for the first pose</source>
+        <translation>Für die erste Pose ist es egal, wie herum das Teil gehalten wird</translation>
+    </message>
+    <message>
         <source>There are enough poses; turn and capture more by hand if you like</source>
         <translation>Es sind genug Posen; weitere lassen sich von Hand drehen und aufnehmen</translation>
     </message>

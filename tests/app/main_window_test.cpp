@@ -208,9 +208,31 @@ TEST_F(MainWindowTest, FourKeysLeadFromTheStartToAnExportedCalibrationWithinAMin
   ASSERT_TRUE(waitForMessage("Exported to ")) << message().toStdString();
 }
 
+TEST_F(MainWindowTest, NoTurnIsAskedForBeforeTheFirstPoseNorWhenThereAreEnough) {
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(0));
+  ASSERT_TRUE(waitUntil([this] { return controller().nextPose().has_value(); }));
+  const auto isAsked = [this] { return action("actionTurn")->isEnabled() && action("actionSkipPose")->isEnabled(); };
+  for (const char* name : {"actionTurn", "actionSkipPose"}) {
+    EXPECT_FALSE(action(name)->isEnabled()) << name;
+    EXPECT_TRUE(action(name)->toolTip().contains("Any way up")) << action(name)->toolTip().toStdString();
+  }
+  EXPECT_TRUE(action("actionRobot")->isEnabled());
+  controller().captureNow();
+  ASSERT_TRUE(waitForPoses(1));
+  ASSERT_TRUE(waitUntil(isAsked));
+  press(Qt::Key_B);
+  ASSERT_TRUE(waitUntil([this] { return !controller().isRobotOn(); })) << message().toStdString();
+  ASSERT_TRUE(waitUntilIdle());
+  ASSERT_TRUE(waitUntil([&] { return !isAsked(); }));
+  for (const char* name : {"actionTurn", "actionSkipPose"}) {
+    EXPECT_FALSE(action(name)->isEnabled()) << name;
+    EXPECT_TRUE(action(name)->toolTip().contains("enough poses")) << action(name)->toolTip().toStdString();
+  }
+}
+
 TEST_F(MainWindowTest, ASkippedPoseIsNotAdvisedAgain) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
-  ASSERT_TRUE(waitUntil([this] { return controller().nextPose().has_value(); }));
+  ASSERT_TRUE(waitUntil([this] { return action("actionSkipPose")->isEnabled(); }));
   const Eigen::Vector3d first = controller().nextPose()->up;
   press(Qt::Key_N);
   ASSERT_TRUE(waitUntil([&] { return !controller().nextPose()->up.isApprox(first); }));

@@ -164,6 +164,31 @@ TEST_F(PartMotionTest, TheGhostComesAndGoes) {
   EXPECT_EQ(view.screenshot(), before);
 }
 
+TEST_F(PartMotionTest, TheGhostShowsTheAxisItTurnsAbout) {
+  show();
+  view.setCurrentUp(Eigen::Vector3d::UnitY());
+  view.showStandardView(PatchView::StandardView::Front);
+  const QImage before = view.screenshot();
+  // About the picture's horizontal, of which the patch itself leaves the left end free.
+  const auto changedAtTheLeftEnd = [&](const Eigen::Vector3d& next) {
+    view.setNextUp(next);
+    const QImage ghost = view.screenshot();
+    const auto place = SceneGhost::placeIn(ghost.width(), ghost.height());
+    const int middle = ghost.height() - static_cast<int>((place[1] + place[3]) / 2);
+    const int from = static_cast<int>(place[0] + 0.05 * (place[2] - place[0]));
+    int changed = 0;
+    for (int x = from; x < from + 10; ++x) {
+      for (int y = middle - 4; y <= middle + 4; ++y) {
+        changed += std::abs(qGray(ghost.pixel(x, y)) - qGray(before.pixel(x, y))) > 24;
+      }
+    }
+    return changed;
+  };
+  EXPECT_GT(changedAtTheLeftEnd(Eigen::Vector3d::UnitZ()), 5);
+  const Eigen::Vector3d nearly_there = expSO3(5 * kDegree * Eigen::Vector3d::UnitX()) * Eigen::Vector3d::UnitY();
+  EXPECT_EQ(changedAtTheLeftEnd(nearly_there), 0) << "there is nothing to turn about";
+}
+
 TEST_F(PartMotionTest, TheGhostTurnsAndThenRests) {
   show();
   view.setCurrentUp(Eigen::Vector3d::UnitY());

@@ -1,6 +1,8 @@
 // From where the scene is seen, and what lies under a pixel.
 #include "patch_scene_test.h"
 
+#include "widgets/scene_corners.h"
+
 #include <vtkActor.h>
 #include <vtkActorCollection.h>
 #include <vtkDataSet.h>
@@ -233,6 +235,71 @@ TEST_F(PatchSceneTest, FitShowsEveryCellFromEverySide) {
       EXPECT_THAT(y, testing::AllOf(testing::Gt(0), testing::Lt(kHeight))) << "cell " << cell.cell;
     }
   }
+}
+
+TEST_F(PatchSceneTest, FitKeepsTheCellsOffTheArrowOfGravity) {
+  const Reconstruction sheet = sheetReconstruction(4, 20);  // from the upper left to the lower right
+  const auto cellsUnderTheArrow = [&] {
+    window->Render();
+    std::size_t cells = 0;
+    for (const CellPlacement& cell : sheet.patches[0].cells) {
+      const auto [x, y] = pixelOf(sheet, cell.cell);
+      EXPECT_THAT(x, testing::AllOf(testing::Gt(0), testing::Lt(kWidth))) << "cell " << cell.cell;
+      cells +=
+          x > kWidth - SceneCorners::kRight - SceneCorners::kSize && y < SceneCorners::kBottom + SceneCorners::kSize;
+    }
+    return cells;
+  };
+  for (const bool parallel : {false, true}) {
+    scene.setParallel(parallel);
+    scene.setReconstruction(shared(sheet));
+    scene.setShown(SceneItem::Gravity, false);
+    scene.showStandardView(PatchScene::View::Front);
+    EXPECT_GT(cellsUnderTheArrow(), 0U) << "where there is no arrow, they may be anywhere";
+    scene.setShown(SceneItem::Gravity, true);
+    scene.fit();
+    EXPECT_EQ(cellsUnderTheArrow(), 0U);
+  }
+}
+
+TEST_F(PatchSceneTest, APatchThatGrowsStaysBelowWhatCoversTheTop) {
+  constexpr int kCovered = 80;
+  const Reconstruction demo = demoReconstruction();
+  scene.setTopMargin(kCovered);
+  scene.setReconstruction(shared(demo));
+  scene.showStandardView(PatchScene::View::Front);
+  window->Render();
+  for (int step = 1; step <= 20; ++step) {
+    Reconstruction grown = demo;
+    for (CellPlacement& cell : grown.patches[0].cells) cell.T_o_u.t.y() += 0.001 * step;
+    scene.setReconstruction(shared(grown));
+    window->Render();
+    double highest = 0;
+    for (const Eigen::Vector3d& p : scene.content()->layout.points) {
+      scene.renderer()->SetWorldPoint(p.x(), p.y(), p.z(), 1);
+      scene.renderer()->WorldToDisplay();
+      highest = std::max(highest, scene.renderer()->GetDisplayPoint()[1]);
+    }
+    EXPECT_LE(highest, kHeight - kCovered + 0.5) << "moved by " << step << " mm";
+  }
+}
+
+TEST_F(PatchSceneTest, AfterThePartWasFollowedItIsSeenFromWhereItWasBefore) {
+  scene.setReconstruction(shared(demoReconstruction()));
+  scene.showStandardView(PatchScene::View::Top);
+  window->Render();
+  const auto before = picture();
+  scene.keepView();
+  scene.setUp(Eigen::Vector3d::UnitY());
+  scene.setUp(Eigen::Vector3d::UnitX());
+  EXPECT_GT(differingShare(before, picture()), kMaxDifferingShare);
+  scene.setUp(std::nullopt);
+  scene.returnToKeptView();
+  EXPECT_LE(differingShare(before, picture()), kMaxDifferingShare);
+  const auto again = cameraPosition();
+  scene.returnToKeptView();
+  window->Render();
+  EXPECT_EQ(cameraPosition(), again) << "nothing was kept";
 }
 
 TEST_F(PatchSceneTest, SingleCellFillsTheMiddleAndCanBePicked) {
