@@ -34,6 +34,7 @@ gui_packages=(
   libvtk9-dev
   libvtk9-qt-dev
   qtbase5-dev
+  dbus-daemon # a session bus for the test of the desktop's theme
   fonts-dejavu-core
   fonts-inter
   libgl1-mesa-dri

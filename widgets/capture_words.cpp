@@ -70,7 +70,7 @@ QString turnInWords(const NextPose& next) {
 }
 
 QString gainInWords(const NextPose& next) {
-  if (!next.worthwhile) return CaptureWords::tr("Why: what is left does not come from too few directions.");
+  if (!next.worthwhile) return CaptureWords::tr("Why: the error that is left does not come from too few directions.");
   switch (next.gain) {
     case PoseGain::First:
       return CaptureWords::tr(
@@ -92,7 +92,7 @@ QString gainInWords(const NextPose& next) {
 }
 
 QString sigmaInWords(const NextPose& next) {
-  if (next.gain == PoseGain::First) return {};
+  if (next.gain == PoseGain::First || !next.worthwhile) return {};
   // A share, because the verdict states the worst cell's error and this is that of an edge.
   const double share = next.sigma_now_rad > 0 ? next.sigma_then_rad / next.sigma_now_rad : 1;
   if (share > 0.95) return CaptureWords::tr("Another pose would hardly make it better.");
@@ -157,7 +157,9 @@ HoldWords holdInWords(const HoldStatus& hold) {
       return hold.automatic ? HoldWords{CaptureWords::tr("Hold…"), percent}
                             : HoldWords{CaptureWords::tr("Still"), CaptureWords::tr("ready to capture")};
     case Blocker::NotMoved:
-      return {CaptureWords::tr("Turn the part"), CaptureWords::tr("then hold it still")};
+      // What is captured by hand needs no other pose than the last one.
+      return hold.automatic ? HoldWords{CaptureWords::tr("Turn the part"), CaptureWords::tr("then hold it still")}
+                            : HoldWords{CaptureWords::tr("Still"), CaptureWords::tr("ready to capture")};
     case Blocker::Turning:
     case Blocker::Shaking:
     case Blocker::CellTurning:
@@ -184,6 +186,7 @@ QString waitInWords(const HoldStatus& hold) {
                               : CaptureWords::tr("Waiting: %1 s of readings are needed to judge")
                                     .arg(figureInWords(still.window_s, 1));
     case Blocker::NotMoved:
+      if (!hold.automatic) return CaptureWords::tr("The part is still; it does not capture by itself");
       return CaptureWords::tr("Waiting: moved %1 since the last pose, needs %2")
           .arg(degrees(still.moved_rad, 1), degrees(still.rearm_rad, 0));
     case Blocker::Turning:

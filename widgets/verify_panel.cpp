@@ -214,6 +214,8 @@ void VerifyPanel::refreshControls() {
     why = no_skin;
   } else if (!has_readings_) {
     why = tr("A calibration file holds no readings: open the session it was made of.");
+  } else if (pose_->count() == 0) {
+    why = tr("Takes %1 poses that are not disabled, and there is none yet.").arg(kFewestOtherPoses + 1);
   }
   pose_->setEnabled(why.isEmpty());
   if (why.isEmpty() && otherPoses() < kFewestOtherPoses) {

@@ -118,6 +118,8 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
       themes(new QActionGroup(owner)) {
   undo->setObjectName(QStringLiteral("actionUndo"));
   redo->setObjectName(QStringLiteral("actionRedo"));
+  undo->setProperty(kAlways, tr("&Undo"));
+  redo->setProperty(kAlways, tr("&Redo"));
   undo->setShortcut(QKeySequence::Undo);
   redo->setShortcuts({QKeySequence(QStringLiteral("Ctrl+Shift+Z")), QKeySequence(QStringLiteral("Ctrl+Y"))});
   owner->addActions({undo, redo});

@@ -21,6 +21,9 @@ class WindowActions {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::WindowActions)
 
  public:
+  /// Property of an action whose text changes: what it is called in a list of keys.
+  static constexpr const char* kAlways = "always";
+
   /// Creates the actions as children of `owner`, with their keys active in its window.
   WindowActions(QWidget* owner, QUndoStack* undo_stack);
 

@@ -22,13 +22,13 @@ const QString kOldFileName = QStringLiteral("hexoderm.1.log");
 // A complaint that is repeated a thousand times a second must not push everything else out of the log.
 constexpr std::size_t kMaxWaiting = 2 * EventLog::kCapacity;
 
-const char* englishWord(LogSeverity severity) {
+const char* englishWord(Severity severity) {
   switch (severity) {
-    case LogSeverity::Info:
+    case Severity::Info:
       return "INFO   ";
-    case LogSeverity::Warning:
+    case Severity::Warning:
       return "WARNING";
-    case LogSeverity::Error:
+    case Severity::Error:
       return "ERROR  ";
   }
   return "";
@@ -101,7 +101,7 @@ class EventLog::Writer : public std::enable_shared_from_this<Writer> {
   static QString linesAreMissing(std::size_t count) {
     LogLine line;
     line.at_ms = QDateTime::currentMSecsSinceEpoch();
-    line.severity = LogSeverity::Warning;
+    line.severity = Severity::Warning;
     line.text = EventLog::tr("%1 lines are missing here: they could not be written, or came too fast").arg(count);
     return asFileLine(line);
   }
@@ -161,18 +161,18 @@ Handlers& handlers() {
   return instance;
 }
 
-LogSeverity severityOf(QtMsgType type) {
+Severity severityOf(QtMsgType type) {
   switch (type) {
     case QtDebugMsg:
     case QtInfoMsg:
-      return LogSeverity::Info;
+      return Severity::Info;
     case QtWarningMsg:
-      return LogSeverity::Warning;
+      return Severity::Warning;
     case QtCriticalMsg:
     case QtFatalMsg:
-      return LogSeverity::Error;
+      return Severity::Error;
   }
-  return LogSeverity::Warning;
+  return Severity::Warning;
 }
 
 }  // namespace
@@ -215,7 +215,7 @@ void EventLog::takeQtMessage(QtMsgType type, const QMessageLogContext& context, 
   if (before) before(type, context, text);
 }
 
-void EventLog::add(LogSeverity severity, const QString& text) {
+void EventLog::add(Severity severity, const QString& text) {
   LogLine line;
   line.at_ms = QDateTime::currentMSecsSinceEpoch();
   line.severity = severity;
@@ -254,18 +254,6 @@ std::vector<LogLine> EventLog::newest(std::size_t count) const {
 QString EventLog::filePath() const { return folder_.isEmpty() ? QString() : QDir(folder_).filePath(kFileName); }
 
 bool EventLog::waitUntilWritten(int timeout_ms) const { return !writer_ || writer_->waitUntilWritten(timeout_ms); }
-
-QString severityWord(LogSeverity severity) {
-  switch (severity) {
-    case LogSeverity::Info:
-      return EventLog::tr("Info");
-    case LogSeverity::Warning:
-      return EventLog::tr("Warning");
-    case LogSeverity::Error:
-      return EventLog::tr("Error");
-  }
-  return {};
-}
 
 QString asFileLine(const LogLine& line) {
   QString text = line.text;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "hexoderm/util/finding.h"
+
 #include <QObject>
 #include <QString>
 #include <cstdint>
@@ -10,13 +12,11 @@
 
 namespace hexoderm {
 
-enum class LogSeverity { Info, Warning, Error };
-
 /// One thing that the program did, or said to the operator.
 struct LogLine {
   std::uint64_t number = 0;  ///< 1, 2, 3, ... as they came
   std::int64_t at_ms = 0;    ///< milliseconds since 1970, UTC
-  LogSeverity severity = LogSeverity::Info;
+  Severity severity = Severity::Info;
   QString text;
 };
 
@@ -38,7 +38,7 @@ class EventLog : public QObject {
   /// Writes what is left; waits for the disk at most a second.
   ~EventLog() override;
 
-  void add(LogSeverity severity, const QString& text);
+  void add(Severity severity, const QString& text);
 
   /// In memory, after the line of that number; 0: all. Oldest first.
   [[nodiscard]] std::vector<LogLine> linesAfter(std::uint64_t number) const;
@@ -69,7 +69,6 @@ class EventLog : public QObject {
   bool told_ = false;  ///< grown() is on its way
 };
 
-QString severityWord(LogSeverity severity);
 /// "2026-11-21 19:23:47.123 WARNING The disk is full": local time, one line whatever the text holds.
 QString asFileLine(const LogLine& line);
 /// Where the program keeps its log.

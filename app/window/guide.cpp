@@ -44,6 +44,9 @@ QString noResult(const SessionController& controller) {
 bool isOver(const LiveSource& live) {
   return live.status().state == SourceState::Ended || live.status().state == SourceState::Incompatible;
 }
+/// A session in which nothing was captured: what is shown was not measured.
+bool hasNoPose(const SessionController& controller) { return controller.session() && controller.enabledPoses() == 0; }
+QString noPose() { return Guide::tr("No pose has been captured yet."); }
 
 void say(Step& step, bool ready, const QString& because) {
   step.ready = ready;
@@ -83,8 +86,12 @@ Step connectStep(const SessionController& controller, const WindowActions& actio
   }
   step.state = StepState::Done;
   step.note = controller.name();
-  step.why = controller.session() ? coreWords(controller.session()->source().text)
-                                  : coreWords(controller.reconstruction()->source.text);
+  if (controller.isDemo()) {
+    step.why = Guide::tr("A simulated skin in a simulated hand. Its readings err as those of a real skin do.");
+  } else {
+    step.why = controller.session() ? coreWords(controller.session()->source().text)
+                                    : coreWords(controller.reconstruction()->source.text);
+  }
   if (controller.isLive()) {
     const bool sends = controller.live().status().state == SourceState::Streaming;
     say(step, sends,
@@ -105,11 +112,12 @@ Step checkStep(const SessionController& controller, const WindowActions& actions
     say(step, false, Guide::tr("There is no skin yet."));
     return step;
   }
-  step.state = StepState::Done;
   step.note = coreWords(sizeInWords(*result));
   if (controller.isLive()) {
+    step.state = check.ready ? StepState::Done : StepState::Current;
     say(step, check.ready, coreWords(check.because) + QLatin1Char('.'));
   } else {
+    step.state = StepState::Done;
     say(step, true, Guide::tr("The cells and links are those of the file."));
   }
   step.what = Guide::tr("Compare the skin graph with the skin in front of you.");
@@ -164,9 +172,13 @@ Step reviewStep(const SessionController& controller, const WindowActions& action
     return step;
   }
   step.note = findingsInWords(*result);
-  say(step, true,
-      Guide::tr("There is a reconstruction of %1.")
-          .arg(posesInWords(controller.session() ? controller.enabledPoses() : result->poses.size())));
+  if (hasNoPose(controller)) {
+    say(step, false, noPose());
+  } else {
+    say(step, true,
+        Guide::tr("There is a result of %1.")
+            .arg(posesInWords(controller.session() ? controller.enabledPoses() : result->poses.size())));
+  }
   const Finding* finding = worstFinding(*result);
   if (captured) step.state = finding ? StepState::Current : StepState::Done;
   step.what = coreWords(finding ? finding->text : result->verdict.reason);
@@ -181,7 +193,7 @@ Step reviewStep(const SessionController& controller, const WindowActions& action
   return step;
 }
 
-Step verifyStep(const SessionController& controller, bool reviewed) {
+Step verifyStep(const SessionController& controller) {
   Step step;
   step.title = Guide::tr("Verify");
   const Reconstruction* result = controller.reconstruction().get();
@@ -191,10 +203,10 @@ Step verifyStep(const SessionController& controller, bool reviewed) {
     return step;
   }
   step.note = Guide::tr("optional");
-  say(step, true, Guide::tr("There is a result to look at."));
-  if (reviewed && isExportable(*result)) step.state = StepState::Done;
+  // Never called done: nobody has to run a check, and what a check has found stands beside it.
+  say(step, !hasNoPose(controller), hasNoPose(controller) ? noPose() : Guide::tr("There is a result to check."));
   step.what = Guide::tr("See whether the result holds.");
-  step.why = Guide::tr("Each check looks at it from a side that solving it did not use.");
+  step.why = Guide::tr("Each check uses something that did not go into the result.");
   return step;
 }
 
@@ -208,7 +220,9 @@ Step exportStep(const SessionController& controller, const WindowActions& action
     return step;
   }
   step.actions = {actions.export_to, actions.report, actions.save_calibration};
-  sayOf(step, *actions.export_to, Guide::tr("There is a result of everything that was captured."));
+  sayOf(step, *actions.export_to,
+        hasNoPose(controller) ? Guide::tr("No pose yet: a file would only hold what follows from the ports.")
+                              : Guide::tr("There is a result of everything that was captured."));
   if (controller.session()) step.actions.push_back(actions.save);
   step.what = Guide::tr("Write the placements in the form you need.");
   step.why =
@@ -216,6 +230,10 @@ Step exportStep(const SessionController& controller, const WindowActions& action
           ? Guide::tr("Every file is read back and compared before it is called written.")
           : Guide::tr("It can be exported as it is, but the result is not good enough yet: see the line on top.");
   return step;
+}
+
+QString robotInWords(const SessionController& controller) {
+  return controller.isDemo() ? Guide::tr("The simulated robot") : Guide::tr("The robot");
 }
 
 }  // namespace
@@ -228,6 +246,12 @@ Banner::Content describeStand(const SessionController& controller, const WindowA
     const QString sentence =
         isOver(controller.live()) ? Guide::tr("No skin came from %1.") : Guide::tr("Waiting for the skin at %1.");
     content.sentence = sentence.arg(controller.live().address());
+  } else if (controller.isRobotOn()) {
+    const auto next = controller.enabledPoses() + 1;
+    content.sentence =
+        next <= kGoodPoseCount
+            ? Guide::tr("%1 is taking pose %2 of %3.").arg(robotInWords(controller)).arg(next).arg(kGoodPoseCount)
+            : Guide::tr("%1 is taking pose %2.").arg(robotInWords(controller)).arg(next);
   } else if (const Reconstruction* result = controller.reconstruction().get()) {
     content.tone = toneOf(result->verdict.level);
     content.sentence = coreWords(result->verdict.reason);
@@ -247,12 +271,12 @@ std::vector<Step> describeSteps(const SessionController& controller, const Windo
                              captureStep(controller, actions)};
   const bool captured = steps.back().state == StepState::Done;
   steps.push_back(reviewStep(controller, actions, captured));
-  steps.push_back(verifyStep(controller, steps.back().state == StepState::Done));
+  const bool reviewed = steps.back().state == StepState::Done;
+  steps.push_back(verifyStep(controller));
   steps.push_back(exportStep(controller, actions));
-  // With everything before it done, exporting is what is left to do.
-  if (std::all_of(steps.begin(), steps.end() - 1, [](const Step& step) { return step.state == StepState::Done; })) {
-    steps.back().state = StepState::Current;
-  }
+  // With everything before it done that has to be, exporting is what is left to do.
+  const Reconstruction* result = controller.reconstruction().get();
+  if (reviewed && result && isExportable(*result)) steps.back().state = StepState::Current;
   return steps;
 }
 

@@ -1,5 +1,7 @@
 #include "app/window/keys_dialog.h"
 
+#include "app/window/actions.h"
+
 #include <QAction>
 #include <QCoreApplication>
 #include <QDialog>
@@ -25,13 +27,19 @@ struct KeysDialog {
 
 QString plain(QString text) { return text.remove(QLatin1Char('&')).remove(QStringLiteral("…")); }
 
+/// What an action always does: the text of undo and redo says what it would do just now.
+QString nameOf(const QAction& action) {
+  const QVariant name = action.property(WindowActions::kAlways);
+  return name.isValid() ? name.toString() : action.text();
+}
+
 void addActions(KeyGroup& group, const QList<QAction*>& actions) {
   for (const QAction* action : actions) {
     if (action->menu()) {
       addActions(group, action->menu()->actions());
     } else if (action->isVisible() && !action->shortcuts().isEmpty()) {
       group.lines.push_back(
-          {QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText), plain(action->text())});
+          {QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText), plain(nameOf(*action))});
     }
   }
 }

@@ -1,5 +1,7 @@
 #include "app/window/log_view.h"
 
+#include "widgets/words.h"
+
 #include <QComboBox>
 #include <QDateTime>
 #include <QEvent>
@@ -18,13 +20,13 @@ namespace hexoderm {
 namespace {
 
 /// A sign beside the word, so that what matters is found at a glance and in both themes.
-QString severitySign(LogSeverity severity) {
+QString severitySign(Severity severity) {
   switch (severity) {
-    case LogSeverity::Info:
+    case Severity::Info:
       return QStringLiteral("·");
-    case LogSeverity::Warning:
+    case Severity::Warning:
       return QStringLiteral("▲");
-    case LogSeverity::Error:
+    case Severity::Error:
       return QStringLiteral("✕");
   }
   return {};
@@ -41,7 +43,7 @@ bool LogModel::isWanted(const LogLine& line) const {
   return line.severity >= at_least_ && (text_.isEmpty() || line.text.contains(text_, Qt::CaseInsensitive));
 }
 
-void LogModel::setFilter(LogSeverity at_least, const QString& text) {
+void LogModel::setFilter(Severity at_least, const QString& text) {
   beginResetModel();
   at_least_ = at_least;
   text_ = text;
@@ -77,20 +79,20 @@ int LogModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(shown_.size());
 }
 
-int LogModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : ColumnCount; }
+int LogModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumnCount; }
 
 QVariant LogModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const LogLine& line = lineAt(index.row());
-  if (role == Qt::ToolTipRole && index.column() == Text) return line.text;
+  if (role == Qt::ToolTipRole && index.column() == kText) return line.text;
   if (role == Qt::TextAlignmentRole) return static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter);
   if (role != Qt::DisplayRole) return {};
   switch (index.column()) {
-    case Time:
+    case kTime:
       return QDateTime::fromMSecsSinceEpoch(line.at_ms).toString(QStringLiteral("HH:mm:ss"));
-    case Severity:
+    case kSeverity:
       return QStringLiteral("%1 %2").arg(severitySign(line.severity), severityWord(line.severity));
-    case Text:
+    case kText:
       return QString(line.text).replace(QLatin1Char('\n'), QLatin1Char(' '));
     default:
       return {};
@@ -102,11 +104,11 @@ QVariant LogModel::headerData(int section, Qt::Orientation orientation, int role
     return role == Qt::TextAlignmentRole ? QVariant(static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter)) : QVariant();
   }
   switch (section) {
-    case Time:
+    case kTime:
       return tr("Time");
-    case Severity:
+    case kSeverity:
       return tr("Severity");
-    case Text:
+    case kText:
       return tr("What");
     default:
       return {};
@@ -192,13 +194,13 @@ void LogView::fitColumns() {
   // From what is known to be in them: asking every line would be felt.
   const QFontMetrics metrics(table_->font());
   int severity = 0;
-  for (const LogSeverity each : {LogSeverity::Info, LogSeverity::Warning, LogSeverity::Error}) {
+  for (const Severity each : {Severity::Info, Severity::Warning, Severity::Error}) {
     severity =
         std::max(severity, metrics.horizontalAdvance(severitySign(each) + QLatin1Char(' ') + severityWord(each)));
   }
   const int margin = 3 * metrics.averageCharWidth() + 12;
-  table_->setColumnWidth(LogModel::Time, metrics.horizontalAdvance(QStringLiteral("00:00:00")) + margin);
-  table_->setColumnWidth(LogModel::Severity, severity + margin);
+  table_->setColumnWidth(LogModel::kTime, metrics.horizontalAdvance(QStringLiteral("00:00:00")) + margin);
+  table_->setColumnWidth(LogModel::kSeverity, severity + margin);
 }
 
 void LogView::changeEvent(QEvent* event) {
@@ -212,7 +214,7 @@ void LogView::showEvent(QShowEvent* event) {
 }
 
 void LogView::applyFilter() {
-  model_->setFilter(static_cast<LogSeverity>(severity_->currentIndex()), text_->text().trimmed());
+  model_->setFilter(static_cast<Severity>(severity_->currentIndex()), text_->text().trimmed());
   table_->scrollToBottom();
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "hexoderm/util/finding.h"
+
 #include "app/window/event_log.h"
 
 #include <QAbstractTableModel>
@@ -18,12 +20,12 @@ class LogModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  enum Column { Time, Severity, Text, ColumnCount };
+  enum Column { kTime, kSeverity, kText, kColumnCount };
 
   /// `log` must outlive the model.
   explicit LogModel(const EventLog& log, QObject* parent = nullptr);
 
-  void setFilter(LogSeverity at_least, const QString& text);
+  void setFilter(Severity at_least, const QString& text);
   [[nodiscard]] const LogLine& lineAt(int row) const { return shown_[static_cast<std::size_t>(row)]; }
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
@@ -36,7 +38,7 @@ class LogModel : public QAbstractTableModel {
   [[nodiscard]] bool isWanted(const LogLine& line) const;
 
   const EventLog& log_;
-  LogSeverity at_least_ = LogSeverity::Info;
+  Severity at_least_ = Severity::Info;
   QString text_;
   std::uint64_t taken_ = 0;  ///< number of the last line that was looked at
   std::deque<LogLine> shown_;

@@ -13,6 +13,7 @@
 #include "widgets/check_list.h"
 #include "widgets/core_words.h"
 #include "widgets/coverage_view.h"
+#include "widgets/desktop_portal.h"
 #include "widgets/graph_view.h"
 #include "widgets/live_strip.h"
 #include "widgets/message_bar.h"
@@ -293,6 +294,11 @@ void MainWindow::connectActions() {
   connect(actions_.themes, &QActionGroup::triggered, this, [this](QAction* action) {
     setThemeChoice(static_cast<ThemeChoice>(actions_.themes->actions().indexOf(action)), true);
   });
+  connect(new DesktopThemeWatch(this), &DesktopThemeWatch::changed, this, [this](Theme theme) {
+    setSystemTheme(theme);
+    if (actions_.theme[static_cast<std::size_t>(ThemeChoice::System)]->isChecked())
+      setThemeChoice(ThemeChoice::System, false);
+  });
 }
 
 void MainWindow::connectController() {
@@ -461,7 +467,10 @@ void MainWindow::refreshStatus() {
   saved_status_->setText(saved);
 
   graph_dock_->setRemark(result ? coreWords(sizeInWords(*result)) : QString());
-  pose_dock_->setRemark(controller_.session() ? tr("Del disable · Ctrl+Z undo") : QString());
+  const bool has_poses = controller_.session() && !controller_.session()->poses().empty();
+  const QString keys =
+      controller_.isLive() ? tr("R recapture · Del disable · Ctrl+Z undo") : tr("Del disable · Ctrl+Z undo");
+  pose_dock_->setRemark(has_poses ? keys : QString());
   detail_tabs_->setTabText(0, result ? tr("Findings %1").arg(result->findings.size()) : tr("Findings"));
   detail_tabs_->setTabText(1, result ? tr("Links %1").arg(result->linkCount()) : tr("Links"));
   detail_tabs_->setTabText(2, result ? tr("Cells %1").arg(result->cellCount()) : tr("Cells"));

@@ -88,7 +88,7 @@ PreferencesDialog::PreferencesDialog(Preferences& preferences, ThemeChoice theme
   tabs->addTab(makeSolver(), tr("Solver"));
   tabs->addTab(makeFiles(), tr("Files"));
 
-  auto* note = new QLabel(tr("Changes act at once."));
+  auto* note = new QLabel(tr("Changes act at once, except where it says otherwise."));
   note->setProperty("muted", true);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
   QPushButton* defaults = buttons->addButton(tr("Restore defaults"), QDialogButtonBox::ResetRole);

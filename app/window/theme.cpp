@@ -68,6 +68,11 @@ QString withoutColors(QString sheet) {
   return sheet.remove(kColor);
 }
 
+Theme& knownSystemTheme() {
+  static Theme theme = systemTheme();
+  return theme;
+}
+
 }  // namespace
 
 QString themeChoiceName(ThemeChoice choice) {
@@ -90,18 +95,18 @@ std::optional<ThemeChoice> themeChoiceFromName(const QString& name) {
 }
 
 Theme resolveTheme(ThemeChoice choice) {
-  // Asked once, before our own palette hides the system's.
-  static const Theme kSystem = systemTheme();
   switch (choice) {
     case ThemeChoice::System:
-      return kSystem;
+      return knownSystemTheme();
     case ThemeChoice::Light:
       return Theme::Light;
     case ThemeChoice::Dark:
       return Theme::Dark;
   }
-  return kSystem;
+  return knownSystemTheme();
 }
+
+void setSystemTheme(Theme theme) { knownSystemTheme() = theme; }
 
 void installStyle() { QApplication::setStyle(new WindowStyle); }
 

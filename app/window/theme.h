@@ -13,8 +13,10 @@ enum class ThemeChoice { System, Light, Dark };
 QString themeChoiceName(ThemeChoice choice);  ///< "system", "light", "dark", as in settings and on the command line
 std::optional<ThemeChoice> themeChoiceFromName(const QString& name);
 
-/// The theme that a choice means now.
+/// The theme that a choice means now. The system's is asked for once, before our own palette hides it.
 Theme resolveTheme(ThemeChoice choice);
+/// The system has another theme from now on.
+void setSystemTheme(Theme theme);
 
 /// How widgets are drawn, the same on every desktop. Before the first window.
 void installStyle();

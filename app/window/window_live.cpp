@@ -81,7 +81,7 @@ void MainWindow::connectLive() {
       said_status_->setText(text);
       said_status_->show();
       said_timer_.start(kShown_ms);
-      shell_->log().add(LogSeverity::Info, text);
+      shell_->log().add(Severity::Info, text);
     }
   });
   connect(&controller_, &SessionController::noticed, this,
@@ -109,11 +109,11 @@ void MainWindow::refreshLive() {
           .arg(countersInWords(status, live.hold())));
   if (!live.isRunning()) return;
   live_strip_->setStatus(status, live.hold());
-  const QString where =
-      live.skin() ? coreWords(live.skin()->device) + QStringLiteral(" · ") + live.address() : live.address();
+  const QString device = live.skin() ? coreWords(live.skin()->device) + QStringLiteral(" · ") : QString();
+  const QString where = controller_.isDemo() ? tr("Demo skin") : device + live.address();
   source_status_->setText(
       QStringLiteral("%1 %2 · %3").arg(sourceStateSign(status.state), sourceStateWord(status.state), where));
-  source_status_->setToolTip(coreWords(status.text));
+  source_status_->setToolTip(device + live.address() + QStringLiteral("\n") + coreWords(status.text));
 }
 
 void MainWindow::showConnectDialog() {

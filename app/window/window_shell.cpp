@@ -36,17 +36,17 @@ namespace {
 
 const QString kSwapped = QStringLiteral("window/swapped");
 
-LogSeverity severityOf(Tone tone) {
+Severity severityOf(Tone tone) {
   switch (tone) {
     case Tone::Neutral:
     case Tone::Good:
-      return LogSeverity::Info;
+      return Severity::Info;
     case Tone::Caution:
-      return LogSeverity::Warning;
+      return Severity::Warning;
     case Tone::Bad:
-      return LogSeverity::Error;
+      return Severity::Error;
   }
-  return LogSeverity::Info;
+  return Severity::Info;
 }
 
 /// One line on a result: how large, how, how long, how good.
@@ -60,7 +60,7 @@ QString resultInWords(const Reconstruction& result) {
 
 WindowShell::WindowShell(Window window)
     : window_(std::move(window)), log_(logFolder()), recent_(jobs_), unsaved_(jobs_, unsavedFolder()) {
-  log_.add(LogSeverity::Info, tr("Hexoderm %1 starts").arg(QLatin1String(HEXODERM_VERSION)));
+  log_.add(Severity::Info, tr("Hexoderm %1 starts").arg(QLatin1String(HEXODERM_VERSION)));
 }
 
 WindowShell::~WindowShell() = default;
@@ -172,15 +172,15 @@ void WindowShell::connectLog() {
   // What they did.
   for (QAction* action : window_.window.actions()) {
     connect(action, &QAction::triggered, this, [this, action] {
-      log_.add(LogSeverity::Info, tr("Asked for: %1").arg(action->text().remove(QLatin1Char('&'))));
+      log_.add(Severity::Info, tr("Asked for: %1").arg(action->text().remove(QLatin1Char('&'))));
     });
   }
   // What became of it.
   connect(&controller, &SessionController::opened, this,
-          [this](const QString& name) { log_.add(LogSeverity::Info, tr("Opened %1").arg(name)); });
+          [this](const QString& name) { log_.add(Severity::Info, tr("Opened %1").arg(name)); });
   connect(&controller, &SessionController::reconstructionChanged, this,
           [this](const std::shared_ptr<const Reconstruction>& result) {
-            if (result) log_.add(LogSeverity::Info, resultInWords(*result));
+            if (result) log_.add(Severity::Info, resultInWords(*result));
           });
   connect(&controller.live(), &LiveSource::statusChanged, this, [this] {
     const LiveSource& live = window_.controller.live();
@@ -189,7 +189,7 @@ void WindowShell::connectLog() {
     if (state == source_state_) return;
     source_state_ = state;
     const bool is_bad = live.status().state == SourceState::Silent || live.status().state == SourceState::Incompatible;
-    log_.add(is_bad ? LogSeverity::Warning : LogSeverity::Info,
+    log_.add(is_bad ? Severity::Warning : Severity::Info,
              tr("Skin at %1: %2. %3").arg(live.address(), state, coreWords(live.status().text)));
   });
 }
@@ -232,9 +232,8 @@ void WindowShell::connectRecovery() {
   connect(&unsaved_, &UnsavedSessions::found, this, [this](int count) {
     if (count == 0) return;
     const UnsavedSession newest = unsaved_.all().front();
-    log_.add(LogSeverity::Info, count == 1
-                                    ? tr("One session was not saved: %1").arg(newest.path)
-                                    : tr("%1 sessions were not saved. The newest: %2").arg(count).arg(newest.path));
+    log_.add(Severity::Info, count == 1 ? tr("One session was not saved: %1").arg(newest.path)
+                                        : tr("%1 sessions were not saved. The newest: %2").arg(count).arg(newest.path));
     // Who began with something else has not seen the welcome, which says it too.
     if ((window_.controller.isEmpty() && window_.controller.activity().isEmpty()) || !newest.problem.isEmpty()) return;
     window_.messages.showMessage(Tone::Caution, describeUnsaved(newest), tr("Recover"), [this, path = newest.path] {

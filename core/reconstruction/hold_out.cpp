@@ -307,11 +307,6 @@ void judge(HoldOutResult& result) {
 
 }  // namespace
 
-std::string_view holdOutAgreementName(HoldOutAgreement agreement) {
-  constexpr std::array<std::string_view, 3> kNames = {"as_stated", "worse", "far_worse"};
-  return kNames.at(static_cast<std::size_t>(agreement));
-}
-
 HoldOutResult evaluateHoldOut(const SessionSnapshot& snapshot, PoseId pose, const SolverOptions& options,
                               const std::stop_token& stop) {
   options.validate();

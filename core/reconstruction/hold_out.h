@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <stop_token>
-#include <string_view>
 #include <vector>
 
 namespace hexoderm {
@@ -18,8 +17,6 @@ enum class HoldOutOutcome {
 
 /// What the errors say beside what was expected of them.
 enum class HoldOutAgreement { AsStated, Worse, FarWorse };
-/// "as_stated", "worse", "far_worse", as in reports.
-std::string_view holdOutAgreementName(HoldOutAgreement agreement);
 
 /// Poses besides the one that is held out: offsets and attitudes can't be told apart with fewer.
 inline constexpr std::size_t kFewestOtherPoses = 3;

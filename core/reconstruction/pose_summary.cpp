@@ -98,8 +98,8 @@ void judgePoses(const std::vector<PoseSummary>& poses, const std::vector<PatchRe
     if (pose.enabled) enabled.push_back(pose.pose);
   }
   if (enabled.empty()) {
-    findings.push_back(makeFinding(FindingCode::NoPoses,
-                                   "There is no pose yet: the surface shown follows from ports and priors alone."));
+    findings.push_back(
+        makeFinding(FindingCode::NoPoses, "There is no pose yet: the shape shown follows from the ports alone."));
     return;
   }
   std::size_t open = 0;

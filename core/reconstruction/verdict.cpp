@@ -119,7 +119,7 @@ Verdict judge(const Reconstruction& r) {
 
   if (poses == 0) {
     verdict.level = VerdictLevel::NotEnough;
-    verdict.reason = "Not enough poses: none yet. The surface shown follows from ports alone.";
+    verdict.reason = "Not enough poses: none yet. The shape shown follows from the ports alone.";
     verdict.next_action = "Hold the part still and take a first pose.";
   } else if (2 * undetermined > used) {
     verdict.level = VerdictLevel::NotEnough;

@@ -77,7 +77,7 @@ constexpr std::array kTable = {
                        "A pose holds two readings of one cell; the first counts."},
     FindingDescription{DuplicatePose, "duplicate-pose", Severity::Warning, "Two poses carry the same ID."},
     FindingDescription{NoPoses, "no-poses", Severity::Warning,
-                       "There is no enabled pose: the placement follows from ports and priors alone."},
+                       "There is no enabled pose: the placement follows from the ports alone."},
     FindingDescription{TooFewDirections, "too-few-directions", Severity::Warning,
                        "The poses show gravity along too few directions to fix every rotation."},
     FindingDescription{RepeatedPose, "repeated-pose", Severity::Info,

@@ -121,10 +121,6 @@
         <translation>Etwa %1° um die gezeigte waagrechte Achse.</translation>
     </message>
     <message>
-        <source>Why: what is left does not come from too few directions.</source>
-        <translation>Warum: Was bleibt, kommt nicht von zu wenigen Richtungen.</translation>
-    </message>
-    <message>
         <source>Why: gravity, as every cell feels it, tells how the cells are turned against each other.</source>
         <translation>Warum: Die Schwerkraft, wie jede Zelle sie spürt, verrät, wie die Zellen gegeneinander gedreht sind.</translation>
     </message>
@@ -246,7 +242,7 @@
     </message>
     <message>
         <source>Waiting: %1 s of readings are needed to judge</source>
-        <translation>Wartet: zum Urteilen sind Messwerte von %1 s nötig</translation>
+        <translation>Wartet: Zum Beurteilen braucht es Messwerte von %1 s</translation>
     </message>
     <message>
         <source>Waiting: moved %1 since the last pose, needs %2</source>
@@ -295,6 +291,10 @@
     <message>
         <source>Why: two directions can&apos;t tell a cell&apos;s turn from its sensor&apos;s offset. A third one, far from both, can.</source>
         <translation>Warum: Zwei Richtungen unterscheiden die Drehung einer Zelle nicht vom Nullpunktfehler ihres Sensors. Eine dritte, weit von beiden, kann es.</translation>
+    </message>
+    <message>
+        <source>Why: the error that is left does not come from too few directions.</source>
+        <translation>Warum: Der Fehler, der bleibt, kommt nicht von zu wenigen Richtungen.</translation>
     </message>
 </context>
 <context>
@@ -446,7 +446,7 @@
     </message>
     <message>
         <source>x17, ring8 or sheet:10x10, with ?surface=, seed= and speed= behind. Its readings are made up.</source>
-        <translation>x17, ring8 oder sheet:10x10, dahinter ?surface=, seed= und speed=. Ihre Messwerte sind erfunden.</translation>
+        <translation>x17, ring8 oder sheet:10x10, dahinter ?surface=, seed= und speed=. Die Messwerte sind simuliert.</translation>
     </message>
     <message>
         <source>Network, TCP</source>
@@ -534,7 +534,7 @@
     </message>
     <message>
         <source>Keep the poses in</source>
-        <translation>Posen ablegen in</translation>
+        <translation>Sitzungsdatei</translation>
     </message>
     <message>
         <source>Sessions (*.hexo)</source>
@@ -792,10 +792,6 @@
         <translation>Pose %1 zeigt die Schwerkraft dort, wo Pose %2 sie zeigt (auf %3° genau); das bringt keine neue Richtung.</translation>
     </message>
     <message>
-        <source>There is no pose yet: the surface shown follows from ports and priors alone.</source>
-        <translation>Es gibt noch keine Pose: Die gezeigte Fläche folgt allein aus Ports und Vorannahmen.</translation>
-    </message>
-    <message>
         <source>Gravity was seen along one line only, so the turn about it is a guess: take a pose in which the part is turned by about 90 degrees about a horizontal axis.</source>
         <translation>Die Schwerkraft wurde nur entlang einer Linie gesehen, die Drehung um diese Linie ist geraten: eine Pose aufnehmen, in der das Teil um etwa 90 Grad um eine waagrechte Achse gedreht ist.</translation>
     </message>
@@ -932,10 +928,6 @@
         <translation>Zwei Posen tragen dieselbe Nummer.</translation>
     </message>
     <message>
-        <source>There is no enabled pose: the placement follows from ports and priors alone.</source>
-        <translation>Es gibt keine benutzte Pose: Die Lagen folgen allein aus Ports und Vorannahmen.</translation>
-    </message>
-    <message>
         <source>The poses show gravity along too few directions to fix every rotation.</source>
         <translation>Die Posen zeigen die Schwerkraft aus zu wenigen Richtungen, um jede Drehung festzulegen.</translation>
     </message>
@@ -978,10 +970,6 @@
     <message>
         <source>Look at the findings, then export.</source>
         <translation>Die Befunde ansehen, dann exportieren.</translation>
-    </message>
-    <message>
-        <source>Not enough poses: none yet. The surface shown follows from ports alone.</source>
-        <translation>Zu wenige Posen: noch keine. Die gezeigte Fläche folgt allein aus den Ports.</translation>
     </message>
     <message>
         <source>Hold the part still and take a first pose.</source>
@@ -1498,7 +1486,7 @@
     </message>
     <message>
         <source>Every link joins two ports that fit</source>
-        <translation>Jede Verbindung verbindet zwei passende Ports</translation>
+        <translation>An jeder Verbindung passen beide Ports zusammen</translation>
     </message>
     <message>
         <source>%1 of %2 links are kept out: see the findings</source>
@@ -1658,11 +1646,11 @@
     </message>
     <message>
         <source>tilted up, %1 up</source>
-        <translation>aufwärts, %1 oben</translation>
+        <translation>schräg aufwärts, %1 oben</translation>
     </message>
     <message>
         <source>tilted down, %1 up</source>
-        <translation>abwärts, %1 oben</translation>
+        <translation>schräg abwärts, %1 oben</translation>
     </message>
     <message>
         <source>folder of tables: cells, sensors, links, poses, residuals</source>
@@ -1703,6 +1691,18 @@
     <message>
         <source>%1: expected a name that ends in .pdf or .html</source>
         <translation>%1: Erwartet wird ein Name, der auf .pdf oder .html endet</translation>
+    </message>
+    <message>
+        <source>There is no pose yet: the shape shown follows from the ports alone.</source>
+        <translation>Es gibt noch keine Pose: Die gezeigte Form folgt allein aus den Ports.</translation>
+    </message>
+    <message>
+        <source>There is no enabled pose: the placement follows from the ports alone.</source>
+        <translation>Es gibt keine benutzte Pose: Die Anordnung folgt allein aus den Ports.</translation>
+    </message>
+    <message>
+        <source>Not enough poses: none yet. The shape shown follows from the ports alone.</source>
+        <translation>Zu wenige Posen: noch keine. Die gezeigte Form folgt allein aus den Ports.</translation>
     </message>
 </context>
 <context>
@@ -1756,18 +1756,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>%1 lines are missing here: they could not be written, or came too fast</source>
         <translation>Hier fehlen %1 Zeilen: Sie ließen sich nicht schreiben oder kamen zu schnell</translation>
     </message>
-    <message>
-        <source>Info</source>
-        <translation>Info</translation>
-    </message>
-    <message>
-        <source>Warning</source>
-        <translation>Warnung</translation>
-    </message>
-    <message>
-        <source>Error</source>
-        <translation>Fehler</translation>
-    </message>
 </context>
 <context>
     <name>hexoderm::ExportDialog</name>
@@ -1793,7 +1781,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>What should the file be?</source>
-        <translation>Was soll die Datei werden?</translation>
+        <translation>In welchem Format exportieren?</translation>
     </message>
     <message>
         <source>Browse…</source>
@@ -1805,7 +1793,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>Write to</source>
-        <translation>Schreiben nach</translation>
+        <translation>Speichern unter</translation>
     </message>
     <message>
         <source>Format</source>
@@ -2145,7 +2133,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>Compare the skin graph with the skin in front of you.</source>
-        <translation>Den Hautgraphen mit der Haut auf dem Tisch vergleichen.</translation>
+        <translation>Den Hautgraphen mit der wirklichen Haut vergleichen.</translation>
     </message>
     <message>
         <source>Every cell and every link should be there. What was reported but can&apos;t be a skin link is listed under Findings and kept out.</source>
@@ -2169,11 +2157,11 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>Waits for a reconstruction.</source>
-        <translation>Wartet auf eine Rekonstruktion.</translation>
+        <translation>Wartet auf ein Ergebnis.</translation>
     </message>
     <message>
         <source>A pose that does not fit can be disabled or deleted in the table of poses, and taken back with undo. A click on a finding shows the cell or link it is about.</source>
-        <translation>Eine Pose, die nicht passt, lässt sich in der Tabelle der Posen weglassen oder löschen und mit Rückgängig zurückholen. Ein Klick auf einen Befund zeigt die Zelle oder Verbindung, um die es geht.</translation>
+        <translation>Eine Pose, die nicht passt, lässt sich in der Tabelle der Posen auf „nicht benutzen“ setzen oder löschen und mit Rückgängig zurückholen. Ein Klick auf einen Befund zeigt die Zelle oder Verbindung, um die es geht.</translation>
     </message>
     <message>
         <source>A click on a finding shows the cell or link it is about.</source>
@@ -2225,11 +2213,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>See whether the result holds.</source>
-        <translation>Sehen, ob das Ergebnis standhält.</translation>
-    </message>
-    <message>
-        <source>Each check looks at it from a side that solving it did not use.</source>
-        <translation>Jede Probe sieht es von einer Seite an, die das Lösen nicht benutzt hat.</translation>
+        <translation>Prüfen, ob das Ergebnis standhält.</translation>
     </message>
     <message>
         <source>Gravity seen from several directions tells how every cell is turned against its neighbours. No skin is connected to take more.</source>
@@ -2264,16 +2248,48 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Die Haut sendet, also lassen sich Posen aufnehmen.</translation>
     </message>
     <message>
-        <source>There is a reconstruction of %1.</source>
-        <translation>Es gibt eine Rekonstruktion aus %1.</translation>
-    </message>
-    <message>
-        <source>There is a result to look at.</source>
-        <translation>Es gibt ein Ergebnis, das man ansehen kann.</translation>
-    </message>
-    <message>
         <source>There is a result of everything that was captured.</source>
         <translation>Es gibt ein Ergebnis aus allem, was aufgenommen wurde.</translation>
+    </message>
+    <message>
+        <source>No pose has been captured yet.</source>
+        <translation>Noch ist keine Pose aufgenommen.</translation>
+    </message>
+    <message>
+        <source>A simulated skin in a simulated hand. Its readings err as those of a real skin do.</source>
+        <translation>Eine simulierte Haut in einer simulierten Hand. Ihre Messwerte haben Fehler wie die einer echten Haut.</translation>
+    </message>
+    <message>
+        <source>There is a result of %1.</source>
+        <translation>Es gibt ein Ergebnis aus %1.</translation>
+    </message>
+    <message>
+        <source>There is a result to check.</source>
+        <translation>Es gibt ein Ergebnis, das sich prüfen lässt.</translation>
+    </message>
+    <message>
+        <source>Each check uses something that did not go into the result.</source>
+        <translation>Jede Prüfung nutzt etwas, das in das Ergebnis nicht eingegangen ist.</translation>
+    </message>
+    <message>
+        <source>No pose yet: a file would only hold what follows from the ports.</source>
+        <translation>Noch keine Pose: Eine Datei enthielte nur, was aus den Ports folgt.</translation>
+    </message>
+    <message>
+        <source>The simulated robot</source>
+        <translation>Der simulierte Roboter</translation>
+    </message>
+    <message>
+        <source>The robot</source>
+        <translation>Der Roboter</translation>
+    </message>
+    <message>
+        <source>%1 is taking pose %2 of %3.</source>
+        <translation>%1 nimmt Pose %2 von %3 auf.</translation>
+    </message>
+    <message>
+        <source>%1 is taking pose %2.</source>
+        <translation>%1 nimmt Pose %2 auf.</translation>
     </message>
 </context>
 <context>
@@ -2701,7 +2717,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>Del disable · Ctrl+Z undo</source>
-        <translation>Entf: nicht benutzen · Strg+Z: zurück</translation>
+        <translation>Entf: nicht benutzen · Strg+Z: rückgängig</translation>
     </message>
     <message>
         <source>Findings %1</source>
@@ -2862,6 +2878,14 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Calibrations and sessions (*.calibration.json *.hexo *.session.json *.xml)</source>
         <translation>Kalibrierungen und Sitzungen (*.calibration.json *.hexo *.session.json *.xml)</translation>
+    </message>
+    <message>
+        <source>R recapture · Del disable · Ctrl+Z undo</source>
+        <translation>R: neu aufnehmen · Entf: nicht benutzen · Strg+Z: rückgängig</translation>
+    </message>
+    <message>
+        <source>Demo skin</source>
+        <translation>Demo-Haut</translation>
     </message>
 </context>
 <context>
@@ -3100,7 +3124,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Noise mg</source>
-        <translation>Rausch mg</translation>
+        <translation>Rauschen mg</translation>
     </message>
     <message>
         <source>Standard deviation of the mean readings, rms over the cells</source>
@@ -3108,7 +3132,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>New by</source>
-        <translation>Neu</translation>
+        <translation>Neu um</translation>
     </message>
     <message>
         <source>Angle to the nearest direction of gravity seen in an earlier pose</source>
@@ -3116,11 +3140,11 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Residual</source>
-        <translation>Rest</translation>
+        <translation>Restfehler</translation>
     </message>
     <message>
         <source>How badly the pose fits the reconstruction: rms over the links</source>
-        <translation>Wie schlecht die Pose zur Rekonstruktion passt: Effektivwert über die Verbindungen</translation>
+        <translation>Wie schlecht die Pose zum Ergebnis passt: Effektivwert über die Verbindungen</translation>
     </message>
 </context>
 <context>
@@ -3150,10 +3174,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Dateien</translation>
     </message>
     <message>
-        <source>Changes act at once.</source>
-        <translation>Änderungen wirken sofort.</translation>
-    </message>
-    <message>
         <source>Restore defaults</source>
         <translation>Zurücksetzen</translation>
     </message>
@@ -3179,7 +3199,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Light or dark, or what the system asks for.</source>
-        <translation>Hell oder dunkel, oder was das System will.</translation>
+        <translation>Hell oder dunkel, oder wie das System.</translation>
     </message>
     <message>
         <source>&amp;Language</source>
@@ -3187,7 +3207,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>The window speaks it from its next start on.</source>
-        <translation>Das Fenster spricht sie ab dem nächsten Start.</translation>
+        <translation>Gilt ab dem nächsten Start.</translation>
     </message>
     <message>
         <source>%1 %</source>
@@ -3215,7 +3235,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>For remote desktops and faulty drivers: OpenGL by the processor, from the next start on. Slower, and enough for thousands of cells.</source>
-        <translation>Für entfernte Bildschirme und fehlerhafte Treiber: OpenGL im Prozessor, ab dem nächsten Start. Langsamer, aber genug für Tausende von Zellen.</translation>
+        <translation>Für Fernzugriff und fehlerhafte Treiber: OpenGL im Prozessor, ab dem nächsten Start. Langsamer, aber genug für Tausende von Zellen.</translation>
     </message>
     <message>
         <source>Lengths are in millimetres and angles in degrees on screen; files hold metres and radians.</source>
@@ -3384,6 +3404,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>A session that was not saved anywhere is kept beside the program&apos;s own data, and offered at the next start.</source>
         <translation>Eine nirgends gespeicherte Sitzung liegt bei den Daten des Programms und wird beim nächsten Start angeboten.</translation>
+    </message>
+    <message>
+        <source>Changes act at once, except where it says otherwise.</source>
+        <translation>Änderungen wirken sofort, wo nichts anderes steht.</translation>
     </message>
 </context>
 <context>
@@ -3602,7 +3626,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>New by</source>
-        <translation>Neu</translation>
+        <translation>Neu um</translation>
     </message>
     <message>
         <source>Residual</source>
@@ -3710,7 +3734,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Options of the reconstruction</source>
-        <translation>Einstellungen der Rekonstruktion</translation>
+        <translation>Einstellungen der Berechnung</translation>
     </message>
     <message>
         <source>Solver</source>
@@ -4750,7 +4774,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Does it foretell a pose that it has not seen?</source>
-        <translation>Sagt sie eine ungesehene Pose voraus?</translation>
+        <translation>Sagt das Ergebnis eine Pose voraus, die es nicht kennt?</translation>
     </message>
     <message>
         <source>Loops</source>
@@ -4766,7 +4790,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Do the cells lie on the surface they were put on?</source>
-        <translation>Liegen die Zellen auf der Fläche, auf der sie sitzen?</translation>
+        <translation>Liegen die Zellen auf der Fläche, auf die sie aufgebracht sind?</translation>
     </message>
     <message>
         <source>Earlier calibration</source>
@@ -4774,7 +4798,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Does it repeat?</source>
-        <translation>Wiederholt es sich?</translation>
+        <translation>Kommt wieder dasselbe heraus?</translation>
     </message>
     <message>
         <source>Run</source>
@@ -4876,6 +4900,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <source>Takes %1 other poses that are not disabled; besides this one there are %2.</source>
         <translation>Braucht %1 andere Posen, die benutzt werden; außer dieser gibt es %2.</translation>
     </message>
+    <message>
+        <source>Takes %1 poses that are not disabled, and there is none yet.</source>
+        <translation>Braucht %1 benutzte Posen, und noch gibt es keine.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::VerifySection</name>
@@ -4904,7 +4932,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Hold the part still in a few poses; Hexoderm finds out from gravity.</source>
-        <translation>Das Teil in ein paar Posen stillhalten; Hexoderm findet es aus der Schwerkraft heraus.</translation>
+        <translation>Das Teil in ein paar Posen stillhalten; wo die Zellen sind, findet Hexoderm aus der Schwerkraft heraus.</translation>
     </message>
     <message>
         <source>Recent</source>
@@ -4967,7 +4995,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Save the reconstruction, complete enough to export and draw from it alone</source>
-        <translation>Die Rekonstruktion speichern, vollständig genug, um allein aus ihr zu exportieren und zu zeichnen</translation>
+        <translation>Das Ergebnis speichern, vollständig genug, um allein aus ihm zu exportieren und zu zeichnen</translation>
     </message>
     <message>
         <source>&amp;Export…</source>
@@ -4999,7 +5027,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Leave the picked pose out, or take it back</source>
-        <translation>Die gewählte Pose weglassen oder wieder hinzunehmen</translation>
+        <translation>Die gewählte Pose nicht benutzen oder wieder hinzunehmen</translation>
     </message>
     <message>
         <source>De&amp;lete pose</source>
@@ -5159,7 +5187,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>The reconstruction is being brought up to date</source>
-        <translation>Die Rekonstruktion wird auf den neuesten Stand gebracht</translation>
+        <translation>Das Ergebnis wird auf den neuesten Stand gebracht</translation>
     </message>
     <message>
         <source>Nothing is open yet</source>
@@ -5171,7 +5199,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>There is no reconstruction yet</source>
-        <translation>Es gibt noch keine Rekonstruktion</translation>
+        <translation>Es gibt noch kein Ergebnis</translation>
     </message>
     <message>
         <source>The last change could not be reconstructed; undo it first</source>
@@ -5235,7 +5263,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Let the ro&amp;bot take the poses</source>
-        <translation>&amp;Roboter nimmt Posen auf</translation>
+        <translation>&amp;Roboter starten</translation>
     </message>
     <message>
         <source>The device turns itself from pose to pose until there are enough</source>
@@ -5279,11 +5307,11 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Let the simulated robot take the poses</source>
-        <translation>Simulierter Roboter nimmt Posen auf</translation>
+        <translation>Simulierten Roboter starten</translation>
     </message>
     <message>
         <source>Let the robot take the poses</source>
-        <translation>Roboter nimmt Posen auf</translation>
+        <translation>Roboter starten</translation>
     </message>
     <message>
         <source>Stop the robot</source>

@@ -31,7 +31,7 @@ TEST(EventLogTest, KeepsTheNewestLinesOfManyThreads) {
     std::vector<std::jthread> threads;
     for (int t = 0; t < kThreads; ++t) {
       threads.emplace_back([&log] {
-        for (int k = 0; k < kEach; ++k) log.add(LogSeverity::Info, QString::number(k));
+        for (int k = 0; k < kEach; ++k) log.add(Severity::Info, QString::number(k));
       });
     }
   }
@@ -51,7 +51,7 @@ TEST(EventLogTest, TakesWhatQtComplainsAboutAsLongAsItLives) {
     qWarning("a signal was lost");
     ASSERT_EQ(newer.linesAfter(0).size(), 1U);
     EXPECT_EQ(newer.linesAfter(0)[0].text, "Qt: a signal was lost");
-    EXPECT_EQ(newer.linesAfter(0)[0].severity, LogSeverity::Warning);
+    EXPECT_EQ(newer.linesAfter(0)[0].severity, Severity::Warning);
     before = log.linesAfter(0).size();
   }
   EXPECT_EQ(before, 0U);
@@ -61,7 +61,7 @@ TEST(EventLogTest, TakesWhatQtComplainsAboutAsLongAsItLives) {
 TEST(EventLogTest, WritesAFileThatBeginsAnewWhenItIsFull) {
   const QTemporaryDir folder;
   EventLog log(folder.filePath("logs"));
-  log.add(LogSeverity::Error, "first\nof two lines");
+  log.add(Severity::Error, "first\nof two lines");
   ASSERT_TRUE(log.waitUntilWritten(kPatience_ms));
   QFile file(log.filePath());
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));
@@ -71,7 +71,7 @@ TEST(EventLogTest, WritesAFileThatBeginsAnewWhenItIsFull) {
 
   const QString long_text(1000, 'x');
   for (int k = 0; k < 1500; ++k) {
-    log.add(LogSeverity::Info, long_text);
+    log.add(Severity::Info, long_text);
     if (k % 100 == 0) {
       ASSERT_TRUE(log.waitUntilWritten(kPatience_ms));
     }
@@ -89,9 +89,9 @@ TEST(EventLogTest, GoesOnWithoutAFileWhereNoneCanBeMade) {
   ASSERT_TRUE(in_the_way.open(QIODevice::WriteOnly));
   EventLog log(folder.filePath("logs"));
   QSignalSpy failed(&log, &EventLog::fileFailed);
-  log.add(LogSeverity::Info, "still here");
+  log.add(Severity::Info, "still here");
   ASSERT_TRUE(log.waitUntilWritten(kPatience_ms));
-  log.add(LogSeverity::Info, "and here");
+  log.add(Severity::Info, "and here");
   ASSERT_TRUE(log.waitUntilWritten(kPatience_ms));
   EXPECT_EQ(log.linesAfter(0).size(), 2U);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !failed.isEmpty(); }, kPatience_ms));
@@ -100,7 +100,7 @@ TEST(EventLogTest, GoesOnWithoutAFileWhereNoneCanBeMade) {
   EXPECT_TRUE(failed[0][0].toString().contains("logs")) << failed[0][0].toString().toStdString();
 
   ASSERT_TRUE(in_the_way.remove());
-  log.add(LogSeverity::Info, "in the file again");
+  log.add(Severity::Info, "in the file again");
   ASSERT_TRUE(log.waitUntilWritten(kPatience_ms));
   const QByteArray written = contentOf(log.filePath());
   const int missing = written.indexOf("WARNING 2 lines are missing here");

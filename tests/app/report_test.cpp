@@ -32,10 +32,9 @@ Reconstruction awkwardResult() {
   result.poses[0].label = "<script>alert('pose')</script>";
   result.source.text = "<img src=x onerror=alert(1)>";
   result.source.sha256 = std::string(64, 'a');
-  result.findings = {makeFinding(FindingCode::BodyPartBoundary, "The part <script> & \"hand\" ends here.", {CellId(3)}),
-                     makeFinding(FindingCode::NoPoses,
-                                 "There is no pose yet: the surface shown follows from ports and "
-                                 "priors alone.")};
+  result.findings = {
+      makeFinding(FindingCode::BodyPartBoundary, "The part <script> & \"hand\" ends here.", {CellId(3)}),
+      makeFinding(FindingCode::NoPoses, "There is no pose yet: the shape shown follows from the ports alone.")};
   result.verdict.level = VerdictLevel::Usable;
   result.verdict.reason = "Usable: ±1.2 mm, ±0.4° at the worst cell (95 %), 3 poses.";
   result.verdict.next_action = "Look at the findings, then export.";

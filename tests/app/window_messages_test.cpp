@@ -220,11 +220,14 @@ TEST_F(WindowMessagesTest, StepsSayWhyTheyAreReadyOrBlocked) {
   ASSERT_NO_FATAL_FAILURE(connectDevice());
   EXPECT_THAT(because(1), testing::StartsWith("✓ Ready: "));
   EXPECT_EQ(because(2), "■ Blocked: No readings have come yet.");
+  ASSERT_TRUE(waitUntilIdle());
+  for (const int step : {4, 5}) EXPECT_EQ(because(step), "■ Blocked: No pose has been captured yet.");
+  EXPECT_THAT(because(6), testing::HasSubstr("No pose yet"));
   device_.hold(3, kUp);
   ASSERT_TRUE(waitForPoses(1));
   ASSERT_TRUE(waitUntil([&] { return because(2) == "✓ Ready: Every cell sends."; })) << because(2);
   EXPECT_EQ(because(3), "✓ Ready: The skin sends, so poses can be taken.");
-  EXPECT_EQ(because(4), "✓ Ready: There is a reconstruction of 1 pose.");
+  EXPECT_EQ(because(4), "✓ Ready: There is a result of 1 pose.");
   EXPECT_THAT(because(6), testing::StartsWith("✓ Ready: "));
   device_.unplug();
   ASSERT_TRUE(waitUntil([&] { return because(3).find("■ Blocked: The skin does not send") == 0; })) << because(3);

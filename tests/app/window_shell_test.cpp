@@ -93,15 +93,15 @@ TEST_F(WindowShellTest, TheLogTellsWhatHappenedAndCanBeSearched) {
   text->clear();
   find<QComboBox>("logSeverity")->setCurrentIndex(2);
   EXPECT_EQ(table->model()->rowCount(), 0) << logText().toStdString();
-  shell().log().add(LogSeverity::Error, "the disk is full");
+  shell().log().add(Severity::Error, "the disk is full");
   EXPECT_TRUE(waitUntil([&] { return table->model()->rowCount() == 1; }));
 }
 
 TEST_F(WindowShellTest, AReportHoldsVersionsAndLinesAndNoHome) {
   const QString secret = QDir::homePath() + "/secret-project/arm.hexo";
-  shell().log().add(LogSeverity::Info, "Saved to " + secret);
+  shell().log().add(Severity::Info, "Saved to " + secret);
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
-  for (int k = 0; k < 250; ++k) shell().log().add(LogSeverity::Info, QStringLiteral("line %1").arg(k));
+  for (int k = 0; k < 250; ++k) shell().log().add(Severity::Info, QStringLiteral("line %1").arg(k));
   action("actionCopyReport")->trigger();
   EXPECT_TRUE(message().contains("Copied")) << message().toStdString();
   QString report = QGuiApplication::clipboard()->text();

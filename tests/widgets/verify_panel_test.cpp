@@ -111,6 +111,11 @@ TEST_F(VerifyPanelTest, SaysWhyAPoseCannotBeHeldOut) {
   panel_->setReconstruction(skin(), false);
   EXPECT_FALSE(run->isEnabled());
   EXPECT_THAT(sentence("holdOut"), testing::HasSubstr("A calibration file holds no readings"));
+  auto none = skin();
+  none->poses.clear();
+  panel_->setReconstruction(none, true);
+  EXPECT_FALSE(find<QComboBox>("holdOutPose")->isEnabled());
+  EXPECT_EQ(sentence("holdOut"), "Takes 4 poses that are not disabled, and there is none yet.");
   // Of four poses one is disabled: it can be foretold by the three others, and none of these by two.
   auto four = skin();
   four->poses.pop_back();
