@@ -367,6 +367,14 @@ const std::vector<const char*>& coreTemplates() {
       QT_TRANSLATE_NOOP("hexoderm::CoreWords",
                         "expected a Hexoderm session (*.hexo, or format \"hexoderm-session\"), a calibration (format "
                         "\"hexoderm-calibration\") or a TUM SkinConfig XML"),
+      QT_TRANSLATE_NOOP("hexoderm::CoreWords", "is no recording of a skin, expected it to begin with \"%1\""),
+      QT_TRANSLATE_NOOP("hexoderm::CoreWords", "this recording has version %1, this program reads version %2"),
+      QT_TRANSLATE_NOOP("hexoderm::CoreWords", "is a folder, expected a recording"),
+      QT_TRANSLATE_NOOP("hexoderm::CoreWords", "can't be read: %1"),
+      QT_TRANSLATE_NOOP("hexoderm::CoreWords", "is cut off; all before byte %1 was played"),
+      QT_TRANSLATE_NOOP("hexoderm::CoreWords",
+                        "byte %1: a record says that it has %2 bytes, at most %3 were expected; the rest can't be "
+                        "read"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "is not a Hexoderm session, expected an SQLite database (*.hexo)"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords",
                         "the file ends in the middle (truncated?), expected a whole Hexoderm session"),

@@ -40,6 +40,10 @@ QString noResult(const SessionController& controller) {
   return controller.isEmpty() ? Guide::tr("There is no skin yet.") : Guide::tr("The placements are being worked out…");
 }
 
+/// Nothing more will come, and no use to wait.
+bool isOver(const LiveSource& live) {
+  return live.status().state == SourceState::Ended || live.status().state == SourceState::Incompatible;
+}
 /// A session in which nothing was captured: what is shown was not measured.
 bool hasNoPose(const SessionController& controller) { return controller.session() && controller.enabledPoses() == 0; }
 QString noPose() { return Guide::tr("No pose has been captured yet."); }
@@ -64,6 +68,10 @@ Step connectStep(const SessionController& controller, const WindowActions& actio
     step.note = controller.live().address();
     step.what = Guide::tr("Check that the device is switched on, and that its address is right.");
     step.why = Guide::tr("The steps go on when the skin has said which cells it has.");
+    if (isOver(controller.live())) {
+      step.what = Guide::tr("Disconnect, and connect to another skin or recording.");
+      step.why = Guide::tr("Nothing more will come from this one.");
+    }
     say(step, false, coreWords(controller.live().status().text));
     return step;
   }
@@ -235,7 +243,9 @@ Banner::Content describeStand(const SessionController& controller, const WindowA
   content.action = bestAction(controller, actions);
   if (controller.live().isRunning() && !controller.isLive()) {
     content.action = actions.disconnect_skin;
-    content.sentence = Guide::tr("Waiting for the skin at %1.").arg(controller.live().address());
+    const QString sentence =
+        isOver(controller.live()) ? Guide::tr("No skin came from %1.") : Guide::tr("Waiting for the skin at %1.");
+    content.sentence = sentence.arg(controller.live().address());
   } else if (controller.isRobotOn()) {
     const auto next = controller.enabledPoses() + 1;
     content.sentence =

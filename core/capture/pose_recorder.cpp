@@ -1,6 +1,7 @@
 #include "hexoderm/capture/pose_recorder.h"
 
 #include "capture_window.h"
+#include "cell_index.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
@@ -88,7 +89,11 @@ struct PoseRecorder::State {
   std::map<CellId, double> temperatures_c;
   std::optional<double> last_s;
   std::optional<double> late_from_s, late_to_s;  ///< of late frames in a row, whose own time increases
+  std::uint64_t late_in_row = 0;
   std::uint64_t late_frames = 0;
+  std::uint64_t tick = 0;  ///< counts the times there were
+  CellIndex cells_noted;
+  std::vector<std::uint64_t> samples_noted_in, means_noted_in;  ///< the tick, of each of them
   std::uint64_t restarts = 0;
 
   void obey() {
@@ -133,29 +138,56 @@ struct PoseRecorder::State {
 
   // ---- the clock
 
-  bool isLate(double time_s) {
+  bool isLate(const SampleFrame& frame) {
+    const double time_s = frame.time_s;
     if (std::isfinite(time_s) && (!last_s || time_s > *last_s)) {
-      last_s = time_s;
-      late_from_s.reset();
+      beginTick(frame);
       return false;
     }
+    // A tick of a large skin comes in several frames, each of other cells.
+    if (last_s && time_s == *last_s && noteReadings(frame)) return false;
     ++late_frames;
     if (!std::isfinite(time_s)) return true;
-    if (!late_from_s || time_s <= *late_to_s) late_from_s = time_s;
+    if (!late_from_s || time_s < *late_to_s) {
+      late_from_s = time_s;
+      late_in_row = 0;
+    }
+    ++late_in_row;
     late_to_s = time_s;
     if (*late_to_s - *late_from_s < kClockReset_s) return true;
+    // They were not late: the clock was another one.
+    late_frames -= late_in_row;
     window.reset();
     detector.restart();
-    last_s = time_s;
-    late_from_s.reset();
+    beginTick(frame);
     return false;
+  }
+
+  /// False if a cell reads twice at one time.
+  bool noteReadings(const SampleFrame& frame) {
+    bool is_new = true;
+    const auto note = [&](CellId cell, std::vector<std::uint64_t>& noted_in) {
+      const std::size_t k = cells_noted.of(cell);
+      if (k == CellIndex::kNone) return;
+      if (k >= noted_in.size()) noted_in.resize(k + 1);
+      if (std::exchange(noted_in[k], tick) == tick) is_new = false;
+    };
+    for (const CellSample& sample : frame.samples) note(sample.cell, samples_noted_in);
+    for (const CellMean& mean : frame.means) note(mean.cell, means_noted_in);
+    return is_new;
+  }
+  void beginTick(const SampleFrame& frame) {
+    last_s = frame.time_s;
+    late_from_s.reset();
+    ++tick;
+    noteReadings(frame);
   }
 
   // ---- the course of a capture
 
   void addFrame(const SampleFrame& frame) {
     obey();
-    if (isLate(frame.time_s)) return;
+    if (isLate(frame)) return;
     for (const CellTemperature& temperature : frame.temperatures) {
       if (std::isfinite(temperature.temperature_c)) temperatures_c[temperature.cell] = temperature.temperature_c;
     }

@@ -61,7 +61,7 @@ struct HoldStatus {
   bool forced = false;            ///< the capture under way was asked for
   double progress = 0;            ///< of the hold ring, 0 to 1; falls back to 0 by a motion
   std::string text;               ///< what blocks or goes on, one line
-  std::uint64_t late_frames = 0;  ///< ignored: their time was not after the last one's, or not a number
+  std::uint64_t late_frames = 0;  ///< ignored: older than the last one, or a repetition, or without a time
   std::uint64_t restarts = 0;     ///< collections that a motion discarded
 };
 
@@ -90,8 +90,9 @@ class PoseRecorderListener {
 /// 0.1 s, so that the beginning of a motion is not sampled. Cells that fall silent meanwhile are not waited for, and
 /// when more than half of the cells are complete, the others have as long again.
 ///
-/// Frames whose time does not increase are ignored and counted. If nothing else comes for 0.5 s of their own time, the
-/// device's clock was set back (it was reset), and recording starts over.
+/// Frames of the same time are one tick, as long as no cell reads twice in it. Others whose time does not increase are
+/// ignored and counted. If nothing else comes for 0.5 s of their own time, the device's clock was set back (it was
+/// reset), and recording starts over.
 ///
 /// Threads: setSkin() and addFrame() belong to one thread, the source's; the listener is called there. The other
 /// functions may be called from any thread; they take effect with the next frame.

@@ -61,13 +61,13 @@ void SampleSlots::meet(const Eigen::Vector3f& first_g) {
 }
 
 SampleSlots::Event SampleSlots::add(const SampleFrame& frame) {
-  assert(std::isfinite(frame.time_s) && (!has_time_ || frame.time_s > last_s_));
+  assert(std::isfinite(frame.time_s) && (!has_time_ || frame.time_s >= last_s_));
   Event event = Event::None;
   if (!has_time_) {
     has_time_ = true;
     open_s_ = frame.time_s;
     for (Cell& cell : cells_) cell.heard_s = cell.changed_s = frame.time_s;
-  } else {
+  } else if (frame.time_s > last_s_) {
     const double step_s = frame.time_s - last_s_;
     if (usual_step_s_ == 0) usual_step_s_ = std::min(step_s, kLongestSlot_s);
     if (step_s > std::max(kGap_s, kGapInFrames * usual_step_s_)) {

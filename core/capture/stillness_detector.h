@@ -43,9 +43,10 @@ class StillnessDetector {
   StillnessDetector(StillnessDetector&&) noexcept;
   StillnessDetector& operator=(StillnessDetector&&) noexcept;
 
-  /// Takes a frame; true if stillness() was judged anew. `time_s` must be finite and more than the last frame's: an
-  /// assertion. A gap in time (0.5 s, or five times the usual distance of frames) begins a new window. Readings that
-  /// are not finite or beyond 100 g are ignored, and so are cells beyond the first 200,000.
+  /// Takes a frame; true if stillness() was judged anew. `time_s` must be finite and not before the last frame's: an
+  /// assertion; frames of the same time have no cell in common. A gap in time (0.5 s, or five times the usual distance
+  /// of frames) begins a new window. Readings that are not finite or beyond 100 g are ignored, and so are cells beyond
+  /// the first 200,000.
   bool add(const SampleFrame& frame);
 
   [[nodiscard]] const Stillness& stillness() const;

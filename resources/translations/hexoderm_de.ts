@@ -1160,6 +1160,30 @@
         <translation>die Aufzeichnung ist zu Ende</translation>
     </message>
     <message>
+        <source>is no recording of a skin, expected it to begin with &quot;%1&quot;</source>
+        <translation>ist keine Aufzeichnung einer Haut, erwartet wurde ein Anfang mit „%1“</translation>
+    </message>
+    <message>
+        <source>this recording has version %1, this program reads version %2</source>
+        <translation>diese Aufzeichnung hat Version %1, dieses Programm liest Version %2</translation>
+    </message>
+    <message>
+        <source>is a folder, expected a recording</source>
+        <translation>ist ein Ordner, erwartet wurde eine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>can&apos;t be read: %1</source>
+        <translation>ist nicht lesbar: %1</translation>
+    </message>
+    <message>
+        <source>is cut off; all before byte %1 was played</source>
+        <translation>ist abgeschnitten; alles vor Byte %1 wurde abgespielt</translation>
+    </message>
+    <message>
+        <source>byte %1: a record says that it has %2 bytes, at most %3 were expected; the rest can&apos;t be read</source>
+        <translation>Byte %1: ein Eintrag gibt an, %2 Bytes zu haben, erwartet wurden höchstens %3; der Rest ist nicht lesbar</translation>
+    </message>
+    <message>
         <source>the input is over</source>
         <translation>die Eingabe ist zu Ende</translation>
     </message>
@@ -2084,6 +2108,14 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Weiter geht es, wenn die Haut gesagt hat, welche Zellen sie hat.</translation>
     </message>
     <message>
+        <source>Disconnect, and connect to another skin or recording.</source>
+        <translation>Trennen und mit einer anderen Haut oder Aufzeichnung verbinden.</translation>
+    </message>
+    <message>
+        <source>Nothing more will come from this one.</source>
+        <translation>Von hier kommt nichts mehr.</translation>
+    </message>
+    <message>
         <source>Start the demo skin, connect to a skin, or open a session or a calibration.</source>
         <translation>Die Demo-Haut starten, eine Haut verbinden oder eine Sitzung oder Kalibrierung öffnen.</translation>
     </message>
@@ -2154,6 +2186,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Waiting for the skin at %1.</source>
         <translation>Wartet auf die Haut unter %1.</translation>
+    </message>
+    <message>
+        <source>No skin came from %1.</source>
+        <translation>Von %1 kam keine Haut.</translation>
     </message>
     <message>
         <source>The placements are being worked out…</source>

@@ -5,6 +5,7 @@
 #include "core/capture/synthetic_stream.h"
 #include "hexoderm/capture/pose_recorder.h"
 #include "hexoderm/device/open_source.h"
+#include "hexoderm/device/recording.h"
 #include "hexoderm/device/simulated_skin.h"
 #include "hexoderm/geometry/surface_fit.h"
 #include "hexoderm/graph/skin_graph.h"
@@ -425,6 +426,18 @@ TEST_F(CoreWords, KnowWhyAFileOrAnAddressIsRefused) {
   refuse(write("text.json", "hello"));
   refuse(write("half.json", R"({"format": "hexoderm-session", "version": )"));
   refuse(write("other.json", R"({"format": "else"})"));
+  for (const auto& path : {folder.path(), folder.path() / "none.skinrec", write("text.skinrec", "hello"),
+                           write("newer.skinrec", "SKINREC2"), write("cut.skinrec", "SKINREC1...."),
+                           write("garbage.skinrec", "SKINREC1 and what is no record")}) {
+    try {
+      RecordingReader reader(path);
+      EXPECT_FALSE(reader.next());
+      EXPECT_FALSE(reader.damage().empty()) << path;
+      add(reader.damage());
+    } catch (const Error& error) {
+      add(error.what());
+    }
+  }
   for (const char* address : {"nowhere", "tcp://:1", "serial:", "replay:"}) {
     try {
       openSkinSource(address);

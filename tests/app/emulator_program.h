@@ -60,6 +60,11 @@ class Program {
     if (::write(input_, text.data(), text.size()) < 0) return "";
     return readLine();
   }
+  /// As a crash does, or a plug that is pulled.
+  void kill() {
+    ::kill(process_, SIGKILL);
+    wait();
+  }
   void closeInput() { ::close(std::exchange(input_, -1)); }
   int wait() {
     int status = 0;

@@ -1,13 +1,12 @@
 // Opening each kind of file, whole and in every way broken: a message names the file and the place in it, and what was
 // open stays as it was.
 
-#include "hexoderm/device/open_source.h"
-#include "hexoderm/device/recording.h"
 #include "hexoderm/device/simulated_skin.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/session/simulated_session.h"
+#include "recorded_skin.h"
 #include "window_test.h"
 
 #include <QComboBox>
@@ -73,22 +72,7 @@ TEST_F(WindowOpenTest, AFileIsKnownByWhatIsInItAndNotByItsName) {
 
 TEST_F(WindowOpenTest, ARecordingIsPlayedByTheDialogThatConnects) {
   const QString path = pathTo("arm.skinrec");
-  {
-    struct Frames final : SkinListener {
-      void onSkin(const SkinDescription& /*skin*/) override {}
-      void onFrame(const SampleFrame& /*frame*/) override { ++count; }
-      void onStatus(const SourceStatus& /*status*/) override {}
-      void onCommandOutcome(const CommandOutcome& /*outcome*/) override {}
-      void onDeviceStatus(const DeviceStatus& /*status*/) override {}
-      std::atomic<int> count = 0;
-    } frames;
-    StreamRecorder recorder(path.toStdString(), frames);
-    const auto source = openSkinSource("sim:x17?speed=20");
-    source->start(recorder);
-    ASSERT_TRUE(waitUntil([&] { return frames.count > 3000; }));
-    source->stop();
-    recorder.finish();
-  }
+  ASSERT_NO_FATAL_FAILURE(recordSkin("sim:x17?speed=20", path.toStdString(), 3000));
   press(Qt::Key_K, Qt::ControlModifier);
   auto* dialog = waitForDialog<QDialog>("connectDialog");
   ASSERT_NE(dialog, nullptr);

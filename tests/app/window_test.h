@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 
 #include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
 #include <QDir>
 #include <QFile>
 #include <QLabel>
@@ -146,6 +148,30 @@ class WindowTest : public testing::Test {
     })) << object_name;
     return dialog;
   }
+  /// Fills in the dialog that connects, and accepts it, as a person does. Without a path, the poses go to the session
+  /// that is open.
+  void connectByDialog(const QString& kind_name, const QString& address, const QString& path = {}) {
+    press(Qt::Key_K, Qt::ControlModifier);
+    auto* dialog = waitForDialog<QDialog>("connectDialog");
+    ASSERT_NE(dialog, nullptr);
+    auto* kind = dialog->findChild<QComboBox*>("connectKind");
+    QTest::keyClick(kind, Qt::Key_Home);
+    for (int k = 1; k < kind->count() && kind->currentText() != kind_name; ++k) QTest::keyClick(kind, Qt::Key_Down);
+    ASSERT_EQ(kind->currentText(), kind_name);
+    typeInto(dialog->findChild<QComboBox*>("connectAddress")->lineEdit(), address);
+    auto* continues = dialog->findChild<QCheckBox*>("connectContinue");
+    if (continues->isVisible() && continues->isChecked() != path.isEmpty()) QTest::keyClick(continues, Qt::Key_Space);
+    if (!path.isEmpty()) typeInto(dialog->findChild<QLineEdit*>("connectPath"), path);
+    auto* button = dialog->findChild<QPushButton*>("connectButton");
+    ASSERT_TRUE(button->isEnabled()) << button->toolTip().toStdString();
+    click(button);
+    ASSERT_TRUE(waitUntil([this] { return window_->findChild<QDialog*>("connectDialog") == nullptr; }));
+  }
+  static void typeInto(QLineEdit* edit, const QString& text) {
+    edit->selectAll();
+    QTest::keyClicks(edit, text);
+  }
+
   /// Types a path into Qt's own file dialog and confirms it.
   void typeIntoFileDialog(const char* object_name, const QString& path) {
     auto* dialog = waitForDialog<QDialog>(object_name);
@@ -167,6 +193,7 @@ class WindowTest : public testing::Test {
   bool waitForMessage(const QString& part) {
     return waitUntil([&] { return message().contains(part); });
   }
+  QString labelText(const char* label) { return find<QLabel>(label)->text(); }
   QString message() {
     if (find<QWidget>("messageBar")->isVisible()) return find<QLabel>("messageText")->text();
     return find<QLabel>("saidStatus")->isVisible() ? find<QLabel>("saidStatus")->text() : QString();

@@ -325,6 +325,51 @@ TEST(PoseRecorder, IgnoresAndCountsLateFrames) {
   EXPECT_EQ(captures.holds.back().late_frames, stream.frames.size() / 10 + 1);
 }
 
+/// As a device sends it whose messages are too short for all its cells.
+std::vector<SampleFrame> inParts(const std::vector<SampleFrame>& frames, std::size_t cells_in_part) {
+  std::vector<SampleFrame> parts;
+  for (const SampleFrame& frame : frames) {
+    for (std::size_t k = 0; k < frame.samples.size(); ++k) {
+      if (k % cells_in_part == 0) parts.push_back({frame.time_s});
+      parts.back().samples.push_back(frame.samples[k]);
+    }
+  }
+  return parts;
+}
+
+TEST(PoseRecorder, TakesATickThatComesInSeveralFramesAsOne) {
+  SyntheticStream stream(cells(5));
+  stream.hold(2);
+  Captures whole;
+  PoseRecorder first(whole);
+  first.setSkin(skinOf(5));
+  feed(first, stream.frames);
+  ASSERT_THAT(whole.poses, SizeIs(1));
+  Captures captures;
+  PoseRecorder recorder(captures);
+  recorder.setSkin(skinOf(5));
+  std::vector<SampleFrame> parts = inParts(stream.frames, 2);
+  feed(recorder, parts);
+  ASSERT_THAT(captures.poses, SizeIs(1));
+  EXPECT_THAT(captures.poses[0].silent_cells, IsEmpty());
+  EXPECT_EQ(captures.holds.back().late_frames, 0U);
+  ASSERT_THAT(captures.poses[0].pose->samples, SizeIs(5));
+  for (std::size_t k = 0; k < 5; ++k) {
+    const GravitySample& sample = captures.poses[0].pose->samples[k];
+    const GravitySample& expected = whole.poses[0].pose->samples[k];
+    EXPECT_EQ(sample.cell, expected.cell);
+    EXPECT_EQ(sample.count, expected.count);
+    EXPECT_LT((sample.mean_g - expected.mean_g).norm(), 1e-3) << "by a sample more or less at its ends";
+  }
+
+  // What comes twice is not another part.
+  recorder.addFrame(parts.back());
+  recorder.addFrame(parts[parts.size() - 3]);
+  const SampleFrame later{stream.frames.back().time_s + 0.06, stream.frames.back().samples};
+  recorder.addFrame(later);
+  EXPECT_EQ(captures.holds.back().late_frames, 2U);
+}
+
 TEST(PoseRecorder, GoesOnAfterTheDevicesClockWasSetBack) {
   SyntheticStream stream(cells(2));
   stream.hold(2);
@@ -338,6 +383,12 @@ TEST(PoseRecorder, GoesOnAfterTheDevicesClockWasSetBack) {
   for (SampleFrame& frame : stream.frames) frame.time_s -= 12;
   feed(recorder, stream.frames);
   EXPECT_THAT(captures.poses, SizeIs(2));
+  EXPECT_EQ(captures.holds.back().late_frames, 0U) << "a new clock is not late";
+
+  for (SampleFrame& frame : stream.frames) frame.time_s -= 12;
+  feed(recorder, inParts(stream.frames, 1));
+  EXPECT_THAT(captures.poses, SizeIs(3));
+  EXPECT_EQ(captures.holds.back().late_frames, 0U);
 }
 
 TEST(PoseRecorder, DoesNotWaitForCellsThatFallSilent) {
