@@ -61,6 +61,8 @@ struct CoverageView::Parts {
   [[nodiscard]] double mark() const { return 0.56 * line(); }  ///< radius of a pose's number
   /// Half the width of the sign of the present direction: drawn round a pose's number, which stays readable.
   [[nodiscard]] double nowSign() const { return 1.42 * (mark() + 1.5); }
+  /// Diameter of the discs, if it is the width that limits it: signs on their rims are neither cut nor on both.
+  [[nodiscard]] double acrossOf(double width) const { return (width - 4 * nowSign() - 2) / 2; }
   [[nodiscard]] bool isEmpty() const { return coverage.seen.empty() && coverage.unplaced.empty() && !coverage.missing; }
   [[nodiscard]] double legendWidth() const;
   /// Between the centres of the discs, so that the legend stands between their names.
@@ -112,14 +114,14 @@ double CoverageView::Parts::belowDiscs(int width) const {
 
 CoverageView::Parts::Layout CoverageView::Parts::layout() const {
   const double width = view->width();
-  const double across = (width - 3 * kMargin) / 2;
+  const double across = acrossOf(width);
   const double top = nowSign() + 1;
   const double high = view->height() - belowDiscs(view->width()) - top - kBottom;
   Layout layout;
   layout.radius = 0.5 * std::max(kLeastDisc, std::min({across, high, kMostDisc}));
-  const double apart = std::max(
-      2 * layout.radius + kMargin,
-      std::min(width - 2 * kMargin - 2 * layout.radius, std::max(3 * layout.radius, apartForLegend() + line())));
+  const double apart =
+      std::max(2 * layout.radius + 2 * nowSign(), std::min(width - 2 * (nowSign() + 1) - 2 * layout.radius,
+                                                           std::max(3 * layout.radius, apartForLegend() + line())));
   const double y = top + layout.radius;
   layout.centers = {QPointF(width / 2 - apart / 2, y), QPointF(width / 2 + apart / 2, y)};
   layout.names_top = y + layout.radius + 3;
@@ -229,7 +231,7 @@ void CoverageView::Parts::paintCurrent(QPainter& painter, const QPointF& center,
   const std::array<QPointF, 4> diamond = {center + QPointF(0, -size), center + QPointF(size, 0),
                                           center + QPointF(0, size), center + QPointF(-size, 0)};
   painter.setBrush(Qt::NoBrush);
-  for (const QPen& pen : {QPen(colors().panel, 4), QPen(colors().text, 2)}) {
+  for (const QPen& pen : {QPen(colors().panel, 3), QPen(colors().text, 2)}) {
     painter.setPen(pen);
     painter.drawPolygon(diamond.data(), 4);
   }
@@ -372,13 +374,13 @@ QSize CoverageView::sizeHint() const {
 }
 
 QSize CoverageView::minimumSizeHint() const {
-  const int width = static_cast<int>(2 * kLeastDisc + 3 * kMargin);
+  const int width = static_cast<int>(2 * kLeastDisc + 4 * parts_->nowSign() + 2);
   return {width, static_cast<int>(kLeastDisc + parts_->nowSign() + 1 + kBottom +
                                   parts_->belowDiscs(std::max(width, this->width())))};
 }
 
 int CoverageView::heightForWidth(int width) const {
-  const double disc = std::clamp((width - 3.0 * kMargin) / 2, kLeastDisc, kMostDisc);
+  const double disc = std::clamp(parts_->acrossOf(width), kLeastDisc, kMostDisc);
   return static_cast<int>(disc + parts_->nowSign() + 1 + kBottom + parts_->belowDiscs(width));
 }
 

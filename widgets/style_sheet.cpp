@@ -98,14 +98,14 @@ QTableView::item:selected { background: @panel_active@; color: @text@; border-to
 QHeaderView { background: @panel@; border: 0; }
 QHeaderView::section { background: @panel@; color: @text_muted@; border: 0; border-bottom: 1px solid @border@;
                        padding: 4px 6px; font-weight: 400; }
-QTableView#poseView::item { padding: 4px 1px; }
+QTableView#poseView::item { padding: 3px 1px; }
 QTableView#poseView QHeaderView::section { padding: 4px 4px; }
 QTableCornerButton::section { background: @panel@; border: 0; }
 
 QTabWidget::pane { border: 0; }
-QTabBar { background: transparent; }
-QTabBar::tab { background: transparent; color: @text_muted@; border: 0; border-bottom: 2px solid transparent;
-               padding: 4px 5px; margin: 2px 5px; }
+QTabBar { background: transparent; font-weight: 600; }
+QTabBar::tab { background: transparent; color: @text_muted@; font-weight: 400; border: 0;
+               border-bottom: 2px solid transparent; padding: 4px 5px; margin: 2px 5px; }
 QTabBar::tab:hover { color: @text@; }
 QTabBar::tab:selected { color: @text@; font-weight: 600; border-bottom-color: @accent@; }
 QTabBar::tab:focus { color: @accent@; }

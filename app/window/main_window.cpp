@@ -163,7 +163,7 @@ void MainWindow::buildLayout() {
   docks_->addDockWidget(Qt::RightDockWidgetArea, pose_dock_);
   docks_->addDockWidget(Qt::BottomDockWidgetArea, details);
   docks_->resizeDocks({steps, graph_dock_}, {286, 420}, Qt::Horizontal);
-  docks_->resizeDocks({graph_dock_, coverage_dock_, pose_dock_}, {230, 262, 166}, Qt::Vertical);
+  docks_->resizeDocks({graph_dock_, coverage_dock_, pose_dock_}, {230, 258, 170}, Qt::Vertical);
   docks_->resizeDocks({details}, {170}, Qt::Vertical);
 
   auto* work = new QVBoxLayout;
