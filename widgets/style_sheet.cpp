@@ -100,6 +100,7 @@ QHeaderView::section { background: @panel@; color: @text_muted@; border: 0; bord
                        padding: 4px 6px; font-weight: 400; }
 QTableView#poseView::item { padding: 3px 1px; }
 QTableView#poseView QHeaderView::section { padding: 4px 4px; }
+QTableView#poseView QHeaderView::section:vertical { padding: 1px; }
 QTableCornerButton::section { background: @panel@; border: 0; }
 
 QTabWidget::pane { border: 0; }
