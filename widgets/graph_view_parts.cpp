@@ -54,7 +54,7 @@ void GraphView::Parts::arrange() {
 void GraphView::Parts::placeLegend() {
   const double width = view->width() - 2 * kFitMargin_px;
   const double height = GraphLegend(*paint, marks(), theme, view->font()).heightFor(width);
-  if (height <= 0 || height > kMostForLegend * view->height()) return;
+  if (height <= 0 || height > kMostForLegend * view->height() || view->height() - height < kLeastForSkin_px) return;
   legend_area = QRectF(kFitMargin_px, view->height() - height - 0.5 * kFitMargin_px, width, height);
 }
 

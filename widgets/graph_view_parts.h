@@ -25,6 +25,7 @@ inline constexpr double kGrasp_px = 7;
 inline constexpr double kKeyZoom = 1.25;
 /// Where the view is smaller, it is all graph and no button; its menu is still there.
 inline constexpr QSize kLeastForButton(220, 150);
+inline constexpr double kLeastForSkin_px = 180;  // beside a legend
 /// Of the view's height, for the legend.
 inline constexpr double kMostForLegend = 0.18;
 

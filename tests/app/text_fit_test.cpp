@@ -6,10 +6,8 @@
 #include <QHBoxLayout>
 #include <QProcess>
 #include <QScrollArea>
-#include <QScrollBar>
 #include <QStandardItemModel>
 #include <QTabBar>
-#include <QTableView>
 #include <QVBoxLayout>
 
 namespace hexoderm {
@@ -140,18 +138,6 @@ TEST(ScreenshotTour, IsAnOptionOfTheProgram) {
                 {QStringLiteral("--screenshots"), folder.path(), QStringLiteral("--screenshots-size=nonsense")});
   ASSERT_TRUE(program.waitForFinished(test::kPatience_ms));
   EXPECT_EQ(program.exitCode(), 2);
-}
-
-class PoseRoomTest : public WindowTest {};
-
-TEST_F(PoseRoomTest, FourPosesAreSeenWithoutScrollingAt1280x800) {
-  window_->resize(1280, 800);
-  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(4));
-  const auto* poses = find<QTableView>("poseView");
-  ASSERT_TRUE(waitUntil([&] { return poses->model()->rowCount() == 4; }));
-  EXPECT_TRUE(waitUntil([&] { return poses->verticalScrollBar()->maximum() == 0; }))
-      << poses->verticalScrollBar()->maximum();
-  EXPECT_EQ(poses->horizontalScrollBar()->maximum(), 0);
 }
 
 }  // namespace
