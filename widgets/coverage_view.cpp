@@ -19,9 +19,17 @@ namespace hexoderm {
 namespace {
 
 constexpr int kMargin = 12;
+constexpr int kBottom = 8;
 constexpr double kLeastDisc = 56;
+constexpr double kNoValue = 0.005;  // written 0.00
 constexpr double kMostDisc = 260;
 constexpr std::array<double, 2> kCircles_deg = {30, 60};
+constexpr int kSignGap = 4;  // between a sign of the legend and its name
+
+QString frontName() { return CoverageView::tr("front"); }
+QString backName() { return CoverageView::tr("back"); }
+QString nowName() { return CoverageView::tr("now"); }
+QString nextName() { return CoverageView::tr("next"); }
 
 }  // namespace
 
@@ -36,20 +44,29 @@ struct CoverageView::Parts {
   Theme theme = Theme::Light;
   QPixmap still;  ///< everything but the present direction
   bool is_stale = true;
+  QString empty_hint;
 
   /// Where things are, from top to bottom.
   struct Layout {
     double radius = 0;
     std::array<QPointF, 2> centers;  ///< front, back
     double names_top = 0;
-    double legend_top = 0;
+    double legend_top = 0;  ///< beside the discs' names where there is room, else below
     double gauges_top = 0;
     double words_top = 0;
   };
 
   [[nodiscard]] double line() const { return view->fontMetrics().height(); }
-  [[nodiscard]] double gaugeStep() const { return 1.25 * line(); }
+  [[nodiscard]] double gaugeStep() const { return 1.15 * line(); }
   [[nodiscard]] double mark() const { return 0.56 * line(); }  ///< radius of a pose's number
+  /// Half the width of the sign of the present direction: drawn round a pose's number, which stays readable.
+  [[nodiscard]] double nowSign() const { return 1.42 * (mark() + 1.5); }
+  /// Diameter of the discs, if it is the width that limits it: signs on their rims are neither cut nor on both.
+  [[nodiscard]] double acrossOf(double width) const { return (width - 4 * nowSign() - 2) / 2; }
+  [[nodiscard]] bool isEmpty() const { return coverage.seen.empty() && coverage.unplaced.empty() && !coverage.missing; }
+  [[nodiscard]] double legendWidth() const;
+  /// Between the centres of the discs, so that the legend stands between their names.
+  [[nodiscard]] double apartForLegend() const;
   [[nodiscard]] QString words() const;
   [[nodiscard]] double wordsHeight(int width) const;
   [[nodiscard]] double belowDiscs(int width) const;
@@ -63,14 +80,26 @@ struct CoverageView::Parts {
   void paintDisc(QPainter& painter, const Layout& layout, std::size_t side) const;
   void paintPoses(QPainter& painter, const Layout& layout) const;
   void paintNext(QPainter& painter, const QPointF& center, double radius) const;
-  void paintCurrent(QPainter& painter, const QPointF& center) const;
+  void paintCurrent(QPainter& painter, const QPointF& center, double size) const;
   void paintLegend(QPainter& painter, const Layout& layout) const;
   void paintGauges(QPainter& painter, const Layout& layout) const;
   void paintWords(QPainter& painter, const Layout& layout) const;
   [[nodiscard]] const Colors& colors() const { return Colors::of(theme); }
 };
 
-QString CoverageView::Parts::words() const { return missingInWords(coverage); }
+QString CoverageView::Parts::words() const { return isEmpty() ? empty_hint : missingInWords(coverage); }
+
+double CoverageView::Parts::legendWidth() const {
+  const QFontMetrics metrics = view->fontMetrics();
+  return metrics.horizontalAdvance(nowName()) + metrics.horizontalAdvance(nextName()) + 2 * (line() + kSignGap) +
+         line();
+}
+
+double CoverageView::Parts::apartForLegend() const {
+  const QFontMetrics metrics = view->fontMetrics();
+  const int widest = std::max(metrics.horizontalAdvance(frontName()), metrics.horizontalAdvance(backName()));
+  return legendWidth() + widest + 1.2 * line();
+}
 
 double CoverageView::Parts::wordsHeight(int width) const {
   const QRect bounds =
@@ -79,20 +108,24 @@ double CoverageView::Parts::wordsHeight(int width) const {
 }
 
 double CoverageView::Parts::belowDiscs(int width) const {
-  return 1.1 * line() + 1.3 * line() + 3 * gaugeStep() + 1.3 * line() + wordsHeight(width) + 4;
+  const double legend = apartForLegend() <= width / 2.0 ? 0 : 1.1 * line();
+  return 3 + legend + 1.3 * line() + 3 * gaugeStep() + (isEmpty() ? 0 : 1.3 * line()) + wordsHeight(width);
 }
 
 CoverageView::Parts::Layout CoverageView::Parts::layout() const {
   const double width = view->width();
-  const double across = (width - 3 * kMargin) / 2;
-  const double high = view->height() - belowDiscs(view->width()) - 2 * kMargin;
+  const double across = acrossOf(width);
+  const double top = nowSign() + 1;
+  const double high = view->height() - belowDiscs(view->width()) - top - kBottom;
   Layout layout;
   layout.radius = 0.5 * std::max(kLeastDisc, std::min({across, high, kMostDisc}));
-  const double apart = std::max(2 * layout.radius + kMargin, std::min(width / 2, 3 * layout.radius));
-  const double y = kMargin + layout.radius;
+  const double apart =
+      std::max(2 * layout.radius + 2 * nowSign(), std::min(width - 2 * (nowSign() + 1) - 2 * layout.radius,
+                                                           std::max(3 * layout.radius, apartForLegend() + line())));
+  const double y = top + layout.radius;
   layout.centers = {QPointF(width / 2 - apart / 2, y), QPointF(width / 2 + apart / 2, y)};
   layout.names_top = y + layout.radius + 3;
-  layout.legend_top = layout.names_top + 1.1 * line();
+  layout.legend_top = layout.names_top + (apartForLegend() <= width / 2 ? 0 : 1.1 * line());
   layout.gauges_top = layout.legend_top + 1.3 * line();
   layout.words_top = layout.gauges_top + 3 * gaugeStep();
   return layout;
@@ -116,7 +149,7 @@ const SeenDirection* CoverageView::Parts::at(const QPointF& point) const {
 
 QRect CoverageView::Parts::aroundCurrent() const {
   if (!current) return {};
-  const double reach = mark() + 4;
+  const double reach = nowSign() + 4;
   const QPointF center = place(layout(), *current);
   return QRectF(center.x() - reach, center.y() - reach, 2 * reach, 2 * reach).toAlignedRect();
 }
@@ -159,7 +192,7 @@ void CoverageView::Parts::paintDisc(QPainter& painter, const Layout& layout, std
   painter.drawLine(center - QPointF(0, layout.radius), center + QPointF(0, layout.radius));
   painter.setPen(colors().text_muted);
   painter.drawText(QRectF(center.x() - layout.radius, layout.names_top, 2 * layout.radius, line()), Qt::AlignCenter,
-                   side == 0 ? CoverageView::tr("front") : CoverageView::tr("back"));
+                   side == 0 ? frontName() : backName());
 }
 
 void CoverageView::Parts::paintPoses(QPainter& painter, const Layout& layout) const {
@@ -194,36 +227,34 @@ void CoverageView::Parts::paintNext(QPainter& painter, const QPointF& center, do
   painter.drawEllipse(center, 2, 2);
 }
 
-void CoverageView::Parts::paintCurrent(QPainter& painter, const QPointF& center) const {
-  const double size = 0.42 * line();
+void CoverageView::Parts::paintCurrent(QPainter& painter, const QPointF& center, double size) const {
   const std::array<QPointF, 4> diamond = {center + QPointF(0, -size), center + QPointF(size, 0),
                                           center + QPointF(0, size), center + QPointF(-size, 0)};
-  painter.setPen(QPen(colors().panel, 1.5));
-  painter.setBrush(colors().text);
-  painter.drawPolygon(diamond.data(), 4);
+  painter.setBrush(Qt::NoBrush);
+  for (const QPen& pen : {QPen(colors().panel, 3), QPen(colors().text, 2)}) {
+    painter.setPen(pen);
+    painter.drawPolygon(diamond.data(), 4);
+  }
 }
 
 void CoverageView::Parts::paintLegend(QPainter& painter, const Layout& layout) const {
   const QFontMetrics metrics = view->fontMetrics();
-  const std::array<QString, 2> names = {CoverageView::tr("now"), CoverageView::tr("next")};
+  const std::array<QString, 2> names = {nowName(), nextName()};
   const double sign = line();
-  const double between = 1.2 * line();
-  double width = 0;
-  for (const QString& name : names) width += sign + 4 + metrics.horizontalAdvance(name);
-  double x = (view->width() - width - between) / 2;
+  double x = (view->width() - legendWidth()) / 2;
   const double y = layout.legend_top + 0.5 * line();
   for (std::size_t k = 0; k < names.size(); ++k) {
     const QPointF center(x + 0.5 * sign, y);
     if (k == 0) {
-      paintCurrent(painter, center);
+      paintCurrent(painter, center, 0.42 * line());
     } else {
       paintNext(painter, center, 0.38 * line());
     }
     painter.setPen(colors().text_muted);
     const double advance = metrics.horizontalAdvance(names.at(k));
-    painter.drawText(QRectF(x + sign + 4, y - 0.5 * line(), advance + 2, line()), Qt::AlignLeft | Qt::AlignVCenter,
-                     names.at(k));
-    x += sign + 4 + advance + between;
+    painter.drawText(QRectF(x + sign + kSignGap, y - 0.5 * line(), advance + 2, line()),
+                     Qt::AlignLeft | Qt::AlignVCenter, names.at(k));
+    x += sign + kSignGap + advance + line();
   }
 }
 
@@ -251,7 +282,7 @@ void CoverageView::Parts::paintGauges(QPainter& painter, const Layout& layout) c
     const QRectF filled(left, middle - thick / 2, std::max(2.0, bar * value / scale), thick);
     painter.setBrush(reached ? QBrush(hue) : QBrush(hue, Qt::BDiagPattern));
     if (!reached) painter.setPen(QPen(hue, 1));
-    painter.drawRoundedRect(filled, 2, 2);
+    if (value > kNoValue) painter.drawRoundedRect(filled, 2, 2);
     const double limit = left + bar * coverage.threshold / scale;
     painter.setPen(QPen(colors().text, 2));
     painter.drawLine(QPointF(limit, middle - 0.42 * line()), QPointF(limit, middle + 0.42 * line()));
@@ -265,6 +296,13 @@ void CoverageView::Parts::paintGauges(QPainter& painter, const Layout& layout) c
 void CoverageView::Parts::paintWords(QPainter& painter, const Layout& layout) const {
   const QFontMetrics metrics = view->fontMetrics();
   const double width = view->width() - 2 * kMargin;
+  const QRectF all(kMargin, layout.words_top, width, wordsHeight(view->width()));
+  constexpr int kFlags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
+  if (isEmpty()) {
+    painter.setPen(colors().text_muted);
+    painter.drawText(all, kFlags, words());
+    return;
+  }
   const double middle = layout.words_top + 0.5 * line();
   drawStroke(painter, linkStroke(coverage.quality, theme), QLineF(kMargin, middle, kMargin + 26, middle), 3);
   painter.setPen(colors().text);
@@ -274,8 +312,7 @@ void CoverageView::Parts::paintWords(QPainter& painter, const Layout& layout) co
                              .arg(qualityWord(coverage.quality), QLocale().toString(coverage.threshold, 'f', 2)),
                          Qt::ElideRight, static_cast<int>(width - 33)));
   painter.setPen(colors().text_muted);
-  painter.drawText(QRectF(kMargin, layout.words_top + 1.3 * line(), width, wordsHeight(view->width())),
-                   Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, words());
+  painter.drawText(all.translated(0, 1.3 * line()), kFlags, words());
 }
 
 CoverageView::CoverageView(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts>(this)) {
@@ -316,6 +353,12 @@ void CoverageView::setPickedPose(std::optional<PoseId> pose) {
   parts_->changed();
 }
 
+void CoverageView::setEmptyHint(const QString& hint) {
+  parts_->empty_hint = hint;
+  updateGeometry();
+  parts_->changed();
+}
+
 std::optional<PoseId> CoverageView::pickedPose() const { return parts_->picked; }
 
 void CoverageView::setTheme(Theme theme) {
@@ -331,13 +374,14 @@ QSize CoverageView::sizeHint() const {
 }
 
 QSize CoverageView::minimumSizeHint() const {
-  const int width = static_cast<int>(2 * kLeastDisc + 3 * kMargin);
-  return {width, static_cast<int>(kLeastDisc + 2 * kMargin + parts_->belowDiscs(std::max(width, this->width())))};
+  const int width = static_cast<int>(2 * kLeastDisc + 4 * parts_->nowSign() + 2);
+  return {width, static_cast<int>(kLeastDisc + parts_->nowSign() + 1 + kBottom +
+                                  parts_->belowDiscs(std::max(width, this->width())))};
 }
 
 int CoverageView::heightForWidth(int width) const {
-  const double disc = std::clamp((width - 3.0 * kMargin) / 2, kLeastDisc, kMostDisc);
-  return static_cast<int>(disc + 2 * kMargin + parts_->belowDiscs(width));
+  const double disc = std::clamp(parts_->acrossOf(width), kLeastDisc, kMostDisc);
+  return static_cast<int>(disc + parts_->nowSign() + 1 + kBottom + parts_->belowDiscs(width));
 }
 
 void CoverageView::paintEvent(QPaintEvent* /*event*/) {
@@ -345,7 +389,7 @@ void CoverageView::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.drawPixmap(0, 0, parts_->still);
-  if (parts_->current) parts_->paintCurrent(painter, placeOf(*parts_->current));
+  if (parts_->current) parts_->paintCurrent(painter, placeOf(*parts_->current), parts_->nowSign());
   if (hasFocus()) {
     painter.setPen(QPen(parts_->colors().accent, 2));
     painter.setBrush(Qt::NoBrush);

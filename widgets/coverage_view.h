@@ -20,6 +20,8 @@ class CoverageView : public QWidget {
   ~CoverageView() override;
 
   void setCoverage(const PoseCoverage& coverage);
+  /// Shown in place of the class of an empty coverage, where there is no skin.
+  void setEmptyHint(const QString& hint);
   /// Unit vectors in the frame of the coverage; none hides the mark. Cheap: may be called 20 times a second.
   void setCurrent(const std::optional<Eigen::Vector3d>& up_o);
   void setNext(const std::optional<Eigen::Vector3d>& up_o);

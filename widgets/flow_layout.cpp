@@ -24,7 +24,10 @@ QLayoutItem* FlowLayout::takeAt(int index) {
 
 int FlowLayout::groupWidth(int first, int end) const {
   int width = 0;
-  for (int k = first; k < end; ++k) width += items_.at(k)->sizeHint().width() + (k > first ? spacing() : 0);
+  for (int k = first; k < end; ++k) {
+    if (items_.at(k)->isEmpty()) continue;
+    width += items_.at(k)->sizeHint().width() + (width > 0 ? spacing() : 0);
+  }
   return width;
 }
 
@@ -55,15 +58,18 @@ int FlowLayout::arrange(const QRect& rect, bool place) const {
   int x = room.left();
   int y = room.top();
   int row_height = 0;
+  const auto begin_row = [&] {
+    x = room.left();
+    y += row_height + spacing();
+    row_height = 0;
+  };
   for (int k = 0; k < count(); ++k) {
-    const QSize size = items_.at(k)->sizeHint();
     if (k == second_group_ && one_row) x = room.left() + room.width() - second_width;
-    const bool full = x > room.left() && x + size.width() > room.left() + room.width();
-    if (!one_row && (full || (k == second_group_ && k > 0))) {
-      x = room.left();
-      y += row_height + spacing();
-      row_height = 0;
-    }
+    if (k == second_group_ && !one_row && row_height > 0) begin_row();
+    // What is hidden takes no room.
+    if (items_.at(k)->isEmpty()) continue;
+    const QSize size = items_.at(k)->sizeHint();
+    if (!one_row && x > room.left() && x + size.width() > room.left() + room.width()) begin_row();
     if (place) items_.at(k)->setGeometry(QRect(QPoint(x, y), size));
     x += size.width() + spacing();
     row_height = std::max(row_height, size.height());

@@ -37,7 +37,7 @@ GraphLegend::GraphLegend(const GraphPaint& paint, const GraphMarks& marks, Theme
                         tr("not known")});
   }
   if (marks.muted) entries_.push_back({Sample::Muted, {colors_.muted_link, Qt::SolidLine, false}, tr("not used")});
-  if (marks.tree) entries_.push_back({Sample::Tree, {colors_.border, Qt::SolidLine, false}, tr("shortest paths")});
+  if (marks.tree) entries_.push_back({Sample::Tree, {colors_.tree_band, Qt::SolidLine, false}, tr("shortest paths")});
   entries_.push_back({Sample::Origin, {colors_.text, Qt::SolidLine, false}, tr("origin")});
 }
 

@@ -144,7 +144,7 @@ void GraphPainter::drawTree(QPainter& painter) const {
       lines.append(QLineF(source, target));
     }
   }
-  painter.setPen(QPen(colors_.border, 0.98 * radius_px_, Qt::SolidLine, Qt::FlatCap));
+  painter.setPen(QPen(colors_.tree_band, 0.98 * radius_px_, Qt::SolidLine, Qt::FlatCap));
   painter.drawLines(lines);
 }
 

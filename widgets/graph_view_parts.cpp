@@ -43,12 +43,18 @@ void GraphView::Parts::arrange() {
   button->setVisible(has_cells && view->width() >= kLeastForButton.width() &&
                      view->height() >= kLeastForButton.height());
   button->adjustSize();
-  button->move(8, 8);
   legend_area = QRectF();
-  if (!has_cells) return;
+  if (has_cells) placeLegend();
+  button->move(kButtonEdge_px, kButtonEdge_px);
+  if (!button->isHidden()) {
+    if (const auto place = freeForButton(fittedInto(fitRoom()))) button->move(*place);
+  }
+}
+
+void GraphView::Parts::placeLegend() {
   const double width = view->width() - 2 * kFitMargin_px;
   const double height = GraphLegend(*paint, marks(), theme, view->font()).heightFor(width);
-  if (height <= 0 || height > kMostForLegend * view->height()) return;
+  if (height <= 0 || height > kMostForLegend * view->height() || view->height() - height < kLeastForSkin_px) return;
   legend_area = QRectF(kFitMargin_px, view->height() - height - 0.5 * kFitMargin_px, width, height);
 }
 
@@ -70,18 +76,31 @@ GraphCamera GraphView::Parts::fittedInto(const QRectF& room) const {
   return fitted;
 }
 
-GraphCamera GraphView::Parts::fitted() const {
+QRectF GraphView::Parts::fitRoom() const {
   QRectF room(QPointF(0, 0), camera.size);
   room.adjust(kFitMargin_px, kFitMargin_px + captionSpace(), -kFitMargin_px, -kFitMargin_px);
   if (!legend_area.isEmpty()) room.setBottom(legend_area.top() - 0.5 * kFitMargin_px);
+  return room;
+}
+
+std::optional<QPoint> GraphView::Parts::freeForButton(const GraphCamera& fitted) const {
+  const double reach = 1.3 * scene->radius_m() * fitted.scale;
+  const int right = view->width() - button->width() - kButtonEdge_px;
+  for (const int x : {kButtonEdge_px, right, (view->width() - button->width()) / 2}) {
+    const QPoint place(x, kButtonEdge_px);
+    const QRectF covered = QRectF(place, button->size()).adjusted(-reach, -reach, reach, reach + captionSpace());
+    const bool is_covering = std::ranges::any_of(
+        scene->cells(), [&](const GraphScene::Cell& cell) { return covered.contains(fitted.toScreen(cell.center)); });
+    if (!is_covering) return place;
+  }
+  return std::nullopt;
+}
+
+GraphCamera GraphView::Parts::fitted() const {
+  QRectF room = fitRoom();
   const GraphCamera whole = fittedInto(room);
-  if (button->isHidden()) return whole;
   // Beside many a skin there is room for the button; if there is not, the skin goes below it.
-  const double reach = 1.3 * scene->radius_m() * whole.scale;
-  const QRectF covered = QRectF(button->geometry()).adjusted(-reach, -reach, reach, reach);
-  const bool is_covering = std::ranges::any_of(
-      scene->cells(), [&](const GraphScene::Cell& cell) { return covered.contains(whole.toScreen(cell.center)); });
-  if (!is_covering) return whole;
+  if (button->isHidden() || freeForButton(whole)) return whole;
   room.setTop(button->geometry().bottom() + 4 + captionSpace());
   return fittedInto(room);
 }

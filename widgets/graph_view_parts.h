@@ -17,6 +17,7 @@ class Selection;
 namespace graph_view {
 
 inline constexpr double kFitMargin_px = 12;
+inline constexpr int kButtonEdge_px = 8;
 /// A skin of one cell need not fill the window.
 inline constexpr double kLargestFittedRadius_px = 40;
 inline constexpr double kLargestRadius_px = 150;
@@ -24,6 +25,7 @@ inline constexpr double kGrasp_px = 7;
 inline constexpr double kKeyZoom = 1.25;
 /// Where the view is smaller, it is all graph and no button; its menu is still there.
 inline constexpr QSize kLeastForButton(220, 150);
+inline constexpr double kLeastForSkin_px = 180;  // beside a legend
 /// Of the view's height, for the legend.
 inline constexpr double kMostForLegend = 0.18;
 
@@ -94,7 +96,13 @@ struct GraphView::Parts {
   [[nodiscard]] QRect regionOf(const graph_view::Hit& hit) const;
 
  private:
+  void placeLegend();
   [[nodiscard]] double captionSpace() const;
+  /// What the skin may fill, but for the button.
+  [[nodiscard]] QRectF fitRoom() const;
+  /// At the top, where it covers no cell and no caption: left, else right, else between; none where there is no such
+  /// place.
+  [[nodiscard]] std::optional<QPoint> freeForButton(const GraphCamera& fitted) const;
   [[nodiscard]] GraphCamera fittedInto(const QRectF& room) const;
 };
 

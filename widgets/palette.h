@@ -40,6 +40,7 @@ struct Colors {
   QColor cell_fill;  ///< hexagons of the graph
   QColor selection;  ///< outline of what is picked: black or white, not a hue
   QColor muted_link;
+  QColor tree_band;            ///< under the links of the shortest paths
   std::array<QColor, 3> axis;  ///< x, y, z: as red, green and blue as who can't tell red from green allows
 
   static const Colors& of(Theme theme);

@@ -38,17 +38,17 @@ double eased(double t) { return t * t * (3 - 2 * t); }
 
 }  // namespace
 
-PartMotion::PartMotion(QWidget* view, QWidget* canvas, PatchScene& scene, std::function<void()> render)
+PartMotion::PartMotion(QWidget* view, QWidget* canvas, QToolButton* button, PatchScene& scene,
+                       std::function<void()> render)
     : view_(view),
       canvas_(canvas),
       scene_(scene),
       render_(std::move(render)),
       caption_(new GhostCaption(view)),
-      button_(new QToolButton(view)) {
+      button_(button) {
   button_->setObjectName(QStringLiteral("turnThePart"));
   button_->setText(tr("Turn the part"));
   button_->setCheckable(true);
-  button_->setFocusPolicy(Qt::TabFocus);
   button_->setToolTip(
       tr("Dragging and the arrow keys turn the part instead of the picture; dragging with Shift always does"));
   button_->hide();
@@ -151,18 +151,8 @@ void PartMotion::updateCaption() {
 }
 
 void PartMotion::place() {
-  constexpr int kEdge = 10;
-  constexpr int kBelowControls = 6;
   caption_->setGeometry(view_->rect());
   caption_->raise();
-  button_->adjustSize();
-  button_->move(kEdge, top_ + kBelowControls);
-  button_->raise();
-}
-
-void PartMotion::setTop(int top) {
-  top_ = top;
-  place();
 }
 
 // ---- turning the part

@@ -27,9 +27,10 @@ class PartMotion : public QObject {
  public:
   static constexpr int kRequestEvery_ms = 50;
 
-  /// `view` gets the keys and the button, `canvas` (inside of it) the mouse; all must outlive this but `canvas`.
+  /// `view` gets the keys, `canvas` (inside of it) the mouse; `button` switches what dragging turns, and is shown while
+  /// the part can be turned. All must outlive this but `canvas`.
   /// `render` asks for a picture soon.
-  PartMotion(QWidget* view, QWidget* canvas, PatchScene& scene, std::function<void()> render);
+  PartMotion(QWidget* view, QWidget* canvas, QToolButton* button, PatchScene& scene, std::function<void()> render);
   ~PartMotion() override;
 
   /// Unit vectors in the frame of the largest patch. None: the picture stays as it is.
@@ -41,8 +42,6 @@ class PartMotion : public QObject {
   /// Off: the ghost is shown as it should be held, and does not move.
   void setAnimated(bool animated);
   void setTheme(Theme theme);
-  /// Where the button is: below what else lies over the picture.
-  void setTop(int top);
   /// What is written beside the ghost, into a screenshot of this size.
   void paintCaption(QPainter& painter, const QSize& area) const;
 
@@ -76,7 +75,6 @@ class PartMotion : public QObject {
   std::optional<Eigen::Vector3d> up_o_;
   std::optional<Eigen::Vector3d> next_o_;
 
-  int top_ = 50;
   bool turnable_ = false;
   bool is_dragging_ = false;
   QPoint last_;

@@ -51,6 +51,8 @@ PatchControls::PatchControls(QWidget* parent)
   buttons_->setSpacing(6);
   buildColoringMenu();
   buildShowMenu();
+  turn_button_ = addButton({}, {});
+  turn_button_->hide();
   buttons_->beginSecondGroup();
   buildViewButtons();
 }

@@ -30,6 +30,8 @@ class PatchControls : public QFrame {
 
   [[nodiscard]] QAction* action(CellColoring coloring) const { return colorings_.at(coloring); }
   [[nodiscard]] QAction* action(SceneItem item) const { return items_.at(item); }
+  /// For who makes the part turnable: hidden, and without a text.
+  [[nodiscard]] QToolButton* turnButton() const { return turn_button_; }
   [[nodiscard]] QAction* measureAction() const { return measure_; }
   [[nodiscard]] QAction* parallelAction() const { return parallel_; }
   [[nodiscard]] QAction* pictureAction() const { return picture_; }
@@ -52,6 +54,7 @@ class PatchControls : public QFrame {
 
   FlowLayout* buttons_;
   QToolButton* coloring_button_ = nullptr;
+  QToolButton* turn_button_ = nullptr;
   QMenu* show_menu_ = nullptr;
   std::map<CellColoring, QAction*> colorings_;
   std::map<SceneItem, QAction*> items_;

@@ -132,10 +132,9 @@ void PatchView::Parts::build() {
   overlay->raise();
   if (controls != nullptr) controls->raise();
   if (gl != nullptr) {
-    motion = new PartMotion(view, gl, *scene, [this] { requestRender(); });
+    motion = new PartMotion(view, gl, controls->turnButton(), *scene, [this] { requestRender(); });
     motion->setParent(this);
     connect(motion, &PartMotion::turnRequested, view, &PatchView::turnRequested);
-    connect(controls, &PatchControls::heightChanged, motion, &PartMotion::setTop);
   }
   connect(selection, &Selection::changed, this, [this] { updateSelection(); });
   connect(&measure, &MeasureTool::changed, this, [this] { updateMeasure(); });

@@ -36,6 +36,9 @@ class StepHead : public QAbstractButton {
   StepHead(int number, QWidget* parent) : QAbstractButton(parent), number_(number) {
     setFocusPolicy(Qt::TabFocus);
     setCursor(Qt::PointingHandCursor);
+    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Minimum);
+    policy.setHeightForWidth(true);
+    setSizePolicy(policy);
   }
 
   void set(const Step& step, bool last_known_open) {
@@ -58,9 +61,10 @@ class StepHead : public QAbstractButton {
     update();
   }
 
-  QSize sizeHint() const override {
-    const int lines = fontMetrics().height() * (note_.isEmpty() ? 1 : 2) + (note_.isEmpty() ? 0 : 2);
-    return {kIndent + 150, std::max(kBadge, lines) + 16};
+  QSize sizeHint() const override { return {kIndent + 150, heightForWidth(QWIDGETSIZE_MAX)}; }
+  int heightForWidth(int width) const override {
+    const int lines = fontMetrics().height() + (note_.isEmpty() ? 0 : noteHeight(width - kIndent - kMargin) + 2);
+    return std::max(kBadge, lines) + 16;
   }
 
  protected:
@@ -85,8 +89,7 @@ class StepHead : public QAbstractButton {
                      metrics.elidedText(title_, Qt::ElideRight, width_left));
     painter.setFont(font());
     painter.setPen(colors.text_muted);
-    painter.drawText(QRect(kIndent, top + metrics.height() + 2, width_left, fontMetrics().height()),
-                     Qt::AlignLeft | Qt::AlignVCenter, fontMetrics().elidedText(note_, Qt::ElideRight, width_left));
+    painter.drawText(QRect(kIndent, top + metrics.height() + 2, width_left, noteHeight(width_left)), kNoteFlags, note_);
   }
   bool event(QEvent* event) override {
     // enterEvent has another argument in Qt 6.
@@ -95,6 +98,11 @@ class StepHead : public QAbstractButton {
   }
 
  private:
+  static constexpr int kNoteFlags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
+
+  int noteHeight(int width) const {
+    return fontMetrics().boundingRect(QRect(0, 0, std::max(1, width), 10000), kNoteFlags, note_).height();
+  }
   void paintBadge(QPainter& painter, const Colors& colors) const {
     const QRectF circle(kMargin + 0.5, 8.5, kBadge - 1, kBadge - 1);
     const bool waiting = state_ == StepState::Waiting;
@@ -163,7 +171,6 @@ class StepPanel::Row : public QWidget {
     layout->setSpacing(0);
     layout->addWidget(head_);
     layout->addWidget(body_);
-    head_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   }
 
   void set(const Step& step) {

@@ -64,6 +64,17 @@ QComboBox:focus { border-color: @accent@; }
 QComboBox:disabled { color: @disabled@; }
 QComboBox::drop-down { border: 0; width: 20px; }
 QComboBox::down-arrow { image: url(:/hexoderm/style/chevron-down.svg); width: 10px; height: 10px; }
+QAbstractSpinBox { background: @panel@; color: @text@; border: 1px solid @border@; border-radius: 4px;
+                   padding: 4px 6px; selection-background-color: @accent@; selection-color: @accent_text@; }
+QAbstractSpinBox:hover { background: @hover@; }
+QAbstractSpinBox:focus { border-color: @accent@; }
+QAbstractSpinBox:disabled { color: @disabled@; }
+QAbstractSpinBox::up-button, QAbstractSpinBox::down-button { subcontrol-origin: border; width: 20px; border: 0;
+                                                             background: transparent; }
+QAbstractSpinBox::up-button { subcontrol-position: top right; }
+QAbstractSpinBox::down-button { subcontrol-position: bottom right; }
+QAbstractSpinBox::up-arrow { image: url(:/hexoderm/style/chevron-up.svg); width: 9px; height: 9px; }
+QAbstractSpinBox::down-arrow { image: url(:/hexoderm/style/chevron-down.svg); width: 9px; height: 9px; }
 QCheckBox { spacing: 7px; }
 QCheckBox::indicator { width: 14px; height: 14px; border: 1px solid @text_muted@; border-radius: 3px;
                        background: @panel@; }
@@ -79,20 +90,23 @@ QAbstractItemView { background: @panel@; border: 0; outline: 0; }
 QTableView { gridline-color: transparent; selection-background-color: @panel_active@; selection-color: @text@;
              border: 1px solid transparent; }
 QTableView:focus { border-color: @accent@; }
-QTableView::item { border: 0; border-bottom: 1px solid @border@; padding: 3px 5px; }
+QTableView::item { border: 0; border-bottom: 1px solid @border@; padding: 4px 3px; }
 QTableView::item:hover { background: @hover@; color: @text@; }
 QTableView::item:focus { background: @hover@; color: @text@; }
 QTableView::item:selected { background: @panel_active@; color: @text@; border-top: 1px solid @selection@;
                             border-bottom: 1px solid @selection@; }
 QHeaderView { background: @panel@; border: 0; }
 QHeaderView::section { background: @panel@; color: @text_muted@; border: 0; border-bottom: 1px solid @border@;
-                       padding: 4px 5px; font-weight: 400; }
+                       padding: 4px 6px; font-weight: 400; }
+QTableView#poseView::item { padding: 3px 1px; }
+QTableView#poseView QHeaderView::section { padding: 4px 4px; }
+QTableView#poseView QHeaderView::section:vertical { padding: 1px; }
 QTableCornerButton::section { background: @panel@; border: 0; }
 
 QTabWidget::pane { border: 0; }
-QTabBar { background: transparent; }
-QTabBar::tab { background: transparent; color: @text_muted@; border: 0; border-bottom: 2px solid transparent;
-               padding: 4px 2px; margin: 2px 8px; }
+QTabBar { background: transparent; font-weight: 600; }
+QTabBar::tab { background: transparent; color: @text_muted@; font-weight: 400; border: 0;
+               border-bottom: 2px solid transparent; padding: 4px 5px; margin: 2px 5px; }
 QTabBar::tab:hover { color: @text@; }
 QTabBar::tab:selected { color: @text@; font-weight: 600; border-bottom-color: @accent@; }
 QTabBar::tab:focus { color: @accent@; }

@@ -7,6 +7,7 @@
 #include <QButtonGroup>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -128,12 +129,13 @@ void VerifyPanel::buildSurface() {
   radius_mm_->setSuffix(tr(" mm"));
   radius_mm_->setSpecialValueText(tr("not known"));
   radius_mm_->setKeyboardTracking(false);
-  QHBoxLayout* kind_row = surface_->addRow();
-  kind_row->addWidget(labelFor(kind_, tr("Surface")));
-  kind_row->addWidget(kind_, 1);
-  QHBoxLayout* radius_row = surface_->addRow();
-  radius_row->addWidget(labelFor(radius_mm_, tr("True radius")));
-  radius_row->addWidget(radius_mm_, 1);
+  auto* grid = new QGridLayout;
+  grid->setColumnStretch(1, 1);
+  grid->addWidget(labelFor(kind_, tr("Surface")), 0, 0);
+  grid->addWidget(kind_, 0, 1);
+  grid->addWidget(labelFor(radius_mm_, tr("True radius")), 1, 0);
+  grid->addWidget(radius_mm_, 1, 1);
+  surface_->addRow()->addLayout(grid);
   connect(kind_, qOverload<int>(&QComboBox::currentIndexChanged), this, &VerifyPanel::requestSurface);
   connect(radius_mm_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &VerifyPanel::requestSurface);
 }

@@ -218,6 +218,10 @@ void GuideWindow::dressPage() {
     }
     cursor.mergeBlockFormat(format);
   }
+  // Only when the page is complete does the document know its tables.
+  browser_->layOut();
+  QTextCursor dressing(browser_->document());
+  dressing.beginEditBlock();
   for (QTextFrame* frame : browser_->document()->rootFrame()->childFrames()) {
     auto* table = qobject_cast<QTextTable*>(frame);
     if (table == nullptr) continue;
@@ -229,7 +233,7 @@ void GuideWindow::dressPage() {
     format.setBottomMargin(0.7 * line);
     table->setFormat(format);
   }
-  browser_->layOut();
+  dressing.endEditBlock();
   browser_->verticalScrollBar()->setValue(0);
 }
 

@@ -129,6 +129,7 @@ void MainWindow::buildLayout() {
   stretchColumn(finding_view_, 1);
   stretchColumn(cell_view_, cell_table_->columnCount() - 1);
   wrapRows(finding_view_);
+  wrapRows(pose_view_);
 
   docks_->setWindowFlags(Qt::Widget);
   docks_->setContextMenuPolicy(Qt::PreventContextMenu);
@@ -152,6 +153,7 @@ void MainWindow::buildLayout() {
   }
   graph_dock_ = new CardDock(tr("Skin graph"), QStringLiteral("graphDock"), graph_view_, docks_);
   pose_dock_ = new CardDock(tr("Poses"), QStringLiteral("poseDock"), withHint(pose_view_, tr("No poses yet.")), docks_);
+  coverage_view_->setEmptyHint(tr("No poses yet."));
   coverage_dock_ = new CardDock(tr("Directions seen"), QStringLiteral("coverageDock"), coverage_view_, docks_);
   shell_->setSwapped(patch_view_, graph_view_, graph_dock_);
   CardDock* details = buildDetails();
@@ -161,7 +163,7 @@ void MainWindow::buildLayout() {
   docks_->addDockWidget(Qt::RightDockWidgetArea, pose_dock_);
   docks_->addDockWidget(Qt::BottomDockWidgetArea, details);
   docks_->resizeDocks({steps, graph_dock_}, {286, 420}, Qt::Horizontal);
-  docks_->resizeDocks({graph_dock_, coverage_dock_, pose_dock_}, {300, 250, 180}, Qt::Vertical);
+  docks_->resizeDocks({graph_dock_, coverage_dock_, pose_dock_}, {230, 258, 170}, Qt::Vertical);
   docks_->resizeDocks({details}, {170}, Qt::Vertical);
 
   auto* work = new QVBoxLayout;

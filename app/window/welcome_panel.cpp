@@ -6,6 +6,7 @@
 #include "widgets/action_button.h"
 
 #include <QAction>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
@@ -42,18 +43,22 @@ WelcomePanel::WelcomePanel(const std::vector<QAction*>& choices, RecentFiles& re
   list->addWidget(makeLabel(tr("Hold the part still in a few poses; Hexoderm finds out from gravity."), "muted"));
   list->addSpacing(14);
   list->addWidget(new RecoveryList(unsaved));
+  auto* rows = new QGridLayout;
+  rows->setHorizontalSpacing(14);
+  rows->setVerticalSpacing(6);
+  rows->setColumnStretch(0, 2);
+  rows->setColumnStretch(1, 3);
+  list->addLayout(rows);
   for (QAction* action : choices) {
     auto* button = new ActionButton(column);
     button->setAction(action);
     button->setFocusPolicy(Qt::StrongFocus);
     if (action == choices.front()) button->setProperty("primary", true);
     auto* purpose = makeLabel(purposeOf(*action), "muted");
-    auto* row = new QHBoxLayout;
-    row->setSpacing(14);
+    const int row = rows->rowCount();
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    row->addWidget(button, 2);
-    row->addWidget(purpose, 3);
-    list->addLayout(row);
+    rows->addWidget(button, row, 0);
+    rows->addWidget(purpose, row, 1);
   }
   list->addSpacing(18);
   list->addWidget(makeLabel(tr("Recent").toUpper(), "caption"));

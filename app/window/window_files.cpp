@@ -15,6 +15,7 @@
 #include <QDesktopServices>
 #include <QDir>
 #include <QFileDialog>
+#include <QLayout>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QStandardPaths>
@@ -241,6 +242,11 @@ void MainWindow::showAbout() {
                                         "is.</p><p>BSD 3-Clause licence.</p>")
                                          .arg(QLatin1String(HEXODERM_VERSION)),
                                      QMessageBox::Close, this);
+  // The text is indented for an icon; the same room on the other side.
+  constexpr int kIndent = 20;
+  QMargins margins = box->layout()->contentsMargins();
+  margins.setRight(margins.right() + kIndent);
+  box->layout()->setContentsMargins(margins);
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->open();
 }

@@ -111,11 +111,47 @@ TEST_F(CoverageViewTest, ShowsNextAndPresentDirectionAndHidesThemAgain) {
   EXPECT_NE(with_next, before);
   const Eigen::Vector3d now = Eigen::Vector3d(-0.5, 0.4, 0.7).normalized();
   view.setCurrent(now);
-  EXPECT_EQ(colorAt(now), Colors::of(Theme::Light).text);
+  EXPECT_NE(view.grab().toImage(), with_next);
   view.setCurrent(std::nullopt);
   EXPECT_EQ(view.grab().toImage(), with_next);
   view.setNext(std::nullopt);
   EXPECT_EQ(view.grab().toImage(), before);
+}
+
+TEST_F(CoverageViewTest, ThePresentDirectionIsDrawnRoundANumberAndNotOverIt) {
+  show();
+  const Eigen::Vector3d up = Eigen::Vector3d(0.3, 0.2, 0.9).normalized();
+  view.setCoverage(coverageWith({up}));
+  const QRect number = QRect(-5, -5, 11, 11).translated(view.placeOf(up).toPoint());
+  const QImage before = view.grab().toImage();
+  view.setCurrent(up);
+  const QImage after = view.grab().toImage();
+  EXPECT_NE(after, before);
+  EXPECT_EQ(after.copy(number), before.copy(number));
+}
+
+TEST_F(CoverageViewTest, WithoutASkinItSaysSoAndDrawsNoValue) {
+  show();
+  view.setEmptyHint(QStringLiteral("No poses yet."));
+  const QImage empty = view.grab().toImage();
+  const QRgb below_limit = linkStroke(EdgeQuality::Partially, Theme::Light).color.rgb();
+  const QRgb undefined = linkStroke(EdgeQuality::Undefined, Theme::Light).color.rgb();
+  for (int y = 0; y < empty.height(); ++y) {
+    for (int x = 0; x < empty.width(); ++x) {
+      ASSERT_NE(empty.pixel(x, y), below_limit) << x << ' ' << y;
+      ASSERT_NE(empty.pixel(x, y), undefined) << x << ' ' << y;
+    }
+  }
+  view.setEmptyHint({});
+  EXPECT_NE(view.grab().toImage(), empty);
+}
+
+TEST_F(CoverageViewTest, TheDiscsAreAsLargeAsTheHeightAllows) {
+  // The room that the window leaves at 1280x800.
+  show({390, 228});
+  view.setCoverage(coverageWith({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}));
+  const double across = view.placeOf(Eigen::Vector3d::UnitX()).x() - view.placeOf(-Eigen::Vector3d::UnitX()).x();
+  EXPECT_GT(std::abs(across), 70);
 }
 
 TEST_F(CoverageViewTest, SaysInWordsWhatItShows) {

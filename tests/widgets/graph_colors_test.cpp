@@ -133,6 +133,21 @@ TEST_F(GraphColorsTest, EveryColouringLooksDifferentAndHasALegend) {
   }
 }
 
+TEST_F(GraphColorsTest, TheButtonTakesNoHeightFromASkinThatLeavesAPlaceAtTheTop) {
+  // The arms of the cross leave one between them: it is as high as one without a button.
+  show(sampleX17());
+  view_.resize(400, 200);
+  ASSERT_TRUE(test::waitUntil([&] { return view_.width() == 400; }));
+  QApplication::processEvents();
+  EXPECT_TRUE(button()->isVisible());
+  int top = view_.height();
+  for (std::uint32_t id = 1; id <= 17; ++id) {
+    EXPECT_FALSE(button()->geometry().contains(cell(id))) << id;
+    top = std::min(top, cell(id).y());
+  }
+  EXPECT_LT(top, button()->geometry().bottom());
+}
+
 TEST_F(GraphColorsTest, LegendAndButtonGiveWayInASmallViewAndTheSkinKeepsClearOfThem) {
   show(sampleSheet(6, 6));
   for (std::uint32_t id = 1; id <= 36; ++id) {
@@ -146,7 +161,7 @@ TEST_F(GraphColorsTest, LegendAndButtonGiveWayInASmallViewAndTheSkinKeepsClearOf
 
 TEST_F(GraphColorsTest, ShortestPathsAreMarkedUnlessSwitchedOff) {
   show(sampleX17());
-  const QColor band = Colors::of(Theme::Light).border;
+  const QColor band = Colors::of(Theme::Light).tree_band;
   const int marked = countColor(image(), linkTo2(), 8, band);
   auto* toggle = view_.findChild<QAction*>("graphMarksTree");
   ASSERT_NE(toggle, nullptr);

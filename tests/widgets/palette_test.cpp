@@ -68,6 +68,7 @@ TEST_P(PaletteOfTheme, TextIsReadableOnEveryGround) {
 TEST_P(PaletteOfTheme, MarksAndStrokesStandOutFromTheirGround) {
   EXPECT_GE(contrast(colors_.caution, colors_.panel), 3);
   EXPECT_GE(contrast(colors_.muted_link, colors_.panel), 3);
+  EXPECT_GE(contrast(colors_.tree_band, colors_.panel), GetParam() == Theme::Dark ? 1.7 : 1.3);
   EXPECT_GE(contrast(colors_.selection, colors_.panel), 15);
   for (const EdgeQuality quality :
        {EdgeQuality::Undefined, EdgeQuality::Partially, EdgeQuality::Fully, EdgeQuality::Over}) {
