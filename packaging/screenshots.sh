@@ -2,7 +2,7 @@
 # Pictures of the real window in every step and of its dialogs, light and dark, at 1280x800 and 1920x1080, English and
 # German. Fails if a text is cut off anywhere, and says which.
 # Usage: packaging/screenshots.sh [DIR]     (default: out/screenshots)
-#        packaging/screenshots.sh --guide   makes the pictures of the user guide anew, in resources/guide/images
+#        packaging/screenshots.sh --guide   makes the pictures of the user guide and of the README anew, in resources
 # HEXODERM_WINDOW: the program to run (default: that of the preset release, which is built first)
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
@@ -34,12 +34,17 @@ if [ "${1:-}" = --guide ]; then
   for language in en de; do
     made="$home/$language"
     tour "$made" "$language" light 1280x800 --screenshots-width 760 || echo "see above; the pictures are made all the same"
-    cp "$made"/*-first-pose.png "$images/$language-capture.png"
+    cp "$made"/*-second-pose.png "$images/$language-capture.png"
     cp "$made"/*-done-step4.png "$images/$language-review.png"
     last="$(find "$made" -name '*-done-step*.png' | sort -V | tail -1)"
     cp "$last" "$images/$language-done.png"
   done
-  ls -l "$images"
+  for theme in light dark; do
+    made="$home/$theme"
+    tour "$made" en "$theme" 1440x900 || echo "see above; the pictures are made all the same"
+    cp "$made"/*-second-pose.png "$root/resources/screenshots/window-$theme.png"
+  done
+  ls -l "$images" "$root/resources/screenshots"
   exit 0
 fi
 

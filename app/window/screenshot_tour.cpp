@@ -1,5 +1,6 @@
 #include "app/window/screenshot_tour.h"
 
+#include "app/window/guide.h"
 #include "app/window/main_window.h"
 #include "app/window/text_fit.h"
 #include "widgets/patch_view.h"
@@ -75,9 +76,13 @@ void ScreenshotTour::stop(QWidget& shown, const QString& name) {
   }
 }
 
+QAbstractButton* ScreenshotTour::stepHead(int number) const {
+  return window_.findChild<QAbstractButton*>(QStringLiteral("stepHead%1").arg(number));
+}
+
 void ScreenshotTour::visitSteps(const QString& stage) {
   for (int number = 1;; ++number) {
-    auto* head = window_.findChild<QAbstractButton*>(QStringLiteral("stepHead%1").arg(number));
+    QAbstractButton* head = stepHead(number);
     if (head == nullptr) return;
     if (!head->isVisible()) continue;
     head->click();
@@ -118,10 +123,13 @@ QStringList ScreenshotTour::run(QSize size) {
   if (!waitUntilIdle()) return problems_;
   visitSteps(QStringLiteral("start"));
   SessionController& controller = window_.controller();
+  stepHead(static_cast<int>(GuideStep::Capture) + 1)->click();
   controller.setRobot(true);
   const auto poses = [&] { return controller.reconstruction() ? controller.reconstruction()->poses.size() : 0; };
   if (!waitUntil([&] { return poses() >= 1; })) return problems_ << QStringLiteral("no pose was taken");
   stop(window_, QStringLiteral("first-pose"));
+  if (!waitUntil([&] { return poses() >= 2; })) return problems_ << QStringLiteral("no second pose was taken");
+  stop(window_, QStringLiteral("second-pose"));
   const bool is_done =
       waitUntil([&] { return poses() >= kMostPoses || (poses() > 1 && !controller.wantsMorePoses()); });
   controller.setRobot(false);

@@ -5,6 +5,7 @@
 #include <QString>
 #include <QStringList>
 
+class QAbstractButton;
 class QWidget;
 
 namespace hexoderm {
@@ -13,7 +14,7 @@ class MainWindow;
 
 /// Leads the real window through the demo as a person would, by its buttons, and keeps a picture of every step and of
 /// every dialog: for the user guide, and to see what the window looks like. At each stop it looks for texts that are
-/// cut off. Nothing here knows the steps: it opens those that the panel of steps offers.
+/// cut off. It opens the steps that the panel of steps offers, and that of the capture while poses are taken.
 class ScreenshotTour {
  public:
   /// Pictures are named `prefix`-stop.png, and are made smaller if they are wider than `largest_width_px` (0: never).
@@ -28,6 +29,8 @@ class ScreenshotTour {
  private:
   bool waitUntilIdle();
   void stop(QWidget& shown, const QString& name);
+  /// Null beyond the last.
+  [[nodiscard]] QAbstractButton* stepHead(int number) const;
   void visitSteps(const QString& stage);
   void visitDialogs();
 
