@@ -203,8 +203,14 @@ class Monkey : public QObject {
               .arg(QKeySequence(code | static_cast<int>(modifiers)).toString(),
                    QApplication::focusWidget() ? QApplication::focusWidget()->objectName() : QString()));
     QPointer<QWindow> handle(top->windowHandle());
-    if (handle) QTest::keyPress(handle, static_cast<Qt::Key>(code), modifiers);
-    if (handle) QTest::keyRelease(handle, static_cast<Qt::Key>(code), modifiers);
+    // QTest::keyRelease() would release Ctrl after the key, in a window that may have gone with it.
+    QString text;
+    if (!(modifiers & (Qt::ControlModifier | Qt::AltModifier))) {
+      if (const char letter = QTest::keyToAscii(static_cast<Qt::Key>(code))) text = QLatin1Char(letter);
+    }
+    for (const bool pressed : {true, false}) {
+      if (handle) QTest::simulateEvent(handle, pressed, code, modifiers, text, false);
+    }
   }
   void type() {
     const QPointer<QWidget> focus = QApplication::focusWidget();
