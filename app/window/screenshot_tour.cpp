@@ -136,6 +136,13 @@ QStringList ScreenshotTour::run(QSize size) {
   controller.setAutomatic(false);
   if (!is_done || !waitUntilIdle()) return problems_ << QStringLiteral("the robot did not take enough poses");
   visitSteps(QStringLiteral("done"));
+  if (window_.size() != size) {
+    problems_ << QStringLiteral("the window has grown from %1x%2 to %3x%4")
+                     .arg(size.width())
+                     .arg(size.height())
+                     .arg(window_.width())
+                     .arg(window_.height());
+  }
   visitDialogs();
   return problems_;
 }

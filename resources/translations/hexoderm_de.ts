@@ -1646,11 +1646,11 @@
     </message>
     <message>
         <source>tilted up, %1 up</source>
-        <translation>schräg aufwärts, %1 oben</translation>
+        <translation>aufwärts, %1 oben</translation>
     </message>
     <message>
         <source>tilted down, %1 up</source>
-        <translation>schräg abwärts, %1 oben</translation>
+        <translation>abwärts, %1 oben</translation>
     </message>
     <message>
         <source>folder of tables: cells, sensors, links, poses, residuals</source>
@@ -2717,7 +2717,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>Del disable · Ctrl+Z undo</source>
-        <translation>Entf: nicht benutzen · Strg+Z: rückgängig</translation>
+        <translation>Entf: aus · Strg+Z: zurück</translation>
     </message>
     <message>
         <source>Findings %1</source>
@@ -2881,7 +2881,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>R recapture · Del disable · Ctrl+Z undo</source>
-        <translation>R: neu aufnehmen · Entf: nicht benutzen · Strg+Z: rückgängig</translation>
+        <translation>R: neu · Entf: aus · Strg+Z: zurück</translation>
     </message>
     <message>
         <source>Demo skin</source>
@@ -3124,7 +3124,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Noise mg</source>
-        <translation>Rauschen mg</translation>
+        <translation>Rausch. mg</translation>
     </message>
     <message>
         <source>Standard deviation of the mean readings, rms over the cells</source>
@@ -3140,7 +3140,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Residual</source>
-        <translation>Restfehler</translation>
+        <translation>Rest</translation>
     </message>
     <message>
         <source>How badly the pose fits the reconstruction: rms over the links</source>
