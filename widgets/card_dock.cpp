@@ -41,13 +41,18 @@ void CardDock::setHeading(const QString& heading) {
   title_->setText(heading.toUpper());
 }
 
-void CardDock::setRemark(const QString& remark) { remark_->setText(remark); }
+void CardDock::setRemark(const QString& remark) {
+  remark_->setText(remark);
+  remark_->setVisible(!remark.isEmpty());
+}
 
 void CardDock::setHead(QWidget* widget) {
   auto* head = qobject_cast<QHBoxLayout*>(titleBarWidget()->layout());
   head->insertWidget(0, widget);
-  head->setContentsMargins(5, 5, 13, 0);
+  head->setContentsMargins(5, 5, 5, 0);
+  // They would take room, be it only the space between them.
   title_->hide();
+  remark_->setVisible(!remark_->text().isEmpty());
 }
 
 }  // namespace hexoderm

@@ -55,24 +55,26 @@ int FlowLayout::arrange(const QRect& rect, bool place) const {
   const int first_width = groupWidth(0, second_group_);
   const int second_width = groupWidth(second_group_, count());
   const bool one_row = first_width + kApart + second_width <= room.width();
+  // What is hidden takes no room.
+  int row_height = 0;
+  for (const QLayoutItem* item : items_) {
+    if (!item->isEmpty()) row_height = std::max(row_height, item->sizeHint().height());
+  }
   int x = room.left();
   int y = room.top();
-  int row_height = 0;
   const auto begin_row = [&] {
     x = room.left();
     y += row_height + spacing();
-    row_height = 0;
   };
   for (int k = 0; k < count(); ++k) {
     if (k == second_group_ && one_row) x = room.left() + room.width() - second_width;
-    if (k == second_group_ && !one_row && row_height > 0) begin_row();
-    // What is hidden takes no room.
+    if (k == second_group_ && !one_row && x > room.left()) begin_row();
     if (items_.at(k)->isEmpty()) continue;
     const QSize size = items_.at(k)->sizeHint();
     if (!one_row && x > room.left() && x + size.width() > room.left() + room.width()) begin_row();
-    if (place) items_.at(k)->setGeometry(QRect(QPoint(x, y), size));
+    // A text stands in the middle of a row of buttons.
+    if (place) items_.at(k)->setGeometry(QRect(QPoint(x, y + (row_height - size.height()) / 2), size));
     x += size.width() + spacing();
-    row_height = std::max(row_height, size.height());
   }
   return y + row_height - rect.top() + contentsMargins().bottom();
 }

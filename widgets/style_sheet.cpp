@@ -106,10 +106,14 @@ QTableCornerButton::section { background: @panel@; border: 0; }
 QTabWidget::pane { border: 0; }
 QTabBar { background: transparent; font-weight: 600; }
 QTabBar::tab { background: transparent; color: @text_muted@; font-weight: 400; border: 0;
-               border-bottom: 2px solid transparent; padding: 4px 5px; margin: 2px 5px; }
+               border-bottom: 2px solid transparent; padding: 4px 4px; margin: 2px 5px; }
 QTabBar::tab:hover { color: @text@; }
 QTabBar::tab:selected { color: @text@; font-weight: 600; border-bottom-color: @accent@; }
 QTabBar::tab:focus { color: @accent@; }
+QTabBar::scroller { width: 24px; }
+QTabBar QToolButton { background: @panel@; border-color: transparent; padding: 0; }
+QTabBar QToolButton::left-arrow { image: url(:/hexoderm/style/chevron-left.svg); width: 10px; height: 10px; }
+QTabBar QToolButton::right-arrow { image: url(:/hexoderm/style/chevron-right.svg); width: 10px; height: 10px; }
 
 QAbstractScrollArea::corner { background: transparent; border: 0; }
 QScrollBar { background: transparent; border: 0; }

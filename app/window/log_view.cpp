@@ -1,11 +1,11 @@
 #include "app/window/log_view.h"
 
+#include "widgets/flow_layout.h"
 #include "widgets/words.h"
 
 #include <QComboBox>
 #include <QDateTime>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
@@ -159,11 +159,13 @@ LogView::LogView(const EventLog& log, QWidget* parent)
   table_->horizontalHeader()->setStretchLastSection(true);
   fitColumns();
 
-  auto* bar = new QHBoxLayout;
+  // In two rows where one is too narrow: this bar must not say how wide the window is.
+  auto* bar = new FlowLayout;
   bar->setContentsMargins(12, 6, 12, 6);
   bar->setSpacing(8);
   bar->addWidget(severity_);
-  bar->addWidget(text_, 1);
+  bar->addWidget(text_);
+  bar->beginSecondGroup();
   bar->addWidget(count_);
   bar->addWidget(copy);
   bar->addWidget(folder);
