@@ -59,11 +59,9 @@ QString nextPoseInWords(const NextPose& next) {
 }
 
 QString turnInWords(const NextPose& next) {
-  // A hand misses by some degrees, so that less is no turn to ask for, and steps of ten are fine enough.
-  constexpr double kThere = 15 * kDegree;
-  constexpr double kStep_deg = 10;
-  if (next.gain == PoseGain::First || !next.worthwhile || !next.turn) return {};
-  if (next.turn->angle_rad < kThere) return CaptureWords::tr("It is there: hold it like this.");
+  constexpr double kStep_deg = 10;  // fine enough for a hand
+  if (!next.isWanted() || !next.turn) return {};
+  if (next.turn->angle_rad < kThere_rad) return CaptureWords::tr("It is there: hold it like this.");
   const double rounded = kStep_deg * std::round(toDegrees(next.turn->angle_rad) / kStep_deg);
   if (rounded >= 180) return CaptureWords::tr("Half a turn around a horizontal axis.");
   return CaptureWords::tr("About %1° around the horizontal axis shown.").arg(figureInWords(rounded, 0));
@@ -92,7 +90,7 @@ QString gainInWords(const NextPose& next) {
 }
 
 QString sigmaInWords(const NextPose& next) {
-  if (next.gain == PoseGain::First || !next.worthwhile) return {};
+  if (!next.isWanted()) return {};
   // A share, because the verdict states the worst cell's error and this is that of an edge.
   const double share = next.sigma_now_rad > 0 ? next.sigma_then_rad / next.sigma_now_rad : 1;
   if (share > 0.95) return CaptureWords::tr("Another pose would hardly make it better.");

@@ -1,7 +1,7 @@
 #include "widgets/scene_ghost.h"
 
 #include "hexoderm/geometry/se3.h"
-#include "hexoderm/util/units.h"
+#include "hexoderm/reconstruction/pose_coverage.h"
 
 #include <vtkActor.h>
 #include <vtkArrowSource.h>
@@ -28,7 +28,6 @@ constexpr double kMargin = 1.06;        // around the patch
 constexpr double kMiddleHeight = 0.55;  // of the window
 constexpr double kMostHeight = 0.56;
 constexpr double kBesideEdge = 0.02;
-constexpr double kLeastTurn = 15 * kDegree;  // smaller ones are said to be there already
 
 struct Drawn {
   vtkNew<vtkPolyDataMapper> mapper;
@@ -71,8 +70,8 @@ void SceneGhost::Parts::update() {
   if (!isVisible()) return;
   const Eigen::Vector3d turn = logSO3(shortestRotation(*to_up, from_up));
   const Eigen::Matrix3d R = expSO3(phase * turn);
-  axis.actor->SetVisibility(turn.norm() > kLeastTurn);
-  if (turn.norm() > kLeastTurn) {
+  axis.actor->SetVisibility(turn.norm() >= kThere_rad);
+  if (turn.norm() >= kThere_rad) {
     const Eigen::Vector3d end = radius_m * turn.normalized();
     axis_line->SetPoint1(-end.x(), -end.y(), -end.z());
     axis_line->SetPoint2(end.x(), end.y(), end.z());

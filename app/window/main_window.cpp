@@ -298,8 +298,9 @@ void MainWindow::connectActions() {
   });
   connect(new DesktopThemeWatch(this), &DesktopThemeWatch::changed, this, [this](Theme theme) {
     setSystemTheme(theme);
-    if (actions_.theme[static_cast<std::size_t>(ThemeChoice::System)]->isChecked())
+    if (actions_.theme[static_cast<std::size_t>(ThemeChoice::System)]->isChecked()) {
       setThemeChoice(ThemeChoice::System, false);
+    }
   });
 }
 

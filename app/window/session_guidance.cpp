@@ -31,7 +31,7 @@ void SessionController::adviseAnew() {
     for (const GravityDirection& gravity : largestPatch(*seen)->gravity) directions_o.push_back(gravity.g_o);
     const PoseAdvice advice = adviseNextPose(*seen->model, directions_o, unreachable);
     const std::optional<NextPose> next = describeNextPose(advice, *seen);
-    const bool wanted = next && next->gain != PoseGain::First && next->worthwhile;
+    const bool wanted = next && next->isWanted();
     QMetaObject::invokeMethod(
         this,
         [this, ticket, advice, wanted] {

@@ -17,9 +17,12 @@ namespace {
 std::size_t slotOf(VerifyCheck check) { return static_cast<std::size_t>(check); }
 
 /// A session is solved with the options of what it is compared with.
-std::shared_ptr<const Reconstruction> readReference(const QString& path, const SolverOptions& options) {
+/// Null if it was stopped.
+std::shared_ptr<const Reconstruction> readReference(const QString& path, const SolverOptions& options,
+                                                    const std::stop_token& stop) {
   const OpenedFile file = openFile(toPath(path), builtInCellModel("hex-bma150"));
-  if (const auto* session = std::get_if<Session>(&file)) return reconstruct(*session->snapshot(), options);
+  if (const auto* session = std::get_if<Session>(&file))
+    return reconstruct(*session->snapshot(), options, nullptr, stop);
   return std::get<std::shared_ptr<const Reconstruction>>(file);
 }
 
@@ -103,7 +106,8 @@ void Verification::compare() {
   request(VerifyCheck::Comparison,
           [this, seen = reconstruction_, path = reference_path_,
            known = reference_](const std::stop_token& stop) -> Announcement {
-            const std::shared_ptr<const Reconstruction> reference = known ? known : readReference(path, seen->options);
+            const std::shared_ptr<const Reconstruction> reference =
+                known ? known : readReference(path, seen->options, stop);
             // Nobody waits for it any more, and comparing takes its time too.
             if (stop.stop_requested()) return [] {};
             return [this, path, seen, reference, comparisons = compareToReconstruction(*seen, *reference)] {

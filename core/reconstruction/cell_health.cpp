@@ -1,6 +1,7 @@
 #include "cell_health.h"
 
 #include "hexoderm/geometry/se3.h"
+#include "hexoderm/util/median.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
@@ -18,13 +19,6 @@ constexpr double kMovedAngle = 15 * kDegree;    // ... while the other cells tur
 constexpr double kNoisyTimesOthers = 4;
 constexpr double kMovingSigma_g =
     0.25;  // tremor is 10 mg, at the end of an arm's length 100 mg; a moving part far above
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 std::string inMilliG(double value_g) { return formatFixed(value_g * 1000, 0) + " mg"; }
 

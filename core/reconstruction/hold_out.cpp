@@ -2,6 +2,7 @@
 
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/median.h"
 #include "hexoderm/util/units.h"
 
 #include "accelerometer_fit.h"
@@ -196,11 +197,10 @@ class HoldOut {
         if (entry.usable && entry.own_variance_g2 > 0) scatter.push_back(entry.own_variance_g2);
       }
       if (scatter.empty()) continue;
-      const auto middle = scatter.begin() + static_cast<std::ptrdiff_t>(scatter.size() / 2);
-      std::ranges::nth_element(scatter, middle);
-      if (!stillest || *middle < least) {
+      const double usual = median(std::move(scatter));
+      if (!stillest || usual < least) {
         stillest = pose;
-        least = *middle;
+        least = usual;
       }
     }
     return stillest;
@@ -320,7 +320,8 @@ HoldOutResult evaluateHoldOut(const SessionSnapshot& snapshot, PoseId pose, cons
   if (result.other_poses < kFewestOtherPoses) return result;
   result.outcome = HoldOutOutcome::Stopped;
   if (stop.stop_requested()) return result;
-  const auto reconstruction = reconstruct(others, options);
+  const auto reconstruction = reconstruct(others, options, nullptr, stop);
+  if (!reconstruction) return result;
   const HoldOut hold_out(snapshot, pose, options);
   for (const PatchReconstruction& patch : reconstruction->patches) {
     if (stop.stop_requested()) return result;

@@ -1,11 +1,11 @@
 #include "joint_refinement.h"
 
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/median.h"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 namespace hexoderm {
 namespace {
@@ -31,15 +31,6 @@ GapShare gapShareOf(GapModel model) {
       break;
   }
   return {0.5, 0.5};
-}
-
-template <typename Range, typename Value>
-double medianOf(const Range& range, Value value) {
-  std::vector<double> values;
-  for (const auto& element : range) values.push_back(value(element));
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
 }
 
 /// The covariance of any two cells from that of the whole patch.
@@ -235,12 +226,17 @@ bool JointRefinement::widenNoise() {
   }
   if (seen.size() < 2) return false;
   std::ranges::sort(seen, {}, &Seen::lever_sq);
-  const std::span<const Seen> inner(seen.begin(), seen.begin() + static_cast<std::ptrdiff_t>(seen.size() / 2));
-  const std::span<const Seen> outer(seen.begin() + static_cast<std::ptrdiff_t>(seen.size() / 2), seen.end());
-  const double factor = medianOf(inner, [](const Seen& cell) { return cell.residual_g2 / cell.variance_g2; });
-  const double swing_g2 = medianOf(outer, [factor](const Seen& cell) {  // (2/3) (s / g)^2, per m^2
-    return cell.lever_sq > 0 ? (cell.residual_g2 - factor * cell.variance_g2) / cell.lever_sq : 0;
-  });
+  const auto first_outer = seen.begin() + static_cast<std::ptrdiff_t>(seen.size() / 2);
+  std::vector<double> factors;
+  for (auto cell = seen.begin(); cell != first_outer; ++cell) factors.push_back(cell->residual_g2 / cell->variance_g2);
+  const double factor = median(std::move(factors));
+  std::vector<double> swings_g2;  // (2/3) (s / g)^2, per m^2
+  for (auto cell = first_outer; cell != seen.end(); ++cell) {
+    if (cell->lever_sq > 0) {
+      swings_g2.push_back((cell->residual_g2 - factor * cell->variance_g2) / cell->lever_sq);
+    }
+  }
+  const double swing_g2 = median(std::move(swings_g2));
   if (factor <= 1 && swing_g2 <= 0) return false;
   for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
     for (CellReading& reading : problem_->readings[cell]) {

@@ -3,6 +3,7 @@
 #include "hexoderm/capture/pose_capture.h"
 #include "hexoderm/reconstruction/pose_advisor.h"
 #include "hexoderm/reconstruction/reconstruction.h"
+#include "hexoderm/util/units.h"
 
 #include <memory>
 #include <optional>
@@ -117,7 +118,12 @@ struct NextPose {
   double sigma_then_rad = 0;
   /// There are not enough poses yet, see enoughPoses(), or this one lowers the predicted error by at least a twentieth.
   bool worthwhile = true;
+
+  /// Where it is matters: neither the first pose, which may be any, nor one beyond what is enough.
+  [[nodiscard]] bool isWanted() const { return gain != PoseGain::First && worthwhile; }
 };
+/// A hand misses by some degrees: a part that is less than this from the next pose is there.
+inline constexpr double kThere_rad = 15 * kDegree;
 /// Nothing without a patch. `current_up_o`: unit, see currentUp.
 std::optional<NextPose> describeNextPose(const PoseAdvice& advice, const Reconstruction& reconstruction,
                                          const std::optional<Eigen::Vector3d>& current_up_o = {});
