@@ -23,6 +23,11 @@ QSurfaceFormat sceneSurfaceFormat() {
   return format;
 }
 
+void prepareOpenGl() {
+  QSurfaceFormat::setDefaultFormat(sceneSurfaceFormat());
+  QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+}
+
 OpenGlInfo queryOpenGl() {
   OpenGlInfo info;
   QOpenGLContext context;

@@ -194,14 +194,15 @@ void PatchView::Parts::connectControls() {
   connect(controls->pictureAction(), &QAction::triggered, view, &PatchView::pictureRequested);
 }
 
-/// While the mouse turns the scene or the view is resized, pictures come without smoothing.
+/// While the mouse turns the scene or the view is resized, pictures come without smoothing; without a graphics card,
+/// where it takes more than half of the time, whatever else changes too.
 void PatchView::Parts::smoothWhenAtRest() {
   constexpr int kRest_ms = 150;
   at_rest.setSingleShot(true);
   at_rest.setInterval(kRest_ms);
   connect(&at_rest, &QTimer::timeout, this, [this] {
     scene->setSmoothed(true);
-    requestRender();
+    render_soon.start();
   });
   vtkInteractorObserver* style = window->GetInteractor()->GetInteractorStyle();
   style->AddObserver(vtkCommand::StartInteractionEvent, this, &Parts::startInteraction);
@@ -288,7 +289,12 @@ void PatchView::Parts::updateSelection() {
 }
 
 void PatchView::Parts::requestRender() {
-  if (gl != nullptr && gl->isVisible()) render_soon.start();
+  if (gl == nullptr || !gl->isVisible()) return;
+  if (opengl.software) {
+    startInteraction();
+    endInteraction();
+  }
+  render_soon.start();
 }
 
 void PatchView::Parts::pickAt(const QPoint& position) {
@@ -454,11 +460,18 @@ void PatchView::waitUntilUpToDate() {
   if (!isUpToDate()) parts_->builder->finish();
 }
 
+void PatchView::drawNow() {
+  if (parts_->gl == nullptr || !parts_->gl->isValid()) return;
+  parts_->render_soon.stop();
+  parts_->at_rest.stop();
+  parts_->scene->setSmoothed(true);
+  parts_->window->Render();
+}
+
 QImage PatchView::screenshot() {
   if (parts_->gl == nullptr) return grab().toImage();
   // A view that was shown keeps its last picture until it is told to draw; one that never was draws for the first time.
-  parts_->scene->setSmoothed(true);
-  if (parts_->gl->isValid()) parts_->window->Render();
+  drawNow();
   QImage image = parts_->gl->grabFramebuffer();
   QPainter painter(&image);
   parts_->overlay->paint(painter, parts_->gl->size());

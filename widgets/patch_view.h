@@ -68,6 +68,8 @@ class PatchView : public QWidget {
   void whenUpToDate(std::function<void()> then);
   /// Waits until it is, as long as preparing takes. For pictures that nobody watches being taken.
   void waitUntilUpToDate();
+  /// Draws what was set, as smooth as it gets, instead of in the next turns of the event loop.
+  void drawNow();
   /// The scene as drawn, without the buttons on top; while a large skin is being prepared, as it was before.
   [[nodiscard]] QImage screenshot();
 

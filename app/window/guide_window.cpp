@@ -252,7 +252,16 @@ void GuideWindow::find(bool backwards) {
 void GuideWindow::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   // Colours of links are the palette's at the time of reading; one change of theme changes it several times.
-  if (event->type() == QEvent::PaletteChange && palette().color(QPalette::Link) != link_color_) dress_anew_.start();
+  if (event->type() == QEvent::PaletteChange) dressAnew();
+}
+
+void GuideWindow::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  dressAnew();
+}
+
+void GuideWindow::dressAnew() {
+  if (isVisible() && palette().color(QPalette::Link) != link_color_) dress_anew_.start();
 }
 
 QString guidePageFor(const SessionController& controller) {

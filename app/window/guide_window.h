@@ -40,9 +40,12 @@ class GuideWindow : public QWidget {
 
  protected:
   void changeEvent(QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
 
  private:
   void dressPage();
+  /// The page is read again if its links have the colour of another theme; one that nobody sees, when it is shown.
+  void dressAnew();
   void followPage(const QUrl& url);
   void find(bool backwards);
 

@@ -8,7 +8,6 @@
 #include <QCommandLineParser>
 #include <QLocale>
 #include <QSettings>
-#include <QSurfaceFormat>
 #include <QTemporaryDir>
 #include <QTextStream>
 #include <QTimer>
@@ -110,7 +109,7 @@ class Script : public QObject {
 }  // namespace
 
 int main(int argc, char** argv) {
-  QSurfaceFormat::setDefaultFormat(sceneSurfaceFormat());
+  prepareOpenGl();
   installStyle();
   QCoreApplication::setOrganizationName(QStringLiteral("Hexoderm"));
   QCoreApplication::setApplicationName(QStringLiteral("hexoderm"));

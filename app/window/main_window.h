@@ -124,6 +124,7 @@ class MainWindow : public QMainWindow {
   void saveCalibration();
   void showExportDialog();
   void askForReport();
+  QImage pictureAsDrawn();
   void savePicture();
   void saveGraph();
   void showDone(const QString& text, const QString& path);

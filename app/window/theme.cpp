@@ -1,11 +1,15 @@
 #include "app/window/theme.h"
 
 #include <QApplication>
+#include <QElapsedTimer>
 #include <QEvent>
+#include <QPointer>
 #include <QProxyStyle>
 #include <QRegularExpression>
 #include <QStyleFactory>
+#include <QTimer>
 #include <QWidget>
+#include <vector>
 
 namespace hexoderm {
 namespace {
@@ -48,19 +52,76 @@ QString panelSheet(const Colors& colors) {
            colors.text_muted.name(), colors.accent.name(), colors.accent_text.name());
 }
 
-/// Works out anew how a widget and all in it look; `resizes`: what they measure, too.
-void dress(QWidget& widget, bool resizes) {
-  widget.style()->polish(&widget);
-  if (resizes) {
-    QEvent change(QEvent::StyleChange);
-    QCoreApplication::sendEvent(&widget, &change);
+/// Works out anew how widgets look: what is seen at once, the rest, which is most, in turns of the event loop that
+/// nobody notices.
+class Wardrobe : public QObject {
+ public:
+  static Wardrobe& instance() {
+    static QPointer<Wardrobe> wardrobe;
+    if (!wardrobe) wardrobe = new Wardrobe(qApp);
+    return *wardrobe;
   }
-  widget.update();
-  const QObjectList children = widget.children();
-  for (QObject* child : children) {
-    if (auto* inner = qobject_cast<QWidget*>(child)) dress(*inner, resizes);
+
+  /// `resizes`: what they measure, too.
+  void dressAll(bool resizes) {
+    resizes_ = resizes_ || resizes;
+    hidden_.clear();
+    for (QWidget* top : QApplication::topLevelWidgets()) {
+      if (!top->parentWidget()) dressShown(top);
+    }
+    soon_.start();
   }
-}
+
+ private:
+  explicit Wardrobe(QObject* parent) : QObject(parent) {
+    soon_.setSingleShot(true);
+    connect(&soon_, &QTimer::timeout, this, &Wardrobe::dressSome);
+  }
+
+  void dress(QWidget* widget) const {
+    widget->style()->polish(widget);
+    if (resizes_) {
+      QEvent change(QEvent::StyleChange);
+      QCoreApplication::sendEvent(widget, &change);
+    }
+    widget->update();
+  }
+
+  static QList<QWidget*> inside(const QWidget* widget) {
+    return widget->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly);
+  }
+
+  void dressShown(QWidget* widget) {
+    if (!widget->isVisible()) {
+      hidden_.emplace_back(widget);
+      return;
+    }
+    dress(widget);
+    for (QWidget* inner : inside(widget)) dressShown(inner);
+  }
+
+  void dressSome() {
+    constexpr qint64 kTurn_ms = 5;
+    QElapsedTimer turn;
+    turn.start();
+    while (!hidden_.empty() && turn.elapsed() < kTurn_ms) {
+      const QPointer<QWidget> widget = hidden_.back();
+      hidden_.pop_back();
+      if (!widget) continue;
+      dress(widget);
+      for (QWidget* inner : inside(widget)) hidden_.emplace_back(inner);
+    }
+    if (hidden_.empty()) {
+      resizes_ = false;
+    } else {
+      soon_.start();
+    }
+  }
+
+  QTimer soon_;
+  std::vector<QPointer<QWidget>> hidden_;
+  bool resizes_ = false;
+};
 
 /// What a sheet says of sizes: all but the colours and the pictures that have them.
 QString withoutColors(QString sheet) {
@@ -124,9 +185,7 @@ void applyTheme(Theme theme) {
   qApp->style()->unpolish(qApp);
   qApp->setStyleSheet(sheet);
   const bool resizes = withoutColors(before) != withoutColors(sheet);
-  for (QWidget* top : QApplication::topLevelWidgets()) {
-    if (!top->parentWidget()) dress(*top, resizes);
-  }
+  Wardrobe::instance().dressAll(resizes);
 }
 
 }  // namespace hexoderm

@@ -19,6 +19,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QStandardPaths>
+#include <QTimer>
 #include <QUrl>
 #include <utility>
 
@@ -127,8 +128,12 @@ void MainWindow::askForReport() {
 QImage MainWindow::picture() {
   // The 3D view draws when there is time; until then a picture of the window would show its last state.
   patch_view_->waitUntilUpToDate();
-  static_cast<void>(patch_view_->screenshot());
-  // Nor have layouts caught up with a text that has just changed; inner ones ask outer ones for room.
+  patch_view_->drawNow();
+  return pictureAsDrawn();
+}
+
+QImage MainWindow::pictureAsDrawn() {
+  // Layouts have not caught up with a text that has just changed; inner ones ask outer ones for room.
   constexpr int kNested = 4;
   for (int k = 0; k < kNested; ++k) QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
   return grab().toImage();
@@ -139,7 +144,11 @@ void MainWindow::savePicture() {
   const QDir folder(QDir(pictures).exists() ? pictures : lastFolder());
   const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz"));
   const QString path = folder.filePath(QStringLiteral("hexoderm-%1.png").arg(stamp));
-  patch_view_->whenUpToDate([this, path] { controller_.saveImage(picture(), path); });
+  patch_view_->whenUpToDate([this, path] {
+    // In two turns, because both take their time without a graphics card.
+    patch_view_->drawNow();
+    QTimer::singleShot(0, this, [this, path] { controller_.saveImage(pictureAsDrawn(), path); });
+  });
 }
 
 void MainWindow::saveGraph() {

@@ -2,15 +2,14 @@
 // the user's nor those of the same tests run beside these. Listing tests needs no display.
 
 #include "app/window/theme.h"
+#include "widgets/opengl_info.h"
 
-#include <QVTKOpenGLNativeWidget.h>
 #include <gtest/gtest.h>
 #include <QApplication>
 #include <QDir>
 #include <QFile>
 #include <QSettings>
 #include <QStandardPaths>
-#include <QSurfaceFormat>
 #include <QTemporaryDir>
 
 int main(int argc, char** argv) {
@@ -22,9 +21,7 @@ int main(int argc, char** argv) {
   }
   const QTemporaryDir home;
   qputenv("HOME", QFile::encodeName(home.path()));
-  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
-  format.setSamples(0);
-  QSurfaceFormat::setDefaultFormat(format);
+  hexoderm::prepareOpenGl();
   hexoderm::installStyle();
   const QApplication application(argc, argv);
   QCoreApplication::setOrganizationName(QStringLiteral("HexodermTests"));

@@ -8,8 +8,8 @@
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/session/simulated_session.h"
 #include "watchdog.h"
+#include "widgets/opengl_info.h"
 
-#include <QVTKOpenGLNativeWidget.h>
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QDesktopServices>
@@ -293,9 +293,7 @@ void report(const Monkey& monkey, const test::Watchdog& watchdog, std::uint64_t 
 }  // namespace
 
 int main(int argc, char** argv) {
-  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
-  format.setSamples(0);
-  QSurfaceFormat::setDefaultFormat(format);
+  prepareOpenGl();
   installStyle();
   QApplication application(argc, argv);
   QApplication::setQuitOnLastWindowClosed(false);
