@@ -7,6 +7,7 @@
 #include "widgets/hold_ring.h"
 #include "widgets/live_strip.h"
 #include "widgets/toggle_switch.h"
+#include "widgets/words.h"
 
 #include <QAction>
 #include <QEvent>
@@ -205,7 +206,7 @@ void CapturePanel::refreshAdvice() {
   setIfChanged(what_, next_ ? nextPoseInWords(*next_) : tr("Working out which pose helps most…"));
   setIfChanged(turn_, next_ ? turnInWords(*next_) : QString());
   setIfChanged(why_, next_ ? gainInWords(*next_) : QString());
-  setIfChanged(sigma_, next_ ? sigmaInWords(*next_) : QString());
+  setIfChanged(sigma_, next_ ? unbroken(sigmaInWords(*next_)) : QString());
 }
 
 void CapturePanel::resizeEvent(QResizeEvent* event) {

@@ -41,6 +41,11 @@ QString kindInWords(OddCellKind kind) {
   return {};
 }
 
+double roundedTurn_deg(const PartTurn& turn) {
+  constexpr double kStep_deg = 10;  // fine enough for a hand
+  return kStep_deg * std::round(toDegrees(turn.angle_rad) / kStep_deg);
+}
+
 }  // namespace
 
 QString nextPoseInWords(const NextPose& next) {
@@ -59,12 +64,16 @@ QString nextPoseInWords(const NextPose& next) {
 }
 
 QString turnInWords(const NextPose& next) {
-  constexpr double kStep_deg = 10;  // fine enough for a hand
   if (!next.isWanted() || !next.turn) return {};
   if (next.turn->angle_rad < kThere_rad) return CaptureWords::tr("It is there: hold it like this.");
-  const double rounded = kStep_deg * std::round(toDegrees(next.turn->angle_rad) / kStep_deg);
+  const double rounded = roundedTurn_deg(*next.turn);
   if (rounded >= 180) return CaptureWords::tr("Half a turn around a horizontal axis.");
   return CaptureWords::tr("About %1° around the horizontal axis shown.").arg(figureInWords(rounded, 0));
+}
+
+QString turnAngleInWords(const NextPose& next) {
+  if (!next.isWanted() || !next.turn || next.turn->angle_rad < kThere_rad) return {};
+  return CaptureWords::tr("%1°").arg(figureInWords(roundedTurn_deg(*next.turn), 0));
 }
 
 QString gainInWords(const NextPose& next) {
@@ -98,7 +107,7 @@ QString sigmaInWords(const NextPose& next) {
       .arg(figureInWords(std::max(1.0, std::round(100 * share)), 0));
 }
 
-QString missingInWords(const PoseCoverage& coverage) {
+QString missingInWords(const PoseCoverage& coverage, const std::optional<Eigen::Vector3d>& next_up_o) {
   if (!coverage.missing) {
     return coverage.enabled == 0 ? QString()
                                  : CaptureWords::tr("No direction is missing: all three values reach %1.")
@@ -107,6 +116,12 @@ QString missingInWords(const PoseCoverage& coverage) {
   const MissingDirection& missing = *coverage.missing;
   if (missing.which == 1) return CaptureWords::tr("No pose yet: any direction will do.");
   const bool second = missing.which == 2;
+  if (next_up_o && fillsMissing(coverage, *next_up_o)) {
+    const QString still_missing =
+        second ? CaptureWords::tr("A second direction is missing; the next pose is one. Its value is %1, needs %2.")
+               : CaptureWords::tr("A third direction is missing; the next pose is one. Its value is %1, needs %2.");
+    return still_missing.arg(figureInWords(missing.value, 2), figureInWords(coverage.threshold, 2));
+  }
   QString sentence;
   if (missing.facing.facing == Facing::Wall) {
     sentence =
@@ -178,13 +193,13 @@ QString waitInWords(const HoldStatus& hold) {
   switch (still.blocker) {
     case Blocker::None:
       return hold.automatic ? CaptureWords::tr("The part is still")
-                            : CaptureWords::tr("The part is still; it does not capture by itself");
+                            : CaptureWords::tr("The part is still. Automatic capture is off");
     case Blocker::Waiting:
       return still.cells == 0 ? CaptureWords::tr("Waiting: no cell sends readings")
                               : CaptureWords::tr("Waiting: %1 s of readings are needed to judge")
                                     .arg(figureInWords(still.window_s, 1));
     case Blocker::NotMoved:
-      if (!hold.automatic) return CaptureWords::tr("The part is still; it does not capture by itself");
+      if (!hold.automatic) return CaptureWords::tr("The part is still. Automatic capture is off");
       return CaptureWords::tr("Waiting: moved %1 since the last pose, needs %2")
           .arg(degrees(still.moved_rad, 1), degrees(still.rearm_rad, 0));
     case Blocker::Turning:

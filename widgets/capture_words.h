@@ -3,7 +3,9 @@
 #include "hexoderm/capture/pose_recorder.h"
 #include "hexoderm/reconstruction/pose_coverage.h"
 
+#include <Eigen/Core>
 #include <QString>
+#include <optional>
 
 namespace hexoderm {
 
@@ -13,6 +15,8 @@ namespace hexoderm {
 QString nextPoseInWords(const NextPose& next);
 /// "About 70° around the horizontal axis shown."; that it is there where it is; empty where nobody knows.
 QString turnInWords(const NextPose& next);
+/// The angle alone, as turnInWords() says it: "90°". Empty where it says none.
+QString turnAngleInWords(const NextPose& next);
 /// "Why: gravity has been seen from two directions. ..."
 QString gainInWords(const NextPose& next);
 /// "With this pose the error falls to about 14 % of what it is now."; empty for the first pose.
@@ -20,7 +24,9 @@ QString sigmaInWords(const NextPose& next);
 
 /// "No pose yet with cell 7 facing the ceiling or the floor: the third value is 0.02, needs 0.50."; that nothing is
 /// missing where nothing is.
-QString missingInWords(const PoseCoverage& coverage);
+/// `next_up_o`: of the next pose, where that is shown: if it is such a direction, naming another cell that would do as
+/// well only confuses.
+QString missingInWords(const PoseCoverage& coverage, const std::optional<Eigen::Vector3d>& next_up_o = std::nullopt);
 /// All of it, for a screen reader.
 QString coverageInWords(const PoseCoverage& coverage);
 /// "2 poses", "2 poses, 1 disabled".

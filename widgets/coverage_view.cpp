@@ -87,7 +87,7 @@ struct CoverageView::Parts {
   [[nodiscard]] const Colors& colors() const { return Colors::of(theme); }
 };
 
-QString CoverageView::Parts::words() const { return isEmpty() ? empty_hint : missingInWords(coverage); }
+QString CoverageView::Parts::words() const { return isEmpty() ? empty_hint : missingInWords(coverage, next); }
 
 double CoverageView::Parts::legendWidth() const {
   const QFontMetrics metrics = view->fontMetrics();
@@ -343,7 +343,9 @@ void CoverageView::setCurrent(const std::optional<Eigen::Vector3d>& up_o) {
 
 void CoverageView::setNext(const std::optional<Eigen::Vector3d>& up_o) {
   if (parts_->next == up_o) return;
+  const double height_before = parts_->belowDiscs(width());
   parts_->next = up_o;
+  if (parts_->belowDiscs(width()) != height_before) updateGeometry();
   parts_->changed();
 }
 

@@ -145,9 +145,13 @@ void GraphLegend::drawSample(QPainter& painter, const Entry& entry, const QRectF
   const double thick = std::max(2.0, 0.16 * box.height());
   const QLineF line(box.left(), y, box.right(), y);
   switch (entry.sample) {
-    case Sample::Line:
-      drawStroke(painter, entry.stroke, line, thick);
+    case Sample::Line: {
+      // In both directions, as links are drawn.
+      const double aside = 0.22 * box.height();
+      drawStroke(painter, entry.stroke, line.translated(0, -aside), 0.8 * thick);
+      drawStroke(painter, entry.stroke, line.translated(0, aside), 0.8 * thick);
       return;
+    }
     case Sample::Fill:
       if (entry.stroke.color.alpha() == 0) return;
       painter.setPen(QPen(colors_.text_muted, 1));

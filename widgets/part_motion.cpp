@@ -95,6 +95,8 @@ void PartMotion::setNextUp(const std::optional<Eigen::Vector3d>& up_o) {
   render_();
 }
 
+void PartMotion::setNextTurn(const QString& angle) { caption_->setAngle(angle); }
+
 void PartMotion::refresh() { updateCaption(); }
 
 void PartMotion::setTurnable(bool turnable) {
@@ -142,13 +144,7 @@ void PartMotion::nextFrame() {
   render_();
 }
 
-void PartMotion::updateCaption() {
-  caption_->setShown(scene_.showsGhost());
-  const std::optional<Eigen::Vector3d> up = scene_.upShown();
-  const double angle = up && next_o_ ? toDegrees(angleBetween(*up, *next_o_)) : 0;
-  caption_->setAngle(up && next_o_ ? tr("%1°").arg(QLocale().toString(10 * std::round(angle / 10), 'f', 0))
-                                   : QString());
-}
+void PartMotion::updateCaption() { caption_->setShown(scene_.showsGhost()); }
 
 void PartMotion::place() {
   caption_->setGeometry(view_->rect());

@@ -36,6 +36,7 @@ class PartMotion : public QObject {
   /// Unit vectors in the frame of the largest patch. None: the picture stays as it is.
   void setUp(const std::optional<Eigen::Vector3d>& up_o);
   void setNextUp(const std::optional<Eigen::Vector3d>& up_o);
+  void setNextTurn(const QString& angle);
   /// The skin or its shape is another one.
   void refresh();
   void setTurnable(bool turnable);

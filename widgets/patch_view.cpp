@@ -98,6 +98,7 @@ struct PatchView::Parts : public QObject {
   QTimer at_rest;
   QTimer render_soon;
   QPoint pressed_at;
+  QColor background = Colors::of(Theme::Light).scene_bottom;  ///< seen where there is no OpenGL
 
   void build();
   void buildScene(QGridLayout* layout);
@@ -369,12 +370,12 @@ void PatchView::setTheme(Theme theme) {
   parts_->overlay->setTheme(theme, colors);
   if (parts_->scene) parts_->scene->setColors(colors);
   if (parts_->motion) parts_->motion->setTheme(theme);
-  QPalette own = palette();
-  own.setColor(QPalette::Window, Colors::of(theme).scene_bottom);
-  setPalette(own);
-  setAutoFillBackground(true);
+  parts_->background = Colors::of(theme).scene_bottom;
+  update();
   parts_->requestRender();
 }
+
+void PatchView::paintEvent(QPaintEvent* /*event*/) { QPainter(this).fillRect(rect(), parts_->background); }
 
 void PatchView::setPose(std::optional<PoseId> pose) {
   if (!parts_->scene) return;
@@ -436,6 +437,10 @@ void PatchView::setCurrentUp(const std::optional<Eigen::Vector3d>& up_o) {
 
 void PatchView::setNextUp(const std::optional<Eigen::Vector3d>& up_o) {
   if (parts_->motion) parts_->motion->setNextUp(up_o);
+}
+
+void PatchView::setNextTurn(const QString& angle) {
+  if (parts_->motion) parts_->motion->setNextTurn(angle);
 }
 
 void PatchView::setTurnable(bool turnable) {

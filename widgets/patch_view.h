@@ -55,6 +55,8 @@ class PatchView : public QWidget {
   void setCurrentUp(const std::optional<Eigen::Vector3d>& up_o);
   /// Where up is to be in the next pose: shown as a ghost beside the skin that turns there. None: no ghost.
   void setNextUp(const std::optional<Eigen::Vector3d>& up_o);
+  /// How far the part is to be turned there, in words ("90°"), to stand beside the ghost; empty: it says nothing.
+  void setNextTurn(const QString& angle);
   /// Whether turnRequested() is obeyed: then a button, Shift and the arrow keys turn the part instead of the picture.
   void setTurnable(bool turnable);
   /// Off: nothing moves by itself.
@@ -86,6 +88,9 @@ class PatchView : public QWidget {
   void pictureRequested();
   /// The part should be turned until this direction of the largest patch's frame points up; at most 20 times a second.
   void turnRequested(Eigen::Vector3d up_o);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
 
  private:
   struct Parts;

@@ -1,6 +1,7 @@
 #include "widgets/step_panel.h"
 
 #include "widgets/action_button.h"
+#include "widgets/words.h"
 
 #include <QAbstractButton>
 #include <QEvent>
@@ -13,6 +14,20 @@
 
 namespace hexoderm {
 namespace {
+
+QString readinessInWords(Readiness readiness) {
+  switch (readiness) {
+    case Readiness::Ready:
+      return StepPanel::tr("✓ Ready: %1");
+    case Readiness::Possible:
+      return StepPanel::tr("▲ Possible: %1");
+    case Readiness::Waiting:
+      return StepPanel::tr("… Waiting: %1");
+    case Readiness::Blocked:
+      return StepPanel::tr("■ Blocked: %1");
+  }
+  return {};
+}
 
 constexpr int kBadge = 24;
 constexpr int kMargin = 14;
@@ -175,12 +190,11 @@ class StepPanel::Row : public QWidget {
 
   void set(const Step& step) {
     head_->set(step, !body_->isHidden());
-    what_->setText(step.what);
+    what_->setText(unbroken(step.what));
     what_->setVisible(!step.what.isEmpty());
     why_->setText(step.why);
     why_->setVisible(!step.why.isEmpty());
-    because_->setText(step.ready ? StepPanel::tr("✓ Ready: %1").arg(step.because)
-                                 : StepPanel::tr("■ Blocked: %1").arg(step.because));
+    because_->setText(readinessInWords(step.readiness).arg(step.because));
     because_->setVisible(!step.because.isEmpty());
     while (buttons_shown_.size() < step.actions.size()) {
       auto* button = new ActionButton(body_);

@@ -12,6 +12,10 @@ namespace hexoderm {
 
 enum class StepState { Waiting, Current, Done };
 
+/// Whether a step can be taken. Possible: it can, but had better not be yet. Waiting: it can as soon as something comes
+/// that is on its way. Blocked: somebody has to do something before.
+enum class Readiness { Ready, Possible, Waiting, Blocked };
+
 /// One step from "connect" to "export": what it is, where it stands, what to do and why.
 struct Step {
   QString title;
@@ -19,8 +23,8 @@ struct Step {
   StepState state = StepState::Waiting;
   QString what;  ///< what to do now
   QString why;   ///< why, or what it is waiting for
-  bool ready = false;
-  QString because;  ///< why it is ready, or what blocks it, as a sentence; empty: nothing is said
+  Readiness readiness = Readiness::Blocked;
+  QString because;  ///< why, as a sentence; empty: nothing is said
   std::vector<QAction*> actions;
 };
 

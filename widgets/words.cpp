@@ -7,6 +7,7 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <QRegularExpression>
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
@@ -85,6 +86,11 @@ QString poseResiduals(const Reconstruction& reconstruction, const LinkEstimate& 
 }  // namespace
 
 QString noValue() { return QStringLiteral("–"); }
+
+QString unbroken(QString text) {
+  static const QRegularExpression kUnit(QStringLiteral("(\\d) (?=(?:%|mm|mg|g|ms|s)(?!\\w))"));
+  return text.replace(kUnit, QStringLiteral("\\1\u00a0"));
+}
 
 QString figureInWords(double value, int decimals) {
   // "-0.0" would be a sign without a meaning.

@@ -11,6 +11,8 @@ namespace hexoderm {
 // for what is not known.
 
 QString noValue();
+/// No line breaks between a figure and its unit.
+QString unbroken(QString text);
 /// With a real minus sign, and none before a zero.
 QString figureInWords(double value, int decimals);
 QString degreesInWords(std::optional<double> angle_rad);

@@ -36,26 +36,40 @@ QString findingsInWords(const Reconstruction& reconstruction) {
   return count == 1 ? Guide::tr("1 finding") : Guide::tr("%1 findings").arg(count);
 }
 
-QString noResult(const SessionController& controller) {
-  return controller.isEmpty() ? Guide::tr("There is no skin yet.") : Guide::tr("The placements are being worked out…");
-}
-
 /// Nothing more will come, and no use to wait.
 bool isOver(const LiveSource& live) {
   return live.status().state == SourceState::Ended || live.status().state == SourceState::Incompatible;
 }
 /// A session in which nothing was captured: what is shown was not measured.
 bool hasNoPose(const SessionController& controller) { return controller.session() && controller.enabledPoses() == 0; }
+/// A skin that is connected and has not sent anything yet.
+bool hasReadings(const SessionController& controller) { return !controller.live().preview().means.empty(); }
+bool isAwaited(const SessionController& controller) {
+  return controller.isLive() && controller.live().status().state == SourceState::Streaming && !hasReadings(controller);
+}
 QString noPose() { return Guide::tr("No pose has been captured yet."); }
 
-void say(Step& step, bool ready, const QString& because) {
-  step.ready = ready;
+void say(Step& step, Readiness readiness, const QString& because) {
+  step.readiness = readiness;
   step.because = because;
+}
+
+/// What comes by itself is waited for; the rest blocks.
+void sayNoResult(Step& step, const SessionController& controller) {
+  if (controller.isEmpty()) {
+    say(step, Readiness::Blocked, Guide::tr("There is no skin yet."));
+  } else {
+    say(step, Readiness::Waiting, Guide::tr("The placements are being worked out."));
+  }
 }
 
 /// Of an action that the step is about: its own reason, or why it can't be used.
 void sayOf(Step& step, const QAction& action, const QString& because) {
-  say(step, action.isEnabled(), action.isEnabled() ? because : action.toolTip() + QLatin1Char('.'));
+  if (action.isEnabled()) {
+    say(step, Readiness::Ready, because);
+  } else {
+    say(step, Readiness::Blocked, action.toolTip() + QLatin1Char('.'));
+  }
 }
 
 Step connectStep(const SessionController& controller, const WindowActions& actions) {
@@ -72,7 +86,8 @@ Step connectStep(const SessionController& controller, const WindowActions& actio
       step.what = Guide::tr("Disconnect, and connect to another skin or recording.");
       step.why = Guide::tr("Nothing more will come from this one.");
     }
-    say(step, false, coreWords(controller.live().status().text));
+    say(step, isOver(controller.live()) ? Readiness::Blocked : Readiness::Waiting,
+        coreWords(controller.live().status().text));
     return step;
   }
   if (controller.isEmpty()) {
@@ -81,7 +96,7 @@ Step connectStep(const SessionController& controller, const WindowActions& actio
     step.why = Guide::tr(
         "A file can also be dropped onto this window. The demo is a simulation of 17 cells on a "
         "cylinder; everything can be tried with it.");
-    say(step, false, Guide::tr("Nothing is connected and nothing is open yet."));
+    say(step, Readiness::Waiting, Guide::tr("Nothing is connected and nothing is open yet."));
     return step;
   }
   step.state = StepState::Done;
@@ -93,12 +108,16 @@ Step connectStep(const SessionController& controller, const WindowActions& actio
                                     : coreWords(controller.reconstruction()->source.text);
   }
   if (controller.isLive()) {
-    const bool sends = controller.live().status().state == SourceState::Streaming;
-    say(step, sends,
-        sends ? Guide::tr("The skin has said which cells it has, and sends.")
-              : coreWords(controller.live().status().text));
+    if (controller.live().status().state != SourceState::Streaming) {
+      say(step, Readiness::Blocked, coreWords(controller.live().status().text));
+    } else if (hasReadings(controller)) {
+      say(step, Readiness::Ready, Guide::tr("The skin has said which cells it has, and sends."));
+    } else {
+      say(step, Readiness::Ready, Guide::tr("The skin has said which cells it has."));
+    }
   } else {
-    say(step, true, controller.session() ? Guide::tr("A session is open.") : Guide::tr("A calibration is open."));
+    say(step, Readiness::Ready,
+        controller.session() ? Guide::tr("A session is open.") : Guide::tr("A calibration is open."));
   }
   return step;
 }
@@ -109,16 +128,17 @@ Step checkStep(const SessionController& controller, const WindowActions& actions
   const Reconstruction* result = controller.reconstruction().get();
   if (!result) {
     step.why = Guide::tr("Waits for a skin.");
-    say(step, false, Guide::tr("There is no skin yet."));
+    say(step, Readiness::Blocked, Guide::tr("There is no skin yet."));
     return step;
   }
   step.note = coreWords(sizeInWords(*result));
   if (controller.isLive()) {
     step.state = check.ready ? StepState::Done : StepState::Current;
-    say(step, check.ready, coreWords(check.because) + QLatin1Char('.'));
+    const Readiness not_yet = isAwaited(controller) ? Readiness::Waiting : Readiness::Blocked;
+    say(step, check.ready ? Readiness::Ready : not_yet, coreWords(check.because) + QLatin1Char('.'));
   } else {
     step.state = StepState::Done;
-    say(step, true, Guide::tr("The cells and links are those of the file."));
+    say(step, Readiness::Ready, Guide::tr("The cells and links are those of the file."));
   }
   step.what = Guide::tr("Compare the skin graph with the skin in front of you.");
   step.why = Guide::tr(
@@ -152,8 +172,13 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
   else if (controller.isLive())
     step.actions = {actions.live_mode};
   step.state = more || (result && !isExportable(*result)) ? StepState::Current : StepState::Done;
+  if (isAwaited(controller)) step.state = StepState::Waiting;
   // A connected skin has a panel of its own, which says what to do and why.
-  sayOf(step, *actions.capture, Guide::tr("The skin sends, so poses can be taken."));
+  if (actions.capture->isEnabled() && isAwaited(controller)) {
+    say(step, Readiness::Waiting, Guide::tr("The first readings are on their way."));
+  } else {
+    sayOf(step, *actions.capture, Guide::tr("The skin sends, so poses can be taken."));
+  }
   if (controller.isLive()) return step;
   if (result && step.state == StepState::Current) step.what = coreWords(result->verdict.next_action);
   step.why = Guide::tr(
@@ -168,14 +193,14 @@ Step reviewStep(const SessionController& controller, const WindowActions& action
   const Reconstruction* result = controller.reconstruction().get();
   if (!result) {
     step.why = Guide::tr("Waits for a reconstruction.");
-    say(step, false, noResult(controller));
+    sayNoResult(step, controller);
     return step;
   }
   step.note = findingsInWords(*result);
   if (hasNoPose(controller)) {
-    say(step, false, noPose());
+    say(step, Readiness::Blocked, noPose());
   } else {
-    say(step, true,
+    say(step, Readiness::Ready,
         Guide::tr("There is a result of %1.")
             .arg(posesInWords(controller.session() ? controller.enabledPoses() : result->poses.size())));
   }
@@ -199,12 +224,16 @@ Step verifyStep(const SessionController& controller) {
   const Reconstruction* result = controller.reconstruction().get();
   if (!result) {
     step.why = Guide::tr("Waits for a reconstruction.");
-    say(step, false, noResult(controller));
+    sayNoResult(step, controller);
     return step;
   }
   step.note = Guide::tr("optional");
   // Never called done: nobody has to run a check, and what a check has found stands beside it.
-  say(step, !hasNoPose(controller), hasNoPose(controller) ? noPose() : Guide::tr("There is a result to check."));
+  if (hasNoPose(controller)) {
+    say(step, Readiness::Blocked, noPose());
+  } else {
+    say(step, Readiness::Ready, Guide::tr("There is a result to check."));
+  }
   step.what = Guide::tr("See whether the result holds.");
   step.why = Guide::tr("Each check uses something that did not go into the result.");
   return step;
@@ -216,13 +245,16 @@ Step exportStep(const SessionController& controller, const WindowActions& action
   const Reconstruction* result = controller.reconstruction().get();
   if (!result) {
     step.why = Guide::tr("Waits for a reconstruction.");
-    say(step, false, noResult(controller));
+    sayNoResult(step, controller);
     return step;
   }
   step.actions = {actions.export_to, actions.report, actions.save_calibration};
   sayOf(step, *actions.export_to,
-        hasNoPose(controller) ? Guide::tr("No pose yet: a file would only hold what follows from the ports.")
+        hasNoPose(controller) ? Guide::tr("Without a pose, a file only holds what follows from the ports.")
                               : Guide::tr("There is a result of everything that was captured."));
+  if (step.readiness == Readiness::Ready && (hasNoPose(controller) || !isExportable(*result))) {
+    step.readiness = Readiness::Possible;
+  }
   if (controller.session()) step.actions.push_back(actions.save);
   step.what = Guide::tr("Write the placements in the form you need.");
   step.why =

@@ -94,6 +94,7 @@ class MainWindow : public QMainWindow {
   void connectKeys();
   void showCoverage(const std::shared_ptr<const Reconstruction>& reconstruction);
   void showNextPose();
+  void showAdvice();
   void showMoment();
   void followPart();
   void restoreLayout();

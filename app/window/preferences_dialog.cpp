@@ -150,8 +150,8 @@ QWidget* PreferencesDialog::makeAppearance() {
   QFormLayout* form = makeForm();
   theme_ = makeChoice(form, "preferenceTheme", tr("&Theme"), {tr("Like the system"), tr("Light"), tr("Dark")},
                       tr("Light or dark, or what the system asks for."));
-  language_ = makeChoice(form, "preferenceLanguage", tr("&Language"), {tr("Like the system")},
-                         tr("The window speaks it from its next start on."));
+  language_ =
+      makeChoice(form, "preferenceLanguage", tr("&Language"), {tr("Like the system")}, tr("From the next start on."));
   language_->setItemData(0, QLatin1String(kSystemLanguage));
   for (const QString& language : shippedLanguages()) {
     language_->addItem(languageName(language), language);

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QStackedWidget>
 #include <QTableView>
+#include <QTimer>
 
 namespace hexoderm {
 
@@ -32,7 +33,7 @@ void stretchColumn(QTableView* view, int column) {
 }
 
 void wrapRows(QTableView* view) {
-  constexpr int kManyRows = 300;
+  static constexpr int kManyRows = 300;
   view->setWordWrap(true);
   view->setTextElideMode(Qt::ElideRight);
   const auto choose = [view] {
@@ -41,6 +42,13 @@ void wrapRows(QTableView* view) {
   };
   QObject::connect(view->model(), &QAbstractItemModel::modelReset, view, choose);
   choose();
+  // Qt asks for heights when rows come, and not when the text has less room or more.
+  auto* again = new QTimer(view);
+  again->setSingleShot(true);
+  QObject::connect(again, &QTimer::timeout, view, [view] {
+    if (view->model()->rowCount() <= kManyRows) view->verticalHeader()->resizeSections(QHeaderView::ResizeToContents);
+  });
+  QObject::connect(view->horizontalHeader(), &QHeaderView::sectionResized, again, [again] { again->start(); });
 }
 
 QWidget* withHint(QTableView* view, const QString& hint) {

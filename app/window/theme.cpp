@@ -9,6 +9,7 @@
 #include <QStyleFactory>
 #include <QTimer>
 #include <QWidget>
+#include <algorithm>
 #include <vector>
 
 namespace hexoderm {
@@ -52,8 +53,8 @@ QString panelSheet(const Colors& colors) {
            colors.text_muted.name(), colors.accent.name(), colors.accent_text.name());
 }
 
-/// Works out anew how widgets look: what is seen at once, the rest, which is most, in turns of the event loop that
-/// nobody notices.
+/// Works out anew how widgets look: what is seen at once; the rest, which is most, in turns of the event loop that
+/// nobody notices, or when it is shown.
 class Wardrobe : public QObject {
  public:
   static Wardrobe& instance() {
@@ -69,7 +70,17 @@ class Wardrobe : public QObject {
     for (QWidget* top : QApplication::topLevelWidgets()) {
       if (!top->parentWidget()) dressShown(top);
     }
+    qApp->installEventFilter(this);
     soon_.start();
+  }
+
+  bool eventFilter(QObject* object, QEvent* event) override {
+    if (event->type() != QEvent::Show || !object->isWidgetType()) return false;
+    const auto waiting = std::find(hidden_.begin(), hidden_.end(), object);
+    if (waiting == hidden_.end()) return false;
+    hidden_.erase(waiting);
+    dressShown(qobject_cast<QWidget*>(object));
+    return false;
   }
 
  private:
@@ -113,6 +124,7 @@ class Wardrobe : public QObject {
     }
     if (hidden_.empty()) {
       resizes_ = false;
+      qApp->removeEventFilter(this);
     } else {
       soon_.start();
     }

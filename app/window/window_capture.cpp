@@ -71,8 +71,17 @@ void MainWindow::showNextPose() {
   const std::optional<PoseAdvice>& advice = controller_.nextPose();
   const bool known = advice && result;
   coverage_view_->setNext(known && controller_.isNextPoseWanted() ? std::optional(advice->up) : std::nullopt);
-  capture_panel_->setAdvice(known ? describeNextPose(*advice, *result, current_up_) : std::nullopt);
+  showAdvice();
   followPart();
+}
+
+void MainWindow::showAdvice() {
+  const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
+  const std::optional<PoseAdvice>& advice = controller_.nextPose();
+  const std::optional<NextPose> next =
+      advice && result ? describeNextPose(*advice, *result, current_up_) : std::nullopt;
+  capture_panel_->setAdvice(next);
+  patch_view_->setNextTurn(next ? turnAngleInWords(*next) : QString());
 }
 
 void MainWindow::showMoment() {
@@ -87,9 +96,7 @@ void MainWindow::showMoment() {
   constexpr qint64 kReadable_ms = 400;
   if (!advice_age_.isValid() || advice_age_.elapsed() > kReadable_ms) {
     advice_age_.start();
-    if (result && controller_.nextPose()) {
-      capture_panel_->setAdvice(describeNextPose(*controller_.nextPose(), *result, current_up_));
-    }
+    if (result && controller_.nextPose()) showAdvice();
   }
 }
 

@@ -296,7 +296,8 @@ void WindowShell::showWelcome() {
   // Who chose by a key what is opened goes on with keys that mean what the list of keys says, not with a neighbour.
   if (welcome_ && !is_welcome && welcome_->isAncestorOf(QApplication::focusWidget())) window_.window.setFocus();
   if (welcome_) welcome_->setVisible(is_welcome);
-  if (connect_body_) connect_body_->setVisible(!is_welcome);
+  // Beside what ends a connection, files would look like part of it.
+  if (connect_body_) connect_body_->setVisible(!is_welcome && !window_.controller.live().isRunning());
 }
 
 void WindowShell::copyReport() {

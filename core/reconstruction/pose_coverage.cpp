@@ -183,6 +183,16 @@ PoseCoverage coverageOf(const Reconstruction& reconstruction,
   return coverage;
 }
 
+bool fillsMissing(const PoseCoverage& coverage, const Eigen::Vector3d& up_o) {
+  if (!coverage.missing) return false;
+  std::vector<GravityDirection> gravity;
+  for (const SeenDirection& seen : coverage.seen) {
+    if (seen.enabled) gravity.push_back({seen.pose, seen.up_o, 0});
+  }
+  gravity.push_back({PoseId(), up_o.normalized(), 0});
+  return spreadOf(gravity).values(coverage.missing->which - 1) >= coverage.threshold;
+}
+
 std::optional<Eigen::Vector3d> currentUp(const Reconstruction& reconstruction, std::span<const CellSample> readings) {
   return upFrom(reconstruction, readings, [](const CellSample& sample) { return sample.acceleration_g; });
 }

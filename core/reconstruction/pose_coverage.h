@@ -74,6 +74,10 @@ struct PoseCoverage {
   std::optional<MissingDirection> missing;                    ///< none if all three values reach the threshold
 };
 
+/// Whether one more pose with this direction up would bring the value that is missing to its threshold; false if none
+/// is missing.
+bool fillsMissing(const PoseCoverage& coverage, const Eigen::Vector3d& up_o);
+
 /// Coverage of the largest patch; empty without one. A result holds no direction for poses that were disabled:
 /// `captures`, where given, are looked through for theirs (see currentUp).
 PoseCoverage coverageOf(const Reconstruction& reconstruction,

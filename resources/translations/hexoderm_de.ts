@@ -233,10 +233,6 @@
         <translation>Das Teil ist ruhig</translation>
     </message>
     <message>
-        <source>The part is still; it does not capture by itself</source>
-        <translation>Das Teil ist ruhig; von selbst wird nicht aufgenommen</translation>
-    </message>
-    <message>
         <source>Waiting: no cell sends readings</source>
         <translation>Wartet: Keine Zelle sendet Messwerte</translation>
     </message>
@@ -295,6 +291,18 @@
     <message>
         <source>Why: the error that is left does not come from too few directions.</source>
         <translation>Warum: Der Fehler, der bleibt, kommt nicht von zu wenigen Richtungen.</translation>
+    </message>
+    <message>
+        <source>A second direction is missing; the next pose is one. Its value is %1, needs %2.</source>
+        <translation>Eine zweite Richtung fehlt; die nächste Pose ist eine. Ihr Wert ist %1, nötig sind %2.</translation>
+    </message>
+    <message>
+        <source>A third direction is missing; the next pose is one. Its value is %1, needs %2.</source>
+        <translation>Eine dritte Richtung fehlt; die nächste Pose ist eine. Ihr Wert ist %1, nötig sind %2.</translation>
+    </message>
+    <message>
+        <source>The part is still. Automatic capture is off</source>
+        <translation>Das Teil ist ruhig. Die Automatik ist aus</translation>
     </message>
 </context>
 <context>
@@ -445,10 +453,6 @@
         <translation>Simulierte Haut</translation>
     </message>
     <message>
-        <source>x17, ring8 or sheet:10x10, with ?surface=, seed= and speed= behind. Its readings are made up.</source>
-        <translation>x17, ring8 oder sheet:10x10, dahinter ?surface=, seed= und speed=. Die Messwerte sind simuliert.</translation>
-    </message>
-    <message>
         <source>Network, TCP</source>
         <translation>Netz, TCP</translation>
     </message>
@@ -571,6 +575,10 @@
     <message>
         <source>Every pose is written to this file before it is called captured.</source>
         <translation>Jede Pose wird in diese Datei geschrieben, bevor sie als aufgenommen gilt.</translation>
+    </message>
+    <message>
+        <source>x17, ring8 or sheet:10x10, also with options: x17?seed=1&amp;speed=2. Its readings are made up.</source>
+        <translation>x17, ring8 oder sheet:10x10, auch mit Optionen: x17?seed=1&amp;speed=2. Die Messwerte sind simuliert.</translation>
     </message>
 </context>
 <context>
@@ -2173,7 +2181,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>Write the placements in the form you need.</source>
-        <translation>Die Lagen in der gewünschten Form schreiben.</translation>
+        <translation>Die Lagen im gewünschten Format speichern.</translation>
     </message>
     <message>
         <source>Every file is read back and compared before it is called written.</source>
@@ -2272,10 +2280,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Jede Prüfung nutzt etwas, das in das Ergebnis nicht eingegangen ist.</translation>
     </message>
     <message>
-        <source>No pose yet: a file would only hold what follows from the ports.</source>
-        <translation>Noch keine Pose: Eine Datei enthielte nur, was aus den Ports folgt.</translation>
-    </message>
-    <message>
         <source>The simulated robot</source>
         <translation>Der simulierte Roboter</translation>
     </message>
@@ -2290,6 +2294,22 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>%1 is taking pose %2.</source>
         <translation>%1 nimmt Pose %2 auf.</translation>
+    </message>
+    <message>
+        <source>The placements are being worked out.</source>
+        <translation>Die Lagen werden berechnet.</translation>
+    </message>
+    <message>
+        <source>The skin has said which cells it has.</source>
+        <translation>Die Haut hat gesagt, welche Zellen sie hat.</translation>
+    </message>
+    <message>
+        <source>The first readings are on their way.</source>
+        <translation>Die ersten Messwerte sind unterwegs.</translation>
+    </message>
+    <message>
+        <source>Without a pose, a file only holds what follows from the ports.</source>
+        <translation>Ohne Pose enthält eine Datei nur, was aus den Ports folgt.</translation>
     </message>
 </context>
 <context>
@@ -2961,10 +2981,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>Dragging and the arrow keys turn the part instead of the picture; dragging with Shift always does</source>
         <translation>Ziehen und Pfeiltasten drehen das Teil statt des Bildes; Ziehen mit Umschalt tut das immer</translation>
     </message>
-    <message>
-        <source>%1°</source>
-        <translation>%1°</translation>
-    </message>
 </context>
 <context>
     <name>hexoderm::PatchControls</name>
@@ -3206,10 +3222,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>&amp;Sprache</translation>
     </message>
     <message>
-        <source>The window speaks it from its next start on.</source>
-        <translation>Gilt ab dem nächsten Start.</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
@@ -3408,6 +3420,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Changes act at once, except where it says otherwise.</source>
         <translation>Änderungen wirken sofort, wo nichts anderes steht.</translation>
+    </message>
+    <message>
+        <source>From the next start on.</source>
+        <translation>Ab dem nächsten Start.</translation>
     </message>
 </context>
 <context>
@@ -4414,6 +4430,14 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <source>■ Blocked: %1</source>
         <translation>■ Blockiert: %1</translation>
     </message>
+    <message>
+        <source>▲ Possible: %1</source>
+        <translation>▲ Möglich: %1</translation>
+    </message>
+    <message>
+        <source>… Waiting: %1</source>
+        <translation>… Wartet: %1</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::StillnessView</name>
@@ -4898,7 +4922,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
     <message>
         <source>Takes %1 other poses that are not disabled; besides this one there are %2.</source>
-        <translation>Braucht %1 andere Posen, die benutzt werden; außer dieser gibt es %2.</translation>
+        <translation>Braucht %1 andere Posen, die benutzt werden; außer dieser: %2.</translation>
     </message>
     <message>
         <source>Takes %1 poses that are not disabled, and there is none yet.</source>

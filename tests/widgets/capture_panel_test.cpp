@@ -101,7 +101,8 @@ TEST_F(CapturePanelTest, SaysWhatToDoHowFarAndWhy) {
   EXPECT_EQ(text("captureWhat"), QStringLiteral("Turn the part so that cell 7 faces the floor."));
   EXPECT_EQ(text("captureTurn"), QStringLiteral("About 70° around the horizontal axis shown."));
   EXPECT_TRUE(text("captureWhy").contains(QStringLiteral("offset")));
-  EXPECT_EQ(text("captureSigma"), QStringLiteral("With this pose the error falls to about 14 % of what it is now."));
+  EXPECT_EQ(text("captureSigma"),
+            QStringLiteral("With this pose the error falls to about 14\u00a0% of what it is now."));
 }
 
 TEST_F(CapturePanelTest, SaysWhenThePartIsThereAndWhenThereIsEnough) {

@@ -137,6 +137,18 @@ TEST(PoseCoverage, ValuesOfTwoPosesAreThoseOfTheSpecification) {
   EXPECT_NEAR(coverage.singular_values.z(), 0, 1e-12);
 }
 
+TEST(PoseCoverage, OneMorePoseFillsWhatIsMissingOnlyFarFromTheOthers) {
+  const PoseCoverage one = coverageOf(withGravity({{0, 0, 1}}));
+  EXPECT_TRUE(fillsMissing(one, {1, 0, 0}));
+  EXPECT_FALSE(fillsMissing(one, {0, 0, -1}));
+  EXPECT_FALSE(fillsMissing(one, {0.5, 0, 1}));
+  const PoseCoverage two = coverageOf(withGravity({{0, 0, 1}, {1, 0, 0}}));
+  EXPECT_TRUE(fillsMissing(two, {0, -2, 0}));
+  EXPECT_FALSE(fillsMissing(two, {1, 0, 1})) << "in the plane of the two";
+  const PoseCoverage all = coverageOf(withGravity({{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}));
+  EXPECT_FALSE(fillsMissing(all, {0, 1, 0})) << "nothing is missing";
+}
+
 TEST(PoseCoverage, NothingIsMissingOfATetrahedron) {
   const PoseCoverage coverage = coverageOf(withGravity({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}));
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(coverage.singular_values(k), 4.0 / 3, 1e-12);
