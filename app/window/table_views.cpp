@@ -3,10 +3,27 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QStackedWidget>
+#include <QStyledItemDelegate>
 #include <QTableView>
 #include <QTimer>
 
 namespace hexoderm {
+namespace {
+
+/// Qt asks how high a text is in the whole width of its column, and then draws it beside the style sheet's padding: a
+/// line that fits by a hair would be elided instead of wrapped.
+class WrappingDelegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    constexpr int kPadding_px = 6;
+    QStyleOptionViewItem narrower = option;
+    if (option.rect.width() > kPadding_px) narrower.rect.setWidth(option.rect.width() - kPadding_px);
+    return QStyledItemDelegate::sizeHint(narrower, index);
+  }
+};
+
+}  // namespace
 
 QTableView* makeTable(QAbstractItemModel* model, const char* object_name, const QString& accessible_name) {
   auto* view = new QTableView;
@@ -35,6 +52,7 @@ void stretchColumn(QTableView* view, int column) {
 void wrapRows(QTableView* view) {
   static constexpr int kManyRows = 300;
   view->setWordWrap(true);
+  view->setItemDelegate(new WrappingDelegate(view));
   view->setTextElideMode(Qt::ElideRight);
   const auto choose = [view] {
     view->verticalHeader()->setSectionResizeMode(view->model()->rowCount() <= kManyRows ? QHeaderView::ResizeToContents
