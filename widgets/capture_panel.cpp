@@ -186,7 +186,7 @@ void CapturePanel::refresh() {
                             next_ && next_->turn && next_->turn->angle_rad > kOnTheWay;
     if (on_the_way) {
       const double left_deg = 10 * std::round(toDegrees(next_->turn->angle_rad) / 10);
-      ring_->setContent({tr("Turn on"), tr("%1° to go").arg(QLocale().toString(left_deg, 'f', 0)), 0, false});
+      ring_->setContent({tr("Keep turning"), tr("%1° to go").arg(QLocale().toString(left_deg, 'f', 0)), 0, false});
     } else {
       ring_->setContent({words.word, words.detail, hold_.progress, false});
     }

@@ -46,8 +46,8 @@
         <translation>Gesucht wird, welche Pose am meisten hilft…</translation>
     </message>
     <message>
-        <source>Turn on</source>
-        <translation>Einschalten</translation>
+        <source>Keep turning</source>
+        <translation>Weiterdrehen</translation>
     </message>
     <message>
         <source>%1° to go</source>
