@@ -203,7 +203,7 @@ void PatchView::Parts::smoothWhenAtRest() {
   at_rest.setInterval(kRest_ms);
   connect(&at_rest, &QTimer::timeout, this, [this] {
     scene->setSmoothed(true);
-    render_soon.start();
+    if (gl->isVisible()) render_soon.start();
   });
   vtkInteractorObserver* style = window->GetInteractor()->GetInteractorStyle();
   style->AddObserver(vtkCommand::StartInteractionEvent, this, &Parts::startInteraction);
@@ -466,11 +466,11 @@ void PatchView::waitUntilUpToDate() {
 }
 
 void PatchView::drawNow() {
-  if (parts_->gl == nullptr || !parts_->gl->isValid()) return;
+  if (parts_->gl == nullptr) return;
   parts_->render_soon.stop();
   parts_->at_rest.stop();
   parts_->scene->setSmoothed(true);
-  parts_->window->Render();
+  if (parts_->gl->isValid()) parts_->window->Render();
 }
 
 QImage PatchView::screenshot() {
