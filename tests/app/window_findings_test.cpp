@@ -8,6 +8,7 @@
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/units.h"
 #include "widgets/tables.h"
+#include "widgets/words.h"
 #include "window_test.h"
 
 #include <QTabBar>
@@ -298,8 +299,9 @@ TEST_P(WindowFindingsTest, IsNamedPickedAndTheRestIsStillReconstructed) {
   press(Qt::Key_4, Qt::ControlModifier);
   const Finding* worst = worstFinding(result);
   const auto labels = find<QWidget>("step4")->findChildren<QLabel*>();
+  const QString said = unbroken(QString::fromStdString(worst ? worst->text : result.verdict.reason));
   EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
-    return label->isVisible() && label->text().toStdString() == (worst ? worst->text : result.verdict.reason);
+    return label->isVisible() && label->text() == said;
   })) << listed;
   EXPECT_EQ(find<QLabel>("bannerSentence")->text().toStdString(), result.verdict.reason);
 }
