@@ -13,7 +13,6 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QResizeEvent>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -185,8 +184,7 @@ void CapturePanel::refresh() {
     const bool on_the_way = hold_.phase == HoldPhase::Watching && hold_.stillness.blocker == Blocker::Turning &&
                             next_ && next_->turn && next_->turn->angle_rad > kOnTheWay;
     if (on_the_way) {
-      const double left_deg = 10 * std::round(toDegrees(next_->turn->angle_rad) / 10);
-      ring_->setContent({tr("Keep turning"), tr("%1° to go").arg(QLocale().toString(left_deg, 'f', 0)), 0, false});
+      ring_->setContent({tr("Keep turning"), tr("%1 to go").arg(turnAngleInWords(*next_)), 0, false});
     } else {
       ring_->setContent({words.word, words.detail, hold_.progress, false});
     }

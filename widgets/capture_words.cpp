@@ -118,8 +118,8 @@ QString missingInWords(const PoseCoverage& coverage, const std::optional<Eigen::
   const bool second = missing.which == 2;
   if (next_up_o && fillsMissing(coverage, *next_up_o)) {
     const QString still_missing =
-        second ? CaptureWords::tr("A second direction is missing; the next pose is one. Its value is %1, needs %2.")
-               : CaptureWords::tr("A third direction is missing; the next pose is one. Its value is %1, needs %2.");
+        second ? CaptureWords::tr("A second direction is missing (value %1, needs %2); the next pose is one.")
+               : CaptureWords::tr("A third direction is missing (value %1, needs %2); the next pose is one.");
     return still_missing.arg(figureInWords(missing.value, 2), figureInWords(coverage.threshold, 2));
   }
   QString sentence;
@@ -144,7 +144,7 @@ QString poseCountInWords(const PoseCoverage& coverage) {
   return disabled == 0 ? count : CaptureWords::tr("%1, %2 disabled").arg(count).arg(disabled);
 }
 
-QString coverageInWords(const PoseCoverage& coverage) {
+QString coverageInWords(const PoseCoverage& coverage, const std::optional<Eigen::Vector3d>& next_up_o) {
   QStringList parts = {poseCountInWords(coverage)};
   for (const SeenDirection& seen : coverage.seen) {
     const QString text = seen.at.side == Hemisphere::Front ? CaptureWords::tr("pose %1 on the front")
@@ -157,7 +157,7 @@ QString coverageInWords(const PoseCoverage& coverage) {
                            figureInWords(coverage.singular_values.y(), 2),
                            figureInWords(coverage.singular_values.z(), 2), figureInWords(coverage.threshold, 2),
                            qualityWord(coverage.quality)));
-  return parts.join(QStringLiteral("; ")) + QStringLiteral(". ") + missingInWords(coverage);
+  return parts.join(QStringLiteral("; ")) + QStringLiteral(". ") + missingInWords(coverage, next_up_o);
 }
 
 HoldWords holdInWords(const HoldStatus& hold) {

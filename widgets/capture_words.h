@@ -27,8 +27,8 @@ QString sigmaInWords(const NextPose& next);
 /// `next_up_o`: of the next pose, where that is shown: if it is such a direction, naming another cell that would do as
 /// well only confuses.
 QString missingInWords(const PoseCoverage& coverage, const std::optional<Eigen::Vector3d>& next_up_o = std::nullopt);
-/// All of it, for a screen reader.
-QString coverageInWords(const PoseCoverage& coverage);
+/// All of it, for a screen reader. `next_up_o`: as for missingInWords().
+QString coverageInWords(const PoseCoverage& coverage, const std::optional<Eigen::Vector3d>& next_up_o = std::nullopt);
 /// "2 poses", "2 poses, 1 disabled".
 QString poseCountInWords(const PoseCoverage& coverage);
 

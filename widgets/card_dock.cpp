@@ -19,6 +19,7 @@ CardDock::CardDock(const QString& heading, const QString& object_name, QWidget* 
   title_->setProperty("caption", true);
   remark_->setProperty("muted", true);
   remark_->setTextFormat(Qt::PlainText);
+  remark_->hide();
   auto* head = new QHBoxLayout(bar);
   head->setContentsMargins(13, 9, 13, 5);
   head->addWidget(title_);
@@ -43,6 +44,7 @@ void CardDock::setHeading(const QString& heading) {
 
 void CardDock::setRemark(const QString& remark) {
   remark_->setText(remark);
+  // Without words it would still take the space beside it.
   remark_->setVisible(!remark.isEmpty());
 }
 
@@ -50,9 +52,7 @@ void CardDock::setHead(QWidget* widget) {
   auto* head = qobject_cast<QHBoxLayout*>(titleBarWidget()->layout());
   head->insertWidget(0, widget);
   head->setContentsMargins(5, 5, 5, 0);
-  // They would take room, be it only the space between them.
   title_->hide();
-  remark_->setVisible(!remark_->text().isEmpty());
 }
 
 }  // namespace hexoderm

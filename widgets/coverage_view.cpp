@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace hexoderm {
 namespace {
@@ -44,6 +45,7 @@ struct CoverageView::Parts {
   Theme theme = Theme::Light;
   QPixmap still;  ///< everything but the present direction
   bool is_stale = true;
+  double said_height = 0;  ///< of what is below the discs
   QString empty_hint;
 
   /// Where things are, from top to bottom.
@@ -76,6 +78,8 @@ struct CoverageView::Parts {
   [[nodiscard]] QRect aroundCurrent() const;
 
   void changed();
+  /// What is said has changed, and with it the room that it needs.
+  void sayAnew();
   void paintStill();
   void paintDisc(QPainter& painter, const Layout& layout, std::size_t side) const;
   void paintPoses(QPainter& painter, const Layout& layout) const;
@@ -157,6 +161,13 @@ QRect CoverageView::Parts::aroundCurrent() const {
 void CoverageView::Parts::changed() {
   is_stale = true;
   view->update();
+}
+
+void CoverageView::Parts::sayAnew() {
+  view->setAccessibleDescription(coverageInWords(coverage, next));
+  const double height = belowDiscs(view->width());
+  if (std::exchange(said_height, height) != height) view->updateGeometry();
+  changed();
 }
 
 void CoverageView::Parts::paintStill() {
@@ -328,11 +339,8 @@ CoverageView::CoverageView(QWidget* parent) : QWidget(parent), parts_(std::make_
 CoverageView::~CoverageView() = default;
 
 void CoverageView::setCoverage(const PoseCoverage& coverage) {
-  const double height_before = parts_->belowDiscs(width());
   parts_->coverage = coverage;
-  setAccessibleDescription(coverageInWords(coverage));
-  if (parts_->belowDiscs(width()) != height_before) updateGeometry();
-  parts_->changed();
+  parts_->sayAnew();
 }
 
 void CoverageView::setCurrent(const std::optional<Eigen::Vector3d>& up_o) {
@@ -343,10 +351,8 @@ void CoverageView::setCurrent(const std::optional<Eigen::Vector3d>& up_o) {
 
 void CoverageView::setNext(const std::optional<Eigen::Vector3d>& up_o) {
   if (parts_->next == up_o) return;
-  const double height_before = parts_->belowDiscs(width());
   parts_->next = up_o;
-  if (parts_->belowDiscs(width()) != height_before) updateGeometry();
-  parts_->changed();
+  parts_->sayAnew();
 }
 
 void CoverageView::setPickedPose(std::optional<PoseId> pose) {

@@ -42,8 +42,8 @@ bool isOver(const LiveSource& live) {
 }
 /// A session in which nothing was captured: what is shown was not measured.
 bool hasNoPose(const SessionController& controller) { return controller.session() && controller.enabledPoses() == 0; }
-/// A skin that is connected and has not sent anything yet.
 bool hasReadings(const SessionController& controller) { return !controller.live().preview().means.empty(); }
+/// A skin is connected and has not sent any readings yet.
 bool isAwaited(const SessionController& controller) {
   return controller.isLive() && controller.live().status().state == SourceState::Streaming && !hasReadings(controller);
 }

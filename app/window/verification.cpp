@@ -21,8 +21,9 @@ std::size_t slotOf(VerifyCheck check) { return static_cast<std::size_t>(check); 
 std::shared_ptr<const Reconstruction> readReference(const QString& path, const SolverOptions& options,
                                                     const std::stop_token& stop) {
   const OpenedFile file = openFile(toPath(path), builtInCellModel("hex-bma150"));
-  if (const auto* session = std::get_if<Session>(&file))
+  if (const auto* session = std::get_if<Session>(&file)) {
     return reconstruct(*session->snapshot(), options, nullptr, stop);
+  }
   return std::get<std::shared_ptr<const Reconstruction>>(file);
 }
 

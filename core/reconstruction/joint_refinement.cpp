@@ -226,15 +226,14 @@ bool JointRefinement::widenNoise() {
   }
   if (seen.size() < 2) return false;
   std::ranges::sort(seen, {}, &Seen::lever_sq);
-  const auto first_outer = seen.begin() + static_cast<std::ptrdiff_t>(seen.size() / 2);
+  const std::size_t inner = seen.size() / 2;
   std::vector<double> factors;
-  for (auto cell = seen.begin(); cell != first_outer; ++cell) factors.push_back(cell->residual_g2 / cell->variance_g2);
+  for (std::size_t k = 0; k < inner; ++k) factors.push_back(seen[k].residual_g2 / seen[k].variance_g2);
   const double factor = median(std::move(factors));
   std::vector<double> swings_g2;  // (2/3) (s / g)^2, per m^2
-  for (auto cell = first_outer; cell != seen.end(); ++cell) {
-    if (cell->lever_sq > 0) {
-      swings_g2.push_back((cell->residual_g2 - factor * cell->variance_g2) / cell->lever_sq);
-    }
+  for (std::size_t k = inner; k < seen.size(); ++k) {
+    const double excess_g2 = seen[k].residual_g2 - factor * seen[k].variance_g2;
+    swings_g2.push_back(seen[k].lever_sq > 0 ? excess_g2 / seen[k].lever_sq : 0);
   }
   const double swing_g2 = median(std::move(swings_g2));
   if (factor <= 1 && swing_g2 <= 0) return false;

@@ -50,8 +50,8 @@
         <translation>Weiterdrehen</translation>
     </message>
     <message>
-        <source>%1° to go</source>
-        <translation>noch %1°</translation>
+        <source>%1 to go</source>
+        <translation>noch %1</translation>
     </message>
 </context>
 <context>
@@ -293,12 +293,12 @@
         <translation>Warum: Der Fehler, der bleibt, kommt nicht von zu wenigen Richtungen.</translation>
     </message>
     <message>
-        <source>A second direction is missing; the next pose is one. Its value is %1, needs %2.</source>
-        <translation>Eine zweite Richtung fehlt; die nächste Pose ist eine. Ihr Wert ist %1, nötig sind %2.</translation>
+        <source>A second direction is missing (value %1, needs %2); the next pose is one.</source>
+        <translation>Eine zweite Richtung fehlt (Wert %1, nötig sind %2); die nächste Pose ist eine.</translation>
     </message>
     <message>
-        <source>A third direction is missing; the next pose is one. Its value is %1, needs %2.</source>
-        <translation>Eine dritte Richtung fehlt; die nächste Pose ist eine. Ihr Wert ist %1, nötig sind %2.</translation>
+        <source>A third direction is missing (value %1, needs %2); the next pose is one.</source>
+        <translation>Eine dritte Richtung fehlt (Wert %1, nötig sind %2); die nächste Pose ist eine.</translation>
     </message>
     <message>
         <source>The part is still. Automatic capture is off</source>

@@ -94,7 +94,14 @@ TEST(UserGuide, ReadsItsPageOnceWhenTheThemeChangesAndStaysWhereItIs) {
   EXPECT_EQ(read.count(), 1);
   EXPECT_EQ(bar->value(), 50);
   EXPECT_EQ(guide.currentPage(), QStringLiteral("faults"));
+  // A guide that is closed is read again when it is opened, and not before.
+  guide.hide();
   applyTheme(Theme::Light);
+  constexpr int kLong_ms = 200;  // for the parts that nobody sees to be dressed
+  QTest::qWait(kLong_ms);
+  EXPECT_EQ(read.count(), 1);
+  guide.show();
+  EXPECT_TRUE(test::waitUntil([&] { return read.count() == 2; }));
 }
 
 TEST(UserGuide, FindsWordsInThePageOnceAround) {

@@ -120,6 +120,20 @@ TEST(ThemeTest, WhatWasThereBeforeAChangeLooksLikeWhatIsMadeAfterIt) {
   EXPECT_EQ(pictureOf(*after), light);
 }
 
+TEST(ThemeTest, WhatIsHiddenIsDressedAfterwardsToo) {
+  applyTheme(Theme::Light);
+  const std::unique_ptr<QWidget> parts = makeParts();
+  const QImage shown_once = pictureOf(*parts);
+  const auto* label = parts->findChild<QLabel*>();
+  const auto text = [label] { return label->palette().color(QPalette::WindowText); };
+  const QColor light = text();
+  applyTheme(Theme::Dark);
+  EXPECT_EQ(text(), light) << "nobody waits for what nobody sees";
+  EXPECT_TRUE(test::waitUntil([&] { return text() != light; }));
+  applyTheme(Theme::Light);
+  EXPECT_TRUE(test::waitUntil([&] { return text() == light; }));
+}
+
 TEST(ThemeTest, LargerTextMakesRoomForItselfInWhatIsThere) {
   applyTheme(Theme::Light);
   const QFont usual = QApplication::font();

@@ -18,6 +18,9 @@
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QMenu>
+#include <QOpenGLContext>
+#include <QOpenGLWidget>
+#include <QPointer>
 #include <QProcess>
 #include <QStandardPaths>
 #include <QTabBar>
@@ -426,7 +429,11 @@ TEST_F(WindowShellTest, GSwapsTheViewsAndTheNextStartRemembers) {
   auto* patch = window_->findChild<PatchView*>();
   auto* graph = window_->findChild<GraphView*>();
   ASSERT_TRUE(dock->isAncestorOf(graph));
+  auto* gl = patch->findChild<QOpenGLWidget*>();
+  ASSERT_TRUE(waitUntil([&] { return gl->isValid(); }));
+  const QPointer<QOpenGLContext> context = gl->context();
   press(Qt::Key_G);
+  EXPECT_TRUE(context && context == gl->context()) << "what the graphics card has is made anew";
   EXPECT_TRUE(dock->isAncestorOf(patch));
   EXPECT_FALSE(dock->isAncestorOf(graph));
   EXPECT_TRUE(graph->isVisible());

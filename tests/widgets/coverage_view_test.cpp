@@ -165,6 +165,19 @@ TEST_F(CoverageViewTest, SaysInWordsWhatItShows) {
   EXPECT_TRUE(view.accessibleDescription().contains(QStringLiteral("No direction is missing")));
 }
 
+TEST_F(CoverageViewTest, NamesNoOtherCellWhereTheNextPoseGivesWhatIsMissing) {
+  view.setCoverage(coverageWith({{1, 0, 0}, {0, 1, 0}}));
+  view.setNext(Eigen::Vector3d::UnitZ());
+  EXPECT_TRUE(view.accessibleDescription().contains(
+      QStringLiteral("A third direction is missing (value 0.00, needs 0.50); the next pose is one.")))
+      << view.accessibleDescription().toStdString();
+  view.setNext(Eigen::Vector3d(1, 1, 0).normalized());  // helps otherwise
+  EXPECT_TRUE(view.accessibleDescription().contains(QStringLiteral("facing the ceiling or the floor")));
+  view.setNext(Eigen::Vector3d::UnitZ());
+  view.setNext(std::nullopt);
+  EXPECT_TRUE(view.accessibleDescription().contains(QStringLiteral("facing the ceiling or the floor")));
+}
+
 TEST_F(CoverageViewTest, FitsIntoSmallPlacesAndLooksDifferentInTheDark) {
   show({180, 230});
   view.setCoverage(coverageWith({{0, 0, 1}, {0, 0.1, -1}}));

@@ -3,6 +3,7 @@
 #include "qt_test.h"
 #include "sample_reconstruction.h"
 #include "widgets/palette.h"
+#include "widgets/words.h"
 
 #include <QAbstractItemModelTester>
 #include <QBrush>
@@ -55,6 +56,12 @@ TEST_F(TablesTest, AreEmptyWithoutAReconstructionAndKeepTheContractOfItemModels)
     table->setReconstruction(nullptr);
     EXPECT_EQ(table->rowCount(), 0);
   }
+}
+
+TEST(Words, KeepFiguresToTheirUnits) {
+  EXPECT_EQ(unbroken(QStringLiteral("±2.1 mm (95 %), 4 poses, 3 mg of 1 g")),
+            QStringLiteral("±2.1\u00a0mm (95\u00a0%), 4 poses, 3\u00a0mg of 1\u00a0g"));
+  EXPECT_EQ(unbroken(QStringLiteral("cell 7 sends, 3 messages")), QStringLiteral("cell 7 sends, 3 messages"));
 }
 
 TEST_F(TablesTest, PosesShowWhatWasMeasuredAndADashWhereNothingIsKnown) {
