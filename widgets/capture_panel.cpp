@@ -73,7 +73,7 @@ CapturePanel::CapturePanel(const Actions& actions, QWidget* parent)
   for (QLabel* label : {what_, turn_, why_, sigma_}) words->addWidget(label);
   words->addStretch(1);
   auto* doing = new QVBoxLayout;
-  doing->setSpacing(8);
+  doing->setSpacing(6);
   doing->addWidget(ring_);
   for (QLabel* label : {wait_, remark_, odd_}) doing->addWidget(label);
   if (actions.automatic) doing->addWidget(switch_ = makeSwitch(actions.automatic), 0, Qt::AlignLeft);
@@ -82,7 +82,7 @@ CapturePanel::CapturePanel(const Actions& actions, QWidget* parent)
   if (actions.skip) doing->addWidget(makeButton(actions.skip, "captureSkip"), 0, Qt::AlignLeft);
   doing->addStretch(1);
   columns_->setContentsMargins(0, 0, 0, 0);
-  columns_->setSpacing(12);
+  columns_->setSpacing(8);
   columns_->addLayout(words, 1);
   columns_->addLayout(doing, 1);
   setSource(std::nullopt);

@@ -141,7 +141,7 @@ void PatchControls::setRenderer(const QString& words) {
 
 void PatchControls::resizeEvent(QResizeEvent* event) {
   QFrame::resizeEvent(event);
-  emit heightChanged(event->size().height());
+  if (event->size().height() != event->oldSize().height()) emit heightChanged(event->size().height());
 }
 
 }  // namespace hexoderm

@@ -159,6 +159,8 @@ void PatchView::Parts::buildScene(QGridLayout* layout) {
   layout->addWidget(gl, 0, 0, 2, 1);
   render_soon.setSingleShot(true);
   connect(&render_soon, &QTimer::timeout, this, [this] { window->Render(); });
+  // Whatever draws, a new size for example, draws all that was asked for.
+  window->AddObserver(vtkCommand::StartEvent, &render_soon, &QTimer::stop);
   smoothWhenAtRest();
   controls = new PatchControls(view);
   controls->setRenderer(openGlInWords(opengl));

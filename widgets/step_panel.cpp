@@ -1,6 +1,7 @@
 #include "widgets/step_panel.h"
 
 #include "widgets/action_button.h"
+#include "widgets/flow_layout.h"
 #include "widgets/words.h"
 
 #include <QAbstractButton>
@@ -160,7 +161,7 @@ class StepPanel::Row : public QWidget {
         why_(new QLabel(body_)),
         because_(new QLabel(body_)),
         content_(new QVBoxLayout),
-        buttons_(new QVBoxLayout) {
+        buttons_(new FlowLayout) {
     setObjectName(QStringLiteral("step%1").arg(number));
     head_->setObjectName(QStringLiteral("stepHead%1").arg(number));
     body_->setProperty("stepBody", true);
@@ -199,7 +200,8 @@ class StepPanel::Row : public QWidget {
     while (buttons_shown_.size() < step.actions.size()) {
       auto* button = new ActionButton(body_);
       button->setFocusPolicy(Qt::TabFocus);
-      buttons_->addWidget(button, 0, Qt::AlignLeft);
+      buttons_->addWidget(button);
+      buttons_->beginSecondGroup();  // which stays empty: none goes to the right
       buttons_shown_.push_back(button);
     }
     for (std::size_t k = 0; k < buttons_shown_.size(); ++k) {
@@ -221,7 +223,7 @@ class StepPanel::Row : public QWidget {
   QLabel* why_;
   QLabel* because_;
   QVBoxLayout* content_;
-  QVBoxLayout* buttons_;
+  FlowLayout* buttons_;
   std::vector<ActionButton*> buttons_shown_;
 };
 
@@ -240,6 +242,8 @@ StepPanel::StepPanel(QWidget* parent) : QScrollArea(parent), layout_(nullptr) {
   layout_->setSpacing(0);
   layout_->addStretch(1);
   setWidget(content);
+  make_room_.setSingleShot(true);
+  connect(&make_room_, &QTimer::timeout, this, &StepPanel::makeRoom);
 }
 
 void StepPanel::setSteps(const std::vector<Step>& steps) {
@@ -247,6 +251,7 @@ void StepPanel::setSteps(const std::vector<Step>& steps) {
     const auto index = static_cast<int>(rows_.size());
     auto* row = new Row(index + 1, widget());
     row->setTheme(theme_);
+    row->installEventFilter(this);
     connect(row->head(), &QAbstractButton::clicked, this, [this, index] { openStep(index); });
     layout_->insertWidget(index, row);
     rows_.push_back(row);
@@ -270,11 +275,36 @@ void StepPanel::openStep(int step) {
   if (step < 0 || static_cast<std::size_t>(step) >= rows_.size()) return;
   open_ = static_cast<std::size_t>(step);
   showOpenRow();
-  // Where the step before it was long, this one would now be above what is seen.
-  widget()->layout()->activate();
-  ensureWidgetVisible(rows_[open_]);
-  ensureWidgetVisible(rows_[open_]->head());
+  makeRoom();
+  make_room_.start();
   emit opened(step);
+}
+
+void StepPanel::makeRoom() {
+  // Steps before it that were closed, and the bar's range, are only where they belong after the layout.
+  widget()->layout()->activate();
+  const Row* row = rows_[open_];
+  QScrollBar* bar = verticalScrollBar();
+  const int height = viewport()->height();
+  const int end = row->y() + row->height();
+  const bool is_seen = row->y() >= bar->value() && end <= bar->value() + height;
+  if (!is_seen) bar->setValue(end <= height ? 0 : row->y());
+  placed_at_ = bar->value();
+}
+
+void StepPanel::makeRoomSoon() {
+  // Whoever has scrolled meanwhile, or gone on by keyboard, stays there.
+  if (verticalScrollBar()->value() == placed_at_) make_room_.start();
+}
+
+bool StepPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize && open_ < rows_.size() && watched == rows_[open_]) makeRoomSoon();
+  return QScrollArea::eventFilter(watched, event);
+}
+
+void StepPanel::resizeEvent(QResizeEvent* event) {
+  if (open_ < rows_.size()) makeRoomSoon();
+  QScrollArea::resizeEvent(event);
 }
 
 void StepPanel::goToStep(int step) {

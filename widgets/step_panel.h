@@ -3,6 +3,7 @@
 #include "widgets/palette.h"
 
 #include <QScrollArea>
+#include <QTimer>
 #include <vector>
 
 class QAction;
@@ -56,14 +57,23 @@ class StepPanel : public QScrollArea {
  signals:
   void opened(int step);
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   class Row;
   void showOpenRow();
+  /// Where the open step does not fit below the steps before it, these give way.
+  void makeRoom();
+  void makeRoomSoon();
 
   QVBoxLayout* layout_;
   std::vector<Row*> rows_;
   std::vector<QWidget*> bodies_;  ///< by step; null where there is none
   std::size_t open_ = 0;
+  QTimer make_room_;
+  int placed_at_ = 0;  ///< what the bar was set to, as long as nobody else scrolls
   Theme theme_ = Theme::Light;
 };
 

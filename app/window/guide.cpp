@@ -177,7 +177,7 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
   if (actions.capture->isEnabled() && isAwaited(controller)) {
     say(step, Readiness::Waiting, Guide::tr("The first readings are on their way."));
   } else {
-    sayOf(step, *actions.capture, Guide::tr("The skin sends, so poses can be taken."));
+    sayOf(step, *actions.capture, Guide::tr("The skin sends."));
   }
   if (controller.isLive()) return step;
   if (result && step.state == StepState::Current) step.what = coreWords(result->verdict.next_action);

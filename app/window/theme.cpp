@@ -53,8 +53,8 @@ QString panelSheet(const Colors& colors) {
            colors.text_muted.name(), colors.accent.name(), colors.accent_text.name());
 }
 
-/// Works out anew how widgets look: what is seen at once; the rest, which is most, in turns of the event loop that
-/// nobody notices, or when it is shown.
+/// Works out anew how widgets look: what is seen of the window in front at once, what is seen of each other window in a
+/// turn of the event loop of its own; the rest, which is most, in turns that nobody notices, or when it is shown.
 class Wardrobe : public QObject {
  public:
   static Wardrobe& instance() {
@@ -68,7 +68,12 @@ class Wardrobe : public QObject {
     resizes_ = resizes_ || resizes;
     hidden_.clear();
     for (QWidget* top : QApplication::topLevelWidgets()) {
-      if (!top->parentWidget()) dressShown(top);
+      const bool is_in_front = front() == top;
+      if (top->isVisible() && !is_in_front) {
+        letWait(top);
+      } else if (is_in_front || !top->parentWidget()) {
+        dressShown(top);
+      }
     }
     qApp->installEventFilter(this);
     soon_.start();
@@ -87,6 +92,32 @@ class Wardrobe : public QObject {
   explicit Wardrobe(QObject* parent) : QObject(parent) {
     soon_.setSingleShot(true);
     connect(&soon_, &QTimer::timeout, this, &Wardrobe::dressSome);
+  }
+
+  static QWidget* front() {
+    QWidget* active = QApplication::activeWindow();
+    const QList<QWidget*> tops = QApplication::topLevelWidgets();
+    if (active || tops.isEmpty()) return active;
+    const auto shown = std::find_if(tops.begin(), tops.end(),
+                                    [](const QWidget* top) { return top->isVisible() && !top->parentWidget(); });
+    return shown == tops.end() ? nullptr : *shown;
+  }
+
+  /// Until its turn comes it stays as it was, instead of being drawn with half of the new colours.
+  void letWait(QWidget* window) {
+    if (std::find(windows_.begin(), windows_.end(), window) != windows_.end()) return;
+    window->setUpdatesEnabled(false);
+    windows_.emplace_back(window);
+  }
+
+  bool dressNextWindow() {
+    if (windows_.empty()) return false;
+    const QPointer<QWidget> window = windows_.back();
+    windows_.pop_back();
+    if (!window) return true;
+    dressShown(window);
+    window->setUpdatesEnabled(true);
+    return true;
   }
 
   void dress(QWidget* widget) const {
@@ -108,13 +139,19 @@ class Wardrobe : public QObject {
       return;
     }
     dress(widget);
-    for (QWidget* inner : inside(widget)) dressShown(inner);
+    for (QWidget* inner : inside(widget)) {
+      if (!inner->isWindow() || !inner->isVisible()) dressShown(inner);
+    }
   }
 
   void dressSome() {
     constexpr qint64 kTurn_ms = 5;
     QElapsedTimer turn;
     turn.start();
+    if (dressNextWindow()) {
+      soon_.start();
+      return;
+    }
     while (!hidden_.empty() && turn.elapsed() < kTurn_ms) {
       const QPointer<QWidget> widget = hidden_.back();
       hidden_.pop_back();
@@ -131,6 +168,7 @@ class Wardrobe : public QObject {
   }
 
   QTimer soon_;
+  std::vector<QPointer<QWidget>> windows_;  ///< shown, and waiting for their turns
   std::vector<QPointer<QWidget>> hidden_;
   bool resizes_ = false;
 };

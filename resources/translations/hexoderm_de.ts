@@ -2252,8 +2252,8 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Zellen und Verbindungen sind die der Datei.</translation>
     </message>
     <message>
-        <source>The skin sends, so poses can be taken.</source>
-        <translation>Die Haut sendet, also lassen sich Posen aufnehmen.</translation>
+        <source>The skin sends.</source>
+        <translation>Die Haut sendet.</translation>
     </message>
     <message>
         <source>There is a result of everything that was captured.</source>

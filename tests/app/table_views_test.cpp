@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <QHeaderView>
+#include <QImage>
 #include <QStandardItemModel>
 #include <QTableView>
 #include <memory>
@@ -12,29 +13,42 @@
 namespace hexoderm {
 namespace {
 
+/// A table of one text, at the top of its row, in a column of a width that the test chooses.
+std::unique_ptr<QTableView> makeWrappingTable(QStandardItemModel& model) {
+  std::unique_ptr<QTableView> view(makeTable(&model, "view", QStringLiteral("Findings")));
+  wrapRows(view.get());
+  view->horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  view->resize(700, 300);
+  view->show();
+  return view;
+}
+
+QImage firstLine(QTableView& view) {
+  const QPoint at = view.visualRect(view.model()->index(0, 0)).topLeft();
+  return view.viewport()->grab(QRect(at, QSize(view.columnWidth(0), view.fontMetrics().height()))).toImage();
+}
+
 TEST(TableViews, ATextIsWrappedBeforeItIsElidedAtWhateverWidthItsColumnIsGiven) {
   applyTheme(Theme::Light);
   const QString text = QStringLiteral("There is no pose yet: the shape shown follows from the ports alone.");
   QStandardItemModel model(1, 1);
-  model.setItem(0, 0, new QStandardItem(text));
-  const std::unique_ptr<QTableView> view(makeTable(&model, "view", QStringLiteral("Findings")));
-  wrapRows(view.get());
-  view->horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-  view->resize(700, 200);
-  view->show();
-  ASSERT_TRUE(test::waitUntilExposed(*view));
-  const QFontMetrics metrics = view->fontMetrics();
-  const int width = metrics.horizontalAdvance(text);
-  // What the style sheet and the style keep free at the sides of a text.
-  const int sides = 6 + 2 * (view->style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, view.get()) + 1);
-  view->setColumnWidth(0, width + 60);
-  const int one_line =
-      test::waitUntil([&] { return view->rowHeight(0) < 2 * metrics.height(); }) ? view->rowHeight(0) : 0;
-  ASSERT_GT(one_line, 0);
-  for (int spare = -30; spare <= 30; spare += 2) {
-    view->setColumnWidth(0, width + spare);
-    const bool fits = spare >= sides;
-    EXPECT_TRUE(test::waitUntil([&] { return fits || view->rowHeight(0) > one_line; })) << spare;
+  auto* item = new QStandardItem(text);
+  item->setTextAlignment(Qt::AlignLeft | Qt::AlignTop);
+  model.setItem(0, 0, item);
+  const auto view = makeWrappingTable(model);
+  // Has room for all lines, whatever it thinks that the text needs.
+  const auto tall = makeWrappingTable(model);
+  tall->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  ASSERT_TRUE(test::waitUntilExposed(*view) && test::waitUntilExposed(*tall));
+
+  const int width = view->fontMetrics().horizontalAdvance(text);
+  // From wide to narrow: a row that was measured for less width has room for more lines than it needs.
+  for (int spare = 30; spare >= -30; --spare) {
+    for (QTableView* each : {view.get(), tall.get()}) each->setColumnWidth(0, width + spare);
+    EXPECT_TRUE(test::waitUntil([&] {
+      tall->setRowHeight(0, 120);
+      return firstLine(*view) == firstLine(*tall);
+    })) << spare;
   }
 }
 

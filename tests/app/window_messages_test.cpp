@@ -227,7 +227,7 @@ TEST_F(WindowMessagesTest, StepsSayWhyTheyAreReadyOrBlocked) {
   device_.hold(3, kUp);
   ASSERT_TRUE(waitForPoses(1));
   ASSERT_TRUE(waitUntil([&] { return because(2) == "✓ Ready: Every cell sends."; })) << because(2);
-  EXPECT_EQ(because(3), "✓ Ready: The skin sends, so poses can be taken.");
+  EXPECT_EQ(because(3), "✓ Ready: The skin sends.");
   EXPECT_EQ(because(4), "✓ Ready: There is a result of 1 pose.");
   EXPECT_THAT(because(6), testing::StartsWith("▲ Possible: ")) << "one pose is not enough";
   device_.unplug();

@@ -429,11 +429,7 @@ TEST_F(WindowShellTest, GSwapsTheViewsAndTheNextStartRemembers) {
   auto* patch = window_->findChild<PatchView*>();
   auto* graph = window_->findChild<GraphView*>();
   ASSERT_TRUE(dock->isAncestorOf(graph));
-  auto* gl = patch->findChild<QOpenGLWidget*>();
-  ASSERT_TRUE(waitUntil([&] { return gl->isValid(); }));
-  const QPointer<QOpenGLContext> context = gl->context();
   press(Qt::Key_G);
-  EXPECT_TRUE(context && context == gl->context()) << "what the graphics card has is made anew";
   EXPECT_TRUE(dock->isAncestorOf(patch));
   EXPECT_FALSE(dock->isAncestorOf(graph));
   EXPECT_TRUE(graph->isVisible());
@@ -455,6 +451,20 @@ TEST_F(WindowShellTest, GSwapsTheViewsAndTheNextStartRemembers) {
   EXPECT_TRUE(find<CardDock>("graphDock")->isAncestorOf(window_->findChild<PatchView*>()));
   press(Qt::Key_G);
   EXPECT_TRUE(find<CardDock>("graphDock")->isAncestorOf(window_->findChild<GraphView*>()));
+}
+
+TEST_F(WindowShellTest, WhatTheGraphicsCardHoldsStaysWhenAViewGetsAWindowOfItsOwn) {
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
+  auto* gl = window_->findChild<PatchView*>()->findChild<QOpenGLWidget*>();
+  ASSERT_TRUE(waitUntil([&] { return gl->isValid(); }));
+  const QPointer<QOpenGLContext> context = gl->context();
+  press(Qt::Key_G);
+  auto* dock = find<CardDock>("graphDock");
+  for (const bool floats : {true, false}) {
+    dock->setFloating(floats);
+    ASSERT_TRUE(waitUntil([&] { return gl->isVisible() && (gl->window() == window_.get()) != floats; }));
+    EXPECT_TRUE(context && context == gl->context()) << floats;
+  }
 }
 
 TEST_F(WindowShellTest, KeysGoToTheSteps) {

@@ -96,7 +96,7 @@ TEST_F(PatchViewTest, IsSmoothedWhenItRestsAndNotWhileItIsResized) {
   EXPECT_TRUE(test::waitUntil([&] { return renderer->GetUseFXAA(); }));
 }
 
-TEST(PatchViewInAWindow, SeveralSizesOneAfterTheOtherMakeOnePicture) {
+TEST(PatchViewInAWindow, SeveralSizesAndColoursOneAfterTheOtherMakeOnePictureAndASmoothedOne) {
   Selection selection;
   PatchView view(&selection);
   view.resize(640, 480);
@@ -113,10 +113,15 @@ TEST(PatchViewInAWindow, SeveralSizesOneAfterTheOtherMakeOnePicture) {
   count->SetCallback([](vtkObject*, unsigned long, void* client, void*) { ++*static_cast<int*>(client); });
   const unsigned long observer = gl->renderWindow()->AddObserver(vtkCommand::StartEvent, count);
   for (const int width : {700, 660, 720, 680}) view.setFixedSize(width, 500);
+  view.setTheme(Theme::Dark);
   EXPECT_EQ(gl->width(), 680);
   EXPECT_EQ(pictures, 0);
   EXPECT_TRUE(test::waitUntil([&] { return pictures > 0; }));
   EXPECT_EQ(gl->renderWindow()->GetSize()[0], qRound(680 * gl->devicePixelRatioF()));
+  EXPECT_FALSE(renderer->GetUseFXAA());
+  EXPECT_TRUE(test::waitUntil([&] { return renderer->GetUseFXAA() && pictures >= 2; }));
+  QTest::qWait(50);
+  EXPECT_EQ(pictures, 2);
   gl->renderWindow()->RemoveObserver(observer);
 }
 
