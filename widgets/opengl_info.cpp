@@ -23,11 +23,6 @@ QSurfaceFormat sceneSurfaceFormat() {
   return format;
 }
 
-void prepareOpenGl() {
-  QSurfaceFormat::setDefaultFormat(sceneSurfaceFormat());
-  QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
-}
-
 OpenGlInfo queryOpenGl() {
   OpenGlInfo info;
   QOpenGLContext context;

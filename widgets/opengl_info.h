@@ -15,10 +15,6 @@ struct OpenGlInfo {
 /// Without multisampling, which costs a factor of three in software OpenGL.
 QSurfaceFormat sceneSurfaceFormat();
 
-/// Before the QApplication is made. A view that moves to another place of the window keeps what it has in the graphics
-/// card's memory: putting it there again would be felt.
-void prepareOpenGl();
-
 /// Makes a context for a moment to ask it.
 OpenGlInfo queryOpenGl();
 

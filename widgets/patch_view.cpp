@@ -11,9 +11,7 @@
 #include "widgets/scene_words.h"
 #include "widgets/selection.h"
 
-#include <QVTKOpenGLNativeWidget.h>
 #include <vtkCommand.h>
-#include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
@@ -87,9 +85,8 @@ struct PatchView::Parts : public QObject {
   std::optional<LoopEvaluation> loop;
 
   const OpenGlInfo opengl = queryOpenGl();
-  vtkNew<vtkGenericOpenGLRenderWindow> window;
-  QVTKOpenGLNativeWidget* gl = nullptr;  ///< null without OpenGL
-  std::unique_ptr<PatchScene> scene;     ///< likewise
+  SceneWidget* canvas = nullptr;      ///< null without OpenGL
+  std::unique_ptr<PatchScene> scene;  ///< likewise
   std::unique_ptr<SceneBuilder> builder;
   PartMotion* motion = nullptr;  ///< likewise
   SceneOverlay* overlay = nullptr;
@@ -132,8 +129,8 @@ void PatchView::Parts::build() {
   layout->setRowStretch(1, 1);
   overlay->raise();
   if (controls != nullptr) controls->raise();
-  if (gl != nullptr) {
-    motion = new PartMotion(view, gl, controls->turnButton(), *scene, [this] { requestRender(); });
+  if (canvas != nullptr) {
+    motion = new PartMotion(view, canvas, controls->turnButton(), *scene, [this] { requestRender(); });
     motion->setParent(this);
     connect(motion, &PartMotion::turnRequested, view, &PatchView::turnRequested);
   }
@@ -144,21 +141,20 @@ void PatchView::Parts::build() {
 }
 
 void PatchView::Parts::buildScene(QGridLayout* layout) {
-  gl = new SceneWidget(view);
-  gl->setFormat(sceneSurfaceFormat());
-  gl->setRenderWindow(window.Get());
-  gl->setAccessibleName(PatchView::tr("Skin patch in 3D"));
-  gl->setFocusPolicy(Qt::NoFocus);
-  gl->installEventFilter(this);
+  canvas = new SceneWidget(view);
+  vtkRenderWindow* window = canvas->renderWindow();
+  canvas->setAccessibleName(PatchView::tr("Skin patch in 3D"));
+  canvas->setFocusPolicy(Qt::NoFocus);
+  canvas->installEventFilter(this);
   vtkNew<SceneInteractorStyle> style;
   window->GetInteractor()->SetInteractorStyle(style);
   scene = std::make_unique<PatchScene>();
   scene->attachTo(window);
   builder = std::make_unique<SceneBuilder>(
       [this](std::shared_ptr<const SceneContent> content) { setContent(std::move(content)); });
-  layout->addWidget(gl, 0, 0, 2, 1);
+  layout->addWidget(canvas, 0, 0, 2, 1);
   render_soon.setSingleShot(true);
-  connect(&render_soon, &QTimer::timeout, this, [this] { window->Render(); });
+  connect(&render_soon, &QTimer::timeout, canvas, [window] { window->Render(); });
   // Whatever draws, a new size for example, draws all that was asked for.
   window->AddObserver(vtkCommand::StartEvent, &render_soon, &QTimer::stop);
   smoothWhenAtRest();
@@ -186,7 +182,7 @@ void PatchView::Parts::connectControls() {
   });
   connect(controls, &PatchControls::heightChanged, overlay, &SceneOverlay::setTopMargin);
   connect(controls, &PatchControls::heightChanged, this, [this](int height) {
-    scene->setTopMargin(qRound(height * gl->devicePixelRatioF()));
+    scene->setTopMargin(qRound(height * canvas->devicePixelRatioF()));
     requestRender();
   });
   connect(controls->measureAction(), &QAction::toggled, &measure, &MeasureTool::setActive);
@@ -205,9 +201,9 @@ void PatchView::Parts::smoothWhenAtRest() {
   at_rest.setInterval(kRest_ms);
   connect(&at_rest, &QTimer::timeout, this, [this] {
     scene->setSmoothed(true);
-    if (gl->isVisible()) render_soon.start();
+    if (canvas->isVisible()) render_soon.start();
   });
-  vtkInteractorObserver* style = window->GetInteractor()->GetInteractorStyle();
+  vtkInteractorObserver* style = canvas->renderWindow()->GetInteractor()->GetInteractorStyle();
   style->AddObserver(vtkCommand::StartInteractionEvent, this, &Parts::startInteraction);
   style->AddObserver(vtkCommand::EndInteractionEvent, this, &Parts::endInteraction);
 }
@@ -251,7 +247,7 @@ LegendContent PatchView::Parts::legend() const {
 
 void PatchView::Parts::updateOverlay() {
   SceneOverlay::Content content;
-  if (gl == nullptr) {
+  if (canvas == nullptr) {
     content.hint = PatchView::tr(
         "The 3D view needs OpenGL 3.2, which is not available here. The graph and the tables still work.\n\n"
         "On a remote desktop, or with a faulty driver, it may help to let the processor draw: Edit, Preferences, "
@@ -292,7 +288,7 @@ void PatchView::Parts::updateSelection() {
 }
 
 void PatchView::Parts::requestRender() {
-  if (gl == nullptr || !gl->isVisible()) return;
+  if (canvas == nullptr || !canvas->isVisible()) return;
   if (opengl.software) {
     startInteraction();
     endInteraction();
@@ -301,8 +297,8 @@ void PatchView::Parts::requestRender() {
 }
 
 void PatchView::Parts::pickAt(const QPoint& position) {
-  const double ratio = gl->devicePixelRatioF();
-  const auto picked = scene->pick(ratio * position.x(), ratio * (gl->height() - 1 - position.y()));
+  const double ratio = canvas->devicePixelRatioF();
+  const auto picked = scene->pick(ratio * position.x(), ratio * (canvas->height() - 1 - position.y()));
   if (picked) {
     selection->selectCell(*picked);
   } else {
@@ -323,6 +319,7 @@ bool PatchView::Parts::eventFilter(QObject*, QEvent* event) {
     case QEvent::Resize:
       startInteraction();
       endInteraction();
+      requestRender();
       return false;
     case QEvent::MouseButtonPress:
       pressed_at = static_cast<QMouseEvent*>(event)->pos();
@@ -350,7 +347,7 @@ PatchView::~PatchView() {
   parts_->builder.reset();
   // The scene gives its OpenGL objects back while the context is still there.
   parts_->scene.reset();
-  delete parts_->gl;
+  delete parts_->canvas;
 }
 
 void PatchView::setReconstruction(std::shared_ptr<const Reconstruction> reconstruction) {
@@ -373,6 +370,7 @@ void PatchView::setTheme(Theme theme) {
   if (parts_->scene) parts_->scene->setColors(colors);
   if (parts_->motion) parts_->motion->setTheme(theme);
   parts_->background = Colors::of(theme).scene_bottom;
+  if (parts_->canvas != nullptr) parts_->canvas->setBackground(parts_->background);
   update();
   parts_->requestRender();
 }
@@ -468,21 +466,20 @@ void PatchView::waitUntilUpToDate() {
 }
 
 void PatchView::drawNow() {
-  if (parts_->gl == nullptr) return;
+  if (parts_->canvas == nullptr) return;
   parts_->render_soon.stop();
   parts_->at_rest.stop();
   parts_->scene->setSmoothed(true);
-  if (parts_->gl->isValid()) parts_->window->Render();
+  parts_->canvas->renderWindow()->Render();
 }
 
 QImage PatchView::screenshot() {
-  if (parts_->gl == nullptr) return grab().toImage();
-  // A view that was shown keeps its last picture until it is told to draw; one that never was draws for the first time.
+  if (parts_->canvas == nullptr) return grab().toImage();
   drawNow();
-  QImage image = parts_->gl->grabFramebuffer();
+  QImage image = parts_->canvas->picture();
   QPainter painter(&image);
-  parts_->overlay->paint(painter, parts_->gl->size());
-  parts_->motion->paintCaption(painter, parts_->gl->size());
+  parts_->overlay->paint(painter, parts_->canvas->size());
+  parts_->motion->paintCaption(painter, parts_->canvas->size());
   return image;
 }
 

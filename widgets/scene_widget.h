@@ -1,28 +1,57 @@
 #pragma once
 
-#include <QVTKOpenGLNativeWidget.h>
+#include <QVTKInteractorAdapter.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+#include <QColor>
+#include <QImage>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QWidget>
 
 namespace hexoderm {
 
-/// VTK's widget, which draws whenever it is resized; while a layout comes to rest that is several times at once, for
-/// pictures that nobody sees. This one draws the size that it has in the end, when Qt paints it.
-class SceneWidget : public QVTKOpenGLNativeWidget {
+/// Shows what VTK draws. It draws beside the screen, and its pictures are shown like those of any other widget: with
+/// VTK's own widgets Qt would put the whole window together in OpenGL each time that any part of it changes, which
+/// without a graphics card takes longer than drawing the scene.
+///
+/// Draws when its window's Render() is called, and not by itself: with another size it shows the picture that it has
+/// until then. Needs OpenGL (see queryOpenGl()).
+class SceneWidget : public QWidget {
+  Q_OBJECT
+
  public:
-  using QVTKOpenGLNativeWidget::QVTKOpenGLNativeWidget;
+  explicit SceneWidget(QWidget* parent = nullptr);
+  ~SceneWidget() override;
+
+  [[nodiscard]] vtkGenericOpenGLRenderWindow* renderWindow() const { return window_.Get(); }
+  /// Current while the window draws.
+  [[nodiscard]] QOpenGLContext& context() { return context_; }
+  bool makeCurrent() { return context_.makeCurrent(&surface_); }
+
+  /// Seen where a picture of another size does not reach.
+  void setBackground(const QColor& color);
+  /// What was drawn last; drawn now if that is nothing or of another size.
+  [[nodiscard]] QImage picture();
 
  protected:
-  void resizeEvent(QResizeEvent* event) override {
-    resizes_ = true;
-    QVTKOpenGLNativeWidget::resizeEvent(event);
-    resizes_ = false;
-    update();
-  }
-  void paintGL() override {
-    if (!resizes_) QVTKOpenGLNativeWidget::paintGL();
-  }
+  /// What it is told goes to VTK's interactor too.
+  bool event(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
 
  private:
-  bool resizes_ = false;
+  void connectWindow();
+  void takeSize();
+  /// Fetches what was drawn, once for however many drawings.
+  void readPicture();
+
+  QOffscreenSurface surface_;
+  QOpenGLContext context_;
+  vtkNew<vtkGenericOpenGLRenderWindow> window_;
+  QVTKInteractorAdapter adapter_;
+  QImage picture_;
+  QColor background_ = Qt::white;
+  bool is_newer_drawn_ = false;
 };
 
 }  // namespace hexoderm

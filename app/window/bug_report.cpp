@@ -2,13 +2,13 @@
 
 #include "app/window/event_log.h"
 #include "app/window/session_controller.h"
+#include "widgets/scene_widget.h"
 
 #include <vtkVersion.h>
 #include <QDir>
 #include <QGuiApplication>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
-#include <QOpenGLWidget>
 #include <QRegularExpression>
 #include <QScreen>
 #include <QStringList>
@@ -23,14 +23,13 @@ constexpr std::size_t kLogLines = 200;
 
 /// Asked from the context that draws, so that nothing is made anew for it.
 QString graphicsInWords(QWidget& window) {
-  auto* view = window.findChild<QOpenGLWidget*>();
-  if (!view || !view->context()) return QStringLiteral("none");
-  view->makeCurrent();
-  const auto ask = [functions = view->context()->functions()](GLenum name) {
+  auto* view = window.findChild<SceneWidget*>();
+  if (!view || !view->makeCurrent()) return QStringLiteral("none");
+  const auto ask = [functions = view->context().functions()](GLenum name) {
     return QString::fromLatin1(reinterpret_cast<const char*>(functions->glGetString(name)));
   };
   const QString words = QStringLiteral("%1, OpenGL %2").arg(ask(GL_RENDERER), ask(GL_VERSION));
-  view->doneCurrent();
+  view->context().doneCurrent();
   return words;
 }
 

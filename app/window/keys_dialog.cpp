@@ -57,7 +57,7 @@ ShownGroup show(const KeyGroup& group, int keys_width, QVBoxLayout* layout) {
   shown.title->setContentsMargins(0, 10, 0, 2);
   layout->addWidget(shown.title);
   for (const KeyLine& line : group.lines) {
-    auto* row = new QWidget;
+    auto* row = new QWidget(layout->parentWidget());
     auto* keys = new QLabel(line.keys);
     QFont bold = keys->font();
     bold.setWeight(QFont::DemiBold);
@@ -110,7 +110,10 @@ void showKeysDialog(QWidget* parent, const QMenuBar& menus) {
   search->setAccessibleName(search->placeholderText());
   search->setClearButtonEnabled(true);
 
+  // In its place before it is filled: what gets another parent is dressed anew, with all that is inside.
+  auto* area = new QScrollArea(dialog);
   auto* content = new QWidget;
+  area->setWidget(content);
   auto* list = new QVBoxLayout(content);
   list->setContentsMargins(0, 0, 10, 0);
   list->setSpacing(0);
@@ -130,12 +133,10 @@ void showKeysDialog(QWidget* parent, const QMenuBar& menus) {
   nothing->hide();
   list->addWidget(nothing);
   list->addStretch(1);
-  auto* area = new QScrollArea;
   area->setWidgetResizable(true);
   area->setFrameShape(QFrame::NoFrame);
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   area->setAccessibleName(KeysDialog::tr("Keys"));
-  area->setWidget(content);
 
   QObject::connect(search, &QLineEdit::textChanged, dialog, [shown, nothing](const QString& text) {
     bool any = false;

@@ -2,7 +2,6 @@
 #include "app/window/preferences.h"
 #include "app/window/screenshot_tour.h"
 #include "app/window/translation.h"
-#include "widgets/opengl_info.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -109,7 +108,6 @@ class Script : public QObject {
 }  // namespace
 
 int main(int argc, char** argv) {
-  prepareOpenGl();
   installStyle();
   QCoreApplication::setOrganizationName(QStringLiteral("Hexoderm"));
   QCoreApplication::setApplicationName(QStringLiteral("hexoderm"));

@@ -31,17 +31,6 @@ namespace {
 constexpr std::array<double, 6> kTextFactors = {0.9, 1.0, 1.15, 1.3, 1.5, 2.0};
 constexpr double kMilliG = 1e-3;
 
-QFormLayout* makeForm() {
-  auto* form = new QFormLayout;
-  form->setContentsMargins(18, 16, 18, 16);
-  form->setHorizontalSpacing(18);
-  form->setVerticalSpacing(6);
-  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  // With large text a label and its control don't fit side by side.
-  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
-  return form;
-}
-
 /// One sentence under a control.
 void addWhy(QFormLayout* form, const QString& why) {
   auto* label = new QLabel(why);
@@ -60,17 +49,25 @@ void addRow(QFormLayout* form, const QString& text, QWidget* control, const QStr
   addWhy(form, why);
 }
 
-/// A page scrolls where the screen is smaller than it.
-QWidget* makePage(QFormLayout* form) {
-  auto* content = new QWidget;
-  content->setLayout(form);
+/// A page scrolls where the screen is smaller than it. It has its place in the dialog before anything is put into it:
+/// what gets another parent is dressed anew by the style sheet, with all that is inside.
+QFormLayout* addPage(QTabWidget* tabs, const QString& title) {
   auto* area = new QScrollArea;
+  tabs->addTab(area, title);
   area->setWidgetResizable(true);
   area->setFrameShape(QFrame::NoFrame);
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   area->setFocusPolicy(Qt::NoFocus);
+  auto* content = new QWidget;
   area->setWidget(content);
-  return area;
+  auto* form = new QFormLayout(content);
+  form->setContentsMargins(18, 16, 18, 16);
+  form->setHorizontalSpacing(18);
+  form->setVerticalSpacing(6);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  // With large text a label and its control don't fit side by side.
+  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  return form;
 }
 
 }  // namespace
@@ -79,14 +76,14 @@ PreferencesDialog::PreferencesDialog(Preferences& preferences, ThemeChoice theme
     : QDialog(parent), preferences_(preferences) {
   setObjectName(QStringLiteral("preferencesDialog"));
   setWindowTitle(tr("Preferences"));
-  auto* tabs = new QTabWidget;
+  auto* tabs = new QTabWidget(this);
   tabs->setObjectName(QStringLiteral("preferencesTabs"));
   tabs->setAccessibleName(tr("Groups of preferences"));
   tabs->tabBar()->setAccessibleName(tr("Groups of preferences"));
-  tabs->addTab(makeAppearance(), tr("Appearance"));
-  tabs->addTab(makeCapture(), tr("Capture"));
-  tabs->addTab(makeSolver(), tr("Solver"));
-  tabs->addTab(makeFiles(), tr("Files"));
+  fillAppearance(addPage(tabs, tr("Appearance")));
+  fillCapture(addPage(tabs, tr("Capture")));
+  fillSolver(addPage(tabs, tr("Solver")));
+  fillFiles(addPage(tabs, tr("Files")));
 
   auto* note = new QLabel(tr("Changes act at once, except where it says otherwise."));
   note->setProperty("muted", true);
@@ -146,8 +143,7 @@ QCheckBox* PreferencesDialog::makeSwitch(QFormLayout* form, const char* name, co
   return box;
 }
 
-QWidget* PreferencesDialog::makeAppearance() {
-  QFormLayout* form = makeForm();
+void PreferencesDialog::fillAppearance(QFormLayout* form) {
   theme_ = makeChoice(form, "preferenceTheme", tr("&Theme"), {tr("Like the system"), tr("Light"), tr("Dark")},
                       tr("Light or dark, or what the system asks for."));
   language_ =
@@ -183,11 +179,9 @@ QWidget* PreferencesDialog::makeAppearance() {
           [this](int index) { preferences_.setTextFactor(kTextFactors.at(static_cast<std::size_t>(index))); });
   connect(reduced_motion_, &QCheckBox::clicked, this, [this](bool on) { preferences_.setReducedMotion(on); });
   connect(software_opengl_, &QCheckBox::clicked, this, [this](bool on) { preferences_.setSoftwareOpenGl(on); });
-  return makePage(form);
 }
 
-QWidget* PreferencesDialog::makeCapture() {
-  QFormLayout* form = makeForm();
+void PreferencesDialog::fillCapture(QFormLayout* form) {
   tone_ = makeSwitch(form, "preferenceTone", tr("&Sound when a pose is captured"),
                      tr("So that you know without looking at the screen."));
   excess_ = makeNumber(form, "preferenceExcess", tr("Largest s&catter"), 1, 1000, 1, QStringLiteral("mg"),
@@ -215,11 +209,9 @@ QWidget* PreferencesDialog::makeCapture() {
     connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &PreferencesDialog::takeRecorder);
   }
   connect(samples_, qOverload<int>(&QSpinBox::valueChanged), this, &PreferencesDialog::takeRecorder);
-  return makePage(form);
 }
 
-QWidget* PreferencesDialog::makeSolver() {
-  QFormLayout* form = makeForm();
+void PreferencesDialog::fillSolver(QFormLayout* form) {
   const QStringList automatic = {tr("Automatic"), tr("On"), tr("Off")};
   solver_ = makeChoice(form, "preferenceSolver", tr("&Solver"), {tr("Global"), tr("Tree, as in the paper")},
                        tr("Global uses all links and poses at once and says how sure it is; the tree goes from cell to "
@@ -245,11 +237,9 @@ QWidget* PreferencesDialog::makeSolver() {
     connect(box, qOverload<int>(&QComboBox::activated), this, &PreferencesDialog::takeSolver);
   }
   connect(threshold_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &PreferencesDialog::takeSolver);
-  return makePage(form);
 }
 
-QWidget* PreferencesDialog::makeFiles() {
-  QFormLayout* form = makeForm();
+void PreferencesDialog::fillFiles(QFormLayout* form) {
   auto* field = new QWidget;
   auto* row = new QHBoxLayout(field);
   row->setContentsMargins(0, 0, 0, 0);
@@ -278,7 +268,6 @@ QWidget* PreferencesDialog::makeFiles() {
   connect(browse, &QPushButton::clicked, this, &PreferencesDialog::chooseFolder);
   connect(folder_, &QLineEdit::editingFinished, this,
           [this] { preferences_.setSessionFolder(QDir::fromNativeSeparators(folder_->text().trimmed())); });
-  return makePage(form);
 }
 
 void PreferencesDialog::chooseFolder() {

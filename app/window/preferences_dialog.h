@@ -32,10 +32,10 @@ class PreferencesDialog : public QDialog {
   void themeChosen(hexoderm::ThemeChoice choice);
 
  private:
-  QWidget* makeAppearance();
-  QWidget* makeCapture();
-  QWidget* makeSolver();
-  QWidget* makeFiles();
+  void fillAppearance(QFormLayout* form);
+  void fillCapture(QFormLayout* form);
+  void fillSolver(QFormLayout* form);
+  void fillFiles(QFormLayout* form);
   QComboBox* makeChoice(QFormLayout* form, const char* name, const QString& label, const QStringList& choices,
                         const QString& why);
   QDoubleSpinBox* makeNumber(QFormLayout* form, const char* name, const QString& label, double low, double high,

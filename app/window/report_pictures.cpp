@@ -4,10 +4,10 @@
 #include "widgets/coverage_view.h"
 #include "widgets/graph_view.h"
 #include "widgets/patch_view.h"
+#include "widgets/scene_widget.h"
 #include "widgets/selection.h"
 
 #include <QCoreApplication>
-#include <QOpenGLWidget>
 
 namespace hexoderm {
 namespace {
@@ -32,7 +32,7 @@ std::vector<ReportPicture> takeReportPictures(const std::shared_ptr<const Recons
   std::vector<ReportPicture> pictures;
   Selection nothing_picked;
   PatchView patch(&nothing_picked);
-  if (patch.findChild<QOpenGLWidget*>() != nullptr) {
+  if (patch.findChild<SceneWidget*>() != nullptr) {
     showNowhere(patch, kSize);
     patch.setTheme(Theme::Light);
     patch.setReconstruction(reconstruction);

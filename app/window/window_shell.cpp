@@ -12,6 +12,7 @@
 #include "widgets/core_words.h"
 #include "widgets/live_strip.h"
 #include "widgets/message_bar.h"
+#include "widgets/scene_widget.h"
 #include "widgets/step_panel.h"
 #include "widgets/words.h"
 
@@ -24,7 +25,6 @@
 #include <QGuiApplication>
 #include <QLabel>
 #include <QMenuBar>
-#include <QOpenGLWidget>
 #include <QSettings>
 #include <QTimer>
 #include <QUrl>
@@ -277,7 +277,7 @@ void WindowShell::showPreferences() {
 }
 
 void WindowShell::offerSoftwareOpenGl() {
-  if (window_.window.findChild<QOpenGLWidget*>()) return;
+  if (window_.window.findChild<SceneWidget*>()) return;
   const bool tried = qEnvironmentVariableIsSet("LIBGL_ALWAYS_SOFTWARE");
   const QString what = tr("There is no OpenGL 3.2 here, so the 3D view is empty; graph and tables work.");
   if (tried) {

@@ -18,9 +18,6 @@
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QMenu>
-#include <QOpenGLContext>
-#include <QOpenGLWidget>
-#include <QPointer>
 #include <QProcess>
 #include <QStandardPaths>
 #include <QTabBar>
@@ -451,20 +448,6 @@ TEST_F(WindowShellTest, GSwapsTheViewsAndTheNextStartRemembers) {
   EXPECT_TRUE(find<CardDock>("graphDock")->isAncestorOf(window_->findChild<PatchView*>()));
   press(Qt::Key_G);
   EXPECT_TRUE(find<CardDock>("graphDock")->isAncestorOf(window_->findChild<GraphView*>()));
-}
-
-TEST_F(WindowShellTest, WhatTheGraphicsCardHoldsStaysWhenAViewGetsAWindowOfItsOwn) {
-  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
-  auto* gl = window_->findChild<PatchView*>()->findChild<QOpenGLWidget*>();
-  ASSERT_TRUE(waitUntil([&] { return gl->isValid(); }));
-  const QPointer<QOpenGLContext> context = gl->context();
-  press(Qt::Key_G);
-  auto* dock = find<CardDock>("graphDock");
-  for (const bool floats : {true, false}) {
-    dock->setFloating(floats);
-    ASSERT_TRUE(waitUntil([&] { return gl->isVisible() && (gl->window() == window_.get()) != floats; }));
-    EXPECT_TRUE(context && context == gl->context()) << floats;
-  }
 }
 
 TEST_F(WindowShellTest, KeysGoToTheSteps) {

@@ -1,8 +1,7 @@
-// main() of the tests of the window: the surface format that VTK needs, settings and standard folders that are neither
-// the user's nor those of the same tests run beside these. Listing tests needs no display.
+// main() of the tests of the window: settings and standard folders that are neither the user's nor those of the same
+// tests run beside these. Listing tests needs no display.
 
 #include "app/window/theme.h"
-#include "widgets/opengl_info.h"
 
 #include <gtest/gtest.h>
 #include <QApplication>
@@ -21,7 +20,6 @@ int main(int argc, char** argv) {
   }
   const QTemporaryDir home;
   qputenv("HOME", QFile::encodeName(home.path()));
-  hexoderm::prepareOpenGl();
   hexoderm::installStyle();
   const QApplication application(argc, argv);
   QCoreApplication::setOrganizationName(QStringLiteral("HexodermTests"));

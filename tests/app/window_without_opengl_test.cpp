@@ -2,10 +2,10 @@
 
 #include "app/window/window_shell.h"
 #include "widgets/patch_view.h"
+#include "widgets/scene_widget.h"
 #include "window_test.h"
 
 #include <QOpenGLContext>
-#include <QOpenGLWidget>
 
 namespace hexoderm {
 namespace {
@@ -45,7 +45,7 @@ TEST_F(WindowWithoutOpenGlTest, SaysSoWhereTheProcessorDrawsAlready) {
 }
 
 TEST_F(WindowWithoutOpenGlTest, CalibratesAllTheSame) {
-  EXPECT_EQ(window_->findChild<QOpenGLWidget*>(), nullptr);
+  EXPECT_EQ(window_->findChild<SceneWidget*>(), nullptr);
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
   EXPECT_EQ(find<QTableView>("poseView")->model()->rowCount(), 2);
   EXPECT_EQ(find<QTableView>("linkView")->model()->rowCount(), 16);

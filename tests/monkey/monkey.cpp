@@ -8,7 +8,6 @@
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/session/simulated_session.h"
 #include "watchdog.h"
-#include "widgets/opengl_info.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -293,7 +292,6 @@ void report(const Monkey& monkey, const test::Watchdog& watchdog, std::uint64_t 
 }  // namespace
 
 int main(int argc, char** argv) {
-  prepareOpenGl();
   installStyle();
   QApplication application(argc, argv);
   QApplication::setQuitOnLastWindowClosed(false);

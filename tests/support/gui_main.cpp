@@ -1,7 +1,4 @@
-// main() of the tests of widgets: an application with the surface format that VTK needs. Listing tests needs no
-// display.
-
-#include "widgets/opengl_info.h"
+// main() of the tests of widgets: an application. Listing tests needs no display.
 
 #include <gtest/gtest.h>
 #include <QApplication>
@@ -9,7 +6,6 @@
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   if (testing::GTEST_FLAG(list_tests)) return RUN_ALL_TESTS();
-  hexoderm::prepareOpenGl();
   const QApplication application(argc, argv);
   return RUN_ALL_TESTS();
 }

@@ -6,9 +6,9 @@
 #include "widgets/patch_scene.h"
 #include "widgets/patch_view.h"
 #include "widgets/scene_ghost.h"
+#include "widgets/scene_widget.h"
 #include "widgets/selection.h"
 
-#include <QVTKOpenGLNativeWidget.h>
 #include <gtest/gtest.h>
 #include <vtkCamera.h>
 #include <vtkNew.h>
@@ -85,7 +85,7 @@ class PartMotionTest : public testing::Test {
     view.resize(720, 560);
     view.show();
     ASSERT_TRUE(test::waitUntilExposed(view));
-    gl = view.findChild<QVTKOpenGLNativeWidget*>();
+    gl = view.findChild<SceneWidget*>();
     ASSERT_NE(gl, nullptr);
     view.setReconstruction(shown ? shown : std::make_shared<const Reconstruction>(demoReconstruction()));
     view.setAnimated(false);
@@ -106,7 +106,7 @@ class PartMotionTest : public testing::Test {
 
   Selection selection;
   PatchView view{&selection};
-  QVTKOpenGLNativeWidget* gl = nullptr;
+  SceneWidget* gl = nullptr;
   std::vector<Eigen::Vector3d> asked;
   QMetaObject::Connection kept =
       QObject::connect(&view, &PatchView::turnRequested, [this](const Eigen::Vector3d& up) { asked.push_back(up); });

@@ -7,9 +7,9 @@
 #include "widgets/opengl_info.h"
 #include "widgets/patch_controls.h"
 #include "widgets/scene_overlay.h"
+#include "widgets/scene_widget.h"
 #include "widgets/selection.h"
 
-#include <QVTKOpenGLNativeWidget.h>
 #include <gtest/gtest.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
@@ -40,7 +40,7 @@ class PatchViewTest : public testing::Test {
     view.resize(640, 480);
     view.show();
     ASSERT_TRUE(test::waitUntilExposed(view));
-    gl = view.findChild<QVTKOpenGLNativeWidget*>();
+    gl = view.findChild<SceneWidget*>();
     ASSERT_NE(gl, nullptr);
   }
 
@@ -61,7 +61,7 @@ class PatchViewTest : public testing::Test {
 
   Selection selection;
   PatchView view{&selection};
-  QVTKOpenGLNativeWidget* gl = nullptr;
+  SceneWidget* gl = nullptr;
 };
 
 std::size_t coloursIn(const QImage& image) {
@@ -103,7 +103,7 @@ TEST(PatchViewInAWindow, SeveralSizesAndColoursOneAfterTheOtherMakeOnePictureAnd
   view.show();
   ASSERT_TRUE(test::waitUntilExposed(view));
   view.setReconstruction(demo());
-  auto* gl = view.findChild<QVTKOpenGLNativeWidget*>();
+  auto* gl = view.findChild<SceneWidget*>();
   vtkRenderer* renderer = gl->renderWindow()->GetRenderers()->GetFirstRenderer();
   ASSERT_TRUE(test::waitUntil([&] { return renderer->GetUseFXAA(); }));
   QCoreApplication::processEvents();
@@ -133,12 +133,12 @@ TEST(PatchViewInAWindow, ChangesMadeWhileHiddenAreDrawnWhenShownAgain) {
   window.resize(640, 480);
   window.show();
   ASSERT_TRUE(test::waitUntilExposed(window));
-  auto* gl = view->findChild<QVTKOpenGLNativeWidget*>();
-  ASSERT_TRUE(test::waitUntil([gl] { return qGray(gl->grabFramebuffer().pixel(3, 3)) > 180; }));
+  auto* gl = view->findChild<SceneWidget*>();
+  ASSERT_TRUE(test::waitUntil([gl] { return qGray(gl->picture().pixel(3, 3)) > 180; }));
   view->hide();
   view->setTheme(Theme::Dark);
   view->show();
-  EXPECT_TRUE(test::waitUntil([gl] { return qGray(gl->grabFramebuffer().pixel(3, 3)) < 60; }));
+  EXPECT_TRUE(test::waitUntil([gl] { return qGray(gl->picture().pixel(3, 3)) < 60; }));
 }
 
 TEST_F(PatchViewTest, ScreenshotWorksBeforeTheViewWasShown) {
