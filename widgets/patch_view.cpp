@@ -317,6 +317,7 @@ bool PatchView::Parts::eventFilter(QObject*, QEvent* event) {
       requestRender();
       return false;
     case QEvent::Resize:
+    case QEvent::ScreenChangeInternal:  // which may be a denser one
       startInteraction();
       endInteraction();
       requestRender();

@@ -19,9 +19,7 @@ namespace {
 template <class Answer>
 class Asked : public vtkCommand {
  public:
-  static vtkSmartPointer<Asked> by(Answer answer) {
-    return vtkSmartPointer<Asked>::Take(new Asked(std::move(answer)));
-  }
+  static vtkSmartPointer<Asked> by(Answer answer) { return vtkSmartPointer<Asked>::Take(new Asked(std::move(answer))); }
   void Execute(vtkObject* /*caller*/, unsigned long /*event*/, void* data) override { answer_(data); }
 
  private:
@@ -66,9 +64,8 @@ SceneWidget::~SceneWidget() {
 
 void SceneWidget::connectWindow() {
   answer(window_, vtkCommand::WindowMakeCurrentEvent, [this](void*) { makeCurrent(); });
-  answer(window_, vtkCommand::WindowIsCurrentEvent, [this](void* is_current) {
-    *static_cast<bool*>(is_current) = QOpenGLContext::currentContext() == &context_;
-  });
+  answer(window_, vtkCommand::WindowIsCurrentEvent,
+         [this](void* is_current) { *static_cast<bool*>(is_current) = QOpenGLContext::currentContext() == &context_; });
   answer(window_, vtkCommand::WindowSupportsOpenGLEvent, [](void* supports) { *static_cast<int*>(supports) = 1; });
   answer(window_, vtkCommand::WindowFrameEvent, [this](void*) {
     is_newer_drawn_ = true;
@@ -121,7 +118,7 @@ void SceneWidget::readPicture() {
 }
 
 bool SceneWidget::event(QEvent* event) {
-  if (event->type() == QEvent::Resize) takeSize();
+  if (event->type() == QEvent::Resize || event->type() == QEvent::ScreenChangeInternal) takeSize();
   adapter_.ProcessEvent(event, window_->GetInteractor());
   return QWidget::event(event);
 }

@@ -5,6 +5,7 @@
 #include "widgets/words.h"
 
 #include <QAbstractButton>
+#include <QApplication>
 #include <QEvent>
 #include <QLabel>
 #include <QPainter>
@@ -284,17 +285,27 @@ void StepPanel::makeRoom() {
   // Steps before it that were closed, and the bar's range, are only where they belong after the layout.
   widget()->layout()->activate();
   const Row* row = rows_[open_];
+  QWidget* focus = QApplication::focusWidget();
   QScrollBar* bar = verticalScrollBar();
   const int height = viewport()->height();
   const int end = row->y() + row->height();
   const bool is_seen = row->y() >= bar->value() && end <= bar->value() + height;
   if (!is_seen) bar->setValue(end <= height ? 0 : row->y());
+  // Who works in it with the keyboard does not lose the place.
+  if (focus != nullptr && row->isAncestorOf(focus)) ensureWidgetVisible(focus);
   placed_at_ = bar->value();
 }
 
 void StepPanel::makeRoomSoon() {
-  // Whoever has scrolled meanwhile, or gone on by keyboard, stays there.
+  // Whoever has scrolled meanwhile stays there.
   if (verticalScrollBar()->value() == placed_at_) make_room_.start();
+}
+
+bool StepPanel::focusNextPrevChild(bool next) {
+  const bool is_placed = verticalScrollBar()->value() == placed_at_;
+  const bool has_moved = QScrollArea::focusNextPrevChild(next);
+  if (is_placed) placed_at_ = verticalScrollBar()->value();
+  return has_moved;
 }
 
 bool StepPanel::eventFilter(QObject* watched, QEvent* event) {

@@ -59,12 +59,13 @@ class StepPanel : public QScrollArea {
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
+  bool focusNextPrevChild(bool next) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
   class Row;
   void showOpenRow();
-  /// Where the open step does not fit below the steps before it, these give way.
+  /// Where the open step does not fit below the steps before it, these give way; what has the focus in it is seen.
   void makeRoom();
   void makeRoomSoon();
 

@@ -10,6 +10,7 @@
 #include <QTimer>
 #include <QWidget>
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace hexoderm {
@@ -54,7 +55,8 @@ QString panelSheet(const Colors& colors) {
 }
 
 /// Works out anew how widgets look: what is seen of the window in front at once, what is seen of each other window in a
-/// turn of the event loop of its own; the rest, which is most, in turns that nobody notices, or when it is shown.
+/// turn of the event loop of its own, and each is painted in the turn after; the rest, which is most, in turns that
+/// nobody notices, or when it is shown.
 class Wardrobe : public QObject {
  public:
   static Wardrobe& instance() {
@@ -68,15 +70,20 @@ class Wardrobe : public QObject {
     resizes_ = resizes_ || resizes;
     hidden_.clear();
     for (QWidget* top : QApplication::topLevelWidgets()) {
-      const bool is_in_front = front() == top;
-      if (top->isVisible() && !is_in_front) {
+      if (top->isVisible()) {
         letWait(top);
-      } else if (is_in_front || !top->parentWidget()) {
-        dressShown(top);
+      } else if (!top->parentWidget()) {
+        hidden_.emplace_back(top);
       }
     }
+    dressNextWindow();
     qApp->installEventFilter(this);
     soon_.start();
+  }
+
+  void finishShown() {
+    while (letDressedBePainted() || dressNextWindow()) {
+    }
   }
 
   bool eventFilter(QObject* object, QEvent* event) override {
@@ -94,20 +101,13 @@ class Wardrobe : public QObject {
     connect(&soon_, &QTimer::timeout, this, &Wardrobe::dressSome);
   }
 
-  static QWidget* front() {
-    QWidget* active = QApplication::activeWindow();
-    const QList<QWidget*> tops = QApplication::topLevelWidgets();
-    if (active || tops.isEmpty()) return active;
-    const auto shown = std::find_if(tops.begin(), tops.end(),
-                                    [](const QWidget* top) { return top->isVisible() && !top->parentWidget(); });
-    return shown == tops.end() ? nullptr : *shown;
-  }
-
   /// Until its turn comes it stays as it was, instead of being drawn with half of the new colours.
   void letWait(QWidget* window) {
-    if (std::find(windows_.begin(), windows_.end(), window) != windows_.end()) return;
     window->setUpdatesEnabled(false);
-    windows_.emplace_back(window);
+    const auto waiting = std::find(windows_.begin(), windows_.end(), window);
+    if (waiting != windows_.end()) windows_.erase(waiting);
+    // The one in front is the next.
+    windows_.insert(window == QApplication::activeWindow() ? windows_.end() : windows_.begin(), window);
   }
 
   bool dressNextWindow() {
@@ -116,7 +116,15 @@ class Wardrobe : public QObject {
     windows_.pop_back();
     if (!window) return true;
     dressShown(window);
-    window->setUpdatesEnabled(true);
+    dressed_.emplace_back(window);
+    return true;
+  }
+
+  bool letDressedBePainted() {
+    if (dressed_.empty()) return false;
+    for (const QPointer<QWidget>& window : std::exchange(dressed_, {})) {
+      if (window) window->setUpdatesEnabled(true);
+    }
     return true;
   }
 
@@ -148,7 +156,7 @@ class Wardrobe : public QObject {
     constexpr qint64 kTurn_ms = 5;
     QElapsedTimer turn;
     turn.start();
-    if (dressNextWindow()) {
+    if (letDressedBePainted() || dressNextWindow()) {
       soon_.start();
       return;
     }
@@ -169,6 +177,7 @@ class Wardrobe : public QObject {
 
   QTimer soon_;
   std::vector<QPointer<QWidget>> windows_;  ///< shown, and waiting for their turns
+  std::vector<QPointer<QWidget>> dressed_;  ///< and waiting to be painted
   std::vector<QPointer<QWidget>> hidden_;
   bool resizes_ = false;
 };
@@ -237,5 +246,7 @@ void applyTheme(Theme theme) {
   const bool resizes = withoutColors(before) != withoutColors(sheet);
   Wardrobe::instance().dressAll(resizes);
 }
+
+void finishTheme() { Wardrobe::instance().finishShown(); }
 
 }  // namespace hexoderm

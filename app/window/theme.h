@@ -21,7 +21,10 @@ void setSystemTheme(Theme theme);
 /// How widgets are drawn, the same on every desktop. Before the first window.
 void installStyle();
 
-/// Gives the whole application the palette and style sheet of a theme.
+/// Gives the whole application the palette and style sheet of a theme. Windows that are shown are painted with it in
+/// the next turns of the event loop, as they were until then.
 void applyTheme(Theme theme);
+/// Every window that is shown can be painted with it now: for pictures.
+void finishTheme();
 
 }  // namespace hexoderm

@@ -4,6 +4,7 @@
 #include "app/window/main_window.h"
 #include "app/window/preferences.h"
 #include "app/window/report_pictures.h"
+#include "app/window/theme.h"
 #include "app/window/window_shell.h"
 #include "widgets/graph_view.h"
 #include "widgets/message_bar.h"
@@ -34,6 +35,14 @@ const QString kCalibrationExtension = QStringLiteral(".calibration.json");
 QString droppedFile(const QMimeData* data) {
   return data->urls().size() == 1 && data->urls().front().isLocalFile() ? data->urls().front().toLocalFile()
                                                                         : QString();
+}
+
+/// Layouts have not caught up with a text that has just changed, inner ones ask outer ones for room; and a theme that
+/// was just chosen may still wait for its turn.
+void settle() {
+  finishTheme();
+  constexpr int kNested = 4;
+  for (int k = 0; k < kNested; ++k) QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
 }
 
 }  // namespace
@@ -127,15 +136,14 @@ void MainWindow::askForReport() {
 
 QImage MainWindow::picture() {
   // The 3D view draws when there is time; until then a picture of the window would show its last state.
+  settle();
   patch_view_->waitUntilUpToDate();
   patch_view_->drawNow();
   return pictureAsDrawn();
 }
 
 QImage MainWindow::pictureAsDrawn() {
-  // Layouts have not caught up with a text that has just changed; inner ones ask outer ones for room.
-  constexpr int kNested = 4;
-  for (int k = 0; k < kNested; ++k) QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+  settle();
   return grab().toImage();
 }
 
@@ -146,6 +154,7 @@ void MainWindow::savePicture() {
   const QString path = folder.filePath(QStringLiteral("hexoderm-%1.png").arg(stamp));
   patch_view_->whenUpToDate([this, path] {
     // In two turns, because both take their time without a graphics card.
+    settle();
     patch_view_->drawNow();
     QTimer::singleShot(0, this, [this, path] { controller_.saveImage(pictureAsDrawn(), path); });
   });
