@@ -244,7 +244,10 @@ StepPanel::StepPanel(QWidget* parent) : QScrollArea(parent), layout_(nullptr) {
   layout_->addStretch(1);
   setWidget(content);
   make_room_.setSingleShot(true);
-  connect(&make_room_, &QTimer::timeout, this, &StepPanel::makeRoom);
+  connect(&make_room_, &QTimer::timeout, this, [this] {
+    // Whoever has scrolled meanwhile stays there.
+    if (verticalScrollBar()->value() == placed_at_) makeRoom();
+  });
 }
 
 void StepPanel::setSteps(const std::vector<Step>& steps) {
@@ -297,7 +300,6 @@ void StepPanel::makeRoom() {
 }
 
 void StepPanel::makeRoomSoon() {
-  // Whoever has scrolled meanwhile stays there.
   if (verticalScrollBar()->value() == placed_at_) make_room_.start();
 }
 

@@ -9,6 +9,7 @@
 #include "hexoderm/util/error.h"
 #include "widgets/card_dock.h"
 #include "widgets/patch_view.h"
+#include "widgets/step_panel.h"
 #include "window_test.h"
 
 #include <QCheckBox>
@@ -17,8 +18,10 @@
 #include <QDialog>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QMenu>
 #include <QProcess>
+#include <QScrollBar>
 #include <QStandardPaths>
 #include <QTabBar>
 #include <QTabWidget>
@@ -448,6 +451,28 @@ TEST_F(WindowShellTest, GSwapsTheViewsAndTheNextStartRemembers) {
   EXPECT_TRUE(find<CardDock>("graphDock")->isAncestorOf(window_->findChild<PatchView*>()));
   press(Qt::Key_G);
   EXPECT_TRUE(find<CardDock>("graphDock")->isAncestorOf(window_->findChild<GraphView*>()));
+}
+
+TEST_F(WindowShellTest, StepsAboveGiveWayToOneThatDoesNotFitBelowThemUntilSomebodyScrolls) {
+  window_->resize(1280, 800);
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
+  auto* panel = find<StepPanel>("stepPanel");
+  const auto is_seen = [panel](const QWidget* part) {
+    return panel->viewport()->rect().contains(QRect(part->mapTo(panel->viewport(), QPoint()), part->size()));
+  };
+  panel->openStep(2);
+  const auto* skip = find<QAbstractButton>("captureSkip");
+  EXPECT_TRUE(waitUntil([&] { return is_seen(find<QAbstractButton>("stepHead3")) && is_seen(skip); }));
+  EXPECT_FALSE(is_seen(find<QAbstractButton>("stepHead1")));
+
+  panel->verticalScrollBar()->setValue(0);
+  const int height = find<QWidget>("step3")->height();
+  find<QLabel>("captureWhy")->setText(QStringLiteral("line\n").repeated(9));
+  ASSERT_TRUE(waitUntil([&] { return find<QWidget>("step3")->height() > height; }));
+  QCoreApplication::processEvents();
+  EXPECT_EQ(panel->verticalScrollBar()->value(), 0);
+  panel->openStep(0);
+  EXPECT_TRUE(waitUntil([&] { return is_seen(find<QAbstractButton>("stepHead1")); }));
 }
 
 TEST_F(WindowShellTest, KeysGoToTheSteps) {

@@ -125,6 +125,28 @@ TEST(PatchViewInAWindow, SeveralSizesAndColoursOneAfterTheOtherMakeOnePictureAnd
   gl->renderWindow()->RemoveObserver(observer);
 }
 
+TEST(PatchViewInAWindow, AnotherSizeShowsThePictureThereIsUntilItIsDrawn) {
+  Selection selection;
+  PatchView view(&selection);
+  view.resize(640, 480);
+  view.show();
+  ASSERT_TRUE(test::waitUntilExposed(view));
+  view.setReconstruction(demo());
+  auto* canvas = view.findChild<SceneWidget*>();
+  const QSize small = canvas->picture().size();
+  view.resize(700, 540);
+  ASSERT_TRUE(test::waitUntil([&] { return canvas->width() == 700; }));
+  const QColor background(1, 2, 3);
+  canvas->setBackground(background);
+  // Painted before it is drawn: the picture in the middle, the background around it.
+  const QImage before = canvas->grab().toImage();
+  ASSERT_EQ(before.size(), QSize(700, 540) * canvas->devicePixelRatioF());
+  EXPECT_EQ(before.pixelColor(2, 2), background);
+  EXPECT_NE(before.pixelColor(before.rect().center()), background);
+  EXPECT_GT(canvas->picture().width(), small.width());
+  EXPECT_NE(canvas->grab().toImage().pixelColor(2, 2), background);
+}
+
 TEST(PatchViewInAWindow, ChangesMadeWhileHiddenAreDrawnWhenShownAgain) {
   Selection selection;
   QWidget window;
