@@ -153,10 +153,11 @@ void MainWindow::savePicture() {
   const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz"));
   const QString path = folder.filePath(QStringLiteral("hexoderm-%1.png").arg(stamp));
   patch_view_->whenUpToDate([this, path] {
-    // In two turns, because both take their time without a graphics card.
+    // In two turns, because both take their time without a graphics card. A pause of 0 would be none: what is posted
+    // comes before everything that waits.
     settle();
     patch_view_->drawNow();
-    QTimer::singleShot(0, this, [this, path] { controller_.saveImage(pictureAsDrawn(), path); });
+    QTimer::singleShot(1, this, [this, path] { controller_.saveImage(pictureAsDrawn(), path); });
   });
 }
 
