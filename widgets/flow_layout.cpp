@@ -18,7 +18,7 @@ QLayoutItem* FlowLayout::itemAt(int index) const { return index >= 0 && index < 
 
 QLayoutItem* FlowLayout::takeAt(int index) {
   if (index < 0 || index >= count()) return nullptr;
-  if (index < second_group_) --second_group_;
+  if (second_group_ && index < *second_group_) --*second_group_;
   return items_.takeAt(index);
 }
 
@@ -31,10 +31,14 @@ int FlowLayout::groupWidth(int first, int end) const {
   return width;
 }
 
+int FlowLayout::rowWidth() const {
+  const int first = groupWidth(0, firstGroupEnd());
+  return second_group_ ? first + kApart + groupWidth(*second_group_, count()) : first;
+}
+
 QSize FlowLayout::sizeHint() const {
   const QMargins margins = contentsMargins();
-  const int width =
-      groupWidth(0, second_group_) + kApart + groupWidth(second_group_, count()) + margins.left() + margins.right();
+  const int width = rowWidth() + margins.left() + margins.right();
   return {width, heightForWidth(width)};
 }
 
@@ -52,9 +56,7 @@ void FlowLayout::setGeometry(const QRect& rect) {
 
 int FlowLayout::arrange(const QRect& rect, bool place) const {
   const QRect room = rect.marginsRemoved(contentsMargins());
-  const int first_width = groupWidth(0, second_group_);
-  const int second_width = groupWidth(second_group_, count());
-  const bool one_row = first_width + kApart + second_width <= room.width();
+  const bool one_row = rowWidth() <= room.width();
   // What is hidden takes no room.
   int row_height = 0;
   for (const QLayoutItem* item : items_) {
@@ -67,7 +69,7 @@ int FlowLayout::arrange(const QRect& rect, bool place) const {
     y += row_height + spacing();
   };
   for (int k = 0; k < count(); ++k) {
-    if (k == second_group_ && one_row) x = room.left() + room.width() - second_width;
+    if (k == second_group_ && one_row) x = room.left() + room.width() - groupWidth(k, count());
     if (k == second_group_ && !one_row && x > room.left()) begin_row();
     if (items_.at(k)->isEmpty()) continue;
     const QSize size = items_.at(k)->sizeHint();

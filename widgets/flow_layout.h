@@ -2,11 +2,12 @@
 
 #include <QLayout>
 #include <QList>
+#include <optional>
 
 namespace hexoderm {
 
-/// Widgets in a row, two groups of them at its ends; in as many rows as a narrow place needs, the second group
-/// beginning one of its own.
+/// Widgets in a row, from the left; in as many rows as a narrow place needs. There may be a second group of them, at
+/// the right end of the row or beginning one of its own.
 class FlowLayout : public QLayout {
   Q_OBJECT
 
@@ -33,10 +34,14 @@ class FlowLayout : public QLayout {
  private:
   /// Places the items where `place`; returns the height that they need.
   int arrange(const QRect& rect, bool place) const;
+  /// Where the second group begins; the end, if there is none.
+  [[nodiscard]] int firstGroupEnd() const { return second_group_.value_or(count()); }
   [[nodiscard]] int groupWidth(int first, int end) const;
+  /// What all need in one row.
+  [[nodiscard]] int rowWidth() const;
 
   QList<QLayoutItem*> items_;
-  int second_group_ = 0;
+  std::optional<int> second_group_;
 };
 
 }  // namespace hexoderm

@@ -193,8 +193,8 @@ void PatchView::Parts::connectControls() {
   connect(controls->pictureAction(), &QAction::triggered, view, &PatchView::pictureRequested);
 }
 
-/// While the mouse turns the scene or the view is resized, pictures come without smoothing; without a graphics card,
-/// where it takes more than half of the time, whatever else changes too.
+/// While the mouse turns the scene, pictures come without smoothing; without a graphics card, where it takes more than
+/// half of the time, whatever else changes too.
 void PatchView::Parts::smoothWhenAtRest() {
   constexpr int kRest_ms = 150;
   at_rest.setSingleShot(true);
@@ -314,12 +314,8 @@ bool PatchView::Parts::eventFilter(QObject*, QEvent* event) {
       event->ignore();  // so that it goes on to the window
       return true;
     case QEvent::Show:  // what changed while it was hidden
-      requestRender();
-      return false;
     case QEvent::Resize:
     case QEvent::ScreenChangeInternal:  // which may be a denser one
-      startInteraction();
-      endInteraction();
       requestRender();
       return false;
     case QEvent::MouseButtonPress:

@@ -13,27 +13,6 @@
 #include <utility>
 
 namespace hexoderm {
-namespace {
-
-/// What VTK asks its window's owner, who answers by setting what the event brings along.
-template <class Answer>
-class Asked : public vtkCommand {
- public:
-  static vtkSmartPointer<Asked> by(Answer answer) { return vtkSmartPointer<Asked>::Take(new Asked(std::move(answer))); }
-  void Execute(vtkObject* /*caller*/, unsigned long /*event*/, void* data) override { answer_(data); }
-
- private:
-  explicit Asked(Answer answer) : answer_(std::move(answer)) {}
-  Answer answer_;
-};
-
-template <class Answer>
-void answer(vtkObject* window, vtkCommand::EventIds event, Answer answer) {
-  window->AddObserver(event, Asked<Answer>::by(std::move(answer)));
-}
-
-}  // namespace
-
 SceneWidget::SceneWidget(QWidget* parent) : QWidget(parent) {
   setMouseTracking(true);
   setAttribute(Qt::WA_OpaquePaintEvent);  // or all that is below would be painted for each picture
@@ -63,14 +42,27 @@ SceneWidget::~SceneWidget() {
 }
 
 void SceneWidget::connectWindow() {
-  answer(window_, vtkCommand::WindowMakeCurrentEvent, [this](void*) { makeCurrent(); });
-  answer(window_, vtkCommand::WindowIsCurrentEvent,
-         [this](void* is_current) { *static_cast<bool*>(is_current) = QOpenGLContext::currentContext() == &context_; });
-  answer(window_, vtkCommand::WindowSupportsOpenGLEvent, [](void* supports) { *static_cast<int*>(supports) = 1; });
-  answer(window_, vtkCommand::WindowFrameEvent, [this](void*) {
-    is_newer_drawn_ = true;
-    update();
-  });
+  for (const auto event : {vtkCommand::WindowMakeCurrentEvent, vtkCommand::WindowIsCurrentEvent,
+                           vtkCommand::WindowSupportsOpenGLEvent, vtkCommand::WindowFrameEvent}) {
+    window_->AddObserver(event, this, &SceneWidget::answerWindow);
+  }
+}
+
+void SceneWidget::answerWindow(vtkObject* /*window*/, unsigned long event, void* answer) {
+  switch (event) {
+    case vtkCommand::WindowMakeCurrentEvent:
+      makeCurrent();
+      break;
+    case vtkCommand::WindowIsCurrentEvent:
+      *static_cast<bool*>(answer) = QOpenGLContext::currentContext() == &context_;
+      break;
+    case vtkCommand::WindowSupportsOpenGLEvent:
+      *static_cast<int*>(answer) = 1;
+      break;
+    default:
+      is_newer_drawn_ = true;
+      update();
+  }
 }
 
 void SceneWidget::takeSize() {

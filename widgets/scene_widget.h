@@ -41,6 +41,8 @@ class SceneWidget : public QWidget {
 
  private:
   void connectWindow();
+  /// What VTK asks its window's owner, who sets `answer`; or tells it, that a drawing is complete.
+  void answerWindow(vtkObject* window, unsigned long event, void* answer);
   void takeSize();
   /// Fetches what was drawn, once for however many drawings.
   void readPicture();

@@ -202,7 +202,6 @@ class StepPanel::Row : public QWidget {
       auto* button = new ActionButton(body_);
       button->setFocusPolicy(Qt::TabFocus);
       buttons_->addWidget(button);
-      buttons_->beginSecondGroup();  // which stays empty: none goes to the right
       buttons_shown_.push_back(button);
     }
     for (std::size_t k = 0; k < buttons_shown_.size(); ++k) {

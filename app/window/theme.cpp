@@ -82,7 +82,7 @@ class Wardrobe : public QObject {
   }
 
   void finishShown() {
-    while (letDressedBePainted() || dressNextWindow()) {
+    while (takeTurn()) {
     }
   }
 
@@ -128,6 +128,9 @@ class Wardrobe : public QObject {
     return true;
   }
 
+  /// False when every window that is shown is dressed and may be painted.
+  bool takeTurn() { return letDressedBePainted() || dressNextWindow(); }
+
   void dress(QWidget* widget) const {
     widget->style()->polish(widget);
     if (resizes_) {
@@ -156,7 +159,7 @@ class Wardrobe : public QObject {
     constexpr qint64 kTurn_ms = 5;
     QElapsedTimer turn;
     turn.start();
-    if (letDressedBePainted() || dressNextWindow()) {
+    if (takeTurn()) {
       soon_.start();
       return;
     }

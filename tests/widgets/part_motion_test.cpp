@@ -85,16 +85,16 @@ class PartMotionTest : public testing::Test {
     view.resize(720, 560);
     view.show();
     ASSERT_TRUE(test::waitUntilExposed(view));
-    gl = view.findChild<SceneWidget*>();
-    ASSERT_NE(gl, nullptr);
+    canvas = view.findChild<SceneWidget*>();
+    ASSERT_NE(canvas, nullptr);
     view.setReconstruction(shown ? shown : std::make_shared<const Reconstruction>(demoReconstruction()));
     view.setAnimated(false);
   }
   void drag(const QPoint& by, Qt::KeyboardModifiers keys = {}, int steps = 10) {
-    const QPoint from = gl->rect().center();
-    QTest::mousePress(gl, Qt::LeftButton, keys, from);
-    for (int k = 1; k <= steps; ++k) QTest::mouseMove(gl, from + by * k / steps);
-    QTest::mouseRelease(gl, Qt::LeftButton, keys, from + by);
+    const QPoint from = canvas->rect().center();
+    QTest::mousePress(canvas, Qt::LeftButton, keys, from);
+    for (int k = 1; k <= steps; ++k) QTest::mouseMove(canvas, from + by * k / steps);
+    QTest::mouseRelease(canvas, Qt::LeftButton, keys, from + by);
   }
   /// Waits for a request, also for one that is still held back, that turns the part so far away from `up`.
   bool isAskedFor(double angle_deg, const Eigen::Vector3d& up, double tolerance_deg = 1.5) {
@@ -106,7 +106,7 @@ class PartMotionTest : public testing::Test {
 
   Selection selection;
   PatchView view{&selection};
-  SceneWidget* gl = nullptr;
+  SceneWidget* canvas = nullptr;
   std::vector<Eigen::Vector3d> asked;
   QMetaObject::Connection kept =
       QObject::connect(&view, &PatchView::turnRequested, [this](const Eigen::Vector3d& up) { asked.push_back(up); });
@@ -228,7 +228,7 @@ TEST_F(PartMotionTest, DraggingInTurnModeAsksForTheTurnAndLeavesTheCameraAlone) 
   ASSERT_TRUE(turnButton()->isVisible());
   QTest::mouseClick(turnButton(), Qt::LeftButton);
   const QImage before = view.screenshot();
-  drag({0, gl->height() / 4});
+  drag({0, canvas->height() / 4});
   EXPECT_TRUE(isAskedFor(45, Eigen::Vector3d::UnitY()));
   EXPECT_EQ(view.screenshot(), before) << "the picture waits for the part";
   EXPECT_EQ(selection.cell(), std::nullopt);
@@ -240,7 +240,7 @@ TEST_F(PartMotionTest, DraggingDownBringsTheUpperEdgeNearer) {
   view.showStandardView(PatchView::StandardView::Front);
   ASSERT_FALSE(view.screenshot().isNull());
   view.setTurnable(true);
-  drag({0, gl->height() / 2}, Qt::ShiftModifier);
+  drag({0, canvas->height() / 2}, Qt::ShiftModifier);
   // Seen from the front (+z), the upper edge (+y) has come to the viewer: -z, the back, points up now.
   EXPECT_TRUE(isAskedFor(0, -Eigen::Vector3d::UnitZ(), 5));
 }
@@ -263,7 +263,7 @@ TEST_F(PartMotionTest, RequestsComeAtMostTwentyTimesASecondAndTheLastIsNotLost) 
   view.setTurnable(true);
   QElapsedTimer clock;
   clock.start();
-  drag({0, gl->height() / 4}, Qt::ShiftModifier, 200);
+  drag({0, canvas->height() / 4}, Qt::ShiftModifier, 200);
   EXPECT_TRUE(isAskedFor(45, Eigen::Vector3d::UnitY()));
   EXPECT_LE(static_cast<qint64>(asked.size()), 2 + clock.elapsed() / 50);
 }

@@ -17,6 +17,7 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
+#include <vtkWeakPointer.h>
 #include <QAction>
 #include <QMenu>
 #include <QRegularExpression>
@@ -40,13 +41,13 @@ class PatchViewTest : public testing::Test {
     view.resize(640, 480);
     view.show();
     ASSERT_TRUE(test::waitUntilExposed(view));
-    gl = view.findChild<SceneWidget*>();
-    ASSERT_NE(gl, nullptr);
+    canvas = view.findChild<SceneWidget*>();
+    ASSERT_NE(canvas, nullptr);
   }
 
   void click(const QPoint& at) {
-    QTest::mousePress(gl, Qt::LeftButton, {}, at);
-    QTest::mouseRelease(gl, Qt::LeftButton, {}, at);
+    QTest::mousePress(canvas, Qt::LeftButton, {}, at);
+    QTest::mouseRelease(canvas, Qt::LeftButton, {}, at);
   }
 
   QToolButton* button(const QString& text) {
@@ -61,7 +62,7 @@ class PatchViewTest : public testing::Test {
 
   Selection selection;
   PatchView view{&selection};
-  SceneWidget* gl = nullptr;
+  SceneWidget* canvas = nullptr;
 };
 
 std::size_t coloursIn(const QImage& image) {
@@ -78,7 +79,7 @@ TEST_F(PatchViewTest, ScreenshotShowsTheSkinInBothThemes) {
   const QImage light = view.screenshot();
   view.setTheme(Theme::Dark);
   const QImage dark = view.screenshot();
-  EXPECT_EQ(light.size(), gl->size() * gl->devicePixelRatioF());
+  EXPECT_EQ(light.size(), canvas->size() * canvas->devicePixelRatioF());
   EXPECT_GT(coloursIn(light), 60U);
   EXPECT_GT(coloursIn(dark), 60U);
   EXPECT_GT(qGray(light.pixel(3, 3)), 180);
@@ -88,51 +89,41 @@ TEST_F(PatchViewTest, ScreenshotShowsTheSkinInBothThemes) {
 TEST_F(PatchViewTest, IsSmoothedWhenItRestsAndNotWhileItIsResized) {
   show();
   view.setReconstruction(demo());
-  vtkRenderer* renderer = gl->renderWindow()->GetRenderers()->GetFirstRenderer();
+  vtkRenderer* renderer = canvas->renderWindow()->GetRenderers()->GetFirstRenderer();
   ASSERT_TRUE(test::waitUntil([&] { return renderer->GetUseFXAA(); }));
   view.resize(700, 500);
-  EXPECT_TRUE(test::waitUntil([&] { return gl->width() > 640; }));
+  EXPECT_TRUE(test::waitUntil([&] { return canvas->width() > 640; }));
   EXPECT_FALSE(renderer->GetUseFXAA());
   EXPECT_TRUE(test::waitUntil([&] { return renderer->GetUseFXAA(); }));
 }
 
-TEST(PatchViewInAWindow, SeveralSizesAndColoursOneAfterTheOtherMakeOnePictureAndASmoothedOne) {
-  Selection selection;
-  PatchView view(&selection);
-  view.resize(640, 480);
-  view.show();
-  ASSERT_TRUE(test::waitUntilExposed(view));
+TEST_F(PatchViewTest, SeveralSizesAndColoursOneAfterTheOtherMakeOnePictureAndASmoothedOne) {
+  ASSERT_NO_FATAL_FAILURE(show());
   view.setReconstruction(demo());
-  auto* gl = view.findChild<SceneWidget*>();
-  vtkRenderer* renderer = gl->renderWindow()->GetRenderers()->GetFirstRenderer();
+  vtkRenderer* renderer = canvas->renderWindow()->GetRenderers()->GetFirstRenderer();
   ASSERT_TRUE(test::waitUntil([&] { return renderer->GetUseFXAA(); }));
   QCoreApplication::processEvents();
   int pictures = 0;
   vtkNew<vtkCallbackCommand> count;
   count->SetClientData(&pictures);
   count->SetCallback([](vtkObject*, unsigned long, void* client, void*) { ++*static_cast<int*>(client); });
-  const unsigned long observer = gl->renderWindow()->AddObserver(vtkCommand::StartEvent, count);
+  const unsigned long observer = canvas->renderWindow()->AddObserver(vtkCommand::StartEvent, count);
   for (const int width : {700, 660, 720, 680}) view.setFixedSize(width, 500);
   view.setTheme(Theme::Dark);
-  EXPECT_EQ(gl->width(), 680);
+  EXPECT_EQ(canvas->width(), 680);
   EXPECT_EQ(pictures, 0);
   EXPECT_TRUE(test::waitUntil([&] { return pictures > 0; }));
-  EXPECT_EQ(gl->renderWindow()->GetSize()[0], qRound(680 * gl->devicePixelRatioF()));
+  EXPECT_EQ(canvas->renderWindow()->GetSize()[0], qRound(680 * canvas->devicePixelRatioF()));
   EXPECT_FALSE(renderer->GetUseFXAA());
   EXPECT_TRUE(test::waitUntil([&] { return renderer->GetUseFXAA() && pictures >= 2; }));
   QTest::qWait(50);
   EXPECT_EQ(pictures, 2);
-  gl->renderWindow()->RemoveObserver(observer);
+  canvas->renderWindow()->RemoveObserver(observer);
 }
 
-TEST(PatchViewInAWindow, AnotherSizeShowsThePictureThereIsUntilItIsDrawn) {
-  Selection selection;
-  PatchView view(&selection);
-  view.resize(640, 480);
-  view.show();
-  ASSERT_TRUE(test::waitUntilExposed(view));
+TEST_F(PatchViewTest, AnotherSizeShowsThePictureThereIsUntilItIsDrawn) {
+  ASSERT_NO_FATAL_FAILURE(show());
   view.setReconstruction(demo());
-  auto* canvas = view.findChild<SceneWidget*>();
   const QSize small = canvas->picture().size();
   view.resize(700, 540);
   ASSERT_TRUE(test::waitUntil([&] { return canvas->width() == 700; }));
@@ -155,12 +146,25 @@ TEST(PatchViewInAWindow, ChangesMadeWhileHiddenAreDrawnWhenShownAgain) {
   window.resize(640, 480);
   window.show();
   ASSERT_TRUE(test::waitUntilExposed(window));
-  auto* gl = view->findChild<SceneWidget*>();
-  ASSERT_TRUE(test::waitUntil([gl] { return qGray(gl->picture().pixel(3, 3)) > 180; }));
+  auto* canvas = view->findChild<SceneWidget*>();
+  ASSERT_TRUE(test::waitUntil([canvas] { return qGray(canvas->picture().pixel(3, 3)) > 180; }));
   view->hide();
   view->setTheme(Theme::Dark);
   view->show();
-  EXPECT_TRUE(test::waitUntil([gl] { return qGray(gl->picture().pixel(3, 3)) < 60; }));
+  EXPECT_TRUE(test::waitUntil([canvas] { return qGray(canvas->picture().pixel(3, 3)) < 60; }));
+}
+
+TEST(PatchViewInAWindow, LeavesNothingOfVtkBehind) {
+  Selection selection;
+  vtkWeakPointer<vtkRenderWindow> window;
+  {
+    PatchView view(&selection);
+    view.setReconstruction(demo());
+    EXPECT_FALSE(view.screenshot().isNull());
+    window = view.findChild<SceneWidget*>()->renderWindow();
+    ASSERT_NE(window, nullptr);
+  }
+  EXPECT_EQ(window, nullptr);
 }
 
 TEST_F(PatchViewTest, ScreenshotWorksBeforeTheViewWasShown) {
@@ -173,10 +177,10 @@ TEST_F(PatchViewTest, ClickPicksTheCellAndClickBesideClears) {
   show();
   view.setReconstruction(demo(0));
   QSignalSpy changed(&selection, &Selection::changed);
-  click(gl->rect().center());
+  click(canvas->rect().center());
   EXPECT_EQ(changed.count(), 1);
   EXPECT_EQ(selection.cell(), CellId(1));
-  click(QPoint(5, gl->height() - 5));
+  click(QPoint(5, canvas->height() - 5));
   EXPECT_EQ(changed.count(), 2);
   EXPECT_EQ(selection.cell(), std::nullopt);
 }
@@ -185,11 +189,11 @@ TEST_F(PatchViewTest, DragTurnsTheSceneAndPicksNothing) {
   show();
   view.setReconstruction(demo());
   const QImage before = view.screenshot();
-  const QPoint from = gl->rect().center();
-  QTest::mousePress(gl, Qt::LeftButton, {}, from);
-  QTest::mouseMove(gl, from + QPoint(40, 10));
-  QTest::mouseMove(gl, from + QPoint(80, 20));
-  QTest::mouseRelease(gl, Qt::LeftButton, {}, from + QPoint(80, 20));
+  const QPoint from = canvas->rect().center();
+  QTest::mousePress(canvas, Qt::LeftButton, {}, from);
+  QTest::mouseMove(canvas, from + QPoint(40, 10));
+  QTest::mouseMove(canvas, from + QPoint(80, 20));
+  QTest::mouseRelease(canvas, Qt::LeftButton, {}, from + QPoint(80, 20));
   EXPECT_EQ(selection.cell(), std::nullopt);
   EXPECT_NE(view.screenshot(), before);
 }
@@ -219,9 +223,9 @@ TEST_F(PatchViewTest, ButtonsMoveTheCamera) {
     EXPECT_NE(now, last) << name;
     last = now;
   }
-  QWheelEvent zoom(QPointF(gl->rect().center()), gl->mapToGlobal(gl->rect().center()), {}, QPoint(0, 120), Qt::NoButton,
-                   Qt::NoModifier, Qt::NoScrollPhase, false);
-  QCoreApplication::sendEvent(gl, &zoom);
+  QWheelEvent zoom(QPointF(canvas->rect().center()), canvas->mapToGlobal(canvas->rect().center()), {}, QPoint(0, 120),
+                   Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+  QCoreApplication::sendEvent(canvas, &zoom);
   EXPECT_NE(view.screenshot(), last);
   ASSERT_NE(button("Fit"), nullptr);
   QTest::mouseClick(button("Fit"), Qt::LeftButton);
@@ -322,7 +326,7 @@ TEST_F(PatchViewTest, MeasuresBetweenTwoClickedCellsUntilEsc) {
   ASSERT_NE(tool, nullptr);
   QTest::mouseClick(tool, Qt::LeftButton);
   EXPECT_TRUE(words().contains(QStringLiteral("first cell")));
-  click(gl->rect().center());
+  click(canvas->rect().center());
   EXPECT_EQ(selection.cell(), CellId(1));
   EXPECT_TRUE(words().contains(QStringLiteral("second cell")));
   const QImage one = view.screenshot();
@@ -437,7 +441,7 @@ TEST_F(PatchViewTest, KeysGoOnToTheWindow) {
   const QImage before = view.screenshot();
   for (const char key : {'w', 'e', 'q', 's', 'r'}) {
     QKeyEvent press(QEvent::KeyPress, key - 'a' + Qt::Key_A, Qt::NoModifier, QString(QChar::fromLatin1(key)));
-    QCoreApplication::sendEvent(gl, &press);
+    QCoreApplication::sendEvent(canvas, &press);
     EXPECT_FALSE(press.isAccepted()) << key;
   }
   EXPECT_EQ(view.screenshot(), before);
@@ -452,7 +456,7 @@ TEST_F(PatchViewTest, NothingToShowIsSaidAndDoesNotCrash) {
   view.showStandardView(PatchView::StandardView::Side);
   view.setPose(PoseId(3));
   selection.selectCell(CellId(4));
-  click(gl->rect().center());
+  click(canvas->rect().center());
   EXPECT_EQ(selection.cell(), std::nullopt);
   EXPECT_EQ(view.screenshot(), hint);
 
