@@ -78,8 +78,8 @@ class PatchScene {
   /// IDs and the letters of the axes; pictures that are compared go without.
   void setTextVisible(bool visible);
 
-  /// Smooths edges after drawing (FXAA); on by default. It doubles the time of a picture in software OpenGL, so whoever
-  /// turns the camera with the mouse switches it off meanwhile.
+  /// Smooths edges after drawing (FXAA); on by default. It doubles the time of a picture in software OpenGL, where
+  /// smoothEdges() does it in less.
   void setSmoothed(bool smoothed);
 
   /// Pixels of the window's top that something else covers: what is fitted stays below.

@@ -93,7 +93,6 @@ struct PatchView::Parts : public QObject {
   PatchControls* controls = nullptr;
   std::vector<std::function<void()>> waiting;  ///< for the picture to be up to date
   QTimer at_rest;
-  QTimer render_soon;
   QPoint pressed_at;
   QColor background = Colors::of(Theme::Light).scene_bottom;  ///< seen where there is no OpenGL
 
@@ -150,13 +149,10 @@ void PatchView::Parts::buildScene(QGridLayout* layout) {
   window->GetInteractor()->SetInteractorStyle(style);
   scene = std::make_unique<PatchScene>();
   scene->attachTo(window);
+  scene->setSmoothed(!opengl.software);
   builder = std::make_unique<SceneBuilder>(
       [this](std::shared_ptr<const SceneContent> content) { setContent(std::move(content)); });
   layout->addWidget(canvas, 0, 0, 2, 1);
-  render_soon.setSingleShot(true);
-  connect(&render_soon, &QTimer::timeout, canvas, [window] { window->Render(); });
-  // Whatever draws, a new size for example, draws all that was asked for.
-  window->AddObserver(vtkCommand::StartEvent, &render_soon, &QTimer::stop);
   smoothWhenAtRest();
   controls = new PatchControls(view);
   controls->setRenderer(openGlInWords(opengl));
@@ -193,15 +189,19 @@ void PatchView::Parts::connectControls() {
   connect(controls->pictureAction(), &QAction::triggered, view, &PatchView::pictureRequested);
 }
 
-/// While the mouse turns the scene, pictures come without smoothing; without a graphics card, where it takes more than
-/// half of the time, whatever else changes too.
+/// While the mouse turns the scene, pictures come without smoothing; without a graphics card, where the shader for it
+/// takes longer than the drawing, the picture at rest is smoothed instead.
 void PatchView::Parts::smoothWhenAtRest() {
   constexpr int kRest_ms = 150;
   at_rest.setSingleShot(true);
   at_rest.setInterval(kRest_ms);
   connect(&at_rest, &QTimer::timeout, this, [this] {
-    scene->setSmoothed(true);
-    if (canvas->isVisible()) render_soon.start();
+    if (opengl.software) {
+      canvas->smoothPicture();
+    } else {
+      scene->setSmoothed(true);
+      if (canvas->isVisible()) canvas->requestRender();
+    }
   });
   vtkInteractorObserver* style = canvas->renderWindow()->GetInteractor()->GetInteractorStyle();
   style->AddObserver(vtkCommand::StartInteractionEvent, this, &Parts::startInteraction);
@@ -289,11 +289,8 @@ void PatchView::Parts::updateSelection() {
 
 void PatchView::Parts::requestRender() {
   if (canvas == nullptr || !canvas->isVisible()) return;
-  if (opengl.software) {
-    startInteraction();
-    endInteraction();
-  }
-  render_soon.start();
+  if (opengl.software) at_rest.start();
+  canvas->requestRender();
 }
 
 void PatchView::Parts::pickAt(const QPoint& position) {
@@ -464,10 +461,10 @@ void PatchView::waitUntilUpToDate() {
 
 void PatchView::drawNow() {
   if (parts_->canvas == nullptr) return;
-  parts_->render_soon.stop();
   parts_->at_rest.stop();
-  parts_->scene->setSmoothed(true);
+  parts_->scene->setSmoothed(!parts_->opengl.software);
   parts_->canvas->renderWindow()->Render();
+  if (parts_->opengl.software) parts_->canvas->smoothPicture();
 }
 
 QImage PatchView::screenshot() {

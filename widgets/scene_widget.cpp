@@ -1,5 +1,6 @@
 #include "widgets/scene_widget.h"
 
+#include "widgets/edge_smoothing.h"
 #include "widgets/opengl_info.h"
 
 #include <QVTKInteractor.h>
@@ -31,18 +32,23 @@ SceneWidget::SceneWidget(QWidget* parent) : QWidget(parent) {
   const vtkNew<QVTKInteractor> interactor;
   interactor->SetRenderWindow(window_);
   interactor->Initialize();
+  interactor->EnableRenderOff();  // several moves of the mouse in one turn of the event loop are one drawing
+  interactor->AddObserver(vtkCommand::RenderEvent, this, &SceneWidget::requestRender);
+  render_soon_.setSingleShot(true);
+  connect(&render_soon_, &QTimer::timeout, this, [this] { window_->Render(); });
   takeSize();
 }
 
 SceneWidget::~SceneWidget() {
   makeCurrent();
+  window_->GetInteractor()->RemoveAllObservers();
   window_->Finalize();
   window_->RemoveAllObservers();
   context_.doneCurrent();
 }
 
 void SceneWidget::connectWindow() {
-  for (const auto event : {vtkCommand::WindowMakeCurrentEvent, vtkCommand::WindowIsCurrentEvent,
+  for (const auto event : {vtkCommand::StartEvent, vtkCommand::WindowMakeCurrentEvent, vtkCommand::WindowIsCurrentEvent,
                            vtkCommand::WindowSupportsOpenGLEvent, vtkCommand::WindowFrameEvent}) {
     window_->AddObserver(event, this, &SceneWidget::answerWindow);
   }
@@ -50,6 +56,9 @@ void SceneWidget::connectWindow() {
 
 void SceneWidget::answerWindow(vtkObject* /*window*/, unsigned long event, void* answer) {
   switch (event) {
+    case vtkCommand::StartEvent:  // whoever draws, draws all that was asked for
+      render_soon_.stop();
+      break;
     case vtkCommand::WindowMakeCurrentEvent:
       makeCurrent();
       break;
@@ -107,6 +116,14 @@ void SceneWidget::readPicture() {
   state->PopReadFramebufferBinding();
   picture_ = std::move(upside_down).mirrored();
   picture_.setDevicePixelRatio(devicePixelRatioF());
+  is_smoothed_ = false;
+}
+
+void SceneWidget::smoothPicture() {
+  readPicture();
+  if (std::exchange(is_smoothed_, true)) return;
+  picture_ = smoothEdges(picture_);
+  update();
 }
 
 bool SceneWidget::event(QEvent* event) {

@@ -7,6 +7,7 @@
 #include <QImage>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QTimer>
 #include <QWidget>
 
 namespace hexoderm {
@@ -15,8 +16,8 @@ namespace hexoderm {
 /// VTK's own widgets Qt would put the whole window together in OpenGL each time that any part of it changes, which
 /// without a graphics card takes longer than drawing the scene.
 ///
-/// Draws when its window's Render() is called, and not by itself: with another size it shows the picture that it has
-/// until then. Needs OpenGL (see queryOpenGl()).
+/// Draws when it is asked to, and not by itself: with another size it shows the picture that it has until then. Needs
+/// OpenGL (see queryOpenGl()).
 class SceneWidget : public QWidget {
   Q_OBJECT
 
@@ -25,6 +26,11 @@ class SceneWidget : public QWidget {
   ~SceneWidget() override;
 
   [[nodiscard]] vtkGenericOpenGLRenderWindow* renderWindow() const { return window_.Get(); }
+  /// Draws in one of the next turns of the event loop, once for however many requests.
+  void requestRender() { render_soon_.start(); }
+  /// Smooths the edges in the picture that was drawn last, by the processor (see smoothEdges()).
+  void smoothPicture();
+  [[nodiscard]] bool isPictureSmoothed() const { return is_smoothed_; }
   /// Current while the window draws.
   [[nodiscard]] QOpenGLContext& context() { return context_; }
   bool makeCurrent() { return context_.makeCurrent(&surface_); }
@@ -54,6 +60,8 @@ class SceneWidget : public QWidget {
   QImage picture_;
   QColor background_ = Qt::white;
   bool is_newer_drawn_ = false;
+  bool is_smoothed_ = false;
+  QTimer render_soon_;
 };
 
 }  // namespace hexoderm
