@@ -21,8 +21,7 @@ class WindowSizesTest : public WindowTest {
     ASSERT_TRUE(waitLong([&] { return controller().name() == QFileInfo(path).fileName(); })) << message().toStdString();
     ASSERT_TRUE(waitLong([this] { return controller().isCurrent() && controller().activity().isEmpty(); }));
   }
-  QString writeSkin(const QString& patch, std::size_t poses, std::size_t frames) {
-    SimulatedSkinOptions options;
+  QString writeSkin(const QString& patch, std::size_t poses, std::size_t frames, SimulatedSkinOptions options = {}) {
     options.patch = patch.toStdString();
     SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
     writeSessionStore(simulateSession(skin, poses, frames), pathTo("skin.hexo").toStdString());
@@ -81,7 +80,9 @@ TEST_F(WindowSizesTest, AThousandPosesAreLeftForAnotherSessionAndForTheEndWhileT
 }
 
 TEST_F(WindowSizesTest, AHundredThousandCells) {
-  ASSERT_NO_FATAL_FAILURE(open(writeSkin("sheet:400x250", 6, 2)));
+  // Of a skin without errors the tree is the optimum: from any other the global solver is many steps away, which this
+  // many cells make minutes.
+  ASSERT_NO_FATAL_FAILURE(open(writeSkin("sheet:400x250", 6, 2, SimulatedSkinOptions::ideal())));
   ASSERT_TRUE(waitLong([this] { return posesShown() == 6; }));
   EXPECT_EQ(controller().reconstruction()->cellCount(), 100000U);
   ASSERT_NO_FATAL_FAILURE(expectUsable(CellId(4711)));

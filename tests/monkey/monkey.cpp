@@ -271,8 +271,8 @@ void describe(const test::Stall& stall) {
   const auto ms = [](double value) { return QString::number(value, 'f', 0).toStdString(); };
   std::cout << ms(stall.wall_ms) << " ms (alone at most " << ms(stall.alone_ms()) << "; computing " << ms(stall.cpu_ms)
             << ", queueing " << ms(stall.queue_ms) << ", drawing " << ms(stall.drawing_ms) << ", its queueing "
-            << ms(stall.drawing_queue_ms) << ", other threads " << ms(stall.others_ms)
-            << "): " << stall.doing.toStdString() << '\n';
+            << ms(stall.drawing_queue_ms) << ", other threads " << ms(stall.others_ms) << ", stolen "
+            << ms(stall.stolen_ms) << "): " << stall.doing.toStdString() << '\n';
 }
 
 void report(const Monkey& monkey, const test::Watchdog& watchdog, std::uint64_t seed, bool discount_load) {

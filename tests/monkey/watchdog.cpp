@@ -67,6 +67,7 @@ Watchdog::Watchdog(double limit_ms, bool trace)
     : limit_ms_(limit_ms),
       trace_(trace),
       schedule_(QStringLiteral("/proc/thread-self/schedstat")),
+      processors_(QStringLiteral("/proc/stat")),
       last_beat_ns_(now_ns()),
       gui_thread_(::pthread_self()) {
   // Where the stack itself is used up, there is one left to say so on.
@@ -84,6 +85,8 @@ Watchdog::Watchdog(double limit_ms, bool trace)
   last_cpu_ms_ = clock_ms(CLOCK_THREAD_CPUTIME_ID);
   last_process_ms_ = clock_ms(CLOCK_PROCESS_CPUTIME_ID);
   last_queue_ms_ = turnsOf(schedule_).queue_ms;
+  static_cast<void>(processors_.open(QIODevice::ReadOnly | QIODevice::Unbuffered));
+  last_stolen_ms_ = stolenFrom_ms(processors_);
   findDrawingThreads();
   heart_.setTimerType(Qt::PreciseTimer);
   heart_.setInterval(kBeat_ms);
@@ -115,6 +118,16 @@ Watchdog::Turns Watchdog::turnsOf(const QFile& schedule) {
   return {static_cast<double>(cpu_ns) / kNsPerMs, static_cast<double>(queue_ns) / kNsPerMs};
 }
 
+double Watchdog::stolenFrom_ms(const QFile& processors) {
+  char line[256] = {};
+  long long ticks = 0;
+  if (processors.handle() < 0 || ::pread(processors.handle(), line, sizeof(line) - 1, 0) <= 0 ||
+      std::sscanf(line, "cpu %*d %*d %*d %*d %*d %*d %*d %lld", &ticks) != 1) {
+    return 0;
+  }
+  return 1e3 * static_cast<double>(ticks) / static_cast<double>(::sysconf(_SC_CLK_TCK));
+}
+
 void Watchdog::findDrawingThreads() {
   for (const QString& id : QDir(QStringLiteral("/proc/self/task")).entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
     QFile name(QStringLiteral("/proc/self/task/%1/comm").arg(id));
@@ -131,7 +144,9 @@ void Watchdog::beat() {
   const double cpu_ms = clock_ms(CLOCK_THREAD_CPUTIME_ID);
   const double process_ms = clock_ms(CLOCK_PROCESS_CPUTIME_ID);
   const double queue_ms = turnsOf(schedule_).queue_ms;
+  const double stolen_ms = stolenFrom_ms(processors_);
   Stall stall;
+  stall.stolen_ms = stolen_ms - last_stolen_ms_;
   stall.wall_ms = static_cast<double>(now - last_beat_ns_) / kNsPerMs - kBeat_ms;
   stall.cpu_ms = cpu_ms - last_cpu_ms_;
   stall.queue_ms = queue_ms - last_queue_ms_;
@@ -156,6 +171,7 @@ void Watchdog::beat() {
   last_cpu_ms_ = cpu_ms;
   last_process_ms_ = process_ms;
   last_queue_ms_ = queue_ms;
+  last_stolen_ms_ = stolen_ms;
 }
 
 void Watchdog::watch() {

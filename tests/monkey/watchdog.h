@@ -21,6 +21,7 @@ struct Stall {
   double drawing_ms = 0;        ///< that a thread that draws in software OpenGL computed, at most
   double drawing_queue_ms = 0;  ///< by how much longer one was at it, for want of a processor
   double others_ms = 0;         ///< that all other threads of this process computed
+  double stolen_ms = 0;         ///< that this machine's processors together were not there, if it is a virtual one
   QString doing;
 
   /// How long it would have been at most, were there nothing else on the machine: what was computed one after another
@@ -56,16 +57,20 @@ class Watchdog : public QObject {
     double queue_ms = 0;
   };
   static Turns turnsOf(const QFile& schedule);
+  /// Since the machine was started.
+  static double stolenFrom_ms(const QFile& processors);
   void findDrawingThreads();
 
   double limit_ms_;
   bool trace_;
   QTimer heart_;
   QFile schedule_;
+  QFile processors_;
   std::vector<std::unique_ptr<QFile>> drawing_schedules_;
   double last_cpu_ms_ = 0;
   double last_process_ms_ = 0;
   double last_queue_ms_ = 0;
+  double last_stolen_ms_ = 0;
   std::vector<Turns> last_drawing_;
   std::uint64_t beats_ = 0;
   std::vector<Stall> stalls_;
