@@ -59,7 +59,7 @@ double Stall::alone_ms() const {
   const double waiting_ms = wall_ms - cpu_ms - queue_ms;
   // A drawing thread may as well have queued while the GUI thread did not wait for it.
   const double waiting_for_queue_ms = std::max(0.0, drawing_queue_ms - cpu_ms - queue_ms);
-  const double elsewhere_ms = std::max(0.0, waiting_ms - drawing_ms - waiting_for_queue_ms);
+  const double elsewhere_ms = std::max(0.0, waiting_ms - drawing_ms - waiting_for_queue_ms - stolen_ms);
   return std::min(wall_ms, cpu_ms + drawing_ms + others_ms + elsewhere_ms);
 }
 
@@ -125,7 +125,8 @@ double Watchdog::stolenFrom_ms(const QFile& processors) {
       std::sscanf(line, "cpu %*d %*d %*d %*d %*d %*d %*d %lld", &ticks) != 1) {
     return 0;
   }
-  return 1e3 * static_cast<double>(ticks) / static_cast<double>(::sysconf(_SC_CLK_TCK));
+  const double ticks_of_each = static_cast<double>(ticks) / std::max(1U, std::thread::hardware_concurrency());
+  return 1e3 * ticks_of_each / static_cast<double>(::sysconf(_SC_CLK_TCK));
 }
 
 void Watchdog::findDrawingThreads() {

@@ -21,12 +21,13 @@ struct Stall {
   double drawing_ms = 0;        ///< that a thread that draws in software OpenGL computed, at most
   double drawing_queue_ms = 0;  ///< by how much longer one was at it, for want of a processor
   double others_ms = 0;         ///< that all other threads of this process computed
-  double stolen_ms = 0;         ///< that this machine's processors together were not there, if it is a virtual one
+  double stolen_ms = 0;         ///< that a processor of this machine was not there, on average, if it is a virtual one
   QString doing;
 
   /// How long it would have been at most, were there nothing else on the machine: what was computed one after another
   /// (only the threads that draw work side by side), and the time in which the GUI thread waited for anything but them,
-  /// such as the display or a disk. Only what other programs made of it is left out.
+  /// such as the display or a disk. Only what other programs made of it is left out, and other machines on the same
+  /// host.
   [[nodiscard]] double alone_ms() const;
 };
 
