@@ -76,6 +76,9 @@ class MainWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
   bool focusNextPrevChild(bool next) override;
+  // With the keyboard the window itself looks no different; QWidget's own would paint all that is in it anew.
+  void focusInEvent(QFocusEvent* /*event*/) override {}
+  void focusOutEvent(QFocusEvent* /*event*/) override {}
 
  private:
   void buildLayout();

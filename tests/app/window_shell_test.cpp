@@ -120,6 +120,37 @@ TEST_F(WindowShellTest, AReportHoldsVersionsAndLinesAndNoHome) {
   EXPECT_EQ(withoutHome("in /x", "/"), "in /x");
 }
 
+/// Counts how often a widget is painted.
+class PaintCounter : public QObject {
+ public:
+  explicit PaintCounter(QWidget* watched) { watched->installEventFilter(this); }
+  [[nodiscard]] int count() const { return count_; }
+
+ protected:
+  bool eventFilter(QObject* /*watched*/, QEvent* event) override {
+    if (event->type() == QEvent::Paint) ++count_;
+    return false;
+  }
+
+ private:
+  int count_ = 0;
+};
+
+TEST_F(WindowShellTest, AWindowThatHasTheKeyboardIsNotPaintedAnewWhenADialogTakesIt) {
+  QTest::mouseClick(find<QWidget>("topBar"), Qt::LeftButton);
+  ASSERT_TRUE(waitUntil([this] { return QApplication::focusWidget() == window_.get(); }));
+  QTest::qWait(50);
+  auto* sentence = find<QLabel>("bannerSentence");
+  const PaintCounter painted(sentence);
+  QMessageBox box(window_.get());
+  box.show();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&box));
+  QTest::qWait(50);
+  EXPECT_EQ(painted.count(), 0);
+  sentence->update();
+  EXPECT_TRUE(waitUntil([&] { return painted.count() > 0; }));
+}
+
 TEST_F(WindowShellTest, StartsWithAWelcomeThatGoesWhenSomethingIsOpen) {
   auto* welcome = find<QWidget>("welcomePanel");
   EXPECT_TRUE(welcome->isVisible());
