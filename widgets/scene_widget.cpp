@@ -34,6 +34,11 @@ SceneWidget::SceneWidget(QWidget* parent) : QWidget(parent) {
   interactor->Initialize();
   interactor->EnableRenderOff();  // several moves of the mouse in one turn of the event loop are one drawing
   interactor->AddObserver(vtkCommand::RenderEvent, this, &SceneWidget::requestRender);
+  // Not in the very next turn of the event loop: the window may be painted in that, and then whoever has clicked
+  // meanwhile would wait for both.
+  constexpr int kSoon_ms = 10;
+  render_soon_.setInterval(kSoon_ms);
+  render_soon_.setTimerType(Qt::PreciseTimer);
   render_soon_.setSingleShot(true);
   connect(&render_soon_, &QTimer::timeout, this, [this] { window_->Render(); });
   takeSize();
@@ -72,6 +77,10 @@ void SceneWidget::answerWindow(vtkObject* /*window*/, unsigned long event, void*
       is_newer_drawn_ = true;
       update();
   }
+}
+
+void SceneWidget::requestRender() {
+  if (!render_soon_.isActive()) render_soon_.start();
 }
 
 void SceneWidget::takeSize() {

@@ -26,8 +26,8 @@ class SceneWidget : public QWidget {
   ~SceneWidget() override;
 
   [[nodiscard]] vtkGenericOpenGLRenderWindow* renderWindow() const { return window_.Get(); }
-  /// Draws in one of the next turns of the event loop, once for however many requests.
-  void requestRender() { render_soon_.start(); }
+  /// Draws soon, once for however many requests.
+  void requestRender();
   /// Smooths the edges in the picture that was drawn last, by the processor (see smoothEdges()).
   void smoothPicture();
   [[nodiscard]] bool isPictureSmoothed() const { return is_smoothed_; }
