@@ -12,18 +12,21 @@ namespace hexoderm {
 namespace {
 
 // The usual settings; brightness is from 0 to 255.
-constexpr int kLeastContrast = 12;   // what is no edge in the dark ...
-constexpr int kContrastDivisor = 8;  // ... and what is none beside a neighbour as bright as that
-constexpr int kReach_px = 16;        // how far the ends of an edge are looked for
-constexpr float kSpeckPart = 0.75F;  // how much of a single pixel is taken away
+constexpr std::uint8_t kLeastContrast = 12;  // what is no edge in the dark ...
+constexpr int kContrastDivisor = 8;          // ... and what is none beside a neighbour as bright as that
+constexpr int kReach_px = 16;                // how far the ends of an edge are looked for
+constexpr float kSpeckPart = 0.75F;          // how much of a single pixel is taken away
 
 std::vector<std::uint8_t> brightness(const QImage& picture) {
-  std::vector<std::uint8_t> bright(static_cast<std::size_t>(picture.width()) * picture.height());
-  std::uint8_t* out = bright.data();
+  const int width = picture.width();
+  std::vector<std::uint8_t> bright(static_cast<std::size_t>(width) * picture.height());
   for (int y = 0; y < picture.height(); ++y) {
-    const auto* line = reinterpret_cast<const QRgb*>(picture.constScanLine(y));
-    for (int x = 0; x < picture.width(); ++x) {
-      *out++ = static_cast<std::uint8_t>((77 * qRed(line[x]) + 150 * qGreen(line[x]) + 29 * qBlue(line[x])) >> 8);
+    const auto* in = reinterpret_cast<const QRgb*>(picture.constScanLine(y));
+    std::uint8_t* out = bright.data() + static_cast<std::size_t>(y) * width;
+    for (int x = 0; x < width; ++x) {
+      const QRgb color = in[x];
+      out[x] = static_cast<std::uint8_t>(
+          (77 * ((color >> 16) & 255) + 150 * ((color >> 8) & 255) + 29 * (color & 255)) >> 8);
     }
   }
   return bright;
@@ -114,6 +117,22 @@ QRgb mixed(QRgb color, QRgb other, float part) {
   return qRgb(mix(qRed(color), qRed(other)), mix(qGreen(color), qGreen(other)), mix(qBlue(color), qBlue(other)));
 }
 
+/// For each pixel of a line but its ends: the contrast there if it is an edge, else 0. Most pixels are none: without
+/// branches the processor looks at many of them at a time.
+void findEdges(const std::uint8_t* line, int width, std::uint8_t* contrasts) {
+  const std::uint8_t* above = line - width;
+  const std::uint8_t* below = line + width;
+  for (int x = 1; x + 1 < width; ++x) {
+    const std::uint8_t least =
+        std::min(std::min(std::min(above[x], below[x]), std::min(line[x - 1], line[x + 1])), line[x]);
+    const std::uint8_t greatest =
+        std::max(std::max(std::max(above[x], below[x]), std::max(line[x - 1], line[x + 1])), line[x]);
+    const auto contrast = static_cast<std::uint8_t>(greatest - least);
+    const auto limit = std::max(kLeastContrast, static_cast<std::uint8_t>(greatest / kContrastDivisor));
+    contrasts[x] = contrast < limit ? std::uint8_t{0} : contrast;
+  }
+}
+
 }  // namespace
 
 QImage smoothEdges(const QImage& picture) {
@@ -122,16 +141,16 @@ QImage smoothEdges(const QImage& picture) {
   const std::vector<std::uint8_t> bright = brightness(picture);
   const QImage original = picture.copy();  // whose lines follow each other without gaps, like those of `bright`
   QImage smoothed = original;
+  std::vector<std::uint8_t> contrasts(static_cast<std::size_t>(size.width()));
   for (int y = 1; y + 1 < size.height(); ++y) {
     const std::uint8_t* line = bright.data() + static_cast<std::size_t>(y) * size.width();
     const auto* in = reinterpret_cast<const QRgb*>(original.constScanLine(y));
     auto* out = reinterpret_cast<QRgb*>(smoothed.scanLine(y));
+    findEdges(line, size.width(), contrasts.data());
     for (int x = 1; x + 1 < size.width(); ++x) {
-      const std::uint8_t* at = line + x;
-      const auto [least, greatest] = std::minmax({at[0], at[-1], at[1], at[-size.width()], at[size.width()]});
-      const int contrast = greatest - least;
-      if (contrast < std::max(kLeastContrast, greatest / kContrastDivisor)) continue;
-      const Mixture mix = mixture(at, size, x, y, Surroundings(at, size.width()), contrast);
+      const int contrast = contrasts[static_cast<std::size_t>(x)];
+      if (contrast == 0) continue;
+      const Mixture mix = mixture(line + x, size, x, y, Surroundings(line + x, size.width()), contrast);
       out[x] = mixed(in[x], in[x + mix.neighbour], mix.part);
     }
   }

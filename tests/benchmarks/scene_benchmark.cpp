@@ -8,6 +8,7 @@
 
 #include "support/demo_reconstruction.h"
 #include "support/large_skin.h"
+#include "widgets/edge_smoothing.h"
 #include "widgets/patch_scene.h"
 
 #include <benchmark/benchmark.h>
@@ -15,6 +16,7 @@
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
 #include <array>
 #include <map>
 
@@ -134,6 +136,18 @@ void ReadingsRecolour(benchmark::State& state) {
 }
 
 /// The first pick of a result sorts its cells; the next ones are quicker.
+/// What the window does at rest without a graphics card.
+void PictureSmoothed(benchmark::State& state) {
+  Stage& stage = Stage::showing(makeSceneContent(skinOf(state.range(0))));
+  stage.scene.setSmoothed(false);
+  stage.window->Render();
+  const vtkNew<vtkUnsignedCharArray> pixels;
+  stage.window->GetRGBACharPixelData(0, 0, kWidth - 1, kHeight - 1, 0, pixels);
+  const QImage picture =
+      QImage(pixels->GetPointer(0), kWidth, kHeight, QImage::Format_RGBX8888).convertToFormat(QImage::Format_RGB32);
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(smoothEdges(picture));
+}
+
 void FirstPick(benchmark::State& state) {
   const auto content = makeSceneContent(skinOf(state.range(0)));
   Stage& stage = Stage::showing(content);
@@ -163,6 +177,7 @@ void sizes(benchmark::internal::Benchmark* each) {
 
 BENCHMARK(Turning)->Apply(sizes);
 BENCHMARK(TurningSmoothed)->Apply(sizes);
+BENCHMARK(PictureSmoothed)->Apply(sizes);
 BENCHMARK(NewResultPrepared)->Apply(sizes);
 BENCHMARK(NewResultTakenOver)->Apply(sizes);
 BENCHMARK(NewResultTakenOverAndDrawn)->Apply(sizes);
