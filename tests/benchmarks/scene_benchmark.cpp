@@ -139,8 +139,6 @@ void ReadingsRecolour(benchmark::State& state) {
 /// What the window does at rest without a graphics card.
 void PictureSmoothed(benchmark::State& state) {
   Stage& stage = Stage::showing(makeSceneContent(skinOf(state.range(0))));
-  stage.scene.setSmoothed(false);
-  stage.window->Render();
   const vtkNew<vtkUnsignedCharArray> pixels;
   stage.window->GetRGBACharPixelData(0, 0, kWidth - 1, kHeight - 1, 0, pixels);
   const QImage picture =

@@ -59,7 +59,7 @@ double Stall::alone_ms() const {
   const double waiting_ms = wall_ms - cpu_ms - queue_ms;
   // A drawing thread may as well have queued while the GUI thread did not wait for it.
   const double waiting_for_queue_ms = std::max(0.0, drawing_queue_ms - cpu_ms - queue_ms);
-  const double elsewhere_ms = std::max(0.0, waiting_ms - drawing_ms - waiting_for_queue_ms - stolen_ms);
+  const double elsewhere_ms = std::max(0.0, waiting_ms - drawing_ms - waiting_for_queue_ms);
   return std::min(wall_ms, cpu_ms + drawing_ms + others_ms + elsewhere_ms);
 }
 

@@ -26,8 +26,8 @@ struct Stall {
 
   /// How long it would have been at most, were there nothing else on the machine: what was computed one after another
   /// (only the threads that draw work side by side), and the time in which the GUI thread waited for anything but them,
-  /// such as the display or a disk. Only what other programs made of it is left out, and other machines on the same
-  /// host.
+  /// such as the display or a disk. Only what other programs made of it is left out. What was stolen is not: nobody
+  /// tells which thread it was stolen from.
   [[nodiscard]] double alone_ms() const;
 };
 
