@@ -1,6 +1,7 @@
 #include "app/window/recent_files.h"
 
 #include "app/window/job_queue.h"
+#include "widgets/flow_layout.h"
 #include "widgets/words.h"
 
 #include <QCoreApplication>
@@ -239,6 +240,7 @@ QList<QToolButton*> RecentList::openButtons() const {
 }
 
 QWidget* RecentList::makeRow(const RecentFile& file) {
+  constexpr int kTitleCharacters = 22;
   auto* row = new QWidget;
   const bool is_there = file.problem.isEmpty();
   auto* open = new QToolButton;
@@ -247,8 +249,8 @@ QWidget* RecentList::makeRow(const RecentFile& file) {
   open->setProperty("recentPath", file.path);
   open->setFocusPolicy(Qt::StrongFocus);
   open->setToolButtonStyle(Qt::ToolButtonTextOnly);
-  open->setText(
-      open->fontMetrics().elidedText(file.title, Qt::ElideMiddle, 34 * open->fontMetrics().averageCharWidth()));
+  open->setText(open->fontMetrics().elidedText(file.title, Qt::ElideMiddle,
+                                               kTitleCharacters * open->fontMetrics().averageCharWidth()));
   // One that is gone keeps the focus, so that Del can take it from the list.
   open->setAccessibleName(is_there ? tr("Open %1").arg(file.title) : file.title);
   open->setAccessibleDescription(describeRecent(file));
@@ -279,9 +281,14 @@ QWidget* RecentList::makeRow(const RecentFile& file) {
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(6);
-  layout->addWidget(open);
-  layout->addWidget(when, 1);
-  layout->addWidget(remove);
+  // In a narrow place, the step's, one below the other: whoever has opened a file with a long name keeps a narrow
+  // column.
+  auto* words = new FlowLayout;
+  words->setSpacing(6);
+  words->addWidget(open);
+  words->addWidget(when);
+  layout->addLayout(words, 1);
+  layout->addWidget(remove, 0, Qt::AlignTop);
   return row;
 }
 

@@ -189,6 +189,25 @@ TEST_F(WindowShellTest, RemembersRecentFilesAcrossStarts) {
   EXPECT_EQ(shell().recentFiles().files()[0].title, "first.hexo");
 }
 
+TEST_F(WindowShellTest, RecentFilesWithLongNamesLeaveTheStepsAsNarrowAsTheyAre) {
+  const int narrow = find<QWidget>("stepsDock")->width();
+  const QString file = writeSession(pathTo("left-forearm-of-the-second-robot-after-repair.hexo"), 2);
+  window_->openFile(file);
+  ASSERT_TRUE(waitForPoses(2));
+  reopenWindow();
+  press(Qt::Key_1, Qt::ControlModifier);
+  ASSERT_TRUE(
+      waitUntil([this] { return recentButton(QStringLiteral("left-forearm-of-the-second-robot-after-repair.hexo")); }));
+  window_->openFile(file);
+  ASSERT_TRUE(waitForPoses(2));
+  EXPECT_EQ(find<QWidget>("stepsDock")->width(), narrow);
+  keepPicture(window_->picture(), "recent-light");
+  press(Qt::Key_1, Qt::ControlModifier);
+  QTest::qWait(300);
+  EXPECT_EQ(find<QWidget>("stepsDock")->width(), narrow);
+  keepPicture(window_->picture(), "recent-step-light");
+}
+
 TEST_F(WindowShellTest, ARecentFileThatIsGoneSaysSoAndLeavesTheListByDel) {
   const QString gone = writeSession(pathTo("gone.hexo"), 1);
   const QString there = writeSession(pathTo("there.hexo"), 1);
