@@ -193,8 +193,8 @@ void RecentFiles::serve(QMenu* menu, std::function<void(QString)> open) {
   fill();
 }
 
-RecentList::RecentList(RecentFiles& files, std::size_t most, QWidget* parent)
-    : QWidget(parent), files_(files), most_(most), layout_(new QVBoxLayout(this)) {
+RecentList::RecentList(RecentFiles& files, std::size_t most, int title_characters, QWidget* parent)
+    : QWidget(parent), files_(files), most_(most), title_characters_(title_characters), layout_(new QVBoxLayout(this)) {
   setObjectName(QStringLiteral("recentList"));
   layout_->setContentsMargins(0, 0, 0, 0);
   layout_->setSpacing(2);
@@ -240,7 +240,6 @@ QList<QToolButton*> RecentList::openButtons() const {
 }
 
 QWidget* RecentList::makeRow(const RecentFile& file) {
-  constexpr int kTitleCharacters = 22;
   auto* row = new QWidget;
   const bool is_there = file.problem.isEmpty();
   auto* open = new QToolButton;
@@ -250,7 +249,7 @@ QWidget* RecentList::makeRow(const RecentFile& file) {
   open->setFocusPolicy(Qt::StrongFocus);
   open->setToolButtonStyle(Qt::ToolButtonTextOnly);
   open->setText(open->fontMetrics().elidedText(file.title, Qt::ElideMiddle,
-                                               kTitleCharacters * open->fontMetrics().averageCharWidth()));
+                                               title_characters_ * open->fontMetrics().averageCharWidth()));
   // One that is gone keeps the focus, so that Del can take it from the list.
   open->setAccessibleName(is_there ? tr("Open %1").arg(file.title) : file.title);
   open->setAccessibleDescription(describeRecent(file));

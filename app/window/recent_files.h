@@ -73,8 +73,8 @@ class RecentList : public QWidget {
   Q_OBJECT
 
  public:
-  /// `files` must outlive the list. `most`: how many are shown.
-  explicit RecentList(RecentFiles& files, std::size_t most = RecentFiles::kMost, QWidget* parent = nullptr);
+  /// `files` must outlive the list. `most`: how many are shown; `title_characters`: longer names lose their middle.
+  RecentList(RecentFiles& files, std::size_t most, int title_characters, QWidget* parent = nullptr);
 
  signals:
   void openWanted(const QString& path);
@@ -89,6 +89,7 @@ class RecentList : public QWidget {
 
   RecentFiles& files_;
   std::size_t most_;
+  int title_characters_;
   QVBoxLayout* layout_;
 };
 

@@ -16,6 +16,7 @@ namespace {
 
 constexpr int kWidestInCharacters = 74;
 constexpr std::size_t kRecentShown = 5;
+constexpr int kTitleCharacters = 34;
 
 QLabel* makeLabel(const QString& text, const char* look) {
   auto* label = new QLabel(text);
@@ -62,7 +63,7 @@ WelcomePanel::WelcomePanel(const std::vector<QAction*>& choices, RecentFiles& re
   }
   list->addSpacing(18);
   list->addWidget(makeLabel(tr("Recent").toUpper(), "caption"));
-  auto* recent_list = new RecentList(recent, kRecentShown);
+  auto* recent_list = new RecentList(recent, kRecentShown, kTitleCharacters);
   connect(recent_list, &RecentList::openWanted, this, &WelcomePanel::openWanted);
   list->addWidget(recent_list);
   list->addStretch(1);

@@ -81,7 +81,8 @@ QWidget* WindowShell::makeConnectBody() {
   title->setProperty("caption", true);
   layout->addWidget(title);
   constexpr std::size_t kShown = 3;
-  auto* recent = new RecentList(recent_, kShown);
+  constexpr int kTitleCharacters = 22;
+  auto* recent = new RecentList(recent_, kShown, kTitleCharacters);
   connect(recent, &RecentList::openWanted, this, [this](const QString& path) { window_.open_file(path); });
   layout->addWidget(recent);
   return connect_body_;
