@@ -1,5 +1,6 @@
 #include "app/window/connect_dialog.h"
 
+#include "app/window/dialog_turns.h"
 #include "app/window/session_paths.h"
 #include "hexoderm/device/open_source.h"
 #include "hexoderm/util/error.h"
@@ -112,6 +113,8 @@ ConnectDialog::ConnectDialog(const QString& folder, const QString& open_session,
   address_->setObjectName(QStringLiteral("connectAddress"));
   address_->setAccessibleName(tr("Address"));
   address_->setEditable(true);
+  constexpr int kLongestPath = 4096;
+  address_->lineEdit()->setMaxLength(kLongestPath);
   address_->setInsertPolicy(QComboBox::NoInsert);
   address_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   hint_->setProperty("muted", true);
@@ -197,15 +200,13 @@ void ConnectDialog::chooseKind() {
 
 void ConnectDialog::chooseRecording() {
   auto* dialog = new QFileDialog(this, tr("Recording to play"), QFileInfo(path_->text()).absolutePath());
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, address_, &QComboBox::setEditText);
-  dialog->open();
+  openInTurns(dialog);
 }
 
 void ConnectDialog::choosePath() {
   auto* dialog = new QFileDialog(this, tr("Keep the poses in"), QFileInfo(path_->text()).absolutePath());
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   // Nothing is ever replaced; this dialog says so.
   dialog->setOption(QFileDialog::DontConfirmOverwrite);
@@ -213,7 +214,7 @@ void ConnectDialog::choosePath() {
   dialog->setDefaultSuffix(kExtension.mid(1));
   dialog->selectFile(QFileInfo(path_->text()).fileName());
   connect(dialog, &QFileDialog::fileSelected, path_, &QLineEdit::setText);
-  dialog->open();
+  openInTurns(dialog);
 }
 
 QString ConnectDialog::problemWithPath() const {

@@ -1,5 +1,6 @@
 #include "app/window/export_dialog.h"
 
+#include "app/window/dialog_turns.h"
 #include "hexoderm/util/error.h"
 #include "widgets/core_words.h"
 
@@ -173,7 +174,6 @@ void ExportDialog::chooseFormat() {
 void ExportDialog::choosePath() {
   const bool folder = extension().isEmpty();
   auto* dialog = new QFileDialog(this, tr("Write to"), QFileInfo(path_->text()).absolutePath());
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setFileMode(QFileDialog::AnyFile);
   // Replacing is said, and confirmed, in this dialog.
@@ -181,7 +181,7 @@ void ExportDialog::choosePath() {
   if (!folder) dialog->setNameFilter(QStringLiteral("*%1").arg(extension()));
   dialog->selectFile(QFileInfo(path_->text()).fileName());
   connect(dialog, &QFileDialog::fileSelected, path_, &QLineEdit::setText);
-  dialog->open();
+  openInTurns(dialog);
 }
 
 void ExportDialog::check() {

@@ -1,6 +1,7 @@
 #include "app/window/keys_dialog.h"
 
 #include "app/window/actions.h"
+#include "app/window/dialog_turns.h"
 
 #include <QAction>
 #include <QCoreApplication>
@@ -102,7 +103,6 @@ void showKeysDialog(QWidget* parent, const QMenuBar& menus) {
   }
   auto* dialog = new QDialog(parent);
   dialog->setObjectName(QStringLiteral("keysDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(KeysDialog::tr("Keys"));
   auto* search = new QLineEdit;
   search->setObjectName(QStringLiteral("keysSearch"));
@@ -163,9 +163,7 @@ void showKeysDialog(QWidget* parent, const QMenuBar& menus) {
   const int width = keys_width + 44 * dialog->fontMetrics().averageCharWidth() + 80;
   const int height = content->sizeHint().height() + 6 * dialog->fontMetrics().height();
   dialog->resize(QSize(width, height).boundedTo(0.85 * parent->screen()->availableSize()));
-  dialog->show();
-  dialog->raise();
-  dialog->activateWindow();
+  openInTurns(dialog, Modality::None);
 }
 
 }  // namespace hexoderm

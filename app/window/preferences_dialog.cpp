@@ -1,5 +1,6 @@
 #include "app/window/preferences_dialog.h"
 
+#include "app/window/dialog_turns.h"
 #include "app/window/preferences.h"
 #include "app/window/translation.h"
 #include "hexoderm/util/units.h"
@@ -273,14 +274,13 @@ void PreferencesDialog::fillFiles(QFormLayout* form) {
 void PreferencesDialog::chooseFolder() {
   auto* dialog = new QFileDialog(this, tr("Folder for sessions"), folder_->text());
   dialog->setObjectName(QStringLiteral("preferenceFolderDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::Directory);
   dialog->setOption(QFileDialog::ShowDirsOnly);
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
     folder_->setText(QDir::toNativeSeparators(path));
     preferences_.setSessionFolder(path);
   });
-  dialog->open();
+  openInTurns(dialog);
 }
 
 void PreferencesDialog::showTheme(ThemeChoice theme) { theme_->setCurrentIndex(static_cast<int>(theme)); }

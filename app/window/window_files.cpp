@@ -1,4 +1,5 @@
 // The part of MainWindow that asks: which file, save first, close now.
+#include "app/window/dialog_turns.h"
 #include "app/window/export_dialog.h"
 #include "app/window/guide_window.h"
 #include "app/window/main_window.h"
@@ -59,11 +60,10 @@ void MainWindow::startDemo() {
 void MainWindow::askToOpen() {
   auto* dialog = new QFileDialog(this, tr("Open a session or a calibration"), lastFolder());
   dialog->setObjectName(QStringLiteral("openDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
   dialog->setNameFilters({tr("Sessions and calibrations (*.hexo *.json *.xml)"), tr("All files (*)")});
   connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::openFile);
-  dialog->open();
+  openInTurns(dialog);
 }
 
 QString MainWindow::suggestedName() const {
@@ -80,7 +80,6 @@ void MainWindow::askForPath(const QString& title, const QString& name, const QSt
                             std::function<void(QString)> chosen) {
   auto* dialog = new QFileDialog(this, title, lastFolder(), filter);
   dialog->setObjectName(QStringLiteral("saveDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(extension.mid(1));
   dialog->selectFile(name + extension);
@@ -95,7 +94,7 @@ void MainWindow::askForPath(const QString& title, const QString& name, const QSt
     dialog->selectFile(name + QLatin1Char('.') + suffix);
   });
   connect(dialog, &QFileDialog::rejected, this, [this] { after_saving_ = nullptr; });
-  dialog->open();
+  openInTurns(dialog);
 }
 
 void MainWindow::saveSession(bool always_ask) {
@@ -118,12 +117,11 @@ void MainWindow::saveCalibration() {
 
 void MainWindow::showExportDialog() {
   auto* dialog = new ExportDialog(QDir(lastFolder()).filePath(suggestedName()), this);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &ExportDialog::exportRequested, this, [this](const ExportRequest& request) {
     rememberFolder(request.path);
     controller_.exportTo(request);
   });
-  dialog->open();
+  openInTurns(dialog);
 }
 
 void MainWindow::askForReport() {

@@ -1,5 +1,6 @@
 // The part of MainWindow about the skin that is connected and the file that its poses are kept in.
 #include "app/window/connect_dialog.h"
+#include "app/window/dialog_turns.h"
 #include "app/window/main_window.h"
 #include "app/window/preferences.h"
 #include "app/window/window_shell.h"
@@ -119,9 +120,8 @@ void MainWindow::refreshLive() {
 void MainWindow::showConnectDialog() {
   if (findChild<ConnectDialog*>()) return;
   auto* dialog = new ConnectDialog(folderForSessions(), controller_.isKept() ? controller_.name() : QString(), this);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &ConnectDialog::connectRequested, this, &MainWindow::connectTo);
-  dialog->open();
+  openInTurns(dialog);
 }
 
 void MainWindow::connectTo(const ConnectRequest& request) {

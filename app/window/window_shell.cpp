@@ -2,6 +2,7 @@
 
 #include "app/window/actions.h"
 #include "app/window/bug_report.h"
+#include "app/window/dialog_turns.h"
 #include "app/window/keys_dialog.h"
 #include "app/window/log_view.h"
 #include "app/window/preferences_dialog.h"
@@ -253,8 +254,8 @@ void WindowShell::connectPreferences() {
   connect(&preferences_, &Preferences::recorderOptionsChanged, &controller, &SessionController::setRecorderOptions);
   connect(&preferences_, &Preferences::textFactorChanged, this, [this](double factor) {
     applyTextFactor(factor);
-    // The style sheet's sizes follow the application's.
-    window_.set_theme(window_.theme_in_force());
+    // The style sheet's sizes follow the application's; in a turn of the event loop of their own.
+    QTimer::singleShot(1, this, [this] { window_.set_theme(window_.theme_in_force()); });
   });
 }
 
@@ -265,16 +266,13 @@ void WindowShell::showPreferences() {
     return;
   }
   auto* dialog = new PreferencesDialog(preferences_, window_.theme_in_force(), &window_.window);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &PreferencesDialog::themeChosen, this, [this, dialog](ThemeChoice choice) {
     window_.set_theme(choice);
     dialog->showTheme(choice);
   });
   connect(window_.actions.themes, &QActionGroup::triggered, dialog,
           [this, dialog] { dialog->showTheme(window_.theme_in_force()); });
-  dialog->show();
-  dialog->raise();
-  dialog->activateWindow();
+  openInTurns(dialog, Modality::None);
 }
 
 void WindowShell::offerSoftwareOpenGl() {

@@ -1,4 +1,5 @@
 // The part of MainWindow about how good a calibration is: its tables, its residuals, and the checks of the step Verify.
+#include "app/window/dialog_turns.h"
 #include "app/window/main_window.h"
 #include "app/window/preferences.h"
 #include "app/window/verification.h"
@@ -61,13 +62,12 @@ void MainWindow::askForComparison() {
   auto* dialog = new QFileDialog(this, tr("Compare with an earlier calibration"), lastFolder(),
                                  tr("Calibrations and sessions (*.calibration.json *.hexo *.session.json *.xml)"));
   dialog->setObjectName(QStringLiteral("comparisonDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
     rememberFolder(path);
     verify_panel_->compareWith(path);
   });
-  dialog->open();
+  openInTurns(dialog);
 }
 
 int MainWindow::sourceRow(const QModelIndex& index) {

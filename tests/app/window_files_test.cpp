@@ -106,6 +106,19 @@ TEST_F(WindowFilesTest, SavesByKeysAndReopensTheSame) {
   EXPECT_FALSE(controller().reconstruction()->poses[0].enabled);
 }
 
+TEST_F(WindowFilesTest, AKeyThatIsHitTwiceOpensOneDialogAndAClosedOneIsNotKept) {
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
+  press(Qt::Key_S, Qt::ControlModifier);
+  press(Qt::Key_S, Qt::ControlModifier);
+  auto* dialog = waitForDialog<QDialog>("saveDialog");
+  ASSERT_NE(dialog, nullptr);
+  EXPECT_EQ(window_->findChildren<QDialog*>("saveDialog").size(), 1);
+  QTest::keyClick(dialog, Qt::Key_Escape);
+  EXPECT_TRUE(waitUntil([this] { return window_->findChildren<QDialog*>("saveDialog").isEmpty(); }));
+  press(Qt::Key_S, Qt::ControlModifier);
+  EXPECT_NE(waitForDialog<QDialog>("saveDialog"), nullptr) << "and another can be opened";
+}
+
 TEST_F(WindowFilesTest, AFailedSaveIsSaidAndTheWorkStaysUnsaved) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
   controller().saveSession(pathTo("no/such/folder/a.session.json"));
