@@ -17,6 +17,9 @@ namespace {
 
 // Texts within texts: a reason that quotes a finding that names a link. Deeper is nothing that core says.
 constexpr int kDeepest = 5;
+// Places at which core's own sentence, or a file's name, may end in a text that quotes another: what somebody pasted
+// can hold hundreds.
+constexpr int kMostEnds = 10;
 
 const QRegularExpression& placeholder() {
   static const QRegularExpression pattern(QStringLiteral("%[1-9]"));
@@ -52,7 +55,7 @@ Template makeTemplate(const char* english) {
 }
 
 /// The text up to its first blank, which is what templates are found by.
-QString firstWord(const QString& text) { return text.section(QLatin1Char(' '), 0, 0); }
+QString firstWord(const QString& text) { return text.left(text.indexOf(QLatin1Char(' '))); }
 
 class Catalogue {
  public:
@@ -129,7 +132,9 @@ std::optional<QString> Catalogue::fill(const Template& entry, const QString& tex
 
 /// Sentences one after another, each with a template.
 std::optional<QString> sentences(const QString& text, int depth) {
-  for (int end = text.indexOf(QStringLiteral(". ")); end >= 0; end = text.indexOf(QStringLiteral(". "), end + 1)) {
+  const QString between = QStringLiteral(". ");
+  int end = text.indexOf(between);
+  for (int k = 0; end >= 0 && k < kMostEnds; ++k, end = text.indexOf(between, end + 1)) {
     const auto first = catalogue().translate(text.left(end + 1), depth);
     if (!first) continue;
     const QString rest = text.mid(end + 2);
@@ -140,7 +145,9 @@ std::optional<QString> sentences(const QString& text, int depth) {
 
 /// "FILE: what is wrong": the file is not translated.
 std::optional<QString> afterName(const QString& text, int depth) {
-  for (int end = text.indexOf(QStringLiteral(": ")); end >= 0; end = text.indexOf(QStringLiteral(": "), end + 1)) {
+  const QString between = QStringLiteral(": ");
+  int end = text.indexOf(between);
+  for (int k = 0; end >= 0 && k < kMostEnds; ++k, end = text.indexOf(between, end + 1)) {
     if (const auto rest = catalogue().translate(text.mid(end + 2), depth)) return text.left(end + 2) + *rest;
   }
   return std::nullopt;

@@ -3,13 +3,16 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QEvent>
+#include <QIcon>
 #include <QPointer>
 #include <QProxyStyle>
 #include <QRegularExpression>
 #include <QStyleFactory>
+#include <QStyleOption>
 #include <QTimer>
 #include <QWidget>
 #include <algorithm>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -25,6 +28,16 @@ class WindowStyle : public QProxyStyle {
     if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
     return QProxyStyle::styleHint(hint, option, widget, data);
   }
+  /// Kept, for Fusion reads and decodes its pictures anew each time, a dozen for each file dialog.
+  QIcon standardIcon(StandardPixmap kind, const QStyleOption* option, const QWidget* widget) const override {
+    const bool mirrored = (option ? option->direction : QApplication::layoutDirection()) == Qt::RightToLeft;
+    QIcon& icon = icons_[{kind, mirrored}];
+    if (icon.isNull()) icon = QProxyStyle::standardIcon(kind, option, widget);
+    return icon;
+  }
+
+ private:
+  mutable std::map<std::pair<StandardPixmap, bool>, QIcon> icons_;
 };
 
 /// What the panels of the main window add to the application's sheet.

@@ -12,6 +12,7 @@
 #include <QLineEdit>
 #include <QProxyStyle>
 #include <QPushButton>
+#include <QStyle>
 #include <QTableWidget>
 #include <QTest>
 #include <QVBoxLayout>
@@ -102,6 +103,14 @@ QImage pictureOf(QWidget& window) {
   QImage picture = window.grab().toImage();
   window.hide();
   return picture;
+}
+
+TEST(ThemeTest, PicturesOfTheStyleAreDecodedOnce) {
+  installStyle();
+  const QStyle& style = *QApplication::style();
+  EXPECT_EQ(style.standardIcon(QStyle::SP_DirIcon).cacheKey(), style.standardIcon(QStyle::SP_DirIcon).cacheKey());
+  EXPECT_NE(style.standardIcon(QStyle::SP_DirIcon).cacheKey(), style.standardIcon(QStyle::SP_FileIcon).cacheKey());
+  EXPECT_FALSE(style.standardIcon(QStyle::SP_DirIcon).isNull());
 }
 
 TEST(ThemeTest, WhatWasThereBeforeAChangeLooksLikeWhatIsMadeAfterIt) {

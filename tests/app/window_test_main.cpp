@@ -1,6 +1,7 @@
 // main() of the tests of the window: settings and standard folders that are neither the user's nor those of the same
 // tests run beside these. Listing tests needs no display.
 
+#include "app/window/preferences.h"
 #include "app/window/theme.h"
 
 #include <gtest/gtest.h>
@@ -27,5 +28,6 @@ int main(int argc, char** argv) {
   QStandardPaths::setTestModeEnabled(true);
   QSettings::setDefaultFormat(QSettings::IniFormat);
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, home.path());
+  hexoderm::applyTextFactor(1);
   return RUN_ALL_TESTS();
 }
