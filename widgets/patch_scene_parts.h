@@ -1,5 +1,6 @@
 #pragma once
 
+#include "widgets/blending_renderer.h"
 #include "widgets/patch_scene.h"
 #include "widgets/scene_corners.h"
 #include "widgets/scene_ghost.h"
@@ -33,7 +34,7 @@ struct PatchScene::Parts {
   bool text_visible = true;
   ShownItems shown = kShownAtFirst;
 
-  vtkNew<vtkRenderer> renderer;
+  vtkNew<BlendingRenderer> renderer;
   vtkWeakPointer<vtkRenderWindow> window;
   unsigned long observer = 0;
   SceneSkin skin{renderer};

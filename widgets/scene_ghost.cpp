@@ -2,6 +2,7 @@
 
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/reconstruction/pose_coverage.h"
+#include "widgets/blending_renderer.h"
 
 #include <vtkActor.h>
 #include <vtkArrowSource.h>
@@ -42,7 +43,7 @@ struct Drawn {
 }  // namespace
 
 struct SceneGhost::Parts {
-  vtkNew<vtkRenderer> renderer;
+  vtkNew<BlendingRenderer> renderer;
   Drawn fill;
   Drawn outline;
   Drawn arrow;
