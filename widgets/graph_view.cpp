@@ -140,11 +140,13 @@ bool GraphView::event(QEvent* event) {
 
 void GraphView::paintEvent(QPaintEvent* event) {
   Parts& parts = *parts_;
-  parts.drawSheet();
+  parts.drawSheetUnlessSoon();
   QPainter painter(this);
-  // Only what is asked for: where the mouse went, a few hexagons.
-  const QRect changed = event->rect();
   const double ratio = parts.sheet.devicePixelRatioF();
+  const QRect covered(QPoint(0, 0), (QSizeF(parts.sheet.size()) / ratio).toSize());
+  if (!covered.contains(event->rect())) painter.fillRect(event->rect(), Colors::of(parts.theme).panel);
+  // Only what is asked for: where the mouse went, a few hexagons.
+  const QRect changed = event->rect().intersected(covered);
   painter.drawPixmap(changed, parts.sheet,
                      QRectF(QPointF(changed.topLeft()) * ratio, QSizeF(changed.size()) * ratio).toRect());
   painter.setRenderHint(QPainter::Antialiasing);

@@ -20,11 +20,24 @@ GraphView::Parts::Parts(GraphView* owner, Selection* shared)
     : view(owner),
       selection(shared),
       finder(new FindCellField([this](CellId id) { return scene->indexOf(id).has_value(); }, owner)),
-      button(new GraphColoringButton(owner)) {}
+      button(new GraphColoringButton(owner)) {
+  draw_soon.setInterval(1);
+  draw_soon.setSingleShot(true);
+  QObject::connect(&draw_soon, &QTimer::timeout, view, [this] {
+    drawSheet();
+    view->update();
+  });
+}
 
 void GraphView::Parts::repaintSheet() {
   sheet_is_current = false;
-  view->update();
+  // What takes long has a turn of the event loop to itself, rather than the one in which the whole window may be
+  // painted.
+  if (scene->cells().size() > kMostCellsAtOnce && !sheet.isNull()) {
+    draw_soon.start();
+  } else {
+    view->update();
+  }
 }
 
 void GraphView::Parts::recolor() {
@@ -278,6 +291,10 @@ void GraphView::Parts::drawSheet() {
   QPainter painter(&sheet);
   picture().draw(painter);
   sheet_is_current = true;
+}
+
+void GraphView::Parts::drawSheetUnlessSoon() {
+  if (!draw_soon.isActive()) drawSheet();
 }
 
 void GraphView::Parts::drawHighlights(QPainter& painter) const {

@@ -8,6 +8,7 @@
 #include "widgets/graph_view.h"
 
 #include <QPixmap>
+#include <QTimer>
 
 namespace hexoderm {
 
@@ -28,6 +29,8 @@ inline constexpr QSize kLeastForButton(220, 150);
 inline constexpr double kLeastForSkin_px = 180;  // beside a legend
 /// Of the view's height, for the legend.
 inline constexpr double kMostForLegend = 0.18;
+/// More are drawn in a turn of the event loop of their own.
+inline constexpr std::size_t kMostCellsAtOnce = 300;
 
 /// A cell or a link under the mouse.
 struct Hit {
@@ -61,6 +64,7 @@ struct GraphView::Parts {
   QPointF last_mouse;
   QPixmap sheet;  ///< all but what is picked, so that picking and pointing cost nothing
   bool sheet_is_current = false;
+  QTimer draw_soon;
 
   void repaintSheet();
   /// Colours anew, after what they depend on has changed.
@@ -91,6 +95,8 @@ struct GraphView::Parts {
   [[nodiscard]] GraphPicture picture() const;
   void drawHint(QPainter& painter) const;
   void drawSheet();
+  /// Unless a sheet that takes long is drawn soon, for then the one of before is shown until it is there.
+  void drawSheetUnlessSoon();
   void drawHighlights(QPainter& painter) const;
   /// What the outlines about these cover.
   [[nodiscard]] QRect regionOf(const graph_view::Hit& hit) const;

@@ -41,6 +41,10 @@ SceneWidget::SceneWidget(QWidget* parent) : QWidget(parent) {
   render_soon_.setTimerType(Qt::PreciseTimer);
   render_soon_.setSingleShot(true);
   connect(&render_soon_, &QTimer::timeout, this, [this] { window_->Render(); });
+  // Nor is it shown in the turn that has drawn it.
+  show_soon_.setInterval(1);
+  show_soon_.setSingleShot(true);
+  connect(&show_soon_, &QTimer::timeout, this, qOverload<>(&QWidget::update));
   takeSize();
 }
 
@@ -75,7 +79,7 @@ void SceneWidget::answerWindow(vtkObject* /*window*/, unsigned long event, void*
       break;
     default:
       is_newer_drawn_ = true;
-      update();
+      show_soon_.start();
   }
 }
 

@@ -62,6 +62,7 @@ class SceneWidget : public QWidget {
   bool is_newer_drawn_ = false;
   bool is_smoothed_ = false;
   QTimer render_soon_;
+  QTimer show_soon_;
 };
 
 }  // namespace hexoderm

@@ -1,6 +1,9 @@
 #include "widgets/graph_view.h"
 
 #include "graph_view_fixture.h"
+#include "hexoderm/device/simulated_skin.h"
+#include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/session/simulated_session.h"
 #include "support/qt_wait.h"
 
 #include <QLineEdit>
@@ -27,6 +30,40 @@ TEST_F(GraphViewTest, ShowsAHintInsteadOfNothing) {
   show(sampleX17());
   show(nullptr);
   EXPECT_EQ(image(), empty);
+}
+
+/// A simulated sheet of 20 x 20 cells, solved along the tree.
+std::shared_ptr<const Reconstruction> largeSheet() {
+  SimulatedSkinOptions options;
+  options.patch = "sheet:20x20";
+  options.surface = "plane";
+  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+  SolverOptions solver;
+  solver.solver = Solver::Tree;
+  return reconstruct(*simulateSession(skin, 3).snapshot(), solver);
+}
+
+/// Whoever waits for the window to be painted does not wait for hundreds of hexagons too.
+TEST_F(GraphViewTest, ALargeSkinIsDrawnInATurnAfterTheOneThatPaintsTheWindow) {
+  const auto sheet = largeSheet();
+  const QImage nothing = image();
+  show(sheet);
+  ASSERT_TRUE(test::waitUntil([&] { return image() != nothing; }));
+  const QImage before = image();
+  view_.resize(view_.size() + QSize(60, 40));
+  const QImage meanwhile = image();
+  const QRect middle(150, 100, 200, 160);
+  EXPECT_EQ(meanwhile.copy(middle), before.copy(middle));
+  EXPECT_EQ(meanwhile.pixelColor(view_.width() - 5, view_.height() - 5), Colors::of(Theme::Light).panel);
+  ASSERT_TRUE(test::waitUntil([&] { return image() != meanwhile; }));
+  // As it would be had the view been as large from the start.
+  const QImage after = image();
+  GraphView other(&selection_);
+  other.resize(view_.size());
+  other.show();
+  ASSERT_TRUE(test::waitUntilExposed(other));
+  other.setReconstruction(sheet);
+  ASSERT_TRUE(test::waitUntil([&] { return other.grab().toImage().convertToFormat(after.format()) == after; }));
 }
 
 TEST_F(GraphViewTest, FitsTheWholeSkinIntoTheWidgetInItsPlaces) {
