@@ -1,7 +1,7 @@
 #!/bin/bash
 # Twenty minutes of random input on the window: what it does is in monkey.cpp. Builds the program where it is not up to
 # date.
-# Usage: tests/monkey/monkey.sh [--minutes N] [--seed N] [--limit-ms N] [--discount-load] [--trace]
+# Usage: tests/monkey/monkey.sh [--minutes N] [--seed N] [--limit-ms N] [--discount-load] [--discount-stolen] [--trace]
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 source packaging/environment.sh

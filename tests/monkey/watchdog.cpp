@@ -12,6 +12,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <iostream>
 #include <utility>
 
@@ -62,6 +63,8 @@ double Stall::alone_ms() const {
   const double elsewhere_ms = std::max(0.0, waiting_ms - drawing_ms - waiting_for_queue_ms);
   return std::min(wall_ms, cpu_ms + drawing_ms + others_ms + elsewhere_ms);
 }
+
+double Stall::unstolen_ms() const { return std::max(wall_ms - stolen_ms, cpu_ms); }
 
 Watchdog::Watchdog(double limit_ms, bool trace)
     : limit_ms_(limit_ms),
@@ -118,15 +121,21 @@ Watchdog::Turns Watchdog::turnsOf(const QFile& schedule) {
   return {static_cast<double>(cpu_ns) / kNsPerMs, static_cast<double>(queue_ns) / kNsPerMs};
 }
 
-double Watchdog::stolenFrom_ms(const QFile& processors) {
-  char line[256] = {};
-  long long ticks = 0;
-  if (processors.handle() < 0 || ::pread(processors.handle(), line, sizeof(line) - 1, 0) <= 0 ||
-      std::sscanf(line, "cpu %*d %*d %*d %*d %*d %*d %*d %lld", &ticks) != 1) {
-    return 0;
+std::vector<double> Watchdog::stolenFrom_ms(const QFile& processors) {
+  std::vector<double> stolen_ms;
+  char text[4096] = {};
+  if (processors.handle() < 0 || ::pread(processors.handle(), text, sizeof(text) - 1, 0) <= 0) return stolen_ms;
+  static const double kMsPerTick = 1e3 / static_cast<double>(::sysconf(_SC_CLK_TCK));
+  // "cpu" is all of them, "cpu0", "cpu1" and so on each.
+  for (const char* line = text; line && std::strncmp(line, "cpu", 3) == 0;) {
+    long long ticks = 0;
+    if (std::sscanf(line, "cpu%*[0-9] %*d %*d %*d %*d %*d %*d %*d %lld", &ticks) == 1) {
+      stolen_ms.push_back(static_cast<double>(ticks) * kMsPerTick);
+    }
+    line = std::strchr(line, '\n');
+    if (line) ++line;
   }
-  const double ticks_of_each = static_cast<double>(ticks) / std::max(1U, std::thread::hardware_concurrency());
-  return 1e3 * ticks_of_each / static_cast<double>(::sysconf(_SC_CLK_TCK));
+  return stolen_ms;
 }
 
 void Watchdog::findDrawingThreads() {
@@ -145,12 +154,14 @@ void Watchdog::beat() {
   const double cpu_ms = clock_ms(CLOCK_THREAD_CPUTIME_ID);
   const double process_ms = clock_ms(CLOCK_PROCESS_CPUTIME_ID);
   const double queue_ms = turnsOf(schedule_).queue_ms;
-  const double stolen_ms = stolenFrom_ms(processors_);
+  const std::vector<double> stolen_ms = stolenFrom_ms(processors_);
   Stall stall;
-  stall.stolen_ms = stolen_ms - last_stolen_ms_;
   stall.wall_ms = static_cast<double>(now - last_beat_ns_) / kNsPerMs - kBeat_ms;
   stall.cpu_ms = cpu_ms - last_cpu_ms_;
   stall.queue_ms = queue_ms - last_queue_ms_;
+  for (std::size_t k = 0; k < std::min(stolen_ms.size(), last_stolen_ms_.size()); ++k) {
+    stall.stolen_ms = std::max(stall.stolen_ms, stolen_ms[k] - last_stolen_ms_[k]);
+  }
   stall.others_ms = process_ms - last_process_ms_ - stall.cpu_ms;
   double busiest_ms = 0;
   for (std::size_t k = 0; k < drawing_schedules_.size(); ++k) {
@@ -187,7 +198,9 @@ void Watchdog::watch() {
       next_trace_ms = limit_ms_ / 2;
     }
     if (trace_ && silent_ms > next_trace_ms) {
-      next_trace_ms = silent_ms + limit_ms_ / 4;
+      // Less and less often: in a large library, a stack takes longer to write than a step of this, and nothing else
+      // would go on.
+      next_trace_ms = 1.2 * silent_ms + limit_ms_ / 4;
       {
         const std::lock_guard lock(doing_mutex_);
         std::cerr << "--- after " << silent_ms << " ms, doing: " << doing_for_thread_.toStdString() << std::endl;

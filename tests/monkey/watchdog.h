@@ -21,14 +21,15 @@ struct Stall {
   double drawing_ms = 0;        ///< that a thread that draws in software OpenGL computed, at most
   double drawing_queue_ms = 0;  ///< by how much longer one was at it, for want of a processor
   double others_ms = 0;         ///< that all other threads of this process computed
-  double stolen_ms = 0;         ///< that a processor of this machine was not there, on average, if it is a virtual one
+  double stolen_ms = 0;         ///< that a virtual machine's host took a processor away: the one that it took longest
   QString doing;
 
   /// How long it would have been at most, were there nothing else on the machine: what was computed one after another
   /// (only the threads that draw work side by side), and the time in which the GUI thread waited for anything but them,
-  /// such as the display or a disk. Only what other programs made of it is left out. What was stolen is not: nobody
-  /// tells which thread it was stolen from.
+  /// such as the display or a disk. Only what other programs made of it is left out. What was stolen is not.
   [[nodiscard]] double alone_ms() const;
+  /// How long it would have been had the machine had all its processors; never less than what was computed in it.
+  [[nodiscard]] double unstolen_ms() const;
 };
 
 /// Measures how long the event loop is busy with anything at a time: a heartbeat every 5 ms on the GUI thread, and a
@@ -58,8 +59,8 @@ class Watchdog : public QObject {
     double queue_ms = 0;
   };
   static Turns turnsOf(const QFile& schedule);
-  /// Since the machine was started.
-  static double stolenFrom_ms(const QFile& processors);
+  /// From each processor since the machine was started.
+  static std::vector<double> stolenFrom_ms(const QFile& processors);
   void findDrawingThreads();
 
   double limit_ms_;
@@ -71,7 +72,7 @@ class Watchdog : public QObject {
   double last_cpu_ms_ = 0;
   double last_process_ms_ = 0;
   double last_queue_ms_ = 0;
-  double last_stolen_ms_ = 0;
+  std::vector<double> last_stolen_ms_;
   std::vector<Turns> last_drawing_;
   std::uint64_t beats_ = 0;
   std::vector<Stall> stalls_;
