@@ -1,36 +1,53 @@
 #include "app/window/dialog_turns.h"
 
+#include <QApplication>
 #include <QDialog>
+#include <QEvent>
 #include <QPointer>
 #include <QTimer>
-#include <QVariant>
-#include <algorithm>
+#include <memory>
 
 namespace hexoderm {
 namespace {
 
-constexpr const char* kOpening = "opening";
 /// A timer, for other posted events would be served in the same turn.
 constexpr int kNextTurn_ms = 1;
 
-bool isAnotherOpening(const QDialog& dialog) {
-  const QWidget* parent = dialog.parentWidget();
-  if (!parent) return false;
-  const auto siblings = parent->findChildren<QDialog*>(QString(), Qt::FindDirectChildrenOnly);
-  return std::any_of(siblings.begin(), siblings.end(),
-                     [](const QDialog* sibling) { return sibling->property(kOpening).toBool(); });
-}
+/// Keeps keys and clicks from a window, which would be taken for its own although they came after a dialog was asked
+/// for: the key that opens it, hit twice, or a name typed ahead.
+class InputHold : public QObject {
+ public:
+  explicit InputHold(const QWidget* window) : window_(window) { qApp->installEventFilter(this); }
+
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    switch (event->type()) {
+      case QEvent::Shortcut:  // an action's, whose window it does not tell
+        return true;
+      case QEvent::ShortcutOverride:
+      case QEvent::KeyPress:
+      case QEvent::MouseButtonPress:
+      case QEvent::MouseButtonDblClick:
+      case QEvent::Wheel: {
+        const auto* widget = qobject_cast<const QWidget*>(watched);
+        return widget && widget->window() == window_;
+      }
+      default:
+        return false;
+    }
+  }
+
+ private:
+  const QWidget* window_;
+};
 
 }  // namespace
 
 void openInTurns(QDialog* dialog, Modality modality) {
-  if (isAnotherOpening(*dialog)) {
-    dialog->deleteLater();
-    return;
+  std::shared_ptr<InputHold> hold;
+  if (modality == Modality::Window && dialog->parentWidget()) {
+    hold = std::make_shared<InputHold>(dialog->parentWidget()->window());
   }
-  dialog->setProperty(kOpening, true);
-  QTimer::singleShot(kNextTurn_ms, dialog, [dialog, modality] {
-    dialog->setProperty(kOpening, QVariant());
+  QTimer::singleShot(kNextTurn_ms, dialog, [dialog, modality, hold]() mutable {
     if (modality == Modality::Window) {
       dialog->open();
     } else {
@@ -38,6 +55,7 @@ void openInTurns(QDialog* dialog, Modality modality) {
       dialog->raise();
       dialog->activateWindow();
     }
+    hold.reset();
   });
   QObject::connect(dialog, &QDialog::finished, dialog, [closed = QPointer<QDialog>(dialog)] {
     QTimer::singleShot(kNextTurn_ms, [closed] { delete closed; });

@@ -283,13 +283,18 @@ void describe(const test::Stall& stall) {
             << ms(stall.stolen_ms) << "): " << stall.doing.toStdString() << '\n';
 }
 
-void report(const Monkey& monkey, const test::Watchdog& watchdog, std::uint64_t seed, const Discount& discount) {
+void report(const Monkey& monkey, const test::Watchdog& watchdog, std::uint64_t seed, const Discount& discount,
+            double limit_ms) {
   std::cout << "seed " << seed << ": " << monkey.acts() << " acts, " << watchdog.beats() << " beats, longest stall ";
   describe(watchdog.worst());
   for (const auto& [what, count] : monkey.counts()) std::cout << "  " << what.toStdString() << ": " << count << '\n';
   std::vector<test::Stall> stalls = watchdog.stalls();
   std::sort(stalls.begin(), stalls.end(),
             [&](const auto& a, const auto& b) { return discount.counted_ms(a) > discount.counted_ms(b); });
+  const auto counted = std::count_if(stalls.begin(), stalls.end(),
+                                     [&](const auto& stall) { return discount.counted_ms(stall) > limit_ms; });
+  std::cout << "  " << stalls.size() << " stalls of more than " << limit_ms << " ms, " << counted
+            << " of which count\n";
   constexpr std::size_t kShown = 40;
   for (std::size_t k = 0; k < std::min(kShown, stalls.size()); ++k) {
     std::cout << "  stall of ";
@@ -350,7 +355,7 @@ int main(int argc, char** argv) {
     });
     QApplication::exec();
     const Discount discount{parser.isSet(discount_load), parser.isSet(discount_stolen)};
-    report(monkey, watchdog, parser.value(seed).toULongLong(), discount);
+    report(monkey, watchdog, parser.value(seed).toULongLong(), discount, limit_ms);
     failed = std::any_of(watchdog.stalls().begin(), watchdog.stalls().end(),
                          [&](const test::Stall& stall) { return discount.counted_ms(stall) > limit_ms; });
     if (monkey.acts() == 0) failed = true;
