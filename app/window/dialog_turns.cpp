@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QDialog>
 #include <QEvent>
-#include <QPointer>
 #include <QTimer>
 #include <memory>
 
@@ -57,9 +56,8 @@ void openInTurns(QDialog* dialog, Modality modality) {
     }
     hold.reset();
   });
-  QObject::connect(dialog, &QDialog::finished, dialog, [closed = QPointer<QDialog>(dialog)] {
-    QTimer::singleShot(kNextTurn_ms, [closed] { delete closed; });
-  });
+  QObject::connect(dialog, &QDialog::finished, dialog,
+                   [dialog] { QTimer::singleShot(kNextTurn_ms, dialog, &QObject::deleteLater); });
 }
 
 }  // namespace hexoderm

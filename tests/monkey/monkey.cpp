@@ -84,8 +84,8 @@ class Monkey : public QObject {
     QPointer<QWidget> modal = QApplication::activeModalWidget();
     if (popup) popup->close();
     if (modal) modal->close();
-    // A drag of text lasts until it is dropped or given up.
-    if (!popup && !modal && window_.windowHandle()) QTest::keyClick(window_.windowHandle(), Qt::Key_Escape);
+    // A drag of text lasts until it is dropped or given up, also while a menu or a dialog is open.
+    if (window_.windowHandle()) QTest::keyClick(window_.windowHandle(), Qt::Key_Escape);
   }
 
   /// Where files are chosen, the monkey chooses none: it would write anywhere.
