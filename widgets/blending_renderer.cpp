@@ -4,9 +4,9 @@
 
 namespace hexoderm {
 
-vtkStandardNewMacro(BlendingRenderer)
+BlendingRenderer* BlendingRenderer::New() { VTK_STANDARD_NEW_BODY(BlendingRenderer); }
 
-    void BlendingRenderer::DeviceRenderTranslucentPolygonalGeometry(vtkFrameBufferObjectBase* /*framebuffer*/) {
+void BlendingRenderer::DeviceRenderTranslucentPolygonalGeometry(vtkFrameBufferObjectBase* /*framebuffer*/) {
   UpdateTranslucentPolygonalGeometry();
 }
 

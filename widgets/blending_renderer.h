@@ -6,14 +6,13 @@ namespace hexoderm {
 
 /// Blends what is translucent in the order of the actors. VTK's own renderer blends in no order, for which it fills
 /// more pictures as large as the window and puts them together with shaders of their own; without a graphics card,
-/// compiling these when the first translucent thing appears takes a tenth of a second. What Hexoderm shows translucent
-/// is of one colour each, so that no order of it would be seen.
+/// the window stands still while these are compiled, when the first translucent thing appears. What Hexoderm shows
+/// translucent is of one colour each, so that no order of it would be seen.
 class BlendingRenderer : public vtkOpenGLRenderer {
  public:
   static BlendingRenderer* New();
-  vtkTypeMacro(BlendingRenderer, vtkOpenGLRenderer)
 
-      void DeviceRenderTranslucentPolygonalGeometry(vtkFrameBufferObjectBase* framebuffer) override;
+  void DeviceRenderTranslucentPolygonalGeometry(vtkFrameBufferObjectBase* framebuffer) override;
 };
 
 }  // namespace hexoderm

@@ -4,7 +4,6 @@
 #include <QDialog>
 #include <QEvent>
 #include <QTimer>
-#include <memory>
 
 namespace hexoderm {
 namespace {
@@ -16,7 +15,9 @@ constexpr int kNextTurn_ms = 1;
 /// for: the key that opens it, hit twice, or a name typed ahead.
 class InputHold : public QObject {
  public:
-  explicit InputHold(const QWidget* window) : window_(window) { qApp->installEventFilter(this); }
+  InputHold(const QWidget* window, QObject* parent) : QObject(parent), window_(window) {
+    qApp->installEventFilter(this);
+  }
 
   bool eventFilter(QObject* watched, QEvent* event) override {
     switch (event->type()) {
@@ -41,20 +42,18 @@ class InputHold : public QObject {
 
 }  // namespace
 
-void openInTurns(QDialog* dialog, Modality modality) {
-  std::shared_ptr<InputHold> hold;
-  if (modality == Modality::Window && dialog->parentWidget()) {
-    hold = std::make_shared<InputHold>(dialog->parentWidget()->window());
-  }
-  QTimer::singleShot(kNextTurn_ms, dialog, [dialog, modality, hold]() mutable {
-    if (modality == Modality::Window) {
-      dialog->open();
-    } else {
-      dialog->show();
+void openInTurns(QDialog* dialog, Qt::WindowModality modality) {
+  const bool is_modal = modality != Qt::NonModal;
+  dialog->setWindowModality(modality);
+  InputHold* hold =
+      is_modal && dialog->parentWidget() ? new InputHold(dialog->parentWidget()->window(), dialog) : nullptr;
+  QTimer::singleShot(kNextTurn_ms, dialog, [dialog, is_modal, hold] {
+    dialog->show();
+    if (!is_modal) {
       dialog->raise();
       dialog->activateWindow();
     }
-    hold.reset();
+    delete hold;
   });
   QObject::connect(dialog, &QDialog::finished, dialog,
                    [dialog] { QTimer::singleShot(kNextTurn_ms, dialog, &QObject::deleteLater); });

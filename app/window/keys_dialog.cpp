@@ -163,7 +163,7 @@ void showKeysDialog(QWidget* parent, const QMenuBar& menus) {
   const int width = keys_width + 44 * dialog->fontMetrics().averageCharWidth() + 80;
   const int height = content->sizeHint().height() + 6 * dialog->fontMetrics().height();
   dialog->resize(QSize(width, height).boundedTo(0.85 * parent->screen()->availableSize()));
-  openInTurns(dialog, Modality::None);
+  openInTurns(dialog, Qt::NonModal);
 }
 
 }  // namespace hexoderm

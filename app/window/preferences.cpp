@@ -205,7 +205,7 @@ void applyTextFactor(double factor) {
   } else {
     font.setPixelSize(static_cast<int>(std::lround(font.pixelSize() * factor)));
   }
-  // Ligatures, which cost half of the time that words take to be laid out. Scripts that need shaping are still shaped.
+  // Without ligatures, which take long to look for. Scripts that need shaping are still shaped.
   font.setStyleStrategy(QFont::PreferNoShaping);
   QApplication::setFont(font);
 }

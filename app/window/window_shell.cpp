@@ -272,7 +272,7 @@ void WindowShell::showPreferences() {
   });
   connect(window_.actions.themes, &QActionGroup::triggered, dialog,
           [this, dialog] { dialog->showTheme(window_.theme_in_force()); });
-  openInTurns(dialog, Modality::None);
+  openInTurns(dialog, Qt::NonModal);
 }
 
 void WindowShell::offerSoftwareOpenGl() {
