@@ -19,7 +19,7 @@ namespace {
 constexpr int kDeepest = 5;
 // Places at which core's own sentence, or a file's name, may end in a text that quotes another: what somebody pasted
 // can hold hundreds.
-constexpr int kMostEnds = 10;
+constexpr std::size_t kMostEnds = 10;
 
 const QRegularExpression& placeholder() {
   static const QRegularExpression pattern(QStringLiteral("%[1-9]"));
@@ -130,11 +130,18 @@ std::optional<QString> Catalogue::fill(const Template& entry, const QString& tex
   return words + translated.mid(from);
 }
 
+/// The first places at which two parts of the text meet.
+std::vector<int> endsAt(const QString& between, const QString& text) {
+  std::vector<int> ends;
+  for (int end = text.indexOf(between); end >= 0 && ends.size() < kMostEnds; end = text.indexOf(between, end + 1)) {
+    ends.push_back(end);
+  }
+  return ends;
+}
+
 /// Sentences one after another, each with a template.
 std::optional<QString> sentences(const QString& text, int depth) {
-  const QString between = QStringLiteral(". ");
-  int end = text.indexOf(between);
-  for (int k = 0; end >= 0 && k < kMostEnds; ++k, end = text.indexOf(between, end + 1)) {
+  for (const int end : endsAt(QStringLiteral(". "), text)) {
     const auto first = catalogue().translate(text.left(end + 1), depth);
     if (!first) continue;
     const QString rest = text.mid(end + 2);
@@ -145,9 +152,7 @@ std::optional<QString> sentences(const QString& text, int depth) {
 
 /// "FILE: what is wrong": the file is not translated.
 std::optional<QString> afterName(const QString& text, int depth) {
-  const QString between = QStringLiteral(": ");
-  int end = text.indexOf(between);
-  for (int k = 0; end >= 0 && k < kMostEnds; ++k, end = text.indexOf(between, end + 1)) {
+  for (const int end : endsAt(QStringLiteral(": "), text)) {
     if (const auto rest = catalogue().translate(text.mid(end + 2), depth)) return text.left(end + 2) + *rest;
   }
   return std::nullopt;

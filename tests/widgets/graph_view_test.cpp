@@ -1,9 +1,7 @@
 #include "widgets/graph_view.h"
 
 #include "graph_view_fixture.h"
-#include "hexoderm/device/simulated_skin.h"
-#include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/session/simulated_session.h"
+#include "support/large_skin.h"
 #include "support/qt_wait.h"
 
 #include <QLineEdit>
@@ -32,20 +30,10 @@ TEST_F(GraphViewTest, ShowsAHintInsteadOfNothing) {
   EXPECT_EQ(image(), empty);
 }
 
-/// A simulated sheet of 20 x 20 cells, solved along the tree.
-std::shared_ptr<const Reconstruction> largeSheet() {
-  SimulatedSkinOptions options;
-  options.patch = "sheet:20x20";
-  options.surface = "plane";
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-  SolverOptions solver;
-  solver.solver = Solver::Tree;
-  return reconstruct(*simulateSession(skin, 3).snapshot(), solver);
-}
-
 /// Whoever waits for the window to be painted does not wait for hundreds of hexagons too.
 TEST_F(GraphViewTest, ALargeSkinIsDrawnInATurnAfterTheOneThatPaintsTheWindow) {
-  const auto sheet = largeSheet();
+  auto sheet = std::make_shared<Reconstruction>(cylinderSheet(20, 20));
+  sheet->layout = computeFlatLayout(*sheet->model, sheet->patches);
   const QImage nothing = image();
   show(sheet);
   ASSERT_TRUE(test::waitUntil([&] { return image() != nothing; }));
