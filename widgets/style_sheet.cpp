@@ -51,6 +51,9 @@ QToolButton[flat="true"], QPushButton[flat="true"] { background: transparent; bo
 QToolButton[flat="true"]:hover, QPushButton[flat="true"]:hover { background: @hover@; }
 QToolButton[flat="true"]:focus, QPushButton[flat="true"]:focus { border-color: @accent@; }
 QToolButton::menu-indicator { image: none; }
+/* Qt's own, of a size that fits their pictures. */
+QFileDialog QToolButton { padding: 2px; }
+QFileDialog QToolButton:focus { padding: 1px; }
 QPushButton[primary="true"] { background: @accent@; color: @accent_text@; border: 1px solid @accent@;
                               border-radius: 5px; padding: 8px 15px; font-weight: 600; }
 QPushButton[primary="true"]:hover { background: @accent_hover@; border-color: @accent_hover@; }

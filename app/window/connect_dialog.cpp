@@ -1,6 +1,7 @@
 #include "app/window/connect_dialog.h"
 
 #include "app/window/dialog_turns.h"
+#include "app/window/file_dialog.h"
 #include "app/window/session_paths.h"
 #include "hexoderm/device/open_source.h"
 #include "hexoderm/util/error.h"
@@ -11,7 +12,6 @@
 #include <QCoreApplication>
 #include <QDialogButtonBox>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
@@ -199,14 +199,14 @@ void ConnectDialog::chooseKind() {
 }
 
 void ConnectDialog::chooseRecording() {
-  auto* dialog = new QFileDialog(this, tr("Recording to play"), QFileInfo(path_->text()).absolutePath());
+  auto* dialog = new FileDialog(this, tr("Recording to play"), QFileInfo(path_->text()).absolutePath());
   dialog->setFileMode(QFileDialog::ExistingFile);
   connect(dialog, &QFileDialog::fileSelected, address_, &QComboBox::setEditText);
   openInTurns(dialog);
 }
 
 void ConnectDialog::choosePath() {
-  auto* dialog = new QFileDialog(this, tr("Keep the poses in"), QFileInfo(path_->text()).absolutePath());
+  auto* dialog = new FileDialog(this, tr("Keep the poses in"), QFileInfo(path_->text()).absolutePath());
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   // Nothing is ever replaced; this dialog says so.
   dialog->setOption(QFileDialog::DontConfirmOverwrite);

@@ -1,13 +1,13 @@
 #include "app/window/export_dialog.h"
 
 #include "app/window/dialog_turns.h"
+#include "app/window/file_dialog.h"
 #include "hexoderm/util/error.h"
 #include "widgets/core_words.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QGridLayout>
@@ -173,7 +173,7 @@ void ExportDialog::chooseFormat() {
 
 void ExportDialog::choosePath() {
   const bool folder = extension().isEmpty();
-  auto* dialog = new QFileDialog(this, tr("Write to"), QFileInfo(path_->text()).absolutePath());
+  auto* dialog = new FileDialog(this, tr("Write to"), QFileInfo(path_->text()).absolutePath());
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setFileMode(QFileDialog::AnyFile);
   // Replacing is said, and confirmed, in this dialog.

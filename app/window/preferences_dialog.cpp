@@ -1,6 +1,7 @@
 #include "app/window/preferences_dialog.h"
 
 #include "app/window/dialog_turns.h"
+#include "app/window/file_dialog.h"
 #include "app/window/preferences.h"
 #include "app/window/translation.h"
 #include "hexoderm/util/units.h"
@@ -10,7 +11,6 @@
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -272,7 +272,7 @@ void PreferencesDialog::fillFiles(QFormLayout* form) {
 }
 
 void PreferencesDialog::chooseFolder() {
-  auto* dialog = new QFileDialog(this, tr("Folder for sessions"), folder_->text());
+  auto* dialog = new FileDialog(this, tr("Folder for sessions"), folder_->text());
   dialog->setObjectName(QStringLiteral("preferenceFolderDialog"));
   dialog->setFileMode(QFileDialog::Directory);
   dialog->setOption(QFileDialog::ShowDirsOnly);

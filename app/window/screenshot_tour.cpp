@@ -11,6 +11,7 @@
 #include <QElapsedTimer>
 #include <QImage>
 #include <functional>
+#include <utility>
 
 namespace hexoderm {
 namespace {
@@ -91,8 +92,9 @@ void ScreenshotTour::visitSteps(const QString& stage) {
 }
 
 void ScreenshotTour::visitDialogs() {
+  bool has_shown_files = false;
   for (const QAction* known : window_.findChildren<QAction*>()) {
-    // What opens a dialog says so by its dots; file dialogs are Qt's own.
+    // What opens a dialog says so by its dots. Those for files are alike.
     auto* action = const_cast<QAction*>(known);
     const QString name = action->objectName();
     const bool opens_dialog = action->text().endsWith(QChar(0x2026)) || name == QStringLiteral("actionKeys") ||
@@ -102,7 +104,8 @@ void ScreenshotTour::visitDialogs() {
     settle();
     QWidget* dialog = openDialog(window_);
     if (dialog == nullptr) continue;
-    if (!dialog->inherits("QFileDialog")) stop(*dialog, name);
+    const bool is_for_files = dialog->inherits("QFileDialog");
+    if (!is_for_files || !std::exchange(has_shown_files, true)) stop(*dialog, name);
     dialog->close();
     if (!waitUntil([&] { return openDialog(window_) == nullptr; })) {
       problems_ << QStringLiteral("%1 does not close").arg(withoutMnemonic(action->text()));

@@ -1,6 +1,7 @@
 // The part of MainWindow that asks: which file, save first, close now.
 #include "app/window/dialog_turns.h"
 #include "app/window/export_dialog.h"
+#include "app/window/file_dialog.h"
 #include "app/window/guide_window.h"
 #include "app/window/main_window.h"
 #include "app/window/preferences.h"
@@ -16,7 +17,6 @@
 #include <QDateTime>
 #include <QDesktopServices>
 #include <QDir>
-#include <QFileDialog>
 #include <QLayout>
 #include <QMessageBox>
 #include <QMimeData>
@@ -58,7 +58,7 @@ void MainWindow::startDemo() {
 }
 
 void MainWindow::askToOpen() {
-  auto* dialog = new QFileDialog(this, tr("Open a session or a calibration"), lastFolder());
+  auto* dialog = new FileDialog(this, tr("Open a session or a calibration"), lastFolder());
   dialog->setObjectName(QStringLiteral("openDialog"));
   dialog->setFileMode(QFileDialog::ExistingFile);
   dialog->setNameFilters({tr("Sessions and calibrations (*.hexo *.json *.xml)"), tr("All files (*)")});
@@ -78,7 +78,7 @@ QString MainWindow::suggestedName() const {
 
 void MainWindow::askForPath(const QString& title, const QString& name, const QString& filter, const QString& extension,
                             std::function<void(QString)> chosen) {
-  auto* dialog = new QFileDialog(this, title, lastFolder(), filter);
+  auto* dialog = new FileDialog(this, title, lastFolder(), filter);
   dialog->setObjectName(QStringLiteral("saveDialog"));
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(extension.mid(1));

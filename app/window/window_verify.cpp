@@ -1,5 +1,6 @@
 // The part of MainWindow about how good a calibration is: its tables, its residuals, and the checks of the step Verify.
 #include "app/window/dialog_turns.h"
+#include "app/window/file_dialog.h"
 #include "app/window/main_window.h"
 #include "app/window/preferences.h"
 #include "app/window/verification.h"
@@ -10,7 +11,6 @@
 #include "widgets/table_actions.h"
 #include "widgets/verify_panel.h"
 
-#include <QFileDialog>
 #include <QTableView>
 
 namespace hexoderm {
@@ -59,7 +59,7 @@ void MainWindow::connectVerify() {
 }
 
 void MainWindow::askForComparison() {
-  auto* dialog = new QFileDialog(this, tr("Compare with an earlier calibration"), lastFolder(),
+  auto* dialog = new FileDialog(this, tr("Compare with an earlier calibration"), lastFolder(),
                                  tr("Calibrations and sessions (*.calibration.json *.hexo *.session.json *.xml)"));
   dialog->setObjectName(QStringLiteral("comparisonDialog"));
   dialog->setFileMode(QFileDialog::ExistingFile);

@@ -6,6 +6,7 @@
 #include <QDropEvent>
 #include <QMimeData>
 #include <QProcess>
+#include <QToolButton>
 #include <QUrl>
 
 namespace hexoderm {
@@ -117,6 +118,18 @@ TEST_F(WindowFilesTest, AKeyThatIsHitTwiceOpensOneDialogAndAClosedOneIsNotKept) 
   EXPECT_TRUE(waitUntil([this] { return window_->findChildren<QDialog*>("saveDialog").isEmpty(); }));
   press(Qt::Key_S, Qt::ControlModifier);
   EXPECT_NE(waitForDialog<QDialog>("saveDialog"), nullptr) << "and another can be opened";
+}
+
+TEST_F(WindowFilesTest, TheButtonsOfAFileDialogHaveRoomForTheirPictures) {
+  press(Qt::Key_O, Qt::ControlModifier);
+  auto* dialog = waitForDialog<QDialog>("openDialog");
+  ASSERT_NE(dialog, nullptr);
+  const auto buttons = dialog->findChildren<QToolButton*>();
+  ASSERT_FALSE(buttons.isEmpty());
+  for (const QToolButton* button : buttons) {
+    EXPECT_LE(button->sizeHint().width(), button->width()) << button->objectName().toStdString();
+    EXPECT_LE(button->sizeHint().height(), button->height()) << button->objectName().toStdString();
+  }
 }
 
 TEST_F(WindowFilesTest, AFailedSaveIsSaidAndTheWorkStaysUnsaved) {
