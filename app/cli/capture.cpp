@@ -1,11 +1,11 @@
-#include "capture_events.h"
-#include "command.h"
+#include "app/cli/capture_events.h"
+#include "app/cli/command.h"
 
-#include "hexoderm/device/open_source.h"
-#include "hexoderm/device/recording.h"
+#include "hexoderm/device/sources/open_source.h"
+#include "hexoderm/device/sources/recording.h"
 #include "hexoderm/geometry/se3.h"
-#include "hexoderm/reconstruction/pose_advisor.h"
-#include "hexoderm/reconstruction/pose_coverage.h"
+#include "hexoderm/reconstruction/advice/pose_advisor.h"
+#include "hexoderm/reconstruction/advice/pose_coverage.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/util/text.h"
 

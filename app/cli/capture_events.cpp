@@ -1,4 +1,4 @@
-#include "capture_events.h"
+#include "app/cli/capture_events.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "hexoderm/io/open_file.h"
-#include "hexoderm/reconstruction/reconstruction.h"
+#include "hexoderm/reconstruction/result/reconstruction.h"
 #include "hexoderm/session/session.h"
 #include "hexoderm/util/error.h"
 

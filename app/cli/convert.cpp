@@ -1,4 +1,4 @@
-#include "command.h"
+#include "app/cli/command.h"
 
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/tum_xml.h"

@@ -1,6 +1,6 @@
-#include "command.h"
+#include "app/cli/command.h"
 
-#include "hexoderm/reconstruction/evaluation.h"
+#include "hexoderm/reconstruction/evaluation/evaluation.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 

@@ -1,5 +1,5 @@
-#include "command.h"
-#include "reproduce/experiments.h"
+#include "app/cli/command.h"
+#include "app/cli/reproduce/experiments.h"
 
 #include <array>
 #include <iostream>

@@ -1,7 +1,7 @@
-#include "command.h"
+#include "app/cli/command.h"
 
-#include "hexoderm/device/fault_names.h"
-#include "hexoderm/device/simulated_skin.h"
+#include "hexoderm/device/simulation/fault_names.h"
+#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/text.h"

@@ -1,7 +1,7 @@
-#include "command.h"
+#include "app/cli/command.h"
 
 #include "hexoderm/io/calibration_json.h"
-#include "hexoderm/reconstruction/evaluation.h"
+#include "hexoderm/reconstruction/evaluation/evaluation.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/util/text.h"
 

@@ -1,6 +1,6 @@
-#include "console.h"
+#include "app/emulator/console.h"
 
-#include "hexoderm/device/fault_names.h"
+#include "hexoderm/device/simulation/fault_names.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "emulator.h"
+#include "app/emulator/emulator.h"
 
 #include <array>
 #include <functional>

@@ -1,4 +1,4 @@
-#include "device_link.h"
+#include "app/emulator/device_link.h"
 
 #include "hexoderm/util/error.h"
 

@@ -1,4 +1,4 @@
-#include "emulator.h"
+#include "app/emulator/emulator.h"
 
 #include <boost/asio/post.hpp>
 

@@ -1,4 +1,4 @@
-#include "console.h"
+#include "app/emulator/console.h"
 #include "hexoderm/util/error.h"
 
 #include <boost/asio/post.hpp>

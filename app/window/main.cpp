@@ -1,7 +1,7 @@
-#include "app/window/main_window.h"
-#include "app/window/preferences.h"
+#include "app/window/main_window/main_window.h"
 #include "app/window/screenshot_tour.h"
-#include "app/window/translation.h"
+#include "app/window/settings/preferences.h"
+#include "app/window/settings/translation.h"
 
 #include <QApplication>
 #include <QCommandLineParser>

@@ -1,9 +1,9 @@
 #include "app/window/screenshot_tour.h"
 
-#include "app/window/guide.h"
-#include "app/window/main_window.h"
+#include "app/window/guide/guide.h"
+#include "app/window/main_window/main_window.h"
 #include "app/window/text_fit.h"
-#include "widgets/patch_view.h"
+#include "widgets/patch/patch_view.h"
 
 #include <QAbstractButton>
 #include <QApplication>

@@ -3997,7 +3997,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
 </context>
 <context>
-    <name>hexoderm::SceneOverlay</name>
+    <name>hexoderm::PatchCaptions</name>
     <message>
         <source>gravity</source>
         <translation>Schwerkraft</translation>

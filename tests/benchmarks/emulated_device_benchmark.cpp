@@ -1,7 +1,7 @@
 // What it takes to be 10,000 cells at 1 kHz: read, put into messages and framed. "core" is the share of one core at
 // that rate; above 1 samples are dropped.
 
-#include "hexoderm/device/emulated_device.h"
+#include "hexoderm/device/emulation/emulated_device.h"
 #include "hexoderm/device/skinwire/framing.h"
 
 #include <benchmark/benchmark.h>

@@ -1,11 +1,11 @@
 // How long the graph takes with 10,000 cells: a whole picture at several sizes and zooms, a new result, and a mouse
 // that moves over it. Needs a display: xvfb-run -a build/release/tests/benchmarks/graph_benchmark
 
-#include "hexoderm/device/simulated_skin.h"
+#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/session/simulated_session.h"
-#include "widgets/graph_view.h"
-#include "widgets/selection.h"
+#include "widgets/controls/selection.h"
+#include "widgets/graph/graph_view.h"
 
 #include <benchmark/benchmark.h>
 

@@ -1,7 +1,7 @@
 // How long a reconstruction takes: the tree, the joint estimate from scratch, and from the result before the last pose
 // came in, as the window does it. The skins are simulated.
 
-#include "hexoderm/device/simulated_skin.h"
+#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/session/simulated_session.h"
 

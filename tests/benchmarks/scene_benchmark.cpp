@@ -6,10 +6,10 @@
 // README.md here has what came of it. The window has the size of the view in a window of 1440 x 900. The column CPU is
 // the time of all threads together: on a busy computer it says more than the frames/s do.
 
-#include "support/demo_reconstruction.h"
-#include "support/large_skin.h"
-#include "widgets/edge_smoothing.h"
-#include "widgets/patch_scene.h"
+#include "tests/support/demo_reconstruction.h"
+#include "tests/support/large_skin.h"
+#include "widgets/patch/edge_smoothing.h"
+#include "widgets/scene/patch_scene.h"
 
 #include <benchmark/benchmark.h>
 #include <vtkCamera.h>

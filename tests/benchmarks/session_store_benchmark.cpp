@@ -4,7 +4,7 @@
 
 #include "hexoderm/capture/pose_capture.h"
 #include "hexoderm/session/session_store.h"
-#include "support/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 #include <benchmark/benchmark.h>
 

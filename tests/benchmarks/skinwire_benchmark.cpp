@@ -3,7 +3,7 @@
 
 #include "hexoderm/device/skinwire/framing.h"
 #include "hexoderm/device/skinwire/sample_messages.h"
-#include "skin_stream.h"
+#include "hexoderm/device/sources/skin_stream.h"
 
 #include <benchmark/benchmark.h>
 #include <random>

@@ -1,4 +1,4 @@
-#include "fuzz_checks.h"
+#include "tests/fuzz/fuzz_checks.h"
 
 #include "hexoderm/graph/skin_graph.h"
 

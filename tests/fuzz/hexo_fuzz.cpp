@@ -10,11 +10,11 @@
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
 
-#include "fuzz_checks.h"
-#include "fuzz_input.h"
-#include "journal.h"
-#include "scratch_file.h"
-#include "store_schema.h"
+#include "hexoderm/session/journal.h"
+#include "hexoderm/session/store_schema.h"
+#include "tests/fuzz/fuzz_checks.h"
+#include "tests/fuzz/fuzz_input.h"
+#include "tests/fuzz/scratch_file.h"
 
 #include <cmath>
 #include <fstream>

@@ -1,6 +1,6 @@
 // Gives every file of the folders named to a fuzz target, without libFuzzer. A crash fails.
 
-#include "fuzz_checks.h"
+#include "tests/fuzz/fuzz_checks.h"
 
 #include <cstdlib>
 #include <filesystem>

@@ -1,6 +1,6 @@
-#include "scratch_file.h"
+#include "tests/fuzz/scratch_file.h"
 
-#include "fuzz_checks.h"
+#include "tests/fuzz/fuzz_checks.h"
 
 #include <stdlib.h>
 

@@ -3,7 +3,7 @@
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/util/error.h"
 
-#include "fuzz_checks.h"
+#include "tests/fuzz/fuzz_checks.h"
 
 #include <optional>
 

@@ -2,15 +2,15 @@
 // byte of an input says how it comes (low 3 bits: which stream; 8: bodies with CRCs in order instead of raw bytes), the
 // second in pieces of how many bytes. A body: type, length of 16 bits, so many bytes of protobuf.
 
-#include "hexoderm/device/recording.h"
 #include "hexoderm/device/skinwire/crc32c.h"
 #include "hexoderm/device/skinwire/framing.h"
+#include "hexoderm/device/sources/recording.h"
 #include "hexoderm/util/error.h"
 
-#include "fuzz_checks.h"
-#include "fuzz_input.h"
-#include "scratch_file.h"
-#include "skin_stream.h"
+#include "hexoderm/device/sources/skin_stream.h"
+#include "tests/fuzz/fuzz_checks.h"
+#include "tests/fuzz/fuzz_input.h"
+#include "tests/fuzz/scratch_file.h"
 
 #include <cmath>
 #include <set>

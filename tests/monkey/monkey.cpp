@@ -4,12 +4,12 @@
 //   monkey [--minutes M] [--seed N] [--limit-ms L] [--discount-load] [--discount-stolen]
 //          [--trace]
 
-#include "app/window/main_window.h"
-#include "app/window/preferences.h"
-#include "app/window/window_shell.h"
+#include "app/window/main_window/main_window.h"
+#include "app/window/main_window/window_shell.h"
+#include "app/window/settings/preferences.h"
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/session/simulated_session.h"
-#include "watchdog.h"
+#include "tests/monkey/watchdog.h"
 
 #include <QApplication>
 #include <QCommandLineParser>

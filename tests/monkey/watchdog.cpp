@@ -1,4 +1,4 @@
-#include "watchdog.h"
+#include "tests/monkey/watchdog.h"
 
 #include <execinfo.h>
 #include <pthread.h>

@@ -4,9 +4,9 @@
 //   soak [--minutes N] [--growth-mib M]      simulated minutes; 0 MiB: memory is not judged (sanitizers keep some)
 
 #include "hexoderm/capture/pose_recorder.h"
-#include "hexoderm/device/simulated_source.h"
+#include "hexoderm/device/simulation/simulated_source.h"
 #include "hexoderm/session/session_recorder.h"
-#include "support/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 #include <unistd.h>
 

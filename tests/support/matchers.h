@@ -3,7 +3,7 @@
 // Matchers that explain themselves: what was off, by how much, in which units.
 
 #include "hexoderm/geometry/se3.h"
-#include "hexoderm/reconstruction/reconstruction.h"
+#include "hexoderm/reconstruction/result/reconstruction.h"
 
 #include <gmock/gmock.h>
 

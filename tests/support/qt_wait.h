@@ -1,6 +1,6 @@
 #pragma once
 
-#include "support/patience.h"
+#include "tests/support/patience.h"
 
 #include <QTest>
 #include <QWidget>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/reconstruction/reconstruction.h"
+#include "hexoderm/reconstruction/result/reconstruction.h"
 
 #include <memory>
 

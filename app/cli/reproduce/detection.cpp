@@ -1,4 +1,4 @@
-#include "experiments.h"
+#include "app/cli/reproduce/experiments.h"
 
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/util/text.h"

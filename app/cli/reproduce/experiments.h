@@ -1,6 +1,6 @@
 #pragma once
 
-#include "trials.h"
+#include "app/cli/reproduce/trials.h"
 
 namespace hexoderm::cli {
 

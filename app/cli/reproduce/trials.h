@@ -1,11 +1,11 @@
 #pragma once
 
-#include "hexoderm/device/simulated_skin.h"
-#include "hexoderm/reconstruction/evaluation.h"
-#include "hexoderm/reconstruction/reconstruction.h"
+#include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/reconstruction/evaluation/evaluation.h"
+#include "hexoderm/reconstruction/result/reconstruction.h"
 #include "hexoderm/session/session.h"
 
-#include "../command.h"
+#include "app/cli/command.h"
 
 #include <atomic>
 #include <exception>

@@ -1,9 +1,9 @@
 #include "hexoderm/capture/pose_recorder.h"
 
-#include "captures_of.h"
-#include "hexoderm/device/simulated_skin.h"
+#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/util/error.h"
-#include "synthetic_stream.h"
+#include "tests/core/capture/captures_of.h"
+#include "tests/core/capture/synthetic_stream.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include "captures_of.h"
-#include "synthetic_stream.h"
+#include "tests/core/capture/captures_of.h"
+#include "tests/core/capture/synthetic_stream.h"
 
 #include <gtest/gtest.h>
 #include <atomic>

@@ -1,7 +1,7 @@
 // A real accelerometer laid by hand in 13 orientations.
 
-#include "captures_of.h"
 #include "hexoderm/util/text.h"
+#include "tests/core/capture/captures_of.h"
 
 #include <gtest/gtest.h>
 #include <array>

@@ -1,9 +1,9 @@
 #include "hexoderm/capture/stillness_detector.h"
 
-#include "hexoderm/device/simulated_skin.h"
+#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
-#include "synthetic_stream.h"
+#include "tests/core/capture/synthetic_stream.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

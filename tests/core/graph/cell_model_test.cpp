@@ -2,8 +2,8 @@
 
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
-#include "support/error_matchers.h"
-#include "support/temporary_folder.h"
+#include "tests/support/error_matchers.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,9 @@
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/units.h"
-#include "support/error_matchers.h"
-#include "support/json_mutations.h"
-#include "support/temporary_folder.h"
+#include "tests/support/error_matchers.h"
+#include "tests/support/json_mutations.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include "hexoderm/io/tum_xml.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/units.h"
-#include "support/matchers.h"
+#include "tests/support/matchers.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 #include "hexoderm/io/export_csv.h"
 
-#include "core/io/export_test_folder.h"
 #include "hexoderm/io/exporter.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
-#include "support/reconstruction_builder.h"
+#include "tests/core/io/export_test_folder.h"
+#include "tests/support/reconstruction_builder.h"
 
 #include <gmock/gmock.h>
 

@@ -1,7 +1,7 @@
 #include "hexoderm/io/export_staging.h"
 
-#include "core/io/export_test_folder.h"
 #include "hexoderm/util/error.h"
+#include "tests/core/io/export_test_folder.h"
 
 #include <gmock/gmock.h>
 

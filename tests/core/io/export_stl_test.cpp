@@ -1,8 +1,8 @@
 #include "hexoderm/io/export_stl.h"
 
-#include "core/io/export_test_folder.h"
 #include "hexoderm/util/error.h"
-#include "support/reconstruction_builder.h"
+#include "tests/core/io/export_test_folder.h"
+#include "tests/support/reconstruction_builder.h"
 
 #include <gmock/gmock.h>
 

@@ -1,9 +1,9 @@
 #include "hexoderm/io/export_vtp.h"
 
-#include "core/io/export_test_folder.h"
 #include "hexoderm/io/exporter.h"
 #include "hexoderm/util/error.h"
-#include "support/reconstruction_builder.h"
+#include "tests/core/io/export_test_folder.h"
+#include "tests/support/reconstruction_builder.h"
 
 #include <gmock/gmock.h>
 

@@ -1,11 +1,11 @@
 #include "hexoderm/io/exporter.h"
 
-#include "core/io/export_test_folder.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/error.h"
-#include "support/reconstruction_builder.h"
+#include "tests/core/io/export_test_folder.h"
+#include "tests/support/reconstruction_builder.h"
 
 #include <gmock/gmock.h>
 

@@ -6,8 +6,8 @@
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
-#include "support/error_matchers.h"
-#include "support/temporary_folder.h"
+#include "tests/support/error_matchers.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 

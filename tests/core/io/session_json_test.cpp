@@ -3,10 +3,10 @@
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
-#include "support/error_matchers.h"
-#include "support/json_mutations.h"
-#include "support/session_matchers.h"
-#include "support/temporary_folder.h"
+#include "tests/support/error_matchers.h"
+#include "tests/support/json_mutations.h"
+#include "tests/support/session_matchers.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 #include "hexoderm/reconstruction/hold_out.h"
 
-#include "hexoderm/device/simulated_skin.h"
+#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
-#include "support/matchers.h"
-#include "support/pin_jointed_skin.h"
+#include "tests/support/matchers.h"
+#include "tests/support/pin_jointed_skin.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
 // Skins with more poses than the joint estimate finds angular accelerations for: the tremor of the hand that is left in
 // them must make no healthy cell look broken.
 
-#include "hexoderm/device/simulated_skin.h"
-#include "hexoderm/reconstruction/evaluation.h"
+#include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/reconstruction/evaluation/evaluation.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/session/simulated_session.h"
-#include "support/changed_session.h"
-#include "support/matchers.h"
+#include "tests/support/changed_session.h"
+#include "tests/support/matchers.h"
 
 #include <string>
 #include <vector>

@@ -1,9 +1,9 @@
 // Links that look like skin links in their angles, and leave their loops open: cables.
 
-#include "hexoderm/device/simulated_skin.h"
+#include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/session/simulated_session.h"
-#include "support/matchers.h"
+#include "tests/support/matchers.h"
 
 #include <algorithm>
 #include <iterator>

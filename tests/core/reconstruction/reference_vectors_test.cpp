@@ -2,10 +2,10 @@
 // orientation in degrees over all cells after alignment, by the paper's method and by a joint estimate.
 
 #include "hexoderm/io/session_json.h"
-#include "hexoderm/reconstruction/evaluation.h"
+#include "hexoderm/reconstruction/evaluation/evaluation.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/util/units.h"
-#include "support/matchers.h"
+#include "tests/support/matchers.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Raw samples as bytes: every layout brings back every bit, and no bytes bring it down.
 
-#include "sample_blobs.h"
+#include "hexoderm/session/sample_blobs.h"
 
 #include "hexoderm/util/error.h"
 

@@ -1,8 +1,8 @@
 #include "hexoderm/session/session_recorder.h"
 
 #include "hexoderm/util/error.h"
-#include "support/failing_disk.h"
-#include "support/temporary_folder.h"
+#include "tests/support/failing_disk.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gmock/gmock.h>
 

@@ -3,14 +3,14 @@
 
 #include "hexoderm/session/session_store.h"
 
+#include "hexoderm/session/journal.h"
+#include "hexoderm/session/sqlite_database.h"
+#include "hexoderm/session/store_file.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
-#include "journal.h"
-#include "sqlite_database.h"
-#include "store_file.h"
-#include "support/error_matchers.h"
-#include "support/session_matchers.h"
-#include "support/temporary_folder.h"
+#include "tests/support/error_matchers.h"
+#include "tests/support/session_matchers.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gmock/gmock.h>
 

@@ -4,10 +4,10 @@
 
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
-#include "support/error_matchers.h"
-#include "support/failing_disk.h"
-#include "support/session_matchers.h"
-#include "support/temporary_folder.h"
+#include "tests/support/error_matchers.h"
+#include "tests/support/failing_disk.h"
+#include "tests/support/session_matchers.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gmock/gmock.h>
 

@@ -3,9 +3,9 @@
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
-#include "support/error_matchers.h"
-#include "support/session_matchers.h"
-#include "support/temporary_folder.h"
+#include "tests/support/error_matchers.h"
+#include "tests/support/session_matchers.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gmock/gmock.h>
 

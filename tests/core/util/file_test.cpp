@@ -1,8 +1,8 @@
 #include "hexoderm/util/file.h"
 
 #include "hexoderm/util/error.h"
-#include "support/error_matchers.h"
-#include "support/temporary_folder.h"
+#include "tests/support/error_matchers.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "hexoderm/util/json_reader.h"
 
 #include "hexoderm/util/error.h"
-#include "support/error_matchers.h"
+#include "tests/support/error_matchers.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/ids.h"
-#include "support/error_matchers.h"
+#include "tests/support/error_matchers.h"
 
 #include <gtest/gtest.h>
 

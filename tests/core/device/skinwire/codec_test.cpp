@@ -3,7 +3,7 @@
 #include "hexoderm/device/skinwire/crc32c.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
-#include "wire_messages.h"
+#include "tests/core/device/skinwire/wire_messages.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "hexoderm/device/skin_source.h"
-#include "support/patience.h"
+#include "tests/support/patience.h"
 
 #include <chrono>
 #include <condition_variable>

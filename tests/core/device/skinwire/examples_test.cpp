@@ -1,9 +1,9 @@
 // The example senders, as people start them.
 
-#include "collecting_listener.h"
-#include "hexoderm/device/stdin_source.h"
-#include "hexoderm/device/wire_source.h"
+#include "hexoderm/device/sources/stdin_source.h"
+#include "hexoderm/device/sources/wire_source.h"
 #include "hexoderm/util/file.h"
+#include "tests/core/device/skinwire/collecting_listener.h"
 
 #include <fcntl.h>
 #include <signal.h>

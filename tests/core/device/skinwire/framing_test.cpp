@@ -1,6 +1,6 @@
 #include "hexoderm/device/skinwire/framing.h"
 
-#include "wire_messages.h"
+#include "tests/core/device/skinwire/wire_messages.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

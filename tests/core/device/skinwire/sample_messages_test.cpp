@@ -2,7 +2,7 @@
 
 #include "hexoderm/device/skinwire/codec.h"
 #include "hexoderm/util/error.h"
-#include "wire_messages.h"
+#include "tests/core/device/skinwire/wire_messages.h"
 
 #include <gtest/gtest.h>
 #include <cmath>

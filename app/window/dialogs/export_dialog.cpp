@@ -1,0 +1,238 @@
+#include "app/window/dialogs/export_dialog.h"
+
+#include "app/window/toolkit/deferred_dialog.h"
+#include "app/window/toolkit/file_dialog.h"
+#include "hexoderm/util/error.h"
+#include "widgets/words/core_words.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QStyle>
+
+namespace hexoderm {
+namespace {
+
+const QString kCalibrationExtension = QStringLiteral(".calibration.json");
+
+QString toQString(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<int>(text.size())); }
+
+/// Row of the list; row 0 is the calibration file, the others follow exportFormats().
+std::optional<ExportFormatDescription> formatOfRow(int row) {
+  if (row <= 0 || static_cast<std::size_t>(row) > exportFormats().size()) return std::nullopt;
+  return exportFormats()[static_cast<std::size_t>(row) - 1];
+}
+
+QLineEdit* named(QLineEdit* edit, const char* object_name, const QString& accessible_name) {
+  edit->setObjectName(QLatin1String(object_name));
+  edit->setAccessibleName(accessible_name);
+  return edit;
+}
+
+}  // namespace
+
+ExportDialog::ExportDialog(const QString& suggestion, QWidget* parent)
+    : QDialog(parent),
+      formats_(new QListWidget(this)),
+      summary_(new QLabel(this)),
+      path_(named(new QLineEdit(this), "exportPath", tr("File to write"))),
+      options_(new QStackedWidget(this)),
+      stl_unit_(new QComboBox(this)),
+      urdf_robot_(named(new QLineEdit(this), "urdfRobot", tr("Name of the robot"))),
+      urdf_parent_(named(new QLineEdit(this), "urdfParent", tr("Parent link"))),
+      urdf_prefix_(named(new QLineEdit(this), "urdfPrefix", tr("Prefix of names"))),
+      urdf_links_(new QComboBox(this)),
+      note_(new QLabel(this)) {
+  setObjectName(QStringLiteral("exportDialog"));
+  setWindowTitle(tr("Export the calibration"));
+  setModal(true);
+
+  auto* title = new QLabel(tr("What should the file be?"), this);
+  title->setProperty("headline", true);
+  auto* browse = new QPushButton(tr("Browse…"), this);
+  browse->setObjectName(QStringLiteral("exportBrowse"));
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+  export_ = buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
+  export_->setObjectName(QStringLiteral("exportButton"));
+  export_->setProperty("primary", true);
+  export_->setDefault(true);
+  // The button box has already had it styled as any other.
+  export_->style()->unpolish(export_);
+  export_->style()->polish(export_);
+  summary_->setWordWrap(true);
+  summary_->setProperty("muted", true);
+  note_->setWordWrap(true);
+  note_->setObjectName(QStringLiteral("exportNote"));
+  note_->setMinimumHeight(2 * fontMetrics().lineSpacing());
+
+  auto* layout = new QGridLayout(this);
+  layout->setContentsMargins(20, 18, 20, 16);
+  layout->setHorizontalSpacing(18);
+  layout->setVerticalSpacing(12);
+  layout->addWidget(title, 0, 0, 1, 3);
+  layout->addWidget(makeFormatList(), 1, 0, 2, 1);
+  layout->addWidget(summary_, 1, 1, 1, 2, Qt::AlignTop);
+  layout->addWidget(makeOptions(), 2, 1, 1, 2, Qt::AlignTop);
+  layout->addWidget(new QLabel(tr("Write to"), this), 3, 0, Qt::AlignRight | Qt::AlignVCenter);
+  layout->addWidget(path_, 3, 1);
+  layout->addWidget(browse, 3, 2);
+  layout->addWidget(note_, 4, 1, 1, 2);
+  layout->addWidget(buttons, 5, 0, 1, 3);
+  layout->setColumnStretch(1, 1);
+  layout->setRowStretch(2, 1);
+  resize(680, 430);
+
+  path_->setText(suggestion + kCalibrationExtension);
+  extension_ = kCalibrationExtension;
+  connect(buttons, &QDialogButtonBox::accepted, this, &ExportDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &ExportDialog::reject);
+  connect(browse, &QPushButton::clicked, this, &ExportDialog::choosePath);
+  connect(formats_, &QListWidget::currentRowChanged, this, &ExportDialog::chooseFormat);
+  for (QLineEdit* edit : {path_, urdf_robot_, urdf_parent_, urdf_prefix_}) {
+    connect(edit, &QLineEdit::textChanged, this, &ExportDialog::check);
+  }
+  formats_->setCurrentRow(0);
+  path_->setFocus();
+  path_->selectAll();
+  check();
+}
+
+QWidget* ExportDialog::makeFormatList() {
+  formats_->setObjectName(QStringLiteral("exportFormats"));
+  formats_->setAccessibleName(tr("Format"));
+  formats_->addItem(tr("Calibration"));
+  for (const ExportFormatDescription& format : exportFormats()) formats_->addItem(toQString(format.name).toUpper());
+  formats_->setFixedWidth(150);
+  return formats_;
+}
+
+QWidget* ExportDialog::makeOptions() {
+  options_->addWidget(new QWidget);
+
+  stl_unit_->setObjectName(QStringLiteral("stlUnit"));
+  stl_unit_->setAccessibleName(tr("Unit of length"));
+  stl_unit_->addItem(tr("Millimetres"));
+  stl_unit_->addItem(tr("Metres"));
+  auto* stl = new QWidget;
+  auto* stl_form = new QFormLayout(stl);
+  stl_form->setContentsMargins(0, 0, 0, 0);
+  stl_form->addRow(tr("Unit"), stl_unit_);
+  options_->addWidget(stl);
+
+  const ExportOptions defaults;
+  urdf_robot_->setText(QString::fromStdString(defaults.urdf_robot));
+  urdf_parent_->setText(QString::fromStdString(defaults.urdf_parent_link));
+  urdf_prefix_->setText(QString::fromStdString(defaults.urdf_prefix));
+  urdf_links_->setObjectName(QStringLiteral("urdfLinks"));
+  urdf_links_->setAccessibleName(tr("Links"));
+  urdf_links_->addItem(tr("One for each cell"));
+  urdf_links_->addItem(tr("One for each patch (lighter in RViz)"));
+  urdf_links_->setCurrentIndex(defaults.urdf_link_per_cell ? 0 : 1);
+  auto* urdf = new QWidget;
+  auto* urdf_form = new QFormLayout(urdf);
+  urdf_form->setContentsMargins(0, 0, 0, 0);
+  urdf_form->addRow(tr("Robot"), urdf_robot_);
+  urdf_form->addRow(tr("Parent link"), urdf_parent_);
+  urdf_form->addRow(tr("Prefix of names"), urdf_prefix_);
+  urdf_form->addRow(tr("Links"), urdf_links_);
+  options_->addWidget(urdf);
+  return options_;
+}
+
+QString ExportDialog::extension() const {
+  const std::optional<ExportFormatDescription> format = formatOfRow(formats_->currentRow());
+  return format ? toQString(format->extension) : kCalibrationExtension;
+}
+
+void ExportDialog::chooseFormat() {
+  const std::optional<ExportFormatDescription> format = formatOfRow(formats_->currentRow());
+  summary_->setText(format
+                        ? coreWords(std::string(format->summary))
+                        : tr("Hexoderm's own file: everything that is known, to be opened again, compared and exported "
+                             "from later."));
+  options_->setCurrentIndex(!format                                ? 0
+                            : format->format == ExportFormat::Stl  ? 1
+                            : format->format == ExportFormat::Urdf ? 2
+                                                                   : 0);
+  // The name stays, the extension follows the format.
+  QString path = path_->text();
+  if (!extension_.isEmpty() && path.endsWith(extension_)) path.chop(extension_.size());
+  extension_ = extension();
+  if (!path.isEmpty() && !path.endsWith(extension_)) path += extension_;
+  path_->setText(path);
+  check();
+}
+
+void ExportDialog::choosePath() {
+  const bool folder = extension().isEmpty();
+  auto* dialog = new FileDialog(this, tr("Write to"), QFileInfo(path_->text()).absolutePath());
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setFileMode(QFileDialog::AnyFile);
+  // Replacing is said, and confirmed, in this dialog.
+  dialog->setOption(QFileDialog::DontConfirmOverwrite);
+  if (!folder) dialog->setNameFilter(QStringLiteral("*%1").arg(extension()));
+  dialog->selectFile(QFileInfo(path_->text()).fileName());
+  connect(dialog, &QFileDialog::fileSelected, path_, &QLineEdit::setText);
+  openInTurns(dialog);
+}
+
+void ExportDialog::check() {
+  const QFileInfo target(request().path);
+  QString problem;
+  QString remark;
+  if (path_->text().trimmed().isEmpty()) {
+    problem = tr("Say where the file should go.");
+  } else if (!target.absoluteDir().exists()) {
+    problem = tr("There is no folder %1.").arg(QDir::toNativeSeparators(target.absolutePath()));
+  } else if (!extension().isEmpty() && target.isDir()) {
+    problem = tr("%1 is a folder; give the file a name.").arg(QDir::toNativeSeparators(target.filePath()));
+  } else {
+    try {
+      request().options.validate();
+    } catch (const InvalidArgument& error) {
+      problem = coreWords(error.what());
+    }
+  }
+  const bool replaces =
+      problem.isEmpty() &&
+      (extension().isEmpty() ? QDir(target.filePath()).exists(QStringLiteral("cells.csv")) : target.exists());
+  if (replaces) {
+    remark = extension().isEmpty() ? tr("The tables in this folder will be replaced.")
+                                   : tr("There is a file of this name; it will be replaced.");
+  }
+  export_->setText(replaces ? tr("Replace") : tr("Export"));
+  export_->setEnabled(problem.isEmpty());
+  export_->setToolTip(problem);
+  note_->setText(problem.isEmpty() ? remark : problem);
+}
+
+ExportRequest ExportDialog::request() const {
+  ExportRequest request;
+  if (const std::optional<ExportFormatDescription> format = formatOfRow(formats_->currentRow())) {
+    request.format = format->format;
+  }
+  request.path = QDir::fromNativeSeparators(path_->text().trimmed());
+  request.options.stl_unit = stl_unit_->currentIndex() == 0 ? LengthUnit::Millimetres : LengthUnit::Metres;
+  request.options.urdf_robot = urdf_robot_->text().trimmed().toStdString();
+  request.options.urdf_parent_link = urdf_parent_->text().trimmed().toStdString();
+  request.options.urdf_prefix = urdf_prefix_->text().trimmed().toStdString();
+  request.options.urdf_link_per_cell = urdf_links_->currentIndex() == 0;
+  return request;
+}
+
+void ExportDialog::accept() {
+  check();
+  if (!export_->isEnabled()) return;
+  emit exportRequested(request());
+  QDialog::accept();
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,237 @@
+#include "app/window/files/recovery.h"
+
+#include "app/window/files/job_queue.h"
+#include "app/window/files/recent_files.h"
+#include "app/window/files/session_paths.h"
+#include "hexoderm/session/session_store.h"
+#include "hexoderm/util/error.h"
+#include "widgets/words/core_words.h"
+#include "widgets/words/formatting.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMetaObject>
+#include <QPointer>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <QVariant>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+constexpr int kDaysUntilGone = 7;
+const QString kDiscarded = QStringLiteral("discarded");
+
+}  // namespace
+
+std::vector<UnsavedSession> findUnsavedSessions(const QString& folder) {
+  std::vector<UnsavedSession> found;
+  for (const QFileInfo& file : QDir(folder).entryInfoList({QStringLiteral("*.hexo")}, QDir::Files)) {
+    UnsavedSession unsaved;
+    unsaved.path = file.absoluteFilePath();
+    unsaved.edited_at_ms = file.lastModified().toMSecsSinceEpoch();
+    try {
+      if (isSessionStoreInUse(toPath(unsaved.path))) continue;
+      const SessionStore store = SessionStore::openReadOnly(toPath(unsaved.path));
+      const Session session = store.readSession();
+      if (session.poses().empty()) continue;
+      unsaved.edited_at_ms = store.editedAtMs();
+      unsaved.poses = session.poses().size();
+      unsaved.cells = session.neighbors().size();
+      unsaved.source = coreWords(session.source().text);
+    } catch (const Error& error) {
+      unsaved.problem = coreWords(error.what());
+    }
+    found.push_back(std::move(unsaved));
+  }
+  std::sort(found.begin(), found.end(),
+            [](const UnsavedSession& a, const UnsavedSession& b) { return a.edited_at_ms > b.edited_at_ms; });
+  return found;
+}
+
+QString discardUnsaved(const QString& path) {
+  const QFileInfo file(path);
+  const QDir folder(file.dir().filePath(kDiscarded));
+  if (!QDir().mkpath(folder.path())) {
+    throw StorageError(folder.path().toStdString() + ": the folder cannot be made");
+  }
+  const QString to = freePath(folder, file.completeBaseName());
+  // The week begins now, whenever the session was worked on; without that it might be gone at the next start.
+  std::error_code error;
+  std::filesystem::last_write_time(toPath(path), std::filesystem::file_time_type::clock::now(), error);
+  if (error) throw StorageError(path.toStdString() + ": cannot be put away for a while: " + error.message());
+  moveSessionStore(toPath(path), toPath(to));
+  return to;
+}
+
+QString restoreDiscarded(const QString& discarded_path) {
+  const QFileInfo file(discarded_path);
+  QDir folder = file.dir();
+  folder.cdUp();
+  const QString to = freePath(folder, file.completeBaseName());
+  moveSessionStore(toPath(discarded_path), toPath(to));
+  return to;
+}
+
+void removeOldDiscarded(const QString& folder) {
+  const QDir discarded(QDir(folder).filePath(kDiscarded));
+  const QDateTime limit = QDateTime::currentDateTime().addDays(-kDaysUntilGone);
+  for (const QFileInfo& file : discarded.entryInfoList({QStringLiteral("*.hexo")}, QDir::Files)) {
+    if (file.lastModified() < limit) removeSessionStore(toPath(file.absoluteFilePath()));
+  }
+}
+
+QString describeUnsaved(const UnsavedSession& session) {
+  const QString when = timeInWords(session.edited_at_ms);
+  if (!session.problem.isEmpty()) {
+    return UnsavedSessions::tr("A session of %1 was not saved and can't be read: %2").arg(when, session.problem);
+  }
+  return UnsavedSessions::tr("A session of %1 with %2 of %3 cells was not saved.")
+      .arg(when, posesInWords(session.poses))
+      .arg(session.cells);
+}
+
+UnsavedSessions::UnsavedSessions(JobQueue& jobs, QString folder, QObject* parent)
+    : QObject(parent), jobs_(jobs), folder_(std::move(folder)) {}
+
+bool UnsavedSessions::isDiscarded(const UnsavedSession& session) {
+  return QFileInfo(session.path).dir().dirName() == kDiscarded;
+}
+
+void UnsavedSessions::search() {
+  jobs_.add([self = QPointer<UnsavedSessions>(this), folder = folder_] {
+    removeOldDiscarded(folder);
+    auto sessions = std::make_shared<std::vector<UnsavedSession>>(findUnsavedSessions(folder));
+    QMetaObject::invokeMethod(
+        QCoreApplication::instance(),
+        [self, sessions] {
+          if (!self) return;
+          self->sessions_ = std::move(*sessions);
+          emit self->changed();
+          emit self->found(static_cast<int>(self->sessions_.size()));
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void UnsavedSessions::recover(const QString& path) {
+  const bool is_known = std::any_of(sessions_.begin(), sessions_.end(),
+                                    [&](const UnsavedSession& session) { return session.path == path; });
+  if (is_known) emit recoverWanted(QString(path));  // which may be of a session that goes meanwhile
+}
+
+void UnsavedSessions::noteOpened(const QString& path) {
+  const auto gone = std::remove_if(sessions_.begin(), sessions_.end(),
+                                   [&](const UnsavedSession& session) { return session.path == path; });
+  if (gone == sessions_.end()) return;
+  sessions_.erase(gone, sessions_.end());
+  emit changed();
+}
+
+void UnsavedSessions::discard(const QString& path) { move(path, &discardUnsaved); }
+
+void UnsavedSessions::takeBack(const QString& path) { move(path, &restoreDiscarded); }
+
+void UnsavedSessions::move(const QString& path, QString (*how)(const QString&)) {
+  jobs_.add([self = QPointer<UnsavedSessions>(this), path, how] {
+    QString now;
+    QString problem;
+    try {
+      now = how(path);
+    } catch (const Error& error) {
+      problem = coreWords(error.what());
+    }
+    QMetaObject::invokeMethod(
+        QCoreApplication::instance(),
+        [self, path, now, problem] {
+          if (!self) return;
+          if (!problem.isEmpty()) {
+            emit self->failed(problem);
+            return;
+          }
+          for (UnsavedSession& session : self->sessions_) {
+            if (session.path == path) session.path = now;
+          }
+          emit self->changed();
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+RecoveryList::RecoveryList(UnsavedSessions& sessions, QWidget* parent)
+    : QWidget(parent), sessions_(sessions), layout_(new QVBoxLayout(this)) {
+  setObjectName(QStringLiteral("recoveryList"));
+  setAccessibleName(tr("Sessions that were not saved"));
+  layout_->setContentsMargins(0, 0, 0, 8);
+  layout_->setSpacing(8);
+  connect(&sessions_, &UnsavedSessions::changed, this, [this] {
+    rebuild();
+    setVisible(!sessions_.all().empty());
+  });
+  rebuild();
+  setHidden(sessions_.all().empty());
+}
+
+void RecoveryList::rebuild() {
+  while (QLayoutItem* item = layout_->takeAt(0)) {
+    // The button whose press led here is still at work.
+    item->widget()->hide();
+    item->widget()->deleteLater();
+    delete item;
+  }
+  for (const UnsavedSession& session : sessions_.all()) {
+    QWidget* row = makeRow(session);
+    layout_->addWidget(row);
+    row->show();
+  }
+}
+
+QWidget* RecoveryList::makeRow(const UnsavedSession& session) {
+  auto* row = new QFrame;
+  row->setProperty("card", true);
+  const bool is_discarded = UnsavedSessions::isDiscarded(session);
+  auto* text = new QLabel(is_discarded ? tr("Discarded; it is kept for %1 days.").arg(kDaysUntilGone)
+                                       : describeUnsaved(session));
+  text->setObjectName(QStringLiteral("unsavedText"));
+  text->setWordWrap(true);
+  text->setTextFormat(Qt::PlainText);
+  text->setToolTip(session.source);
+  const auto button = [&](const char* name, const QString& words, const QString& tip) {
+    auto* made = new QPushButton(words);
+    made->setObjectName(QLatin1String(name));
+    made->setAccessibleName(words);
+    made->setAccessibleDescription(text->text());
+    made->setToolTip(tip);
+    return made;
+  };
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(12, 8, 8, 8);
+  layout->addWidget(text, 1);
+  const QString path = session.path;
+  if (is_discarded) {
+    auto* undo = button("undoDiscardButton", tr("Undo"), tr("Take the session back"));
+    connect(undo, &QPushButton::clicked, &sessions_, [this, path] { sessions_.takeBack(path); });
+    layout->addWidget(undo);
+    return row;
+  }
+  auto* recover = button("recoverButton", tr("Recover"),
+                         session.problem.isEmpty() ? tr("Open it and go on where it ended") : session.problem);
+  recover->setEnabled(session.problem.isEmpty());
+  connect(recover, &QPushButton::clicked, &sessions_, [this, path] { sessions_.recover(path); });
+  layout->addWidget(recover);
+  auto* discard =
+      button("discardButton", tr("Discard"), tr("Put it away; it can be taken back for %1 days").arg(kDaysUntilGone));
+  connect(discard, &QPushButton::clicked, &sessions_, [this, path] { sessions_.discard(path); });
+  layout->addWidget(discard);
+  return row;
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,316 @@
+#include "app/window/guide/actions.h"
+
+#include "widgets/words/core_words.h"
+
+#include <QMenu>
+
+namespace hexoderm {
+namespace {
+
+/// What an action is for is kept apart from its tool tip, which says why not while the action can't be used.
+constexpr const char* kPurpose = "purpose";
+
+void allow(QAction* action, const QString& why_not) {
+  const bool can = why_not.isEmpty();
+  QString tip = can ? purposeOf(*action) : why_not;
+  action->setStatusTip(tip);
+  if (can && !action->shortcut().isEmpty()) {
+    tip += QStringLiteral(" (%1)").arg(action->shortcut().toString(QKeySequence::NativeText));
+  }
+  action->setToolTip(tip);
+  action->setEnabled(can);
+}
+
+QAction* make(QWidget* owner, const char* name, const QString& text, const QString& purpose,
+              const QList<QKeySequence>& keys = {}) {
+  auto* action = new QAction(text, owner);
+  action->setObjectName(QLatin1String(name));
+  action->setProperty(kPurpose, purpose);
+  action->setShortcuts(keys);
+  owner->addAction(action);
+  allow(action, {});
+  return action;
+}
+
+}  // namespace
+
+QString purposeOf(const QAction& action) { return action.property(kPurpose).toString(); }
+
+WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
+    : demo(make(owner, "actionDemo", tr("Start the &demo skin"), tr("A simulated skin to try everything with"),
+                {QKeySequence(QStringLiteral("Ctrl+D"))})),
+      connect_skin(make(owner, "actionConnect", tr("&Connect to a skin…"),
+                        tr("Take poses of a skin that is connected, or of a recording"),
+                        {QKeySequence(QStringLiteral("Ctrl+K"))})),
+      disconnect_skin(make(owner, "actionDisconnect", tr("D&isconnect"),
+                           tr("End the connection to the skin; what was captured stays"))),
+      open(make(owner, "actionOpen", tr("&Open…"), tr("Open a session or a calibration"), {QKeySequence::Open})),
+      save(make(owner, "actionSave", tr("&Save session"), tr("Save the poses taken so far"), {QKeySequence::Save})),
+      save_as(make(owner, "actionSaveAs", tr("Save session &as…"), tr("Save the session under another name"),
+                   {QKeySequence(QStringLiteral("Ctrl+Shift+S"))})),
+      save_calibration(make(owner, "actionSaveCalibration", tr("Save &calibration…"),
+                            tr("Save the reconstruction, complete enough to export and draw from it alone"))),
+      export_to(make(owner, "actionExport", tr("&Export…"), tr("Write the calibration in a form that others read"),
+                     {QKeySequence(QStringLiteral("Ctrl+E"))})),
+      report(make(owner, "actionReport", tr("&Report…"),
+                  tr("Write a report with verdict, pictures and tables, as PDF or as a page for the browser"),
+                  {QKeySequence(QStringLiteral("Ctrl+Shift+E"))})),
+      quit(make(owner, "actionQuit", tr("&Quit"), tr("Close the window"), {QKeySequence(QStringLiteral("Ctrl+Q"))})),
+      undo(undo_stack->createUndoAction(owner, tr("&Undo"))),
+      redo(undo_stack->createRedoAction(owner, tr("&Redo"))),
+      toggle_pose(make(owner, "actionTogglePose", tr("&Disable pose"), tr("Leave the picked pose out, or take it back"),
+                       {QKeySequence(Qt::Key_Delete)})),
+      delete_pose(make(owner, "actionDeletePose", tr("De&lete pose"), tr("Take the picked pose out of the session"),
+                       {QKeySequence(QStringLiteral("Shift+Del"))})),
+      recapture(make(owner, "actionRecapture", tr("&Recapture pose"),
+                     tr("The next capture takes the place of the picked pose"), {QKeySequence(Qt::Key_R)})),
+      mute_link(make(owner, "actionMuteLink", tr("Set link &aside"),
+                     tr("Keep the picked link out of the solution, as a cable for example"),
+                     {QKeySequence(Qt::Key_M)})),
+      capture(make(owner, "actionCapture", tr("Capture &anyway"), tr("Take the next readings as a pose, moved or not"),
+                   {QKeySequence(Qt::Key_Space)})),
+      automatic(make(owner, "actionAutomatic", tr("Capture by itself when &still"),
+                     tr("Take a pose as soon as the part is held still after it was moved"),
+                     {QKeySequence(Qt::Key_A)})),
+      skip_pose(make(owner, "actionSkipPose", tr("S&kip this pose"),
+                     tr("The part can't be held like this: advise the next best pose"), {QKeySequence(Qt::Key_N)})),
+      turn(make(owner, "actionTurn", tr("&Turn to the next pose"),
+                tr("Ask the device to turn itself to where the next pose helps most"), {QKeySequence(Qt::Key_T)})),
+      robot(make(owner, "actionRobot", tr("Let the ro&bot take the poses"),
+                 tr("The device turns itself from pose to pose until there are enough"), {QKeySequence(Qt::Key_B)})),
+      live_mode(make(owner, "actionLiveMode", tr("&Live mode"),
+                     tr("Draw the skin from its readings of this moment alone"), {QKeySequence(Qt::Key_L)})),
+      light_cell(make(owner, "actionLightCell", tr("Li&ght the picked cell"),
+                      tr("Switch on the light of the picked cell on the skin itself"),
+                      {QKeySequence(QStringLiteral("Ctrl+L"))})),
+      show_next_pose(make(owner, "actionShowNextPose", tr("Show me the next pose"),
+                          tr("Open the step in which poses are captured"))),
+      show_finding(make(owner, "actionShowFinding", tr("Show what does not fit"),
+                        tr("Pick the cell or link that the most serious finding is about"))),
+      find_cell(
+          make(owner, "actionFindCell", tr("Find &cell…"), tr("Pick a cell by typing its ID"), {QKeySequence::Find})),
+      fit(make(owner, "actionFit", tr("&Fit"), tr("Show the whole skin"), {QKeySequence(Qt::Key_F)})),
+      front(make(owner, "actionFront", tr("F&ront view"), tr("Look at the patch from the front"))),
+      side(make(owner, "actionSide", tr("&Side view"), tr("Look at the patch from its side"))),
+      top(make(owner, "actionTop", tr("&Top view"), tr("Look at the patch from above"))),
+      screenshot(make(owner, "actionScreenshot", tr("&Picture of the window"), tr("Save a picture of this window"),
+                      {QKeySequence(Qt::Key_F12)})),
+      next_pane(make(owner, "actionNextPane", tr("&Next part of the window"),
+                     tr("Take the keyboard to the next part: steps, pictures, tables"), {QKeySequence(Qt::Key_F6)})),
+      previous_pane(make(owner, "actionPreviousPane", tr("Pre&vious part of the window"),
+                         tr("Take the keyboard to the part before"), {QKeySequence(QStringLiteral("Shift+F6"))})),
+      guide(make(owner, "actionGuide", tr("User &guide"), tr("How to calibrate a skin, page by page"),
+                 {QKeySequence(Qt::Key_F1)})),
+      keys(make(owner, "actionKeys", tr("&Keys"), tr("The list of keys"), {QKeySequence(Qt::Key_H)})),
+      about(make(owner, "actionAbout", tr("&About Hexoderm"), tr("Version and licence"))),
+      preferences(make(owner, "actionPreferences", tr("&Preferences…"),
+                       tr("Appearance, limits of the capture, options of the solver, folders"),
+                       {QKeySequence(QStringLiteral("Ctrl+,"))})),
+      swap_views(make(owner, "actionSwapViews", tr("S&wap graph and 3D view"),
+                      tr("The one in the middle goes to the side, and the other way round"),
+                      {QKeySequence(Qt::Key_G)})),
+      copy_report(
+          make(owner, "actionCopyReport", tr("&Copy for a bug report"),
+               tr("Versions, graphics, what is open and the last lines of the log, with your home folder as ~"))),
+      open_log_folder(make(owner, "actionOpenLogFolder", tr("&Open the log's folder"),
+                           tr("Show the folder in which the log is kept"))),
+      recent(new QMenu(tr("Open &recent"), owner)),
+      themes(new QActionGroup(owner)) {
+  undo->setObjectName(QStringLiteral("actionUndo"));
+  redo->setObjectName(QStringLiteral("actionRedo"));
+  undo->setProperty(kAlways, tr("&Undo"));
+  redo->setProperty(kAlways, tr("&Redo"));
+  undo->setShortcut(QKeySequence::Undo);
+  redo->setShortcuts({QKeySequence(QStringLiteral("Ctrl+Shift+Z")), QKeySequence(QStringLiteral("Ctrl+Y"))});
+  owner->addActions({undo, redo});
+  demo->setIconText(tr("Start the demo skin"));
+  // A key that is held must not take a row of poses.
+  for (QAction* action : {capture, automatic, skip_pose, turn, robot, live_mode, light_cell, toggle_pose, delete_pose,
+                          recapture, mute_link, screenshot, swap_views}) {
+    action->setAutoRepeat(false);
+  }
+  for (QAction* action : {automatic, robot, live_mode, light_cell}) action->setCheckable(true);
+  constexpr int kSteps = 7;
+  for (int number = 1; number <= kSteps; ++number) {
+    go_to_step.push_back(make(owner, qPrintable(QStringLiteral("actionStep%1").arg(number)), tr("Step &%1").arg(number),
+                              tr("Open this step"), {QKeySequence(QStringLiteral("Ctrl+%1").arg(number))}));
+  }
+
+  theme = {make(owner, "actionThemeSystem", tr("Like the &system"), tr("Light or dark, as the system asks for")),
+           make(owner, "actionThemeLight", tr("&Light"), tr("Dark text on a light ground")),
+           make(owner, "actionThemeDark", tr("&Dark"), tr("Light text on a dark ground"))};
+  for (QAction* action : theme) {
+    action->setCheckable(true);
+    themes->addAction(action);
+  }
+}
+
+void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& panels) const {
+  QMenu* file = bar->addMenu(tr("&File"));
+  file->addActions({demo, connect_skin, disconnect_skin, open});
+  file->addMenu(recent);
+  file->addSeparator();
+  file->addActions({save, save_as, save_calibration, export_to, report});
+  file->addSeparator();
+  file->addAction(quit);
+
+  QMenu* edit = bar->addMenu(tr("&Edit"));
+  edit->addActions({undo, redo});
+  edit->addSeparator();
+  edit->addActions({toggle_pose, delete_pose, recapture});
+  edit->addAction(mute_link);
+  edit->addSeparator();
+  edit->addAction(preferences);
+
+  QMenu* session = bar->addMenu(tr("&Session"));
+  session->addActions({show_next_pose, capture, automatic, skip_pose});
+  session->addSeparator();
+  session->addActions({turn, robot});
+  session->addSeparator();
+  session->addActions({live_mode, light_cell});
+  session->addSeparator();
+  QMenu* steps = session->addMenu(tr("&Go to step"));
+  for (QAction* step : go_to_step) steps->addAction(step);
+
+  QMenu* view = bar->addMenu(tr("&View"));
+  view->addActions({find_cell, show_finding, fit, front, side, top, swap_views});
+  view->addSeparator();
+  for (QAction* panel : panels) view->addAction(panel);
+  view->addSeparator();
+  view->addActions({next_pane, previous_pane});
+  view->addSeparator();
+  view->addMenu(tr("T&heme"))->addActions(themes->actions());
+  view->addAction(screenshot);
+
+  QMenu* help = bar->addMenu(tr("&Help"));
+  help->addActions({guide, keys});
+  help->addSeparator();
+  help->addActions({copy_report, open_log_folder});
+  help->addSeparator();
+  help->addAction(about);
+  for (QMenu* menu : {file, edit, session, steps, view, help}) menu->setToolTipsVisible(true);
+}
+
+void WindowActions::refreshCapture(const SessionController& controller, const QString& no_session) {
+  const bool live = controller.isLive();
+  QString no_skin = no_session;
+  if (no_skin.isEmpty() && !live) no_skin = tr("No skin is connected");
+  if (live && controller.live().status().state != SourceState::Streaming) {
+    no_skin = tr("The skin does not send: %1").arg(coreWords(controller.live().status().text));
+  }
+  allow(capture, no_skin);
+  QString no_advice = no_skin;
+  if (no_advice.isEmpty() && !controller.nextPose()) no_advice = tr("The next pose is being worked out");
+  allow(show_next_pose, no_advice);
+  QString not_wanted;
+  if (controller.nextPose() && !controller.isNextPoseWanted()) {
+    // After a capture the advice from before it is still there for a moment.
+    not_wanted = controller.enabledPoses() == 0 ? tr("Any way up will do for the first pose")
+                 : controller.wantsMorePoses()
+                     ? tr("The next pose is being worked out")
+                     : tr("There are enough poses; turn and capture more by hand if you like");
+  }
+  allow(skip_pose, no_advice.isEmpty() ? not_wanted : no_advice);
+  QString no_robot = no_skin;
+  if (no_robot.isEmpty() && !controller.canTurn()) {
+    no_robot = tr("This device can't turn itself; turn the part by hand");
+  }
+  robot->setChecked(controller.isRobotOn());
+  const QString who =
+      controller.isDemo() ? tr("Let the simulated robot take the poses") : tr("Let the robot take the poses");
+  robot->setIconText(controller.isRobotOn() ? tr("Stop the robot") : who);
+  QString no_more = no_robot;
+  if (no_more.isEmpty() && !controller.isRobotOn() && !controller.wantsMorePoses()) {
+    no_more = tr("There are enough poses; turn and capture more by hand if you like");
+  }
+  allow(robot, no_more);
+  if (no_robot.isEmpty() && !controller.nextPose()) no_robot = tr("The next pose is being worked out");
+  allow(turn, no_robot.isEmpty() ? not_wanted : no_robot);
+  automatic->setChecked(controller.isAutomatic());
+  allow(automatic, live ? QString() : tr("No skin is connected"));
+  allow(disconnect_skin, controller.live().isRunning() ? QString() : tr("No skin is connected"));
+  live_mode->setChecked(controller.isLiveMode());
+  live_mode->setIconText(controller.isLiveMode() ? tr("End live mode") : tr("Live mode"));
+  allow(live_mode, live ? QString() : tr("No skin is connected"));
+}
+
+QString WindowActions::whyNoSession(const SessionController& controller) {
+  if (controller.session()) return {};
+  return controller.isEmpty() ? tr("Nothing is open yet")
+                              : tr("A calibration is open: it holds the result, not the poses");
+}
+
+void WindowActions::refreshLink(const SessionController& controller, const std::optional<Selection::Link>& picked) {
+  QString no_link = whyNoSession(controller);
+  if (no_link.isEmpty() && !picked) no_link = tr("Pick a link in the graph or in the table of links first");
+  const bool muted = no_link.isEmpty() && controller.session()->findMutedLink(picked->first, picked->second) != nullptr;
+  mute_link->setText(muted ? tr("Take link b&ack") : tr("Set link &aside"));
+  mute_link->setProperty(kPurpose, muted ? tr("Let the picked link into the solution again")
+                                         : tr("Keep the picked link out of the solution, as a cable for example"));
+  allow(mute_link, no_link);
+}
+
+void WindowActions::refreshDevice(const SessionController& controller, std::optional<CellId> cell) {
+  QString no_light;
+  if (!controller.isLive()) {
+    no_light = tr("No skin is connected");
+  } else if (!controller.live().skin() || !controller.live().skin()->can_light_cells) {
+    no_light = tr("The cells of this device have no lights");
+  } else if (!cell && !controller.litCell()) {
+    no_light = tr("Pick a cell first");
+  }
+  const std::optional<CellId> lit = controller.litCell();
+  light_cell->setChecked(lit.has_value());
+  // A button shows no tick: its words say whether the light is on, and where.
+  light_cell->setIconText(lit ? tr("Switch the light of cell %1 off").arg(lit->value()) : tr("Light the picked cell"));
+  allow(light_cell, no_light);
+}
+
+void WindowActions::refresh(const SessionController& controller, std::optional<int> pose_row,
+                            std::optional<CellId> cell) {
+  const Session* session = controller.session();
+  const QString no_session = whyNoSession(controller);
+  QString no_result;
+  if (!controller.reconstruction()) {
+    no_result = controller.isEmpty() ? tr("Nothing is open yet") : tr("There is no reconstruction yet");
+  } else if (controller.isSolving()) {
+    no_result = tr("The reconstruction is being brought up to date");
+  } else if (!controller.isCurrent()) {
+    no_result = tr("The last change could not be reconstructed; undo it first");
+  }
+  allow(save, no_session);
+  allow(save_as, no_session);
+  allow(save_calibration, no_result);
+  allow(export_to, no_result);
+  allow(report, no_result);
+
+  QString no_pose = no_session;
+  const std::optional<std::size_t> index = pose_row ? controller.sessionIndexOfPoseRow(*pose_row) : std::nullopt;
+  if (no_pose.isEmpty() && !index) no_pose = tr("Pick a pose in the table of poses first");
+  const bool disabled = index && session->poses()[*index].disabled;
+  toggle_pose->setText(disabled ? tr("&Enable pose") : tr("&Disable pose"));
+  allow(toggle_pose, no_pose);
+  allow(delete_pose, no_pose);
+
+  refreshCapture(controller, no_session);
+  refreshDevice(controller, cell);
+  QString no_recapture = no_pose;
+  if (no_recapture.isEmpty() && !controller.isLive()) no_recapture = tr("No skin is connected");
+  const bool waits = index && controller.recapturing() == session->poses()[*index].capture->id;
+  recapture->setText(waits ? tr("Don't &recapture") : tr("&Recapture pose"));
+  allow(recapture, no_recapture);
+  const bool has_findings = controller.reconstruction() && !controller.reconstruction()->findings.empty();
+  allow(show_finding, has_findings ? QString() : tr("There are no findings"));
+
+  const QString nothing = controller.reconstruction() ? QString() : tr("There is nothing to look at yet");
+  for (QAction* action : {find_cell, fit, front, side, top}) allow(action, nothing);
+  for (QAction* action : {undo, redo}) {
+    const bool can = action->isEnabled();
+    const QString tip = can ? action->text().remove(QLatin1Char('&'))
+                            : (action == undo ? tr("Nothing to undo") : tr("Nothing to redo"));
+    action->setToolTip(tip);
+    action->setStatusTip(tip);
+  }
+}
+
+}  // namespace hexoderm

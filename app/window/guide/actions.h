@@ -1,0 +1,89 @@
+#pragma once
+
+#include "app/window/session/session_controller.h"
+#include "app/window/settings/theme.h"
+#include "widgets/controls/selection.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QCoreApplication>
+#include <QMenu>
+#include <QMenuBar>
+#include <vector>
+
+namespace hexoderm {
+
+/// What an action is for, also while its tool tip says why it can't be used.
+QString purposeOf(const QAction& action);
+
+/// Everything the window can do, each with its key. An action that can't be used says why in its tool tip.
+class WindowActions {
+  Q_DECLARE_TR_FUNCTIONS(hexoderm::WindowActions)
+
+ public:
+  /// Property of an action whose text changes: what it is called in a list of keys.
+  static constexpr const char* kAlways = "always";
+
+  /// Creates the actions as children of `owner`, with their keys active in its window.
+  WindowActions(QWidget* owner, QUndoStack* undo_stack);
+
+  QAction* demo;
+  QAction* connect_skin;
+  QAction* disconnect_skin;
+  QAction* open;
+  QAction* save;
+  QAction* save_as;
+  QAction* save_calibration;
+  QAction* export_to;
+  QAction* report;
+  QAction* quit;
+  QAction* undo;
+  QAction* redo;
+  QAction* toggle_pose;
+  QAction* delete_pose;
+  QAction* recapture;
+  QAction* mute_link;  ///< "Set link aside", or "Take link back"
+  QAction* capture;
+  QAction* automatic;
+  QAction* skip_pose;
+  QAction* turn;
+  QAction* robot;  ///< can be checked: the device turns itself from pose to pose
+  QAction* live_mode;
+  QAction* light_cell;
+  QAction* show_next_pose;  ///< where to look, for who holds the part
+  QAction* show_finding;    ///< the one that matters most
+  QAction* find_cell;
+  QAction* fit;
+  QAction* front;
+  QAction* side;
+  QAction* top;
+  QAction* screenshot;
+  QAction* next_pane;  ///< F6, as Tab within one
+  QAction* previous_pane;
+  QAction* guide;
+  QAction* keys;
+  QAction* about;
+  QAction* preferences;
+  QAction* swap_views;  ///< graph and 3D view
+  QAction* copy_report;
+  QAction* open_log_folder;
+  std::vector<QAction*> go_to_step;  ///< the first is step 1
+  QMenu* recent;
+  QActionGroup* themes;
+  std::vector<QAction*> theme;  ///< in the order of ThemeChoice
+
+  /// `panels`: the docks' own actions.
+  void fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& panels) const;
+
+  /// Which can be used now, and why the others can't. `pose_row`: the row picked in the table of poses.
+  void refresh(const SessionController& controller, std::optional<int> pose_row, std::optional<CellId> cell);
+  /// The same of what can be done with a link. `picked`: of the selection.
+  void refreshLink(const SessionController& controller, const std::optional<Selection::Link>& picked);
+
+ private:
+  [[nodiscard]] static QString whyNoSession(const SessionController& controller);
+  void refreshCapture(const SessionController& controller, const QString& no_session);
+  void refreshDevice(const SessionController& controller, std::optional<CellId> cell);
+};
+
+}  // namespace hexoderm

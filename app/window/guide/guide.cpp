@@ -1,0 +1,315 @@
+#include "app/window/guide/guide.h"
+
+#include "app/window/guide/actions.h"
+#include "app/window/session/session_controller.h"
+#include "hexoderm/reconstruction/advice/verdict.h"
+#include "widgets/words/core_words.h"
+#include "widgets/words/formatting.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+namespace hexoderm {
+namespace {
+
+struct Guide {
+  Q_DECLARE_TR_FUNCTIONS(hexoderm::Guide)
+};
+
+bool isExportable(const Reconstruction& reconstruction) {
+  return reconstruction.verdict.level == VerdictLevel::Good || reconstruction.verdict.level == VerdictLevel::Usable;
+}
+
+QAction* bestAction(const SessionController& controller, const WindowActions& actions) {
+  if (controller.isEmpty()) return actions.demo;
+  const Reconstruction* result = controller.reconstruction().get();
+  if (controller.isRobotOn()) return actions.robot;
+  if (controller.wantsMorePoses()) return controller.canTurn() ? actions.robot : actions.show_next_pose;
+  if (!result || (controller.session() && !isExportable(*result))) return actions.connect_skin;
+  const Finding* finding = worstFinding(*result);
+  return finding && finding->severity == Severity::Error ? actions.show_finding : actions.export_to;
+}
+
+QString findingsInWords(const Reconstruction& reconstruction) {
+  const std::size_t count = reconstruction.findings.size();
+  if (count == 0) return Guide::tr("no findings");
+  return count == 1 ? Guide::tr("1 finding") : Guide::tr("%1 findings").arg(count);
+}
+
+/// Nothing more will come, and no use to wait.
+bool isOver(const LiveSource& live) {
+  return live.status().state == SourceState::Ended || live.status().state == SourceState::Incompatible;
+}
+/// A session in which nothing was captured: what is shown was not measured.
+bool hasNoPose(const SessionController& controller) { return controller.session() && controller.enabledPoses() == 0; }
+bool hasReadings(const SessionController& controller) { return !controller.live().preview().means.empty(); }
+/// A skin is connected and has not sent any readings yet.
+bool isAwaited(const SessionController& controller) {
+  return controller.isLive() && controller.live().status().state == SourceState::Streaming && !hasReadings(controller);
+}
+QString noPose() { return Guide::tr("No pose has been captured yet."); }
+
+void say(Step& step, Readiness readiness, const QString& because) {
+  step.readiness = readiness;
+  step.because = because;
+}
+
+/// What comes by itself is waited for; the rest blocks.
+void sayNoResult(Step& step, const SessionController& controller) {
+  if (controller.isEmpty()) {
+    say(step, Readiness::Blocked, Guide::tr("There is no skin yet."));
+  } else {
+    say(step, Readiness::Waiting, Guide::tr("The placements are being worked out."));
+  }
+}
+
+/// Of an action that the step is about: its own reason, or why it can't be used.
+void sayOf(Step& step, const QAction& action, const QString& because) {
+  if (action.isEnabled()) {
+    say(step, Readiness::Ready, because);
+  } else {
+    say(step, Readiness::Blocked, action.toolTip() + QLatin1Char('.'));
+  }
+}
+
+Step connectStep(const SessionController& controller, const WindowActions& actions) {
+  Step step;
+  step.title = Guide::tr("Connect");
+  step.actions = {actions.demo, actions.connect_skin, actions.open};
+  if (controller.live().isRunning()) step.actions = {actions.disconnect_skin};
+  if (controller.live().isRunning() && !controller.isLive()) {
+    step.state = StepState::Current;
+    step.note = controller.live().address();
+    step.what = Guide::tr("Check that the device is switched on, and that its address is right.");
+    step.why = Guide::tr("The steps go on when the skin has said which cells it has.");
+    if (isOver(controller.live())) {
+      step.what = Guide::tr("Disconnect, and connect to another skin or recording.");
+      step.why = Guide::tr("Nothing more will come from this one.");
+    }
+    say(step, isOver(controller.live()) ? Readiness::Blocked : Readiness::Waiting,
+        coreWords(controller.live().status().text));
+    return step;
+  }
+  if (controller.isEmpty()) {
+    step.state = StepState::Current;
+    step.what = Guide::tr("Start the demo skin, connect to a skin, or open a session or a calibration.");
+    step.why = Guide::tr(
+        "A file can also be dropped onto this window. The demo is a simulation of 17 cells on a "
+        "cylinder; everything can be tried with it.");
+    say(step, Readiness::Waiting, Guide::tr("Nothing is connected and nothing is open yet."));
+    return step;
+  }
+  step.state = StepState::Done;
+  step.note = controller.name();
+  if (controller.isDemo()) {
+    step.why = Guide::tr("A simulated skin in a simulated hand. Its readings err as those of a real skin do.");
+  } else {
+    step.why = controller.session() ? coreWords(controller.session()->source().text)
+                                    : coreWords(controller.reconstruction()->source.text);
+  }
+  if (controller.isLive()) {
+    if (controller.live().status().state != SourceState::Streaming) {
+      say(step, Readiness::Blocked, coreWords(controller.live().status().text));
+    } else if (hasReadings(controller)) {
+      say(step, Readiness::Ready, Guide::tr("The skin has said which cells it has, and sends."));
+    } else {
+      say(step, Readiness::Ready, Guide::tr("The skin has said which cells it has."));
+    }
+  } else {
+    say(step, Readiness::Ready,
+        controller.session() ? Guide::tr("A session is open.") : Guide::tr("A calibration is open."));
+  }
+  return step;
+}
+
+Step checkStep(const SessionController& controller, const WindowActions& actions, const SkinCheck& check) {
+  Step step;
+  step.title = Guide::tr("Check the skin");
+  const Reconstruction* result = controller.reconstruction().get();
+  if (!result) {
+    step.why = Guide::tr("Waits for a skin.");
+    say(step, Readiness::Blocked, Guide::tr("There is no skin yet."));
+    return step;
+  }
+  step.note = coreWords(sizeInWords(*result));
+  if (controller.isLive()) {
+    step.state = check.ready ? StepState::Done : StepState::Current;
+    const Readiness not_yet = isAwaited(controller) ? Readiness::Waiting : Readiness::Blocked;
+    say(step, check.ready ? Readiness::Ready : not_yet, coreWords(check.because) + QLatin1Char('.'));
+  } else {
+    step.state = StepState::Done;
+    say(step, Readiness::Ready, Guide::tr("The cells and links are those of the file."));
+  }
+  step.what = Guide::tr("Compare the skin graph with the skin in front of you.");
+  step.why = Guide::tr(
+      "Every cell and every link should be there. What was reported but can't be a skin link is listed "
+      "under Findings and kept out.");
+  if (controller.isLive()) step.actions = {actions.light_cell};
+  return step;
+}
+
+Step captureStep(const SessionController& controller, const WindowActions& actions) {
+  Step step;
+  step.title = Guide::tr("Capture poses");
+  const Reconstruction* result = controller.reconstruction().get();
+  if (!controller.session()) {
+    if (result) {
+      step.state = StepState::Done;
+      step.note = posesInWords(result->poses.size());
+      step.why = Guide::tr("A calibration is open. It holds the result; the poses are in its session.");
+    } else {
+      step.why = Guide::tr("Waits for a skin.");
+    }
+    sayOf(step, *actions.capture, {});
+    return step;
+  }
+  const std::size_t enabled = controller.enabledPoses();
+  const bool more = controller.wantsMorePoses();
+  step.note =
+      more && enabled < kGoodPoseCount ? Guide::tr("%1 of %2").arg(enabled).arg(kGoodPoseCount) : posesInWords(enabled);
+  if (controller.canTurn())
+    step.actions = {actions.robot, actions.live_mode};
+  else if (controller.isLive())
+    step.actions = {actions.live_mode};
+  step.state = more || (result && !isExportable(*result)) ? StepState::Current : StepState::Done;
+  if (isAwaited(controller)) step.state = StepState::Waiting;
+  // A connected skin has a panel of its own, which says what to do and why.
+  if (actions.capture->isEnabled() && isAwaited(controller)) {
+    say(step, Readiness::Waiting, Guide::tr("The first readings are on their way."));
+  } else {
+    sayOf(step, *actions.capture, Guide::tr("The skin sends."));
+  }
+  if (controller.isLive()) return step;
+  if (result && step.state == StepState::Current) step.what = coreWords(result->verdict.next_action);
+  step.why = Guide::tr(
+      "Gravity seen from several directions tells how every cell is turned against its neighbours. No skin is "
+      "connected to take more.");
+  return step;
+}
+
+Step reviewStep(const SessionController& controller, const WindowActions& actions, bool captured) {
+  Step step;
+  step.title = Guide::tr("Review");
+  const Reconstruction* result = controller.reconstruction().get();
+  if (!result) {
+    step.why = Guide::tr("Waits for a reconstruction.");
+    sayNoResult(step, controller);
+    return step;
+  }
+  step.note = findingsInWords(*result);
+  if (hasNoPose(controller)) {
+    say(step, Readiness::Blocked, noPose());
+  } else {
+    say(step, Readiness::Ready,
+        Guide::tr("There is a result of %1.")
+            .arg(posesInWords(controller.session() ? controller.enabledPoses() : result->poses.size())));
+  }
+  const Finding* finding = worstFinding(*result);
+  if (captured) step.state = finding ? StepState::Current : StepState::Done;
+  step.what = coreWords(finding ? finding->text : result->verdict.reason);
+  if (controller.session()) {
+    step.why = Guide::tr(
+        "A pose that does not fit can be disabled or deleted in the table of poses, and taken back with "
+        "undo. A click on a finding shows the cell or link it is about.");
+    step.actions = {actions.show_finding, actions.toggle_pose, actions.delete_pose, actions.recapture};
+  } else {
+    step.why = Guide::tr("A click on a finding shows the cell or link it is about.");
+  }
+  return step;
+}
+
+Step verifyStep(const SessionController& controller) {
+  Step step;
+  step.title = Guide::tr("Verify");
+  const Reconstruction* result = controller.reconstruction().get();
+  if (!result) {
+    step.why = Guide::tr("Waits for a reconstruction.");
+    sayNoResult(step, controller);
+    return step;
+  }
+  step.note = Guide::tr("optional");
+  // Never called done: nobody has to run a check, and what a check has found stands beside it.
+  if (hasNoPose(controller)) {
+    say(step, Readiness::Blocked, noPose());
+  } else {
+    say(step, Readiness::Ready, Guide::tr("There is a result to check."));
+  }
+  step.what = Guide::tr("See whether the result holds.");
+  step.why = Guide::tr("Each check uses something that did not go into the result.");
+  return step;
+}
+
+Step exportStep(const SessionController& controller, const WindowActions& actions) {
+  Step step;
+  step.title = Guide::tr("Export");
+  const Reconstruction* result = controller.reconstruction().get();
+  if (!result) {
+    step.why = Guide::tr("Waits for a reconstruction.");
+    sayNoResult(step, controller);
+    return step;
+  }
+  step.actions = {actions.export_to, actions.report, actions.save_calibration};
+  sayOf(step, *actions.export_to,
+        hasNoPose(controller) ? Guide::tr("Without a pose, a file only holds what follows from the ports.")
+                              : Guide::tr("There is a result of everything that was captured."));
+  if (step.readiness == Readiness::Ready && (hasNoPose(controller) || !isExportable(*result))) {
+    step.readiness = Readiness::Possible;
+  }
+  if (controller.session()) step.actions.push_back(actions.save);
+  step.what = Guide::tr("Write the placements in the form you need.");
+  step.why =
+      isExportable(*result)
+          ? Guide::tr("Every file is read back and compared before it is called written.")
+          : Guide::tr("It can be exported as it is, but the result is not good enough yet: see the line on top.");
+  return step;
+}
+
+QString robotInWords(const SessionController& controller) {
+  return controller.isDemo() ? Guide::tr("The simulated robot") : Guide::tr("The robot");
+}
+
+}  // namespace
+
+Banner::Content describeStand(const SessionController& controller, const WindowActions& actions) {
+  Banner::Content content;
+  content.action = bestAction(controller, actions);
+  if (controller.live().isRunning() && !controller.isLive()) {
+    content.action = actions.disconnect_skin;
+    const QString sentence =
+        isOver(controller.live()) ? Guide::tr("No skin came from %1.") : Guide::tr("Waiting for the skin at %1.");
+    content.sentence = sentence.arg(controller.live().address());
+  } else if (controller.isRobotOn()) {
+    const auto next = controller.enabledPoses() + 1;
+    content.sentence =
+        next <= kGoodPoseCount
+            ? Guide::tr("%1 is taking pose %2 of %3.").arg(robotInWords(controller)).arg(next).arg(kGoodPoseCount)
+            : Guide::tr("%1 is taking pose %2.").arg(robotInWords(controller)).arg(next);
+  } else if (const Reconstruction* result = controller.reconstruction().get()) {
+    content.tone = toneOf(result->verdict.level);
+    content.sentence = coreWords(result->verdict.reason);
+  } else if (!controller.isEmpty()) {
+    content.sentence = Guide::tr("The placements are being worked out…");
+  } else if (!controller.activity().isEmpty()) {
+    content.sentence = Guide::tr("%1…").arg(controller.activity());
+  } else {
+    content.sentence = Guide::tr("No skin yet: start the demo, connect to a skin, or open a session or a calibration.");
+  }
+  return content;
+}
+
+std::vector<Step> describeSteps(const SessionController& controller, const WindowActions& actions,
+                                const SkinCheck& check) {
+  std::vector<Step> steps = {connectStep(controller, actions), checkStep(controller, actions, check),
+                             captureStep(controller, actions)};
+  const bool captured = steps.back().state == StepState::Done;
+  steps.push_back(reviewStep(controller, actions, captured));
+  const bool reviewed = steps.back().state == StepState::Done;
+  steps.push_back(verifyStep(controller));
+  steps.push_back(exportStep(controller, actions));
+  // With everything before it done that has to be, exporting is what is left to do.
+  const Reconstruction* result = controller.reconstruction().get();
+  if (reviewed && result && isExportable(*result)) steps.back().state = StepState::Current;
+  return steps;
+}
+
+}  // namespace hexoderm

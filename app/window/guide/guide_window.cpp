@@ -1,0 +1,278 @@
+#include "app/window/guide/guide_window.h"
+
+#include "app/window/guide/keys_dialog.h"
+#include "app/window/session/session_controller.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QEvent>
+#include <QFile>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QScrollBar>
+#include <QSplitter>
+#include <QTextBlock>
+#include <QTextBrowser>
+#include <QTextCursor>
+#include <QTextTable>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+// Outside of any namespace, as Qt asks for resources of static libraries.
+static void initGuideResources() { Q_INIT_RESOURCE(guide); }
+
+namespace hexoderm {
+namespace {
+
+/// The guide's language is that of the window's texts: the translators say which one it is.
+QString folder() {
+  initGuideResources();
+  //: The folder of the user guide in this language: a two-letter code.
+  const QString language = QCoreApplication::translate("hexoderm::GuideWindow", "en", "language of the user guide");
+  const QString path = QStringLiteral(":/hexoderm/guide/%1").arg(language);
+  return QFile::exists(path + QStringLiteral("/demo.md")) ? path : QStringLiteral(":/hexoderm/guide/en");
+}
+
+QUrl urlOf(const QString& page) { return QUrl(QStringLiteral("qrc%1/%2.md").arg(folder(), page)); }
+
+QToolButton* makeButton(const QString& text, const QString& tip, const char* name) {
+  auto* button = new QToolButton;
+  button->setText(text);
+  button->setToolTip(tip);
+  button->setAccessibleName(tip);
+  button->setObjectName(QLatin1String(name));
+  return button;
+}
+
+}  // namespace
+
+QStringList GuideWindow::pages() {
+  return {QStringLiteral("demo"),   QStringLiteral("connect"), QStringLiteral("check"),  QStringLiteral("capture"),
+          QStringLiteral("graph"),  QStringLiteral("review"),  QStringLiteral("verify"), QStringLiteral("export"),
+          QStringLiteral("faults"), QStringLiteral("keys")};
+}
+
+QString GuideWindow::titleOf(const QString& page) {
+  QFile file(QStringLiteral("%1/%2.md").arg(folder(), page));
+  if (!file.open(QIODevice::ReadOnly)) return {};
+  const QString first = QString::fromUtf8(file.readLine()).trimmed();
+  return first.startsWith(QStringLiteral("# ")) ? first.mid(2) : QString();
+}
+
+/// Fills in what only the window knows.
+class GuideBrowser : public QTextBrowser {
+ public:
+  QString keys;  ///< rows of a table
+
+  QVariant loadResource(int type, const QUrl& name) override {
+    const QVariant resource = QTextBrowser::loadResource(type, name);
+    if (name.path().endsWith(QStringLiteral(".md")) && filling_.isNull()) {
+      filling_ = QTextCursor(document());
+      filling_.beginEditBlock();
+    }
+    if (!name.path().endsWith(QStringLiteral("/keys.md"))) return resource;
+    QString page = QString::fromUtf8(resource.toByteArray());
+    return page.replace(QStringLiteral("@keys@\n"), keys).toUtf8();
+  }
+
+  /// A page is laid out when it is complete; Qt would do so anew for every word of a table.
+  void layOut() {
+    if (filling_.isNull()) return;
+    filling_.endEditBlock();
+    filling_ = QTextCursor();
+  }
+
+ private:
+  QTextCursor filling_;  ///< while a page is read
+};
+
+GuideWindow::GuideWindow(QWidget* parent, const QString& first_page)
+    : QWidget(parent, Qt::Window),
+      contents_(new QListWidget),
+      browser_(new GuideBrowser),
+      search_(new QLineEdit),
+      not_found_(new QLabel) {
+  setObjectName(QStringLiteral("guideWindow"));
+  setWindowTitle(tr("User guide · Hexoderm"));
+  contents_->setObjectName(QStringLiteral("guideContents"));
+  contents_->setAccessibleName(tr("Pages of the guide"));
+  contents_->setFrameShape(QFrame::NoFrame);
+  for (const QString& page : pages()) {
+    auto* item = new QListWidgetItem(titleOf(page), contents_);
+    item->setData(Qt::UserRole, page);
+    item->setToolTip(item->text());
+  }
+  contents_->setMinimumWidth(contents_->sizeHintForColumn(0) + 2 * contents_->fontMetrics().height());
+  browser_->setObjectName(QStringLiteral("guidePage"));
+  browser_->setAccessibleName(tr("Page of the guide"));
+  browser_->setOpenExternalLinks(true);
+  browser_->setFrameShape(QFrame::NoFrame);
+  browser_->document()->setDocumentMargin(1.6 * browser_->fontMetrics().height());
+  search_->setObjectName(QStringLiteral("guideSearch"));
+  search_->setPlaceholderText(tr("Search in this page"));
+  search_->setAccessibleName(search_->placeholderText());
+  search_->setClearButtonEnabled(true);
+  not_found_->setObjectName(QStringLiteral("guideNotFound"));
+  not_found_->setText(tr("not found"));
+  not_found_->hide();
+
+  auto* back = makeButton(QStringLiteral("‹"), tr("Back to the page before"), "guideBack");
+  auto* forward = makeButton(QStringLiteral("›"), tr("Forward again"), "guideForward");
+  auto* earlier = makeButton(QStringLiteral("▲"), tr("Find the one before"), "guideFindBefore");
+  auto* later = makeButton(QStringLiteral("▼"), tr("Find the next one"), "guideFindNext");
+  back->setEnabled(false);
+  forward->setEnabled(false);
+  connect(back, &QToolButton::clicked, browser_, &QTextBrowser::backward);
+  connect(forward, &QToolButton::clicked, browser_, &QTextBrowser::forward);
+  connect(browser_, &QTextBrowser::backwardAvailable, back, &QWidget::setEnabled);
+  connect(browser_, &QTextBrowser::forwardAvailable, forward, &QWidget::setEnabled);
+  connect(browser_, &QTextBrowser::sourceChanged, this, &GuideWindow::followPage);
+  connect(contents_, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
+    if (item != nullptr) showPage(item->data(Qt::UserRole).toString());
+  });
+  connect(search_, &QLineEdit::returnPressed, this, [this] { find(false); });
+  connect(search_, &QLineEdit::textChanged, not_found_, &QWidget::hide);
+  connect(earlier, &QToolButton::clicked, this, [this] { find(true); });
+  connect(later, &QToolButton::clicked, this, [this] { find(false); });
+
+  const auto addKey = [this](const QKeySequence& key, auto&& does) {
+    auto* action = new QAction(this);
+    action->setShortcut(key);
+    connect(action, &QAction::triggered, this, does);
+    addAction(action);
+  };
+  addKey(QKeySequence::Find, [this] {
+    search_->setFocus();
+    search_->selectAll();
+  });
+  addKey(QKeySequence::FindNext, [this] { find(false); });
+  addKey(QKeySequence::FindPrevious, [this] { find(true); });
+  addKey(QKeySequence::Back, [this] { browser_->backward(); });
+  addKey(QKeySequence::Forward, [this] { browser_->forward(); });
+  addKey(QKeySequence(Qt::Key_Escape), [this] { close(); });
+
+  auto* bar = new QHBoxLayout;
+  bar->setContentsMargins(8, 8, 8, 8);
+  for (QWidget* part : {static_cast<QWidget*>(back), static_cast<QWidget*>(forward)}) bar->addWidget(part);
+  bar->addStretch(1);
+  bar->addWidget(not_found_);
+  bar->addWidget(search_);
+  for (QWidget* part : {static_cast<QWidget*>(earlier), static_cast<QWidget*>(later)}) bar->addWidget(part);
+  search_->setMinimumWidth(14 * search_->fontMetrics().averageCharWidth() + 120);
+  auto* splitter = new QSplitter;
+  splitter->addWidget(contents_);
+  splitter->addWidget(browser_);
+  splitter->setStretchFactor(1, 1);
+  splitter->setChildrenCollapsible(false);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addLayout(bar);
+  layout->addWidget(splitter, 1);
+  resize(980, 720);
+  browser_->setFocus();
+  showPage(pages().contains(first_page) ? first_page : pages().front());
+  dress_anew_.setSingleShot(true);
+  connect(&dress_anew_, &QTimer::timeout, this, [this] {
+    const int at = browser_->verticalScrollBar()->value();
+    browser_->reload();
+    browser_->verticalScrollBar()->setValue(at);
+  });
+}
+
+void GuideWindow::setKeys(const QMenuBar& menus) {
+  browser_->keys.clear();
+  for (const KeyGroup& group : keysOf(menus)) {
+    for (const KeyLine& line : group.lines) browser_->keys += QStringLiteral("| %1 | %2 |\n").arg(line.keys, line.what);
+  }
+}
+
+void GuideWindow::showPage(const QString& page) {
+  if (!pages().contains(page) || currentPage() == page) return;
+  browser_->setSource(urlOf(page));
+}
+
+void GuideWindow::followPage(const QUrl& url) {
+  page_ = url.fileName().section(QLatin1Char('.'), 0, 0);
+  link_color_ = palette().color(QPalette::Link);
+  dressPage();
+  const int row = pages().indexOf(page_);
+  if (row >= 0) contents_->setCurrentRow(row);
+}
+
+void GuideWindow::dressPage() {
+  // Markdown says what a paragraph is and not how it looks: room between the lines and around headings.
+  const int line = browser_->fontMetrics().height();
+  for (QTextBlock block = browser_->document()->begin(); block.isValid(); block = block.next()) {
+    QTextCursor cursor(block);
+    QTextBlockFormat format;
+    format.setLineHeight(125, QTextBlockFormat::ProportionalHeight);
+    if (block.blockFormat().headingLevel() > 0) {
+      format.setTopMargin(block.blockFormat().headingLevel() == 1 ? 0 : 1.2 * line);
+      format.setBottomMargin(0.5 * line);
+    } else if (cursor.currentTable() == nullptr) {
+      format.setBottomMargin(block.textList() != nullptr ? 0.25 * line : 0.7 * line);
+    }
+    cursor.mergeBlockFormat(format);
+  }
+  // Only when the page is complete does the document know its tables.
+  browser_->layOut();
+  QTextCursor dressing(browser_->document());
+  dressing.beginEditBlock();
+  for (QTextFrame* frame : browser_->document()->rootFrame()->childFrames()) {
+    auto* table = qobject_cast<QTextTable*>(frame);
+    if (table == nullptr) continue;
+    QTextTableFormat format = table->format();
+    format.setBorder(0);
+    format.setCellPadding(0.3 * line);
+    format.setCellSpacing(0);
+    format.setTopMargin(0.4 * line);
+    format.setBottomMargin(0.7 * line);
+    table->setFormat(format);
+  }
+  dressing.endEditBlock();
+  browser_->verticalScrollBar()->setValue(0);
+}
+
+void GuideWindow::find(bool backwards) {
+  if (search_->text().isEmpty()) return;
+  const QTextDocument::FindFlags flags = backwards ? QTextDocument::FindBackward : QTextDocument::FindFlags();
+  bool found = browser_->find(search_->text(), flags);
+  if (!found) {
+    // Once around.
+    browser_->moveCursor(backwards ? QTextCursor::End : QTextCursor::Start);
+    found = browser_->find(search_->text(), flags);
+  }
+  not_found_->setVisible(!found);
+}
+
+void GuideWindow::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  // Colours of links are the palette's at the time of reading; one change of theme changes it several times.
+  if (event->type() == QEvent::PaletteChange) dressAnew();
+}
+
+void GuideWindow::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  dressAnew();
+}
+
+void GuideWindow::dressAnew() {
+  if (isVisible() && palette().color(QPalette::Link) != link_color_) dress_anew_.start();
+}
+
+QString guidePageFor(const SessionController& controller) {
+  if (controller.live().isRunning() && !controller.isLive()) return QStringLiteral("connect");
+  if (controller.isEmpty()) return QStringLiteral("demo");
+  const Reconstruction* result = controller.reconstruction().get();
+  if (!result) return QStringLiteral("check");
+  if (controller.wantsMorePoses()) return QStringLiteral("capture");
+  const bool has_faults = std::any_of(result->findings.begin(), result->findings.end(),
+                                      [](const Finding& finding) { return finding.severity != Severity::Info; });
+  return has_faults ? QStringLiteral("faults") : QStringLiteral("export");
+}
+
+}  // namespace hexoderm

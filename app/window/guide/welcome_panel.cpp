@@ -1,0 +1,81 @@
+#include "app/window/guide/welcome_panel.h"
+
+#include "app/window/files/recent_files.h"
+#include "app/window/files/recovery.h"
+#include "app/window/guide/actions.h"
+#include "widgets/controls/action_button.h"
+
+#include <QAction>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace hexoderm {
+namespace {
+
+constexpr int kWidestInCharacters = 74;
+constexpr std::size_t kRecentShown = 5;
+constexpr int kTitleCharacters = 34;
+
+QLabel* makeLabel(const QString& text, const char* look) {
+  auto* label = new QLabel(text);
+  label->setWordWrap(true);
+  label->setProperty(look, true);
+  return label;
+}
+
+}  // namespace
+
+WelcomePanel::WelcomePanel(const std::vector<QAction*>& choices, RecentFiles& recent, UnsavedSessions& unsaved,
+                           QWidget* parent)
+    : QScrollArea(parent) {
+  setObjectName(QStringLiteral("welcomePanel"));
+  setAccessibleName(tr("Welcome"));
+  setWidgetResizable(true);
+  setFrameShape(QFrame::NoFrame);
+  setFocusPolicy(Qt::NoFocus);
+  auto* column = new QWidget;
+  column->setMaximumWidth(kWidestInCharacters * fontMetrics().averageCharWidth());
+  auto* list = new QVBoxLayout(column);
+  list->setContentsMargins(0, 0, 0, 0);
+  list->setSpacing(6);
+  list->addWidget(makeLabel(tr("Where is every cell of your skin?"), "headline"));
+  list->addWidget(makeLabel(tr("Hold the part still in a few poses; Hexoderm finds out from gravity."), "muted"));
+  list->addSpacing(14);
+  list->addWidget(new RecoveryList(unsaved));
+  auto* rows = new QGridLayout;
+  rows->setHorizontalSpacing(14);
+  rows->setVerticalSpacing(6);
+  rows->setColumnStretch(0, 2);
+  rows->setColumnStretch(1, 3);
+  list->addLayout(rows);
+  for (QAction* action : choices) {
+    auto* button = new ActionButton(column);
+    button->setAction(action);
+    button->setFocusPolicy(Qt::StrongFocus);
+    if (action == choices.front()) button->setProperty("primary", true);
+    auto* purpose = makeLabel(purposeOf(*action), "muted");
+    const int row = rows->rowCount();
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    rows->addWidget(button, row, 0);
+    rows->addWidget(purpose, row, 1);
+  }
+  list->addSpacing(18);
+  list->addWidget(makeLabel(tr("Recent").toUpper(), "caption"));
+  auto* recent_list = new RecentList(recent, kRecentShown, kTitleCharacters);
+  connect(recent_list, &RecentList::openWanted, this, &WelcomePanel::openWanted);
+  list->addWidget(recent_list);
+  list->addStretch(1);
+
+  auto* content = new QWidget;
+  content->setObjectName(QStringLiteral("welcomeContent"));
+  auto* sides = new QHBoxLayout(content);
+  sides->setContentsMargins(28, 36, 28, 24);
+  sides->addStretch(1);
+  sides->addWidget(column, 100);
+  sides->addStretch(1);
+  setWidget(content);
+}
+
+}  // namespace hexoderm

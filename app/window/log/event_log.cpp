@@ -1,0 +1,268 @@
+#include "app/window/log/event_log.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QFile>
+#include <QMetaObject>
+#include <QStandardPaths>
+#include <algorithm>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+const QString kFileName = QStringLiteral("hexoderm.log");
+const QString kOldFileName = QStringLiteral("hexoderm.1.log");
+
+// A complaint that is repeated a thousand times a second must not push everything else out of the log.
+constexpr std::size_t kMaxWaiting = 2 * EventLog::kCapacity;
+
+const char* englishWord(Severity severity) {
+  switch (severity) {
+    case Severity::Info:
+      return "INFO   ";
+    case Severity::Warning:
+      return "WARNING";
+    case Severity::Error:
+      return "ERROR  ";
+  }
+  return "";
+}
+
+}  // namespace
+
+/// Appends lines to the file on a thread of its own, which lives as long as the disk keeps it waiting, and so may
+/// outlive the log.
+class EventLog::Writer : public std::enable_shared_from_this<Writer> {
+ public:
+  Writer(EventLog& log, QString folder) : log_(&log), folder_(std::move(folder)) {}
+
+  void start() {
+    std::thread([self = shared_from_this()] { self->run(); }).detach();
+  }
+  void add(const QString& line) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (dropped_ == 0 && lines_.size() < kMaxWaiting) {
+        lines_.push_back(line);
+      } else {
+        ++dropped_;
+      }
+    }
+    changed_.notify_all();
+  }
+  bool waitUntilWritten(int timeout_ms) {
+    std::unique_lock lock(mutex_);
+    return changed_.wait_for(lock, std::chrono::milliseconds(timeout_ms), [this] { return lines_.empty() && !busy_; });
+  }
+  void end() {
+    {
+      const std::lock_guard lock(mutex_);
+      ending_ = true;
+      log_ = nullptr;
+    }
+    changed_.notify_all();
+    constexpr int kPatience_ms = 1000;
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, std::chrono::milliseconds(kPatience_ms), [this] { return ended_; });
+  }
+
+ private:
+  void run() {
+    std::size_t refused = 0;  // by the disk, before what waits
+    std::unique_lock lock(mutex_);
+    for (;;) {
+      changed_.wait(lock, [this] { return ending_ || !lines_.empty(); });
+      if (lines_.empty()) break;
+      std::deque<QString> batch;
+      batch.swap(lines_);
+      const std::size_t dropped = std::exchange(dropped_, 0);
+      const std::size_t count = batch.size() + dropped;
+      if (refused > 0) batch.push_front(linesAreMissing(refused));
+      if (dropped > 0) batch.push_back(linesAreMissing(dropped));
+      busy_ = true;
+      lock.unlock();
+      const QString problem = write(batch);
+      lock.lock();
+      busy_ = false;
+      refused = problem.isEmpty() ? 0 : refused + count;
+      if (!problem.isEmpty()) say(problem);
+      changed_.notify_all();
+    }
+    ended_ = true;
+    changed_.notify_all();
+  }
+
+  static QString linesAreMissing(std::size_t count) {
+    LogLine line;
+    line.at_ms = QDateTime::currentMSecsSinceEpoch();
+    line.severity = Severity::Warning;
+    line.text = EventLog::tr("%1 lines are missing here: they could not be written, or came too fast").arg(count);
+    return asFileLine(line);
+  }
+
+  /// Once: what comes next fails too, as a rule, and would say nothing new. With the lock.
+  void say(const QString& problem) {
+    if (!log_ || std::exchange(said_, true)) return;
+    QMetaObject::invokeMethod(
+        log_, [log = log_, problem] { emit log->fileFailed(problem); }, Qt::QueuedConnection);
+  }
+
+  /// Why it could not; empty if it could.
+  QString write(const std::deque<QString>& batch) {
+    const QDir folder(folder_);
+    if (!folder.exists() && !QDir().mkpath(folder_)) {
+      return EventLog::tr("The folder %1 can't be made.").arg(QDir::toNativeSeparators(folder_));
+    }
+    QByteArray bytes;
+    for (const QString& line : batch) bytes += line.toUtf8() + '\n';
+    const QString path = folder.filePath(kFileName);
+    const QString old_path = folder.filePath(kOldFileName);
+    if (QFile(path).size() + bytes.size() > kFileBytes) {
+      QFile::remove(old_path);
+      QFile::rename(path, old_path);
+    }
+    // Several windows of several processes may write it; whole lines are appended at once.
+    QFile file(path);
+    if (file.open(QIODevice::WriteOnly | QIODevice::Append | QIODevice::Unbuffered) &&
+        file.write(bytes) == bytes.size()) {
+      return {};
+    }
+    return QStringLiteral("%1: %2").arg(QDir::toNativeSeparators(path), file.errorString());
+  }
+
+  EventLog* log_;  ///< null once it ends
+  QString folder_;
+  std::mutex mutex_;  ///< guards all but the folder
+  std::condition_variable changed_;
+  std::deque<QString> lines_;
+  std::size_t dropped_ = 0;  ///< that came after those, and are too many
+  bool said_ = false;
+  bool busy_ = false;
+  bool ending_ = false;
+  bool ended_ = false;
+};
+
+namespace {
+
+/// The logs that live, the newest last: Qt's message handler is one for the whole process.
+struct Handlers {
+  std::mutex mutex;
+  std::vector<EventLog*> logs;
+  QtMessageHandler before = nullptr;
+};
+Handlers& handlers() {
+  static Handlers instance;
+  return instance;
+}
+
+Severity severityOf(QtMsgType type) {
+  switch (type) {
+    case QtDebugMsg:
+    case QtInfoMsg:
+      return Severity::Info;
+    case QtWarningMsg:
+      return Severity::Warning;
+    case QtCriticalMsg:
+    case QtFatalMsg:
+      return Severity::Error;
+  }
+  return Severity::Warning;
+}
+
+}  // namespace
+
+EventLog::EventLog(const QString& folder, QObject* parent) : QObject(parent), folder_(folder) {
+  if (!folder_.isEmpty()) {
+    writer_ = std::make_shared<Writer>(*this, folder_);
+    writer_->start();
+  }
+  Handlers& all = handlers();
+  const std::lock_guard lock(all.mutex);
+  if (all.logs.empty()) all.before = qInstallMessageHandler(&EventLog::takeQtMessage);
+  all.logs.push_back(this);
+}
+
+EventLog::~EventLog() {
+  {
+    Handlers& all = handlers();
+    const std::lock_guard lock(all.mutex);
+    all.logs.erase(std::find(all.logs.begin(), all.logs.end(), this));
+    if (all.logs.empty()) qInstallMessageHandler(all.before);
+  }
+  if (writer_) writer_->end();
+}
+
+void EventLog::takeQtMessage(QtMsgType type, const QMessageLogContext& context, const QString& text) {
+  // Should Qt complain about what add() does, that can't be added again.
+  thread_local bool adding = false;
+  if (adding) return;
+  Handlers& all = handlers();
+  QtMessageHandler before = nullptr;
+  {
+    adding = true;
+    const std::lock_guard lock(all.mutex);
+    before = all.before;
+    if (!all.logs.empty()) all.logs.back()->add(severityOf(type), QStringLiteral("Qt: ") + text);
+    adding = false;
+  }
+  // A fatal message ends the process in there.
+  if (before) before(type, context, text);
+}
+
+void EventLog::add(Severity severity, const QString& text) {
+  LogLine line;
+  line.at_ms = QDateTime::currentMSecsSinceEpoch();
+  line.severity = severity;
+  line.text = text;
+  const std::lock_guard lock(mutex_);
+  line.number = ++count_;
+  if (writer_) writer_->add(asFileLine(line));
+  lines_.push_back(std::move(line));
+  if (lines_.size() > kCapacity) lines_.pop_front();
+  if (told_) return;
+  told_ = true;
+  QMetaObject::invokeMethod(
+      this,
+      [this] {
+        {
+          const std::lock_guard told(mutex_);
+          told_ = false;
+        }
+        emit grown();
+      },
+      Qt::QueuedConnection);
+}
+
+std::vector<LogLine> EventLog::linesAfter(std::uint64_t number) const {
+  const std::lock_guard lock(mutex_);
+  const auto first = std::upper_bound(lines_.begin(), lines_.end(), number,
+                                      [](std::uint64_t value, const LogLine& line) { return value < line.number; });
+  return {first, lines_.end()};
+}
+
+std::vector<LogLine> EventLog::newest(std::size_t count) const {
+  const std::lock_guard lock(mutex_);
+  return {lines_.end() - static_cast<std::ptrdiff_t>(std::min(count, lines_.size())), lines_.end()};
+}
+
+QString EventLog::filePath() const { return folder_.isEmpty() ? QString() : QDir(folder_).filePath(kFileName); }
+
+bool EventLog::waitUntilWritten(int timeout_ms) const { return !writer_ || writer_->waitUntilWritten(timeout_ms); }
+
+QString asFileLine(const LogLine& line) {
+  QString text = line.text;
+  text.replace(QLatin1Char('\n'), QStringLiteral(" | "));
+  return QStringLiteral("%1 %2 %3")
+      .arg(QDateTime::fromMSecsSinceEpoch(line.at_ms).toString(QStringLiteral("yyyy-MM-dd HH:mm:ss.zzz")),
+           QLatin1String(englishWord(line.severity)), text);
+}
+
+QString logFolder() { return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation); }
+
+}  // namespace hexoderm

@@ -1,0 +1,228 @@
+#include "app/window/log/log_view.h"
+
+#include "widgets/controls/flow_layout.h"
+#include "widgets/words/formatting.h"
+
+#include <QComboBox>
+#include <QDateTime>
+#include <QEvent>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QTableView>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace hexoderm {
+namespace {
+
+/// A sign beside the word, so that what matters is found at a glance and in both themes.
+QString severitySign(Severity severity) {
+  switch (severity) {
+    case Severity::Info:
+      return QStringLiteral("·");
+    case Severity::Warning:
+      return QStringLiteral("▲");
+    case Severity::Error:
+      return QStringLiteral("✕");
+  }
+  return {};
+}
+
+}  // namespace
+
+LogModel::LogModel(const EventLog& log, QObject* parent) : QAbstractTableModel(parent), log_(log) {
+  connect(&log, &EventLog::grown, this, &LogModel::takeNew);
+  takeNew();
+}
+
+bool LogModel::isWanted(const LogLine& line) const {
+  return line.severity >= at_least_ && (text_.isEmpty() || line.text.contains(text_, Qt::CaseInsensitive));
+}
+
+void LogModel::setFilter(Severity at_least, const QString& text) {
+  beginResetModel();
+  at_least_ = at_least;
+  text_ = text;
+  shown_.clear();
+  taken_ = 0;
+  for (LogLine& line : log_.linesAfter(0)) {
+    taken_ = line.number;
+    if (isWanted(line)) shown_.push_back(std::move(line));
+  }
+  endResetModel();
+}
+
+void LogModel::takeNew() {
+  std::vector<LogLine> fresh = log_.linesAfter(taken_);
+  if (fresh.empty()) return;
+  taken_ = fresh.back().number;
+  fresh.erase(std::remove_if(fresh.begin(), fresh.end(), [this](const LogLine& line) { return !isWanted(line); }),
+              fresh.end());
+  if (fresh.empty()) return;
+  const auto first = static_cast<int>(shown_.size());
+  beginInsertRows({}, first, first + static_cast<int>(fresh.size()) - 1);
+  std::move(fresh.begin(), fresh.end(), std::back_inserter(shown_));
+  endInsertRows();
+  if (shown_.size() > EventLog::kCapacity) {
+    const std::size_t surplus = shown_.size() - EventLog::kCapacity;
+    beginRemoveRows({}, 0, static_cast<int>(surplus) - 1);
+    shown_.erase(shown_.begin(), shown_.begin() + static_cast<std::ptrdiff_t>(surplus));
+    endRemoveRows();
+  }
+}
+
+int LogModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(shown_.size());
+}
+
+int LogModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumnCount; }
+
+QVariant LogModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  const LogLine& line = lineAt(index.row());
+  if (role == Qt::ToolTipRole && index.column() == kText) return line.text;
+  if (role == Qt::TextAlignmentRole) return static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter);
+  if (role != Qt::DisplayRole) return {};
+  switch (index.column()) {
+    case kTime:
+      return QDateTime::fromMSecsSinceEpoch(line.at_ms).toString(QStringLiteral("HH:mm:ss"));
+    case kSeverity:
+      return QStringLiteral("%1 %2").arg(severitySign(line.severity), severityWord(line.severity));
+    case kText:
+      return QString(line.text).replace(QLatin1Char('\n'), QLatin1Char(' '));
+    default:
+      return {};
+  }
+}
+
+QVariant LogModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
+    return role == Qt::TextAlignmentRole ? QVariant(static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter)) : QVariant();
+  }
+  switch (section) {
+    case kTime:
+      return tr("Time");
+    case kSeverity:
+      return tr("Severity");
+    case kText:
+      return tr("What");
+    default:
+      return {};
+  }
+}
+
+LogView::LogView(const EventLog& log, QWidget* parent)
+    : QWidget(parent),
+      model_(new LogModel(log, this)),
+      severity_(new QComboBox),
+      text_(new QLineEdit),
+      table_(new QTableView),
+      count_(new QLabel) {
+  setObjectName(QStringLiteral("logView"));
+  severity_->setObjectName(QStringLiteral("logSeverity"));
+  severity_->setAccessibleName(tr("Which lines of the log are shown"));
+  severity_->addItem(tr("Everything"));
+  severity_->addItem(tr("Warnings and errors"));
+  severity_->addItem(tr("Errors"));
+  text_->setObjectName(QStringLiteral("logText"));
+  text_->setAccessibleName(tr("Search the log"));
+  text_->setPlaceholderText(tr("Search the log"));
+  text_->setClearButtonEnabled(true);
+  count_->setProperty("muted", true);
+  auto* copy = new QPushButton(tr("Copy for a bug report"));
+  copy->setObjectName(QStringLiteral("logCopy"));
+  copy->setToolTip(tr("Copies versions, graphics, what is open and the last 200 lines; your home folder is left out"));
+  auto* folder = new QPushButton(tr("Open folder"));
+  folder->setObjectName(QStringLiteral("logFolder"));
+  folder->setToolTip(log.folder().isEmpty() ? tr("This log is not kept in a file") : log.filePath());
+  folder->setEnabled(!log.folder().isEmpty());
+  connect(copy, &QPushButton::clicked, this, &LogView::reportWanted);
+  connect(folder, &QPushButton::clicked, this, &LogView::folderWanted);
+
+  table_->setObjectName(QStringLiteral("logTable"));
+  table_->setAccessibleName(tr("Log"));
+  table_->setModel(model_);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setTabKeyNavigation(false);
+  table_->setShowGrid(false);
+  table_->setWordWrap(false);
+  table_->setFrameShape(QFrame::NoFrame);
+  table_->verticalHeader()->hide();
+  // All rows alike: measuring 10,000 of them would be felt.
+  table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  table_->horizontalHeader()->setHighlightSections(false);
+  table_->horizontalHeader()->setStretchLastSection(true);
+  fitColumns();
+
+  // In two rows where one is too narrow: this bar must not say how wide the window is.
+  auto* bar = new FlowLayout;
+  bar->setContentsMargins(12, 6, 12, 6);
+  bar->setSpacing(8);
+  bar->addWidget(severity_);
+  bar->addWidget(text_);
+  bar->beginSecondGroup();
+  bar->addWidget(count_);
+  bar->addWidget(copy);
+  bar->addWidget(folder);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addLayout(bar);
+  layout->addWidget(table_, 1);
+
+  connect(severity_, qOverload<int>(&QComboBox::currentIndexChanged), this, &LogView::applyFilter);
+  connect(text_, &QLineEdit::textChanged, this, &LogView::applyFilter);
+  // The newest line stays in view for who is looking at it, and for nobody else.
+  connect(model_, &QAbstractItemModel::rowsAboutToBeInserted, this, [this] {
+    const QScrollBar* bar_of_table = table_->verticalScrollBar();
+    const bool at_end = bar_of_table->value() >= bar_of_table->maximum() - 1;
+    table_->setProperty("atEnd", at_end);
+  });
+  connect(model_, &QAbstractItemModel::rowsInserted, this, [this] {
+    if (table_->property("atEnd").toBool()) table_->scrollToBottom();
+    showCount();
+  });
+  connect(model_, &QAbstractItemModel::rowsRemoved, this, &LogView::showCount);
+  connect(model_, &QAbstractItemModel::modelReset, this, &LogView::showCount);
+  showCount();
+}
+
+void LogView::fitColumns() {
+  // From what is known to be in them: asking every line would be felt.
+  const QFontMetrics metrics(table_->font());
+  int severity = 0;
+  for (const Severity each : {Severity::Info, Severity::Warning, Severity::Error}) {
+    severity =
+        std::max(severity, metrics.horizontalAdvance(severitySign(each) + QLatin1Char(' ') + severityWord(each)));
+  }
+  const int margin = 3 * metrics.averageCharWidth() + 12;
+  table_->setColumnWidth(LogModel::kTime, metrics.horizontalAdvance(QStringLiteral("00:00:00")) + margin);
+  table_->setColumnWidth(LogModel::kSeverity, severity + margin);
+}
+
+void LogView::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) fitColumns();
+}
+
+void LogView::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  table_->scrollToBottom();
+}
+
+void LogView::applyFilter() {
+  model_->setFilter(static_cast<Severity>(severity_->currentIndex()), text_->text().trimmed());
+  table_->scrollToBottom();
+}
+
+void LogView::showCount() {
+  const int count = model_->rowCount();
+  count_->setText(count == 1 ? tr("1 line") : tr("%1 lines").arg(locale().toString(count)));
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "hexoderm/util/finding.h"
+
+#include "app/window/log/event_log.h"
+
+#include <QAbstractTableModel>
+#include <QWidget>
+#include <deque>
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QTableView;
+
+namespace hexoderm {
+
+/// The lines of a log that are at least so severe and hold a text; follows the log.
+class LogModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { kTime, kSeverity, kText, kColumnCount };
+
+  /// `log` must outlive the model.
+  explicit LogModel(const EventLog& log, QObject* parent = nullptr);
+
+  void setFilter(Severity at_least, const QString& text);
+  [[nodiscard]] const LogLine& lineAt(int row) const { return shown_[static_cast<std::size_t>(row)]; }
+
+  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+  [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+  [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  void takeNew();
+  [[nodiscard]] bool isWanted(const LogLine& line) const;
+
+  const EventLog& log_;
+  Severity at_least_ = Severity::Info;
+  QString text_;
+  std::uint64_t taken_ = 0;  ///< number of the last line that was looked at
+  std::deque<LogLine> shown_;
+};
+
+/// The log, to be searched and to be sent.
+class LogView : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `log` must outlive the view.
+  explicit LogView(const EventLog& log, QWidget* parent = nullptr);
+
+ signals:
+  void reportWanted();
+  void folderWanted();
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void fitColumns();
+  void applyFilter();
+  void showCount();
+
+  LogModel* model_;
+  QComboBox* severity_;
+  QLineEdit* text_;
+  QTableView* table_;
+  QLabel* count_;
+};
+
+}  // namespace hexoderm

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "app/window/settings/theme.h"
+#include "hexoderm/capture/pose_recorder.h"
+#include "hexoderm/reconstruction/result/solver_options.h"
+
+#include <QObject>
+#include <QString>
+
+namespace hexoderm {
+
+inline constexpr double kMilliG = 1e-3;  ///< g in a thousandth of it
+
+/// What the operator chose once for all sessions, kept in the settings. Every change is kept and signalled at once;
+/// nothing has to be confirmed. A setting that makes no sense (edited by hand, of another version) is as by default.
+class Preferences : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Preferences(QObject* parent = nullptr);
+
+  /// "system" or one of shippedLanguages(); main() looks it up at the start.
+  [[nodiscard]] QString language() const;
+  void setLanguage(const QString& language);
+  [[nodiscard]] ThemeChoice theme() const;
+  void setTheme(ThemeChoice choice);
+  /// On top of the system's text size: 0.8 to 2.
+  [[nodiscard]] double textFactor() const;
+  void setTextFactor(double factor);
+  [[nodiscard]] bool tone() const;
+  void setTone(bool on);
+  [[nodiscard]] bool reducedMotion() const;
+  void setReducedMotion(bool on);
+  /// Looked at by prepareSoftwareOpenGl() at the next start.
+  [[nodiscard]] bool softwareOpenGl() const;
+  void setSoftwareOpenGl(bool on);
+  /// Where new sessions go; empty: the folder of the last file.
+  [[nodiscard]] QString sessionFolder() const;
+  void setSessionFolder(const QString& folder);
+
+  [[nodiscard]] SolverOptions solverOptions() const;
+  void setSolverOptions(const SolverOptions& options);
+  /// Of the limits those that the dialog shows; the rest is as by default.
+  [[nodiscard]] PoseRecorderOptions recorderOptions() const;
+  void setRecorderOptions(const PoseRecorderOptions& options);
+
+  /// All of the above and the theme; signals follow for what changed.
+  void restoreDefaults();
+
+ signals:
+  void solverOptionsChanged(const hexoderm::SolverOptions& options);
+  void recorderOptionsChanged(const hexoderm::PoseRecorderOptions& options);
+  void textFactorChanged(double factor);
+  void toneChanged(bool on);
+  void reducedMotionChanged(bool on);
+  /// The defaults are restored, the theme's too; dialogs show everything anew.
+  void restored();
+};
+
+/// Where dialogs begin to look for a file: where the last one was, as long as there is that folder; else the user's
+/// documents, else the home folder.
+QString lastFolder();
+/// For lastFolder(): `file` was chosen. Nobody chose the folder that unsaved sessions are recovered from.
+void rememberFolder(const QString& file);
+
+/// Gives the application the system's text size times a factor; theme.h's applyTheme() must follow.
+void applyTextFactor(double factor);
+
+/// Before there is an application: where the settings or `asked` say so, OpenGL is drawn by the processor (Mesa's
+/// software renderer). Needs the organisation's and application's name. True if so.
+bool prepareSoftwareOpenGl(bool asked);
+
+}  // namespace hexoderm
+
+Q_DECLARE_METATYPE(hexoderm::SolverOptions)
+Q_DECLARE_METATYPE(hexoderm::PoseRecorderOptions)

@@ -1,0 +1,118 @@
+#include "app/window/toolkit/focus_order.h"
+
+#include <QApplication>
+#include <QDockWidget>
+#include <QLayout>
+#include <QScrollArea>
+#include <QWidget>
+#include <algorithm>
+
+namespace hexoderm {
+namespace {
+
+using Widgets = std::vector<QWidget*>;
+
+bool isIn(const QWidget* widget, const QWidget* pane) { return widget == pane || pane->isAncestorOf(widget); }
+
+/// Tab stops there when it can be seen and used.
+bool isStop(const QWidget* widget) {
+  // What stands for another, as the line within a box does, is no stop of its own.
+  return (widget->focusPolicy() & Qt::TabFocus) != 0 && !widget->focusProxy();
+}
+bool takesFocus(const QWidget* widget) { return isStop(widget) && widget->isVisible() && widget->isEnabled(); }
+
+void addOf(const QLayout& layout, Widgets& widgets) {
+  for (int k = 0; k < layout.count(); ++k) {
+    QLayoutItem* item = layout.itemAt(k);
+    if (item->widget()) widgets.push_back(item->widget());
+    if (item->layout()) addOf(*item->layout(), widgets);
+  }
+}
+
+/// As they are laid out; what no layout holds comes last.
+Widgets childrenInOrder(const QWidget& widget) {
+  Widgets children;
+  if (const auto* dock = qobject_cast<const QDockWidget*>(&widget)) {
+    children = {dock->titleBarWidget(), dock->widget()};
+  } else if (widget.layout()) {
+    addOf(*widget.layout(), children);
+  }
+  for (QObject* child : widget.children()) {
+    auto* other = qobject_cast<QWidget*>(child);
+    if (other && std::find(children.begin(), children.end(), other) == children.end()) children.push_back(other);
+  }
+  return children;
+}
+
+/// Also those that can't take the focus now: the one that has it may just be disappearing.
+void addStops(QWidget* widget, Widgets& stops) {
+  if (isStop(widget)) stops.push_back(widget);
+  for (QWidget* child : childrenInOrder(*widget)) {
+    // A part that was taken out of the window has an order of its own.
+    if (child && !child->isWindow()) addStops(child, stops);
+  }
+}
+
+Widgets stopsOf(QWidget* pane) {
+  Widgets stops;
+  if (pane && !pane->isWindow()) addStops(pane, stops);
+  return stops;
+}
+
+bool focus(QWidget* widget, bool forward) {
+  widget->setFocus(forward ? Qt::TabFocusReason : Qt::BacktabFocusReason);
+  bringIntoView(widget);
+  return true;
+}
+
+}  // namespace
+
+bool FocusOrder::moveToPane(bool forward) {
+  const QWidget* now = QApplication::focusWidget();
+  const auto count = static_cast<int>(panes_.size());
+  int at = forward ? count - 1 : 0;
+  for (int k = 0; now && k < count; ++k) {
+    const Pane& pane = panes_[static_cast<std::size_t>(k)];
+    if (pane.widget && isIn(now, pane.widget)) at = k;
+  }
+  for (int k = 0; k < count; ++k) {
+    at = (at + (forward ? 1 : count - 1)) % count;
+    const Pane& pane = panes_[static_cast<std::size_t>(at)];
+    const Widgets stops = stopsOf(pane.widget);
+    const auto entrance = std::find_if(stops.begin(), stops.end(), takesFocus);
+    if (entrance == stops.end()) continue;
+    const bool was_left = pane.last && takesFocus(pane.last) && isIn(pane.last, pane.widget);
+    return focus(was_left ? pane.last.data() : *entrance, forward);
+  }
+  return false;
+}
+
+bool FocusOrder::moveToControl(bool forward) {
+  Widgets stops;
+  for (const Pane& pane : panes_) {
+    const Widgets of_pane = stopsOf(pane.widget);
+    stops.insert(stops.end(), of_pane.begin(), of_pane.end());
+  }
+  if (!forward) std::reverse(stops.begin(), stops.end());
+  const auto now = std::find(stops.begin(), stops.end(), QApplication::focusWidget());
+  if (now != stops.end()) std::rotate(stops.begin(), now + 1, stops.end());
+  const auto next = std::find_if(stops.begin(), stops.end(), takesFocus);
+  return next != stops.end() && focus(*next, forward);
+}
+
+void FocusOrder::noteFocus(QWidget* widget) {
+  for (Pane& pane : panes_) {
+    if (widget && pane.widget && isIn(widget, pane.widget)) pane.last = widget;
+  }
+}
+
+void bringIntoView(QWidget* widget) {
+  // What has just come or gone has not moved the others yet; inner layouts ask outer ones for room.
+  constexpr int kNested = 4;
+  for (int k = 0; k < kNested; ++k) QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+  for (QWidget* outer = widget->parentWidget(); outer; outer = outer->parentWidget()) {
+    if (auto* area = qobject_cast<QScrollArea*>(outer)) area->ensureWidgetVisible(widget);
+  }
+}
+
+}  // namespace hexoderm

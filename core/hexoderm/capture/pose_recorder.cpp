@@ -1,0 +1,374 @@
+#include "hexoderm/capture/pose_recorder.h"
+
+#include "hexoderm/capture/capture_window.h"
+#include "hexoderm/capture/cell_index.h"
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/text.h"
+#include "hexoderm/util/units.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+constexpr std::uint32_t kUsualSamples = 100;  // SPEC, step 5
+constexpr std::uint32_t kLeastSamples = 10;
+constexpr double kConfirm_s = 0.1;
+// Means of 100 ms in one hold differ by less, with default tremor: 3 sigma are 2.5 degrees.
+constexpr double kMovedMeanwhile = 3 * kDegree;
+constexpr double kClockReset_s = 0.5;
+
+std::int64_t systemClock_ms() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::milliseconds>(now).count();
+}
+
+/// Angle of gravity between two poses, median over their common cells; nullopt without any.
+std::optional<double> angleBetweenPoses(const PoseCapture& a, const PoseCapture& b) {
+  std::map<CellId, Eigen::Vector3d> of_a;
+  for (const GravitySample& sample : a.samples) of_a.emplace(sample.cell, sample.mean_g);
+  std::vector<double> angles;
+  for (const GravitySample& sample : b.samples) {
+    const auto other = of_a.find(sample.cell);
+    if (other != of_a.end()) angles.push_back(angleBetweenReadings(sample.mean_g, other->second));
+  }
+  if (angles.empty()) return std::nullopt;
+  const auto middle = angles.begin() + static_cast<std::ptrdiff_t>((angles.size() - 1) / 2);
+  std::nth_element(angles.begin(), middle, angles.end());
+  return *middle;
+}
+
+}  // namespace
+
+PoseRecorderOptions::PoseRecorderOptions() : repeat_angle_rad(10 * kDegree) {}
+
+void PoseRecorderOptions::validate() const {
+  stillness.validate();
+  if (!(collect_s > 0 && collect_s <= 60)) throw InvalidArgument("pose recorder: collect_s must be within 0 and 60");
+  if (!(repeat_angle_rad >= 0 && repeat_angle_rad <= kPi)) {
+    throw InvalidArgument("pose recorder: repeat_angle_rad must be between 0 and pi");
+  }
+}
+
+struct PoseRecorder::State {
+  /// What other threads want.
+  struct Commands {
+    std::optional<bool> automatic;
+    std::optional<PoseId> next_id;
+    std::optional<std::vector<std::shared_ptr<const PoseCapture>>> earlier;
+    bool capture_now = false;
+    bool cancel = false;
+  };
+
+  State(PoseRecorderListener& pose_listener, PoseRecorderOptions recorder_options)
+      : listener(pose_listener),
+        options((recorder_options.validate(), std::move(recorder_options))),
+        accelerometer(),
+        detector(accelerometer, options.stillness),
+        automatic(options.automatic) {}
+
+  PoseRecorderListener& listener;
+  const PoseRecorderOptions options;
+  std::mutex mutex;
+  Commands commands;  // under the mutex; the rest belongs to the feeding thread
+
+  Accelerometer accelerometer;
+  std::vector<CellId> described;
+  StillnessDetector detector;
+  bool automatic;
+  bool asked = false;  ///< captureNow, and not captured yet
+  PoseId next_id{1};
+  std::vector<std::shared_ptr<const PoseCapture>> earlier;
+  std::optional<CaptureWindow> window;
+  bool forced = false;
+  std::map<CellId, double> temperatures_c;
+  std::optional<double> last_s;
+  std::optional<double> late_from_s, late_to_s;  ///< of late frames in a row, whose own time increases
+  std::uint64_t late_in_row = 0;
+  std::uint64_t late_frames = 0;
+  std::uint64_t tick = 0;  ///< counts the times there were
+  CellIndex cells_noted;
+  std::vector<std::uint64_t> samples_noted_in, means_noted_in;  ///< the tick, of each of them
+  std::uint64_t restarts = 0;
+
+  void obey() {
+    Commands wanted;
+    {
+      const std::lock_guard lock(mutex);
+      wanted = std::exchange(commands, {});
+    }
+    if (wanted.automatic) automatic = *wanted.automatic;
+    if (wanted.next_id) next_id = *wanted.next_id;
+    if (wanted.earlier) earlier = std::move(*wanted.earlier);
+    if (wanted.cancel) {
+      window.reset();
+      asked = false;
+    }
+    if (wanted.capture_now) {
+      window.reset();
+      asked = true;
+    }
+    if (window && !forced && !automatic) window.reset();
+  }
+
+  void setSkin(const SkinDescription& skin) {
+    const Accelerometer& now = skin.model->accelerometer;
+    const bool is_same = now.rate_hz == accelerometer.rate_hz && now.lsb_g == accelerometer.lsb_g &&
+                         now.noise_g_per_sqrt_hz == accelerometer.noise_g_per_sqrt_hz;
+    if (is_same) {
+      detector.restart();
+    } else {
+      detector = StillnessDetector(now, options.stillness);
+    }
+    accelerometer = now;
+    described.clear();
+    for (const CellReport& cell : skin.neighbors) {
+      if (cell.id < skin.model->interface_id) described.push_back(cell.id);
+    }
+    std::ranges::sort(described);
+    window.reset();
+    last_s.reset();
+    late_from_s.reset();
+  }
+
+  // ---- the clock
+
+  bool isLate(const SampleFrame& frame) {
+    const double time_s = frame.time_s;
+    if (std::isfinite(time_s) && (!last_s || time_s > *last_s)) {
+      beginTick(frame);
+      return false;
+    }
+    // A tick of a large skin comes in several frames, each of other cells.
+    if (last_s && time_s == *last_s && noteReadings(frame)) return false;
+    ++late_frames;
+    if (!std::isfinite(time_s)) return true;
+    if (!late_from_s || time_s < *late_to_s) {
+      late_from_s = time_s;
+      late_in_row = 0;
+    }
+    ++late_in_row;
+    late_to_s = time_s;
+    if (*late_to_s - *late_from_s < kClockReset_s) return true;
+    // They were not late: the clock was another one.
+    late_frames -= late_in_row;
+    window.reset();
+    detector.restart();
+    beginTick(frame);
+    return false;
+  }
+
+  /// False if a cell reads twice at one time.
+  bool noteReadings(const SampleFrame& frame) {
+    bool is_new = true;
+    const auto note = [&](CellId cell, std::vector<std::uint64_t>& noted_in) {
+      const std::size_t k = cells_noted.of(cell);
+      if (k == CellIndex::kNone) return;
+      if (k >= noted_in.size()) noted_in.resize(k + 1);
+      if (std::exchange(noted_in[k], tick) == tick) is_new = false;
+    };
+    for (const CellSample& sample : frame.samples) note(sample.cell, samples_noted_in);
+    for (const CellMean& mean : frame.means) note(mean.cell, means_noted_in);
+    return is_new;
+  }
+  void beginTick(const SampleFrame& frame) {
+    last_s = frame.time_s;
+    late_from_s.reset();
+    ++tick;
+    noteReadings(frame);
+  }
+
+  // ---- the course of a capture
+
+  void addFrame(const SampleFrame& frame) {
+    obey();
+    if (isLate(frame)) return;
+    for (const CellTemperature& temperature : frame.temperatures) {
+      if (std::isfinite(temperature.temperature_c)) temperatures_c[temperature.cell] = temperature.temperature_c;
+    }
+    if (asked && !window) begin(frame.time_s, true);
+    // The frame that a forced capture begins with belongs to it.
+    if (window) window->add(frame);
+    const bool judged = detector.add(frame);
+    if (window && forced && window->isComplete()) {
+      finish();
+    } else if (judged) {
+      proceed(frame.time_s);
+    }
+    if (!judged) return;
+    listener.onHold(status());
+    SkinPreview preview{detector.stillness().time_s, detector.recentMeans()};
+    preview.temperatures.reserve(temperatures_c.size());
+    for (const auto& [cell, temperature_c] : temperatures_c) preview.temperatures.push_back({cell, temperature_c});
+    listener.onPreview(std::move(preview));
+  }
+
+  void begin(double time_s, bool is_forced) {
+    forced = is_forced;
+    std::vector<CellId> expected = detector.cellsHeard();
+    if (expected.empty()) expected = described;
+    window.emplace(time_s, samplesPerCell(), expected, options.keep_frames);
+  }
+
+  [[nodiscard]] std::uint32_t samplesPerCell() const {
+    if (options.samples_per_cell > 0) return options.samples_per_cell;
+    double rate_hz = accelerometer.rate_hz;
+    const double seen_hz = detector.stillness().rate_hz;
+    if (seen_hz > 0) rate_hz = std::min(rate_hz, seen_hz);
+    const double most = std::clamp(std::round(rate_hz * options.collect_s), 1.0 * kLeastSamples, 1.0 * kUsualSamples);
+    return static_cast<std::uint32_t>(most);
+  }
+
+  void proceed(double time_s) {
+    const Stillness& stillness = detector.stillness();
+    if (window && !forced && !stillness.still) {
+      window.reset();
+      ++restarts;
+    }
+    if (window) {
+      window->giveUpOn(time_s, detector.cellsHeard());
+      if (!window->isComplete()) return;
+      if (forced) {
+        finish();
+      } else if (stillness.time_s >= window->end_s() + kConfirm_s) {
+        if (detector.angleFrom(PoseCapture{PoseId(0), {}, window->samples()}) < kMovedMeanwhile) {
+          finish();
+        } else {
+          window.reset();
+          ++restarts;
+        }
+      }
+    } else if (automatic && stillness.ready()) {
+      begin(time_s, false);
+    }
+  }
+
+  void finish() {
+    CapturedPose captured;
+    auto pose = std::make_shared<PoseCapture>();
+    pose->id = next_id;
+    pose->samples = window->samples();
+    for (GravitySample& sample : pose->samples) {
+      const auto temperature = temperatures_c.find(sample.cell);
+      if (temperature != temperatures_c.end()) sample.temperature_c = temperature->second;
+    }
+    pose->taken_at_ms = options.wall_clock_ms ? options.wall_clock_ms() : systemClock_ms();
+    captured.forced = forced;
+    captured.start_s = window->start_s();
+    captured.end_s = window->end_s();
+    captured.odd_cells = detector.stillness().odd_cells;
+    listMissing(*pose, captured);
+    captured.frames = window->takeFrames();
+    for (const auto& other : earlier) {
+      const auto angle = angleBetweenPoses(*other, *pose);
+      if (!angle || *angle >= options.repeat_angle_rad) continue;
+      if (captured.repeats && *angle >= captured.repeat_angle_rad) continue;
+      captured.repeats = other->id;
+      captured.repeat_angle_rad = *angle;
+    }
+    window.reset();
+    asked = false;
+    next_id = PoseId(next_id.value() + 1);
+    detector.disarm(*pose);
+    captured.pose = std::move(pose);
+    earlier.push_back(captured.pose);
+    listener.onPoseCaptured(std::move(captured));
+  }
+
+  void listMissing(const PoseCapture& pose, CapturedPose& captured) const {
+    const auto isIn = [&](CellId cell) {
+      return std::ranges::binary_search(pose.samples, cell, {}, &GravitySample::cell);
+    };
+    for (const CellId cell : window->shortCells()) {
+      (isIn(cell) ? captured.short_cells : captured.silent_cells).push_back(cell);
+    }
+    for (const OddCell& odd : captured.odd_cells) {
+      if (odd.kind == OddCellKind::Silent && !isIn(odd.cell)) captured.silent_cells.push_back(odd.cell);
+    }
+    for (const CellId cell : described) {
+      if (!isIn(cell)) captured.silent_cells.push_back(cell);
+    }
+    std::ranges::sort(captured.silent_cells);
+    const auto twice = std::unique(captured.silent_cells.begin(), captured.silent_cells.end());
+    captured.silent_cells.erase(twice, captured.silent_cells.end());
+  }
+
+  // ---- for people
+
+  [[nodiscard]] HoldStatus status() const {
+    HoldStatus status;
+    status.stillness = detector.stillness();
+    status.automatic = automatic;
+    status.forced = window ? forced : asked;
+    status.late_frames = late_frames;
+    status.restarts = restarts;
+    const Stillness& stillness = status.stillness;
+    if (window) {
+      status.phase = window->isComplete() ? HoldPhase::Confirming : HoldPhase::Collecting;
+    }
+    // The ring shows the time of waiting, of collecting and of confirming in one.
+    const double rate_hz = stillness.rate_hz > 0 ? stillness.rate_hz : accelerometer.rate_hz;
+    const double collect_s = samplesPerCell() / rate_hz;
+    const double wait_s = forced && window ? 0 : stillness.window_s;
+    const double confirm_s = forced && window ? 0 : kConfirm_s;
+    double done_s = 0;
+    if (window) {
+      done_s = wait_s + collect_s * window->progress();
+      if (window->isComplete()) done_s += std::min(confirm_s, std::max(0.0, stillness.time_s - window->end_s()));
+    } else if (stillness.armed && automatic) {
+      done_s = std::min(wait_s, stillness.steady_for_s);
+    }
+    status.progress = std::clamp(done_s / (wait_s + collect_s + confirm_s), 0.0, 1.0);
+    if (window && forced) {
+      status.text = "Capturing what there is, moved or not";
+    } else if (window) {
+      status.text = "Keep still: taking samples";
+    } else if (!stillness.text.empty()) {
+      status.text = stillness.text;
+    } else {
+      status.text = automatic ? "Still" : "Still: ready to capture";
+    }
+    return status;
+  }
+};
+
+PoseRecorder::PoseRecorder(PoseRecorderListener& listener, PoseRecorderOptions options)
+    : state_(std::make_unique<State>(listener, std::move(options))) {}
+PoseRecorder::~PoseRecorder() = default;
+
+void PoseRecorder::setSkin(const SkinDescription& skin) { state_->setSkin(skin); }
+void PoseRecorder::addFrame(const SampleFrame& frame) { state_->addFrame(frame); }
+
+void PoseRecorder::setAutomatic(bool automatic) {
+  const std::lock_guard lock(state_->mutex);
+  state_->commands.automatic = automatic;
+}
+
+void PoseRecorder::captureNow() {
+  const std::lock_guard lock(state_->mutex);
+  state_->commands.capture_now = true;
+  state_->commands.cancel = false;
+}
+
+void PoseRecorder::cancelCapture() {
+  const std::lock_guard lock(state_->mutex);
+  state_->commands.cancel = true;
+  state_->commands.capture_now = false;
+}
+
+void PoseRecorder::setNextPoseId(PoseId id) {
+  const std::lock_guard lock(state_->mutex);
+  state_->commands.next_id = id;
+}
+
+void PoseRecorder::setEarlierPoses(std::vector<std::shared_ptr<const PoseCapture>> poses) {
+  const std::lock_guard lock(state_->mutex);
+  state_->commands.earlier = std::move(poses);
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,104 @@
+#pragma once
+
+// Private to capture/: the last seconds of a stream, summed up per cell in slots of time.
+
+#include "hexoderm/capture/cell_index.h"
+#include "hexoderm/device/sample_frame.h"
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace hexoderm {
+
+/// A slot takes 50 ms, or as long as it takes until 80 % of the cells have sent something, 1 s at most. The last kSlots
+/// are kept.
+inline constexpr std::size_t kSlots = 32;
+
+/// One cell in one slot.
+struct CellSlot {
+  Eigen::Vector3f mean_g = Eigen::Vector3f::Zero();
+  float scatter_g2 = 0;  ///< sum over samples and axes of the squared distance from the mean
+  float count = 0;       ///< samples; 0: none came
+};
+using CellSlots = std::array<CellSlot, kSlots>;
+
+class SampleSlots {
+ public:
+  /// A cell that was not heard for this long (or for two slots) is silent.
+  explicit SampleSlots(double silent_after_s) : silent_after_s_(silent_after_s) {}
+
+  enum class Event { None, SlotEnded, Gap };
+  /// As StillnessDetector::add. A frame that ends a slot belongs to the next one; after a gap there are no slots.
+  Event add(const SampleFrame& frame);
+  /// Forgets all slots and the clock, but no cell.
+  void restart();
+
+  [[nodiscard]] std::size_t cellCount() const { return cells_.size(); }
+  [[nodiscard]] CellId id(std::size_t cell) const { return index_.id(cell); }
+  /// CellIndex::kNone for a cell that was never heard.
+  [[nodiscard]] std::size_t find(CellId cell) const { return index_.find(cell); }
+  [[nodiscard]] const CellSlots& slotsOf(std::size_t cell) const { return cells_[cell].slots; }
+  [[nodiscard]] double heard_s(std::size_t cell) const { return cells_[cell].heard_s; }
+  /// When the cell's readings last differed from each other.
+  [[nodiscard]] double changed_s(std::size_t cell) const { return cells_[cell].changed_s; }
+  [[nodiscard]] bool isHeard(std::size_t cell) const;
+  /// Number of cells that were heard when the last slot ended.
+  [[nodiscard]] std::size_t heardCount() const { return live_; }
+
+  [[nodiscard]] std::size_t newest() const { return newest_; }
+  [[nodiscard]] std::size_t count() const { return count_; }  ///< of slots since the last gap, at most kSlots
+  /// The n-th newest slot: where it is in CellSlots, its start and the middle of its frames.
+  [[nodiscard]] std::size_t at(std::size_t n) const { return (newest_ + kSlots - n) % kSlots; }
+  [[nodiscard]] double start_s(std::size_t n) const { return start_s_[at(n)]; }
+  [[nodiscard]] double middle_s(std::size_t n) const { return middle_s_[at(n)]; }
+  [[nodiscard]] double end_s() const { return open_s_; }         ///< of the newest slot
+  [[nodiscard]] double slotLength_s() const { return slot_s_; }  ///< of the last ones
+  /// The number of newest slots that span `span_s`, at least `least`; 0 if there are too few.
+  [[nodiscard]] std::size_t spanning(double span_s, std::size_t least) const;
+  /// Mean of about the last 100 ms; nullopt if the cell sent nothing then.
+  [[nodiscard]] std::optional<Eigen::Vector3d> recent_g(std::size_t cell) const;
+
+ private:
+  static constexpr double kSlot_s = 0.05;
+
+  /// Sums of the open slot, about the cell's last slot mean: floats are enough for small differences.
+  struct Sums {
+    Eigen::Vector3f base_g;
+    Eigen::Vector3f sum_g = Eigen::Vector3f::Zero();
+    float squares_g2 = 0;
+    float count = 0;
+  };
+  struct Cell {
+    CellSlots slots;
+    double heard_s = 0;
+    double changed_s = 0;
+  };
+
+  template <class AddTo>
+  void take(CellId cell, const Eigen::Vector3d& value_g, const AddTo& add_to);
+  void takeAll(const SampleFrame& frame);
+  void meet(const Eigen::Vector3f& first_g);
+  bool endSlotIfDue(double now_s);
+  void forgetSlots();
+
+  double silent_after_s_;
+  CellIndex index_;
+  std::vector<Sums> sums_;
+  std::vector<Cell> cells_;
+
+  bool has_time_ = false;
+  double last_s_ = 0;
+  double usual_step_s_ = 0;  ///< between frames
+  double open_s_ = 0;        ///< when the open slot began
+  std::size_t heard_in_slot_ = 0;
+  std::size_t live_ = 0;
+  std::array<double, kSlots> start_s_{}, middle_s_{};
+  std::size_t newest_ = kSlots - 1;
+  std::size_t count_ = 0;
+  double slot_s_ = kSlot_s;
+};
+
+}  // namespace hexoderm

@@ -1,0 +1,433 @@
+#include "hexoderm/capture/stillness_detector.h"
+
+#include "hexoderm/capture/cell_motion.h"
+#include "hexoderm/capture/sample_slots.h"
+#include "hexoderm/util/text.h"
+#include "hexoderm/util/units.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hexoderm {
+namespace {
+
+constexpr std::size_t kLeastDriftSlots = 5;
+constexpr std::size_t kLeastHoldSlots = 3;
+constexpr double kLongestWindow_s = 1.5;
+constexpr float kDead_g = 0.1F;
+constexpr double kMovingTimesLimit = 3;  // a patch that drifts faster than this many times the limit is moved
+constexpr double kNoisyTimesOthers = 4;  // rms of a noisy cell over the median
+constexpr float kRestlessSigma2 = 36;    // six sigma of its own noise
+constexpr double kLongAgo_s = -1e300;
+constexpr double kWhiteScatter_s = 10;
+constexpr double kWhite = 2;  // whiteness of noise is below, of motion above
+constexpr double kLearnDown_s = 0.5;
+constexpr double kLearnUp_s = 2;
+// Standard deviation of a slope's component that one cell's judgement bears, over the limit; more cells bear more.
+constexpr double kBearableSlopeNoise = 0.31;
+
+struct CellState {
+  CellMotion motion;
+  Eigen::Vector3f captured_g = Eigen::Vector3f::Zero();
+  bool is_captured = false;
+  float floor_g2 = 0;
+  // Seconds of misbehaving while the patch was still, less seconds of behaving.
+  double noisy_s = 0, restless_s = 0;
+  bool is_noisy = false, is_restless = false;
+};
+
+template <class Values>
+auto nth(Values& values, std::size_t n) {
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(n);
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+/// The lower one of two.
+template <class Values>
+auto median(Values& values) {
+  return nth(values, (values.size() - 1) / 2);
+}
+
+const StillnessOptions& validated(const StillnessOptions& options) {
+  options.validate();
+  return options;
+}
+
+/// A limit: one decimal, and none where it says nothing.
+std::string limitInWords(double value) {
+  std::string text = formatFixed(value, 1);
+  if (text.ends_with(".0")) text.resize(text.size() - 2);
+  return text;
+}
+
+std::string inMilliG(double value_g) { return formatFixed(value_g * 1000, 0); }
+
+/// Counts `step_s` up while `misbehaves`, else down; whether it is (still) set aside.
+bool setAside(bool misbehaves, double step_s, double patience_s, bool was, double& misbehaved_s) {
+  misbehaved_s = std::clamp(misbehaved_s + (misbehaves ? step_s : -step_s), 0.0, patience_s);
+  return misbehaves ? was || misbehaved_s >= patience_s : was && misbehaved_s > 0;
+}
+
+}  // namespace
+
+double angleBetweenReadings(const Eigen::Vector3d& a_g, const Eigen::Vector3d& b_g) {
+  return 2 * std::asin(std::min(1.0, (a_g - b_g).norm() / 2));
+}
+
+struct StillnessDetector::State {
+  State(const Accelerometer& accelerometer, StillnessOptions stillness_options)
+      : options(validated(stillness_options)), slots(options.silent_after_s) {
+    const double white_g2 = std::pow(accelerometer.noise_g_per_sqrt_hz, 2) * accelerometer.rate_hz / 2;
+    step_g2 = static_cast<float>(accelerometer.lsb_g * accelerometer.lsb_g / 12);
+    model_floor_g2 = static_cast<float>(white_g2) + step_g2;
+    window_s = options.drift_window_s;
+    sayWaiting();
+  }
+
+  StillnessOptions options;
+  float step_g2 = 0;
+  float model_floor_g2 = 0;
+
+  SampleSlots slots;
+  std::vector<CellState> cells;
+
+  double window_s = 0;  ///< of the drift
+  SlotWindow window;
+  double still_since_s = 0;
+  double moving_s = kLongAgo_s;  ///< when the patch last moved
+  double white_for_s = 0;
+  double rate_hz = 0;  ///< samples per second and cell
+  bool was_captured = false;
+  Stillness result;
+
+  // Kept between judgements, so that none allocates.
+  std::vector<std::size_t> used;
+  std::vector<float> scratch;
+  std::vector<std::pair<float, std::size_t>> excesses;
+
+  bool add(const SampleFrame& frame) {
+    const SampleSlots::Event event = slots.add(frame);
+    if (event == SampleSlots::Event::Gap) forgetWindow();
+    if (event == SampleSlots::Event::SlotEnded) judge();
+    return event != SampleSlots::Event::None;
+  }
+
+  void forgetWindow() {
+    white_for_s = 0;
+    window_s = options.drift_window_s;
+    sayWaiting();
+  }
+
+  void sayWaiting() {
+    Stillness waiting;
+    waiting.time_s = slots.end_s();
+    waiting.armed = result.armed;
+    waiting.moved_rad = result.moved_rad;
+    waiting.window_s = window_s;
+    waiting.drift_limit_rad_s = options.drift_limit_rad_s;
+    waiting.excess_limit_g = options.excess_limit_g;
+    waiting.rearm_rad = options.rearm_angle_rad;
+    result = std::move(waiting);
+  }
+
+  bool layWindow() {
+    window.newest = slots.newest();
+    window.drift_slots = slots.spanning(window_s, kLeastDriftSlots);
+    window.hold_slots = slots.spanning(options.hold_s, kLeastHoldSlots);
+    if (window.drift_slots == 0 || window.hold_slots == 0) return false;
+    const double from_s = slots.start_s(window.drift_slots - 1);
+    const double centre_s = (from_s + slots.end_s()) / 2, half_s = (slots.end_s() - from_s) / 2;
+    for (std::size_t n = 0; n < window.drift_slots; ++n) {
+      const double t = slots.middle_s(n) - centre_s;
+      window.time_s[n] = static_cast<float>(t);
+      window.weight[n] = static_cast<float>(std::max(0.01, 1 - std::pow(t / half_s, 2)));
+    }
+    return true;
+  }
+
+  // ---- judgement
+
+  void judge() {
+    const bool was_still = result.still;
+    sayWaiting();
+    while (cells.size() < slots.cellCount()) cells.emplace_back().floor_g2 = model_floor_g2;
+    result.cells = slots.heardCount();
+    watchMove();
+    nameSilentCells();
+    if (layWindow() && measureCells()) {
+      measurePatch();
+      decide(was_still);
+    }
+    sayWhatBlocks();
+  }
+
+  void nameSilentCells() {
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      if (!slots.isHeard(k)) {
+        result.odd_cells.push_back({slots.id(k), OddCellKind::Silent, slots.end_s() - slots.heard_s(k)});
+      }
+    }
+  }
+
+  [[nodiscard]] bool isDead(const CellState& cell) const {
+    return cell.motion.mean_g.squaredNorm() < kDead_g * kDead_g;
+  }
+  [[nodiscard]] bool isStuck(std::size_t cell) const {
+    // The drift knows of a motion for as long as its window reaches back.
+    return slots.changed_s(cell) + kLongestWindow_s + slots.slotLength_s() < moving_s;
+  }
+
+  bool measureCells() {
+    const double samples_in_slot = std::max(1.0, rate_hz * slots.slotLength_s());
+    std::size_t judged = 0;
+    used.clear();
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      CellState& cell = cells[k];
+      cell.motion.enough = false;
+      if (!slots.isHeard(k)) continue;
+      const double steady_g =
+          2 * options.excess_limit_g + 6 * std::sqrt(static_cast<double>(cell.floor_g2) / samples_in_slot);
+      cell.motion = motionOf(slots.slotsOf(k), window, static_cast<float>(steady_g));
+      if (!cell.motion.enough) continue;
+      ++judged;
+      const bool dead = isDead(cell), stuck = isStuck(k);
+      if (dead)
+        result.odd_cells.push_back({slots.id(k), OddCellKind::Dead, static_cast<double>(cell.motion.mean_g.norm())});
+      if (stuck) result.odd_cells.push_back({slots.id(k), OddCellKind::Stuck, 0});
+      if (!dead && !stuck) used.push_back(k);
+    }
+    if (used.empty()) {
+      for (std::size_t k = 0; k < cells.size(); ++k) {
+        if (cells[k].motion.enough) used.push_back(k);
+      }
+    }
+    result.cells_used = used.size();
+    return judged > 0 && 2 * judged >= slots.heardCount();
+  }
+
+  template <class Value>
+  double medianOf(Value&& value) {
+    scratch.clear();
+    for (const std::size_t k : used) scratch.push_back(static_cast<float>(value(cells[k])));
+    return static_cast<double>(median(scratch));
+  }
+
+  static float white_g2(const CellState& cell) {
+    return cell.motion.white_g2 >= 0 ? cell.motion.white_g2 : cell.floor_g2;
+  }
+
+  void measurePatch() {
+    const double turn2 = medianOf([](const CellState& cell) {
+      return cell.motion.turn_rad2_s2 - 2.0F * white_g2(cell) * cell.motion.slope_variance_s2;
+    });
+    result.drift_rad_s = std::sqrt(std::max(0.0, turn2));
+    excesses.clear();
+    for (const std::size_t k : used) excesses.emplace_back(cells[k].motion.variance_g2 - cells[k].floor_g2, k);
+    const auto share = static_cast<std::size_t>(options.quiet_fraction * static_cast<double>(used.size() - 1));
+    const auto [excess_g2, cell] = nth(excesses, std::min(share, options.quiet_cells));
+    result.excess_g = std::sqrt(std::max(0.0, static_cast<double>(excess_g2)));
+    result.excess_cell = slots.id(cell);
+    const double hold_s = slots.end_s() - slots.start_s(window.hold_slots - 1);
+    rate_hz = medianOf([](const CellState& c) { return c.motion.count; }) / hold_s;
+    result.rate_hz = rate_hz;
+    result.steady_for_s = slots.slotLength_s() * medianOf([](const CellState& c) { return c.motion.steady_slots; });
+
+    // A longer window where noise asks for it: the variance of a slope falls with the third power of its length.
+    const double slope_noise2 = medianOf([](const CellState& c) { return white_g2(c) * c.motion.slope_variance_s2; });
+    const double bearable =
+        kBearableSlopeNoise * options.drift_limit_rad_s * std::pow(static_cast<double>(used.size()), 0.25);
+    const double wanted_s = window_s * std::cbrt(slope_noise2 / (bearable * bearable));
+    window_s = std::clamp(wanted_s, options.drift_window_s, kLongestWindow_s);
+    result.window_s = window_s;
+  }
+
+  void decide(bool was_still) {
+    const double factor = was_still ? options.release_factor : 1;
+    const bool turns = result.drift_rad_s > factor * options.drift_limit_rad_s;
+    const bool shakes = result.excess_g > factor * options.excess_limit_g;
+    if (result.drift_rad_s > kMovingTimesLimit * options.drift_limit_rad_s) moving_s = slots.end_s();
+    const double whiteness = medianOf([](const CellState& cell) { return cell.motion.whiteness; });
+    white_for_s = !turns && shakes && whiteness < kWhite ? white_for_s + slots.slotLength_s() : 0;
+    if (!turns && (!shakes || white_for_s >= kWhiteScatter_s)) learnFloors();
+
+    result.blocker = turns ? Blocker::Turning : shakes ? Blocker::Shaking : Blocker::None;
+    if (result.blocker == Blocker::None) watchEachCell();
+    nameMisbehaving();
+    result.still = result.blocker == Blocker::None;
+    if (result.still) {
+      // It was still for as long as the judgement's window when it is first found so.
+      if (!was_still) still_since_s = slots.end_s() - options.hold_s;
+      result.still_for_s = slots.end_s() - still_since_s;
+    }
+  }
+
+  void learnFloors() {
+    const float down = static_cast<float>(std::min(1.0, slots.slotLength_s() / kLearnDown_s));
+    const float up = static_cast<float>(std::min(1.0, slots.slotLength_s() / kLearnUp_s));
+    for (CellState& cell : cells) {
+      if (!cell.motion.enough || cell.motion.white_g2 < 0) continue;
+      const float seen_g2 = std::max(cell.motion.white_g2, step_g2);
+      if (seen_g2 < cell.floor_g2) cell.floor_g2 += down * (seen_g2 - cell.floor_g2);
+      if (seen_g2 > cell.floor_g2 && static_cast<double>(cell.motion.whiteness) < kWhite)
+        cell.floor_g2 += up * (seen_g2 - cell.floor_g2);
+    }
+  }
+
+  /// Cells that turn or scatter although the patch is still.
+  void watchEachCell() {
+    if (used.size() < 2) return;
+    const double median_g2 = medianOf([](const CellState& cell) { return cell.motion.variance_g2; });
+    const double noisy_g2 =
+        std::max(std::pow(options.excess_limit_g, 2), kNoisyTimesOthers * kNoisyTimesOthers * median_g2);
+    const double limit_rad_s = kRestlessTimesLimit * options.drift_limit_rad_s;
+    for (const std::size_t k : used) {
+      CellState& cell = cells[k];
+      const CellMotion& motion = cell.motion;
+      cell.is_noisy = setAside(static_cast<double>(motion.variance_g2) > noisy_g2, slots.slotLength_s(),
+                               options.patience_s, cell.is_noisy, cell.noisy_s);
+      const double noise2 = static_cast<double>(kRestlessSigma2 * motion.variance_g2 * motion.slope_variance_s2);
+      const bool turns = static_cast<double>(motion.turn_rad2_s2) > limit_rad_s * limit_rad_s + noise2;
+      cell.is_restless = setAside(turns, slots.slotLength_s(), options.patience_s, cell.is_restless, cell.restless_s);
+      const double turn_rad_s = std::sqrt(static_cast<double>(motion.turn_rad2_s2));
+      if (turns && !cell.is_restless && turn_rad_s > result.turning_rad_s) {
+        result.turning_cell = slots.id(k);
+        result.turning_rad_s = turn_rad_s;
+        result.blocker = Blocker::CellTurning;
+      }
+    }
+  }
+
+  void nameMisbehaving() {
+    for (const std::size_t k : used) {
+      const CellState& cell = cells[k];
+      const CellMotion& motion = cell.motion;
+      if (cell.is_noisy) {
+        result.odd_cells.push_back(
+            {slots.id(k), OddCellKind::Noisy, std::sqrt(static_cast<double>(motion.variance_g2))});
+      } else if (cell.is_restless) {
+        result.odd_cells.push_back(
+            {slots.id(k), OddCellKind::Restless, std::sqrt(static_cast<double>(motion.turn_rad2_s2))});
+      }
+    }
+    std::ranges::sort(result.odd_cells, {}, &OddCell::cell);
+  }
+
+  // ---- moves between captures
+
+  void watchMove() {
+    if (!was_captured) return;
+    scratch.clear();
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      const CellState& cell = cells[k];
+      if (!cell.is_captured || isStuck(k)) continue;
+      const auto now_g = slots.recent_g(k);
+      if (now_g) {
+        scratch.push_back(static_cast<float>(angleBetweenReadings(*now_g, cell.captured_g.cast<double>())));
+      }
+    }
+    if (scratch.empty()) return;
+    result.moved_rad = static_cast<double>(median(scratch));
+    if (result.moved_rad > options.rearm_angle_rad) result.armed = true;
+  }
+
+  void sayWhatBlocks() {
+    // Who has just been captured is told to turn, not to hold still.
+    if (!result.armed && result.blocker != Blocker::Waiting) result.blocker = Blocker::NotMoved;
+    switch (result.blocker) {
+      case Blocker::None:
+        result.text.clear();
+        break;
+      case Blocker::Waiting:
+        result.text = slots.count() == 0 || cells.empty() ? "Waiting for samples"
+                      : slots.heardCount() == 0
+                          ? "Waiting for samples: all cells are silent"
+                          : "Waiting for samples: fewer than " + limitInWords(window_s) + " s so far";
+        break;
+      case Blocker::NotMoved:
+        result.text = "Turn the part: it has moved " + formatFixed(toDegrees(result.moved_rad), 1) +
+                      " deg since the last capture, more than " + limitInWords(toDegrees(options.rearm_angle_rad)) +
+                      " are needed";
+        break;
+      case Blocker::Turning:
+        result.text = "Hold still: the part turns by " + formatFixed(toDegrees(result.drift_rad_s), 1) +
+                      " deg/s, limit " + limitInWords(toDegrees(options.drift_limit_rad_s));
+        break;
+      case Blocker::Shaking:
+        result.text = "Hold still: cell " + toString(result.excess_cell) + " moves " + inMilliG(result.excess_g) +
+                      " mg, limit " + inMilliG(options.excess_limit_g);
+        break;
+      case Blocker::CellTurning:
+        result.text = "Hold still: cell " + toString(result.turning_cell) + " turns by " +
+                      formatFixed(toDegrees(result.turning_rad_s), 1) + " deg/s against the rest, limit " +
+                      limitInWords(toDegrees(kRestlessTimesLimit * options.drift_limit_rad_s));
+        break;
+    }
+  }
+};
+
+StillnessDetector::StillnessDetector(const Accelerometer& accelerometer, StillnessOptions options)
+    : state_(std::make_unique<State>(accelerometer, options)) {}
+StillnessDetector::~StillnessDetector() = default;
+StillnessDetector::StillnessDetector(StillnessDetector&&) noexcept = default;
+StillnessDetector& StillnessDetector::operator=(StillnessDetector&&) noexcept = default;
+
+bool StillnessDetector::add(const SampleFrame& frame) { return state_->add(frame); }
+
+const Stillness& StillnessDetector::stillness() const { return state_->result; }
+
+void StillnessDetector::disarm(const PoseCapture& pose) {
+  for (CellState& cell : state_->cells) cell.is_captured = false;
+  for (const GravitySample& sample : pose.samples) {
+    const std::size_t k = state_->slots.find(sample.cell);
+    if (k >= state_->cells.size()) continue;
+    state_->cells[k].captured_g = sample.mean_g.cast<float>();
+    state_->cells[k].is_captured = true;
+  }
+  state_->was_captured = true;
+  state_->result.armed = false;
+  state_->result.moved_rad = 0;
+  state_->sayWhatBlocks();
+}
+
+void StillnessDetector::restart() {
+  state_->slots.restart();
+  state_->moving_s = kLongAgo_s;
+  state_->forgetWindow();
+}
+
+std::vector<CellSample> StillnessDetector::recentMeans() const {
+  std::vector<CellSample> means;
+  means.reserve(state_->cells.size());
+  for (std::size_t k = 0; k < state_->cells.size(); ++k) {
+    const auto mean_g = state_->slots.recent_g(k);
+    if (mean_g) means.push_back({state_->slots.id(k), *mean_g});
+  }
+  return means;
+}
+
+std::vector<CellId> StillnessDetector::cellsHeard() const {
+  std::vector<CellId> heard;
+  for (std::size_t k = 0; k < state_->cells.size(); ++k) {
+    if (state_->slots.isHeard(k)) heard.push_back(state_->slots.id(k));
+  }
+  return heard;
+}
+
+double StillnessDetector::angleFrom(const PoseCapture& pose) const {
+  std::vector<double> angles;
+  for (const GravitySample& sample : pose.samples) {
+    const std::size_t k = state_->slots.find(sample.cell);
+    if (k >= state_->cells.size()) continue;
+    const auto now_g = state_->slots.recent_g(k);
+    if (now_g) angles.push_back(angleBetweenReadings(*now_g, sample.mean_g));
+  }
+  return angles.empty() ? 0 : median(angles);
+}
+
+double StillnessDetector::noiseFloor_g(CellId cell) const {
+  const std::size_t k = state_->slots.find(cell);
+  return std::sqrt(static_cast<double>(k < state_->cells.size() ? state_->cells[k].floor_g2 : state_->model_floor_g2));
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,254 @@
+#include "hexoderm/device/emulation/exploration.h"
+
+#include "hexoderm/device/emulation/autonomous_cell.h"
+#include "hexoderm/util/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+constexpr double kBitsPerByte = 10;  // start and stop bit
+constexpr PortNumber kInterfacePort{1};
+// Long lists go in packets, which a cell passes on as they come.
+constexpr std::size_t kPacketBytes = 64;
+
+/// A port of a node, both by index.
+struct Socket {
+  std::size_t node = 0;
+  std::size_t port = 0;
+  friend bool operator==(const Socket&, const Socket&) = default;
+};
+
+/// What the cells can't see: who is joined to whom, how long everything takes, and what is broken.
+class Network {
+ public:
+  Network(const NeighborList& wiring, const CellModel& model, const LinkEnd& interface_at,
+          const ExplorationOptions& options)
+      : options_(options), ports_(sortedPorts(model)) {
+    index_.reserve(wiring.size());
+    cells_.reserve(wiring.size() + 1);
+    for (std::size_t k = 0; k < wiring.size(); ++k) {
+      const CellId id = wiring[k].id;
+      if (id.value() == 0 || id >= model.interface_id || !index_.emplace(id, k).second) {
+        throw InvalidArgument("exploration: cell " + toString(id) +
+                              " of the wiring is there twice, or its ID is not one of a cell");
+      }
+      cells_.emplace_back(ports_, options.ids_remembered ? id : CellId(), std::nullopt, options_);
+      plugs_.emplace_back(ports_.size());
+    }
+    cells_.emplace_back(std::vector{kInterfacePort}, CellId(), model.interface_id, options_);
+    plugs_.emplace_back(1);
+    dead_.resize(cells_.size(), false);
+    for (std::size_t k = 0; k < wiring.size(); ++k) {
+      for (const NeighborReport& link : wiring[k].neighbors) {
+        if (link.cell.value() == 0 || link.cell >= model.interface_id) continue;
+        if (!link.cell_port) throw InvalidArgument("exploration: a link of the wiring has an unknown port");
+        join({k, portIndex({wiring[k].id, link.port})}, socketAt({link.cell, *link.cell_port}));
+      }
+    }
+    if (!wiring.empty()) join({cells_.size() - 1, 0}, socketAt(interface_at));
+    for (const CellId dead : options.dead_cells) dead_[nodeOf(dead)] = true;
+    for (const PortFault& fault : options.port_faults) {
+      const Socket at = socketAt(fault.at);
+      Plug& plug = plugs_[at.node][at.port];
+      plug.is_deaf = plug.is_deaf || fault.kind != PortFaultKind::Mute;
+      plug.is_mute = plug.is_mute || fault.kind != PortFaultKind::Deaf;
+    }
+  }
+
+  Exploration run() {
+    // Not the library's distribution: the same everywhere.
+    std::mt19937_64 random(options_.seed);
+    for (std::size_t node = 0; node < cells_.size(); ++node) {
+      const double share = static_cast<double>(random() >> 11U) * 0x1p-53;
+      Event event;
+      event.time_s = options_.power_up_s + options_.power_up_spread_s * share;
+      event.node = node;
+      if (!dead_[node]) push(std::move(event));
+    }
+    AutonomousCell& interface = cells_.back();
+    while (!events_.empty() && !interface.isFinished()) {
+      std::ranges::pop_heap(events_, isLater);
+      const Event event = std::move(events_.back());
+      events_.pop_back();
+      now_s_ = event.time_s;
+      NodeOutlet out(*this, event.node);
+      AutonomousCell& cell = cells_[event.node];
+      if (event.message) {
+        cell.receive(event.port, std::move(*event.message), out);
+      } else if (event.alarm) {
+        cell.wake(*event.alarm, event.tag, out);
+      } else {
+        cell.powerUp(out);
+      }
+    }
+    Exploration result;
+    result.cells = interface.takeReports();
+    std::ranges::sort(result.cells, {}, &CellReport::id);
+    result.duration_s = now_s_;
+    result.waiting_s = options_.power_up_s + options_.discovery_wait_s + options_.settle_s + options_.neighbor_wait_s;
+    result.messages = messages_;
+    for (std::size_t k = 0; k + 1 < cells_.size(); ++k) {
+      if (cells_[k].hasId()) result.longest_route = std::max(result.longest_route, cells_[k].hops());
+    }
+    return result;
+  }
+
+ private:
+  struct Plug {
+    std::optional<Socket> other;
+    bool is_deaf = false, is_mute = false;
+    double free_at_s = 0;  ///< what was sent before is out
+  };
+  /// Without message and alarm: power comes.
+  struct Event {
+    double time_s = 0;
+    std::size_t number = 0;
+    std::size_t node = 0;
+    std::size_t port = 0;
+    std::unique_ptr<LocalMessage> message{};
+    std::optional<AutonomousCell::Alarm> alarm{};
+    std::size_t tag = 0;
+  };
+
+  class NodeOutlet final : public AutonomousCell::Outlet {
+   public:
+    NodeOutlet(Network& network, std::size_t node) : network_(network), node_(node) {}
+    void send(std::size_t port, LocalMessage message) override { network_.send({node_, port}, std::move(message)); }
+    void wakeAfter(double seconds, AutonomousCell::Alarm alarm, std::size_t tag) override {
+      Event event;
+      event.time_s = network_.now_s_ + seconds;
+      event.node = node_;
+      event.alarm = alarm;
+      event.tag = tag;
+      network_.push(std::move(event));
+    }
+
+   private:
+    Network& network_;
+    std::size_t node_;
+  };
+
+  static bool isLater(const Event& a, const Event& b) {
+    return std::tie(a.time_s, a.number) > std::tie(b.time_s, b.number);
+  }
+
+  static std::vector<PortNumber> sortedPorts(const CellModel& model) {
+    std::vector<PortNumber> ports;
+    for (const Port& port : model.ports) ports.push_back(port.number);
+    std::ranges::sort(ports);
+    return ports;
+  }
+
+  std::size_t nodeOf(CellId cell) const {
+    const auto found = index_.find(cell);
+    if (found == index_.end()) throw InvalidArgument("exploration: there is no cell " + toString(cell));
+    return found->second;
+  }
+  std::size_t portIndex(const LinkEnd& end) const {
+    const auto found = std::ranges::find(ports_, end.port);
+    if (found == ports_.end()) throw InvalidArgument("exploration: " + inWords(end) + ": the model has no such port");
+    return static_cast<std::size_t>(found - ports_.begin());
+  }
+  Socket socketAt(const LinkEnd& end) const { return {nodeOf(end.cell), portIndex(end)}; }
+
+  void join(const Socket& a, const Socket& b) {
+    for (const auto& [here, there] : {std::pair(a, b), std::pair(b, a)}) {
+      std::optional<Socket>& other = plugs_[here.node][here.port].other;
+      if (other && *other != there) {
+        throw InvalidArgument("exploration: port " + toString(ports_[here.port]) + " of the wiring's cell " +
+                              std::to_string(here.node + 1) + " is joined twice");
+      }
+      other = there;
+    }
+  }
+
+  void push(Event event) {
+    event.number = pushed_++;
+    events_.push_back(std::move(event));
+    std::ranges::push_heap(events_, isLater);
+  }
+
+  [[nodiscard]] double duration_s(std::size_t bytes) const {
+    return kBitsPerByte * static_cast<double>(bytes) / options_.bits_per_s;
+  }
+
+  void send(const Socket& from, LocalMessage message) {
+    Plug& plug = plugs_[from.node][from.port];
+    const std::size_t bytes = message.bytes();
+    messages_ += (bytes + kPacketBytes - 1) / kPacketBytes;
+    const double begin_s = std::max(now_s_, plug.free_at_s);
+    plug.free_at_s = begin_s + duration_s(bytes);
+    if (plug.is_mute || !plug.other || dead_[plug.other->node]) return;
+    if (plugs_[plug.other->node][plug.other->port].is_deaf) return;
+    Event event;
+    // Who passes it on begins with the first packet; the interface needs all of it.
+    const bool is_last = plug.other->node + 1 == cells_.size();
+    event.time_s = begin_s + duration_s(is_last ? bytes : std::min(bytes, kPacketBytes)) + options_.processing_s;
+    event.node = plug.other->node;
+    event.port = plug.other->port;
+    event.message = std::make_unique<LocalMessage>(std::move(message));
+    push(std::move(event));
+  }
+
+  const ExplorationOptions& options_;
+  std::vector<PortNumber> ports_;
+  std::unordered_map<CellId, std::size_t> index_;
+  std::vector<AutonomousCell> cells_;  ///< the interface last
+  std::vector<std::vector<Plug>> plugs_;
+  std::vector<bool> dead_;
+  std::vector<Event> events_;  ///< a heap, the next in front
+  std::size_t pushed_ = 0;
+  std::size_t messages_ = 0;
+  double now_s_ = 0;
+};
+
+}  // namespace
+
+void ExplorationOptions::validate() const {
+  const auto check = [](double value, const char* name, bool may_be_zero) {
+    if (std::isfinite(value) && (value > 0 || (may_be_zero && value == 0))) return;
+    throw InvalidArgument(std::string("exploration: ") + name +
+                          (may_be_zero ? " must not be" : " must be above 0, not") +
+                          (may_be_zero ? " negative" : " less"));
+  };
+  check(power_up_s, "power_up_s", true);
+  check(power_up_spread_s, "power_up_spread_s", true);
+  check(hello_every_s, "hello_every_s", false);
+  check(discovery_wait_s, "discovery_wait_s", true);
+  check(settle_s, "settle_s", false);
+  check(neighbor_wait_s, "neighbor_wait_s", false);
+  check(bits_per_s, "bits_per_s", false);
+  check(processing_s, "processing_s", true);
+  if (hellos == 0) throw InvalidArgument("exploration: hellos must be at least 1");
+}
+
+Exploration exploreNetwork(const NeighborList& wiring, const CellModel& model, const LinkEnd& interface_at,
+                           const ExplorationOptions& options) {
+  options.validate();
+  return Network(wiring, model, interface_at, options).run();
+}
+
+LinkEnd firstFreePort(const NeighborList& wiring, const CellModel& model) {
+  std::optional<LinkEnd> first;
+  for (const CellReport& cell : wiring) {
+    for (const Port& port : model.ports) {
+      const bool is_free = std::ranges::none_of(cell.neighbors, [&](const NeighborReport& link) {
+        return link.port == port.number && link.cell.value() != 0;
+      });
+      const LinkEnd end{cell.id, port.number};
+      if (is_free && (!first || end < *first)) first = end;
+    }
+  }
+  if (!first) throw InvalidArgument("no port of the skin is free for a computer interface");
+  return *first;
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,24 @@
+#include "hexoderm/device/simulation/fault_names.h"
+
+#include <array>
+
+namespace hexoderm {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, SkinFault>, 8> kSkinFaults = {{{"dead", SkinFault::Dead},
+                                                                                {"stuck", SkinFault::Stuck},
+                                                                                {"stuck-axis", SkinFault::StuckAxis},
+                                                                                {"dead-axis", SkinFault::DeadAxis},
+                                                                                {"saturated", SkinFault::Saturated},
+                                                                                {"noisy", SkinFault::Noisy},
+                                                                                {"wrong-gain", SkinFault::WrongGain},
+                                                                                {"no-samples", SkinFault::NoSamples}}};
+constexpr std::array<std::pair<std::string_view, LinkFaultKind>, 3> kLinkFaults = {
+    {{"wrong-port", LinkFaultKind::WrongPort}, {"joint", LinkFaultKind::Joint}, {"cable", LinkFaultKind::Cable}}};
+
+}  // namespace
+
+std::span<const std::pair<std::string_view, SkinFault>> skinFaultNames() { return kSkinFaults; }
+std::span<const std::pair<std::string_view, LinkFaultKind>> linkFaultNames() { return kLinkFaults; }
+
+}  // namespace hexoderm

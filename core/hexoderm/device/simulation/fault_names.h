@@ -1,0 +1,15 @@
+#pragma once
+
+#include "hexoderm/device/simulation/simulated_skin.h"
+
+#include <span>
+#include <string_view>
+#include <utility>
+
+namespace hexoderm {
+
+/// What the simulator's faults are called where people type them, in the order in which they are listed.
+std::span<const std::pair<std::string_view, SkinFault>> skinFaultNames();
+std::span<const std::pair<std::string_view, LinkFaultKind>> linkFaultNames();
+
+}  // namespace hexoderm

@@ -1,0 +1,68 @@
+#pragma once
+
+// Private to device/: how a person holds a body part.
+
+#include "hexoderm/device/simulation/simulated_skin.h"
+
+#include <Eigen/Core>
+#include <array>
+#include <random>
+#include <vector>
+
+namespace hexoderm {
+
+/// What an accelerometer fixed to the body at p_b reads at one moment, in the body's axes: up_b + field_b (p_b -
+/// hand_b), g.
+struct BodyMotion {
+  Eigen::Vector3d up_b;     ///< specific force at the hand: gravity's and the tremor's
+  Eigen::Matrix3d field_b;  ///< angular and centripetal acceleration per lever arm, g/m
+};
+
+/// Orientation and motion of a part while one pose is held. On a table: `up_b` is up, and nothing moves. In a hand: up
+/// to a miss of a few degrees, with tremor of turn and position (every axis a sum of sinusoids of 4 to 12 Hz, whose rms
+/// over a long time is the option's value) and a slow drift about a random axis, which goes to and fro:
+/// whoever holds a part for long notices, and a pose that is held is never another one.
+class HandMotion {
+ public:
+  /// On a table.
+  explicit HandMotion(const Eigen::Vector3d& up_b);
+  /// In a hand.
+  HandMotion(const Eigen::Vector3d& up_b, const SimulatedSkinOptions& options, std::mt19937_64& random);
+
+  /// Begins elsewhere: from `R_w_b` the part is turned the shortest way to where it is to be held, smoothly and no
+  /// faster than kFastestTurn; it is there after arrival_s().
+  void arriveFrom(const Eigen::Matrix3d& R_w_b);
+  [[nodiscard]] double arrival_s() const { return arrival_s_; }
+
+  [[nodiscard]] BodyMotion at(double time_s) const;
+  /// Orientation in the world, whose z is up.
+  [[nodiscard]] Eigen::Matrix3d orientationAt(double time_s) const;
+
+ private:
+  /// The way from the start, in world axes: what is left of it, its rate and acceleration.
+  struct Approach {
+    Eigen::Vector3d left_rad = Eigen::Vector3d::Zero();
+    Eigen::Vector3d rate_rad_s = Eigen::Vector3d::Zero();
+    Eigen::Vector3d acceleration_rad_s2 = Eigen::Vector3d::Zero();
+  };
+  [[nodiscard]] Approach approachAt(double time_s) const;
+  [[nodiscard]] Eigen::Vector3d turnAt(double time_s) const;
+
+  struct Wave {
+    double amplitude;
+    double rate_rad_s;
+    double phase_rad;
+  };
+  using Axes = std::array<std::vector<Wave>, 3>;
+  static Axes drawWaves(double rms, std::mt19937_64& random);
+
+  Eigen::Matrix3d R_w_b_;  ///< as held, before tremor and drift
+  bool moves_ = false;
+  Axes turn_;   ///< rad
+  Axes shake_;  ///< g
+  Eigen::Vector3d drift_rad_s_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d way_rad_ = Eigen::Vector3d::Zero();  ///< from the end to the start, world axes
+  double arrival_s_ = 0;
+};
+
+}  // namespace hexoderm

@@ -1,0 +1,270 @@
+#include "hexoderm/device/simulation/simulated_faults.h"
+
+#include "hexoderm/device/simulation/random_streams.h"
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/text.h"
+#include "hexoderm/util/units.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+namespace hexoderm {
+namespace {
+
+constexpr double kNoisyFactor = 20;
+constexpr double kSaturatedGain = 20;
+constexpr double kWrongGain = 1.25;
+constexpr double kCableReach_m = 0.1;
+constexpr double kLeastCableTurn = 40 * kDegree;
+constexpr double kMostCableTurn = 120 * kDegree;
+
+CellId idOf(std::size_t cell) { return CellId(static_cast<std::uint32_t>(cell + 1)); }
+
+void requireCell(CellId cell, std::size_t cell_count) {
+  if (cell.value() != 0 && cell.value() <= cell_count) return;
+  throw InvalidArgument("simulated skin: there is no cell " + toString(cell) + " to break; cells are 1 to " +
+                        std::to_string(cell_count));
+}
+
+/// Index of the link at this end.
+std::size_t findLink(const LinkEnd& at, const std::vector<PlannedLink>& links, std::size_t cell_count) {
+  requireCell(at.cell, cell_count);
+  std::set<PortNumber> joined;
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    const PlannedLink& link = links[k];
+    for (const LinkEnd& end :
+         {LinkEnd{idOf(link.source), link.source_port.number}, LinkEnd{idOf(link.target), link.target_port.number}}) {
+      if (end == at) return k;
+      if (end.cell == at.cell) joined.insert(end.port);
+    }
+  }
+  throw InvalidArgument("simulated skin: " + inWords(at) + " has no link to break; the cell has links at " +
+                        (joined.empty() ? "no port" : "the ports " + listInWords(joined)));
+}
+
+using LinksAt = std::vector<std::vector<PlannedLink>>;  // leading away from each cell
+
+LinksAt linksByCell(const std::vector<PlannedLink>& links, std::size_t without, std::size_t cell_count) {
+  LinksAt at(cell_count);
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    if (k == without) continue;
+    at[links[k].source].push_back(links[k]);
+    at[links[k].target].push_back(reversed(links[k]));
+  }
+  return at;
+}
+
+/// Where the cells that `links` lead to from `start` would lie if the patch were flat, in the first one's frame.
+std::vector<std::optional<SE3>> layFlat(std::size_t start, const LinksAt& links) {
+  std::vector<std::optional<SE3>> cells(links.size());
+  cells[start] = SE3();
+  std::vector<std::size_t> order = {start};
+  for (std::size_t next = 0; next < order.size(); ++next) {
+    for (const PlannedLink& link : links[order[next]]) {
+      if (cells[link.target]) continue;
+      const Eigen::Matrix3d R = nominalAlignment(link.source_port, link.target_port);
+      cells[link.target] = *cells[link.source] * linkTransform(R, link.source_port, link.target_port);
+      order.push_back(link.target);
+    }
+  }
+  return cells;
+}
+
+/// Middle of a link, its direction along the surface, and the surface's normal there.
+struct LinkFrame {
+  Eigen::Vector3d middle, along, normal;
+};
+
+LinkFrame frameOf(const PlannedLink& link, const SE3& source, const SE3& target) {
+  LinkFrame frame;
+  frame.middle = (source * link.source_port.vector_m + target * link.target_port.vector_m) / 2;
+  frame.normal = (source.R.col(2) + target.R.col(2)).normalized();
+  const Eigen::Vector3d way = target.t - source.t;
+  frame.along = (way - frame.normal * frame.normal.dot(way)).normalized();
+  return frame;
+}
+
+/// The motion that turns about a point.
+SE3 turnAbout(const Eigen::Vector3d& point, const Eigen::Matrix3d& R) { return {R, point - R * point}; }
+
+}  // namespace
+
+Eigen::Vector3d CellHealth::sensed(const Eigen::Vector3d& reading_g) const {
+  if (dead) return Eigen::Vector3d::Zero();
+  Eigen::Vector3d reading = (saturated ? kSaturatedGain : 1) * (wrong_gain ? kWrongGain : 1) * reading_g;
+  if (dead_axis >= 0) reading(dead_axis) = 0;
+  return reading;
+}
+
+double CellHealth::noiseFactor() const { return noisy ? kNoisyFactor : 1; }
+
+Eigen::Vector3d CellHealth::sent(Eigen::Vector3d reading_g) {
+  if (!stuck && stuck_axis < 0) return reading_g;
+  if (!first_reading_g) first_reading_g = reading_g;
+  if (stuck) return *first_reading_g;
+  reading_g(stuck_axis) = (*first_reading_g)(stuck_axis);
+  return reading_g;
+}
+
+void addFault(CellHealth& cell, SkinFault kind, std::mt19937_64& random) {
+  std::uniform_int_distribution<int> any_axis(0, 2);
+  switch (kind) {
+    case SkinFault::Dead:
+      cell.dead = true;
+      break;
+    case SkinFault::Stuck:
+      cell.stuck = true;
+      break;
+    case SkinFault::StuckAxis:
+      cell.stuck_axis = any_axis(random);
+      break;
+    case SkinFault::Saturated:
+      cell.saturated = true;
+      break;
+    case SkinFault::Noisy:
+      cell.noisy = true;
+      break;
+    case SkinFault::NoSamples:
+      cell.silent = true;
+      break;
+    case SkinFault::WrongGain:
+      cell.wrong_gain = true;
+      break;
+    case SkinFault::DeadAxis:
+      cell.dead_axis = any_axis(random);
+      break;
+  }
+}
+
+std::vector<CellHealth> breakCells(const SimulatedSkinOptions& options, std::size_t cell_count) {
+  std::vector<CellHealth> health(cell_count);
+  std::mt19937_64 random = randomStream(options.seed, Stream::Faults);
+  for (const CellFault& fault : options.faults) {
+    requireCell(fault.cell, cell_count);
+    std::mt19937_64 of_cell = randomStream(options.seed, Stream::DeadAxis, {fault.cell.value()});
+    addFault(health[fault.cell.value() - 1], fault.kind, fault.kind == SkinFault::DeadAxis ? of_cell : random);
+  }
+  return health;
+}
+
+LinkFaults::LinkFaults(const PatchPlan& plan, const CellModel& model, const SimulatedSkinOptions& options)
+    : links_(plan.allLinks()), reported_(links_), joint_angle_rad_(options.joint_angle_rad), seed_(options.seed) {
+  std::set<LinkEnd> renamed;
+  std::set<std::size_t> cut;
+  for (const LinkFault& fault : options.link_faults) {
+    const std::size_t link = findLink(fault.at, links_, plan.cell_count);
+    const bool is_new =
+        fault.kind == LinkFaultKind::WrongPort ? renamed.insert(fault.at).second : cut.insert(link).second;
+    if (!is_new) throw InvalidArgument("simulated skin: the link at " + inWords(fault.at) + " is broken already");
+    switch (fault.kind) {
+      case LinkFaultKind::WrongPort:
+        reportWrongPort(fault.at, link, model, options.seed);
+        break;
+      case LinkFaultKind::Joint:
+        joints_.push_back(cutAt(plan, link));
+        break;
+      case LinkFaultKind::Cable:
+        cables_.push_back(cutAt(plan, link));
+        break;
+    }
+  }
+}
+
+void LinkFaults::reportWrongPort(const LinkEnd& at, std::size_t link, const CellModel& model, std::uint64_t seed) {
+  PlannedLink& wrong = reported_[link];
+  const bool at_source = idOf(wrong.source) == at.cell;
+  const PortNumber far_port = (at_source ? wrong.target_port : wrong.source_port).number;
+  std::set<PortNumber> taken = {at.port};
+  for (const PlannedLink& other : reported_) {
+    if (idOf(other.source) == at.cell) taken.insert(other.source_port.number);
+    if (idOf(other.target) == at.cell) taken.insert(other.target_port.number);
+  }
+  std::vector<Port> free;
+  for (const Port& port : model.ports) {
+    if (!taken.contains(port.number) && !model.isForbidden(port.number, far_port)) free.push_back(port);
+  }
+  if (free.empty()) {
+    throw InvalidArgument("simulated skin: the link at " + inWords(at) +
+                          " can't be reported at a wrong port: no other port of the cell is free for it");
+  }
+  std::mt19937_64 random = randomStream(seed, Stream::LinkFaults, {at.cell.value(), at.port.value()});
+  std::uniform_int_distribution<std::size_t> any(0, free.size() - 1);
+  (at_source ? wrong.source_port : wrong.target_port) = free[any(random)];
+}
+
+LinkFaults::Cut LinkFaults::cutAt(const PatchPlan& plan, std::size_t link) const {
+  const auto turnedTo = [&](bool target_is_far) { return target_is_far ? links_[link] : reversed(links_[link]); };
+  const std::vector<std::optional<SE3>> held = layFlat(plan.start, linksByCell(links_, link, plan.cell_count));
+  const bool reaches_source = held[links_[link].source].has_value();
+  Cut cut;
+  if (reaches_source != held[links_[link].target].has_value()) {
+    cut.link = turnedTo(reaches_source);
+    for (std::size_t cell = 0; cell < held.size(); ++cell) {
+      if (!held[cell]) cut.far_side.push_back(cell);
+    }
+    return cut;
+  }
+  if (plan.closure) {
+    const LinkEnd at{idOf(links_[link].source), links_[link].source_port.number};
+    throw InvalidArgument("simulated skin: the link at " + inWords(at) +
+                          " can't be a joint or a cable: the rest of the closed ring holds both its sides together");
+  }
+  // The link is not all that holds the sides together: both are cut apart along a line through it.
+  const PlannedLink& through = links_[link];
+  const LinkFrame line = frameOf(through, *held[through.source], *held[through.target]);
+  const auto isBehind = [&](std::size_t cell) { return line.along.dot(held[cell]->t - line.middle) > 0; };
+  const bool start_is_behind = isBehind(plan.start);
+  cut.link = turnedTo(!start_is_behind);
+  for (std::size_t cell = 0; cell < held.size(); ++cell) {
+    if (isBehind(cell) != start_is_behind) cut.far_side.push_back(cell);
+  }
+  return cut;
+}
+
+/// Every motion is given for the part as it is before any other: what moves more cells moves the smaller motions along.
+std::vector<SE3> LinkFaults::composed(const std::vector<Cut>& cuts, const std::vector<SE3>& motions,
+                                      std::size_t cells) {
+  std::vector<std::size_t> order(cuts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t k) { return cuts[k].far_side.size(); });
+  std::vector<SE3> all(cells);
+  for (const std::size_t k : order) {
+    for (const std::size_t cell : cuts[k].far_side) all[cell] = all[cell] * motions[k];
+  }
+  return all;
+}
+
+void LinkFaults::pullCables(std::vector<TrueCell>& cells) const {
+  if (cables_.empty()) return;
+  std::vector<SE3> motions;
+  for (const Cut& cable : cables_) {
+    // The same cable from whichever end it was named.
+    std::mt19937_64 random = randomStream(seed_, Stream::LinkFaults,
+                                          {idOf(cable.link.source).value(), cable.link.source_port.number.value()});
+    std::uniform_real_distribution<double> any_angle(kLeastCableTurn, kMostCableTurn);
+    const double angle = any_angle(random);
+    NormalSource normal(random);
+    const Eigen::Vector3d turn = angle * normal.nextVector().normalized();
+    const Eigen::Vector3d shift = kCableReach_m * normal.nextVector().normalized();
+    const LinkFrame at = frameOf(cable.link, cells[cable.link.source].T_b_u, cells[cable.link.target].T_b_u);
+    SE3 motion = turnAbout(at.middle, expSO3(turn));
+    motion.t += shift;
+    motions.push_back(motion);
+  }
+  const std::vector<SE3> moved = composed(cables_, motions, cells.size());
+  for (std::size_t k = 0; k < cells.size(); ++k) cells[k].T_b_u = moved[k] * cells[k].T_b_u;
+}
+
+std::vector<SE3> LinkFaults::bendingOf(const std::vector<TrueCell>& cells) const {
+  if (joints_.empty()) return {};
+  std::vector<SE3> motions;
+  for (const Cut& joint : joints_) {
+    const LinkFrame at = frameOf(joint.link, cells[joint.link.source].T_b_u, cells[joint.link.target].T_b_u);
+    const Eigen::Vector3d turn = joint_angle_rad_ * at.normal.cross(at.along);
+    motions.push_back(turnAbout(at.middle, expSO3(turn)));
+  }
+  return composed(joints_, motions, cells.size());
+}
+
+}  // namespace hexoderm

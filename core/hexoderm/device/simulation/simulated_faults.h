@@ -1,0 +1,68 @@
+#pragma once
+
+// Private to device/: what SimulatedSkinOptions::faults and link_faults do to a skin.
+
+#include "hexoderm/device/simulation/patch_plan.h"
+#include "hexoderm/device/simulation/simulated_skin.h"
+
+#include <optional>
+#include <random>
+#include <vector>
+
+namespace hexoderm {
+
+/// What is broken about one cell's sensor.
+struct CellHealth {
+  bool dead = false, stuck = false, saturated = false, noisy = false, wrong_gain = false, silent = false;
+  int stuck_axis = -1;
+  int dead_axis = -1;
+  std::optional<Eigen::Vector3d> first_reading_g;  ///< of a stuck cell
+
+  /// What the broken sensor makes of a reading before its noise is added.
+  [[nodiscard]] Eigen::Vector3d sensed(const Eigen::Vector3d& reading_g) const;
+  [[nodiscard]] double noiseFactor() const;
+  /// What it sends for a reading with noise, quantised.
+  Eigen::Vector3d sent(Eigen::Vector3d reading_g);
+};
+
+/// `random` draws the axis, where a fault is of one axis.
+void addFault(CellHealth& cell, SkinFault kind, std::mt19937_64& random);
+/// Throws InvalidArgument for a fault of a cell that is not there.
+std::vector<CellHealth> breakCells(const SimulatedSkinOptions& options, std::size_t cell_count);
+
+/// The faults of a patch's links.
+class LinkFaults {
+ public:
+  /// Throws InvalidArgument with the reason for a link that is not there, that is broken twice alike, or that can't be
+  /// broken in this way.
+  LinkFaults(const PatchPlan& plan, const CellModel& model, const SimulatedSkinOptions& options);
+
+  /// The patch's links with the ports that the cells report.
+  [[nodiscard]] const std::vector<PlannedLink>& reportedLinks() const { return reported_; }
+
+  /// Takes the cells behind every cable to where the cable lets them lie.
+  void pullCables(std::vector<TrueCell>& cells) const;
+
+  /// The motion of every cell (body frame) that bends all joints; empty without joints.
+  [[nodiscard]] std::vector<SE3> bendingOf(const std::vector<TrueCell>& cells) const;
+
+ private:
+  /// A link whose far side moves as one piece.
+  struct Cut {
+    PlannedLink link;                   ///< from the near side to the far one
+    std::vector<std::size_t> far_side;  ///< cells
+  };
+
+  void reportWrongPort(const LinkEnd& at, std::size_t link, const CellModel& model, std::uint64_t seed);
+  [[nodiscard]] Cut cutAt(const PatchPlan& plan, std::size_t link) const;
+  static std::vector<SE3> composed(const std::vector<Cut>& cuts, const std::vector<SE3>& motions, std::size_t cells);
+
+  std::vector<PlannedLink> links_;  ///< as they are
+  std::vector<PlannedLink> reported_;
+  std::vector<Cut> joints_;
+  std::vector<Cut> cables_;
+  double joint_angle_rad_;
+  std::uint64_t seed_;
+};
+
+}  // namespace hexoderm

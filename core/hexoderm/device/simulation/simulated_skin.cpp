@@ -1,0 +1,357 @@
+#include "hexoderm/device/simulation/simulated_skin.h"
+
+#include "hexoderm/device/simulation/hand_motion.h"
+#include "hexoderm/device/simulation/patch_layout.h"
+#include "hexoderm/device/simulation/patch_plan.h"
+#include "hexoderm/device/simulation/random_streams.h"
+#include "hexoderm/device/simulation/simulated_faults.h"
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/rounding.h"
+#include "hexoderm/util/text.h"
+#include "hexoderm/util/units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace hexoderm {
+namespace {
+
+constexpr double kPauseBetweenRecordings_s = 10;
+constexpr double kHandOffset_m = 0.02;
+
+/// What turns the body's motion into a cell's reading.
+struct SensorChain {
+  Eigen::Matrix3d gain_R_a_b;
+  Eigen::Vector3d offset_g;
+  Eigen::Vector3d position_b;  ///< of the accelerometer
+};
+
+std::string_view lawName(LinkLaw law) { return law == LinkLaw::Bend ? "bend" : "surface"; }
+
+}  // namespace
+
+SimulatedSkinOptions::SimulatedSkinOptions()
+    : yaw_jitter_rad(1 * kDegree),
+      tilt_jitter_rad(0.5 * kDegree),
+      hand_orientation_sigma_rad(3 * kDegree),
+      tremor_angle_sigma_rad(0.05 * kDegree),
+      drift_rad_per_s(0.5 * kDegree),
+      joint_angle_rad(20 * kDegree) {}
+
+void SimulatedSkinOptions::validate() const {
+  const auto notNegative = [](double value, const std::string& name) {
+    if (!std::isfinite(value) || value < 0) throw InvalidArgument("simulated skin: " + name + " must not be negative");
+  };
+  notNegative(position_jitter_m, "position_jitter_m");
+  notNegative(yaw_jitter_rad, "yaw_jitter_rad");
+  notNegative(tilt_jitter_rad, "tilt_jitter_rad");
+  notNegative(hand_orientation_sigma_rad, "hand_orientation_sigma_rad");
+  notNegative(tremor_angle_sigma_rad, "tremor_angle_sigma_rad");
+  notNegative(tremor_acceleration_g, "tremor_acceleration_g");
+  notNegative(drift_rad_per_s, "drift_rad_per_s");
+  if (!std::isfinite(joint_angle_rad)) throw InvalidArgument("simulated skin: joint_angle_rad must be finite");
+}
+
+SimulatedSkinOptions SimulatedSkinOptions::ideal() {
+  SimulatedSkinOptions options;
+  options.position_jitter_m = 0;
+  options.yaw_jitter_rad = 0;
+  options.tilt_jitter_rad = 0;
+  options.sensor_errors = false;
+  options.sensor_noise = false;
+  options.hand_held = false;
+  return options;
+}
+
+struct SimulatedSkin::State {
+  CellModel model;
+  SimulatedSkinOptions options;
+  std::string surface_text;
+  NeighborList neighbors;
+  std::optional<std::pair<LinkEnd, LinkEnd>> loop;
+  std::vector<TrueCell> truth;
+  std::vector<CellHealth> health;
+  std::vector<SensorChain> sensors;
+  std::vector<SensorChain> bent_sensors;  ///< with the joints bent; empty without joints
+  Eigen::Vector3d middle_b = Eigen::Vector3d::Zero();
+  std::size_t recordings = 0;
+  double clock_s = 0;
+
+  /// How the part is held: the motion since it began, and what the sensors' noise is drawn from.
+  struct Hold {
+    HandMotion motion;
+    Eigen::Vector3d hand_b;
+    std::mt19937_64 noise;
+    bool is_bent = false;
+    std::size_t tick = 0;
+  };
+  std::optional<Hold> live;
+  FastNormalSource live_noise{std::mt19937_64()};
+  double live_clock_s = 0;
+
+  Hold hold(const Eigen::Vector3d& up_b);
+  void holdLive(const Eigen::Vector3d& up_b);
+  template <class Noise>
+  void sense(Hold& holding, Noise& noise, SampleFrame& frame);
+  void requireCell(CellId cell) const;
+
+  State(CellModel cell_model, SimulatedSkinOptions skin_options);
+
+ private:
+  void reportNeighbors(const std::vector<PlannedLink>& links);
+  void drawCells(const std::vector<SE3>& placements);
+  [[nodiscard]] std::vector<SensorChain> sensorsOf(const std::vector<SE3>& bending) const;
+};
+
+SimulatedSkin::State::State(CellModel cell_model, SimulatedSkinOptions skin_options)
+    : model(std::move(cell_model)), options(std::move(skin_options)) {
+  model.validate();
+  options.validate();
+  const PatchPlan plan = planPatch(options.patch, model);
+  surface_text = options.surface;
+  if (options.surface.empty() && options.patch == "x17") options.surface = surface_text = "cylinder:r=0.0501";
+  if (options.surface.empty() && plan.is_ring) {
+    const double radius = closingRadius(model, plan.cell_count, options.link_law == LinkLaw::Bend);
+    options.surface = "cylinder:r=" + formatExact(radius);
+    surface_text = "cylinder:r=" + formatFixed(radius, 4);
+  }
+  if (options.surface.empty()) options.surface = surface_text = "plane";
+  const std::unique_ptr<Surface> surface = makeSurface(options.surface);
+
+  // IDs run from 1 without gaps, and none may be an interface's: a skin larger than the model's range of IDs gets a
+  // wider range.
+  const CellId above_all(static_cast<std::uint32_t>(plan.cell_count) + 1);
+  model.interface_id = std::max(model.interface_id, above_all);
+  loop = plan.loop;
+  const LinkFaults link_faults(plan, model, options);
+  neighbors.resize(plan.cell_count);
+  reportNeighbors(link_faults.reportedLinks());
+  drawCells(layPatch(plan, *surface, options.link_law));
+  link_faults.pullCables(truth);
+  sensors = sensorsOf({});
+  if (const std::vector<SE3> bending = link_faults.bendingOf(truth); !bending.empty()) {
+    bent_sensors = sensorsOf(bending);
+  }
+  health = breakCells(options, truth.size());
+}
+
+void SimulatedSkin::State::reportNeighbors(const std::vector<PlannedLink>& links) {
+  for (std::size_t k = 0; k < neighbors.size(); ++k) neighbors[k].id = CellId(static_cast<std::uint32_t>(k + 1));
+  for (const PlannedLink& link : links) {
+    CellReport& source = neighbors[link.source];
+    CellReport& target = neighbors[link.target];
+    source.neighbors.push_back({link.source_port.number, target.id, link.target_port.number});
+    target.neighbors.push_back({link.target_port.number, source.id, link.source_port.number});
+  }
+  for (CellReport& cell : neighbors) std::ranges::sort(cell.neighbors, {}, &NeighborReport::port);
+}
+
+void SimulatedSkin::State::drawCells(const std::vector<SE3>& placements) {
+  NormalSource jitter(randomStream(options.seed, Stream::Placement));
+  NormalSource errors(randomStream(options.seed, Stream::Sensors));
+  const Accelerometer& accelerometer = model.accelerometer;
+  truth.reserve(placements.size());
+  for (std::size_t k = 0; k < placements.size(); ++k) {
+    TrueCell cell{CellId(static_cast<std::uint32_t>(k + 1)), placements[k]};
+    const Eigen::Vector3d shift = options.position_jitter_m * jitter.nextVector();
+    const Eigen::Vector3d sigma(options.tilt_jitter_rad, options.tilt_jitter_rad, options.yaw_jitter_rad);
+    const Eigen::Vector3d turn = sigma.cwiseProduct(jitter.nextVector());
+    cell.T_b_u.t += cell.T_b_u.R * shift;
+    cell.T_b_u.R *= expSO3(turn);
+    if (options.sensor_errors) {
+      cell.offset_g = accelerometer.offset_sigma_g * errors.nextVector();
+      for (int row = 0; row < 3; ++row) {
+        for (int col = 0; col < 3; ++col) {
+          cell.gain(row, col) +=
+              (row == col ? accelerometer.scale_sigma : accelerometer.cross_axis_sigma) * errors.next();
+        }
+      }
+    }
+    middle_b += cell.T_b_u.t / static_cast<double>(placements.size());
+    truth.push_back(cell);
+  }
+}
+
+std::vector<SensorChain> SimulatedSkin::State::sensorsOf(const std::vector<SE3>& bending) const {
+  std::vector<SensorChain> chains;
+  chains.reserve(truth.size());
+  for (std::size_t k = 0; k < truth.size(); ++k) {
+    SE3 T_b_a = truth[k].T_b_u * model.accelerometer.T_u_a;
+    if (!bending.empty()) T_b_a = bending[k] * T_b_a;
+    chains.push_back({truth[k].gain * T_b_a.R.transpose(), truth[k].offset_g, T_b_a.t});
+  }
+  return chains;
+}
+
+SimulatedSkin::SimulatedSkin(CellModel model, SimulatedSkinOptions options)
+    : state_(std::make_unique<State>(std::move(model), std::move(options))) {}
+SimulatedSkin::~SimulatedSkin() = default;
+SimulatedSkin::SimulatedSkin(SimulatedSkin&&) noexcept = default;
+SimulatedSkin& SimulatedSkin::operator=(SimulatedSkin&&) noexcept = default;
+
+const CellModel& SimulatedSkin::model() const { return state_->model; }
+const SimulatedSkinOptions& SimulatedSkin::options() const { return state_->options; }
+const NeighborList& SimulatedSkin::neighbors() const { return state_->neighbors; }
+const std::vector<TrueCell>& SimulatedSkin::truth() const { return state_->truth; }
+
+GroundTruth SimulatedSkin::groundTruth() const {
+  GroundTruth truth;
+  truth.cells.reserve(state_->truth.size());
+  for (const TrueCell& cell : state_->truth) truth.cells.push_back({cell.id, cell.T_b_u});
+  return truth;
+}
+std::optional<std::pair<LinkEnd, LinkEnd>> SimulatedSkin::loop() const { return state_->loop; }
+
+std::string SimulatedSkin::description() const {
+  return "Simulated " + state_->options.patch + " on " + state_->surface_text + ", link law " +
+         std::string(lawName(state_->options.link_law)) + ", seed " + std::to_string(state_->options.seed);
+}
+
+/// A new hold, by hand unless it is the skin's first.
+SimulatedSkin::State::Hold SimulatedSkin::State::hold(const Eigen::Vector3d& up_b) {
+  if (!up_b.allFinite() || up_b.norm() < 1e-9) {
+    throw InvalidArgument("simulated skin: the direction that points up must be a finite vector other than zero");
+  }
+  const std::size_t recording = recordings++;
+  std::mt19937_64 hand_random = randomStream(options.seed, Stream::Hand, recording);
+  const Eigen::Vector3d up = up_b.normalized();
+  const bool in_hand = options.hand_held && recording > 0;
+  HandMotion motion = in_hand ? HandMotion(up, options, hand_random) : HandMotion(up);
+  // A hand holds the part near its middle, not in it.
+  const Eigen::Vector3d hand_b = middle_b + kHandOffset_m * NormalSource(hand_random).nextVector();
+  return {std::move(motion), hand_b, randomStream(options.seed, Stream::Noise, recording),
+          !bent_sensors.empty() && recording % 2 == 1};
+}
+
+void SimulatedSkin::State::holdLive(const Eigen::Vector3d& up_b) {
+  live = hold(up_b);
+  live_noise = FastNormalSource(live->noise);
+}
+
+/// What all cells read at the hold's next tick.
+template <class Noise>
+void SimulatedSkin::State::sense(Hold& holding, Noise& noise, SampleFrame& frame) {
+  const Accelerometer& accelerometer = model.accelerometer;
+  // White noise of a density d, sampled at a rate f, has the variance d^2 f / 2.
+  const double white_g = accelerometer.noise_g_per_sqrt_hz * std::sqrt(accelerometer.rate_hz / 2);
+  const auto asOutput = [&](const Eigen::Vector3d& value_g) {
+    Eigen::Vector3d output = value_g;
+    if (options.sensor_noise && accelerometer.lsb_g > 0) {
+      for (double& value : output) value = accelerometer.lsb_g * nearestWhole(value / accelerometer.lsb_g);
+    }
+    return Eigen::Vector3d(output.cwiseMin(accelerometer.range_g).cwiseMax(-accelerometer.range_g));
+  };
+  const std::vector<SensorChain>& chains = holding.is_bent ? bent_sensors : sensors;
+  const BodyMotion body = holding.motion.at(static_cast<double>(holding.tick++) / accelerometer.rate_hz);
+  frame.samples.reserve(truth.size());
+  for (std::size_t c = 0; c < truth.size(); ++c) {
+    const SensorChain& sensor = chains[c];
+    CellHealth& cell = health[c];
+    // Drawn also where it is not used: a fault of one cell leaves the others' noise as it was.
+    const Eigen::Vector3d unit_noise =
+        options.sensor_noise || cell.noisy ? noise.nextVector() : Eigen::Vector3d::Zero();
+    if (cell.silent) continue;
+    Eigen::Vector3d reading =
+        sensor.gain_R_a_b * (body.up_b + body.field_b * (sensor.position_b - holding.hand_b)) + sensor.offset_g;
+    reading = cell.sensed(reading) + cell.noiseFactor() * white_g * unit_noise;
+    reading = cell.sent(asOutput(reading));
+    frame.samples.push_back({truth[c].id, reading});
+  }
+}
+
+std::vector<SampleFrame> SimulatedSkin::record(const Eigen::Vector3d& up_b, std::size_t frame_count) {
+  State& state = *state_;
+  State::Hold holding = state.hold(up_b);
+  NormalSource noise(holding.noise);
+  std::vector<SampleFrame> frames(frame_count);
+  for (std::size_t k = 0; k < frame_count; ++k) {
+    frames[k].time_s = state.clock_s + static_cast<double>(k) / state.model.accelerometer.rate_hz;
+    state.sense(holding, noise, frames[k]);
+  }
+  state.clock_s += static_cast<double>(frame_count) / state.model.accelerometer.rate_hz + kPauseBetweenRecordings_s;
+  return frames;
+}
+
+void SimulatedSkin::turnTo(const Eigen::Vector3d& up_b) {
+  State& state = *state_;
+  if (!state.live) state.holdLive(Eigen::Vector3d::UnitZ());
+  const double rate_hz = state.model.accelerometer.rate_hz;
+  const Eigen::Matrix3d R_w_b = state.live->motion.orientationAt(static_cast<double>(state.live->tick) / rate_hz);
+  state.holdLive(up_b);
+  state.live->motion.arriveFrom(R_w_b);
+}
+
+bool SimulatedSkin::turning() const {
+  const State& state = *state_;
+  if (!state.live) return false;
+  return static_cast<double>(state.live->tick) / state.model.accelerometer.rate_hz < state.live->motion.arrival_s();
+}
+
+SampleFrame SimulatedSkin::next() {
+  State& state = *state_;
+  if (!state.live) state.holdLive(Eigen::Vector3d::UnitZ());
+  SampleFrame frame;
+  frame.time_s = state.live_clock_s;
+  state.live_clock_s += 1 / state.model.accelerometer.rate_hz;
+  state.sense(*state.live, state.live_noise, frame);
+  return frame;
+}
+
+void SimulatedSkin::skip(std::size_t ticks) {
+  State& state = *state_;
+  if (!state.live) state.holdLive(Eigen::Vector3d::UnitZ());
+  state.live->tick += ticks;
+  state.live_clock_s += static_cast<double>(ticks) / state.model.accelerometer.rate_hz;
+}
+
+void SimulatedSkin::State::requireCell(CellId cell) const {
+  if (cell.value() == 0 || cell.value() > truth.size()) {
+    throw InvalidArgument("simulated skin: there is no cell " + toString(cell));
+  }
+}
+
+void SimulatedSkin::breakCell(const CellFault& fault) {
+  state_->requireCell(fault.cell);
+  std::mt19937_64 random = randomStream(state_->options.seed, Stream::DeadAxis, {fault.cell.value()});
+  addFault(state_->health[fault.cell.value() - 1], fault.kind, random);
+}
+
+void SimulatedSkin::mendCell(CellId cell) {
+  state_->requireCell(cell);
+  state_->health[cell.value() - 1] = CellHealth{};
+}
+
+std::vector<Eigen::Vector3d> scriptedUpDirections(std::size_t pose_count) {
+  // Three orthogonal ones first, then their opposites (which separate offsets), then the corners of the cube.
+  std::vector<Eigen::Vector3d> directions = {
+      Eigen::Vector3d::UnitZ(),  Eigen::Vector3d::UnitY(),  Eigen::Vector3d::UnitX(),
+      -Eigen::Vector3d::UnitZ(), -Eigen::Vector3d::UnitY(), -Eigen::Vector3d::UnitX(),
+  };
+  for (const Eigen::Vector3d& corner :
+       {Eigen::Vector3d(1, 1, 1), Eigen::Vector3d(-1, -1, 1), Eigen::Vector3d(-1, 1, -1), Eigen::Vector3d(1, -1, -1),
+        Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1, 1, -1), Eigen::Vector3d(1, -1, 1), Eigen::Vector3d(-1, 1, 1)}) {
+    directions.push_back(corner.normalized());
+  }
+  // Beyond that, a sequence without end that fills the sphere evenly (Roberts' R2: powers of the plastic number), less
+  // what would nearly repeat one of the directions above.
+  constexpr double kPlastic = 1.32471795724474602596;
+  constexpr double kTooNear = 8 * kDegree;
+  const std::size_t regular = directions.size();
+  for (std::size_t k = 1; directions.size() < pose_count; ++k) {
+    const double n = static_cast<double>(k);
+    const double u = n / kPlastic - std::floor(n / kPlastic);
+    const double v = n / (kPlastic * kPlastic) - std::floor(n / (kPlastic * kPlastic));
+    const double z = 1 - 2 * u;
+    const double s = std::sqrt(1 - z * z);
+    const Eigen::Vector3d up(s * std::cos(2 * kPi * v), s * std::sin(2 * kPi * v), z);
+    const auto repeats = [&](const Eigen::Vector3d& other) { return angleBetween(up, other) < kTooNear; };
+    if (std::none_of(directions.begin(), directions.begin() + static_cast<std::ptrdiff_t>(regular), repeats)) {
+      directions.push_back(up);
+    }
+  }
+  directions.resize(pose_count);
+  return directions;
+}
+
+}  // namespace hexoderm

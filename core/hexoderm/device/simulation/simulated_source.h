@@ -1,0 +1,37 @@
+#pragma once
+
+#include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/device/skin_source.h"
+
+#include <memory>
+#include <string>
+
+namespace hexoderm {
+
+/// A simulated skin that streams: what a newcomer sees, and what programs are tried with. It lies on a table until
+/// TurnTo turns it, by a simulated hand. SetLed is taken, SetRate is not.
+class SimulatedSource final : public SkinSource {
+ public:
+  /// `speed`: times real time, above 0; infinity: as fast as the listener takes it. Throws InvalidArgument.
+  SimulatedSource(SimulatedSkin skin, double speed, std::string address);
+  /// "sim:PATCH[?surface=...&seed=N&speed=X|max]", patch and surface as in SimulatedSkinOptions, of hex-bma150 cells.
+  /// Throws InvalidArgument naming what was expected.
+  static std::unique_ptr<SkinSource> open(const std::string& address);
+  /// Throws as open() for what the address itself says; builds nothing, however many cells there are. That a patch does
+  /// not fit its surface only building shows.
+  static void check(const std::string& address);
+  ~SimulatedSource() override;
+  SimulatedSource(const SimulatedSource&) = delete;
+  SimulatedSource& operator=(const SimulatedSource&) = delete;
+
+  void start(SkinListener& listener) override;
+  void stop() noexcept override;
+  std::uint32_t send(const SkinCommand& command) override;
+  [[nodiscard]] std::string address() const override;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace hexoderm

@@ -1,0 +1,73 @@
+#include "hexoderm/device/sources/open_source.h"
+
+#include "hexoderm/device/simulation/simulated_source.h"
+#include "hexoderm/device/sources/recording.h"
+#include "hexoderm/device/sources/stdin_source.h"
+#include "hexoderm/device/sources/wire_source.h"
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/text.h"
+
+#include <limits>
+#include <vector>
+
+namespace hexoderm {
+namespace {
+
+std::unique_ptr<SkinSource> openWire(const std::string& address) { return std::make_unique<WireSource>(address); }
+
+std::unique_ptr<SkinSource> openStdin(const std::string& address) {
+  if (address != "stdin") throw InvalidArgument("source \"" + address + "\": expected stdin, without anything behind");
+  return std::make_unique<StdinSource>();
+}
+
+std::unique_ptr<SkinSource> openReplay(const std::string& address) {
+  constexpr std::string_view kPrefix = "replay:";
+  constexpr std::string_view kSpeed = "?speed=";
+  std::string file = address.substr(kPrefix.size());
+  ReplayOptions options;
+  // A file's name may have a question mark of its own.
+  if (const std::size_t query = file.rfind(kSpeed); query != std::string::npos) {
+    const std::string speed = file.substr(query + kSpeed.size());
+    file.resize(query);
+    if (speed == "max") {
+      options.speed = std::numeric_limits<double>::infinity();
+    } else if (speed == "step") {
+      options.stepwise = true;
+    } else {
+      options.speed = parseNumber(speed, "source \"" + address + "\": speed (above 0, max or step)");
+    }
+  }
+  if (file.empty()) throw InvalidArgument("source \"" + address + "\": expected replay:FILE[?speed=X|max|step]");
+  return std::make_unique<ReplaySource>(file, options);
+}
+
+const SourceKind& kindOf(const std::string& address) {
+  std::string known;
+  for (const SourceKind& kind : sourceKinds()) {
+    if (address.starts_with(kind.prefix)) return kind;
+    known += (known.empty() ? "" : ", ") + std::string(kind.example);
+  }
+  throw InvalidArgument("source \"" + address + "\": expected one of " + known);
+}
+
+}  // namespace
+
+std::span<const SourceKind> sourceKinds() {
+  // Until they are started these hold their address and no more, so that opening one is a check of it.
+  const auto by_opening = [](auto open) { return [open](const std::string& address) { open(address); }; };
+  static const std::vector<SourceKind> kinds = {
+      {"tcp://", "tcp://HOST:PORT", openWire, by_opening(openWire)},
+      {"udp://", "udp://HOST:PORT", openWire, by_opening(openWire)},
+      {"serial:", "serial:/dev/DEVICE[?baud=N]", openWire, by_opening(openWire)},
+      {"stdin", "stdin", openStdin, by_opening(openStdin)},
+      {"replay:", "replay:FILE[?speed=X|max|step]", openReplay, by_opening(openReplay)},
+      {"sim:", "sim:PATCH[?surface=...&seed=N&speed=X|max]", SimulatedSource::open, SimulatedSource::check},
+  };
+  return kinds;
+}
+
+std::unique_ptr<SkinSource> openSkinSource(const std::string& address) { return kindOf(address).open(address); }
+
+void checkSkinAddress(const std::string& address) { kindOf(address).check(address); }
+
+}  // namespace hexoderm

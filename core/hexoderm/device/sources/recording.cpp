@@ -1,0 +1,239 @@
+#include "hexoderm/device/sources/recording.h"
+
+#include "hexoderm/device/skinwire/codec.h"
+#include "hexoderm/device/skinwire/description.h"
+#include "hexoderm/device/skinwire/sample_messages.h"
+#include "hexoderm/util/error.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <mutex>
+#include <string_view>
+
+namespace hexoderm {
+namespace {
+
+constexpr std::string_view kMagic = "SKINREC";
+constexpr char kVersion = '1';
+constexpr std::size_t kHead = 12;  // arrival time, length
+constexpr std::chrono::seconds kFlushEvery(1);
+
+template <class Number>
+void putLittleEndian(Number value, std::vector<std::uint8_t>& out) {
+  for (std::size_t k = 0; k < sizeof(Number); ++k) out.push_back(static_cast<std::uint8_t>(value >> (8 * k)));
+}
+
+template <class Number>
+Number getLittleEndian(const std::uint8_t* bytes) {
+  Number value = 0;
+  for (std::size_t k = 0; k < sizeof(Number); ++k) value |= static_cast<Number>(Number{bytes[k]} << (8 * k));
+  return value;
+}
+
+}  // namespace
+
+struct StreamRecorder::Impl {
+  using Clock = std::chrono::steady_clock;
+
+  std::filesystem::path path;
+  SkinListener& next;
+  std::ofstream file;
+  Clock::time_point began = Clock::now();
+  Clock::time_point flushed = began;
+  mutable std::mutex mutex;
+  std::string failure;  ///< guarded
+
+  SkinDescription skin;
+  std::uint32_t stream = 1;
+  std::uint32_t topology = 0;
+  skinwire::SampleEncoder encoder{0};
+  double last_time_s = 0;
+  std::uint64_t lost_samples = 0;  ///< on the way from the device, up to now
+  std::vector<skinwire::Samples> messages;
+
+  Impl(std::filesystem::path where, SkinListener& listener) : path(std::move(where)), next(listener) {}
+
+  void fail(const std::string& why) {
+    file.close();
+    const std::lock_guard lock(mutex);
+    if (failure.empty()) failure = path.string() + ": the recording ended: " + why;
+  }
+
+  void write(const skinwire::Message& message) {
+    const std::vector<std::uint8_t> body = skinwire::encodeBody(message);
+    const auto arrived = std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - began);
+    std::vector<std::uint8_t> head;
+    putLittleEndian(static_cast<std::uint64_t>(arrived.count()), head);
+    putLittleEndian(static_cast<std::uint32_t>(body.size()), head);
+    put(head);
+    put(body);
+  }
+
+  void put(const std::vector<std::uint8_t>& bytes) {
+    file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  }
+
+  void writeDescription() {
+    write(skinwire::helloOf(skin, 0, stream));
+    for (const skinwire::Topology& part : skinwire::topologyParts(skin.neighbors, topology)) write(part);
+  }
+
+  /// Recording must not take listening down with it.
+  template <class Action>
+  void guarded(const Action& action) {
+    if (!file.is_open()) return;
+    try {
+      action();
+      const Clock::time_point now = Clock::now();
+      if (now - flushed >= kFlushEvery) {
+        file.flush();
+        flushed = now;
+      }
+      if (!file) fail(std::strerror(errno));
+    } catch (const std::exception& error) {
+      fail(error.what());
+    }
+  }
+};
+
+StreamRecorder::StreamRecorder(std::filesystem::path path, SkinListener& next)
+    : impl_(std::make_unique<Impl>(std::move(path), next)) {
+  impl_->file.open(impl_->path, std::ios::binary | std::ios::trunc);
+  impl_->file << kMagic << kVersion << std::flush;
+  if (!impl_->file) {
+    throw StorageError(impl_->path.string() + ": a recording can't be written there: " + std::strerror(errno));
+  }
+}
+
+StreamRecorder::~StreamRecorder() = default;
+
+void StreamRecorder::onSkin(const SkinDescription& skin) {
+  impl_->next.onSkin(skin);
+  impl_->guarded([&] {
+    const bool new_model = !impl_->skin.model || impl_->skin.model != skin.model;
+    impl_->skin = skin;
+    ++impl_->topology;
+    if (new_model) {
+      // Its LSB may be another; the numbers begin anew, and so does the stream.
+      impl_->encoder = skinwire::SampleEncoder(skin.model->accelerometer.lsb_g);
+      ++impl_->stream;
+    }
+    impl_->writeDescription();
+  });
+}
+
+void StreamRecorder::onFrame(const SampleFrame& frame) {
+  impl_->next.onFrame(frame);
+  impl_->guarded([&] {
+    if (frame.time_s < impl_->last_time_s) {
+      ++impl_->stream;  // the device's clock began anew
+      impl_->writeDescription();
+    }
+    impl_->last_time_s = frame.time_s;
+    impl_->messages.clear();
+    impl_->encoder.encode(frame, impl_->messages);
+    for (skinwire::Samples& message : impl_->messages) {
+      // The encoder numbers what came; the file tells of what did not.
+      if (message.sequence) *message.sequence += impl_->lost_samples;
+      impl_->write(std::move(message));
+    }
+  });
+}
+
+void StreamRecorder::onStatus(const SourceStatus& status) {
+  impl_->next.onStatus(status);
+  // Less of them, where one came late after all: what is written can't be taken back.
+  impl_->lost_samples = std::max(impl_->lost_samples, status.lost_samples);
+}
+
+void StreamRecorder::onDeviceStatus(const DeviceStatus& status) {
+  impl_->next.onDeviceStatus(status);
+  impl_->guarded([&] {
+    impl_->write(skinwire::Status{status.text, status.exploring, status.samples_sent, status.samples_dropped});
+  });
+}
+
+void StreamRecorder::onCommandOutcome(const CommandOutcome& outcome) { impl_->next.onCommandOutcome(outcome); }
+
+void StreamRecorder::finish() {
+  if (impl_->file.is_open()) {
+    impl_->file.close();
+    if (!impl_->file) impl_->fail(std::strerror(errno));
+  }
+  if (const std::string why = error(); !why.empty()) throw StorageError(why);
+}
+
+std::string StreamRecorder::error() const {
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->failure;
+}
+
+struct RecordingReader::Impl {
+  std::string path;
+  std::ifstream file;
+  std::uint64_t position = 0;
+  std::chrono::microseconds last{};
+  std::string damage;
+
+  /// False, with `damage`, if there are fewer bytes; an end before the first byte is none where that is allowed.
+  bool read(std::uint8_t* bytes, std::size_t size, bool may_end) {
+    file.read(reinterpret_cast<char*>(bytes), static_cast<std::streamsize>(size));
+    const auto count = static_cast<std::size_t>(file.gcount());
+    if (count == size) return true;
+    if (count > 0 || !may_end) {
+      damage = path + ": is cut off; all before byte " + std::to_string(position) + " was played";
+    }
+    return false;
+  }
+};
+
+RecordingReader::RecordingReader(const std::filesystem::path& path) : impl_(std::make_unique<Impl>()) {
+  impl_->path = path.string();
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    throw StorageError(impl_->path + ": is a folder, expected a recording");
+  }
+  impl_->file.open(path, std::ios::binary);
+  if (!impl_->file) throw StorageError(impl_->path + ": can't be read: " + std::strerror(errno));
+  std::array<std::uint8_t, kMagic.size() + 1> magic{};
+  const bool whole = impl_->read(magic.data(), magic.size(), false);
+  const char version = static_cast<char>(magic.back());
+  if (!whole || !std::equal(kMagic.begin(), kMagic.end(), magic.begin()) || version < kVersion || version > '9') {
+    throw FormatError(impl_->path + ": is no recording of a skin, expected it to begin with \"SKINREC1\"");
+  }
+  if (version > kVersion) {
+    throw FormatError(impl_->path + ": this recording has version " + version + ", this program reads version " +
+                      kVersion);
+  }
+  impl_->position = magic.size();
+}
+
+RecordingReader::~RecordingReader() = default;
+
+std::optional<RecordedBody> RecordingReader::next() {
+  if (!impl_->damage.empty()) return std::nullopt;
+  std::array<std::uint8_t, kHead> head{};
+  if (!impl_->read(head.data(), head.size(), true)) return std::nullopt;
+  const auto arrived_us = getLittleEndian<std::uint64_t>(head.data());
+  const auto length = getLittleEndian<std::uint32_t>(head.data() + 8);
+  if (length > skinwire::kMaxBody || arrived_us > skinwire::kMaxTime_us) {
+    impl_->damage = impl_->path + ": byte " + std::to_string(impl_->position) + ": a record says that it has " +
+                    std::to_string(length) + " bytes, at most " + std::to_string(skinwire::kMaxBody) +
+                    " were expected; the rest can't be read";
+    return std::nullopt;
+  }
+  RecordedBody record;
+  record.body.resize(length);
+  if (!impl_->read(record.body.data(), length, false)) return std::nullopt;
+  impl_->position += kHead + length;
+  impl_->last = std::max(impl_->last, std::chrono::microseconds(arrived_us));
+  record.arrived = impl_->last;
+  return record;
+}
+
+const std::string& RecordingReader::damage() const { return impl_->damage; }
+
+}  // namespace hexoderm

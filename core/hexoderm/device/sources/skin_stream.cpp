@@ -1,0 +1,254 @@
+#include "hexoderm/device/sources/skin_stream.h"
+
+#include "hexoderm/device/skinwire/sample_messages.h"
+#include "hexoderm/util/error.h"
+
+#include <algorithm>
+
+namespace hexoderm {
+namespace {
+
+using skinwire::Decoded;
+using skinwire::DecodeOutcome;
+
+constexpr std::uint32_t kUnknown = UINT32_MAX;
+constexpr std::chrono::milliseconds kTellEvery(500);
+
+bool sameDescription(const SkinDescription& a, const SkinDescription& b) {
+  return a.device == b.device && a.can_light_cells == b.can_light_cells && a.can_turn == b.can_turn &&
+         a.neighbors == b.neighbors && (a.model == b.model || cellModelToJson(*a.model) == cellModelToJson(*b.model));
+}
+
+}  // namespace
+
+std::string printable(std::string text) {
+  std::ranges::replace_if(
+      text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, ' ');
+  return text;
+}
+
+void SkinStream::restart() {
+  has_hello_ = false;
+  model_ = nullptr;
+  model_complaint_.clear();
+  assembler_.clear();
+  has_topology_ = false;
+  neighbors_.clear();
+  index_of_.clear();
+  forgetLookUp();
+  device_text_.clear();
+  startCounting();
+}
+
+void SkinStream::startCounting() {
+  next_sequence_.reset();
+  last_us_ = 0;
+  for (auto& last_us : cell_last_us_) std::ranges::fill(last_us, 0);
+}
+
+void SkinStream::forgetLookUp() {
+  looked_up_cells_.clear();
+  looked_up_indices_.clear();
+  looked_up_unknown_ = 0;
+}
+
+SkinStream::Effect SkinStream::take(Decoded decoded) {
+  switch (decoded.outcome) {
+    case DecodeOutcome::Broken:
+      countRejected(std::move(decoded.reason));
+      return Effect::Nothing;
+    case DecodeOutcome::OtherMajor:
+      last_rejection_ = std::move(decoded.reason);
+      return Effect::Incompatible;
+    case DecodeOutcome::UnknownType:
+      return Effect::Alive;
+    case DecodeOutcome::Understood:
+      break;
+  }
+  if (const auto* samples = std::get_if<skinwire::Samples>(&decoded.message)) return takeSamples(*samples);
+  if (const auto* hello = std::get_if<skinwire::Hello>(&decoded.message)) return takeHello(*hello);
+  if (auto* topology = std::get_if<skinwire::Topology>(&decoded.message)) return takeTopology(std::move(*topology));
+  if (const auto* status = std::get_if<skinwire::Status>(&decoded.message)) {
+    takeStatus(*status);
+  } else if (const auto* ack = std::get_if<skinwire::Ack>(&decoded.message)) {
+    if (on_ack) on_ack(*ack);
+  }
+  return Effect::Alive;
+}
+
+void SkinStream::takeStatus(const skinwire::Status& status) {
+  device_text_ = printable(status.text);
+  if (device_text_.empty() && status.exploring) device_text_ = "exploring its cells";
+  if (status_.dropped_by_device != status.samples_dropped) counters_changed_ = true;
+  status_.dropped_by_device = status.samples_dropped;
+  listener_.onDeviceStatus({printable(status.text), status.exploring, status.samples_sent, status.samples_dropped});
+}
+
+void SkinStream::countRejected(std::string why) {
+  last_rejection_ = printable(std::move(why));
+  ++status_.rejected_messages;
+  counters_changed_ = true;
+}
+
+SkinStream::Effect SkinStream::takeHello(const skinwire::Hello& hello) {
+  if (has_hello_ && hello.stream != hello_.stream) startCounting();
+  // UDP devices repeat it every second; a model is parsed only if it is another one.
+  const bool same_model = model_ && hello.cell_model == hello_.cell_model;
+  has_hello_ = true;
+  hello_ = hello;
+  if (!same_model) {
+    model_ = nullptr;
+    model_complaint_.clear();
+    try {
+      model_ = std::make_shared<const CellModel>(skinwire::cellModelOf(hello));
+    } catch (const Error& error) {
+      model_complaint_ = printable(error.what());
+      countRejected(model_complaint_);
+    }
+  }
+  announce();
+  return Effect::Alive;
+}
+
+SkinStream::Effect SkinStream::takeTopology(skinwire::Topology part) {
+  const std::uint32_t id = part.id;
+  std::optional<NeighborList> whole = assembler_.add(std::move(part));
+  if (!whole) return Effect::Alive;
+  const bool is_new = !has_topology_ || *whole != neighbors_;
+  has_topology_ = true;
+  topology_id_ = id;
+  if (is_new) {
+    neighbors_ = std::move(*whole);
+    index_of_.clear();
+    for (const CellReport& cell : neighbors_) {
+      index_of_.try_emplace(cell.id.value(), static_cast<std::uint32_t>(index_of_.size()));
+    }
+    for (auto& last_us : cell_last_us_) last_us.assign(index_of_.size(), 0);
+    forgetLookUp();
+  }
+  announce();
+  return Effect::Alive;
+}
+
+void SkinStream::announce() {
+  if (!isDescribed()) return;
+  SkinDescription skin{printable(hello_.device), model_, neighbors_, hello_.can_light_cells, hello_.can_turn};
+  if (announced_ && sameDescription(*announced_, skin)) return;
+  announced_ = std::move(skin);
+  listener_.onSkin(*announced_);
+}
+
+std::string SkinStream::whatIsMissing() const {
+  if (!model_complaint_.empty()) return "its cell model can't be used: " + model_complaint_;
+  if (!has_hello_) return "it has not said what it is";
+  if (!has_topology_) return "its topology has not come";
+  return {};
+}
+
+std::string SkinStream::deviceName() const { return hello_.device.empty() ? "the device" : printable(hello_.device); }
+
+bool SkinStream::lookUpCells(const std::vector<std::uint32_t>& cells) {
+  if (cells == looked_up_cells_) return true;
+  forgetLookUp();
+  std::vector<bool> seen(index_of_.size(), false);
+  for (const std::uint32_t cell : cells) {
+    const auto found = index_of_.find(cell);
+    if (found == index_of_.end()) {
+      looked_up_indices_.push_back(kUnknown);
+      ++looked_up_unknown_;
+      continue;
+    }
+    if (seen[found->second]) {
+      forgetLookUp();
+      return false;
+    }
+    seen[found->second] = true;
+    looked_up_indices_.push_back(found->second);
+  }
+  looked_up_cells_ = cells;
+  return true;
+}
+
+bool SkinStream::isLate(const skinwire::Samples& samples) const {
+  if (samples.time_us < last_us_) return true;
+  return std::ranges::any_of(looked_up_indices_, [&](std::uint32_t index) {
+    return index != kUnknown && cell_last_us_[kindOf(samples)][index] > samples.time_us;
+  });
+}
+
+SkinStream::Effect SkinStream::takeSamples(const skinwire::Samples& samples) {
+  const std::size_t ticks = samples.ticks();
+  const std::size_t count = ticks * samples.cells.size();
+  if (!isDescribed()) {
+    status_.unknown_samples += count;
+    counters_changed_ = counters_changed_ || count > 0;
+    return Effect::Alive;
+  }
+  if (!samples.raw_lsb.empty() && !(model_->accelerometer.lsb_g > 0)) {
+    countRejected("samples in LSB need a cell model whose accelerometer.lsb_g is above 0");
+    return Effect::Nothing;
+  }
+  if (!lookUpCells(samples.cells)) {
+    countRejected("a cell is twice in one message of samples");
+    return Effect::Nothing;
+  }
+  const bool late = isLate(samples);
+  if (samples.sequence) {
+    const std::uint64_t first = *samples.sequence;
+    if (!next_sequence_ || first >= *next_sequence_) {
+      // What was sent before the first message of a connection is not lost: nobody listened.
+      if (next_sequence_) status_.lost_samples += first - *next_sequence_;
+      next_sequence_ = first + count;
+    } else if (!late) {
+      // Overtaken by a message of the same time: it had been counted as lost.
+      status_.lost_samples -= std::min<std::uint64_t>(status_.lost_samples, count);
+    }
+  }
+  counters_changed_ = true;
+  if (late) {
+    status_.late_frames += std::max<std::size_t>(ticks, 1);
+    return Effect::Nothing;
+  }
+  deliver(samples);
+  return Effect::Alive;
+}
+
+void SkinStream::deliver(const skinwire::Samples& samples) {
+  const std::size_t ticks = samples.ticks();
+  const auto isUnknown = [this](const auto& item) { return !index_of_.contains(item.cell.value()); };
+  for (std::size_t tick = 0; tick < std::max<std::size_t>(ticks, 1); ++tick) {
+    skinwire::decodeTick(samples, tick, model_->accelerometer.lsb_g, frame_);
+    if (looked_up_unknown_ > 0) {
+      std::erase_if(frame_.samples, isUnknown);
+      std::erase_if(frame_.means, isUnknown);
+    }
+    std::erase_if(frame_.temperatures, isUnknown);
+    if (frame_.samples.empty() && frame_.means.empty() && frame_.temperatures.empty()) continue;
+    ++status_.frames;
+    listener_.onFrame(frame_);
+  }
+  status_.unknown_samples += looked_up_unknown_ * ticks;
+  last_us_ = samples.time_us + (ticks > 1 ? (ticks - 1) * std::uint64_t{samples.period_us} : 0);
+  for (const std::uint32_t index : looked_up_indices_) {
+    if (index != kUnknown) cell_last_us_[kindOf(samples)][index] = last_us_ + 1;
+  }
+}
+
+void SkinStream::report(SourceState state, std::string text, Clock::time_point now) {
+  if (state == status_.state && text == status_.text) return;
+  status_.state = state;
+  status_.text = std::move(text);
+  tell(now);
+}
+
+void SkinStream::reportCounters(Clock::time_point now) {
+  if (counters_changed_ && now - told_at_ >= kTellEvery) tell(now);
+}
+
+void SkinStream::tell(Clock::time_point now) {
+  told_at_ = now;
+  counters_changed_ = false;
+  listener_.onStatus(status_);
+}
+
+}  // namespace hexoderm

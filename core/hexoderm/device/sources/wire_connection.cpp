@@ -1,0 +1,266 @@
+#include "hexoderm/device/sources/wire_connection.h"
+
+#include "hexoderm/util/text.h"
+
+#include <algorithm>
+
+namespace hexoderm {
+namespace {
+
+using skinwire::Bytes;
+using skinwire::Framing;
+
+constexpr std::chrono::milliseconds kTick(50);
+constexpr std::chrono::milliseconds kRepeatCommand(400);
+constexpr std::size_t kMaxPending = 256;
+
+std::string seconds(std::chrono::steady_clock::duration duration) {
+  const double value_s = std::chrono::duration<double>(duration).count();
+  return formatFixed(value_s, value_s < 1 ? 2 : 1) + " s";
+}
+
+skinwire::Request requestOf(const SkinCommand& command) {
+  struct Translate {
+    skinwire::Request operator()(const SetRate& c) const { return skinwire::SetRate{c.rate_hz}; }
+    skinwire::Request operator()(const SetLed& c) const {
+      return skinwire::SetLed{c.cell.value(), c.red, c.green, c.blue};
+    }
+    skinwire::Request operator()(const TurnTo& c) const { return skinwire::TurnTo{c.cell.value(), c.up_u}; }
+    skinwire::Request operator()(const ExploreAgain& /*c*/) const { return skinwire::ExploreAgain{}; }
+  };
+  return std::visit(Translate{}, command);
+}
+
+}  // namespace
+
+WireConnection::WireConnection(std::shared_ptr<boost::asio::io_context> io, std::string address, WireOptions options,
+                               SkinListener& listener)
+    : io_(std::move(io)),
+      address_text_(std::move(address)),
+      address_(parseWireAddress(address_text_)),
+      options_(options),
+      listener_(listener),
+      stream_(listener),
+      tick_timer_(*io_),
+      retry_(options.first_retry) {
+  stream_.on_ack = [this](const skinwire::Ack& ack) { onAck(ack); };
+}
+
+WireConnection::~WireConnection() { drop(); }
+
+void WireConnection::connect() {
+  drop();
+  phase_ = Phase::Opening;
+  since_ = Clock::now();
+  stream_.restart();
+  if (stream_.state() == SourceState::Stopped) {
+    stream_.report(SourceState::Connecting, named("connecting"), since_);
+    scheduleTick();
+  }
+  switch (address_.kind) {
+    case WireAddress::Kind::Serial:
+      decoder_ = skinwire::FrameDecoder(Framing::Cobs);
+      break;
+    case WireAddress::Kind::Tcp:
+    case WireAddress::Kind::Udp:  // which does not use it
+      decoder_ = skinwire::FrameDecoder(std::nullopt);
+      break;
+  }
+  transport_ = makeWireTransport(io_, address_,
+                                 {[this] { onOpened(); }, [this](skinwire::ByteView bytes) { onReceived(bytes); },
+                                  [this](const std::string& why) { retryLater(why); }});
+  transport_->open();
+}
+
+void WireConnection::drop() {
+  if (transport_) transport_->close();
+  transport_.reset();
+  phase_ = Phase::Idle;
+}
+
+void WireConnection::onOpened() {
+  const Clock::time_point now = Clock::now();
+  phase_ = Phase::Open;
+  since_ = alive_ = now;
+  rejected_when_alive_ = stream_.rejectedMessages();
+  asked_ = now - options_.describe_every;
+  if (was_connected_) stream_.countReconnect();
+  was_connected_ = true;
+  // Ends whatever piece of a frame the device may have heard before.
+  if (address_.kind == WireAddress::Kind::Serial) transport_->write({0});
+  askIfNeeded(now);
+  reportOpen(now);
+}
+
+std::optional<Framing> WireConnection::framing() const {
+  return address_.kind == WireAddress::Kind::Udp ? std::nullopt : decoder_.framing();
+}
+
+Bytes WireConnection::framed(const skinwire::Message& message) const {
+  const std::optional<Framing> known = framing();
+  return known ? skinwire::encodeFrame(*known, message) : skinwire::encodeBody(message);
+}
+
+void WireConnection::askIfNeeded(Clock::time_point now) {
+  if (now - asked_ < options_.describe_every) return;
+  // On TCP the device speaks first, in the dialect of its choice. Over UDP being asked is what keeps it sending.
+  const bool is_udp = address_.kind == WireAddress::Kind::Udp;
+  if (!is_udp && (stream_.isDescribed() || !framing())) return;
+  asked_ = now;
+  transport_->write(framed(skinwire::Command{0, skinwire::Describe{stream_.topologyId()}}));
+}
+
+void WireConnection::onReceived(skinwire::ByteView bytes) {
+  if (address_.kind == WireAddress::Kind::Udp) {
+    if (bytes.size() > skinwire::kMaxDatagram) {
+      return stream_.countRejected("a datagram of " + std::to_string(bytes.size()) + " bytes, the limit is " +
+                                   std::to_string(skinwire::kMaxDatagram));
+    }
+    return onDecoded(skinwire::decodeBody(bytes));
+  }
+  decoder_.feed(bytes);
+  while (phase_ == Phase::Open) {
+    std::optional<skinwire::Decoded> decoded = decoder_.next();
+    if (!decoded) break;
+    onDecoded(std::move(*decoded));
+  }
+  if (phase_ == Phase::Open && !decoder_.stuck().empty()) retryLater("what came is broken: " + decoder_.stuck());
+}
+
+void WireConnection::onDecoded(skinwire::Decoded decoded) {
+  const bool was_described = stream_.isDescribed();
+  switch (stream_.take(std::move(decoded))) {
+    case SkinStream::Effect::Nothing:
+      return;
+    case SkinStream::Effect::Incompatible:
+      given_up_ = true;
+      drop();
+      stream_.report(SourceState::Incompatible, named(stream_.lastRejection() + "; not trying again"), Clock::now());
+      for (; !pending_.empty();) fail(pending_.begin()->first, "the connection was closed");
+      return;
+    case SkinStream::Effect::Alive:
+      break;
+  }
+  const Clock::time_point now = Clock::now();
+  alive_ = now;
+  rejected_when_alive_ = stream_.rejectedMessages();
+  if (stream_.isDescribed() != was_described) retry_ = options_.first_retry;
+  // Thousands of messages a second say nothing new; what a Status says comes with the next tick.
+  if (stream_.state() != SourceState::Streaming || !stream_.isDescribed()) reportOpen(now);
+}
+
+void WireConnection::reportOpen(Clock::time_point now) {
+  const Clock::duration quiet = now - alive_;
+  if (quiet >= options_.silent_after) {
+    // What arrives and is broken is the better explanation.
+    const bool garbage = stream_.rejectedMessages() > rejected_when_alive_;
+    stream_.report(
+        SourceState::Silent,
+        named((garbage ? "only broken messages (" + stream_.lastRejection() + ")" : "nothing came") + " for " +
+              seconds(options_.silent_after) + "; reconnecting after " + seconds(options_.reconnect_after)),
+        now);
+  } else if (!stream_.isDescribed()) {
+    const std::string device = stream_.deviceText().empty() ? "" : "; it says: " + stream_.deviceText();
+    stream_.report(SourceState::Waiting, named("connected to the device, " + stream_.whatIsMissing() + device), now);
+  } else {
+    const std::string device = stream_.deviceText().empty() ? "" : ": " + stream_.deviceText();
+    stream_.report(SourceState::Streaming, named("connected to " + stream_.deviceName() + device), now);
+  }
+}
+
+void WireConnection::retryLater(const std::string& why) {
+  drop();
+  const Clock::time_point now = Clock::now();
+  retry_at_ = now + retry_;
+  stream_.report(SourceState::Connecting, named(why + "; next try in " + seconds(retry_)), now);
+  retry_ = std::min<Clock::duration>(2 * retry_, options_.longest_retry);
+  for (; !pending_.empty();) fail(pending_.begin()->first, "the connection was lost");
+  // A short wait must not be lengthened by the tick.
+  scheduleTick();
+}
+
+void WireConnection::scheduleTick() {
+  Clock::duration wait = std::min<Clock::duration>(kTick, options_.silent_after / 4);
+  if (phase_ == Phase::Idle) wait = std::clamp<Clock::duration>(retry_at_ - Clock::now(), Clock::duration(0), wait);
+  tick_timer_.expires_after(wait);
+  tick_timer_.async_wait([this](const boost::system::error_code& error) {
+    if (!error) onTick();
+  });
+}
+
+void WireConnection::onTick() {
+  const Clock::time_point now = Clock::now();
+  if (!given_up_) {
+    if (phase_ == Phase::Idle && now >= retry_at_) {
+      connect();
+    } else if (phase_ == Phase::Opening && now - since_ >= options_.reconnect_after) {
+      retryLater("no answer for " + seconds(options_.reconnect_after));
+    } else if (phase_ == Phase::Open && now - alive_ >= options_.reconnect_after) {
+      reportOpen(now);
+      retryLater("nothing came for " + seconds(options_.reconnect_after));
+    } else if (phase_ == Phase::Open) {
+      askIfNeeded(now);
+      reportOpen(now);
+      tendCommands(now);
+    }
+  }
+  stream_.reportCounters(now);
+  scheduleTick();
+}
+
+void WireConnection::send(std::uint32_t number, const SkinCommand& command) {
+  const Clock::time_point now = Clock::now();
+  if (phase_ != Phase::Open || !stream_.isDescribed()) return fail(number, "the device is not connected");
+  if (pending_.size() >= kMaxPending) return fail(number, "too many commands wait for an answer");
+  if (std::holds_alternative<SetLed>(command) && !stream_.hello().can_light_cells) {
+    return fail(number, "the device can't light its cells");
+  }
+  if (std::holds_alternative<TurnTo>(command) && !stream_.hello().can_turn) {
+    return fail(number, "the device can't turn by itself");
+  }
+  const skinwire::Command message{number, requestOf(command)};
+  if (const std::string why = skinwire::complaint(message); !why.empty()) return fail(number, why);
+  Bytes frame = framed(message);
+  transport_->write(frame);
+  pending_[number] = {std::move(frame), now + options_.command_timeout, now};
+}
+
+void WireConnection::onAck(const skinwire::Ack& ack) {
+  const auto found = pending_.find(ack.command);
+  if (found == pending_.end()) return;
+  if (ack.working) {
+    found->second.deadline = Clock::now() + options_.command_timeout;
+    return;
+  }
+  pending_.erase(found);
+  listener_.onCommandOutcome({ack.command, ack.done, printable(ack.text)});
+}
+
+void WireConnection::tendCommands(Clock::time_point now) {
+  std::vector<std::uint32_t> expired;
+  for (auto& [number, pending] : pending_) {
+    if (now >= pending.deadline) {
+      expired.push_back(number);
+    } else if (address_.kind == WireAddress::Kind::Udp && now - pending.sent >= kRepeatCommand) {
+      pending.sent = now;
+      transport_->write(pending.frame);
+    }
+  }
+  for (const std::uint32_t number : expired) {
+    fail(number, "the device did not answer within " + seconds(options_.command_timeout));
+  }
+}
+
+void WireConnection::fail(std::uint32_t number, std::string why) {
+  pending_.erase(number);
+  listener_.onCommandOutcome({number, false, std::move(why)});
+}
+
+void WireConnection::finish(const std::string& text) {
+  given_up_ = true;
+  drop();
+  for (; !pending_.empty();) fail(pending_.begin()->first, "the source was stopped");
+  stream_.report(SourceState::Stopped, named(text), Clock::now());
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,76 @@
+#pragma once
+
+// Private to device/.
+
+#include "hexoderm/device/skinwire/framing.h"
+#include "hexoderm/device/sources/skin_stream.h"
+#include "hexoderm/device/sources/wire_source.h"
+#include "hexoderm/device/sources/wire_transport.h"
+
+#include <boost/asio/steady_timer.hpp>
+
+#include <map>
+
+namespace hexoderm {
+
+/// What a WireSource's thread does: connects, listens, asks, waits and connects again. Lives on the io_context's
+/// thread.
+class WireConnection {
+ public:
+  WireConnection(std::shared_ptr<boost::asio::io_context> io, std::string address, WireOptions options,
+                 SkinListener& listener);
+  ~WireConnection();
+
+  void connect();
+  void send(std::uint32_t number, const SkinCommand& command);
+  /// Closes, and says so.
+  void finish(const std::string& text);
+
+ private:
+  using Clock = SkinStream::Clock;
+  enum class Phase { Idle, Opening, Open };
+
+  struct Pending {
+    skinwire::Bytes frame;
+    Clock::time_point deadline;
+    Clock::time_point sent;
+  };
+
+  void onOpened();
+  void onReceived(skinwire::ByteView bytes);
+  void onDecoded(skinwire::Decoded decoded);
+  void onAck(const skinwire::Ack& ack);
+  void onTick();
+  void scheduleTick();
+  void retryLater(const std::string& why);
+  void drop();
+  void askIfNeeded(Clock::time_point now);
+  void reportOpen(Clock::time_point now);
+  void tendCommands(Clock::time_point now);
+  void fail(std::uint32_t number, std::string why);
+  [[nodiscard]] std::optional<skinwire::Framing> framing() const;
+  [[nodiscard]] skinwire::Bytes framed(const skinwire::Message& message) const;
+  [[nodiscard]] std::string named(const std::string& text) const { return address_text_ + ": " + text; }
+
+  std::shared_ptr<boost::asio::io_context> io_;
+  std::string address_text_;
+  WireAddress address_;
+  WireOptions options_;
+  SkinListener& listener_;
+  SkinStream stream_;
+  boost::asio::steady_timer tick_timer_;
+  std::shared_ptr<WireTransport> transport_;
+  skinwire::FrameDecoder decoder_{std::nullopt};
+  Phase phase_ = Phase::Idle;
+  bool given_up_ = false;
+  bool was_connected_ = false;
+  Clock::time_point since_;                ///< of the phase
+  Clock::time_point alive_;                ///< when something that makes sense came last
+  std::uint64_t rejected_when_alive_ = 0;  ///< messages, up to then
+  Clock::time_point asked_;
+  Clock::time_point retry_at_;
+  Clock::duration retry_;  ///< the next wait
+  std::map<std::uint32_t, Pending> pending_;
+};
+
+}  // namespace hexoderm

@@ -1,0 +1,256 @@
+#include "hexoderm/device/sources/wire_transport.h"
+
+#include <termios.h>
+
+#include <boost/asio/connect.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/ip/udp.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/serial_port.hpp>
+#include <boost/asio/write.hpp>
+
+#include <array>
+#include <deque>
+#include <thread>
+#include <vector>
+
+namespace hexoderm {
+namespace {
+
+namespace asio = boost::asio;
+using boost::system::error_code;
+using skinwire::Bytes;
+using skinwire::ByteView;
+
+/// What is common: callbacks that stop with close(), and a queue of what is to be written.
+template <class Channel>
+class ChannelTransport : public WireTransport, public std::enable_shared_from_this<ChannelTransport<Channel>> {
+ public:
+  ChannelTransport(asio::io_context& io, Callbacks callbacks) : channel_(io), callbacks_(std::move(callbacks)) {}
+
+  void write(Bytes bytes) final {
+    if (closed_) return;
+    queue_.push_back(std::move(bytes));
+    if (queue_.size() == 1) writeNext();
+  }
+
+  void close() final {
+    if (closed_) return;
+    closed_ = true;
+    closeChannel();
+  }
+
+ protected:
+  virtual void startWriting(const Bytes& bytes, std::function<void(const error_code&)> done) = 0;
+  virtual void startReading() = 0;
+  virtual void closeChannel() {
+    error_code ignored;
+    channel_.close(ignored);
+  }
+
+  void opened() {
+    callbacks_.opened();
+    if (!closed_) startReading();
+  }
+
+  void end(const std::string& why) {
+    if (closed_) return;
+    close();
+    callbacks_.ended(why);
+  }
+
+  void received(const error_code& error, std::size_t size) {
+    if (closed_) return;
+    if (error) return end(error == asio::error::eof ? "the device closed the connection" : error.message());
+    callbacks_.received(ByteView(buffer_.data(), size));
+    if (!closed_) startReading();
+  }
+
+  [[nodiscard]] bool isClosed() const { return closed_; }
+
+  Channel channel_;
+  std::vector<std::uint8_t> buffer_ = std::vector<std::uint8_t>(65'536);
+
+ private:
+  void writeNext() {
+    startWriting(queue_.front(), [self = this->shared_from_this()](const error_code& error) {
+      if (self->closed_) return;
+      if (error) return self->end(error.message());
+      self->queue_.pop_front();
+      if (!self->queue_.empty()) self->writeNext();
+    });
+  }
+
+  Callbacks callbacks_;
+  std::deque<Bytes> queue_;
+  bool closed_ = false;
+};
+
+template <class Channel>
+class StreamTransport : public ChannelTransport<Channel> {
+ public:
+  using ChannelTransport<Channel>::ChannelTransport;
+
+ protected:
+  void startWriting(const Bytes& bytes, std::function<void(const error_code&)> done) override {
+    asio::async_write(this->channel_, asio::buffer(bytes),
+                      [done = std::move(done)](const error_code& error, std::size_t) { done(error); });
+  }
+  void startReading() override {
+    this->channel_.async_read_some(asio::buffer(this->buffer_),
+                                   [this, self = this->shared_from_this()](const error_code& error, std::size_t size) {
+                                     this->received(error, size);
+                                   });
+  }
+};
+
+template <class Protocol>
+using Endpoints = std::vector<typename Protocol::endpoint>;
+
+/// Looks a host up without ever holding up the io_context's thread. Asio's own resolver would be waited for at the end,
+/// which takes as long as a name server that does not answer.
+template <class Protocol>
+void resolve(const std::shared_ptr<asio::io_context>& io, const WireAddress& address,
+             std::function<void(error_code, Endpoints<Protocol>)> done) {
+  error_code error;
+  const asio::ip::address number = asio::ip::make_address(address.host, error);
+  if (!error) {
+    asio::post(*io, [done = std::move(done), endpoint = typename Protocol::endpoint(number, address.port)] {
+      done({}, {endpoint});
+    });
+    return;
+  }
+  std::thread([io, address, done = std::move(done)]() mutable {
+    asio::io_context own;
+    typename Protocol::resolver resolver(own);
+    error_code failure;
+    Endpoints<Protocol> endpoints;
+    for (const auto& entry : resolver.resolve(address.host, std::to_string(address.port), failure)) {
+      endpoints.push_back(entry.endpoint());
+    }
+    asio::post(*io, [done = std::move(done), failure, endpoints = std::move(endpoints)] { done(failure, endpoints); });
+  }).detach();
+}
+
+class TcpTransport final : public StreamTransport<asio::ip::tcp::socket> {
+ public:
+  TcpTransport(const std::shared_ptr<asio::io_context>& io, WireAddress address, Callbacks callbacks)
+      : StreamTransport(*io, std::move(callbacks)), io_(io), address_(std::move(address)) {}
+
+  void open() override {
+    const auto io = io_.lock();
+    if (!io) return;
+    resolve<asio::ip::tcp>(io, address_, [weak = weak_from_this(), this](error_code error, auto endpoints) {
+      const auto self = weak.lock();
+      if (!self || isClosed()) return;
+      if (error) return end("the host is not known: " + error.message());
+      endpoints_ = std::move(endpoints);
+      asio::async_connect(channel_, endpoints_, [this, self](const error_code& failure, const auto&) {
+        if (isClosed()) return;
+        if (failure) return end(failure.message());
+        error_code ignored;
+        channel_.set_option(asio::ip::tcp::no_delay(true), ignored);
+        opened();
+      });
+    });
+  }
+
+ private:
+  std::weak_ptr<asio::io_context> io_;
+  WireAddress address_;
+  Endpoints<asio::ip::tcp> endpoints_;
+};
+
+class UdpTransport final : public ChannelTransport<asio::ip::udp::socket> {
+ public:
+  UdpTransport(const std::shared_ptr<asio::io_context>& io, WireAddress address, Callbacks callbacks)
+      : ChannelTransport(*io, std::move(callbacks)), io_(io), address_(std::move(address)) {}
+
+  void open() override {
+    const auto io = io_.lock();
+    if (!io) return;
+    resolve<asio::ip::udp>(io, address_, [weak = weak_from_this(), this](error_code error, const auto& endpoints) {
+      const auto self = weak.lock();
+      if (!self || isClosed()) return;
+      if (error) return end("the host is not known: " + error.message());
+      // Connected, so that datagrams of others are not received and a port where nobody listens is an error.
+      error_code failure = asio::error::host_not_found;
+      for (const auto& endpoint : endpoints) {
+        channel_.close(failure);
+        channel_.open(endpoint.protocol(), failure);
+        if (!failure) channel_.connect(endpoint, failure);
+        if (!failure) break;
+      }
+      if (failure) return end(failure.message());
+      constexpr int kReceiveBuffer = 4 << 20;  // some ten milliseconds of a large skin
+      error_code ignored;
+      channel_.set_option(asio::socket_base::receive_buffer_size(kReceiveBuffer), ignored);
+      opened();
+    });
+  }
+
+ protected:
+  void startWriting(const Bytes& bytes, std::function<void(const error_code&)> done) override {
+    channel_.async_send(asio::buffer(bytes),
+                        [done = std::move(done)](const error_code& error, std::size_t) { done(error); });
+  }
+  void startReading() override {
+    channel_.async_receive(
+        asio::buffer(buffer_),
+        [this, self = shared_from_this()](const error_code& error, std::size_t size) { received(error, size); });
+  }
+
+ private:
+  std::weak_ptr<asio::io_context> io_;
+  WireAddress address_;
+};
+
+class SerialTransport final : public StreamTransport<asio::serial_port> {
+ public:
+  SerialTransport(const std::shared_ptr<asio::io_context>& io, WireAddress address, Callbacks callbacks)
+      : StreamTransport(*io, std::move(callbacks)), address_(std::move(address)) {}
+
+  void open() override {
+    error_code error;
+    channel_.open(address_.host, error);
+    using Port = asio::serial_port_base;
+    if (!error) channel_.set_option(Port::baud_rate(address_.baud), error);
+    if (!error) channel_.set_option(Port::character_size(8), error);
+    if (!error) channel_.set_option(Port::parity(Port::parity::none), error);
+    if (!error) channel_.set_option(Port::stop_bits(Port::stop_bits::one), error);
+    if (!error) channel_.set_option(Port::flow_control(Port::flow_control::none), error);
+    // Not from within open(): the caller is still at it.
+    asio::post(channel_.get_executor(), [this, self = shared_from_this(), error] {
+      if (isClosed()) return;
+      if (error) return end(error.message());
+      opened();
+    });
+  }
+
+ protected:
+  void closeChannel() override {
+    // What a device does not take would be waited for.
+    if (channel_.is_open()) ::tcflush(channel_.native_handle(), TCIOFLUSH);
+    StreamTransport::closeChannel();
+  }
+
+ private:
+  WireAddress address_;
+};
+
+}  // namespace
+
+std::shared_ptr<WireTransport> makeWireTransport(const std::shared_ptr<asio::io_context>& io,
+                                                 const WireAddress& address, WireTransport::Callbacks callbacks) {
+  switch (address.kind) {
+    case WireAddress::Kind::Tcp:
+      return std::make_shared<TcpTransport>(io, address, std::move(callbacks));
+    case WireAddress::Kind::Udp:
+      return std::make_shared<UdpTransport>(io, address, std::move(callbacks));
+    case WireAddress::Kind::Serial:
+      return std::make_shared<SerialTransport>(io, address, std::move(callbacks));
+  }
+  return nullptr;
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,37 @@
+#pragma once
+
+// Private to device/: one connection, by Boost.Asio.
+
+#include "hexoderm/device/skinwire/codec.h"
+#include "hexoderm/device/sources/wire_address.h"
+
+#include <boost/asio/io_context.hpp>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace hexoderm {
+
+/// Opens once and then lives until it is closed, or until the other end or the network ends it. Everything runs on the
+/// io_context's thread; after close() no callback comes.
+class WireTransport {
+ public:
+  struct Callbacks {
+    std::function<void()> opened;
+    std::function<void(skinwire::ByteView)> received;  ///< a piece of the stream, or a whole datagram
+    std::function<void(std::string why)> ended;        ///< could not be opened, or is over; comes once, then nothing
+  };
+
+  virtual ~WireTransport() = default;
+  virtual void open() = 0;
+  virtual void write(skinwire::Bytes bytes) = 0;
+  virtual void close() = 0;
+};
+
+/// The io_context must outlive the transport; it is shared because a name that is being looked up when everything ends
+/// comes back to it later.
+std::shared_ptr<WireTransport> makeWireTransport(const std::shared_ptr<boost::asio::io_context>& io,
+                                                 const WireAddress& address, WireTransport::Callbacks callbacks);
+
+}  // namespace hexoderm

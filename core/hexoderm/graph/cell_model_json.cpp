@@ -1,0 +1,168 @@
+#include "hexoderm/graph/cell_model_json.h"
+
+#include "hexoderm/graph/built_in_models.h"
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/file.h"
+#include "hexoderm/util/units.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace hexoderm {
+namespace {
+
+// How the elastomer is believed to bend, twist and yaw where a model does not say (SPEC, step 10).
+constexpr double kBendSigma = 30 * kDegree;
+constexpr double kTwistSigma = 10 * kDegree;
+constexpr double kYawSigma = 2 * kDegree;
+
+/// Written beside a quaternion that, read back, differs from the matrix in the last digits: what is saved and opened
+/// again is the same.
+const std::string kExactRotation = "R_u";
+
+SE3 readPlacement(const JsonReader& json, const std::string& t_key, const std::string& q_key) {
+  SE3 T;
+  if (const auto t = json.find(t_key)) T.t = t->vector3();
+  if (const auto q = json.find(q_key)) T.R = q->unitQuaternion().toRotationMatrix();
+  if (const auto R = json.find(kExactRotation)) T.R = R->rotation();
+  return T;
+}
+
+void addPlacement(const SE3& T_u, nlohmann::ordered_json& json) {
+  json["t_u_m"] = toJson(T_u.t);
+  json["q_u_wxyz"] = quaternionWxyz(T_u.R);
+  const nlohmann::json written = json["q_u_wxyz"];
+  if (JsonReader(written, "").unitQuaternion().toRotationMatrix() != T_u.R) json[kExactRotation] = toJson(T_u.R);
+}
+
+Accelerometer readAccelerometer(const JsonReader& json) {
+  Accelerometer a;
+  a.range_g = json.at("range_g").positiveNumber();
+  a.lsb_g = json.at("lsb_g").nonNegativeNumber();
+  a.rate_hz = json.at("rate_hz").positiveNumber();
+  a.noise_g_per_sqrt_hz = json.at("noise_g_per_sqrt_hz").nonNegativeNumber();
+  a.offset_sigma_g = json.at("offset_sigma_g").nonNegativeNumber();
+  a.scale_sigma = json.at("scale_sigma").nonNegativeNumber();
+  if (const auto sigma = json.find("cross_axis_sigma")) {
+    a.cross_axis_sigma = sigma->nonNegativeNumber();
+  } else {
+    // Who knows the scales has calibrated the axes too: the default keeps its ratio to an uncalibrated sensor's scale.
+    constexpr double kLargestShareOfScale = 0.25;
+    a.cross_axis_sigma = std::min(a.cross_axis_sigma, kLargestShareOfScale * a.scale_sigma);
+  }
+  a.T_u_a = readPlacement(json, "t_u_m", "q_u_wxyz");
+  return a;
+}
+
+}  // namespace
+
+CellModel readCellModel(const JsonReader& json) {
+  CellModel model;
+  model.name = json.at("name").string();
+  model.side_m = json.at("side_m").positiveNumber();
+  model.thickness_m = json.at("thickness_m").nonNegativeNumber();
+  model.gap_m = json.at("gap_m").nonNegativeNumber();
+  for (const JsonReader& port : json.at("ports").items()) {
+    model.ports.push_back({PortNumber(port.at("port").unsignedInteger(1)), port.at("vector_m").vector3()});
+  }
+  model.interface_id = CellId(json.at("interface_id").unsignedInteger(1));
+  model.accelerometer = readAccelerometer(json.at("accelerometer"));
+  if (const auto sensors = json.find("sensors")) {
+    for (const JsonReader& sensor : sensors->items()) {
+      model.sensors.push_back(
+          {sensor.at("name").string(), sensor.at("type").string(), readPlacement(sensor, "t_u_m", "q_u_wxyz")});
+    }
+  }
+  if (const auto pairs = json.find("forbidden_port_pairs")) {
+    for (const JsonReader& pair : pairs->items()) {
+      const std::vector<JsonReader> ports = pair.items();
+      if (ports.size() != 2) pair.fail("two port numbers");
+      model.forbidden_port_pairs.emplace_back(ports[0].unsignedInteger(1), ports[1].unsignedInteger(1));
+    }
+  }
+  if (const auto angle = json.find("side_angle_rad")) model.side_angle_rad = angle->number();
+  const auto sigma = [&](const std::string& key, double fallback) {
+    const auto value = json.find(key);
+    return value ? value->positiveNumber() : fallback;
+  };
+  model.link_sigma_m = sigma("link_sigma_m", model.link_sigma_m);
+  model.bend_sigma_rad = sigma("bend_sigma_rad", kBendSigma);
+  model.twist_sigma_rad = sigma("twist_sigma_rad", kTwistSigma);
+  model.yaw_sigma_rad = sigma("yaw_sigma_rad", kYawSigma);
+  try {
+    model.validate();
+  } catch (const InvalidArgument& error) {
+    json.fail(std::string("a cell model that makes sense (") + error.what() + ")");
+  }
+  return model;
+}
+
+CellModel cellModelFromJson(std::string_view text, const std::string& file) {
+  const nlohmann::json json = parseJson(text, file);
+  return readCellModel(JsonReader(json, file));
+}
+
+nlohmann::ordered_json cellModelJson(const CellModel& model) {
+  nlohmann::ordered_json json;
+  json["name"] = model.name;
+  json["side_m"] = model.side_m;
+  json["thickness_m"] = model.thickness_m;
+  json["gap_m"] = model.gap_m;
+  json["ports"] = nlohmann::ordered_json::array();
+  for (const Port& port : model.ports) {
+    json["ports"].push_back({{"port", port.number.value()}, {"vector_m", toJson(port.vector_m)}});
+  }
+  json["interface_id"] = model.interface_id.value();
+  const Accelerometer& a = model.accelerometer;
+  json["accelerometer"] = {{"range_g", a.range_g},
+                           {"lsb_g", a.lsb_g},
+                           {"rate_hz", a.rate_hz},
+                           {"noise_g_per_sqrt_hz", a.noise_g_per_sqrt_hz},
+                           {"offset_sigma_g", a.offset_sigma_g},
+                           {"scale_sigma", a.scale_sigma},
+                           {"cross_axis_sigma", a.cross_axis_sigma}};
+  addPlacement(a.T_u_a, json["accelerometer"]);
+  json["sensors"] = nlohmann::ordered_json::array();
+  for (const CellSensor& sensor : model.sensors) {
+    nlohmann::ordered_json entry = {{"name", sensor.name}, {"type", sensor.type}};
+    addPlacement(sensor.T_u_s, entry);
+    json["sensors"].push_back(std::move(entry));
+  }
+  if (!model.forbidden_port_pairs.empty()) {
+    json["forbidden_port_pairs"] = nlohmann::ordered_json::array();
+    for (const auto& [a_port, b_port] : model.forbidden_port_pairs) {
+      json["forbidden_port_pairs"].push_back({a_port.value(), b_port.value()});
+    }
+  }
+  json["side_angle_rad"] = model.side_angle_rad;
+  json["link_sigma_m"] = model.link_sigma_m;
+  json["bend_sigma_rad"] = model.bend_sigma_rad;
+  json["twist_sigma_rad"] = model.twist_sigma_rad;
+  json["yaw_sigma_rad"] = model.yaw_sigma_rad;
+  return json;
+}
+
+std::string cellModelToJson(const CellModel& model) { return dumpReadable(cellModelJson(model)); }
+
+CellModel builtInCellModel(std::string_view name) {
+  for (const BuiltInModel& model : builtInModels()) {
+    if (model.name == name) return cellModelFromJson(model.json, "built-in cell model " + std::string(name));
+  }
+  std::string known;
+  for (const std::string& other : builtInCellModelNames()) known += " " + other;
+  throw InvalidArgument("there is no built-in cell model \"" + std::string(name) + "\"; there are:" + known);
+}
+
+std::vector<std::string> builtInCellModelNames() {
+  std::vector<std::string> names;
+  for (const BuiltInModel& model : builtInModels()) names.emplace_back(model.name);
+  return names;
+}
+
+CellModel loadCellModel(const std::string& name_or_path) {
+  const std::vector<std::string> names = builtInCellModelNames();
+  if (std::ranges::find(names, name_or_path) != names.end()) return builtInCellModel(name_or_path);
+  return cellModelFromJson(readFile(name_or_path), name_or_path);
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,174 @@
+#include "hexoderm/graph/shortest_paths.h"
+
+#include "hexoderm/graph/boost_graph.h"
+
+#include <boost/graph/dijkstra_shortest_paths_no_color_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace hexoderm {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Sums of real-valued weights along different paths differ by rounding.
+bool same(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(1.0, std::abs(a)); }
+
+std::vector<double> distancesFrom(const BoostGraph& graph, std::size_t root) {
+  std::vector<double> distance(boost::num_vertices(graph), kInfinity);
+  boost::dijkstra_shortest_paths_no_color_map(
+      graph, root,
+      boost::weight_map(boost::get(&EdgeProperties::weight, graph))
+          .distance_inf(kInfinity)
+          .distance_map(boost::make_iterator_property_map(distance.begin(), boost::get(boost::vertex_index, graph))));
+  return distance;
+}
+
+/// Single-source distances from a few cells, and what they prove about the sums of all others.
+class OriginSearch {
+ public:
+  OriginSearch(const BoostGraph& graph, std::span<const std::size_t> cells)
+      : graph_(graph), cells_(cells), bound_(cells.size(), 0), exact_(cells.size(), false) {}
+
+  std::size_t run() {
+    spreadLandmarks();
+    // A skin on which all cells are alike (a closed torus) gives bounds nothing to bite on: there the search ends with
+    // the best cell found, after as many runs as still answer an operator at once.
+    constexpr std::size_t kMostRuns = 500;
+    while (landmarks_.size() < std::min(cells_.size(), kMostRuns)) {
+      const std::size_t next = mostPromising();
+      if (next == kNoIndex) break;
+      evaluate(next);
+      cutAt(next);
+    }
+    return cells_[best_];
+  }
+
+ private:
+  /// Runs Dijkstra from local cell `k`: its exact sum, and one more landmark.
+  void evaluate(std::size_t k) {
+    const std::vector<double> distance = distancesFrom(graph_, cells_[k]);
+    std::vector<double> local(cells_.size());
+    for (std::size_t v = 0; v < cells_.size(); ++v) local[v] = distance[cells_[v]];
+    const double sum = std::accumulate(local.begin(), local.end(), 0.0);
+    landmarks_.push_back(std::move(local));
+    exact_[k] = true;
+    const bool tie = same(sum, best_sum_);
+    if (best_ == kNoIndex || (tie ? k < best_ : sum < best_sum_)) {
+      best_ = k;
+      best_sum_ = sum;
+    }
+  }
+
+  /// Each far from those before: ends of the patch, from which distances tell most.
+  void spreadLandmarks() {
+    constexpr std::size_t kLandmarks = 8;
+    std::vector<double> nearest(cells_.size(), kInfinity);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < std::min(kLandmarks, cells_.size()) && !exact_[next]; ++i) {
+      evaluate(next);
+      for (std::size_t v = 0; v < cells_.size(); ++v) nearest[v] = std::min(nearest[v], landmarks_.back()[v]);
+      next = static_cast<std::size_t>(std::ranges::max_element(nearest) - nearest.begin());
+    }
+    cutAt(best_);
+  }
+
+  /// With sigma_u = +-1 and landmark L(u) chosen so that sigma_u (d_L(k) - d_L(u)) is largest, the triangle inequality
+  /// gives for every cell v:  sum_u d(v, u) >= sum_u sigma_u (d_L(u)(v) - d_L(u)(u)), which is linear in v's distances
+  /// to the landmarks and tight near k.
+  void cutAt(std::size_t k) {
+    std::vector<double> slope(landmarks_.size(), 0);
+    double constant = 0;
+    for (std::size_t u = 0; u < cells_.size(); ++u) {
+      std::size_t chosen = 0;
+      double largest = -1;
+      for (std::size_t l = 0; l < landmarks_.size(); ++l) {
+        const double difference = std::abs(landmarks_[l][k] - landmarks_[l][u]);
+        if (difference > largest) {
+          largest = difference;
+          chosen = l;
+        }
+      }
+      const double sign = landmarks_[chosen][k] >= landmarks_[chosen][u] ? 1 : -1;
+      slope[chosen] += sign;
+      constant -= sign * landmarks_[chosen][u];
+    }
+    std::vector<double> cut(cells_.size(), constant);
+    for (std::size_t l = 0; l < landmarks_.size(); ++l) {
+      if (slope[l] == 0) continue;
+      for (std::size_t v = 0; v < cells_.size(); ++v) cut[v] += slope[l] * landmarks_[l][v];
+    }
+    for (std::size_t v = 0; v < cells_.size(); ++v) bound_[v] = std::max(bound_[v], cut[v]);
+  }
+
+  /// The cell with the smallest bound that may still beat the best one; kNoIndex proves the best one optimal.
+  [[nodiscard]] std::size_t mostPromising() const {
+    std::size_t found = kNoIndex;
+    for (std::size_t v = 0; v < cells_.size(); ++v) {
+      if (exact_[v]) continue;
+      const bool may_win = same(bound_[v], best_sum_) ? v < best_ : bound_[v] < best_sum_;
+      if (may_win && (found == kNoIndex || bound_[v] < bound_[found])) found = v;
+    }
+    return found;
+  }
+
+  const BoostGraph& graph_;
+  std::span<const std::size_t> cells_;
+  std::vector<std::vector<double>> landmarks_;
+  std::vector<double> bound_;
+  std::vector<bool> exact_;
+  std::size_t best_ = kNoIndex;
+  double best_sum_ = kInfinity;
+};
+
+}  // namespace
+
+ShortestPaths findShortestPaths(const SkinGraph& graph, std::span<const double> link_weights, std::size_t root) {
+  const BoostGraph boost_graph = makeBoostGraph(graph.cells(), graph.links(), link_weights);
+  const std::size_t count = graph.cells().size();
+  ShortestPaths paths;
+  paths.root = root;
+  paths.distance = distancesFrom(boost_graph, root);
+  paths.predecessor.assign(count, kNoIndex);
+  paths.link.assign(count, kNoIndex);
+
+  for (const std::size_t cell : graph.patches()[graph.cells()[root].patch.value()]) paths.order.push_back(cell);
+  std::ranges::sort(paths.order, [&](std::size_t a, std::size_t b) {
+    return std::pair(paths.distance[a], a) < std::pair(paths.distance[b], b);
+  });
+
+  // Dijkstra gives the distances; which of several equally short paths is taken follows SPEC's rule, not the heap's
+  // order: fewer links first, then the smallest predecessor (cells are in order of their IDs).
+  std::vector<std::size_t> hops(count, 0);
+  for (const std::size_t cell : paths.order) {
+    if (cell == root) continue;
+    for (const std::size_t link_index : graph.linksAt(cell)) {
+      const GraphLink& link = graph.links()[link_index];
+      if (link.muted()) continue;
+      const std::size_t other = link.other(cell);
+      if (paths.distance[other] >= paths.distance[cell] ||
+          !same(paths.distance[other] + link_weights[link_index], paths.distance[cell])) {
+        continue;
+      }
+      const auto candidate = std::pair(hops[other] + 1, other);
+      if (paths.predecessor[cell] == kNoIndex || candidate < std::pair(hops[cell], paths.predecessor[cell])) {
+        hops[cell] = candidate.first;
+        paths.predecessor[cell] = other;
+        paths.link[cell] = link_index;
+      }
+    }
+  }
+  return paths;
+}
+
+std::size_t findOrigin(const SkinGraph& graph, std::span<const double> link_weights, std::size_t patch) {
+  const std::vector<std::size_t>& cells = graph.patches()[patch];
+  if (cells.size() == 1) return cells.front();
+  const BoostGraph boost_graph = makeBoostGraph(graph.cells(), graph.links(), link_weights);
+  return OriginSearch(boost_graph, cells).run();
+}
+
+}  // namespace hexoderm

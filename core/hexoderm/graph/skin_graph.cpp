@@ -1,0 +1,307 @@
+#include "hexoderm/graph/skin_graph.h"
+
+#include "hexoderm/graph/boost_graph.h"
+
+#include <boost/graph/connected_components.hpp>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace hexoderm {
+namespace {
+
+/// What one cell claims about one of its ports.
+struct Claim {
+  LinkEnd from;
+  CellId to;
+  std::optional<PortNumber> to_port;
+};
+
+std::string endInWords(LinkEnd end) { return "cell " + toString(end.cell) + " port " + toString(end.port); }
+
+/// Sorts the reports into links and findings.
+class ReportSorter {
+ public:
+  ReportSorter(const CellModel& model, std::vector<Finding>& findings) : model_(model), findings_(findings) {}
+
+  std::vector<GraphCell> sortCells(const NeighborList& neighbors) {
+    std::vector<GraphCell> cells;
+    for (const CellReport& report : neighbors) {
+      if (report.id.value() == 0) {
+        add(FindingCode::ReservedCellId, "A cell carries the ID 0, which means \"no neighbour\"; it is left out.",
+            {report.id});
+      } else if (report.id >= model_.interface_id) {
+        continue;  // an interface: part of the network, not of the skin
+      } else if (!known_.insert(report.id).second) {
+        add(FindingCode::DuplicateCell,
+            "Cell " + toString(report.id) + " is listed more than once; only the first entry counts.", {report.id});
+      } else {
+        cells.push_back({report.id, report.body_part, PatchId()});
+        reports_.push_back(&report);
+      }
+    }
+    std::ranges::sort(cells, {}, &GraphCell::id);
+    return cells;
+  }
+
+  /// The links that both sides agree on, and muted ones for those that are known but bad.
+  struct EndedLink {
+    LinkEnd a;
+    LinkEnd b;
+    std::optional<FindingCode> muted_by;
+  };
+  std::vector<EndedLink> sortLinks() {
+    collectClaims();
+    for (const auto& [from, claim] : claims_) settle(claim);
+    muteDoubleLinks();
+    std::vector<EndedLink> links;
+    for (const auto& [ends, muted_by] : links_) links.push_back({ends.first, ends.second, muted_by});
+    return links;
+  }
+
+ private:
+  void add(FindingCode code, std::string text, std::vector<CellId> cells, std::vector<PortNumber> ports = {}) {
+    findings_.push_back(makeFinding(code, std::move(text), std::move(cells), std::move(ports)));
+  }
+
+  void collectClaims() {
+    std::set<LinkEnd> disputed;
+    for (const CellReport* report : reports_) {
+      for (const NeighborReport& neighbor : report->neighbors) {
+        if (neighbor.cell.value() == 0) continue;
+        const Claim claim{{report->id, neighbor.port}, neighbor.cell, neighbor.cell_port};
+        if (!acceptable(claim)) continue;
+        const auto [known, is_new] = claims_.try_emplace(claim.from, claim);
+        if (is_new) continue;
+        const Claim& first = known->second;
+        if (first.to == claim.to && (first.to_port == claim.to_port || !claim.to_port)) {
+          add(FindingCode::DuplicateLink,
+              "The neighbour at " + endInWords(claim.from) + " is reported more than once; it counts once.",
+              {claim.from.cell, claim.to}, {claim.from.port});
+        } else {
+          add(FindingCode::ContradictoryLink,
+              "Cell " + toString(claim.from.cell) + " reports two different neighbours at port " +
+                  toString(claim.from.port) + ": cells " + toString(first.to) + " and " + toString(claim.to) +
+                  ". Neither link is used.",
+              {claim.from.cell, first.to, claim.to}, {claim.from.port});
+          disputed.insert(claim.from);
+        }
+      }
+    }
+    for (const LinkEnd& end : disputed) claims_.erase(end);
+    disputed_ = std::move(disputed);
+  }
+
+  bool acceptable(const Claim& claim) {
+    if (model_.findPort(claim.from.port) == nullptr) {
+      add(FindingCode::UnknownPort,
+          "Cell " + toString(claim.from.cell) + " reports a neighbour at port " + toString(claim.from.port) +
+              ", but cell model " + model_.name + " has no such port. The link is not used.",
+          {claim.from.cell}, {claim.from.port});
+      return false;
+    }
+    if (claim.to >= model_.interface_id) {
+      add(FindingCode::InterfaceLink,
+          "A computer interface (ID " + toString(claim.to) + ") is connected at " + endInWords(claim.from) + ".",
+          {claim.from.cell}, {claim.from.port});
+      return false;
+    }
+    if (claim.to == claim.from.cell) {
+      add(FindingCode::SelfLink,
+          "Cell " + toString(claim.from.cell) + " reports itself as its neighbour at port " +
+              toString(claim.from.port) + ". The link is not used.",
+          {claim.from.cell}, {claim.from.port});
+      return false;
+    }
+    if (!known_.contains(claim.to)) {
+      add(FindingCode::UnknownCell,
+          "Cell " + toString(claim.from.cell) + " reports cell " + toString(claim.to) + " at port " +
+              toString(claim.from.port) + ", but no such cell was found. The link is not used.",
+          {claim.from.cell, claim.to}, {claim.from.port});
+      return false;
+    }
+    if (claim.to_port && model_.findPort(*claim.to_port) == nullptr) {
+      add(FindingCode::UnknownPort,
+          "Cell " + toString(claim.from.cell) + " reports port " + toString(*claim.to_port) + " of cell " +
+              toString(claim.to) + ", but cell model " + model_.name + " has no such port. The link is not used.",
+          {claim.to}, {*claim.to_port});
+      return false;
+    }
+    return true;
+  }
+
+  /// Claims of `cell` that may be the other side of a claim made by `from`.
+  [[nodiscard]] std::vector<LinkEnd> answers(CellId cell, LinkEnd from) const {
+    std::vector<LinkEnd> ends;
+    for (auto it = claims_.lower_bound({cell, PortNumber(0)}); it != claims_.end() && it->first.cell == cell; ++it) {
+      const Claim& claim = it->second;
+      if (claim.to == from.cell && claim.to_port.value_or(from.port) == from.port) ends.push_back(it->first);
+    }
+    return ends;
+  }
+
+  void settle(const Claim& claim) {
+    if (!claim.to_port) {
+      const std::vector<LinkEnd> ends = answers(claim.to, claim.from);
+      if (ends.size() == 1) {
+        // The other side may in turn fit several of our ports; then nobody can tell.
+        if (answers(claim.from.cell, ends.front()).size() == 1) {
+          keep(claim.from, ends.front());
+        } else {
+          ambiguous(claim);
+        }
+      } else if (ends.empty()) {
+        add(FindingCode::OneSidedLink,
+            "Cell " + toString(claim.from.cell) + " reports cell " + toString(claim.to) + " at port " +
+                toString(claim.from.port) + ", but cell " + toString(claim.to) +
+                " does not report it back. The link is not used.",
+            {claim.from.cell, claim.to}, {claim.from.port});
+      } else {
+        ambiguous(claim);
+      }
+      return;
+    }
+    const LinkEnd to{claim.to, *claim.to_port};
+    const auto answer = claims_.find(to);
+    if (answer == claims_.end()) {
+      mute(claim.from, to, disputed_.contains(to) ? FindingCode::ContradictoryLink : FindingCode::OneSidedLink);
+      if (!disputed_.contains(to)) {
+        add(FindingCode::OneSidedLink,
+            "Only cell " + toString(claim.from.cell) + " reports the " + linkInWords(claim.from, to) + "; cell " +
+                toString(to.cell) + " does not report it back. The link is not used.",
+            {claim.from.cell, to.cell}, {claim.from.port, to.port});
+      }
+      return;
+    }
+    const Claim& back = answer->second;
+    if (back.to == claim.from.cell && back.to_port.value_or(claim.from.port) == claim.from.port) {
+      keep(claim.from, to);
+      return;
+    }
+    mute(claim.from, to, FindingCode::ContradictoryLink);
+    add(FindingCode::ContradictoryLink,
+        "Cell " + toString(claim.from.cell) + " reports " + endInWords(to) + " at its port " +
+            toString(claim.from.port) + ", but that port reports " +
+            (back.to_port ? endInWords({back.to, *back.to_port}) : "cell " + toString(back.to)) +
+            ". Neither link is used.",
+        {claim.from.cell, to.cell, back.to}, {claim.from.port, to.port});
+  }
+
+  void ambiguous(const Claim& claim) {
+    add(FindingCode::ContradictoryLink,
+        "Cells " + toString(claim.from.cell) + " and " + toString(claim.to) +
+            " report each other at more than one port without naming the other side's; it can't be told which ports "
+            "belong together. No link between them is used.",
+        {claim.from.cell, claim.to}, {claim.from.port});
+  }
+
+  static std::pair<LinkEnd, LinkEnd> ordered(LinkEnd a, LinkEnd b) { return a < b ? std::pair(a, b) : std::pair(b, a); }
+
+  void keep(LinkEnd a, LinkEnd b) {
+    const auto [entry, is_new] = links_.try_emplace(ordered(a, b), std::nullopt);
+    if (is_new && model_.isForbidden(a.port, b.port)) {
+      entry->second = FindingCode::ForbiddenPortPair;
+      add(FindingCode::ForbiddenPortPair,
+          "The " + linkInWords(entry->first.first, entry->first.second) + " joins ports that cell model " +
+              model_.name + " forbids to join. It is not used.",
+          {entry->first.first.cell, entry->first.second.cell}, {entry->first.first.port, entry->first.second.port});
+    }
+  }
+
+  void mute(LinkEnd a, LinkEnd b, FindingCode why) { links_.insert_or_assign(ordered(a, b), why); }
+
+  /// Two rigid hexagons share one side at most.
+  void muteDoubleLinks() {
+    std::map<std::pair<CellId, CellId>, std::vector<std::pair<LinkEnd, LinkEnd>>> between;
+    for (const auto& [ends, muted_by] : links_) {
+      if (!muted_by) between[{ends.first.cell, ends.second.cell}].push_back(ends);
+    }
+    for (const auto& [cells, doubled] : between) {
+      if (doubled.size() < 2) continue;
+      for (const auto& ends : doubled) links_[ends] = FindingCode::DuplicateLink;
+      add(FindingCode::DuplicateLink,
+          "Cells " + toString(cells.first) + " and " + toString(cells.second) + " are joined " +
+              std::to_string(doubled.size()) + " times, which two hexagons can't be. None of these links is used.",
+          {cells.first, cells.second}, {doubled.front().first.port, doubled.front().second.port});
+    }
+  }
+
+  const CellModel& model_;
+  std::vector<Finding>& findings_;
+  std::set<CellId> known_;
+  std::vector<const CellReport*> reports_;
+  std::map<LinkEnd, Claim> claims_;
+  std::set<LinkEnd> disputed_;
+  std::map<std::pair<LinkEnd, LinkEnd>, std::optional<FindingCode>> links_;
+};
+
+}  // namespace
+
+SkinGraph::SkinGraph(const CellModel& model, const NeighborList& neighbors) {
+  ReportSorter sorter(model, findings_);
+  cells_ = sorter.sortCells(neighbors);
+  index_of_.reserve(cells_.size());
+  for (std::size_t k = 0; k < cells_.size(); ++k) index_of_.emplace(cells_[k].id, k);
+
+  for (const auto& [a, b, muted_by] : sorter.sortLinks()) {
+    GraphLink link{index_of_.at(a.cell), index_of_.at(b.cell), a.port, b.port, muted_by};
+    const std::string& part_a = cells_[link.source].body_part;
+    const std::string& part_b = cells_[link.target].body_part;
+    if (!link.muted() && part_a != part_b && !part_a.empty() && !part_b.empty()) {
+      link.muted_by = FindingCode::BodyPartBoundary;
+      std::string text = "The " + linkInWords(a, b);
+      text.append(" joins ").append(part_a).append(" and ").append(part_b).append("; the patch ends there.");
+      findings_.push_back(
+          makeFinding(FindingCode::BodyPartBoundary, std::move(text), {a.cell, b.cell}, {a.port, b.port}));
+    }
+    links_.push_back(link);
+  }
+  links_at_.resize(cells_.size());
+  for (std::size_t k = 0; k < links_.size(); ++k) {
+    links_at_[links_[k].source].push_back(k);
+    links_at_[links_[k].target].push_back(k);
+  }
+  findPatches();
+}
+
+std::optional<std::size_t> SkinGraph::indexOf(CellId id) const {
+  const auto found = index_of_.find(id);
+  return found == index_of_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<std::size_t> SkinGraph::indexOf(LinkEnd a, LinkEnd b) const {
+  const LinkEnd& smaller = std::min(a, b);
+  const LinkEnd& larger = std::max(a, b);
+  const auto cell = indexOf(smaller.cell);
+  if (!cell) return std::nullopt;
+  for (const std::size_t link : links_at_[*cell]) {
+    if (sourceEnd(links_[link]) == smaller && targetEnd(links_[link]) == larger) return link;
+  }
+  return std::nullopt;
+}
+
+void SkinGraph::mute(std::span<const std::size_t> links, FindingCode why) {
+  for (const std::size_t link : links) links_.at(link).muted_by = why;
+  findPatches();
+}
+
+void SkinGraph::findPatches() {
+  // Every link is there in both directions, so strong and plain components are the same; BGL's plain ones take an
+  // undirected or symmetric graph. Components are numbered by their first vertex, that is by their smallest ID.
+  const BoostGraph graph = makeBoostGraph(cells_, links_);
+  std::vector<std::size_t> component(cells_.size());
+  const std::size_t count = boost::connected_components(graph, component.data());
+  patches_.assign(count, {});
+  for (std::size_t k = 0; k < cells_.size(); ++k) {
+    cells_[k].patch = PatchId(static_cast<std::uint32_t>(component[k]));
+    patches_[component[k]].push_back(k);
+  }
+}
+
+std::string linkInWords(LinkEnd source, LinkEnd target) {
+  return "link " + toString(source.cell) + " port " + toString(source.port) + " - " + toString(target.cell) + " port " +
+         toString(target.port);
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "hexoderm/reconstruction/result/reconstruction.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace hexoderm {
+
+/// A field of a table: empty, a text, a whole number or a number.
+using CsvField = std::variant<std::monostate, std::string, std::uint64_t, double>;
+
+/// A table: a header line whose names carry the units, then one row each of as many fields.
+struct CsvTable {
+  std::string file;  ///< "cells.csv"
+  std::vector<std::string> header;
+  std::vector<std::vector<CsvField>> rows;
+};
+
+/// cells.csv, sensors.csv, links.csv, poses.csv and residuals.csv (links x poses), in metres, degrees and g; and
+/// covariances.csv, each cell's upper triangle (order and frames as in CellPlacement), in metres and radians. A field
+/// is empty where its figure is not known.
+std::vector<CsvTable> csvTables(const Reconstruction& reconstruction);
+
+/// RFC 4180 quoting, UTF-8, lines ended by a line feed, every number exact.
+std::string csvText(const CsvTable& table);
+
+/// The fields of a text, strictly by RFC 4180 (lines may end in LF or CRLF). Throws FormatError naming file and line.
+std::vector<std::vector<std::string>> parseCsv(std::string_view bytes, const std::string& file);
+
+/// Throws FormatError unless the bytes hold the table, every number to the last bit.
+void verifyCsv(std::string_view bytes, const CsvTable& table);
+
+}  // namespace hexoderm

@@ -1,0 +1,40 @@
+#include "hexoderm/io/export_ply.h"
+
+#include "hexoderm/io/export_support.h"
+#include "hexoderm/reconstruction/figures/patch_mesh.h"
+#include "hexoderm/util/error.h"
+
+namespace hexoderm {
+namespace {
+
+constexpr std::size_t kPointsPerCell = 12;
+
+}  // namespace
+
+ExportMesh plyMesh(const Reconstruction& reconstruction) {
+  const PatchMesh prisms = makePatchMesh(reconstruction);
+  const auto quality = worstUsedQuality(reconstruction);
+  ExportMesh mesh;
+  mesh.points = prisms.points;
+  for (const PatchMesh::Polygon& polygon : prisms.polygons) mesh.polygons.push_back(polygon.points);
+  for (const CellId cell : prisms.cells) {
+    const auto found = quality.find(cell);
+    const std::uint32_t color = found == quality.end() ? kNoLinkColor : qualityColor(found->second, false);
+    mesh.colors.insert(mesh.colors.end(), kPointsPerCell, color);
+  }
+  return mesh;
+}
+
+std::string plyBytes(const ExportMesh& mesh, const std::string& file) {
+  std::string bytes = meshBytes(mesh, "ply", file);
+  const std::string before = "element vertex";
+  const std::size_t at = bytes.find(before);
+  if (at == std::string::npos) throw FormatError(file + ": the mesh could not be made: expected \"" + before + "\"");
+  return bytes.insert(at, "comment metres, each patch in the frame of its origin cell\n");
+}
+
+void verifyPly(const std::string& bytes, const ExportMesh& meant, const std::string& file) {
+  verifyMesh(bytes, meant, "ply", file);
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "hexoderm/reconstruction/result/reconstruction.h"
+
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+
+namespace hexoderm {
+
+// What the exporters share. Each of them is a pair of functions: one makes the bytes of the file, the other reads bytes
+// back and throws FormatError unless they say what was meant.
+
+/// Of a cell without a used link, 0xRRGGBB.
+inline constexpr std::uint32_t kNoLinkColor = 0x9A9A9A;
+
+/// Class of each cell's worst used link; cells without a used link are not in the map.
+std::unordered_map<CellId, EdgeQuality> worstUsedQuality(const Reconstruction& reconstruction);
+
+/// The placement with its rotation made orthogonal to rounding: files may state rotations with few decimals, and
+/// quaternions and angles can only say true ones.
+SE3 rigid(const SE3& T);
+
+/// Throws FormatError saying that `file` does not hold what was meant, unless `holds`.
+void requireMeant(bool holds, const std::string& file, const std::string& what);
+
+}  // namespace hexoderm

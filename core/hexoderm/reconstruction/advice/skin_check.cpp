@@ -1,0 +1,117 @@
+#include "hexoderm/reconstruction/advice/skin_check.h"
+
+#include "hexoderm/util/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+/// Few are named, many are counted.
+std::string cellsInWords(const std::vector<CellId>& cells) {
+  constexpr std::size_t kNamed = 6;
+  if (cells.size() == 1) return "cell " + toString(cells.front());
+  if (cells.size() <= kNamed) return "cells " + listInWords(cells);
+  return std::to_string(cells.size()) + " cells";
+}
+
+SkinCheckItem checkLinks(const Reconstruction& reconstruction) {
+  SkinCheckItem item;
+  std::size_t muted = 0;
+  for (const PatchReconstruction& patch : reconstruction.patches) {
+    for (const LinkEstimate& link : patch.links) {
+      if (!link.muted_by) continue;
+      ++muted;
+      item.cells.push_back(link.source.cell);
+      item.cells.push_back(link.target.cell);
+    }
+  }
+  if (muted == 0) {
+    item.text = "Every link joins two ports that fit";
+  } else {
+    item.severity = Severity::Warning;
+    item.text = std::to_string(muted) + " of " + std::to_string(reconstruction.linkCount()) +
+                " links are kept out: see the findings";
+  }
+  return item;
+}
+
+std::string rangeInWords(std::span<const CellSample> readings) {
+  const auto [least, most] = std::minmax_element(
+      readings.begin(), readings.end(),
+      [](const CellSample& a, const CellSample& b) { return a.acceleration_g.norm() < b.acceleration_g.norm(); });
+  const std::string least_g = formatFixed(least->acceleration_g.norm(), 2);
+  if (readings.size() == 1) return least_g + " g";
+  return least_g + " to " + formatFixed(most->acceleration_g.norm(), 2) + " g";
+}
+
+void checkReadings(const CellModel& model, std::span<const CellSample> readings, const std::set<CellId>& silent,
+                   std::vector<SkinCheckItem>& items) {
+  const Accelerometer& accelerometer = model.accelerometer;
+  const double tolerance_g = 5 * std::hypot(accelerometer.offset_sigma_g, accelerometer.scale_sigma);
+  std::vector<CellSample> odd;
+  std::copy_if(readings.begin(), readings.end(), std::back_inserter(odd), [&](const CellSample& reading) {
+    return !(std::abs(reading.acceleration_g.norm() - 1) <= tolerance_g);
+  });
+  if (!odd.empty()) {
+    SkinCheckItem item{Severity::Warning, {}, {}};
+    for (const CellSample& reading : odd) item.cells.push_back(reading.cell);
+    item.text = (odd.size() == 1 ? "Cell " + toString(odd.front().cell) + " reads "
+                                 : std::to_string(odd.size()) + " cells read ") +
+                rangeInWords(odd) + ": gravity is 1 g, give or take " + formatFixed(tolerance_g, 2) + " g";
+    items.push_back(std::move(item));
+  }
+  if (!silent.empty()) {
+    const std::vector<CellId> cells(silent.begin(), silent.end());
+    items.push_back({Severity::Warning, "Nothing comes from " + cellsInWords(cells), cells});
+  } else if (odd.empty()) {
+    items.push_back({Severity::Info,
+                     readings.size() == 1
+                         ? "The cell sends and reads " + rangeInWords(readings)
+                         : "All " + std::to_string(readings.size()) + " cells send and read " + rangeInWords(readings),
+                     {}});
+  } else {
+    items.push_back({Severity::Info,
+                     readings.size() == 1 ? "The cell sends" : "All " + std::to_string(readings.size()) + " cells send",
+                     {}});
+  }
+}
+
+}  // namespace
+
+SkinCheck checkSkin(const Reconstruction& reconstruction, std::span<const CellSample> readings,
+                    std::span<const OddCell> odd) {
+  SkinCheck check;
+  std::set<CellId> silent;
+  for (const PatchReconstruction& patch : reconstruction.patches) {
+    for (const CellPlacement& cell : patch.cells) silent.insert(cell.cell);
+  }
+  const std::size_t cell_count = silent.size();
+  for (const CellSample& reading : readings) silent.erase(reading.cell);
+
+  check.items.push_back({Severity::Info, "Found: " + sizeInWords(reconstruction), {}});
+  if (cell_count > 0) check.items.push_back(checkLinks(reconstruction));
+  if (!readings.empty()) checkReadings(*reconstruction.model, readings, silent, check.items);
+  for (const OddCell& cell : odd) {
+    // Who is silent was named above.
+    if (cell.kind != OddCellKind::Silent) check.items.push_back({Severity::Warning, describe(cell), {cell.cell}});
+  }
+
+  check.ready = cell_count > 0 && !readings.empty();
+  if (cell_count == 0) {
+    check.because = "The skin has no cells";
+  } else if (readings.empty()) {
+    check.because = "No readings have come yet";
+  } else if (silent.empty()) {
+    check.because = "Every cell sends";
+  } else {
+    check.because = std::to_string(cell_count - silent.size()) + " of " + std::to_string(cell_count) + " cells send";
+  }
+  return check;
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,150 @@
+#include "hexoderm/reconstruction/advice/verdict.h"
+
+#include "hexoderm/reconstruction/advice/pose_advisor.h"
+#include "hexoderm/reconstruction/result/uncertainty.h"
+#include "hexoderm/util/text.h"
+#include "hexoderm/util/units.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hexoderm {
+namespace {
+
+// What robot software can use without a second thought, and what it can use at all.
+constexpr double kGoodOrientation = 2 * kDegree;
+constexpr double kGoodPosition_m = 3 * kMillimetre;
+constexpr double kUsableOrientation = 20 * kDegree;
+
+/// Of the cells that were measured; cells placed through their links are named by findings of their own. Where none was
+/// measured, of all.
+Uncertainty95 worstSpread(const Reconstruction& r) {
+  const auto measured = [](const CellPlacement& cell) { return cell.placed_by == PlacedBy::Samples; };
+  const bool any_measured = std::ranges::any_of(
+      r.patches, [&](const PatchReconstruction& patch) { return std::ranges::any_of(patch.cells, measured); });
+  Uncertainty95 worst;
+  for (const PatchReconstruction& patch : r.patches) {
+    for (const CellPlacement& cell : patch.cells) {
+      const std::optional<Uncertainty95> known = any_measured && !measured(cell) ? std::nullopt : uncertaintyOf(cell);
+      if (!known) continue;
+      worst.position_m = std::max(worst.position_m, known->position_m);
+      worst.orientation_rad = std::max(worst.orientation_rad, known->orientation_rad);
+    }
+  }
+  return worst;
+}
+
+std::vector<Eigen::Vector3d> directionsSeen(const Reconstruction& r) {
+  std::vector<Eigen::Vector3d> seen;
+  if (r.patches.empty()) return seen;
+  const auto largest = std::ranges::max_element(r.patches, {}, [](const auto& patch) { return patch.cells.size(); });
+  for (const GravityDirection& gravity : largest->gravity) seen.push_back(gravity.g_o);
+  return seen;
+}
+
+std::size_t enabledPoses(const Reconstruction& r) {
+  return static_cast<std::size_t>(std::ranges::count(r.poses, true, &PoseSummary::enabled));
+}
+
+/// Links of which the poses don't show the whole rotation although both cells read.
+std::size_t undeterminedLinks(const Reconstruction& r) {
+  std::size_t count = 0;
+  for (const PatchReconstruction& patch : r.patches) {
+    for (const LinkEstimate& link : patch.links) {
+      if (link.used && (link.quality == EdgeQuality::Undefined || link.quality == EdgeQuality::Partially)) ++count;
+    }
+  }
+  return count;
+}
+
+/// Every cell of every patch sits alone: there is nothing between them to estimate.
+bool nothingToEstimate(const Reconstruction& r) {
+  return std::ranges::all_of(r.patches, [](const auto& patch) { return patch.cells.size() == 1; });
+}
+
+std::string plusMinus(const Uncertainty95& spread) {
+  return "±" + formatFixed(toMillimetres(spread.position_m), 1) + " mm, ±" +
+         formatFixed(toDegrees(spread.orientation_rad), 1) + "°";
+}
+
+}  // namespace
+
+const Finding* worstFinding(const Reconstruction& r) {
+  const Finding* worst = nullptr;
+  for (const Finding& finding : r.findings) {
+    if (finding.severity == Severity::Info) continue;
+    if (worst == nullptr || finding.severity > worst->severity) worst = &finding;
+  }
+  return worst;
+}
+
+Verdict judge(const Reconstruction& r) {
+  Verdict verdict;
+  if (r.cellCount() == 0) {
+    verdict.level = VerdictLevel::Failed;
+    verdict.reason = "The skin has no cells.";
+    verdict.next_action = "Check the connection to the skin and explore it again.";
+    return verdict;
+  }
+  const std::size_t poses = enabledPoses(r);
+  const PoseAdvice advice = adviseNextPose(*r.model, directionsSeen(r));
+  std::string turn = adviceInWords(advice, r);
+
+  if (nothingToEstimate(r)) {
+    verdict.level = VerdictLevel::Usable;
+    verdict.reason = r.cellCount() == 1 ? "One cell: it is its own origin, there is nothing to estimate."
+                                        : "No cell is linked to another: each is its own origin.";
+    verdict.position_95_m = 0;
+    verdict.orientation_95_rad = 0;
+    verdict.next_action = r.cellCount() == 1 ? "Export." : "Check the links between the cells.";
+    return verdict;
+  }
+
+  const Uncertainty95 spread = worstSpread(r);
+  verdict.position_95_m = spread.position_m;
+  verdict.orientation_95_rad = spread.orientation_rad;
+  if (poses > 0 && advice.sigma_now_rad > 0) {
+    turn += " That should bring ±" + formatFixed(toDegrees(spread.orientation_rad), 1) + "° to about ±" +
+            formatFixed(toDegrees(spread.orientation_rad * advice.sigma_then_rad / advice.sigma_now_rad), 1) + "°.";
+  }
+  const std::size_t undetermined = undeterminedLinks(r);
+  const std::size_t used = [&] {
+    std::size_t count = 0;
+    for (const PatchReconstruction& patch : r.patches) {
+      count += static_cast<std::size_t>(std::ranges::count(patch.links, true, &LinkEstimate::used));
+    }
+    return count;
+  }();
+  const std::string pose_count = std::to_string(poses) + (poses == 1 ? " pose" : " poses");
+
+  if (poses == 0) {
+    verdict.level = VerdictLevel::NotEnough;
+    verdict.reason = "Not enough poses: none yet. The shape shown follows from the ports alone.";
+    verdict.next_action = "Hold the part still and take a first pose.";
+  } else if (2 * undetermined > used) {
+    verdict.level = VerdictLevel::NotEnough;
+    verdict.reason = "Not enough poses: " + pose_count + " along one line leave the turn about gravity open (" +
+                     plusMinus(spread) + ").";
+    if (poses == 1)
+      verdict.reason = "Not enough poses: one leaves the turn about gravity open (" + plusMinus(spread) + ").";
+    verdict.next_action = turn;
+  } else if (spread.orientation_rad > kUsableOrientation) {
+    verdict.level = VerdictLevel::NotEnough;
+    verdict.reason = pose_count + " are not enough: known to " + plusMinus(spread) + " only.";
+    verdict.next_action = turn;
+  } else {
+    const bool precise = spread.orientation_rad <= kGoodOrientation && spread.position_m <= kGoodPosition_m;
+    const Finding* finding = worstFinding(r);
+    verdict.level = precise && finding == nullptr ? VerdictLevel::Good : VerdictLevel::Usable;
+    verdict.reason = (verdict.level == VerdictLevel::Good ? "Good: " : "Usable: ") + plusMinus(spread) +
+                     " at the worst cell (95 %), " + pose_count + ".";
+    if (finding != nullptr) verdict.reason += " " + finding->text;
+    const bool worth_it = advice.sigma_then_rad < 0.9 * advice.sigma_now_rad;
+    verdict.next_action = !precise && worth_it ? turn
+                          : finding != nullptr ? "Look at the findings, then export."
+                                               : "Export.";
+  }
+  return verdict;
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,295 @@
+#include "hexoderm/reconstruction/evaluation/evaluation.h"
+
+#include "hexoderm/geometry/alignment.h"
+#include "hexoderm/geometry/covariance.h"
+#include "hexoderm/util/error.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <queue>
+#include <unordered_map>
+
+namespace hexoderm {
+namespace {
+
+constexpr std::array<std::string_view, 4> kSurfaceNames = {"plane", "sphere", "cylinder", "cone"};
+
+struct ReferenceCell {
+  SE3 T_ref_u;
+  const CellPlacement* stated = nullptr;  ///< of the reference, where it is a reconstruction
+};
+using ReferenceCells = std::unordered_map<CellId, ReferenceCell>;
+
+std::optional<double> rootTrace(const CellPlacement& cell, bool rotation) {
+  if (!cell.cov_t_r) return std::nullopt;
+  const Eigen::Matrix3d block =
+      rotation ? cell.cov_t_r->bottomRightCorner<3, 3>() : cell.cov_t_r->topLeftCorner<3, 3>();
+  return std::sqrt(std::max(0.0, block.trace()));
+}
+
+/// Two measurements of one thing: their stated deviations add in squares.
+std::optional<double> combined(std::optional<double> a, std::optional<double> b) {
+  return a && b ? std::optional(std::hypot(*a, *b)) : a ? a : b;
+}
+
+Comparison compare(const PatchReconstruction& patch, const ReferenceCells& reference) {
+  Comparison comparison;
+  comparison.patch = patch.id;
+  std::vector<Eigen::Vector3d> expected;
+  std::vector<Eigen::Vector3d> estimated;
+  std::vector<Eigen::Matrix3d> turns;
+  std::vector<const CellPlacement*> shared;
+  for (const CellPlacement& cell : patch.cells) {
+    const auto found = reference.find(cell.cell);
+    if (found == reference.end()) continue;
+    shared.push_back(&cell);
+    expected.push_back(found->second.T_ref_u.t);
+    estimated.push_back(cell.T_o_u.t);
+    turns.emplace_back(found->second.T_ref_u.R * cell.T_o_u.R.transpose());
+  }
+  if (shared.empty()) return comparison;
+  comparison.T_ref_o = alignPoints(expected, estimated);
+  const Eigen::Matrix3d turn = chordalMean(turns);
+  double position_sum = 0;
+  double orientation_sum = 0;
+  for (std::size_t k = 0; k < shared.size(); ++k) {
+    CellDifference difference;
+    difference.cell = shared[k]->cell;
+    difference.position_m = expected[k] - comparison.T_ref_o * estimated[k];
+    difference.orientation_rad = rotationAngle(turn.transpose() * turns[k]);
+    difference.sigma_t_m = rootTrace(*shared[k], false);
+    difference.sigma_r_rad = rootTrace(*shared[k], true);
+    if (const CellPlacement* stated = reference.at(difference.cell).stated) {
+      difference.sigma_t_m = combined(difference.sigma_t_m, rootTrace(*stated, false));
+      difference.sigma_r_rad = combined(difference.sigma_r_rad, rootTrace(*stated, true));
+    }
+    position_sum += difference.position_m.squaredNorm();
+    orientation_sum += difference.orientation_rad * difference.orientation_rad;
+    comparison.cells.push_back(difference);
+  }
+  comparison.position_rms_m = std::sqrt(position_sum / static_cast<double>(shared.size()));
+  comparison.orientation_rms_rad = std::sqrt(orientation_sum / static_cast<double>(shared.size()));
+  return comparison;
+}
+
+std::vector<Comparison> compareAll(const Reconstruction& reconstruction, const ReferenceCells& reference) {
+  std::vector<Comparison> comparisons;
+  for (const PatchReconstruction& patch : reconstruction.patches) {
+    Comparison comparison = compare(patch, reference);
+    if (!comparison.cells.empty()) comparisons.push_back(std::move(comparison));
+  }
+  return comparisons;
+}
+
+std::string endInWords(LinkEnd end) { return "cell " + toString(end.cell) + " port " + toString(end.port); }
+
+/// Sum of the port vectors' lengths along the shortest chain of links from one cell to the other, with the two free
+/// ports at its ends: the paper's L.
+double chainLength(const Reconstruction& r, const PatchReconstruction& patch, LinkEnd first, LinkEnd second) {
+  std::unordered_map<CellId, std::vector<std::pair<CellId, double>>> neighbors;
+  const auto length = [&](PortNumber port) { return r.model->port(port).vector_m.norm(); };
+  for (const LinkEstimate& link : patch.links) {
+    if (!link.used) continue;
+    const double both = length(link.source.port) + length(link.target.port);
+    neighbors[link.source.cell].emplace_back(link.target.cell, both);
+    neighbors[link.target.cell].emplace_back(link.source.cell, both);
+  }
+  std::unordered_map<CellId, double> reached{{first.cell, 0}};
+  std::queue<CellId> open;
+  open.push(first.cell);
+  while (!open.empty() && !reached.contains(second.cell)) {
+    const CellId cell = open.front();
+    open.pop();
+    for (const auto& [next, both] : neighbors[cell]) {
+      if (reached.emplace(next, reached.at(cell) + both).second) open.push(next);
+    }
+  }
+  const auto end = reached.find(second.cell);
+  if (end == reached.end()) return 0;
+  return end->second + length(first.port) + length(second.port);
+}
+
+}  // namespace
+
+SurfaceKind surfaceKindFromName(std::string_view name) {
+  const auto found = std::ranges::find(kSurfaceNames, name);
+  if (found == kSurfaceNames.end()) {
+    throw InvalidArgument("surface: expected plane, sphere, cylinder or cone, found \"" + std::string(name) + "\"");
+  }
+  return static_cast<SurfaceKind>(found - kSurfaceNames.begin());
+}
+
+std::string_view surfaceKindName(SurfaceKind kind) { return kSurfaceNames.at(static_cast<std::size_t>(kind)); }
+
+SurfaceEvaluation evaluateSurface(const PatchReconstruction& patch, SurfaceKind kind,
+                                  std::optional<double> true_radius_m) {
+  if ((kind == SurfaceKind::Plane || kind == SurfaceKind::Cone) && true_radius_m) {
+    throw InvalidArgument("a " + std::string(surfaceKindName(kind)) + " has no one radius to compare with");
+  }
+  if (true_radius_m && !(*true_radius_m > 0 && std::isfinite(*true_radius_m))) {
+    throw InvalidArgument("true radius: expected metres above 0");
+  }
+  SurfaceEvaluation evaluation;
+  evaluation.kind = kind;
+  evaluation.patch = patch.id;
+  std::vector<Eigen::Vector3d> points;
+  for (const CellPlacement& cell : patch.cells) {
+    evaluation.cells.push_back(cell.cell);
+    points.push_back(cell.T_o_u.t);
+  }
+  switch (kind) {
+    case SurfaceKind::Plane: {
+      PlaneFit fit = fitPlane(points);
+      evaluation.point = fit.point;
+      evaluation.axis = fit.normal;
+      evaluation.distance_m = std::move(fit.distance_m);
+      break;
+    }
+    case SurfaceKind::Sphere: {
+      SphereFit fit = fitSphere(points);
+      evaluation.point = fit.center;
+      evaluation.radius_m = fit.radius_m;
+      evaluation.distance_m = std::move(fit.distance_m);
+      break;
+    }
+    case SurfaceKind::Cylinder: {
+      CylinderFit fit = fitCylinder(points);
+      evaluation.point = fit.point;
+      evaluation.axis = fit.axis;
+      evaluation.radius_m = fit.radius_m;
+      evaluation.distance_m = std::move(fit.distance_m);
+      break;
+    }
+    case SurfaceKind::Cone: {
+      ConeFit fit = fitCone(points);
+      evaluation.point = fit.point;
+      evaluation.axis = fit.axis;
+      evaluation.radius_m = fit.radius_m;
+      evaluation.half_angle_rad = fit.half_angle_rad;
+      evaluation.distance_m = std::move(fit.distance_m);
+      break;
+    }
+  }
+  evaluation.rms_m = rms(evaluation.distance_m);
+  if (true_radius_m) {
+    evaluation.delta_m = *evaluation.radius_m - *true_radius_m;
+    std::vector<double> from_true_surface;
+    for (const double distance : evaluation.distance_m) from_true_surface.push_back(distance + *evaluation.delta_m);
+    evaluation.epsilon_m = rms(from_true_surface);
+  }
+  return evaluation;
+}
+
+LoopEvaluation evaluateLoop(const Reconstruction& reconstruction, LinkEnd first, LinkEnd second) {
+  const auto located = [&](LinkEnd end) {
+    const Reconstruction::Located found = reconstruction.find(end.cell);
+    if (found.cell == nullptr) throw InvalidArgument("loop: there is no cell " + toString(end.cell));
+    if (reconstruction.model->findPort(end.port) == nullptr) {
+      throw InvalidArgument("loop: cell model " + reconstruction.model->name + " has no port " + toString(end.port));
+    }
+    for (const LinkEstimate& link : found.patch->links) {
+      if (link.used && (link.source == end || link.target == end)) {
+        throw InvalidArgument("loop: " + endInWords(end) + " is joined to a neighbour, expected a free port");
+      }
+    }
+    return found;
+  };
+  const Reconstruction::Located a = located(first);
+  const Reconstruction::Located b = located(second);
+  if (a.patch != b.patch) {
+    throw InvalidArgument("loop: cells " + toString(first.cell) + " and " + toString(second.cell) +
+                          " lie in different patches");
+  }
+  if (first == second) throw InvalidArgument("loop: expected two different ports");
+  LoopEvaluation loop;
+  loop.first = first;
+  loop.second = second;
+  loop.gap_m = a.cell->T_o_u * reconstruction.model->port(first.port).vector_m -
+               b.cell->T_o_u * reconstruction.model->port(second.port).vector_m;
+  loop.length_m = loop.gap_m.norm();
+  loop.loop_length_m = chainLength(reconstruction, *a.patch, first, second);
+  loop.percent = loop.loop_length_m > 0 ? 100 * loop.length_m / loop.loop_length_m : 0;
+  return loop;
+}
+
+std::size_t SurfaceEvaluation::furthest() const {
+  const auto worst = std::ranges::max_element(distance_m, {}, [](double distance) { return std::abs(distance); });
+  return static_cast<std::size_t>(worst - distance_m.begin());
+}
+
+bool SurfaceEvaluation::liesWithin(double position_95_m) const {
+  return std::abs(distance_m.at(furthest())) <= position_95_m;
+}
+
+bool WithinStated::holds() const {
+  // 19 of 20; what is left over of a small number is granted.
+  const auto enough = [this](std::size_t count) { return 20 * count + 19 >= 19 * stated; };
+  return stated > 0 && enough(position) && enough(orientation);
+}
+
+bool isWithinStated(double difference, std::optional<double> sigma) {
+  return sigma && difference <= kSigmasFor95Percent * *sigma;
+}
+
+WithinStated countWithinStated(const std::vector<Comparison>& comparisons) {
+  WithinStated count;
+  for (const Comparison& comparison : comparisons) {
+    for (const CellDifference& cell : comparison.cells) {
+      if (!cell.sigma_t_m || !cell.sigma_r_rad || (*cell.sigma_t_m == 0 && *cell.sigma_r_rad == 0)) continue;
+      ++count.stated;
+      if (isWithinStated(cell.position_m.norm(), cell.sigma_t_m)) ++count.position;
+      if (isWithinStated(cell.orientation_rad, cell.sigma_r_rad)) ++count.orientation;
+    }
+  }
+  return count;
+}
+
+ComparisonSummary summariseComparisons(const std::vector<Comparison>& comparisons) {
+  ComparisonSummary summary;
+  for (const Comparison& comparison : comparisons) {
+    const auto count = static_cast<double>(comparison.cells.size());
+    summary.cells += comparison.cells.size();
+    summary.position_rms_m += count * comparison.position_rms_m * comparison.position_rms_m;
+    summary.orientation_rms_rad += count * comparison.orientation_rms_rad * comparison.orientation_rms_rad;
+  }
+  if (summary.cells > 0) {
+    summary.position_rms_m = std::sqrt(summary.position_rms_m / static_cast<double>(summary.cells));
+    summary.orientation_rms_rad = std::sqrt(summary.orientation_rms_rad / static_cast<double>(summary.cells));
+  }
+  summary.within = countWithinStated(comparisons);
+  return summary;
+}
+
+bool isRemarkable(double error, double expected) {
+  constexpr double kTimes = 3;
+  return std::abs(error) > kTimes * expected;
+}
+
+std::vector<Comparison> compareToTruth(const Reconstruction& reconstruction, const GroundTruth& truth) {
+  ReferenceCells reference;
+  for (const TrueCellPlacement& cell : truth.cells) reference.try_emplace(cell.id, ReferenceCell{cell.T_b_u, nullptr});
+  return compareAll(reconstruction, reference);
+}
+
+std::vector<Comparison> compareToReconstruction(const Reconstruction& reconstruction, const Reconstruction& reference) {
+  // Each patch of the reference has a frame of its own, so cells are compared patch by patch.
+  std::vector<Comparison> comparisons;
+  for (const PatchReconstruction& patch : reference.patches) {
+    ReferenceCells cells;
+    for (const CellPlacement& cell : patch.cells) cells.try_emplace(cell.cell, ReferenceCell{cell.T_o_u, &cell});
+    for (Comparison& comparison : compareAll(reconstruction, cells)) comparisons.push_back(std::move(comparison));
+  }
+  return comparisons;
+}
+
+double trueLoopGap(const CellModel& model, const GroundTruth& truth, LinkEnd first, LinkEnd second) {
+  const auto linkPoint = [&](LinkEnd end) -> Eigen::Vector3d {
+    const auto found = std::ranges::find(truth.cells, end.cell, &TrueCellPlacement::id);
+    if (found == truth.cells.end()) throw InvalidArgument("the truth holds no cell " + toString(end.cell));
+    return found->T_b_u * model.port(end.port).vector_m;
+  };
+  return (linkPoint(first) - linkPoint(second)).norm();
+}
+
+}  // namespace hexoderm

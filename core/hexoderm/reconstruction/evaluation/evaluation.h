@@ -1,0 +1,106 @@
+#pragma once
+
+#include "hexoderm/geometry/surface_fit.h"
+#include "hexoderm/reconstruction/result/reconstruction.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hexoderm {
+
+enum class SurfaceKind { Plane, Sphere, Cylinder, Cone };
+/// Throws InvalidArgument listing the kinds there are.
+SurfaceKind surfaceKindFromName(std::string_view name);
+std::string_view surfaceKindName(SurfaceKind kind);
+
+/// A surface through the centres of a patch's cells, in the patch frame, with the paper's metrics where the true radius
+/// is known: Delta = r_est - r_real, eq. (20); epsilon = sqrt(1/U sum (d_u + Delta)^2), eq. (21).
+struct SurfaceEvaluation {
+  SurfaceKind kind{};
+  PatchId patch;
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< on plane or axis; the sphere's centre
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< the plane's normal; unused for the sphere
+  std::optional<double> radius_m;                   ///< none for the plane; the cone's at `point`
+  std::optional<double> half_angle_rad;             ///< the cone's, which widens along `axis`
+  std::vector<CellId> cells;
+  std::vector<double> distance_m;  ///< signed, per cell
+  double rms_m = 0;
+  std::optional<double> delta_m;
+  std::optional<double> epsilon_m;
+
+  /// Of the cell that is furthest from the surface: its place in `cells`. There is one.
+  [[nodiscard]] std::size_t furthest() const;
+  /// No cell is further from the surface than positions are stated to err (95 %, the worst cell's).
+  [[nodiscard]] bool liesWithin(double position_95_m) const;
+};
+
+/// Throws InvalidArgument if the patch has too few cells for the fit, or `true_radius_m` is given for a plane or a
+/// cone, which have no one radius.
+SurfaceEvaluation evaluateSurface(const PatchReconstruction& patch, SurfaceKind kind,
+                                  std::optional<double> true_radius_m = std::nullopt);
+
+/// The gap between the link points of two ports (paper, Fig. 9).
+struct LoopEvaluation {
+  LinkEnd first;
+  LinkEnd second;
+  Eigen::Vector3d gap_m = Eigen::Vector3d::Zero();  ///< first link point minus second, patch frame
+  double length_m = 0;
+  double loop_length_m = 0;  ///< accumulated length of the port vectors along the chain, both ends included
+  double percent = 0;        ///< of the loop length
+};
+
+/// Throws InvalidArgument if a cell or port does not exist, the ports are joined to something, or the cells lie in
+/// different patches.
+LoopEvaluation evaluateLoop(const Reconstruction& reconstruction, LinkEnd first, LinkEnd second);
+
+/// Per-cell differences between two placements of the same cells, after alignment: positions after their best rigid
+/// fit, orientations after the one rotation that fits all of them best (chordal mean of R_ref R_est^T). SPEC step 14.
+struct CellDifference {
+  CellId cell;
+  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  ///< reference frame: reference - aligned estimate
+  double orientation_rad = 0;
+  std::optional<double> sigma_t_m;  ///< stated: root of the trace of the position covariance
+  std::optional<double> sigma_r_rad;
+};
+struct Comparison {
+  PatchId patch;
+  SE3 T_ref_o;  ///< of the positions' fit
+  std::vector<CellDifference> cells;
+  double position_rms_m = 0;
+  double orientation_rms_rad = 0;
+};
+
+/// How many cells lie where the stated uncertainty has them with 95 %. A difference counts as within if it is not
+/// longer than 1.96 times the root of its covariance's trace: at least 95 % of a normal error are, whatever its shape.
+struct WithinStated {
+  std::size_t stated = 0;  ///< cells that state an uncertainty; the origin, which is exact by definition, does not
+  std::size_t position = 0;
+  std::size_t orientation = 0;
+
+  /// As many as "95 %" promises, or more.
+  [[nodiscard]] bool holds() const;
+};
+bool isWithinStated(double difference, std::optional<double> sigma);  ///< false where nothing is stated
+WithinStated countWithinStated(const std::vector<Comparison>& comparisons);
+
+/// All cells of several comparisons together; none: zeros.
+struct ComparisonSummary {
+  std::size_t cells = 0;
+  double position_rms_m = 0;
+  double orientation_rms_rad = 0;
+  WithinStated within;
+};
+ComparisonSummary summariseComparisons(const std::vector<Comparison>& comparisons);
+
+/// Beyond three times what it is expected to be, or is on the whole: worth a look.
+bool isRemarkable(double error, double expected);
+
+/// One comparison for each patch that shares a cell with the reference.
+std::vector<Comparison> compareToTruth(const Reconstruction& reconstruction, const GroundTruth& truth);
+std::vector<Comparison> compareToReconstruction(const Reconstruction& reconstruction, const Reconstruction& reference);
+
+/// The link points' gap in the truth: what a perfect estimate of an open ring would show.
+double trueLoopGap(const CellModel& model, const GroundTruth& truth, LinkEnd first, LinkEnd second);
+
+}  // namespace hexoderm

@@ -1,0 +1,238 @@
+#include "hexoderm/reconstruction/faults/cell_health.h"
+
+#include "hexoderm/geometry/se3.h"
+#include "hexoderm/util/median.h"
+#include "hexoderm/util/text.h"
+#include "hexoderm/util/units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hexoderm {
+namespace {
+
+constexpr double kDeadNorm_g = 0.5;             // no offset and no pose leaves less of 1 g than this
+constexpr double kLeastNormTolerance_g = 0.15;  // a good sensor may read 0.9 g (SPEC, step 11)
+constexpr double kStuckAngle = 2 * kDegree;     // a stuck sensor turns less than this ...
+constexpr double kMovedAngle = 15 * kDegree;    // ... while the other cells turned at least this
+constexpr double kNoisyTimesOthers = 4;
+constexpr double kMovingSigma_g =
+    0.25;  // tremor is 10 mg, at the end of an arm's length 100 mg; a moving part far above
+
+std::string inMilliG(double value_g) { return formatFixed(value_g * 1000, 0) + " mg"; }
+
+class Judge {
+ public:
+  Judge(const SessionSnapshot& snapshot, const SkinGraph& graph, GravityTable& table, std::vector<Finding>& findings)
+      : snapshot_(snapshot), graph_(graph), table_(table), findings_(findings) {}
+
+  void run() {
+    findMissing();
+    for (std::size_t cell = 0; cell < table_.cellCount(); ++cell) findDeadAxis(cell);
+    for (std::size_t cell = 0; cell < table_.cellCount(); ++cell) judgeReadings(cell);
+    for (const std::size_t pose : table_.enabledPoses()) judgeScatter(pose);
+    findStuck();
+  }
+
+ private:
+  [[nodiscard]] CellId id(std::size_t cell) const { return graph_.cells()[cell].id; }
+  [[nodiscard]] PoseId poseId(std::size_t pose) const { return snapshot_.poses[pose].capture->id; }
+  [[nodiscard]] std::vector<PoseId> poseIds(const std::vector<std::size_t>& poses) const {
+    std::vector<PoseId> ids;
+    for (const std::size_t pose : poses) ids.push_back(poseId(pose));
+    return ids;
+  }
+  static std::string inPoses(const std::vector<PoseId>& poses) {
+    return (poses.size() == 1 ? " in pose " : " in poses ") + listInWords(poses);
+  }
+
+  void findMissing() {
+    const std::vector<std::size_t>& enabled = table_.enabledPoses();
+    for (std::size_t cell = 0; cell < table_.cellCount() && !enabled.empty(); ++cell) {
+      std::vector<std::size_t> missing;
+      for (const std::size_t pose : enabled) {
+        if (!table_.at(cell, pose).measured) missing.push_back(pose);
+      }
+      if (missing.size() == enabled.size()) {
+        findings_.push_back(makeFinding(
+            FindingCode::NoSamples,
+            "Cell " + toString(id(cell)) + " delivered no reading in any pose; it is placed through its links.",
+            {id(cell)}));
+      } else if (!missing.empty()) {
+        const std::vector<PoseId> poses = poseIds(missing);
+        findings_.push_back(makeFinding(FindingCode::MissingSamples,
+                                        "Cell " + toString(id(cell)) + " delivered no reading" + inPoses(poses) +
+                                            "; it is placed from the other poses.",
+                                        {id(cell)}, {}, poses));
+      }
+    }
+  }
+
+  /// An axis that reads the same in all poses although the length of what the cell reads rises and falls with them. (An
+  /// axis along which gravity happens not to change leaves the length as it is.)
+  void findDeadAxis(std::size_t cell) {
+    constexpr double kConstant_g = 0.02;
+    constexpr double kChanging_g = 0.3;
+    constexpr std::size_t kFewestPoses = 3;
+    const Accelerometer& a = snapshot_.model->accelerometer;
+    const std::vector<std::size_t> poses = table_.usablePoses(cell);
+    if (poses.size() < kFewestPoses) return;
+    Eigen::Vector3d lowest = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+    Eigen::Vector3d highest = -lowest;
+    double shortest_g = std::numeric_limits<double>::infinity();
+    double longest_g = 0;
+    for (const std::size_t pose : poses) {
+      const Eigen::Vector3d y_g = a.T_u_a.R.transpose() * table_.at(cell, pose).mean_g;
+      lowest = lowest.cwiseMin(y_g);
+      highest = highest.cwiseMax(y_g);
+      shortest_g = std::min(shortest_g, y_g.norm());
+      longest_g = std::max(longest_g, y_g.norm());
+    }
+    if (longest_g < kDeadNorm_g || longest_g - shortest_g < kChanging_g) return;
+    const Eigen::Vector3d range_g = highest - lowest;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (range_g[axis] > kConstant_g || range_g.maxCoeff() < kChanging_g) continue;
+      for (const std::size_t pose : poses) table_.at(cell, pose).usable = false;
+      findings_.push_back(makeFinding(
+          FindingCode::DeadAxis,
+          "Cell " + toString(id(cell)) + " reads " + inMilliG(lowest[axis]) + " on its " + std::string(1, "xyz"[axis]) +
+              " axis in all poses, while what it reads in all ranges from " + inMilliG(shortest_g) + " to " +
+              inMilliG(longest_g) + ": the axis is dead. The cell is placed through its links.",
+          {id(cell)}, {}, poseIds(poses)));
+      return;
+    }
+  }
+
+  /// Range and norm: a reading that can't be gravity is not used.
+  void judgeReadings(std::size_t cell) {
+    const Accelerometer& a = snapshot_.model->accelerometer;
+    const double tolerance = std::max(kLeastNormTolerance_g, 5 * std::hypot(a.offset_sigma_g, a.scale_sigma));
+    std::vector<std::size_t> saturated;
+    std::vector<std::size_t> dead;
+    std::vector<std::size_t> off_norm;
+    double worst_norm = 1;
+    std::size_t measured = 0;
+    for (const std::size_t pose : table_.enabledPoses()) {
+      GravityTable::Entry& entry = table_.at(cell, pose);
+      if (!entry.usable) continue;
+      ++measured;
+      const double norm = entry.mean_g.norm();
+      if ((a.T_u_a.R.transpose() * entry.mean_g).cwiseAbs().maxCoeff() >= a.range_g - 1.5 * a.lsb_g) {
+        saturated.push_back(pose);
+      } else if (norm < kDeadNorm_g) {
+        dead.push_back(pose);
+      } else if (std::abs(norm - 1) > tolerance) {
+        off_norm.push_back(pose);
+        if (std::abs(norm - 1) > std::abs(worst_norm - 1)) worst_norm = norm;
+      } else {
+        continue;
+      }
+      entry.usable = false;
+    }
+    const std::string name = "Cell " + toString(id(cell));
+    if (!saturated.empty()) {
+      const std::vector<PoseId> poses = poseIds(saturated);
+      findings_.push_back(makeFinding(FindingCode::SaturatedSensor,
+                                      name + " reads the end of its range (" + formatFixed(a.range_g, 1) + " g)" +
+                                          inPoses(poses) + "; these readings are not used.",
+                                      {id(cell)}, {}, poses));
+    }
+    if (!dead.empty()) {
+      const std::vector<PoseId> poses = poseIds(dead);
+      const bool always = dead.size() == measured;
+      findings_.push_back(makeFinding(FindingCode::DeadSensor,
+                                      name + " reads less than " + inMilliG(kDeadNorm_g) + inPoses(poses) +
+                                          (always ? ": its accelerometer is dead. The cell is placed through its links."
+                                                  : "; these readings are not used."),
+                                      {id(cell)}, {}, poses));
+    }
+    if (!off_norm.empty()) {
+      const std::vector<PoseId> poses = poseIds(off_norm);
+      findings_.push_back(makeFinding(FindingCode::WrongNorm,
+                                      name + " reads up to " + inMilliG(worst_norm) + inPoses(poses) +
+                                          ", expected 1000 mg +- " + inMilliG(tolerance) +
+                                          "; these readings are not used.",
+                                      {id(cell)}, {}, poses));
+    }
+  }
+
+  /// One cell that scatters is a bad sensor; most cells that scatter are a part that moved.
+  void judgeScatter(std::size_t pose) {
+    const Accelerometer& a = snapshot_.model->accelerometer;
+    const double white_g = std::hypot(a.noise_g_per_sqrt_hz * std::sqrt(a.rate_hz / 2), a.lsb_g / std::sqrt(12));
+    std::vector<double> sigmas;
+    for (std::size_t cell = 0; cell < table_.cellCount(); ++cell) {
+      const GravityTable::Entry& entry = table_.at(cell, pose);
+      if (entry.usable && entry.sample_sigma_g > 0) sigmas.push_back(entry.sample_sigma_g);
+    }
+    const double usual_g = median(sigmas);
+    if (usual_g > std::max(kMovingSigma_g, kNoisyTimesOthers * white_g)) {
+      findings_.push_back(makeFinding(FindingCode::PartMoved,
+                                      "In pose " + toString(poseId(pose)) + " the readings of most cells scatter by " +
+                                          inMilliG(usual_g) + ": the part was probably moving. Take the pose again.",
+                                      {}, {}, {poseId(pose)}));
+      return;
+    }
+    // Two cells can't outvote each other.
+    constexpr std::size_t kFewestForAVote = 3;
+    const double limit_g = std::max(kNoisyTimesOthers * (sigmas.size() >= kFewestForAVote ? usual_g : 0), 5 * white_g);
+    for (std::size_t cell = 0; cell < table_.cellCount(); ++cell) {
+      GravityTable::Entry& entry = table_.at(cell, pose);
+      if (!entry.usable || entry.sample_sigma_g <= limit_g) continue;
+      entry.usable = false;
+      findings_.push_back(makeFinding(FindingCode::NoisySensor,
+                                      "Cell " + toString(id(cell)) + " scatters by " + inMilliG(entry.sample_sigma_g) +
+                                          " in pose " + toString(poseId(pose)) + " (other cells " + inMilliG(usual_g) +
+                                          ", limit " + inMilliG(limit_g) + "); the reading is not used.",
+                                      {id(cell)}, {}, {poseId(pose)}));
+    }
+  }
+
+  /// The largest angle between a cell's reading in its first usable pose and in any other one.
+  [[nodiscard]] double turned(std::size_t cell) const {
+    const std::vector<std::size_t> poses = table_.usablePoses(cell);
+    double largest = 0;
+    for (const std::size_t pose : poses) {
+      largest = std::max(largest, angleBetween(table_.at(cell, poses.front()).mean_g, table_.at(cell, pose).mean_g));
+    }
+    return largest;
+  }
+
+  void findStuck() {
+    for (const std::vector<std::size_t>& patch : graph_.patches()) {
+      std::vector<double> angles;
+      for (const std::size_t cell : patch) {
+        if (table_.usablePoses(cell).size() >= 2) angles.push_back(turned(cell));
+      }
+      const double usual = median(angles);
+      if (usual < kMovedAngle) continue;
+      for (const std::size_t cell : patch) {
+        const std::vector<std::size_t> poses = table_.usablePoses(cell);
+        if (poses.size() < 2 || turned(cell) >= kStuckAngle) continue;
+        for (const std::size_t pose : poses) table_.at(cell, pose).usable = false;
+        findings_.push_back(
+            makeFinding(FindingCode::StuckSensor,
+                        "Cell " + toString(id(cell)) + " reads the same direction in all poses (within " +
+                            formatFixed(toDegrees(turned(cell)), 1) + " degrees) while the other cells turn by " +
+                            formatFixed(toDegrees(usual), 0) +
+                            " degrees: its accelerometer is stuck. The cell is placed through its links.",
+                        {id(cell)}, {}, poseIds(poses)));
+      }
+    }
+  }
+
+  const SessionSnapshot& snapshot_;
+  const SkinGraph& graph_;
+  GravityTable& table_;
+  std::vector<Finding>& findings_;
+};
+
+}  // namespace
+
+void judgeCells(const SessionSnapshot& snapshot, const SkinGraph& graph, GravityTable& table,
+                std::vector<Finding>& findings) {
+  Judge(snapshot, graph, table, findings).run();
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,55 @@
+#include "hexoderm/reconstruction/faults/link_plausibility.h"
+
+#include "hexoderm/geometry/se3.h"
+#include "hexoderm/graph/skin_graph.h"
+#include "hexoderm/util/text.h"
+#include "hexoderm/util/units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace hexoderm {
+namespace {
+
+/// The same rotation as a yaw about z followed by a tilt about an axis in the surface, whose parts are twist and bend.
+/// Small angles stay what they are. Of large ones, the parts of one rotation vector no longer say what was turned how
+/// far: cells folded by 84 degrees and yawed by -141 would come out as bent by 45 and twisted by 94.
+LinkAngles separated(const LinkAngles& angles) {
+  // In the basis u_c, z x u_c, z.
+  const Eigen::Quaterniond whole(expSO3({angles.twist_rad, angles.bend_rad, angles.yaw_rad}));
+  const double yaw_rad = std::remainder(2 * std::atan2(whole.z(), whole.w()), 2 * kPi);
+  const Eigen::Quaterniond yaw(Eigen::AngleAxisd(yaw_rad, Eigen::Vector3d::UnitZ()));
+  const Eigen::Vector3d tilt = logSO3((whole * yaw.conjugate()).toRotationMatrix());
+  return {tilt.x(), tilt.y(), yaw_rad};
+}
+
+}  // namespace
+
+std::vector<Finding> judgeLinkAngles(const LinkAngles& angles, LinkEnd source, LinkEnd target,
+                                     const SolverOptions& options, double sigma_rad) {
+  constexpr double kSigmas = 3;
+  // No part of a rotation is larger than the whole.
+  const double whole = std::hypot(angles.bend_rad, angles.twist_rad, angles.yaw_rad);
+  if (whole <= std::min({options.max_bend_rad, options.max_twist_rad, options.max_yaw_rad})) return {};
+  const LinkAngles judged = separated(angles);
+  std::vector<Finding> findings;
+  const auto judge = [&](double angle_rad, double limit_rad, FindingCode code, const std::string& does,
+                         const std::string& cause) {
+    if (std::abs(angle_rad) <= limit_rad + kSigmas * sigma_rad) return;
+    findings.push_back(makeFinding(
+        code,
+        "The " + linkInWords(source, target) + " " + does + " by " + formatFixed(toDegrees(std::abs(angle_rad)), 0) +
+            " degrees, and a skin link by no more than " + formatFixed(toDegrees(limit_rad), 0) + ". " + cause,
+        {source.cell, target.cell}, {source.port, target.port}));
+  };
+  judge(judged.bend_rad, options.max_bend_rad, FindingCode::ImplausibleBend, "bends",
+        "It is probably a cable or crosses a joint.");
+  judge(judged.twist_rad, options.max_twist_rad, FindingCode::ImplausibleTwist, "is twisted",
+        "It is probably a cable, or a port number is wrong.");
+  judge(judged.yaw_rad, options.max_yaw_rad, FindingCode::ImplausibleYaw, "is turned in the surface",
+        "A port number is probably wrong, or it is a cable.");
+  return findings;
+}
+
+}  // namespace hexoderm

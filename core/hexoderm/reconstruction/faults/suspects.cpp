@@ -1,0 +1,185 @@
+#include "hexoderm/reconstruction/faults/suspects.h"
+
+#include "hexoderm/geometry/covariance.h"
+#include "hexoderm/reconstruction/faults/link_plausibility.h"
+#include "hexoderm/util/text.h"
+#include "hexoderm/util/units.h"
+
+#include "hexoderm/reconstruction/accelerometer/rigidity.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hexoderm {
+namespace {
+
+// A link is judged by its angles only where the poses fix them.
+constexpr double kJudgeableSigma = 15 * kDegree;
+
+}  // namespace
+
+SuspectSearch::SuspectSearch(const CellModel& model, const SkinGraph& graph, const GravityTable& table,
+                             const SkinReadings& readings, const std::vector<EdgeRotation>& edges,
+                             const SolverOptions& options)
+    : model_(model),
+      graph_(graph),
+      table_(table),
+      readings_(readings),
+      edges_(edges),
+      options_(options),
+      pair_prior_(pairOf(model.accelerometer)) {
+  verdicts_.reserve(edges.size());
+  for (std::size_t link = 0; link < edges.size(); ++link) verdicts_.push_back(judge(link));
+}
+
+SuspectSearch::Verdict SuspectSearch::judge(std::size_t link_index) const {
+  Verdict verdict;
+  const GraphLink& link = graph_.links()[link_index];
+  const EdgeRotation& edge = edges_[link_index];
+  if (link.muted() || !readings_.measured(link)) return verdict;
+  verdict.tested = true;
+  const double sigma = largestDeviation(edge.covariance);
+  if (sigma < kJudgeableSigma && !edge.supported) {
+    verdict.implausible =
+        judgeLinkAngles(linkAngles(edge.R_c_n, model_.port(link.source_port), model_.port(link.target_port)),
+                        graph_.sourceEnd(link), graph_.targetEnd(link), options_, sigma);
+  }
+  verdict.misfit = misfitOf(link_index);
+  verdict.rigid = verdict.misfit <= options_.max_misfit;
+  return verdict;
+}
+
+double SuspectSearch::misfitOf(std::size_t link_index, std::optional<std::size_t> without) const {
+  const GraphLink& link = graph_.links()[link_index];
+  const Eigen::Matrix3d R_a_u = model_.accelerometer.T_u_a.R.transpose();
+  const Eigen::Matrix3d R_a_n = R_a_u * edges_[link_index].R_c_n;
+  std::vector<CellReading> c;
+  std::vector<Eigen::Vector3d> n;
+  const std::vector<std::size_t> poses = readings_.posesOf(link);
+  c.reserve(poses.size());
+  n.reserve(poses.size());
+  for (const std::size_t pose : poses) {
+    if (pose == without) continue;
+    const GravityTable::Entry& at_c = table_.at(link.source, pose);
+    const GravityTable::Entry& at_n = table_.at(link.target, pose);
+    c.push_back({pose, R_a_u * at_c.mean_g, at_c.variance_g2 + at_n.variance_g2});
+    n.push_back(R_a_n * at_n.mean_g);
+  }
+  return testRigidity(pair_prior_, c, n).deviate();
+}
+
+std::optional<std::size_t> SuspectSearch::worstPose() const {
+  constexpr std::size_t kFewestPoses = 3;
+  constexpr std::size_t kFewestLinks = 3;
+  constexpr double kNearlyNone = 0.2;
+  std::vector<std::size_t> tested;
+  std::size_t moving = 0;
+  for (std::size_t link = 0; link < verdicts_.size(); ++link) {
+    if (!verdicts_[link].tested) continue;
+    tested.push_back(link);
+    if (!verdicts_[link].rigid) ++moving;
+  }
+  if (table_.enabledPoses().size() < kFewestPoses || tested.size() < kFewestLinks || 2 * moving <= tested.size()) {
+    return std::nullopt;
+  }
+  std::optional<std::size_t> worst;
+  auto fewest = static_cast<std::size_t>(kNearlyNone * static_cast<double>(tested.size()));
+  for (const std::size_t pose : table_.enabledPoses()) {
+    const auto still_moving = static_cast<std::size_t>(
+        std::ranges::count_if(tested, [&](std::size_t link) { return misfitOf(link, pose) > options_.max_misfit; }));
+    if (still_moving > fewest || (worst && still_moving == fewest)) continue;
+    worst = pose;
+    fewest = still_moving;
+  }
+  return worst;
+}
+
+std::optional<std::size_t> SuspectSearch::worstCell() const {
+  constexpr double kNearlyAll = 0.74;
+  constexpr std::size_t kFewestWitnesses = 2;
+  std::vector<std::size_t> tested(graph_.cells().size(), 0);
+  std::vector<std::size_t> bad(graph_.cells().size(), 0);
+  for (std::size_t link = 0; link < verdicts_.size(); ++link) {
+    for (const std::size_t cell : {graph_.links()[link].source, graph_.links()[link].target}) {
+      if (verdicts_[link].tested) ++tested[cell];
+      if (verdicts_[link].bad()) ++bad[cell];
+    }
+  }
+  std::optional<std::size_t> worst;
+  double worst_misfit = 0;
+  for (std::size_t cell = 0; cell < graph_.cells().size(); ++cell) {
+    if (bad[cell] < kFewestWitnesses || static_cast<double>(bad[cell]) < kNearlyAll * static_cast<double>(tested[cell]))
+      continue;
+    double misfit = 0;
+    // Neighbours at odds with others too speak for a joint that runs between all of them.
+    std::size_t unreliable = 0;
+    for (const std::size_t link : graph_.linksAt(cell)) {
+      if (!verdicts_[link].bad()) continue;
+      misfit += std::max(verdicts_[link].misfit, options_.max_misfit);
+      if (bad[graph_.links()[link].other(cell)] > 1) ++unreliable;
+    }
+    if (2 * unreliable >= bad[cell] || misfit <= worst_misfit) continue;
+    worst = cell;
+    worst_misfit = misfit;
+  }
+  return worst;
+}
+
+std::vector<SuspectSearch::BadLink> SuspectSearch::badLinks() const {
+  std::vector<BadLink> bad;
+  for (std::size_t index = 0; index < verdicts_.size(); ++index) {
+    const Verdict& verdict = verdicts_[index];
+    if (!verdict.bad()) continue;
+    if (!verdict.implausible.empty()) {
+      bad.push_back({index, verdict.implausible});
+      continue;
+    }
+    const GraphLink& link = graph_.links()[index];
+    const LinkEnd source = graph_.sourceEnd(link);
+    const LinkEnd target = graph_.targetEnd(link);
+    bad.push_back(
+        {index,
+         {makeFinding(FindingCode::LinkNotRigid,
+                      "The cells of the " + linkInWords(source, target) +
+                          " moved against each other between poses (misfit " + formatFixed(verdict.misfit, 1) +
+                          " standard deviations, limit " + formatFixed(options_.max_misfit, 1) +
+                          "): probably a joint or a cable, or one of the two sensors is bad. The link is not used.",
+                      {source.cell, target.cell}, {source.port, target.port})}});
+  }
+  return bad;
+}
+
+Finding describeBadSensor(const SkinGraph& graph, const GravityTable& table, const SessionSnapshot& snapshot,
+                          std::size_t cell, bool is_leaf) {
+  const CellId id = graph.cells()[cell].id;
+  std::vector<PoseId> poses;
+  double mean = 0;
+  double mean_sq = 0;
+  for (const std::size_t pose : table.usablePoses(cell)) {
+    poses.push_back(snapshot.poses[pose].capture->id);
+    const double norm = table.at(cell, pose).mean_g.norm();
+    mean += norm;
+    mean_sq += norm * norm;
+  }
+  const auto count = static_cast<double>(std::max<std::size_t>(1, poses.size()));
+  mean /= count;
+  const double scatter = std::sqrt(std::max(0.0, mean_sq / count - mean * mean));
+  const std::string name = "Cell " + toString(id);
+  // Offsets make the norm rise and fall with the pose; a gain moves it alike in all of them.
+  constexpr double kClearlyOff = 0.1;
+  if (std::abs(mean - 1) > kClearlyOff && scatter < std::abs(mean - 1) / 2) {
+    return makeFinding(FindingCode::WrongGain,
+                       name + " reads " + formatFixed(mean, 2) +
+                           " g on average where there is 1 g, and does not fit its neighbours: its gain is wrong. The "
+                           "cell is placed through its links.",
+                       {id}, {}, poses);
+  }
+  return makeFinding(FindingCode::InconsistentSensor,
+                     name +
+                         " reads what fits none of the other cells, however it lies: its accelerometer is wrongly "
+                         "wired or broken" +
+                         (is_leaf ? ", or its one link is not rigid" : "") + ". The cell is placed through its links.",
+                     {id}, {}, poses);
+}
+
+}  // namespace hexoderm

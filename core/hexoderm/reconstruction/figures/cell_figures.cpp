@@ -1,0 +1,100 @@
+#include "hexoderm/reconstruction/figures/cell_figures.h"
+
+#include "hexoderm/reconstruction/result/uncertainty.h"
+
+#include <algorithm>
+#include <set>
+#include <unordered_map>
+
+namespace hexoderm {
+namespace {
+
+void raise(std::optional<double>& worst, std::optional<double> value) {
+  if (value) worst = std::max(worst.value_or(*value), *value);
+}
+
+void addLinks(const PatchReconstruction& patch, const std::unordered_map<CellId, std::size_t>& index,
+              CellFigures& figures) {
+  for (const LinkEstimate& link : patch.links) {
+    if (!link.used) continue;
+    for (const CellId id : {link.source.cell, link.target.cell}) {
+      const auto found = index.find(id);
+      if (found == index.end()) continue;
+      const std::size_t cell = found->second;
+      figures.quality[cell] = std::min(figures.quality[cell].value_or(link.quality), link.quality);
+      raise(figures.residual_rad[cell], link.knownResidual());
+      raise(figures.sigma_rad[cell], link.knownSigma());
+    }
+  }
+}
+
+/// The way to a cell is the way to the cell before it and one step more: short paths first, each of them is looked at
+/// once.
+void addPathLengths(const PatchReconstruction& patch, std::size_t first,
+                    const std::unordered_map<CellId, std::size_t>& index, CellFigures& figures) {
+  std::vector<std::size_t> order(patch.cells.size());
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+  std::ranges::stable_sort(order, {}, [&](std::size_t k) { return patch.cells[k].path.size(); });
+  for (const std::size_t k : order) {
+    const CellPlacement& cell = patch.cells[k];
+    if (cell.path.empty()) continue;
+    if (cell.path.size() == 1) {
+      figures.path_length_m[first + k] = 0;
+      continue;
+    }
+    const auto found = index.find(cell.path[cell.path.size() - 2]);
+    if (found == index.end() || !figures.path_length_m[found->second]) continue;
+    const CellPlacement& before = patch.cells[found->second - first];
+    figures.path_length_m[first + k] = *figures.path_length_m[found->second] + (cell.T_o_u.t - before.T_o_u.t).norm();
+  }
+}
+
+}  // namespace
+
+CellFigures makeCellFigures(const Reconstruction& reconstruction) {
+  const std::size_t count = reconstruction.cellCount();
+  CellFigures figures;
+  figures.cells.reserve(count);
+  figures.patch.reserve(count);
+  figures.quality.resize(count);
+  figures.residual_rad.resize(count);
+  figures.sigma_rad.resize(count);
+  figures.position_95_m.resize(count);
+  figures.orientation_95_rad.resize(count);
+  figures.path_length_m.resize(count);
+  figures.body_part.resize(count);
+  std::set<std::string> parts;
+  for (std::size_t p = 0; p < reconstruction.patches.size(); ++p) {
+    const PatchReconstruction& patch = reconstruction.patches[p];
+    const std::size_t first = figures.cells.size();
+    std::unordered_map<CellId, std::size_t> index;
+    index.reserve(patch.cells.size());
+    for (const CellPlacement& cell : patch.cells) {
+      const std::size_t k = figures.cells.size();
+      index.emplace(cell.cell, k);
+      figures.cells.push_back(cell.cell);
+      figures.patch.push_back(p);
+      if (const std::optional<Uncertainty95> known = uncertaintyOf(cell)) {
+        figures.position_95_m[k] = known->position_m;
+        figures.orientation_95_rad[k] = known->orientation_rad;
+      }
+      if (!cell.body_part.empty()) parts.insert(cell.body_part);
+    }
+    addLinks(patch, index, figures);
+    addPathLengths(patch, first, index, figures);
+  }
+  figures.body_parts.assign(parts.begin(), parts.end());
+  std::size_t k = 0;
+  for (const PatchReconstruction& patch : reconstruction.patches) {
+    for (const CellPlacement& cell : patch.cells) {
+      if (!cell.body_part.empty()) {
+        const auto found = std::ranges::lower_bound(figures.body_parts, cell.body_part);
+        figures.body_part[k] = static_cast<std::size_t>(found - figures.body_parts.begin());
+      }
+      ++k;
+    }
+  }
+  return figures;
+}
+
+}  // namespace hexoderm

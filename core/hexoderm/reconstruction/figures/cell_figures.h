@@ -1,0 +1,34 @@
+#pragma once
+
+#include "hexoderm/reconstruction/result/reconstruction.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hexoderm {
+
+/// What a reconstruction says about each of its cells in one number, for colours and tables. Every vector has one entry
+/// a cell, in order of patch and ID. Metres and radians.
+struct CellFigures {
+  std::vector<CellId> cells;
+  std::vector<std::size_t> patch;  ///< index into Reconstruction::patches
+  /// Of the used links at the cell the worst: smallest class, largest residual, largest predicted deviation. Absent
+  /// without a used link, and for figures that were not computed (imported files, links that no pose measured).
+  std::vector<std::optional<EdgeQuality>> quality;
+  std::vector<std::optional<double>> residual_rad;
+  std::vector<std::optional<double>> sigma_rad;
+  /// As uncertaintyOf() says.
+  std::vector<std::optional<double>> position_95_m;
+  std::vector<std::optional<double>> orientation_95_rad;
+  /// From the origin from centre to centre along CellPlacement::path; absent where that is empty.
+  std::vector<std::optional<double>> path_length_m;
+  /// Names of the body parts in ascending order, the empty one left out; then the index of each cell's.
+  std::vector<std::string> body_parts;
+  std::vector<std::optional<std::size_t>> body_part;
+};
+
+/// O(n log n) in cells and links.
+CellFigures makeCellFigures(const Reconstruction& reconstruction);
+
+}  // namespace hexoderm

@@ -1,0 +1,124 @@
+#include "hexoderm/reconstruction/figures/pose_summary.h"
+
+#include "hexoderm/util/text.h"
+#include "hexoderm/util/units.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hexoderm {
+namespace {
+
+// Two poses whose gravity lines are closer than this tell little more than one.
+constexpr double kRepeatedAngle = 10 * kDegree;
+
+const PatchReconstruction* largestOf(const std::vector<PatchReconstruction>& patches) {
+  const auto largest = std::ranges::max_element(patches, {}, [](const auto& patch) { return patch.cells.size(); });
+  return largest == patches.end() ? nullptr : &*largest;
+}
+
+/// Rms over all links of what they say about one pose.
+std::optional<double> residualOf(std::size_t pose, const std::vector<PatchReconstruction>& patches) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (const PatchReconstruction& patch : patches) {
+    for (const LinkEstimate& link : patch.links) {
+      if (pose >= link.pose_residual_rad.size() || !link.pose_residual_rad[pose]) continue;
+      sum += *link.pose_residual_rad[pose] * *link.pose_residual_rad[pose];
+      ++count;
+    }
+  }
+  if (count == 0) return std::nullopt;
+  return std::sqrt(sum / static_cast<double>(count));
+}
+
+/// From the third pose on the opposite of an earlier direction helps to separate offsets; a repeated one never does.
+void judgeRepetitions(const std::vector<GravityDirection>& gravity, std::vector<Finding>& findings) {
+  for (std::size_t later = 1; later < gravity.size(); ++later) {
+    for (std::size_t earlier = 0; earlier < later; ++earlier) {
+      const double angle = angleBetween(gravity[later].g_o, gravity[earlier].g_o);
+      const bool opposite = gravity.size() == 2 && kPi - angle < kRepeatedAngle;
+      if (angle >= kRepeatedAngle && !opposite) continue;
+      findings.push_back(
+          makeFinding(FindingCode::RepeatedPose,
+                      "Pose " + toString(gravity[later].pose) +
+                          (opposite ? " is pose " + toString(gravity[earlier].pose) + " upside down"
+                                    : " shows gravity where pose " + toString(gravity[earlier].pose) + " does") +
+                          " (within " + formatFixed(toDegrees(opposite ? kPi - angle : angle), 0) +
+                          "°), which adds no new direction.",
+                      {}, {}, {gravity[earlier].pose, gravity[later].pose}));
+      break;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<PoseSummary> summarisePoses(const SessionSnapshot& snapshot, const GravityTable& table,
+                                        const std::vector<PatchReconstruction>& patches) {
+  const PatchReconstruction* largest = largestOf(patches);
+  std::vector<PoseSummary> summaries;
+  std::vector<Eigen::Vector3d> earlier;
+  std::size_t next_direction = 0;
+  for (std::size_t pose = 0; pose < table.poseCount(); ++pose) {
+    PoseSummary summary;
+    summary.pose = snapshot.poses[pose].capture->id;
+    summary.label = snapshot.poses[pose].capture->label;
+    summary.enabled = !snapshot.poses[pose].disabled;
+    double noise = 0;
+    for (std::size_t cell = 0; cell < table.cellCount(); ++cell) {
+      const GravityTable::Entry& entry = table.at(cell, pose);
+      if (!entry.usable) continue;
+      ++summary.cells_measured;
+      noise += entry.variance_g2;
+    }
+    if (summary.cells_measured > 0) summary.noise_g = std::sqrt(noise / static_cast<double>(summary.cells_measured));
+    if (summary.enabled && largest != nullptr && next_direction < largest->gravity.size() &&
+        largest->gravity[next_direction].pose == summary.pose) {
+      const Eigen::Vector3d& g = largest->gravity[next_direction++].g_o;
+      for (const Eigen::Vector3d& other : earlier) {
+        // Opposite directions are the same line: no new rank.
+        const double angle = std::min(angleBetween(g, other), angleBetween(g, -other));
+        summary.new_by_rad = std::min(angle, summary.new_by_rad.value_or(angle));
+      }
+      earlier.push_back(g);
+    }
+    summary.residual_rad = residualOf(pose, patches);
+    summaries.push_back(std::move(summary));
+  }
+  return summaries;
+}
+
+void judgePoses(const std::vector<PoseSummary>& poses, const std::vector<PatchReconstruction>& patches,
+                std::vector<Finding>& findings) {
+  const PatchReconstruction* largest = largestOf(patches);
+  if (largest == nullptr) return;
+  std::vector<PoseId> enabled;
+  for (const PoseSummary& pose : poses) {
+    if (pose.enabled) enabled.push_back(pose.pose);
+  }
+  if (enabled.empty()) {
+    findings.push_back(
+        makeFinding(FindingCode::NoPoses, "There is no pose yet: the shape shown follows from the ports alone."));
+    return;
+  }
+  std::size_t open = 0;
+  std::size_t used = 0;
+  for (const PatchReconstruction& patch : patches) {
+    for (const LinkEstimate& link : patch.links) {
+      const bool measured = std::ranges::any_of(link.pose_residual_rad, [](const auto& r) { return r.has_value(); });
+      if (!link.used || !measured) continue;
+      ++used;
+      if (link.quality == EdgeQuality::Undefined || link.quality == EdgeQuality::Partially) ++open;
+    }
+  }
+  if (2 * open > used) {
+    findings.push_back(makeFinding(FindingCode::TooFewDirections,
+                                   "Gravity was seen along one line only, so the turn about it is a guess: take a "
+                                   "pose in which the part is turned by about 90 degrees about a horizontal axis.",
+                                   {}, {}, enabled));
+  }
+  judgeRepetitions(largest->gravity, findings);
+}
+
+}  // namespace hexoderm

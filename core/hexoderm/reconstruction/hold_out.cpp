@@ -1,0 +1,342 @@
+#include "hexoderm/reconstruction/hold_out.h"
+
+#include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/median.h"
+#include "hexoderm/util/units.h"
+
+#include "hexoderm/reconstruction/accelerometer/accelerometer_fit.h"
+#include "hexoderm/reconstruction/links/gravity_table.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <unordered_map>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+/// How many times what is expected is still as stated, and what is beyond doubt.
+struct Limits {
+  double worse;
+  double far_worse;
+};
+constexpr Limits kRms{1.5, 3};
+constexpr Limits kCell{4, 8};
+constexpr Limits kTurning{2, 3};  // hands tremble differently
+constexpr double kCoarse_rad = 2.5 * kDegree;
+constexpr double kDetectable = 4;  // of the expected rms, as simulated skins of 17 and 100 cells show
+
+/// A corrected reading shorter than this shows no direction worth a comparison.
+constexpr double kShortest_g = 0.5;
+
+/// 1 sigma per axis, g/m, of the swing that is left when the other poses foretell one: the mean over 0.1 s of a
+/// tremor of 0.05 degrees at 4 to 12 Hz is 0.6 rad/s^2, and what it did to the others comes on top.
+constexpr double kSwingSigma = 1 / kStandardGravity;
+
+/// The unknowns of one cell: a small turn of its attitude (accelerometer axes), then per axis offset and gains.
+constexpr int kUnknowns = 15;
+using Information = Eigen::Matrix<double, kUnknowns, kUnknowns>;
+using Jacobian = Eigen::Matrix<double, 3, kUnknowns>;
+
+/// Derivative of a reading gain v + offset of the specific force v by the unknowns.
+Jacobian readingJacobian(const Eigen::Matrix3d& gain, const Eigen::Vector3d& v) {
+  Jacobian J = Jacobian::Zero();
+  J.leftCols<3>() = gain * skew(v);
+  for (int axis = 0; axis < 3; ++axis) {
+    J(axis, 3 + 4 * axis) = 1;
+    J.block<1, 3>(axis, 4 + 4 * axis) = v.transpose();
+  }
+  return J;
+}
+
+/// A cell's view of the left-out pose: the specific force there, patch frame.
+struct Seen {
+  CellId cell;
+  Eigen::Vector3d at_o;  ///< where the cell is, m
+  Eigen::Vector3d force_o_g;
+  Eigen::Matrix3d covariance_g2;  ///< of force_o_g
+};
+
+/// The motion that all cells share in a pose: the specific force at the patch's origin, then the swing (g/m).
+using Motion = Eigen::Matrix<double, 6, 1>;
+using MotionJacobian = Eigen::Matrix<double, 3, 6>;
+
+MotionJacobian motionJacobian(const Eigen::Vector3d& at_o) {
+  MotionJacobian X;
+  X << Eigen::Matrix3d::Identity(), -skew(at_o);
+  return X;
+}
+
+/// The most probable motion given what some cells see, and its covariance.
+struct MotionFit {
+  Matrix6d information = Matrix6d::Zero();
+  Motion right = Motion::Zero();
+
+  MotionFit() { information.diagonal().tail<3>().setConstant(1 / (kSwingSigma * kSwingSigma)); }
+  void add(const Seen& seen, double sign) {
+    const MotionJacobian X = motionJacobian(seen.at_o);
+    const MotionJacobian weighted = seen.covariance_g2.llt().solve(X);
+    information += sign * X.transpose() * weighted;
+    right += sign * weighted.transpose() * seen.force_o_g;
+  }
+};
+
+class HoldOut {
+ public:
+  HoldOut(const SessionSnapshot& snapshot, PoseId pose, const SolverOptions& options)
+      : model_(*snapshot.model),
+        prior_(model_.accelerometer),
+        joint_(options.solver == Solver::Global),
+        graph_(model_, *snapshot.neighbors),
+        everything_(allEnabled(snapshot)),
+        table_(everything_, graph_, ignored_) {
+    for (std::size_t k = 0; k < snapshot.poses.size(); ++k) place_of_.emplace(snapshot.poses[k].capture->id, k);
+    left_out_ = place_of_.at(pose);
+    stillest_ = stillestPose();
+  }
+
+  void evaluate(const PatchReconstruction& patch, HoldOutResult& result) const {
+    std::vector<Seen> seen;
+    for (const CellPlacement& cell : patch.cells) {
+      if (const std::optional<Seen> view = look(patch, cell)) seen.push_back(*view);
+    }
+    if (seen.size() < 2) return;
+    MotionFit all;
+    for (const Seen& view : seen) all.add(view, 1);
+    std::unordered_map<CellId, const Seen*> by_cell;
+    for (const Seen& view : seen) {
+      by_cell.emplace(view.cell, &view);
+      MotionFit others = all;
+      others.add(view, -1);
+      const Eigen::LDLT<Matrix6d> factor(others.information);
+      const MotionJacobian X = motionJacobian(view.at_o);
+      const Eigen::Vector3d foretold = X * factor.solve(others.right);
+      const Eigen::Matrix3d covariance = view.covariance_g2 + X * factor.solve(X.transpose());
+      result.cells.push_back(
+          {view.cell, angleBetween(view.force_o_g, foretold), std::sqrt(squareAcross(covariance, view.force_o_g))});
+    }
+    const Motion motion = all.information.ldlt().solve(all.right);
+    result.turning_rad_s2 = std::max(result.turning_rad_s2, motion.tail<3>().norm() * kStandardGravity);
+    for (const LinkEstimate& link : patch.links) {
+      const auto c = by_cell.find(link.source.cell);
+      const auto n = by_cell.find(link.target.cell);
+      if (!link.used || c == by_cell.end() || n == by_cell.end()) continue;
+      addLink(link, *c->second, *n->second, motion, result);
+    }
+  }
+
+ private:
+  static SessionSnapshot allEnabled(const SessionSnapshot& snapshot) {
+    SessionSnapshot copy = snapshot;
+    for (SessionPose& pose : copy.poses) pose.disabled = false;
+    return copy;
+  }
+
+  /// Expected square of the angle between a vector about v and v itself.
+  static double squareAcross(const Eigen::Matrix3d& covariance, const Eigen::Vector3d& v) {
+    const Eigen::Vector3d along = v.normalized();
+    return (covariance.trace() - along.dot(covariance * along)) / v.squaredNorm();
+  }
+
+  static void addLink(const LinkEstimate& link, const Seen& c, const Seen& n, const Motion& motion,
+                      HoldOutResult& result) {
+    const Eigen::Vector3d swing = motion.tail<3>();
+    const Eigen::Vector3d at_c = n.force_o_g + swing.cross(c.at_o - n.at_o);
+    result.links.push_back({link.source, link.target, angleBetween(c.force_o_g, at_c),
+                            std::sqrt(squareAcross(c.covariance_g2 + n.covariance_g2, c.force_o_g))});
+  }
+
+  [[nodiscard]] std::optional<Seen> look(const PatchReconstruction& patch, const CellPlacement& cell) const {
+    const std::optional<std::size_t> index = graph_.indexOf(cell.cell);
+    if (!index || cell.placed_by != PlacedBy::Samples) return std::nullopt;
+    const GravityTable::Entry& entry = table_.at(*index, left_out_);
+    if (!entry.usable) return std::nullopt;
+    const Eigen::Matrix3d R_a_u = model_.accelerometer.T_u_a.R.transpose();
+    const Eigen::Matrix3d R_a_o = R_a_u * cell.T_o_u.R.transpose();
+
+    std::vector<CellReading> readings;
+    std::vector<Eigen::Vector3d> forces;
+    for (const GravityDirection& gravity : patch.gravity) {
+      const auto place = place_of_.find(gravity.pose);
+      if (place == place_of_.end() || !table_.at(*index, place->second).usable) continue;
+      const GravityTable::Entry& reading = table_.at(*index, place->second);
+      const Eigen::Vector3d force_o =
+          gravity.force ? Eigen::Vector3d(gravity.force->at_origin_o_g + gravity.force->swing_o.cross(cell.T_o_u.t))
+                        : gravity.g_o;
+      forces.emplace_back(R_a_o * force_o);
+      readings.push_back({readings.size(), R_a_u * reading.mean_g, reading.variance_g2});
+    }
+    if (readings.empty()) return std::nullopt;
+    AccelerometerFit fit;
+    if (joint_) fitAccelerometer(prior_, readings, forces, {}, fit);
+
+    const Eigen::Matrix3d inverse = fit.gain.inverse();
+    const Eigen::Vector3d v = inverse * (R_a_u * entry.mean_g - fit.offset_g);
+    if (!v.allFinite() || v.norm() < kShortest_g) return std::nullopt;
+    const double scatter_g2 = ownVariance(*index);
+    const Jacobian J = readingJacobian(fit.gain, v.normalized());
+    Eigen::Matrix3d covariance = J * unknownsCovariance(cell, readings, forces, fit.gain, scatter_g2) * J.transpose();
+    covariance.diagonal().array() += scatter_g2;
+    const Eigen::Matrix3d to_o = R_a_o.transpose() * inverse;
+    return Seen{cell.cell, cell.T_o_u.t, R_a_o.transpose() * v, to_o * covariance * to_o.transpose()};
+  }
+
+  /// Where the skin as a whole scattered least: a hand's tremor is in what a cell scatters by as well as the sensor's
+  /// own noise, and this is the pose with the least of it.
+  [[nodiscard]] std::optional<std::size_t> stillestPose() const {
+    std::optional<std::size_t> stillest;
+    double least = 0;
+    for (std::size_t pose = 0; pose < table_.poseCount(); ++pose) {
+      std::vector<double> scatter;
+      for (std::size_t cell = 0; cell < table_.cellCount(); ++cell) {
+        const GravityTable::Entry& entry = table_.at(cell, pose);
+        if (entry.usable && entry.own_variance_g2 > 0) scatter.push_back(entry.own_variance_g2);
+      }
+      if (scatter.empty()) continue;
+      const double usual = median(std::move(scatter));
+      if (!stillest || usual < least) {
+        stillest = pose;
+        least = usual;
+      }
+    }
+    return stillest;
+  }
+
+  /// What the sensor's own noise leaves in a mean of a cell, per axis, tremor apart.
+  [[nodiscard]] double ownVariance(std::size_t cell) const {
+    constexpr double kLeast_g2 = 1e-12;  // a model may have neither noise nor steps
+    double least = table_.at(cell, left_out_).own_variance_g2;
+    if (stillest_ && table_.at(cell, *stillest_).usable) {
+      least = std::min(least, table_.at(cell, *stillest_).own_variance_g2);
+    }
+    return std::max(least, kLeast_g2);
+  }
+
+  /// Errors of the attitude and of the sensor's fit. The solver weighs readings as if each had a hand's tremor to
+  /// itself (GravityTable), and they scatter by `scatter_g2` about the motion that all cells share: with the solver's
+  /// information A, its priors' L and the readings' N = A - L, the errors are A^-1 (L + scatter N / variance) A^-1.
+  [[nodiscard]] Information unknownsCovariance(const CellPlacement& cell, const std::vector<CellReading>& readings,
+                                               const std::vector<Eigen::Vector3d>& forces, const Eigen::Matrix3d& gain,
+                                               double scatter_g2) const {
+    Information information = Information::Zero();
+    information.topLeftCorner<3, 3>() = elastomerInformation(cell.cell);
+    for (int axis = 0; axis < 3; ++axis) information.diagonal().segment<4>(3 + 4 * axis) = prior_.precision(axis);
+    Information normal = Information::Zero();
+    Information scattered = Information::Zero();
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+      const Jacobian J = readingJacobian(gain, forces[k]);
+      const Information share = J.transpose() * J / readings[k].variance_g2;
+      normal += share;
+      scattered += scatter_g2 / readings[k].variance_g2 * share;
+    }
+    if (joint_) {
+      const Eigen::LDLT<Information> factor(information + normal);
+      const Information spread = factor.solve(information + scattered);
+      return factor.solve(spread.transpose());
+    }
+    // The tree turns the cell so that its raw readings fit and takes the sensor's errors for part of gravity.
+    const Eigen::Matrix3d attitude = (normal + information).topLeftCorner<3, 3>().inverse();
+    const Information priors = information.diagonal().cwiseInverse().asDiagonal();
+    Information carried = Information::Identity();
+    carried.topLeftCorner<3, 3>().setZero();
+    carried.topRightCorner<3, 12>() = -attitude * normal.topRightCorner<3, 12>();
+    Information covariance = carried * priors * carried.transpose();
+    covariance.topLeftCorner<3, 3>() += attitude;
+    return covariance;
+  }
+
+  /// What the links' elastomer says about a cell's attitude, accelerometer axes. A turn about an axis along which every
+  /// neighbour lets the cell go is still not free: it is known to a turn.
+  [[nodiscard]] Eigen::Matrix3d elastomerInformation(CellId id) const {
+    Eigen::Matrix3d information = Eigen::Matrix3d::Identity();
+    const std::size_t cell = *graph_.indexOf(id);
+    for (const std::size_t k : graph_.linksAt(cell)) {
+      const GraphLink& link = graph_.links()[k];
+      if (link.muted()) continue;
+      const PortNumber port = link.source == cell ? link.source_port : link.target_port;
+      const Eigen::Vector3d u = model_.port(port).vector_m.normalized();
+      const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+      const auto add = [&information](const Eigen::Vector3d& axis, double sigma) {
+        if (sigma > 0) information += axis * axis.transpose() / (sigma * sigma);
+      };
+      add(u, model_.twist_sigma_rad);
+      add(z.cross(u), model_.bend_sigma_rad);
+      add(z, model_.yaw_sigma_rad);
+    }
+    const Eigen::Matrix3d& R_u_a = model_.accelerometer.T_u_a.R;
+    return R_u_a.transpose() * information * R_u_a;
+  }
+
+  const CellModel& model_;
+  AccelerometerPrior prior_;
+  bool joint_;
+  SkinGraph graph_;
+  SessionSnapshot everything_;
+  std::vector<Finding> ignored_;  ///< the reconstruction has them
+  GravityTable table_;
+  std::unordered_map<PoseId, std::size_t> place_of_;  ///< the first of each ID
+  std::size_t left_out_ = 0;
+  std::optional<std::size_t> stillest_;  ///< none: no pose says how its readings scatter
+};
+
+double rootMeanSquare(const std::vector<HoldOutCell>& cells, double HoldOutCell::*value) {
+  double sum = 0;
+  for (const HoldOutCell& cell : cells) sum += cell.*value * (cell.*value);
+  return std::sqrt(sum / static_cast<double>(cells.size()));
+}
+
+void judge(HoldOutResult& result) {
+  double worst = 0;
+  for (const HoldOutCell& cell : result.cells) worst = std::max(worst, cell.error_rad / cell.expected_rad);
+  const std::array<std::pair<double, Limits>, 3> ratios = {
+      {{result.rms_rad / result.expected_rms_rad, kRms},
+       {worst, kCell},
+       {result.turning_rad_s2 / result.expected_turning_rad_s2, kTurning}}};
+  result.agreement = HoldOutAgreement::AsStated;
+  for (const auto& [ratio, limits] : ratios) {
+    const HoldOutAgreement found = ratio > limits.far_worse ? HoldOutAgreement::FarWorse
+                                   : ratio > limits.worse   ? HoldOutAgreement::Worse
+                                                            : HoldOutAgreement::AsStated;
+    result.agreement = std::max(result.agreement, found);
+  }
+}
+
+}  // namespace
+
+HoldOutResult evaluateHoldOut(const SessionSnapshot& snapshot, PoseId pose, const SolverOptions& options,
+                              const std::stop_token& stop) {
+  options.validate();
+  SessionSnapshot others = snapshot;
+  if (std::erase_if(others.poses, [pose](const SessionPose& p) { return p.capture->id == pose; }) == 0) {
+    throw InvalidArgument("hold-out: there is no pose " + toString(pose));
+  }
+  HoldOutResult result;
+  result.pose = pose;
+  result.other_poses = static_cast<std::size_t>(std::ranges::count(others.poses, false, &SessionPose::disabled));
+  if (result.other_poses < kFewestOtherPoses) return result;
+  result.outcome = HoldOutOutcome::Stopped;
+  if (stop.stop_requested()) return result;
+  const auto reconstruction = reconstruct(others, options, nullptr, stop);
+  if (!reconstruction) return result;
+  const HoldOut hold_out(snapshot, pose, options);
+  for (const PatchReconstruction& patch : reconstruction->patches) {
+    if (stop.stop_requested()) return result;
+    hold_out.evaluate(patch, result);
+  }
+  result.outcome = result.cells.empty() ? HoldOutOutcome::NothingToCompare : HoldOutOutcome::Evaluated;
+  if (result.cells.empty()) return result;
+  result.rms_rad = rootMeanSquare(result.cells, &HoldOutCell::error_rad);
+  result.expected_rms_rad = rootMeanSquare(result.cells, &HoldOutCell::expected_rad);
+  result.expected_turning_rad_s2 = std::sqrt(3.0) * kSwingSigma * kStandardGravity;
+  result.detectable_rad = kDetectable * result.expected_rms_rad;
+  result.coarse = result.detectable_rad > kCoarse_rad;
+  result.turned = result.turning_rad_s2 > kTurning.worse * result.expected_turning_rad_s2;
+  judge(result);
+  return result;
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,437 @@
+#include "hexoderm/reconstruction/joint/joint_cost.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hexoderm {
+namespace {
+
+using Matrix3x6d = Eigen::Matrix<double, 3, 6>;
+
+constexpr double kStandardGravity = 9.80665;  // m/s^2 in 1 g
+/// A hand's tremor of a few hundredths of a degree at 4 to 12 Hz accelerates by about this much (1 sigma, rad/s^2);
+/// wide enough not to be felt where the data speak, narrow enough that few cells are safe.
+constexpr double kAccelerationSigma = 3;
+
+/// v in accelerometer axes = R_a_o f.
+Eigen::Vector3d specificForce(const JointState& state, std::size_t cell, std::size_t pose, bool accelerations) {
+  if (!accelerations) return state.force_o[pose];
+  const Eigen::Vector3d lever = state.cells[cell].t - state.middle_o;
+  return state.force_o[pose] + state.acceleration_o[pose].cross(lever) / kStandardGravity;
+}
+
+/// The share of the arc in a link's closure, k = (2/3) e a^2 m, with its derivatives to the outward directions U_c and
+/// U_n in the patch frame. a: half the angle between U_c and -U_n; m = unit(U_c - U_n).
+struct ArcShift {
+  Eigen::Vector3d k;
+  Eigen::Matrix3d dk_dUc;
+  Eigen::Matrix3d dk_dUn;
+};
+ArcShift arcShift(const Eigen::Vector3d& U_c, const Eigen::Vector3d& U_n, double e, bool derivatives) {
+  // A link folded back onto itself has no arc; short of that the formula holds.
+  constexpr double kFolded = 1e-3;
+  const Eigen::Vector3d w = U_c - U_n;
+  const double length = std::max(w.norm(), kFolded);
+  const Eigen::Vector3d m = w / length;
+  const double a = std::atan2((U_c + U_n).norm(), length);
+  const double factor = 2.0 / 3.0 * e;
+  ArcShift shift;
+  shift.k = factor * a * a * m;
+  if (derivatives) {
+    // a^2 as a function of q = U_c . U_n = -cos 2a.
+    const double sine = std::sin(2 * a);
+    const double slope = sine > 1e-9 ? a / sine : 0.5;
+    const Eigen::Matrix3d turn = a * a / length * (Eigen::Matrix3d::Identity() - m * m.transpose());
+    shift.dk_dUc = factor * (slope * m * U_n.transpose() + turn);
+    shift.dk_dUn = factor * (slope * m * U_c.transpose() - turn);
+  }
+  return shift;
+}
+
+/// Inverse of the left Jacobian of SO(3): log(exp(d) exp(w)) = w + J d to first order.
+Eigen::Matrix3d inverseLeftJacobian(const Eigen::Vector3d& w) {
+  const double angle = w.norm();
+  const Eigen::Matrix3d W = skew(w);
+  constexpr double kSmall = 1e-4;
+  const double second = angle < kSmall ? 1.0 / 12.0 : 1 / (angle * angle) - 1 / (2 * angle * std::tan(angle / 2));
+  return Eigen::Matrix3d::Identity() - 0.5 * W + second * W * W;
+}
+
+/// Whitened residuals of one link and, on request, their derivatives.
+struct LinkResidual {
+  Eigen::Vector3d closure;
+  Eigen::Vector3d elastomer;  // twist, bend, yaw
+  Matrix3x6d closure_c, closure_n;
+  Eigen::Vector3d closure_s;
+  Eigen::Matrix3d elastomer_c, elastomer_n;  // rotations only
+};
+
+void evaluateLink(const JointProblem& problem, const JointState& state, const JointLink& link, bool derivatives,
+                  LinkResidual& r) {
+  const CellModel& model = *problem.model;
+  const SE3& T_c = state.cells[link.c];
+  const SE3& T_n = state.cells[link.n];
+  const Eigen::Vector3d u_c = link.p_c.normalized();
+  const Eigen::Vector3d u_n = link.p_n.normalized();
+  const double e = (link.p_c.norm() + link.p_n.norm()) / 2;
+  const double precision = 1 / problem.link_sigma_m;
+
+  const bool bends = problem.gap.sigma.has_value() || problem.gap.mean != 0;
+  ArcShift arc;
+  if (bends) {
+    arc = arcShift(T_c.R * u_c, T_n.R * u_n, e, derivatives);
+  } else {
+    arc.k.setZero();
+  }
+  r.closure = precision * (T_n * link.p_n - T_c * link.p_c - state.gap_share * arc.k);
+
+  const Eigen::Matrix3d R_c_n = T_c.R.transpose() * T_n.R;
+  const Eigen::Vector3d w = logSO3(R_c_n * link.R_nom.transpose());
+  Eigen::Matrix3d axes;
+  axes << u_c / model.twist_sigma_rad, Eigen::Vector3d::UnitZ().cross(u_c) / model.bend_sigma_rad,
+      Eigen::Vector3d::UnitZ() / model.yaw_sigma_rad;
+  r.elastomer = axes.transpose() * w;
+  if (!derivatives) return;
+
+  r.closure_c.leftCols<3>() = -precision * Eigen::Matrix3d::Identity();
+  r.closure_n.leftCols<3>() = precision * Eigen::Matrix3d::Identity();
+  r.closure_c.rightCols<3>() = precision * T_c.R * skew(link.p_c);
+  r.closure_n.rightCols<3>() = -precision * T_n.R * skew(link.p_n);
+  r.closure_s.setZero();
+  if (bends) {
+    // d(R u) = -R [u]x d.
+    const double share = precision * state.gap_share;
+    r.closure_c.rightCols<3>() += share * arc.dk_dUc * T_c.R * skew(u_c);
+    r.closure_n.rightCols<3>() += share * arc.dk_dUn * T_n.R * skew(u_n);
+    r.closure_s = -precision * arc.k;
+  }
+  const Eigen::Matrix3d whitened = axes.transpose() * inverseLeftJacobian(w);
+  r.elastomer_c = -whitened;
+  r.elastomer_n = whitened * R_c_n;
+}
+
+double priorCost(const JointProblem& problem, const JointState& state) {
+  double squared = 0;
+  if (problem.gap.sigma) squared += std::pow((state.gap_share - problem.gap.mean) / *problem.gap.sigma, 2);
+  for (const Eigen::Vector3d& f : state.force_o) squared += std::pow((f.norm() - 1) / problem.force_sigma_g, 2);
+  if (problem.accelerations) {
+    for (const Eigen::Vector3d& a : state.acceleration_o) squared += a.squaredNorm() / std::pow(kAccelerationSigma, 2);
+  }
+  return squared / 2;
+}
+
+/// Adds what one cell's readings say.
+class CellLinearizer {
+ public:
+  CellLinearizer(const JointProblem& problem, const JointState& state, NormalEquations& equations)
+      : problem_(problem),
+        state_(state),
+        equations_(equations),
+        layout_(problem),
+        prior_(problem.model->accelerometer),
+        R_a_u_(problem.model->accelerometer.T_u_a.R.transpose()) {
+    border_root_.resize(12, layout_.size());
+    pending_.resize(12 * kBatch, layout_.size());
+  }
+
+  /// To be called after the last cell: the border is complete then.
+  void finish() {
+    subtractPending();
+    equations_.border.triangularView<Eigen::StrictlyUpper>() = equations_.border.transpose();
+  }
+
+  void add(std::size_t cell) {
+    const std::vector<CellReading>& readings = problem_.readings[cell];
+    if (readings.empty()) return;
+    fitCell(problem_, prior_, state_, cell, sensor_);
+    equations_.cost += sensor_.fit.cost;
+
+    const bool fixed = cell == problem_.origin;
+    const SE3& T_o_u = state_.cells[cell];
+    const Eigen::Matrix3d R_a_o = R_a_u_ * T_o_u.R.transpose();
+    const Eigen::Vector3d lever = T_o_u.t - state_.middle_o;
+    const auto at = static_cast<Eigen::Index>(6 * cell);
+
+    Matrix6d own = Matrix6d::Zero();
+    Eigen::Matrix<double, 6, 1> own_gradient = Eigen::Matrix<double, 6, 1>::Zero();
+    std::array<Eigen::Matrix<double, 4, 6>, 3> own_mixed;  // B^T W J per axis
+    for (auto& mixed : own_mixed) mixed.setZero();
+    border_root_.setZero();
+
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+      const std::size_t pose = readings[k].pose;
+      const double precision = sensor_.fit.precision[k];
+      const Eigen::Vector3d& v = sensor_.v_g[k];
+      const Eigen::Vector4d row(1, v.x(), v.y(), v.z());
+      const Eigen::Vector3d weighted = precision * sensor_.fit.residual_g[k];
+      const Eigen::Matrix3d G = -sensor_.fit.gain * R_a_o;  // d residual / d f_o
+
+      // The residual's derivatives: to the cell ...
+      Matrix3x6d J;
+      J.rightCols<3>() = -sensor_.fit.gain * R_a_u_ * skew(T_o_u.R.transpose() * force(pose, lever));
+      if (problem_.accelerations) {
+        J.leftCols<3>() = G * skew(state_.acceleration_o[pose]) / kStandardGravity;
+      } else {
+        J.leftCols<3>().setZero();
+      }
+      if (fixed) J.setZero();
+      // ... and to the pose.
+      addPose(layout_.force(pose), at, J, G, precision, weighted, row);
+      if (problem_.accelerations) {
+        const Eigen::Matrix3d Ja = -G * skew(lever) / kStandardGravity;
+        addPose(layout_.acceleration(pose), at, J, Ja, precision, weighted, row);
+        const Eigen::Matrix3d both = precision * G.transpose() * Ja;
+        equations_.border.block<3, 3>(layout_.force(pose), layout_.acceleration(pose)) += both;
+        equations_.border.block<3, 3>(layout_.acceleration(pose), layout_.force(pose)) += both.transpose();
+      }
+      own.noalias() += precision * J.transpose() * J;
+      own_gradient.noalias() += J.transpose() * weighted;
+      for (int axis = 0; axis < 3; ++axis) {
+        own_mixed[static_cast<std::size_t>(axis)].noalias() += precision * row * J.row(axis);
+      }
+    }
+
+    // Elimination of offset and gains: what they could explain is not known of the rest.
+    Eigen::Matrix<double, 12, 6> own_root;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto index = static_cast<std::size_t>(axis);
+      const Eigen::Matrix4d root = sensor_.fit.covariance_root[index].transpose();
+      own_root.middleRows<4>(4 * axis).noalias() = root * own_mixed[index];
+      for (Eigen::Index column = 0; column < border_root_.cols(); ++column) {
+        const Eigen::Vector4d mixed = border_root_.block<4, 1>(4 * axis, column);
+        border_root_.block<4, 1>(4 * axis, column).noalias() = root * mixed;
+      }
+    }
+    subtractLater(border_root_);
+    if (fixed) return;
+    own.noalias() -= own_root.transpose() * own_root;
+    equations_.cells[cell] += own;
+    equations_.gradient_cells.segment<6>(at) += own_gradient;
+    // Column by column with sizes known to the compiler: a general product would spend its time on packing.
+    const Eigen::Matrix<double, 6, 12> own_root_t = own_root.transpose();
+    for (Eigen::Index column = 0; column < border_root_.cols(); ++column) {
+      equations_.border_cells.block<6, 1>(at, column).noalias() -= own_root_t * border_root_.col(column);
+    }
+  }
+
+ private:
+  [[nodiscard]] Eigen::Vector3d force(std::size_t pose, const Eigen::Vector3d& lever) const {
+    if (!problem_.accelerations) return state_.force_o[pose];
+    return state_.force_o[pose] + state_.acceleration_o[pose].cross(lever) / kStandardGravity;
+  }
+
+  template <typename Jacobian>
+  void addPose(Eigen::Index column, Eigen::Index cell_row, const Matrix3x6d& J, const Jacobian& Jp, double precision,
+               const Eigen::Vector3d& weighted, const Eigen::Vector4d& row) {
+    constexpr int kColumns = Jacobian::ColsAtCompileTime;
+    equations_.border.template block<kColumns, kColumns>(column, column).noalias() += precision * Jp.transpose() * Jp;
+    equations_.gradient_border.template segment<kColumns>(column).noalias() += Jp.transpose() * weighted;
+    equations_.border_cells.template block<6, kColumns>(cell_row, column).noalias() += precision * J.transpose() * Jp;
+    for (int axis = 0; axis < 3; ++axis) {
+      border_root_.template block<4, kColumns>(4 * axis, column).noalias() += precision * row * Jp.row(axis);
+    }
+  }
+
+  /// With many poses the border is large: its lower triangle takes the products of several cells at once.
+  void subtractLater(const Eigen::Matrix<double, 12, Eigen::Dynamic>& root) {
+    pending_.middleRows<12>(pending_rows_) = root;
+    pending_rows_ += 12;
+    if (pending_rows_ == pending_.rows()) subtractPending();
+  }
+
+  void subtractPending() {
+    if (pending_rows_ == 0) return;
+    equations_.border.selfadjointView<Eigen::Lower>().rankUpdate(pending_.topRows(pending_rows_).transpose(), -1);
+    pending_rows_ = 0;
+  }
+
+  static constexpr Eigen::Index kBatch = 16;
+  const JointProblem& problem_;
+  const JointState& state_;
+  NormalEquations& equations_;
+  BorderLayout layout_;
+  AccelerometerPrior prior_;
+  Eigen::Matrix3d R_a_u_;
+  Eigen::MatrixXd pending_;
+  Eigen::Index pending_rows_ = 0;
+  Eigen::Matrix<double, 12, Eigen::Dynamic> border_root_;  // B^T W J per axis, then its covariance root applied
+  SensorState sensor_;
+};
+
+/// Second derivative of half the loss to a whitened residual. Beyond the threshold a Huber loss rises linearly, so it
+/// has no curvature along the residual; a little is kept, lest a link that nothing else holds lets go.
+Eigen::Matrix3d lossHessian(const HuberLoss& loss, const Eigen::Vector3d& residual) {
+  constexpr double kKeptCurvature = 0.05;
+  const double squared = residual.squaredNorm();
+  const double weight = loss.weight(squared);
+  if (weight == 1) return Eigen::Matrix3d::Identity();
+  return weight * (Eigen::Matrix3d::Identity() - (1 - kKeptCurvature) / squared * residual * residual.transpose());
+}
+
+void addLink(const JointProblem& problem, const JointState& state, std::size_t index, Eigen::Index share_column,
+             LinkResidual& r, NormalEquations& equations) {
+  const JointLink& link = problem.links[index];
+  evaluateLink(problem, state, link, true, r);
+  const double closure_squared = r.closure.squaredNorm();
+  const double elastomer_squared = r.elastomer.squaredNorm();
+  equations.cost += (problem.loss.cost(closure_squared) + problem.loss.cost(elastomer_squared)) / 2;
+  const Eigen::Matrix3d closure_hessian = lossHessian(problem.loss, r.closure);
+  const Eigen::Matrix3d elastomer_hessian = lossHessian(problem.loss, r.elastomer);
+  const Eigen::Vector3d closure_force = problem.loss.weight(closure_squared) * r.closure;
+  const Eigen::Vector3d elastomer_force = problem.loss.weight(elastomer_squared) * r.elastomer;
+
+  const bool moves_c = link.c != problem.origin;
+  const bool moves_n = link.n != problem.origin;
+  const auto c = static_cast<Eigen::Index>(6 * link.c);
+  const auto n = static_cast<Eigen::Index>(6 * link.n);
+  const Matrix3x6d weighted_c = closure_hessian * r.closure_c;
+  const Matrix3x6d weighted_n = closure_hessian * r.closure_n;
+  const Eigen::Matrix3d elastomer_n = elastomer_hessian * r.elastomer_n;
+  if (moves_c) {
+    equations.cells[link.c].noalias() += weighted_c.transpose() * r.closure_c;
+    equations.cells[link.c].bottomRightCorner<3, 3>().noalias() +=
+        r.elastomer_c.transpose() * elastomer_hessian * r.elastomer_c;
+    equations.gradient_cells.segment<6>(c).noalias() += r.closure_c.transpose() * closure_force;
+    equations.gradient_cells.segment<3>(c + 3).noalias() += r.elastomer_c.transpose() * elastomer_force;
+  }
+  if (moves_n) {
+    equations.cells[link.n].noalias() += weighted_n.transpose() * r.closure_n;
+    equations.cells[link.n].bottomRightCorner<3, 3>().noalias() += r.elastomer_n.transpose() * elastomer_n;
+    equations.gradient_cells.segment<6>(n).noalias() += r.closure_n.transpose() * closure_force;
+    equations.gradient_cells.segment<3>(n + 3).noalias() += r.elastomer_n.transpose() * elastomer_force;
+  }
+  if (moves_c && moves_n) {
+    Matrix6d& block = equations.links[index];
+    block.noalias() = weighted_c.transpose() * r.closure_n;
+    block.bottomRightCorner<3, 3>().noalias() += r.elastomer_c.transpose() * elastomer_n;
+  }
+  if (problem.gap.sigma) {
+    equations.border(share_column, share_column) += r.closure_s.dot(closure_hessian * r.closure_s);
+    equations.gradient_border[share_column] += r.closure_s.dot(closure_force);
+    if (moves_c) equations.border_cells.block<6, 1>(c, share_column).noalias() += weighted_c.transpose() * r.closure_s;
+    if (moves_n) equations.border_cells.block<6, 1>(n, share_column).noalias() += weighted_n.transpose() * r.closure_s;
+  }
+}
+
+}  // namespace
+
+BorderLayout::BorderLayout(const JointProblem& problem)
+    : poses_(problem.poses),
+      size_(static_cast<Eigen::Index>((problem.accelerations ? 6 : 3) * problem.poses + (problem.gap.sigma ? 1 : 0))) {}
+
+void fitCell(const JointProblem& problem, const AccelerometerPrior& prior, const JointState& state, std::size_t cell,
+             SensorState& sensor) {
+  const std::vector<CellReading>& readings = problem.readings[cell];
+  const Eigen::Matrix3d R_a_o = problem.model->accelerometer.T_u_a.R.transpose() * state.cells[cell].R.transpose();
+  sensor.v_g.resize(readings.size());
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    sensor.v_g[k] = R_a_o * specificForce(state, cell, readings[k].pose, problem.accelerations);
+  }
+  fitAccelerometer(prior, readings, sensor.v_g, problem.loss, sensor.fit);
+}
+
+double jointCost(const JointProblem& problem, const JointState& state) {
+  const AccelerometerPrior prior(problem.model->accelerometer);
+  SensorState sensor;
+  double cost = priorCost(problem, state);
+  for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) {
+    if (problem.readings[cell].empty()) continue;
+    fitCell(problem, prior, state, cell, sensor);
+    cost += sensor.fit.cost;
+  }
+  LinkResidual residual;
+  for (const JointLink& link : problem.links) {
+    evaluateLink(problem, state, link, false, residual);
+    cost +=
+        (problem.loss.cost(residual.closure.squaredNorm()) + problem.loss.cost(residual.elastomer.squaredNorm())) / 2;
+  }
+  return cost;
+}
+
+double closureCost(const JointProblem& problem, const JointState& state) {
+  double cost = 0;
+  LinkResidual residual;
+  for (const JointLink& link : problem.links) {
+    evaluateLink(problem, state, link, false, residual);
+    cost += problem.loss.cost(residual.closure.squaredNorm());
+  }
+  return cost;
+}
+
+Eigen::Vector3d arcOpening_m(const Eigen::Vector3d& U_c, const Eigen::Vector3d& U_n, double e_m) {
+  return arcShift(U_c, U_n, e_m, false).k;
+}
+
+double linkOpening_m(const JointProblem& problem, const JointState& state, std::size_t link) {
+  LinkResidual residual;
+  evaluateLink(problem, state, problem.links[link], false, residual);
+  return residual.closure.norm() * problem.link_sigma_m;
+}
+
+void linearize(const JointProblem& problem, const JointState& state, NormalEquations& equations) {
+  const BorderLayout layout(problem);
+  const auto rows = static_cast<Eigen::Index>(6 * problem.cellCount());
+  equations.cells.assign(problem.cellCount(), Matrix6d::Zero());
+  equations.cells[problem.origin].setIdentity();
+  equations.links.assign(problem.links.size(), Matrix6d::Zero());
+  equations.border_cells.setZero(rows, layout.size());
+  equations.border.setZero(layout.size(), layout.size());
+  equations.gradient_cells.setZero(rows);
+  equations.gradient_border.setZero(layout.size());
+  equations.cost = priorCost(problem, state);
+
+  const double force_precision = 1 / std::pow(problem.force_sigma_g, 2);
+  for (std::size_t pose = 0; pose < problem.poses; ++pose) {
+    // A pose of which the last reading was left out has no direction; a little curvature keeps it where it is.
+    constexpr double kLeastCurvature = 1e-3;
+    const Eigen::Index at = layout.force(pose);
+    const double norm = state.force_o[pose].norm();
+    const Eigen::Vector3d up = state.force_o[pose] / norm;
+    equations.border.block<3, 3>(at, at) =
+        force_precision * up * up.transpose() + kLeastCurvature * Eigen::Matrix3d::Identity();
+    equations.gradient_border.segment<3>(at) = force_precision * (norm - 1) * up;
+  }
+
+  CellLinearizer cells(problem, state, equations);
+  for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) cells.add(cell);
+  cells.finish();
+  LinkResidual residual;
+  for (std::size_t k = 0; k < problem.links.size(); ++k) {
+    addLink(problem, state, k, layout.gapShare(), residual, equations);
+  }
+  if (problem.gap.sigma) {
+    const double precision = 1 / (*problem.gap.sigma * *problem.gap.sigma);
+    equations.border(layout.gapShare(), layout.gapShare()) += precision;
+    equations.gradient_border[layout.gapShare()] += precision * (state.gap_share - problem.gap.mean);
+  }
+  if (problem.accelerations) {
+    constexpr double kPrecision = 1 / (kAccelerationSigma * kAccelerationSigma);
+    for (std::size_t pose = 0; pose < problem.poses; ++pose) {
+      const Eigen::Index at = layout.acceleration(pose);
+      equations.border.diagonal().segment<3>(at).array() += kPrecision;
+      equations.gradient_border.segment<3>(at) += kPrecision * state.acceleration_o[pose];
+    }
+  }
+}
+
+JointState moved(const JointProblem& problem, const JointState& state, const Eigen::VectorXd& cells,
+                 const Eigen::VectorXd& border) {
+  const BorderLayout layout(problem);
+  JointState next = state;
+  for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) {
+    if (cell == problem.origin) continue;
+    const auto at = static_cast<Eigen::Index>(6 * cell);
+    next.cells[cell].t += cells.segment<3>(at);
+    // Many small steps must not let the matrix drift from a rotation.
+    next.cells[cell].R =
+        Eigen::Quaterniond(state.cells[cell].R * expSO3(cells.segment<3>(at + 3))).normalized().toRotationMatrix();
+  }
+  for (std::size_t pose = 0; pose < problem.poses; ++pose) {
+    next.force_o[pose] += border.segment<3>(layout.force(pose));
+    if (problem.accelerations) next.acceleration_o[pose] += border.segment<3>(layout.acceleration(pose));
+  }
+  if (problem.gap.sigma) next.gap_share += border[layout.gapShare()];
+  return next;
+}
+
+}  // namespace hexoderm

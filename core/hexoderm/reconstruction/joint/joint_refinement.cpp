@@ -1,0 +1,311 @@
+#include "hexoderm/reconstruction/joint/joint_refinement.h"
+
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/median.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace hexoderm {
+namespace {
+
+// A hand turns the part while it is sampled; over a patch of this size its lever arm shows in the readings.
+constexpr std::size_t kCellsForAccelerations = 100;
+constexpr double kLinksPerCellOfASheet = 1.2;      // a chain has less than one, a wide sheet two
+constexpr std::size_t kPosesForAccelerations = 3;  // with two they do harm
+// With many poses tremor averages out (widenNoise), and the dense part of the equations is small enough without
+// them.
+constexpr std::size_t kMostPosesForAccelerations = 50;
+// What a hand's translation leaves in a mean; and on a large part, what its turning does at the middle of a patch.
+constexpr double kForceSigma_g = 0.003;
+constexpr double kForceSigmaOfLargePart_g = 0.03;
+
+GapShare gapShareOf(GapModel model) {
+  switch (model) {
+    case GapModel::Pivot:
+      return {0, std::nullopt};
+    case GapModel::Arc:
+      return {1, std::nullopt};
+    case GapModel::Fit:
+      break;
+  }
+  return {0.5, 0.5};
+}
+
+/// The covariance of any two cells from that of the whole patch.
+class SolvedCovariance : public PlacementCovariance {
+ public:
+  SolvedCovariance(std::vector<CellId> ids, std::vector<SE3> cells, std::shared_ptr<const JointCovariance> covariance)
+      : ids_(std::move(ids)), cells_(std::move(cells)), covariance_(std::move(covariance)) {}
+
+  [[nodiscard]] Matrix6d relative(CellId a, CellId b) const override {
+    const std::size_t at_a = indexOf(a);
+    const std::size_t at_b = indexOf(b);
+    if (at_a == at_b) return Matrix6d::Zero();
+    const SE3 T_a_b = cells_[at_a].inverse() * cells_[at_b];
+    // Errors (t, r) of both in the patch: t_a_b moves by R_a^T (t_b - t_a) + [t_a_b]x r_a, and R_a_b's right error is
+    // r_b - R_a_b^T r_a.
+    const Eigen::Matrix3d R_a_o = cells_[at_a].R.transpose();
+    Matrix6d A = Matrix6d::Zero();
+    A.topLeftCorner<3, 3>() = -R_a_o;
+    A.topRightCorner<3, 3>() = skew(T_a_b.t);
+    A.bottomRightCorner<3, 3>() = -T_a_b.R.transpose();
+    Matrix6d B = Matrix6d::Zero();
+    B.topLeftCorner<3, 3>() = R_a_o;
+    B.bottomRightCorner<3, 3>().setIdentity();
+    const Matrix6d mixed = A * covariance_->between(at_a, at_b) * B.transpose();
+    return A * covariance_->cell(at_a) * A.transpose() + B * covariance_->cell(at_b) * B.transpose() + mixed +
+           mixed.transpose();
+  }
+
+ private:
+  [[nodiscard]] std::size_t indexOf(CellId id) const {
+    const auto found = std::ranges::lower_bound(ids_, id);
+    if (found == ids_.end() || *found != id) throw InvalidArgument("cell " + toString(id) + " is not in this patch");
+    return static_cast<std::size_t>(found - ids_.begin());
+  }
+
+  std::vector<CellId> ids_;  // ascending
+  std::vector<SE3> cells_;
+  std::shared_ptr<const JointCovariance> covariance_;
+};
+
+}  // namespace
+
+JointRefinement::JointRefinement(const CellModel& model, const SkinGraph& graph, const GravityTable& table,
+                                 const SolverOptions& options, const std::vector<std::size_t>& cells,
+                                 std::size_t origin, const std::vector<SE3>& placements)
+    : cells_(cells), problem_(std::make_shared<JointProblem>()) {
+  problem_->model = &model;
+  problem_->gap = gapShareOf(options.gap_model);
+  problem_->link_sigma_m = model.link_sigma_m;
+  JointState& state = solution_.state;
+  for (const std::size_t cell : cells_) {
+    state.cells.push_back(placements[cell]);
+    state.middle_o += placements[cell].t / static_cast<double>(cells_.size());
+  }
+  problem_->origin = localOf(origin);
+  state.gap_share = problem_->gap.mean;
+
+  problem_->readings.resize(cells_.size());
+  const Eigen::Matrix3d R_a_u = model.accelerometer.T_u_a.R.transpose();
+  for (const std::size_t pose : table.enabledPoses()) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    bool any = false;
+    for (std::size_t local = 0; local < cells_.size(); ++local) {
+      const std::size_t cell = cells_[local];
+      const GravityTable::Entry& entry = table.at(cell, pose);
+      if (!entry.usable) continue;
+      problem_->readings[local].push_back({poses_.size(), R_a_u * entry.mean_g, entry.variance_g2});
+      sum += placements[cell].R * entry.mean_g.normalized();
+      any = true;
+    }
+    if (!any) continue;
+    poses_.push_back(pose);
+    state.force_o.push_back(sum.norm() > 1e-6 ? Eigen::Vector3d(sum.normalized()) : Eigen::Vector3d(0, 0, 1));
+    state.acceleration_o.push_back(Eigen::Vector3d::Zero());
+  }
+  problem_->poses = poses_.size();
+  const bool large = cells_.size() >= kCellsForAccelerations;
+  problem_->force_sigma_g = large ? kForceSigmaOfLargePart_g : kForceSigma_g;
+
+  for (const std::size_t cell : cells_) {
+    for (const std::size_t k : graph.linksAt(cell)) {
+      if (!graph.links()[k].muted() && graph.links()[k].source == cell) links_.push_back(k);
+    }
+  }
+  std::ranges::sort(links_);
+  for (const std::size_t k : links_) {
+    const GraphLink& link = graph.links()[k];
+    const Port& source = model.port(link.source_port);
+    const Port& target = model.port(link.target_port);
+    problem_->links.push_back({localOf(link.source), localOf(link.target), source.vector_m, target.vector_m,
+                               nominalAlignment(source, target)});
+  }
+  // A strip could be bent just as an acceleration makes its readings look; the loops of a sheet tell the two apart.
+  const bool sheet = static_cast<double>(links_.size()) >= kLinksPerCellOfASheet * static_cast<double>(cells_.size());
+  problem_->accelerations =
+      large && sheet && poses_.size() >= kPosesForAccelerations && poses_.size() <= kMostPosesForAccelerations;
+}
+
+std::size_t JointRefinement::localOf(std::size_t cell) const {
+  return static_cast<std::size_t>(std::ranges::lower_bound(cells_, cell) - cells_.begin());
+}
+
+void JointRefinement::solve(const std::stop_token& stop) {
+  JointSolverOptions options;
+  options.stop = stop;
+  solveWithLinkSpread(options);
+  if (stop.stop_requested()) return;
+  if (!problem_->accelerations && accelerationsShow()) {
+    problem_->accelerations = true;
+    solution_ = solveJointly(*problem_, solution_.state, options);
+    if (stop.stop_requested()) return;
+  }
+  fitSensors();
+  if (widenNoise()) {
+    solveWithLinkSpread(options);
+    if (stop.stop_requested()) return;
+    fitSensors();
+  }
+}
+
+/// Where links close loops, their end points show whether this mould keeps them together as well as the model has it:
+/// strongly curved surfaces do not. The estimate weighs that against what the model says, as if it had been seen on so
+/// many axes. It never goes below the model: cells that sit askew in the mould err alike on all their links, which
+/// neighbouring loops don't show and distant cells feel.
+void JointRefinement::solveWithLinkSpread(const JointSolverOptions& options) {
+  constexpr double kWeightOfModel = 30;
+  constexpr int kRounds = 3;
+  constexpr double kSettled = 0.05;
+  const double links = static_cast<double>(problem_->links.size());
+  const double redundancy = 3 * (links - static_cast<double>(cells_.size()) + 1) - 1;
+  const double model_sq = std::pow(problem_->model->link_sigma_m, 2);
+  for (int round = 0;; ++round) {
+    solution_ = solveJointly(*problem_, solution_.state, options);
+    if (redundancy <= 0 || round == kRounds || solution_.termination == JointTermination::Stopped) return;
+    const double now_sq = problem_->link_sigma_m * problem_->link_sigma_m;
+    const double seen_sq =
+        (kWeightOfModel * model_sq + closureCost(*problem_, solution_.state) * now_sq) / (kWeightOfModel + redundancy);
+    const double next_sq = std::max(model_sq, seen_sq);
+    if (std::abs(next_sq - now_sq) < kSettled * now_sq) return;
+    problem_->link_sigma_m = std::sqrt(next_sq);
+  }
+}
+
+bool JointRefinement::accelerationsShow() const {
+  if (problem_->poses < kPosesForAccelerations || problem_->poses > kMostPosesForAccelerations || cells_.size() < 2) {
+    return false;
+  }
+  // What a first step with accelerations would gain, against what chance gains.
+  JointProblem with = *problem_;
+  with.accelerations = true;
+  JointSolverOptions one_step;
+  one_step.max_iterations = 1;
+  one_step.covariance = false;
+  const double gain = 2 * (solution_.cost - solveJointly(with, solution_.state, one_step).cost);
+  constexpr double kClearly = 4;
+  return Misfit{gain, 3 * static_cast<double>(problem_->poses)}.deviate() > kClearly;
+}
+
+void JointRefinement::fitSensors() {
+  const AccelerometerPrior prior(problem_->model->accelerometer);
+  sensors_.resize(cells_.size());
+  for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
+    fitCell(*problem_, prior, solution_.state, cell, sensors_[cell]);
+  }
+}
+
+double JointRefinement::squaredLever(std::size_t cell) const {
+  return (solution_.state.cells[cell].t - solution_.state.middle_o).squaredNorm();
+}
+
+/// Of more poses than angular accelerations are estimated for, these leave errors in the readings that grow with the
+/// distance from the middle, and with hundreds of poses any cell would look broken for them. They count as noise, as
+/// large as the readings show: a reading's variance V becomes f V + (2/3) (s l / g)^2, with its cell's lever l, for
+/// accelerations of s per axis; f (at least 1) is what the inner cells need, s what the outer ones need beyond that.
+/// Medians, because single cells may be broken. True if the variances have grown: the solution is to be found again.
+bool JointRefinement::widenNoise() {
+  if (problem_->accelerations || problem_->poses <= kMostPosesForAccelerations || noise_is_widened_) return false;
+  struct Seen {
+    double lever_sq = 0;  // m^2
+    double variance_g2 = 0;
+    double residual_g2 = 0;  // mean square, per axis
+  };
+  std::vector<Seen> seen;
+  for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
+    const std::vector<CellReading>& readings = problem_->readings[cell];
+    if (readings.empty()) continue;
+    Seen of_cell{squaredLever(cell)};
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+      of_cell.variance_g2 += readings[k].variance_g2 / static_cast<double>(readings.size());
+      of_cell.residual_g2 += sensors_[cell].fit.residual_g[k].squaredNorm() / static_cast<double>(3 * readings.size());
+    }
+    seen.push_back(of_cell);
+  }
+  if (seen.size() < 2) return false;
+  std::ranges::sort(seen, {}, &Seen::lever_sq);
+  const std::size_t inner = seen.size() / 2;
+  std::vector<double> factors;
+  for (std::size_t k = 0; k < inner; ++k) factors.push_back(seen[k].residual_g2 / seen[k].variance_g2);
+  const double factor = median(std::move(factors));
+  std::vector<double> swings_g2;  // (2/3) (s / g)^2, per m^2
+  for (std::size_t k = inner; k < seen.size(); ++k) {
+    const double excess_g2 = seen[k].residual_g2 - factor * seen[k].variance_g2;
+    swings_g2.push_back(seen[k].lever_sq > 0 ? excess_g2 / seen[k].lever_sq : 0);
+  }
+  const double swing_g2 = median(std::move(swings_g2));
+  if (factor <= 1 && swing_g2 <= 0) return false;
+  for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
+    for (CellReading& reading : problem_->readings[cell]) {
+      reading.variance_g2 = std::max(1.0, factor) * reading.variance_g2 + std::max(0.0, swing_g2) * squaredLever(cell);
+    }
+  }
+  noise_is_widened_ = true;
+  return true;
+}
+
+void JointRefinement::leaveOut(std::size_t cell) { problem_->readings[localOf(cell)].clear(); }
+
+Misfit JointRefinement::misfitOf(std::size_t cell) const {
+  const std::size_t at = localOf(cell);
+  return testRigidity(AccelerometerPrior(problem_->model->accelerometer), problem_->readings[at], sensors_[at].v_g);
+}
+
+double JointRefinement::poseMisfit(std::size_t pose) const {
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
+    const std::vector<CellReading>& readings = problem_->readings[cell];
+    for (std::size_t k = 0; k < readings.size(); ++k) {
+      if (poses_[readings[k].pose] != pose) continue;
+      sum += sensors_[cell].fit.residual_g[k].squaredNorm() / (3 * readings[k].variance_g2);
+      ++count;
+    }
+  }
+  return count == 0 ? 0 : std::sqrt(sum / static_cast<double>(count));
+}
+
+std::optional<JointRefinement::OpenLink> JointRefinement::widestOpen() const {
+  std::optional<OpenLink> widest;
+  for (std::size_t k = 0; k < links_.size(); ++k) {
+    const double opening_m = linkOpening_m(*problem_, solution_.state, k);
+    if (!widest || opening_m > widest->opening_m) widest = OpenLink{links_[k], opening_m};
+  }
+  return widest;
+}
+
+SE3 JointRefinement::placementOf(std::size_t cell) const { return solution_.state.cells[localOf(cell)]; }
+const Matrix6d& JointRefinement::covarianceOf(std::size_t cell) const {
+  return solution_.covariance->cell(localOf(cell));
+}
+
+Eigen::Vector3d JointRefinement::correctedReading(std::size_t cell, const Eigen::Vector3d& mean_g) const {
+  const Eigen::Matrix3d& R_u_a = problem_->model->accelerometer.T_u_a.R;
+  const AccelerometerFit& fit = sensorOf(cell);
+  return R_u_a * fit.gain.inverse() * (R_u_a.transpose() * mean_g - fit.offset_g);
+}
+
+std::shared_ptr<const PlacementCovariance> JointRefinement::placementCovariance(const SkinGraph& graph) const {
+  std::vector<CellId> ids;
+  for (const std::size_t cell : cells_) ids.push_back(graph.cells()[cell].id);
+  return std::make_shared<SolvedCovariance>(std::move(ids), solution_.state.cells, solution_.covariance);
+}
+
+const AccelerometerFit& JointRefinement::sensorOf(std::size_t cell) const { return sensors_[localOf(cell)].fit; }
+
+Eigen::Matrix3d JointRefinement::linkCovariance(std::size_t link_index) const {
+  const auto at = static_cast<std::size_t>(std::ranges::lower_bound(links_, link_index) - links_.begin());
+  const JointLink& link = problem_->links[at];
+  const std::vector<SE3>& cells = solution_.state.cells;
+  const Eigen::Matrix3d R_c_n = cells[link.c].R.transpose() * cells[link.n].R;
+  const Matrix6d& mixed = solution_.covariance->link(at);
+  // d = R_c_n e_n - e_c.
+  const Eigen::Matrix3d between = mixed.bottomRightCorner<3, 3>() * R_c_n.transpose();
+  const Eigen::Matrix3d own_c = solution_.covariance->cell(link.c).bottomRightCorner<3, 3>();
+  const Eigen::Matrix3d own_n = solution_.covariance->cell(link.n).bottomRightCorner<3, 3>();
+  return own_c + R_c_n * own_n * R_c_n.transpose() - between - between.transpose();
+}
+
+}  // namespace hexoderm

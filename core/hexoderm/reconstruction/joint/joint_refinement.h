@@ -1,0 +1,74 @@
+#pragma once
+
+#include "hexoderm/reconstruction/result/reconstruction.h"
+
+#include "hexoderm/reconstruction/accelerometer/rigidity.h"
+#include "hexoderm/reconstruction/joint/joint_solver.h"
+#include "hexoderm/reconstruction/links/gravity_table.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace hexoderm {
+
+/// The joint estimate of one patch (SPEC step 10), from the tree's placements, in the terms of the skin's graph.
+class JointRefinement {
+ public:
+  /// `cells`: of the patch, ascending; `placements`: per cell of the graph, in the origin's frame.
+  JointRefinement(const CellModel& model, const SkinGraph& graph, const GravityTable& table,
+                  const SolverOptions& options, const std::vector<std::size_t>& cells, std::size_t origin,
+                  const std::vector<SE3>& placements);
+
+  /// Solves from the latest state, unless `stop` is requested: then what is there is no solution. Angular accelerations
+  /// are estimated where the patch is large enough to show them, or where the data say so.
+  void solve(const std::stop_token& stop);
+
+  /// From now on the cell is placed by its links. Needs another solve().
+  void leaveOut(std::size_t cell);
+
+  /// How badly a cell's readings fit the gravity that all others agree on, however the cell lies; nothing to say with
+  /// fewer than two readings.
+  [[nodiscard]] Misfit misfitOf(std::size_t cell) const;
+  /// Rms over the cells of what one pose leaves unexplained, in standard deviations of its readings.
+  [[nodiscard]] double poseMisfit(std::size_t pose) const;
+
+  /// The link (of the graph) that misses its loops by the most, and by how much.
+  struct OpenLink {
+    std::size_t link = 0;
+    double opening_m = 0;
+  };
+  [[nodiscard]] std::optional<OpenLink> widestOpen() const;
+
+  [[nodiscard]] SE3 placementOf(std::size_t cell) const;
+  [[nodiscard]] const Matrix6d& covarianceOf(std::size_t cell) const;  ///< as CellPlacement::cov_t_r
+  /// A reading (cell frame) freed from the offset, gains and cross-axis sensitivity estimated for its sensor.
+  [[nodiscard]] Eigen::Vector3d correctedReading(std::size_t cell, const Eigen::Vector3d& mean_g) const;
+  [[nodiscard]] std::shared_ptr<const PlacementCovariance> placementCovariance(const SkinGraph& graph) const;
+  [[nodiscard]] const AccelerometerFit& sensorOf(std::size_t cell) const;
+  [[nodiscard]] const JointSolution& solution() const { return solution_; }
+  [[nodiscard]] const JointProblem& problem() const { return *problem_; }
+  /// Poses of the table that the patch has readings in; the solution's poses, in its order.
+  [[nodiscard]] const std::vector<std::size_t>& poses() const { return poses_; }
+  /// Covariance of the error d of a link's rotation, R_true = exp(d) R_c_n in the source's frame.
+  [[nodiscard]] Eigen::Matrix3d linkCovariance(std::size_t link) const;
+
+ private:
+  /// Place of a cell of the graph in the problem.
+  [[nodiscard]] std::size_t localOf(std::size_t cell) const;
+  void fitSensors();
+  bool widenNoise();
+  [[nodiscard]] double squaredLever(std::size_t cell) const;
+  void solveWithLinkSpread(const JointSolverOptions& options);
+  [[nodiscard]] bool accelerationsShow() const;
+
+  std::vector<std::size_t> cells_;  ///< of the graph, ascending; in the problem's order
+  std::vector<std::size_t> links_;  ///< the same for links
+  std::vector<std::size_t> poses_;
+  std::shared_ptr<JointProblem> problem_;
+  JointSolution solution_;
+  std::vector<SensorState> sensors_;
+  bool noise_is_widened_ = false;
+};
+
+}  // namespace hexoderm

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "hexoderm/reconstruction/joint/joint_cost.h"
+
+#include <memory>
+#include <stop_token>
+#include <vector>
+
+namespace hexoderm {
+
+struct JointSolverOptions {
+  int max_iterations = 100;
+  /// A step that promises to lower the cost by less than this share of it is the last.
+  double cost_tolerance = 1e-8;
+  bool covariance = true;  ///< compute JointSolution::covariance
+  std::stop_token stop;    ///< checked before every step; the state so far is the result, without covariance
+};
+
+enum class JointTermination { Converged, Stopped, StepLimit };
+
+/// The inverse of the information matrix at the optimum: how uncertain every unknown is, and how they depend on each
+/// other. Keeps the sparse factor, so that the covariance of any two cells can still be asked for.
+class JointCovariance {
+ public:
+  /// `equations` at the optimum. Throws std::runtime_error if they are not positive definite, which priors prevent.
+  JointCovariance(const JointProblem& problem, const NormalEquations& equations);
+  ~JointCovariance();
+  JointCovariance(const JointCovariance&) = delete;
+  JointCovariance& operator=(const JointCovariance&) = delete;
+
+  /// 6 x 6 per cell: position in the patch frame, then rotation (R_true = R exp(e)); zero for the origin.
+  [[nodiscard]] const Matrix6d& cell(std::size_t cell) const;
+  /// Cross-covariance of a link's two cells, rows c, columns n.
+  [[nodiscard]] const Matrix6d& link(std::size_t link) const;
+  /// Cross-covariance of any two cells, rows a, columns b. Two triangular solves each.
+  [[nodiscard]] Matrix6d between(std::size_t a, std::size_t b) const;
+  /// Of the specific force of a pose, patch frame, g^2.
+  [[nodiscard]] Eigen::Matrix3d force(std::size_t pose) const;
+  [[nodiscard]] double gapShareSigma() const;  ///< 0 if it is not estimated
+
+ private:
+  friend struct JointSolver;
+  struct State;
+  explicit JointCovariance(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+struct JointSolution {
+  JointState state;
+  double cost = 0;
+  int iterations = 0;
+  JointTermination termination = JointTermination::Converged;
+  std::shared_ptr<const JointCovariance> covariance;  ///< null if it was not asked for or is not due
+};
+
+/// Levenberg-Marquardt on jointCost from `initial`: plain Gauss-Newton steps while they lower the cost, damped ones
+/// where they don't; first with softer links where they are far from closed. Every step factors one sparse matrix of 6
+/// x 6 blocks (cells) and one dense one (poses).
+JointSolution solveJointly(const JointProblem& problem, const JointState& initial,
+                           const JointSolverOptions& options = {});
+
+}  // namespace hexoderm

@@ -1,0 +1,72 @@
+#include "hexoderm/reconstruction/links/skin_readings.h"
+
+#include <algorithm>
+
+namespace hexoderm {
+
+SkinReadings::SkinReadings(const CellModel& model, const SkinGraph& graph, const GravityTable& table)
+    : table_(&table), measured_(graph.cells().size(), false), gravity_(graph.cells().size()) {
+  std::vector<std::size_t> blind;
+  for (std::size_t cell = 0; cell < gravity_.size(); ++cell) {
+    const std::vector<std::size_t> poses = table.usablePoses(cell);
+    measured_[cell] = !poses.empty();
+    gravity_[cell].assign(table.poseCount(), Eigen::Vector3d::Zero());
+    for (const std::size_t pose : poses) gravity_[cell][pose] = table.at(cell, pose).mean_g;
+    if (!measured_[cell]) blind.push_back(cell);
+  }
+  if (!blind.empty() && !table.enabledPoses().empty()) fillMissing(model, graph, blind);
+}
+
+void SkinReadings::fillMissing(const CellModel& model, const SkinGraph& graph, const std::vector<std::size_t>& blind) {
+  // First outwards from the cells that read, then a few rounds for chains of several blind ones.
+  constexpr int kRounds = 20;
+  for (int round = 0; round < kRounds; ++round) {
+    for (const std::size_t cell : blind) {
+      for (const std::size_t pose : table_->enabledPoses()) {
+        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+        for (const std::size_t link_index : graph.linksAt(cell)) {
+          const GraphLink& link = graph.links()[link_index];
+          if (link.muted()) continue;
+          const Eigen::Vector3d& g = gravity_[link.other(cell)][pose];
+          if (g.isZero()) continue;
+          Eigen::Matrix3d R_nom = nominalAlignment(model.port(link.source_port), model.port(link.target_port));
+          if (link.source != cell) R_nom.transposeInPlace();
+          sum += R_nom * g.normalized();
+        }
+        if (sum.norm() > 1e-6) gravity_[cell][pose] = sum.normalized();
+      }
+    }
+  }
+}
+
+bool SkinReadings::interpolated(std::size_t cell) const {
+  return !measured_[cell] && std::ranges::any_of(gravity_[cell], [](const Eigen::Vector3d& g) { return !g.isZero(); });
+}
+
+std::vector<std::size_t> SkinReadings::posesOf(const GraphLink& link) const {
+  std::vector<std::size_t> poses;
+  poses.reserve(table_->enabledPoses().size());
+  for (const std::size_t pose : table_->enabledPoses()) {
+    if (!gravity_[link.source][pose].isZero() && !gravity_[link.target][pose].isZero()) poses.push_back(pose);
+  }
+  return poses;
+}
+
+EdgeReadings SkinReadings::readingsOf(const GraphLink& link) const {
+  const std::vector<std::size_t> poses = posesOf(link);
+  EdgeReadings readings;
+  const auto count = static_cast<Eigen::Index>(poses.size());
+  readings.c_g.resize(3, count);
+  readings.n_g.resize(3, count);
+  readings.variance_g2.reserve(poses.size());
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const std::size_t pose = poses[static_cast<std::size_t>(k)];
+    readings.c_g.col(k) = gravity_[link.source][pose];
+    readings.n_g.col(k) = gravity_[link.target][pose];
+    readings.variance_g2.push_back(table_->at(link.source, pose).variance_g2 +
+                                   table_->at(link.target, pose).variance_g2);
+  }
+  return readings;
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "hexoderm/reconstruction/links/edge_rotation.h"
+#include "hexoderm/reconstruction/links/gravity_table.h"
+
+#include <optional>
+#include <vector>
+
+namespace hexoderm {
+
+/// Every cell's gravity in every pose as the edges see it: the usable readings, and for cells that have none, what
+/// their neighbours read.
+///
+/// A cell without any usable reading would cut its chain: its gravity is taken half way between its neighbours', as
+/// their nominal alignment brings it over. Such a cell is placed by its links and says so.
+class SkinReadings {
+ public:
+  SkinReadings(const CellModel& model, const SkinGraph& graph, const GravityTable& table);
+
+  /// The cell has usable readings of its own.
+  [[nodiscard]] bool measured(std::size_t cell) const { return measured_[cell]; }
+  [[nodiscard]] bool measured(const GraphLink& link) const { return measured_[link.source] && measured_[link.target]; }
+  /// Its gravity is its neighbours'.
+  [[nodiscard]] bool interpolated(std::size_t cell) const;
+  /// Enabled poses in which both ends of the link have a gravity vector, ascending.
+  [[nodiscard]] std::vector<std::size_t> posesOf(const GraphLink& link) const;
+  [[nodiscard]] EdgeReadings readingsOf(const GraphLink& link) const;
+
+ private:
+  void fillMissing(const CellModel& model, const SkinGraph& graph, const std::vector<std::size_t>& blind);
+
+  const GravityTable* table_;
+  std::vector<bool> measured_;
+  std::vector<std::vector<Eigen::Vector3d>> gravity_;  ///< per cell and pose; zero: none
+};
+
+}  // namespace hexoderm

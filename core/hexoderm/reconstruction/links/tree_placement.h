@@ -1,0 +1,28 @@
+#pragma once
+
+#include "hexoderm/graph/shortest_paths.h"
+
+#include "hexoderm/reconstruction/links/edge_rotation.h"
+
+#include <vector>
+
+namespace hexoderm {
+
+/// One cell's placement along the tree and its predicted error.
+struct TreePlacement {
+  SE3 T_o_u;
+  Matrix6d covariance = Matrix6d::Zero();  ///< as CellPlacement::cov_t_r
+};
+
+/// Orientations and positions along the shortest-path tree, eqs. (3), (5), (6), with first-order covariances: every
+/// cell has an attitude error of its own (offset, gains, noise), so the orientation error of a cell is the difference
+/// of its own and the origin's; what the poses don't show is the elastomer's to vary, link by link, and adds up; link
+/// points meet within the model's link_sigma_m.
+///
+/// `edges`: per link of the graph. `attitude_covariance`: per cell, in the cell frame. Result: per cell of the graph;
+/// entries of other patches stay at their defaults.
+std::vector<TreePlacement> placeAlongTree(const SkinGraph& graph, const CellModel& model, const ShortestPaths& paths,
+                                          const std::vector<EdgeRotation>& edges,
+                                          const std::vector<Eigen::Matrix3d>& attitude_covariance);
+
+}  // namespace hexoderm

@@ -1,0 +1,86 @@
+#include "hexoderm/reconstruction/result/reconstruction.h"
+
+#include <algorithm>
+#include <array>
+
+namespace hexoderm {
+namespace {
+
+constexpr std::array<std::string_view, 4> kQualityNames = {"un", "partially", "fully", "over"};
+constexpr std::array<std::string_view, 4> kVerdictNames = {"good", "usable", "not_enough", "failed"};
+
+template <class Enum>
+std::optional<Enum> fromName(const std::array<std::string_view, 4>& names, std::string_view name) {
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<Enum>(found - names.begin());
+}
+
+std::string counted(std::size_t count, const std::string& singular, const std::string& plural) {
+  return std::to_string(count) + " " + (count == 1 ? singular : plural);
+}
+
+}  // namespace
+
+std::optional<double> LinkEstimate::knownResidual() const {
+  // A file may state the rms alone.
+  const bool is_measured =
+      residual_rad > 0 ||
+      std::ranges::any_of(pose_residual_rad, [](const std::optional<double>& angle) { return angle.has_value(); });
+  return is_measured ? std::optional(residual_rad) : std::nullopt;
+}
+
+std::optional<double> LinkEstimate::knownSigma() const {
+  return sigma_rad > 0 ? std::optional(sigma_rad) : std::nullopt;
+}
+
+bool LinkEstimate::hasFigures() const { return used || knownResidual() || knownSigma(); }
+
+std::string_view qualityName(EdgeQuality quality) { return kQualityNames.at(static_cast<std::size_t>(quality)); }
+std::optional<EdgeQuality> qualityFromName(std::string_view name) { return fromName<EdgeQuality>(kQualityNames, name); }
+std::string_view verdictName(VerdictLevel level) { return kVerdictNames.at(static_cast<std::size_t>(level)); }
+std::optional<VerdictLevel> verdictFromName(std::string_view name) {
+  return fromName<VerdictLevel>(kVerdictNames, name);
+}
+
+const CellPlacement* PatchReconstruction::findCell(CellId cell_id) const {
+  const auto found = std::ranges::lower_bound(cells, cell_id, {}, &CellPlacement::cell);
+  return found != cells.end() && found->cell == cell_id ? &*found : nullptr;
+}
+
+std::size_t Reconstruction::cellCount() const {
+  std::size_t count = 0;
+  for (const PatchReconstruction& patch : patches) count += patch.cells.size();
+  return count;
+}
+
+std::size_t Reconstruction::linkCount() const {
+  std::size_t count = 0;
+  for (const PatchReconstruction& patch : patches) count += patch.links.size();
+  return count;
+}
+
+Reconstruction::Located Reconstruction::find(CellId id) const {
+  for (const PatchReconstruction& patch : patches) {
+    if (const CellPlacement* cell = patch.findCell(id)) return {&patch, cell};
+  }
+  return {};
+}
+
+const LinkEstimate* Reconstruction::findLink(LinkEnd a, LinkEnd b) const {
+  if (b < a) std::swap(a, b);
+  for (const PatchReconstruction& patch : patches) {
+    for (const LinkEstimate& link : patch.links) {
+      if (link.source == a && link.target == b) return &link;
+    }
+  }
+  return nullptr;
+}
+
+std::string sizeInWords(const Reconstruction& reconstruction) {
+  return counted(reconstruction.cellCount(), "cell", "cells") + ", " +
+         counted(reconstruction.linkCount(), "link", "links") + ", " +
+         counted(reconstruction.patches.size(), "patch", "patches");
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,189 @@
+#pragma once
+
+#include "hexoderm/geometry/se3.h"
+#include "hexoderm/graph/cell_model.h"
+#include "hexoderm/reconstruction/result/placement_covariance.h"
+#include "hexoderm/reconstruction/result/solver_options.h"
+#include "hexoderm/session/session.h"
+#include "hexoderm/util/finding.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hexoderm {
+
+/// How well an edge's rotation is determined by the poses, eq. (17).
+enum class EdgeQuality { Undefined, Partially, Fully, Over };
+std::string_view qualityName(EdgeQuality quality);  ///< "un", "partially", "fully", "over", as in files
+std::optional<EdgeQuality> qualityFromName(std::string_view name);
+
+/// All that is known of one link. One entry stands for both directed edges: the reverse rotation is the transpose.
+struct LinkEstimate {
+  LinkEnd source;  ///< the smaller (ID, port)
+  LinkEnd target;
+  Eigen::Matrix3d R_c_n = Eigen::Matrix3d::Identity();  ///< target to source frame
+  EdgeQuality quality = EdgeQuality::Undefined;
+  Eigen::Vector3d singular_values = Eigen::Vector3d::Zero();  ///< of the unit vectors, uncentred, without support axes
+  double weight = 3;
+  /// Rms over poses of the angle between c_p and R_c_n n_p; with the global solver of readings freed from the estimated
+  /// errors of their sensors.
+  double residual_rad = 0;
+  double sigma_rad = 0;  ///< predicted standard deviation about the worst axis
+  double bend_rad = 0;
+  double twist_rad = 0;
+  double yaw_rad = 0;
+  bool centred = false;    ///< each cell's mean vector was subtracted
+  bool supported = false;  ///< support axes were appended
+  bool used = false;       ///< in the solution; false for muted links
+  bool in_tree = false;    ///< on the shortest-path tree
+  std::optional<FindingCode> muted_by;
+  /// Angle between c_p and R_c_n n_p per entry of Reconstruction::poses; absent where a cell has no sample.
+  std::vector<std::optional<double>> pose_residual_rad;
+
+  /// `residual_rad` and `sigma_rad`, absent where none was computed (links that no pose measured; files that don't
+  /// state them).
+  [[nodiscard]] std::optional<double> knownResidual() const;
+  [[nodiscard]] std::optional<double> knownSigma() const;
+  /// It was measured or solved, so that its angles mean something.
+  [[nodiscard]] bool hasFigures() const;
+};
+
+enum class PlacedBy { Samples, Links };
+
+struct SensorPlacement {
+  std::string name;
+  std::string type;
+  SE3 T_o_s;  ///< in the patch frame
+};
+
+/// Where a cell is, in its patch's frame (the origin cell's frame).
+struct CellPlacement {
+  CellId cell;
+  std::string body_part;
+  PlacedBy placed_by = PlacedBy::Samples;
+  SE3 T_o_u;
+  /// Covariance relative to the origin: order position (m, patch frame) then rotation (rad, right-multiplied error in
+  /// the cell frame: R_true = R exp(e)). Zero for the origin. Absent where a solver or an imported file does not state
+  /// it.
+  std::optional<Matrix6d> cov_t_r;
+  /// What the accelerometer reads is scale * force + offset along its axes, cross-axis sensitivity apart. Estimated by
+  /// the global solver where the cell was measured.
+  std::optional<Eigen::Vector3d> accel_offset_g;
+  std::optional<Eigen::Vector3d> accel_scale;
+  std::vector<CellId> path;  ///< from the origin to this cell, both included; empty if imported
+  std::vector<SensorPlacement> sensors;
+};
+
+/// The up direction that the accelerometers read in one pose, in the patch frame.
+struct GravityDirection {
+  PoseId pose;
+  Eigen::Vector3d g_o = Eigen::Vector3d::UnitZ();  ///< unit, points up (specific force)
+  /// Tree: scatter of the cells about it, divided by sqrt(cells). Global: predicted, worst axis.
+  double sigma_rad = 0;
+  /// The specific force itself at a point t of the patch, at_origin_o_g + swing_o x t: a hand that turns the part while
+  /// it is sampled adds to gravity, the more the farther out. Of a fresh result of the global solver; files don't hold
+  /// it.
+  struct Force {
+    Eigen::Vector3d at_origin_o_g = Eigen::Vector3d::UnitZ();
+    Eigen::Vector3d swing_o = Eigen::Vector3d::Zero();  ///< angular acceleration, g/m
+  };
+  std::optional<Force> force{};
+};
+
+/// How much of the way from pivot (0) to arc (1) the gaps of a patch go (SPEC step 10), and how well that is known.
+struct GapShareEstimate {
+  double share = 0;
+  double sigma = 0;  ///< 0 where it was given
+};
+
+struct PatchReconstruction {
+  PatchId id;
+  CellId origin;
+  std::vector<GravityDirection> gravity;
+  std::vector<CellPlacement> cells;           ///< in ascending order of ID
+  std::vector<LinkEstimate> links;            ///< muted links too; a link between two patches is listed with its source
+  std::optional<GapShareEstimate> gap_share;  ///< of the global solver
+  std::shared_ptr<const PlacementCovariance> covariance;  ///< null but for a fresh result of the global solver
+
+  [[nodiscard]] const CellPlacement* findCell(CellId cell_id) const;
+};
+
+/// A row of the table of poses.
+struct PoseSummary {
+  PoseId pose;
+  std::string label;
+  bool enabled = true;
+  std::size_t cells_measured = 0;
+  double noise_g = 0;                  ///< rms over cells of the mean's standard deviation, worst axis
+  std::optional<double> new_by_rad;    ///< angle to the nearest earlier enabled pose's direction (either sign)
+  std::optional<double> residual_rad;  ///< rms over links
+};
+
+enum class VerdictLevel { Good, Usable, NotEnough, Failed };
+std::string_view verdictName(VerdictLevel level);  ///< "good", "usable", "not_enough", "failed"
+std::optional<VerdictLevel> verdictFromName(std::string_view name);
+
+/// The answer to "is this good enough?", with what to do next, each as one sentence for the operator.
+struct Verdict {
+  VerdictLevel level = VerdictLevel::Failed;
+  std::string reason;
+  std::optional<double> position_95_m;  ///< at the worst cell, relative to the origin; absent if not known
+  std::optional<double> orientation_95_rad;
+  std::string next_action;
+};
+
+/// A cell in the flat honeycomb drawing of the graph.
+struct FlatCell {
+  CellId cell;
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();  ///< metres on the sheet
+  double angle_rad = 0;                              ///< rotation of the cell frame in the sheet
+};
+/// A link in the drawing, from port to port; `cut` where a closed surface was cut open there.
+struct FlatLink {
+  PatchId patch;
+  std::size_t link = 0;  ///< index into that patch's links
+  Eigen::Vector2d from = Eigen::Vector2d::Zero();
+  Eigen::Vector2d to = Eigen::Vector2d::Zero();
+  bool cut = false;
+};
+struct FlatLayout {
+  std::vector<FlatCell> cells;
+  std::vector<FlatLink> links;
+};
+
+/// The result: everything views and exporters show. Immutable once made; also what a calibration file holds.
+struct Reconstruction {
+  std::uint64_t revision = 0;   ///< of the snapshot it was computed from
+  std::string solver = "tree";  ///< "global", "tree" or "imported"
+  SolverOptions options;
+  SourceDescription source;
+  std::shared_ptr<const CellModel> model;  ///< never null
+  std::vector<PoseSummary> poses;          ///< all of the session, disabled ones included
+  std::vector<PatchReconstruction> patches;
+  std::vector<Finding> findings;
+  Verdict verdict;
+  FlatLayout layout;
+  double solve_seconds = 0;
+
+  [[nodiscard]] std::size_t cellCount() const;
+  [[nodiscard]] std::size_t linkCount() const;
+  /// Patch and placement of a cell; null if there is none.
+  struct Located {
+    const PatchReconstruction* patch = nullptr;
+    const CellPlacement* cell = nullptr;
+  };
+  [[nodiscard]] Located find(CellId id) const;
+  [[nodiscard]] const LinkEstimate* findLink(LinkEnd a, LinkEnd b) const;  ///< in either order
+};
+
+/// "17 cells, 16 links, 1 patch", the one way a skin's size is said.
+std::string sizeInWords(const Reconstruction& reconstruction);
+
+/// Flat honeycomb of all patches side by side, from the port geometry alone.
+FlatLayout computeFlatLayout(const CellModel& model, const std::vector<PatchReconstruction>& patches);
+
+}  // namespace hexoderm

@@ -1,0 +1,15 @@
+#include "hexoderm/reconstruction/result/uncertainty.h"
+
+#include "hexoderm/geometry/covariance.h"
+#include "hexoderm/util/units.h"
+
+#include <algorithm>
+
+namespace hexoderm {
+std::optional<Uncertainty95> uncertaintyOf(const CellPlacement& cell) {
+  if (!cell.cov_t_r) return std::nullopt;
+  return Uncertainty95{kSigmasFor95Percent * largestDeviation(cell.cov_t_r->topLeftCorner<3, 3>()),
+                       std::min(kPi, kSigmasFor95Percent * largestDeviation(cell.cov_t_r->bottomRightCorner<3, 3>()))};
+}
+
+}  // namespace hexoderm

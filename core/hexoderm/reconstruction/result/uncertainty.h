@@ -1,0 +1,19 @@
+#pragma once
+
+#include "hexoderm/reconstruction/result/reconstruction.h"
+
+#include <optional>
+
+namespace hexoderm {
+
+/// How well a cell's placement relative to its origin is known, in the way the verdict says it: 1.96 standard
+/// deviations (95 %) along the worst axis. The orientation's is at most pi.
+struct Uncertainty95 {
+  double position_m = 0;
+  double orientation_rad = 0;
+};
+
+/// Absent where no covariance is stated; zero for the origin.
+std::optional<Uncertainty95> uncertaintyOf(const CellPlacement& cell);
+
+}  // namespace hexoderm

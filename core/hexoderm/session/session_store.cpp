@@ -1,0 +1,308 @@
+#include "hexoderm/session/session_store.h"
+
+#include "hexoderm/session/journal.h"
+#include "hexoderm/session/store_file.h"
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/file.h"
+
+#include <fcntl.h>
+#include <sqlite3.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+constexpr std::string_view kInsertEntry =
+    "INSERT INTO journal (entry, at_ms, kind, detail, samples, digest) VALUES (?1, ?2, ?3, ?4, ?5, ?6)";
+
+/// A session's file, and what SQLite keeps beside it.
+constexpr std::array<const char*, 3> kParts = {"", "-wal", "-shm"};
+std::filesystem::path with(std::filesystem::path path, const char* part) { return path += part; }
+
+std::int64_t nowMs() {
+  return std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::system_clock::now().time_since_epoch())
+      .count();
+}
+
+std::string sha256Of(const Bytes& bytes) {
+  return sha256Hex({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+/// Everything that a journal says, and when.
+struct Journal {
+  JournalState state;
+  std::vector<JournalLine> lines;
+
+  void read(const JournalEntry& entry, const std::string& file) {
+    state.read(entry, file);
+    lines.push_back({static_cast<std::uint64_t>(entry.entry), entry.at_ms, entry.kind});
+  }
+};
+
+Journal readJournal(Database& database) {
+  Journal journal;
+  Statement rows(database, "SELECT entry, at_ms, kind, detail, samples, digest FROM journal ORDER BY entry");
+  while (rows.step()) {
+    JournalEntry entry;
+    entry.entry = rows.integer(0);
+    entry.at_ms = rows.integer(1);
+    entry.kind = rows.text(2);
+    entry.detail = rows.text(3);
+    if (!rows.isNull(4)) {
+      const auto samples = rows.blob(4);
+      entry.samples.emplace(samples.begin(), samples.end());
+    }
+    const auto digest = rows.blob(5);
+    if (digest.size() != entry.digest.size()) database.failFormat("the file is damaged: expected digests of 32 bytes");
+    std::ranges::copy(digest, entry.digest.begin());
+    journal.read(entry, database.name());
+  }
+  if (!journal.state.hasSkin()) database.failFormat("the journal is empty, expected a skin as its first entry");
+  return journal;
+}
+
+void insert(Database& database, const JournalEntry& entry) {
+  Statement row(database, kInsertEntry);
+  row.bind(1, entry.entry).bind(2, entry.at_ms).bindText(3, entry.kind).bindText(4, entry.detail);
+  if (entry.samples) row.bindBlob(5, *entry.samples);
+  row.bindBlob(6, entry.digest);
+  row.step();
+}
+
+/// Writes the entries of some operations; the journal is as after them. In a transaction of the caller's.
+void write(Database& database, std::span<const StoreOperation> operations, Journal& journal) {
+  const std::int64_t at_ms = nowMs();
+  for (const StoreOperation& operation : operations) {
+    Bytes raw;
+    const auto* add = std::get_if<AddPose>(&operation);
+    if (add != nullptr && add->raw) raw = encodeFrames(*add->raw, journal.state.lsb_g());
+    const JournalEntry entry = journal.state.entryFor(operation, at_ms, raw.empty() ? "" : sha256Of(raw));
+    try {
+      journal.read(entry, "what is to be stored");  // so that nothing is written that can't be read again
+    } catch (const FormatError& error) {
+      throw InvalidArgument(error.what());
+    }
+    insert(database, entry);
+    if (raw.empty()) continue;
+    Statement row(database, "INSERT INTO raw_samples (entry, frames) VALUES (?1, ?2)");
+    row.bind(1, entry.entry).bindBlob(2, raw);
+    row.step();
+  }
+}
+
+std::vector<StoreOperation> operationsThatMake(const Session& session) {
+  std::vector<StoreOperation> operations;
+  operations.emplace_back(SetSkin{std::make_shared<const CellModel>(session.model()), session.neighbors()});
+  operations.emplace_back(SetSource{session.source()});
+  if (session.truth()) operations.emplace_back(SetTruth{*session.truth()});
+  for (const SessionPose& pose : session.poses()) operations.emplace_back(AddPose{pose});
+  for (const MutedLink& link : session.mutedLinks()) {
+    operations.emplace_back(SetLinkMuted{link.source, link.target, true, link.why});
+  }
+  return operations;
+}
+
+/// A file that is made under another name beside its place, and goes away unless it is put there.
+class NewFile {
+ public:
+  explicit NewFile(const std::filesystem::path& path) : path_(path) {
+    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+    folder_ = folder;
+    temporary_ = (folder / ("." + path.filename().string() + ".XXXXXX")).string();
+    struct stat status {};
+    if (::lstat(path.c_str(), &status) == 0) failExists();
+    const int descriptor = ::mkostemp(temporary_.data(), O_CLOEXEC);
+    if (descriptor < 0) {
+      temporary_.clear();
+      fail("cannot be written");
+    }
+    // mkostemp makes a private file; a saved document follows the user's umask like any other.
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    ::fchmod(descriptor, 0666 & ~mask);
+    ::close(descriptor);
+  }
+  ~NewFile() {
+    if (temporary_.empty()) return;
+    for (const char* suffix : {"", "-wal", "-shm", "-journal"}) ::unlink((temporary_ + suffix).c_str());
+  }
+  NewFile(const NewFile&) = delete;
+  NewFile& operator=(const NewFile&) = delete;
+
+  [[nodiscard]] const std::string& temporary() const { return temporary_; }
+
+  /// Syncs it and gives it its name, if nothing has that name by now.
+  void putInPlace() {
+    const int descriptor = ::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) fail("cannot be written");
+    const bool synced = ::fsync(descriptor) == 0;
+    const int error = errno;
+    ::close(descriptor);
+    errno = error;
+    if (!synced) fail("cannot be written");
+    if (::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE) != 0) {
+      if (errno == EEXIST) failExists();
+      // File systems without that promise have links, as a rule.
+      if (errno != EINVAL && errno != ENOSYS) fail("cannot be written");
+      if (::link(temporary_.c_str(), path_.c_str()) != 0) errno == EEXIST ? failExists() : fail("cannot be written");
+      ::unlink(temporary_.c_str());
+    }
+    temporary_.clear();
+    const int folder = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (folder < 0) return;
+    ::fsync(folder);  // some file systems can't sync a folder; the rename itself is done
+    ::close(folder);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const {
+    throw StorageError(path_.string() + ": " + what + ": " + std::strerror(errno));
+  }
+  [[noreturn]] void failExists() const {
+    throw StorageError(path_.string() +
+                       ": exists already, and what a session has captured is never replaced: take another name, or "
+                       "remove the file first");
+  }
+
+  std::filesystem::path path_;
+  std::filesystem::path folder_;
+  std::string temporary_;
+};
+
+}  // namespace
+
+struct SessionStore::State {
+  std::filesystem::path path;
+  StoreFile file;
+  Journal journal;
+  bool is_read_only = false;
+};
+
+SessionStore::SessionStore(std::unique_ptr<State> state) : state_(std::move(state)) {}
+SessionStore::~SessionStore() = default;
+SessionStore::SessionStore(SessionStore&&) noexcept = default;
+SessionStore& SessionStore::operator=(SessionStore&&) noexcept = default;
+
+void writeSessionStore(const Session& session, const std::filesystem::path& path) {
+  NewFile file(path);
+  {
+    Database database(file.temporary(), path.string(), Database::Mode::Create);
+    // Nobody reads it before it is whole, and it is synced then.
+    database.run("PRAGMA journal_mode=MEMORY; PRAGMA synchronous=OFF");
+    migrate(database, storeMigrations());
+    Transaction transaction(database);
+    Journal journal;
+    write(database, operationsThatMake(session), journal);
+    transaction.commit();
+    database.run("PRAGMA journal_mode=WAL");
+  }
+  file.putInPlace();
+}
+
+SessionStore SessionStore::create(const std::filesystem::path& path, const Session& session) {
+  writeSessionStore(session, path);
+  return open(path);
+}
+
+SessionStore SessionStore::open(const std::filesystem::path& path) {
+  StoreFile file = openStoreForWriting(path);
+  Journal journal = readJournal(file.database);
+  return SessionStore(std::make_unique<State>(State{path, std::move(file), std::move(journal), false}));
+}
+
+SessionStore SessionStore::openReadOnly(const std::filesystem::path& path) {
+  StoreFile file = openStoreForReading(path);
+  Journal journal = readJournal(file.database);
+  return SessionStore(std::make_unique<State>(State{path, std::move(file), std::move(journal), true}));
+}
+
+Session SessionStore::readSession() const { return state_->journal.state.session(state_->path.filename().string()); }
+
+std::vector<SampleFrame> SessionStore::readRawSamples(std::size_t index) const {
+  const std::int64_t capture = state_->journal.state.poseAt(index).entry;
+  const std::string sha256 = state_->journal.state.rawSha256(capture);
+  if (sha256.empty()) return {};
+  Database& database = state_->file.database;
+  const std::string where = database.name() + ": raw samples of journal entry " + std::to_string(capture);
+  Statement row(database, "SELECT frames FROM raw_samples WHERE entry = ?1");
+  row.bind(1, capture);
+  if (!row.step()) throw FormatError(where + ": the file is damaged: they are missing");
+  const auto frames = row.blob(0);
+  if (sha256Hex({reinterpret_cast<const char*>(frames.data()), frames.size()}) != sha256) {
+    throw FormatError(where + ": the file is damaged: they do not match their digest");
+  }
+  return decodeFrames(frames, where);
+}
+
+std::uint64_t SessionStore::append(std::span<const StoreOperation> operations) {
+  if (state_->is_read_only) {
+    throw StorageError(state_->path.string() + ": is open for reading only: save the session elsewhere to go on");
+  }
+  if (operations.empty()) return revision();
+  Database& database = state_->file.database;
+  Journal after = state_->journal;
+  Transaction transaction(database);
+  write(database, operations, after);
+  transaction.commit();
+  state_->journal = std::move(after);
+  return revision();
+}
+
+void SessionStore::tidy() noexcept {
+  if (state_->is_read_only) return;
+  sqlite3_wal_checkpoint_v2(state_->file.database.handle(), nullptr, SQLITE_CHECKPOINT_PASSIVE, nullptr, nullptr);
+}
+
+std::uint64_t SessionStore::revision() const { return static_cast<std::uint64_t>(state_->journal.state.lastEntry()); }
+std::int64_t SessionStore::editedAtMs() const { return state_->journal.state.editedAtMs(); }
+const std::string& SessionStore::options() const { return state_->journal.state.options(); }
+std::vector<JournalLine> SessionStore::history() const { return state_->journal.lines; }
+const std::filesystem::path& SessionStore::path() const { return state_->path; }
+
+Session readSessionStore(const std::filesystem::path& path) { return SessionStore::openReadOnly(path).readSession(); }
+
+bool isSessionStore(const std::filesystem::path& path) { return looksLikeStore(path); }
+
+bool isSessionStoreInUse(const std::filesystem::path& path) {
+  return !StoreLock::forReading(path, path.string()).has_value();
+}
+
+void moveSessionStore(const std::filesystem::path& from, const std::filesystem::path& to) {
+  const auto fail = [&](const std::string& why) {
+    throw StorageError(from.string() + ": cannot be moved to " + to.string() + ": " + why);
+  };
+  if (isSessionStoreInUse(from))
+    throw StorageError(from.string() + ": is open in another window, close it there first");
+  std::error_code error;
+  for (const char* part : kParts) {
+    if (std::filesystem::exists(with(to, part), error)) fail("something of that name is there");
+  }
+  // The journal first: a session without its newest part must never be mistaken for a whole one.
+  std::vector<const char*> moved;
+  for (auto part = kParts.rbegin(); part != kParts.rend(); ++part) {
+    if (!std::filesystem::exists(with(from, *part), error)) continue;
+    std::filesystem::rename(with(from, *part), with(to, *part), error);
+    if (error) {
+      std::error_code ignored;
+      for (const char* before : moved) std::filesystem::rename(with(to, before), with(from, before), ignored);
+      fail(error.message());
+    }
+    moved.push_back(*part);
+  }
+}
+
+void removeSessionStore(const std::filesystem::path& path) noexcept {
+  for (const char* part : kParts) ::unlink(with(path, part).c_str());
+}
+
+}  // namespace hexoderm

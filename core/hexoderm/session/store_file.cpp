@@ -1,0 +1,283 @@
+#include "hexoderm/session/store_file.h"
+
+#include "hexoderm/util/error.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <mutex>
+#include <string_view>
+#include <system_error>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace hexoderm {
+namespace {
+
+/// SQLite locks 512 bytes from 0x40000000 on and stores nothing in the page around them.
+constexpr off_t kLockedByte = 0x40000000 + 2048;
+constexpr std::string_view kSqliteHeader("SQLite format 3\0", 16);
+/// A reader holds a file for the time that it takes to load it.
+constexpr auto kPatienceWithReaders = std::chrono::seconds(2);
+
+using FileIdentity = std::pair<dev_t, ino_t>;
+
+/// The files that this process has open for writing, with the descriptors that are closed when they are.
+struct Registry {
+  std::mutex mutex;
+  std::map<FileIdentity, std::vector<int>> writing;
+};
+Registry& registry() {
+  static Registry instance;
+  return instance;
+}
+
+std::optional<FileIdentity> identityOf(const std::filesystem::path& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) return std::nullopt;
+  return FileIdentity(status.st_dev, status.st_ino);
+}
+
+bool isOpenForWritingHere(const std::filesystem::path& path) {
+  const std::optional<FileIdentity> identity = identityOf(path);
+  const std::lock_guard guard(registry().mutex);
+  return identity && registry().writing.contains(*identity);
+}
+
+void closeWhenHarmless(int descriptor, bool is_writer) {
+  if (descriptor < 0) return;
+  struct stat status {};
+  const bool known = ::fstat(descriptor, &status) == 0;
+  const std::lock_guard guard(registry().mutex);
+  const auto found = known ? registry().writing.find({status.st_dev, status.st_ino}) : registry().writing.end();
+  if (found == registry().writing.end()) {
+    ::close(descriptor);
+  } else if (is_writer) {
+    for (const int parked : found->second) ::close(parked);
+    registry().writing.erase(found);
+    ::close(descriptor);
+  } else {
+    found->second.push_back(descriptor);
+  }
+}
+
+struct flock lockOf(short type) {
+  struct flock lock {};
+  lock.l_type = type;
+  lock.l_whence = SEEK_SET;
+  lock.l_start = kLockedByte;
+  lock.l_len = 1;
+  return lock;
+}
+
+enum class Locked { Yes, ByReader, ByWriter, NotPossible };
+
+Locked tryLock(int descriptor, short type) {
+  while (true) {
+    struct flock lock = lockOf(type);
+    if (::fcntl(descriptor, F_OFD_SETLK, &lock) == 0) return Locked::Yes;
+    if (errno == EINTR) continue;
+    if (errno != EAGAIN && errno != EACCES) return Locked::NotPossible;
+    lock = lockOf(type);
+    if (::fcntl(descriptor, F_OFD_GETLK, &lock) != 0) return Locked::NotPossible;
+    if (lock.l_type == F_UNLCK) continue;  // let go in between
+    return lock.l_type == F_WRLCK ? Locked::ByWriter : Locked::ByReader;
+  }
+}
+
+std::string inWords(const std::string& name, const std::string& what) {
+  return name + ": " + what + ": " + std::strerror(errno);
+}
+
+/// The file itself where `path` is a link to it: SQLite's journal lies beside the file.
+std::filesystem::path fileBehind(const std::filesystem::path& path, const std::string& name) {
+  std::error_code error;
+  std::filesystem::path real = std::filesystem::canonical(path, error);
+  if (error) throw StorageError(name + ": cannot be opened: " + error.message());
+  if (std::filesystem::is_directory(real, error)) throw StorageError(name + ": is a folder, expected a file");
+  if (!std::filesystem::is_regular_file(real, error)) throw StorageError(name + ": is not a file, expected one");
+  return real;
+}
+
+bool hasJournal(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(file.string() + "-wal", error);
+  return !error && size > 0;
+}
+
+/// SQLite takes an empty file for an empty database; to us it is a file that lost its content.
+void requireContent(const std::filesystem::path& file, const std::string& name) {
+  std::error_code error;
+  if (std::filesystem::file_size(file, error) == 0 && !error && !hasJournal(file)) {
+    throw FormatError(name + ": the file is empty, expected a Hexoderm session");
+  }
+}
+
+std::unique_ptr<StoreFile::RemoveFolder> copyToTemporaryFolder(const std::filesystem::path& file,
+                                                               const std::string& name) {
+  try {
+    std::string folder = (std::filesystem::temp_directory_path() / "hexoderm-read-XXXXXX").string();
+    if (::mkdtemp(folder.data()) == nullptr) throw StorageError(inWords(name, "no copy can be made to read it"));
+    auto copy = std::make_unique<StoreFile::RemoveFolder>(folder);
+    std::filesystem::copy_file(file, copy->path / "session.hexo");
+    if (hasJournal(file)) std::filesystem::copy_file(file.string() + "-wal", copy->path / "session.hexo-wal");
+    for (const auto& entry : std::filesystem::directory_iterator(copy->path)) {
+      std::filesystem::permissions(entry.path(),
+                                   std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+    }
+    return copy;
+  } catch (const std::filesystem::filesystem_error& error) {
+    throw StorageError(name + ": no copy can be made to read it: " + error.what());
+  }
+}
+
+/// Opens it and reads one number, which makes SQLite look at the journal.
+Database tried(const std::filesystem::path& file, const std::string& name, Database::Mode mode) {
+  Database database(file.string(), name, mode);
+  static_cast<void>(database.number("SELECT count(*) FROM (SELECT 1 FROM sqlite_schema LIMIT 1)"));
+  return database;
+}
+
+/// SQLite reads a last page that is cut off as if the rest were zero. Only for files without a journal, which may hold
+/// the rest.
+void requireWholePages(Database& database, const std::filesystem::path& file) {
+  const std::int64_t expected = database.number("PRAGMA page_count") * database.number("PRAGMA page_size");
+  std::error_code error;
+  const auto size = std::filesystem::file_size(file, error);
+  if (!error && size < static_cast<std::uintmax_t>(expected)) {
+    database.failFormat("the file ends in the middle (truncated?): expected " + std::to_string(expected) +
+                        " bytes, found " + std::to_string(size));
+  }
+}
+
+StoreFile openUnchanged(const std::filesystem::path& path, const std::string& name) {
+  const std::filesystem::path file = fileBehind(path, name);
+  std::optional<StoreLock> lock = StoreLock::forReading(file, name);
+  requireContent(file, name);
+  if (lock && !hasJournal(file)) {
+    Database database = tried(file, name, Database::Mode::Immutable);
+    requireWholePages(database, file);
+    return {std::move(lock), nullptr, std::move(database)};
+  }
+  // A journal: of somebody who is writing, or of somebody who was killed. SQLite reads through it, but wants to keep an
+  // index beside it. Where it can't, a copy is read.
+  try {
+    Database database = tried(file, name, Database::Mode::ReadOnly);
+    return {std::move(lock), nullptr, std::move(database)};
+  } catch (const StorageError&) {
+    auto copy = copyToTemporaryFolder(file, name);
+    Database database = tried(copy->path / "session.hexo", name, Database::Mode::ReadWrite);
+    return {std::move(lock), std::move(copy), std::move(database)};
+  }
+}
+
+}  // namespace
+
+StoreLock StoreLock::forWriting(const std::filesystem::path& path, const std::string& name) {
+  const auto open_here = [&] {
+    return StorageError(name + ": is already open for writing in this Hexoderm: close it there first");
+  };
+  if (isOpenForWritingHere(path)) throw open_here();
+  StoreLock lock(::open(path.c_str(), O_RDWR | O_CLOEXEC));
+  if (lock.descriptor_ < 0) {
+    throw StorageError(inWords(name, "cannot be written") +
+                       "; make the file writable, or open it for reading and save it elsewhere");
+  }
+  const auto deadline = std::chrono::steady_clock::now() + kPatienceWithReaders;
+  Locked locked = tryLock(lock.descriptor_, F_WRLCK);
+  while (locked == Locked::ByReader && std::chrono::steady_clock::now() < deadline) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    locked = tryLock(lock.descriptor_, F_WRLCK);
+  }
+  switch (locked) {
+    case Locked::Yes:
+      break;
+    case Locked::ByWriter:
+      if (isOpenForWritingHere(path)) throw open_here();
+      throw StorageError(name + ": another Hexoderm has it open for writing: close it there, or open it for reading");
+    case Locked::ByReader:
+      throw StorageError(name + ": another Hexoderm is reading it: wait until it has done and try again");
+    case Locked::NotPossible:
+      throw StorageError(inWords(name, "cannot be locked against a second writer") +
+                         "; keep sessions on a disk of this machine");
+  }
+  struct stat status {};
+  if (::fstat(lock.descriptor_, &status) != 0) throw StorageError(inWords(name, "cannot be written"));
+  const std::lock_guard guard(registry().mutex);
+  registry().writing[{status.st_dev, status.st_ino}];
+  lock.is_writer_ = true;
+  return lock;
+}
+
+std::optional<StoreLock> StoreLock::forReading(const std::filesystem::path& path, const std::string& name) {
+  if (isOpenForWritingHere(path)) return std::nullopt;
+  StoreLock lock(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (lock.descriptor_ < 0) throw StorageError(inWords(name, "cannot be read"));
+  // A file system without locks has no second reader to be careful of either.
+  if (tryLock(lock.descriptor_, F_RDLCK) == Locked::ByWriter) return std::nullopt;
+  return lock;
+}
+
+StoreLock::StoreLock(StoreLock&& other) noexcept
+    : descriptor_(std::exchange(other.descriptor_, -1)), is_writer_(std::exchange(other.is_writer_, false)) {}
+
+StoreLock::~StoreLock() { closeWhenHarmless(descriptor_, is_writer_); }
+
+StoreFile::RemoveFolder::~RemoveFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path, ignored);
+}
+
+StoreFile openStoreForWriting(const std::filesystem::path& path, Migrations migrations) {
+  const std::string name = path.string();
+  const std::filesystem::path file = fileBehind(path, name);
+  StoreLock lock = StoreLock::forWriting(file, name);
+  requireContent(file, name);
+  const bool has_journal = hasJournal(file);
+  StoreFile store{std::move(lock), nullptr, tried(file, name, Database::Mode::ReadWrite)};
+  Database& database = store.database;
+  if (!has_journal) requireWholePages(database, file);
+  const std::size_t version = requireStoreVersion(database, migrations);
+  requireSchema(database, migrations, version);
+  // What is appended to a damaged file may be lost with it.
+  const std::string damage = database.text("PRAGMA quick_check(1)");
+  if (damage != "ok") database.failFormat("the file is damaged, expected a whole database: " + damage);
+  if (database.text("PRAGMA journal_mode=WAL") != "wal") {
+    throw StorageError(name + ": its file system can't keep a journal (WAL): keep sessions on a disk of this machine");
+  }
+  database.run("PRAGMA synchronous=FULL");
+  migrate(database, migrations);
+  return store;
+}
+
+StoreFile openStoreForReading(const std::filesystem::path& path, Migrations migrations) {
+  StoreFile store = openUnchanged(path, path.string());
+  const std::size_t version = requireStoreVersion(store.database, migrations);
+  requireSchema(store.database, migrations, version);
+  if (version == migrations.size()) return store;
+  Database newer = store.database.copyInMemory();
+  migrate(newer, migrations);
+  return {std::nullopt, nullptr, std::move(newer)};
+}
+
+bool looksLikeStore(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
+  if (isOpenForWritingHere(path)) return true;
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) throw StorageError(inWords(path.string(), "cannot be read"));
+  std::array<char, kSqliteHeader.size()> begin{};
+  const ssize_t count = ::pread(descriptor, begin.data(), begin.size(), 0);
+  closeWhenHarmless(descriptor, false);
+  return count == static_cast<ssize_t>(begin.size()) && std::string_view(begin.data(), begin.size()) == kSqliteHeader;
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,319 @@
+// The real program, run as a user would: what it prints, what it leaves, what it ends with.
+
+#include "hexoderm/io/calibration_json.h"
+#include "hexoderm/io/session_json.h"
+#include "hexoderm/session/session_store.h"
+#include "hexoderm/util/file.h"
+#include "hexoderm/util/units.h"
+
+#include "tests/app/cli/cli_program.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+namespace hexoderm {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+TEST_F(Cli, WholeWayFromASimulatedSkinToAnExport) {
+  EXPECT_EQ(run("simulate --poses 3 --seed 4 -o arm.session.json").exit_code, 0);
+  const Outcome solve = run("solve arm.session.json -o arm.calibration.json");
+  EXPECT_EQ(solve.exit_code, 0) << solve.err;
+  EXPECT_THAT(solve.out, AllOf(HasSubstr("17 cells, 16 links, 1 patch"), HasSubstr("Against the truth")));
+  const Outcome evaluate =
+      run("evaluate arm.calibration.json --fit cylinder --true-radius 0.0501 --against arm.session.json --json");
+  ASSERT_EQ(evaluate.exit_code, 0) << evaluate.err;
+  const auto json = nlohmann::json::parse(evaluate.out);
+  EXPECT_NEAR(json.at("fits").at(0).at("radius_mm").get<double>(), 50.1, 5);
+  EXPECT_LT(json.at("against").at(0).at("orientation_rms_deg").get<double>(), 10);
+  for (const std::string format : {"dot", "ply", "stl", "vtp", "urdf"}) {
+    EXPECT_EQ(run("export arm.calibration.json --to " + format + " -o arm." + format).exit_code, 0);
+    EXPECT_TRUE(exists("arm." + format));
+  }
+  EXPECT_EQ(run("export arm.calibration.json --to csv -o tables").exit_code, 0);
+  EXPECT_TRUE(exists("tables/cells.csv"));
+  EXPECT_THAT(run("inspect arm.session.json").out, AllOf(HasSubstr("Poses: 3"), HasSubstr("Next: ")));
+  EXPECT_THAT(run("inspect arm.calibration.json").out, HasSubstr("calibration"));
+}
+
+TEST_F(Cli, SameSeedSameFile) {
+  run("simulate --seed 7 -o a.session.json");
+  run("simulate --seed 7 -o b.session.json");
+  run("simulate --seed 8 -o c.session.json");
+  EXPECT_EQ(readFile(path("a.session.json")), readFile(path("b.session.json")));
+  EXPECT_NE(readFile(path("a.session.json")), readFile(path("c.session.json")));
+}
+
+TEST_F(Cli, SolverAndGapModelAreChosenAndKept) {
+  run("simulate --poses 3 --seed 4 -o arm.session.json");
+  EXPECT_EQ(run("solve arm.session.json --solver tree --centre off -o tree.calibration.json").exit_code, 0);
+  const auto tree = readCalibrationJson(path("tree.calibration.json"));
+  EXPECT_EQ(tree->options.solver, Solver::Tree);
+  EXPECT_FALSE(tree->patches.at(0).gap_share.has_value());
+  for (const GapModel model : {GapModel::Fit, GapModel::Arc, GapModel::Pivot}) {
+    const std::string name(gapModelName(model));
+    const Outcome solve =
+        run("solve arm.session.json --solver global --gap-model " + name + " -o " + name + ".calibration.json");
+    EXPECT_EQ(solve.exit_code, 0) << solve.err;
+    const auto result = readCalibrationJson(path(name + ".calibration.json"));
+    EXPECT_EQ(result->options.solver, Solver::Global);
+    EXPECT_EQ(result->options.gap_model, model);
+    EXPECT_EQ(result->patches.at(0).gap_share.value().sigma > 0, model == GapModel::Fit);
+    EXPECT_EQ(solve.out.find("gap share") != std::string::npos, model == GapModel::Fit) << solve.out;
+    EXPECT_TRUE(result->find(CellId(7)).cell->accel_offset_g.has_value());
+  }
+  EXPECT_EQ(run("solve arm.session.json -o default.calibration.json").exit_code, 0);
+  EXPECT_EQ(readCalibrationJson(path("default.calibration.json"))->options.gap_model, GapModel::Fit);
+  EXPECT_EQ(readCalibrationJson(path("default.calibration.json"))->solver, "global");
+}
+
+TEST_F(Cli, CellsAreLeftOutOnRequest) {
+  run("simulate --poses 3 --seed 4 -o arm.session.json");
+  for (const std::string solver : {"global", "tree"}) {
+    const Outcome solve =
+        run("solve arm.session.json --solver " + solver + " --without 7 --without 12 -o out.calibration.json");
+    EXPECT_EQ(solve.exit_code, 0) << solve.err;
+    EXPECT_THAT(solve.out, AllOf(HasSubstr("Cell 7 was left out"), HasSubstr("Cell 12 was left out")));
+    const auto result = readCalibrationJson(path("out.calibration.json"));
+    EXPECT_EQ(result->options.left_out, (std::vector<CellId>{CellId(7), CellId(12)}));
+    EXPECT_EQ(result->find(CellId(7)).cell->placed_by, PlacedBy::Links);
+    EXPECT_EQ(result->find(CellId(8)).cell->placed_by, PlacedBy::Samples);
+  }
+}
+
+TEST_F(Cli, AVerdictOfNotEnoughEndsWithOneAndStillWrites) {
+  run("simulate --poses 1 -o one.session.json");
+  EXPECT_EQ(run("solve one.session.json -o one.calibration.json").exit_code, 1);
+  EXPECT_EQ(readCalibrationJson(path("one.calibration.json"))->verdict.level, VerdictLevel::NotEnough);
+}
+
+TEST_F(Cli, UsageEndsWithTwo) {
+  EXPECT_EQ(run("").exit_code, 2);
+  EXPECT_EQ(run("frobnicate").exit_code, 2);
+  EXPECT_EQ(run("simulate").exit_code, 2);
+  EXPECT_EQ(run("simulate --patch circle -o a.session.json").exit_code, 2);
+  EXPECT_EQ(run("simulate -o a.xyz").exit_code, 2);
+  EXPECT_FALSE(exists("a.session.json"));
+  run("simulate -o arm.session.json");
+  const Outcome magic = run("solve arm.session.json --solver magic");
+  EXPECT_EQ(magic.exit_code, 2);
+  EXPECT_THAT(magic.err, HasSubstr("global or tree"));
+  const Outcome rubber = run("solve arm.session.json --gap-model rubber");
+  EXPECT_EQ(rubber.exit_code, 2);
+  EXPECT_THAT(rubber.err, HasSubstr("fit, arc or pivot"));
+  const Outcome without = run("solve arm.session.json --without 99 -o arm.calibration.json");
+  EXPECT_EQ(without.exit_code, 2);
+  EXPECT_THAT(without.err, HasSubstr("cell 99"));
+  EXPECT_FALSE(exists("arm.calibration.json"));
+  EXPECT_EQ(run("solve arm.session.json --without seven").exit_code, 2);
+  EXPECT_EQ(run("solve arm.session.json --centre sometimes").exit_code, 2);
+}
+
+TEST_F(Cli, BadInputEndsWithThreeOneLineAndNothingWritten) {
+  writeFileAtomically(path("broken.session.json"), "{\"format\": \"hexoderm-session\", \"version\": 1, \"cells\": [");
+  writeFileAtomically(path("newer.session.json"), "{\"format\": \"hexoderm-session\", \"version\": 9}");
+  for (const std::string name : {"missing.session.json", "broken.session.json", "newer.session.json", "."}) {
+    const Outcome result = run("solve " + name + " -o out.calibration.json");
+    EXPECT_EQ(result.exit_code, 3) << name;
+    EXPECT_THAT(result.err, HasSubstr(name == "." ? "folder" : name));
+    EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
+    EXPECT_FALSE(exists("out.calibration.json"));
+  }
+  EXPECT_THAT(run("solve newer.session.json").err, AllOf(HasSubstr("version 9"), HasSubstr("version 1")));
+}
+
+TEST_F(Cli, StorageThatCannotBeWrittenEndsWithFive) {
+  run("simulate -o arm.session.json");
+  const Outcome result = run("solve arm.session.json -o nowhere/arm.calibration.json");
+  EXPECT_EQ(result.exit_code, 5);
+  EXPECT_THAT(result.err, HasSubstr("nowhere/arm.calibration.json"));
+}
+
+TEST_F(Cli, ASessionIsNoCalibrationAndSaysWhatToDo) {
+  run("simulate -o arm.session.json");
+  const Outcome result = run("export arm.session.json --to ply -o arm.ply");
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("solve"));
+  EXPECT_FALSE(exists("arm.ply"));
+}
+
+TEST_F(Cli, FaultsAreNamedByInspect) {
+  run("simulate --poses 4 --fault stuck:7 --fault dead:12 -o faulty.session.json");
+  const Outcome result = run("inspect faulty.session.json --json");
+  ASSERT_EQ(result.exit_code, 0);
+  const auto json = nlohmann::json::parse(result.out);
+  std::map<std::string, std::vector<int>> found;
+  for (const auto& finding : json.at("findings")) {
+    found[finding.at("code").get<std::string>()] = finding.at("cells").get<std::vector<int>>();
+  }
+  EXPECT_EQ(found["stuck-sensor"], std::vector<int>{7});
+  EXPECT_EQ(found["dead-sensor"], std::vector<int>{12});
+}
+
+TEST_F(Cli, LinksSetAsideByHandAreSaidByInspectAndKeptByConvert) {
+  run("simulate --poses 3 -o arm.session.json");
+  auto session = nlohmann::json::parse(readFile(path("arm.session.json")));
+  const auto& cell = session["cells"][1];
+  const auto& port = *std::ranges::find_if(cell["ports"], [](const auto& p) { return p["cell"] != 0; });
+  session["muted_links"] = {{{"source", cell["id"]},
+                             {"source_port", port["port"]},
+                             {"target", port["cell"]},
+                             {"target_port", port["cell_port"]},
+                             {"why", "a cable"}}};
+  std::ofstream(path("cable.session.json")) << session.dump();
+  EXPECT_EQ(run("convert cable.session.json -o cable.hexo").exit_code, 0);
+  EXPECT_EQ(run("convert cable.hexo -o back.session.json").exit_code, 0);
+  for (const char* file : {"cable.session.json", "cable.hexo", "back.session.json"}) {
+    const Outcome result = run(std::string("inspect ") + file);
+    EXPECT_THAT(result.out, AllOf(HasSubstr("2 patches"), HasSubstr("was set aside by hand (a cable)"))) << file;
+  }
+}
+
+TEST_F(Cli, FaultsOfLinksAreSimulated) {
+  run("simulate --ideal --poses 2 -o whole.session.json");
+  const Outcome result =
+      run("simulate --ideal --poses 2 --fault wrong-port:3:1 --fault joint:10:2 -o broken.session.json");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Session whole = readSessionJson(path("whole.session.json"));
+  const Session broken = readSessionJson(path("broken.session.json"));
+  EXPECT_NE(broken.neighbors().at(2), whole.neighbors().at(2));
+  EXPECT_EQ(broken.neighbors().at(10), whole.neighbors().at(10));
+  const auto turned = [&](std::size_t pose, std::size_t cell) {
+    return broken.poses()[pose].capture->samples[cell].mean_g != whole.poses()[pose].capture->samples[cell].mean_g;
+  };
+  EXPECT_FALSE(turned(0, 10));
+  EXPECT_TRUE(turned(1, 10));
+  EXPECT_FALSE(turned(1, 9));
+  EXPECT_EQ(run("simulate --fault cable:5:4 -o cable.session.json").exit_code, 0);
+}
+
+TEST_F(Cli, FaultsThatAreNoneAreRefusedWithWhatThereIs) {
+  for (const std::string bad : {"broken:3", "joint:3", "dead:3:1", "joint:3:1:2", "joint", ""}) {
+    const Outcome result = run("simulate --fault '" + bad + "' -o a.session.json");
+    EXPECT_EQ(result.exit_code, 2) << bad;
+    EXPECT_THAT(result.err, AllOf(HasSubstr("KIND:CELL with KIND dead, stuck, stuck-axis, dead-axis, saturated, noisy, "
+                                            "wrong-gain or no-samples"),
+                                  HasSubstr("KIND:CELL:PORT with KIND wrong-port, joint or cable")))
+        << bad;
+  }
+  EXPECT_THAT(run("simulate --fault joint:5:2 -o a.session.json").err, HasSubstr("cell 5, port 2 has no link"));
+  EXPECT_THAT(run("simulate --fault joint:5:x -o a.session.json").err, HasSubstr("--fault joint:5:x"));
+  EXPECT_THAT(run("simulate --help").out, AllOf(HasSubstr("dead-axis"), HasSubstr("wrong-port"), HasSubstr("ringN")));
+}
+
+TEST_F(Cli, LoopGapOfTheRingIsPrinted) {
+  run("simulate --patch ring8 --poses 2 -o ring.session.json");
+  run("solve ring.session.json -o ring.calibration.json");
+  const Outcome result = run("evaluate ring.calibration.json --loop 1:2,8:3");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, AllOf(HasSubstr("Loop gap"), HasSubstr("222.2")));
+}
+
+TEST_F(Cli, ConeIsFittedAndItsHalfAnglePrinted) {
+  run("simulate --patch sheet:5x5 --surface cone:r=0.08,angle=0.3 --poses 4 --ideal -o cone.session.json");
+  run("solve cone.session.json -o cone.calibration.json");
+  EXPECT_THAT(run("evaluate cone.calibration.json --fit cone").out, AllOf(HasSubstr("cone"), HasSubstr("half angle")));
+  const auto json = nlohmann::json::parse(run("evaluate cone.calibration.json --fit cone --json").out);
+  EXPECT_NEAR(json.at("fits").at(0).at("half_angle_deg").get<double>(), toDegrees(0.3), 0.1);
+  EXPECT_EQ(run("evaluate cone.calibration.json --fit cone --true-radius 0.08").exit_code, 2);
+}
+
+TEST_F(Cli, ConvertTakesTumFilesBothWays) {
+  const std::string tum = HEXODERM_TEST_DATA "/two_patches.tum.xml";
+  EXPECT_EQ(run("convert '" + tum + "' -o tum.calibration.json").exit_code, 0);
+  EXPECT_EQ(readCalibrationJson(path("tum.calibration.json"))->solver, "imported");
+  EXPECT_EQ(run("convert '" + tum + "' -o tum.session.json").exit_code, 0);
+  EXPECT_TRUE(readSessionJson(path("tum.session.json")).poses().empty());
+  EXPECT_EQ(run("convert '" + tum + "' -o tum.hexo").exit_code, 0);
+  EXPECT_EQ(readSessionStore(path("tum.hexo")).neighbors(), readSessionJson(path("tum.session.json")).neighbors());
+  EXPECT_EQ(run("convert '" + tum + "' -o tum.xyz").exit_code, 2);
+}
+
+TEST_F(Cli, SessionStoresAreTakenWhereverSessionsAre) {
+  EXPECT_EQ(run("simulate --poses 3 --seed 4 -o arm.hexo").exit_code, 0);
+  EXPECT_EQ(run("simulate --poses 3 --seed 4 -o arm.session.json").exit_code, 0);
+  const Outcome solve = run("solve arm.hexo -o arm.calibration.json");
+  EXPECT_EQ(solve.exit_code, 0) << solve.err;
+  EXPECT_THAT(solve.out, AllOf(HasSubstr("17 cells, 16 links, 1 patch"), HasSubstr("Against the truth")));
+  EXPECT_EQ(readCalibrationJson(path("arm.calibration.json"))->source.file, "arm.hexo");
+  EXPECT_THAT(run("inspect arm.hexo").out, AllOf(HasSubstr("session of cell model"), HasSubstr("Poses: 3")));
+  EXPECT_EQ(run("evaluate arm.calibration.json --against arm.hexo").exit_code, 0);
+  const Outcome exported = run("export arm.hexo --to ply -o arm.ply");
+  EXPECT_EQ(exported.exit_code, 3);
+  EXPECT_THAT(exported.err, HasSubstr("solve"));
+
+  const Outcome convert = run("convert arm.hexo -o back.session.json");
+  EXPECT_EQ(convert.exit_code, 0) << convert.err;
+  EXPECT_THAT(convert.err, HasSubstr("history"));
+  EXPECT_EQ(readFile(path("back.session.json")), readFile(path("arm.session.json")));
+  EXPECT_EQ(run("convert back.session.json -o again.hexo").exit_code, 0);
+  EXPECT_EQ(run("convert again.hexo -o again.session.json").exit_code, 0);
+  EXPECT_EQ(readFile(path("again.session.json")), readFile(path("arm.session.json")));
+}
+
+TEST_F(Cli, ASessionStoreIsNeverReplaced) {
+  run("simulate --seed 4 -o arm.hexo");
+  const std::string before = readFile(path("arm.hexo"));
+  for (const std::string command : {"simulate --seed 5 -o arm.hexo", "convert arm.hexo -o arm.hexo"}) {
+    const Outcome result = run(command);
+    EXPECT_EQ(result.exit_code, 5) << command;
+    EXPECT_THAT(result.err, AllOf(HasSubstr("arm.hexo"), HasSubstr("exists already")));
+  }
+  EXPECT_EQ(readFile(path("arm.hexo")), before);
+}
+
+TEST_F(Cli, BrokenSessionStoresEndWithThree) {
+  run("simulate --seed 4 -o arm.hexo");
+  writeFileAtomically(path("cut.hexo"), readFile(path("arm.hexo")).substr(0, 9000));
+  writeFileAtomically(path("empty.hexo"), "");
+  for (const std::string name : {"cut.hexo", "empty.hexo", "missing.hexo"}) {
+    const Outcome result = run("solve " + name + " -o out.calibration.json");
+    EXPECT_EQ(result.exit_code, 3) << name;
+    EXPECT_THAT(result.err, HasSubstr(name));
+    EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.err;
+    EXPECT_FALSE(exists("out.calibration.json"));
+  }
+}
+
+TEST_F(Cli, ASessionThatIsBeingCapturedIsReadAsItIsSoFar) {
+  run("simulate --poses 3 --seed 4 -o arm.hexo");
+  SessionStore store = SessionStore::open(path("arm.hexo"));
+  const StoreOperation operation = RemovePose{2};
+  store.append({&operation, 1});
+  EXPECT_THAT(run("inspect arm.hexo").out, HasSubstr("Poses: 2"));
+}
+
+TEST_F(Cli, EveryCommandHasHelpWithAnExampleThatWorks) {
+  // The examples build on one another in this order.
+  run("simulate --seed 1 -o arm.session.json");
+  run("solve arm.session.json -o arm.calibration.json");
+  std::filesystem::copy_file(HEXODERM_TEST_DATA "/two_patches.tum.xml", path("skin_config.xml"));
+  for (const std::string command : {"simulate", "solve", "evaluate", "export", "convert", "inspect", "reproduce"}) {
+    const Outcome help = run(command + " --help");
+    EXPECT_EQ(help.exit_code, 0);
+    const std::size_t at = help.out.find("\n  hexoderm-cli " + command);
+    ASSERT_NE(at, std::string::npos) << command;
+    const std::size_t begin = at + std::string("\n  hexoderm-cli ").size();
+    std::string example = help.out.substr(begin, help.out.find('\n', begin) - begin);
+    if (command == "reproduce") example = "reproduce --seeds 2 --only paper";  // the example itself takes a while
+    const Outcome result = run(example);
+    EXPECT_EQ(result.exit_code, 0) << example << '\n' << result.err;
+  }
+}
+
+TEST_F(Cli, QuietAndPipedRunsPrintNoProgress) {
+  const Outcome result = run("simulate --quiet -o arm.session.json");
+  EXPECT_EQ(result.err, "");
+  EXPECT_THAT(run("solve arm.session.json").err, Not(HasSubstr("\r")));
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,346 @@
+// The emulator as a user would start it, and the library's own source as its host.
+
+#include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/device/sources/wire_source.h"
+#include "hexoderm/geometry/se3.h"
+#include "hexoderm/util/units.h"
+
+#include "tests/app/emulator/emulator_program.h"
+#include "tests/core/device/skinwire/collecting_listener.h"
+
+#include <fcntl.h>
+#include <netinet/in.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hexoderm {
+namespace {
+
+using std::chrono::milliseconds;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::SizeIs;
+using testing::StartsWith;
+using Delivered = CollectingListener::Delivered;
+
+/// As in real life, but never out of patience on a busy computer.
+WireOptions patient() {
+  WireOptions options;
+  options.first_retry = milliseconds(10);
+  options.silent_after = options.reconnect_after = options.command_timeout = test::kForever;
+  return options;
+}
+
+struct Host {
+  explicit Host(const std::string& address, const WireOptions& options = patient()) : source(address, options) {
+    source.start(listener);
+  }
+  ~Host() { source.stop(); }
+
+  bool waitForFrames(std::size_t count) {
+    return listener.waitFor([&](const Delivered& d) { return d.frames.size() >= count; });
+  }
+  bool waitForNewFrames(std::size_t count) { return waitForFrames(listener.delivered().frames.size() + count); }
+  /// A status that came after the first `earlier` ones; it may have gone again before a busy computer looks.
+  bool waitForStatus(const std::function<bool(const SourceStatus&)>& is_it, std::size_t earlier = 0) {
+    return listener.waitFor([&](const Delivered& d) {
+      return std::any_of(d.statuses.begin() + static_cast<std::ptrdiff_t>(earlier), d.statuses.end(), is_it);
+    });
+  }
+  std::size_t statusesSoFar() { return listener.delivered().statuses.size(); }
+  CommandOutcome ask(const SkinCommand& command) {
+    const std::uint32_t number = source.send(command);
+    EXPECT_TRUE(listener.waitFor([&](const Delivered& d) { return d.outcomeOf(number) != nullptr; }));
+    const Delivered delivered = listener.delivered();
+    const CommandOutcome* outcome = delivered.outcomeOf(number);
+    return outcome == nullptr ? CommandOutcome{} : *outcome;
+  }
+
+  CollectingListener listener;
+  WireSource source;
+};
+
+/// What the emulator should say of its skin.
+NeighborList trueTopology(const std::string& patch) {
+  SimulatedSkinOptions options;
+  options.patch = patch;
+  const SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+  NeighborList cells = skin.neighbors();
+  const auto taken = [&](PortNumber port) {
+    return std::ranges::find(cells[0].neighbors, port, &NeighborReport::port) != cells[0].neighbors.end();
+  };
+  for (std::uint32_t port = 1; port <= 4; ++port) {
+    if (!taken(PortNumber(port))) {
+      cells[0].neighbors.push_back({PortNumber(port), skin.model().interface_id, PortNumber(1)});
+      break;
+    }
+  }
+  std::ranges::sort(cells[0].neighbors, {}, &NeighborReport::port);
+  return cells;
+}
+
+/// Few samples at four times the pace of life: the part is soon there, and a computer that is busy, or runs the
+/// programs under a sanitizer, keeps up.
+constexpr double kRate_hz = 100;
+std::vector<std::string> ring8(std::vector<std::string> wire) {
+  for (const char* word : {"--patch", "ring8", "--ideal", "--speed", "4", "--rate", "100"}) wire.emplace_back(word);
+  return wire;
+}
+
+std::int64_t tickOf(const SampleFrame& frame) { return std::llround(frame.time_s * kRate_hz); }
+
+/// The newest `count` frames follow each other tick by tick.
+bool areInARow(const std::vector<SampleFrame>& frames, std::size_t count) {
+  return frames.size() >= count &&
+         tickOf(frames.back()) - tickOf(frames[frames.size() - count]) == static_cast<std::int64_t>(count) - 1;
+}
+
+/// The whole of what a host does, on any wire.
+void talk(const Emulator& emulator, std::size_t cells) {
+  Host host(emulator.address);
+  // A computer that stands still for a moment makes the device leave out samples, but never for long.
+  ASSERT_TRUE(host.listener.waitFor([](const Delivered& d) { return areInARow(d.frames, 100); }));
+  {
+    const Delivered delivered = host.listener.delivered();
+    ASSERT_THAT(delivered.skins, SizeIs(1));
+    EXPECT_EQ(delivered.skins[0].neighbors, trueTopology("ring8"));
+    EXPECT_TRUE(delivered.skins[0].can_turn && delivered.skins[0].can_light_cells);
+    EXPECT_THAT(delivered.skins[0].device, HasSubstr("emulated"));
+    for (std::size_t k = 1; k < delivered.frames.size(); ++k) {
+      EXPECT_THAT(delivered.frames[k].samples, SizeIs(cells));
+      const double step_s = delivered.frames[k].time_s - delivered.frames[k - 1].time_s;
+      EXPECT_GE(step_s, 1 / kRate_hz - 1e-6);
+      EXPECT_NEAR(step_s * kRate_hz, std::round(step_s * kRate_hz), 1e-4) << "whole ticks";
+    }
+  }
+
+  const Eigen::Vector3d up_u = Eigen::Vector3d(1, 1, 0).normalized();
+  EXPECT_TRUE(host.ask(TurnTo{CellId(3), up_u}).done);
+  ASSERT_TRUE(host.waitForNewFrames(20));
+  const SampleFrame frame = host.listener.delivered().frames.back();
+  EXPECT_LT((frame.samples.at(2).acceleration_g - up_u).norm(), 0.01) << "an ideal skin turns exactly";
+
+  EXPECT_TRUE(host.ask(SetLed{CellId(7), 255, 0, 16}).done);
+  EXPECT_EQ(emulator.type("led 7"), "cell 7 #ff0010");
+  EXPECT_THAT(host.ask(SetLed{CellId(70), 1, 1, 1}).text, HasSubstr("no cell 70"));
+  host.source.stop();
+  const Delivered all = host.listener.delivered();
+  const SourceStatus status = all.status();
+  // What did not come is said to be missing, to the sample.
+  const auto ticks = static_cast<std::size_t>(tickOf(all.frames.back()) - tickOf(all.frames.front()) + 1);
+  EXPECT_EQ(cells * all.frames.size() + status.lost_samples, cells * ticks);
+  EXPECT_EQ(status.rejected_messages, 0U);
+  EXPECT_EQ(status.late_frames, 0U);
+  EXPECT_EQ(status.unknown_samples, 0U);
+}
+
+TEST(Emulator, IsASkinOnTcp) {
+  const Emulator emulator(ring8({"--tcp", "0"}));
+  EXPECT_THAT(emulator.address, StartsWith("tcp://127.0.0.1:"));
+  EXPECT_THAT(emulator.about, HasSubstr("8 cells"));
+  talk(emulator, 8);
+  talk(emulator, 8);  // one host after the other
+}
+
+TEST(Emulator, IsASkinOnTcpInLines) { talk(Emulator(ring8({"--tcp", "0", "--json"})), 8); }
+
+TEST(Emulator, IsASkinOnUdp) {
+  const Emulator emulator(ring8({"--udp", "0"}));
+  EXPECT_THAT(emulator.address, StartsWith("udp://127.0.0.1:"));
+  talk(emulator, 8);
+  talk(emulator, 8);
+}
+
+TEST(Emulator, IsASkinOnAPseudoTerminal) {
+  const Emulator emulator(ring8({"--pty"}));
+  EXPECT_THAT(emulator.address, StartsWith("serial:/dev/pts/"));
+  talk(emulator, 8);
+}
+
+TEST(Emulator, ExploresThe31CellsOfThePaper) {
+  const Emulator emulator({"--tcp", "0", "--patch", "ring31:closed", "--means", "20"});
+  EXPECT_THAT(emulator.about, AllOf(HasSubstr("31 cells"), HasSubstr("ms")));
+  Host host(emulator.address);
+  ASSERT_TRUE(host.waitForFrames(5));
+  const Delivered delivered = host.listener.delivered();
+  EXPECT_EQ(delivered.skins.back().neighbors, trueTopology("ring31:closed"));
+  EXPECT_THAT(delivered.frames.back().means, SizeIs(31));
+  EXPECT_EQ(delivered.frames.back().means[0].count, 20U);
+}
+
+TEST(Emulator, CellsBreakWhileItRuns) {
+  const Emulator emulator({"--tcp", "0", "--fault", "no-samples:2"});
+  Host host(emulator.address);
+  ASSERT_TRUE(host.waitForFrames(1));
+  const auto waitForSamples = [&](std::size_t count) {
+    return host.listener.waitFor([&](const Delivered& d) { return d.frames.back().samples.size() == count; });
+  };
+  EXPECT_TRUE(waitForSamples(16));
+  EXPECT_THAT(emulator.type("mend 2"), HasSubstr("whole"));
+  EXPECT_TRUE(waitForSamples(17));
+  EXPECT_THAT(emulator.type("break dead 5"), HasSubstr("cell 5 is broken: dead"));
+  EXPECT_TRUE(host.listener.waitFor(
+      [](const Delivered& d) { return d.frames.back().samples.at(4).acceleration_g.norm() < 0.2; }));
+
+  // A cell that answers nobody, at the end of an arm, is not found any more.
+  EXPECT_THAT(emulator.type("break no-answer 5"), HasSubstr("explore again"));
+  EXPECT_TRUE(host.ask(ExploreAgain{}).done);
+  EXPECT_TRUE(waitForSamples(16));
+  EXPECT_THAT(host.listener.delivered().skins.back().neighbors, SizeIs(16));
+
+  // Another mould: the device begins anew.
+  EXPECT_THAT(emulator.type("mend 5"), HasSubstr("whole"));
+  EXPECT_THAT(emulator.type("break wrong-port 3 1"), HasSubstr("starts again"));
+  EXPECT_TRUE(waitForSamples(17));
+  const auto skins = host.listener.delivered().skins;
+  EXPECT_NE(skins.back().neighbors, skins.front().neighbors);
+  EXPECT_THAT(emulator.type("mend 3 1"), HasSubstr("whole"));
+  EXPECT_TRUE(
+      host.listener.waitFor([&](const Delivered& d) { return d.skins.back().neighbors == skins.front().neighbors; }));
+  EXPECT_THAT(emulator.type("turn 1 0 0"), HasSubstr("turning"));
+}
+
+TEST(Emulator, TheWireHasFaults) {
+  const Emulator emulator({"--tcp", "0", "--ideal", "--patch", "ring8", "--rate", "200"});
+  WireOptions quick = patient();
+  quick.silent_after = milliseconds(200);
+  quick.reconnect_after = milliseconds(1000);
+  Host host(emulator.address, quick);
+  ASSERT_TRUE(host.waitForFrames(50));
+
+  emulator.type("drop 50%");
+  EXPECT_TRUE(host.waitForStatus([](const SourceStatus& s) { return s.lost_samples > 0; }));
+  emulator.type("drop off");
+
+  std::size_t earlier = host.statusesSoFar();
+  EXPECT_EQ(emulator.type("silence on"), "silence on");
+  EXPECT_TRUE(host.waitForStatus([](const SourceStatus& s) { return s.state == SourceState::Silent; }, earlier));
+  earlier = host.statusesSoFar();
+  emulator.type("silence off");
+  EXPECT_TRUE(host.waitForStatus([](const SourceStatus& s) { return s.state == SourceState::Streaming; }, earlier));
+
+  const auto reconnects = [&] { return host.listener.delivered().status().reconnects; };
+  const auto waitForReconnect = [&](std::uint64_t before) {
+    return host.waitForStatus([&](const SourceStatus& s) { return s.reconnects > before; });
+  };
+  std::uint64_t before = reconnects();
+  emulator.type("garble on");
+  EXPECT_TRUE(host.waitForStatus([](const SourceStatus& s) { return s.rejected_messages > 0; }));
+  emulator.type("garble off");
+  EXPECT_TRUE(waitForReconnect(before));
+  ASSERT_TRUE(host.waitForNewFrames(50));
+
+  before = reconnects();
+  EXPECT_EQ(emulator.type("disconnect"), "disconnected");
+  EXPECT_TRUE(waitForReconnect(before));
+  EXPECT_TRUE(host.waitForNewFrames(50));
+}
+
+TEST(Emulator, GarbledBytesOnASerialPortCostTheirFrameOnly) {
+  const Emulator emulator({"--pty", "--ideal", "--patch", "ring8"});
+  Host host(emulator.address);
+  ASSERT_TRUE(host.waitForFrames(20));
+  emulator.type("garble 30%");
+  EXPECT_TRUE(host.waitForStatus([](const SourceStatus& s) { return s.rejected_messages > 2; }));
+  emulator.type("garble off");
+  EXPECT_TRUE(host.waitForNewFrames(50));
+  EXPECT_EQ(host.listener.delivered().status().reconnects, 0U);
+}
+
+/// Connects and never reads.
+class DeafHost {
+ public:
+  explicit DeafHost(const std::string& address) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
+    sockaddr_in to{};
+    to.sin_family = AF_INET;
+    to.sin_port = htons(static_cast<std::uint16_t>(std::stoul(address.substr(address.rfind(':') + 1))));
+    to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    if (::connect(socket_, static_cast<const sockaddr*>(static_cast<const void*>(&to)), sizeof(to)) != 0) {
+      throw std::runtime_error("no connection");
+    }
+  }
+  ~DeafHost() { ::close(socket_); }
+  DeafHost(const DeafHost&) = delete;
+  DeafHost& operator=(const DeafHost&) = delete;
+
+ private:
+  int socket_ = -1;
+};
+
+TEST(Emulator, NeverWaitsForAHostThatDoesNotRead) {
+  // 50 times as fast, 300 cells: what the network holds for a host is full at once.
+  const Emulator emulator({"--tcp", "0", "--patch", "sheet:15x20", "--speed", "50"});
+  const DeafHost host(emulator.address);
+  const auto dropped = [&] {
+    const std::string status = emulator.type("status");
+    const std::size_t at = status.find("dropped ");
+    return at == std::string::npos ? 0UL : std::stoul(status.substr(at + 8));
+  };
+  const auto until = std::chrono::steady_clock::now() + test::kPatience;
+  while (dropped() == 0 && std::chrono::steady_clock::now() < until) ::poll(nullptr, 0, 20);
+  EXPECT_GT(dropped(), 0U);
+}
+
+TEST(Emulator, SaysWhatItDoesNotUnderstand) {
+  Emulator emulator({"--tcp", "0"});
+  for (const std::string line : {"nonsense",
+                                 "break",
+                                 "break dead",
+                                 "break dead x",
+                                 "break dead 99",
+                                 "break rotten 3",
+                                 "break joint 1 9",
+                                 "break wrong-port 99 1",
+                                 "mend 99",
+                                 "mend 3 1",
+                                 "drop",
+                                 "drop 120%",
+                                 "drop x",
+                                 "silence 20%",
+                                 "turn 0 0 0",
+                                 "turn 1 2",
+                                 "turn 1 2 nan",
+                                 "led 0",
+                                 "led x",
+                                 "status please"}) {
+    EXPECT_THAT(emulator.type(line), StartsWith("error: ")) << line;
+  }
+  EXPECT_THAT(emulator.type("help"), HasSubstr("standard input"));
+  emulator.closeInput();  // which is no reason to end
+  Host host(emulator.address);
+  EXPECT_TRUE(host.waitForFrames(1));
+}
+
+TEST(Emulator, EndsWithTheCodesOfTheOtherPrograms) {
+  Emulator emulator({"--tcp", "0"});
+  const std::string port = emulator.address.substr(emulator.address.rfind(':') + 1);
+  const auto codeOf = [](std::vector<std::string> arguments) { return Program(std::move(arguments)).wait(); };
+  EXPECT_EQ(codeOf({"--tcp", port}), 4) << "the port is taken";
+  EXPECT_EQ(codeOf({}), 2);
+  EXPECT_EQ(codeOf({"--tcp", "0", "--pty"}), 2);
+  EXPECT_EQ(codeOf({"--udp", "0", "--json"}), 2);
+  EXPECT_EQ(codeOf({"--tcp", "0", "--patch", "blob"}), 2);
+  EXPECT_EQ(codeOf({"--tcp", "0", "--rate", "5000"}), 2);
+  EXPECT_EQ(codeOf({"--tcp", "0", "--fault", "rotten:1"}), 2);
+  EXPECT_EQ(codeOf({"--tcp", "0", "--bind", "nowhere"}), 2);
+  EXPECT_EQ(codeOf({"--help"}), 0);
+  EXPECT_EQ(emulator.type("quit"), "bye");
+  EXPECT_EQ(emulator.wait(), 0);
+}
+
+}  // namespace
+}  // namespace hexoderm

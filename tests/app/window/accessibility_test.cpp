@@ -1,0 +1,219 @@
+// Everything that can be reached has a name, everything that can be done is in a menu and says what it is for, and
+// nothing is cut off.
+
+#include "app/window/main_window/window_shell.h"
+#include "tests/app/window/window_test.h"
+#include "tests/support/qt_wait.h"
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAccessible>
+#include <QDialog>
+#include <QMenuBar>
+#include <QPointer>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSet>
+#include <QTabWidget>
+
+namespace hexoderm {
+namespace {
+
+class AccessibilityTest : public WindowTest {
+ protected:
+  /// Focusable widgets that a screen reader would not know what to call.
+  static QStringList nameless(QWidget* root) {
+    QStringList found;
+    for (QWidget* widget : root->findChildren<QWidget*>()) {
+      if (widget->focusPolicy() == Qt::NoFocus || widget->focusProxy() || !widget->isVisibleTo(root)) continue;
+      // Parts of one control, which speaks for them.
+      if (widget->objectName().startsWith("qt_") || qobject_cast<QScrollBar*>(widget)) continue;
+      if (widget->parentWidget() && (widget->parentWidget()->inherits("QComboBoxPrivateContainer") ||
+                                     qobject_cast<QAbstractItemView*>(widget->parentWidget()))) {
+        continue;
+      }
+      const QAccessibleInterface* interface = QAccessible::queryAccessibleInterface(widget);
+      if (interface && !interface->text(QAccessible::Name).trimmed().isEmpty()) continue;
+      found << QStringLiteral("%1 \"%2\" in \"%3\"")
+                   .arg(widget->metaObject()->className(), widget->objectName(),
+                        widget->parentWidget() ? widget->parentWidget()->objectName() : QString());
+    }
+    return found;
+  }
+
+  /// Texts that have less room than they need.
+  static QStringList cutOff(QWidget* root) {
+    QStringList found;
+    for (QWidget* widget : root->findChildren<QWidget*>()) {
+      if (!widget->isVisibleTo(root) || widget->width() == 0) continue;
+      const auto* label = qobject_cast<QLabel*>(widget);
+      const auto* button = qobject_cast<QPushButton*>(widget);
+      if ((!label || label->text().isEmpty()) && !button) continue;
+      const QString text = label ? label->text() : button->text();
+      QSize needed = widget->minimumSizeHint();
+      if (label && label->wordWrap()) needed = {0, label->heightForWidth(label->width())};
+      if (widget->width() + 1 < needed.width() || widget->height() + 1 < needed.height()) {
+        found << QStringLiteral("\"%1\" has %2x%3 and needs %4x%5")
+                     .arg(text)
+                     .arg(widget->width())
+                     .arg(widget->height())
+                     .arg(needed.width())
+                     .arg(needed.height());
+      }
+    }
+    return found;
+  }
+
+  static void collect(const QList<QAction*>& actions, QSet<QAction*>& found) {
+    for (QAction* action : actions) {
+      if (action->menu()) {
+        collect(action->menu()->actions(), found);
+      } else {
+        found << action;
+      }
+    }
+  }
+
+  template <class Check>
+  void forEachDialog(Check check) {
+    struct Opened {
+      const char* action;
+      const char* dialog;
+    };
+    for (const Opened& opened :
+         {Opened{"actionPreferences", "preferencesDialog"}, Opened{"actionKeys", "keysDialog"},
+          Opened{"actionConnect", nullptr}, Opened{"actionExport", "exportDialog"}, Opened{"actionAbout", nullptr}}) {
+      action(opened.action)->trigger();
+      QDialog* dialog = nullptr;
+      ASSERT_TRUE(waitUntil([&] {
+        for (auto* candidate : window_->findChildren<QDialog*>()) {
+          if (candidate->isVisible()) dialog = candidate;
+        }
+        return dialog != nullptr;
+      })) << opened.action;
+      ASSERT_TRUE(test::waitUntilExposed(*dialog));
+      if (auto* tabs = dialog->findChild<QTabWidget*>()) {
+        for (int k = 0; k < tabs->count(); ++k) {
+          tabs->setCurrentIndex(k);
+          QCoreApplication::processEvents();
+          check(dialog, QStringLiteral("%1, page %2").arg(opened.action).arg(k));
+        }
+      } else {
+        check(dialog, QLatin1String(opened.action));
+      }
+      dialog->close();
+      QPointer<QDialog> closing(dialog);
+      ASSERT_TRUE(waitUntil([&] { return closing.isNull(); })) << opened.action;
+    }
+  }
+};
+
+TEST_F(AccessibilityTest, EverythingThatTakesTheFocusHasAName) {
+  EXPECT_EQ(nameless(window_.get()).join("\n").toStdString(), "") << "before anything is open";
+  window_->shell().recentFiles().note(pathTo("a.hexo"), 3);
+  EXPECT_EQ(nameless(window_.get()).join("\n").toStdString(), "") << "with a recent file";
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
+  auto* tabs = find<QTabBar>("detailTabs");
+  for (int k = 0; k < tabs->count(); ++k) {
+    tabs->setCurrentIndex(k);
+    EXPECT_EQ(nameless(window_.get()).join("\n").toStdString(), "") << tabs->tabText(k).toStdString();
+  }
+  for (int number = 1; auto* head = window_->findChild<QAbstractButton*>(QStringLiteral("stepHead%1").arg(number));
+       ++number) {
+    head->click();
+    EXPECT_EQ(nameless(window_.get()).join("\n").toStdString(), "") << "step " << number;
+  }
+}
+
+TEST_F(AccessibilityTest, EverythingInDialogsHasANameAndRoom) {
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
+  forEachDialog([](QWidget* dialog, const QString& where) {
+    EXPECT_EQ(nameless(dialog).join("\n").toStdString(), "") << where.toStdString();
+    EXPECT_EQ(cutOff(dialog).join("\n").toStdString(), "") << where.toStdString();
+    EXPECT_FALSE(dialog->windowTitle().isEmpty()) << where.toStdString();
+  });
+}
+
+TEST_F(AccessibilityTest, EveryActionIsInAMenuAndSaysWhatItIsFor) {
+  QSet<QAction*> in_menus;
+  collect(window_->findChild<QMenuBar*>()->actions(), in_menus);
+  for (QAction* action : window_->QWidget::actions()) {
+    const std::string name = action->objectName().toStdString();
+    EXPECT_TRUE(in_menus.contains(action)) << name << " is in no menu";
+    EXPECT_FALSE(action->text().isEmpty()) << name;
+    EXPECT_FALSE(action->toolTip().isEmpty()) << name;
+    EXPECT_NE(action->toolTip(), action->text()) << name << " does not say what it is for";
+  }
+  // No two of the same key.
+  QSet<QString> keys;
+  for (QAction* action : in_menus) {
+    for (const QKeySequence& key : action->shortcuts()) {
+      EXPECT_FALSE(keys.contains(key.toString())) << key.toString().toStdString();
+      keys << key.toString();
+    }
+  }
+}
+
+TEST_F(AccessibilityTest, TabGoesRoundThroughEverythingAtTheStart) {
+  window_->shell().recentFiles().note(writeFile("a.hexo", "x"), 3);
+  activateWindow();
+  QSet<QString> seen;
+  QSet<QWidget*> reached;
+  QWidget* first = nullptr;
+  constexpr int kEnough = 200;
+  int steps = 0;
+  for (; steps < kEnough; ++steps) {
+    QTest::keyClick(QApplication::focusWidget() ? QApplication::focusWidget() : window_.get(), Qt::Key_Tab);
+    QWidget* focus = QApplication::focusWidget();
+    ASSERT_NE(focus, nullptr);
+    EXPECT_TRUE(focus->isVisible());
+    if (focus == first && steps > 1) break;
+    if (!first && focus != window_.get()) first = focus;
+    reached << focus;
+    seen << focus->objectName();
+  }
+  EXPECT_LT(steps, kEnough) << "Tab does not come round";
+  EXPECT_TRUE(seen.contains("recentOpen"));
+  EXPECT_TRUE(seen.contains("recentRemove"));
+  EXPECT_TRUE(seen.contains("stepHead1"));
+  EXPECT_TRUE(seen.contains("bannerButton"));
+  int buttons = 0;
+  for (auto* button : find<QWidget>("welcomePanel")->findChildren<QPushButton*>()) {
+    if (button->isVisible()) buttons += reached.contains(button) ? 1 : 0;
+  }
+  EXPECT_EQ(buttons, 3);
+}
+
+TEST_F(AccessibilityTest, NothingIsCutOffAtSmallSizesAndWithLargeText) {
+  const QFont font = QApplication::font();
+  for (const double points : {font.pointSizeF(), 14.0, 18.0}) {
+    QFont larger = font;
+    larger.setPointSizeF(points);
+    QApplication::setFont(larger);
+    window_.reset();
+    openWindow();
+    for (const QSize& size : {QSize(1280, 800), QSize(1024, 600)}) {
+      window_->resize(size);
+      QTest::qWait(50);
+      const QString name = QStringLiteral("%1x%2 at %3 pt").arg(size.width()).arg(size.height()).arg(points);
+      keepPicture(window_->picture(),
+                  QStringLiteral("welcome-%1x%2-%3pt").arg(size.width()).arg(size.height()).arg(points));
+      // Smaller screens than what the panels need scroll; this one is larger.
+      if (points == font.pointSizeF() && size.width() == 1280) {
+        EXPECT_EQ(window_->size(), size) << name.toStdString();
+      }
+      EXPECT_EQ(cutOff(find<QWidget>("welcomePanel")).join("\n").toStdString(), "") << name.toStdString();
+    }
+    ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
+    for (const QSize& size : {QSize(1280, 800), QSize(1024, 600)}) {
+      window_->resize(size);
+      QTest::qWait(50);
+      keepPicture(window_->picture(),
+                  QStringLiteral("window-%1x%2-%3pt").arg(size.width()).arg(size.height()).arg(points));
+    }
+  }
+  QApplication::setFont(font);
+}
+
+}  // namespace
+}  // namespace hexoderm

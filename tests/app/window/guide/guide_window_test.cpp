@@ -1,0 +1,173 @@
+#include "app/window/guide/guide_window.h"
+#include "app/window/settings/theme.h"
+#include "app/window/settings/translation.h"
+#include "tests/app/window/window_test.h"
+#include "tests/support/qt_wait.h"
+
+#include <QListWidget>
+#include <QRegularExpression>
+#include <QScrollBar>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTextBrowser>
+#include <QTextFrame>
+#include <QTextTable>
+#include <QToolButton>
+
+namespace hexoderm {
+namespace {
+
+QApplication& application() { return *qobject_cast<QApplication*>(QCoreApplication::instance()); }
+
+QString textOf(const QString& language, const QString& page) {
+  QFile file(QStringLiteral(":/hexoderm/guide/%1/%2.md").arg(language, page));
+  EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << file.fileName().toStdString();
+  return QString::fromUtf8(file.readAll());
+}
+
+TEST(UserGuide, HasEveryPageWithATitleInEveryLanguage) {
+  for (const QString& language : shippedLanguages()) {
+    installTranslations(application(), language);
+    for (const QString& page : GuideWindow::pages()) {
+      EXPECT_FALSE(GuideWindow::titleOf(page).isEmpty()) << language.toStdString() << "/" << page.toStdString();
+      EXPECT_TRUE(textOf(language, page).contains(GuideWindow::titleOf(page)));
+    }
+  }
+  EXPECT_EQ(GuideWindow::titleOf(QStringLiteral("keys")), QStringLiteral("Tasten"));
+  installTranslations(application(), QStringLiteral("en"));
+  EXPECT_EQ(GuideWindow::titleOf(QStringLiteral("keys")), QStringLiteral("Keys"));
+  EXPECT_TRUE(GuideWindow::titleOf(QStringLiteral("nothing")).isEmpty());
+}
+
+TEST(UserGuide, LinksAndPicturesLeadSomewhere) {
+  const GuideWindow guide;  // has the resources loaded
+  static const QRegularExpression target(QStringLiteral("\\]\\(([^)]+)\\)"));
+  for (const QString& language : shippedLanguages()) {
+    for (const QString& page : GuideWindow::pages()) {
+      const QString text = textOf(language, page);
+      for (auto it = target.globalMatch(text); it.hasNext();) {
+        const QString path = QStringLiteral(":/hexoderm/guide/%1/%2").arg(language, it.next().captured(1));
+        EXPECT_TRUE(QFile::exists(QDir::cleanPath(path))) << page.toStdString() << ": " << path.toStdString();
+      }
+    }
+  }
+}
+
+TEST(UserGuide, LeadsFromPageToPageAndBack) {
+  GuideWindow guide;
+  guide.show();
+  auto* browser = guide.findChild<QTextBrowser*>(QStringLiteral("guidePage"));
+  auto* contents = guide.findChild<QListWidget*>(QStringLiteral("guideContents"));
+  auto* back = guide.findChild<QToolButton*>(QStringLiteral("guideBack"));
+  ASSERT_TRUE(browser && contents && back);
+  EXPECT_EQ(guide.currentPage(), QStringLiteral("demo"));
+  EXPECT_FALSE(back->isEnabled());
+  EXPECT_TRUE(browser->toPlainText().contains(QStringLiteral("17 cells")));
+
+  const QRect row = contents->visualItemRect(contents->item(4));
+  QTest::mouseClick(contents->viewport(), Qt::LeftButton, Qt::NoModifier, row.center());
+  EXPECT_EQ(guide.currentPage(), GuideWindow::pages().at(4));
+  ASSERT_TRUE(back->isEnabled());
+  QTest::mouseClick(back, Qt::LeftButton);
+  EXPECT_EQ(guide.currentPage(), QStringLiteral("demo"));
+  EXPECT_EQ(contents->currentRow(), 0);
+  guide.showPage(QStringLiteral("no such page"));
+  EXPECT_EQ(guide.currentPage(), QStringLiteral("demo"));
+}
+
+TEST(UserGuide, ReadsItsPageOnceWhenTheThemeChangesAndStaysWhereItIs) {
+  applyTheme(Theme::Light);
+  GuideWindow guide(nullptr, QStringLiteral("faults"));
+  EXPECT_EQ(guide.currentPage(), QStringLiteral("faults"));
+  guide.resize(500, 300);
+  guide.show();
+  ASSERT_TRUE(test::waitUntilExposed(guide));
+  auto* browser = guide.findChild<QTextBrowser*>(QStringLiteral("guidePage"));
+  ASSERT_NE(browser, nullptr);
+  QScrollBar* bar = browser->verticalScrollBar();
+  ASSERT_GT(bar->maximum(), 50);
+  bar->setValue(50);
+  QSignalSpy read(browser, &QTextBrowser::sourceChanged);
+  applyTheme(Theme::Dark);
+  EXPECT_TRUE(test::waitUntil([&] { return read.count() > 0; }));
+  QCoreApplication::processEvents();
+  EXPECT_EQ(read.count(), 1);
+  EXPECT_EQ(bar->value(), 50);
+  EXPECT_EQ(guide.currentPage(), QStringLiteral("faults"));
+  // A guide that is closed is read again when it is opened, and not before.
+  guide.hide();
+  applyTheme(Theme::Light);
+  constexpr int kLong_ms = 200;  // for the parts that nobody sees to be dressed
+  QTest::qWait(kLong_ms);
+  EXPECT_EQ(read.count(), 1);
+  guide.show();
+  EXPECT_TRUE(test::waitUntil([&] { return read.count() == 2; }));
+}
+
+TEST(UserGuide, FindsWordsInThePageOnceAround) {
+  GuideWindow guide;
+  guide.show();
+  ASSERT_TRUE(test::waitUntilExposed(guide));
+  auto* browser = guide.findChild<QTextBrowser*>(QStringLiteral("guidePage"));
+  auto* search = guide.findChild<QLineEdit*>(QStringLiteral("guideSearch"));
+  auto* not_found = guide.findChild<QLabel*>(QStringLiteral("guideNotFound"));
+  QTest::keyClicks(search, QStringLiteral("demo"));
+  QTest::keyClick(search, Qt::Key_Return);
+  EXPECT_EQ(browser->textCursor().selectedText().toLower(), QStringLiteral("demo"));
+  const int first = browser->textCursor().position();
+  for (int k = 0; k < 50 && browser->textCursor().position() >= first; ++k) {
+    QTest::keyClick(search, Qt::Key_Return);
+    if (browser->textCursor().position() == first) break;
+  }
+  EXPECT_EQ(browser->textCursor().position(), first) << "it goes once around";
+  EXPECT_FALSE(not_found->isVisible());
+  search->setText(QStringLiteral("xylophone"));
+  QTest::keyClick(search, Qt::Key_Return);
+  EXPECT_TRUE(not_found->isVisible());
+}
+
+TEST(UserGuide, ItsTablesHaveRoomInTheirCellsAndNoFrame) {
+  GuideWindow guide(nullptr, QStringLiteral("export"));
+  const auto* browser = guide.findChild<QTextBrowser*>(QStringLiteral("guidePage"));
+  int tables = 0;
+  for (const QTextFrame* frame : browser->document()->rootFrame()->childFrames()) {
+    const auto* table = qobject_cast<const QTextTable*>(frame);
+    if (table == nullptr) continue;
+    ++tables;
+    EXPECT_EQ(table->format().border(), 0);
+    EXPECT_EQ(table->format().cellSpacing(), 0);
+    EXPECT_GE(table->format().cellPadding(), 3);
+    EXPECT_GE(table->format().topMargin(), 3);
+  }
+  EXPECT_GE(tables, 1);
+}
+
+class GuideFromTheWindow : public WindowTest {};
+
+TEST_F(GuideFromTheWindow, OpensWithF1AtThePageAboutWhatIsToBeDone) {
+  press(Qt::Key_F1);
+  auto* guide = waitForDialog<GuideWindow>("guideWindow");
+  ASSERT_NE(guide, nullptr);
+  EXPECT_EQ(guide->currentPage(), QStringLiteral("demo"));
+  keepPicture(guide->grab().toImage(), QStringLiteral("guide"));
+  QTest::keyClick(guide, Qt::Key_Escape);
+  EXPECT_TRUE(waitUntil([&] { return window_->findChild<GuideWindow*>() == nullptr; }));
+
+  takeDemoPoses(1);
+  press(Qt::Key_F1);
+  guide = waitForDialog<GuideWindow>("guideWindow");
+  ASSERT_NE(guide, nullptr);
+  EXPECT_EQ(guide->currentPage(), QStringLiteral("capture"));
+  guide->showPage(QStringLiteral("keys"));
+  const QString keys = guide->findChild<QTextBrowser*>(QStringLiteral("guidePage"))->toPlainText();
+  for (const QAction* known : {window_->actions().open, window_->actions().guide, window_->actions().report}) {
+    EXPECT_TRUE(keys.contains(known->shortcut().toString(QKeySequence::NativeText))) << known->text().toStdString();
+    EXPECT_TRUE(keys.contains(known->text().remove('&').remove(QChar(0x2026)))) << known->text().toStdString();
+  }
+  EXPECT_FALSE(keys.contains(QLatin1Char('@')));
+  EXPECT_FALSE(keys.contains(QStringLiteral("Step 7"))) << "there are six";
+  guide->close();
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "tests/app/window/window_test.h"
+
+#include <QComboBox>
+#include <QTabBar>
+#include <algorithm>
+
+namespace hexoderm {
+
+/// The window with nobody at the mouse: everything a test does here is a key, sent to where keys go.
+class KeyboardTest : public WindowTest {
+ protected:
+  /// To the popup, dialog or window that has the keyboard, as the window system does it.
+  static void key(int code, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    QTest::keyPress(static_cast<QWidget*>(nullptr), Qt::Key(code), modifiers);
+    // The key may have closed what it was pressed in.
+    if (QGuiApplication::focusWindow()) QTest::keyRelease(static_cast<QWidget*>(nullptr), Qt::Key(code), modifiers);
+  }
+  static void keys(const QString& text) {
+    for (const QChar& letter : text) QTest::keyClick(static_cast<QWidget*>(nullptr), letter.toLatin1());
+  }
+  static QString focusName() { return nameOf(QApplication::focusWidget()); }
+  static QString nameOf(const QWidget* widget) {
+    if (!widget) return QStringLiteral("nothing");
+    return QStringLiteral("%1 \"%2\" %3")
+        .arg(widget->metaObject()->className(), widget->objectName(), widget->accessibleName());
+  }
+
+  /// It, or what covers it and is a part of it.
+  static bool isSeen(const QWidget* widget) {
+    if (!widget->visibleRegion().isEmpty()) return true;
+    const QList<QWidget*> parts = widget->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly);
+    return std::any_of(parts.begin(), parts.end(),
+                       [](const QWidget* part) { return !part->isWindow() && isSeen(part); });
+  }
+  /// What has the keyboard is on the screen, not hidden or scrolled away.
+  static void expectFocusIsSeen() {
+    const QWidget* focus = QApplication::focusWidget();
+    ASSERT_NE(focus, nullptr);
+    EXPECT_TRUE(isSeen(focus)) << nameOf(focus).toStdString() << " has the focus and is not seen";
+  }
+
+  /// Tab until a widget of this name has the focus.
+  void tabTo(const QString& name, int code = Qt::Key_Tab) {
+    constexpr int kMost = 120;
+    QStringList passed;
+    for (int k = 0; k < kMost; ++k) {
+      key(code, code == Qt::Key_Backtab ? Qt::ShiftModifier : Qt::NoModifier);
+      ASSERT_NO_FATAL_FAILURE(expectFocusIsSeen());
+      if (QApplication::focusWidget()->objectName() == name) return;
+      passed << focusName();
+    }
+    FAIL() << "Tab does not lead to " << name.toStdString() << "; it passes\n" << passed.join('\n').toStdString();
+  }
+  /// Tab until the button with these words has the focus, and presses it.
+  void pressButton(const QString& words) {
+    constexpr int kMost = 120;
+    QStringList passed;
+    for (int k = 0; k < kMost; ++k) {
+      key(Qt::Key_Tab);
+      ASSERT_NO_FATAL_FAILURE(expectFocusIsSeen());
+      const auto* button = qobject_cast<QAbstractButton*>(QApplication::focusWidget());
+      if (button && button->text() == words) return key(Qt::Key_Space);
+      passed << focusName() + (button ? ' ' + button->text() : QString());
+    }
+    FAIL() << "no button " << words.toStdString() << " in\n" << passed.join('\n').toStdString();
+  }
+
+  /// What the window manager does when a dialog has closed; there is none here.
+  void comeBack() {
+    ASSERT_TRUE(waitUntil([this] { return QApplication::activeModalWidget() == nullptr; }));
+    QWidget* focus = window_->focusWidget();
+    activateWindow();
+    EXPECT_TRUE(!focus || QApplication::focusWidget() == focus) << "the keyboard is where it was";
+  }
+};
+
+}  // namespace hexoderm

@@ -1,0 +1,151 @@
+#include "app/window/settings/translation.h"
+#include "tests/app/window/window_test.h"
+
+#include <QFile>
+#include <QLocale>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QSet>
+#include <QTranslator>
+#include <QXmlStreamReader>
+
+namespace hexoderm {
+namespace {
+
+QApplication& application() { return *qobject_cast<QApplication*>(QCoreApplication::instance()); }
+
+struct Message {
+  QString context;
+  QString source;
+  QString translation;
+  bool is_unfinished = false;
+};
+
+std::vector<Message> messagesOf(const QString& language) {
+  QFile file(QStringLiteral(HEXODERM_TRANSLATIONS "/hexoderm_%1.ts").arg(language));
+  EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << file.fileName().toStdString();
+  std::vector<Message> messages;
+  QXmlStreamReader xml(&file);
+  Message message;
+  while (!xml.atEnd()) {
+    if (xml.readNext() != QXmlStreamReader::StartElement) continue;
+    if (xml.name() == QLatin1String("name")) message.context = xml.readElementText();
+    if (xml.name() == QLatin1String("source")) message.source = xml.readElementText();
+    if (xml.name() == QLatin1String("translation")) {
+      message.is_unfinished = xml.attributes().hasAttribute(QLatin1String("type"));
+      message.translation = xml.readElementText(QXmlStreamReader::IncludeChildElements).trimmed();
+      messages.push_back(message);
+    }
+  }
+  EXPECT_FALSE(xml.hasError()) << xml.errorString().toStdString();
+  return messages;
+}
+
+QStringList placeholdersOf(const QString& text) {
+  static const QRegularExpression placeholder(QStringLiteral("%[1-9]"));
+  QStringList found;
+  for (auto it = placeholder.globalMatch(text); it.hasNext();) found << it.next().captured();
+  found.removeDuplicates();
+  found.sort();
+  return found;
+}
+
+TEST(Translation, TheShippedGermanIsComplete) {
+  const std::vector<Message> messages = messagesOf(QStringLiteral("de"));
+  EXPECT_GT(messages.size(), 300U);
+  for (const Message& message : messages) {
+    const std::string text = message.context.toStdString() + ": " + message.source.toStdString();
+    EXPECT_FALSE(message.is_unfinished) << text;
+    EXPECT_FALSE(message.translation.isEmpty()) << text;
+    EXPECT_EQ(placeholdersOf(message.translation), placeholdersOf(message.source)) << text;
+    // A key in the source is one in the translation, and the dots that announce a dialog stay.
+    EXPECT_EQ(message.translation.count(QLatin1Char('&')), message.source.count(QLatin1Char('&'))) << text;
+    EXPECT_EQ(message.translation.endsWith(QChar(0x2026)), message.source.endsWith(QChar(0x2026))) << text;
+  }
+}
+
+/// Asked first, and translates nothing: notes what is shown to people and has no German.
+class MissingTexts : public QTranslator {
+ public:
+  MissingTexts() {
+    for (const Message& message : messagesOf(QStringLiteral("de")))
+      known_.insert(keyOf(message.context, message.source));
+  }
+  bool isEmpty() const override { return false; }
+  QString translate(const char* context, const char* text, const char* /*comment*/, int /*count*/) const override {
+    const QString key = keyOf(QString::fromUtf8(context), QString::fromUtf8(text));
+    const bool is_ours = key.startsWith(QLatin1String("hexoderm::"));
+    if (is_ours && !known_.contains(key) &&
+        !known_.contains(keyOf(QStringLiteral("hexoderm"), QString::fromUtf8(text)))) {
+      missing_.insert(key);
+    }
+    return {};
+  }
+  [[nodiscard]] QStringList missing() const { return missing_.values(); }
+
+ private:
+  static QString keyOf(const QString& context, const QString& text) { return context + QStringLiteral(": ") + text; }
+  QSet<QString> known_;
+  mutable QSet<QString> missing_;
+};
+
+class GermanWindow : public WindowTest {
+ protected:
+  void SetUp() override {
+    installTranslations(application(), QStringLiteral("de"));
+    QCoreApplication::installTranslator(&missing_);
+    WindowTest::SetUp();
+  }
+  void TearDown() override {
+    QCoreApplication::removeTranslator(&missing_);
+    window_.reset();
+    installTranslations(application(), QStringLiteral("en"));
+  }
+  MissingTexts missing_;
+};
+
+TEST_F(GermanWindow, ShowsNoTextThatHasNoGerman) {
+  takeDemoPoses(3);
+  action("actionKeys")->trigger();
+  ASSERT_NE(waitForDialog<QDialog>("keysDialog"), nullptr);
+  for (const QString& text : missing_.missing()) ADD_FAILURE() << text.toStdString();
+  EXPECT_EQ(action("actionDemo")->iconText(), QStringLiteral("Demo-Haut starten"));
+  keepPicture(window_->picture(), QStringLiteral("window-german"));
+}
+
+TEST(Translation, TheSystemsLanguageIsTakenWhereItIsShipped) {
+  const auto help_in = [](const char* locale, const QStringList& arguments) {
+    QProcess program;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("LC_ALL"), QString::fromLatin1(locale));
+    environment.remove(QStringLiteral("LANGUAGE"));
+    program.setProcessEnvironment(environment);
+    program.start(QStringLiteral(HEXODERM_PROGRAM), arguments + QStringList{QStringLiteral("--help")});
+    EXPECT_TRUE(program.waitForFinished(test::kPatience_ms));
+    return QString::fromUtf8(program.readAllStandardOutput());
+  };
+  const QString english = QStringLiteral("A session or calibration to open.");
+  const QString german = QStringLiteral("Eine Sitzung oder Kalibrierung zum Öffnen.");
+  EXPECT_TRUE(help_in("C.UTF-8", {}).contains(english));
+  EXPECT_TRUE(help_in("de_DE.UTF-8", {}).contains(german));
+  EXPECT_TRUE(help_in("fi_FI.UTF-8", {}).contains(english));
+  EXPECT_TRUE(help_in("de_DE.UTF-8", {QStringLiteral("--language=en")}).contains(english));
+  EXPECT_TRUE(help_in("C.UTF-8", {QStringLiteral("--language"), QStringLiteral("de")}).contains(german));
+}
+
+TEST(Translation, ALanguageBringsItsNumbers) {
+  installTranslations(application(), QStringLiteral("de"));
+  EXPECT_EQ(QLocale().toString(1.5), QStringLiteral("1,5"));
+  installTranslations(application(), QStringLiteral("en"));
+  EXPECT_EQ(QLocale().toString(1.5), QStringLiteral("1.5"));
+}
+
+TEST(Translation, OnlyShippedLanguagesCanBeChosen) {
+  EXPECT_TRUE(isLanguageChoice(QStringLiteral("system")));
+  EXPECT_TRUE(isLanguageChoice(QStringLiteral("de")));
+  EXPECT_FALSE(isLanguageChoice(QStringLiteral("fr")));
+  EXPECT_FALSE(isLanguageChoice(QString()));
+}
+
+}  // namespace
+}  // namespace hexoderm

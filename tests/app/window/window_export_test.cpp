@@ -1,0 +1,229 @@
+// Everything that the window writes: each export format by its dialog, where it went, and what is said when it can't be
+// written.
+
+#include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/io/calibration_json.h"
+#include "hexoderm/io/exporter.h"
+#include "hexoderm/session/session_store.h"
+#include "hexoderm/session/simulated_session.h"
+#include "tests/app/window/window_test.h"
+#include "tests/support/failing_disk.h"
+
+#include <QComboBox>
+#include <QDesktopServices>
+#include <QListWidget>
+#include <QUrl>
+#include <set>
+
+namespace hexoderm {
+namespace {
+
+/// Stands in for the desktop's file manager.
+class FolderOpener : public QObject {
+  Q_OBJECT
+
+ public:
+  FolderOpener() { QDesktopServices::setUrlHandler(QStringLiteral("file"), this, "open"); }
+  ~FolderOpener() override { QDesktopServices::unsetUrlHandler(QStringLiteral("file")); }
+  QStringList opened;
+
+ public slots:
+  void open(const QUrl& url) { opened << url.toLocalFile(); }
+};
+
+class WindowExportTest : public WindowTest {
+ protected:
+  void openCalibrated() {
+    SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
+    writeSessionStore(simulateSession(skin, 4, 20), pathTo("arm.hexo").toStdString());
+    window_->openFile(pathTo("arm.hexo"));
+    ASSERT_TRUE(waitForPoses(4)) << message().toStdString();
+  }
+  /// In the dialog as it is open: the row of a format, "CALIBRATION" for Hexoderm's own.
+  static void choose(QDialog* dialog, const QString& format) {
+    auto* formats = dialog->findChild<QListWidget*>("exportFormats");
+    const QList<QListWidgetItem*> found = formats->findItems(format, Qt::MatchFixedString);
+    ASSERT_EQ(found.size(), 1) << format.toStdString();
+    formats->scrollToItem(found[0]);
+    QTest::mouseClick(formats->viewport(), Qt::LeftButton, Qt::NoModifier, formats->visualItemRect(found[0]).center());
+    ASSERT_EQ(formats->currentItem(), found[0]);
+  }
+  QDialog* openDialog() {
+    press(Qt::Key_E, Qt::ControlModifier);
+    return waitForDialog<QDialog>("exportDialog");
+  }
+  /// Chooses, types the path and confirms. The extension is that of the format.
+  void exportAs(const QString& format, const QString& path) {
+    QDialog* dialog = openDialog();
+    ASSERT_NE(dialog, nullptr);
+    ASSERT_NO_FATAL_FAILURE(choose(dialog, format));
+    auto* edit = dialog->findChild<QLineEdit*>("exportPath");
+    edit->setFocus();
+    edit->selectAll();
+    QTest::keyClicks(edit, path);
+    auto* button = dialog->findChild<QPushButton*>("exportButton");
+    ASSERT_TRUE(button->isEnabled()) << dialog->findChild<QLabel*>("exportNote")->text().toStdString();
+    click(button);
+    ASSERT_TRUE(waitUntil([this] { return window_->findChild<QDialog*>("exportDialog") == nullptr; }));
+  }
+  static QByteArray contentOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+  }
+};
+
+TEST_F(WindowExportTest, EveryFormatIsWrittenWhereTheMessageSays) {
+  ASSERT_NO_FATAL_FAILURE(openCalibrated());
+  std::vector<std::pair<QString, QString>> files = {{"Calibration", ".calibration.json"}};
+  for (const ExportFormatDescription& format : exportFormats()) {
+    files.emplace_back(QString::fromStdString(std::string(format.name)).toUpper(),
+                       QString::fromStdString(std::string(format.extension)));
+  }
+  ASSERT_GE(files.size(), 7U);
+  for (const auto& [format, extension] : files) {
+    const QString path = pathTo(format + "-of-the-arm" + extension);
+    ASSERT_NO_FATAL_FAILURE(exportAs(format, path));
+    ASSERT_TRUE(waitForMessage("Exported to " + path)) << message().toStdString();
+    const QFileInfo written(path);
+    ASSERT_TRUE(written.exists()) << path.toStdString();
+    if (extension.isEmpty()) {
+      EXPECT_GE(QDir(path).entryList({"*.csv"}, QDir::Files).size(), 4);
+    } else {
+      EXPECT_GT(written.size(), 500) << path.toStdString();
+    }
+    // No message of the one before is taken for the next one's.
+    click(find<QWidget>("messageClose"));
+  }
+  EXPECT_EQ(readCalibrationJson(pathTo("Calibration-of-the-arm.calibration.json").toStdString())->cellCount(), 17U);
+}
+
+TEST_F(WindowExportTest, TheNameKeepsItsBeginningAndTakesTheFormatsEnding) {
+  ASSERT_NO_FATAL_FAILURE(openCalibrated());
+  QDialog* dialog = openDialog();
+  ASSERT_NE(dialog, nullptr);
+  const auto* edit = dialog->findChild<QLineEdit*>("exportPath");
+  EXPECT_EQ(edit->text(), pathTo("arm.calibration.json"));
+  for (const ExportFormatDescription& format : exportFormats()) {
+    ASSERT_NO_FATAL_FAILURE(choose(dialog, QString::fromStdString(std::string(format.name))));
+    EXPECT_EQ(edit->text(), pathTo("arm" + QString::fromStdString(std::string(format.extension))));
+  }
+}
+
+TEST_F(WindowExportTest, OptionsOfAFormatAreInTheFile) {
+  ASSERT_NO_FATAL_FAILURE(openCalibrated());
+  QDialog* dialog = openDialog();
+  ASSERT_NE(dialog, nullptr);
+  ASSERT_NO_FATAL_FAILURE(choose(dialog, "URDF"));
+  for (const auto& [name, text] :
+       {std::pair("urdfRobot", "arm7"), std::pair("urdfParent", "elbow_link"), std::pair("urdfPrefix", "tactile_")}) {
+    auto* edit = dialog->findChild<QLineEdit*>(name);
+    ASSERT_TRUE(edit->isVisible()) << name;
+    edit->setFocus();
+    edit->selectAll();
+    QTest::keyClicks(edit, text);
+  }
+  QTest::keyClick(dialog->findChild<QComboBox*>("urdfLinks"), Qt::Key_Down);
+  click(dialog->findChild<QPushButton*>("exportButton"));
+  ASSERT_TRUE(waitForMessage("Exported to ")) << message().toStdString();
+  const QByteArray urdf = contentOf(pathTo("arm.urdf"));
+  for (const char* part : {"<robot name=\"arm7\"", "elbow_link", "tactile_"}) {
+    EXPECT_TRUE(urdf.contains(part)) << part;
+  }
+  EXPECT_EQ(urdf.count("<joint "), 1) << "one link for the patch";
+  click(find<QWidget>("messageClose"));
+
+  QHash<QString, QByteArray> meshes;
+  for (const QString& unit : {QStringLiteral("Millimetres"), QStringLiteral("Metres")}) {
+    dialog = openDialog();
+    ASSERT_NE(dialog, nullptr);
+    ASSERT_NO_FATAL_FAILURE(choose(dialog, "STL"));
+    auto* units = dialog->findChild<QComboBox*>("stlUnit");
+    ASSERT_TRUE(units->isVisible());
+    if (units->currentText() != unit) QTest::keyClick(units, Qt::Key_Down);
+    EXPECT_EQ(units->currentText(), unit);
+    auto* edit = dialog->findChild<QLineEdit*>("exportPath");
+    edit->setText(pathTo(unit + ".stl"));
+    click(dialog->findChild<QPushButton*>("exportButton"));
+    ASSERT_TRUE(waitForMessage("Exported to " + pathTo(unit + ".stl"))) << message().toStdString();
+    meshes[unit] = contentOf(pathTo(unit + ".stl"));
+  }
+  EXPECT_EQ(meshes["Metres"].size(), meshes["Millimetres"].size());
+  EXPECT_NE(meshes["Metres"], meshes["Millimetres"]);
+}
+
+TEST_F(WindowExportTest, PicturesOfTheWindowAndOfTheThreeDimensionalViewAreWritten) {
+  ASSERT_NO_FATAL_FAILURE(openCalibrated());
+  press(Qt::Key_F12);
+  ASSERT_TRUE(waitForMessage("Exported to ")) << message().toStdString();
+  const QString window_picture = message().section("Exported to ", 1);
+  EXPECT_EQ(QImage(window_picture).size(), window_->size() * window_->devicePixelRatioF()) << message().toStdString();
+  QFile::remove(window_picture);  // it may be among the user's own
+  click(find<QWidget>("messageClose"));
+
+  action("actionScenePicture")->trigger();
+  ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("saveDialog", pathTo("view.png")));
+  ASSERT_TRUE(waitForMessage("Exported to " + pathTo("view.png"))) << message().toStdString();
+  const QImage view(pathTo("view.png"));
+  ASSERT_FALSE(view.isNull());
+  std::set<QRgb> colors;
+  for (int x = 0; x < view.width(); x += 3) {
+    for (int y = 0; y < view.height(); y += 3) colors.insert(view.pixel(x, y));
+  }
+  EXPECT_GT(colors.size(), 50U) << "the skin is in it";
+}
+
+TEST_F(WindowExportTest, OpenFolderOpensWhereTheFileIs) {
+  ASSERT_NO_FATAL_FAILURE(openCalibrated());
+  FolderOpener desktop;
+  ASSERT_TRUE(QDir(folder_.path()).mkdir("out"));
+  ASSERT_NO_FATAL_FAILURE(exportAs("DOT", pathTo("out/arm.dot")));
+  ASSERT_TRUE(waitForMessage("Exported to " + pathTo("out/arm.dot"))) << message().toStdString();
+  EXPECT_EQ(find<QPushButton>("messageButton")->text(), "Open folder");
+  click(find<QPushButton>("messageButton"));
+  EXPECT_EQ(desktop.opened, QStringList(pathTo("out")));
+}
+
+TEST_F(WindowExportTest, AFolderThatTakesNothingIsNamedAndTheWorkGoesOn) {
+  ASSERT_NO_FATAL_FAILURE(openCalibrated());
+  // A folder that not even root can write to.
+  const QString path = QStringLiteral("/proc/arm.ply");
+  ASSERT_NO_FATAL_FAILURE(exportAs("PLY", path));
+  ASSERT_TRUE(waitForMessage("/proc")) << message().toStdString();
+  EXPECT_TRUE(message().contains("arm.ply")) << message().toStdString();
+  EXPECT_FALSE(message().contains("Exported")) << message().toStdString();
+  EXPECT_FALSE(QFile::exists(path));
+  EXPECT_EQ(posesShown(), 4U);
+  ASSERT_NO_FATAL_FAILURE(exportAs("PLY", pathTo("arm.ply")));
+  EXPECT_TRUE(waitForMessage("Exported to " + pathTo("arm.ply"))) << message().toStdString();
+}
+
+TEST_F(WindowExportTest, AFullDiskLeavesTheEarlierFileAsItWas) {
+  ASSERT_NO_FATAL_FAILURE(openCalibrated());
+  const QString path = writeFile("arm.ply", "what was there");
+  {
+    const test::NoFileGrows full;
+    ASSERT_NO_FATAL_FAILURE(exportAs("PLY", path));
+    ASSERT_TRUE(waitForMessage("arm.ply")) << message().toStdString();
+    EXPECT_FALSE(message().contains("Exported")) << message().toStdString();
+  }
+  EXPECT_EQ(contentOf(path), "what was there");
+  EXPECT_EQ(QDir(folder_.path()).entryList({"*.ply*", ".*ply*"}, QDir::Files | QDir::Hidden), QStringList("arm.ply"))
+      << "nothing half written stays";
+}
+
+TEST_F(WindowExportTest, ASkinWithoutCellsSaysWhatCanNotBeMadeOfIt) {
+  const QString path = writeFile("empty.session.json",
+                                 R"({"format": "hexoderm-session", "version": 1, "cell_model": "hex-bma150",
+                                     "cells": [], "poses": []})");
+  window_->openFile(path);
+  ASSERT_TRUE(waitUntilIdle());
+  ASSERT_NO_FATAL_FAILURE(exportAs("STL", pathTo("empty.stl")));
+  ASSERT_TRUE(waitForMessage("cell")) << message().toStdString();
+  EXPECT_FALSE(message().contains("Exported")) << message().toStdString();
+  EXPECT_FALSE(QFile::exists(pathTo("empty.stl")));
+}
+
+}  // namespace
+}  // namespace hexoderm
+
+#include "window_export_test.moc"

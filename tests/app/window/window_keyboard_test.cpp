@@ -1,0 +1,412 @@
+// The whole demo by the keyboard alone, and what makes that possible: an order of Tab that follows the eye, F6 from
+// part to part, a focus that is seen.
+
+#include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/io/calibration_json.h"
+#include "hexoderm/io/session_json.h"
+#include "hexoderm/session/session_store.h"
+#include "hexoderm/session/simulated_session.h"
+#include "hexoderm/util/units.h"
+#include "tests/app/window/keyboard.h"
+
+#include <QListWidget>
+#include <QSet>
+
+namespace hexoderm {
+namespace {
+
+class DemoByKeys : public KeyboardTest {
+ protected:
+  void SetUp() override {
+    KeyboardTest::SetUp();
+    qApp->installEventFilter(&mouse_);
+  }
+  void TearDown() override {
+    qApp->removeEventFilter(&mouse_);
+    EXPECT_EQ(mouse_.events, 0) << "this is a run without a mouse";
+  }
+
+  QString text(const char* label) { return find<QLabel>(label)->text(); }
+  bool isStillAndNew() {
+    const Stillness& still = controller().live().hold().stillness;
+    return still.armed && still.blocker == Blocker::None;
+  }
+  void startDemo();
+  void checkSkin();
+  void capturePoses();
+  void review();
+  void verify();
+  void exportIt();
+
+  /// Of the page of the panel below that is open, by its name.
+  void openPage(const QString& name) {
+    ASSERT_NO_FATAL_FAILURE(tabTo("detailTabs"));
+    auto* tabs = find<QTabBar>("detailTabs");
+    for (int k = 0; k < tabs->count() && tabs->currentIndex() > 0; ++k) key(Qt::Key_Left);
+    for (int k = 0; k < tabs->count() && !tabs->tabText(tabs->currentIndex()).startsWith(name); ++k) key(Qt::Key_Right);
+    ASSERT_TRUE(tabs->tabText(tabs->currentIndex()).startsWith(name)) << name.toStdString();
+  }
+  /// In a table that has the focus.
+  void goToRow(int row) {
+    auto* table = qobject_cast<QTableView*>(QApplication::focusWidget());
+    ASSERT_NE(table, nullptr) << focusName().toStdString();
+    key(Qt::Key_Home, Qt::ControlModifier);
+    for (int k = 0; k < row; ++k) key(Qt::Key_Down);
+    if (!table->selectionModel()->isRowSelected(row, {})) key(Qt::Key_Return);
+    ASSERT_TRUE(table->selectionModel()->isRowSelected(row, {})) << table->objectName().toStdString();
+  }
+  /// Types into the field of a file dialog, which has the keyboard when it opens.
+  void typePath(const char* dialog_name, const QString& path) {
+    const auto* dialog = waitForDialog<QDialog>(dialog_name);
+    ASSERT_NE(dialog, nullptr);
+    ASSERT_EQ(QApplication::focusWidget()->objectName(), "fileNameEdit") << focusName().toStdString();
+    key(Qt::Key_A, Qt::ControlModifier);
+    keys(path);
+    key(Qt::Key_Return);
+    ASSERT_NO_FATAL_FAILURE(comeBack());
+  }
+
+  struct CountMouse : QObject {
+    int events = 0;
+    bool eventFilter(QObject* /*watched*/, QEvent* event) override {
+      if (event->type() == QEvent::MouseButtonPress || event->type() == QEvent::MouseButtonRelease) ++events;
+      return false;
+    }
+  } mouse_;
+};
+
+void DemoByKeys::startDemo() {
+  ASSERT_NO_FATAL_FAILURE(pressButton("Start the demo skin"));
+  ASSERT_TRUE(waitUntil([this] { return controller().isLive(); })) << message().toStdString();
+  ASSERT_TRUE(waitForPoses(1)) << "it takes the first one where it lies";
+  key(Qt::Key_A);
+  EXPECT_FALSE(controller().isAutomatic());
+}
+
+void DemoByKeys::checkSkin() {
+  key(Qt::Key_1, Qt::ControlModifier);
+  EXPECT_EQ(QApplication::focusWidget()->objectName(), "stepHead1");
+  key(Qt::Key_2, Qt::ControlModifier);
+  EXPECT_EQ(text("stepBecause2"), "✓ Ready: Every cell sends.");
+  // A cell is picked by arrows, and by its number; its light follows.
+  ASSERT_NO_FATAL_FAILURE(tabTo("graphView"));
+  key(Qt::Key_Right);
+  ASSERT_TRUE(window_->selection().cell().has_value());
+  const CellId first = *window_->selection().cell();
+  key(Qt::Key_L, Qt::ControlModifier);
+  EXPECT_EQ(controller().litCell(), first);
+  keys("7");
+  EXPECT_EQ(window_->selection().cell(), CellId(7));
+  key(Qt::Key_Return);
+  EXPECT_EQ(QApplication::focusWidget()->objectName(), "graphView") << "back from the field";
+  EXPECT_EQ(controller().litCell(), CellId(7));
+  key(Qt::Key_2, Qt::ControlModifier);
+  ASSERT_NO_FATAL_FAILURE(pressButton("Switch the light of cell 7 off"));
+  EXPECT_EQ(controller().litCell(), std::nullopt);
+}
+
+void DemoByKeys::capturePoses() {
+  key(Qt::Key_3, Qt::ControlModifier);
+  ASSERT_TRUE(waitUntil([this] { return action("actionSkipPose")->isEnabled(); }));
+  const Eigen::Vector3d advised = controller().nextPose()->up;
+  key(Qt::Key_N);
+  ASSERT_TRUE(waitUntil([&] { return !controller().nextPose()->up.isApprox(advised); })) << "another one is advised";
+  // By the buttons of the step: turned there, and taken when it is still.
+  ASSERT_TRUE(waitUntil([this] { return action("actionTurn")->isEnabled(); }));
+  ASSERT_NO_FATAL_FAILURE(tabTo("captureTurnForMe"));
+  key(Qt::Key_Space);
+  ASSERT_TRUE(waitUntil([this] { return isStillAndNew(); })) << text("captureWait").toStdString();
+  ASSERT_NO_FATAL_FAILURE(tabTo("captureNow"));
+  key(Qt::Key_Space);
+  ASSERT_TRUE(waitForPoses(2)) << text("captureWait").toStdString();
+  // The robot takes what is still wanted.
+  key(Qt::Key_B);
+  EXPECT_TRUE(controller().isRobotOn());
+  ASSERT_TRUE(waitUntil([this] { return !controller().isRobotOn(); })) << text("captureWait").toStdString();
+  ASSERT_TRUE(waitUntilIdle());
+  ASSERT_GE(posesShown(), 4U);
+  ASSERT_NO_FATAL_FAILURE(tabTo("captureAutomatic"));
+  key(Qt::Key_Space);
+  EXPECT_FALSE(controller().isAutomatic());
+  key(Qt::Key_Space);
+  EXPECT_TRUE(controller().isAutomatic());
+  // The second is taken again, in its place.
+  ASSERT_NO_FATAL_FAILURE(tabTo("poseView"));
+  ASSERT_NO_FATAL_FAILURE(goToRow(1));
+  const auto second = controller().session()->poses()[1].capture;
+  key(Qt::Key_R);
+  EXPECT_EQ(controller().recapturing(), second->id);
+  ASSERT_TRUE(waitUntil([&] { return controller().session()->poses()[1].capture != second; }))
+      << text("captureWait").toStdString();
+  ASSERT_TRUE(waitUntilIdle());
+  ASSERT_GE(posesShown(), 4U);
+  key(Qt::Key_A);
+  EXPECT_FALSE(controller().isAutomatic());
+  ASSERT_TRUE(waitUntilIdle());
+}
+
+void DemoByKeys::review() {
+  const std::size_t poses = posesShown();
+  key(Qt::Key_4, Qt::ControlModifier);
+  ASSERT_NO_FATAL_FAILURE(tabTo("poseView"));
+  ASSERT_NO_FATAL_FAILURE(goToRow(2));
+  key(Qt::Key_Delete);
+  ASSERT_TRUE(waitUntilIdle());
+  EXPECT_TRUE(controller().session()->poses()[2].disabled);
+  key(Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(waitUntilIdle());
+  EXPECT_FALSE(controller().session()->poses()[2].disabled);
+  key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  ASSERT_TRUE(waitUntilIdle());
+  EXPECT_TRUE(controller().session()->poses()[2].disabled);
+  key(Qt::Key_Delete);
+  ASSERT_TRUE(waitUntilIdle());
+  EXPECT_FALSE(controller().session()->poses()[2].disabled);
+  key(Qt::Key_Delete, Qt::ShiftModifier);
+  ASSERT_TRUE(waitForPoses(poses - 1));
+  key(Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(waitForPoses(poses));
+
+  ASSERT_NO_FATAL_FAILURE(openPage("Links"));
+  ASSERT_NO_FATAL_FAILURE(tabTo("linkView"));
+  ASSERT_NO_FATAL_FAILURE(goToRow(3));
+  ASSERT_TRUE(window_->selection().link().has_value());
+  key(Qt::Key_M);
+  ASSERT_TRUE(waitUntil([this] { return controller().reconstruction()->patches.size() == 2; }));
+  key(Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(waitUntil([this] { return controller().reconstruction()->patches.size() == 1; }));
+  ASSERT_NO_FATAL_FAILURE(openPage("Cells"));
+  ASSERT_NO_FATAL_FAILURE(tabTo("cellView"));
+  ASSERT_NO_FATAL_FAILURE(goToRow(11));
+  EXPECT_EQ(window_->selection().cell(), CellId(12));
+  for (const auto& [page, part] : {std::pair("Residuals", "residualMatrix"), std::pair("Log", "logTable")}) {
+    ASSERT_NO_FATAL_FAILURE(openPage(page));
+    ASSERT_NO_FATAL_FAILURE(tabTo(part));
+  }
+}
+
+void DemoByKeys::verify() {
+  key(Qt::Key_5, Qt::ControlModifier);
+  ASSERT_NO_FATAL_FAILURE(tabTo("holdOutPose"));
+  key(Qt::Key_Home);
+  EXPECT_EQ(find<QComboBox>("holdOutPose")->currentIndex(), 0);
+  ASSERT_NO_FATAL_FAILURE(tabTo("holdOutRun"));
+  key(Qt::Key_Space);
+  ASSERT_TRUE(waitUntil([this] { return text("holdOutSentence").contains("foretell pose 1"); }))
+      << text("holdOutSentence").toStdString();
+  ASSERT_NO_FATAL_FAILURE(tabTo("holdOutTable"));
+  ASSERT_NO_FATAL_FAILURE(tabTo("surfaceKind"));
+  key(Qt::Key_Down);
+  key(Qt::Key_Down);
+  ASSERT_TRUE(waitUntil([this] { return text("surfaceSentence").startsWith("Cylinder, radius"); }))
+      << text("surfaceSentence").toStdString();
+}
+
+void DemoByKeys::exportIt() {
+  key(Qt::Key_6, Qt::ControlModifier);
+  ASSERT_NO_FATAL_FAILURE(pressButton("Export…"));
+  ASSERT_NE(waitForDialog<QDialog>("exportDialog"), nullptr);
+  EXPECT_EQ(QApplication::focusWidget()->objectName(), "exportPath");
+  ASSERT_NO_FATAL_FAILURE(tabTo("exportFormats", Qt::Key_Backtab));
+  keys("urdf");
+  ASSERT_NO_FATAL_FAILURE(tabTo("exportPath"));
+  key(Qt::Key_A, Qt::ControlModifier);
+  keys(pathTo("arm.urdf"));
+  ASSERT_NO_FATAL_FAILURE(tabTo("urdfParent"));
+  key(Qt::Key_A, Qt::ControlModifier);
+  keys("elbow");
+  key(Qt::Key_Return);
+  ASSERT_NO_FATAL_FAILURE(comeBack());
+  ASSERT_TRUE(waitForMessage("Exported to " + pathTo("arm.urdf"))) << message().toStdString();
+
+  ASSERT_NO_FATAL_FAILURE(pressButton("Save calibration…"));
+  ASSERT_NO_FATAL_FAILURE(typePath("saveDialog", pathTo("arm.calibration.json")));
+  ASSERT_TRUE(waitForMessage("Exported to " + pathTo("arm.calibration.json"))) << message().toStdString();
+  EXPECT_EQ(readCalibrationJson(pathTo("arm.calibration.json").toStdString())->cellCount(), 17U);
+  // The message itself is reached, and closed.
+  ASSERT_NO_FATAL_FAILURE(tabTo("messageClose"));
+  key(Qt::Key_Space);
+  EXPECT_FALSE(find<QWidget>("messageBar")->isVisible());
+
+  key(Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
+  ASSERT_NO_FATAL_FAILURE(typePath("saveDialog", pathTo("arm.pdf")));
+  ASSERT_TRUE(waitForMessage("Exported to " + pathTo("arm.pdf"))) << message().toStdString();
+  EXPECT_GT(QFileInfo(pathTo("arm.pdf")).size(), 10000);
+  key(Qt::Key_S, Qt::ControlModifier);
+  ASSERT_NO_FATAL_FAILURE(typePath("saveDialog", pathTo("arm.session.json")));
+  ASSERT_TRUE(waitForMessage("Saved to " + pathTo("arm.session.json"))) << message().toStdString();
+}
+
+TEST_F(DemoByKeys, LeadFromTheStartThroughEveryStepToFilesAndOut) {
+  ASSERT_NO_FATAL_FAILURE(startDemo());
+  ASSERT_NO_FATAL_FAILURE(checkSkin());
+  ASSERT_NO_FATAL_FAILURE(capturePoses());
+  ASSERT_NO_FATAL_FAILURE(review());
+  ASSERT_NO_FATAL_FAILURE(verify());
+  ASSERT_NO_FATAL_FAILURE(exportIt());
+  key(Qt::Key_Q, Qt::ControlModifier);
+  EXPECT_TRUE(waitUntil([this] { return !window_->isVisible(); })) << "all is saved";
+  EXPECT_GE(readSessionJson(pathTo("arm.session.json").toStdString()).poses().size(), 4U);
+}
+
+/// A session that rests, so that nothing but the focus changes the picture.
+class KeyboardOnASession : public KeyboardTest {
+ protected:
+  void SetUp() override {
+    KeyboardTest::SetUp();
+    SimulatedSkinOptions options;
+    options.faults = {{SkinFault::Dead, CellId(7)}};
+    SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+    writeSessionStore(simulateSession(skin, 4, 20), pathTo("arm.hexo").toStdString());
+    window_->openFile(pathTo("arm.hexo"));
+    ASSERT_TRUE(waitForPoses(4)) << message().toStdString();
+    activateWindow();
+  }
+  /// The part of the window that a widget is in.
+  [[nodiscard]] static QString partOf(const QWidget* widget) {
+    for (; widget; widget = widget->parentWidget()) {
+      const QString name = widget->objectName();
+      if (name == "banner" || name == "messageBar" || name.endsWith("Dock")) return name;
+      if (name.isEmpty() && widget->property("card").toBool()) return "centre";
+    }
+    return "none";
+  }
+  /// Everything at which Tab stops, once round.
+  std::vector<QWidget*> tabStops() {
+    std::vector<QWidget*> stops;
+    constexpr int kMost = 200;
+    for (int k = 0; k < kMost; ++k) {
+      key(Qt::Key_Tab);
+      QWidget* focus = QApplication::focusWidget();
+      expectFocusIsSeen();
+      if (!stops.empty() && focus == stops.front()) return stops;
+      stops.push_back(focus);
+    }
+    ADD_FAILURE() << "Tab does not come round";
+    return stops;
+  }
+};
+
+TEST_F(KeyboardOnASession, TabGoesThroughTheWindowAsItIsRead) {
+  for (int step = 1; step <= 6; ++step) {
+    key(Qt::Key_0 + step, Qt::ControlModifier);
+    window_->setFocus();
+    QStringList parts;
+    QString order;
+    int lowest = 0;
+    for (QWidget* stop : tabStops()) {
+      const QString part = partOf(stop);
+      order += nameOf(stop) + " in " + part + '\n';
+      if (parts.isEmpty() || parts.last() != part) parts << part;
+      if (part != "stepsDock") continue;
+      // Downwards: the open step's own controls come between its head and the next one's.
+      const int y = stop->mapTo(find<QWidget>("stepContent"), QPoint(0, 0)).y();
+      EXPECT_GE(y, lowest) << nameOf(stop).toStdString();
+      lowest = y;
+    }
+    EXPECT_EQ(parts,
+              QStringList({"banner", "stepsDock", "centre", "graphDock", "coverageDock", "poseDock", "detailsDock"}))
+        << "step " << step << '\n'
+        << order.toStdString();
+  }
+}
+
+TEST_F(KeyboardOnASession, ShiftTabGoesTheSameWayBack) {
+  window_->setFocus();
+  std::vector<QWidget*> forth = tabStops();
+  ASSERT_GT(forth.size(), 10U);
+  // The focus is on the first again.
+  for (std::size_t k = forth.size(); k-- > 0;) {
+    key(Qt::Key_Backtab, Qt::ShiftModifier);
+    EXPECT_EQ(QApplication::focusWidget(), forth[k]) << nameOf(forth[k]).toStdString();
+  }
+}
+
+TEST_F(KeyboardOnASession, TheFocusIsSeenWhereverItIs) {
+  QSet<QWidget*> seen;
+  auto* tabs = find<QTabBar>("detailTabs");
+  const auto look = [&](const QString& where) {
+    for (QWidget* stop : tabStops()) {
+      if (seen.contains(stop)) continue;
+      seen << stop;
+      stop->setFocus(Qt::TabFocusReason);
+      QCoreApplication::processEvents();
+      const QImage with = stop->grab().toImage();
+      window_->setFocus(Qt::OtherFocusReason);
+      QCoreApplication::processEvents();
+      EXPECT_NE(stop->grab().toImage(), with) << where.toStdString() << ": " << nameOf(stop).toStdString();
+    }
+  };
+  for (int step = 1; step <= 6; ++step) {
+    key(Qt::Key_0 + step, Qt::ControlModifier);
+    look(QStringLiteral("step %1").arg(step));
+  }
+  for (int page = 0; page < tabs->count(); ++page) {
+    tabs->setCurrentIndex(page);
+    look(tabs->tabText(page));
+  }
+  EXPECT_GT(seen.size(), 25);
+}
+
+TEST_F(KeyboardOnASession, TabPicksNothingAndChangesNothing) {
+  auto* tabs = find<QTabBar>("detailTabs");
+  window_->selection().selectCell(CellId(5));
+  for (int page = 0; page < tabs->count(); ++page) {
+    tabs->setCurrentIndex(page);
+    tabStops();
+    EXPECT_EQ(window_->selection().cell(), CellId(5)) << tabs->tabText(page).toStdString();
+  }
+  EXPECT_EQ(controller().undoStack()->count(), 0);
+  EXPECT_TRUE(find<QTableView>("poseView")->selectionModel()->selectedRows().isEmpty());
+}
+
+TEST_F(KeyboardOnASession, F6GoesFromPartToPartAndComesBackToWhereItWas) {
+  window_->setFocus();
+  const QStringList expected = {"banner",       "stepsDock", "centre",     "graphDock",
+                                "coverageDock", "poseDock",  "detailsDock"};
+  for (const QString& part : expected) {
+    key(Qt::Key_F6);
+    EXPECT_EQ(partOf(QApplication::focusWidget()), part) << focusName().toStdString();
+    expectFocusIsSeen();
+  }
+  key(Qt::Key_F6);
+  EXPECT_EQ(partOf(QApplication::focusWidget()), "banner") << "round";
+  key(Qt::Key_F6, Qt::ShiftModifier);
+  EXPECT_EQ(partOf(QApplication::focusWidget()), "detailsDock");
+  ASSERT_NO_FATAL_FAILURE(tabTo("stepHead5"));
+  key(Qt::Key_F6);
+  key(Qt::Key_F6, Qt::ShiftModifier);
+  EXPECT_EQ(QApplication::focusWidget()->objectName(), "stepHead5");
+  // A part that is closed is passed over.
+  find<QWidget>("coverageDock")->hide();
+  key(Qt::Key_F6);
+  key(Qt::Key_F6);
+  key(Qt::Key_F6);
+  EXPECT_EQ(partOf(QApplication::focusWidget()), "poseDock");
+}
+
+TEST_F(KeyboardOnASession, TheOnlyRowOfATableIsPickedByReturn) {
+  SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
+  writeSessionStore(simulateSession(skin, 1, 20), pathTo("one.hexo").toStdString());
+  window_->openFile(pathTo("one.hexo"));
+  ASSERT_TRUE(waitForPoses(1));
+  ASSERT_NO_FATAL_FAILURE(tabTo("poseView"));
+  EXPECT_FALSE(action("actionTogglePose")->isEnabled());
+  key(Qt::Key_Return);
+  EXPECT_TRUE(action("actionTogglePose")->isEnabled());
+  key(Qt::Key_Delete);
+  ASSERT_TRUE(waitUntilIdle());
+  EXPECT_TRUE(controller().session()->poses()[0].disabled);
+}
+
+TEST_F(KeyboardOnASession, TheMenusAreReachedByTheirLetters) {
+  key(Qt::Key_F, Qt::AltModifier);
+  ASSERT_TRUE(waitUntil([] { return QApplication::activePopupWidget() != nullptr; }));
+  key(Qt::Key_Escape);
+  key(Qt::Key_Escape);
+  EXPECT_TRUE(waitUntil([] { return QApplication::activePopupWidget() == nullptr; }));
+  EXPECT_TRUE(window_->isVisible()) << "Esc cancels and never quits";
+}
+
+}  // namespace
+}  // namespace hexoderm

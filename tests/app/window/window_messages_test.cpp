@@ -1,0 +1,341 @@
+// The lines by which the window says what it waits for, what blocks a capture, and what became of the device.
+
+#include "hexoderm/session/session_store.h"
+#include "hexoderm/util/units.h"
+#include "tests/app/window/fake_device.h"
+#include "tests/app/window/window_test.h"
+#include "widgets/capture/hold_ring.h"
+#include "widgets/controls/check_list.h"
+#include "widgets/controls/step_panel.h"
+
+#include <QRegularExpression>
+#include <QTabBar>
+
+namespace hexoderm {
+namespace {
+
+const Eigen::Vector3d kUp = Eigen::Vector3d::UnitZ();
+const Eigen::Vector3d kSide = Eigen::Vector3d::UnitX();
+
+class WindowMessagesTest : public WindowTest {
+ protected:
+  void connectDevice() {
+    window_->connectTo({device_.address(), pathTo("arm.hexo"), false});
+    ASSERT_NO_FATAL_FAILURE(device_.accept());
+    device_.introduce();
+    ASSERT_TRUE(waitUntil([this] { return controller().isLive(); })) << text("liveText").toStdString();
+    ASSERT_TRUE(waitUntilIdle());
+  }
+  /// With one pose taken, `kUp` up.
+  void connectAndCapture() {
+    ASSERT_NO_FATAL_FAILURE(connectDevice());
+    device_.hold(3, kUp);
+    ASSERT_TRUE(waitForPoses(1)) << text("captureWait").toStdString();
+  }
+  QString text(const char* label) { return find<QLabel>(label)->text(); }
+  bool waitForText(const char* label, const QString& pattern) {
+    const QRegularExpression expected(pattern);
+    return waitUntil([&] { return expected.match(text(label)).hasMatch(); });
+  }
+  QString ring() {
+    const HoldRing::Content& content = find<HoldRing>("holdRing")->content();
+    return content.word + ", " + content.detail;
+  }
+  bool waitForRing(const QString& part) {
+    return waitUntil([&] { return ring().contains(part); });
+  }
+  /// A tremor of so many g in every cell, the first one's smallest: it is the first that could be still.
+  void shake(double seconds, double amplitude_g, const Eigen::Vector3d& up = kUp) {
+    device_.send(seconds, [&](int cell, double time_s) {
+      const double share = cell == 1 ? 0.8 : 1;
+      return Eigen::Vector3d(FakeDevice::seenBy(cell, up) + share * amplitude_g * std::sqrt(2.0) *
+                                                                std::sin(2 * M_PI * 17 * time_s) *
+                                                                Eigen::Vector3d::UnitX());
+    });
+  }
+  void turn(double seconds, double from_deg, double to_deg) {
+    device_.send(seconds, [&](int cell, double time_s) {
+      const double angle = (from_deg + (to_deg - from_deg) * time_s / seconds) * kDegree;
+      return FakeDevice::seenBy(cell, Eigen::Vector3d(std::sin(angle), 0, std::cos(angle)));
+    });
+  }
+
+  FakeDevice device_;
+};
+
+TEST_F(WindowMessagesTest, WhatShakesIsNamedWithItsValueAndTheLimit) {
+  ASSERT_NO_FATAL_FAILURE(connectDevice());
+  shake(4, 0.09);
+  ASSERT_TRUE(waitForText("captureWait", "^Waiting: cell 1 moves \\d+ mg, limit 30 mg$"))
+      << text("captureWait").toStdString();
+  ASSERT_TRUE(waitForRing("Hold still")) << ring().toStdString();
+  EXPECT_EQ(controller().session()->poses().size(), 0U);
+  EXPECT_EQ(action("actionCapture")->text().remove('&'), "Capture anyway");
+  EXPECT_TRUE(action("actionCapture")->isEnabled());
+  keepPicture(window_->picture(), "waits-for-stillness");
+}
+
+TEST_F(WindowMessagesTest, WhatTurnsIsSaidWithItsRateAndTheLimit) {
+  ASSERT_NO_FATAL_FAILURE(connectDevice());
+  turn(3, 0, 60);
+  ASSERT_TRUE(waitForText("captureWait", "^Waiting: the part turns by (19|20|21)\\.\\d °/s, limit 1\\.0 °/s$"))
+      << text("captureWait").toStdString();
+  EXPECT_EQ(controller().session()->poses().size(), 0U);
+}
+
+TEST_F(WindowMessagesTest, APartThatWasNotMovedSinceIsAskedToMove) {
+  ASSERT_NO_FATAL_FAILURE(connectAndCapture());
+  device_.hold(2, kUp);
+  ASSERT_TRUE(waitForText("captureWait", "^Waiting: moved \\d\\.\\d° since the last pose, needs 5°$"))
+      << text("captureWait").toStdString();
+  ASSERT_TRUE(waitForRing("Turn the part")) << ring().toStdString();
+  EXPECT_EQ(controller().session()->poses().size(), 1U) << "nothing is taken twice";
+}
+
+TEST_F(WindowMessagesTest, AHoldThatIsBrokenOffStartsOverAndTakesNothingOfIt) {
+  ASSERT_NO_FATAL_FAILURE(connectDevice());
+  // Still long enough to begin, and not to end.
+  while (controller().live().hold().phase == HoldPhase::Watching) {
+    device_.hold(0.1, kUp);
+    ASSERT_TRUE(waitUntil([&, seen = controller().live().preview().time_s] {
+      return controller().live().preview().time_s > seen || controller().live().hold().phase != HoldPhase::Watching;
+    }));
+  }
+  ASSERT_TRUE(waitForRing("Hold…")) << ring().toStdString();
+  turn(1, 0, 40);
+  ASSERT_TRUE(waitUntil([this] { return controller().live().hold().restarts > 0; }));
+  ASSERT_TRUE(waitForRing("Hold still")) << ring().toStdString();
+  EXPECT_EQ(controller().session()->poses().size(), 0U);
+  turn(0.2, 40, 40);
+  device_.send(3, [](int cell, double) {
+    return FakeDevice::seenBy(cell, {std::sin(40 * kDegree), 0, std::cos(40 * kDegree)});
+  });
+  EXPECT_TRUE(waitForPoses(1)) << text("captureWait").toStdString();
+}
+
+TEST_F(WindowMessagesTest, ARepeatedPoseIsNamedAndTakenAllTheSame) {
+  ASSERT_NO_FATAL_FAILURE(connectAndCapture());
+  turn(1, 0, 30);
+  turn(1, 30, 3);
+  device_.send(3, [](int cell, double) {
+    return FakeDevice::seenBy(cell, {std::sin(3 * kDegree), 0, std::cos(3 * kDegree)});
+  });
+  ASSERT_TRUE(waitForPoses(2)) << text("captureWait").toStdString();
+  ASSERT_TRUE(waitForMessage("It repeats pose 1, which is only 3.")) << message().toStdString();
+  EXPECT_EQ(text("captureRemark"), "It repeats pose 1.");
+}
+
+TEST_F(WindowMessagesTest, CaptureAnywayTakesAPoseThatShakes) {
+  ASSERT_NO_FATAL_FAILURE(connectDevice());
+  shake(2, 0.09);
+  ASSERT_TRUE(waitForText("captureWait", "^Waiting: cell 1 moves")) << text("captureWait").toStdString();
+  press(Qt::Key_Space);
+  // The key has to arrive before the readings that it asks for.
+  ASSERT_TRUE(waitUntil([this] {
+    shake(0.2, 0.09);
+    return controller().session()->poses().size() == 1;
+  })) << text("captureWait").toStdString();
+  ASSERT_TRUE(waitForPoses(1));
+  EXPECT_TRUE(waitForMessage("Pose 1 captured: 3 cells")) << message().toStdString();
+}
+
+TEST_F(WindowMessagesTest, AKeyThatIsHeldTakesOnePoseAndSwitchesOnce) {
+  ASSERT_NO_FATAL_FAILURE(connectDevice());
+  shake(2, 0.09);
+  ASSERT_TRUE(waitForText("captureWait", "^Waiting: cell 1 moves")) << text("captureWait").toStdString();
+  activateWindow();
+  const auto hold_down = [this](int key, const QString& letter) {
+    for (int k = 0; k < 20; ++k) QTest::simulateEvent(window_.get(), true, key, Qt::NoModifier, letter, k > 0);
+    QTest::simulateEvent(window_.get(), false, key, Qt::NoModifier, letter, false);
+  };
+  hold_down(Qt::Key_A, "a");
+  EXPECT_FALSE(controller().isAutomatic()) << "switched once, not to and fro";
+  hold_down(Qt::Key_Space, " ");
+  ASSERT_TRUE(waitUntil([this] {
+    shake(0.2, 0.09);
+    return controller().session()->poses().size() == 1;
+  })) << text("captureWait").toStdString();
+  // Time enough for others, if they had been asked for.
+  const double taken_s = controller().live().preview().time_s;
+  ASSERT_TRUE(waitUntil([&] {
+    shake(0.2, 0.09);
+    return controller().live().preview().time_s > taken_s + 5;
+  }));
+  EXPECT_EQ(controller().session()->poses().size(), 1U);
+}
+
+TEST_F(WindowMessagesTest, AStepStaysOpenWhateverHappens) {
+  ASSERT_NO_FATAL_FAILURE(connectDevice());
+  const auto* steps = window_->findChild<StepPanel*>();
+  EXPECT_EQ(steps->openIndex(), 2) << "connected: poses are what comes next";
+  press(Qt::Key_2, Qt::ControlModifier);
+  for (const Eigen::Vector3d& up : {kUp, kSide, Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(-1, -1, -1)}) {
+    const std::size_t before = controller().session()->poses().size();
+    device_.hold(3, up);
+    ASSERT_TRUE(waitForPoses(before + 1)) << text("captureWait").toStdString();
+    EXPECT_EQ(steps->openIndex(), 1) << "somebody reads it";
+  }
+  device_.unplug();
+  ASSERT_TRUE(waitForText("liveState", "^Connecting$"));
+  EXPECT_EQ(steps->openIndex(), 1);
+}
+
+TEST_F(WindowMessagesTest, ACellWithoutGravityIsNamedAndNotWaitedFor) {
+  ASSERT_NO_FATAL_FAILURE(connectDevice());
+  device_.send(
+      6, [](int cell, double) { return cell == 3 ? Eigen::Vector3d::Zero().eval() : FakeDevice::seenBy(cell, kUp); });
+  ASSERT_TRUE(waitForText("captureOdd", "^Not waited for: cell 3 \\(reads no gravity\\)$"))
+      << text("captureOdd").toStdString();
+  ASSERT_TRUE(waitForPoses(1)) << text("captureWait").toStdString();
+  press(Qt::Key_2, Qt::ControlModifier);
+  auto* list = find<CheckList>("checkList");
+  ASSERT_TRUE(waitUntil([&] {
+    const auto labels = list->findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+      return label->isVisible() && label->text().contains("Cell 3 reads 0.0");
+    });
+  }));
+}
+
+TEST_F(WindowMessagesTest, ACellThatSaysNothingIsNamedWithThePose) {
+  ASSERT_NO_FATAL_FAILURE(connectDevice());
+  device_.send(5, [](int cell, double) { return cell == 3 ? FakeDevice::nothing() : FakeDevice::seenBy(cell, kUp); });
+  ASSERT_TRUE(waitForPoses(1)) << text("captureWait").toStdString();
+  ASSERT_TRUE(waitForMessage("Nothing came from 3")) << message().toStdString();
+  press(Qt::Key_2, Qt::ControlModifier);
+  ASSERT_TRUE(waitForText("stepBecause2", "2 of 3 cells send")) << text("stepBecause2").toStdString();
+}
+
+TEST_F(WindowMessagesTest, StepsSayWhyTheyAreReadyOrBlocked) {
+  const auto because = [&](int step) {
+    press(Qt::Key_0 + step, Qt::ControlModifier);
+    const QLabel* label = find<QLabel>(qPrintable(QStringLiteral("stepBecause%1").arg(step)));
+    EXPECT_TRUE(label->isVisible()) << step;
+    return label->text().toStdString();
+  };
+  EXPECT_EQ(because(1), "… Waiting: Nothing is connected and nothing is open yet.");
+  for (int step = 2; step <= 6; ++step) {
+    EXPECT_THAT(because(step), testing::StartsWith("■ Blocked: ")) << step;
+  }
+  ASSERT_NO_FATAL_FAILURE(connectDevice());
+  EXPECT_THAT(because(1), testing::StartsWith("✓ Ready: "));
+  EXPECT_EQ(because(2), "… Waiting: No readings have come yet.");
+  EXPECT_EQ(because(3), "… Waiting: The first readings are on their way.");
+  ASSERT_TRUE(waitUntilIdle());
+  for (const int step : {4, 5}) EXPECT_EQ(because(step), "■ Blocked: No pose has been captured yet.");
+  EXPECT_EQ(because(6), "▲ Possible: Without a pose, a file only holds what follows from the ports.");
+  device_.hold(3, kUp);
+  ASSERT_TRUE(waitForPoses(1));
+  ASSERT_TRUE(waitUntil([&] { return because(2) == "✓ Ready: Every cell sends."; })) << because(2);
+  EXPECT_EQ(because(3), "✓ Ready: The skin sends.");
+  EXPECT_EQ(because(4), "✓ Ready: There is a result of 1 pose.");
+  EXPECT_THAT(because(6), testing::StartsWith("▲ Possible: ")) << "one pose is not enough";
+  device_.unplug();
+  ASSERT_TRUE(waitUntil([&] { return because(3).find("■ Blocked: The skin does not send") == 0; })) << because(3);
+  EXPECT_THAT(because(1), testing::StartsWith("■ Blocked: "));
+  EXPECT_THAT(because(4), testing::StartsWith("✓ Ready: ")) << "what was captured can be reviewed";
+}
+
+TEST_F(WindowMessagesTest, ADeviceThatIsPulledOutAndComesBackGoesOnWhereItWas) {
+  ASSERT_NO_FATAL_FAILURE(connectAndCapture());
+  device_.unplug();
+  ASSERT_TRUE(waitForText("liveState", "^Connecting$")) << text("liveState").toStdString();
+  EXPECT_TRUE(find<QWidget>("liveStrip")->isVisible());
+  ASSERT_TRUE(waitForRing("no readings")) << ring().toStdString();
+  EXPECT_FALSE(action("actionCapture")->isEnabled());
+  EXPECT_TRUE(action("actionCapture")->toolTip().startsWith("The skin does not send: "))
+      << action("actionCapture")->toolTip().toStdString();
+  EXPECT_EQ(posesShown(), 1U);
+  EXPECT_EQ(readSessionStore(pathTo("arm.hexo").toStdString()).poses().size(), 1U) << "on disk all the same";
+  keepPicture(window_->picture(), "unplugged");
+
+  ASSERT_NO_FATAL_FAILURE(device_.plugIn());
+  ASSERT_NO_FATAL_FAILURE(device_.accept());
+  device_.introduce();
+  ASSERT_TRUE(waitUntil([this] {
+    return controller().live().status().state == SourceState::Streaming || (device_.hold(0.1, kSide), false);
+  }));
+  device_.hold(4, kSide);
+  ASSERT_TRUE(waitForPoses(2)) << text("captureWait").toStdString();
+  EXPECT_FALSE(find<QWidget>("liveStrip")->isVisible()) << "all is well again";
+  EXPECT_TRUE(action("actionCapture")->isEnabled());
+  ASSERT_TRUE(waitUntil([this] { return readSessionStore(pathTo("arm.hexo").toStdString()).poses().size() == 2; }));
+}
+
+TEST_F(WindowMessagesTest, ADeviceOfAnotherVersionIsSaidWithBothNumbersAndNotTriedAgain) {
+  window_->connectTo({device_.address(), pathTo("arm.hexo"), false});
+  ASSERT_NO_FATAL_FAILURE(device_.accept());
+  device_.say("{\"major\": 2, \"hello\": {\"device\": \"of the future\"}}\n");
+  ASSERT_TRUE(waitForText("liveState", "^Incompatible$")) << text("liveState").toStdString();
+  EXPECT_TRUE(text("liveText").contains('2') && text("liveText").contains('1')) << text("liveText").toStdString();
+  EXPECT_TRUE(text("liveText").contains("not trying again")) << text("liveText").toStdString();
+  EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Disconnect");
+}
+
+TEST_F(WindowMessagesTest, GarbageAndWrongChecksumsAreSaidAndLoseNothing) {
+  ASSERT_NO_FATAL_FAILURE(connectAndCapture());
+  device_.hangUp();
+  ASSERT_NO_FATAL_FAILURE(device_.accept());
+  // The acknowledgement of the protocol's own example, with one bit of its checksum turned.
+  const QByteArray broken = QByteArray::fromHex("1c000000010608021a127468657265206973206e6f2063656c6c2037ff4eadff");
+  ASSERT_TRUE(waitUntil([&] {
+    device_.say(broken);
+    return text("liveText").contains("broken");
+  })) << text("liveText").toStdString();
+  EXPECT_EQ(posesShown(), 1U);
+  device_.hangUp();
+  ASSERT_NO_FATAL_FAILURE(device_.accept());
+  device_.say(QByteArray::fromHex("0200000001060000"));  // no message is as short as this one claims to be
+  ASSERT_TRUE(waitForText("liveText", "broken")) << text("liveText").toStdString();
+  ASSERT_NO_FATAL_FAILURE(device_.accept());
+  device_.introduce();
+  device_.hold(4, kSide);
+  EXPECT_TRUE(waitForPoses(2)) << text("liveText").toStdString();
+}
+
+TEST_F(WindowMessagesTest, TheSwitchThatAnEmpty3DViewSendsPeopleToIsThere) {
+  press(Qt::Key_Comma, Qt::ControlModifier);
+  const auto* dialog = waitForDialog<QDialog>("preferencesDialog");
+  ASSERT_NE(dialog, nullptr);
+  const auto* choice = dialog->findChild<QAbstractButton*>("preferenceSoftwareOpenGl");
+  ASSERT_NE(choice, nullptr);
+  EXPECT_EQ(choice->text().remove('&'), "Draw without the graphics card");
+}
+
+TEST_F(WindowMessagesTest, EveryButtonThatCanNotBePressedSaysWhy) {
+  const auto expectReasons = [this](const char* when) {
+    for (const QAction* action : window_->QWidget::actions()) {
+      if (action->isEnabled() || !action->isVisible()) continue;
+      EXPECT_FALSE(action->toolTip().isEmpty()) << when << ": " << action->objectName().toStdString();
+      EXPECT_NE(action->toolTip(), action->property("purpose").toString())
+          << when << ": " << action->objectName().toStdString() << " says what it is for and not why it can't be used";
+    }
+    for (int step = 1; step <= 6; ++step) {
+      press(Qt::Key_0 + step, Qt::ControlModifier);
+      for (const auto* button : window_->findChildren<QAbstractButton*>()) {
+        // The arrows beside tabs that find no room say it themselves.
+        if (!button->isVisible() || button->isEnabled() || qobject_cast<QTabBar*>(button->parentWidget())) continue;
+        EXPECT_FALSE(button->toolTip().isEmpty())
+            << when << ", step " << step << ": " << button->objectName().toStdString() << " \""
+            << button->text().toStdString() << "\" is grey and does not say why";
+      }
+    }
+  };
+  expectReasons("at the start");
+  ASSERT_NO_FATAL_FAILURE(connectDevice());
+  expectReasons("connected");
+  device_.hold(3, kUp);
+  ASSERT_TRUE(waitForPoses(1));
+  expectReasons("with a pose");
+  device_.unplug();
+  ASSERT_TRUE(waitForText("liveState", "^Connecting$"));
+  expectReasons("unplugged");
+  action("actionDisconnect")->trigger();
+  expectReasons("disconnected");
+  window_->openFile(QStringLiteral(HEXODERM_TEST_DATA "/two_patches.tum.xml"));
+  ASSERT_TRUE(waitUntil([this] { return controller().name() == "two_patches.tum.xml"; })) << message().toStdString();
+  expectReasons("with a calibration");
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,172 @@
+// Recordings that are not what they should be: what is whole is played, and what is wrong is said with the file's name.
+
+#include "hexoderm/device/skinwire/codec.h"
+#include "hexoderm/session/session_store.h"
+#include "hexoderm/session/simulated_session.h"
+#include "tests/app/window/recorded_skin.h"
+#include "tests/app/window/window_test.h"
+
+#include <algorithm>
+
+namespace hexoderm {
+namespace {
+
+constexpr std::uint64_t kCells = 17;
+constexpr qint64 kMagic = 8;
+constexpr qint64 kHead = 12;  // of a record
+
+/// Where a record lies in the file, and how many frames are in it.
+struct Record {
+  qint64 begin = 0;
+  qint64 end = 0;
+  std::uint64_t frames = 0;
+};
+
+class WindowRecordingTest : public WindowTest {
+ protected:
+  /// Six seconds of a skin on a table: one pose, which is captured in the second of them.
+  void record() {
+    ASSERT_NO_FATAL_FAILURE(recordSkin("sim:x17?speed=20", pathTo("whole.skinrec").toStdString(), 6000));
+    QFile file(pathTo("whole.skinrec"));
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    content_ = file.readAll();
+    qint64 at = kMagic;
+    for (RecordingReader reader(pathTo("whole.skinrec").toStdString()); const auto record = reader.next();) {
+      const skinwire::Decoded decoded = skinwire::decodeBody(record->body);
+      const auto* samples = std::get_if<skinwire::Samples>(&decoded.message);
+      const qint64 end = at + kHead + static_cast<qint64>(record->body.size());
+      records_.push_back({at, end, samples == nullptr ? 0 : samples->ticks()});
+      at = end;
+    }
+    ASSERT_EQ(at, content_.size());
+    ASSERT_GE(frames(), 6000U);
+  }
+  [[nodiscard]] std::uint64_t frames(std::size_t first_records) const {
+    std::uint64_t sum = 0;
+    for (std::size_t k = 0; k < first_records; ++k) sum += records_[k].frames;
+    return sum;
+  }
+  [[nodiscard]] std::uint64_t frames() const { return frames(records_.size()); }
+  void play(const QString& path) {
+    ASSERT_NO_FATAL_FAILURE(connectByDialog("Recording", path + "?speed=max", pathTo("arm.hexo")));
+  }
+  bool waitUntilEnded() {
+    return waitUntil([this] { return labelText("liveState") == "Ended"; });
+  }
+
+  QByteArray content_;
+  std::vector<Record> records_;
+};
+
+TEST_F(WindowRecordingTest, OneThatWasCutOffIsPlayedAsFarAsItIsWhole) {
+  ASSERT_NO_FATAL_FAILURE(record());
+  const std::size_t whole = records_.size() / 2;
+  const QString path = writeFile("cut.skinrec", content_.left(static_cast<int>(records_[whole].end - 5)));
+  ASSERT_NO_FATAL_FAILURE(play(path));
+  ASSERT_TRUE(waitUntilEnded()) << labelText("liveText").toStdString() << message().toStdString();
+  ASSERT_TRUE(waitForPoses(1)) << message().toStdString();
+  EXPECT_EQ(controller().live().status().frames, frames(whole));
+  EXPECT_EQ(controller().reconstruction()->cellCount(), kCells);
+  const QString said =
+      QStringLiteral("%1: is cut off; all before byte %2 was played").arg(path).arg(records_[whole].begin);
+  EXPECT_EQ(labelText("liveText"), said);
+  EXPECT_TRUE(find<QLabel>("liveText")->isVisible());
+  EXPECT_FALSE(action("actionCapture")->isEnabled());
+  EXPECT_TRUE(action("actionCapture")->toolTip().contains("cut.skinrec"))
+      << action("actionCapture")->toolTip().toStdString();
+  EXPECT_EQ(find<QLabel>("lossesStatus")->text(), "");
+  keepPicture(window_->picture(), "recording-cut-off");
+
+  click(find<QPushButton>("liveDisconnect"));
+  EXPECT_FALSE(controller().live().isRunning());
+  EXPECT_EQ(posesShown(), 1U);
+  ASSERT_TRUE(waitUntil([this] { return controller().isKept() && !controller().isWriting(); }));
+  EXPECT_EQ(readSessionStore(pathTo("arm.hexo").toStdString()).poses().size(), 1U);
+}
+
+TEST_F(WindowRecordingTest, ADamagedRecordIsLeftOutAndCounted) {
+  ASSERT_NO_FATAL_FAILURE(record());
+  const Record& damaged = records_[records_.size() / 2];
+  ASSERT_GT(damaged.frames, 0U);
+  content_[static_cast<int>(damaged.end - 8)] = static_cast<char>(content_[static_cast<int>(damaged.end - 8)] ^ 0x10);
+  ASSERT_NO_FATAL_FAILURE(play(writeFile("damaged.skinrec", content_)));
+  ASSERT_TRUE(waitUntilEnded()) << labelText("liveText").toStdString() << message().toStdString();
+  ASSERT_TRUE(waitForPoses(1)) << message().toStdString();
+  EXPECT_TRUE(labelText("liveText").contains("damaged.skinrec: the recording is over"))
+      << labelText("liveText").toStdString();
+  EXPECT_EQ(controller().live().status().frames, frames() - damaged.frames);
+  EXPECT_TRUE(labelText("liveCounters").contains("1 broken")) << labelText("liveCounters").toStdString();
+  EXPECT_EQ(labelText("lossesStatus"), QStringLiteral("%1 samples lost").arg(damaged.frames * kCells));
+}
+
+/// With a session open, which must stay.
+class WindowBrokenRecordingTest : public WindowRecordingTest {
+ protected:
+  void openSession() {
+    SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
+    writeSessionStore(simulateSession(skin, 2, 20), pathTo("open.hexo").toStdString());
+    window_->openFile(pathTo("open.hexo"));
+    ASSERT_TRUE(waitForPoses(2)) << message().toStdString();
+  }
+  void expectTheSessionStays() {
+    EXPECT_EQ(controller().name(), "open.hexo");
+    EXPECT_EQ(posesShown(), 2U);
+    EXPECT_TRUE(controller().isKept());
+    EXPECT_FALSE(QFile::exists(pathTo("arm.hexo")));
+  }
+};
+
+TEST_F(WindowBrokenRecordingTest, WhatIsNoRecordingIsRefusedInWords) {
+  struct Refused {
+    const char* name;
+    QByteArray content;
+    const char* said;
+  };
+  const Refused refused[] = {
+      {"empty.skinrec", "", "is no recording of a skin"},
+      {"noise.skinrec", QByteArray(5000, '#'), "is no recording of a skin"},
+      {"newer.skinrec", QByteArray("SKINREC2") + QByteArray(100, '\0'), "version 2"},
+  };
+  ASSERT_NO_FATAL_FAILURE(openSession());
+  for (const Refused& file : refused) {
+    ASSERT_NO_FATAL_FAILURE(play(writeFile(file.name, file.content)));
+    ASSERT_TRUE(waitForMessage(QLatin1String(file.name))) << message().toStdString();
+    EXPECT_TRUE(message().contains(file.said)) << message().toStdString();
+    EXPECT_TRUE(find<QWidget>("messageBar")->isVisible()) << "it stays until somebody has read it";
+    EXPECT_FALSE(controller().live().isRunning());
+    EXPECT_FALSE(find<QWidget>("liveStrip")->isVisible());
+    ASSERT_NO_FATAL_FAILURE(expectTheSessionStays());
+  }
+}
+
+TEST_F(WindowBrokenRecordingTest, OneInWhichThereIsNoSkinEndsAndIsNotWaitedFor) {
+  ASSERT_NO_FATAL_FAILURE(record());
+  ASSERT_NO_FATAL_FAILURE(openSession());
+  const struct {
+    const char* name;
+    QByteArray content;
+    const char* said;
+  } endings[] = {
+      {"garbage.skinrec", QByteArray("SKINREC1") + QByteArray(5000, '#'), "byte 8: a record says that it has"},
+      {"begun.skinrec", content_.left(static_cast<int>(records_[0].end + 3)), "is cut off"},
+      {"nothing.skinrec", content_.left(kMagic), "the recording is over"},
+  };
+  for (const auto& file : endings) {
+    ASSERT_NO_FATAL_FAILURE(play(writeFile(file.name, file.content)));
+    ASSERT_TRUE(waitUntil([&] { return labelText("liveText").contains(file.said); }))
+        << labelText("liveText").toStdString();
+    EXPECT_TRUE(labelText("liveText").contains(file.name)) << labelText("liveText").toStdString();
+    EXPECT_EQ(labelText("liveState"), "Ended");
+    EXPECT_TRUE(find<QWidget>("liveStrip")->isVisible());
+    EXPECT_FALSE(labelText("bannerSentence").contains("Waiting")) << labelText("bannerSentence").toStdString();
+    EXPECT_TRUE(labelText("bannerSentence").contains(file.name)) << labelText("bannerSentence").toStdString();
+    EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Disconnect");
+    keepPicture(window_->picture(), QStringLiteral("recording-%1").arg(QString(file.name).section('.', 0, 0)));
+    clickBanner();
+    EXPECT_FALSE(controller().live().isRunning());
+    ASSERT_NO_FATAL_FAILURE(expectTheSessionStays());
+  }
+}
+
+}  // namespace
+}  // namespace hexoderm

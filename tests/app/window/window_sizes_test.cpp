@@ -1,0 +1,92 @@
+// Skins of every size in the window: none, one cell, a hundred thousand cells.
+
+#include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/session/session_store.h"
+#include "hexoderm/session/simulated_session.h"
+#include "tests/app/window/window_test.h"
+
+namespace hexoderm {
+namespace {
+
+class WindowSizesTest : public WindowTest {
+ protected:
+  /// However busy the computer is.
+  template <class Condition>
+  static bool waitLong(Condition condition) {
+    constexpr int kMilliseconds = 600000;
+    return QTest::qWaitFor(condition, kMilliseconds);
+  }
+  void open(const QString& path) {
+    window_->openFile(path);
+    ASSERT_TRUE(waitLong([&] { return controller().name() == QFileInfo(path).fileName(); })) << message().toStdString();
+    ASSERT_TRUE(waitLong([this] { return controller().isCurrent() && controller().activity().isEmpty(); }));
+  }
+  QString writeSkin(const QString& patch, std::size_t poses, std::size_t frames, SimulatedSkinOptions options = {}) {
+    options.patch = patch.toStdString();
+    SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+    writeSessionStore(simulateSession(skin, poses, frames), pathTo("skin.hexo").toStdString());
+    return pathTo("skin.hexo");
+  }
+  /// The pictures and the keys still do what they are for.
+  void expectUsable(CellId cell) {
+    press(Qt::Key_F, Qt::ControlModifier);
+    QTest::keyClicks(QApplication::focusWidget(), QString::number(cell.value()));
+    EXPECT_EQ(window_->selection().cell(), cell);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    EXPECT_FALSE(window_->picture().isNull());
+    for (int step = 1; step <= 6; ++step) press(Qt::Key_0 + step, Qt::ControlModifier);
+    EXPECT_TRUE(action("actionExport")->isEnabled()) << action("actionExport")->toolTip().toStdString();
+  }
+};
+
+TEST_F(WindowSizesTest, AnEmptySkinIsSaidToBeEmpty) {
+  ASSERT_NO_FATAL_FAILURE(
+      open(writeFile("empty.session.json", R"({"format": "hexoderm-session", "version": 1, "cell_model": "hex-bma150",
+                                              "cells": [], "poses": []})")));
+  EXPECT_EQ(controller().reconstruction()->cellCount(), 0U);
+  EXPECT_FALSE(find<QLabel>("bannerSentence")->text().isEmpty());
+  for (int step = 1; step <= 6; ++step) press(Qt::Key_0 + step, Qt::ControlModifier);
+  EXPECT_FALSE(window_->picture().isNull());
+}
+
+TEST_F(WindowSizesTest, ASingleCellIsShownAndPicked) {
+  ASSERT_NO_FATAL_FAILURE(
+      open(writeFile("one.session.json", R"({"format": "hexoderm-session", "version": 1, "cell_model": "hex-bma150",
+                                       "cells": [{"id": 5, "ports": []}],
+                                       "poses": [{"id": 1, "samples": [{"cell": 5, "mean_g": [0, 0, 1]}]},
+                                                 {"id": 2, "samples": [{"cell": 5, "mean_g": [1, 0, 0]}]}]})")));
+  ASSERT_TRUE(waitForPoses(2));
+  EXPECT_EQ(controller().reconstruction()->cellCount(), 1U);
+  ASSERT_NO_FATAL_FAILURE(clickCellInGraph(CellId(5)));
+  EXPECT_EQ(window_->selection().cell(), CellId(5));
+  ASSERT_NO_FATAL_FAILURE(expectUsable(CellId(5)));
+}
+
+TEST_F(WindowSizesTest, AThousandPosesAreLeftForAnotherSessionAndForTheEndWhileTheyAreSolved) {
+  const QString many = writeSkin("sheet:10x10", 1000, 2);
+  const QString few = pathTo("few.hexo");
+  SimulatedSkin x17(builtInCellModel("hex-bma150"), {});
+  writeSessionStore(simulateSession(x17, 3, 2), few.toStdString());
+  const auto beginSolving = [&] {
+    window_->openFile(many);
+    ASSERT_TRUE(waitLong([&] { return controller().name() == QFileInfo(many).fileName(); })) << message().toStdString();
+    ASSERT_FALSE(controller().isCurrent());
+  };
+  ASSERT_NO_FATAL_FAILURE(beginSolving());
+  ASSERT_NO_FATAL_FAILURE(open(few));
+  EXPECT_EQ(posesShown(), 3);
+  ASSERT_NO_FATAL_FAILURE(beginSolving());
+  window_.reset();
+}
+
+TEST_F(WindowSizesTest, AHundredThousandCells) {
+  // Of a skin without errors the tree is the optimum: from any other the global solver is many steps away, which this
+  // many cells make minutes.
+  ASSERT_NO_FATAL_FAILURE(open(writeSkin("sheet:400x250", 6, 2, SimulatedSkinOptions::ideal())));
+  ASSERT_TRUE(waitLong([this] { return posesShown() == 6; }));
+  EXPECT_EQ(controller().reconstruction()->cellCount(), 100000U);
+  ASSERT_NO_FATAL_FAILURE(expectUsable(CellId(4711)));
+}
+
+}  // namespace
+}  // namespace hexoderm

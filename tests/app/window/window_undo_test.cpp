@@ -1,0 +1,224 @@
+// Undo and redo of every command that changes a session: in the window, in its result and in its file.
+
+#include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/session/session_store.h"
+#include "hexoderm/session/simulated_session.h"
+#include "tests/app/window/window_test.h"
+
+#include <functional>
+
+namespace hexoderm {
+namespace {
+
+/// What can be changed of a session.
+struct State {
+  std::vector<std::pair<PoseId, bool>> poses;  ///< with "disabled"
+  std::vector<MutedLink> muted;
+  friend bool operator==(const State&, const State&) = default;
+};
+void PrintTo(const State& state, std::ostream* out) {
+  for (const auto& [pose, disabled] : state.poses) *out << pose << (disabled ? " disabled, " : ", ");
+  for (const MutedLink& link : state.muted) {
+    *out << link.source.cell << ':' << link.source.port << " is aside (" << link.why << "), ";
+  }
+}
+State stateOf(const Session& session) {
+  State state;
+  for (const SessionPose& pose : session.poses()) state.poses.emplace_back(pose.capture->id, pose.disabled);
+  state.muted = session.mutedLinks();
+  return state;
+}
+
+class WindowUndoTest : public WindowTest {
+ protected:
+  /// A session of four poses that is kept in a file, with one link that was set aside for a reason.
+  void openKept() {
+    SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
+    Session session = simulateSession(skin, 4, 20);
+    const CellReport& cell = session.neighbors().back();
+    const NeighborReport& link = cell.neighbors.front();
+    aside_ = {{cell.id, link.port}, {link.cell, link.cell_port.value()}};
+    session.setLinkMuted(aside_.first, aside_.second, true, "the wire at the elbow");
+    writeSessionStore(session, path_.toStdString());
+    window_->openFile(path_);
+    ASSERT_TRUE(waitForPoses(4)) << message().toStdString();
+    ASSERT_TRUE(waitUntilKept());
+  }
+  bool waitUntilKept() {
+    return waitUntilIdle() && waitUntil([this] {
+             return controller().isKept() && !controller().isWriting() && !controller().hasUnsavedChanges();
+           });
+  }
+  State now() { return stateOf(*controller().session()); }
+  /// The session, its result and its file are all like this.
+  void expectAllAre(const State& expected, const char* when) {
+    ASSERT_TRUE(waitUntilKept()) << when;
+    EXPECT_EQ(now(), expected) << when;
+    EXPECT_EQ(stateOf(readSessionStore(path_.toStdString())), expected) << when << ", in the file";
+    const Reconstruction& result = *controller().reconstruction();
+    ASSERT_EQ(result.poses.size(), expected.poses.size()) << when;
+    for (std::size_t k = 0; k < expected.poses.size(); ++k) {
+      EXPECT_EQ(result.poses[k].pose, expected.poses[k].first) << when;
+      EXPECT_EQ(result.poses[k].enabled, !expected.poses[k].second) << when;
+    }
+    for (const MutedLink& link : expected.muted) {
+      const LinkEstimate* shown = result.findLink(link.source, link.target);
+      ASSERT_NE(shown, nullptr) << when;
+      EXPECT_FALSE(shown->used) << when;
+    }
+  }
+  void undo() { press(Qt::Key_Z, Qt::ControlModifier); }
+  void redo() { press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier); }
+
+  /// Does it, takes it back, does it again by both keys. `words`: what the menu calls it.
+  void expectUndoAndRedo(const std::function<void()>& change, const QString& words) {
+    const State before = now();
+    change();
+    const State after = now();
+    ASSERT_FALSE(after == before);
+    ASSERT_NO_FATAL_FAILURE(expectAllAre(after, "done"));
+    EXPECT_TRUE(action("actionUndo")->text().contains(words)) << action("actionUndo")->text().toStdString();
+    undo();
+    ASSERT_NO_FATAL_FAILURE(expectAllAre(before, "undone"));
+    EXPECT_TRUE(action("actionRedo")->text().contains(words)) << action("actionRedo")->text().toStdString();
+    redo();
+    ASSERT_NO_FATAL_FAILURE(expectAllAre(after, "redone"));
+    undo();
+    ASSERT_NO_FATAL_FAILURE(expectAllAre(before, "undone again"));
+    press(Qt::Key_Y, Qt::ControlModifier);
+    ASSERT_NO_FATAL_FAILURE(expectAllAre(after, "redone by the other key"));
+  }
+  void pickPose(int row) {
+    clickRow("poseView", row);
+    ASSERT_TRUE(waitUntil([this] { return action("actionTogglePose")->isEnabled(); }));
+  }
+
+  const QString path_ = pathTo("arm.hexo");
+  Selection::Link aside_;
+};
+
+TEST_F(WindowUndoTest, APoseThatIsDisabled) {
+  ASSERT_NO_FATAL_FAILURE(openKept());
+  ASSERT_NO_FATAL_FAILURE(pickPose(1));
+  expectUndoAndRedo([this] { press(Qt::Key_Delete); }, "disable pose 2");
+}
+
+TEST_F(WindowUndoTest, APoseThatIsEnabledAgain) {
+  ASSERT_NO_FATAL_FAILURE(openKept());
+  ASSERT_NO_FATAL_FAILURE(pickPose(1));
+  press(Qt::Key_Delete);
+  ASSERT_TRUE(waitUntilKept());
+  expectUndoAndRedo([this] { press(Qt::Key_Delete); }, "enable pose 2");
+}
+
+TEST_F(WindowUndoTest, ADisabledPoseThatIsDeletedComesBackDisabledAndInItsPlace) {
+  ASSERT_NO_FATAL_FAILURE(openKept());
+  ASSERT_NO_FATAL_FAILURE(pickPose(1));
+  press(Qt::Key_Delete);
+  ASSERT_TRUE(waitUntilKept());
+  expectUndoAndRedo([this] { press(Qt::Key_Delete, Qt::ShiftModifier); }, "delete pose 2");
+}
+
+TEST_F(WindowUndoTest, ALinkThatIsSetAside) {
+  ASSERT_NO_FATAL_FAILURE(openKept());
+  const LinkEstimate& link = controller().reconstruction()->patches.front().links.front();
+  window_->selection().selectLink(link.source, link.target);
+  expectUndoAndRedo([this] { press(Qt::Key_M); }, "aside");
+}
+
+TEST_F(WindowUndoTest, ALinkThatIsTakenBackAndTheReasonThatItWasSetAsideFor) {
+  ASSERT_NO_FATAL_FAILURE(openKept());
+  ASSERT_EQ(now().muted.size(), 1U);
+  EXPECT_EQ(now().muted[0].why, "the wire at the elbow");
+  window_->selection().selectLink(aside_.first, aside_.second);
+  expectUndoAndRedo([this] { press(Qt::Key_M); }, "back");
+}
+
+class WindowUndoOfCapturesTest : public WindowUndoTest {
+ protected:
+  void connectSkin() {
+    window_->connectTo({QStringLiteral("sim:x17?speed=20"), path_, false});
+    ASSERT_TRUE(waitForPoses(1)) << message().toStdString();
+    controller().setAutomatic(false);
+    ASSERT_TRUE(waitUntilKept());
+  }
+  void capture(std::size_t expected) {
+    press(Qt::Key_Space);
+    ASSERT_TRUE(waitForPoses(expected)) << message().toStdString();
+  }
+};
+
+TEST_F(WindowUndoOfCapturesTest, APoseThatIsTaken) {
+  ASSERT_NO_FATAL_FAILURE(connectSkin());
+  expectUndoAndRedo([this] { capture(2); }, "take pose 2");
+}
+
+TEST_F(WindowUndoOfCapturesTest, APoseThatIsTakenAgainIsOneStep) {
+  ASSERT_NO_FATAL_FAILURE(connectSkin());
+  ASSERT_NO_FATAL_FAILURE(capture(2));
+  const int steps = controller().undoStack()->count();
+  expectUndoAndRedo(
+      [this] {
+        clickRow("poseView", 0);
+        press(Qt::Key_R);
+        press(Qt::Key_Space);
+        ASSERT_TRUE(waitUntil([this] { return now().poses[0].first != PoseId(1); })) << message().toStdString();
+      },
+      "recapture pose 1");
+  EXPECT_EQ(controller().undoStack()->count(), steps + 1);
+  EXPECT_EQ(now().poses[0].first, PoseId(3));
+  EXPECT_EQ(now().poses[1].first, PoseId(2));
+}
+
+TEST_F(WindowUndoOfCapturesTest, EverythingIsTakenBackToTheBeginningAndDoneAgainToTheEnd) {
+  ASSERT_NO_FATAL_FAILURE(connectSkin());
+  std::vector<State> states = {now()};
+  const auto then = [&](const std::function<void()>& change) {
+    change();
+    ASSERT_TRUE(waitUntilKept());
+    ASSERT_FALSE(now() == states.back());
+    states.push_back(now());
+  };
+  ASSERT_NO_FATAL_FAILURE(then([this] { capture(2); }));
+  ASSERT_NO_FATAL_FAILURE(then([this] { capture(3); }));
+  ASSERT_NO_FATAL_FAILURE(pickPose(1));
+  ASSERT_NO_FATAL_FAILURE(then([this] { press(Qt::Key_Delete); }));
+  ASSERT_NO_FATAL_FAILURE(pickPose(0));
+  ASSERT_NO_FATAL_FAILURE(then([this] { press(Qt::Key_Delete, Qt::ShiftModifier); }));
+  const LinkEstimate& link = controller().reconstruction()->patches.front().links.front();
+  window_->selection().selectLink(link.source, link.target);
+  ASSERT_NO_FATAL_FAILURE(then([this] { press(Qt::Key_M); }));
+  ASSERT_NO_FATAL_FAILURE(then([this] { press(Qt::Key_M); }));
+  ASSERT_NO_FATAL_FAILURE(pickPose(0));
+  ASSERT_NO_FATAL_FAILURE(then([this] { press(Qt::Key_Delete); }));
+  for (std::size_t k = states.size() - 1; k-- > 0;) {
+    undo();
+    ASSERT_NO_FATAL_FAILURE(expectAllAre(states[k], "on the way back"));
+  }
+  for (std::size_t k = 1; k < states.size(); ++k) {
+    redo();
+    ASSERT_NO_FATAL_FAILURE(expectAllAre(states[k], "on the way forth"));
+  }
+  EXPECT_FALSE(action("actionRedo")->isEnabled());
+  EXPECT_EQ(action("actionRedo")->toolTip(), "Nothing to redo");
+}
+
+TEST_F(WindowUndoTest, WhatWasUndoneIsGoneWhenSomethingElseIsDone) {
+  ASSERT_NO_FATAL_FAILURE(openKept());
+  ASSERT_NO_FATAL_FAILURE(pickPose(1));
+  press(Qt::Key_Delete);
+  ASSERT_TRUE(waitUntilKept());
+  undo();
+  ASSERT_TRUE(waitUntilKept());
+  EXPECT_TRUE(action("actionRedo")->isEnabled());
+  ASSERT_NO_FATAL_FAILURE(pickPose(2));
+  press(Qt::Key_Delete);
+  const State last = now();
+  ASSERT_NO_FATAL_FAILURE(expectAllAre(last, "done"));
+  EXPECT_FALSE(action("actionRedo")->isEnabled());
+  redo();
+  ASSERT_NO_FATAL_FAILURE(expectAllAre(last, "nothing to redo"));
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,281 @@
+// The tables, residuals and checks of a calibration in the real window.
+#include "app/window/guide/guide.h"
+#include "app/window/session/verification.h"
+#include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/io/session_json.h"
+#include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/session/simulated_session.h"
+#include "hexoderm/util/units.h"
+#include "tests/app/window/window_test.h"
+#include "widgets/controls/step_panel.h"
+#include "widgets/verify/residual_view.h"
+#include "widgets/verify/verify_panel.h"
+
+#include <QAbstractButton>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QHeaderView>
+#include <QTabBar>
+#include <QToolButton>
+
+namespace hexoderm {
+namespace {
+
+class WindowVerifyTest : public WindowTest {
+ protected:
+  void showTab(const QString& name) {
+    auto* tabs = find<QTabBar>("detailTabs");
+    for (int k = 0; k < tabs->count(); ++k) {
+      if (!tabs->tabText(k).startsWith(name)) continue;
+      QTest::mouseClick(tabs, Qt::LeftButton, Qt::NoModifier, tabs->tabRect(k).center());
+      return;
+    }
+    FAIL() << "no tab " << name.toStdString();
+  }
+  VerifyPanel& panel() { return *window_->verifyPanel(); }
+  template <class T>
+  T* inPanel(const char* name) {
+    T* widget = panel().findChild<T*>(QLatin1String(name));
+    EXPECT_NE(widget, nullptr) << name;
+    return widget;
+  }
+  QString sentence(const char* section) { return inPanel<QLabel>((std::string(section) + "Sentence").c_str())->text(); }
+  bool waitForSentence(const char* section, const QString& part) {
+    return waitUntil([&] { return sentence(section).contains(part); });
+  }
+  void showPanel() {
+    window_->findChild<StepPanel*>()->openStep(static_cast<int>(GuideStep::Verify));
+    ASSERT_TRUE(waitUntil([&] { return panel().isVisible(); }));
+  }
+};
+
+TEST_F(WindowVerifyTest, HoldsAPoseOutAndSaysHowWellTheOthersForetellIt) {
+  // The same poses every time: how well one is foretold differs from capture to capture.
+  const auto openSession = [this](std::size_t poses) {
+    SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
+    const QString path = pathTo(QStringLiteral("%1.session.json").arg(poses));
+    writeSessionJson(simulateSession(skin, poses), path.toStdString());
+    controller().openFile(path);
+    ASSERT_TRUE(waitForPoses(poses)) << message().toStdString();
+  };
+  ASSERT_NO_FATAL_FAILURE(openSession(3));
+  ASSERT_NO_FATAL_FAILURE(showPanel());
+  EXPECT_FALSE(inPanel<QPushButton>("holdOutRun")->isEnabled());
+  EXPECT_TRUE(sentence("holdOut").contains("besides this one there are 2")) << sentence("holdOut").toStdString();
+  ASSERT_NO_FATAL_FAILURE(openSession(6));
+  ASSERT_TRUE(inPanel<QPushButton>("holdOutRun")->isEnabled());
+  inPanel<QComboBox>("holdOutPose")->setCurrentIndex(2);
+  click(inPanel<QPushButton>("holdOutRun"));
+  ASSERT_TRUE(waitForSentence("holdOut", "The other 5 poses foretell pose 3")) << sentence("holdOut").toStdString();
+  EXPECT_TRUE(sentence("holdOut").startsWith("As good as stated")) << sentence("holdOut").toStdString();
+  auto* table = inPanel<QTableView>("holdOutTable");
+  EXPECT_EQ(table->model()->rowCount(), 17);
+  table->selectRow(6);
+  EXPECT_EQ(window_->selection().cell(), CellId(7));
+}
+
+TEST_F(WindowVerifyTest, LoopsSurfaceAndTheTrueRadiusAreJudgedAsPosesCome) {
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(3));
+  ASSERT_NO_FATAL_FAILURE(showPanel());
+  ASSERT_TRUE(waitForSentence("loops", "No loop in this patch"));
+  std::optional<SurfaceEvaluation> drawn;
+  int fits = 0;
+  QObject::connect(&panel(), &VerifyPanel::surfaceShown, [&](const std::optional<SurfaceEvaluation>& surface) {
+    drawn = surface;
+    ++fits;
+  });
+  inPanel<QComboBox>("surfaceKind")->setCurrentText("Cylinder");
+  ASSERT_TRUE(waitForSentence("surface", "Cylinder, radius"));
+  ASSERT_TRUE(drawn && drawn->radius_m);
+  EXPECT_NEAR(*drawn->radius_m, 0.0501, 0.005);
+  inPanel<QDoubleSpinBox>("surfaceRadius")->setValue(50.1);
+  ASSERT_TRUE(waitForSentence("surface", "eq. 21"));
+  EXPECT_NEAR(drawn->delta_m.value_or(1), *drawn->radius_m - 0.0501, 1e-12);
+
+  // With another pose it is fitted again.
+  const int before = fits;
+  const double radius = *drawn->radius_m;
+  ASSERT_NO_FATAL_FAILURE(takeNextPose());
+  ASSERT_TRUE(waitUntil([&] { return fits > before; }));
+  EXPECT_NE(*drawn->radius_m, radius);
+  inPanel<QComboBox>("surfaceKind")->setCurrentText("None");
+  EXPECT_FALSE(drawn.has_value());
+  EXPECT_EQ(sentence("surface"), "");
+}
+
+TEST_F(WindowVerifyTest, AnOpenRingsGapIsFoundWithoutBeingAskedFor) {
+  SimulatedSkinOptions options;
+  options.patch = "ring8";
+  SimulatedSkin ring(builtInCellModel("hex-bma150"), options);
+  const QString path = pathTo("ring.session.json");
+  writeSessionJson(simulateSession(ring, 3), path.toStdString());
+  std::optional<LoopEvaluation> drawn;
+  QObject::connect(&panel(), &VerifyPanel::loopShown, [&](const std::optional<LoopEvaluation>& loop) { drawn = loop; });
+  controller().openFile(path);
+  ASSERT_TRUE(waitForSentence("loops", "One open loop; its gap is")) << sentence("loops").toStdString();
+  ASSERT_TRUE(drawn.has_value());
+  EXPECT_NEAR(drawn->loop_length_m, 0.22228, 1e-5);
+}
+
+TEST_F(WindowVerifyTest, ComparesWithAnEarlierCalibrationAndSaysWhatIsWrongWithAFile) {
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(3));
+  const QString path = pathTo("earlier.calibration.json");
+  controller().exportTo({std::nullopt, path, {}});
+  ASSERT_TRUE(waitForMessage("Exported to " + path));
+  ASSERT_NO_FATAL_FAILURE(takeNextPose());
+  ASSERT_NO_FATAL_FAILURE(showPanel());
+  std::vector<Comparison> drawn;
+  QObject::connect(&panel(), &VerifyPanel::comparisonShown,
+                   [&](const std::vector<Comparison>& comparisons) { drawn = comparisons; });
+  auto* choose = inPanel<QPushButton>("comparisonChoose");
+  ASSERT_TRUE(choose->isEnabled());
+  activateWindow();
+  window_->findChild<StepPanel*>()->ensureWidgetVisible(choose);
+  QCoreApplication::processEvents();
+  click(choose);
+  ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("comparisonDialog", path));
+  ASSERT_TRUE(waitForSentence("comparison", "Against earlier.calibration.json"))
+      << sentence("comparison").toStdString();
+  ASSERT_EQ(drawn.size(), 1U);
+  EXPECT_EQ(drawn[0].cells.size(), 17U);
+  EXPECT_GT(drawn[0].position_rms_m, 0);
+  EXPECT_EQ(inPanel<QTableView>("comparisonTable")->model()->rowCount(), 17);
+
+  keepPicture(window_->picture(), "verify-light");
+  window_->setThemeChoice(ThemeChoice::Dark, false);
+  window_->resize(1280, 800);
+  QCoreApplication::processEvents();
+  keepPicture(window_->picture(), "verify-dark");
+
+  panel().compareWith(writeFile("broken.calibration.json", "{\"format\": "));
+  ASSERT_TRUE(waitForSentence("comparison", "broken.calibration.json")) << sentence("comparison").toStdString();
+  EXPECT_EQ(inPanel<QTableView>("comparisonTable")->model()->rowCount(), 0);
+  EXPECT_TRUE(drawn.empty());
+  ASSERT_TRUE(inPanel<QPushButton>("comparisonRemove")->isVisible());
+  inPanel<QPushButton>("comparisonRemove")->click();
+  EXPECT_EQ(sentence("comparison"), "");
+  ASSERT_NO_FATAL_FAILURE(takeNextPose());
+  EXPECT_EQ(sentence("comparison"), "") << "the file that can't be read is not read again";
+}
+
+TEST_F(WindowVerifyTest, TheTableOfCellsPicksAndIsSavedAsItIsSorted) {
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(3));
+  showTab("Cells");
+  auto* view = find<QTableView>("cellView");
+  ASSERT_TRUE(view->isVisible());
+  view->sortByColumn(0, Qt::DescendingOrder);
+  clickRow("cellView", 0);
+  EXPECT_EQ(window_->selection().cell(), CellId(17));
+  clickCellInGraph(CellId(16));
+  EXPECT_EQ(view->currentIndex().row(), 1);
+  keepPicture(window_->picture(), "cells-light");
+
+  QAction* save = nullptr;
+  for (QAction* candidate : view->actions()) {
+    if (candidate->objectName() == "actionSaveCsv") save = candidate;
+  }
+  ASSERT_NE(save, nullptr);
+  save->trigger();
+  const QString path = pathTo("cells.csv");
+  ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("saveDialog", path));
+  ASSERT_TRUE(waitForMessage("Exported to " + path)) << message().toStdString();
+  QFile file(path);
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  EXPECT_TRUE(file.readLine().startsWith("Cell,Patch,X mm,"));
+  EXPECT_TRUE(file.readLine().startsWith("17,1,"));
+}
+
+TEST_F(WindowVerifyTest, ResidualsPickLinkAndPoseInTheWholeWindow) {
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(4));
+  showTab("Residuals");
+  auto* matrix = find<QTableView>("residualMatrix");
+  ASSERT_TRUE(matrix->isVisible());
+  QTest::mouseClick(matrix->viewport(), Qt::LeftButton, Qt::NoModifier,
+                    matrix->visualRect(matrix->model()->index(1, 3)).center());
+  ASSERT_TRUE(window_->selection().link().has_value());
+  EXPECT_EQ(find<QTableView>("poseView")->currentIndex().row(), 2);
+  EXPECT_EQ(find<QTableView>("linkView")->currentIndex().row(), 1);
+  keepPicture(window_->picture(), "residuals-light");
+  click(find<QToolButton>("residualPlotsButton"));
+  keepPicture(window_->picture(), "residual-plots-light");
+  window_->setThemeChoice(ThemeChoice::Dark, false);
+  keepPicture(window_->picture(), "residual-plots-dark");
+  window_->resize(1280, 800);
+  click(find<QToolButton>("residualMatrixButton"));
+  keepPicture(window_->picture(), "residuals-dark");
+}
+
+TEST_F(WindowVerifyTest, SortedTablesStillMeanTheRowThatIsSeen) {
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(3));
+  auto* poses = find<QTableView>("poseView");
+  poses->sortByColumn(0, Qt::DescendingOrder);
+  clickRow("poseView", 0);
+  press(Qt::Key_Delete);
+  ASSERT_TRUE(waitUntilIdle());
+  EXPECT_TRUE(controller().session()->poses()[2].disabled);
+  EXPECT_FALSE(controller().session()->poses()[0].disabled);
+
+  showTab("Links");
+  auto* links = find<QTableView>("linkView");
+  links->sortByColumn(2, Qt::DescendingOrder);
+  clickRow("linkView", 0);
+  const auto& all = controller().reconstruction()->patches[0].links;
+  const auto worst = std::ranges::max_element(all, {}, &LinkEstimate::residual_rad);
+  EXPECT_EQ(window_->selection().link(), Selection::Link(worst->source, worst->target));
+}
+
+TEST_F(WindowVerifyTest, TheNewestRequestWinsAndACancelledOneSaysNothing) {
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(5));
+  Verification verification;
+  std::vector<PoseId> results;
+  QObject::connect(&verification, &Verification::heldOut,
+                   [&](const HoldOutResult& result) { results.push_back(result.pose); });
+  bool running = false;
+  QObject::connect(&verification, &Verification::runningChanged, [&](VerifyCheck check, bool now) {
+    if (check == VerifyCheck::HoldOut) running = now;
+  });
+  verification.setReconstruction(controller().reconstruction());
+  const auto snapshot = controller().session()->snapshot();
+  for (std::uint32_t pose = 1; pose <= 4; ++pose) verification.runHoldOut(snapshot, PoseId(pose));
+  EXPECT_TRUE(running);
+  ASSERT_TRUE(waitUntil([&] { return !running; }));
+  EXPECT_THAT(results, testing::ElementsAre(PoseId(4)));
+  verification.runHoldOut(snapshot, PoseId(1));
+  verification.cancel(VerifyCheck::HoldOut);
+  EXPECT_FALSE(running);
+  verification.runHoldOut(snapshot, PoseId(5));
+  ASSERT_TRUE(waitUntil([&] { return results.size() > 1; }));
+  EXPECT_THAT(results, testing::ElementsAre(PoseId(4), PoseId(5)));
+}
+
+TEST_F(WindowVerifyTest, WhatIsVerifiedIsTheSolverThatWasUsed) {
+  SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
+  const Session session = simulateSession(skin, 5, 20);
+  const QString path = pathTo("same.session.json");
+  writeSessionJson(session, path.toStdString());
+  SolverOptions options;
+  options.solver = Solver::Tree;
+  Verification verification;
+  std::optional<HoldOutResult> held_out;
+  std::vector<Comparison> comparisons;
+  QObject::connect(&verification, &Verification::heldOut, [&](const HoldOutResult& result) { held_out = result; });
+  QObject::connect(&verification, &Verification::compared,
+                   [&](const std::vector<Comparison>& compared) { comparisons = compared; });
+  verification.setReconstruction(reconstruct(*session.snapshot(), options));
+  verification.runHoldOut(session.snapshot(), PoseId(3));
+  verification.compareWith(path);
+  ASSERT_TRUE(waitUntil([&] { return held_out && !comparisons.empty(); }));
+  EXPECT_EQ(held_out->rms_rad, evaluateHoldOut(*session.snapshot(), PoseId(3), options).rms_rad);
+  EXPECT_NE(held_out->rms_rad, evaluateHoldOut(*session.snapshot(), PoseId(3)).rms_rad);
+  EXPECT_LT(comparisons[0].position_rms_m, 1e-12) << "the same session, solved in the same way";
+
+  // The session is solved anew when the solver is another.
+  comparisons.clear();
+  verification.setReconstruction(reconstruct(*session.snapshot()));
+  ASSERT_TRUE(waitUntil([&] { return !comparisons.empty(); }));
+  EXPECT_NEAR(comparisons[0].position_rms_m, 0, 1e-9);
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,207 @@
+// Devices on real wires: the emulator is a program of its own, as a device is, and the window is connected to it by its
+// dialog. Nothing here is about how fast this computer is.
+
+#include "hexoderm/session/session_store.h"
+#include "hexoderm/util/units.h"
+#include "tests/app/emulator/emulator_program.h"
+#include "tests/app/window/window_test.h"
+#include "widgets/controls/check_list.h"
+
+#include <QFileInfo>
+#include <cmath>
+
+namespace hexoderm {
+namespace {
+
+struct Wire {
+  const char* name;
+  const char* kind;                 ///< as the dialog calls it
+  std::vector<std::string> spoken;  ///< options of the emulator
+  const char* gone;                 ///< what the operating system says where there is no device
+};
+void PrintTo(const Wire& wire, std::ostream* out) { *out << wire.name; }
+
+const Wire kWires[] = {
+    {"Udp", "Network, UDP", {"--udp"}, "Connection refused"},
+    {"SerialPort", "Serial port", {"--pty"}, "No such file or directory"},
+    {"TcpInFrames", "Network, TCP", {"--tcp"}, "Connection refused"},
+    {"TcpInLines", "Network, TCP", {"--json", "--tcp"}, "Connection refused"},
+};
+
+/// The emulator, which can be pulled out and plugged in again where it was. A serial port then has another number, and
+/// the same name in a folder as /dev/serial/by-id is.
+class Device {
+ public:
+  Device(const Wire& wire, QString port_name) : wire_(wire), port_name_(std::move(port_name)) { plugIn(); }
+
+  void plugIn() {
+    std::vector<std::string> arguments = wire_.spoken;
+    if (!isSerial()) arguments.push_back(port_);
+    // Few samples, at four times the pace of life: the part is soon there, and a computer that is busy keeps up.
+    for (const char* word : {"--patch", "x17", "--ideal", "--rate", "100", "--speed", "4"})
+      arguments.emplace_back(word);
+    emulator_ = std::make_unique<Emulator>(arguments);
+    const QString address = QString::fromStdString(emulator_->address);
+    if (isSerial()) {
+      QFile::remove(port_name_);
+      ASSERT_TRUE(QFile::link(address.section(':', 1), port_name_));
+    } else {
+      port_ = address.section(':', -1).toStdString();
+    }
+  }
+  void pullOut() {
+    emulator_->kill();
+    emulator_.reset();
+  }
+  /// As it is typed behind the kind of connection.
+  [[nodiscard]] QString address() const {
+    return isSerial() ? port_name_ : QStringLiteral("127.0.0.1:%1").arg(QString::fromStdString(port_));
+  }
+  [[nodiscard]] std::string type(const std::string& line) const { return emulator_->type(line); }
+
+ private:
+  [[nodiscard]] bool isSerial() const { return wire_.spoken.front() == "--pty"; }
+
+  const Wire& wire_;
+  QString port_name_;
+  std::string port_ = "0";
+  std::unique_ptr<Emulator> emulator_;
+};
+
+class WindowWiresTest : public WindowTest, public testing::WithParamInterface<Wire> {
+ protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    device_ = std::make_unique<Device>(GetParam(), pathTo("usb-skin"));
+  }
+  /// The first pose is captured by itself, where the part lies.
+  void connectDevice() {
+    ASSERT_NO_FATAL_FAILURE(connectByDialog(GetParam().kind, device_->address(), path()));
+    ASSERT_TRUE(waitUntil([this] { return controller().isLive(); })) << labelText("liveText").toStdString();
+    // What went well is said for a moment only, and solving may take longer.
+    ASSERT_TRUE(waitForMessage("Pose 1 captured: 17 cells."))
+        << message().toStdString() << labelText("captureWait").toStdString();
+    ASSERT_TRUE(waitForPoses(1)) << message().toStdString();
+  }
+  /// The second where the device is asked to turn itself to, as soon as it is there.
+  void turnToTheSecondPose() {
+    ASSERT_TRUE(waitUntil([this] { return action("actionTurn")->isEnabled(); }))
+        << action("actionTurn")->toolTip().toStdString();
+    advised_o_ = controller().nextPose()->up;
+    press(Qt::Key_T);
+    ASSERT_TRUE(waitForMessage("Pose 2 captured: 17 cells."))
+        << message().toStdString() << labelText("captureWait").toStdString();
+    EXPECT_FALSE(message().contains("repeats")) << message().toStdString();
+    ASSERT_TRUE(waitForPoses(2)) << message().toStdString();
+  }
+  void captureBySpace(std::size_t poses) {
+    ASSERT_TRUE(waitUntil([this] { return action("actionCapture")->isEnabled(); }))
+        << action("actionCapture")->toolTip().toStdString();
+    press(Qt::Key_Space);
+    ASSERT_TRUE(waitForPoses(poses)) << labelText("captureWait").toStdString();
+  }
+  [[nodiscard]] QString path() const { return pathTo("arm.hexo"); }
+  [[nodiscard]] std::size_t posesInFile() const { return readSessionStore(path().toStdString()).poses().size(); }
+  /// Once nothing waits to be written any more.
+  bool waitUntilKept() {
+    return waitUntil(
+        [this] { return controller().isKept() && !controller().isWriting() && !controller().hasUnsavedChanges(); });
+  }
+  bool isSaidByTheCheck(const QString& text) {
+    for (const QLabel* label : find<CheckList>("checkList")->findChildren<QLabel*>()) {
+      if (label->isVisible() && label->text().contains(text)) return true;
+    }
+    return false;
+  }
+
+  std::unique_ptr<Device> device_;
+  Eigen::Vector3d advised_o_ = Eigen::Vector3d::Zero();
+};
+
+TEST_P(WindowWiresTest, ADeviceIsConnectedCheckedCapturedAndLeft) {
+  ASSERT_NO_FATAL_FAILURE(connectDevice());
+  EXPECT_EQ(labelText("liveState"), "Streaming");
+  EXPECT_TRUE(labelText("sourceStatus").contains("Streaming")) << labelText("sourceStatus").toStdString();
+  EXPECT_TRUE(labelText("sourceStatus").contains("emulated skin")) << labelText("sourceStatus").toStdString();
+  EXPECT_TRUE(labelText("sourceStatus").contains(device_->address())) << labelText("sourceStatus").toStdString();
+  EXPECT_FALSE(find<QWidget>("liveStrip")->isVisible()) << labelText("liveText").toStdString();
+  EXPECT_EQ(controller().reconstruction()->cellCount(), 17U);
+  press(Qt::Key_2, Qt::ControlModifier);
+  EXPECT_TRUE(waitUntil([this] { return isSaidByTheCheck("17 cells, 16 links, 1 patch"); }));
+  EXPECT_TRUE(waitUntil([this] { return isSaidByTheCheck("All 17 cells send"); }));
+
+  // What is asked of the device arrives there.
+  clickCellInGraph(CellId(3));
+  ASSERT_TRUE(action("actionLightCell")->isEnabled()) << action("actionLightCell")->toolTip().toStdString();
+  press(Qt::Key_L, Qt::ControlModifier);
+  EXPECT_TRUE(waitUntil([this] { return device_->type("led 3") == "cell 3 #ffffff"; }));
+  ASSERT_NO_FATAL_FAILURE(turnToTheSecondPose());
+  const PatchReconstruction& patch = controller().reconstruction()->patches.at(0);
+  ASSERT_EQ(patch.gravity.size(), 2U);
+  EXPECT_LT(std::acos(std::clamp(patch.gravity[1].g_o.dot(advised_o_), -1.0, 1.0)), 10 * kDegree)
+      << "an ideal device turns to where it is asked";
+  EXPECT_EQ(controller().reconstruction()->verdict.level, VerdictLevel::Usable);
+
+  press(Qt::Key_A);
+  ASSERT_FALSE(controller().isAutomatic());
+  action("actionDisconnect")->trigger();
+  EXPECT_FALSE(controller().live().isRunning());
+  EXPECT_EQ(action("actionCapture")->toolTip(), "No skin is connected");
+  EXPECT_EQ(posesShown(), 2U);
+  ASSERT_TRUE(waitUntilKept());
+  const Session kept = readSessionStore(path().toStdString());
+  ASSERT_EQ(kept.poses().size(), 2U);
+  for (const SessionPose& pose : kept.poses()) EXPECT_EQ(pose.capture->samples.size(), 17U);
+  EXPECT_EQ(kept.neighbors(), controller().session()->neighbors());
+
+  // Once more, as the dialog proposes: the same device, and the session that is open.
+  press(Qt::Key_K, Qt::ControlModifier);
+  auto* dialog = waitForDialog<QDialog>("connectDialog");
+  ASSERT_NE(dialog, nullptr);
+  QTest::keyClick(dialog->findChild<QComboBox*>("connectAddress"), Qt::Key_Return);
+  ASSERT_TRUE(waitUntil([this] { return controller().isLive(); })) << labelText("liveText").toStdString();
+  ASSERT_NO_FATAL_FAILURE(captureBySpace(3));
+  ASSERT_TRUE(waitForMessage("Pose 3 captured: 17 cells. It repeats pose 2")) << message().toStdString();
+  ASSERT_TRUE(waitUntilKept());
+  EXPECT_EQ(posesInFile(), 3U);
+}
+
+TEST_P(WindowWiresTest, ADeviceThatIsPulledOutIsSaidAndTheWorkGoesOnWhenItIsBack) {
+  ASSERT_NO_FATAL_FAILURE(connectDevice());
+  ASSERT_NO_FATAL_FAILURE(turnToTheSecondPose());
+  press(Qt::Key_A);
+  ASSERT_FALSE(controller().isAutomatic());
+  device_->pullOut();
+  ASSERT_TRUE(waitUntil([this] { return labelText("liveText").contains(GetParam().gone); }))
+      << labelText("liveText").toStdString();
+  EXPECT_EQ(labelText("liveState"), "Connecting");
+  EXPECT_TRUE(find<QLabel>("liveText")->isVisible());
+  EXPECT_TRUE(labelText("liveText").contains(device_->address())) << labelText("liveText").toStdString();
+  EXPECT_TRUE(labelText("liveText").contains("next try in")) << labelText("liveText").toStdString();
+  EXPECT_TRUE(labelText("sourceStatus").contains("Connecting")) << labelText("sourceStatus").toStdString();
+  EXPECT_FALSE(action("actionCapture")->isEnabled());
+  EXPECT_TRUE(action("actionCapture")->toolTip().contains("does not send"))
+      << action("actionCapture")->toolTip().toStdString();
+  EXPECT_EQ(posesShown(), 2U);
+  ASSERT_TRUE(waitUntilKept());
+  EXPECT_EQ(posesInFile(), 2U);
+  keepPicture(window_->picture(), QStringLiteral("wire-pulled-out-%1").arg(GetParam().name));
+
+  ASSERT_NO_FATAL_FAILURE(device_->plugIn());
+  ASSERT_TRUE(waitUntil([this] { return labelText("liveState") == "Streaming"; }))
+      << labelText("liveText").toStdString();
+  EXPECT_GE(controller().live().status().reconnects, 1U);
+  ASSERT_NO_FATAL_FAILURE(captureBySpace(3));
+  ASSERT_TRUE(waitForMessage("Pose 3 captured: 17 cells. It repeats pose 1")) << message().toStdString();
+  EXPECT_FALSE(find<QWidget>("liveStrip")->isVisible());
+  EXPECT_FALSE(labelText("lossesStatus").contains("late")) << labelText("lossesStatus").toStdString();
+  ASSERT_TRUE(waitUntilKept());
+  EXPECT_EQ(posesInFile(), 3U);
+  keepPicture(window_->picture(), QStringLiteral("wire-back-again-%1").arg(GetParam().name));
+}
+
+INSTANTIATE_TEST_SUITE_P(Wires, WindowWiresTest, testing::ValuesIn(kWires),
+                         [](const testing::TestParamInfo<Wire>& wire) { return std::string(wire.param.name); });
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,376 @@
+#include "hexoderm/device/emulation/emulated_device.h"
+
+#include "hexoderm/device/skinwire/codec.h"
+#include "hexoderm/device/skinwire/description.h"
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/units.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace hexoderm {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::SizeIs;
+using Messages = EmulatedDevice::Messages;
+
+/// A device and a host that asks and listens, without anything between them.
+struct Bench {
+  explicit Bench(SimulatedSkinOptions skin = SimulatedSkinOptions::ideal(), EmulatedDeviceOptions options = {})
+      : device(SimulatedSkin(builtInCellModel("hex-bma150"), std::move(skin)), std::move(options)) {}
+
+  void explore() {
+    while (device.isExploring()) device.tick(heard);
+  }
+  void tick(int count) {
+    for (int k = 0; k < count; ++k) device.tick(heard);
+  }
+  template <class Kind>
+  std::vector<Kind> take() {
+    std::vector<Kind> found;
+    Messages rest;
+    for (skinwire::Message& message : heard) {
+      EXPECT_EQ(skinwire::complaint(message), "");
+      if (Kind* kind = std::get_if<Kind>(&message)) {
+        found.push_back(std::move(*kind));
+      } else {
+        rest.push_back(std::move(message));
+      }
+    }
+    heard = std::move(rest);
+    return found;
+  }
+
+  EmulatedDevice device;
+  Messages heard;
+};
+
+/// With readings in LSB.
+SimulatedSkinOptions quantised() {
+  SimulatedSkinOptions options = SimulatedSkinOptions::ideal();
+  options.sensor_noise = true;
+  return options;
+}
+
+std::size_t samplesIn(const std::vector<skinwire::Samples>& messages) {
+  std::size_t count = 0;
+  for (const skinwire::Samples& message : messages) count += message.ticks() * message.cells.size();
+  return count;
+}
+
+TEST(EmulatedDevice, ExploresFirstAndThenDescribesItself) {
+  Bench bench;
+  bench.device.greet(bench.heard);
+  EXPECT_THAT(bench.take<skinwire::Topology>(), SizeIs(0));
+  const auto statuses = bench.take<skinwire::Status>();
+  ASSERT_THAT(statuses, SizeIs(1));
+  EXPECT_TRUE(statuses[0].exploring);
+  const auto hellos = bench.take<skinwire::Hello>();
+  ASSERT_THAT(hellos, SizeIs(1));
+  EXPECT_TRUE(hellos[0].can_turn && hellos[0].can_light_cells);
+  EXPECT_EQ(hellos[0].rate_hz, 1000);
+  EXPECT_EQ(hellos[0].cell_model, "hex-bma150");
+
+  bench.explore();
+  EXPECT_NEAR(bench.device.time_s(), bench.device.exploration().duration_s, 0.001);
+  const auto topologies = bench.take<skinwire::Topology>();
+  ASSERT_THAT(topologies, SizeIs(1));
+  EXPECT_EQ(topologies[0].cells, bench.device.exploration().cells);
+  EXPECT_THAT(bench.take<skinwire::Samples>(), SizeIs(0));
+}
+
+TEST(EmulatedDevice, SendsEverySampleAsTheSkinReadIt) {
+  Bench bench(quantised());
+  bench.device.greet(bench.heard);
+  bench.explore();
+  const double began_s = bench.device.time_s();
+  bench.tick(100);
+  const auto messages = bench.take<skinwire::Samples>();
+  EXPECT_THAT(messages, SizeIs(10)) << "ten ticks together";
+  SampleFrame frame;
+  std::size_t sequence = 0;
+  std::size_t ticks = 0;
+  for (const skinwire::Samples& message : messages) {
+    EXPECT_EQ(message.sequence, sequence);
+    sequence += message.ticks() * message.cells.size();
+    for (std::size_t tick = 0; tick < message.ticks(); ++tick, ++ticks) {
+      skinwire::decodeTick(message, tick, 0.004, frame);
+      EXPECT_NEAR(frame.time_s, began_s + static_cast<double>(ticks) / 1000, 1e-9);
+      for (std::size_t k = 0; k < frame.samples.size(); ++k) {
+        const Eigen::Vector3d up_b = bench.device.skin().truth()[k].T_b_u.R * frame.samples[k].acceleration_g;
+        EXPECT_LT((up_b - Eigen::Vector3d::UnitZ()).norm(), 0.15);
+      }
+    }
+  }
+  EXPECT_EQ(sequence, 1700U);
+  EXPECT_EQ(bench.device.status().samples_sent, 1700U);
+  EXPECT_EQ(bench.device.status().samples_dropped, 0U);
+}
+
+TEST(EmulatedDevice, MessagesAndTopologiesFitDatagrams) {
+  SimulatedSkinOptions skin = quantised();
+  skin.patch = "sheet:15x20";
+  EmulatedDeviceOptions options;
+  options.max_body = skinwire::kMaxDatagram;
+  Bench bench(skin, options);
+  bench.device.greet(bench.heard);
+  bench.explore();
+  bench.tick(20);
+  for (const skinwire::Message& message : bench.heard) {
+    EXPECT_LE(skinwire::encodeBody(message).size(), skinwire::kMaxDatagram);
+  }
+  EXPECT_EQ(samplesIn(bench.take<skinwire::Samples>()), 20U * 300U);
+  skinwire::TopologyAssembler assembler;
+  std::optional<NeighborList> whole;
+  for (const skinwire::Topology& part : bench.take<skinwire::Topology>()) whole = assembler.add(part);
+  ASSERT_TRUE(whole.has_value());
+  EXPECT_EQ(*whole, bench.device.exploration().cells);
+}
+
+TEST(EmulatedDevice, CellsAverageByThemselves) {
+  SimulatedSkinOptions skin = quantised();
+  EmulatedDeviceOptions options;
+  options.means_of = 50;
+  Bench bench(skin, options);
+  bench.device.greet(bench.heard);
+  bench.explore();
+  bench.tick(100);
+  const auto messages = bench.take<skinwire::Samples>();
+  ASSERT_THAT(messages, SizeIs(2));
+  SampleFrame frame;
+  skinwire::decodeTick(messages[1], 0, 0.004, frame);
+  ASSERT_THAT(frame.means, SizeIs(17));
+  for (const CellMean& mean : frame.means) {
+    EXPECT_EQ(mean.count, 50U);
+    EXPECT_NEAR(mean.mean_g.norm(), 1, 0.01);
+    // 0.5 mg per root hertz at 1 kHz are 11.2 mg; an LSB of 4 mg adds little.
+    for (const double variance_g2 : mean.variance_g2) {
+      EXPECT_GT(std::sqrt(variance_g2), 0.006);
+      EXPECT_LT(std::sqrt(variance_g2), 0.018);
+    }
+  }
+  EXPECT_EQ(messages[1].time_us - messages[0].time_us, 50'000U);
+}
+
+TEST(EmulatedDevice, TurnsUntilTheCellLooksUp) {
+  Bench bench;
+  bench.device.greet(bench.heard);
+  bench.explore();
+  const Eigen::Vector3d up_u = Eigen::Vector3d(1, -2, 2).normalized();
+  bench.device.take({7, skinwire::TurnTo{5, up_u}}, bench.heard);
+  EXPECT_THAT(bench.take<skinwire::Ack>(), ElementsAre(skinwire::Ack{7, false, "", true}));
+  std::vector<skinwire::Ack> acks;
+  int ticks = 0;
+  for (; acks.empty() || acks.back().working; ++ticks) {
+    ASSERT_LT(ticks, 5000);
+    bench.tick(1);
+    for (const skinwire::Ack& ack : bench.take<skinwire::Ack>()) acks.push_back(ack);
+  }
+  EXPECT_GT(ticks, 300);
+  EXPECT_EQ(acks.back(), (skinwire::Ack{7, true, "", false}));
+  EXPECT_EQ(acks.size(), 1U + static_cast<std::size_t>(ticks) / 1001U) << "word once a second";
+  bench.take<skinwire::Samples>();
+  bench.tick(10);
+  const auto samples = bench.take<skinwire::Samples>();
+  SampleFrame frame;
+  skinwire::decodeTick(samples.back(), 0, 0.004, frame);
+  EXPECT_LT((frame.samples[4].acceleration_g - up_u).norm(), 1e-6);
+
+  bench.device.take({7, skinwire::TurnTo{5, up_u}}, bench.heard);
+  EXPECT_THAT(bench.take<skinwire::Ack>(), ElementsAre(skinwire::Ack{7, true, "", false}))
+      << "answered, not done again";
+  EXPECT_FALSE(bench.device.skin().turning());
+}
+
+TEST(EmulatedDevice, TheNewerTurnWins) {
+  Bench bench;
+  bench.device.greet(bench.heard);
+  bench.explore();
+  bench.device.take({1, skinwire::TurnTo{5, Eigen::Vector3d::UnitX()}}, bench.heard);
+  bench.device.take({2, skinwire::TurnTo{5, -Eigen::Vector3d::UnitX()}}, bench.heard);
+  const auto acks = bench.take<skinwire::Ack>();
+  ASSERT_THAT(acks, SizeIs(3));
+  EXPECT_EQ(acks[1].command, 1U);
+  EXPECT_FALSE(acks[1].done || acks[1].working);
+  EXPECT_TRUE(acks[2].working);
+}
+
+TEST(EmulatedDevice, AnswersEveryCommand) {
+  Bench bench;
+  bench.device.greet(bench.heard);
+  bench.explore();
+  const auto ask = [&](skinwire::Request request) {
+    static std::uint32_t number = 100;
+    bench.take<skinwire::Ack>();
+    bench.device.take({++number, std::move(request)}, bench.heard);
+    const auto acks = bench.take<skinwire::Ack>();
+    EXPECT_THAT(acks, SizeIs(1));
+    EXPECT_EQ(acks.at(0).command, number);
+    return acks.at(0);
+  };
+  EXPECT_TRUE(ask(skinwire::SetLed{7, 255, 0, 16}).done);
+  EXPECT_THAT(bench.device.led(CellId(7)), ElementsAre(255, 0, 16));
+  EXPECT_THAT(bench.device.led(CellId(8)), ElementsAre(0, 0, 0));
+  EXPECT_THAT(ask(skinwire::SetLed{18, 1, 1, 1}).text, HasSubstr("no cell 18"));
+  EXPECT_FALSE(ask(skinwire::TurnTo{18, Eigen::Vector3d::UnitX()}).done);
+  EXPECT_FALSE(ask(std::monostate{}).done);
+  EXPECT_FALSE(ask(skinwire::SetRate{5000}).done);
+
+  bench.take<skinwire::Hello>();
+  EXPECT_TRUE(ask(skinwire::SetRate{250}).done);
+  const auto hellos = bench.take<skinwire::Hello>();
+  ASSERT_THAT(hellos, SizeIs(1));
+  EXPECT_EQ(hellos[0].rate_hz, 250);
+  bench.take<skinwire::Samples>();
+  bench.tick(1000);
+  EXPECT_NEAR(static_cast<double>(samplesIn(bench.take<skinwire::Samples>())), 250 * 17, 3 * 17);
+
+  bench.take<skinwire::Topology>();
+  bench.take<skinwire::Hello>();
+  bench.device.take({0, skinwire::Describe{}}, bench.heard);
+  const auto topologies = bench.take<skinwire::Topology>();
+  ASSERT_THAT(topologies, SizeIs(1));
+  bench.device.take({0, skinwire::Describe{topologies[0].id}}, bench.heard);
+  EXPECT_THAT(bench.take<skinwire::Topology>(), SizeIs(0));
+  EXPECT_THAT(bench.take<skinwire::Hello>(), SizeIs(2));
+}
+
+TEST(EmulatedDevice, ExploresAgainAndLosesWhatDoesNotAnswer) {
+  Bench bench(quantised());
+  bench.device.greet(bench.heard);
+  bench.explore();
+  const auto before = bench.take<skinwire::Topology>();
+  bench.device.breakController(CellId(5));  // the end of an arm of x17
+  bench.device.take({1, skinwire::ExploreAgain{}}, bench.heard);
+  EXPECT_TRUE(bench.device.isExploring());
+  EXPECT_TRUE(bench.take<skinwire::Status>().back().exploring);
+  EXPECT_TRUE(bench.take<skinwire::Ack>().back().working);
+  bench.take<skinwire::Samples>();
+  bench.explore();
+  EXPECT_TRUE(bench.take<skinwire::Ack>().back().done);
+  EXPECT_THAT(bench.take<skinwire::Samples>(), SizeIs(0));
+  const auto after = bench.take<skinwire::Topology>();
+  ASSERT_THAT(after, SizeIs(1));
+  EXPECT_NE(after[0].id, before.at(0).id);
+  EXPECT_THAT(after[0].cells, SizeIs(16));
+  bench.tick(10);
+  EXPECT_THAT(bench.take<skinwire::Samples>().at(0).cells, SizeIs(16));
+
+  bench.device.mendCell(CellId(5));
+  bench.device.breakPort({PortFaultKind::Cut, {CellId(2), bench.device.skin().neighbors()[1].neighbors[0].port}});
+  bench.device.take({2, skinwire::ExploreAgain{}}, bench.heard);
+  bench.explore();
+  EXPECT_LT(bench.take<skinwire::Topology>().at(0).cells.size(), 17U);
+}
+
+TEST(EmulatedDevice, CellsBreakAndAreMendedWhileItRuns) {
+  Bench bench(quantised());
+  bench.device.greet(bench.heard);
+  bench.explore();
+  const auto nextCells = [&] {
+    bench.tick(10);
+    return bench.take<skinwire::Samples>().back().cells.size();
+  };
+  EXPECT_EQ(nextCells(), 17U);
+  bench.device.breakCell({SkinFault::NoSamples, CellId(4)});
+  EXPECT_EQ(nextCells(), 16U);
+  bench.device.mendCell(CellId(4));
+  EXPECT_EQ(nextCells(), 17U);
+  EXPECT_THROW(bench.device.breakCell({SkinFault::Dead, CellId(99)}), InvalidArgument);
+  EXPECT_THROW(bench.device.breakController(CellId(99)), InvalidArgument);
+  EXPECT_THROW(bench.device.breakPort({PortFaultKind::Deaf, {CellId(1), PortNumber(9)}}), InvalidArgument);
+}
+
+TEST(EmulatedDevice, AnotherMouldIsAnotherStart) {
+  Bench bench(quantised());
+  bench.device.greet(bench.heard);
+  bench.explore();
+  bench.tick(50);
+  bench.device.breakCell({SkinFault::NoSamples, CellId(17)});
+  const auto first = bench.take<skinwire::Hello>().back();
+  const NeighborList before = bench.take<skinwire::Topology>().back().cells;
+  bench.take<skinwire::Samples>();
+  bench.device.take({3, skinwire::TurnTo{5, Eigen::Vector3d::UnitX()}}, bench.heard);
+  const LinkEnd at{CellId(3), PortNumber(1)};
+  bench.device.breakLink({LinkFaultKind::WrongPort, at}, bench.heard);
+  EXPECT_FALSE(bench.take<skinwire::Ack>().back().working);
+  EXPECT_NE(bench.take<skinwire::Hello>().at(0).stream, first.stream);
+  bench.explore();
+  EXPECT_NE(bench.take<skinwire::Topology>().back().cells, before);
+  bench.take<skinwire::Samples>();
+  bench.tick(10);
+  const auto samples = bench.take<skinwire::Samples>();
+  EXPECT_EQ(samples.at(0).sequence, 0U);
+  EXPECT_THAT(samples.at(0).cells, SizeIs(16)) << "its broken cell stays broken";
+  EXPECT_THROW(bench.device.breakLink({LinkFaultKind::WrongPort, at}, bench.heard), InvalidArgument);
+  EXPECT_FALSE(bench.device.mendLink({CellId(1), PortNumber(1)}, bench.heard));
+  EXPECT_TRUE(bench.device.mendLink(at, bench.heard));
+  bench.explore();
+  EXPECT_EQ(bench.take<skinwire::Topology>().back().cells, before);
+}
+
+TEST(EmulatedDevice, CountsWhatItCouldNotSend) {
+  Bench bench(quantised());
+  bench.device.greet(bench.heard);
+  bench.explore();
+  bench.tick(10);
+  bench.device.countDropped(bench.take<skinwire::Samples>().at(0));
+  EXPECT_EQ(bench.device.status().samples_dropped, 170U);
+  EXPECT_EQ(bench.device.status().samples_sent, 0U);
+  bench.device.skip(30, bench.heard);
+  EXPECT_EQ(bench.device.status().samples_dropped, 170U + 30U * 17U);
+  EXPECT_EQ(bench.device.status().samples_sent, 0U);
+  bench.tick(10);
+  const auto messages = bench.take<skinwire::Samples>();
+  EXPECT_EQ(messages.at(0).sequence, 40U * 17U) << "the host sees the loss in the numbering";
+  EXPECT_EQ(bench.device.status().samples_sent, 170U);
+}
+
+TEST(EmulatedDevice, MeansKeepUpWithFewerSamples) {
+  EmulatedDeviceOptions options;
+  options.means_of = 10;
+  Bench bench(quantised(), options);
+  bench.device.greet(bench.heard);
+  bench.explore();
+  for (int k = 0; k < 10; ++k) {
+    bench.tick(1);
+    bench.device.skip(1, bench.heard);
+  }
+  const auto messages = bench.take<skinwire::Samples>();
+  ASSERT_THAT(messages, SizeIs(2));
+  for (const skinwire::Samples& message : messages) EXPECT_EQ(message.count.at(0), 5U);
+  EXPECT_EQ(messages[1].time_us - messages[0].time_us, 10'000U);
+  EXPECT_EQ(bench.device.status().samples_dropped, 0U);
+  bench.tick(1);
+  bench.device.skip(29, bench.heard);  // three means, one of which has a sample
+  EXPECT_THAT(bench.take<skinwire::Samples>(), SizeIs(1));
+  EXPECT_EQ(bench.device.status().samples_dropped, 34U);
+  bench.tick(10);
+  EXPECT_EQ(bench.take<skinwire::Samples>().at(0).sequence, 85U);
+}
+
+TEST(EmulatedDevice, SaysTwiceASecondHowItIs) {
+  Bench bench;
+  bench.device.greet(bench.heard);
+  bench.explore();
+  bench.take<skinwire::Status>();
+  bench.tick(2000);
+  EXPECT_THAT(bench.take<skinwire::Status>(), SizeIs(4));
+}
+
+TEST(EmulatedDevice, RefusesOptionsThatMakeNoSense) {
+  const auto with = [](auto change) {
+    EmulatedDeviceOptions options;
+    change(options);
+    EXPECT_THROW(Bench(SimulatedSkinOptions::ideal(), options), InvalidArgument);
+  };
+  with([](auto& options) { options.rate_hz = -1; });
+  with([](auto& options) { options.rate_hz = 2000; });
+  with([](auto& options) { options.max_body = 10; });
+  with([](auto& options) { options.status_every_s = 0; });
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,246 @@
+#include "hexoderm/device/sources/skin_stream.h"
+
+#include "tests/core/device/skinwire/collecting_listener.h"
+#include "tests/core/device/skinwire/wire_messages.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <algorithm>
+
+namespace hexoderm {
+namespace {
+
+using skinwire::Samples;
+using testing::HasSubstr;
+using Effect = SkinStream::Effect;
+
+class SkinStreamTest : public testing::Test {
+ protected:
+  Effect take(const skinwire::Message& message) {
+    return stream.take(skinwire::decodeBody(skinwire::encodeBody(message)));
+  }
+  void describe() {
+    take(skinwire::helloMessage());
+    take(skinwire::topologyMessage());
+  }
+  SourceStatus status() {
+    stream.report(SourceState::Streaming, std::to_string(++reports), SkinStream::Clock::now());
+    return listener.delivered().status();
+  }
+  std::size_t frames() { return listener.delivered().frames.size(); }
+
+  CollectingListener listener;
+  SkinStream stream{listener};
+  int reports = 0;
+};
+
+/// One tick of one cell.
+Samples oneSample(std::uint32_t cell, std::uint64_t time_us, std::optional<std::uint64_t> sequence = std::nullopt) {
+  Samples samples;
+  samples.sequence = sequence;
+  samples.time_us = time_us;
+  samples.cells = {cell};
+  samples.raw_lsb = {0, 0, 256};
+  return samples;
+}
+
+TEST_F(SkinStreamTest, DescribesBeforeItDelivers) {
+  EXPECT_EQ(take(skinwire::rawSamples(0, 1000)), Effect::Alive);
+  EXPECT_EQ(frames(), 0U);
+  take(skinwire::helloMessage());
+  EXPECT_FALSE(stream.isDescribed());
+  EXPECT_THAT(stream.whatIsMissing(), HasSubstr("topology"));
+  take(skinwire::topologyMessage());
+  EXPECT_TRUE(stream.isDescribed());
+  take(skinwire::rawSamples(4, 3000));
+  const auto delivered = listener.delivered();
+  ASSERT_EQ(delivered.skins.size(), 1U);
+  EXPECT_EQ(delivered.skins[0].device, "two cells");
+  EXPECT_EQ(delivered.skins[0].neighbors, skinwire::topologyMessage().cells);
+  EXPECT_TRUE(delivered.skins[0].can_light_cells && delivered.skins[0].can_turn);
+  ASSERT_EQ(delivered.frames.size(), 2U);
+  EXPECT_EQ(delivered.frames[1].time_s, 0.004);
+  EXPECT_EQ(delivered.frames[1].samples[1].cell, CellId(2));
+  EXPECT_EQ(delivered.frames[1].samples[1].acceleration_g, Eigen::Vector3d(-512, 511, 239) * 0.00390625);
+  EXPECT_EQ(status().unknown_samples, 4U) << "those before the description";
+}
+
+TEST_F(SkinStreamTest, SaysTheSameDescriptionOnceAndANewOneAgain) {
+  describe();
+  describe();
+  stream.restart();
+  EXPECT_FALSE(stream.isDescribed());
+  describe();
+  EXPECT_EQ(listener.delivered().skins.size(), 1U);
+  skinwire::Topology other = skinwire::topologyMessage();
+  other.id = 4;
+  other.cells.push_back({CellId(3), "", {}});
+  take(other);
+  EXPECT_EQ(listener.delivered().skins.size(), 2U);
+  skinwire::Hello hello = skinwire::helloMessage();
+  hello.can_turn = false;
+  take(hello);
+  EXPECT_EQ(listener.delivered().skins.size(), 3U);
+}
+
+TEST_F(SkinStreamTest, ACellModelWithoutSenseIsNamedAndLeavesTheSkinUndescribed) {
+  skinwire::Hello hello = skinwire::helloMessage();
+  hello.cell_model = R"({"name": "odd", "side_m": -1})";
+  take(hello);
+  take(skinwire::topologyMessage());
+  EXPECT_FALSE(stream.isDescribed());
+  EXPECT_THAT(stream.whatIsMissing(), HasSubstr("side_m"));
+  take(skinwire::helloMessage());
+  EXPECT_TRUE(stream.isDescribed());
+  EXPECT_EQ(status().rejected_messages, 1U);
+}
+
+TEST_F(SkinStreamTest, CountsWhatTheNumbersSayWasLost) {
+  describe();
+  take(oneSample(1, 1000, 500));  // nobody listened before
+  take(oneSample(1, 2000, 501));
+  take(oneSample(1, 3000, 510));
+  EXPECT_EQ(status().lost_samples, 8U);
+  EXPECT_EQ(frames(), 3U);
+}
+
+TEST_F(SkinStreamTest, DropsDuplicatesAndWhatIsOvertaken) {
+  describe();
+  take(oneSample(1, 1000, 0));
+  EXPECT_EQ(take(oneSample(1, 1000, 0)), Effect::Nothing) << "duplicate";
+  take(oneSample(1, 3000, 2));
+  EXPECT_EQ(take(oneSample(1, 2000, 1)), Effect::Nothing) << "overtaken";
+  EXPECT_EQ(frames(), 2U);
+  EXPECT_EQ(status().late_frames, 2U);
+  EXPECT_EQ(status().lost_samples, 1U) << "the overtaken one came too late";
+}
+
+TEST_F(SkinStreamTest, PartsOfOneTickMayOvertakeEachOther) {
+  describe();
+  take(oneSample(1, 1000, 0));
+  take(oneSample(2, 2000, 2));
+  EXPECT_EQ(take(oneSample(1, 2000, 1)), Effect::Alive);
+  EXPECT_EQ(frames(), 3U);
+  EXPECT_EQ(status().late_frames, 0U);
+  EXPECT_EQ(status().lost_samples, 0U);
+}
+
+TEST_F(SkinStreamTest, DuplicatesAreFoundWithoutNumbersToo) {
+  describe();
+  for (int k = 0; k < 2; ++k) {
+    Samples samples = skinwire::rawSamples(0, 1000);
+    samples.sequence.reset();
+    take(samples);
+  }
+  EXPECT_EQ(frames(), 2U);
+  EXPECT_EQ(status().late_frames, 2U);
+}
+
+TEST_F(SkinStreamTest, ANewStreamOrConnectionStartsTimeAndNumbersAnew) {
+  describe();
+  take(oneSample(1, 1'000'000, 5000));
+  skinwire::Hello hello = skinwire::helloMessage();
+  ++hello.stream;
+  take(hello);
+  EXPECT_EQ(take(oneSample(1, 1000, 0)), Effect::Alive);
+  stream.restart();
+  describe();
+  EXPECT_EQ(take(oneSample(1, 1000, 0)), Effect::Alive);
+  EXPECT_EQ(frames(), 3U);
+  EXPECT_EQ(status().lost_samples, 0U);
+}
+
+TEST_F(SkinStreamTest, CellsThatAreNotInTheTopologyAreLeftOutAndCounted) {
+  describe();
+  Samples samples = skinwire::rawSamples(0, 1000);
+  samples.cells = {9, 2};
+  samples.temperature_cells = {9, 1};
+  samples.temperature_c = {20, 21};
+  take(samples);
+  take(oneSample(9, 9000));
+  const auto delivered = listener.delivered();
+  ASSERT_EQ(delivered.frames.size(), 2U);
+  ASSERT_EQ(delivered.frames[0].samples.size(), 1U);
+  EXPECT_EQ(delivered.frames[0].samples[0].cell, CellId(2));
+  ASSERT_EQ(delivered.frames[0].temperatures.size(), 1U);
+  EXPECT_EQ(delivered.frames[0].temperatures[0].cell, CellId(1));
+  EXPECT_TRUE(delivered.frames[1].temperatures.empty());
+  EXPECT_EQ(status().unknown_samples, 3U);
+}
+
+TEST_F(SkinStreamTest, ACellTwiceInAMessageIsRefused) {
+  describe();
+  Samples samples = skinwire::rawSamples(0, 1000);
+  samples.cells = {1, 1};
+  EXPECT_EQ(take(samples), Effect::Nothing);
+  // What was remembered of the refused message must not be used for one without cells.
+  Samples temperature;
+  temperature.time_us = 2000;
+  temperature.temperature_cells = {1};
+  temperature.temperature_c = {20};
+  EXPECT_EQ(take(temperature), Effect::Alive);
+  EXPECT_EQ(take(skinwire::rawSamples(0, 2000)), Effect::Alive);
+  EXPECT_EQ(status().rejected_messages, 1U);
+  EXPECT_EQ(frames(), 3U);
+}
+
+TEST_F(SkinStreamTest, TheSameCellsAreLookedUpAgainAfterATopologyChanged) {
+  describe();
+  take(skinwire::rawSamples(0, 1000));
+  take(skinwire::Topology{4, 0, 1, {{CellId(2), "", {}}}});
+  Samples temperature;
+  temperature.time_us = 3000;
+  temperature.temperature_cells = {2};
+  temperature.temperature_c = {20};
+  take(temperature);
+  take(skinwire::rawSamples(4, 3000));
+  EXPECT_EQ(status().unknown_samples, 2U);
+  EXPECT_EQ(listener.delivered().frames.back().samples.size(), 1U);
+}
+
+TEST_F(SkinStreamTest, LsbWithoutAScaleAreRefused) {
+  CellModel model = builtInCellModel("hex-bma150");
+  model.accelerometer.lsb_g = 0;
+  skinwire::Hello hello = skinwire::helloMessage();
+  hello.cell_model = cellModelToJson(model);
+  take(hello);
+  take(skinwire::topologyMessage());
+  EXPECT_EQ(take(skinwire::rawSamples(0, 1000)), Effect::Nothing);
+  EXPECT_THAT(stream.lastRejection(), HasSubstr("lsb_g"));
+  EXPECT_EQ(take(skinwire::floatSamples()), Effect::Alive);
+  EXPECT_EQ(frames(), 1U);
+}
+
+TEST_F(SkinStreamTest, SamplesAndMeansOfOneMomentAreBothDelivered) {
+  describe();
+  Samples means;
+  means.time_us = 1000;
+  means.cells = {1};
+  means.mean_g = {0, 0, 1};
+  means.variance_g2 = {0, 0, 0};
+  means.count = {10};
+  EXPECT_EQ(take(oneSample(1, 1000)), Effect::Alive);
+  EXPECT_EQ(take(means), Effect::Alive);
+  EXPECT_EQ(take(means), Effect::Nothing);
+  EXPECT_EQ(frames(), 2U);
+}
+
+TEST_F(SkinStreamTest, BrokenMessagesAreCountedAndOtherMajorsStop) {
+  skinwire::Bytes body = skinwire::encodeBody(skinwire::helloMessage());
+  body.back() ^= 1U;
+  EXPECT_EQ(stream.take(skinwire::decodeBody(body)), Effect::Nothing);
+  EXPECT_EQ(status().rejected_messages, 1U);
+  EXPECT_EQ(stream.take(skinwire::decodeLine(R"({"major": 3})")), Effect::Incompatible);
+  EXPECT_THAT(stream.lastRejection(), HasSubstr("SkinWire 3, this program SkinWire 1"));
+}
+
+TEST_F(SkinStreamTest, WhatADeviceSaysCantMoveATerminalsCursor) {
+  skinwire::Hello hello = skinwire::helloMessage();
+  hello.device = "red\x1b[31m";
+  take(hello);
+  take(skinwire::topologyMessage());
+  EXPECT_EQ(listener.delivered().skins[0].device, "red [31m");
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,106 @@
+#include "hexoderm/device/sources/stdin_source.h"
+
+#include "hexoderm/device/skinwire/framing.h"
+#include "hexoderm/util/file.h"
+#include "tests/core/device/skinwire/collecting_listener.h"
+#include "tests/core/device/skinwire/wire_messages.h"
+#include "tests/support/temporary_folder.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+#include <array>
+
+namespace hexoderm {
+namespace {
+
+using Delivered = CollectingListener::Delivered;
+
+class Pipe {
+ public:
+  Pipe() {
+    if (::pipe2(ends_.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
+  }
+  ~Pipe() {
+    ::close(ends_[0]);
+    closeWriter();
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+  [[nodiscard]] int reader() const { return ends_[0]; }
+  void write(const std::string& text) const { ASSERT_EQ(::write(ends_[1], text.data(), text.size()), text.size()); }
+  void writeLine(const skinwire::Message& message) const { write(skinwire::encodeLine(message) + "\n"); }
+  void closeWriter() {
+    if (ends_[1] >= 0) ::close(ends_[1]);
+    ends_[1] = -1;
+  }
+
+ private:
+  std::array<int, 2> ends_{-1, -1};
+};
+
+TEST(StdinSource, DeliversLinesUntilTheInputIsOver) {
+  Pipe pipe;
+  CollectingListener listener;
+  StdinSource source(pipe.reader());
+  source.start(listener);
+  pipe.writeLine(skinwire::helloMessage());
+  pipe.writeLine(skinwire::topologyMessage());
+  pipe.write("what is this\n");
+  pipe.writeLine(skinwire::rawSamples(0, 1000));
+  ASSERT_TRUE(listener.waitFor([](const Delivered& d) { return d.sawState(SourceState::Streaming); }));
+  pipe.write(skinwire::encodeLine(skinwire::rawSamples(4, 3000)));  // without a line feed
+  pipe.closeWriter();
+  ASSERT_TRUE(listener.waitFor([](const Delivered& d) { return d.sawState(SourceState::Ended); }));
+  EXPECT_EQ(listener.delivered().frames.size(), 4U);
+  EXPECT_EQ(listener.delivered().status().rejected_messages, 1U);
+  source.stop();
+}
+
+TEST(StdinSource, TakesFramesOfBytesToo) {
+  Pipe pipe;
+  CollectingListener listener;
+  StdinSource source(pipe.reader());
+  source.start(listener);
+  for (const skinwire::Message& message : std::vector<skinwire::Message>{
+           skinwire::helloMessage(), skinwire::topologyMessage(), skinwire::rawSamples(0, 1000)}) {
+    const skinwire::Bytes frame = skinwire::encodeFrame(skinwire::Framing::Length, message);
+    pipe.write(std::string(frame.begin(), frame.end()));
+  }
+  EXPECT_TRUE(listener.waitFor([](const Delivered& d) { return d.frames.size() == 2; }));
+}
+
+TEST(StdinSource, ReadsAFileThatWasRedirected) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "lines";
+  writeFileAtomically(path, skinwire::encodeLine(skinwire::helloMessage()) + "\n" +
+                                skinwire::encodeLine(skinwire::topologyMessage()) + "\n" +
+                                skinwire::encodeLine(skinwire::rawSamples(0, 1000)) + "\n");
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  ASSERT_GE(file, 0);
+  CollectingListener listener;
+  StdinSource source(file);
+  source.start(listener);
+  EXPECT_TRUE(listener.waitFor([](const Delivered& d) { return d.sawState(SourceState::Ended); }));
+  source.stop();
+  EXPECT_EQ(listener.delivered().frames.size(), 2U);
+  ::close(file);
+}
+
+TEST(StdinSource, SaysSilenceAndRefusesCommands) {
+  Pipe pipe;
+  CollectingListener listener;
+  StdinSource source(pipe.reader(), std::chrono::milliseconds(50));
+  source.start(listener);
+  ASSERT_TRUE(listener.waitFor([](const Delivered& d) { return d.sawState(SourceState::Silent); }));
+  const std::uint32_t command = source.send(SetRate{100});
+  ASSERT_TRUE(listener.waitFor([&](const Delivered& d) { return d.outcomeOf(command) != nullptr; }));
+  EXPECT_FALSE(listener.delivered().outcomeOf(command)->done);
+  pipe.write("{\"major\": 2}\n");
+  EXPECT_TRUE(listener.waitFor([](const Delivered& d) { return d.sawState(SourceState::Incompatible); }));
+  source.stop();
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,347 @@
+#include "hexoderm/reconstruction/accelerometer/accelerometer_fit.h"
+#include "tests/core/reconstruction/joint/joint_case.h"
+
+#include "hexoderm/geometry/se3.h"
+#include "hexoderm/reconstruction/accelerometer/rigidity.h"
+#include "hexoderm/util/units.h"
+#include "tests/support/matchers.h"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
+
+namespace hexoderm {
+namespace {
+
+using Vector12d = Eigen::Matrix<double, 12, 1>;
+using Matrix12d = Eigen::Matrix<double, 12, 12>;
+using Matrix3x12d = Eigen::Matrix<double, 3, 12>;
+
+constexpr double kSigma_g = 0.003;
+const HuberLoss kQuadratic{std::numeric_limits<double>::infinity()};
+
+using Draw = JointDraw;
+
+struct Sensor {
+  Eigen::Vector3d offset_g = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d gain = Eigen::Matrix3d::Identity();
+};
+
+Sensor drawSensor(const Accelerometer& prior, Draw& draw) {
+  Sensor sensor;
+  sensor.offset_g = prior.offset_sigma_g * draw.vector();
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      sensor.gain(i, j) += (i == j ? prior.scale_sigma : prior.cross_axis_sigma) * draw.normal();
+    }
+  }
+  return sensor;
+}
+
+/// Specific forces and what a sensor reads of them.
+struct Readings {
+  std::vector<Eigen::Vector3d> v_g;
+  std::vector<CellReading> of;
+
+  void add(const Eigen::Vector3d& v, const Sensor& sensor, const Eigen::Vector3d& noise = Eigen::Vector3d::Zero(),
+           double sigma = kSigma_g) {
+    of.push_back({of.size(), sensor.gain * v + sensor.offset_g + noise, sigma * sigma});
+    v_g.push_back(v);
+  }
+};
+
+Readings drawReadings(const Sensor& sensor, std::size_t count, Draw& draw) {
+  Readings readings;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double sigma = kSigma_g * (1 + static_cast<double>(k % 3));
+    const Eigen::Vector3d v = draw.direction();
+    readings.add(v, sensor, sigma * draw.vector(), sigma);
+  }
+  return readings;
+}
+
+AccelerometerFit fit(const Accelerometer& accelerometer, const Readings& readings, const HuberLoss& loss = kQuadratic) {
+  AccelerometerFit result;
+  fitAccelerometer(AccelerometerPrior(accelerometer), readings.of, readings.v_g, loss, result);
+  return result;
+}
+
+/// The cost and its derivatives from their definitions, for b and D together: b, then the rows of D.
+struct DenseCost {
+  const Accelerometer& prior;
+  const Readings& readings;
+  HuberLoss loss;
+
+  [[nodiscard]] Vector12d priorPrecision() const {
+    Vector12d precision;
+    for (int k = 0; k < 12; ++k) {
+      const bool on_diagonal = k == 3 || k == 7 || k == 11;
+      const double sigma = k < 3 ? prior.offset_sigma_g : (on_diagonal ? prior.scale_sigma : prior.cross_axis_sigma);
+      precision[k] = 1 / (sigma * sigma);
+    }
+    return precision;
+  }
+  [[nodiscard]] static Matrix3x12d jacobian(const Eigen::Vector3d& v) {
+    Matrix3x12d J = Matrix3x12d::Zero();
+    J.leftCols<3>().setIdentity();
+    for (int i = 0; i < 3; ++i) J.block<1, 3>(i, 3 + 3 * i) = v.transpose();
+    return J;
+  }
+  [[nodiscard]] double at(const Vector12d& p) const {
+    double twice = p.dot(priorPrecision().cwiseProduct(p));
+    for (std::size_t k = 0; k < readings.of.size(); ++k) {
+      const Eigen::Vector3d& v = readings.v_g[k];
+      twice += loss.cost((readings.of[k].y_g - v - jacobian(v) * p).squaredNorm() / readings.of[k].variance_g2);
+    }
+    return twice / 2;
+  }
+  void derivatives(const Vector12d& p, Vector12d& gradient, Matrix12d& hessian) const {
+    gradient = priorPrecision().cwiseProduct(p);
+    hessian = priorPrecision().asDiagonal();
+    for (std::size_t k = 0; k < readings.of.size(); ++k) {
+      const Eigen::Vector3d& v = readings.v_g[k];
+      const Matrix3x12d J = jacobian(v) / std::sqrt(readings.of[k].variance_g2);
+      const Eigen::Vector3d r = (readings.of[k].y_g - v) / std::sqrt(readings.of[k].variance_g2) - J * p;
+      const double weight = loss.weight(r.squaredNorm());
+      Eigen::Matrix3d inner = weight * Eigen::Matrix3d::Identity();
+      if (weight < 1) inner -= weight / r.squaredNorm() * r * r.transpose();
+      gradient -= weight * J.transpose() * r;
+      hessian += J.transpose() * inner * J;
+    }
+  }
+  /// Newton's method with halved steps, until nothing moves.
+  [[nodiscard]] Vector12d minimum() const {
+    Vector12d p = Vector12d::Zero();
+    for (int round = 0; round < 200; ++round) {
+      Vector12d gradient;
+      Matrix12d hessian;
+      derivatives(p, gradient, hessian);
+      Vector12d step = -hessian.ldlt().solve(gradient);
+      while (at(p + step) > at(p) && step.norm() > 1e-16) step /= 2;
+      p += step;
+      if (step.norm() < 1e-15) break;
+    }
+    return p;
+  }
+};
+
+Vector12d parametersOf(const AccelerometerFit& result) {
+  Vector12d p;
+  p.head<3>() = result.offset_g;
+  for (int i = 0; i < 3; ++i) p.segment<3>(3 + 3 * i) = (result.gain - Eigen::Matrix3d::Identity()).row(i).transpose();
+  return p;
+}
+
+TEST(AccelerometerFit, FindsOffsetAndGainsAsPriorsGetWide) {
+  Draw draw(1);
+  const Accelerometer real;
+  const Sensor sensor = drawSensor(real, draw);
+  Readings readings;
+  for (int k = 0; k < 30; ++k) readings.add(draw.direction(), sensor);
+  double before = std::numeric_limits<double>::infinity();
+  for (const double widening : {1.0, 10.0, 100.0, 1e5}) {
+    Accelerometer prior = real;
+    prior.offset_sigma_g *= widening;
+    prior.scale_sigma *= widening;
+    prior.cross_axis_sigma *= widening;
+    const AccelerometerFit result = fit(prior, readings);
+    const double error = (result.offset_g - sensor.offset_g).norm() + (result.gain - sensor.gain).norm();
+    EXPECT_LT(error, before / 50) << "widened " << widening << " times";
+    before = error;
+  }
+  EXPECT_LT(before, 1e-12);
+}
+
+TEST(AccelerometerFit, CostAndParametersAreThoseOfTheDenseLeastSquares) {
+  Draw draw(2);
+  const Accelerometer prior;
+  for (const std::size_t count : {1U, 2U, 3U, 4U, 12U}) {
+    const Readings readings = drawReadings(drawSensor(prior, draw), count, draw);
+    const DenseCost dense{prior, readings, kQuadratic};
+    // All equations, the prior's too, in one tall matrix.
+    const auto rows = static_cast<Eigen::Index>(3 * count + 12);
+    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(rows, 12);
+    Eigen::VectorXd b = Eigen::VectorXd::Zero(rows);
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto at = static_cast<Eigen::Index>(3 * k);
+      const double sigma = std::sqrt(readings.of[k].variance_g2);
+      A.middleRows<3>(at) = DenseCost::jacobian(readings.v_g[k]) / sigma;
+      b.segment<3>(at) = (readings.of[k].y_g - readings.v_g[k]) / sigma;
+    }
+    A.bottomRows<12>() = Matrix12d(dense.priorPrecision().cwiseSqrt().asDiagonal());
+    const Vector12d p = A.colPivHouseholderQr().solve(b);
+    const AccelerometerFit result = fit(prior, readings);
+    EXPECT_NEAR(result.cost, (b - A * p).squaredNorm() / 2, 1e-10 * result.cost) << count << " readings";
+    EXPECT_LT((parametersOf(result) - p).norm(), 1e-12) << count << " readings";
+    EXPECT_NEAR(result.cost, dense.at(parametersOf(result)), 1e-10 * result.cost);
+    for (std::size_t k = 0; k < count; ++k) {
+      const Eigen::Vector3d left = readings.of[k].y_g - result.gain * readings.v_g[k] - result.offset_g;
+      EXPECT_LT((left - result.residual_g[k]).norm(), 1e-15);
+      EXPECT_NEAR(result.precision[k] * readings.of[k].variance_g2, 1, 1e-12);
+    }
+  }
+}
+
+TEST(AccelerometerFit, CovarianceIsTheInverseOfTheDenseInformation) {
+  Draw draw(3);
+  const Accelerometer prior;
+  for (const HuberLoss& loss : {kQuadratic, HuberLoss{}}) {
+    Readings readings = drawReadings(drawSensor(prior, draw), 6, draw);
+    readings.of[2].y_g.x() += 0.3;  // an outlier, so that weights count
+    const AccelerometerFit result = fit(prior, readings, loss);
+    Matrix12d information = DenseCost{prior, readings, loss}.priorPrecision().asDiagonal();
+    for (std::size_t k = 0; k < readings.of.size(); ++k) {
+      const Matrix3x12d J = DenseCost::jacobian(readings.v_g[k]);
+      information += result.precision[k] * J.transpose() * J;
+    }
+    const Matrix12d covariance = information.inverse();
+    for (int axis = 0; axis < 3; ++axis) {
+      const Eigen::Matrix4d& root = result.covariance_root[static_cast<std::size_t>(axis)];
+      const int place[] = {axis, 3 + 3 * axis, 4 + 3 * axis, 5 + 3 * axis};
+      const Eigen::Matrix4d expected = covariance(place, place);
+      EXPECT_LT((root * root.transpose() - expected).norm(), 1e-6 * expected.norm()) << "axis " << axis;
+    }
+  }
+}
+
+TEST(AccelerometerFit, RobustRoundsReachTheMinimumOfTheHuberCost) {
+  Draw draw(4);
+  const Accelerometer prior;
+  double worst_cost = 0;
+  double worst_parameter = 0;
+  for (int trial = 0; trial < 100; ++trial) {
+    Readings readings = drawReadings(drawSensor(prior, draw), 3 + static_cast<std::size_t>(trial % 6), draw);
+    // From none to three readings that are off by up to a right angle.
+    for (int outlier = 0; outlier < trial % 4 && outlier < 3; ++outlier) {
+      readings.of[static_cast<std::size_t>(outlier)].y_g += 0.05 * (1 + trial % 20) * draw.direction();
+    }
+    const HuberLoss loss;
+    const DenseCost dense{prior, readings, loss};
+    const Vector12d p = dense.minimum();
+    const AccelerometerFit result = fit(prior, readings, loss);
+    worst_cost = std::max(worst_cost, (result.cost - dense.at(p)) / dense.at(p));
+    worst_parameter = std::max(worst_parameter, (parametersOf(result) - p).norm());
+    EXPECT_GT(result.cost, dense.at(p) * (1 - 1e-9));
+  }
+  EXPECT_LT(worst_cost, 1e-9);
+  EXPECT_LT(worst_parameter, 1e-5) << "g";
+  RecordProperty("worst_cost", std::to_string(worst_cost));
+}
+
+TEST(AccelerometerFit, SigmaOfZeroPinsTheParameter) {
+  Draw draw(5);
+  Accelerometer prior;
+  const Readings readings = drawReadings(drawSensor(prior, draw), 8, draw);
+  prior.offset_sigma_g = 0;
+  prior.cross_axis_sigma = 0;
+  const AccelerometerFit result = fit(prior, readings);
+  EXPECT_LT(result.offset_g.norm(), 1e-9);
+  const Eigen::Matrix3d D = result.gain - Eigen::Matrix3d::Identity();
+  EXPECT_LT((D - Eigen::Matrix3d(D.diagonal().asDiagonal())).norm(), 1e-9);
+  EXPECT_GT(D.diagonal().norm(), 1e-4) << "the scales are still free";
+
+  prior.scale_sigma = 0;
+  const AccelerometerFit pinned = fit(prior, readings);
+  double twice = 0;
+  for (std::size_t k = 0; k < readings.of.size(); ++k) {
+    twice += (readings.of[k].y_g - readings.v_g[k]).squaredNorm() / readings.of[k].variance_g2;
+  }
+  EXPECT_NEAR(pinned.cost, twice / 2, 1e-6 * twice);
+}
+
+TEST(AccelerometerFit, WithoutReadingsThePriorIsAllThereIs) {
+  const Accelerometer prior;
+  const AccelerometerFit result = fit(prior, {});
+  EXPECT_EQ(result.cost, 0);
+  EXPECT_EQ(parametersOf(result).norm(), 0);
+  EXPECT_NEAR(result.covariance_root[0](0, 0), prior.offset_sigma_g, 1e-12);
+  EXPECT_NEAR(result.covariance_root[1](2, 2), prior.scale_sigma, 1e-12);
+}
+
+/// A cell whose sensor and noise are drawn from the model, and which lies a little off from where it is thought to.
+Readings drawTurnedCell(const Accelerometer& prior, const std::vector<Eigen::Vector3d>& forces, Draw& draw) {
+  const Sensor sensor = drawSensor(prior, draw);
+  const Eigen::Matrix3d turn = expSO3(1 * kDegree * draw.vector());
+  Readings readings;
+  for (const Eigen::Vector3d& v : forces) {
+    readings.add(v, {sensor.offset_g, sensor.gain * turn}, kSigma_g * draw.vector());
+  }
+  return readings;
+}
+
+struct Statistics {
+  double mean = 0;
+  double sigma = 0;
+  double least = 0;
+};
+Statistics statisticsOf(const std::vector<double>& values) {
+  const auto count = static_cast<double>(values.size());
+  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
+  double squares = 0;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  return {mean, std::sqrt(squares / count), *std::min_element(values.begin(), values.end())};
+}
+
+TEST(RigidityTest, ChiSquaredOfTheModelsOwnDataHasItsDegreesOfFreedom) {
+  const Accelerometer prior;
+  Draw draw(6);
+  for (const std::size_t poses : {2U, 3U, 4U, 6U, 10U}) {
+    std::vector<double> chi_squared;
+    std::vector<double> deviates;
+    double degrees = 0;
+    for (int seed = 0; seed < 2000; ++seed) {
+      std::vector<Eigen::Vector3d> forces = {draw.direction()};
+      // Directions 30 degrees and more apart: nearly parallel ones leave a turn undetermined, and a degree more.
+      while (forces.size() < poses) {
+        const Eigen::Vector3d next = draw.direction();
+        if (std::abs(next.dot(forces.front())) < 0.85) forces.push_back(next);
+      }
+      const Readings readings = drawTurnedCell(prior, forces, draw);
+      const Misfit misfit = testRigidity(AccelerometerPrior(prior), readings.of, readings.v_g);
+      chi_squared.push_back(misfit.chi_squared);
+      deviates.push_back(misfit.deviate());
+      degrees = misfit.degrees;
+    }
+    EXPECT_EQ(degrees, 3 * static_cast<double>(poses) - 3);
+    const Statistics chi = statisticsOf(chi_squared);
+    const Statistics deviate = statisticsOf(deviates);
+    EXPECT_NEAR(chi.mean, degrees, 5 * std::sqrt(2 * degrees / 2000)) << poses << " poses";
+    EXPECT_NEAR(chi.sigma, std::sqrt(2 * degrees), 0.1 * std::sqrt(2 * degrees)) << poses << " poses";
+    EXPECT_NEAR(deviate.mean, 0, 0.12) << poses << " poses";
+    EXPECT_NEAR(deviate.sigma, 1, 0.1) << poses << " poses";
+  }
+}
+
+TEST(RigidityTest, OneReadingTurnedByTwentyDegreesStandsOut) {
+  const Accelerometer prior;
+  Draw draw(7);
+  const std::vector<Eigen::Vector3d> forces = {Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY(),
+                                               Eigen::Vector3d::UnitX(), -Eigen::Vector3d::UnitZ()};
+  std::vector<double> deviates;
+  for (int seed = 0; seed < 500; ++seed) {
+    Readings readings = drawTurnedCell(prior, forces, draw);
+    // About an axis perpendicular to the force: all of the turn shows.
+    readings.of[1].y_g = expSO3(Eigen::Vector3d(20 * kDegree, 0, 0)) * readings.of[1].y_g;
+    deviates.push_back(testRigidity(AccelerometerPrior(prior), readings.of, readings.v_g).deviate());
+  }
+  const Statistics statistics = statisticsOf(deviates);
+  EXPECT_GT(statistics.mean, 5);
+  EXPECT_GT(statistics.least, 2) << "mean " << statistics.mean;
+}
+
+TEST(RigidityTest, SaysNothingWithFewerThanTwoReadings) {
+  const Accelerometer prior;
+  Readings readings;
+  EXPECT_EQ(testRigidity(AccelerometerPrior(prior), readings.of, readings.v_g).deviate(), 0);
+  readings.add(Eigen::Vector3d::UnitZ(), {});
+  EXPECT_EQ(testRigidity(AccelerometerPrior(prior), readings.of, readings.v_g).deviate(), 0);
+  readings.add(Eigen::Vector3d::UnitZ(), {});
+  const Misfit parallel = testRigidity(AccelerometerPrior(prior), readings.of, readings.v_g);
+  EXPECT_NEAR(parallel.chi_squared, 0, 1e-9);
+  EXPECT_TRUE(std::isfinite(parallel.deviate()));
+}
+
+}  // namespace
+}  // namespace hexoderm

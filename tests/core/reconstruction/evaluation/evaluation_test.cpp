@@ -1,0 +1,183 @@
+#include "hexoderm/reconstruction/evaluation/evaluation.h"
+
+#include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/units.h"
+#include "tests/support/matchers.h"
+#include "tests/support/pin_jointed_skin.h"
+
+namespace hexoderm {
+namespace {
+
+using ::testing::SizeIs;
+
+/// A straight line of eight cells, bent into an open or nearly closed ring.
+PinJointedSkin ring(double bend_rad) {
+  std::vector<PinJoint> joints;
+  for (std::uint32_t k = 1; k < 8; ++k) joints.push_back({k, 2, k + 1, 3, bend_rad, 0, 0});
+  return PinJointedSkin(joints);
+}
+
+/// By the tree solver, which gives such skins back exactly: what is tested here is the evaluation.
+std::shared_ptr<const Reconstruction> solved(const PinJointedSkin& skin, std::size_t poses = 3) {
+  SolverOptions options;
+  options.solver = Solver::Tree;
+  return reconstruct(*skin.session(orthogonalUps(poses)).snapshot(), options);
+}
+
+GroundTruth truthOf(const PinJointedSkin& skin) {
+  GroundTruth truth;
+  for (const auto& [id, T] : skin.truth) truth.cells.push_back({id, T});
+  return truth;
+}
+
+constexpr LinkEnd kFirst{CellId(1), PortNumber(3)};
+constexpr LinkEnd kLast{CellId(8), PortNumber(2)};
+
+TEST(Evaluation, CylinderThroughARingHasTheRingsRadius) {
+  const PinJointedSkin skin = ring(45 * kDegree);
+  const auto result = solved(skin);
+  // Centres of a regular octagon of pin-jointed cells lie on a circle of apothem radius e / tan(22.5 degrees). A ring
+  // alone is flat and has no cylinder axis of its own, so a second ring's worth of points comes from X17.
+  const double e = skin.model.port(PortNumber(2)).vector_m.norm();
+  const double radius = e / std::tan(22.5 * kDegree);
+  EXPECT_THROW(evaluateSurface(result->patches.front(), SurfaceKind::Sphere), InvalidArgument);
+  EXPECT_NEAR(radius, 0.03354, 1e-5);
+  const SurfaceEvaluation plane = evaluateSurface(result->patches.front(), SurfaceKind::Plane);
+  EXPECT_LT(plane.rms_m, 1e-9) << "the centres of an untwisted ring lie in a plane";
+  EXPECT_FALSE(plane.radius_m.has_value());
+  EXPECT_THROW(evaluateSurface(result->patches.front(), SurfaceKind::Plane, 0.05), InvalidArgument);
+}
+
+TEST(Evaluation, PaperMetricsFollowEquations20And21) {
+  const auto result = solved(bentX17());
+  const SurfaceEvaluation sphere = evaluateSurface(result->patches.front(), SurfaceKind::Sphere, 0.05);
+  ASSERT_TRUE(sphere.delta_m && sphere.epsilon_m && sphere.radius_m);
+  EXPECT_NEAR(*sphere.delta_m, *sphere.radius_m - 0.05, 1e-15);
+  double sum = 0;
+  for (const double distance : sphere.distance_m) sum += std::pow(distance + *sphere.delta_m, 2);
+  EXPECT_NEAR(*sphere.epsilon_m, std::sqrt(sum / 17), 1e-15);
+  EXPECT_THAT(sphere.distance_m, SizeIs(17));
+}
+
+TEST(Evaluation, ConeHasAHalfAngleAndNoOneRadius) {
+  const auto result = solved(bentX17());
+  const SurfaceEvaluation cone = evaluateSurface(result->patches.front(), SurfaceKind::Cone);
+  EXPECT_TRUE(cone.half_angle_rad && cone.radius_m);
+  EXPECT_THAT(cone.distance_m, SizeIs(17));
+  EXPECT_LE(cone.rms_m, evaluateSurface(result->patches.front(), SurfaceKind::Cylinder).rms_m * (1 + 1e-6));
+  EXPECT_THROW(evaluateSurface(result->patches.front(), SurfaceKind::Cone, 0.05), InvalidArgument);
+  EXPECT_EQ(surfaceKindFromName("cone"), SurfaceKind::Cone);
+  EXPECT_EQ(surfaceKindName(SurfaceKind::Cone), "cone");
+}
+
+TEST(Evaluation, LoopOfAClosedRingIsClosed) {
+  const PinJointedSkin skin = ring(45 * kDegree);
+  const LoopEvaluation loop = evaluateLoop(*solved(skin), kFirst, kLast);
+  EXPECT_NEAR(loop.length_m, 0, 1e-9);
+  // The paper: 16 port vectors accumulate to 222.28 mm.
+  EXPECT_NEAR(loop.loop_length_m, 0.22228, 1e-5);
+}
+
+TEST(Evaluation, LoopOfAnOpenRingIsItsGap) {
+  const PinJointedSkin skin = ring(44 * kDegree);
+  const LoopEvaluation loop = evaluateLoop(*solved(skin), kFirst, kLast);
+  const double expected = trueLoopGap(skin.model, truthOf(skin), kFirst, kLast);
+  EXPECT_GT(expected, 0.001);
+  EXPECT_NEAR(loop.length_m, expected, 1e-9);
+  EXPECT_NEAR(loop.percent, 100 * expected / loop.loop_length_m, 1e-9);
+  EXPECT_NEAR(loop.gap_m.norm(), loop.length_m, 1e-15);
+}
+
+TEST(Evaluation, LoopRefusesWhatIsNoFreePort) {
+  const auto result = solved(ring(44 * kDegree));
+  EXPECT_THROW(evaluateLoop(*result, {CellId(9), PortNumber(2)}, kLast), InvalidArgument);
+  EXPECT_THROW(evaluateLoop(*result, {CellId(1), PortNumber(5)}, kLast), InvalidArgument);
+  EXPECT_THROW(evaluateLoop(*result, {CellId(1), PortNumber(2)}, kLast), InvalidArgument) << "joined to cell 2";
+  EXPECT_THROW(evaluateLoop(*result, kLast, kLast), InvalidArgument);
+}
+
+TEST(Evaluation, ComparisonIgnoresTheFramesAndSeesTheDifference) {
+  const PinJointedSkin skin = bentX17();
+  const auto result = solved(skin);
+  GroundTruth truth = truthOf(skin);
+  const SE3 T_body{expSO3({1, 2, 0.5}), {0.3, -0.2, 1}};
+  for (TrueCellPlacement& cell : truth.cells) cell.T_b_u = T_body * cell.T_b_u;
+  auto comparison = compareToTruth(*result, truth);
+  ASSERT_THAT(comparison, SizeIs(1));
+  EXPECT_LT(comparison[0].position_rms_m, 1e-9);
+  EXPECT_LT(comparison[0].orientation_rms_rad, 1e-9);
+
+  // One of 17 cells turned by 0.1 rad: the best rotation takes up 1/17 of it.
+  truth.cells[3].T_b_u.R *= expSO3({0, 0, 0.1});
+  comparison = compareToTruth(*result, truth);
+  EXPECT_NEAR(comparison[0].cells[3].orientation_rad, 0.1 * 16 / 17, 1e-4);
+  EXPECT_NEAR(comparison[0].orientation_rms_rad, 0.1 * std::sqrt(16.0) / 17, 1e-4);
+}
+
+TEST(Evaluation, NineteenOfTwentyWithinWhatWasStatedAreEnough) {
+  Comparison comparison;
+  for (std::uint32_t k = 0; k < 20; ++k) {
+    CellDifference cell;
+    cell.cell = CellId(k + 1);
+    cell.position_m = {0, 0.0019, 0};
+    cell.orientation_rad = 0.019;
+    cell.sigma_t_m = 0.001;
+    cell.sigma_r_rad = 0.01;
+    comparison.cells.push_back(cell);
+  }
+  comparison.cells.emplace_back().sigma_t_m = 0;  // the origin
+  comparison.cells.back().sigma_r_rad = 0;
+  comparison.cells.emplace_back();  // one that states nothing
+  EXPECT_EQ(countWithinStated({comparison}).stated, 20U);
+  EXPECT_TRUE(countWithinStated({comparison}).holds());
+  comparison.cells[3].position_m.y() = 0.002;
+  EXPECT_EQ(countWithinStated({comparison}).position, 19U);
+  EXPECT_TRUE(countWithinStated({comparison}).holds());
+  comparison.cells[5].orientation_rad = comparison.cells[6].orientation_rad = 0.02;
+  EXPECT_EQ(countWithinStated({comparison}).orientation, 18U);
+  EXPECT_FALSE(countWithinStated({comparison}).holds());
+  EXPECT_FALSE(countWithinStated({}).holds()) << "nothing stated is no statement";
+}
+
+TEST(Evaluation, ComparisonsAreSummarisedCellByCell) {
+  Comparison large;
+  large.cells.resize(3);
+  large.position_rms_m = 0.002;
+  large.orientation_rms_rad = 0.02;
+  Comparison small;
+  small.cells.resize(1);
+  small.position_rms_m = 0.004;
+  small.cells[0].sigma_t_m = 0.001;
+  small.cells[0].sigma_r_rad = 0.01;
+  const ComparisonSummary summary = summariseComparisons({large, small});
+  EXPECT_EQ(summary.cells, 4U);
+  EXPECT_NEAR(summary.position_rms_m, std::sqrt((3 * 4.0 + 16.0) / 4) * 1e-3, 1e-12);
+  EXPECT_NEAR(summary.orientation_rms_rad, 0.02 * std::sqrt(0.75), 1e-12);
+  EXPECT_EQ(summary.within.stated, 1U);
+  EXPECT_EQ(summariseComparisons({}).position_rms_m, 0);
+}
+
+TEST(Evaluation, ASurfaceIsJudgedByItsFurthestCellOnEitherSide) {
+  SurfaceEvaluation surface;
+  surface.distance_m = {0.0004, -0.0012, 0.0011};
+  EXPECT_EQ(surface.furthest(), 1U);
+  EXPECT_TRUE(surface.liesWithin(0.0012));
+  EXPECT_FALSE(surface.liesWithin(0.0011));
+  EXPECT_TRUE(isRemarkable(-0.0012, 0.00039));
+  EXPECT_FALSE(isRemarkable(-0.0012, 0.0005));
+}
+
+TEST(Evaluation, ReconstructionsComparePatchByPatch) {
+  const auto a = solved(bentX17());
+  const auto b = solved(bentX17(), 6);
+  const auto comparison = compareToReconstruction(*a, *b);
+  ASSERT_THAT(comparison, SizeIs(1));
+  EXPECT_THAT(comparison[0].cells, SizeIs(17));
+  EXPECT_LT(comparison[0].position_rms_m, 1e-9);
+  EXPECT_TRUE(comparison[0].cells[5].sigma_t_m.has_value());
+  EXPECT_GT(*comparison[0].cells[5].sigma_r_rad, 0);
+}
+
+}  // namespace
+}  // namespace hexoderm

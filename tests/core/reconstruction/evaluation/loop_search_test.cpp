@@ -1,0 +1,120 @@
+#include "hexoderm/reconstruction/evaluation/loop_search.h"
+
+#include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/session/simulated_session.h"
+#include "hexoderm/util/error.h"
+#include "hexoderm/util/units.h"
+#include "tests/support/matchers.h"
+#include "tests/support/pin_jointed_skin.h"
+
+#include <algorithm>
+
+namespace hexoderm {
+namespace {
+
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+constexpr LinkEnd kFirst{CellId(1), PortNumber(3)};
+constexpr LinkEnd kLast{CellId(8), PortNumber(2)};
+
+PinJointedSkin ring(double bend_rad) {
+  std::vector<PinJoint> joints;
+  for (std::uint32_t k = 1; k < 8; ++k) joints.push_back({k, 2, k + 1, 3, bend_rad, 0, 0});
+  return PinJointedSkin(joints);
+}
+
+std::shared_ptr<const Reconstruction> solved(const PinJointedSkin& skin, Solver solver = Solver::Tree) {
+  SolverOptions options;
+  options.solver = solver;
+  options.gap_model = GapModel::Pivot;
+  return reconstruct(*skin.session(orthogonalUps(3)).snapshot(), options);
+}
+
+std::shared_ptr<const Reconstruction> simulated(const std::string& patch) {
+  SimulatedSkinOptions options;
+  options.patch = patch;
+  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+  return reconstruct(*simulateSession(skin, 3).snapshot());
+}
+
+TEST(LoopSearch, FindsTheTwoPortsOfAnOpenRingWithTheirGap) {
+  const auto result = solved(ring(44 * kDegree));
+  const std::vector<FoundLoop> loops = findLoops(*result);
+  ASSERT_THAT(loops, SizeIs(1));
+  const LoopEvaluation expected = evaluateLoop(*result, kFirst, kLast);
+  EXPECT_FALSE(loops[0].closed);
+  EXPECT_THAT(loops[0].cells, SizeIs(8));
+  EXPECT_EQ(loops[0].closure.first, kFirst);
+  EXPECT_EQ(loops[0].closure.second, kLast);
+  EXPECT_LT((loops[0].closure.gap_m - expected.gap_m).norm(), 1e-12);
+  EXPECT_NEAR(loops[0].closure.length_m, expected.length_m, 1e-12);
+  EXPECT_NEAR(loops[0].closure.loop_length_m, expected.loop_length_m, 1e-12);
+  EXPECT_NEAR(loops[0].closure.percent, expected.percent, 1e-9);
+}
+
+TEST(LoopSearch, PortsBeyondTheLargestGapDoNotFaceEachOther) {
+  const auto result = solved(ring(42 * kDegree));
+  const double gap = evaluateLoop(*result, kFirst, kLast).length_m;
+  LoopSearchOptions options;
+  options.max_gap_m = 1.01 * gap;
+  EXPECT_THAT(findLoops(*result, options), SizeIs(1));
+  options.max_gap_m = 0.99 * gap;
+  EXPECT_THAT(findLoops(*result, options), IsEmpty());
+  EXPECT_THAT(findLoops(*solved(ring(20 * kDegree))), IsEmpty()) << "ends far apart are no loop";
+}
+
+TEST(LoopSearch, AClosedRingIsOneLoopThatCloses) {
+  for (const Solver solver : {Solver::Tree, Solver::Global}) {
+    PinJointedSkin skin = ring(45 * kDegree);
+    skin.connect(kFirst, kLast);
+    const std::vector<FoundLoop> loops = findLoops(*solved(skin, solver));
+    ASSERT_THAT(loops, SizeIs(1));
+    EXPECT_TRUE(loops[0].closed);
+    EXPECT_THAT(loops[0].cells, SizeIs(8));
+    EXPECT_LT(loops[0].closure.length_m, 1e-5);
+    EXPECT_NEAR(loops[0].closure.loop_length_m, 0.22228, 1e-5) << "the paper's 16 port vectors";
+  }
+}
+
+TEST(LoopSearch, AClosedLoopsGapIsThatOfItsOrientationsWhicheverWayPositionsWereSolved) {
+  // Orientations of a ring that is not quite one; only its links say that it is closed.
+  PinJointedSkin skin = ring(44 * kDegree);
+  const auto open = findLoops(*solved(skin));
+  skin.connect(kFirst, kLast);
+  const auto closed = findLoops(*solved(skin));
+  ASSERT_THAT(closed, SizeIs(1));
+  EXPECT_TRUE(closed[0].closed);
+  EXPECT_NEAR(closed[0].closure.length_m, open.at(0).closure.length_m, 1e-9);
+}
+
+TEST(LoopSearch, ATreeHasNoLoop) {
+  EXPECT_THAT(findLoops(*solved(bentX17())), IsEmpty());
+  EXPECT_THAT(findLoops(*simulated("x17")), IsEmpty());
+  EXPECT_THAT(findLoops(Reconstruction()), IsEmpty());
+}
+
+TEST(LoopSearch, ASheetHasEveryIndependentLoopOnceTheWorstFirst) {
+  const auto result = simulated("sheet:4x5");
+  const std::vector<FoundLoop> loops = findLoops(*result);
+  const PatchReconstruction& patch = result->patches.front();
+  const auto closed = static_cast<std::size_t>(std::ranges::count(loops, true, &FoundLoop::closed));
+  EXPECT_EQ(closed, patch.links.size() - patch.cells.size() + 1);
+  EXPECT_EQ(closed, loops.size()) << "the edges of a flat sheet face nothing";
+  for (const FoundLoop& loop : loops) {
+    EXPECT_THAT(loop.cells, SizeIs(4)) << "loops of a sheet are its meshes";
+    EXPECT_LT(loop.closure.length_m, 0.005);
+  }
+  EXPECT_TRUE(std::ranges::is_sorted(loops, std::ranges::greater(),
+                                     [](const FoundLoop& loop) { return loop.closure.length_m; }));
+}
+
+TEST(LoopSearch, RefusesOptionsThatMakeNoSense) {
+  LoopSearchOptions options;
+  options.max_gap_m = -1;
+  EXPECT_THROW(findLoops(Reconstruction(), options), InvalidArgument);
+}
+
+}  // namespace
+}  // namespace hexoderm

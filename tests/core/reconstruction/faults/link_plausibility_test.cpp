@@ -1,0 +1,67 @@
+#include "hexoderm/reconstruction/faults/link_plausibility.h"
+
+#include "hexoderm/util/units.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace hexoderm {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+std::vector<Finding> judge(double bend_deg, double twist_deg, double yaw_deg, double sigma_deg = 0) {
+  const LinkAngles angles{twist_deg * kDegree, bend_deg * kDegree, yaw_deg * kDegree};
+  return judgeLinkAngles(angles, {CellId(5), PortNumber(2)}, {CellId(9), PortNumber(3)}, {}, sigma_deg * kDegree);
+}
+
+std::vector<FindingCode> codes(const std::vector<Finding>& findings) {
+  std::vector<FindingCode> codes;
+  for (const Finding& finding : findings) codes.push_back(finding.code);
+  return codes;
+}
+
+TEST(LinkPlausibility, AcceptsWhatASkinLinkCanDo) {
+  EXPECT_THAT(judge(0, 0, 0), IsEmpty());
+  EXPECT_THAT(judge(59.9, 0, 0), IsEmpty());
+  EXPECT_THAT(judge(-59.9, 0, 0), IsEmpty());
+  EXPECT_THAT(judge(0, 39.9, 0), IsEmpty());
+  EXPECT_THAT(judge(0, 0, -39.9), IsEmpty());
+}
+
+TEST(LinkPlausibility, NamesTheAngleThatIsTooLarge) {
+  EXPECT_THAT(codes(judge(60.1, 0, 0)), ElementsAre(FindingCode::ImplausibleBend));
+  EXPECT_THAT(codes(judge(-60.1, 0, 0)), ElementsAre(FindingCode::ImplausibleBend));
+  EXPECT_THAT(codes(judge(0, 40.1, 0)), ElementsAre(FindingCode::ImplausibleTwist));
+  EXPECT_THAT(codes(judge(0, 0, -40.1)), ElementsAre(FindingCode::ImplausibleYaw));
+  EXPECT_THAT(codes(judge(0, 0, 180)), ElementsAre(FindingCode::ImplausibleYaw));
+}
+
+TEST(LinkPlausibility, AddsThreePredictedDeviationsToTheLimit) {
+  EXPECT_THAT(judge(62.9, 0, 0, 1), IsEmpty());
+  EXPECT_THAT(codes(judge(63.1, 0, 0, 1)), ElementsAre(FindingCode::ImplausibleBend));
+  EXPECT_THAT(judge(170, 0, 0, 40), IsEmpty()) << "nothing is known of such a link";
+}
+
+TEST(LinkPlausibility, SaysWhichLinkAndHowFar) {
+  const std::vector<Finding> findings = judge(0, 0, 118);
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_THAT(findings[0].text, HasSubstr("link 5 port 2 - 9 port 3"));
+  EXPECT_THAT(findings[0].text, HasSubstr("118 degrees"));
+  EXPECT_THAT(findings[0].text, HasSubstr("40"));
+  EXPECT_EQ(findings[0].cells, (std::vector{CellId(5), CellId(9)}));
+  EXPECT_EQ(findings[0].ports, (std::vector{PortNumber(2), PortNumber(3)}));
+}
+
+TEST(LinkPlausibility, TellsALargeYawFromALargeBend) {
+  // The rotation vector of cells that are folded by 84 degrees and yawed by -141.
+  const std::vector<Finding> findings = judge(44.775, -94.203, -109.067);
+  EXPECT_THAT(codes(findings), ElementsAre(FindingCode::ImplausibleBend, FindingCode::ImplausibleYaw));
+  EXPECT_THAT(findings[0].text, HasSubstr("84 degrees"));
+  EXPECT_THAT(findings[1].text, HasSubstr("141 degrees"));
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,123 @@
+#include "hexoderm/reconstruction/figures/overlays.h"
+
+#include "hexoderm/reconstruction/reconstructor.h"
+#include "tests/support/demo_reconstruction.h"
+#include "tests/support/matchers.h"
+#include "tests/support/pin_jointed_skin.h"
+
+namespace hexoderm {
+namespace {
+
+const SE3 kElsewhere{expSO3({0.4, -1.1, 0.7}), {0.3, -0.2, 0.5}};
+
+/// The demo's own placements, as a body frame elsewhere sees them.
+GroundTruth truthOf(const Reconstruction& reconstruction) {
+  GroundTruth truth;
+  for (const PatchReconstruction& patch : reconstruction.patches) {
+    for (const CellPlacement& cell : patch.cells) truth.cells.push_back({cell.cell, kElsewhere * cell.T_o_u});
+  }
+  return truth;
+}
+
+TEST(AlignedTruth, OfAPerfectReconstructionLiesOnIt) {
+  const Reconstruction demo = demoReconstruction();
+  GroundTruth truth = truthOf(demo);
+  truth.cells.erase(truth.cells.begin() + 3);  // cell 4
+  const std::vector<AlignedCell> aligned = alignTruth(demo, truth);
+  ASSERT_EQ(aligned.size(), 16U);
+  for (const AlignedCell& cell : aligned) {
+    EXPECT_NE(cell.cell, CellId(4));
+    EXPECT_EQ(cell.patch, 0U);
+    EXPECT_THAT(cell.T_o_u, SE3Near(demo.find(cell.cell).cell->T_o_u, 1e-9, 1e-9));
+  }
+}
+
+TEST(AlignedTruth, CentresOnALineTakeTheTurnFromTheOrientations) {
+  DemoOptions options;
+  options.arm_cells = 0;
+  const Reconstruction single = demoReconstruction(options);
+  EXPECT_THAT(alignTruth(single, truthOf(single)).at(0).T_o_u, SE3Near(SE3(), 1e-9, 1e-9));
+
+  const Reconstruction row = sheetReconstruction(6, 1);
+  const std::vector<AlignedCell> aligned = alignTruth(row, truthOf(row));
+  ASSERT_EQ(aligned.size(), 6U);
+  for (const AlignedCell& cell : aligned) {
+    EXPECT_THAT(cell.T_o_u, SE3Near(row.find(cell.cell).cell->T_o_u, 1e-9, 1e-9));
+  }
+}
+
+TEST(AlignedTruth, IsMovedPatchByPatch) {
+  const CellModel model = builtInCellModel("hex-bma150");
+  DemoOptions second;
+  second.first_id = 101;
+  const Reconstruction two = demoReconstruction({demoPatch(model), demoPatch(model, second)});
+  GroundTruth truth = truthOf(two);
+  for (std::size_t k = 17; k < 34; ++k) truth.cells[k].T_b_u = kElsewhere * truth.cells[k].T_b_u;
+  const std::vector<AlignedCell> aligned = alignTruth(two, truth);
+  ASSERT_EQ(aligned.size(), 34U);
+  EXPECT_EQ(aligned[20].patch, 1U);
+  for (const AlignedCell& cell : aligned) {
+    EXPECT_THAT(cell.T_o_u, SE3Near(two.find(cell.cell).cell->T_o_u, 1e-9, 1e-9));
+  }
+}
+
+TEST(CellShifts, LeadFromTheReferenceToTheCell) {
+  const Reconstruction now = demoReconstruction();
+  Reconstruction before = now;
+  before.patches[0].cells[5].T_o_u.t += Eigen::Vector3d(0.001, 0.002, -0.003);
+  for (CellPlacement& cell : before.patches[0].cells) cell.T_o_u = kElsewhere * cell.T_o_u;
+  const std::vector<Comparison> comparisons = compareToReconstruction(now, before);
+  const std::vector<CellShift> shifts = shiftsOf(now, comparisons);
+  ASSERT_EQ(shifts.size(), 17U);
+  for (std::size_t k = 0; k < shifts.size(); ++k) {
+    EXPECT_EQ(shifts[k].now_o, now.find(shifts[k].cell).cell->T_o_u.t);
+    EXPECT_NEAR((shifts[k].before_o - shifts[k].now_o).norm(), comparisons[0].cells[k].position_m.norm(), 1e-12);
+  }
+  // The fit shares a sixteenth of the moved cell's shift with the others; its direction is kept.
+  const Eigen::Vector3d moved = shifts[5].before_o - shifts[5].now_o;
+  EXPECT_LT(angleBetween(moved, Eigen::Vector3d(0.001, 0.002, -0.003)), 10 * kDegree);
+
+  Reconstruction other = now;
+  other.patches[0].id = PatchId(7);
+  EXPECT_TRUE(shiftsOf(other, comparisons).empty());
+}
+
+TEST(Enlargement, IsTheLargestRoundFactorThatFits) {
+  EXPECT_EQ(enlargement(0.001, 0.012), 10);
+  EXPECT_EQ(enlargement(0.001, 0.0049), 2);
+  EXPECT_EQ(enlargement(0.001, 0.005), 5);
+  EXPECT_EQ(enlargement(0.02, 0.01), 1) << "nothing is made smaller than it is";
+  EXPECT_EQ(enlargement(0, 0.01), 1000) << "nothing to see at any size";
+}
+
+TEST(CellDistance, IsThatOfCentresAndNormals) {
+  const Reconstruction demo = demoReconstruction();
+  const auto distance = distanceBetween(demo, CellId(2), CellId(6));
+  ASSERT_TRUE(distance.has_value());
+  EXPECT_NEAR(distance->length_m, (demo.find(CellId(2)).cell->T_o_u.t - demo.find(CellId(6)).cell->T_o_u.t).norm(),
+              1e-12);
+  EXPECT_NEAR(distance->angle_rad, demo.patches[0].links[0].bend_rad, 1e-9);
+  EXPECT_EQ(distance->sigma_m, std::nullopt) << "a calibration from a file does not hold it";
+  EXPECT_EQ(distanceBetween(demo, CellId(2), CellId(2))->length_m, 0);
+  EXPECT_EQ(distanceBetween(demo, CellId(2), CellId(999)), std::nullopt);
+
+  const CellModel model = builtInCellModel("hex-bma150");
+  DemoOptions second;
+  second.first_id = 101;
+  const Reconstruction two = demoReconstruction({demoPatch(model), demoPatch(model, second)});
+  EXPECT_EQ(distanceBetween(two, CellId(1), CellId(101)), std::nullopt);
+}
+
+TEST(CellDistance, OfAFreshResultSaysHowSureItIs) {
+  const auto result = reconstruct(*bentX17().session(orthogonalUps(3)).snapshot());
+  const PatchReconstruction& patch = result->patches.front();
+  const CellId far = patch.cells.back().cell;
+  const auto distance = distanceBetween(*result, patch.origin, far);
+  ASSERT_TRUE(distance && distance->sigma_m);
+  const Eigen::Vector3d along = result->find(far).cell->T_o_u.t.normalized();
+  const Eigen::Matrix3d cov = result->find(far).cell->cov_t_r->topLeftCorner<3, 3>();
+  EXPECT_NEAR(*distance->sigma_m, std::sqrt(along.dot(cov * along)), 1e-9);
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,245 @@
+#include "widgets/capture/capture_panel.h"
+
+#include "hexoderm/util/units.h"
+#include "tests/support/qt_wait.h"
+#include "widgets/capture/capture_words.h"
+#include "widgets/capture/hold_ring.h"
+#include "widgets/capture/live_strip.h"
+#include "widgets/controls/action_button.h"
+#include "widgets/controls/toggle_switch.h"
+
+#include <gtest/gtest.h>
+#include <QAction>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTest>
+#include <set>
+
+namespace hexoderm {
+namespace {
+
+HoldStatus shaking() {
+  HoldStatus hold;
+  hold.stillness.blocker = Blocker::Shaking;
+  hold.stillness.cells = 17;
+  hold.stillness.excess_cell = CellId(7);
+  hold.stillness.excess_g = 0.044;
+  hold.stillness.excess_limit_g = 0.030;
+  return hold;
+}
+
+NextPose nextPose() {
+  NextPose next;
+  next.target = {CellId(7), Facing::Floor};
+  next.turn = PartTurn{72 * kDegree, Eigen::Vector3d::UnitX()};
+  next.gain = PoseGain::OutOfPlane;
+  next.sigma_now_rad = 4.9 * kDegree;
+  next.sigma_then_rad = 0.7 * kDegree;
+  return next;
+}
+
+SourceStatus streaming() {
+  SourceStatus status;
+  status.state = SourceState::Streaming;
+  return status;
+}
+
+class CapturePanelTest : public testing::Test {
+ protected:
+  CapturePanelTest() {
+    automatic.setCheckable(true);
+    automatic.setChecked(true);
+    capture.setShortcut(Qt::Key_Space);
+  }
+  void show(const QSize& size = {300, 640}) {
+    panel.resize(size);
+    panel.show();
+    ASSERT_TRUE(test::waitUntilExposed(panel));
+  }
+  QString text(const char* name) { return panel.findChild<QLabel*>(QLatin1String(name))->text(); }
+  HoldRing* ring() { return panel.findChild<HoldRing*>(); }
+
+  QAction automatic{QStringLiteral("Capture by itself when still")};
+  QAction capture{QStringLiteral("Capture anyway")};
+  QAction skip{QStringLiteral("Skip this pose")};
+  QAction turn{QStringLiteral("Turn the part for me")};
+  CapturePanel panel{{&automatic, &capture, &skip, &turn}};
+};
+
+TEST(LiveStrip, NamesWhatWasLostAndNothingWhereNothingWas) {
+  SourceStatus status;
+  status.frames = 17230;
+  HoldStatus hold;
+  EXPECT_EQ(lossesInWords(status, hold), "");
+  EXPECT_EQ(countersInWords(status, hold), "17,230 frames · 0 lost · 0 late");
+  status.lost_samples = 1;
+  EXPECT_EQ(lossesInWords(status, hold), "1 sample lost");
+  status.lost_samples = 12;
+  EXPECT_EQ(lossesInWords(status, hold), "12 samples lost");
+  status.late_frames = 1;
+  hold.late_frames = 2;
+  status.dropped_by_device = 40;
+  EXPECT_EQ(lossesInWords(status, hold), "12 samples lost · 3 frames late · 40 samples dropped by the device");
+  EXPECT_EQ(countersInWords(status, hold), "17,230 frames · 12 lost · 3 late · 40 dropped by the device");
+}
+
+TEST_F(CapturePanelTest, WithoutASkinItSaysSoAndTheRingIsAway) {
+  show();
+  EXPECT_TRUE(ring()->isHidden());
+  EXPECT_TRUE(text("captureWhat").contains(QStringLiteral("No skin is connected")));
+  const QString none = QStringLiteral("No skin is connected, so no pose can be taken.");
+  EXPECT_EQ(text("captureWait"), none);
+  panel.setHold(shaking());
+  EXPECT_EQ(text("captureWait"), none);
+}
+
+TEST_F(CapturePanelTest, SaysWhatToDoHowFarAndWhy) {
+  show();
+  panel.setSource(streaming());
+  EXPECT_TRUE(text("captureWhat").startsWith(QStringLiteral("Working out")));
+  panel.setAdvice(nextPose());
+  EXPECT_EQ(text("captureWhat"), QStringLiteral("Turn the part so that cell 7 faces the floor."));
+  EXPECT_EQ(text("captureTurn"), QStringLiteral("About 70° around the horizontal axis shown."));
+  EXPECT_TRUE(text("captureWhy").contains(QStringLiteral("offset")));
+  EXPECT_EQ(text("captureSigma"),
+            QStringLiteral("With this pose the error falls to about 14\u00a0% of what it is now."));
+}
+
+TEST_F(CapturePanelTest, SaysWhenThePartIsThereAndWhenThereIsEnough) {
+  panel.setSource(streaming());
+  NextPose next = nextPose();
+  next.turn->angle_rad = 8 * kDegree;
+  panel.setAdvice(next);
+  EXPECT_EQ(text("captureTurn"), QStringLiteral("It is there: hold it like this."));
+  next.worthwhile = false;
+  panel.setAdvice(next);
+  EXPECT_TRUE(text("captureWhat").contains(QStringLiteral("enough poses")));
+}
+
+TEST_F(CapturePanelTest, NamesCellValueAndLimitOfWhatIsAwaited) {
+  show();
+  panel.setSource(streaming());
+  panel.setHold(shaking());
+  EXPECT_EQ(ring()->content().word, QStringLiteral("Hold still"));
+  EXPECT_EQ(text("captureWait"), QStringLiteral("Waiting: cell 7 moves 44 mg, limit 30 mg"));
+}
+
+TEST_F(CapturePanelTest, EveryBlockerHasItsWords) {
+  HoldStatus hold = shaking();
+  for (const Blocker blocker :
+       {Blocker::None, Blocker::Waiting, Blocker::NotMoved, Blocker::Turning, Blocker::Shaking, Blocker::CellTurning}) {
+    hold.stillness.blocker = blocker;
+    EXPECT_FALSE(holdInWords(hold).word.isEmpty());
+    EXPECT_FALSE(waitInWords(hold).isEmpty());
+  }
+  hold.stillness.blocker = Blocker::NotMoved;
+  hold.stillness.moved_rad = 2.3 * kDegree;
+  hold.stillness.rearm_rad = 5 * kDegree;
+  EXPECT_EQ(holdInWords(hold).word, QStringLiteral("Turn the part"));
+  EXPECT_EQ(waitInWords(hold), QStringLiteral("Waiting: moved 2.3° since the last pose, needs 5°"));
+  hold.stillness.blocker = Blocker::Turning;
+  hold.stillness.drift_rad_s = 3.2 * kDegree;
+  hold.stillness.drift_limit_rad_s = kDegree;
+  EXPECT_EQ(waitInWords(hold), QStringLiteral("Waiting: the part turns by 3.2 °/s, limit 1.0 °/s"));
+  hold.stillness.odd_cells = {{CellId(5), OddCellKind::Noisy, 0.2}, {CellId(9), OddCellKind::Silent, 2}};
+  EXPECT_EQ(oddCellsInWords(hold), QStringLiteral("Not waited for: cell 5 (noisy), cell 9 (silent)"));
+}
+
+TEST_F(CapturePanelTest, TheRingCountsWhileReadingsAreTaken) {
+  show();
+  panel.setSource(streaming());
+  HoldStatus hold = shaking();
+  hold.stillness.blocker = Blocker::None;
+  hold.phase = HoldPhase::Collecting;
+  hold.progress = 0.6;
+  const QImage before = ring()->grab().toImage();
+  panel.setHold(hold);
+  EXPECT_EQ(ring()->content().word, QStringLiteral("Hold…"));
+  EXPECT_EQ(ring()->content().detail, QStringLiteral("60 %"));
+  EXPECT_NE(ring()->grab().toImage(), before);
+}
+
+TEST_F(CapturePanelTest, ACaptureIsShownForAMomentAndARepetitionStaysInWords) {
+  show();
+  panel.setSource(streaming());
+  panel.setHold(shaking());
+  panel.showCaptured(PoseId(3), QStringLiteral("Pose 3 repeats pose 1."));
+  EXPECT_TRUE(ring()->content().captured);
+  EXPECT_EQ(ring()->content().detail, QStringLiteral("pose 3"));
+  EXPECT_TRUE(test::waitUntil([&] { return !ring()->content().captured; }));
+  EXPECT_EQ(text("captureRemark"), QStringLiteral("Pose 3 repeats pose 1."));
+  panel.showCaptured(PoseId(4));
+  EXPECT_EQ(text("captureRemark"), QString());
+}
+
+TEST_F(CapturePanelTest, ASilentSourceIsSaidInsteadOfOldReadings) {
+  show();
+  panel.setSource(streaming());
+  panel.setHold(shaking());
+  SourceStatus silent;
+  silent.state = SourceState::Silent;
+  silent.text = "Nothing came for 1 s";
+  panel.setSource(silent);
+  EXPECT_EQ(ring()->content().word, QStringLiteral("Silent"));
+  EXPECT_EQ(text("captureWait"), QStringLiteral("Nothing came for 1 s"));
+}
+
+TEST_F(CapturePanelTest, ButtonsAndSwitchAreTheActions) {
+  show();
+  QSignalSpy captured(&capture, &QAction::triggered);
+  QSignalSpy skipped(&skip, &QAction::triggered);
+  QSignalSpy turned(&turn, &QAction::triggered);
+  QSignalSpy switched(&automatic, &QAction::triggered);
+  QTest::mouseClick(panel.findChild<ActionButton*>(QStringLiteral("captureNow")), Qt::LeftButton);
+  QTest::mouseClick(panel.findChild<ActionButton*>(QStringLiteral("captureSkip")), Qt::LeftButton);
+  QTest::mouseClick(panel.findChild<ActionButton*>(QStringLiteral("captureTurnForMe")), Qt::LeftButton);
+  auto* toggle = panel.findChild<ToggleSwitch*>();
+  QTest::mouseClick(toggle, Qt::LeftButton, {}, QPoint(10, toggle->height() / 2));
+  EXPECT_EQ(captured.count(), 1);
+  EXPECT_EQ(skipped.count(), 1);
+  EXPECT_EQ(turned.count(), 1);
+  ASSERT_EQ(switched.count(), 1);
+  EXPECT_FALSE(automatic.isChecked());
+  EXPECT_FALSE(toggle->isChecked());
+  automatic.setChecked(true);
+  EXPECT_TRUE(toggle->isChecked());
+}
+
+TEST_F(CapturePanelTest, AButtonThatCannotBeUsedSaysWhy) {
+  turn.setToolTip(QStringLiteral("This device can't turn itself"));
+  turn.setEnabled(false);
+  auto* button = panel.findChild<ActionButton*>(QStringLiteral("captureTurnForMe"));
+  EXPECT_FALSE(button->isEnabled());
+  EXPECT_EQ(button->toolTip(), QStringLiteral("This device can't turn itself"));
+}
+
+TEST_F(CapturePanelTest, TheSentenceGrowsWithItsPlaceAndIsNeverCutOff) {
+  panel.setSource(streaming());
+  panel.setAdvice(nextPose());
+  panel.setHold(shaking());
+  auto* what = panel.findChild<QLabel*>(QStringLiteral("captureWhat"));
+  show({260, 700});
+  const double usual = panel.font().pointSizeF();
+  EXPECT_GE(what->font().pointSizeF(), 1.6 * usual - 0.01);
+  EXPECT_GE(what->height(), what->heightForWidth(what->width()));
+  const double narrow = what->font().pointSizeF();
+  panel.resize(1200, 500);
+  EXPECT_TRUE(test::waitUntil([&] { return what->font().pointSizeF() > 1.2 * narrow; }));
+}
+
+TEST_F(CapturePanelTest, EverythingIsReachedByTab) {
+  show();
+  panel.activateWindow();
+  ASSERT_TRUE(test::waitUntilActive(panel));
+  std::set<QString> reached;
+  for (int k = 0; k < 8; ++k) {
+    QTest::keyClick(panel.focusWidget() ? panel.focusWidget() : &panel, Qt::Key_Tab);
+    if (panel.focusWidget()) reached.insert(panel.focusWidget()->objectName());
+  }
+  for (const char* name : {"captureAutomatic", "captureNow", "captureSkip", "captureTurnForMe"}) {
+    EXPECT_TRUE(reached.count(QLatin1String(name))) << name;
+  }
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,205 @@
+#include "widgets/capture/coverage_view.h"
+
+#include "tests/support/cpu_time.h"
+#include "tests/support/qt_wait.h"
+#include "tests/widgets/sample_reconstruction.h"
+
+#include <gtest/gtest.h>
+#include <QSignalSpy>
+#include <QTest>
+
+namespace hexoderm {
+namespace {
+
+PoseCoverage coverageWith(const std::vector<Eigen::Vector3d>& ups, std::size_t disabled = 99) {
+  auto result = sampleX17();
+  result->poses.clear();
+  for (std::size_t k = 0; k < ups.size(); ++k) {
+    const PoseId id(static_cast<std::uint32_t>(k + 1));
+    result->patches[0].gravity.push_back({id, ups[k].normalized(), 0.01});
+    PoseSummary pose;
+    pose.pose = id;
+    pose.label = "label " + toString(id);
+    result->poses.push_back(pose);
+  }
+  PoseCoverage coverage = coverageOf(*result);
+  if (disabled < ups.size()) {
+    coverage.seen[disabled].enabled = false;
+    --coverage.enabled;
+  }
+  return coverage;
+}
+
+class CoverageViewTest : public testing::Test {
+ protected:
+  void show(const QSize& size = {320, 360}) {
+    view.resize(size);
+    view.show();
+    ASSERT_TRUE(test::waitUntilExposed(view));
+  }
+  QColor colorAt(const Eigen::Vector3d& up, const QPoint& beside = {}) {
+    const QImage image = view.grab().toImage();
+    return image.pixelColor((view.placeOf(up).toPoint() + beside) * image.devicePixelRatio());
+  }
+
+  CoverageView view;
+};
+
+TEST_F(CoverageViewTest, DrawsEveryPoseOnItsDisc) {
+  show();
+  const std::vector<Eigen::Vector3d> ups = {{0, 0, 1}, {0.2, 0.3, -0.9}};
+  view.setCoverage(coverageWith({}));
+  const QImage before = view.grab().toImage();
+  view.setCoverage(coverageWith(ups));
+  EXPECT_NE(view.grab().toImage(), before);
+  EXPECT_LT(view.placeOf(ups[0]).x(), view.width() / 2.0);
+  EXPECT_GT(view.placeOf(ups[1].normalized()).x(), view.width() / 2.0);
+  const QColor full = linkStroke(EdgeQuality::Fully, Theme::Light).color;
+  EXPECT_EQ(colorAt(ups[0], {-5, 0}), full);
+  EXPECT_EQ(colorAt(ups[1].normalized(), {-5, 0}), full);
+}
+
+TEST_F(CoverageViewTest, ADisabledPoseIsHollow) {
+  show();
+  const std::vector<Eigen::Vector3d> ups = {{0, 0, 1}, {1, 0, 0.3}};
+  view.setCoverage(coverageWith(ups, 0));
+  EXPECT_EQ(colorAt(ups[0], {-5, 0}), Colors::of(Theme::Light).panel);
+}
+
+TEST_F(CoverageViewTest, AClickPicksThePoseUnderIt) {
+  show();
+  view.setCoverage(coverageWith({{0, 0, 1}, {0.2, 0.3, -0.9}}));
+  QSignalSpy picked(&view, &CoverageView::posePicked);
+  QTest::mouseClick(&view, Qt::LeftButton, {}, view.placeOf(Eigen::Vector3d(0.2, 0.3, -0.9).normalized()).toPoint());
+  ASSERT_EQ(picked.count(), 1);
+  EXPECT_EQ(view.pickedPose(), PoseId(2));
+  QTest::mouseClick(&view, Qt::LeftButton, {}, QPoint(2, 2));
+  EXPECT_EQ(picked.count(), 1) << "beside the poses nothing is picked";
+}
+
+TEST_F(CoverageViewTest, ArrowKeysGoRoundThePoses) {
+  show();
+  view.setCoverage(coverageWith({{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}));
+  QSignalSpy picked(&view, &CoverageView::posePicked);
+  QTest::keyClick(&view, Qt::Key_Right);
+  EXPECT_EQ(view.pickedPose(), PoseId(1));
+  QTest::keyClick(&view, Qt::Key_Right);
+  QTest::keyClick(&view, Qt::Key_Right);
+  QTest::keyClick(&view, Qt::Key_Right);
+  EXPECT_EQ(view.pickedPose(), PoseId(1));
+  QTest::keyClick(&view, Qt::Key_Left);
+  EXPECT_EQ(view.pickedPose(), PoseId(3));
+  EXPECT_EQ(picked.count(), 5);
+}
+
+TEST_F(CoverageViewTest, APosePickedElsewhereIsOutlinedWithoutASignal) {
+  show();
+  view.setCoverage(coverageWith({{0, 0, 1}}));
+  QSignalSpy picked(&view, &CoverageView::posePicked);
+  const QImage before = view.grab().toImage();
+  view.setPickedPose(PoseId(1));
+  EXPECT_NE(view.grab().toImage(), before);
+  EXPECT_EQ(picked.count(), 0);
+}
+
+TEST_F(CoverageViewTest, ShowsNextAndPresentDirectionAndHidesThemAgain) {
+  show();
+  view.setCoverage(coverageWith({{0, 0, 1}}));
+  const QImage before = view.grab().toImage();
+  view.setNext(Eigen::Vector3d(0.3, 0.2, -0.9).normalized());
+  const QImage with_next = view.grab().toImage();
+  EXPECT_NE(with_next, before);
+  const Eigen::Vector3d now = Eigen::Vector3d(-0.5, 0.4, 0.7).normalized();
+  view.setCurrent(now);
+  EXPECT_NE(view.grab().toImage(), with_next);
+  view.setCurrent(std::nullopt);
+  EXPECT_EQ(view.grab().toImage(), with_next);
+  view.setNext(std::nullopt);
+  EXPECT_EQ(view.grab().toImage(), before);
+}
+
+TEST_F(CoverageViewTest, ThePresentDirectionIsDrawnRoundANumberAndNotOverIt) {
+  show();
+  const Eigen::Vector3d up = Eigen::Vector3d(0.3, 0.2, 0.9).normalized();
+  view.setCoverage(coverageWith({up}));
+  const QRect number = QRect(-5, -5, 11, 11).translated(view.placeOf(up).toPoint());
+  const QImage before = view.grab().toImage();
+  view.setCurrent(up);
+  const QImage after = view.grab().toImage();
+  EXPECT_NE(after, before);
+  EXPECT_EQ(after.copy(number), before.copy(number));
+}
+
+TEST_F(CoverageViewTest, WithoutASkinItSaysSoAndDrawsNoValue) {
+  show();
+  view.setEmptyHint(QStringLiteral("No poses yet."));
+  const QImage empty = view.grab().toImage();
+  const QRgb below_limit = linkStroke(EdgeQuality::Partially, Theme::Light).color.rgb();
+  const QRgb undefined = linkStroke(EdgeQuality::Undefined, Theme::Light).color.rgb();
+  for (int y = 0; y < empty.height(); ++y) {
+    for (int x = 0; x < empty.width(); ++x) {
+      ASSERT_NE(empty.pixel(x, y), below_limit) << x << ' ' << y;
+      ASSERT_NE(empty.pixel(x, y), undefined) << x << ' ' << y;
+    }
+  }
+  view.setEmptyHint({});
+  EXPECT_NE(view.grab().toImage(), empty);
+}
+
+TEST_F(CoverageViewTest, TheDiscsAreAsLargeAsTheHeightAllows) {
+  // The room that the window leaves at 1280x800.
+  show({390, 228});
+  view.setCoverage(coverageWith({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}));
+  const double across = view.placeOf(Eigen::Vector3d::UnitX()).x() - view.placeOf(-Eigen::Vector3d::UnitX()).x();
+  EXPECT_GT(std::abs(across), 70);
+}
+
+TEST_F(CoverageViewTest, SaysInWordsWhatItShows) {
+  view.setCoverage(coverageWith({{1, 0, 0}, {0, 1, 0}}));
+  const QString words = view.accessibleDescription();
+  EXPECT_TRUE(words.contains(QStringLiteral("2 poses"))) << words.toStdString();
+  EXPECT_TRUE(words.contains(QStringLiteral("fully defined"))) << words.toStdString();
+  EXPECT_TRUE(words.contains(QStringLiteral("facing the ceiling or the floor: the third value is 0.00, needs 0.50")))
+      << words.toStdString();
+  view.setCoverage(coverageWith({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}));
+  EXPECT_TRUE(view.accessibleDescription().contains(QStringLiteral("No direction is missing")));
+}
+
+TEST_F(CoverageViewTest, NamesNoOtherCellWhereTheNextPoseGivesWhatIsMissing) {
+  view.setCoverage(coverageWith({{1, 0, 0}, {0, 1, 0}}));
+  view.setNext(Eigen::Vector3d::UnitZ());
+  EXPECT_TRUE(view.accessibleDescription().contains(
+      QStringLiteral("A third direction is missing (value 0.00, needs 0.50); the next pose is one.")))
+      << view.accessibleDescription().toStdString();
+  view.setNext(Eigen::Vector3d(1, 1, 0).normalized());  // helps otherwise
+  EXPECT_TRUE(view.accessibleDescription().contains(QStringLiteral("facing the ceiling or the floor")));
+  view.setNext(Eigen::Vector3d::UnitZ());
+  view.setNext(std::nullopt);
+  EXPECT_TRUE(view.accessibleDescription().contains(QStringLiteral("facing the ceiling or the floor")));
+}
+
+TEST_F(CoverageViewTest, FitsIntoSmallPlacesAndLooksDifferentInTheDark) {
+  show({180, 230});
+  view.setCoverage(coverageWith({{0, 0, 1}, {0, 0.1, -1}}));
+  EXPECT_TRUE(QRectF(view.rect()).contains(view.placeOf(Eigen::Vector3d::UnitZ())));
+  EXPECT_TRUE(QRectF(view.rect()).contains(view.placeOf(-Eigen::Vector3d::UnitZ())));
+  const QImage light = view.grab().toImage();
+  view.setTheme(Theme::Dark);
+  EXPECT_NE(view.grab().toImage(), light);
+}
+
+TEST_F(CoverageViewTest, KeepsUpWithTwentyDirectionsASecond) {
+  show();
+  view.setCoverage(coverageWith({{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}));
+  view.grab();
+  const double before_s = test::threadCpuTime_s();
+  constexpr int kTimes = 100;
+  for (int k = 0; k < kTimes; ++k) {
+    view.setCurrent(Eigen::Vector3d(std::cos(0.05 * k), std::sin(0.05 * k), 0.4).normalized());
+    view.repaint();
+  }
+  EXPECT_LT(test::threadCpuTime_s() - before_s, 0.05 * kTimes) << "twenty a second would not be kept up with";
+}
+
+}  // namespace
+}  // namespace hexoderm

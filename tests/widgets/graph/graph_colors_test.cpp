@@ -1,0 +1,300 @@
+// What the graph's colours say, its legend and its tooltips, and what a right click offers.
+
+#include "hexoderm/reconstruction/result/uncertainty.h"
+#include "tests/support/qt_wait.h"
+#include "tests/widgets/graph/graph_view_fixture.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QMenu>
+#include <QSignalSpy>
+#include <QToolButton>
+
+namespace hexoderm {
+namespace {
+
+constexpr LinkEnd kFive{CellId(5), PortNumber(3)};
+constexpr LinkEnd kNine{CellId(9), PortNumber(2)};
+
+class GraphColorsTest : public GraphViewTest {
+ protected:
+  QToolButton* button() { return view_.findChild<QToolButton*>("graphColoring"); }
+  QAction* colorAction(const QString& name) {
+    for (QAction* action : button()->menu()->actions()) {
+      if (action->text() == name) return action;
+    }
+    return nullptr;
+  }
+  /// The X17, each arm's links and cells with figures of their own.
+  static std::shared_ptr<Reconstruction> withFigures() {
+    auto result = sampleX17();
+    PatchReconstruction& patch = result->patches.front();
+    for (CellPlacement& cell : patch.cells) {
+      cell.cov_t_r = Matrix6d::Identity() * 1e-8;
+      cell.path = {CellId(1), cell.cell};
+    }
+    patch.cells[8].cov_t_r = Matrix6d::Identity() * 1.0;  // cell 9: far beyond every scale
+    patch.links[7].residual_rad = 50 * kDegree;           // 5 to 9
+    patch.links[7].bend_rad = -80 * kDegree;
+    return result;
+  }
+  QPoint linkTo9() { return view_.positionOf(kFive, kNine).value(); }
+  QPoint linkTo2() { return view_.positionOf({CellId(1), PortNumber(1)}, {CellId(2), PortNumber(4)}).value(); }
+};
+
+/// Pixels that are not ground.
+int markedPixels(const QImage& image, const QRect& area) {
+  const QColor ground = Colors::of(Theme::Light).panel;
+  int count = 0;
+  for (int y = area.top(); y <= area.bottom(); ++y) {
+    for (int x = area.left(); x <= area.right(); ++x) count += image.pixelColor(x, y) == ground ? 0 : 1;
+  }
+  return count;
+}
+
+TEST_F(GraphColorsTest, LinksAreColouredByAFigureOnAnAbsoluteScale) {
+  show(withFigures());
+  for (const GraphColoring coloring : {GraphColoring::Residual, GraphColoring::Bend}) {
+    view_.setColoring(coloring);
+    EXPECT_GT(countColor(image(), linkTo9(), 5, viridis(1)), 8) << "beyond the end of the scale";
+    EXPECT_EQ(countColor(image(), linkTo2(), 5, viridis(1)), 0);
+  }
+  view_.setColoring(GraphColoring::Residual);  // 0.3 of 2 degrees
+  EXPECT_GT(countColor(image(), linkTo2(), 5, viridis(0.15)), 4);
+  view_.setColoring(GraphColoring::Quality);
+  EXPECT_GT(countColor(image(), linkTo2(), 5, linkStroke(EdgeQuality::Fully, Theme::Light).color), 8);
+}
+
+TEST_F(GraphColorsTest, CellsAreColouredByTheirUncertaintyAndLinksGoGrey) {
+  show(withFigures());
+  for (const GraphColoring coloring : {GraphColoring::Position, GraphColoring::Orientation}) {
+    view_.setColoring(coloring);
+    EXPECT_GT(countColor(image(), cell(9), 12, viridis(1)), 60);
+    EXPECT_GT(countColor(image(), cell(13), 12, viridis(0)), 60);
+    EXPECT_EQ(countColor(image(), linkTo2(), 5, linkStroke(EdgeQuality::Fully, Theme::Light).color), 0);
+  }
+  show(sampleX17());  // states no uncertainty
+  EXPECT_GT(countColor(image(), cell(9), 12, Colors::of(Theme::Light).cell_fill), 60) << "not known is no figure";
+}
+
+TEST_F(GraphColorsTest, CellsAreColouredByPatchAndByHowTheyWerePlaced) {
+  show(sampleTwoPatches());
+  view_.setColoring(GraphColoring::Patch);
+  EXPECT_GT(countColor(image(), cell(2), 12, viridis(0.25)), 60);
+  EXPECT_GT(countColor(image(), cell(23), 12, viridis(0.75)), 60);
+  view_.setColoring(GraphColoring::PlacedBy);
+  EXPECT_GT(countColor(image(), cell(22), 12, viridis(0.25)), 60) << "placed by its links";
+  EXPECT_GT(countColor(image(), cell(21), 12, viridis(0.75)), 60);
+}
+
+TEST_F(GraphColorsTest, BodyPartsCanBeChosenWhereTheyAreKnown) {
+  show(sampleTwoPatches());
+  ASSERT_NE(colorAction("body part"), nullptr);
+  EXPECT_FALSE(colorAction("body part")->isEnabled());
+  EXPECT_THAT(colorAction("body part")->toolTip().toStdString(), testing::HasSubstr("does not say"));
+  auto parts = sampleTwoPatches();
+  for (CellPlacement& cell : parts->patches[0].cells) cell.body_part = "forearm";
+  for (CellPlacement& cell : parts->patches[1].cells) cell.body_part = "hand";
+  show(parts);
+  EXPECT_TRUE(colorAction("body part")->isEnabled());
+  colorAction("body part")->trigger();
+  EXPECT_EQ(view_.coloring(), GraphColoring::BodyPart);
+  EXPECT_GT(countColor(image(), cell(2), 12, viridis(0.25)), 60);
+  EXPECT_GT(countColor(image(), cell(23), 12, viridis(0.75)), 60);
+}
+
+TEST_F(GraphColorsTest, TheButtonSaysWhatTheColoursShowAndItsMenuChangesIt) {
+  EXPECT_FALSE(button()->isVisible()) << "there is nothing to colour";
+  show(sampleX17());
+  EXPECT_TRUE(button()->isVisible());
+  EXPECT_EQ(button()->text(), "Colour: link quality ▾");
+  ASSERT_NE(colorAction("yaw"), nullptr);
+  colorAction("yaw")->trigger();
+  EXPECT_EQ(button()->text(), "Colour: yaw ▾");
+  EXPECT_FALSE(button()->accessibleName().isEmpty());
+  EXPECT_EQ(view_.coloring(), GraphColoring::Yaw);
+  EXPECT_TRUE(view_.rect().contains(button()->geometry()));
+}
+
+TEST_F(GraphColorsTest, EveryColouringLooksDifferentAndHasALegend) {
+  auto figures = withFigures();
+  figures->patches[0].cells[3].body_part = "hand";
+  figures->patches[0].cells[5].placed_by = PlacedBy::Links;
+  show(figures);
+  std::vector<QImage> seen;
+  for (const GraphColoring coloring : graphColorings()) {
+    view_.setColoring(coloring);
+    const QImage now = image();
+    for (const QImage& other : seen) EXPECT_NE(now, other) << coloringName(coloring).toStdString();
+    seen.push_back(now);
+    EXPECT_GT(markedPixels(now, QRect(0, now.height() - 26, now.width(), 20)), 300)
+        << coloringName(coloring).toStdString();
+  }
+}
+
+TEST_F(GraphColorsTest, TheButtonTakesNoHeightFromASkinThatLeavesAPlaceAtTheTop) {
+  // The arms of the cross leave one between them: it is as high as one without a button.
+  show(sampleX17());
+  view_.resize(400, 200);
+  ASSERT_TRUE(test::waitUntil([&] { return view_.width() == 400; }));
+  QApplication::processEvents();
+  EXPECT_TRUE(button()->isVisible());
+  int top = view_.height();
+  for (std::uint32_t id = 1; id <= 17; ++id) {
+    EXPECT_FALSE(button()->geometry().contains(cell(id))) << id;
+    top = std::min(top, cell(id).y());
+  }
+  EXPECT_LT(top, button()->geometry().bottom());
+}
+
+TEST_F(GraphColorsTest, LegendAndButtonGiveWayInASmallViewAndTheSkinKeepsClearOfThem) {
+  show(sampleSheet(6, 6));
+  for (std::uint32_t id = 1; id <= 36; ++id) {
+    EXPECT_FALSE(button()->geometry().contains(cell(id))) << id;
+    EXPECT_LT(cell(id).y(), view_.height() - 24) << "above the legend";
+  }
+  view_.resize(200, 130);
+  ASSERT_TRUE(test::waitUntil([&] { return !button()->isVisible(); }));
+  EXPECT_EQ(markedPixels(image(), QRect(0, view_.height() - 10, view_.width(), 10)), 0);
+}
+
+TEST_F(GraphColorsTest, ShortestPathsAreMarkedUnlessSwitchedOff) {
+  show(sampleX17());
+  const QColor band = Colors::of(Theme::Light).tree_band;
+  const int marked = countColor(image(), linkTo2(), 8, band);
+  auto* toggle = view_.findChild<QAction*>("graphMarksTree");
+  ASSERT_NE(toggle, nullptr);
+  toggle->trigger();
+  EXPECT_GT(marked, countColor(image(), linkTo2(), 8, band) + 10);
+}
+
+TEST_F(GraphColorsTest, TheToolTipOfALinkHasAllItsFigures) {
+  auto result = withFigures();
+  LinkEstimate& link = result->patches[0].links[7];
+  link.singular_values = {1.93, 1.05, 0.02};
+  link.weight = 2;
+  link.centred = true;
+  link.supported = true;
+  link.pose_residual_rad = {0.3 * kDegree, std::nullopt, 0.9 * kDegree};
+  show(result);
+  const std::string text = toolTipAt(linkTo9());
+  for (const char* part :
+       {"Link 5 · port 3 — 9 · port 2", "Used, on the shortest paths", "partially defined",
+        "singular values 1.93, 1.05, 0.02", "weight 2", "Bend −80.0°, twist −0.4°, yaw 0.0°",
+        "Residual 50.0°, predicted deviation 0.7°", "Centred", "Support axes", "Residual in pose 1: 0.3°, 3: 0.9°"}) {
+    EXPECT_THAT(text, testing::HasSubstr(part));
+  }
+  link.pose_residual_rad.clear();
+  for (int k = 0; k < 40; ++k) {
+    link.pose_residual_rad.emplace_back(k * kDegree);
+    result->poses.push_back({PoseId(100 + static_cast<std::uint32_t>(k)), "", true, 17, 0, {}, {}});
+  }
+  result->poses.erase(result->poses.begin(), result->poses.begin() + 4);
+  EXPECT_THAT(toolTipAt(linkTo9()), testing::HasSubstr("worst poses 139: 39.0°, 138: 38.0°"));
+  QToolTip::hideText();
+}
+
+TEST_F(GraphColorsTest, TheToolTipOfAMutedLinkSaysWhyInTheFindingsWords) {
+  auto result = sampleTwoPatches();
+  LinkEstimate& link = result->patches[0].links[3];
+  link.muted_by = FindingCode::LinkSetAside;
+  result->findings.push_back(makeFinding(
+      FindingCode::LinkSetAside, "The link 3 port 4 - 4 port 1 was set aside by hand (a cable); it is not used.",
+      {CellId(3), CellId(4)}, {PortNumber(4), PortNumber(1)}));
+  show(result);
+  const QPoint at = view_.positionOf({CellId(3), PortNumber(4)}, {CellId(4), PortNumber(1)}).value();
+  EXPECT_THAT(toolTipAt(at), testing::HasSubstr("Muted: The link 3 port 4 - 4 port 1 was set aside by hand (a cable)"));
+  QToolTip::hideText();
+}
+
+TEST_F(GraphColorsTest, TheToolTipOfACellHasAllItsFigures) {
+  auto result = withFigures();
+  CellPlacement& placement = result->patches[0].cells[12];
+  placement.T_o_u = {rotationFromRpy({0.1, -0.2, 0.3}), {0.0123, -0.004, 0.00002}};
+  placement.accel_offset_g = Eigen::Vector3d(0.061, -0.012, 0);
+  placement.accel_scale = Eigen::Vector3d(1.01, 0.98, 1);
+  placement.path = {CellId(1), CellId(5), CellId(9), CellId(13)};
+  placement.body_part = "fore<arm>";
+  show(result);
+  const std::string text = toolTipAt(cell(13));
+  for (const char* part :
+       {"Cell 13", "Patch 1", "On fore&lt;arm&gt;", "Placed by its own readings", "At 12.3; −4.0; 0.0 mm",
+        "Roll 5.7°, pitch −11.5°, yaw 17.2°", "Known to ±0.2 mm", "Path from the origin: 1 → 5 → 9 → 13 (3 links)",
+        "Accelerometer offset 61; −12; 0 mg", "Accelerometer scale 1.010; 0.980; 1.000"}) {
+    EXPECT_THAT(text, testing::HasSubstr(part));
+  }
+  QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+  EXPECT_THAT(toolTipAt(cell(13)), testing::HasSubstr("12,3; −4,0; 0,0 mm"));
+  QLocale::setDefault(QLocale::c());
+  for (std::uint32_t id = 20; id < 40; ++id) placement.path.insert(placement.path.end() - 1, CellId(id));
+  EXPECT_THAT(toolTipAt(cell(13)), testing::HasSubstr("1 → 5 → 9 → 20 → … → 37 → 38 → 39 → 13 (23 links)"));
+  QToolTip::hideText();
+}
+
+TEST_F(GraphColorsTest, ARightClickPicksWhatIsThereAndOffersWhatCanBeDoneWithIt) {
+  QAction mute("Set link aside");
+  QAction light("Light this cell");
+  view_.setLinkActions({&mute});
+  view_.setCellActions({&light});
+  show(sampleX17());
+  QSignalSpy muted(&mute, &QAction::triggered);
+  const auto menuAt = [&](QPoint at) {
+    QContextMenuEvent event(QContextMenuEvent::Mouse, at, view_.mapToGlobal(at));
+    QApplication::sendEvent(&view_, &event);
+    return view_.findChild<QMenu*>("graphMenu");
+  };
+  QMenu* menu = menuAt(linkTo9());
+  ASSERT_NE(menu, nullptr);
+  EXPECT_EQ(selection_.link(), Selection::Link(kFive, kNine));
+  EXPECT_TRUE(menu->actions().contains(&mute));
+  EXPECT_FALSE(menu->actions().contains(&light));
+  QTest::mouseClick(menu, Qt::LeftButton, Qt::NoModifier, menu->actionGeometry(&mute).center());
+  EXPECT_EQ(muted.count(), 1);
+  ASSERT_TRUE(test::waitUntil([&] { return view_.findChild<QMenu*>("graphMenu") == nullptr; }));
+
+  menu = menuAt(cell(13));
+  ASSERT_NE(menu, nullptr);
+  EXPECT_EQ(selection_.cell(), CellId(13));
+  EXPECT_TRUE(menu->actions().contains(&light));
+  QTest::keyClick(menu, Qt::Key_Escape);
+  ASSERT_TRUE(test::waitUntil([&] { return view_.findChild<QMenu*>("graphMenu") == nullptr; }));
+
+  QContextMenuEvent key(QContextMenuEvent::Keyboard, QPoint(3, 3), view_.mapToGlobal(QPoint(3, 3)));
+  QApplication::sendEvent(&view_, &key);
+  menu = view_.findChild<QMenu*>("graphMenu");
+  ASSERT_NE(menu, nullptr) << "the menu key opens it for what is picked";
+  EXPECT_EQ(selection_.cell(), CellId(13));
+  QTest::keyClick(menu, Qt::Key_Escape);
+}
+
+TEST_F(GraphColorsTest, PointingDrawsNoMoreThanWhatItTouches) {
+  show(sampleSheet(20, 20));
+  view_.setFocus();
+  struct PaintedArea : QObject {
+    QRect area;
+    bool eventFilter(QObject*, QEvent* event) override {
+      if (event->type() == QEvent::Paint) area |= static_cast<QPaintEvent*>(event)->rect();
+      return false;
+    }
+  } painted;
+  moveMouse(cell(30));
+  QApplication::processEvents();
+  view_.installEventFilter(&painted);
+  moveMouse(cell(31));
+  ASSERT_TRUE(test::waitUntil([&] { return !painted.area.isEmpty(); }));
+  EXPECT_LT(painted.area.width(), view_.width() / 2);
+  EXPECT_TRUE(painted.area.contains(cell(31)));
+}
+
+TEST_F(GraphColorsTest, ThePictureIsCopiedAsItIsSeen) {
+  show(sampleX17());
+  selection_.clear();
+  view_.copyPicture();
+  const QImage copied = QApplication::clipboard()->image();
+  EXPECT_EQ(copied.size(), view_.size());
+  EXPECT_GT(countColor(copied, linkTo2(), 5, linkStroke(EdgeQuality::Fully, Theme::Light).color), 8);
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,131 @@
+// Pictures of the graph that are compared with those in tests/baselines: fixed size and place, no text.
+
+#include "widgets/graph/graph_picture.h"
+
+#include "tests/widgets/sample_reconstruction.h"
+
+#include <QDir>
+#include <QFile>
+#include <QImage>
+#include <QTemporaryDir>
+
+#include <cstdlib>
+
+namespace hexoderm {
+namespace {
+
+constexpr QSizeF kSize(300, 220);
+// A pixel differs if a channel is off by more than this: smoothing may differ between versions of Qt, lines don't.
+constexpr int kChannelSlack = 40;
+constexpr double kMaxDifferingShare = 0.0003;
+
+/// Everything that the graph draws besides texts: four classes, a muted link inside of a patch and one between patches,
+/// an origin, a cell placed by its links, a cut, the tree.
+std::shared_ptr<Reconstruction> sample() {
+  auto result = sampleTwoPatches();
+  std::vector<LinkEstimate> ring;
+  for (std::uint32_t id = 31; id <= 34; ++id) ring.push_back(sampleLink(id, 2, id == 34 ? 31 : id + 1, 3));
+  result->patches.push_back(samplePatch(2, {31, 32, 33, 34}, ring));
+  result->patches[0].cells[1].cov_t_r = Matrix6d::Identity() * 1e-6;
+  result->patches[0].links[1].in_tree = false;
+  result->layout = computeFlatLayout(*result->model, result->patches);
+  return result;
+}
+
+QImage draw(std::shared_ptr<const Reconstruction> reconstruction, GraphColoring coloring, Theme theme) {
+  const auto scene = std::make_shared<const GraphScene>(std::move(reconstruction));
+  const auto paint = std::make_shared<const GraphPaint>(paintOf(*scene, coloring, theme));
+  GraphCamera camera;
+  camera.size = kSize;
+  const QRectF& bounds = scene->bounds();
+  camera.center = bounds.center();
+  camera.scale = 0.94 * std::min(kSize.width() / bounds.width(), kSize.height() / bounds.height());
+  GraphStyle style;
+  style.theme = theme;
+  style.has_text = false;
+  QImage image(kSize.toSize(), QImage::Format_RGB32);
+  QPainter painter(&image);
+  GraphPicture(scene, paint, camera, style, {}, QRectF()).draw(painter);
+  return image;
+}
+
+double differingShare(const QImage& a, const QImage& b) {
+  if (a.size() != b.size()) return 1;
+  int differing = 0;
+  for (int y = 0; y < a.height(); ++y) {
+    for (int x = 0; x < a.width(); ++x) {
+      const QRgb p = a.pixel(x, y);
+      const QRgb q = b.pixel(x, y);
+      const int most =
+          std::max({std::abs(qRed(p) - qRed(q)), std::abs(qGreen(p) - qGreen(q)), std::abs(qBlue(p) - qBlue(q))});
+      if (most > kChannelSlack) ++differing;
+    }
+  }
+  return static_cast<double>(differing) / (static_cast<double>(a.width()) * a.height());
+}
+
+/// HEXODERM_UPDATE_BASELINES=1 writes the baseline instead.
+double differenceToBaseline(const QImage& image, const QString& name) {
+  const QString path = QStringLiteral(HEXODERM_BASELINES "/%1.png").arg(name);
+  if (std::getenv("HEXODERM_UPDATE_BASELINES") != nullptr) image.save(path);
+  const double share = differingShare(image, QImage(path).convertToFormat(QImage::Format_RGB32));
+  if (share > kMaxDifferingShare) image.save(name + QStringLiteral("-actual.png"));
+  return share;
+}
+
+TEST(GraphPicture, LooksLikeTheBaselineInTheLight) {
+  EXPECT_LE(differenceToBaseline(draw(sample(), GraphColoring::Quality, Theme::Light), "graph_quality_light"),
+            kMaxDifferingShare);
+}
+
+TEST(GraphPicture, LooksLikeTheBaselineInTheDark) {
+  EXPECT_LE(differenceToBaseline(draw(sample(), GraphColoring::Quality, Theme::Dark), "graph_quality_dark"),
+            kMaxDifferingShare);
+}
+
+TEST(GraphPicture, LooksLikeTheBaselineColouredByPatch) {
+  EXPECT_LE(differenceToBaseline(draw(sample(), GraphColoring::Patch, Theme::Light), "graph_patches"),
+            kMaxDifferingShare);
+}
+
+/// The negative controls: small changes must be seen.
+TEST(GraphPicture, TheBaselineComparisonSeesOneLinkOfAnotherClass) {
+  auto changed = sample();
+  changed->patches[0].links[0].quality = EdgeQuality::Partially;
+  const QImage before = draw(sample(), GraphColoring::Quality, Theme::Light);
+  EXPECT_GT(differingShare(before, draw(changed, GraphColoring::Quality, Theme::Light)), 1.5 * kMaxDifferingShare);
+  EXPECT_LE(differingShare(before, draw(sample(), GraphColoring::Quality, Theme::Light)), 0);
+}
+
+TEST(GraphPicture, TheBaselineComparisonSeesOneMovedCell) {
+  auto changed = sample();
+  changed->layout.cells.front().center.x() += 0.01;
+  const QImage before = draw(sample(), GraphColoring::Quality, Theme::Light);
+  EXPECT_GT(differingShare(before, draw(changed, GraphColoring::Quality, Theme::Light)), 1.5 * kMaxDifferingShare);
+}
+
+TEST(GraphPicture, IsWrittenAsShapesOrAsPixels) {
+  const QTemporaryDir folder;
+  const auto scene = std::make_shared<const GraphScene>(sampleX17());
+  const auto paint = std::make_shared<const GraphPaint>(paintOf(*scene, GraphColoring::Quality, Theme::Light));
+  GraphCamera camera;
+  camera.size = kSize;
+  camera.center = scene->bounds().center();
+  camera.scale = 0.9 * kSize.width() / scene->bounds().width();
+  const GraphPicture picture(scene, paint, camera, {}, {}, QRectF(10, 170, 280, 40));
+  const QString svg = QDir(folder.path()).filePath("graph.svg");
+  ASSERT_TRUE(picture.save(svg));
+  QFile file(svg);
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  const QByteArray text = file.readAll();
+  EXPECT_TRUE(text.contains("<svg"));
+  EXPECT_FALSE(text.contains("<image")) << "shapes can be enlarged";
+  EXPECT_GE(text.count("<polygon") + text.count("<path"), 17);
+  const QString png = QDir(folder.path()).filePath("graph.png");
+  ASSERT_TRUE(picture.save(png));
+  EXPECT_EQ(QImage(png).size(), (2 * kSize).toSize());
+  EXPECT_FALSE(picture.save(QDir(folder.path()).filePath("no/such/folder.svg")));
+}
+
+}  // namespace
+}  // namespace hexoderm

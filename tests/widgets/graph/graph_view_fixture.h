@@ -1,0 +1,86 @@
+#pragma once
+
+#include "tests/support/qt_wait.h"
+#include "tests/widgets/qt_test.h"
+#include "tests/widgets/sample_reconstruction.h"
+#include "widgets/controls/selection.h"
+#include "widgets/graph/graph_view.h"
+
+#include <QHelpEvent>
+#include <QImage>
+#include <QTest>
+#include <QToolTip>
+#include <QWheelEvent>
+
+#include <cmath>
+#include <string>
+
+namespace hexoderm {
+
+/// A graph view on the screen, with hands.
+class GraphViewTest : public testing::Test {
+ protected:
+  GraphViewTest() : view_(&selection_) {
+    QApplication::setPalette(qtPalette(Theme::Light));
+    view_.resize(500, 360);
+    view_.show();
+    EXPECT_TRUE(test::waitUntilExposed(view_));
+  }
+
+  void show(std::shared_ptr<const Reconstruction> reconstruction) {
+    view_.setReconstruction(std::move(reconstruction));
+    QApplication::processEvents();
+  }
+  void wheel(QPoint at, int delta) {
+    QWheelEvent event(at, view_.mapToGlobal(at), QPoint(), QPoint(0, delta), Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&view_, &event);
+  }
+  /// The display server takes its time to tell that the mouse has moved.
+  void moveMouse(QPoint to) {
+    struct Mouse : QObject {
+      QPoint at;
+      bool eventFilter(QObject*, QEvent* event) override {
+        if (event->type() == QEvent::MouseMove) at = static_cast<QMouseEvent*>(event)->pos();
+        return false;
+      }
+    } mouse;
+    view_.installEventFilter(&mouse);
+    QTest::mouseMove(&view_, to);
+    EXPECT_TRUE(test::waitUntil([&] { return mouse.at == to; }));
+  }
+  void drag(QPoint from, QPoint to) {
+    QTest::mousePress(&view_, Qt::LeftButton, Qt::NoModifier, from);
+    moveMouse((from + to) / 2);
+    moveMouse(to);
+    QTest::mouseRelease(&view_, Qt::LeftButton, Qt::NoModifier, to);
+  }
+  [[nodiscard]] QPoint cell(std::uint32_t id) const { return view_.positionOf(CellId(id)).value(); }
+  /// The text that appears where the mouse rests, without its markup.
+  std::string toolTipAt(QPoint position) {
+    QHelpEvent event(QEvent::ToolTip, position, view_.mapToGlobal(position));
+    QApplication::sendEvent(&view_, &event);
+    return QToolTip::text().toStdString();
+  }
+  [[nodiscard]] QImage image() { return view_.grab().toImage().convertToFormat(QImage::Format_RGB32); }
+
+  Selection selection_;
+  GraphView view_;
+};
+
+/// Pixels of a colour within `reach` of a point; drawn edges are smoothed, so near is enough.
+inline int countColor(const QImage& image, QPoint around, int reach, const QColor& color) {
+  int count = 0;
+  for (int y = around.y() - reach; y <= around.y() + reach; ++y) {
+    for (int x = around.x() - reach; x <= around.x() + reach; ++x) {
+      if (!image.valid(x, y)) continue;
+      const QColor pixel = image.pixelColor(x, y);
+      const int difference = std::abs(pixel.red() - color.red()) + std::abs(pixel.green() - color.green()) +
+                             std::abs(pixel.blue() - color.blue());
+      if (difference < 48) ++count;
+    }
+  }
+  return count;
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,283 @@
+#include "widgets/graph/graph_view.h"
+
+#include "tests/support/large_skin.h"
+#include "tests/support/qt_wait.h"
+#include "tests/widgets/graph/graph_view_fixture.h"
+
+#include <QLineEdit>
+
+#include <array>
+
+namespace hexoderm {
+namespace {
+
+constexpr LinkEnd kLink5{CellId(5), PortNumber(3)};
+constexpr LinkEnd kLink9{CellId(9), PortNumber(2)};
+
+TEST_F(GraphViewTest, ShowsAHintInsteadOfNothing) {
+  const QImage empty = image();
+  EXPECT_GT(countColor(empty, empty.rect().center(), 200, Colors::of(Theme::Light).text_muted), 50);
+  QTest::mouseClick(&view_, Qt::LeftButton, Qt::NoModifier, QPoint(50, 50));
+  for (const int key : {Qt::Key_Left, Qt::Key_F, Qt::Key_Plus, Qt::Key_Escape}) {
+    QTest::keyClick(&view_, static_cast<Qt::Key>(key));
+  }
+  wheel({100, 100}, 240);
+  EXPECT_FALSE(selection_.cell());
+  show(sampleReconstruction({}));
+  EXPECT_GT(countColor(image(), empty.rect().center(), 200, Colors::of(Theme::Light).text_muted), 50);
+  show(sampleX17());
+  show(nullptr);
+  EXPECT_EQ(image(), empty);
+}
+
+/// Whoever waits for the window to be painted does not wait for hundreds of hexagons too.
+TEST_F(GraphViewTest, ALargeSkinIsDrawnInATurnAfterTheOneThatPaintsTheWindow) {
+  auto sheet = std::make_shared<Reconstruction>(cylinderSheet(20, 20));
+  sheet->layout = computeFlatLayout(*sheet->model, sheet->patches);
+  const QImage nothing = image();
+  show(sheet);
+  ASSERT_TRUE(test::waitUntil([&] { return image() != nothing; }));
+  const QImage before = image();
+  view_.resize(view_.size() + QSize(60, 40));
+  const QImage meanwhile = image();
+  const QRect middle(150, 100, 200, 160);
+  EXPECT_EQ(meanwhile.copy(middle), before.copy(middle));
+  EXPECT_EQ(meanwhile.pixelColor(view_.width() - 5, view_.height() - 5), Colors::of(Theme::Light).panel);
+  ASSERT_TRUE(test::waitUntil([&] { return image() != meanwhile; }));
+  // As it would be had the view been as large from the start.
+  const QImage after = image();
+  GraphView other(&selection_);
+  other.resize(view_.size());
+  other.show();
+  ASSERT_TRUE(test::waitUntilExposed(other));
+  other.setReconstruction(sheet);
+  ASSERT_TRUE(test::waitUntil([&] { return other.grab().toImage().convertToFormat(after.format()) == after; }));
+}
+
+TEST_F(GraphViewTest, FitsTheWholeSkinIntoTheWidgetInItsPlaces) {
+  show(sampleX17());
+  for (std::uint32_t id = 1; id <= 17; ++id)
+    EXPECT_TRUE(view_.rect().adjusted(15, 15, -15, -15).contains(cell(id))) << id;
+  // As in the sheet: ports 1 and 2 lead to the right, 1 and 3 up.
+  EXPECT_GT(cell(2).x(), cell(1).x());
+  EXPECT_LT(cell(2).y(), cell(1).y());
+  EXPECT_LT(cell(5).x(), cell(1).x());
+  EXPECT_LT(cell(5).y(), cell(1).y());
+  EXPECT_LT((cell(1) - view_.rect().center()).manhattanLength(), 40) << "the legend takes its room below";
+  EXPECT_FALSE(view_.positionOf(CellId(99)));
+}
+
+TEST_F(GraphViewTest, ASingleCellIsShownInModerateSize) {
+  show(sampleReconstruction({samplePatch(0, {4}, {})}));
+  EXPECT_LT((cell(4) - view_.rect().center()).manhattanLength(), 40);
+  QTest::mouseClick(&view_, Qt::LeftButton, Qt::NoModifier, cell(4) + QPoint(100, 0));
+  EXPECT_FALSE(selection_.cell());
+  QTest::mouseClick(&view_, Qt::LeftButton, Qt::NoModifier, cell(4) + QPoint(10, 5));
+  EXPECT_EQ(selection_.cell(), CellId(4));
+}
+
+TEST_F(GraphViewTest, AClickPicksACellALinkOrNothing) {
+  show(sampleX17());
+  QTest::mouseClick(&view_, Qt::LeftButton, Qt::NoModifier, cell(13));
+  EXPECT_EQ(selection_.cell(), CellId(13));
+  QTest::mouseClick(&view_, Qt::LeftButton, Qt::NoModifier, view_.positionOf(kLink5, kLink9).value());
+  EXPECT_FALSE(selection_.cell());
+  EXPECT_EQ(selection_.link(), Selection::Link(kLink5, kLink9));
+  QTest::mouseClick(&view_, Qt::LeftButton, Qt::NoModifier, QPoint(view_.width() / 2, 10));
+  EXPECT_FALSE(selection_.cell() || selection_.link());
+}
+
+TEST_F(GraphViewTest, WhatIsPickedElsewhereIsOutlinedHereInBlackOrWhite) {
+  show(sampleX17());
+  for (const Theme theme : {Theme::Light, Theme::Dark}) {
+    view_.setTheme(theme);
+    selection_.clear();
+    const QColor color = Colors::of(theme).selection;
+    const QPoint link = view_.positionOf(kLink5, kLink9).value();
+    const int cell_before = countColor(image(), cell(9), 16, color);
+    const int link_before = countColor(image(), link, 14, color);
+    selection_.selectCell(CellId(9));
+    EXPECT_GT(countColor(image(), cell(9), 16, color), cell_before + 60);
+    selection_.selectLink(kLink9, kLink5);
+    EXPECT_LE(countColor(image(), cell(9), 10, color), cell_before);
+    EXPECT_GT(countColor(image(), link, 14, color), link_before + 25);
+  }
+}
+
+TEST_F(GraphViewTest, DrawsLinksInTheColourOfTheirQualityInBothThemes) {
+  show(sampleX17());
+  for (const Theme theme : {Theme::Light, Theme::Dark}) {
+    view_.setTheme(theme);
+    const QImage drawn = image();
+    const QColor fully = linkStroke(EdgeQuality::Fully, theme).color;
+    const QColor partially = linkStroke(EdgeQuality::Partially, theme).color;
+    const QPoint good = view_.positionOf({CellId(1), PortNumber(1)}, {CellId(2), PortNumber(4)}).value();
+    const QPoint poor = view_.positionOf(kLink5, kLink9).value();
+    EXPECT_GT(countColor(drawn, good, 5, fully), 8);
+    EXPECT_EQ(countColor(drawn, good, 5, partially), 0);
+    EXPECT_GT(countColor(drawn, poor, 5, partially), 5);
+    EXPECT_EQ(countColor(drawn, poor, 5, fully), 0);
+    EXPECT_EQ(drawn.pixelColor(2, 2), Colors::of(theme).panel);
+  }
+}
+
+TEST_F(GraphViewTest, MutedLinksAreGreyAndCrossed) {
+  show(sampleTwoPatches());
+  const QPoint muted = view_.positionOf({CellId(3), PortNumber(4)}, {CellId(4), PortNumber(1)}).value();
+  EXPECT_GT(countColor(image(), muted, 8, Colors::of(Theme::Light).text_muted), 10);
+  EXPECT_EQ(countColor(image(), muted, 8, linkStroke(EdgeQuality::Undefined, Theme::Light).color), 0);
+}
+
+TEST_F(GraphViewTest, AClosedSurfaceIsDrawnAsTwoStubsThatBothPickTheCutLink) {
+  std::vector<LinkEstimate> links;
+  for (std::uint32_t id = 1; id <= 8; ++id) links.push_back(sampleLink(id, 2, id % 8 + 1, 3));
+  show(sampleReconstruction({samplePatch(0, {1, 2, 3, 4, 5, 6, 7, 8}, links)}));
+  const LinkEnd five{CellId(5), PortNumber(2)};
+  const LinkEnd six{CellId(6), PortNumber(3)};
+  for (const auto& [end, inner] : {std::pair{5u, 4u}, std::pair{6u, 7u}}) {
+    selection_.clear();
+    const QPoint outside = cell(end) + (cell(end) - cell(inner)) * 0.42;
+    QTest::mouseClick(&view_, Qt::LeftButton, Qt::NoModifier, outside);
+    EXPECT_EQ(selection_.link(), Selection::Link(five, six)) << end;
+  }
+}
+
+TEST_F(GraphViewTest, TheWheelZoomsAboutTheCursorAndDoubleClickFitsAgain) {
+  show(sampleX17());
+  const QPoint before = cell(14);
+  const QPoint other = cell(15);
+  wheel(before, 360);
+  EXPECT_LT((cell(14) - before).manhattanLength(), 3);
+  EXPECT_GT((cell(15) - before).manhattanLength(), 1.8 * (other - before).manhattanLength());
+  QTest::mouseDClick(&view_, Qt::LeftButton, Qt::NoModifier, QPoint(30, 180));
+  EXPECT_EQ(cell(15), other);
+  wheel(before, -10000);
+  EXPECT_GT((cell(14) - cell(15)).manhattanLength(), 50);  // it can't be lost
+  QTest::keyClick(&view_, Qt::Key_F);
+  EXPECT_EQ(cell(15), other);
+}
+
+TEST_F(GraphViewTest, DraggingPansAndPicksNothing) {
+  show(sampleX17());
+  const QPoint before = cell(2);
+  drag(cell(2), cell(2) + QPoint(-60, 40));
+  EXPECT_EQ(cell(2), before + QPoint(-60, 40));
+  EXPECT_FALSE(selection_.cell());
+}
+
+TEST_F(GraphViewTest, KeepsItsViewWhenOnlyFiguresChangeAndFitsANewSkin) {
+  show(sampleX17());
+  wheel(cell(9), 480);
+  const QPoint zoomed = cell(9);
+  const QPoint zoomed_other = cell(13);
+  show(sampleX17());
+  EXPECT_EQ(cell(9), zoomed);
+  EXPECT_EQ(cell(13), zoomed_other);
+  show(sampleSheet(5, 5));
+  for (std::uint32_t id = 1; id <= 25; ++id) EXPECT_TRUE(view_.rect().contains(cell(id)));
+}
+
+TEST_F(GraphViewTest, FollowsItsSizeUntilSomebodyZooms) {
+  show(sampleX17());
+  view_.resize(300, 220);
+  EXPECT_TRUE(test::waitUntil([&] { return view_.rect().contains(cell(16)) && view_.rect().contains(cell(17)); }));
+}
+
+TEST_F(GraphViewTest, ArrowKeysWalkAlongTheLinksFromTheOrigin) {
+  show(sampleX17());
+  view_.setFocus();
+  QTest::keyClick(&view_, Qt::Key_Right);
+  EXPECT_EQ(selection_.cell(), CellId(1));
+  QTest::keyClick(&view_, Qt::Key_Right);
+  QTest::keyClick(&view_, Qt::Key_Right);
+  const CellId right = selection_.cell().value();
+  EXPECT_TRUE(right == CellId(6) || right == CellId(8));
+  QTest::keyClick(&view_, Qt::Key_Left);
+  QTest::keyClick(&view_, Qt::Key_Left);
+  EXPECT_EQ(selection_.cell(), CellId(1));
+  selection_.selectCell(CellId(9));
+  QTest::keyClick(&view_, Qt::Key_Up);
+  EXPECT_EQ(selection_.cell(), CellId(13));
+  QTest::keyClick(&view_, Qt::Key_Down);
+  EXPECT_EQ(selection_.cell(), CellId(9));
+  selection_.selectLink(kLink5, kLink9);
+  QTest::keyClick(&view_, Qt::Key_Right);
+  EXPECT_EQ(selection_.cell(), CellId(5));
+  QTest::keyClick(&view_, Qt::Key_Escape);
+  EXPECT_FALSE(selection_.cell());
+}
+
+TEST_F(GraphViewTest, ArrowKeysReachOtherPatches) {
+  show(sampleTwoPatches());
+  selection_.selectCell(CellId(23));
+  QTest::keyClick(&view_, Qt::Key_Left);
+  QTest::keyClick(&view_, Qt::Key_Left);
+  EXPECT_LT(selection_.cell().value(), CellId(20));
+}
+
+TEST_F(GraphViewTest, TypingDigitsFindsACell) {
+  show(sampleX17());
+  auto* field = view_.findChild<QLineEdit*>();
+  ASSERT_NE(field, nullptr);
+  EXPECT_FALSE(field->isVisible());
+  QTest::keyClick(&view_, Qt::Key_1);
+  EXPECT_TRUE(field->isVisible());
+  EXPECT_EQ(field->text(), "1");
+  QTest::keyClicks(field, "3x");
+  EXPECT_EQ(field->text(), "13");
+  EXPECT_EQ(selection_.cell(), CellId(13));
+  QTest::keyClicks(field, "9");
+  EXPECT_EQ(selection_.cell(), CellId(13));  // there is no cell 139: said, not jumped
+  QTest::keyClick(field, Qt::Key_Escape);
+  EXPECT_FALSE(field->isVisible());
+}
+
+TEST_F(GraphViewTest, CtrlFOpensTheFieldAndTheFoundCellIsBroughtIntoView) {
+  show(sampleSheet(30, 30));
+  wheel(cell(1), 2400);
+  EXPECT_FALSE(view_.rect().contains(cell(900)));
+  QTest::keyClick(&view_, Qt::Key_F, Qt::ControlModifier);
+  auto* field = view_.findChild<QLineEdit*>();
+  QTest::keyClicks(field, "900");
+  QTest::keyClick(field, Qt::Key_Return);
+  EXPECT_FALSE(field->isVisible());
+  EXPECT_EQ(selection_.cell(), CellId(900));
+  EXPECT_TRUE(view_.rect().contains(cell(900)));
+}
+
+TEST_F(GraphViewTest, ToolTipsTellTheFiguresOfLinkAndCell) {
+  show(sampleX17());
+  const std::string link = toolTipAt(view_.positionOf(kLink5, kLink9).value());
+  EXPECT_THAT(link, testing::HasSubstr("Link 5 · port 3 — 9 · port 2"));
+  EXPECT_THAT(link, testing::HasSubstr("partially defined"));
+  EXPECT_THAT(link, testing::HasSubstr("Bend 12.1°, twist −0.4°, yaw 0.0°"));
+  EXPECT_THAT(toolTipAt(cell(1)), testing::HasSubstr("Origin of patch 1"));
+  QToolTip::hideText();
+}
+
+TEST_F(GraphViewTest, TellsScreenReadersWhatItShowsAndWhatIsPicked) {
+  EXPECT_FALSE(view_.accessibleName().isEmpty());
+  EXPECT_EQ(view_.accessibleDescription(), "No skin is open.");
+  show(sampleX17());
+  EXPECT_EQ(view_.accessibleDescription(), "17 cells, 16 links, 1 patch");
+  selection_.selectCell(CellId(9));
+  EXPECT_THAT(view_.accessibleDescription().toStdString(), testing::HasSubstr("Picked: cell 9"));
+  EXPECT_EQ(view_.focusPolicy(), Qt::StrongFocus);
+}
+
+TEST_F(GraphViewTest, DrawsTenThousandCellsAtEveryZoomAndPicksAmongThem) {
+  show(sampleSheet(100, 100));
+  QTest::mouseClick(&view_, Qt::LeftButton, Qt::NoModifier, cell(5050));
+  EXPECT_EQ(selection_.cell(), CellId(5050));
+  QTest::mouseClick(&view_, Qt::LeftButton, Qt::NoModifier, (cell(5050) + cell(5060)) / 2);
+  EXPECT_TRUE(selection_.cell()) << "between dots a cell is meant, not a link";
+  for (int step = 0; step < 12; ++step) {
+    wheel(cell(5050), 240);
+    EXPECT_FALSE(image().isNull());
+  }
+  QTest::mouseClick(&view_, Qt::LeftButton, Qt::NoModifier, cell(5050));
+  EXPECT_EQ(selection_.cell(), CellId(5050));
+}
+
+}  // namespace
+}  // namespace hexoderm

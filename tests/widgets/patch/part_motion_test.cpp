@@ -1,0 +1,296 @@
+#include "hexoderm/geometry/se3.h"
+#include "hexoderm/util/units.h"
+#include "tests/support/demo_reconstruction.h"
+#include "tests/support/qt_wait.h"
+#include "widgets/controls/selection.h"
+#include "widgets/patch/patch_view.h"
+#include "widgets/patch/scene_widget.h"
+#include "widgets/scene/part_camera.h"
+#include "widgets/scene/patch_scene.h"
+#include "widgets/scene/scene_ghost.h"
+
+#include <gtest/gtest.h>
+#include <vtkCamera.h>
+#include <vtkNew.h>
+#include <QElapsedTimer>
+#include <QTest>
+#include <QToolButton>
+#include <random>
+
+namespace hexoderm {
+namespace {
+
+Eigen::Vector3d toEigen(const double* v) { return {v[0], v[1], v[2]}; }
+
+/// A unit vector of the patch frame in the picture: right, up, towards the viewer.
+Eigen::Vector3d inPicture(vtkCamera* camera, const Eigen::Vector3d& v) {
+  const Eigen::Vector3d back = -toEigen(camera->GetDirectionOfProjection());
+  camera->OrthogonalizeViewUp();
+  const Eigen::Vector3d up = toEigen(camera->GetViewUp());
+  return {up.cross(back).dot(v), up.dot(v), back.dot(v)};
+}
+
+Eigen::Vector3d randomUp(std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  return Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized();
+}
+
+TEST(PartCamera, UpIsUpwardsInThePictureAndSeenFromAsFarAboveAsBefore) {
+  std::mt19937 random(5);
+  vtkNew<vtkCamera> camera;
+  camera->SetPosition(0.3, 0.2, 0.1);
+  Eigen::Vector3d up = Eigen::Vector3d::UnitY();
+  standCameraUpright(camera, up);
+  for (int k = 0; k < 100; ++k) {
+    const Eigen::Vector3d next = randomUp(random);
+    turnCameraWithPart(camera, up, next);
+    up = next;
+    const Eigen::Vector3d seen = inPicture(camera, up);
+    EXPECT_NEAR(seen.x(), 0, 1e-6);
+    EXPECT_NEAR(toDegrees(std::asin(seen.z())), 20, 1e-4) << "elevation";
+    EXPECT_GT(seen.y(), 0);
+  }
+}
+
+TEST(PartCamera, ThePartDoesNotSpinAboutGravityInThePicture) {
+  vtkNew<vtkCamera> camera;
+  camera->SetPosition(0, 0.1, 0.4);
+  Eigen::Vector3d up = Eigen::Vector3d::UnitY();
+  standCameraUpright(camera, up);
+  const Eigen::Vector3d right = rightInPicture(camera, up);
+  // Tilted by 80 degrees about the picture's right in small steps: that axis stays where it is.
+  for (int k = 0; k < 80; ++k) {
+    const Eigen::Vector3d next = expSO3(-kDegree * right) * up;
+    turnCameraWithPart(camera, up, next);
+    up = next;
+  }
+  EXPECT_NEAR(inPicture(camera, right).x(), 1, 1e-6);
+}
+
+TEST(PartCamera, SpinningTurnsTheFrontToTheRight) {
+  vtkNew<vtkCamera> camera;
+  camera->SetPosition(0, 0, 1);
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitY();
+  standCameraUpright(camera, up);
+  const Eigen::Vector3d front = Eigen::Vector3d::UnitZ();
+  EXPECT_NEAR(inPicture(camera, front).x(), 0, 1e-9);
+  spinPartInPicture(camera, up, 30 * kDegree);
+  EXPECT_NEAR(inPicture(camera, front).x(), 0.5, 1e-9);
+  EXPECT_NEAR(inPicture(camera, up).x(), 0, 1e-9);
+}
+
+class PartMotionTest : public testing::Test {
+ protected:
+  void show(std::shared_ptr<const Reconstruction> shown = nullptr) {
+    view.resize(720, 560);
+    view.show();
+    ASSERT_TRUE(test::waitUntilExposed(view));
+    canvas = view.findChild<SceneWidget*>();
+    ASSERT_NE(canvas, nullptr);
+    view.setReconstruction(shown ? shown : std::make_shared<const Reconstruction>(demoReconstruction()));
+    view.setAnimated(false);
+  }
+  void drag(const QPoint& by, Qt::KeyboardModifiers keys = {}, int steps = 10) {
+    const QPoint from = canvas->rect().center();
+    QTest::mousePress(canvas, Qt::LeftButton, keys, from);
+    for (int k = 1; k <= steps; ++k) QTest::mouseMove(canvas, from + by * k / steps);
+    QTest::mouseRelease(canvas, Qt::LeftButton, keys, from + by);
+  }
+  /// Waits for a request, also for one that is still held back, that turns the part so far away from `up`.
+  bool isAskedFor(double angle_deg, const Eigen::Vector3d& up, double tolerance_deg = 1.5) {
+    return test::waitUntil([&] {
+      return !asked.empty() && std::abs(toDegrees(angleBetween(asked.back(), up)) - angle_deg) < tolerance_deg;
+    });
+  }
+  QToolButton* turnButton() { return view.findChild<QToolButton*>(QStringLiteral("turnThePart")); }
+
+  Selection selection;
+  PatchView view{&selection};
+  SceneWidget* canvas = nullptr;
+  std::vector<Eigen::Vector3d> asked;
+  QMetaObject::Connection kept =
+      QObject::connect(&view, &PatchView::turnRequested, [this](const Eigen::Vector3d& up) { asked.push_back(up); });
+};
+
+TEST_F(PartMotionTest, ThePictureFollowsThePart) {
+  show();
+  const QImage still = view.screenshot();
+  view.setCurrentUp(Eigen::Vector3d::UnitY());
+  const QImage standing = view.screenshot();
+  EXPECT_NE(standing, still);
+  view.setCurrentUp(Eigen::Vector3d::UnitX());
+  EXPECT_NE(view.screenshot(), standing);
+}
+
+TEST_F(PartMotionTest, TremorDoesNotMoveThePicture) {
+  show();
+  view.setCurrentUp(Eigen::Vector3d::UnitY());
+  const QImage before = view.screenshot();
+  view.setCurrentUp(Eigen::Vector3d(0.001, 1, 0.0005).normalized());
+  EXPECT_EQ(view.screenshot(), before);
+}
+
+TEST_F(PartMotionTest, GoingRoundAndBackGivesTheSamePicture) {
+  show();
+  view.setCurrentUp(Eigen::Vector3d::UnitY());
+  const QImage before = view.screenshot();
+  // There and back again along the same way, in steps that are followed at once.
+  for (int k = 1; k <= 12; ++k)
+    view.setCurrentUp(expSO3(5 * k * kDegree * Eigen::Vector3d::UnitX()) * Eigen::Vector3d::UnitY());
+  EXPECT_NE(view.screenshot(), before);
+  for (int k = 11; k >= 0; --k)
+    view.setCurrentUp(expSO3(5 * k * kDegree * Eigen::Vector3d::UnitX()) * Eigen::Vector3d::UnitY());
+  const QImage after = view.screenshot();
+  std::size_t other = 0;
+  for (int y = 0; y < after.height(); ++y) {
+    for (int x = 0; x < after.width(); ++x)
+      other += std::abs(qGray(after.pixel(x, y)) - qGray(before.pixel(x, y))) > 24;
+  }
+  EXPECT_LT(other, 200U) << "pixels";
+}
+
+TEST_F(PartMotionTest, TheGhostComesAndGoes) {
+  show();
+  view.setCurrentUp(Eigen::Vector3d::UnitY());
+  const QImage before = view.screenshot();
+  view.setNextUp(Eigen::Vector3d::UnitX());
+  const QImage ghost = view.screenshot();
+  EXPECT_NE(ghost, before);
+  const auto place = SceneGhost::placeIn(ghost.width(), ghost.height());
+  const QRect there(static_cast<int>(place[0]), ghost.height() - static_cast<int>(place[3]),
+                    static_cast<int>(place[2] - place[0]), static_cast<int>(place[3] - place[1]));
+  EXPECT_NE(ghost.copy(there), before.copy(there));
+  view.setNextUp(std::nullopt);
+  EXPECT_EQ(view.screenshot(), before);
+}
+
+TEST_F(PartMotionTest, TheGhostShowsTheAxisItTurnsAbout) {
+  show();
+  view.setCurrentUp(Eigen::Vector3d::UnitY());
+  view.showStandardView(PatchView::StandardView::Front);
+  const QImage before = view.screenshot();
+  // About the picture's horizontal, of which the patch itself leaves the left end free.
+  const auto changedAtTheLeftEnd = [&](const Eigen::Vector3d& next) {
+    view.setNextUp(next);
+    const QImage ghost = view.screenshot();
+    const auto place = SceneGhost::placeIn(ghost.width(), ghost.height());
+    const int middle = ghost.height() - static_cast<int>((place[1] + place[3]) / 2);
+    const int from = static_cast<int>(place[0] + 0.05 * (place[2] - place[0]));
+    int changed = 0;
+    for (int x = from; x < from + 10; ++x) {
+      for (int y = middle - 4; y <= middle + 4; ++y) {
+        changed += std::abs(qGray(ghost.pixel(x, y)) - qGray(before.pixel(x, y))) > 24;
+      }
+    }
+    return changed;
+  };
+  EXPECT_GT(changedAtTheLeftEnd(Eigen::Vector3d::UnitZ()), 5);
+  const Eigen::Vector3d nearly_there = expSO3(5 * kDegree * Eigen::Vector3d::UnitX()) * Eigen::Vector3d::UnitY();
+  EXPECT_EQ(changedAtTheLeftEnd(nearly_there), 0) << "there is nothing to turn about";
+}
+
+TEST_F(PartMotionTest, TheGhostTurnsAndThenRests) {
+  show();
+  view.setCurrentUp(Eigen::Vector3d::UnitY());
+  view.setNextUp(Eigen::Vector3d::UnitX());
+  const QImage target = view.screenshot();
+  view.setAnimated(true);
+  EXPECT_TRUE(view.isAnimating());
+  EXPECT_NE(view.screenshot(), target) << "it begins with the present orientation";
+  EXPECT_TRUE(test::waitUntil([&] { return !view.isAnimating(); }));
+  EXPECT_EQ(view.screenshot(), target);
+}
+
+TEST_F(PartMotionTest, NothingMovesWhileTheViewIsHiddenOrMotionIsUnwanted) {
+  show();
+  view.setNextUp(Eigen::Vector3d::UnitX());
+  EXPECT_FALSE(view.isAnimating()) << "switched off";
+  view.setAnimated(true);
+  EXPECT_TRUE(view.isAnimating());
+  view.hide();
+  EXPECT_FALSE(view.isAnimating());
+  view.show();
+  EXPECT_TRUE(test::waitUntil([&] { return view.isAnimating(); }));
+}
+
+TEST_F(PartMotionTest, ALargeSkinGetsAnArrowInstead) {
+  show(std::make_shared<const Reconstruction>(sheetReconstruction(50, 41)));
+  ASSERT_TRUE(test::waitUntil([&] { return view.isUpToDate(); }));
+  const QImage before = view.screenshot();
+  view.setNextUp(Eigen::Vector3d::UnitX());
+  EXPECT_NE(view.screenshot(), before);
+}
+
+TEST_F(PartMotionTest, DraggingInTurnModeAsksForTheTurnAndLeavesTheCameraAlone) {
+  show();
+  view.setCurrentUp(Eigen::Vector3d::UnitY());
+  view.setTurnable(true);
+  ASSERT_TRUE(turnButton()->isVisible());
+  QTest::mouseClick(turnButton(), Qt::LeftButton);
+  const QImage before = view.screenshot();
+  drag({0, canvas->height() / 4});
+  EXPECT_TRUE(isAskedFor(45, Eigen::Vector3d::UnitY()));
+  EXPECT_EQ(view.screenshot(), before) << "the picture waits for the part";
+  EXPECT_EQ(selection.cell(), std::nullopt);
+}
+
+TEST_F(PartMotionTest, DraggingDownBringsTheUpperEdgeNearer) {
+  show();
+  view.setCurrentUp(Eigen::Vector3d::UnitY());
+  view.showStandardView(PatchView::StandardView::Front);
+  ASSERT_FALSE(view.screenshot().isNull());
+  view.setTurnable(true);
+  drag({0, canvas->height() / 2}, Qt::ShiftModifier);
+  // Seen from the front (+z), the upper edge (+y) has come to the viewer: -z, the back, points up now.
+  EXPECT_TRUE(isAskedFor(0, -Eigen::Vector3d::UnitZ(), 5));
+}
+
+TEST_F(PartMotionTest, ShiftTurnsThePartWithoutTheModeAndPlainDraggingTurnsTheCamera) {
+  show();
+  view.setCurrentUp(Eigen::Vector3d::UnitY());
+  view.setTurnable(true);
+  const QImage before = view.screenshot();
+  drag({0, 60});
+  EXPECT_TRUE(asked.empty());
+  EXPECT_NE(view.screenshot(), before);
+  drag({0, 60}, Qt::ShiftModifier);
+  EXPECT_TRUE(test::waitUntil([&] { return !asked.empty(); }));
+}
+
+TEST_F(PartMotionTest, RequestsComeAtMostTwentyTimesASecondAndTheLastIsNotLost) {
+  show();
+  view.setCurrentUp(Eigen::Vector3d::UnitY());
+  view.setTurnable(true);
+  QElapsedTimer clock;
+  clock.start();
+  drag({0, canvas->height() / 4}, Qt::ShiftModifier, 200);
+  EXPECT_TRUE(isAskedFor(45, Eigen::Vector3d::UnitY()));
+  EXPECT_LE(static_cast<qint64>(asked.size()), 2 + clock.elapsed() / 50);
+}
+
+TEST_F(PartMotionTest, ArrowKeysTurnThePartInTurnMode) {
+  show();
+  view.activateWindow();
+  ASSERT_TRUE(test::waitUntilActive(view));
+  view.setCurrentUp(Eigen::Vector3d::UnitY());
+  view.setTurnable(true);
+  QTest::keyClick(&view, Qt::Key_Down);
+  EXPECT_TRUE(asked.empty()) << "the mode is off";
+  QTest::mouseClick(turnButton(), Qt::LeftButton);
+  EXPECT_TRUE(view.hasFocus());
+  for (int k = 0; k < 4; ++k) QTest::keyClick(&view, Qt::Key_Down);
+  EXPECT_TRUE(isAskedFor(20, Eigen::Vector3d::UnitY(), 0.1));
+  const QImage before = view.screenshot();
+  QTest::keyClick(&view, Qt::Key_Right);
+  EXPECT_NE(view.screenshot(), before) << "about gravity the picture alone turns";
+}
+
+TEST_F(PartMotionTest, WhereNobodyObeysNothingCanBeTurned) {
+  show();
+  EXPECT_FALSE(turnButton()->isVisible());
+  drag({0, 80}, Qt::ShiftModifier);
+  EXPECT_TRUE(asked.empty());
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,472 @@
+#include "widgets/patch/patch_view.h"
+
+#include "hexoderm/reconstruction/evaluation/evaluation.h"
+#include "tests/support/demo_reconstruction.h"
+#include "tests/support/large_skin.h"
+#include "tests/support/qt_wait.h"
+#include "widgets/controls/selection.h"
+#include "widgets/patch/opengl_info.h"
+#include "widgets/patch/patch_captions.h"
+#include "widgets/patch/patch_controls.h"
+#include "widgets/patch/scene_widget.h"
+
+#include <gtest/gtest.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
+#include <vtkWeakPointer.h>
+#include <QAction>
+#include <QMenu>
+#include <QRegularExpression>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+#include <set>
+
+namespace hexoderm {
+namespace {
+
+std::shared_ptr<const Reconstruction> demo(std::uint32_t arm_cells = 4) {
+  DemoOptions options;
+  options.arm_cells = arm_cells;
+  return std::make_shared<const Reconstruction>(demoReconstruction(options));
+}
+
+class PatchViewTest : public testing::Test {
+ protected:
+  void show() {
+    view.resize(640, 480);
+    view.show();
+    ASSERT_TRUE(test::waitUntilExposed(view));
+    canvas = view.findChild<SceneWidget*>();
+    ASSERT_NE(canvas, nullptr);
+  }
+
+  void click(const QPoint& at) {
+    QTest::mousePress(canvas, Qt::LeftButton, {}, at);
+    QTest::mouseRelease(canvas, Qt::LeftButton, {}, at);
+  }
+
+  QToolButton* button(const QString& text) {
+    for (QToolButton* candidate : view.findChildren<QToolButton*>()) {
+      if (candidate->text() == text) return candidate;
+    }
+    return nullptr;
+  }
+
+  PatchControls& controls() { return *view.findChild<PatchControls*>(); }
+  QString words() { return view.findChild<PatchCaptions*>()->accessibleDescription(); }
+
+  Selection selection;
+  PatchView view{&selection};
+  SceneWidget* canvas = nullptr;
+};
+
+std::size_t coloursIn(const QImage& image) {
+  std::set<QRgb> colours;
+  for (int y = 0; y < image.height(); y += 2) {
+    for (int x = 0; x < image.width(); x += 2) colours.insert(image.pixel(x, y));
+  }
+  return colours.size();
+}
+
+TEST_F(PatchViewTest, ScreenshotShowsTheSkinInBothThemes) {
+  show();
+  view.setReconstruction(demo());
+  const QImage light = view.screenshot();
+  view.setTheme(Theme::Dark);
+  const QImage dark = view.screenshot();
+  EXPECT_EQ(light.size(), canvas->size() * canvas->devicePixelRatioF());
+  EXPECT_GT(coloursIn(light), 60U);
+  EXPECT_GT(coloursIn(dark), 60U);
+  EXPECT_GT(qGray(light.pixel(3, 3)), 180);
+  EXPECT_LT(qGray(dark.pixel(3, 3)), 60);
+}
+
+TEST_F(PatchViewTest, IsSmoothedWhenItRestsAndNotWhileItIsResized) {
+  ASSERT_NO_FATAL_FAILURE(show());
+  view.setReconstruction(demo());
+  ASSERT_TRUE(test::waitUntil([this] { return canvas->isPictureSmoothed(); }));
+  const QImage small = canvas->picture();
+  view.resize(700, 500);
+  ASSERT_TRUE(test::waitUntil([this] { return canvas->width() > 640; }));
+  const QImage rough = canvas->picture();
+  EXPECT_FALSE(canvas->isPictureSmoothed());
+  ASSERT_TRUE(test::waitUntil([this] { return canvas->isPictureSmoothed(); }));
+  EXPECT_EQ(canvas->picture().size(), rough.size());
+  EXPECT_NE(canvas->picture(), rough);
+  EXPECT_NE(rough.size(), small.size());
+}
+
+TEST_F(PatchViewTest, SeveralSizesAndColoursOneAfterTheOtherMakeOnePictureWhichIsSmoothedThen) {
+  ASSERT_NO_FATAL_FAILURE(show());
+  view.setReconstruction(demo());
+  ASSERT_TRUE(test::waitUntil([this] { return canvas->isPictureSmoothed(); }));
+  QCoreApplication::processEvents();
+  int pictures = 0;
+  vtkNew<vtkCallbackCommand> count;
+  count->SetClientData(&pictures);
+  count->SetCallback([](vtkObject*, unsigned long, void* client, void*) { ++*static_cast<int*>(client); });
+  const unsigned long observer = canvas->renderWindow()->AddObserver(vtkCommand::StartEvent, count);
+  for (const int width : {700, 660, 720, 680}) view.setFixedSize(width, 500);
+  view.setTheme(Theme::Dark);
+  EXPECT_EQ(canvas->width(), 680);
+  EXPECT_EQ(pictures, 0);
+  EXPECT_TRUE(test::waitUntil([&] { return pictures > 0; }));
+  EXPECT_EQ(canvas->renderWindow()->GetSize()[0], qRound(680 * canvas->devicePixelRatioF()));
+  EXPECT_TRUE(test::waitUntil([this] { return canvas->picture().width() > 640 && canvas->isPictureSmoothed(); }));
+  QTest::qWait(50);
+  EXPECT_EQ(pictures, 1);
+  canvas->renderWindow()->RemoveObserver(observer);
+}
+
+TEST_F(PatchViewTest, AnotherSizeShowsThePictureThereIsUntilItIsDrawn) {
+  ASSERT_NO_FATAL_FAILURE(show());
+  view.setReconstruction(demo());
+  const QSize small = canvas->picture().size();
+  view.resize(700, 540);
+  ASSERT_TRUE(test::waitUntil([&] { return canvas->width() == 700; }));
+  const QColor background(1, 2, 3);
+  canvas->setBackground(background);
+  // Painted before it is drawn: the picture in the middle, the background around it.
+  const QImage before = canvas->grab().toImage();
+  ASSERT_EQ(before.size(), QSize(700, 540) * canvas->devicePixelRatioF());
+  EXPECT_EQ(before.pixelColor(2, 2), background);
+  EXPECT_NE(before.pixelColor(before.rect().center()), background);
+  EXPECT_GT(canvas->picture().width(), small.width());
+  EXPECT_NE(canvas->grab().toImage().pixelColor(2, 2), background);
+}
+
+TEST(PatchViewInAWindow, ChangesMadeWhileHiddenAreDrawnWhenShownAgain) {
+  Selection selection;
+  QWidget window;
+  auto* view = new PatchView(&selection, &window);  // hidden as in a tab: its window stays
+  view->resize(640, 480);
+  window.resize(640, 480);
+  window.show();
+  ASSERT_TRUE(test::waitUntilExposed(window));
+  auto* canvas = view->findChild<SceneWidget*>();
+  ASSERT_TRUE(test::waitUntil([canvas] { return qGray(canvas->picture().pixel(3, 3)) > 180; }));
+  view->hide();
+  view->setTheme(Theme::Dark);
+  view->show();
+  EXPECT_TRUE(test::waitUntil([canvas] { return qGray(canvas->picture().pixel(3, 3)) < 60; }));
+}
+
+TEST(PatchViewInAWindow, LeavesNothingOfVtkBehind) {
+  Selection selection;
+  vtkWeakPointer<vtkRenderWindow> window;
+  {
+    PatchView view(&selection);
+    view.setReconstruction(demo());
+    EXPECT_FALSE(view.screenshot().isNull());
+    window = view.findChild<SceneWidget*>()->renderWindow();
+    ASSERT_NE(window, nullptr);
+  }
+  EXPECT_EQ(window, nullptr);
+}
+
+TEST_F(PatchViewTest, ScreenshotWorksBeforeTheViewWasShown) {
+  view.resize(400, 300);
+  view.setReconstruction(demo());
+  EXPECT_GT(coloursIn(view.screenshot()), 60U);
+}
+
+TEST_F(PatchViewTest, ClickPicksTheCellAndClickBesideClears) {
+  show();
+  view.setReconstruction(demo(0));
+  QSignalSpy changed(&selection, &Selection::changed);
+  click(canvas->rect().center());
+  EXPECT_EQ(changed.count(), 1);
+  EXPECT_EQ(selection.cell(), CellId(1));
+  click(QPoint(5, canvas->height() - 5));
+  EXPECT_EQ(changed.count(), 2);
+  EXPECT_EQ(selection.cell(), std::nullopt);
+}
+
+TEST_F(PatchViewTest, DragTurnsTheSceneAndPicksNothing) {
+  show();
+  view.setReconstruction(demo());
+  const QImage before = view.screenshot();
+  const QPoint from = canvas->rect().center();
+  QTest::mousePress(canvas, Qt::LeftButton, {}, from);
+  QTest::mouseMove(canvas, from + QPoint(40, 10));
+  QTest::mouseMove(canvas, from + QPoint(80, 20));
+  QTest::mouseRelease(canvas, Qt::LeftButton, {}, from + QPoint(80, 20));
+  EXPECT_EQ(selection.cell(), std::nullopt);
+  EXPECT_NE(view.screenshot(), before);
+}
+
+TEST_F(PatchViewTest, SelectionMadeElsewhereIsOutlined) {
+  show();
+  view.setReconstruction(demo());
+  const QImage before = view.screenshot();
+  selection.selectCell(CellId(2));
+  const QImage cell = view.screenshot();
+  EXPECT_NE(cell, before);
+  selection.selectLink({CellId(1), PortNumber(1)}, {CellId(2), PortNumber(4)});
+  EXPECT_NE(view.screenshot(), cell);
+  selection.clear();
+  EXPECT_EQ(view.screenshot(), before);
+}
+
+TEST_F(PatchViewTest, ButtonsMoveTheCamera) {
+  show();
+  view.setReconstruction(demo());
+  QImage last = view.screenshot();
+  for (const char* name : {"Front", "Side", "Top"}) {
+    QToolButton* standard = button(QString::fromLatin1(name));
+    ASSERT_NE(standard, nullptr) << name;
+    QTest::mouseClick(standard, Qt::LeftButton);
+    const QImage now = view.screenshot();
+    EXPECT_NE(now, last) << name;
+    last = now;
+  }
+  QWheelEvent zoom(QPointF(canvas->rect().center()), canvas->mapToGlobal(canvas->rect().center()), {}, QPoint(0, 120),
+                   Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+  QCoreApplication::sendEvent(canvas, &zoom);
+  EXPECT_NE(view.screenshot(), last);
+  ASSERT_NE(button("Fit"), nullptr);
+  QTest::mouseClick(button("Fit"), Qt::LeftButton);
+  EXPECT_EQ(view.screenshot(), last);
+}
+
+TEST_F(PatchViewTest, ColourModesChangeThePictureAndTheLegend) {
+  show();
+  Reconstruction skin = demoReconstruction();
+  for (CellPlacement& cell : skin.patches[0].cells) {
+    cell.body_part = cell.cell.value() < 9 ? "forearm" : "upper arm";
+    cell.cov_t_r = Matrix6d::Identity() * 1e-6 * static_cast<double>(cell.path.size() - 1);
+  }
+  view.setReconstruction(std::make_shared<const Reconstruction>(skin));
+  view.setReadings({{CellId(1), {0.1, 0.2, 0.9}}, {CellId(2), {0.5, -0.6, 0.7}}}, {{CellId(2), 31.5}});
+  view.setSurface(evaluateSurface(skin.patches[0], SurfaceKind::Sphere));
+  auto* modes = view.findChild<QMenu*>(QStringLiteral("coloringMenu"));
+  ASSERT_NE(modes, nullptr);
+  std::vector<QImage> pictures;
+  std::set<QString> legends;
+  for (QAction* mode : modes->actions()) {
+    if (mode->isSeparator()) continue;
+    EXPECT_TRUE(mode->isEnabled()) << mode->toolTip().toStdString();
+    mode->trigger();
+    legends.insert(words());
+    const QImage picture = view.screenshot();
+    for (const QImage& other : pictures) EXPECT_NE(picture, other) << mode->text().toStdString();
+    pictures.push_back(picture);
+  }
+  EXPECT_EQ(pictures.size(), 14U);
+  EXPECT_EQ(legends.size(), 14U);
+}
+
+TEST_F(PatchViewTest, WhatCantBeShownSaysWhy) {
+  show();
+  view.setReconstruction(demo());
+  const auto expectReason = [](const QAction* action) {
+    EXPECT_FALSE(action->isEnabled()) << action->text().toStdString();
+    EXPECT_FALSE(action->toolTip().isEmpty());
+    EXPECT_NE(action->toolTip(), action->text());
+  };
+  for (const CellColoring coloring : {CellColoring::PositionUncertainty, CellColoring::BodyPart, CellColoring::ReadingX,
+                                      CellColoring::Temperature, CellColoring::SurfaceDistance}) {
+    expectReason(controls().action(coloring));
+  }
+  for (const SceneItem item :
+       {SceneItem::Ellipsoids, SceneItem::Truth, SceneItem::Surface, SceneItem::Loop, SceneItem::Comparison}) {
+    expectReason(controls().action(item));
+  }
+  EXPECT_TRUE(controls().action(SceneItem::Links)->isEnabled());
+  view.setReadings({{CellId(1), {0, 0, 1}}});
+  EXPECT_TRUE(controls().action(CellColoring::ReadingX)->isEnabled());
+  EXPECT_FALSE(controls().action(CellColoring::Temperature)->isEnabled());
+  view.setReadings({});
+  EXPECT_FALSE(controls().action(CellColoring::ReadingX)->isEnabled());
+}
+
+TEST_F(PatchViewTest, ReadingsRecolourTheCellsAtOnce) {
+  show();
+  view.setReconstruction(demo());
+  view.setReadings({{CellId(1), {0, 0, 1}}});
+  controls().action(CellColoring::ReadingZ)->setChecked(true);
+  const QImage up = view.screenshot();
+  EXPECT_TRUE(words().contains(QStringLiteral("z, g"))) << words().toStdString();
+  view.setReadings({{CellId(1), {0, 0, -1}}});
+  EXPECT_NE(view.screenshot(), up);
+  view.setReadings({{CellId(1), {0, 0, 1}}});
+  EXPECT_EQ(view.screenshot(), up);
+}
+
+TEST_F(PatchViewTest, OverlaysAreNamedWithTheirEnlargement) {
+  show();
+  const auto skin = demo();
+  view.setReconstruction(skin);
+  GroundTruth truth;
+  for (const CellPlacement& cell : skin->patches[0].cells) truth.cells.push_back({cell.cell, cell.T_o_u});
+  view.setTruth(std::make_shared<const GroundTruth>(truth));
+  EXPECT_FALSE(words().contains(QStringLiteral("truth"))) << "only where it was asked for";
+  controls().action(SceneItem::Truth)->trigger();
+  EXPECT_TRUE(words().contains(QStringLiteral("truth")));
+  view.setLoop(evaluateLoop(*skin, {CellId(14), PortNumber(1)}, {CellId(17), PortNumber(4)}));
+  EXPECT_TRUE(words().contains(QStringLiteral("loop gap: "))) << words().toStdString();
+  Reconstruction before = *skin;
+  before.patches[0].cells[3].T_o_u.t.z() += 0.001;
+  view.setComparison(compareToReconstruction(*skin, before));
+  EXPECT_TRUE(words().contains(QStringLiteral("arrows: from before to now, drawn 10 times as large")))
+      << words().toStdString();
+  controls().action(SceneItem::Comparison)->trigger();
+  EXPECT_FALSE(words().contains(QStringLiteral("arrows")));
+}
+
+TEST_F(PatchViewTest, MeasuresBetweenTwoClickedCellsUntilEsc) {
+  show();
+  view.setReconstruction(demo());
+  view.showStandardView(PatchView::StandardView::Front);
+  static_cast<void>(view.screenshot());
+  QToolButton* tool = button(controls().measureAction()->iconText());
+  ASSERT_NE(tool, nullptr);
+  QTest::mouseClick(tool, Qt::LeftButton);
+  EXPECT_TRUE(words().contains(QStringLiteral("first cell")));
+  click(canvas->rect().center());
+  EXPECT_EQ(selection.cell(), CellId(1));
+  EXPECT_TRUE(words().contains(QStringLiteral("second cell")));
+  const QImage one = view.screenshot();
+  selection.selectCell(CellId(6));  // picked in another view: the same
+  EXPECT_TRUE(words().contains(QRegularExpression(QStringLiteral("[0-9.]+ mm apart.*[0-9.]+°"))))
+      << words().toStdString();
+  EXPECT_NE(view.screenshot(), one);
+  view.activateWindow();
+  ASSERT_TRUE(test::waitUntilActive(view));
+  QTest::keyClick(&view, Qt::Key_Escape);
+  EXPECT_FALSE(controls().measureAction()->isChecked());
+  EXPECT_FALSE(words().contains(QStringLiteral("mm apart")));
+  EXPECT_TRUE(view.isVisible()) << "Esc never closes";
+  selection.selectCell(CellId(3));
+  EXPECT_FALSE(words().contains(QStringLiteral("second cell"))) << "it is off";
+}
+
+TEST_F(PatchViewTest, LargeSkinIsPreparedBesideTheWindowAndTheNewestWins) {
+  show();
+  view.setReconstruction(std::make_shared<const Reconstruction>(cylinderSheet(100, 80)));
+  EXPECT_FALSE(view.isUpToDate());
+  EXPECT_TRUE(view.findChild<PatchCaptions*>()->accessibleName().contains(QStringLiteral("Preparing")));
+  view.setReconstruction(std::make_shared<const Reconstruction>(cylinderSheet(60, 50)));
+  ASSERT_TRUE(test::waitUntil([this] { return view.isUpToDate(); }));
+  EXPECT_TRUE(view.findChild<PatchCaptions*>()->accessibleName().isEmpty());
+  const QImage newest = view.screenshot();
+  view.setReconstruction(demo());
+  EXPECT_TRUE(view.isUpToDate());
+  view.setReconstruction(std::make_shared<const Reconstruction>(cylinderSheet(60, 50)));
+  QImage later;
+  view.whenUpToDate([&] { later = view.screenshot(); });
+  EXPECT_TRUE(later.isNull()) << "nobody waits for it";
+  ASSERT_TRUE(test::waitUntil([&] { return !later.isNull(); }));
+  EXPECT_EQ(later, newest);
+  bool at_once = false;
+  view.whenUpToDate([&] { at_once = true; });
+  EXPECT_TRUE(at_once);
+  view.setReconstruction(demo());
+  view.setReconstruction(std::make_shared<const Reconstruction>(cylinderSheet(60, 50)));
+  view.waitUntilUpToDate();
+  EXPECT_EQ(view.screenshot(), newest);
+  // What is being prepared does not overwrite what came after it.
+  view.setReconstruction(demo(0));
+  const QImage single = view.screenshot();
+  const auto large = std::make_shared<const Reconstruction>(cylinderSheet(100, 80));
+  view.setReconstruction(large);
+  view.setReconstruction(demo(0));
+  PatchView other(&selection);  // by the time that it has prepared the same, the other has too
+  other.setReconstruction(large);
+  ASSERT_TRUE(test::waitUntil([&] { return other.isUpToDate(); }));
+  EXPECT_EQ(view.screenshot(), single);
+}
+
+TEST_F(PatchViewTest, IsClosedWhileALargeSkinIsPrepared) {
+  auto other = std::make_unique<PatchView>(&selection);
+  other->setReconstruction(std::make_shared<const Reconstruction>(cylinderSheet(100, 80)));
+  other.reset();
+  QCoreApplication::processEvents();
+}
+
+TEST_F(PatchViewTest, NoButtonIsCutOffInASmallView) {
+  view.resize(320, 240);
+  view.show();
+  ASSERT_TRUE(test::waitUntilExposed(view));
+  view.setReconstruction(demo());
+  for (const int width : {320, 430, 640, 1200}) {
+    view.resize(width, 300);
+    ASSERT_TRUE(test::waitUntil([&] { return view.width() == width; }));
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    for (QToolButton* each : view.findChildren<QToolButton*>()) {
+      const QRect place(each->mapTo(&view, QPoint(0, 0)), each->size());
+      EXPECT_TRUE(view.rect().contains(place)) << width << " " << each->text().toStdString();
+      EXPECT_GE(each->width(), each->sizeHint().width()) << width << " " << each->text().toStdString();
+    }
+  }
+}
+
+TEST_F(PatchViewTest, OffersToSaveAPicture) {
+  show();
+  view.setReconstruction(demo());
+  QSignalSpy requested(&view, &PatchView::pictureRequested);
+  for (QAction* action : view.findChild<QMenu*>(QStringLiteral("showMenu"))->actions()) {
+    if (action->objectName() == QStringLiteral("actionScenePicture")) action->trigger();
+  }
+  EXPECT_EQ(requested.count(), 1);
+}
+
+TEST_F(PatchViewTest, SaysWhatDraws) {
+  show();
+  const QString renderer = openGlInWords(queryOpenGl());
+  ASSERT_FALSE(renderer.isEmpty());
+  bool said = false;
+  for (QAction* action : view.findChild<QMenu*>(QStringLiteral("showMenu"))->actions()) {
+    said = said || action->text().contains(renderer);
+  }
+  EXPECT_TRUE(said);
+}
+
+TEST_F(PatchViewTest, PoseDecidesWhereGravityPoints) {
+  show();
+  view.setReconstruction(demo());
+  const QImage last = view.screenshot();
+  view.setPose(PoseId(1));
+  EXPECT_NE(view.screenshot(), last);
+  view.setPose(std::nullopt);
+  EXPECT_EQ(view.screenshot(), last);
+}
+
+TEST_F(PatchViewTest, KeysGoOnToTheWindow) {
+  show();
+  view.setReconstruction(demo());
+  const QImage before = view.screenshot();
+  for (const char key : {'w', 'e', 'q', 's', 'r'}) {
+    QKeyEvent press(QEvent::KeyPress, key - 'a' + Qt::Key_A, Qt::NoModifier, QString(QChar::fromLatin1(key)));
+    QCoreApplication::sendEvent(canvas, &press);
+    EXPECT_FALSE(press.isAccepted()) << key;
+  }
+  EXPECT_EQ(view.screenshot(), before);
+}
+
+TEST_F(PatchViewTest, NothingToShowIsSaidAndDoesNotCrash) {
+  show();
+  const QImage hint = view.screenshot();
+  EXPECT_GT(coloursIn(hint.copy(100, 200, 440, 80)), 20U);  // its letters over the plain ground
+  view.setReconstruction(nullptr);
+  view.fit();
+  view.showStandardView(PatchView::StandardView::Side);
+  view.setPose(PoseId(3));
+  selection.selectCell(CellId(4));
+  click(canvas->rect().center());
+  EXPECT_EQ(selection.cell(), std::nullopt);
+  EXPECT_EQ(view.screenshot(), hint);
+
+  view.setReconstruction(demo());
+  EXPECT_NE(view.screenshot(), hint);
+  view.setReconstruction(nullptr);
+  EXPECT_EQ(view.screenshot(), hint);
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,44 @@
+#include "tests/support/demo_reconstruction.h"
+#include "widgets/controls/selection.h"
+#include "widgets/patch/patch_captions.h"
+#include "widgets/patch/patch_view.h"
+
+#include <gtest/gtest.h>
+#include <QGuiApplication>
+#include <QOpenGLContext>
+
+namespace hexoderm {
+namespace {
+
+TEST(PatchViewWithoutOpenGl, SaysSoAndStaysUsable) {
+  ASSERT_EQ(QGuiApplication::platformName(), "minimal") << "run by CTest, which sets QT_QPA_PLATFORM";
+  ASSERT_FALSE(QOpenGLContext().create());
+  Selection selection;
+  PatchView view(&selection);
+  view.resize(500, 300);
+  view.show();
+  auto* overlay = view.findChild<PatchCaptions*>();
+  ASSERT_NE(overlay, nullptr);
+  EXPECT_TRUE(overlay->accessibleName().contains("OpenGL"));
+  EXPECT_TRUE(overlay->accessibleName().contains("Preferences, \"Draw without the graphics card\""))
+      << overlay->accessibleName().toStdString();
+
+  view.setReconstruction(std::make_shared<const Reconstruction>(demoReconstruction()));
+  view.setTheme(Theme::Dark);
+  view.setPose(PoseId(1));
+  view.setReadings({{CellId(1), {0, 0, 1}}}, {});
+  view.setTruth(std::make_shared<const GroundTruth>());
+  view.setSurface(std::nullopt);
+  view.setLoop(std::nullopt);
+  view.setComparison({});
+  EXPECT_TRUE(view.isUpToDate());
+  view.fit();
+  view.showStandardView(PatchView::StandardView::Front);
+  selection.selectCell(CellId(2));
+  EXPECT_TRUE(overlay->accessibleName().contains("OpenGL"));
+  EXPECT_EQ(view.screenshot().size(), view.size());
+  EXPECT_EQ(selection.cell(), CellId(2));
+}
+
+}  // namespace
+}  // namespace hexoderm

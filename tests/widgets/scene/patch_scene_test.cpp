@@ -1,0 +1,202 @@
+// What the scene shows, and that it goes again.
+#include "tests/widgets/scene/patch_scene_test.h"
+
+#include "hexoderm/reconstruction/figures/overlays.h"
+#include "hexoderm/util/units.h"
+#include "tests/support/large_skin.h"
+
+#include <vtkBillboardTextActor3D.h>
+#include <vtkPropCollection.h>
+#include <vtkTextProperty.h>
+#include <cmath>
+#include <optional>
+
+namespace hexoderm {
+namespace {
+
+GroundTruth truthOf(const Reconstruction& reconstruction) {
+  GroundTruth truth;
+  for (const PatchReconstruction& patch : reconstruction.patches) {
+    for (const CellPlacement& cell : patch.cells) truth.cells.push_back({cell.cell, cell.T_o_u});
+  }
+  return truth;
+}
+
+TEST_F(PatchSceneTest, WhatIsSwitchedOffIsGone) {
+  const Reconstruction demo = withUncertainties();
+  scene.setReconstruction(shared(demo));
+  scene.setTruth(std::make_shared<const GroundTruth>(truthOf(roughened(0.003))));
+  const auto plain = picture();
+  for (const SceneItem item : {SceneItem::Links, SceneItem::Tree, SceneItem::Ellipsoids, SceneItem::Truth}) {
+    EXPECT_EQ(scene.availability(item), Availability::Available);
+    scene.setShown(item, true);
+    EXPECT_GT(differingShare(plain, picture()), kMaxDifferingShare) << "item " << static_cast<int>(item);
+    scene.setShown(item, false);
+    EXPECT_EQ(differingShare(plain, picture()), 0) << "item " << static_cast<int>(item);
+  }
+  for (const SceneItem item : {SceneItem::Ports, SceneItem::Axes, SceneItem::Gravity}) {
+    scene.setShown(item, false);
+    EXPECT_GT(differingShare(plain, picture()), 0) << "item " << static_cast<int>(item);
+    scene.setShown(item, true);
+    EXPECT_EQ(differingShare(plain, picture()), 0) << "item " << static_cast<int>(item);
+  }
+}
+
+TEST_F(PatchSceneTest, ResultsAreDrawnUntilTheyAreTakenBack) {
+  const Reconstruction demo = demoReconstruction();
+  scene.setReconstruction(shared(demo));
+  const auto plain = picture();
+  EXPECT_EQ(scene.availability(SceneItem::Loop), Availability::NoData);
+  scene.setLoop(evaluateLoop(demo, {CellId(14), PortNumber(1)}, {CellId(17), PortNumber(4)}));
+  EXPECT_GT(differingShare(plain, picture()), 0.001);
+  EXPECT_TRUE(scene.notes().loop_factor.has_value());
+  scene.setLoop(std::nullopt);
+  EXPECT_EQ(differingShare(plain, picture()), 0);
+
+  scene.setComparison(compareToReconstruction(demo, roughened(0.001)));
+  EXPECT_GT(differingShare(plain, picture()), 0.001);
+  EXPECT_EQ(scene.notes().shift_factor, 10);
+  scene.setComparison({});
+  EXPECT_EQ(differingShare(plain, picture()), 0);
+  EXPECT_EQ(scene.notes().shift_factor, std::nullopt);
+
+  scene.setMeasured(CellId(2), CellId(15));
+  EXPECT_GT(differingShare(plain, picture()), 0.0005);
+  scene.setMeasured(std::nullopt, std::nullopt);
+  EXPECT_EQ(differingShare(plain, picture()), 0);
+}
+
+TEST_F(PatchSceneTest, ResultsAboutAnotherSkinAreNotDrawn) {
+  DemoOptions other;
+  other.first_id = 101;
+  const Reconstruction before = demoReconstruction(other);
+  scene.setReconstruction(shared(before));
+  scene.setSurface(evaluateSurface(before.patches[0], SurfaceKind::Sphere));
+  scene.setLoop(evaluateLoop(before, {CellId(114), PortNumber(1)}, {CellId(117), PortNumber(4)}));
+  scene.setComparison(compareToReconstruction(before, before));
+  picture();
+  DemoOptions options;
+  options.arm_cells = 0;
+  scene.setReconstruction(shared(demoReconstruction(options)));
+  EXPECT_EQ(scene.availability(SceneItem::Loop), Availability::NoData);
+  picture();
+  EXPECT_EQ(scene.notes().distance_factor, std::nullopt);
+  scene.setReconstruction(nullptr);
+  picture();
+  EXPECT_EQ(scene.availability(SceneItem::Surface), Availability::NoSkin);
+}
+
+TEST_F(PatchSceneTest, LargeSkinSaysWhatItLeavesOut) {
+  scene.setReconstruction(shared(cylinderSheet(75, 40)));
+  EXPECT_EQ(scene.availability(SceneItem::Ellipsoids), Availability::TooManyCells);
+  EXPECT_EQ(scene.availability(SceneItem::Links), Availability::Available);
+  scene.setReconstruction(shared(cylinderSheet(130, 40)));
+  EXPECT_EQ(scene.availability(SceneItem::Links), Availability::TooManyCells);
+}
+
+TEST_F(PatchSceneTest, EmptySkinShowsTheBackgroundOnly) {
+  scene.setReconstruction(shared(demoReconstruction()));
+  window->Render();
+  scene.setReconstruction(nullptr);
+  const auto empty = picture();
+  scene.setReconstruction(shared(demoReconstruction(std::vector<PatchReconstruction>{})));
+  EXPECT_EQ(differingShare(empty, picture()), 0);
+  const auto* first = static_cast<const unsigned char*>(empty->GetScalarPointer(0, kHeight / 2, 0));
+  const auto* middle = static_cast<const unsigned char*>(empty->GetScalarPointer(kWidth / 2, kHeight / 2, 0));
+  EXPECT_NEAR(first[1], middle[1], 2);
+  EXPECT_FALSE(scene.showsGravity());
+  EXPECT_EQ(scene.pick(0.5 * kWidth, 0.5 * kHeight), std::nullopt);
+}
+
+TEST_F(PatchSceneTest, SelectionIsOutlinedAndTakenBack) {
+  scene.setReconstruction(shared(demoReconstruction()));
+  const auto plain = picture();
+  scene.setSelection(CellId(3), std::nullopt);
+  EXPECT_GT(differingShare(plain, picture()), 0.001);
+  scene.setSelection(std::nullopt, std::pair(LinkEnd{CellId(1), PortNumber(1)}, LinkEnd{CellId(2), PortNumber(4)}));
+  EXPECT_GT(differingShare(plain, picture()), 0.0005);
+  scene.setSelection(CellId(999), std::nullopt);  // of another skin
+  EXPECT_EQ(differingShare(plain, picture()), 0);
+  scene.setSelection(std::nullopt, std::nullopt);
+  EXPECT_EQ(differingShare(plain, picture()), 0);
+}
+
+TEST_F(PatchSceneTest, GravityArrowFollowsThePose) {
+  const Reconstruction demo = demoReconstruction();
+  scene.setReconstruction(shared(demo));
+  const auto last = picture();
+  EXPECT_TRUE(scene.showsGravity());
+  scene.setPose(PoseId(2));
+  EXPECT_EQ(differingShare(last, picture()), 0);  // the last pose is what is shown by default
+  scene.setPose(PoseId(1));
+  EXPECT_GT(differingShare(last, picture()), 0.0005);
+  scene.setPose(PoseId(77));
+  EXPECT_FALSE(scene.showsGravity());
+}
+
+TEST_F(PatchSceneTest, NumbersAppearOnFacesThatLookAtTheCameraOnly) {
+  DemoOptions options;
+  options.arm_cells = 0;
+  Reconstruction single = demoReconstruction(options);
+  single.patches[0].gravity.clear();
+  scene.setReconstruction(shared(single));
+  scene.showStandardView(PatchScene::View::Front);
+  const auto without = picture();
+  scene.setTextVisible(true);
+  const auto with = picture();
+  int changed = 0;
+  for (int y = kHeight / 2 - 20; y < kHeight / 2 + 20; ++y) {
+    for (int x = kWidth / 2 - 20; x < kWidth / 2 + 20; ++x) {
+      const auto* p = static_cast<const unsigned char*>(without->GetScalarPointer(x, y, 0));
+      const auto* q = static_cast<const unsigned char*>(with->GetScalarPointer(x, y, 0));
+      if (std::abs(p[0] - q[0]) > kChannelSlack) ++changed;
+    }
+  }
+  EXPECT_GT(changed, 10);
+
+  // From behind there is nothing to read.
+  single.patches[0].cells[0].T_o_u.R = expSO3(kPi * Eigen::Vector3d::UnitY());
+  scene.setReconstruction(shared(single));
+  const auto behind = picture();
+  scene.setTextVisible(false);
+  const auto behind_without = picture();
+  for (int y = kHeight / 2 - 20; y < kHeight / 2 + 20; ++y) {
+    for (int x = kWidth / 2 - 20; x < kWidth / 2 + 20; ++x) {
+      const auto* p = static_cast<const unsigned char*>(behind->GetScalarPointer(x, y, 0));
+      const auto* q = static_cast<const unsigned char*>(behind_without->GetScalarPointer(x, y, 0));
+      ASSERT_EQ(p[0], q[0]);
+    }
+  }
+}
+
+TEST_F(PatchSceneTest, ANumberWithALittleTooLittleRoomIsWrittenInTheSmallestLetters) {
+  DemoOptions options;
+  options.arm_cells = 0;
+  const Reconstruction single = demoReconstruction(options);
+  scene.setTextVisible(true);
+  scene.setReconstruction(shared(single));
+  scene.showStandardView(PatchScene::View::Front);
+  window->Render();
+  // The size of the number's letters if there is room for `letters_px`; none if it is not shown.
+  const auto fontFor = [&](double letters_px) -> std::optional<int> {
+    vtkCamera* camera = scene.renderer()->GetActiveCamera();
+    const double pixels_at_one_m = 0.5 * kHeight / std::tan(0.5 * camera->GetViewAngle() * kDegree);
+    const Eigen::Vector3d face = single.patches[0].cells[0].T_o_u.t;
+    camera->SetFocalPoint(face.data());
+    camera->SetPosition(face.x(), face.y(), face.z() + 0.52 * single.model->side_m * pixels_at_one_m / letters_px);
+    window->Render();
+    vtkPropCollection* props = scene.renderer()->GetViewProps();
+    props->InitTraversal();
+    while (vtkProp* prop = props->GetNextProp()) {
+      auto* text = vtkBillboardTextActor3D::SafeDownCast(prop);
+      if (text != nullptr && text->GetVisibility() != 0) return text->GetTextProperty()->GetFontSize();
+    }
+    return std::nullopt;
+  };
+  EXPECT_EQ(fontFor(12.5), 12);
+  EXPECT_EQ(fontFor(6), 8);
+  EXPECT_EQ(fontFor(4), std::nullopt);
+}
+
+}  // namespace
+}  // namespace hexoderm

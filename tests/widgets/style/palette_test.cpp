@@ -1,0 +1,211 @@
+#include "widgets/style/palette.h"
+
+#include <Eigen/Core>
+#include <QImage>
+#include <QLineF>
+#include <QPainter>
+#include <QRegularExpression>
+#include <QWidget>
+
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace hexoderm {
+namespace {
+
+/// Relative luminance and contrast ratio of WCAG 2.1.
+double luminance(const QColor& color) {
+  const auto linear = [](double value) {
+    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) + 0.0722 * linear(color.blueF());
+}
+double contrast(const QColor& a, const QColor& b) {
+  const double brighter = std::max(luminance(a), luminance(b));
+  const double darker = std::min(luminance(a), luminance(b));
+  return (brighter + 0.05) / (darker + 0.05);
+}
+
+class PaletteOfTheme : public testing::TestWithParam<Theme> {
+ protected:
+  const Colors& colors_ = Colors::of(GetParam());
+};
+INSTANTIATE_TEST_SUITE_P(Both, PaletteOfTheme, testing::Values(Theme::Light, Theme::Dark),
+                         [](const auto& theme) { return theme.param == Theme::Dark ? "Dark" : "Light"; });
+
+TEST(Contrast, IsTwentyOneForBlackOnWhite) { EXPECT_NEAR(contrast(Qt::black, Qt::white), 21, 1e-9); }
+
+TEST_P(PaletteOfTheme, TextIsReadableOnEveryGround) {
+  const std::vector<std::pair<QColor, const char*>> texts = {{colors_.text, "text"},
+                                                             {colors_.text_muted, "text_muted"},
+                                                             {colors_.good, "good"},
+                                                             {colors_.bad, "bad"},
+                                                             {colors_.accent, "accent"}};
+  const std::vector<std::pair<QColor, const char*>> grounds = {{colors_.window, "window"},
+                                                               {colors_.panel, "panel"},
+                                                               {colors_.panel_active, "panel_active"},
+                                                               {colors_.scene_top, "scene_top"},
+                                                               {colors_.scene_bottom, "scene_bottom"},
+                                                               {colors_.cell_fill, "cell_fill"}};
+  for (const auto& [text, text_name] : texts) {
+    for (const auto& [ground, ground_name] : grounds) {
+      // Green, red and blue words stand on panels, not on the 3D scene.
+      const bool on_scene = ground == colors_.scene_bottom && text != colors_.text && text != colors_.text_muted;
+      if (on_scene) continue;
+      EXPECT_GE(contrast(text, ground), 4.5) << text_name << " on " << ground_name;
+    }
+  }
+  EXPECT_GE(contrast(colors_.accent_text, colors_.accent), 4.5);
+}
+
+TEST_P(PaletteOfTheme, MarksAndStrokesStandOutFromTheirGround) {
+  EXPECT_GE(contrast(colors_.caution, colors_.panel), 3);
+  EXPECT_GE(contrast(colors_.muted_link, colors_.panel), 3);
+  EXPECT_GE(contrast(colors_.tree_band, colors_.panel), GetParam() == Theme::Dark ? 1.7 : 1.3);
+  EXPECT_GE(contrast(colors_.selection, colors_.panel), 15);
+  for (const EdgeQuality quality :
+       {EdgeQuality::Undefined, EdgeQuality::Partially, EdgeQuality::Fully, EdgeQuality::Over}) {
+    EXPECT_GE(contrast(linkStroke(quality, GetParam()).color, colors_.panel), 3) << qualityName(quality);
+  }
+}
+
+/// CIE L*a*b* of what an eye without one of the three cones sees (Machado, Oliveira, Fernandes 2009); none: as it is.
+Eigen::Vector3d seen(const QColor& color, const Eigen::Matrix3d& cones) {
+  const auto linear = [](double value) {
+    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+  };
+  Eigen::Matrix3d xyz;
+  xyz << 0.4124, 0.3576, 0.1805, 0.2126, 0.7152, 0.0722, 0.0193, 0.1192, 0.9505;
+  const Eigen::Vector3d rgb =
+      (cones * Eigen::Vector3d(linear(color.redF()), linear(color.greenF()), linear(color.blueF())))
+          .cwiseMax(0)
+          .cwiseMin(1);
+  const Eigen::Vector3d f = (xyz * rgb).cwiseQuotient(Eigen::Vector3d(0.9505, 1, 1.0888)).unaryExpr([](double t) {
+    return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116;
+  });
+  return {116 * f.y() - 16, 500 * (f.x() - f.y()), 200 * (f.y() - f.z())};
+}
+
+TEST_P(PaletteOfTheme, AxesAreToldApartByEveryEye) {
+  Eigen::Matrix3d no_red, no_green, no_blue;
+  no_red << 0.152286, 1.052583, -0.204868, 0.114503, 0.786281, 0.099216, -0.003882, -0.048116, 1.051998;
+  no_green << 0.367322, 0.860646, -0.227968, 0.280085, 0.672501, 0.047413, -0.011820, 0.042940, 0.968881;
+  no_blue << 1.255528, -0.076749, -0.178779, -0.078411, 0.930809, 0.147602, 0.004733, 0.691367, 0.303900;
+  for (const Eigen::Matrix3d& cones : {Eigen::Matrix3d(Eigen::Matrix3d::Identity()), no_red, no_green, no_blue}) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double apart = (seen(colors_.axis.at(k), cones) - seen(colors_.axis.at((k + 1) % 3), cones)).norm();
+      EXPECT_GE(apart, 20) << "a difference of 2 is just seen; axis " << k;
+    }
+  }
+  for (const QColor& axis : colors_.axis) {
+    for (const QColor& ground : {colors_.panel, colors_.scene_top, colors_.scene_bottom}) {
+      EXPECT_GE(contrast(axis, ground), 3);
+    }
+  }
+}
+
+TEST_P(PaletteOfTheme, TextOnAnyColourHasTheLargerContrast) {
+  for (int k = 0; k <= 100; ++k) {
+    const QColor ground = viridis(k / 100.0);
+    EXPECT_GE(contrast(textOn(ground), ground), 4.5) << k;
+  }
+}
+
+TEST_P(PaletteOfTheme, AStrokeLooksTheSameWhereverItIsDrawn) {
+  const auto inked = [&](EdgeQuality quality) {
+    QImage image(52, 12, QImage::Format_RGB32);
+    image.fill(colors_.panel);
+    QPainter painter(&image);
+    drawStroke(painter, linkStroke(quality, GetParam()), QLineF(0, 6, 52, 6), 4);
+    painter.end();
+    std::array<int, 2> count{};  // on the middle line, and above it
+    for (int x = 0; x < image.width(); ++x) {
+      count[0] += image.pixelColor(x, 5) != colors_.panel ? 1 : 0;
+      count[1] += image.pixelColor(x, 3) != colors_.panel ? 1 : 0;
+    }
+    return count;
+  };
+  EXPECT_EQ(inked(EdgeQuality::Fully), (std::array{52, 0}));
+  EXPECT_EQ(inked(EdgeQuality::Over), (std::array{0, 52})) << "two lines";
+  EXPECT_NEAR(inked(EdgeQuality::Partially)[0], 52 * 2.6 / 3.9, 6);
+  EXPECT_NEAR(inked(EdgeQuality::Undefined)[0], 52 * 1.0 / 2.2, 6);
+}
+
+TEST_P(PaletteOfTheme, StrokesDifferInStyleAndWordNotOnlyInHue) {
+  std::set<std::pair<int, bool>> styles;
+  std::set<QString> words;
+  for (const EdgeQuality quality :
+       {EdgeQuality::Undefined, EdgeQuality::Partially, EdgeQuality::Fully, EdgeQuality::Over}) {
+    const LinkStroke stroke = linkStroke(quality, GetParam());
+    styles.insert({static_cast<int>(stroke.style), stroke.doubled});
+    words.insert(qualityWord(quality));
+  }
+  EXPECT_EQ(styles.size(), 4u);
+  EXPECT_EQ(words.size(), 4u);
+  EXPECT_EQ(linkStroke(EdgeQuality::Undefined, GetParam()).style, Qt::DotLine);
+  EXPECT_EQ(linkStroke(EdgeQuality::Partially, GetParam()).style, Qt::DashLine);
+  EXPECT_TRUE(linkStroke(EdgeQuality::Over, GetParam()).doubled);
+}
+
+TEST_P(PaletteOfTheme, QtPaletteCarriesTheColours) {
+  const QPalette palette = qtPalette(GetParam());
+  EXPECT_EQ(palette.color(QPalette::Window), colors_.window);
+  EXPECT_EQ(palette.color(QPalette::Base), colors_.panel);
+  EXPECT_EQ(palette.color(QPalette::Text), colors_.text);
+  EXPECT_EQ(palette.color(QPalette::PlaceholderText), colors_.text_muted);
+  EXPECT_NE(palette.color(QPalette::Disabled, QPalette::Text), colors_.text);
+}
+
+TEST_P(PaletteOfTheme, StyleSheetIsFilledInAndUsesItsThemeOnly) {
+  const QString sheet = styleSheet(GetParam());
+  EXPECT_FALSE(sheet.contains('@')) << sheet.mid(sheet.indexOf('@'), 40).toStdString();
+  EXPECT_EQ(sheet.count('{'), sheet.count('}'));
+  EXPECT_TRUE(sheet.contains(colors_.accent.name()));
+  const Colors& other = Colors::of(GetParam() == Theme::Dark ? Theme::Light : Theme::Dark);
+  EXPECT_FALSE(sheet.contains(other.panel_active.name()));
+}
+
+TEST_P(PaletteOfTheme, SystemThemeFollowsTheApplicationsPaletteWhereNoPortalAnswers) {
+  qunsetenv("DBUS_SESSION_BUS_ADDRESS");
+  const QPalette before = QApplication::palette();
+  QApplication::setPalette(qtPalette(GetParam()));
+  EXPECT_EQ(systemTheme(), GetParam());
+  QApplication::setPalette(before);
+}
+
+TEST(StyleSheet, IsAcceptedByQt) {
+  testing::internal::CaptureStderr();
+  QWidget widget;
+  widget.setStyleSheet(styleSheet(Theme::Light));
+  widget.ensurePolished();
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), testing::Not(testing::HasSubstr("parse")));
+}
+
+TEST(Viridis, RunsFromDarkVioletToYellowAndGetsBrighterAllTheWay) {
+  EXPECT_EQ(viridis(0).name(), "#440154");
+  EXPECT_EQ(viridis(1).name(), "#fde725");
+  EXPECT_EQ(viridis(0.2).name(), "#414487");  // colour 51 of 255
+  // Colour 128 of matplotlib's table is (0.127568, 0.566949, 0.550556); between two stops, so to about 1 of 255.
+  const QColor middle = viridis(128.0 / 255);
+  EXPECT_NEAR(middle.red(), 32.5, 1.6);
+  EXPECT_NEAR(middle.green(), 144.6, 1.6);
+  EXPECT_NEAR(middle.blue(), 140.4, 1.6);
+  double previous = luminance(viridis(0));
+  for (int k = 1; k <= 100; ++k) {
+    const double next = luminance(viridis(k / 100.0));
+    EXPECT_GT(next, previous) << k;
+    previous = next;
+  }
+}
+
+TEST(Viridis, StaysWithinItsEnds) {
+  EXPECT_EQ(viridis(-3), viridis(0));
+  EXPECT_EQ(viridis(7), viridis(1));
+  EXPECT_EQ(viridis(std::numeric_limits<double>::quiet_NaN()), viridis(0));
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,180 @@
+#include "widgets/verify/residual_view.h"
+
+#include "hexoderm/util/units.h"
+#include "tests/support/cpu_time.h"
+#include "tests/support/qt_wait.h"
+#include "tests/widgets/sample_reconstruction.h"
+#include "widgets/controls/selection.h"
+#include "widgets/tables/table_actions.h"
+#include "widgets/verify/residual_plots.h"
+#include "widgets/verify/residual_table.h"
+
+#include <gmock/gmock.h>
+#include <qwt_plot.h>
+#include <QAbstractItemModelTester>
+#include <QApplication>
+#include <QDir>
+#include <QHeaderView>
+#include <QTableView>
+#include <QTest>
+#include <QToolButton>
+#include <cmath>
+
+namespace hexoderm {
+namespace {
+
+/// A sheet whose residuals differ by link and pose.
+std::shared_ptr<Reconstruction> sheetWithPoses(std::uint32_t rows, std::uint32_t columns, std::uint32_t poses) {
+  auto reconstruction = sampleSheet(rows, columns);
+  for (std::uint32_t k = 1; k <= poses; ++k) {
+    reconstruction->poses.push_back({PoseId(k), "", k % 7 != 3, rows * columns, 0.001, 60 * kDegree, 0.5 * kDegree});
+  }
+  double phase = 0;
+  for (LinkEstimate& link : reconstruction->patches[0].links) {
+    phase += 0.37;
+    link.pose_residual_rad.clear();
+    double sum = 0;
+    for (std::uint32_t k = 0; k < poses; ++k) {
+      const double degrees = 0.6 + 0.5 * std::sin(phase + k) + (std::fmod(phase, 40) < 0.37 ? 1.9 : 0);
+      const bool measured = reconstruction->poses[k].enabled;
+      link.pose_residual_rad.push_back(measured ? std::optional(degrees * kDegree) : std::nullopt);
+      sum += measured ? degrees * degrees : 0;
+    }
+    link.residual_rad = std::sqrt(sum / poses) * kDegree;
+  }
+  return reconstruction;
+}
+
+class ResidualViewTest : public testing::Test {
+ protected:
+  ResidualViewTest() : view_(&selection_) {
+    setTheme(Theme::Light);
+    view_.resize(700, 220);
+    view_.show();
+    EXPECT_TRUE(test::waitUntilExposed(view_));
+  }
+  void setTheme(Theme theme) {
+    QApplication::setStyle(QStringLiteral("Fusion"));
+    QApplication::setPalette(qtPalette(theme));
+    qApp->setStyleSheet(styleSheet(theme));
+    view_.setTheme(theme);
+  }
+  void clickItem(const QModelIndex& index) {
+    QTest::mouseClick(view_.matrix()->viewport(), Qt::LeftButton, Qt::NoModifier,
+                      view_.matrix()->visualRect(index).center());
+  }
+  void keep(const QString& name) {
+    const QDir folder(QStringLiteral(HEXODERM_SCREENSHOTS));
+    ASSERT_TRUE(folder.mkpath("."));
+    EXPECT_TRUE(view_.grab().save(folder.filePath(name + ".png")));
+  }
+
+  Selection selection_;
+  ResidualView view_;
+};
+
+TEST_F(ResidualViewTest, TheMatrixHasARowALinkAndAColumnAPose) {
+  ResidualTable table;
+  const QAbstractItemModelTester tester(&table, QAbstractItemModelTester::FailureReportingMode::Fatal);
+  table.setReconstruction(sheetWithPoses(3, 3, 4));
+  EXPECT_EQ(table.rowCount(), 12);
+  EXPECT_EQ(table.columnCount(), 5);
+  EXPECT_EQ(table.headerData(0, Qt::Horizontal, Qt::DisplayRole).toString(), "All");
+  EXPECT_EQ(table.headerData(2, Qt::Horizontal, Qt::DisplayRole).toString(), "Pose 2");
+  EXPECT_EQ(table.headerData(0, Qt::Vertical, Qt::DisplayRole).toString(), "1:1 – 2:4");
+  EXPECT_EQ(table.index(0, 3).data().toString(), "–") << "pose 3 is disabled";
+  EXPECT_FALSE(table.index(0, 3).data(kRawRole).isValid());
+  EXPECT_NEAR(table.index(0, 1).data(kRawRole).toDouble(), toDegrees(*table.linkAt(0).pose_residual_rad[0]), 1e-12);
+  EXPECT_TRUE(table.index(0, 1).data(Qt::AccessibleTextRole).toString().contains("pose 1"));
+  const QByteArray csv = tableAsCsv(table);
+  EXPECT_TRUE(csv.startsWith("Link,All (deg),Pose 1 (deg),")) << csv.left(60).toStdString();
+  EXPECT_TRUE(csv.contains("\r\n1:1 – 2:4,"));
+}
+
+TEST_F(ResidualViewTest, PickingACellPicksItsLinkAndItsPose) {
+  view_.setReconstruction(sheetWithPoses(3, 3, 4));
+  std::vector<PoseId> poses;
+  QObject::connect(&view_, &ResidualView::posePicked, [&](PoseId pose) { poses.push_back(pose); });
+  clickItem(view_.matrix()->model()->index(1, 2));
+  ASSERT_TRUE(selection_.link().has_value());
+  EXPECT_EQ(selection_.link()->first.cell, CellId(1));
+  EXPECT_EQ(selection_.link()->second.cell, CellId(4));
+  ASSERT_FALSE(poses.empty());
+  EXPECT_EQ(poses.back(), PoseId(2));
+  QTest::keyClick(view_.matrix(), Qt::Key_Right);
+  EXPECT_EQ(poses.back(), PoseId(3));
+}
+
+TEST_F(ResidualViewTest, ALinkPickedElsewhereIsPickedHereAndDroppedAgain) {
+  view_.setReconstruction(sheetWithPoses(3, 3, 4));
+  selection_.selectLink({CellId(5), PortNumber(4)}, {CellId(4), PortNumber(1)});
+  EXPECT_EQ(view_.matrix()->model()->headerData(view_.matrix()->currentIndex().row(), Qt::Vertical).toString(),
+            "4:1 – 5:4");
+  selection_.selectCell(CellId(1));
+  EXPECT_FALSE(view_.matrix()->selectionModel()->hasSelection());
+}
+
+TEST_F(ResidualViewTest, AHeaderBringsTheWorstToTheTop) {
+  view_.setReconstruction(sheetWithPoses(3, 3, 4));
+  const QAbstractItemModel& model = *view_.matrix()->model();
+  const auto valueAt = [&](int row) { return model.index(row, 0).data(kRawRole).toDouble(); };
+  QHeaderView* header = view_.matrix()->horizontalHeader();
+  const QPoint all(header->sectionViewportPosition(0) + 10, header->height() / 2);
+  QTest::mouseClick(header->viewport(), Qt::LeftButton, Qt::NoModifier, all);
+  if (header->sortIndicatorOrder() == Qt::AscendingOrder) {
+    QTest::mouseClick(header->viewport(), Qt::LeftButton, Qt::NoModifier, all);
+  }
+  for (int row = 1; row < model.rowCount(); ++row) EXPECT_GE(valueAt(row - 1), valueAt(row));
+}
+
+TEST_F(ResidualViewTest, AClickInThePlotOfTheLinksPicksTheLink) {
+  const auto reconstruction = sheetWithPoses(3, 3, 4);
+  view_.setReconstruction(reconstruction);
+  QTest::mouseClick(view_.findChild<QToolButton*>("residualPlotsButton"), Qt::LeftButton);
+  auto* plots = view_.findChild<ResidualPlots*>();
+  ASSERT_TRUE(plots->isVisible());
+  QCoreApplication::processEvents();
+  QTest::mouseClick(plots->linkPlot()->canvas(), Qt::LeftButton, Qt::NoModifier, plots->positionOfRank(0));
+  const auto& links = reconstruction->patches[0].links;
+  const auto worst = std::ranges::max_element(links, {}, &LinkEstimate::residual_rad);
+  EXPECT_EQ(selection_.link(), Selection::Link(worst->source, worst->target));
+}
+
+TEST_F(ResidualViewTest, ColoursCanBeReadAndAreTheSameForEverySkin) {
+  EXPECT_EQ(residualColor(0), viridis(0));
+  EXPECT_EQ(residualColor(2), viridis(1));
+  EXPECT_EQ(residualColor(30), viridis(1));
+}
+
+TEST_F(ResidualViewTest, LargeSkinsAreShownAtOnce) {
+  view_.setReconstruction(sheetWithPoses(3, 3, 4));
+  const auto widgets = view_.findChildren<QWidget*>().size();
+  for (const auto& [rows, columns, poses] : {std::tuple(36U, 35U, 6U), std::tuple(10U, 10U, 1000U)}) {
+    const auto reconstruction = sheetWithPoses(rows, columns, poses);
+    const double before_s = test::threadCpuTime_s();
+    view_.setReconstruction(reconstruction);
+    view_.matrix()->viewport()->repaint();
+    view_.matrix()->sortByColumn(0, Qt::DescendingOrder);
+    view_.matrix()->viewport()->repaint();
+    EXPECT_EQ(view_.findChildren<QWidget*>().size(), widgets) << "a widget a cell would take minutes";
+    EXPECT_LT(test::threadCpuTime_s() - before_s, 2) << poses << " poses; some tens of milliseconds";
+  }
+}
+
+TEST_F(ResidualViewTest, LooksAsItShould) {
+  view_.setReconstruction(sheetWithPoses(8, 8, 9));
+  selection_.selectLink({CellId(2), PortNumber(1)}, {CellId(3), PortNumber(4)});
+  for (const Theme theme : {Theme::Light, Theme::Dark}) {
+    setTheme(theme);
+    const QString name = theme == Theme::Light ? "light" : "dark";
+    view_.showMatrix();
+    QCoreApplication::processEvents();
+    keep("residual-matrix-" + name);
+    view_.showPlots();
+    QCoreApplication::processEvents();
+    keep("residual-plots-" + name);
+  }
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,346 @@
+#include "widgets/verify/verify_panel.h"
+
+#include "hexoderm/util/units.h"
+#include "tests/support/qt_wait.h"
+#include "tests/widgets/sample_reconstruction.h"
+#include "widgets/controls/selection.h"
+
+#include <gmock/gmock.h>
+#include <QApplication>
+#include <QComboBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QTableView>
+#include <QTest>
+#include <QToolButton>
+
+namespace hexoderm {
+namespace {
+
+HoldOutResult heldOut(HoldOutAgreement agreement, double rms_deg) {
+  HoldOutResult result;
+  result.outcome = HoldOutOutcome::Evaluated;
+  result.pose = PoseId(3);
+  result.other_poses = 5;
+  for (std::uint32_t id = 1; id <= 17; ++id) {
+    result.cells.push_back({CellId(id), (id == 8 ? 3 : 1) * rms_deg * kDegree, 0.5 * kDegree});
+  }
+  result.links.push_back({{CellId(1), PortNumber(1)}, {CellId(2), PortNumber(4)}, 0.7 * kDegree, 0.6 * kDegree});
+  result.rms_rad = rms_deg * kDegree;
+  result.expected_rms_rad = 0.5 * kDegree;
+  result.agreement = agreement;
+  return result;
+}
+
+FoundLoop loop(bool closed, double length_m) {
+  FoundLoop loop;
+  loop.closed = closed;
+  loop.cells = {CellId(1), CellId(2), CellId(5), CellId(4)};
+  loop.closure.first = {CellId(1), PortNumber(3)};
+  loop.closure.second = {CellId(4), PortNumber(2)};
+  loop.closure.gap_m = {length_m, 0, 0};
+  loop.closure.length_m = length_m;
+  loop.closure.loop_length_m = 0.2;
+  loop.closure.percent = 500 * length_m;
+  loop.limit_m = 0.0075;
+  return loop;
+}
+
+SurfaceEvaluation cylinder() {
+  SurfaceEvaluation surface;
+  surface.kind = SurfaceKind::Cylinder;
+  surface.radius_m = 0.0503;
+  for (std::uint32_t id = 1; id <= 17; ++id) {
+    surface.cells.emplace_back(id);
+    surface.distance_m.push_back(id == 12 ? -0.0009 : 0.0003);
+  }
+  surface.rms_m = 0.00042;
+  return surface;
+}
+
+class VerifyPanelTest : public testing::Test {
+ protected:
+  VerifyPanelTest() {
+    QApplication::setStyle(QStringLiteral("Fusion"));
+    setTheme(Theme::Light);
+    scroll_.setWidget(panel_);
+    scroll_.setWidgetResizable(true);
+    scroll_.resize(262, 640);
+    scroll_.show();
+    EXPECT_TRUE(test::waitUntilExposed(scroll_));
+  }
+  void setTheme(Theme theme) {
+    QApplication::setPalette(qtPalette(theme));
+    qApp->setStyleSheet(styleSheet(theme));
+    panel_->setTheme(theme);
+  }
+  std::shared_ptr<Reconstruction> skin() {
+    auto reconstruction = sampleX17();
+    reconstruction->verdict.position_95_m = 0.0012;
+    reconstruction->poses.push_back(reconstruction->poses.front());
+    reconstruction->poses.back().pose = PoseId(5);
+    return reconstruction;
+  }
+  std::string sentence(const char* section) {
+    auto* label = panel_->findChild<QLabel*>(QLatin1String(section) + QStringLiteral("Sentence"));
+    return label->isVisible() ? label->text().toStdString() : "";
+  }
+  template <class T>
+  T* find(const char* name) {
+    return panel_->findChild<T*>(QLatin1String(name));
+  }
+  void keep(const QString& name) {
+    const QDir folder(QStringLiteral(HEXODERM_SCREENSHOTS));
+    ASSERT_TRUE(folder.mkpath("."));
+    EXPECT_TRUE(panel_->grab().save(folder.filePath(name + ".png")));
+  }
+
+  Selection selection_;
+  QScrollArea scroll_;
+  VerifyPanel* panel_ = new VerifyPanel(&selection_);
+};
+
+TEST_F(VerifyPanelTest, SaysWhyAPoseCannotBeHeldOut) {
+  auto* run = find<QPushButton>("holdOutRun");
+  EXPECT_FALSE(run->isEnabled());
+  EXPECT_EQ(sentence("holdOut"), "There is no skin yet.");
+  EXPECT_EQ(run->toolTip().toStdString(), "There is no skin yet.");
+  panel_->setReconstruction(skin(), false);
+  EXPECT_FALSE(run->isEnabled());
+  EXPECT_THAT(sentence("holdOut"), testing::HasSubstr("A calibration file holds no readings"));
+  auto none = skin();
+  none->poses.clear();
+  panel_->setReconstruction(none, true);
+  EXPECT_FALSE(find<QComboBox>("holdOutPose")->isEnabled());
+  EXPECT_EQ(sentence("holdOut"), "Takes 4 poses that are not disabled, and there is none yet.");
+  // Of four poses one is disabled: it can be foretold by the three others, and none of these by two.
+  auto four = skin();
+  four->poses.pop_back();
+  panel_->setReconstruction(four, true);
+  EXPECT_FALSE(run->isEnabled());
+  EXPECT_THAT(sentence("holdOut"), testing::HasSubstr("besides this one there are 2"));
+  auto* pose = find<QComboBox>("holdOutPose");
+  ASSERT_TRUE(pose->isEnabled()) << "another one may do";
+  pose->setFocus();
+  QTest::keyClick(pose, Qt::Key_Up);
+  EXPECT_EQ(pose->currentData().toUInt(), 3U);
+  EXPECT_TRUE(run->isEnabled());
+  panel_->setReconstruction(skin(), true);
+  EXPECT_TRUE(run->isEnabled());
+}
+
+TEST_F(VerifyPanelTest, AsksForThePoseThatIsChosenAndKeepsTheChoice) {
+  panel_->setReconstruction(skin(), true);
+  std::vector<PoseId> asked;
+  QObject::connect(panel_, &VerifyPanel::holdOutRequested, [&](PoseId pose) { asked.push_back(pose); });
+  auto* pose = find<QComboBox>("holdOutPose");
+  EXPECT_EQ(pose->itemText(0).toStdString(), "Pose 1 · standing");
+  EXPECT_EQ(pose->itemText(2).toStdString(), "Pose 3 · facing wall · disabled");
+  pose->setCurrentIndex(1);
+  panel_->setReconstruction(skin(), true);
+  QTest::mouseClick(find<QPushButton>("holdOutRun"), Qt::LeftButton);
+  EXPECT_THAT(asked, testing::ElementsAre(PoseId(2)));
+}
+
+TEST_F(VerifyPanelTest, HoldOutHasAVerdictAndFiguresThatPick) {
+  panel_->setReconstruction(skin(), true);
+  panel_->showHoldOut(heldOut(HoldOutAgreement::AsStated, 0.4));
+  EXPECT_EQ(sentence("holdOut"),
+            "As good as stated. The other 5 poses foretell pose 3 to 0.40° (rms over 17 cells); 0.50° were expected.");
+  HoldOutResult coarse = heldOut(HoldOutAgreement::AsStated, 0.4);
+  coarse.detectable_rad = 5 * kDegree;
+  coarse.coarse = true;
+  panel_->showHoldOut(coarse);
+  EXPECT_THAT(sentence("holdOut"), testing::StartsWith("As good as stated, but a coarse check"));
+  EXPECT_THAT(sentence("holdOut"), testing::HasSubstr("bent by less than about 5.00° would not show"));
+  HoldOutResult turned = heldOut(HoldOutAgreement::FarWorse, 0.4);
+  turned.turning_rad_s2 = 10;
+  turned.turned = true;
+  turned.expected_turning_rad_s2 = 1.7;
+  panel_->showHoldOut(turned);
+  EXPECT_THAT(sentence("holdOut"), testing::HasSubstr("turned while it was read: 10.0 rad/s², of a still hand 1.7"));
+  panel_->showHoldOut(heldOut(HoldOutAgreement::FarWorse, 2));
+  EXPECT_THAT(sentence("holdOut"), testing::Not(testing::HasSubstr("turned")));
+  EXPECT_THAT(sentence("holdOut"), testing::StartsWith("Far worse than stated"));
+  EXPECT_THAT(sentence("holdOut"), testing::HasSubstr("Worst: cell 8, 6.00°."));
+  auto* table = find<QTableView>("holdOutTable");
+  ASSERT_TRUE(table->isVisible());
+  EXPECT_EQ(table->model()->rowCount(), 17);
+  table->selectRow(4);
+  EXPECT_EQ(selection_.cell(), CellId(5));
+  QTest::mouseClick(find<QToolButton>("holdOutByLink"), Qt::LeftButton);
+  EXPECT_EQ(table->model()->rowCount(), 1);
+  table->selectRow(0);
+  EXPECT_TRUE(selection_.link().has_value());
+
+  panel_->setReconstruction(skin(), true);
+  EXPECT_EQ(sentence("holdOut"), "The session has changed since: run it again.");
+  EXPECT_FALSE(table->isVisible());
+}
+
+TEST_F(VerifyPanelTest, LongWorkShowsItselfAndCanBeCancelled) {
+  panel_->setReconstruction(skin(), true);
+  std::vector<VerifyCheck> cancelled;
+  QObject::connect(panel_, &VerifyPanel::cancelRequested, [&](VerifyCheck check) { cancelled.push_back(check); });
+  panel_->setRunning(VerifyCheck::HoldOut, true);
+  auto* cancel = find<QPushButton>("holdOutCancel");
+  EXPECT_FALSE(find<QPushButton>("holdOutRun")->isEnabled());
+  ASSERT_TRUE(test::waitUntil([&] { return cancel->isVisible(); }));
+  EXPECT_EQ(sentence("holdOut"), "");
+  QTest::mouseClick(cancel, Qt::LeftButton);
+  EXPECT_THAT(cancelled, testing::ElementsAre(VerifyCheck::HoldOut));
+  panel_->setRunning(VerifyCheck::HoldOut, false);
+  EXPECT_FALSE(cancel->isVisible());
+  EXPECT_TRUE(find<QPushButton>("holdOutRun")->isEnabled());
+}
+
+TEST_F(VerifyPanelTest, SaysThatThereIsNoLoopOrHowTheyClose) {
+  panel_->setReconstruction(skin(), true);
+  panel_->showLoops({});
+  EXPECT_EQ(sentence("loops"), "No loop in this patch: nothing closes that could be checked.");
+  EXPECT_FALSE(find<QTableView>("loopsTable")->isVisible());
+
+  std::vector<std::optional<LoopEvaluation>> shown;
+  QObject::connect(panel_, &VerifyPanel::loopShown,
+                   [&](const std::optional<LoopEvaluation>& l) { shown.push_back(l); });
+  panel_->showLoops({loop(false, 0.0034), loop(true, 0.0012), loop(true, 0.0003)});
+  EXPECT_EQ(sentence("loops"),
+            "One open loop; its gap is 3.40 mm, 1.7 % of its 200.00 mm. 2 closed loops close: the largest is left open "
+            "by 1.20 mm (0.6 %), and a skin link may leave 7.50 mm.");
+  ASSERT_EQ(shown.size(), 1U);
+  EXPECT_NEAR(shown[0]->length_m, 0.0034, 1e-12) << "the open loop is drawn";
+  find<QTableView>("loopsTable")->selectRow(2);
+  ASSERT_EQ(shown.size(), 2U);
+  EXPECT_NEAR(shown[1]->length_m, 0.0003, 1e-12);
+  EXPECT_TRUE(selection_.link().has_value());
+  panel_->showLoops({loop(true, 0.009)});
+  EXPECT_THAT(sentence("loops"), testing::HasSubstr("more than the 7.50 mm a skin link may leave"));
+}
+
+TEST_F(VerifyPanelTest, AsksForTheSurfaceThatIsChosenWithItsRadius) {
+  panel_->setReconstruction(skin(), true);
+  std::vector<std::pair<std::optional<SurfaceKind>, std::optional<double>>> asked;
+  QObject::connect(
+      panel_, &VerifyPanel::surfaceRequested,
+      [&](std::optional<SurfaceKind> kind, std::optional<double> radius) { asked.emplace_back(kind, radius); });
+  auto* kind = find<QComboBox>("surfaceKind");
+  auto* radius = find<QDoubleSpinBox>("surfaceRadius");
+  EXPECT_FALSE(radius->isEnabled());
+  EXPECT_FALSE(radius->toolTip().isEmpty());
+  kind->setCurrentText("Cylinder");
+  EXPECT_TRUE(radius->isEnabled());
+  radius->setFocus();
+  radius->selectAll();
+  QTest::keyClicks(radius, "50.1");
+  QTest::keyClick(radius, Qt::Key_Return);
+  kind->setCurrentText("Plane");
+  kind->setCurrentText("None");
+  ASSERT_EQ(asked.size(), 4U);
+  EXPECT_EQ(asked[0].first, SurfaceKind::Cylinder);
+  EXPECT_FALSE(asked[0].second.has_value());
+  EXPECT_NEAR(asked[1].second.value_or(0), 0.0501, 1e-12);
+  EXPECT_EQ(asked[2].first, SurfaceKind::Plane);
+  EXPECT_FALSE(asked[2].second.has_value()) << "a plane has no radius";
+  EXPECT_FALSE(asked[3].first.has_value());
+}
+
+TEST_F(VerifyPanelTest, SurfacesAreJudgedByWhatIsStated) {
+  panel_->setReconstruction(skin(), true);
+  std::optional<SurfaceEvaluation> shown;
+  QObject::connect(panel_, &VerifyPanel::surfaceShown, [&](const std::optional<SurfaceEvaluation>& s) { shown = s; });
+  SurfaceEvaluation surface = cylinder();
+  surface.delta_m = 0.0002;
+  surface.epsilon_m = 0.00047;
+  panel_->showSurfaces({surface}, {});
+  EXPECT_EQ(sentence("surface"),
+            "Cylinder, radius 50.30 mm: 17 cell centres lie within 0.42 mm (rms) of it; the worst is cell 12, 0.90 mm. "
+            "That is within the ±1.20 mm stated for positions (95 %). Against the true radius: Δ = 0.20 mm (eq. 20), ε "
+            "= 0.47 mm (eq. 21).");
+  EXPECT_TRUE(shown.has_value());
+  panel_->showFailure(VerifyCheck::Surface, "cylinder fit: the points lie in a plane");
+  EXPECT_EQ(sentence("surface"), "cylinder fit: the points lie in a plane");
+  EXPECT_FALSE(find<QTableView>("surfaceTable")->isVisible());
+}
+
+TEST_F(VerifyPanelTest, ComparisonSaysWhetherItRepeatsAsStated) {
+  panel_->setReconstruction(skin(), true);
+  Comparison comparison;
+  for (std::uint32_t id = 2; id <= 17; ++id) {
+    CellDifference cell;
+    cell.cell = CellId(id);
+    cell.position_m = {0.0005, 0, 0};
+    cell.orientation_rad = 0.4 * kDegree;
+    cell.sigma_t_m = 0.0006;
+    cell.sigma_r_rad = 0.5 * kDegree;
+    comparison.cells.push_back(cell);
+  }
+  comparison.position_rms_m = 0.0005;
+  comparison.orientation_rms_rad = 0.4 * kDegree;
+  panel_->showComparison({comparison}, "old.calibration.json");
+  EXPECT_EQ(
+      sentence("comparison"),
+      "Within what was stated for 95 % of cells. Against old.calibration.json, after alignment: 0.50 mm and 0.40° "
+      "rms over 16 cells. Of 16 cells, 16 lie and 16 point within what was stated with 95 %.");
+  for (std::size_t k = 0; k < 3; ++k) comparison.cells[k].position_m *= 10;
+  panel_->showComparison({comparison}, "old.calibration.json");
+  EXPECT_THAT(sentence("comparison"), testing::StartsWith("Further apart than what was stated"));
+  EXPECT_EQ(find<QTableView>("comparisonTable")->model()->rowCount(), 16);
+  panel_->showComparison({}, "other.calibration.json");
+  EXPECT_EQ(sentence("comparison"), "other.calibration.json has no cell in common with this calibration.");
+}
+
+TEST_F(VerifyPanelTest, AChosenFileCanBeRemovedAlthoughItCannotBeRead) {
+  panel_->setReconstruction(skin(), true);
+  auto* remove = find<QPushButton>("comparisonRemove");
+  EXPECT_FALSE(remove->isVisible());
+  panel_->compareWith("/no/such.hexo");
+  panel_->showFailure(VerifyCheck::Comparison, "It can't be read.");
+  ASSERT_TRUE(remove->isVisible());
+  int dropped = 0;
+  QObject::connect(panel_, &VerifyPanel::comparisonDropped, [&] { ++dropped; });
+  QTest::mouseClick(remove, Qt::LeftButton);
+  EXPECT_EQ(dropped, 1);
+  EXPECT_EQ(sentence("comparison"), "");
+  EXPECT_FALSE(remove->isVisible());
+}
+
+TEST_F(VerifyPanelTest, WhatFailsTakesItsEarlierResultOutOfTheOtherViews) {
+  panel_->setReconstruction(skin(), true);
+  std::optional<SurfaceEvaluation> surface;
+  std::optional<LoopEvaluation> shown_loop;
+  std::vector<Comparison> comparisons;
+  QObject::connect(panel_, &VerifyPanel::surfaceShown, [&](const auto& shown) { surface = shown; });
+  QObject::connect(panel_, &VerifyPanel::loopShown, [&](const auto& shown) { shown_loop = shown; });
+  QObject::connect(panel_, &VerifyPanel::comparisonShown, [&](const auto& shown) { comparisons = shown; });
+  panel_->showSurfaces({cylinder()}, {});
+  panel_->showLoops({loop(false, 0.01)});
+  panel_->showComparison({Comparison{}}, "earlier.hexo");
+  ASSERT_TRUE(surface && shown_loop && comparisons.size() == 1);
+  panel_->showFailure(VerifyCheck::Surface, "No.");
+  panel_->showFailure(VerifyCheck::Loops, "No.");
+  panel_->showFailure(VerifyCheck::Comparison, "No.");
+  EXPECT_FALSE(surface);
+  EXPECT_FALSE(shown_loop);
+  EXPECT_TRUE(comparisons.empty());
+}
+
+TEST_F(VerifyPanelTest, FitsTheColumnOfStepsInBothThemes) {
+  panel_->setReconstruction(skin(), true);
+  panel_->showHoldOut(heldOut(HoldOutAgreement::Worse, 0.9));
+  panel_->showLoops({loop(false, 0.0034), loop(true, 0.0012)});
+  find<QComboBox>("surfaceKind")->setCurrentText("Cylinder");
+  panel_->showSurfaces({cylinder()}, {});
+  panel_->showComparison({}, "other.calibration.json");
+  for (const Theme theme : {Theme::Light, Theme::Dark}) {
+    setTheme(theme);
+    QCoreApplication::processEvents();
+    EXPECT_LE(panel_->minimumSizeHint().width(), 250);
+    keep(theme == Theme::Light ? "verify-panel-light" : "verify-panel-dark");
+  }
+}
+
+}  // namespace
+}  // namespace hexoderm

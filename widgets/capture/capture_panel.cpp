@@ -1,0 +1,238 @@
+#include "widgets/capture/capture_panel.h"
+
+#include "hexoderm/util/units.h"
+#include "widgets/capture/capture_words.h"
+#include "widgets/capture/hold_ring.h"
+#include "widgets/capture/live_strip.h"
+#include "widgets/controls/action_button.h"
+#include "widgets/controls/toggle_switch.h"
+#include "widgets/words/core_words.h"
+#include "widgets/words/formatting.h"
+
+#include <QAction>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QResizeEvent>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+namespace hexoderm {
+namespace {
+
+constexpr int kCapturedShown_ms = 2500;
+constexpr double kOnTheWay = 20 * kDegree;
+// Of the usual font: read from three metres, and larger where there is room.
+constexpr double kSmallestSentence = 1.6;
+constexpr double kLargestSentence = 3.0;
+constexpr double kSmallestAtLines = 24;  // width, in line heights, up to which it is the smallest
+constexpr double kSideBySideAtLines = 40;
+
+QLabel* wrappedLabel(const char* object_name, QWidget* parent) {
+  auto* label = new QLabel(parent);
+  label->setObjectName(QLatin1String(object_name));
+  label->setWordWrap(true);
+  label->setTextFormat(Qt::PlainText);
+  return label;
+}
+
+/// Setting what is there already would lay everything out anew, twenty times a second.
+void showIfAny(QLabel* label, const QString& text) {
+  if (label->text() != text) label->setText(text);
+  if (label->isHidden() != text.isEmpty()) label->setVisible(!text.isEmpty());
+}
+
+}  // namespace
+
+CapturePanel::CapturePanel(const Actions& actions, QWidget* parent)
+    : QWidget(parent),
+      columns_(new QBoxLayout(QBoxLayout::TopToBottom, this)),
+      what_(wrappedLabel("captureWhat", this)),
+      turn_(wrappedLabel("captureTurn", this)),
+      why_(wrappedLabel("captureWhy", this)),
+      sigma_(wrappedLabel("captureSigma", this)),
+      ring_(new HoldRing(this)),
+      wait_(wrappedLabel("captureWait", this)),
+      odd_(wrappedLabel("captureOdd", this)),
+      remark_(wrappedLabel("captureRemark", this)),
+      captured_timer_(new QTimer(this)) {
+  setObjectName(QStringLiteral("capturePanel"));
+  setAccessibleName(tr("Capturing poses"));
+  for (QLabel* label : {why_, sigma_, odd_}) label->setProperty("muted", true);
+  captured_timer_->setSingleShot(true);
+  captured_timer_->setInterval(kCapturedShown_ms);
+  connect(captured_timer_, &QTimer::timeout, this, [this] {
+    captured_.reset();
+    refresh();
+  });
+
+  auto* words = new QVBoxLayout;
+  words->setSpacing(6);
+  for (QLabel* label : {what_, turn_, why_, sigma_}) words->addWidget(label);
+  words->addStretch(1);
+  auto* doing = new QVBoxLayout;
+  doing->setSpacing(6);
+  doing->addWidget(ring_);
+  for (QLabel* label : {wait_, remark_, odd_}) doing->addWidget(label);
+  if (actions.automatic) doing->addWidget(switch_ = makeSwitch(actions.automatic), 0, Qt::AlignLeft);
+  if (actions.capture) doing->addWidget(makeButton(actions.capture, "captureNow"), 0, Qt::AlignLeft);
+  if (actions.turn) doing->addWidget(makeButton(actions.turn, "captureTurnForMe"), 0, Qt::AlignLeft);
+  if (actions.skip) doing->addWidget(makeButton(actions.skip, "captureSkip"), 0, Qt::AlignLeft);
+  doing->addStretch(1);
+  columns_->setContentsMargins(0, 0, 0, 0);
+  columns_->setSpacing(8);
+  columns_->addLayout(words, 1);
+  columns_->addLayout(doing, 1);
+  setSource(std::nullopt);
+  refreshAdvice();
+  fitText();
+}
+
+QWidget* CapturePanel::makeSwitch(QAction* automatic) {
+  auto* toggle = new ToggleSwitch(this);
+  toggle->setObjectName(QStringLiteral("captureAutomatic"));
+  toggle->setFocusPolicy(Qt::TabFocus);
+  connect(toggle, &QCheckBox::clicked, automatic, [automatic] { automatic->trigger(); });
+  const auto follow = [toggle, automatic] {
+    toggle->setText(automatic->iconText());
+    toggle->setChecked(automatic->isChecked());
+    toggle->setEnabled(automatic->isEnabled());
+    toggle->setToolTip(automatic->toolTip());
+    toggle->setAccessibleDescription(automatic->toolTip());
+  };
+  connect(automatic, &QAction::changed, toggle, follow);
+  follow();
+  return toggle;
+}
+
+/// The button with its key beside it.
+QWidget* CapturePanel::makeButton(QAction* action, const char* object_name) {
+  auto* row = new QWidget(this);
+  auto* button = new ActionButton(row);
+  button->setObjectName(QLatin1String(object_name));
+  button->setFocusPolicy(Qt::TabFocus);
+  button->setAction(action);
+  auto* key = new QLabel(row);
+  key->setProperty("muted", true);
+  const auto follow = [key, action] {
+    key->setText(action->shortcut().toString(QKeySequence::NativeText));
+    key->setVisible(!action->shortcut().isEmpty());
+  };
+  connect(action, &QAction::changed, key, follow);
+  follow();
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(button);
+  layout->addWidget(key);
+  return row;
+}
+
+void CapturePanel::setSource(const std::optional<SourceStatus>& status) {
+  source_ = status;
+  refresh();
+  refreshAdvice();
+}
+
+void CapturePanel::setHold(const HoldStatus& hold) {
+  hold_ = hold;
+  // A motion ends the moment of the capture.
+  if (captured_ && hold.stillness.armed && hold.progress > 0 && hold.phase == HoldPhase::Watching) captured_.reset();
+  refresh();
+}
+
+void CapturePanel::setAdvice(const std::optional<NextPose>& next) {
+  next_ = next;
+  refreshAdvice();
+}
+
+void CapturePanel::showCaptured(PoseId pose, const QString& remark) {
+  captured_ = pose;
+  showIfAny(remark_, remark);
+  captured_timer_->start();
+  refresh();
+}
+
+void CapturePanel::setTheme(Theme theme) {
+  ring_->setTheme(theme);
+  if (auto* toggle = qobject_cast<ToggleSwitch*>(switch_)) toggle->setTheme(theme);
+  QPalette colors = remark_->palette();
+  colors.setColor(QPalette::WindowText, Colors::of(theme).text);
+  remark_->setPalette(colors);
+}
+
+void CapturePanel::refresh() {
+  ring_->setVisible(source_.has_value());
+  if (!source_) {
+    showIfAny(wait_, tr("No skin is connected, so no pose can be taken."));
+    showIfAny(odd_, {});
+    return;
+  }
+  if (source_->state != SourceState::Streaming) {
+    // What was said of the last reading is no longer true when none come.
+    ring_->setContent({sourceStateWord(source_->state), tr("no readings"), 0, false});
+    showIfAny(wait_, coreWords(source_->text));
+    showIfAny(odd_, {});
+    return;
+  }
+  if (captured_) {
+    ring_->setContent({tr("Captured"), tr("pose %1").arg(captured_->value()), 1, true});
+  } else {
+    const HoldWords words = holdInWords(hold_);
+    // Who is on the way to the next pose is not told to stop.
+    const bool on_the_way = hold_.phase == HoldPhase::Watching && hold_.stillness.blocker == Blocker::Turning &&
+                            next_ && next_->turn && next_->turn->angle_rad > kOnTheWay;
+    if (on_the_way) {
+      ring_->setContent({tr("Keep turning"), tr("%1 to go").arg(turnAngleInWords(*next_)), 0, false});
+    } else {
+      ring_->setContent({words.word, words.detail, hold_.progress, false});
+    }
+  }
+  showIfAny(wait_, waitInWords(hold_));
+  showIfAny(odd_, oddCellsInWords(hold_));
+}
+
+void CapturePanel::refreshAdvice() {
+  if (!source_) {
+    showIfAny(what_, tr("No skin is connected."));
+    showIfAny(turn_, {});
+    showIfAny(why_, {});
+    showIfAny(sigma_, {});
+    return;
+  }
+  showIfAny(what_, next_ ? nextPoseInWords(*next_) : tr("Working out which pose helps most…"));
+  showIfAny(turn_, next_ ? turnInWords(*next_) : QString());
+  showIfAny(why_, next_ ? gainInWords(*next_) : QString());
+  showIfAny(sigma_, next_ ? unbroken(sigmaInWords(*next_)) : QString());
+}
+
+void CapturePanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fitText();
+}
+
+void CapturePanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) fitText();
+}
+
+void CapturePanel::fitText() {
+  const double line = fontMetrics().height();
+  const bool beside = width() > kSideBySideAtLines * line;
+  columns_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  for (int side : {0, 1}) columns_->setStretch(side, beside || side == 1 ? 1 : 0);
+  const double room = beside ? 0.5 * width() : width();
+  const double factor =
+      std::clamp(kSmallestSentence * room / (kSmallestAtLines * line), kSmallestSentence, kLargestSentence);
+  QFont large = font();
+  large.setPointSizeF(factor * font().pointSizeF());
+  if (turn_->font().pointSizeF() != large.pointSizeF()) turn_->setFont(large);
+  large.setWeight(QFont::DemiBold);
+  if (what_->font() != large) what_->setFont(large);
+  // Two lines are kept, so that nothing below moves when the sentence gets longer.
+  wait_->setMinimumHeight(static_cast<int>(2 * line));
+  wait_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "hexoderm/capture/pose_recorder.h"
+#include "hexoderm/device/skin_source.h"
+#include "hexoderm/reconstruction/advice/pose_coverage.h"
+#include "widgets/style/palette.h"
+
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+class QAction;
+class QBoxLayout;
+class QLabel;
+class QTimer;
+
+namespace hexoderm {
+
+class HoldRing;
+
+/// What the operator sees while capturing: what to do, readable from three metres, and why; the hold ring; what is
+/// awaited, with cell, value and limit; and what can be done about it. Without a source it says that no skin is
+/// connected.
+class CapturePanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `automatic` can be checked: it becomes the switch. Null leaves a thing out. The actions must outlive the panel.
+  struct Actions {
+    QAction* automatic = nullptr;
+    QAction* capture = nullptr;
+    QAction* skip = nullptr;
+    QAction* turn = nullptr;
+  };
+  explicit CapturePanel(const Actions& actions, QWidget* parent = nullptr);
+
+  /// Where the source stands; none: no skin is connected.
+  void setSource(const std::optional<SourceStatus>& status);
+  /// Cheap: at most 20 times a second. Shown while the source streams.
+  void setHold(const HoldStatus& hold);
+  /// Nothing: advice is still being worked out.
+  void setAdvice(const std::optional<NextPose>& next);
+  /// Shown in the ring for a moment; `remark` ("Pose 4 repeats pose 2") stays until the next pose.
+  void showCaptured(PoseId pose, const QString& remark = {});
+  void setTheme(Theme theme);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void refresh();
+  void refreshAdvice();
+  void fitText();
+  QWidget* makeSwitch(QAction* automatic);
+  QWidget* makeButton(QAction* action, const char* object_name);
+
+  QBoxLayout* columns_;
+  QLabel* what_;
+  QLabel* turn_;
+  QLabel* why_;
+  QLabel* sigma_;
+  HoldRing* ring_;
+  QLabel* wait_;
+  QLabel* odd_;
+  QLabel* remark_;
+  QWidget* switch_ = nullptr;
+  QTimer* captured_timer_;
+  std::optional<SourceStatus> source_;
+  HoldStatus hold_;
+  std::optional<NextPose> next_;
+  std::optional<PoseId> captured_;
+};
+
+}  // namespace hexoderm

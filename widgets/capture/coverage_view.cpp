@@ -1,0 +1,449 @@
+#include "widgets/capture/coverage_view.h"
+
+#include "hexoderm/util/units.h"
+#include "widgets/capture/capture_words.h"
+#include "widgets/words/core_words.h"
+
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPixmap>
+#include <QToolTip>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+constexpr int kMargin = 12;
+constexpr int kBottom = 8;
+constexpr double kLeastDisc = 56;
+constexpr double kNoValue = 0.005;  // written 0.00
+constexpr double kMostDisc = 260;
+constexpr std::array<double, 2> kCircles_deg = {30, 60};
+constexpr int kSignGap = 4;  // between a sign of the legend and its name
+
+QString frontName() { return CoverageView::tr("front"); }
+QString backName() { return CoverageView::tr("back"); }
+QString nowName() { return CoverageView::tr("now"); }
+QString nextName() { return CoverageView::tr("next"); }
+
+}  // namespace
+
+struct CoverageView::Parts {
+  explicit Parts(CoverageView* owner) : view(owner) {}
+
+  CoverageView* view;
+  PoseCoverage coverage;
+  std::optional<Eigen::Vector3d> current;
+  std::optional<Eigen::Vector3d> next;
+  std::optional<PoseId> picked;
+  Theme theme = Theme::Light;
+  QPixmap still;  ///< everything but the present direction
+  bool is_stale = true;
+  double said_height = 0;  ///< of what is below the discs
+  QString empty_hint;
+
+  /// Where things are, from top to bottom.
+  struct Layout {
+    double radius = 0;
+    std::array<QPointF, 2> centers;  ///< front, back
+    double names_top = 0;
+    double legend_top = 0;  ///< beside the discs' names where there is room, else below
+    double gauges_top = 0;
+    double words_top = 0;
+  };
+
+  [[nodiscard]] double line() const { return view->fontMetrics().height(); }
+  [[nodiscard]] double gaugeStep() const { return 1.15 * line(); }
+  [[nodiscard]] double mark() const { return 0.56 * line(); }  ///< radius of a pose's number
+  /// Half the width of the sign of the present direction: drawn round a pose's number, which stays readable.
+  [[nodiscard]] double nowSign() const { return 1.42 * (mark() + 1.5); }
+  /// Diameter of the discs, if it is the width that limits it: signs on their rims are neither cut nor on both.
+  [[nodiscard]] double acrossOf(double width) const { return (width - 4 * nowSign() - 2) / 2; }
+  [[nodiscard]] bool isEmpty() const { return coverage.seen.empty() && coverage.unplaced.empty() && !coverage.missing; }
+  [[nodiscard]] double legendWidth() const;
+  /// Between the centres of the discs, so that the legend stands between their names.
+  [[nodiscard]] double apartForLegend() const;
+  [[nodiscard]] QString words() const;
+  [[nodiscard]] double wordsHeight(int width) const;
+  [[nodiscard]] double belowDiscs(int width) const;
+  [[nodiscard]] Layout layout() const;
+  [[nodiscard]] QPointF place(const Layout& layout, const Eigen::Vector3d& up_o) const;
+  [[nodiscard]] const SeenDirection* at(const QPointF& point) const;
+  [[nodiscard]] QRect aroundCurrent() const;
+
+  void changed();
+  /// What is said has changed, and with it the room that it needs.
+  void sayAnew();
+  void paintStill();
+  void paintDisc(QPainter& painter, const Layout& layout, std::size_t side) const;
+  void paintPoses(QPainter& painter, const Layout& layout) const;
+  void paintNext(QPainter& painter, const QPointF& center, double radius) const;
+  void paintCurrent(QPainter& painter, const QPointF& center, double size) const;
+  void paintLegend(QPainter& painter, const Layout& layout) const;
+  void paintGauges(QPainter& painter, const Layout& layout) const;
+  void paintWords(QPainter& painter, const Layout& layout) const;
+  [[nodiscard]] const Colors& colors() const { return Colors::of(theme); }
+};
+
+QString CoverageView::Parts::words() const { return isEmpty() ? empty_hint : missingInWords(coverage, next); }
+
+double CoverageView::Parts::legendWidth() const {
+  const QFontMetrics metrics = view->fontMetrics();
+  return metrics.horizontalAdvance(nowName()) + metrics.horizontalAdvance(nextName()) + 2 * (line() + kSignGap) +
+         line();
+}
+
+double CoverageView::Parts::apartForLegend() const {
+  const QFontMetrics metrics = view->fontMetrics();
+  const int widest = std::max(metrics.horizontalAdvance(frontName()), metrics.horizontalAdvance(backName()));
+  return legendWidth() + widest + 1.2 * line();
+}
+
+double CoverageView::Parts::wordsHeight(int width) const {
+  const QRect bounds =
+      view->fontMetrics().boundingRect(QRect(0, 0, std::max(1, width - 2 * kMargin), 10000), Qt::TextWordWrap, words());
+  return words().isEmpty() ? 0 : bounds.height() + 4;
+}
+
+double CoverageView::Parts::belowDiscs(int width) const {
+  const double legend = apartForLegend() <= width / 2.0 ? 0 : 1.1 * line();
+  return 3 + legend + 1.3 * line() + 3 * gaugeStep() + (isEmpty() ? 0 : 1.3 * line()) + wordsHeight(width);
+}
+
+CoverageView::Parts::Layout CoverageView::Parts::layout() const {
+  const double width = view->width();
+  const double across = acrossOf(width);
+  const double top = nowSign() + 1;
+  const double high = view->height() - belowDiscs(view->width()) - top - kBottom;
+  Layout layout;
+  layout.radius = 0.5 * std::max(kLeastDisc, std::min({across, high, kMostDisc}));
+  const double apart =
+      std::max(2 * layout.radius + 2 * nowSign(), std::min(width - 2 * (nowSign() + 1) - 2 * layout.radius,
+                                                           std::max(3 * layout.radius, apartForLegend() + line())));
+  const double y = top + layout.radius;
+  layout.centers = {QPointF(width / 2 - apart / 2, y), QPointF(width / 2 + apart / 2, y)};
+  layout.names_top = y + layout.radius + 3;
+  layout.legend_top = layout.names_top + (apartForLegend() <= width / 2 ? 0 : 1.1 * line());
+  layout.gauges_top = layout.legend_top + 1.3 * line();
+  layout.words_top = layout.gauges_top + 3 * gaugeStep();
+  return layout;
+}
+
+QPointF CoverageView::Parts::place(const Layout& layout, const Eigen::Vector3d& up_o) const {
+  const DiscPoint point = onDisc(up_o);
+  const QPointF& center = layout.centers.at(point.side == Hemisphere::Front ? 0 : 1);
+  return center + layout.radius * QPointF(point.at.x(), -point.at.y());
+}
+
+const SeenDirection* CoverageView::Parts::at(const QPointF& point) const {
+  const Layout where = layout();
+  // The last drawn is on top.
+  for (auto seen = coverage.seen.rbegin(); seen != coverage.seen.rend(); ++seen) {
+    const QPointF away = point - place(where, seen->up_o);
+    if (std::hypot(away.x(), away.y()) <= mark() + 2) return &*seen;
+  }
+  return nullptr;
+}
+
+QRect CoverageView::Parts::aroundCurrent() const {
+  if (!current) return {};
+  const double reach = nowSign() + 4;
+  const QPointF center = place(layout(), *current);
+  return QRectF(center.x() - reach, center.y() - reach, 2 * reach, 2 * reach).toAlignedRect();
+}
+
+void CoverageView::Parts::changed() {
+  is_stale = true;
+  view->update();
+}
+
+void CoverageView::Parts::sayAnew() {
+  view->setAccessibleDescription(coverageInWords(coverage, next));
+  const double height = belowDiscs(view->width());
+  if (std::exchange(said_height, height) != height) view->updateGeometry();
+  changed();
+}
+
+void CoverageView::Parts::paintStill() {
+  const qreal ratio = view->devicePixelRatioF();
+  still = QPixmap(view->size() * ratio);
+  still.setDevicePixelRatio(ratio);
+  still.fill(Qt::transparent);
+  is_stale = false;
+  QPainter painter(&still);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setFont(view->font());
+  const Layout where = layout();
+  paintDisc(painter, where, 0);
+  paintDisc(painter, where, 1);
+  if (next) paintNext(painter, place(where, *next), mark() + 3);
+  paintPoses(painter, where);
+  paintLegend(painter, where);
+  paintGauges(painter, where);
+  paintWords(painter, where);
+}
+
+void CoverageView::Parts::paintDisc(QPainter& painter, const Layout& layout, std::size_t side) const {
+  const QPointF& center = layout.centers.at(side);
+  painter.setPen(QPen(colors().border, 1));
+  painter.setBrush(colors().panel_active);
+  painter.drawEllipse(center, layout.radius, layout.radius);
+  painter.setBrush(Qt::NoBrush);
+  for (const double angle_deg : kCircles_deg) {
+    const double radius = layout.radius * discRadius(angle_deg * kDegree);
+    painter.drawEllipse(center, radius, radius);
+  }
+  painter.drawLine(center - QPointF(layout.radius, 0), center + QPointF(layout.radius, 0));
+  painter.drawLine(center - QPointF(0, layout.radius), center + QPointF(0, layout.radius));
+  painter.setPen(colors().text_muted);
+  painter.drawText(QRectF(center.x() - layout.radius, layout.names_top, 2 * layout.radius, line()), Qt::AlignCenter,
+                   side == 0 ? frontName() : backName());
+}
+
+void CoverageView::Parts::paintPoses(QPainter& painter, const Layout& layout) const {
+  const QColor full = linkStroke(EdgeQuality::Fully, theme).color;
+  QFont small = view->font();
+  small.setPointSizeF(0.8 * small.pointSizeF());
+  small.setBold(true);
+  painter.save();
+  painter.setFont(small);
+  for (const SeenDirection& seen : coverage.seen) {
+    const QPointF center = place(layout, seen.up_o);
+    painter.setPen(seen.enabled ? QPen(colors().panel, 1) : QPen(colors().text_muted, 1.2, Qt::DotLine));
+    painter.setBrush(seen.enabled ? full : colors().panel);
+    painter.drawEllipse(center, mark(), mark());
+    painter.setPen(seen.enabled ? (theme == Theme::Dark ? colors().accent_text : colors().text) : colors().text_muted);
+    painter.drawText(QRectF(center.x() - 20, center.y() - 20, 40, 40), Qt::AlignCenter,
+                     QString::number(seen.pose.value()));
+    if (seen.pose != picked) continue;
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(colors().selection, 2));
+    painter.drawEllipse(center, mark() + 2, mark() + 2);
+  }
+  painter.restore();
+}
+
+void CoverageView::Parts::paintNext(QPainter& painter, const QPointF& center, double radius) const {
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(colors().accent, 2, Qt::DashLine));
+  painter.drawEllipse(center, radius, radius);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colors().accent);
+  painter.drawEllipse(center, 2, 2);
+}
+
+void CoverageView::Parts::paintCurrent(QPainter& painter, const QPointF& center, double size) const {
+  const std::array<QPointF, 4> diamond = {center + QPointF(0, -size), center + QPointF(size, 0),
+                                          center + QPointF(0, size), center + QPointF(-size, 0)};
+  painter.setBrush(Qt::NoBrush);
+  for (const QPen& pen : {QPen(colors().panel, 3), QPen(colors().text, 2)}) {
+    painter.setPen(pen);
+    painter.drawPolygon(diamond.data(), 4);
+  }
+}
+
+void CoverageView::Parts::paintLegend(QPainter& painter, const Layout& layout) const {
+  const QFontMetrics metrics = view->fontMetrics();
+  const std::array<QString, 2> names = {nowName(), nextName()};
+  const double sign = line();
+  double x = (view->width() - legendWidth()) / 2;
+  const double y = layout.legend_top + 0.5 * line();
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const QPointF center(x + 0.5 * sign, y);
+    if (k == 0) {
+      paintCurrent(painter, center, 0.42 * line());
+    } else {
+      paintNext(painter, center, 0.38 * line());
+    }
+    painter.setPen(colors().text_muted);
+    const double advance = metrics.horizontalAdvance(names.at(k));
+    painter.drawText(QRectF(x + sign + kSignGap, y - 0.5 * line(), advance + 2, line()),
+                     Qt::AlignLeft | Qt::AlignVCenter, names.at(k));
+    x += sign + kSignGap + advance + line();
+  }
+}
+
+void CoverageView::Parts::paintGauges(QPainter& painter, const Layout& layout) const {
+  const QFontMetrics metrics = view->fontMetrics();
+  const std::array<QString, 3> names = {QStringLiteral("σ₁"), QStringLiteral("σ₂"), QStringLiteral("σ₃")};
+  const double left = kMargin + metrics.horizontalAdvance(names[0]) + 10;
+  const double value_width = metrics.horizontalAdvance(QStringLiteral("✓ 00.00"));
+  const double bar = std::max(20.0, view->width() - left - kMargin - value_width - 10);
+  const double scale = std::max(2 * coverage.threshold, 1.15 * coverage.singular_values.x());
+  const double thick = 0.42 * line();
+  for (int k = 0; k < 3; ++k) {
+    const double value = coverage.singular_values(k);
+    const bool reached = value >= coverage.threshold;
+    const double top = layout.gauges_top + k * gaugeStep();
+    const double middle = top + 0.5 * line();
+    painter.setPen(colors().text_muted);
+    painter.drawText(QRectF(kMargin, top, left, line()), Qt::AlignLeft | Qt::AlignVCenter,
+                     names.at(static_cast<std::size_t>(k)));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colors().border);
+    painter.drawRoundedRect(QRectF(left, middle - thick / 2, bar, thick), 2, 2);
+    // What is below its limit is hatched as well as of another hue.
+    const QColor hue = linkStroke(reached ? EdgeQuality::Fully : EdgeQuality::Partially, theme).color;
+    const QRectF filled(left, middle - thick / 2, std::max(2.0, bar * value / scale), thick);
+    painter.setBrush(reached ? QBrush(hue) : QBrush(hue, Qt::BDiagPattern));
+    if (!reached) painter.setPen(QPen(hue, 1));
+    if (value > kNoValue) painter.drawRoundedRect(filled, 2, 2);
+    const double limit = left + bar * coverage.threshold / scale;
+    painter.setPen(QPen(colors().text, 2));
+    painter.drawLine(QPointF(limit, middle - 0.42 * line()), QPointF(limit, middle + 0.42 * line()));
+    const QString text = QLocale().toString(value, 'f', 2);
+    painter.setPen(reached ? colors().text : colors().text_muted);
+    painter.drawText(QRectF(left + bar + 6, top, value_width + 4, line()), Qt::AlignRight | Qt::AlignVCenter,
+                     reached ? QStringLiteral("✓ ") + text : text);
+  }
+}
+
+void CoverageView::Parts::paintWords(QPainter& painter, const Layout& layout) const {
+  const QFontMetrics metrics = view->fontMetrics();
+  const double width = view->width() - 2 * kMargin;
+  const QRectF all(kMargin, layout.words_top, width, wordsHeight(view->width()));
+  constexpr int kFlags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
+  if (isEmpty()) {
+    painter.setPen(colors().text_muted);
+    painter.drawText(all, kFlags, words());
+    return;
+  }
+  const double middle = layout.words_top + 0.5 * line();
+  drawStroke(painter, linkStroke(coverage.quality, theme), QLineF(kMargin, middle, kMargin + 26, middle), 3);
+  painter.setPen(colors().text);
+  painter.drawText(
+      QRectF(kMargin + 33, layout.words_top, width - 33, line()), Qt::AlignLeft | Qt::AlignVCenter,
+      metrics.elidedText(CoverageView::tr("%1, limit %2")
+                             .arg(qualityWord(coverage.quality), QLocale().toString(coverage.threshold, 'f', 2)),
+                         Qt::ElideRight, static_cast<int>(width - 33)));
+  painter.setPen(colors().text_muted);
+  painter.drawText(all.translated(0, 1.3 * line()), kFlags, words());
+}
+
+CoverageView::CoverageView(QWidget* parent) : QWidget(parent), parts_(std::make_unique<Parts>(this)) {
+  setObjectName(QStringLiteral("coverageView"));
+  setAccessibleName(tr("Directions of gravity seen"));
+  setFocusPolicy(Qt::StrongFocus);
+  QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+  policy.setHeightForWidth(true);
+  setSizePolicy(policy);
+  setCoverage({});
+}
+
+CoverageView::~CoverageView() = default;
+
+void CoverageView::setCoverage(const PoseCoverage& coverage) {
+  parts_->coverage = coverage;
+  parts_->sayAnew();
+}
+
+void CoverageView::setCurrent(const std::optional<Eigen::Vector3d>& up_o) {
+  update(parts_->aroundCurrent());
+  parts_->current = up_o;
+  update(parts_->aroundCurrent());
+}
+
+void CoverageView::setNext(const std::optional<Eigen::Vector3d>& up_o) {
+  if (parts_->next == up_o) return;
+  parts_->next = up_o;
+  parts_->sayAnew();
+}
+
+void CoverageView::setPickedPose(std::optional<PoseId> pose) {
+  if (parts_->picked == pose) return;
+  parts_->picked = pose;
+  parts_->changed();
+}
+
+void CoverageView::setEmptyHint(const QString& hint) {
+  parts_->empty_hint = hint;
+  updateGeometry();
+  parts_->changed();
+}
+
+std::optional<PoseId> CoverageView::pickedPose() const { return parts_->picked; }
+
+void CoverageView::setTheme(Theme theme) {
+  parts_->theme = theme;
+  parts_->changed();
+}
+
+QPointF CoverageView::placeOf(const Eigen::Vector3d& up_o) const { return parts_->place(parts_->layout(), up_o); }
+
+QSize CoverageView::sizeHint() const {
+  const int width = static_cast<int>(20 * parts_->line());
+  return {width, heightForWidth(width)};
+}
+
+QSize CoverageView::minimumSizeHint() const {
+  const int width = static_cast<int>(2 * kLeastDisc + 4 * parts_->nowSign() + 2);
+  return {width, static_cast<int>(kLeastDisc + parts_->nowSign() + 1 + kBottom +
+                                  parts_->belowDiscs(std::max(width, this->width())))};
+}
+
+int CoverageView::heightForWidth(int width) const {
+  const double disc = std::clamp(parts_->acrossOf(width), kLeastDisc, kMostDisc);
+  return static_cast<int>(disc + parts_->nowSign() + 1 + kBottom + parts_->belowDiscs(width));
+}
+
+void CoverageView::paintEvent(QPaintEvent* /*event*/) {
+  if (parts_->is_stale || parts_->still.size() != size() * devicePixelRatioF()) parts_->paintStill();
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.drawPixmap(0, 0, parts_->still);
+  if (parts_->current) parts_->paintCurrent(painter, placeOf(*parts_->current), parts_->nowSign());
+  if (hasFocus()) {
+    painter.setPen(QPen(parts_->colors().accent, 2));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRoundedRect(rect().adjusted(2, 2, -2, -2), 4, 4);
+  }
+}
+
+void CoverageView::mousePressEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return QWidget::mousePressEvent(event);
+  const SeenDirection* seen = parts_->at(event->pos());
+  if (seen == nullptr) return;
+  setPickedPose(seen->pose);
+  emit posePicked(seen->pose);
+}
+
+void CoverageView::keyPressEvent(QKeyEvent* event) {
+  const bool forth = event->key() == Qt::Key_Right || event->key() == Qt::Key_Down;
+  const bool back = event->key() == Qt::Key_Left || event->key() == Qt::Key_Up;
+  const std::vector<SeenDirection>& seen = parts_->coverage.seen;
+  if ((!forth && !back) || seen.empty()) return QWidget::keyPressEvent(event);
+  const auto at =
+      std::find_if(seen.begin(), seen.end(), [&](const SeenDirection& s) { return s.pose == parts_->picked; });
+  auto index = forth ? std::size_t{0} : seen.size() - 1;
+  if (at != seen.end()) {
+    index = static_cast<std::size_t>(at - seen.begin());
+    index = (index + (forth ? 1 : seen.size() - 1)) % seen.size();
+  }
+  setPickedPose(seen[index].pose);
+  emit posePicked(seen[index].pose);
+}
+
+bool CoverageView::event(QEvent* event) {
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) parts_->changed();
+  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+  const auto* help = static_cast<QHelpEvent*>(event);
+  const SeenDirection* seen = parts_->at(help->pos());
+  QString text =
+      tr("Front: up is where the origin cell faces. Back: the other half, seen from behind.\nThe values say how "
+         "well the poses hold the cells' turn along three axes.");
+  if (seen != nullptr) {
+    text = tr("Pose %1").arg(seen->pose.value());
+    if (!seen->label.empty()) text += QStringLiteral(" · ") + coreWords(seen->label);
+    if (!seen->enabled) text += QStringLiteral(" · ") + tr("disabled");
+  }
+  QToolTip::showText(help->globalPos(), text, this);
+  return true;
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "hexoderm/reconstruction/advice/pose_coverage.h"
+#include "widgets/style/palette.h"
+
+#include <QWidget>
+#include <optional>
+
+namespace hexoderm {
+
+/// Which directions of gravity were seen: both halves of the sphere as discs, since a sphere hides its far side, with
+/// the poses as numbers, the next one as a dashed ring and the present direction as a moving dot. Below: the three
+/// singular values with their limit, the class they make, and which direction is missing, in words. A click or the
+/// arrow keys pick a pose.
+class CoverageView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CoverageView(QWidget* parent = nullptr);
+  ~CoverageView() override;
+
+  void setCoverage(const PoseCoverage& coverage);
+  /// Shown in place of the class of an empty coverage, where there is no skin.
+  void setEmptyHint(const QString& hint);
+  /// Unit vectors in the frame of the coverage; none hides the mark. Cheap: may be called 20 times a second.
+  void setCurrent(const std::optional<Eigen::Vector3d>& up_o);
+  void setNext(const std::optional<Eigen::Vector3d>& up_o);
+  void setPickedPose(std::optional<PoseId> pose);
+  void setTheme(Theme theme);
+
+  [[nodiscard]] std::optional<PoseId> pickedPose() const;
+  /// Where a direction is drawn, in the widget's coordinates.
+  [[nodiscard]] QPointF placeOf(const Eigen::Vector3d& up_o) const;
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+  bool hasHeightForWidth() const override { return true; }
+  int heightForWidth(int width) const override;
+
+ signals:
+  /// By the mouse or by a key.
+  void posePicked(hexoderm::PoseId pose);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  bool event(QEvent* event) override;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace hexoderm

@@ -1,0 +1,181 @@
+#include "widgets/capture/live_strip.h"
+
+#include "widgets/controls/action_button.h"
+#include "widgets/words/core_words.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QStringList>
+
+namespace hexoderm {
+namespace {
+
+struct LiveWords {
+  Q_DECLARE_TR_FUNCTIONS(hexoderm::LiveWords)
+};
+
+QLabel* plainLabel(const char* object_name, QWidget* parent) {
+  auto* label = new QLabel(parent);
+  label->setObjectName(QLatin1String(object_name));
+  // What devices say of themselves is never read as markup.
+  label->setTextFormat(Qt::PlainText);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+void setIfChanged(QLabel* label, const QString& text) {
+  if (label->text() != text) label->setText(text);
+}
+
+QString countInWords(std::uint64_t count) { return QLocale().toString(static_cast<qulonglong>(count)); }
+
+}  // namespace
+
+QString sourceStateWord(SourceState state) {
+  switch (state) {
+    case SourceState::Stopped:
+      return LiveWords::tr("Stopped");
+    case SourceState::Connecting:
+      return LiveWords::tr("Connecting");
+    case SourceState::Waiting:
+      return LiveWords::tr("Waiting");
+    case SourceState::Streaming:
+      return LiveWords::tr("Streaming");
+    case SourceState::Silent:
+      return LiveWords::tr("Silent");
+    case SourceState::Ended:
+      return LiveWords::tr("Ended");
+    case SourceState::Incompatible:
+      return LiveWords::tr("Incompatible");
+  }
+  return {};
+}
+
+QString sourceStateSign(SourceState state) {
+  switch (state) {
+    case SourceState::Stopped:
+      return QStringLiteral("\u25CB");  // circle
+    case SourceState::Connecting:
+      return QStringLiteral("\u25D4");  // quarter of a disc
+    case SourceState::Waiting:
+      return QStringLiteral("\u25D1");  // half a disc
+    case SourceState::Streaming:
+      return QStringLiteral("\u25CF");  // disc
+    case SourceState::Silent:
+      return QStringLiteral("\u25B2");  // triangle
+    case SourceState::Ended:
+      return QStringLiteral("\u25A0");  // square
+    case SourceState::Incompatible:
+      return QStringLiteral("\u2715");  // cross
+  }
+  return {};
+}
+
+Tone sourceStateTone(SourceState state) {
+  switch (state) {
+    case SourceState::Streaming:
+      return Tone::Good;
+    case SourceState::Silent:
+      return Tone::Caution;
+    case SourceState::Incompatible:
+      return Tone::Bad;
+    case SourceState::Stopped:
+    case SourceState::Connecting:
+    case SourceState::Waiting:
+    case SourceState::Ended:
+      return Tone::Neutral;
+  }
+  return Tone::Neutral;
+}
+
+QString countersInWords(const SourceStatus& status, const HoldStatus& hold) {
+  QString text = LiveWords::tr("%1 frames · %2 lost · %3 late")
+                     .arg(countInWords(status.frames), countInWords(status.lost_samples),
+                          countInWords(status.late_frames + hold.late_frames));
+  if (status.dropped_by_device > 0) {
+    text += LiveWords::tr(" · %1 dropped by the device").arg(countInWords(status.dropped_by_device));
+  }
+  if (status.rejected_messages > 0) text += LiveWords::tr(" · %1 broken").arg(countInWords(status.rejected_messages));
+  if (status.unknown_samples > 0) text += LiveWords::tr(" · %1 unknown").arg(countInWords(status.unknown_samples));
+  if (status.reconnects > 0) text += LiveWords::tr(" · %1 reconnects").arg(countInWords(status.reconnects));
+  return text;
+}
+
+QString lossesInWords(const SourceStatus& status, const HoldStatus& hold) {
+  QStringList losses;
+  const auto add = [&losses](std::uint64_t count, const QString& one, const QString& several) {
+    if (count == 1) losses << one;
+    if (count > 1) losses << several.arg(countInWords(count));
+  };
+  add(status.lost_samples, LiveWords::tr("1 sample lost"), LiveWords::tr("%1 samples lost"));
+  add(status.late_frames + hold.late_frames, LiveWords::tr("1 frame late"), LiveWords::tr("%1 frames late"));
+  add(status.dropped_by_device, LiveWords::tr("1 sample dropped by the device"),
+      LiveWords::tr("%1 samples dropped by the device"));
+  return losses.join(QStringLiteral(" · "));
+}
+
+LiveStrip::LiveStrip(QAction* end, QWidget* parent)
+    : QFrame(parent),
+      sign_(plainLabel("liveSign", this)),
+      word_(plainLabel("liveState", this)),
+      text_(plainLabel("liveText", this)),
+      counters_(plainLabel("liveCounters", this)) {
+  setObjectName(QStringLiteral("liveStrip"));
+  setAccessibleName(tr("Connected skin"));
+  setProperty("card", true);
+  word_->setProperty("headline", true);
+  counters_->setProperty("muted", true);
+  counters_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  // Counting does not move what is beside it.
+  counters_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("0,000,000 frames · 000 lost · 000 late")));
+  counters_->setToolTip(
+      tr("Sample frames that came, samples that the device numbered and that never came, and frames that came late"));
+  // A long text must not widen the window.
+  text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  text_->setWordWrap(true);
+  auto* disconnect = new ActionButton(this);
+  disconnect->setObjectName(QStringLiteral("liveDisconnect"));
+  disconnect->setAction(end);
+  // A click leaves the keys where they were.
+  disconnect->setFocusPolicy(Qt::TabFocus);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(14, 8, 10, 8);
+  row->setSpacing(10);
+  row->addWidget(sign_);
+  row->addWidget(word_);
+  row->addWidget(text_, 1);
+  row->addWidget(counters_);
+  row->addWidget(disconnect);
+  hide();
+}
+
+void LiveStrip::setStatus(const SourceStatus& status, const HoldStatus& hold) {
+  state_ = status.state;
+  setIfChanged(sign_, sourceStateSign(state_));
+  setIfChanged(word_, sourceStateWord(state_));
+  // "Streaming: my skin" would say it twice.
+  QString text = coreWords(status.text);
+  const QString again = word_->text() + QStringLiteral(": ");
+  if (text.startsWith(again)) text.remove(0, again.size());
+  setIfChanged(text_, text);
+  setIfChanged(counters_, countersInWords(status, hold));
+  paintSign();
+}
+
+void LiveStrip::setTheme(Theme theme) {
+  theme_ = theme;
+  paintSign();
+}
+
+void LiveStrip::paintSign() {
+  QPalette colors = sign_->palette();
+  const QColor color = toneColor(sourceStateTone(state_), theme_);
+  if (colors.color(QPalette::WindowText) == color) return;
+  colors.setColor(QPalette::WindowText, color);
+  sign_->setPalette(colors);
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "hexoderm/capture/pose_recorder.h"
+#include "hexoderm/device/skin_source.h"
+#include "widgets/controls/banner.h"
+
+#include <QFrame>
+
+class QAction;
+class QLabel;
+
+namespace hexoderm {
+
+/// "Streaming", "Silent", ...: one word for where a source stands (translated).
+QString sourceStateWord(SourceState state);
+/// A sign of its own for each state, so that no meaning hangs on hue.
+QString sourceStateSign(SourceState state);
+Tone sourceStateTone(SourceState state);
+/// "17,230 frames · 0 lost · 0 late"; what else went wrong is added where there is any.
+QString countersInWords(const SourceStatus& status, const HoldStatus& hold);
+
+/// "12 samples lost · 3 frames late · 40 samples dropped by the device": what there is of that; empty: nothing.
+QString lossesInWords(const SourceStatus& status, const HoldStatus& hold);
+
+/// A skin that does not send as it should, or not yet: where its source stands, and its end. The window shows it until
+/// all is well; then the status bar and the step Capture say how it goes.
+class LiveStrip : public QFrame {
+  Q_OBJECT
+
+ public:
+  /// `end` ends the connection.
+  explicit LiveStrip(QAction* end, QWidget* parent = nullptr);
+
+  void setStatus(const SourceStatus& status, const HoldStatus& hold);
+  void setTheme(Theme theme);
+
+ private:
+  void paintSign();
+
+  QLabel* sign_;
+  QLabel* word_;
+  QLabel* text_;
+  QLabel* counters_;
+  SourceState state_ = SourceState::Stopped;
+  Theme theme_ = Theme::Light;
+};
+
+}  // namespace hexoderm

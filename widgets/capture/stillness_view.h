@@ -1,0 +1,50 @@
+#pragma once
+
+#include "hexoderm/capture/stillness_trace.h"
+#include "widgets/style/palette.h"
+
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+namespace hexoderm {
+
+/// A strip chart of the last ten seconds: how far the three axes of the cell that decides, or of the picked one, are
+/// off their mean of the last second, each in a lane of its own with the limit as a band; when poses were captured,
+/// when the next one was armed, when a motion made it start over; and whether the part was moving, still or being
+/// captured.
+class StillnessView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit StillnessView(QWidget* parent = nullptr);
+  ~StillnessView() override;
+
+  /// Cheap: at most 20 times a second. Drawn while visible.
+  void add(const HoldStatus& hold, const SkinPreview& preview);
+  /// `time_s`: device time, CapturedPose::end_s.
+  void addCaptured(PoseId pose, double time_s);
+  /// Of another source from now on.
+  void clear();
+  void setTheme(Theme theme);
+
+  /// "cell 7 · x y z, deviation from its mean, last 10 s, limit 30 mg".
+  [[nodiscard]] QString header() const;
+  [[nodiscard]] const StillnessTrace& trace() const;
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ public slots:
+  /// None: the cell that decides.
+  void setCell(std::optional<hexoderm::CellId> cell);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace hexoderm

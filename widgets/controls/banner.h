@@ -1,0 +1,44 @@
+#pragma once
+
+#include "widgets/style/palette.h"
+
+#include <QFrame>
+
+class QAction;
+class QLabel;
+
+namespace hexoderm {
+
+class ActionButton;
+
+/// How good or bad a message is; always said in its words too.
+enum class Tone { Neutral, Good, Caution, Bad };
+QColor toneColor(Tone tone, Theme theme);
+Tone toneOf(VerdictLevel level);
+
+/// One sentence on where we stand and one button: the best next action.
+class Banner : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit Banner(QWidget* parent = nullptr);
+
+  struct Content {
+    Tone tone = Tone::Neutral;
+    QString sentence;
+    QAction* action = nullptr;  ///< null: there is nothing to press
+  };
+  void setContent(const Content& content);
+  void setTheme(Theme theme);
+
+ private:
+  void drawDot();
+
+  QLabel* dot_;
+  QLabel* sentence_;
+  ActionButton* button_;
+  Tone tone_ = Tone::Neutral;
+  Theme theme_ = Theme::Light;
+};
+
+}  // namespace hexoderm

@@ -1,0 +1,58 @@
+#include "widgets/controls/card_dock.h"
+
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+#include <QVariant>
+
+namespace hexoderm {
+
+CardDock::CardDock(const QString& heading, const QString& object_name, QWidget* content, QWidget* parent)
+    : QDockWidget(heading, parent), title_(new QLabel(heading.toUpper())), remark_(new QLabel) {
+  setObjectName(object_name);
+  setAccessibleName(heading);
+  content->setAccessibleName(heading);
+  // The heading is inside the card, so that a dock looks like one thing; it is still what one drags.
+  auto* bar = new QFrame;
+  bar->setProperty("cardHead", true);
+  title_->setProperty("caption", true);
+  remark_->setProperty("muted", true);
+  remark_->setTextFormat(Qt::PlainText);
+  remark_->hide();
+  auto* head = new QHBoxLayout(bar);
+  head->setContentsMargins(13, 9, 13, 5);
+  head->addWidget(title_);
+  head->addStretch(1);
+  head->addWidget(remark_);
+  bar->setToolTip(tr("Drag to move this panel, double-click to take it out of the window"));
+  setTitleBarWidget(bar);
+
+  auto* body = new QFrame;
+  body->setProperty("cardBody", true);
+  auto* layout = new QVBoxLayout(body);
+  layout->setContentsMargins(1, 0, 1, 1);
+  layout->addWidget(content);
+  setWidget(body);
+}
+
+void CardDock::setHeading(const QString& heading) {
+  setWindowTitle(heading);
+  setAccessibleName(heading);
+  title_->setText(heading.toUpper());
+}
+
+void CardDock::setRemark(const QString& remark) {
+  remark_->setText(remark);
+  // Without words it would still take the space beside it.
+  remark_->setVisible(!remark.isEmpty());
+}
+
+void CardDock::setHead(QWidget* widget) {
+  auto* head = qobject_cast<QHBoxLayout*>(titleBarWidget()->layout());
+  head->insertWidget(0, widget);
+  head->setContentsMargins(5, 5, 5, 0);
+  title_->hide();
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "hexoderm/reconstruction/advice/skin_check.h"
+#include "widgets/style/palette.h"
+
+#include <QWidget>
+#include <vector>
+
+class QLabel;
+class QVBoxLayout;
+
+namespace hexoderm {
+
+/// What was checked about a skin, one line each with a sign and its words. What is wrong has a button that shows where.
+class CheckList : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CheckList(QWidget* parent = nullptr);
+
+  void setCheck(const SkinCheck& check);
+  void setTheme(Theme theme);
+
+ signals:
+  /// The operator wants to see where.
+  void cellPicked(hexoderm::CellId cell);
+
+ private:
+  class Row;
+
+  QVBoxLayout* layout_;
+  std::vector<Row*> rows_;
+  Theme theme_ = Theme::Light;
+};
+
+}  // namespace hexoderm

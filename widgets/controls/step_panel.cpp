@@ -1,0 +1,342 @@
+#include "widgets/controls/step_panel.h"
+
+#include "widgets/controls/action_button.h"
+#include "widgets/controls/flow_layout.h"
+#include "widgets/words/formatting.h"
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QEvent>
+#include <QLabel>
+#include <QPainter>
+#include <QScrollBar>
+#include <QVBoxLayout>
+#include <QVariant>
+#include <algorithm>
+
+namespace hexoderm {
+namespace {
+
+QString readinessInWords(Readiness readiness) {
+  switch (readiness) {
+    case Readiness::Ready:
+      return StepPanel::tr("✓ Ready: %1");
+    case Readiness::Possible:
+      return StepPanel::tr("▲ Possible: %1");
+    case Readiness::Waiting:
+      return StepPanel::tr("… Waiting: %1");
+    case Readiness::Blocked:
+      return StepPanel::tr("■ Blocked: %1");
+  }
+  return {};
+}
+
+constexpr int kBadge = 24;
+constexpr int kMargin = 14;
+constexpr int kIndent = kMargin + kBadge + 10;
+
+QString stateInWords(StepState state) {
+  switch (state) {
+    case StepState::Waiting:
+      return StepPanel::tr("waiting");
+    case StepState::Current:
+      return StepPanel::tr("current");
+    case StepState::Done:
+      return StepPanel::tr("done");
+  }
+  return {};
+}
+
+/// Number or tick, title and note; pressing it opens the step.
+class StepHead : public QAbstractButton {
+ public:
+  StepHead(int number, QWidget* parent) : QAbstractButton(parent), number_(number) {
+    setFocusPolicy(Qt::TabFocus);
+    setCursor(Qt::PointingHandCursor);
+    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Minimum);
+    policy.setHeightForWidth(true);
+    setSizePolicy(policy);
+  }
+
+  void set(const Step& step, bool last_known_open) {
+    title_ = step.title;
+    note_ = step.note;
+    state_ = step.state;
+    open_ = last_known_open;
+    setAccessibleName(StepPanel::tr("Step %1, %2: %3").arg(number_).arg(title_, stateInWords(state_)));
+    setAccessibleDescription(note_);
+    updateGeometry();
+    update();
+  }
+  void setOpen(bool open) {
+    open_ = open;
+    setProperty(StepPanel::kIsOpen, open);
+    update();
+  }
+  void setTheme(Theme theme) {
+    theme_ = theme;
+    update();
+  }
+
+  QSize sizeHint() const override { return {kIndent + 150, heightForWidth(QWIDGETSIZE_MAX)}; }
+  int heightForWidth(int width) const override {
+    const int lines = fontMetrics().height() + (note_.isEmpty() ? 0 : noteHeight(width - kIndent - kMargin) + 2);
+    return std::max(kBadge, lines) + 16;
+  }
+
+ protected:
+  void paintEvent(QPaintEvent* /*event*/) override {
+    const Colors& colors = Colors::of(theme_);
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (open_ || underMouse()) painter.fillRect(rect(), colors.panel_active);
+    if (hasFocus()) {
+      painter.setPen(QPen(colors.accent, 2));
+      painter.drawRoundedRect(rect().adjusted(2, 2, -2, -2), 4, 4);
+    }
+    paintBadge(painter, colors);
+    const int width_left = width() - kIndent - kMargin;
+    QFont bold = font();
+    bold.setWeight(QFont::DemiBold);
+    const QFontMetrics metrics(bold);
+    painter.setFont(bold);
+    painter.setPen(colors.text);
+    const int top = note_.isEmpty() ? 8 + (kBadge - metrics.height()) / 2 : 8;
+    painter.drawText(QRect(kIndent, top, width_left, metrics.height()), Qt::AlignLeft | Qt::AlignVCenter,
+                     metrics.elidedText(title_, Qt::ElideRight, width_left));
+    painter.setFont(font());
+    painter.setPen(colors.text_muted);
+    painter.drawText(QRect(kIndent, top + metrics.height() + 2, width_left, noteHeight(width_left)), kNoteFlags, note_);
+  }
+  bool event(QEvent* event) override {
+    // enterEvent has another argument in Qt 6.
+    if (event->type() == QEvent::Enter || event->type() == QEvent::Leave) update();
+    return QAbstractButton::event(event);
+  }
+
+ private:
+  static constexpr int kNoteFlags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
+
+  int noteHeight(int width) const {
+    return fontMetrics().boundingRect(QRect(0, 0, std::max(1, width), 10000), kNoteFlags, note_).height();
+  }
+  void paintBadge(QPainter& painter, const Colors& colors) const {
+    const QRectF circle(kMargin + 0.5, 8.5, kBadge - 1, kBadge - 1);
+    const bool waiting = state_ == StepState::Waiting;
+    painter.setPen(waiting ? QPen(colors.border, 1.5) : QPen(Qt::NoPen));
+    painter.setBrush(waiting ? QBrush(Qt::NoBrush) : QBrush(state_ == StepState::Done ? colors.good : colors.accent));
+    painter.drawEllipse(circle);
+    painter.setBrush(Qt::NoBrush);
+    const QColor ink = waiting ? colors.text_muted : colors.accent_text;
+    if (state_ == StepState::Done) {
+      painter.setPen(QPen(ink, 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+      const QPointF c = circle.center();
+      const QPointF tick[] = {c + QPointF(-4.2, 0.3), c + QPointF(-1.2, 3.3), c + QPointF(4.4, -3.2)};
+      painter.drawPolyline(tick, 3);
+      return;
+    }
+    QFont bold = font();
+    bold.setWeight(QFont::DemiBold);
+    painter.setFont(bold);
+    painter.setPen(ink);
+    painter.drawText(circle, Qt::AlignCenter, QString::number(number_));
+  }
+
+  int number_;
+  QString title_;
+  QString note_;
+  StepState state_ = StepState::Waiting;
+  bool open_ = false;
+  Theme theme_ = Theme::Light;
+};
+
+}  // namespace
+
+class StepPanel::Row : public QWidget {
+ public:
+  Row(int number, QWidget* parent)
+      : QWidget(parent),
+        head_(new StepHead(number, this)),
+        body_(new QFrame(this)),
+        what_(new QLabel(body_)),
+        why_(new QLabel(body_)),
+        because_(new QLabel(body_)),
+        content_(new QVBoxLayout),
+        buttons_(new FlowLayout) {
+    setObjectName(QStringLiteral("step%1").arg(number));
+    head_->setObjectName(QStringLiteral("stepHead%1").arg(number));
+    body_->setProperty("stepBody", true);
+    what_->setWordWrap(true);
+    what_->setTextFormat(Qt::PlainText);
+    what_->setProperty("stepWhat", true);
+    why_->setWordWrap(true);
+    why_->setTextFormat(Qt::PlainText);
+    why_->setProperty("muted", true);
+    because_->setObjectName(QStringLiteral("stepBecause%1").arg(number));
+    because_->setWordWrap(true);
+    because_->setTextFormat(Qt::PlainText);
+    auto* body = new QVBoxLayout(body_);
+    body->setContentsMargins(kMargin + 6, 2, kMargin, 14);
+    body->setSpacing(8);
+    body->addWidget(what_);
+    body->addWidget(why_);
+    body->addWidget(because_);
+    body->addLayout(content_);
+    body->addLayout(buttons_);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(head_);
+    layout->addWidget(body_);
+  }
+
+  void set(const Step& step) {
+    head_->set(step, !body_->isHidden());
+    what_->setText(unbroken(step.what));
+    what_->setVisible(!step.what.isEmpty());
+    why_->setText(step.why);
+    why_->setVisible(!step.why.isEmpty());
+    because_->setText(readinessInWords(step.readiness).arg(step.because));
+    because_->setVisible(!step.because.isEmpty());
+    while (buttons_shown_.size() < step.actions.size()) {
+      auto* button = new ActionButton(body_);
+      button->setFocusPolicy(Qt::TabFocus);
+      buttons_->addWidget(button);
+      buttons_shown_.push_back(button);
+    }
+    for (std::size_t k = 0; k < buttons_shown_.size(); ++k) {
+      buttons_shown_[k]->setAction(k < step.actions.size() ? step.actions[k] : nullptr);
+    }
+  }
+  void setContent(QWidget* content) { content_->addWidget(content); }
+  void setOpen(bool open) {
+    body_->setVisible(open);
+    head_->setOpen(open);
+  }
+  void setTheme(Theme theme) { head_->setTheme(theme); }
+  [[nodiscard]] QAbstractButton* head() const { return head_; }
+
+ private:
+  StepHead* head_;
+  QFrame* body_;
+  QLabel* what_;
+  QLabel* why_;
+  QLabel* because_;
+  QVBoxLayout* content_;
+  FlowLayout* buttons_;
+  std::vector<ActionButton*> buttons_shown_;
+};
+
+StepPanel::StepPanel(QWidget* parent) : QScrollArea(parent), layout_(nullptr) {
+  setObjectName(QStringLiteral("stepPanel"));
+  setAccessibleName(tr("Steps"));
+  setWidgetResizable(true);
+  setFrameShape(QFrame::NoFrame);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  // Its steps take the focus, and are scrolled into view then.
+  setFocusPolicy(Qt::NoFocus);
+  auto* content = new QWidget;
+  content->setObjectName(QStringLiteral("stepContent"));
+  layout_ = new QVBoxLayout(content);
+  layout_->setContentsMargins(0, 4, 0, 4);
+  layout_->setSpacing(0);
+  layout_->addStretch(1);
+  setWidget(content);
+  make_room_.setSingleShot(true);
+  connect(&make_room_, &QTimer::timeout, this, [this] {
+    // Whoever has scrolled meanwhile stays there.
+    if (verticalScrollBar()->value() == placed_at_) makeRoom();
+  });
+}
+
+void StepPanel::setSteps(const std::vector<Step>& steps) {
+  while (rows_.size() < steps.size()) {
+    const auto index = static_cast<int>(rows_.size());
+    auto* row = new Row(index + 1, widget());
+    row->setTheme(theme_);
+    row->installEventFilter(this);
+    connect(row->head(), &QAbstractButton::clicked, this, [this, index] { openStep(index); });
+    layout_->insertWidget(index, row);
+    rows_.push_back(row);
+    if (rows_.size() <= bodies_.size() && bodies_[rows_.size() - 1]) row->setContent(bodies_[rows_.size() - 1]);
+  }
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    rows_[k]->setVisible(k < steps.size());
+    if (k < steps.size()) rows_[k]->set(steps[k]);
+  }
+  showOpenRow();
+}
+
+void StepPanel::setBody(int step, QWidget* body) {
+  const auto index = static_cast<std::size_t>(step);
+  if (bodies_.size() <= index) bodies_.resize(index + 1, nullptr);
+  bodies_[index] = body;
+  if (index < rows_.size()) rows_[index]->setContent(body);
+}
+
+void StepPanel::openStep(int step) {
+  if (step < 0 || static_cast<std::size_t>(step) >= rows_.size()) return;
+  open_ = static_cast<std::size_t>(step);
+  showOpenRow();
+  makeRoom();
+  make_room_.start();
+  emit opened(step);
+}
+
+void StepPanel::makeRoom() {
+  // Steps before it that were closed, and the bar's range, are only where they belong after the layout.
+  widget()->layout()->activate();
+  const Row* row = rows_[open_];
+  QWidget* focus = QApplication::focusWidget();
+  QScrollBar* bar = verticalScrollBar();
+  const int height = viewport()->height();
+  const int end = row->y() + row->height();
+  const bool is_seen = row->y() >= bar->value() && end <= bar->value() + height;
+  if (!is_seen) bar->setValue(end <= height ? 0 : row->y());
+  // Who works in it with the keyboard does not lose the place.
+  if (focus != nullptr && row->isAncestorOf(focus)) ensureWidgetVisible(focus);
+  placed_at_ = bar->value();
+}
+
+void StepPanel::makeRoomSoon() {
+  if (verticalScrollBar()->value() == placed_at_) make_room_.start();
+}
+
+bool StepPanel::focusNextPrevChild(bool next) {
+  const bool is_placed = verticalScrollBar()->value() == placed_at_;
+  const bool has_moved = QScrollArea::focusNextPrevChild(next);
+  if (is_placed) placed_at_ = verticalScrollBar()->value();
+  return has_moved;
+}
+
+bool StepPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize && open_ < rows_.size() && watched == rows_[open_]) makeRoomSoon();
+  return QScrollArea::eventFilter(watched, event);
+}
+
+void StepPanel::resizeEvent(QResizeEvent* event) {
+  if (open_ < rows_.size()) makeRoomSoon();
+  QScrollArea::resizeEvent(event);
+}
+
+void StepPanel::goToStep(int step) {
+  openStep(step);
+  if (step != openIndex()) return;
+  QAbstractButton* head = rows_[open_]->head();
+  head->setFocus(Qt::ShortcutFocusReason);
+  ensureWidgetVisible(head);
+}
+
+void StepPanel::setTheme(Theme theme) {
+  theme_ = theme;
+  for (Row* row : rows_) row->setTheme(theme);
+}
+
+void StepPanel::showOpenRow() {
+  for (std::size_t k = 0; k < rows_.size(); ++k) rows_[k]->setOpen(k == open_);
+  // It scrolls up and down only: what is widest must fit, beside the bar.
+  const int widest = widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width();
+  if (widest > minimumWidth()) setMinimumWidth(widest);
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,81 @@
+#pragma once
+
+#include "widgets/style/palette.h"
+
+#include <QScrollArea>
+#include <QTimer>
+#include <vector>
+
+class QAction;
+class QVBoxLayout;
+
+namespace hexoderm {
+
+enum class StepState { Waiting, Current, Done };
+
+/// Whether a step can be taken. Possible: it can, but had better not be yet. Waiting: it can as soon as something comes
+/// that is on its way. Blocked: somebody has to do something before.
+enum class Readiness { Ready, Possible, Waiting, Blocked };
+
+/// One step from "connect" to "export": what it is, where it stands, what to do and why.
+struct Step {
+  QString title;
+  QString note;  ///< one line under the title: "17 cells, 16 links, 1 patch"
+  StepState state = StepState::Waiting;
+  QString what;  ///< what to do now
+  QString why;   ///< why, or what it is waiting for
+  Readiness readiness = Readiness::Blocked;
+  QString because;  ///< why, as a sentence; empty: nothing is said
+  std::vector<QAction*> actions;
+};
+
+/// The steps from top to bottom. One is open: the one that was clicked, or that openStep() named; a step never gives
+/// way to another by itself, while somebody reads it.
+class StepPanel : public QScrollArea {
+  Q_OBJECT
+
+ public:
+  explicit StepPanel(QWidget* parent = nullptr);
+
+  /// Property of the buttons that open a step: pressing it would change nothing.
+  static constexpr const char* kIsOpen = "stepIsOpen";
+
+  void setSteps(const std::vector<Step>& steps);
+  /// What a step shows beside its words, once there is such a step; the panel takes it over.
+  void setBody(int step, QWidget* body);
+  [[nodiscard]] int openIndex() const { return static_cast<int>(open_); }
+
+ public slots:
+  /// Nothing happens if there is no such step.
+  void openStep(int step);
+  /// The same, and the keyboard goes on from its heading.
+  void goToStep(int step);
+
+ public:
+  void setTheme(Theme theme);
+
+ signals:
+  void opened(int step);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  bool focusNextPrevChild(bool next) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  class Row;
+  void showOpenRow();
+  /// Where the open step does not fit below the steps before it, these give way; what has the focus in it is seen.
+  void makeRoom();
+  void makeRoomSoon();
+
+  QVBoxLayout* layout_;
+  std::vector<Row*> rows_;
+  std::vector<QWidget*> bodies_;  ///< by step; null where there is none
+  std::size_t open_ = 0;
+  QTimer make_room_;
+  int placed_at_ = 0;  ///< what the bar was set to, as long as nobody else scrolls
+  Theme theme_ = Theme::Light;
+};
+
+}  // namespace hexoderm

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "widgets/coloring/graph_coloring.h"
+
+#include <QCoreApplication>
+#include <QFont>
+#include <QRectF>
+#include <vector>
+
+class QPainter;
+
+namespace hexoderm {
+
+/// What else is in the graph and wants a word.
+struct GraphMarks {
+  bool tree = false;
+  bool muted = false;
+};
+
+/// The words for the colours of the graph, below it: each class with its line or fill, or a scale with its unit.
+class GraphLegend {
+  Q_DECLARE_TR_FUNCTIONS(hexoderm::GraphLegend)
+
+ public:
+  GraphLegend(const GraphPaint& paint, const GraphMarks& marks, Theme theme, const QFont& font);
+
+  /// How high it is in so wide an area; 0 if it does not fit in.
+  [[nodiscard]] double heightFor(double width) const;
+  /// Into an area that is as high as heightFor() its width.
+  void draw(QPainter& painter, const QRectF& area) const;
+
+ private:
+  enum class Sample { Line, Fill, Muted, Tree, Origin };
+  struct Entry {
+    Sample sample = Sample::Line;
+    LinkStroke stroke;  ///< its colour is that of a fill, too
+    QString word;
+  };
+  /// How the entries are arranged; no rows if they don't fit.
+  struct Arrangement {
+    int rows = 0;
+    int columns = 0;
+    double column_width = 0;  ///< 0: one row, each entry as wide as it is
+  };
+
+  [[nodiscard]] Arrangement arrange(double width) const;
+  [[nodiscard]] double widthOf(const Entry& entry) const;
+  [[nodiscard]] double rowHeight() const;
+  [[nodiscard]] double scaleWidth() const;
+  void drawSample(QPainter& painter, const Entry& entry, const QRectF& box) const;
+  void drawScale(QPainter& painter, const QRectF& row) const;
+  void drawEntries(QPainter& painter, const QRectF& area) const;
+
+  std::optional<GraphScale> scale_;
+  std::vector<Entry> entries_;
+  const Colors& colors_;
+  QFont font_;
+};
+
+}  // namespace hexoderm

@@ -1,0 +1,101 @@
+#pragma once
+
+#include "widgets/coloring/graph_coloring.h"
+#include "widgets/graph/graph_scene.h"
+#include "widgets/style/palette.h"
+
+#include <QFont>
+#include <QImage>
+#include <QPainter>
+#include <QPainterPath>
+#include <QPolygonF>
+#include <QSizeF>
+
+namespace hexoderm {
+
+/// Which part of the sheet is seen: `center` of it in the middle of the widget, `scale` pixels for a metre.
+struct GraphCamera {
+  QPointF center;
+  double scale = 1;
+  QSizeF size;
+
+  [[nodiscard]] QPointF toScreen(const QPointF& sheet) const {
+    return {size.width() / 2 + (sheet.x() - center.x()) * scale, size.height() / 2 - (sheet.y() - center.y()) * scale};
+  }
+  [[nodiscard]] QPointF toSheet(const QPointF& screen) const {
+    return {center.x() + (screen.x() - size.width() / 2) / scale,
+            center.y() - (screen.y() - size.height() / 2) / scale};
+  }
+  [[nodiscard]] QRectF toScreen(const QRectF& sheet) const {
+    return QRectF(toScreen(sheet.topLeft()), toScreen(sheet.bottomRight())).normalized();
+  }
+};
+
+/// How a graph is drawn, wherever it is.
+struct GraphStyle {
+  Theme theme = Theme::Light;
+  QFont font;
+  bool marks_tree = true;
+  bool has_text = true;    ///< IDs, ports, captions; pictures that are compared go without
+  bool is_vector = false;  ///< everything is a shape of its own, as files that can be enlarged want it
+};
+
+/// Draws a GraphScene with a level of detail that follows the size of the hexagons on the screen, and how many of them
+/// there are: thousands are drawn from one stamp, without smoothing.
+class GraphPainter {
+ public:
+  /// All must outlive the painter.
+  GraphPainter(const GraphScene& scene, const GraphPaint& paint, const GraphCamera& camera, const GraphStyle& style);
+
+  /// Everything but what is picked and pointed at.
+  void drawSheet(QPainter& painter) const;
+  void drawCellOutline(QPainter& painter, std::size_t cell, const QColor& color, double width) const;
+  void drawLinkOutline(QPainter& painter, std::size_t link, const QColor& color, double width) const;
+  /// What these outlines cover, so that nothing else needs to be drawn anew.
+  [[nodiscard]] QRectF outlineBounds(std::size_t cell) const;
+  [[nodiscard]] QRectF linkOutlineBounds(std::size_t link) const;
+
+ private:
+  /// A cell's looks: its fill and whether it is the origin or was placed by its links.
+  struct CellKind {
+    std::int16_t fill = GraphPaint::kPlain;
+    bool origin = false;
+    bool by_links = false;
+  };
+
+  [[nodiscard]] bool isSeen(const QPointF& a, const QPointF& b) const;
+  [[nodiscard]] QPolygonF hexagon(const QPointF& center, double angle_rad) const;
+  [[nodiscard]] QPolygonF hexagon(std::size_t cell) const;
+  [[nodiscard]] CellKind kindOf(std::size_t cell) const;
+  [[nodiscard]] QColor fillOf(std::size_t cell) const;
+  void choosePens(QPainter& painter, const CellKind& kind) const;
+  [[nodiscard]] QPen pen(const LinkStroke& stroke, double width) const;
+  void drawLinks(QPainter& painter) const;
+  void drawTree(QPainter& painter) const;
+  void drawStrokes(QPainter& painter, const QVector<QLineF>& lines, const LinkStroke& stroke) const;
+  void drawThinLines(QPainter& painter, const QVector<QLineF>& lines, const QColor& color) const;
+  void drawMutedLinks(QPainter& painter) const;
+  void drawCutCurves(QPainter& painter) const;
+  [[nodiscard]] QPainterPath cutCurve(const GraphScene::Link& link) const;
+  void drawCells(QPainter& painter) const;
+  void drawDots(QPainter& painter) const;
+  void drawStamps(QPainter& painter) const;
+  [[nodiscard]] QImage stamp(const CellKind& kind, double angle_rad, double pixel_ratio) const;
+  void drawIds(QPainter& painter) const;
+  void drawPorts(QPainter& painter) const;
+  void drawCutMarks(QPainter& painter) const;
+  void drawPatchCaptions(QPainter& painter) const;
+  void addDirections(const QPointF& a, const QPointF& b, QVector<QLineF>& lines) const;
+
+  const GraphScene& scene_;
+  const GraphPaint& paint_;
+  const GraphCamera& camera_;
+  const GraphStyle& style_;
+  const Colors& colors_;
+  double radius_px_;      ///< of a drawn hexagon
+  double separation_px_;  ///< between the two directions of a link
+  QRectF seen_;           ///< the widget with a margin
+  bool is_crowded_;       ///< so many are seen that each must be cheap
+};
+
+}  // namespace hexoderm

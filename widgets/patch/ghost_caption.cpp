@@ -1,0 +1,73 @@
+#include "widgets/patch/ghost_caption.h"
+
+#include "widgets/scene/scene_ghost.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <array>
+#include <cmath>
+
+namespace hexoderm {
+
+GhostCaption::GhostCaption(QWidget* parent) : QWidget(parent) {
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  setAttribute(Qt::WA_NoSystemBackground);
+  setFocusPolicy(Qt::NoFocus);
+}
+
+void GhostCaption::setShown(bool shown) {
+  shown_ = shown;
+  update();
+}
+
+void GhostCaption::setAngle(const QString& angle) {
+  if (angle_ == angle) return;
+  angle_ = angle;
+  update();
+}
+
+void GhostCaption::setTheme(Theme theme) {
+  theme_ = theme;
+  update();
+}
+
+void GhostCaption::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  paint(painter, size());
+}
+
+void GhostCaption::paint(QPainter& painter, const QSize& area) const {
+  if (!shown_) return;
+  const Colors& colors = Colors::of(theme_);
+  const auto [left, bottom, right, top] = SceneGhost::placeIn(area.width(), area.height());
+  const QRectF ghost(left, area.height() - top, right - left, top - bottom);
+  painter.setRenderHint(QPainter::Antialiasing);
+  QFont bold = font();
+  bold.setWeight(QFont::DemiBold);
+  painter.setFont(bold);
+  painter.setPen(colors.accent);
+  const double line = QFontMetricsF(bold).height();
+  const QString words = angle_.isEmpty() ? tr("next pose") : tr("next pose, %1").arg(angle_);
+  painter.drawText(QRectF(ghost.left() - line, ghost.top() - 1.4 * line, ghost.width() + 2 * line, line),
+                   Qt::AlignCenter, words);
+  // From the part, over its upper right, to the ghost.
+  const QPointF from(ghost.left() - 0.34 * ghost.width(), ghost.top() + 0.26 * ghost.height());
+  const QPointF to(ghost.left() + 0.06 * ghost.width(), ghost.top() + 0.16 * ghost.height());
+  const QPointF over(0.5 * (from.x() + to.x()), ghost.top() - 0.14 * ghost.height());
+  QPainterPath path(from);
+  path.quadTo(over, to);
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(colors.accent, 2.5, Qt::SolidLine, Qt::RoundCap));
+  painter.drawPath(path);
+  QPointF along = to - over;
+  along /= std::hypot(along.x(), along.y());
+  const QPointF across(-along.y(), along.x());
+  const double size = 0.75 * line;
+  const std::array<QPointF, 3> head = {to + 0.4 * size * along, to - 0.6 * size * along + 0.45 * size * across,
+                                       to - 0.6 * size * along - 0.45 * size * across};
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colors.accent);
+  painter.drawPolygon(head.data(), 3);
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "widgets/style/palette.h"
+
+#include <QWidget>
+
+namespace hexoderm {
+
+/// "next pose" beside its ghost in the 3D view, how far it is, and a curved arrow that leads there. Lets the mouse
+/// through.
+class GhostCaption : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit GhostCaption(QWidget* parent = nullptr);
+
+  void setShown(bool shown);
+  /// "70°"; empty: not said.
+  void setAngle(const QString& angle);
+  void setTheme(Theme theme);
+  void paint(QPainter& painter, const QSize& area) const;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  bool shown_ = false;
+  QString angle_;
+  Theme theme_ = Theme::Light;
+};
+
+}  // namespace hexoderm

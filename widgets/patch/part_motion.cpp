@@ -1,0 +1,262 @@
+#include "widgets/patch/part_motion.h"
+
+#include "hexoderm/geometry/se3.h"
+#include "hexoderm/util/units.h"
+#include "widgets/patch/ghost_caption.h"
+#include "widgets/scene/part_camera.h"
+#include "widgets/scene/patch_scene.h"
+
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+#include <QKeyEvent>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QToolButton>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+// The picture follows large moves at once and small ones slowly: a hand trembles, and nobody wants to see that.
+constexpr double kAtOnce = 4 * kDegree;
+constexpr double kSlowest = 0.15;
+constexpr double kUnseen = 0.15 * kDegree;
+
+constexpr double kPlay_s = 2.0;
+constexpr double kTurning = 0.65;  // share of it
+constexpr int kPlays = 3;
+constexpr int kFrame_ms = 40;
+constexpr double kOtherNext = 5 * kDegree;
+
+constexpr double kKeyStep = 5 * kDegree;
+constexpr int kTurnOver_ms = 800;
+
+/// Slow at both ends.
+double eased(double t) { return t * t * (3 - 2 * t); }
+
+}  // namespace
+
+PartMotion::PartMotion(QWidget* view, QWidget* canvas, QToolButton* button, PatchScene& scene,
+                       std::function<void()> render)
+    : view_(view),
+      canvas_(canvas),
+      scene_(scene),
+      render_(std::move(render)),
+      caption_(new GhostCaption(view)),
+      button_(button) {
+  button_->setObjectName(QStringLiteral("turnThePart"));
+  button_->setText(tr("Turn the part"));
+  button_->setCheckable(true);
+  button_->setToolTip(
+      tr("Dragging and the arrow keys turn the part instead of the picture; dragging with Shift always does"));
+  button_->hide();
+  connect(button_, &QToolButton::toggled, this, [this](bool on) {
+    canvas_->setCursor(on ? Qt::OpenHandCursor : Qt::ArrowCursor);
+    if (on) view_->setFocus();
+  });
+  request_soon_.setSingleShot(true);
+  connect(&request_soon_, &QTimer::timeout, this, &PartMotion::request);
+  turn_over_.setSingleShot(true);
+  turn_over_.setInterval(kTurnOver_ms);
+  frames_.setInterval(kFrame_ms);
+  connect(&frames_, &QTimer::timeout, this, &PartMotion::nextFrame);
+  // Later than the view's own: what turns the part is not seen by anybody else.
+  canvas_->installEventFilter(this);
+  view_->installEventFilter(this);
+  place();
+}
+
+PartMotion::~PartMotion() = default;
+
+void PartMotion::setUp(const std::optional<Eigen::Vector3d>& up_o) {
+  std::optional<Eigen::Vector3d> shown = up_o;
+  if (up_o && up_o_) {
+    const double away = angleBetween(*up_o_, *up_o);
+    if (away < kUnseen) return;
+    const double part = std::clamp(away / kAtOnce, kSlowest, 1.0);
+    shown = Eigen::Vector3d(expSO3(part * logSO3(shortestRotation(*up_o_, *up_o))) * *up_o_).normalized();
+  }
+  if (!up_o && !up_o_) return;
+  up_o_ = shown;
+  scene_.setUp(up_o_);
+  updateCaption();
+  render_();
+}
+
+void PartMotion::setNextUp(const std::optional<Eigen::Vector3d>& up_o) {
+  const bool is_other = up_o.has_value() != next_o_.has_value() || (up_o && angleBetween(*up_o, *next_o_) > kOtherNext);
+  if (up_o == next_o_) return;
+  next_o_ = up_o;
+  scene_.setNextUp(up_o);
+  if (is_other) play();
+  updateCaption();
+  render_();
+}
+
+void PartMotion::setNextTurn(const QString& angle) { caption_->setAngle(angle); }
+
+void PartMotion::refresh() { updateCaption(); }
+
+void PartMotion::setTurnable(bool turnable) {
+  turnable_ = turnable;
+  if (!turnable) {
+    button_->setChecked(false);
+    is_dragging_ = false;
+    request_soon_.stop();
+  }
+  button_->setVisible(turnable);
+  view_->setFocusPolicy(turnable ? Qt::StrongFocus : Qt::NoFocus);
+}
+
+void PartMotion::setAnimated(bool animated) {
+  animated_ = animated;
+  play();
+}
+
+void PartMotion::setTheme(Theme theme) { caption_->setTheme(theme); }
+
+void PartMotion::paintCaption(QPainter& painter, const QSize& area) const { caption_->paint(painter, area); }
+
+// ---- the ghost
+
+void PartMotion::play() {
+  frames_.stop();
+  if (!next_o_ || !animated_) {
+    scene_.setGhostPhase(1);
+    render_();
+    return;
+  }
+  since_start_.start();
+  scene_.setGhostPhase(0);
+  if (canvas_->isVisible()) frames_.start();
+}
+
+void PartMotion::nextFrame() {
+  const double played = static_cast<double>(since_start_.elapsed()) / 1000 / kPlay_s;
+  const double within = played - std::floor(played);
+  if (played >= kPlays) frames_.stop();
+  const double phase = played >= kPlays ? 1 : eased(std::min(1.0, within / kTurning));
+  // While it rests there is nothing to draw.
+  if (phase == 1 && played < kPlays && within > kTurning + 0.1) return;
+  scene_.setGhostPhase(phase);
+  render_();
+}
+
+void PartMotion::updateCaption() { caption_->setShown(scene_.showsGhost()); }
+
+void PartMotion::place() {
+  caption_->setGeometry(view_->rect());
+  caption_->raise();
+}
+
+// ---- turning the part
+
+bool PartMotion::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == view_) {
+    if (event->type() == QEvent::Resize) place();
+    return event->type() == QEvent::KeyPress && onKey(event);
+  }
+  switch (event->type()) {
+    case QEvent::Hide:
+      frames_.stop();
+      return false;
+    case QEvent::Show:
+      if (next_o_ && animated_) play();
+      return false;
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseMove:
+    case QEvent::MouseButtonRelease:
+      return onMouse(event);
+    default:
+      return false;
+  }
+}
+
+bool PartMotion::onMouse(QEvent* event) {
+  const auto* mouse = static_cast<QMouseEvent*>(event);
+  const bool wanted = turnable_ && (button_->isChecked() || (mouse->modifiers() & Qt::ShiftModifier) != 0);
+  if (event->type() == QEvent::MouseButtonPress && mouse->button() == Qt::LeftButton && wanted) {
+    beginTurn();
+    is_dragging_ = true;
+    last_ = mouse->pos();
+    canvas_->setCursor(Qt::ClosedHandCursor);
+    return true;
+  }
+  if (!is_dragging_) return false;
+  // Where the button is released counts too: moves that follow each other quickly are not all told.
+  if (event->type() != QEvent::MouseButtonPress) {
+    const QPoint moved = mouse->pos() - last_;
+    last_ = mouse->pos();
+    const double per_pixel = kPi / std::max(1, canvas_->height());
+    turnBy(per_pixel * moved.x(), per_pixel * moved.y());
+  }
+  if (event->type() == QEvent::MouseButtonRelease && mouse->button() == Qt::LeftButton) {
+    is_dragging_ = false;
+    canvas_->setCursor(button_->isChecked() ? Qt::OpenHandCursor : Qt::ArrowCursor);
+  }
+  return true;
+}
+
+bool PartMotion::onKey(QEvent* event) {
+  if (!turnable_ || !button_->isChecked()) return false;
+  double right = 0;
+  double down = 0;
+  switch (static_cast<QKeyEvent*>(event)->key()) {
+    case Qt::Key_Left:
+      right = -kKeyStep;
+      break;
+    case Qt::Key_Right:
+      right = kKeyStep;
+      break;
+    case Qt::Key_Up:
+      down = -kKeyStep;
+      break;
+    case Qt::Key_Down:
+      down = kKeyStep;
+      break;
+    default:
+      return false;
+  }
+  // Keys that follow each other quickly add up, although the part has not arrived yet.
+  if (!turn_over_.isActive()) beginTurn();
+  turn_over_.start();
+  turnBy(right, down);
+  return true;
+}
+
+void PartMotion::beginTurn() {
+  vtkCamera* camera = scene_.renderer()->GetActiveCamera();
+  double view_up[3];
+  camera->GetViewUp(view_up);
+  wanted_up_o_ = up_o_ ? *up_o_ : scene_.upShown().value_or(Eigen::Vector3d(view_up[0], view_up[1], view_up[2]));
+  wanted_up_o_.normalize();
+  right_o_ = rightInPicture(camera, wanted_up_o_);
+}
+
+/// As if the part's front were dragged. To the right it turns about gravity, which no sensor feels: the picture alone
+/// shows it. Downwards its upper edge comes nearer.
+void PartMotion::turnBy(double right_rad, double down_rad) {
+  if (right_rad != 0) {
+    right_o_ = expSO3(-right_rad * wanted_up_o_) * right_o_;
+    scene_.spin(right_rad);
+    render_();
+  }
+  if (down_rad == 0) return;
+  wanted_up_o_ = (expSO3(-down_rad * right_o_) * wanted_up_o_).normalized();
+  if (request_soon_.isActive()) return;
+  const qint64 since = since_request_.isValid() ? since_request_.elapsed() : kRequestEvery_ms;
+  if (since >= kRequestEvery_ms) {
+    request();
+  } else {
+    request_soon_.start(static_cast<int>(kRequestEvery_ms - since));
+  }
+}
+
+void PartMotion::request() {
+  since_request_.start();
+  emit turnRequested(wanted_up_o_);
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,105 @@
+#include "widgets/patch/patch_captions.h"
+
+#include "widgets/scene/scene_corners.h"
+
+#include <QPainter>
+#include <algorithm>
+
+namespace hexoderm {
+namespace {
+
+constexpr int kPadding = 6;
+
+/// On a ground that keeps it readable over any cell.
+void writeOnGround(QPainter& painter, const QRect& place, const QString& text, const QColor& color, QColor ground) {
+  ground.setAlphaF(0.78);
+  painter.save();
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(ground);
+  painter.drawRoundedRect(place.adjusted(-kPadding, -3, kPadding, 3), 3, 3);
+  painter.setPen(color);
+  painter.drawText(place.adjusted(0, 0, 1, 0), Qt::TextWordWrap, text);
+  painter.restore();
+}
+
+}  // namespace
+
+PatchCaptions::PatchCaptions(QWidget* parent) : QWidget(parent) {
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  setAttribute(Qt::WA_NoSystemBackground);
+  setFocusPolicy(Qt::NoFocus);
+}
+
+void PatchCaptions::setContent(const Content& content) {
+  content_ = content;
+  QStringList words = content.notes;
+  if (!content.message.isEmpty()) words.prepend(content.message);
+  if (content.hint.isEmpty()) words << legendInWords(content.legend);
+  setAccessibleName(content.hint);
+  setAccessibleDescription(content.hint.isEmpty() ? words.join(QStringLiteral(". ")) : QString());
+  update();
+}
+
+void PatchCaptions::setTheme(Theme theme, const SceneColors& colors) {
+  theme_ = theme;
+  colors_ = colors;
+  update();
+}
+
+void PatchCaptions::setTopMargin(int pixels) {
+  top_margin_ = pixels;
+  update();
+}
+
+void PatchCaptions::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  paint(painter, size());
+}
+
+void PatchCaptions::paint(QPainter& painter, const QSize& area) const {
+  const Colors& colors = Colors::of(theme_);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setFont(font());
+  if (!content_.hint.isEmpty()) {
+    painter.setPen(colors.text_muted);
+    painter.drawText(QRect(QPoint(0, 0), area).adjusted(24, 24, -24, -24), Qt::AlignCenter | Qt::TextWordWrap,
+                     content_.hint);
+    return;
+  }
+  if (content_.gravity) {
+    // Above the arrow, wherever that points.
+    const QRect arrow(area.width() - SceneCorners::kRight - SceneCorners::kSize,
+                      area.height() - SceneCorners::kBottom - SceneCorners::kSize, SceneCorners::kSize,
+                      SceneCorners::kSize);
+    QRect word = painter.fontMetrics().boundingRect(tr("gravity"));
+    word.moveCenter(QPoint(arrow.center().x(), arrow.top() - word.height()));
+    word.moveRight(std::min(word.right(), area.width() - kPadding - SceneCorners::kRight / 2));
+    writeOnGround(painter, word, tr("gravity"), colors.text_muted, colors.scene_bottom);
+  }
+  paintNotes(painter, area);
+  paintLegend(painter, area, content_.legend, theme_, colors_);
+}
+
+/// Below the buttons on the left.
+void PatchCaptions::paintNotes(QPainter& painter, const QSize& area) const {
+  const Colors& colors = Colors::of(theme_);
+  constexpr int kMargin = 12;
+  const QRect room(kMargin + kPadding, top_margin_ + kPadding, area.width() - 2 * (kMargin + kPadding),
+                   area.height() - top_margin_);
+  int top = room.top();
+  const auto write = [&](const QString& text, const QColor& color, bool emphasised) {
+    QFont font = painter.font();
+    font.setBold(emphasised);
+    painter.setFont(font);
+    const QRect needed =
+        painter.boundingRect(QRect(room.left(), top, room.width(), area.height()), Qt::TextWordWrap, text);
+    writeOnGround(painter, needed, text, color, colors.scene_top);
+    top = needed.bottom() + kPadding;
+  };
+  painter.save();
+  if (!content_.message.isEmpty()) write(content_.message, colors.text, true);
+  for (const QString& note : content_.notes) write(note, colors.text_muted, false);
+  painter.restore();
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "widgets/patch/patch_legend.h"
+#include "widgets/style/palette.h"
+
+#include <QStringList>
+#include <QWidget>
+#include <optional>
+
+namespace hexoderm {
+
+/// What is written over the 3D scene: the legend of its colours, a line for each thing drawn over the cells, the word
+/// beside the gravity arrow, and a hint where there is nothing to see. Lets the mouse through.
+class PatchCaptions : public QWidget {
+  Q_OBJECT
+
+ public:
+  struct Content {
+    QString hint;          ///< instead of everything else, where not empty
+    bool gravity = false;  ///< the arrow is there
+    QStringList notes;
+    QString message;  ///< what a tool says or waits for; emphasised above the notes
+    LegendContent legend;
+  };
+
+  explicit PatchCaptions(QWidget* parent = nullptr);
+
+  void setContent(const Content& content);
+  void setTheme(Theme theme, const SceneColors& colors);
+  /// Kept free for the buttons.
+  void setTopMargin(int pixels);
+  /// The same picture into a screenshot of the given size.
+  void paint(QPainter& painter, const QSize& area) const;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void paintNotes(QPainter& painter, const QSize& area) const;
+
+  Content content_;
+  Theme theme_ = Theme::Light;
+  SceneColors colors_;
+  int top_margin_ = 0;
+};
+
+}  // namespace hexoderm

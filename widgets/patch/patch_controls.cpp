@@ -1,0 +1,147 @@
+#include "widgets/patch/patch_controls.h"
+
+#include "widgets/controls/flow_layout.h"
+#include "widgets/patch/patch_words.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QMenu>
+#include <QResizeEvent>
+#include <QToolButton>
+#include <vector>
+
+namespace hexoderm {
+namespace {
+
+const std::vector<std::vector<CellColoring>>& coloringGroups() {
+  static const std::vector<std::vector<CellColoring>> kGroups = {
+      {CellColoring::LinkQuality, CellColoring::Residual, CellColoring::Deviation},
+      {CellColoring::PositionUncertainty, CellColoring::OrientationUncertainty},
+      {CellColoring::PathDistance, CellColoring::SurfaceDistance},
+      {CellColoring::Patch, CellColoring::BodyPart},
+      {CellColoring::ReadingX, CellColoring::ReadingY, CellColoring::ReadingZ, CellColoring::ReadingNorm,
+       CellColoring::Temperature}};
+  return kGroups;
+}
+
+/// What an action is for, while it can be used; else why not.
+void allow(QAction* action, const QString& purpose, const QString& why_not) {
+  action->setEnabled(why_not.isEmpty());
+  action->setToolTip(why_not.isEmpty() ? purpose : why_not);
+  action->setStatusTip(action->toolTip());
+}
+
+}  // namespace
+
+PatchControls::PatchControls(QWidget* parent)
+    : QFrame(parent),
+      buttons_(new FlowLayout(this)),
+      measure_(new QAction(tr("&Measure"), this)),
+      parallel_(new QAction(tr("Parallel pro&jection"), this)),
+      picture_(new QAction(tr("Save picture of the 3D &view…"), this)) {
+  measure_->setObjectName(QStringLiteral("actionMeasure"));
+  measure_->setCheckable(true);
+  measure_->setToolTip(tr("Distance between two cells, and the angle between their faces"));
+  parallel_->setObjectName(QStringLiteral("actionParallel"));
+  parallel_->setCheckable(true);
+  parallel_->setToolTip(tr("Without perspective: equal lengths look equally long wherever they are"));
+  picture_->setObjectName(QStringLiteral("actionScenePicture"));
+  picture_->setToolTip(tr("The scene with its legend as an image file"));
+  buttons_->setContentsMargins(10, 10, 10, 0);
+  buttons_->setSpacing(6);
+  buildColoringMenu();
+  buildShowMenu();
+  turn_button_ = addButton({}, {});
+  turn_button_->hide();
+  buttons_->beginSecondGroup();
+  buildViewButtons();
+}
+
+QToolButton* PatchControls::addButton(const QString& text, const QString& tip) {
+  auto* button = new QToolButton(this);
+  button->setText(text);
+  button->setToolTip(tip);
+  button->setFocusPolicy(Qt::TabFocus);
+  buttons_->addWidget(button);
+  return button;
+}
+
+void PatchControls::buildColoringMenu() {
+  coloring_button_ = addButton({}, tr("What the cells' colour shows"));
+  coloring_button_->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(coloring_button_);
+  menu->setObjectName(QStringLiteral("coloringMenu"));
+  menu->setToolTipsVisible(true);
+  auto* group = new QActionGroup(menu);
+  for (const std::vector<CellColoring>& colorings : coloringGroups()) {
+    if (!menu->isEmpty()) menu->addSeparator();
+    for (const CellColoring coloring : colorings) {
+      const QString name = coloringName(coloring);
+      QAction* action = menu->addAction(name);
+      action->setCheckable(true);
+      group->addAction(action);
+      colorings_.emplace(coloring, action);
+      allow(action, coloringTitle(coloring), {});
+      connect(action, &QAction::toggled, this, [this, coloring, name](bool chosen) {
+        if (!chosen) return;
+        coloring_button_->setText(tr("Colour: %1 ▾").arg(name));
+        coloring_button_->setAccessibleName(tr("Colour of the cells: %1").arg(name));
+        emit coloringChosen(coloring);
+      });
+    }
+  }
+  coloring_button_->setMenu(menu);
+  colorings_.at(CellColoring::LinkQuality)->setChecked(true);
+}
+
+void PatchControls::buildShowMenu() {
+  QToolButton* button = addButton(tr("Show ▾"), tr("What is drawn over the cells, and how"));
+  button->setAccessibleName(tr("Show"));
+  button->setPopupMode(QToolButton::InstantPopup);
+  show_menu_ = new QMenu(button);
+  show_menu_->setObjectName(QStringLiteral("showMenu"));
+  show_menu_->setToolTipsVisible(true);
+  for (const SceneItem item : kSceneItems) {
+    if (item == SceneItem::Links || item == SceneItem::Truth) show_menu_->addSeparator();
+    QAction* action = show_menu_->addAction(itemName(item));
+    action->setCheckable(true);
+    action->setChecked(kShownAtFirst.at(indexOf(item)));
+    items_.emplace(item, action);
+    allow(action, itemTip(item), {});
+    connect(action, &QAction::toggled, this, [this, item](bool shown) { emit itemToggled(item, shown); });
+  }
+  show_menu_->addSeparator();
+  show_menu_->addActions({parallel_, picture_});
+  button->setMenu(show_menu_);
+}
+
+void PatchControls::buildViewButtons() {
+  auto* measure = addButton({}, {});
+  measure->setDefaultAction(measure_);
+  measure->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  connect(addButton(tr("Fit"), tr("Show the whole skin")), &QToolButton::clicked, this, &PatchControls::fitRequested);
+  const auto look = [&](const QString& text, const QString& tip, PatchScene::View view) {
+    connect(addButton(text, tip), &QToolButton::clicked, this, [this, view] { emit viewRequested(view); });
+  };
+  look(tr("Front"), tr("Look at the origin cell's front face"), PatchScene::View::Front);
+  look(tr("Side"), tr("Look along the origin cell's x axis"), PatchScene::View::Side);
+  look(tr("Top"), tr("Look along the origin cell's y axis"), PatchScene::View::Top);
+}
+
+void PatchControls::setWhyNot(CellColoring coloring, const QString& why_not) {
+  allow(action(coloring), coloringTitle(coloring), why_not);
+}
+
+void PatchControls::setWhyNot(SceneItem item, const QString& why_not) { allow(action(item), itemTip(item), why_not); }
+
+void PatchControls::setRenderer(const QString& words) {
+  show_menu_->addSeparator();
+  show_menu_->addAction(tr("Drawn by %1").arg(words))->setEnabled(false);
+}
+
+void PatchControls::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  if (event->size().height() != event->oldSize().height()) emit heightChanged(event->size().height());
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,512 @@
+#include "widgets/patch/patch_view.h"
+
+#include "widgets/controls/selection.h"
+#include "widgets/patch/measure_tool.h"
+#include "widgets/patch/opengl_info.h"
+#include "widgets/patch/part_motion.h"
+#include "widgets/patch/patch_captions.h"
+#include "widgets/patch/patch_controls.h"
+#include "widgets/patch/patch_words.h"
+#include "widgets/patch/scene_widget.h"
+#include "widgets/scene/patch_scene.h"
+#include "widgets/scene/scene_builder.h"
+
+#include <vtkCommand.h>
+#include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkRenderWindowInteractor.h>
+#include <QAction>
+#include <QGridLayout>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QTimer>
+#include <algorithm>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+/// The trackball without VTK's single-letter commands: keys belong to the window.
+class SceneInteractorStyle : public vtkInteractorStyleTrackballCamera {
+ public:
+  static SceneInteractorStyle* New();
+  vtkTypeMacro(SceneInteractorStyle, vtkInteractorStyleTrackballCamera) void OnChar() override {}
+  void OnKeyPress() override {}
+};
+vtkStandardNewMacro(SceneInteractorStyle);
+
+Rgb toRgb(const QColor& color) { return {color.redF(), color.greenF(), color.blueF()}; }
+
+SceneColors sceneColors(Theme theme) {
+  const Colors& colors = Colors::of(theme);
+  const bool dark = theme == Theme::Dark;
+  // Large faces in a link's full colour would shout: they are calmed towards black.
+  const Rgb black{};
+  const double calm = dark ? 0.36 : 0.10;
+  SceneColors scene;
+  scene.background_top = toRgb(colors.scene_top);
+  scene.background_bottom = toRgb(colors.scene_bottom);
+  for (std::size_t k = 0; k < scene.quality.size(); ++k) {
+    scene.link_line.at(k) = toRgb(linkStroke(static_cast<EdgeQuality>(k), theme).color);
+    scene.quality.at(k) = mixed(scene.link_line.at(k), black, calm);
+  }
+  scene.neutral = toRgb(colors.muted_link);
+  constexpr int kScaleSteps = 32;
+  for (int k = 0; k <= kScaleSteps; ++k) {
+    scene.scale.push_back(mixed(toRgb(viridis(static_cast<double>(k) / kScaleSteps)), black, 0.5 * calm));
+  }
+  scene.edge = toRgb(dark ? colors.scene_top : colors.text);
+  scene.selection = toRgb(colors.selection);
+  scene.light_mark = toRgb(dark ? colors.selection : colors.panel);
+  scene.dark_mark = toRgb(dark ? colors.scene_top : colors.text);
+  scene.arrow_shaft = toRgb(colors.text_muted);
+  scene.arrow_head = toRgb(colors.accent);
+  scene.text = toRgb(colors.text);
+  scene.overlay = toRgb(colors.accent);
+  scene.difference = toRgb(colors.caution);
+  scene.ellipsoid = toRgb(dark ? colors.selection : colors.panel);
+  for (std::size_t k = 0; k < scene.axis.size(); ++k) scene.axis.at(k) = toRgb(colors.axis.at(k));
+  return scene;
+}
+
+}  // namespace
+
+struct PatchView::Parts : public QObject {
+  Parts(PatchView* owner, Selection* shared) : view(owner), selection(shared), measure(shared, owner) {}
+
+  PatchView* view;
+  Selection* selection;
+  MeasureTool measure;
+  std::shared_ptr<const Reconstruction> reconstruction;
+  CellColoring coloring = CellColoring::LinkQuality;
+  std::optional<SurfaceEvaluation> surface;
+  std::optional<LoopEvaluation> loop;
+
+  const OpenGlInfo opengl = queryOpenGl();
+  SceneWidget* canvas = nullptr;      ///< null without OpenGL
+  std::unique_ptr<PatchScene> scene;  ///< likewise
+  std::unique_ptr<SceneBuilder> builder;
+  PartMotion* motion = nullptr;  ///< likewise
+  PatchCaptions* overlay = nullptr;
+  PatchControls* controls = nullptr;
+  std::vector<std::function<void()>> waiting;  ///< for the picture to be up to date
+  QTimer at_rest;
+  QPoint pressed_at;
+  QColor background = Colors::of(Theme::Light).scene_bottom;  ///< seen where there is no OpenGL
+
+  void build();
+  void buildScene(QGridLayout* layout);
+  void connectControls();
+  void smoothWhenAtRest();
+  void startInteraction() {
+    at_rest.stop();
+    scene->setSmoothed(false);
+  }
+  void endInteraction() { at_rest.start(); }
+  void setContent(std::shared_ptr<const SceneContent> content);
+  void updateControls();
+  void updateOverlay();
+  [[nodiscard]] LegendContent legend() const;
+  void updateSelection();
+  void updateMeasure();
+  /// What is drawn over the cells has changed.
+  void refresh();
+  /// Several changes in one turn of the event loop make one picture.
+  void requestRender();
+  void pickAt(const QPoint& position);
+  bool eventFilter(QObject* watched, QEvent* event) override;
+};
+
+void PatchView::Parts::build() {
+  auto* layout = new QGridLayout(view);
+  layout->setContentsMargins(0, 0, 0, 0);
+  overlay = new PatchCaptions(view);
+  if (opengl.usable) buildScene(layout);
+  layout->addWidget(overlay, 0, 0, 2, 1);
+  layout->setRowStretch(1, 1);
+  overlay->raise();
+  if (controls != nullptr) controls->raise();
+  if (canvas != nullptr) {
+    motion = new PartMotion(view, canvas, controls->turnButton(), *scene, [this] { requestRender(); });
+    motion->setParent(this);
+    connect(motion, &PartMotion::turnRequested, view, &PatchView::turnRequested);
+  }
+  connect(selection, &Selection::changed, this, [this] { updateSelection(); });
+  connect(&measure, &MeasureTool::changed, this, [this] { updateMeasure(); });
+  view->setMinimumHeight(180);
+  updateOverlay();
+}
+
+void PatchView::Parts::buildScene(QGridLayout* layout) {
+  canvas = new SceneWidget(view);
+  vtkRenderWindow* window = canvas->renderWindow();
+  canvas->setAccessibleName(PatchView::tr("Skin patch in 3D"));
+  canvas->setFocusPolicy(Qt::NoFocus);
+  canvas->installEventFilter(this);
+  vtkNew<SceneInteractorStyle> style;
+  window->GetInteractor()->SetInteractorStyle(style);
+  scene = std::make_unique<PatchScene>();
+  scene->attachTo(window);
+  scene->setSmoothed(!opengl.software);
+  builder = std::make_unique<SceneBuilder>(
+      [this](std::shared_ptr<const SceneContent> content) { setContent(std::move(content)); });
+  layout->addWidget(canvas, 0, 0, 2, 1);
+  smoothWhenAtRest();
+  controls = new PatchControls(view);
+  controls->setRenderer(openGlInWords(opengl));
+  layout->addWidget(controls, 0, 0);
+  connectControls();
+  updateControls();
+}
+
+void PatchView::Parts::connectControls() {
+  connect(controls, &PatchControls::coloringChosen, this, [this](CellColoring chosen) {
+    coloring = chosen;
+    scene->setColoring(chosen);
+    refresh();
+  });
+  connect(controls, &PatchControls::itemToggled, this, [this](SceneItem item, bool shown) {
+    scene->setShown(item, shown);
+    refresh();
+  });
+  connect(controls, &PatchControls::fitRequested, view, &PatchView::fit);
+  connect(controls, &PatchControls::viewRequested, this, [this](PatchScene::View standard) {
+    scene->showStandardView(standard);
+    requestRender();
+  });
+  connect(controls, &PatchControls::heightChanged, overlay, &PatchCaptions::setTopMargin);
+  connect(controls, &PatchControls::heightChanged, this, [this](int height) {
+    scene->setTopMargin(qRound(height * canvas->devicePixelRatioF()));
+    requestRender();
+  });
+  connect(controls->measureAction(), &QAction::toggled, &measure, &MeasureTool::setActive);
+  connect(controls->parallelAction(), &QAction::toggled, this, [this](bool parallel) {
+    scene->setParallel(parallel);
+    requestRender();
+  });
+  connect(controls->pictureAction(), &QAction::triggered, view, &PatchView::pictureRequested);
+}
+
+/// While the mouse turns the scene, pictures come without smoothing; without a graphics card, where the shader for it
+/// takes longer than the drawing, the picture at rest is smoothed instead.
+void PatchView::Parts::smoothWhenAtRest() {
+  constexpr int kRest_ms = 150;
+  at_rest.setSingleShot(true);
+  at_rest.setInterval(kRest_ms);
+  connect(&at_rest, &QTimer::timeout, this, [this] {
+    if (opengl.software) {
+      canvas->smoothPicture();
+    } else {
+      scene->setSmoothed(true);
+      if (canvas->isVisible()) canvas->requestRender();
+    }
+  });
+  vtkInteractorObserver* style = canvas->renderWindow()->GetInteractor()->GetInteractorStyle();
+  style->AddObserver(vtkCommand::StartInteractionEvent, this, &Parts::startInteraction);
+  style->AddObserver(vtkCommand::EndInteractionEvent, this, &Parts::endInteraction);
+}
+
+void PatchView::Parts::setContent(std::shared_ptr<const SceneContent> content) {
+  scene->setContent(std::move(content));
+  updateControls();
+  refresh();
+  // What is delivered may be older than what was submitted since.
+  if (builder->isBusy()) return;
+  for (const std::function<void()>& then : std::exchange(waiting, {})) then();
+}
+
+void PatchView::Parts::updateControls() {
+  const SceneContent* content = scene->content();
+  for (int k = 0; k <= static_cast<int>(CellColoring::Temperature); ++k) {
+    const auto each = static_cast<CellColoring>(k);
+    const bool known = content == nullptr || hasValues(each, content->figures, scene->readings());
+    controls->setWhyNot(each, whyNoColoring(each, known));
+  }
+  for (const SceneItem item : kSceneItems) controls->setWhyNot(item, whyNotShown(item, scene->availability(item)));
+}
+
+LegendContent PatchView::Parts::legend() const {
+  LegendContent content;
+  const SceneContent& shown = *scene->content();
+  content.coloring = coloring;
+  content.patches = shown.reconstruction->patches.size();
+  if (isQuantity(coloring)) {
+    const auto values = scene->values();
+    content.range = colorRange(coloring, values);
+    content.some_unknown = std::ranges::any_of(values, [](const auto& value) { return !value; });
+  } else if (coloring == CellColoring::LinkQuality) {
+    content.some_unknown = std::ranges::any_of(shown.figures.quality, [](const auto& quality) { return !quality; });
+  } else if (coloring == CellColoring::BodyPart) {
+    for (const std::string& name : shown.figures.body_parts) content.body_parts.push_back(QString::fromStdString(name));
+    content.some_unknown = std::ranges::any_of(shown.figures.body_part, [](const auto& part) { return !part; });
+  }
+  return content;
+}
+
+void PatchView::Parts::updateOverlay() {
+  PatchCaptions::Content content;
+  if (canvas == nullptr) {
+    content.hint = PatchView::tr(
+        "The 3D view needs OpenGL 3.2, which is not available here. The graph and the tables still work.\n\n"
+        "On a remote desktop, or with a faulty driver, it may help to let the processor draw: Edit, Preferences, "
+        "\"Draw "
+        "without the graphics card\", then start Hexoderm again.");
+  } else if (!reconstruction || reconstruction->cellCount() == 0) {
+    content.hint = PatchView::tr("No skin yet: open a session or start the demo.");
+  } else if (scene->content() == nullptr) {
+    content.hint = PatchView::tr("Preparing the picture of %1 cells…")
+                       .arg(QLocale().toString(static_cast<int>(reconstruction->cellCount())));
+  } else {
+    content.gravity = scene->showsGravity();
+    content.legend = legend();
+    content.notes = notesInWords(scene->notes(), surface, loop);
+    content.message = measure.words();
+  }
+  overlay->setContent(content);
+  if (controls != nullptr) controls->setVisible(content.hint.isEmpty());
+}
+
+void PatchView::Parts::refresh() {
+  updateOverlay();
+  if (motion != nullptr) motion->refresh();
+  requestRender();
+}
+
+void PatchView::Parts::updateMeasure() {
+  if (!scene) return;
+  controls->measureAction()->setChecked(measure.isActive());
+  scene->setMeasured(measure.first(), measure.second());
+  refresh();
+}
+
+void PatchView::Parts::updateSelection() {
+  if (!scene) return;
+  scene->setSelection(selection->cell(), selection->link());
+  refresh();
+}
+
+void PatchView::Parts::requestRender() {
+  if (canvas == nullptr || !canvas->isVisible()) return;
+  if (opengl.software) at_rest.start();
+  canvas->requestRender();
+}
+
+void PatchView::Parts::pickAt(const QPoint& position) {
+  const double ratio = canvas->devicePixelRatioF();
+  const auto picked = scene->pick(ratio * position.x(), ratio * (canvas->height() - 1 - position.y()));
+  if (picked) {
+    selection->selectCell(*picked);
+  } else {
+    selection->clear();
+  }
+}
+
+bool PatchView::Parts::eventFilter(QObject*, QEvent* event) {
+  constexpr int kClickSlack = 3;  // pixels that a hand trembles within a click
+  switch (event->type()) {
+    case QEvent::KeyPress:
+    case QEvent::KeyRelease:
+      event->ignore();  // so that it goes on to the window
+      return true;
+    case QEvent::Show:  // what changed while it was hidden
+    case QEvent::Resize:
+    case QEvent::ScreenChangeInternal:  // which may be a denser one
+      requestRender();
+      return false;
+    case QEvent::MouseButtonPress:
+      pressed_at = static_cast<QMouseEvent*>(event)->pos();
+      return false;
+    case QEvent::MouseButtonRelease: {
+      const auto* mouse = static_cast<QMouseEvent*>(event);
+      if (mouse->button() == Qt::LeftButton && (mouse->pos() - pressed_at).manhattanLength() <= kClickSlack) {
+        pickAt(mouse->pos());
+      }
+      return false;
+    }
+    default:
+      return false;
+  }
+}
+
+PatchView::PatchView(Selection* selection, QWidget* parent)
+    : QWidget(parent), parts_(std::make_unique<Parts>(this, selection)) {
+  parts_->build();
+  setTheme(Theme::Light);
+}
+
+PatchView::~PatchView() {
+  delete parts_->motion;
+  parts_->builder.reset();
+  // The scene gives its OpenGL objects back while the context is still there.
+  parts_->scene.reset();
+  delete parts_->canvas;
+}
+
+void PatchView::setReconstruction(std::shared_ptr<const Reconstruction> reconstruction) {
+  parts_->reconstruction = std::move(reconstruction);
+  parts_->measure.setReconstruction(parts_->reconstruction);
+  if (!parts_->scene) {
+    parts_->updateOverlay();
+  } else if (parts_->reconstruction && parts_->reconstruction->cellCount() > kMaxCellsAtOnce) {
+    parts_->builder->submit(parts_->reconstruction);
+    parts_->refresh();
+  } else {
+    parts_->builder->cancel();
+    parts_->setContent(makeSceneContent(parts_->reconstruction));
+  }
+}
+
+void PatchView::setTheme(Theme theme) {
+  const SceneColors colors = sceneColors(theme);
+  parts_->overlay->setTheme(theme, colors);
+  if (parts_->scene) parts_->scene->setColors(colors);
+  if (parts_->motion) parts_->motion->setTheme(theme);
+  parts_->background = Colors::of(theme).scene_bottom;
+  if (parts_->canvas != nullptr) parts_->canvas->setBackground(parts_->background);
+  update();
+  parts_->requestRender();
+}
+
+void PatchView::paintEvent(QPaintEvent* /*event*/) { QPainter(this).fillRect(rect(), parts_->background); }
+
+void PatchView::setPose(std::optional<PoseId> pose) {
+  if (!parts_->scene) return;
+  parts_->scene->setPose(pose);
+  parts_->refresh();
+}
+
+void PatchView::setReadings(const std::vector<CellSample>& samples, const std::vector<CellTemperature>& temperatures) {
+  if (!parts_->scene) return;
+  CellReadings readings;
+  for (const CellSample& sample : samples) readings.acceleration_g[sample.cell] = sample.acceleration_g;
+  for (const CellTemperature& reading : temperatures) readings.temperature_c[reading.cell] = reading.temperature_c;
+  const CellReadings& before = parts_->scene->readings();
+  const bool came_or_went = readings.acceleration_g.empty() != before.acceleration_g.empty() ||
+                            readings.temperature_c.empty() != before.temperature_c.empty();
+  parts_->scene->setReadings(std::move(readings));
+  if (came_or_went) parts_->updateControls();
+  if (isReading(parts_->coloring)) parts_->refresh();
+}
+
+void PatchView::setTruth(std::shared_ptr<const GroundTruth> truth) {
+  if (!parts_->scene) return;
+  parts_->scene->setTruth(std::move(truth));
+  parts_->updateControls();
+  parts_->refresh();
+}
+
+void PatchView::setSurface(std::optional<SurfaceEvaluation> surface) {
+  if (!parts_->scene) return;
+  parts_->surface = surface;
+  parts_->scene->setSurface(std::move(surface));
+  parts_->updateControls();
+  parts_->refresh();
+}
+
+void PatchView::setLoop(std::optional<LoopEvaluation> loop) {
+  if (!parts_->scene) return;
+  parts_->loop = loop;
+  parts_->scene->setLoop(loop);
+  parts_->updateControls();
+  parts_->refresh();
+}
+
+void PatchView::setComparison(std::vector<Comparison> comparison) {
+  if (!parts_->scene) return;
+  parts_->scene->setComparison(std::move(comparison));
+  parts_->updateControls();
+  parts_->refresh();
+}
+
+bool PatchView::isUpToDate() const { return !parts_->builder || !parts_->builder->isBusy(); }
+
+void PatchView::setCurrentUp(const std::optional<Eigen::Vector3d>& up_o) {
+  if (!parts_->motion) return;
+  const bool was_shown = parts_->scene->showsGravity();
+  parts_->motion->setUp(up_o);
+  if (parts_->scene->showsGravity() != was_shown) parts_->updateOverlay();
+}
+
+void PatchView::setNextUp(const std::optional<Eigen::Vector3d>& up_o) {
+  if (parts_->motion) parts_->motion->setNextUp(up_o);
+}
+
+void PatchView::setNextTurn(const QString& angle) {
+  if (parts_->motion) parts_->motion->setNextTurn(angle);
+}
+
+void PatchView::setTurnable(bool turnable) {
+  if (parts_->motion) parts_->motion->setTurnable(turnable);
+}
+
+void PatchView::setAnimated(bool animated) {
+  if (parts_->motion) parts_->motion->setAnimated(animated);
+}
+
+bool PatchView::isAnimating() const { return parts_->motion && parts_->motion->isAnimating(); }
+
+void PatchView::whenUpToDate(std::function<void()> then) {
+  if (isUpToDate()) {
+    then();
+  } else {
+    parts_->waiting.push_back(std::move(then));
+  }
+}
+
+void PatchView::waitUntilUpToDate() {
+  if (!isUpToDate()) parts_->builder->finish();
+}
+
+void PatchView::drawNow() {
+  if (parts_->canvas == nullptr) return;
+  parts_->at_rest.stop();
+  parts_->scene->setSmoothed(!parts_->opengl.software);
+  parts_->canvas->renderWindow()->Render();
+  if (parts_->opengl.software) parts_->canvas->smoothPicture();
+}
+
+QImage PatchView::screenshot() {
+  if (parts_->canvas == nullptr) return grab().toImage();
+  drawNow();
+  QImage image = parts_->canvas->picture();
+  QPainter painter(&image);
+  parts_->overlay->paint(painter, parts_->canvas->size());
+  parts_->motion->paintCaption(painter, parts_->canvas->size());
+  return image;
+}
+
+void PatchView::fit() {
+  if (!parts_->scene) return;
+  parts_->scene->fit();
+  parts_->requestRender();
+}
+
+void PatchView::keepView() {
+  if (parts_->scene) parts_->scene->keepView();
+}
+
+void PatchView::returnToKeptView() {
+  if (!parts_->scene) return;
+  parts_->scene->returnToKeptView();
+  parts_->requestRender();
+}
+
+void PatchView::showStandardView(StandardView view) {
+  if (!parts_->scene) return;
+  switch (view) {
+    case StandardView::Front:
+      parts_->scene->showStandardView(PatchScene::View::Front);
+      break;
+    case StandardView::Side:
+      parts_->scene->showStandardView(PatchScene::View::Side);
+      break;
+    case StandardView::Top:
+      parts_->scene->showStandardView(PatchScene::View::Top);
+      break;
+  }
+  parts_->requestRender();
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,156 @@
+#include "widgets/patch/scene_widget.h"
+
+#include "widgets/patch/edge_smoothing.h"
+#include "widgets/patch/opengl_info.h"
+
+#include <QVTKInteractor.h>
+#include <vtkCommand.h>
+#include <vtkOpenGLFramebufferObject.h>
+#include <vtkOpenGLState.h>
+#include <QEvent>
+#include <QOpenGLFunctions>
+#include <QPainter>
+#include <array>
+#include <utility>
+
+namespace hexoderm {
+SceneWidget::SceneWidget(QWidget* parent) : QWidget(parent) {
+  setMouseTracking(true);
+  setAttribute(Qt::WA_OpaquePaintEvent);  // or all that is below would be painted for each picture
+  context_.setFormat(sceneSurfaceFormat());
+  context_.create();
+  surface_.setFormat(context_.format());
+  surface_.create();
+  connectWindow();
+  makeCurrent();
+  // As wide as OpenGL promises it; wider lines are drawn as faces.
+  window_->SetForceMaximumHardwareLineWidth(1);
+  window_->SetReadyForRendering(true);
+  window_->SetOwnContext(0);
+  window_->OpenGLInitContext();
+  window_->SetFrameBlitModeToNoBlit();
+  const vtkNew<QVTKInteractor> interactor;
+  interactor->SetRenderWindow(window_);
+  interactor->Initialize();
+  interactor->EnableRenderOff();  // several moves of the mouse in one turn of the event loop are one drawing
+  interactor->AddObserver(vtkCommand::RenderEvent, this, &SceneWidget::requestRender);
+  // Not in the very next turn of the event loop: the window may be painted in that, and then whoever has clicked
+  // meanwhile would wait for both.
+  constexpr int kSoon_ms = 10;
+  render_soon_.setInterval(kSoon_ms);
+  render_soon_.setTimerType(Qt::PreciseTimer);
+  render_soon_.setSingleShot(true);
+  connect(&render_soon_, &QTimer::timeout, this, [this] { window_->Render(); });
+  // Nor is it shown in the turn that has drawn it.
+  show_soon_.setInterval(1);
+  show_soon_.setSingleShot(true);
+  connect(&show_soon_, &QTimer::timeout, this, qOverload<>(&QWidget::update));
+  takeSize();
+}
+
+SceneWidget::~SceneWidget() {
+  makeCurrent();
+  window_->GetInteractor()->RemoveAllObservers();
+  window_->Finalize();
+  window_->RemoveAllObservers();
+  context_.doneCurrent();
+}
+
+void SceneWidget::connectWindow() {
+  for (const auto event : {vtkCommand::StartEvent, vtkCommand::WindowMakeCurrentEvent, vtkCommand::WindowIsCurrentEvent,
+                           vtkCommand::WindowSupportsOpenGLEvent, vtkCommand::WindowFrameEvent}) {
+    window_->AddObserver(event, this, &SceneWidget::answerWindow);
+  }
+}
+
+void SceneWidget::answerWindow(vtkObject* /*window*/, unsigned long event, void* answer) {
+  switch (event) {
+    case vtkCommand::StartEvent:  // whoever draws, draws all that was asked for
+      render_soon_.stop();
+      break;
+    case vtkCommand::WindowMakeCurrentEvent:
+      makeCurrent();
+      break;
+    case vtkCommand::WindowIsCurrentEvent:
+      *static_cast<bool*>(answer) = QOpenGLContext::currentContext() == &context_;
+      break;
+    case vtkCommand::WindowSupportsOpenGLEvent:
+      *static_cast<int*>(answer) = 1;
+      break;
+    default:
+      is_newer_drawn_ = true;
+      show_soon_.start();
+  }
+}
+
+void SceneWidget::requestRender() {
+  if (!render_soon_.isActive()) render_soon_.start();
+}
+
+void SceneWidget::takeSize() {
+  constexpr int kDpi = 72;
+  const double ratio = devicePixelRatioF();
+  const QSize wanted = (ratio * QSizeF(size())).toSize().expandedTo({1, 1});
+  const int* has = window_->GetSize();
+  const int dpi = qRound(kDpi * ratio);
+  if (has[0] == wanted.width() && has[1] == wanted.height() && window_->GetDPI() == dpi) return;
+  window_->SetDPI(dpi);
+  adapter_.SetDevicePixelRatio(static_cast<float>(ratio), window_->GetInteractor());
+  window_->SetSize(wanted.width(), wanted.height());
+  window_->GetInteractor()->UpdateSize(wanted.width(), wanted.height());
+}
+
+void SceneWidget::setBackground(const QColor& color) {
+  background_ = color;
+  update();
+}
+
+QImage SceneWidget::picture() {
+  takeSize();
+  readPicture();
+  if (picture_.size() != QSize(window_->GetSize()[0], window_->GetSize()[1])) {
+    window_->Render();
+    readPicture();
+  }
+  return picture_;
+}
+
+void SceneWidget::readPicture() {
+  if (!std::exchange(is_newer_drawn_, false) || !makeCurrent()) return;
+  vtkOpenGLFramebufferObject* drawn = window_->GetDisplayFramebuffer();
+  std::array<int, 2> size{};
+  drawn->GetLastSize(size[0], size[1]);
+  QImage upside_down(size[0], size[1], QImage::Format_RGB32);
+  vtkOpenGLState* state = window_->GetState();
+  state->PushReadFramebufferBinding();
+  drawn->Bind(GL_READ_FRAMEBUFFER);
+  drawn->ActivateReadBuffer(0);
+  context_.functions()->glReadPixels(0, 0, size[0], size[1], GL_BGRA, GL_UNSIGNED_BYTE, upside_down.bits());
+  state->PopReadFramebufferBinding();
+  picture_ = std::move(upside_down).mirrored();
+  picture_.setDevicePixelRatio(devicePixelRatioF());
+  is_smoothed_ = false;
+}
+
+void SceneWidget::smoothPicture() {
+  readPicture();
+  if (std::exchange(is_smoothed_, true)) return;
+  picture_ = smoothEdges(picture_);
+  update();
+}
+
+bool SceneWidget::event(QEvent* event) {
+  if (event->type() == QEvent::Resize || event->type() == QEvent::ScreenChangeInternal) takeSize();
+  adapter_.ProcessEvent(event, window_->GetInteractor());
+  return QWidget::event(event);
+}
+
+void SceneWidget::paintEvent(QPaintEvent* /*event*/) {
+  readPicture();
+  QPainter painter(this);
+  const QSizeF shown = QSizeF(picture_.size()) / devicePixelRatioF();
+  if (shown != size()) painter.fillRect(rect(), background_);
+  painter.drawImage(QPointF((width() - shown.width()) / 2, (height() - shown.height()) / 2), picture_);
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,186 @@
+#include "widgets/scene/cell_meshes.h"
+
+#include "hexoderm/reconstruction/figures/patch_mesh.h"
+#include "hexoderm/util/units.h"
+#include "widgets/scene/polydata_builder.h"
+
+#include <vtkCellData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkUnsignedCharArray.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace hexoderm {
+namespace {
+
+constexpr double kMarkLift = 0.015;       // of the side length, so that marks lie on the face and not in it
+constexpr double kPortInset = 0.86;       // of the extended port vector: on the face, beside the gap
+constexpr double kPortRadius = 0.075;     // of the side length
+constexpr double kPortRingWidth = 0.4;    // of the radius
+constexpr double kOriginRadius = 0.42;    // of the side length
+constexpr double kOriginRingWidth = 0.1;  // of the radius
+constexpr double kLinkLift = 0.07;        // of the side length
+
+using Bytes = std::array<unsigned char, 3>;
+
+Bytes toBytes(const Rgb& color) {
+  Bytes bytes{};
+  for (std::size_t k = 0; k < bytes.size(); ++k) {
+    bytes.at(k) = static_cast<unsigned char>(std::lround(255.0 * std::clamp(color.at(k), 0.0, 1.0)));
+  }
+  return bytes;
+}
+
+/// A flat ring in the xy plane of the cell at `center`; `inner` 0 makes a disc.
+void addRing(PolyDataBuilder& mesh, const SE3& T_s_u, const Eigen::Vector3d& center, double inner, double outer,
+             const Rgb& color) {
+  constexpr int kSegments = 24;
+  const vtkIdType first = mesh.pointCount();
+  for (int k = 0; k < kSegments; ++k) {
+    const double angle = 2 * kPi * k / kSegments;
+    const Eigen::Vector3d direction(std::cos(angle), std::sin(angle), 0);
+    mesh.addPoint(T_s_u * (center + outer * direction));
+    if (inner > 0) mesh.addPoint(T_s_u * (center + inner * direction));
+  }
+  if (inner > 0) {
+    for (vtkIdType k = 0; k < kSegments; ++k) {
+      const vtkIdType next = (k + 1) % kSegments;
+      mesh.addPolygon({first + 2 * k, first + 2 * next, first + 2 * next + 1, first + 2 * k + 1}, color);
+    }
+  } else {
+    std::vector<vtkIdType> disc(kSegments);
+    for (vtkIdType k = 0; k < kSegments; ++k) disc[static_cast<std::size_t>(k)] = first + k;
+    mesh.addPolygon(disc, color);
+  }
+}
+
+/// Ports that used links join, by cell.
+std::unordered_map<CellId, std::unordered_set<PortNumber>> joinedPorts(const Reconstruction& reconstruction) {
+  std::unordered_map<CellId, std::unordered_set<PortNumber>> joined;
+  for (const PatchReconstruction& patch : reconstruction.patches) {
+    for (const LinkEstimate& link : patch.links) {
+      if (!link.used) continue;
+      joined[link.source.cell].insert(link.source.port);
+      joined[link.target.cell].insert(link.target.port);
+    }
+  }
+  return joined;
+}
+
+/// Colours of points are the fastest to draw.
+vtkSmartPointer<vtkPolyData> withPointColors(vtkPolyData* faces, std::size_t points_per_cell,
+                                             const std::vector<Rgb>& front_colors) {
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->ShallowCopy(faces);
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  colors->SetNumberOfTuples(static_cast<vtkIdType>(points_per_cell * front_colors.size()));
+  unsigned char* out = front_colors.empty() ? nullptr : colors->GetPointer(0);
+  for (const Rgb& color : front_colors) {
+    const Bytes bytes = toBytes(color);
+    for (std::size_t k = 0; k < points_per_cell; ++k) out = std::ranges::copy(bytes, out).out;
+  }
+  data->GetPointData()->SetScalars(colors);
+  return data;
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkPolyData> makeColoredSurface(const SceneContent& content, const std::vector<Rgb>& front_colors) {
+  if (!content.prisms) return withPointColors(content.surface, 6, front_colors);
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->ShallowCopy(content.surface);
+  const std::size_t per_cell = content.polygonsPerCell();
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
+  colors->SetNumberOfTuples(static_cast<vtkIdType>(per_cell * front_colors.size()));
+  unsigned char* out = front_colors.empty() ? nullptr : colors->GetPointer(0);
+  for (const Rgb& color : front_colors) {
+    const Bytes front = toBytes(color);
+    const Bytes shade = toBytes(mixed({0, 0, 0}, color, kUndersideShade));
+    for (std::size_t k = 0; k < per_cell; ++k) out = std::ranges::copy(k == 0 ? front : shade, out).out;
+  }
+  // The polygons of a prism share their points.
+  data->GetCellData()->SetScalars(colors);
+  return data;
+}
+
+vtkSmartPointer<vtkPolyData> makeColoredBricks(const SceneContent& content, const std::vector<Rgb>& front_colors) {
+  return withPointColors(content.bricks, 4, front_colors);
+}
+
+vtkSmartPointer<vtkPolyData> makePortMarks(const SceneContent& content, const std::vector<Rgb>& front_colors,
+                                           const SceneColors& colors) {
+  const CellModel& model = *content.reconstruction->model;
+  const auto joined = joinedPorts(*content.reconstruction);
+  const Eigen::Vector3d lift(0, 0, kMarkLift * model.side_m);
+  const double radius_m = kPortRadius * model.side_m;
+  PolyDataBuilder mesh;
+  for (std::size_t k = 0; k < content.layout.cells.size(); ++k) {
+    const SceneCell& cell = content.layout.cells[k];
+    const auto ports = joined.find(cell.id);
+    const Rgb& mark = markOn(front_colors[k], colors);
+    for (const Port& port : model.ports) {
+      const bool is_joined = ports != joined.end() && ports->second.contains(port.number);
+      addRing(mesh, cell.T_s_u, kPortInset * port.vector_m + lift, is_joined ? 0 : (1 - kPortRingWidth) * radius_m,
+              radius_m, is_joined ? mark : mixed(mark, front_colors[k], 0.35));
+    }
+  }
+  return mesh.finish();
+}
+
+vtkSmartPointer<vtkPolyData> makeOriginMarks(const SceneContent& content, const std::vector<Rgb>& front_colors,
+                                             const SceneColors& colors) {
+  const double side_m = content.reconstruction->model->side_m;
+  const double radius_m = kOriginRadius * side_m;
+  PolyDataBuilder mesh;
+  for (std::size_t k = 0; k < content.layout.cells.size(); ++k) {
+    const SceneCell& cell = content.layout.cells[k];
+    if (!cell.origin) continue;
+    addRing(mesh, cell.T_s_u, {0, 0, kMarkLift * side_m}, (1 - kOriginRingWidth) * radius_m, radius_m,
+            markOn(front_colors[k], colors));
+  }
+  return mesh.finish();
+}
+
+vtkSmartPointer<vtkPolyData> makeCellOutline(const SceneContent& content, CellId cell) {
+  constexpr double kOutside = 1.015;
+  PolyDataBuilder mesh;
+  if (const SceneCell* found = content.layout.find(cell)) {
+    const auto corners = prismCorners(*content.reconstruction->model, found->T_s_u);
+    Eigen::Vector3d center = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& corner : corners) center += corner / static_cast<double>(corners.size());
+    for (const Eigen::Vector3d& corner : corners) mesh.addPoint(center + kOutside * (corner - center));
+    for (vtkIdType k = 0; k < 6; ++k) {
+      const vtkIdType next = (k + 1) % 6;
+      mesh.addLine({k, next});
+      mesh.addLine({k + 6, next + 6});
+      mesh.addLine({k, k + 6});
+    }
+  }
+  return mesh.finish();
+}
+
+vtkSmartPointer<vtkPolyData> makeLinkStroke(const SceneContent& content, LinkEnd a, LinkEnd b) {
+  PolyDataBuilder mesh;
+  const CellModel& model = *content.reconstruction->model;
+  const Eigen::Vector3d lift(0, 0, kLinkLift * model.side_m);
+  const SceneCell* cell_a = content.layout.find(a.cell);
+  const SceneCell* cell_b = content.layout.find(b.cell);
+  const Port* port_a = model.findPort(a.port);
+  const Port* port_b = model.findPort(b.port);
+  if (cell_a && cell_b && port_a && port_b) {
+    mesh.addPoint(cell_a->T_s_u * lift);
+    mesh.addPoint(cell_a->T_s_u * (port_a->vector_m + lift));
+    mesh.addPoint(cell_b->T_s_u * (port_b->vector_m + lift));
+    mesh.addPoint(cell_b->T_s_u * lift);
+    mesh.addLine({0, 1, 2, 3});
+  }
+  return mesh.finish();
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "widgets/scene/scene_content.h"
+#include "widgets/style/scene_colors.h"
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vector>
+
+namespace hexoderm {
+
+// What is drawn of the cells themselves. No Qt, no OpenGL.
+
+/// The surface with one colour a cell; the sides and backs of prisms are darker. Shares points and polygons with the
+/// content's.
+vtkSmartPointer<vtkPolyData> makeColoredSurface(const SceneContent& content, const std::vector<Rgb>& front_colors);
+/// The same with SceneContent::bricks, which must be there.
+vtkSmartPointer<vtkPolyData> makeColoredBricks(const SceneContent& content, const std::vector<Rgb>& front_colors);
+
+/// Sides, backs and undersides, of the front face's colour.
+inline constexpr double kUndersideShade = 0.70;
+
+/// Ports as discs (joined to a neighbour by a used link) or rings (free), flat on the front faces in the colour that
+/// stands out from each face.
+vtkSmartPointer<vtkPolyData> makePortMarks(const SceneContent& content, const std::vector<Rgb>& front_colors,
+                                           const SceneColors& colors);
+/// A ring on the origin of each patch, likewise.
+vtkSmartPointer<vtkPolyData> makeOriginMarks(const SceneContent& content, const std::vector<Rgb>& front_colors,
+                                             const SceneColors& colors);
+
+/// The edges of a cell's prism, a hair outside it. Empty if the cell is not there.
+vtkSmartPointer<vtkPolyData> makeCellOutline(const SceneContent& content, CellId cell);
+
+/// A line from centre to centre through both ports, a little above the front faces. Empty if a cell or port is missing.
+vtkSmartPointer<vtkPolyData> makeLinkStroke(const SceneContent& content, LinkEnd a, LinkEnd b);
+
+}  // namespace hexoderm

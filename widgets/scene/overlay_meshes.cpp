@@ -1,0 +1,319 @@
+#include "widgets/scene/overlay_meshes.h"
+
+#include "hexoderm/geometry/covariance.h"
+#include "hexoderm/reconstruction/figures/patch_mesh.h"
+#include "hexoderm/util/units.h"
+#include "widgets/scene/polydata_builder.h"
+
+#include <array>
+#include <optional>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+// Parts of a cell's side length.
+constexpr double kEllipsoidRoom = 0.8;  // the longest semi-axis
+constexpr double kShiftRoom = 1.2;      // the longest arrow
+constexpr double kDistanceRoom = 0.8;   // the longest distance line
+constexpr double kLinkLift = 0.05;      // above the front faces
+constexpr double kTreeLift = 0.035;     // below the links
+constexpr double kDoubleApart = 0.035;  // of a double line's strokes from its middle
+constexpr double kDash = 0.22;          // a dash and the gap behind it
+constexpr double kDot = 0.09;
+constexpr double kCross = 0.12;   // half of a muted link's cross
+constexpr double kGapRoom = 1.2;  // the arrow of a gap
+constexpr double kGapArrowWidth = 0.12;
+constexpr double kShiftArrowWidth = 0.09;
+
+/// A straight piece of a polyline, cut into dashes; the pattern runs on from piece to piece.
+class Dashes {
+ public:
+  Dashes(PolyDataBuilder& mesh, double period, double share, const Rgb& color)
+      : mesh_(mesh), period_(period), share_(share), color_(color) {}
+
+  void addPiece(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+    const double length = (to - from).norm();
+    if (length <= 0) return;
+    const Eigen::Vector3d along = (to - from) / length;
+    double at = -phase_;
+    while (at < length) {
+      const double begin = std::max(at, 0.0);
+      const double end = std::min(at + share_ * period_, length);
+      if (end > begin)
+        mesh_.addLine({mesh_.addPoint(from + begin * along), mesh_.addPoint(from + end * along)}, color_);
+      at += period_;
+    }
+    phase_ = length - (at - period_);
+  }
+
+ private:
+  PolyDataBuilder& mesh_;
+  double period_;
+  double share_;
+  Rgb color_;
+  double phase_ = 0;
+};
+
+/// The two ends of a link in the scene; none if a cell or port is not there.
+struct PlacedLink {
+  const SceneCell* source;
+  const SceneCell* target;
+  Eigen::Vector3d source_port_u;
+  Eigen::Vector3d target_port_u;
+};
+
+std::optional<PlacedLink> place(const SceneContent& content, const LinkEstimate& link) {
+  const CellModel& model = *content.reconstruction->model;
+  const SceneCell* source = content.layout.find(link.source.cell);
+  const SceneCell* target = content.layout.find(link.target.cell);
+  const Port* source_port = model.findPort(link.source.port);
+  const Port* target_port = model.findPort(link.target.port);
+  if (source == nullptr || target == nullptr || source_port == nullptr || target_port == nullptr) return std::nullopt;
+  return PlacedLink{source, target, source_port->vector_m, target_port->vector_m};
+}
+
+/// Centre, port, port, centre; `lift` above the faces and `aside` to the left on the way from source to target.
+std::array<Eigen::Vector3d, 4> wayOf(const PlacedLink& link, double lift, double aside) {
+  const Eigen::Vector3d up(0, 0, lift);
+  const Eigen::Vector3d left_source = aside * Eigen::Vector3d::UnitZ().cross(link.source_port_u.normalized()) + up;
+  const Eigen::Vector3d left_target = -aside * Eigen::Vector3d::UnitZ().cross(link.target_port_u.normalized()) + up;
+  return {link.source->T_s_u * left_source, link.source->T_s_u * (link.source_port_u + left_source),
+          link.target->T_s_u * (link.target_port_u + left_target), link.target->T_s_u * left_target};
+}
+
+void addSolid(PolyDataBuilder& mesh, const std::array<Eigen::Vector3d, 4>& way, const Rgb& color) {
+  std::array<vtkIdType, 4> ids{};
+  for (std::size_t k = 0; k < way.size(); ++k) ids.at(k) = mesh.addPoint(way.at(k));
+  mesh.addLine({ids[0], ids[1], ids[2], ids[3]}, color);
+}
+
+void addDashed(PolyDataBuilder& mesh, const std::array<Eigen::Vector3d, 4>& way, double period, double share,
+               const Rgb& color) {
+  Dashes dashes(mesh, period, share, color);
+  for (std::size_t k = 0; k + 1 < way.size(); ++k) dashes.addPiece(way.at(k), way.at(k + 1));
+}
+
+void addCross(PolyDataBuilder& mesh, const PlacedLink& link, double lift, double size, const Rgb& color) {
+  const SE3& T = link.source->T_s_u;
+  const Eigen::Vector3d middle = link.source_port_u + Eigen::Vector3d(0, 0, lift);
+  for (const double sign : {1.0, -1.0}) {
+    const Eigen::Vector3d arm(size, sign * size, 0);
+    mesh.addLine({mesh.addPoint(T * (middle - arm)), mesh.addPoint(T * (middle + arm))}, color);
+  }
+}
+
+/// A ball of unit radius, stretched by the columns of A.
+void addEllipsoid(PolyDataBuilder& mesh, const Eigen::Vector3d& center, const Eigen::Matrix3d& A, int rings,
+                  int segments) {
+  const Eigen::Vector3d lengths = A.colwise().norm().cwiseMax(1e-9).transpose();
+  const Eigen::Matrix3d axes = A * lengths.cwiseInverse().asDiagonal();
+  const vtkIdType first = mesh.pointCount();
+  for (int ring = 0; ring <= rings; ++ring) {
+    const double polar = kPi * ring / rings;
+    for (int segment = 0; segment < segments; ++segment) {
+      const double around = 2 * kPi * segment / segments;
+      const Eigen::Vector3d s(std::sin(polar) * std::cos(around), std::sin(polar) * std::sin(around), std::cos(polar));
+      const Eigen::Vector3d normal = axes * s.cwiseQuotient(lengths);
+      mesh.addPoint(center + A * s, normal.norm() > 0 ? Eigen::Vector3d(normal.normalized()) : s);
+    }
+  }
+  for (vtkIdType ring = 0; ring < rings; ++ring) {
+    for (vtkIdType segment = 0; segment < segments; ++segment) {
+      const vtkIdType next = (segment + 1) % segments;
+      const vtkIdType above = first + ring * segments;
+      const vtkIdType below = above + segments;
+      mesh.addPolygon({above + segment, below + segment, below + next, above + next});
+    }
+  }
+}
+
+void addArrow(PolyDataBuilder& mesh, const Eigen::Vector3d& from, const Eigen::Vector3d& to, double width) {
+  constexpr int kSegments = 10;
+  const double length = (to - from).norm();
+  if (length <= 0) return;
+  const Eigen::Vector3d along = (to - from) / length;
+  const Eigen::Vector3d u = along.unitOrthogonal();
+  const Eigen::Vector3d v = along.cross(u);
+  const double head = std::min(2.6 * width, 0.6 * length);
+  const double radius = std::min(0.5 * width, 0.2 * head);
+  // Rings: begin and end of the shaft, then the foot of the cone; their points in turns.
+  const Eigen::Vector3d neck = to - head * along;
+  const vtkIdType tail = mesh.addPoint(from, -along);
+  const vtkIdType tip = mesh.addPoint(to, along);
+  const vtkIdType first = mesh.pointCount();
+  for (int k = 0; k < kSegments; ++k) {
+    const double angle = 2 * kPi * k / kSegments;
+    const Eigen::Vector3d out = std::cos(angle) * u + std::sin(angle) * v;
+    mesh.addPoint(from + radius * out, out);
+    mesh.addPoint(neck + radius * out, out);
+    mesh.addPoint(neck + 2.6 * radius * out, (out + 0.4 * along).normalized());
+  }
+  for (vtkIdType k = 0; k < kSegments; ++k) {
+    const vtkIdType here = first + 3 * k;
+    const vtkIdType next = first + 3 * ((k + 1) % kSegments);
+    mesh.addPolygon({here, next, next + 1, here + 1});
+    mesh.addPolygon({here + 1, next + 1, next + 2, here + 2});
+    mesh.addPolygon({here + 2, next + 2, tip});
+    mesh.addPolygon({next, here, tail});
+  }
+}
+
+}  // namespace
+
+EnlargedShape makeEllipsoids(const SceneContent& content) {
+  struct Placed {
+    Eigen::Vector3d center;
+    Eigen::Matrix3d A;
+  };
+  std::vector<Placed> ellipsoids;
+  double largest = 0;
+  for (std::size_t p = 0; p < content.reconstruction->patches.size(); ++p) {
+    for (const CellPlacement& cell : content.reconstruction->patches[p].cells) {
+      if (!cell.cov_t_r) continue;
+      const Eigen::Matrix3d A = ellipsoid95(cell.cov_t_r->topLeftCorner<3, 3>());
+      const double longest = A.col(2).norm();
+      if (longest <= 0) continue;
+      largest = std::max(largest, longest);
+      ellipsoids.push_back({cell.T_o_u.t + content.layout.shifts[p], A});
+    }
+  }
+  constexpr std::size_t kFew = 300;
+  const int rings = ellipsoids.size() <= kFew ? 10 : 6;
+  EnlargedShape shape;
+  shape.factor = enlargement(largest, kEllipsoidRoom * content.reconstruction->model->side_m);
+  PolyDataBuilder mesh;
+  for (const Placed& ellipsoid : ellipsoids) {
+    addEllipsoid(mesh, ellipsoid.center, shape.factor * ellipsoid.A, rings, 2 * rings);
+  }
+  shape.data = mesh.finish();
+  return shape;
+}
+
+vtkSmartPointer<vtkPolyData> makeLinkLines(const SceneContent& content, const SceneColors& colors) {
+  const double side_m = content.reconstruction->model->side_m;
+  const double lift = kLinkLift * side_m;
+  PolyDataBuilder mesh;
+  for (const PatchReconstruction& patch : content.reconstruction->patches) {
+    for (const LinkEstimate& link : patch.links) {
+      const std::optional<PlacedLink> placed = place(content, link);
+      if (!placed) continue;
+      const Rgb& color = colors.link_line.at(static_cast<std::size_t>(link.quality));
+      if (!link.used) {
+        addDashed(mesh, wayOf(*placed, lift, 0), kDash * side_m, 0.5, colors.neutral);
+        addCross(mesh, *placed, lift, kCross * side_m, colors.neutral);
+      } else if (link.quality == EdgeQuality::Undefined) {
+        addDashed(mesh, wayOf(*placed, lift, 0), kDot * side_m, 0.4, color);
+      } else if (link.quality == EdgeQuality::Partially) {
+        addDashed(mesh, wayOf(*placed, lift, 0), kDash * side_m, 0.65, color);
+      } else if (link.quality == EdgeQuality::Fully) {
+        addSolid(mesh, wayOf(*placed, lift, 0), color);
+      } else {
+        addSolid(mesh, wayOf(*placed, lift, kDoubleApart * side_m), color);
+        addSolid(mesh, wayOf(*placed, lift, -kDoubleApart * side_m), color);
+      }
+    }
+  }
+  return mesh.finish();
+}
+
+vtkSmartPointer<vtkPolyData> makeTreeLines(const SceneContent& content) {
+  PolyDataBuilder mesh;
+  for (const PatchReconstruction& patch : content.reconstruction->patches) {
+    for (const LinkEstimate& link : patch.links) {
+      if (!link.used || !link.in_tree) continue;
+      const std::optional<PlacedLink> placed = place(content, link);
+      if (!placed) continue;
+      const auto way = wayOf(*placed, kTreeLift * content.reconstruction->model->side_m, 0);
+      std::array<vtkIdType, 4> ids{};
+      for (std::size_t k = 0; k < way.size(); ++k) ids.at(k) = mesh.addPoint(way.at(k));
+      mesh.addLine({ids[0], ids[1], ids[2], ids[3]});
+    }
+  }
+  return mesh.finish();
+}
+
+vtkSmartPointer<vtkPolyData> makeGhostOutlines(const SceneContent& content, const std::vector<AlignedCell>& cells) {
+  PolyDataBuilder mesh;
+  for (const AlignedCell& cell : cells) {
+    const Eigen::Vector3d& shift = content.layout.shifts[cell.patch];
+    const vtkIdType first = mesh.pointCount();
+    for (const Eigen::Vector3d& corner : prismCorners(*content.reconstruction->model, cell.T_o_u)) {
+      mesh.addPoint(corner + shift);
+    }
+    for (vtkIdType k = 0; k < 6; ++k) {
+      const vtkIdType next = (k + 1) % 6;
+      mesh.addLine({first + k, first + next});
+      mesh.addLine({first + 6 + k, first + 6 + next});
+      mesh.addLine({first + k, first + 6 + k});
+    }
+  }
+  return mesh.finish();
+}
+
+vtkSmartPointer<vtkPolyData> makeSurfaceSheet(const SceneContent& content, const SurfaceMesh& mesh, std::size_t patch) {
+  const Eigen::Vector3d& shift = content.layout.shifts[patch];
+  PolyDataBuilder builder;
+  for (std::size_t k = 0; k < mesh.points.size(); ++k) builder.addPoint(mesh.points[k] + shift, mesh.normals[k]);
+  const auto columns = static_cast<vtkIdType>(mesh.columns);
+  for (vtkIdType row = 0; row + 1 < static_cast<vtkIdType>(mesh.rows); ++row) {
+    for (vtkIdType column = 0; column + 1 < columns; ++column) {
+      const vtkIdType corner = row * columns + column;
+      builder.addPolygon({corner, corner + 1, corner + columns + 1, corner + columns});
+    }
+  }
+  return builder.finish();
+}
+
+EnlargedShape makeDistanceLines(const SceneContent& content, const SurfaceMesh& mesh, std::size_t patch) {
+  const Eigen::Vector3d& shift = content.layout.shifts[patch];
+  double largest = 0;
+  for (std::size_t k = 0; k < mesh.feet.size(); ++k) {
+    largest = std::max(largest, (mesh.centers[k] - mesh.feet[k]).norm());
+  }
+  EnlargedShape shape;
+  shape.factor = enlargement(largest, kDistanceRoom * content.reconstruction->model->side_m);
+  PolyDataBuilder builder;
+  for (std::size_t k = 0; k < mesh.feet.size(); ++k) {
+    const Eigen::Vector3d foot = mesh.feet[k] + shift;
+    const Eigen::Vector3d end = foot + shape.factor * (mesh.centers[k] - mesh.feet[k]);
+    builder.addLine({builder.addPoint(foot), builder.addPoint(end)});
+  }
+  shape.data = builder.finish();
+  return shape;
+}
+
+EnlargedShape makeShiftArrows(const SceneContent& content, const std::vector<CellShift>& shifts) {
+  const double side_m = content.reconstruction->model->side_m;
+  double largest = 0;
+  for (const CellShift& shift : shifts) largest = std::max(largest, (shift.now_o - shift.before_o).norm());
+  EnlargedShape shape;
+  shape.factor = enlargement(largest, kShiftRoom * side_m);
+  PolyDataBuilder mesh;
+  for (const CellShift& shift : shifts) {
+    const Eigen::Vector3d now = shift.now_o + content.layout.shifts[shift.patch];
+    addArrow(mesh, now + shape.factor * (shift.before_o - shift.now_o), now, kShiftArrowWidth * side_m);
+  }
+  shape.data = mesh.finish();
+  return shape;
+}
+
+EnlargedShape makeGapArrow(const SceneContent& content, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  const double side_m = content.reconstruction->model->side_m;
+  EnlargedShape shape;
+  shape.factor = enlargement((to - from).norm(), kGapRoom * side_m);
+  const Eigen::Vector3d middle = 0.5 * (from + to);
+  PolyDataBuilder mesh;
+  addArrow(mesh, middle + shape.factor * (from - middle), middle + shape.factor * (to - middle),
+           kGapArrowWidth * side_m);
+  shape.data = mesh.finish();
+  return shape;
+}
+
+vtkSmartPointer<vtkPolyData> makeLine(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  PolyDataBuilder mesh;
+  mesh.addLine({mesh.addPoint(a), mesh.addPoint(b)});
+  return mesh.finish();
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "hexoderm/reconstruction/figures/overlays.h"
+#include "hexoderm/reconstruction/figures/surface_mesh.h"
+#include "widgets/scene/scene_content.h"
+#include "widgets/style/scene_colors.h"
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <utility>
+#include <vector>
+
+namespace hexoderm {
+
+// What is drawn over the cells, each kind as one mesh. No Qt, no OpenGL. All points in the scene's frame.
+
+/// Enlarged figures are drawn this many times as large as they are.
+struct EnlargedShape {
+  vtkSmartPointer<vtkPolyData> data;
+  double factor = 1;
+};
+
+/// The region that holds each cell's centre with 95 % probability, relative to the origin. Cells without a covariance,
+/// or known exactly, have none.
+EnlargedShape makeEllipsoids(const SceneContent& content);
+
+/// Every link from centre to centre through both ports, in the colour of its class and dotted, dashed, solid or double
+/// as in the graph; muted links grey, dashed and crossed.
+vtkSmartPointer<vtkPolyData> makeLinkLines(const SceneContent& content, const SceneColors& colors);
+/// The links of the shortest-path tree alone.
+vtkSmartPointer<vtkPolyData> makeTreeLines(const SceneContent& content);
+
+/// The edges of a prism at each of the placements.
+vtkSmartPointer<vtkPolyData> makeGhostOutlines(const SceneContent& content, const std::vector<AlignedCell>& cells);
+
+/// The surface as a smooth sheet, `patch` an index into the reconstruction's.
+vtkSmartPointer<vtkPolyData> makeSurfaceSheet(const SceneContent& content, const SurfaceMesh& mesh, std::size_t patch);
+/// From each foot on the surface towards the cell's centre.
+EnlargedShape makeDistanceLines(const SceneContent& content, const SurfaceMesh& mesh, std::size_t patch);
+
+/// From before to now, all ending at the cells' centres.
+EnlargedShape makeShiftArrows(const SceneContent& content, const std::vector<CellShift>& shifts);
+
+/// From one point to the other, enlarged about their middle.
+EnlargedShape makeGapArrow(const SceneContent& content, const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+
+/// Straight from a to b.
+vtkSmartPointer<vtkPolyData> makeLine(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+
+}  // namespace hexoderm

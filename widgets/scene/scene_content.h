@@ -1,0 +1,58 @@
+#pragma once
+
+#include "hexoderm/reconstruction/figures/cell_figures.h"
+#include "hexoderm/reconstruction/result/reconstruction.h"
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <memory>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+namespace hexoderm {
+
+/// One cell as the scene draws it, in order of patch and ID.
+struct SceneCell {
+  CellId id;
+  SE3 T_s_u;  ///< cell to scene: the placement in its patch, and the patch's place beside the others
+  std::size_t patch = 0;
+  bool origin = false;
+};
+
+/// A skin laid out for drawing: patches side by side along x.
+struct SceneLayout {
+  std::vector<SceneCell> cells;
+  std::vector<Eigen::Vector3d> points;  ///< 12 a cell as in PatchMesh, or the first 6 of them
+  std::vector<Eigen::Vector3d> shifts;  ///< of each patch: from its own frame to the scene
+  std::unordered_map<CellId, std::size_t> index;
+
+  [[nodiscard]] const SceneCell* find(CellId id) const;
+  [[nodiscard]] std::size_t pointsPerCell() const { return cells.empty() ? 0 : points.size() / cells.size(); }
+};
+
+/// All that is drawn of a skin's cells but their colours. Making it takes a while for large skins, so it may be made on
+/// any thread; no Qt, no OpenGL.
+///
+/// Up to kMaxPrismCells cells are prisms of eight polygons; a larger skin is its front faces only, as four triangles a
+/// cell with points and normals of their own, which is what a software renderer draws fastest.
+struct SceneContent {
+  static constexpr std::size_t kMaxPrismCells = 2000;
+
+  std::shared_ptr<const Reconstruction> reconstruction;  ///< never null
+  SceneLayout layout;
+  CellFigures figures;
+  double extent_m = 0;  ///< diagonal of the bounding box
+  bool prisms = true;
+  vtkSmartPointer<vtkPolyData> surface;  ///< without colours
+  /// A large skin from far away: hexagons of a few pixels look like bricks of the same area, which join as closely and
+  /// have half the triangles. Null for prisms.
+  vtkSmartPointer<vtkPolyData> bricks;
+
+  [[nodiscard]] std::size_t polygonsPerCell() const { return prisms ? 8 : 4; }
+};
+
+/// Null of null.
+std::shared_ptr<const SceneContent> makeSceneContent(std::shared_ptr<const Reconstruction> reconstruction);
+
+}  // namespace hexoderm

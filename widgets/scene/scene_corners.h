@@ -1,0 +1,46 @@
+#pragma once
+
+#include "widgets/style/scene_colors.h"
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+
+class vtkCamera;
+class vtkRenderWindow;
+
+namespace hexoderm {
+
+/// The two small pictures in the scene's lower corners, which turn with it: the patch frame's axes on the left, the
+/// direction of gravity on the right.
+class SceneCorners {
+ public:
+  // In pixels at 72 dpi. Below the corners there is room for a legend, right of the arrow for its word.
+  static constexpr int kSize = 84;
+  static constexpr int kBottom = 34;
+  static constexpr int kLeft = 14;
+  static constexpr int kRight = 14;
+  static constexpr int kWord = 30;  ///< above the arrow
+
+  SceneCorners();
+  ~SceneCorners();
+  SceneCorners(const SceneCorners&) = delete;
+  SceneCorners& operator=(const SceneCorners&) = delete;
+
+  void attachTo(vtkRenderWindow* window);
+  void detachFrom(vtkRenderWindow* window);
+  void setColors(const SceneColors& colors);
+  /// Unit vector in the patch frame; none hides the arrow.
+  void setDown(const std::optional<Eigen::Vector3d>& down_o);
+  void setAxesVisible(bool visible);
+  void setTextVisible(bool visible);
+  void setSmoothed(bool smoothed);
+  /// Looks the same way as `camera`, and keeps the size in pixels; called before each rendering.
+  void follow(vtkCamera* camera, vtkRenderWindow* window);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace hexoderm

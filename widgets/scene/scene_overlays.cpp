@@ -1,0 +1,293 @@
+#include "widgets/scene/scene_overlays.h"
+
+#include "widgets/scene/cell_meshes.h"
+#include "widgets/scene/overlay_meshes.h"
+
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkShaderProperty.h>
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+/// One thing that is drawn.
+struct Drawn {
+  vtkNew<vtkActor> actor;
+  vtkNew<vtkPolyDataMapper> mapper;
+  bool stale = true;
+};
+
+enum Kind : std::size_t { kLinks, kTree, kEllipsoids, kTruth, kSheet, kDistances, kLoop, kShifts, kMeasure, kKinds };
+
+/// The depth at which a thing counts, as GLSL.
+void setDepth(vtkActor* actor, const std::string& depth) {
+  actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Depth::Impl", true,
+                                                           "gl_FragDepth = " + depth + ";\n", false);
+}
+
+}  // namespace
+
+struct SceneOverlays::Parts {
+  vtkRenderer* renderer = nullptr;
+  std::shared_ptr<const SceneContent> content;
+  SceneColors colors;
+  ShownItems shown = kShownAtFirst;
+  std::shared_ptr<const GroundTruth> truth;
+  std::optional<SurfaceEvaluation> surface;
+  std::optional<SurfaceMesh> surface_mesh;  ///< its sheet and the distances are drawn from the same
+  std::optional<LoopEvaluation> loop;
+  std::vector<Comparison> comparison;
+  std::optional<CellId> first;
+  std::optional<CellId> second;
+  std::array<Drawn, kKinds> drawn;
+  SceneNotes notes;
+
+  void setStyles();
+  void invalidate(std::initializer_list<Kind> kinds) {
+    for (const Kind kind : kinds) drawn.at(kind).stale = true;
+  }
+  void invalidateAll() {
+    for (Drawn& thing : drawn) thing.stale = true;
+  }
+  [[nodiscard]] std::size_t cells() const { return content ? content->layout.cells.size() : 0; }
+  [[nodiscard]] Availability availability(SceneItem item) const;
+  [[nodiscard]] bool draws(SceneItem item) const {
+    return shown.at(indexOf(item)) && availability(item) == Availability::Available;
+  }
+  /// Index of the evaluated patch, or none.
+  [[nodiscard]] std::optional<std::size_t> surfacePatch() const;
+  /// The link points of the loop, second first, in the scene.
+  [[nodiscard]] std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> loopPoints() const;
+  /// Null where nothing is to be drawn.
+  vtkSmartPointer<vtkPolyData> make(Kind kind);
+  vtkSmartPointer<vtkPolyData> makeMeasure() const;
+};
+
+void SceneOverlays::Parts::setStyles() {
+  const auto paint = [&](Kind kind, const Rgb& color) {
+    Rgb copy = color;
+    drawn.at(kind).actor->GetProperty()->SetColor(copy.data());
+  };
+  paint(kTree, colors.text);
+  paint(kEllipsoids, colors.ellipsoid);
+  paint(kTruth, colors.overlay);
+  paint(kSheet, colors.overlay);
+  paint(kDistances, colors.text);
+  paint(kLoop, colors.difference);
+  paint(kShifts, colors.difference);
+  paint(kMeasure, colors.selection);
+}
+
+std::optional<std::size_t> SceneOverlays::Parts::surfacePatch() const {
+  if (!content || !surface) return std::nullopt;
+  const auto& patches = content->reconstruction->patches;
+  const auto found = std::ranges::find(patches, surface->patch, &PatchReconstruction::id);
+  return found == patches.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - patches.begin()));
+}
+
+std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> SceneOverlays::Parts::loopPoints() const {
+  if (!content || !loop) return std::nullopt;
+  const auto point = [&](const LinkEnd& end) -> std::optional<Eigen::Vector3d> {
+    const SceneCell* cell = content->layout.find(end.cell);
+    const Port* port = content->reconstruction->model->findPort(end.port);
+    if (cell == nullptr || port == nullptr) return std::nullopt;
+    return cell->T_s_u * port->vector_m;
+  };
+  const auto to = point(loop->first);
+  const auto from = point(loop->second);
+  if (!to || !from) return std::nullopt;
+  return std::pair(*from, *to);
+}
+
+Availability SceneOverlays::Parts::availability(SceneItem item) const {
+  if (cells() == 0) return Availability::NoSkin;
+  const auto needs = [](bool data) { return data ? Availability::Available : Availability::NoData; };
+  const Availability limited = cells() > kMaxCells ? Availability::TooManyCells : Availability::Available;
+  switch (item) {
+    case SceneItem::Links:
+    case SceneItem::Tree:
+      return limited;
+    case SceneItem::Ellipsoids: {
+      const auto& known = content->figures.position_95_m;
+      const bool any = std::ranges::any_of(known, [](const auto& figure) { return figure.value_or(0) > 0; });
+      return !any ? Availability::NoData : cells() > kMaxEllipsoids ? Availability::TooManyCells : needs(true);
+    }
+    case SceneItem::Truth:
+      return truth ? limited : Availability::NoData;
+    case SceneItem::Comparison:
+      return !comparison.empty() ? limited : Availability::NoData;
+    case SceneItem::Surface:
+      return needs(surfacePatch().has_value());
+    case SceneItem::Loop:
+      return needs(loopPoints().has_value());
+    case SceneItem::Ports:
+    case SceneItem::Ids:
+    case SceneItem::Axes:
+    case SceneItem::Gravity:
+      break;
+  }
+  return Availability::Available;
+}
+
+vtkSmartPointer<vtkPolyData> SceneOverlays::Parts::makeMeasure() const {
+  if (!content || !first) return nullptr;
+  const SceneCell* a = content->layout.find(*first);
+  if (a == nullptr) return nullptr;
+  const SceneCell* b = second ? content->layout.find(*second) : nullptr;
+  return b == nullptr ? makeCellOutline(*content, *first) : makeLine(a->T_s_u.t, b->T_s_u.t);
+}
+
+vtkSmartPointer<vtkPolyData> SceneOverlays::Parts::make(Kind kind) {
+  const auto enlarged = [](EnlargedShape shape, std::optional<double>& factor) {
+    factor = shape.factor;
+    return shape.data;
+  };
+  switch (kind) {
+    case kLinks:
+      notes.links = draws(SceneItem::Links);
+      return notes.links ? makeLinkLines(*content, colors) : nullptr;
+    case kTree:
+      notes.tree = draws(SceneItem::Tree);
+      return notes.tree ? makeTreeLines(*content) : nullptr;
+    case kEllipsoids:
+      notes.ellipsoid_factor.reset();
+      return draws(SceneItem::Ellipsoids) ? enlarged(makeEllipsoids(*content), notes.ellipsoid_factor) : nullptr;
+    case kTruth:
+      notes.truth = draws(SceneItem::Truth);
+      return notes.truth ? makeGhostOutlines(*content, alignTruth(*content->reconstruction, *truth)) : nullptr;
+    case kSheet:
+    case kDistances: {
+      if (kind == kDistances) notes.distance_factor.reset();
+      if (!draws(SceneItem::Surface)) return nullptr;
+      const std::size_t patch = *surfacePatch();
+      const Reconstruction& r = *content->reconstruction;
+      if (!surface_mesh) surface_mesh = meshSurface(*surface, r.patches[patch], 1.5 * r.model->side_m);
+      const SurfaceMesh& mesh = *surface_mesh;
+      if (mesh.points.empty()) return nullptr;
+      if (kind == kSheet) return makeSurfaceSheet(*content, mesh, patch);
+      return cells() > kMaxCells ? nullptr : enlarged(makeDistanceLines(*content, mesh, patch), notes.distance_factor);
+    }
+    case kLoop: {
+      notes.loop_factor.reset();
+      if (!draws(SceneItem::Loop)) return nullptr;
+      const auto [from, to] = *loopPoints();
+      return enlarged(makeGapArrow(*content, from, to), notes.loop_factor);
+    }
+    case kShifts:
+      notes.shift_factor.reset();
+      return draws(SceneItem::Comparison)
+                 ? enlarged(makeShiftArrows(*content, shiftsOf(*content->reconstruction, comparison)),
+                            notes.shift_factor)
+                 : nullptr;
+    case kMeasure:
+      return makeMeasure();
+    case kKinds:
+      break;
+  }
+  return nullptr;
+}
+
+SceneOverlays::SceneOverlays(vtkRenderer* renderer) : parts_(std::make_unique<Parts>()) {
+  parts_->renderer = renderer;
+  for (Drawn& thing : parts_->drawn) {
+    thing.actor->SetMapper(thing.mapper);
+    thing.actor->PickableOff();
+    thing.actor->VisibilityOff();
+    renderer->AddActor(thing.actor);
+  }
+  const auto property = [this](Kind kind) { return parts_->drawn.at(kind).actor->GetProperty(); };
+  for (const Kind kind : {kLinks, kTree, kTruth, kDistances, kMeasure}) property(kind)->LightingOff();
+  property(kLinks)->SetLineWidth(3.0F);
+  property(kTree)->SetLineWidth(6.0F);
+  property(kTree)->SetOpacity(0.45);
+  property(kTruth)->SetLineWidth(1.5F);
+  property(kTruth)->SetOpacity(0.75);
+  property(kDistances)->SetLineWidth(2.5F);
+  property(kMeasure)->SetLineWidth(3.5F);
+  property(kEllipsoids)->SetOpacity(0.7);
+  property(kSheet)->SetOpacity(0.28);
+  property(kSheet)->SetAmbient(0.5);
+  property(kSheet)->SetDiffuse(0.5);
+  for (const Kind kind : {kEllipsoids, kLoop, kShifts}) {
+    property(kind)->SetAmbient(0.45);
+    property(kind)->SetDiffuse(0.55);
+  }
+  // Faces lie in the fitted surface, which cuts them here and there; drawn a little behind them it leaves them whole.
+  setDepth(parts_->drawn.at(kSheet).actor, "min(gl_FragCoord.z + 0.01, 1.0)");
+  // Arrows come from below the faces as well as from above: they are seen through everything, as is what is measured.
+  for (const Kind kind : {kLoop, kShifts, kMeasure}) setDepth(parts_->drawn.at(kind).actor, "0.001 * gl_FragCoord.z");
+}
+
+SceneOverlays::~SceneOverlays() = default;
+
+void SceneOverlays::setContent(std::shared_ptr<const SceneContent> content) {
+  parts_->content = std::move(content);
+  parts_->surface_mesh.reset();
+  parts_->invalidateAll();
+}
+
+void SceneOverlays::setColors(const SceneColors& colors) {
+  parts_->colors = colors;
+  parts_->setStyles();
+  parts_->invalidate({kLinks});
+}
+
+void SceneOverlays::setShown(SceneItem item, bool shown) {
+  parts_->shown.at(indexOf(item)) = shown;
+  parts_->invalidateAll();
+}
+
+void SceneOverlays::setTruth(std::shared_ptr<const GroundTruth> truth) {
+  parts_->truth = std::move(truth);
+  parts_->invalidate({kTruth});
+}
+
+void SceneOverlays::setSurface(std::optional<SurfaceEvaluation> surface) {
+  parts_->surface = std::move(surface);
+  parts_->surface_mesh.reset();
+  parts_->invalidate({kSheet, kDistances});
+}
+
+void SceneOverlays::setLoop(std::optional<LoopEvaluation> loop) {
+  parts_->loop = loop;
+  parts_->invalidate({kLoop});
+}
+
+void SceneOverlays::setComparison(std::vector<Comparison> comparison) {
+  parts_->comparison = std::move(comparison);
+  parts_->invalidate({kShifts});
+}
+
+void SceneOverlays::setMeasured(std::optional<CellId> first, std::optional<CellId> second) {
+  parts_->first = first;
+  parts_->second = second;
+  parts_->invalidate({kMeasure});
+}
+
+Availability SceneOverlays::availability(SceneItem item) const { return parts_->availability(item); }
+
+const SceneNotes& SceneOverlays::notes() {
+  update();
+  return parts_->notes;
+}
+
+void SceneOverlays::update() {
+  for (std::size_t kind = 0; kind < kKinds; ++kind) {
+    Drawn& thing = parts_->drawn.at(kind);
+    if (!thing.stale) continue;
+    thing.stale = false;
+    const vtkSmartPointer<vtkPolyData> data = parts_->make(static_cast<Kind>(kind));
+    const bool any = data && data->GetNumberOfCells() > 0;
+    if (any) thing.mapper->SetInputData(data);
+    thing.actor->SetVisibility(any);
+  }
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "hexoderm/reconstruction/figures/overlays.h"
+#include "widgets/scene/scene_content.h"
+#include "widgets/scene/scene_items.h"
+#include "widgets/style/scene_colors.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+class vtkRenderer;
+
+namespace hexoderm {
+
+/// What was drawn, for the words beside it. Absent: not drawn.
+struct SceneNotes {
+  std::optional<double> ellipsoid_factor;
+  std::optional<double> shift_factor;
+  std::optional<double> loop_factor;
+  std::optional<double> distance_factor;  ///< of the lines from the fitted surface to the cells
+  bool truth = false;
+  bool tree = false;
+  bool links = false;
+};
+
+/// What is drawn over the cells: links, tree, uncertainty, truth, fitted surface, loop gap, differences, and the line
+/// of a measurement. Made anew only when drawn after a change, each kind for itself; setters cost nothing.
+class SceneOverlays {
+ public:
+  /// More would be neither told apart nor quick.
+  static constexpr std::size_t kMaxCells = 5000;
+  static constexpr std::size_t kMaxEllipsoids = 2000;
+
+  explicit SceneOverlays(vtkRenderer* renderer);
+  ~SceneOverlays();
+  SceneOverlays(const SceneOverlays&) = delete;
+  SceneOverlays& operator=(const SceneOverlays&) = delete;
+
+  void setContent(std::shared_ptr<const SceneContent> content);
+  void setColors(const SceneColors& colors);
+  void setShown(SceneItem item, bool shown);
+  void setTruth(std::shared_ptr<const GroundTruth> truth);
+  void setSurface(std::optional<SurfaceEvaluation> surface);
+  void setLoop(std::optional<LoopEvaluation> loop);
+  void setComparison(std::vector<Comparison> comparison);
+  /// A line between the centres of two cells, or an outline about the first alone.
+  void setMeasured(std::optional<CellId> first, std::optional<CellId> second);
+
+  /// Of the items that are drawn here; the others are always available.
+  [[nodiscard]] Availability availability(SceneItem item) const;
+  [[nodiscard]] const SceneNotes& notes();
+  /// Brings what is drawn up to date; called before each rendering.
+  void update();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace hexoderm

@@ -1,0 +1,258 @@
+#include "widgets/scene/scene_skin.h"
+
+#include "hexoderm/util/text.h"
+#include "hexoderm/util/units.h"
+#include "widgets/scene/cell_meshes.h"
+
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkNew.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkShaderProperty.h>
+#include <vtkStaticCellLocator.h>
+#include <vtkUniforms.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+// What part of a cell's colour shows without light, and what part of the light it gives back.
+constexpr double kAmbient = 0.58;
+constexpr double kDiffuse = 0.42;
+
+/// Lights front faces, and their undersides in a shade of the cell's colour as prisms have it, corner by corner: a face
+/// is flat and has one colour, so this is what VTK would compute pixel by pixel, and pixels are what takes time. Needs
+/// `eye` (the camera's place, or with w = 0 the direction to it), `key` and `head` (unit, to the lights) as uniforms.
+void lightByCorner(vtkActor* actor) {
+  actor->GetProperty()->LightingOff();
+  vtkShaderProperty* shader = actor->GetShaderProperty();
+  shader->AddVertexShaderReplacement("//VTK::Normal::Dec", true, "//VTK::Normal::Dec\nin vec3 normalMC;\n", false);
+  const std::string light = "float light = " + formatFixed(kAmbient, 3) + " + " +
+                            formatFixed(kDiffuse * SceneLights::kKey, 4) + " * max(0.0, dot(n, key)) + " +
+                            formatFixed(kDiffuse * SceneLights::kHead, 4) + " * max(0.0, dot(n, head));\n";
+  const std::string code =
+      "//VTK::Color::Impl\n"
+      "float facing = dot(normalMC, eye.xyz - eye.w * vertexMC.xyz);\n"
+      "vec3 n = facing > 0.0 ? normalMC : -normalMC;\n" +
+      light + "if (facing <= 0.0) light *= " + formatFixed(kUndersideShade, 2) +
+      ";\n"
+      "vertexColorVSOutput.rgb *= light;\n";
+  shader->AddVertexShaderReplacement("//VTK::Color::Impl", true, code, false);
+}
+
+/// Where a pixel's line of sight crosses a plane of constant depth, 0 at the front.
+std::array<double, 3> onSight(vtkRenderer* renderer, double x, double y, double depth) {
+  renderer->SetDisplayPoint(x, y, depth);
+  renderer->DisplayToWorld();
+  const double* p = renderer->GetWorldPoint();
+  return {p[0] / p[3], p[1] / p[3], p[2] / p[3]};
+}
+
+}  // namespace
+
+struct SceneSkin::Parts {
+  vtkRenderer* renderer = nullptr;
+  std::shared_ptr<const SceneContent> content;
+  CellColoring coloring = CellColoring::LinkQuality;
+  CellReadings readings;
+  SceneColors colors;
+  std::vector<Rgb> front_colors;
+  bool ports_visible = true;
+  vtkNew<vtkActor> prism_actor;
+  vtkNew<vtkPolyDataMapper> prism_mapper;
+  /// Front faces, near and far: one of the two is drawn.
+  struct Faces {
+    vtkNew<vtkActor> actor;
+    vtkNew<vtkPolyDataMapper> mapper;
+    bool stale = true;  ///< drawn with other colours, or other cells, last
+  };
+  Faces hexagons;
+  Faces bricks;
+  vtkNew<vtkActor> port_actor;
+  vtkNew<vtkPolyDataMapper> port_mapper;
+  vtkNew<vtkActor> origin_actor;
+  vtkNew<vtkPolyDataMapper> origin_mapper;
+  vtkSmartPointer<vtkStaticCellLocator> locator;  ///< made by the first pick
+
+  void add(vtkActor* actor, vtkPolyDataMapper* mapper);
+  void recolor();
+  void drawFaces(bool far);
+  void setLights();
+};
+
+void SceneSkin::Parts::add(vtkActor* actor, vtkPolyDataMapper* mapper) {
+  actor->SetMapper(mapper);
+  actor->VisibilityOff();
+  renderer->AddActor(actor);
+}
+
+void SceneSkin::Parts::recolor() {
+  prism_actor->GetProperty()->SetEdgeColor(colors.edge.data());
+  const bool any = content && !content->layout.cells.empty() && !colors.scale.empty();
+  prism_actor->SetVisibility(any && content->prisms);
+  hexagons.stale = true;
+  bricks.stale = true;
+  if (!any || content->prisms) {
+    hexagons.actor->VisibilityOff();
+    bricks.actor->VisibilityOff();
+  }
+  const bool marked = any && content->layout.cells.size() <= kMaxMarkedCells;
+  port_actor->SetVisibility(marked && ports_visible);
+  origin_actor->SetVisibility(marked);
+  if (!any) {
+    front_colors.clear();
+    return;
+  }
+  front_colors = cellColors(coloring, content->figures, readings, colors);
+  if (content->prisms) {
+    prism_mapper->SetInputData(makeColoredSurface(*content, front_colors));
+  } else {
+    drawFaces(bricks.actor->GetVisibility() != 0);
+  }
+  if (marked) {
+    port_mapper->SetInputData(makePortMarks(*content, front_colors, colors));
+    origin_mapper->SetInputData(makeOriginMarks(*content, front_colors, colors));
+  }
+}
+
+void SceneSkin::Parts::drawFaces(bool far) {
+  hexagons.actor->SetVisibility(!far);
+  bricks.actor->SetVisibility(far);
+  Faces& shown = far ? bricks : hexagons;
+  if (!shown.stale) return;
+  shown.mapper->SetInputData(far ? makeColoredBricks(*content, front_colors)
+                                 : makeColoredSurface(*content, front_colors));
+  shown.stale = false;
+}
+
+void SceneSkin::Parts::setLights() {
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const Eigen::Vector3d back = -Eigen::Vector3d(camera->GetDirectionOfProjection());
+  const Eigen::Vector3d up = Eigen::Vector3d(camera->GetViewUp());
+  const Eigen::Vector3d right = up.cross(back).normalized();
+  Eigen::Matrix3d R_s_view;
+  R_s_view << right, back.cross(right), back;
+  const Eigen::Vector3f key = (R_s_view * Eigen::Vector3d(SceneLights::kKeyFrom.data()).normalized()).cast<float>();
+  const Eigen::Vector3f head = back.cast<float>();
+  const bool parallel = camera->GetParallelProjection() != 0;
+  Eigen::Vector4f eye(head.x(), head.y(), head.z(), 0);
+  if (!parallel) eye << Eigen::Vector3d(camera->GetPosition()).cast<float>(), 1;
+  for (Faces* faces : {&hexagons, &bricks}) {
+    vtkUniforms* uniforms = faces->actor->GetShaderProperty()->GetVertexCustomUniforms();
+    uniforms->SetUniform4f("eye", eye.data());
+    uniforms->SetUniform3f("key", key.data());
+    uniforms->SetUniform3f("head", head.data());
+  }
+}
+
+SceneSkin::SceneSkin(vtkRenderer* renderer) : parts_(std::make_unique<Parts>()) {
+  parts_->renderer = renderer;
+  parts_->add(parts_->prism_actor, parts_->prism_mapper);
+  for (Parts::Faces* faces : {&parts_->hexagons, &parts_->bricks}) {
+    parts_->add(faces->actor, faces->mapper);
+    lightByCorner(faces->actor);
+  }
+  parts_->add(parts_->port_actor, parts_->port_mapper);
+  parts_->add(parts_->origin_actor, parts_->origin_mapper);
+  vtkProperty* prism = parts_->prism_actor->GetProperty();
+  prism->SetAmbient(kAmbient);
+  prism->SetDiffuse(kDiffuse);
+  prism->SetSpecular(0.0);
+  prism->SetInterpolationToFlat();
+  prism->EdgeVisibilityOn();
+  prism->SetLineWidth(1.2F);
+  prism->BackfaceCullingOn();  // they are closed: half of the work for the same picture
+  // Marks lie on the faces and keep their colour in any light.
+  parts_->port_actor->GetProperty()->LightingOff();
+  parts_->origin_actor->GetProperty()->LightingOff();
+}
+
+SceneSkin::~SceneSkin() = default;
+
+void SceneSkin::setContent(std::shared_ptr<const SceneContent> content) {
+  parts_->content = std::move(content);
+  parts_->locator = nullptr;
+  parts_->recolor();
+}
+
+void SceneSkin::setColoring(CellColoring coloring) {
+  parts_->coloring = coloring;
+  parts_->recolor();
+}
+
+void SceneSkin::setReadings(CellReadings readings) {
+  readings.surface_distance_m = std::move(parts_->readings.surface_distance_m);
+  parts_->readings = std::move(readings);
+  if (isReading(parts_->coloring)) parts_->recolor();
+}
+
+void SceneSkin::setSurfaceDistances(std::unordered_map<CellId, double> distance_m) {
+  parts_->readings.surface_distance_m = std::move(distance_m);
+  if (parts_->coloring == CellColoring::SurfaceDistance) parts_->recolor();
+}
+
+void SceneSkin::setColors(const SceneColors& colors) {
+  parts_->colors = colors;
+  parts_->recolor();
+}
+
+void SceneSkin::setPortsVisible(bool visible) {
+  parts_->ports_visible = visible;
+  parts_->port_actor->SetVisibility(visible && parts_->origin_actor->GetVisibility() != 0);
+}
+
+const std::vector<Rgb>& SceneSkin::frontColors() const { return parts_->front_colors; }
+
+CellColoring SceneSkin::coloring() const { return parts_->coloring; }
+
+const CellReadings& SceneSkin::readings() const { return parts_->readings; }
+
+void SceneSkin::update(int window_height) {
+  // A hexagon's corners are a quarter of a side away from a brick's: half a pixel.
+  constexpr double kBrickPixels = 2;
+  if (!parts_->content || parts_->content->prisms || parts_->front_colors.empty()) return;
+  vtkCamera* camera = parts_->renderer->GetActiveCamera();
+  double height_m = 2 * camera->GetParallelScale();
+  if (camera->GetParallelProjection() == 0) {
+    // Where the skin comes closest.
+    std::array<double, 3> middle{};
+    parts_->content->surface->GetCenter(middle.data());
+    const double distance = (Eigen::Vector3d(camera->GetPosition()) - Eigen::Vector3d(middle.data())).norm() -
+                            parts_->content->extent_m / 2;
+    height_m = 2 * std::max(distance, 0.0) * std::tan(0.5 * camera->GetViewAngle() * kDegree);
+  }
+  const double side_m = parts_->content->reconstruction->model->side_m;
+  parts_->drawFaces(side_m * window_height < kBrickPixels * height_m);
+  parts_->setLights();
+}
+
+std::optional<CellId> SceneSkin::pick(double x, double y) const {
+  if (!parts_->content || parts_->content->layout.cells.empty()) return std::nullopt;
+  if (!parts_->locator) {
+    parts_->locator = vtkSmartPointer<vtkStaticCellLocator>::New();
+    parts_->locator->SetDataSet(parts_->content->surface);
+    parts_->locator->BuildLocator();
+  }
+  const auto near = onSight(parts_->renderer, x, y, 0);
+  const auto far = onSight(parts_->renderer, x, y, 1);
+  constexpr double kTolerance_m = 1e-6;  // not 0: a hit on a tilted face is off its plane by rounding
+  double t = 0;
+  std::array<double, 3> hit{};
+  std::array<double, 3> parametric{};
+  int sub_id = 0;
+  vtkIdType polygon = -1;
+  if (parts_->locator->IntersectWithLine(near.data(), far.data(), kTolerance_m, t, hit.data(), parametric.data(),
+                                         sub_id, polygon) == 0) {
+    return std::nullopt;
+  }
+  const std::size_t cell = static_cast<std::size_t>(polygon) / parts_->content->polygonsPerCell();
+  return parts_->content->layout.cells.at(cell).id;
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "hexoderm/reconstruction/result/reconstruction.h"
+
+#include <QColor>
+#include <QPalette>
+#include <QPen>
+#include <QString>
+#include <array>
+
+class QLineF;
+class QPainter;
+
+namespace hexoderm {
+
+enum class Theme { Light, Dark };
+
+/// Line of a link by its quality: hue, style and word go together, so that no meaning hangs on hue alone.
+struct LinkStroke {
+  QColor color;
+  Qt::PenStyle style = Qt::SolidLine;
+  bool doubled = false;
+};
+
+/// The one place where a theme becomes colours. Hexoderm draws with these and nothing else.
+struct Colors {
+  QColor window;        ///< behind the panels
+  QColor panel;         ///< of cards, tables, docks
+  QColor panel_active;  ///< of the current step, hovered rows
+  QColor border;
+  QColor text;
+  QColor text_muted;
+  QColor accent;       ///< the one action, focus
+  QColor accent_text;  ///< on accent
+  QColor good;
+  QColor caution;
+  QColor bad;
+  QColor scene_top;  ///< background of the 3D scene
+  QColor scene_bottom;
+  QColor cell_fill;  ///< hexagons of the graph
+  QColor selection;  ///< outline of what is picked: black or white, not a hue
+  QColor muted_link;
+  QColor tree_band;            ///< under the links of the shortest paths
+  std::array<QColor, 3> axis;  ///< x, y, z: as red, green and blue as who can't tell red from green allows
+
+  static const Colors& of(Theme theme);
+};
+
+LinkStroke linkStroke(EdgeQuality quality, Theme theme);
+/// Its pen, `width` thick: the same pattern in every view, shorter than Qt's own, as lines of links are.
+QPen strokePen(const LinkStroke& stroke, double width);
+/// A sample of it, for legends and tables: `width` is that of the single line, and the double one takes 2.2 times that.
+void drawStroke(QPainter& painter, const LinkStroke& stroke, const QLineF& line, double width);
+/// "fully defined" and so on, for legends and tooltips (translated).
+QString qualityWord(EdgeQuality quality);
+
+/// A Qt palette and a style sheet for the whole application.
+QPalette qtPalette(Theme theme);
+QString styleSheet(Theme theme);
+
+/// Viridis (perceptually uniform, safe for colour-blind eyes) at `t` in [0, 1].
+QColor viridis(double t);
+
+/// Dark or light, whichever is read better on `ground`.
+QColor textOn(const QColor& ground);
+
+/// What the system asks for: the desktop portal's setting where there is one, else the palette's lightness.
+Theme systemTheme();
+
+}  // namespace hexoderm

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "hexoderm/reconstruction/figures/review_summary.h"
+#include "widgets/tables/tables.h"
+
+#include <unordered_map>
+#include <vector>
+
+namespace hexoderm {
+
+/// Cell | Patch | X | Y | Z | Roll | Pitch | Yaw | ± mm | ± ° | Placed by | Worst residual | Offset | Scale, one row a
+/// cell, patch by patch; placements in the frame of the patch's origin.
+class CellTable : public ReconstructionTable {
+  Q_OBJECT
+
+ public:
+  using ReconstructionTable::ReconstructionTable;
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+  [[nodiscard]] CellId cellAt(int row) const;
+  [[nodiscard]] int rowOf(CellId cell) const;  ///< -1 if there is none
+
+ protected:
+  void rebuild() override;
+
+ private:
+  struct Row {
+    CellSummary summary;
+    Eigen::Vector3d rpy_rad;
+  };
+  std::vector<Row> rows_;
+  std::unordered_map<CellId, int> row_of_;
+};
+
+}  // namespace hexoderm

@@ -1,0 +1,115 @@
+#include "widgets/verify/residual_table.h"
+
+#include "hexoderm/util/units.h"
+#include "widgets/tables/table_actions.h"
+#include "widgets/words/formatting.h"
+
+namespace hexoderm {
+
+void ResidualTable::rebuild() {
+  rows_.clear();
+  row_of_.clear();
+  if (!reconstruction()) return;
+  for (std::size_t patch = 0; patch < reconstruction()->patches.size(); ++patch) {
+    const std::vector<LinkEstimate>& links = reconstruction()->patches[patch].links;
+    for (std::size_t link = 0; link < links.size(); ++link) {
+      row_of_.emplace(Selection::Link(links[link].source, links[link].target), static_cast<int>(rows_.size()));
+      rows_.emplace_back(patch, link);
+    }
+  }
+}
+
+int ResidualTable::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+}
+
+int ResidualTable::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() || !reconstruction() ? 0 : static_cast<int>(reconstruction()->poses.size()) + 1;
+}
+
+const LinkEstimate& ResidualTable::linkAt(int row) const {
+  const auto& [patch, link] = rows_.at(static_cast<std::size_t>(row));
+  return reconstruction()->patches[patch].links[link];
+}
+
+int ResidualTable::rowOf(const Selection::Link& link) const {
+  const auto found = row_of_.find(link);
+  return found == row_of_.end() ? -1 : found->second;
+}
+
+std::optional<PoseId> ResidualTable::poseAt(int column) const {
+  if (column < 1 || column >= columnCount()) return std::nullopt;
+  return reconstruction()->poses[static_cast<std::size_t>(column - 1)].pose;
+}
+
+std::optional<double> ResidualTable::residualAt(const QModelIndex& index) const {
+  const LinkEstimate& link = linkAt(index.row());
+  if (index.column() == 0) return link.knownResidual();
+  const auto pose = static_cast<std::size_t>(index.column() - 1);
+  return pose < link.pose_residual_rad.size() ? link.pose_residual_rad[pose] : std::nullopt;
+}
+
+QVariant ResidualTable::data(const QModelIndex& index, int role) const {
+  if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
+  switch (role) {
+    case Qt::DisplayRole: {
+      const std::optional<double> residual = residualAt(index);
+      return residual ? figureInWords(toDegrees(*residual), 2) : noValue();
+    }
+    case kRawRole: {
+      const std::optional<double> residual = residualAt(index);
+      return residual ? QVariant(toDegrees(*residual)) : QVariant();
+    }
+    case Qt::TextAlignmentRole:
+      return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
+    case Qt::ToolTipRole:
+      return linkToolTip(*reconstruction(), linkAt(index.row()));
+    case Qt::AccessibleTextRole: {
+      const QString link = longLinkName(linkAt(index.row()));
+      const QString residual = degreesInWords(residualAt(index));
+      const std::optional<PoseId> pose = poseAt(index.column());
+      return pose ? tr("%1, pose %2: %3").arg(link).arg(pose->value()).arg(residual)
+                  : tr("%1, all poses: %2").arg(link, residual);
+    }
+    default:
+      return {};
+  }
+}
+
+QVariant ResidualTable::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (section < 0 || section >= (orientation == Qt::Horizontal ? columnCount() : rowCount())) return {};
+  if (orientation == Qt::Vertical) {
+    switch (role) {
+      case Qt::DisplayRole:
+      case kRawRole:
+        return shortLinkName(linkAt(section));
+      case kUnitRole:
+        return tr("Link");
+      case Qt::ToolTipRole:
+        return linkToolTip(*reconstruction(), linkAt(section));
+      case Qt::TextAlignmentRole:
+        return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
+      default:
+        return {};
+    }
+  }
+  const std::optional<PoseId> pose = poseAt(section);
+  switch (role) {
+    case Qt::DisplayRole:
+      return pose ? tr("Pose %1").arg(pose->value()) : tr("All");
+    case kUnitRole:
+      return QStringLiteral("deg");
+    case Qt::ToolTipRole: {
+      if (!pose) return tr("Rms over the poses, degrees");
+      const PoseSummary& summary = reconstruction()->poses[static_cast<std::size_t>(section - 1)];
+      if (!summary.enabled) return tr("Pose %1 is disabled: it is kept, but not used.").arg(pose->value());
+      return tr("Pose %1 %2, degrees").arg(pose->value()).arg(QString::fromStdString(summary.label)).simplified();
+    }
+    case Qt::TextAlignmentRole:
+      return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
+    default:
+      return {};
+  }
+}
+
+}  // namespace hexoderm

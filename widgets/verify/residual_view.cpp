@@ -1,0 +1,224 @@
+#include "widgets/verify/residual_view.h"
+
+#include "widgets/controls/selection.h"
+#include "widgets/style/scene_colors.h"
+#include "widgets/tables/table_actions.h"
+#include "widgets/verify/residual_plots.h"
+#include "widgets/verify/residual_table.h"
+#include "widgets/words/formatting.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPainter>
+#include <QStackedWidget>
+#include <QStyledItemDelegate>
+#include <QTableView>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace hexoderm {
+
+QColor residualColor(double residual_deg) { return viridis(residual_deg / kResidualScaleEnd_deg); }
+
+/// Paints the cells itself: a thousand columns leave no time for a style sheet.
+class ResidualMatrixDelegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  void setTheme(Theme theme) { theme_ = theme; }
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    const Colors& colors = Colors::of(theme_);
+    const QVariant residual = index.data(kRawRole);
+    const QRect cell = option.rect.adjusted(0, 0, -1, -1);
+    QColor text = colors.text_muted;
+    if (residual.isValid()) {
+      const QColor ground = residualColor(residual.toDouble());
+      painter->fillRect(cell, ground);
+      text = textOn(ground);
+    }
+    painter->setPen(text);
+    painter->setFont(option.font);
+    painter->drawText(cell.adjusted(2, 0, -5, 0), Qt::AlignRight | Qt::AlignVCenter,
+                      index.data(Qt::DisplayRole).toString());
+    if (!(option.state & QStyle::State_Selected)) return;
+    // Seen on every colour: the outline of what is picked, with one of the ground inside of it.
+    painter->setPen(QPen(colors.selection, 2));
+    painter->drawRect(cell.adjusted(1, 1, -1, -1));
+    painter->setPen(QPen(colors.panel, 1));
+    painter->drawRect(cell.adjusted(2, 2, -3, -3));
+  }
+
+ private:
+  Theme theme_ = Theme::Light;
+};
+
+namespace {
+
+/// The colours with what they mean.
+class ResidualLegend : public QWidget {
+ public:
+  ResidualLegend() {
+    setAccessibleName(ResidualView::tr("Colours: residual from 0 to %1 degrees and more").arg(kResidualScaleEnd_deg));
+    setToolTip(accessibleName());
+  }
+  [[nodiscard]] QSize sizeHint() const override {
+    const QFontMetrics metrics(font());
+    return {metrics.horizontalAdvance(left() + right()) + kBar + 12, metrics.height() + 2};
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    const QFontMetrics metrics(font());
+    const int bar_left = metrics.horizontalAdvance(left()) + 6;
+    const int bar_height = metrics.height() / 2;
+    const int top = (height() - bar_height) / 2;
+    for (int x = 0; x < kBar; ++x) {
+      painter.fillRect(QRect(bar_left + x, top, 1, bar_height), viridis(static_cast<double>(x) / (kBar - 1)));
+    }
+    painter.setPen(palette().color(QPalette::PlaceholderText));
+    painter.drawText(QRect(0, 0, bar_left, height()), Qt::AlignLeft | Qt::AlignVCenter, left());
+    painter.drawText(QRect(bar_left + kBar + 6, 0, width(), height()), Qt::AlignLeft | Qt::AlignVCenter, right());
+  }
+
+ private:
+  static constexpr int kBar = 96;
+  static QString left() { return ResidualView::tr("Residual 0°"); }
+  static QString right() { return ResidualView::tr("≥ %1°").arg(kResidualScaleEnd_deg); }
+};
+
+}  // namespace
+
+ResidualView::ResidualView(Selection* selection, QWidget* parent)
+    : QWidget(parent),
+      selection_(selection),
+      table_(new ResidualTable(this)),
+      sorted_(new SortedTable(table_, this)),
+      matrix_(new QTableView),
+      delegate_(new ResidualMatrixDelegate(matrix_)),
+      plots_(new ResidualPlots(selection)),
+      pages_(new QStackedWidget),
+      matrix_button_(new QToolButton),
+      plots_button_(new QToolButton),
+      legend_(new ResidualLegend) {
+  matrix_->setObjectName(QStringLiteral("residualMatrix"));
+  matrix_->setAccessibleName(tr("Residuals per link and pose"));
+  matrix_->setModel(sorted_);
+  matrix_->setItemDelegate(delegate_);
+  matrix_->setSelectionMode(QAbstractItemView::SingleSelection);
+  matrix_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  matrix_->setShowGrid(false);
+  matrix_->setWordWrap(false);
+  matrix_->setTabKeyNavigation(false);
+  matrix_->setFrameShape(QFrame::NoFrame);
+  matrix_->horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  matrix_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  matrix_->horizontalHeader()->setHighlightSections(true);
+  // In the order of the links until a header is clicked: "All" brings the worst to the top.
+  SortedTable::enableIn(matrix_);
+  pages_->addWidget(matrix_);
+  pages_->addWidget(plots_);
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(buildHeader());
+  layout->addWidget(pages_, 1);
+
+  onPicked(matrix_, this, [this](const QModelIndex& picked) { pickCurrent(picked); });
+  connect(matrix_, &QTableView::clicked, this, &ResidualView::pickCurrent);
+  connect(plots_, &ResidualPlots::posePicked, this, &ResidualView::posePicked);
+  connect(selection_, &Selection::changed, this, &ResidualView::showPicked);
+  fitColumns();
+  showMatrix();
+}
+
+ResidualView::~ResidualView() = default;
+
+QWidget* ResidualView::buildHeader() {
+  auto* header = new QWidget;
+  auto* row = new QHBoxLayout(header);
+  row->setContentsMargins(6, 2, 8, 2);
+  auto* group = new QButtonGroup(this);
+  const auto add = [&](QToolButton* button, const QString& text, const QString& explanation, const char* name) {
+    button->setText(text);
+    button->setToolTip(explanation);
+    button->setObjectName(QLatin1String(name));
+    button->setCheckable(true);
+    group->addButton(button);
+    row->addWidget(button);
+  };
+  add(matrix_button_, tr("Matrix"), tr("Every link in every pose, as numbers and colours"), "residualMatrixButton");
+  add(plots_button_, tr("Plots"), tr("Residuals by pose, by link, and beside what was predicted"),
+      "residualPlotsButton");
+  connect(matrix_button_, &QToolButton::clicked, this, &ResidualView::showMatrix);
+  connect(plots_button_, &QToolButton::clicked, this, &ResidualView::showPlots);
+  row->addStretch();
+  row->addWidget(legend_);
+  return header;
+}
+
+void ResidualView::setReconstruction(const std::shared_ptr<const Reconstruction>& reconstruction) {
+  following_ = true;
+  table_->setReconstruction(reconstruction);
+  plots_->setReconstruction(reconstruction);
+  following_ = false;
+  showPicked();
+}
+
+void ResidualView::setTheme(Theme theme) {
+  delegate_->setTheme(theme);
+  plots_->setTheme(theme);
+  matrix_->viewport()->update();
+  legend_->update();
+  fitColumns();
+}
+
+void ResidualView::showMatrix() {
+  matrix_button_->setChecked(true);
+  pages_->setCurrentWidget(matrix_);
+  legend_->show();
+}
+
+void ResidualView::showPlots() {
+  plots_button_->setChecked(true);
+  pages_->setCurrentWidget(plots_);
+  legend_->hide();
+}
+
+void ResidualView::fitColumns() {
+  // All alike, and wide enough for a heading: measuring a thousand columns takes too long.
+  ensurePolished();
+  const QFontMetrics metrics(matrix_->font());
+  matrix_->horizontalHeader()->setDefaultSectionSize(metrics.horizontalAdvance(tr("Pose %1").arg(1000)) + 22);
+  matrix_->verticalHeader()->setDefaultSectionSize(metrics.height() + 6);
+}
+
+void ResidualView::pickCurrent(const QModelIndex& current) {
+  if (following_ || !current.isValid()) return;
+  const QModelIndex source = sorted_->mapToSource(current);
+  const LinkEstimate& link = table_->linkAt(source.row());
+  following_ = true;
+  selection_->selectLink(link.source, link.target);
+  following_ = false;
+  if (const std::optional<PoseId> pose = table_->poseAt(source.column())) emit posePicked(*pose);
+}
+
+void ResidualView::showPicked() {
+  if (following_) return;
+  const int row = selection_->link() ? table_->rowOf(*selection_->link()) : -1;
+  following_ = true;
+  if (row < 0) {
+    matrix_->clearSelection();
+  } else {
+    const int column = std::max(0, matrix_->currentIndex().column());
+    matrix_->setCurrentIndex(sorted_->mapFromSource(table_->index(row, column)));
+  }
+  following_ = false;
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "hexoderm/reconstruction/result/reconstruction.h"
+#include "widgets/style/palette.h"
+
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+class QStackedWidget;
+class QTableView;
+class QToolButton;
+
+namespace hexoderm {
+
+class ResidualMatrixDelegate;
+class ResidualPlots;
+class ResidualTable;
+class Selection;
+class SortedTable;
+
+/// Viridis for a residual, on the scale that all views share, and what can be read on it.
+QColor residualColor(double residual_deg);
+
+/// How well each link fits each pose: as a matrix of numbers and colours, or as plots. Picking a cell of the matrix
+/// picks the link, and its pose by posePicked(); a link that is picked elsewhere is picked here.
+class ResidualView : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `selection` must outlive the view.
+  explicit ResidualView(Selection* selection, QWidget* parent = nullptr);
+  ~ResidualView() override;
+
+  void setReconstruction(const std::shared_ptr<const Reconstruction>& reconstruction);
+  void setTheme(Theme theme);
+  /// The matrix, for the actions on tables.
+  [[nodiscard]] QTableView* matrix() const { return matrix_; }
+
+ public slots:
+  void showMatrix();
+  void showPlots();
+
+ signals:
+  void posePicked(hexoderm::PoseId pose);
+
+ private:
+  QWidget* buildHeader();
+  void pickCurrent(const QModelIndex& current);
+  void showPicked();
+  void fitColumns();
+
+  Selection* selection_;
+  ResidualTable* table_;
+  SortedTable* sorted_;
+  QTableView* matrix_;
+  ResidualMatrixDelegate* delegate_;
+  ResidualPlots* plots_;
+  QStackedWidget* pages_;
+  QToolButton* matrix_button_;
+  QToolButton* plots_button_;
+  QWidget* legend_;
+  bool following_ = false;  ///< the matrix is being moved to what was picked elsewhere
+};
+
+}  // namespace hexoderm

@@ -1,0 +1,357 @@
+#include "widgets/verify/verify_panel.h"
+
+#include "hexoderm/util/units.h"
+#include "widgets/tables/table_actions.h"
+#include "widgets/words/core_words.h"
+
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+std::optional<SurfaceEvaluation> largestOf(const std::vector<SurfaceEvaluation>& surfaces) {
+  const auto largest =
+      std::ranges::max_element(surfaces, {}, [](const SurfaceEvaluation& surface) { return surface.cells.size(); });
+  return largest == surfaces.end() ? std::nullopt : std::optional(*largest);
+}
+
+/// The surface that a row of the table belongs to, which lists one after the other.
+std::optional<SurfaceEvaluation> ofRow(const std::vector<SurfaceEvaluation>& surfaces, int row) {
+  auto left = static_cast<std::size_t>(row);
+  for (const SurfaceEvaluation& surface : surfaces) {
+    if (left < surface.cells.size()) return surface;
+    left -= surface.cells.size();
+  }
+  return std::nullopt;
+}
+
+QLabel* labelFor(QWidget* control, const QString& text) {
+  auto* label = new QLabel(text);
+  label->setBuddy(control);
+  return label;
+}
+
+}  // namespace
+
+VerifyPanel::VerifyPanel(Selection* selection, QWidget* parent)
+    : QWidget(parent),
+      hold_out_(new VerifySection(tr("Hold-out pose"), tr("Does it foretell a pose that it has not seen?"),
+                                  QStringLiteral("holdOut"), selection)),
+      loop_(new VerifySection(tr("Loops"), tr("Do chains of cells that meet again close?"), QStringLiteral("loops"),
+                              selection)),
+      surface_(new VerifySection(tr("Surface"), tr("Do the cells lie on the surface they were put on?"),
+                                 QStringLiteral("surface"), selection)),
+      comparison_(
+          new VerifySection(tr("Earlier calibration"), tr("Does it repeat?"), QStringLiteral("comparison"), selection)),
+      pose_(new QComboBox),
+      run_(new QPushButton(tr("Run"))),
+      by_cell_(new QToolButton),
+      by_link_(new QToolButton),
+      kind_(new QComboBox),
+      radius_mm_(new QDoubleSpinBox),
+      choose_(new QPushButton(tr("Choose file…"))),
+      drop_(new QPushButton(tr("Remove"))) {
+  setObjectName(QStringLiteral("verifyPanel"));
+  buildHoldOut();
+  buildSurface();
+  buildComparison();
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 4, 0, 4);
+  layout->setSpacing(16);
+  for (VerifySection* section : {hold_out_, loop_, surface_, comparison_}) layout->addWidget(section);
+  layout->addStretch();
+
+  connect(hold_out_, &VerifySection::cancelled, this, [this] { emit cancelRequested(VerifyCheck::HoldOut); });
+  connect(loop_, &VerifySection::cancelled, this, [this] { emit cancelRequested(VerifyCheck::Loops); });
+  connect(surface_, &VerifySection::cancelled, this, [this] { emit cancelRequested(VerifyCheck::Surface); });
+  connect(comparison_, &VerifySection::cancelled, this, [this] { emit cancelRequested(VerifyCheck::Comparison); });
+  connect(loop_, &VerifySection::rowPicked, this, [this](int row) {
+    emit loopShown(row < 0 ? std::nullopt : std::optional(loops_.at(static_cast<std::size_t>(row)).closure));
+  });
+  connect(surface_, &VerifySection::rowPicked, this, [this](int row) {
+    if (row >= 0) emit surfaceShown(ofRow(surfaces_, row));
+  });
+  setReconstruction(nullptr, false);
+}
+
+void VerifyPanel::buildHoldOut() {
+  pose_->setObjectName(QStringLiteral("holdOutPose"));
+  pose_->setAccessibleName(tr("Pose that is held out"));
+  pose_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  pose_->setMinimumContentsLength(8);
+  run_->setObjectName(QStringLiteral("holdOutRun"));
+  // Names of poses are long in some languages.
+  hold_out_->addRow()->addWidget(pose_, 1);
+  QHBoxLayout* row = hold_out_->addRow();
+  row->addWidget(run_);
+  row->addStretch();
+  connect(pose_, qOverload<int>(&QComboBox::activated), this, &VerifyPanel::refreshControls);
+  connect(run_, &QPushButton::clicked, this, [this] { emit holdOutRequested(PoseId(pose_->currentData().toUInt())); });
+
+  QHBoxLayout* rows = hold_out_->addRow();
+  auto* group = new QButtonGroup(this);
+  const auto add = [&](QToolButton* button, const QString& text, const char* name) {
+    button->setText(text);
+    button->setObjectName(QLatin1String(name));
+    button->setCheckable(true);
+    button->hide();
+    group->addButton(button);
+    rows->addWidget(button);
+    connect(button, &QToolButton::clicked, this, &VerifyPanel::showHoldOutFigures);
+  };
+  add(by_cell_, tr("By cell"), "holdOutByCell");
+  add(by_link_, tr("By link"), "holdOutByLink");
+  by_cell_->setChecked(true);
+  rows->addStretch();
+}
+
+void VerifyPanel::buildSurface() {
+  kind_->setObjectName(QStringLiteral("surfaceKind"));
+  kind_->setAccessibleName(tr("Surface through the cells"));
+  kind_->addItem(tr("None"), -1);
+  for (const SurfaceKind kind : {SurfaceKind::Plane, SurfaceKind::Cylinder, SurfaceKind::Sphere, SurfaceKind::Cone}) {
+    kind_->addItem(surfaceKindWord(kind), static_cast<int>(kind));
+  }
+  radius_mm_->setObjectName(QStringLiteral("surfaceRadius"));
+  radius_mm_->setAccessibleName(tr("True radius of the surface"));
+  radius_mm_->setRange(0, 100000);
+  radius_mm_->setDecimals(2);
+  radius_mm_->setSuffix(tr(" mm"));
+  radius_mm_->setSpecialValueText(tr("not known"));
+  radius_mm_->setKeyboardTracking(false);
+  auto* grid = new QGridLayout;
+  grid->setColumnStretch(1, 1);
+  grid->addWidget(labelFor(kind_, tr("Surface")), 0, 0);
+  grid->addWidget(kind_, 0, 1);
+  grid->addWidget(labelFor(radius_mm_, tr("True radius")), 1, 0);
+  grid->addWidget(radius_mm_, 1, 1);
+  surface_->addRow()->addLayout(grid);
+  connect(kind_, qOverload<int>(&QComboBox::currentIndexChanged), this, &VerifyPanel::requestSurface);
+  connect(radius_mm_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &VerifyPanel::requestSurface);
+}
+
+void VerifyPanel::buildComparison() {
+  choose_->setObjectName(QStringLiteral("comparisonChoose"));
+  drop_->setObjectName(QStringLiteral("comparisonRemove"));
+  QHBoxLayout* row = comparison_->addRow();
+  row->addWidget(choose_);
+  row->addWidget(drop_);
+  row->addStretch();
+  connect(choose_, &QPushButton::clicked, this, &VerifyPanel::comparisonFileWanted);
+  connect(drop_, &QPushButton::clicked, this, &VerifyPanel::dropComparison);
+}
+
+void VerifyPanel::compareWith(const QString& path) {
+  compares_ = true;
+  refreshControls();
+  emit comparisonRequested(path);
+}
+
+void VerifyPanel::dropComparison() {
+  compares_ = false;
+  comparison_->setFigures({});
+  comparison_->setSentence({});
+  refreshControls();
+  emit comparisonDropped();
+  emit comparisonShown({});
+}
+
+void VerifyPanel::setReconstruction(std::shared_ptr<const Reconstruction> reconstruction, bool has_readings) {
+  const bool changed = reconstruction != reconstruction_;
+  reconstruction_ = std::move(reconstruction);
+  has_readings_ = has_readings;
+  if (changed && hold_out_result_) {
+    hold_out_result_.reset();
+    hold_out_outdated_ = true;
+    showHoldOutFigures();
+  }
+  if (!reconstruction_) hold_out_outdated_ = false;
+  const QVariant chosen = pose_->currentData();
+  pose_->clear();
+  if (reconstruction_) {
+    for (const PoseSummary& pose : reconstruction_->poses) {
+      QString text = tr("Pose %1").arg(pose.pose.value());
+      if (!pose.label.empty()) text += QStringLiteral(" · ") + coreWords(pose.label);
+      if (!pose.enabled) text += QStringLiteral(" · ") + tr("disabled");
+      pose_->addItem(text, pose.pose.value());
+    }
+  }
+  const int place = pose_->findData(chosen);
+  pose_->setCurrentIndex(place >= 0 ? place : pose_->count() - 1);
+  if (!reconstruction_) {
+    for (VerifySection* section : {hold_out_, loop_, surface_, comparison_}) {
+      section->setSentence({});
+      section->setFigures({});
+    }
+    loops_.clear();
+    surfaces_.clear();
+    emit loopShown(std::nullopt);
+    emit surfaceShown(std::nullopt);
+    emit comparisonShown({});
+  }
+  refreshControls();
+}
+
+/// What is left to solve with when the chosen pose is held out.
+std::size_t VerifyPanel::otherPoses() const {
+  const PoseId chosen(pose_->currentData().toUInt());
+  return static_cast<std::size_t>(std::ranges::count_if(
+      reconstruction_->poses, [chosen](const PoseSummary& pose) { return pose.enabled && pose.pose != chosen; }));
+}
+
+void VerifyPanel::refreshControls() {
+  const QString no_skin = tr("There is no skin yet.");
+  QString why;
+  if (!reconstruction_) {
+    why = no_skin;
+  } else if (!has_readings_) {
+    why = tr("A calibration file holds no readings: open the session it was made of.");
+  } else if (pose_->count() == 0) {
+    why = tr("Takes %1 poses that are not disabled, and there is none yet.").arg(kFewestOtherPoses + 1);
+  }
+  pose_->setEnabled(why.isEmpty());
+  if (why.isEmpty() && otherPoses() < kFewestOtherPoses) {
+    why = tr("Takes %1 other poses that are not disabled; besides this one there are %2.")
+              .arg(kFewestOtherPoses)
+              .arg(otherPoses());
+  }
+  run_->setEnabled(why.isEmpty() && !hold_out_->isRunning());
+  run_->setToolTip(why.isEmpty() ? tr("Solves without this pose and compares what it foretells with what was read")
+                                 : why);
+  pose_->setToolTip(why);
+  // A grey button alone would leave open why.
+  if (!why.isEmpty() && !hold_out_result_) hold_out_->setSentence({Tone::Neutral, why});
+  if (why.isEmpty() && !hold_out_result_ && !hold_out_->isRunning()) {
+    hold_out_->setSentence(
+        {Tone::Neutral, hold_out_outdated_ ? tr("The session has changed since: run it again.") : tr("Not run yet.")});
+  }
+
+  const auto kind = static_cast<SurfaceKind>(kind_->currentData().toInt());
+  const bool round = kind_->currentIndex() > 0 && (kind == SurfaceKind::Cylinder || kind == SurfaceKind::Sphere);
+  kind_->setEnabled(reconstruction_ != nullptr);
+  kind_->setToolTip(reconstruction_ ? tr("Fitted through the centres of the cells") : no_skin);
+  radius_mm_->setEnabled(reconstruction_ && round);
+  radius_mm_->setToolTip(round ? tr("Known from a drawing or measured: gives the paper's Δ and ε")
+                               : tr("Only a cylinder and a sphere have one radius to compare with."));
+  choose_->setEnabled(reconstruction_ != nullptr);
+  choose_->setToolTip(reconstruction_ ? tr("A calibration, or a session that is then solved") : no_skin);
+  drop_->setVisible(compares_);
+}
+
+void VerifyPanel::setTheme(Theme theme) {
+  for (VerifySection* section : {hold_out_, loop_, surface_, comparison_}) section->setTheme(theme);
+}
+
+void VerifyPanel::setRunning(VerifyCheck check, bool running) {
+  const std::array<VerifySection*, 4> sections = {hold_out_, loop_, surface_, comparison_};
+  sections.at(static_cast<std::size_t>(check))->setRunning(running);
+  refreshControls();
+}
+
+void VerifyPanel::showHoldOut(const HoldOutResult& result) {
+  hold_out_result_ = result;
+  hold_out_outdated_ = false;
+  hold_out_->setSentence(holdOutInWords(result));
+  showHoldOutFigures();
+}
+
+void VerifyPanel::showHoldOutFigures() {
+  const bool any = hold_out_result_ && !hold_out_result_->cells.empty();
+  by_cell_->setVisible(any);
+  by_link_->setVisible(any);
+  if (!any) {
+    hold_out_->setFigures({});
+  } else {
+    hold_out_->setFigures(by_link_->isChecked() ? holdOutLinks(*hold_out_result_) : holdOutCells(*hold_out_result_));
+  }
+}
+
+void VerifyPanel::showLoops(const std::vector<FoundLoop>& loops) {
+  loops_ = loops;
+  loop_->setSentence(loopsInWords(loops, reconstruction_ ? reconstruction_->patches.size() : 0));
+  loop_->setFigures(loopFigures(loops));
+  // What is open is looked at first; nothing is drawn of a sheet with hundreds of closed ones until one is picked.
+  const bool open = !loops.empty() && !loops.front().closed;
+  emit loopShown(open ? std::optional(loops.front().closure) : std::nullopt);
+}
+
+void VerifyPanel::showSurfaces(const std::vector<SurfaceEvaluation>& surfaces, const QStringList& remarks) {
+  surfaces_ = surfaces;
+  const std::optional<double> stated = reconstruction_ ? reconstruction_->verdict.position_95_m : std::nullopt;
+  VerifySentence all;
+  QStringList texts;
+  for (const SurfaceEvaluation& surface : surfaces) {
+    const VerifySentence sentence = surfaceInWords(surface, stated);
+    all.tone = std::max(all.tone, sentence.tone);
+    texts << (surfaces.size() + static_cast<std::size_t>(remarks.size()) > 1
+                  ? tr("Patch %1. %2").arg(surface.patch.value() + 1).arg(sentence.text)
+                  : sentence.text);
+  }
+  if (!remarks.isEmpty()) all.tone = std::max(all.tone, Tone::Caution);
+  all.text = (texts + remarks).join(QLatin1Char('\n'));
+  surface_->setSentence(all);
+  surface_->setFigures(surfaceFigures(surfaces));
+  emit surfaceShown(largestOf(surfaces));
+}
+
+void VerifyPanel::showComparison(const std::vector<Comparison>& comparisons, const QString& against) {
+  comparison_->setSentence(comparisonInWords(comparisons, against));
+  comparison_->setFigures(comparisonFigures(comparisons));
+  emit comparisonShown(comparisons);
+}
+
+void VerifyPanel::showFailure(VerifyCheck check, const QString& message) {
+  const std::array<VerifySection*, 4> sections = {hold_out_, loop_, surface_, comparison_};
+  VerifySection* section = sections.at(static_cast<std::size_t>(check));
+  section->setFigures({});
+  section->setSentence({Tone::Bad, message});
+  switch (check) {
+    case VerifyCheck::HoldOut:
+      hold_out_result_.reset();
+      showHoldOutFigures();
+      break;
+    case VerifyCheck::Loops:
+      loops_.clear();
+      emit loopShown(std::nullopt);
+      break;
+    case VerifyCheck::Surface:
+      surfaces_.clear();
+      emit surfaceShown(std::nullopt);
+      break;
+    case VerifyCheck::Comparison:
+      emit comparisonShown({});
+      break;
+  }
+}
+
+std::array<TableActions*, 4> VerifyPanel::tableActions() const {
+  return {hold_out_->tableActions(), loop_->tableActions(), surface_->tableActions(), comparison_->tableActions()};
+}
+
+void VerifyPanel::requestSurface() {
+  refreshControls();
+  const int kind = kind_->currentData().toInt();
+  if (kind < 0) {
+    surfaces_.clear();
+    surface_->setSentence({});
+    surface_->setFigures({});
+    emit surfaceShown(std::nullopt);
+    emit surfaceRequested(std::nullopt, std::nullopt);
+    return;
+  }
+  const bool known = radius_mm_->isEnabled() && radius_mm_->value() > 0;
+  emit surfaceRequested(static_cast<SurfaceKind>(kind),
+                        known ? std::optional(radius_mm_->value() * kMillimetre) : std::nullopt);
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,97 @@
+#pragma once
+
+#include "widgets/verify/verify_section.h"
+
+#include <QStringList>
+#include <QWidget>
+#include <array>
+#include <memory>
+#include <optional>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QPushButton;
+class QToolButton;
+
+namespace hexoderm {
+
+enum class VerifyCheck { HoldOut, Loops, Surface, Comparison };
+
+/// The checks of a finished calibration, each with a verdict: does it foretell a pose it has not seen, do its loops
+/// close, do its cells lie on the surface they were put on, does it repeat? The panel asks by its requests and shows
+/// the results that it is given; it is narrow enough for the column of steps.
+class VerifyPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `selection` must outlive the panel.
+  explicit VerifyPanel(Selection* selection, QWidget* parent = nullptr);
+
+  /// What is verified; results about an earlier state of it go. `has_readings`: there is a session to hold a pose out
+  /// of.
+  void setReconstruction(std::shared_ptr<const Reconstruction> reconstruction, bool has_readings);
+  void setTheme(Theme theme);
+  void setRunning(VerifyCheck check, bool running);
+
+  void showHoldOut(const HoldOutResult& result);
+  void showLoops(const std::vector<FoundLoop>& loops);
+  /// One a patch; `remarks` say why there is none of another.
+  void showSurfaces(const std::vector<SurfaceEvaluation>& surfaces, const QStringList& remarks);
+  void showComparison(const std::vector<Comparison>& comparisons, const QString& against);
+  /// With the file that was chosen, until dropComparison(), whether it can be read or not.
+  void compareWith(const QString& path);
+  void dropComparison();
+  /// What an earlier result showed goes, in the other views too.
+  void showFailure(VerifyCheck check, const QString& message);
+
+  /// For the actions on its tables.
+  [[nodiscard]] std::array<TableActions*, 4> tableActions() const;
+
+ signals:
+  void holdOutRequested(hexoderm::PoseId pose);
+  void cancelRequested(hexoderm::VerifyCheck check);
+  /// No kind: no surface any more.
+  void surfaceRequested(std::optional<hexoderm::SurfaceKind> kind, std::optional<double> true_radius_m);
+  /// Which one, the window asks, and answers by compareWith().
+  void comparisonFileWanted();
+  void comparisonRequested(const QString& path);
+  void comparisonDropped();
+
+  /// What the views draw; none: nothing any more. The surface is that of the largest patch, unless a row of another is
+  /// picked.
+  void surfaceShown(const std::optional<hexoderm::SurfaceEvaluation>& surface);
+  void comparisonShown(const std::vector<hexoderm::Comparison>& comparisons);
+  void loopShown(const std::optional<hexoderm::LoopEvaluation>& loop);
+
+ private:
+  void buildHoldOut();
+  void buildSurface();
+  void buildComparison();
+  void requestSurface();
+  void refreshControls();
+  [[nodiscard]] std::size_t otherPoses() const;
+  void showHoldOutFigures();
+
+  std::shared_ptr<const Reconstruction> reconstruction_;
+  bool has_readings_ = false;
+  std::optional<HoldOutResult> hold_out_result_;
+  bool hold_out_outdated_ = false;  ///< there was a result, of an earlier state
+  std::vector<FoundLoop> loops_;
+  std::vector<SurfaceEvaluation> surfaces_;
+  bool compares_ = false;  ///< a file is chosen
+
+  VerifySection* hold_out_;
+  VerifySection* loop_;
+  VerifySection* surface_;
+  VerifySection* comparison_;
+  QComboBox* pose_;
+  QPushButton* run_;
+  QToolButton* by_cell_;
+  QToolButton* by_link_;
+  QComboBox* kind_;
+  QDoubleSpinBox* radius_mm_;
+  QPushButton* choose_;
+  QPushButton* drop_;
+};
+
+}  // namespace hexoderm

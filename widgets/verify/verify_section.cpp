@@ -1,0 +1,190 @@
+#include "widgets/verify/verify_section.h"
+
+#include "widgets/controls/selection.h"
+#include "widgets/tables/table_actions.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QTableView>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+/// A sign of its own for each tone, so that no meaning hangs on hue.
+QString toneSign(Tone tone) {
+  switch (tone) {
+    case Tone::Good:
+      return QStringLiteral("✓");
+    case Tone::Caution:
+      return QStringLiteral("▲");
+    case Tone::Bad:
+      return QStringLiteral("✕");
+    case Tone::Neutral:
+      break;
+  }
+  return QStringLiteral("●");
+}
+
+constexpr int kMostRowsSeen = 6;
+
+}  // namespace
+
+VerifySection::VerifySection(const QString& heading, const QString& question, const QString& name, Selection* selection)
+    : selection_(selection),
+      rows_(new QWidget),
+      progress_(new QWidget),
+      sign_(new QLabel),
+      sentence_(new QLabel),
+      view_(new QTableView),
+      table_(new ResultTable(this)),
+      sorted_(new SortedTable(table_, this)),
+      patience_(new QTimer(this)) {
+  setObjectName(name);
+  setAccessibleName(heading);
+  auto* title = new QLabel(heading);
+  QFont bold = title->font();
+  bold.setBold(true);
+  title->setFont(bold);
+  auto* asked = new QLabel(question);
+  asked->setProperty("muted", true);
+  asked->setWordWrap(true);
+  auto* rows = new QVBoxLayout(rows_);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->setSpacing(5);
+
+  auto* bar = new QProgressBar;
+  bar->setRange(0, 0);
+  bar->setTextVisible(false);
+  bar->setAccessibleName(tr("Working"));
+  auto* cancel = new QPushButton(tr("Cancel"));
+  cancel->setObjectName(name + QStringLiteral("Cancel"));
+  connect(cancel, &QPushButton::clicked, this, &VerifySection::cancelled);
+  auto* progress = new QHBoxLayout(progress_);
+  progress->setContentsMargins(0, 0, 0, 0);
+  progress->addWidget(bar, 1);
+  progress->addWidget(cancel);
+  progress_->hide();
+
+  sign_->setAlignment(Qt::AlignTop);
+  sentence_->setObjectName(name + QStringLiteral("Sentence"));
+  sentence_->setWordWrap(true);
+  sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  sentence_->setTextFormat(Qt::PlainText);
+  auto* said = new QHBoxLayout;
+  said->setSpacing(7);
+  said->addWidget(sign_);
+  said->addWidget(sentence_, 1);
+
+  view_->setObjectName(name + QStringLiteral("Table"));
+  view_->setAccessibleName(tr("Figures: %1").arg(heading));
+  view_->setModel(sorted_);
+  view_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  view_->setSelectionMode(QAbstractItemView::SingleSelection);
+  view_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  view_->setShowGrid(false);
+  view_->setWordWrap(false);
+  view_->setTabKeyNavigation(false);
+  view_->setFrameShape(QFrame::NoFrame);
+  view_->verticalHeader()->hide();
+  view_->horizontalHeader()->setHighlightSections(false);
+  view_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  view_->horizontalHeader()->setResizeContentsPrecision(40);
+  SortedTable::enableIn(view_);
+  view_->hide();
+  table_actions_ = new TableActions(view_, name);
+  onPicked(view_, this, [this](const QModelIndex& picked) { pick(sorted_->mapToSource(picked).row()); });
+  connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
+    if (!view_->selectionModel()->hasSelection()) pick(-1);
+  });
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(5);
+  layout->addWidget(title);
+  layout->addWidget(asked);
+  layout->addWidget(rows_);
+  layout->addWidget(progress_);
+  layout->addLayout(said);
+  layout->addWidget(view_);
+  constexpr int kBlink_ms = 200;
+  patience_->setSingleShot(true);
+  patience_->setInterval(kBlink_ms);
+  connect(patience_, &QTimer::timeout, this, [this] {
+    progress_->show();
+    paintSentence();
+  });
+  paintSentence();
+}
+
+QHBoxLayout* VerifySection::addRow() {
+  auto* row = new QHBoxLayout;
+  row->setSpacing(6);
+  static_cast<QVBoxLayout*>(rows_->layout())->addLayout(row);
+  return row;
+}
+
+void VerifySection::setSentence(const VerifySentence& sentence) {
+  said_ = sentence;
+  paintSentence();
+}
+
+void VerifySection::setFigures(VerifyFigures figures) {
+  table_->setContent(std::move(figures.columns), std::move(figures.rows));
+  const int rows = table_->rowCount();
+  view_->setVisible(rows > 0);
+  if (rows == 0) return;
+  constexpr int kColumnsThatFit = 3;
+  const bool fits = table_->columnCount() <= kColumnsThatFit;
+  view_->horizontalHeader()->setSectionResizeMode(fits ? QHeaderView::Stretch : QHeaderView::ResizeToContents);
+  const int shown = std::min(rows, kMostRowsSeen);
+  const int bar = view_->horizontalScrollBar()->sizeHint().height();
+  view_->setFixedHeight(view_->horizontalHeader()->sizeHint().height() +
+                        shown * view_->verticalHeader()->defaultSectionSize() + bar);
+}
+
+void VerifySection::setRunning(bool running) {
+  running_ = running;
+  if (running) {
+    if (!patience_->isActive() && progress_->isHidden()) patience_->start();
+    return;
+  }
+  patience_->stop();
+  progress_->hide();
+  paintSentence();
+}
+
+void VerifySection::setTheme(Theme theme) {
+  theme_ = theme;
+  paintSentence();
+}
+
+void VerifySection::paintSentence() {
+  sign_->setText(toneSign(said_.tone));
+  sign_->setStyleSheet(QStringLiteral("color: %1").arg(toneColor(said_.tone, theme_).name()));
+  sentence_->setText(said_.text);
+  const bool says = !said_.text.isEmpty() && progress_->isHidden();
+  sign_->setVisible(says);
+  sentence_->setVisible(says);
+}
+
+void VerifySection::pick(int row) {
+  if (row >= 0) {
+    const ResultTable::Row& picked = table_->rowAt(row);
+    if (picked.link) {
+      selection_->selectLink(picked.link->first, picked.link->second);
+    } else if (picked.cell) {
+      selection_->selectCell(*picked.cell);
+    }
+  }
+  emit rowPicked(row);
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "widgets/verify/verify_words.h"
+
+#include <QFrame>
+
+class QHBoxLayout;
+class QLabel;
+class QTableView;
+class QTimer;
+
+namespace hexoderm {
+
+class Selection;
+class SortedTable;
+class TableActions;
+
+/// One check of a calibration: what it asks, its controls, its verdict in a sentence, and the figures behind it. A row
+/// that is picked picks its cell or link.
+class VerifySection : public QFrame {
+  Q_OBJECT
+
+ public:
+  /// `name` is for objects inside of it and the file that its table is saved as.
+  VerifySection(const QString& heading, const QString& question, const QString& name, Selection* selection);
+
+  /// A new row of controls.
+  QHBoxLayout* addRow();
+  void setSentence(const VerifySentence& sentence);
+  /// No rows: no table.
+  void setFigures(VerifyFigures figures);
+  /// Shows that it is being worked on, with a button to cancel that, once it takes longer than a blink.
+  void setRunning(bool running);
+  [[nodiscard]] bool isRunning() const { return running_; }
+  void setTheme(Theme theme);
+  [[nodiscard]] TableActions* tableActions() const { return table_actions_; }
+
+ signals:
+  void cancelled();
+  /// The row of the figures as they were given; -1: none.
+  void rowPicked(int row);
+
+ private:
+  void paintSentence();
+  void pick(int row);
+
+  Selection* selection_;
+  QWidget* rows_;
+  QWidget* progress_;
+  QLabel* sign_;
+  QLabel* sentence_;
+  QTableView* view_;
+  ResultTable* table_;
+  SortedTable* sorted_;
+  TableActions* table_actions_;
+  VerifySentence said_;
+  Theme theme_ = Theme::Light;
+  bool running_ = false;
+  QTimer* patience_;
+};
+
+}  // namespace hexoderm

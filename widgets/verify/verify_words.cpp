@@ -1,0 +1,301 @@
+#include "widgets/verify/verify_words.h"
+
+#include "hexoderm/util/units.h"
+#include "widgets/words/formatting.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+namespace hexoderm {
+namespace {
+
+struct VerifyTexts {
+  Q_DECLARE_TR_FUNCTIONS(hexoderm::Verify)
+};
+
+QString degrees(double angle_rad) { return figureInWords(toDegrees(angle_rad), 2) + QStringLiteral("°"); }
+QString millimetres(double length_m) { return millimetresInWords(length_m, 2); }
+QString percent(double value) { return figureInWords(value, 1) + QStringLiteral(" %"); }
+
+QVariant inDegrees(std::optional<double> angle_rad) { return angle_rad ? QVariant(toDegrees(*angle_rad)) : QVariant(); }
+QVariant inMillimetres(std::optional<double> length_m) {
+  return length_m ? QVariant(toMillimetres(*length_m)) : QVariant();
+}
+
+Selection::Link ordered(LinkEnd a, LinkEnd b) { return b < a ? Selection::Link(b, a) : Selection::Link(a, b); }
+
+ResultTable::Column cellColumn() { return {VerifyTexts::tr("Cell"), {}, VerifyTexts::tr("ID of the cell"), 0, false}; }
+ResultTable::Column degreeColumn(const QString& name, const QString& explanation) {
+  return {name, QStringLiteral("deg"), explanation, 2, false};
+}
+ResultTable::Column millimetreColumn(const QString& name, const QString& explanation) {
+  return {name, QStringLiteral("mm"), explanation, 2, false};
+}
+
+}  // namespace
+
+VerifySentence holdOutInWords(const HoldOutResult& result) {
+  switch (result.outcome) {
+    case HoldOutOutcome::TooFewPoses:
+      return {
+          Tone::Caution,
+          VerifyTexts::tr("Needs three poses besides the one that is held out, and there are %1: take another pose.")
+              .arg(result.other_poses)};
+    case HoldOutOutcome::NothingToCompare:
+      return {Tone::Caution,
+              VerifyTexts::tr("In pose %1 no two joined cells can be compared.").arg(result.pose.value())};
+    case HoldOutOutcome::Stopped:
+      return {Tone::Neutral, VerifyTexts::tr("Cancelled.")};
+    case HoldOutOutcome::Evaluated:
+      break;
+  }
+  const QString figures =
+      VerifyTexts::tr("The other %1 poses foretell pose %2 to %3 (rms over %4 cells); %5 were expected.")
+          .arg(result.other_poses)
+          .arg(result.pose.value())
+          .arg(degrees(result.rms_rad))
+          .arg(result.cells.size())
+          .arg(degrees(result.expected_rms_rad));
+  const auto worst = std::ranges::max_element(result.cells, {}, &HoldOutCell::error_rad);
+  const QString worst_cell =
+      VerifyTexts::tr("Worst: cell %1, %2.").arg(worst->cell.value()).arg(degrees(worst->error_rad));
+  QString more = worst_cell;
+  if (result.turned) {
+    more += QLatin1Char(' ') +
+            VerifyTexts::tr("The part turned while it was read: %1 rad/s², of a still hand %2 are expected.")
+                .arg(figureInWords(result.turning_rad_s2, 1), figureInWords(result.expected_turning_rad_s2, 1));
+  }
+  switch (result.agreement) {
+    case HoldOutAgreement::AsStated:
+      if (result.coarse) {
+        return {Tone::Caution,
+                VerifyTexts::tr("As good as stated, but a coarse check: with so few poses, a part that bent by "
+                                "less than about %1 would not show. %2")
+                    .arg(degrees(result.detectable_rad), figures)};
+      }
+      return {Tone::Good, VerifyTexts::tr("As good as stated. %1").arg(figures)};
+    case HoldOutAgreement::Worse:
+      return {Tone::Caution, VerifyTexts::tr("Somewhat worse than stated. %1 %2").arg(figures, more)};
+    case HoldOutAgreement::FarWorse:
+      break;
+  }
+  return {Tone::Bad, VerifyTexts::tr("Far worse than stated: the part moved in this pose, or a cell is wrong. %1 %2")
+                         .arg(figures, more)};
+}
+
+VerifyFigures holdOutCells(const HoldOutResult& result) {
+  VerifyFigures figures;
+  figures.columns = {
+      cellColumn(),
+      degreeColumn(VerifyTexts::tr("Error °"),
+                   VerifyTexts::tr("Between the gravity the cell read and what the other cells and poses foretell")),
+      degreeColumn(VerifyTexts::tr("Expected"),
+                   VerifyTexts::tr("What the stated uncertainties lead one to expect, rms"))};
+  for (const HoldOutCell& cell : result.cells) {
+    figures.rows.push_back({{cell.cell.value(), toDegrees(cell.error_rad), toDegrees(cell.expected_rad)},
+                            cell.cell,
+                            std::nullopt,
+                            isRemarkable(cell.error_rad, cell.expected_rad)});
+  }
+  return figures;
+}
+
+VerifyFigures holdOutLinks(const HoldOutResult& result) {
+  VerifyFigures figures;
+  figures.columns = {{VerifyTexts::tr("Link"), {}, VerifyTexts::tr("Cell and port of both ends"), 0, true},
+                     degreeColumn(VerifyTexts::tr("Error °"),
+                                  VerifyTexts::tr("Between what its two cells read, brought into one frame")),
+                     degreeColumn(VerifyTexts::tr("Expected"),
+                                  VerifyTexts::tr("What the stated uncertainties lead one to expect, rms"))};
+  for (const HoldOutLink& link : result.links) {
+    figures.rows.push_back(
+        {{shortLinkName(link.source, link.target), toDegrees(link.error_rad), toDegrees(link.expected_rad)},
+         std::nullopt,
+         ordered(link.source, link.target),
+         isRemarkable(link.error_rad, link.expected_rad)});
+  }
+  return figures;
+}
+
+VerifySentence loopsInWords(const std::vector<FoundLoop>& loops, std::size_t patches) {
+  if (loops.empty()) {
+    return {
+        Tone::Neutral,
+        patches > 1
+            ? VerifyTexts::tr("No loop in any of the %1 patches: nothing closes that could be checked.").arg(patches)
+            : VerifyTexts::tr("No loop in this patch: nothing closes that could be checked.")};
+  }
+  QStringList sentences;
+  Tone tone = Tone::Neutral;
+  const auto closed = std::ranges::find(loops, true, &FoundLoop::closed);
+  if (const FoundLoop& open = loops.front(); !open.closed) {
+    const auto count = closed - loops.begin();
+    const QString gap = VerifyTexts::tr("%1, %2 of its %3")
+                            .arg(millimetres(open.closure.length_m), percent(open.closure.percent),
+                                 millimetres(open.closure.loop_length_m));
+    sentences << (count == 1 ? VerifyTexts::tr("One open loop; its gap is %1.").arg(gap)
+                             : VerifyTexts::tr("%1 open loops; the largest gap is %2.").arg(count).arg(gap));
+  }
+  if (closed != loops.end()) {
+    const auto count = loops.end() - closed;
+    const bool closes = closed->closesWithinLimit();
+    tone = closes ? Tone::Good : Tone::Caution;
+    const QString gap =
+        VerifyTexts::tr("%1 (%2)").arg(millimetres(closed->closure.length_m), percent(closed->closure.percent));
+    const QString limit = millimetres(closed->limit_m);
+    sentences << (closes ? VerifyTexts::tr(
+                               "%1 closed loops close: the largest is left open by %2, and a skin link may leave %3.")
+                         : VerifyTexts::tr(
+                               "Of %1 closed loops the largest is left open by %2, more than the %3 a skin link may "
+                               "leave: one of its links is wrong, or many err alike."))
+                     .arg(count)
+                     .arg(gap, limit);
+  }
+  return {tone, sentences.join(QLatin1Char(' '))};
+}
+
+VerifyFigures loopFigures(const std::vector<FoundLoop>& loops) {
+  VerifyFigures figures;
+  figures.columns = {
+      {VerifyTexts::tr("Between"), {}, VerifyTexts::tr("The two ports at which the loop is closed, or open"), 0, true},
+      millimetreColumn(VerifyTexts::tr("Gap mm"),
+                       VerifyTexts::tr("Length of what is missing when the loop is walked round")),
+      {VerifyTexts::tr("Share %"), QStringLiteral("%"),
+       VerifyTexts::tr("The gap in per cent of the accumulated port vectors"), 1, false},
+      {VerifyTexts::tr("Kind"), {}, VerifyTexts::tr("Closed by a link, or open between two free ports"), 0, true},
+      {VerifyTexts::tr("Cells"), {}, VerifyTexts::tr("Cells of the loop"), 0, false},
+      millimetreColumn(VerifyTexts::tr("X mm"), VerifyTexts::tr("The gap, in the patch's frame")),
+      millimetreColumn(VerifyTexts::tr("Y mm"), VerifyTexts::tr("The gap, in the patch's frame")),
+      millimetreColumn(VerifyTexts::tr("Z mm"), VerifyTexts::tr("The gap, in the patch's frame"))};
+  for (const FoundLoop& loop : loops) {
+    const LoopEvaluation& closure = loop.closure;
+    ResultTable::Row row;
+    row.values = {shortLinkName(closure.first, closure.second),
+                  toMillimetres(closure.length_m),
+                  closure.percent,
+                  loop.closed ? VerifyTexts::tr("closed") : VerifyTexts::tr("open"),
+                  static_cast<qulonglong>(loop.cells.size()),
+                  toMillimetres(closure.gap_m.x()),
+                  toMillimetres(closure.gap_m.y()),
+                  toMillimetres(closure.gap_m.z())};
+    if (loop.closed) {
+      row.link = ordered(closure.first, closure.second);
+    } else {
+      row.cell = closure.first.cell;
+    }
+    row.remarkable = loop.closed && !loop.closesWithinLimit();
+    figures.rows.push_back(std::move(row));
+  }
+  return figures;
+}
+
+QString surfaceKindWord(SurfaceKind kind) {
+  switch (kind) {
+    case SurfaceKind::Plane:
+      return VerifyTexts::tr("Plane");
+    case SurfaceKind::Sphere:
+      return VerifyTexts::tr("Sphere");
+    case SurfaceKind::Cylinder:
+      return VerifyTexts::tr("Cylinder");
+    case SurfaceKind::Cone:
+      return VerifyTexts::tr("Cone");
+  }
+  return {};
+}
+
+VerifySentence surfaceInWords(const SurfaceEvaluation& surface, std::optional<double> stated_m) {
+  const std::size_t worst = surface.furthest();
+  QStringList sentences;
+  QString form = surfaceKindWord(surface.kind);
+  if (surface.radius_m) {
+    form = surface.half_angle_rad ? VerifyTexts::tr("%1, half angle %2, radius %3 at its middle")
+                                        .arg(form, degrees(*surface.half_angle_rad), millimetres(*surface.radius_m))
+                                  : VerifyTexts::tr("%1, radius %2").arg(form, millimetres(*surface.radius_m));
+  }
+  sentences << VerifyTexts::tr("%1: %2 cell centres lie within %3 (rms) of it; the worst is cell %4, %5.")
+                   .arg(form)
+                   .arg(surface.cells.size())
+                   .arg(millimetres(surface.rms_m))
+                   .arg(surface.cells.at(worst).value())
+                   .arg(millimetres(std::abs(surface.distance_m.at(worst))));
+  Tone tone = Tone::Neutral;
+  if (stated_m) {
+    const bool within = surface.liesWithin(*stated_m);
+    tone = within ? Tone::Good : Tone::Caution;
+    sentences << (within ? VerifyTexts::tr("That is within the ±%1 stated for positions (95 %).")
+                         : VerifyTexts::tr(
+                               "That is more than the ±%1 stated for positions (95 %): the part has another shape, or "
+                               "positions are worse than stated."))
+                     .arg(millimetres(*stated_m));
+  }
+  if (surface.delta_m && surface.epsilon_m) {
+    sentences << VerifyTexts::tr("Against the true radius: Δ = %1 (eq. 20), ε = %2 (eq. 21).")
+                     .arg(millimetres(*surface.delta_m), millimetres(*surface.epsilon_m));
+  }
+  return {tone, sentences.join(QLatin1Char(' '))};
+}
+
+VerifyFigures surfaceFigures(const std::vector<SurfaceEvaluation>& surfaces) {
+  VerifyFigures figures;
+  figures.columns = {cellColumn(), millimetreColumn(VerifyTexts::tr("Distance mm"),
+                                                    VerifyTexts::tr("From the surface; positive outside of it"))};
+  for (const SurfaceEvaluation& surface : surfaces) {
+    for (std::size_t k = 0; k < surface.cells.size(); ++k) {
+      figures.rows.push_back({{surface.cells[k].value(), toMillimetres(surface.distance_m[k])},
+                              surface.cells[k],
+                              std::nullopt,
+                              isRemarkable(surface.distance_m[k], surface.rms_m)});
+    }
+  }
+  return figures;
+}
+
+VerifySentence comparisonInWords(const std::vector<Comparison>& comparisons, const QString& against) {
+  if (comparisons.empty())
+    return {Tone::Bad, VerifyTexts::tr("%1 has no cell in common with this calibration.").arg(against)};
+  const ComparisonSummary summary = summariseComparisons(comparisons);
+  const WithinStated& within = summary.within;
+  const QString figures = VerifyTexts::tr("Against %1, after alignment: %2 and %3 rms over %4 cells.")
+                              .arg(against, millimetres(summary.position_rms_m), degrees(summary.orientation_rms_rad))
+                              .arg(summary.cells);
+  if (within.stated == 0) {
+    return {Tone::Neutral, VerifyTexts::tr("%1 Neither of them states an uncertainty to compare with.").arg(figures)};
+  }
+  const QString counts = VerifyTexts::tr("Of %1 cells, %2 lie and %3 point within what was stated with 95 %.")
+                             .arg(within.stated)
+                             .arg(within.position)
+                             .arg(within.orientation);
+  return within.holds()
+             ? VerifySentence{Tone::Good,
+                              VerifyTexts::tr("Within what was stated for 95 % of cells. %1 %2").arg(figures, counts)}
+             : VerifySentence{
+                   Tone::Caution,
+                   VerifyTexts::tr("Further apart than what was stated for 95 % of cells. %1 %2").arg(figures, counts)};
+}
+
+VerifyFigures comparisonFigures(const std::vector<Comparison>& comparisons) {
+  VerifyFigures figures;
+  figures.columns = {
+      cellColumn(),
+      millimetreColumn(VerifyTexts::tr("Moved mm"), VerifyTexts::tr("Distance between the two, after alignment")),
+      millimetreColumn(VerifyTexts::tr("Stated mm"),
+                       VerifyTexts::tr("Standard deviation stated for that, of both together")),
+      degreeColumn(VerifyTexts::tr("Turned °"), VerifyTexts::tr("Angle between the two, after alignment")),
+      degreeColumn(VerifyTexts::tr("Stated °"),
+                   VerifyTexts::tr("Standard deviation stated for that, of both together"))};
+  for (const Comparison& comparison : comparisons) {
+    for (const CellDifference& cell : comparison.cells) {
+      const bool stated = cell.sigma_t_m.value_or(0) > 0 && cell.sigma_r_rad.value_or(0) > 0;
+      figures.rows.push_back({{cell.cell.value(), toMillimetres(cell.position_m.norm()), inMillimetres(cell.sigma_t_m),
+                               toDegrees(cell.orientation_rad), inDegrees(cell.sigma_r_rad)},
+                              cell.cell,
+                              std::nullopt,
+                              stated && (!isWithinStated(cell.position_m.norm(), cell.sigma_t_m) ||
+                                         !isWithinStated(cell.orientation_rad, cell.sigma_r_rad))});
+    }
+  }
+  return figures;
+}
+
+}  // namespace hexoderm

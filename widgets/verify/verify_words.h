@@ -1,0 +1,40 @@
+#pragma once
+
+#include "hexoderm/reconstruction/evaluation/evaluation.h"
+#include "hexoderm/reconstruction/evaluation/loop_search.h"
+#include "hexoderm/reconstruction/hold_out.h"
+#include "widgets/controls/banner.h"
+#include "widgets/tables/result_table.h"
+
+#include <vector>
+
+namespace hexoderm {
+
+// What the checks of a calibration found: a verdict as a sentence, and the figures behind it as a table.
+
+struct VerifySentence {
+  Tone tone = Tone::Neutral;
+  QString text;
+};
+struct VerifyFigures {
+  std::vector<ResultTable::Column> columns;
+  std::vector<ResultTable::Row> rows;
+};
+
+VerifySentence holdOutInWords(const HoldOutResult& result);
+VerifyFigures holdOutCells(const HoldOutResult& result);
+VerifyFigures holdOutLinks(const HoldOutResult& result);
+
+/// `patches`: how many there are to have loops in.
+VerifySentence loopsInWords(const std::vector<FoundLoop>& loops, std::size_t patches);
+VerifyFigures loopFigures(const std::vector<FoundLoop>& loops);
+
+QString surfaceKindWord(SurfaceKind kind);
+/// `stated_m`: what the calibration states for positions with 95 %.
+VerifySentence surfaceInWords(const SurfaceEvaluation& surface, std::optional<double> stated_m);
+VerifyFigures surfaceFigures(const std::vector<SurfaceEvaluation>& surfaces);
+
+VerifySentence comparisonInWords(const std::vector<Comparison>& comparisons, const QString& against);
+VerifyFigures comparisonFigures(const std::vector<Comparison>& comparisons);
+
+}  // namespace hexoderm
