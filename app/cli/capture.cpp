@@ -68,10 +68,10 @@ class Capture {
       made_progress_ = false;
       if (disk_is_full_since_ && Clock::now() >= next_try_) tryAgain();
       if (!event && status_.state == SourceState::Ended) break;
-      if (status_.state == SourceState::Incompatible) throw DeviceError(source_.address() + ": " + status_.text);
+      if (status_.state == SourceState::Incompatible) throw DeviceError(located(source_.address(), status_.message));
       if (Clock::now() - last_progress > patience && (!session_ || options_.automatic)) {
         throw DeviceError(source_.address() + ": nothing for " + formatFixed(options_.timeout_s, 0) + " s. " +
-                          (session_ ? hold_.text : status_.text));
+                          (session_ ? hold_.message : status_.message).english());
       }
     }
   }
@@ -94,9 +94,10 @@ class Capture {
   void handle(const SkinDescription& skin) {
     made_progress_ = true;
     if (!session_) {
-      device_ = skin.device;
+      device_ = skin.device.english();
       can_turn_ = skin.can_turn;
-      session_.emplace(*skin.model, skin.neighbors, SourceDescription{skin.device + ", " + source_.address(), "", ""});
+      session_.emplace(*skin.model, skin.neighbors,
+                       SourceDescription{inRow({skin.device, Message::verbatim(source_.address())}, ", "), "", ""});
       if (skin.truth) session_->setTruth(*skin.truth);
       without_poses_ = reconstruct(*session_->snapshot());
       store_ = std::make_unique<SessionRecorder>(SessionStore::create(options_.output, *session_));
@@ -146,7 +147,7 @@ class Capture {
         disk_is_full_since_ = Clock::now();
         next_try_ = *disk_is_full_since_ + kBetweenTries;
         common_.endProgress();
-        common_.note(stored.outcome.error + ". Trying again.");
+        common_.note(stored.outcome.error.english() + ". Trying again.");
       }
       done_ = Clock::now() - *disk_is_full_since_ >= kPatienceWithDisk;
       return;
@@ -160,7 +161,8 @@ class Capture {
     disk_is_full_since_.reset();
     announce(captured_.at(stored.pose));
     if (!stored.outcome.without_raw.empty()) {
-      common_.note("Pose " + toString(stored.pose) + " is kept without its raw samples: " + stored.outcome.without_raw);
+      common_.note("Pose " + toString(stored.pose) +
+                   " is kept without its raw samples: " + stored.outcome.without_raw.english());
     }
     captured_.erase(stored.pose);
     if (waiting_ == 0) decide();
@@ -180,7 +182,7 @@ class Capture {
       text += "; it repeats pose " + toString(*captured.repeats) + " (" + degrees(captured.repeat_angle_rad, 1) + ")";
     }
     common_.note(text);
-    for (const OddCell& odd : captured.odd_cells) common_.note(describe(odd));
+    for (const OddCell& odd : captured.odd_cells) common_.note(describe(odd).english());
   }
 
   /// What the poses so far are good for, and what comes next.
@@ -201,7 +203,7 @@ class Capture {
     std::vector<Eigen::Vector3d> seen;
     for (const GravityDirection& gravity : advised_in_->gravity) seen.push_back(gravity.g_o);
     const PoseAdvice advice = adviseNextPose(session_->model(), seen, unreachable_);
-    common_.note("Next: " + adviceInWords(advice, *result_));
+    common_.note("Next: " + adviceInWords(advice, *result_).english());
     if (!options_.automatic) return;
     asked_up_ = advice.up;
     asked_ = source_.send(TurnTo{advised_in_->origin, advice.up});
@@ -214,29 +216,29 @@ class Capture {
     made_progress_ = true;
     if (outcome.done) return;
     common_.endProgress();
-    common_.note("The device does not turn there: " + outcome.text);
+    common_.note("The device does not turn there: " + outcome.message.english());
     constexpr std::size_t kMostRefusals = 10;
     unreachable_.push_back(asked_up_);
     if (unreachable_.size() > kMostRefusals) {
       throw DeviceError(source_.address() + ": refused to turn " + std::to_string(unreachable_.size()) +
-                        " times, the last time: " + outcome.text);
+                        " times, the last time: " + outcome.message.english());
     }
     advise();
   }
 
   void handle(const SourceStatus& status) {
-    if (status.state != status_.state && !session_) common_.progress(status.text);
+    if (status.state != status_.state && !session_) common_.progress(status.message.english());
     if (status.state != status_.state && session_ && status.state != SourceState::Streaming &&
         status.state != SourceState::Stopped) {
       common_.endProgress();
-      common_.note(status.text);
+      common_.note(status.message.english());
     }
     status_ = status;
   }
 
   void handle(const HoldStatus& hold) {
     hold_ = hold;
-    common_.progress(hold.text);
+    common_.progress(hold.message.english());
   }
 
   const CaptureOptions& options_;
@@ -248,7 +250,7 @@ class Capture {
   std::unique_ptr<SessionRecorder> store_;
   std::map<PoseId, CapturedPose> captured_;  ///< not yet on disk
   std::size_t waiting_ = 0;
-  std::string lost_;  ///< why something is not on disk and never will be
+  Message lost_;  ///< why something is not on disk and never will be
 
   static constexpr auto kBetweenTries = std::chrono::seconds(1);
   std::optional<Clock::time_point> disk_is_full_since_;  ///< when it first refused a pose that still waits

@@ -48,6 +48,7 @@ core/io/d.cpp "../graph/skin_graph.h"
 core/graph/c.cpp "hexoderm/device/skinwire/codec.h"
 core/io/a.h <pugixml.hpp>
 core/io/b.h <assimp/scene.h>
+core/util/c.h <fmt/format.h>
 core/reconstruction/a.h <ceres/ceres.h>
 widgets/a.cpp <ceres/ceres.h>
 widgets/a.h <sqlite3.h>

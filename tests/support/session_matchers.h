@@ -85,7 +85,7 @@ inline Session sessionWithEverything() {
   for (std::uint32_t id = 1; id <= 3; ++id) {
     PoseCapture capture;
     capture.id = PoseId(id);
-    capture.label = id == 2 ? "" : "pose\n" + std::to_string(id);
+    if (id != 2) capture.label = Message::verbatim("pose\n" + std::to_string(id));
     if (id != 2) capture.taken_at_ms = 1'700'000'000'123 + id;
     GravitySample a{CellId(1), {0.1 * id, -0.0, 1.0 / 3}, Eigen::Matrix3d::Zero(), 100 * id};
     a.cov_g2 << 1e-6, 1e-8 / 3, -0.0, 1e-8 / 3, 2e-300, -5e-324, -0.0, -5e-324, 0;

@@ -2,8 +2,8 @@
 
 #include "widgets/controls/find_cell_field.h"
 #include "widgets/controls/selection.h"
-#include "widgets/words/core_words.h"
 #include "widgets/words/formatting.h"
+#include "widgets/words/words.h"
 
 #include <QMenu>
 #include <QPainter>
@@ -213,7 +213,7 @@ QPointF GraphView::Parts::middleOf(const GraphScene::Link& link) {
 void GraphView::Parts::describe() {
   QString text = GraphView::tr("No skin is open.");
   if (scene->reconstruction()) {
-    text = coreWords(sizeInWords(*scene->reconstruction()));
+    text = words(sizeInWords(*scene->reconstruction()));
     const Hit hit = picked();
     if (hit.cell) text += QStringLiteral(". ") + GraphView::tr("Picked: cell %1").arg(selection->cell()->value());
     if (hit.link) {

@@ -55,7 +55,8 @@ QString sessionInWords(const SessionController& controller) {
   if (controller.isDemo()) words << QStringLiteral("demo");
   if (controller.live().isRunning()) {
     words << QStringLiteral("connected to %1: %2")
-                 .arg(controller.live().address(), QString::fromStdString(controller.live().status().text));
+                 .arg(controller.live().address(),
+                      QString::fromStdString(controller.live().status().message.english()));
   }
   if (controller.session()) words << QStringLiteral("%1 poses").arg(controller.session()->poses().size());
   if (const Reconstruction* result = controller.reconstruction().get()) {

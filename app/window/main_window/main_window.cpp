@@ -23,8 +23,8 @@
 #include "widgets/tables/tables.h"
 #include "widgets/verify/residual_view.h"
 #include "widgets/verify/verify_panel.h"
-#include "widgets/words/core_words.h"
 #include "widgets/words/formatting.h"
+#include "widgets/words/words.h"
 
 #include <QApplication>
 #include <QHBoxLayout>
@@ -469,7 +469,7 @@ void MainWindow::refreshStatus() {
   }
   saved_status_->setText(saved);
 
-  graph_dock_->setRemark(result ? coreWords(sizeInWords(*result)) : QString());
+  graph_dock_->setRemark(result ? words(sizeInWords(*result)) : QString());
   const bool has_poses = controller_.session() && !controller_.session()->poses().empty();
   const QString keys =
       controller_.isLive() ? tr("R recapture · Del disable · Ctrl+Z undo") : tr("Del disable · Ctrl+Z undo");

@@ -14,8 +14,8 @@
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/step_panel.h"
 #include "widgets/patch/scene_widget.h"
-#include "widgets/words/core_words.h"
 #include "widgets/words/formatting.h"
+#include "widgets/words/words.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -53,8 +53,8 @@ Severity severityOf(Tone tone) {
 /// One line on a result: how large, how, how long, how good.
 QString resultInWords(const Reconstruction& result) {
   return WindowShell::tr("Solved: %1, %2, %3, %4 ms. %5")
-      .arg(coreWords(sizeInWords(result)), posesInWords(result.poses.size()), QString::fromStdString(result.solver),
-           figureInWords(1e3 * result.solve_seconds, 1), coreWords(result.verdict.reason));
+      .arg(words(sizeInWords(result)), posesInWords(result.poses.size()), QString::fromStdString(result.solver),
+           figureInWords(1e3 * result.solve_seconds, 1), words(result.verdict.reason));
 }
 
 }  // namespace
@@ -192,7 +192,7 @@ void WindowShell::connectLog() {
     source_state_ = state;
     const bool is_bad = live.status().state == SourceState::Silent || live.status().state == SourceState::Incompatible;
     log_.add(is_bad ? Severity::Warning : Severity::Info,
-             tr("Skin at %1: %2. %3").arg(live.address(), state, coreWords(live.status().text)));
+             tr("Skin at %1: %2. %3").arg(live.address(), state, words(live.status().message)));
   });
 }
 

@@ -8,7 +8,7 @@
 #include "widgets/controls/message_bar.h"
 #include "widgets/graph/graph_view.h"
 #include "widgets/patch/patch_view.h"
-#include "widgets/words/core_words.h"
+#include "widgets/words/words.h"
 
 #include <QDir>
 #include <QLabel>
@@ -110,11 +110,11 @@ void MainWindow::refreshLive() {
           .arg(countersInWords(status, live.hold())));
   if (!live.isRunning()) return;
   live_strip_->setStatus(status, live.hold());
-  const QString device = live.skin() ? coreWords(live.skin()->device) + QStringLiteral(" · ") : QString();
+  const QString device = live.skin() ? words(live.skin()->device) + QStringLiteral(" · ") : QString();
   const QString where = controller_.isDemo() ? tr("Demo skin") : device + live.address();
   source_status_->setText(
       QStringLiteral("%1 %2 · %3").arg(sourceStateSign(status.state), sourceStateWord(status.state), where));
-  source_status_->setToolTip(device + live.address() + QStringLiteral("\n") + coreWords(status.text));
+  source_status_->setToolTip(device + live.address() + QStringLiteral("\n") + words(status.message));
 }
 
 void MainWindow::showConnectDialog() {

@@ -6,8 +6,8 @@
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
-#include "widgets/words/core_words.h"
 #include "widgets/words/formatting.h"
+#include "widgets/words/words.h"
 
 #include <QFileInfo>
 #include <QRegularExpression>
@@ -38,7 +38,7 @@ void SessionController::connectLive() {
     if (outcome.done) return;
     unreachable_.push_back(asked_up_);
     emit noticed(
-        tr("The device does not turn there: %1. The next best pose is advised instead.").arg(coreWords(outcome.text)));
+        tr("The device does not turn there: %1. The next best pose is advised instead.").arg(words(outcome.message)));
     adviseAnew();
   });
   connect(&live_, &LiveSource::previewChanged, this, &SessionController::solveMoment);
@@ -97,7 +97,7 @@ bool SessionController::beginLiveSession(const SkinDescription& skin) {
     if (cellsOf(skin.neighbors) != cellsOf(session_->neighbors())) {
       emit failed(tr("%1 has other cells than the session %2, so nothing was added. Connect it with a session of its "
                      "own.")
-                      .arg(QString::fromStdString(skin.device), name_));
+                      .arg(words(skin.device), name_));
       return false;
     }
     demo_ = false;
@@ -116,7 +116,7 @@ bool SessionController::beginLiveSession(const SkinDescription& skin) {
     return false;
   }
   const QString path = connect_request_.path;
-  const std::string source = skin.device + ", " + live_.address().toStdString();
+  const Message source = inRow({skin.device, Message::verbatim(live_.address().toStdString())}, ", ");
   auto session = std::make_unique<Session>(*skin.model, skin.neighbors, SourceDescription{source, "", ""});
   if (skin.truth) session->setTruth(*skin.truth);
   if (path.isEmpty()) {
@@ -147,7 +147,7 @@ void SessionController::addCapture(const CapturedPose& captured) {
   announcement.text = tr("Pose %1 captured: %2.").arg(QString::number(pose.id.value()), cells);
   if (!captured.silent_cells.empty()) {
     announcement.text +=
-        QLatin1Char(' ') + tr("Nothing came from %1.").arg(coreWords(listInWords(captured.silent_cells)));
+        QLatin1Char(' ') + tr("Nothing came from %1.").arg(words(Message("{}", {captured.silent_cells})));
   }
   if (captured.repeats) {
     announcement.text += QLatin1Char(' ') + tr("It repeats pose %1, which is only %2° away.")

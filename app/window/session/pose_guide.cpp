@@ -2,7 +2,7 @@
 // that is taken again, and the skin as it is at this moment.
 #include "app/window/session/session_controller.h"
 #include "hexoderm/reconstruction/advice/pose_coverage.h"
-#include "widgets/words/core_words.h"
+#include "widgets/words/words.h"
 
 #include <QMetaObject>
 #include <algorithm>
@@ -151,8 +151,7 @@ void SessionController::receiveMoment(const ReconstructionOutcome& outcome) {
     moment_fails_ = false;
     emit momentSolved(outcome.reconstruction);
   } else if (!std::exchange(moment_fails_, true)) {
-    emit noticed(
-        tr("What is shown stands still: the skin as it is now can't be solved. %1").arg(coreWords(outcome.error)));
+    emit noticed(tr("What is shown stands still: the skin as it is now can't be solved. %1").arg(words(outcome.error)));
   }
 }
 

@@ -6,7 +6,7 @@
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
-#include "widgets/words/core_words.h"
+#include "widgets/words/words.h"
 
 #include <QFileInfo>
 #include <QMetaObject>
@@ -21,18 +21,18 @@ namespace {
 struct Opened {
   OpenedFile file;
   std::optional<SessionStore> store;
-  std::string remark;  ///< why it is not open for writing although it could be
+  Message remark;  ///< why it is not open for writing although it could be
 };
 
 Opened openToEdit(const std::filesystem::path& path) {
   if (!isSessionStore(path)) return {openFile(path, builtInCellModel("hex-bma150")), std::nullopt, {}};
-  std::string remark;
+  Message remark;
   try {
     SessionStore store = SessionStore::open(path);
     Session session = store.readSession();
     return {std::move(session), std::move(store), {}};
   } catch (const StorageError& error) {
-    remark = error.what();
+    remark = messageOf(error);
   }
   return {readSessionStore(path), std::nullopt, remark};
 }
@@ -113,7 +113,7 @@ void SessionController::openFile(const QString& path) {
               emit changed();
             } else if (!opened_file->remark.empty()) {
               emit noticed(tr("Changes will not be kept in this file; save the session under another name. %1")
-                               .arg(coreWords(opened_file->remark)));
+                               .arg(words(opened_file->remark)));
             }
           };
         },
@@ -174,13 +174,14 @@ void SessionController::saveImage(const QImage& image, const QString& path) {
 }
 
 void SessionController::savePicture(std::function<bool()> write, const QString& path) {
-  startWriting(
-      tr("Saving %1").arg(QFileInfo(path).fileName()), [this, write = std::move(write), path]() -> Continuation {
-        if (!write()) {
-          throw StorageError("The picture " + path.toStdString() + " could not be written: is the folder writable?");
-        }
-        return [this, path] { emit exported(path); };
-      });
+  startWriting(tr("Saving %1").arg(QFileInfo(path).fileName()),
+               [this, write = std::move(write), path]() -> Continuation {
+                 if (!write()) {
+                   throw StorageError(
+                       message("The picture {} could not be written: is the folder writable?", path.toStdString()));
+                 }
+                 return [this, path] { emit exported(path); };
+               });
 }
 
 void SessionController::saveTable(const QByteArray& csv, const QString& path) {
@@ -226,7 +227,7 @@ void SessionController::start(const QString& activity, std::function<Continuatio
     try {
       then = work();
     } catch (const std::exception& error) {
-      then = [this, message = coreWords(error.what())] { emit failed(message); };
+      then = [this, message = words(error)] { emit failed(message); };
     }
     QMetaObject::invokeMethod(
         this,
@@ -307,7 +308,7 @@ void SessionController::receive(const ReconstructionOutcome& outcome) {
     adviseAnew();
     emit reconstructionChanged(reconstruction_);
   } else {
-    emit failed(coreWords(outcome.error));
+    emit failed(words(outcome.error));
   }
   emit changed();
 }

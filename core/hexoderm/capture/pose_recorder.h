@@ -60,7 +60,7 @@ struct HoldStatus {
   bool automatic = true;
   bool forced = false;            ///< the capture under way was asked for
   double progress = 0;            ///< of the hold ring, 0 to 1; falls back to 0 by a motion
-  std::string text;               ///< what blocks or goes on, one line
+  Message message;                ///< what blocks or goes on, one line
   std::uint64_t late_frames = 0;  ///< ignored: older than the last one, or a repetition, or without a time
   std::uint64_t restarts = 0;     ///< collections that a motion discarded
 };

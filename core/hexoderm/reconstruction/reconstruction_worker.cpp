@@ -1,5 +1,7 @@
 #include "hexoderm/reconstruction/reconstruction_worker.h"
 
+#include "hexoderm/util/error.h"
+
 #include <condition_variable>
 #include <exception>
 #include <mutex>
@@ -50,7 +52,7 @@ struct ReconstructionWorker::State {
         outcome.reconstruction = solve(*letter->snapshot, letter->options, solving.get_token());
         if (outcome.reconstruction == nullptr) continue;
       } catch (const std::exception& error) {
-        outcome.error = error.what();
+        outcome.error = messageOf(error);
       }
       report(std::move(outcome));
     }

@@ -37,6 +37,17 @@ struct PatchWork {
 };
 
 /// Thrown to leave a reconstruction that nobody waits for any more.
+Message setAsideInWords(const MutedLink& muted, bool is_reported) {
+  const Message link = linkInWords(muted.source, muted.target);
+  if (muted.why.empty()) {
+    return is_reported ? message("The {} was set aside by hand; it is not used.", link)
+                       : message("The {} was set aside by hand, but the skin reports no such link.", link);
+  }
+  return is_reported
+             ? message("The {} was set aside by hand ({}); it is not used.", link, muted.why)
+             : message("The {} was set aside by hand ({}), but the skin reports no such link.", link, muted.why);
+}
+
 struct Stopped {};
 
 class Reconstructor {
@@ -104,10 +115,7 @@ class Reconstructor {
     std::vector<std::size_t> links;
     for (const MutedLink& muted : snapshot_.muted_links) {
       const std::optional<std::size_t> link = graph_.indexOf(muted.source, muted.target);
-      std::string text = "The " + linkInWords(muted.source, muted.target) + " was set aside by hand";
-      if (!muted.why.empty()) text += " (" + muted.why + ")";
-      text += link ? "; it is not used." : ", but the skin reports no such link.";
-      findings_.push_back(makeFinding(FindingCode::LinkSetAside, std::move(text),
+      findings_.push_back(makeFinding(FindingCode::LinkSetAside, setAsideInWords(muted, link.has_value()),
                                       {muted.source.cell, muted.target.cell}, {muted.source.port, muted.target.port}));
       if (link) links.push_back(*link);
     }
@@ -117,10 +125,10 @@ class Reconstructor {
   void leaveOutCells() {
     for (const CellId id : options_.left_out) {
       const std::optional<std::size_t> cell = graph_.indexOf(id);
-      if (!cell) throw InvalidArgument("there is no cell " + toString(id) + " to be left out");
+      if (!cell) throw InvalidArgument(message("there is no cell {} to be left out", id));
       dropReadings(*cell);
       findings_.push_back(makeFinding(FindingCode::LeftOut,
-                                      "Cell " + toString(id) + " was left out; it is placed through its links.", {id}));
+                                      message("Cell {} was left out; it is placed through its links.", id), {id}));
     }
   }
 
@@ -177,12 +185,12 @@ class Reconstructor {
       leaveIfStopped();
       const SuspectSearch search(model_, graph_, table_, readings_, edges_, options_);
       if (const auto pose = search.worstPose()) {
-        findings_.push_back(makeFinding(
-            FindingCode::InconsistentPose,
-            "In pose " + toString(poseId(*pose)) +
-                " most neighbouring cells contradict each other, and without it they don't: the part probably moved "
-                "while it was sampled. The pose is not used; take it again.",
-            {}, {}, {poseId(*pose)}));
+        findings_.push_back(
+            makeFinding(FindingCode::InconsistentPose,
+                        message("In pose {} most neighbouring cells contradict each other, and without it they don't: "
+                                "the part probably moved while it was sampled. The pose is not used; take it again.",
+                                poseId(*pose)),
+                        {}, {}, {poseId(*pose)}));
         for (std::size_t cell = 0; cell < table_.cellCount(); ++cell) table_.at(cell, *pose).usable = false;
         estimateEdges();
         continue;
@@ -294,13 +302,12 @@ class Reconstructor {
       open.push_back(widest->link);
       const LinkEnd source = graph_.sourceEnd(graph_.links()[widest->link]);
       const LinkEnd target = graph_.targetEnd(graph_.links()[widest->link]);
-      findings_.push_back(
-          makeFinding(FindingCode::LinkDoesNotClose,
-                      "With all other links the ends of the " + linkInWords(source, target) + " come to lie " +
-                          formatFixed(toMillimetres(widest->opening_m), 0) +
-                          " mm apart, and a skin link leaves no more than " + formatFixed(toMillimetres(limit_m), 0) +
-                          " mm: it is probably a cable, or another link of the loop is. The link is not used.",
-                      {source.cell, target.cell}, {source.port, target.port}));
+      findings_.push_back(makeFinding(
+          FindingCode::LinkDoesNotClose,
+          message("With all other links the ends of the {} come to lie {} apart, and a skin link leaves no more "
+                  "than {}: it is probably a cable, or another link of the loop is. The link is not used.",
+                  linkInWords(source, target), Millimetres{widest->opening_m, 0}, Millimetres{limit_m, 0}),
+          {source.cell, target.cell}, {source.port, target.port}));
     }
     graph_.mute(open, FindingCode::LinkDoesNotClose);
     return !open.empty();
@@ -355,12 +362,12 @@ class Reconstructor {
     for (std::size_t k = 0; k < misfits.size(); ++k) {
       if (misfits[k] < std::max(kLargest, kTimesOthers * usual)) continue;
       const PoseId id = poseId(joint.poses()[k]);
-      findings_.push_back(makeFinding(FindingCode::InconsistentPose,
-                                      "In pose " + toString(id) + " the cells contradict each other by " +
-                                          formatFixed(misfits[k], 0) + " times their noise (other poses " +
-                                          formatFixed(usual, 1) +
-                                          "): the part probably moved while it was sampled. Take the pose again.",
-                                      {}, {}, {id}));
+      findings_.push_back(
+          makeFinding(FindingCode::InconsistentPose,
+                      message("In pose {} the cells contradict each other by {} times their noise (other poses {}): "
+                              "the part probably moved while it was sampled. Take the pose again.",
+                              id, Number{misfits[k], 0}, Number{usual, 1}),
+                      {}, {}, {id}));
     }
   }
 

@@ -3,6 +3,7 @@
 #include "hexoderm/graph/cell_model_json.h"
 #include "hexoderm/session/session_parts_json.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/message_json.h"
 
 #include <openssl/evp.h>
 
@@ -20,7 +21,7 @@ class Sha256 {
  public:
   Sha256() : context_(EVP_MD_CTX_new()) {
     if (context_ == nullptr || EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) != 1) {
-      throw Error("SHA-256 is not available in this OpenSSL");
+      throw Error(message("SHA-256 is not available in this OpenSSL"));
     }
   }
   void add(const void* data, std::size_t size) { EVP_DigestUpdate(context_.get(), data, size); }
@@ -61,7 +62,7 @@ std::int64_t captureOf(const JsonReader& json) { return json.at("capture").unsig
 std::size_t placeIn(const JsonReader& json) { return json.at("place").unsignedInteger(); }
 
 void requireCapture(const SessionPose& pose) {
-  if (!pose.capture) throw InvalidArgument("a pose must hold a capture");
+  if (!pose.capture) throw InvalidArgument(message("a pose must hold a capture"));
 }
 
 /// Makes the entry a capture; its detail is returned.
@@ -70,7 +71,7 @@ Json sayCapture(const SessionPose& pose, std::size_t place, JournalEntry& entry)
   entry.kind = "capture";
   entry.samples = encodeSamples(capture.samples);
   Json detail = {{"pose", capture.id.value()}, {"place", place}, {"cells", capture.samples.size()}};
-  if (!capture.label.empty()) detail["label"] = capture.label;
+  if (!capture.label.empty()) writeMessage(detail, "label", capture.label);
   if (capture.taken_at_ms) detail["taken_at_ms"] = *capture.taken_at_ms;
   if (pose.disabled) detail["disabled"] = true;
   if (!pose.why_disabled.empty()) detail["why_disabled"] = pose.why_disabled;
@@ -91,9 +92,9 @@ Digest JournalEntry::expectedDigest(const Digest& previous) const {
 }
 
 void JournalState::insert(StoredPose pose, std::size_t place) {
-  if (place > poses_.size()) throw InvalidArgument("there is no place " + std::to_string(place) + " among the poses");
+  if (place > poses_.size()) throw InvalidArgument(message("there is no place {} among the poses", place));
   if (poses_.size() + removed_.size() >= kMostPoses) {
-    throw InvalidArgument("a session holds at most " + std::to_string(kMostPoses) + " poses");
+    throw InvalidArgument(message("a session holds at most {} poses", kMostPoses));
   }
   poses_.insert(poses_.begin() + static_cast<std::ptrdiff_t>(place), std::move(pose));
 }
@@ -106,20 +107,20 @@ JournalState::StoredPose JournalState::take(std::size_t index) {
 
 void JournalState::restore(std::int64_t capture, std::size_t place) {
   const auto found = std::ranges::find(removed_, capture, &StoredPose::entry);
-  if (found == removed_.end()) throw InvalidArgument("a pose can be restored that was removed");
+  if (found == removed_.end()) throw InvalidArgument(message("a pose can be restored that was removed"));
   StoredPose pose = std::move(*found);
   removed_.erase(found);
   insert(std::move(pose), place);
 }
 
 const JournalState::StoredPose& JournalState::poseAt(std::size_t index) const {
-  if (index >= poses_.size()) throw InvalidArgument("there is no pose at place " + std::to_string(index));
+  if (index >= poses_.size()) throw InvalidArgument(message("there is no pose at place {}", index));
   return poses_[index];
 }
 
 std::size_t JournalState::placeOf(std::int64_t capture) const {
   const auto found = std::ranges::find(poses_, capture, &StoredPose::entry);
-  if (found == poses_.end()) throw InvalidArgument("entry " + std::to_string(capture) + " is no pose of the session");
+  if (found == poses_.end()) throw InvalidArgument(message("entry {} is no pose of the session", capture));
   return static_cast<std::size_t>(found - poses_.begin());
 }
 
@@ -137,20 +138,20 @@ std::string JournalState::rawSha256(std::int64_t capture) const {
 void JournalState::read(const JournalEntry& entry, const std::string& file) {
   const std::string where = file + ": journal entry " + std::to_string(entry.entry);
   if (entry.entry != last_entry_ + 1) {
-    throw FormatError(where + ": the file is damaged: expected entry " + std::to_string(last_entry_ + 1));
+    throw FormatError(located(where, message("the file is damaged: expected entry {}", last_entry_ + 1)));
   }
   if (entry.digest != entry.expectedDigest(digest_)) {
-    throw FormatError(where + ": the file is damaged: what it holds does not match its digest");
+    throw FormatError(located(where, message("the file is damaged: what it holds does not match its digest")));
   }
   if (entry.samples.has_value() != (entry.kind == "capture")) {
-    throw FormatError(where + ": expected samples in captures and nowhere else");
+    throw FormatError(located(where, message("expected samples in captures and nowhere else")));
   }
   try {
     apply(entry, where);
   } catch (const InvalidArgument& error) {
-    throw FormatError(where + ": " + error.what());
+    throw FormatError(located(where, error.message()));
   }
-  if (!hasSkin()) throw FormatError(where + ": expected the skin first, found \"" + entry.kind + "\"");
+  if (!hasSkin()) throw FormatError(located(where, message("expected the skin first, found \"{}\"", entry.kind)));
   last_entry_ = entry.entry;
   edited_at_ms_ = entry.at_ms;
   digest_ = entry.digest;
@@ -159,13 +160,13 @@ void JournalState::read(const JournalEntry& entry, const std::string& file) {
 void JournalState::apply(const JournalEntry& entry, const std::string& where) {
   const nlohmann::json document = parseJson(entry.detail, where);
   const JsonReader json(document, where);
-  if (!json.isObject()) json.fail("an object");
+  if (!json.isObject()) json.fail(message("an object"));
   const std::string& kind = entry.kind;
   if (kind == "skin") {
     model_ = std::make_shared<const CellModel>(readCellModel(json.at("cell_model")));
     neighbors_ = std::make_shared<const NeighborList>(readNeighbors(json.at("cells")));
   } else if (kind == "source") {
-    source_ = {json.at("text").string(), json.at("file").string(), json.at("sha256").string()};
+    source_ = {readMessage(json, "text"), json.at("file").string(), json.at("sha256").string()};
   } else if (kind == "truth") {
     truth_ = std::make_shared<const GroundTruth>(readTruth(json));
   } else if (kind == "options") {
@@ -174,7 +175,7 @@ void JournalState::apply(const JournalEntry& entry, const std::string& where) {
     PoseCapture capture;
     // One below the largest number, so that there is always an ID for the next pose.
     capture.id = PoseId(json.at("pose").unsignedInteger(0, UINT32_MAX - 1));
-    if (const auto label = json.find("label")) capture.label = label->string();
+    if (json.find("label")) capture.label = readMessage(json, "label");
     if (const auto taken = json.find("taken_at_ms")) capture.taken_at_ms = taken->integer();
     capture.samples = decodeSamples(*entry.samples, where);
     const auto disabled = json.find("disabled");
@@ -202,10 +203,9 @@ void JournalState::apply(const JournalEntry& entry, const std::string& where) {
       muted_links_[ends] = std::move(link.why);
     }
   } else {
-    throw FormatError(where +
-                      ": kind: expected capture, remove, restore, disable, enable, mute, unmute, skin, source, truth "
-                      "or options, found \"" +
-                      kind.substr(0, 40) + "\"");
+    throw FormatError(located(where, message("kind: expected capture, remove, restore, disable, enable, mute, unmute, "
+                                             "skin, source, truth or options, found \"{}\"",
+                                             kind.substr(0, 40))));
   }
 }
 
@@ -241,12 +241,14 @@ JournalEntry JournalState::entryFor(const StoreOperation& operation, std::int64_
         {std::min(mute->a, mute->b), std::max(mute->a, mute->b), mute->muted ? mute->why : std::string()});
   } else if (const auto* source = std::get_if<SetSource>(&operation)) {
     entry.kind = "source";
-    detail = {{"text", source->source.text}, {"file", source->source.file}, {"sha256", source->source.sha256}};
+    writeMessage(detail, "text", source->source.text);
+    detail["file"] = source->source.file;
+    detail["sha256"] = source->source.sha256;
   } else if (const auto* truth = std::get_if<SetTruth>(&operation)) {
     entry.kind = "truth";
     detail = truthJson(truth->truth);
   } else if (const auto* skin = std::get_if<SetSkin>(&operation)) {
-    if (!skin->model) throw InvalidArgument("a skin must have a cell model");
+    if (!skin->model) throw InvalidArgument(message("a skin must have a cell model"));
     entry.kind = "skin";
     detail["cell_model"] = cellModelJson(*skin->model);
     detail["cells"] = neighborsJson(skin->neighbors);
@@ -260,7 +262,7 @@ JournalEntry JournalState::entryFor(const StoreOperation& operation, std::int64_
 }
 
 Session JournalState::session(const std::string& file) const {
-  if (!hasSkin()) throw InvalidArgument("a session needs a skin first");
+  if (!hasSkin()) throw InvalidArgument(message("a session needs a skin first"));
   Session session(*model_, *neighbors_, {source_.text, file, hexOf(digest_)});
   if (truth_) session.setTruth(*truth_);
   // Their numbers are not used again.

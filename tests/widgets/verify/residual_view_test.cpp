@@ -27,7 +27,7 @@ namespace {
 std::shared_ptr<Reconstruction> sheetWithPoses(std::uint32_t rows, std::uint32_t columns, std::uint32_t poses) {
   auto reconstruction = sampleSheet(rows, columns);
   for (std::uint32_t k = 1; k <= poses; ++k) {
-    reconstruction->poses.push_back({PoseId(k), "", k % 7 != 3, rows * columns, 0.001, 60 * kDegree, 0.5 * kDegree});
+    reconstruction->poses.push_back({PoseId(k), {}, k % 7 != 3, rows * columns, 0.001, 60 * kDegree, 0.5 * kDegree});
   }
   double phase = 0;
   for (LinkEstimate& link : reconstruction->patches[0].links) {

@@ -16,10 +16,6 @@ std::optional<Enum> fromName(const std::array<std::string_view, 4>& names, std::
   return static_cast<Enum>(found - names.begin());
 }
 
-std::string counted(std::size_t count, const std::string& singular, const std::string& plural) {
-  return std::to_string(count) + " " + (count == 1 ? singular : plural);
-}
-
 }  // namespace
 
 std::optional<double> LinkEstimate::knownResidual() const {
@@ -77,10 +73,14 @@ const LinkEstimate* Reconstruction::findLink(LinkEnd a, LinkEnd b) const {
   return nullptr;
 }
 
-std::string sizeInWords(const Reconstruction& reconstruction) {
-  return counted(reconstruction.cellCount(), "cell", "cells") + ", " +
-         counted(reconstruction.linkCount(), "link", "links") + ", " +
-         counted(reconstruction.patches.size(), "patch", "patches");
+Message sizeInWords(const Reconstruction& reconstruction) {
+  const std::size_t cells = reconstruction.cellCount();
+  const std::size_t links = reconstruction.linkCount();
+  const std::size_t patches = reconstruction.patches.size();
+  return inRow({cells == 1 ? message("1 cell") : message("{} cells", cells),
+                links == 1 ? message("1 link") : message("{} links", links),
+                patches == 1 ? message("1 patch") : message("{} patches", patches)},
+               ", ");
 }
 
 }  // namespace hexoderm

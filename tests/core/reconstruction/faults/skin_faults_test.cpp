@@ -286,8 +286,8 @@ TEST_P(SkinFaults, ALinkSetAsideByHandIsNotUsedAndSplitsThePatch) {
   ASSERT_NE(finding, nullptr);
   EXPECT_THAT(finding->cells, ElementsAre(CellId(3), CellId(4)));
   EXPECT_THAT(finding->ports, ElementsAre(PortNumber(1), PortNumber(4)));
-  EXPECT_THAT(finding->text, ::testing::AllOf(::testing::HasSubstr("link 3 port 1 - 4 port 4"),
-                                              ::testing::HasSubstr("by hand (a cable)")));
+  EXPECT_THAT(finding->message.english(), ::testing::AllOf(::testing::HasSubstr("link 3 port 1 - 4 port 4"),
+                                                           ::testing::HasSubstr("by hand (a cable)")));
   session.setLinkMuted(a, b, false);
   EXPECT_THAT(solve(session)->patches, SizeIs(1));
 }
@@ -299,7 +299,7 @@ TEST_P(SkinFaults, ALinkSetAsideThatIsNotThereIsSaidAndChangesNothing) {
   EXPECT_THAT(result->patches, SizeIs(1));
   const Finding* finding = findFinding(*result, FindingCode::LinkSetAside);
   ASSERT_NE(finding, nullptr);
-  EXPECT_THAT(finding->text, ::testing::HasSubstr("no such link"));
+  EXPECT_THAT(finding->message.english(), ::testing::HasSubstr("no such link"));
 }
 
 TEST_P(SkinFaults, ACableIsMutedByItsBendAndSplitsThePatch) {
