@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/window/main_window/main_window.h"
+#include "tests/app/window/keyboard_keeper.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/graph/graph_view.h"
 
@@ -72,10 +73,9 @@ class WindowTest : public testing::Test {
 
   void click(QWidget* widget) { QTest::mouseClick(widget, Qt::LeftButton); }
   void clickBanner() { click(find<QPushButton>("bannerButton")); }
-  /// Where there is no window manager, nobody gives the focus back when a dialog has closed.
   void activateWindow() {
     window_->activateWindow();
-    ASSERT_TRUE(test::waitUntilActive(*window_));
+    ASSERT_TRUE(waitUntil([this] { return window_->isActiveWindow(); }));
   }
   /// A key for the window itself, whichever of its parts has the focus.
   void press(int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
@@ -206,6 +206,7 @@ class WindowTest : public testing::Test {
   }
 
   QTemporaryDir folder_;
+  KeyboardKeeper keyboard_keeper_;
   std::unique_ptr<MainWindow> window_;
 };
 
