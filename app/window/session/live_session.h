@@ -50,7 +50,7 @@ class LiveSession : public QObject, private CaptureOwner {
   void noteChange();
   void noteResult();
   void setStored(hexoderm::PoseId pose, const hexoderm::StoreOutcome& outcome) { course_.setStored(pose, outcome); }
-  void keepInMemory() { course_.setKeptIn(KeptIn::Memory); }
+  void keepIn(KeptIn where) { course_.setKeptIn(where); }
 
  public slots:
   void startDemo();

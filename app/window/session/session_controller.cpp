@@ -39,7 +39,8 @@ void SessionController::connectParts() {
   connect(&file_, &SessionFile::failed, this, &SessionController::failed);
   connect(&file_, &SessionFile::noticed, this, &SessionController::noticed);
   connect(&file_, &SessionFile::poseStored, &live_session_, &LiveSession::setStored);
-  connect(&file_, &SessionFile::keptInMemoryOnly, &live_session_, &LiveSession::keepInMemory);
+  connect(&file_, &SessionFile::keptInMemoryOnly, &live_session_, [this] { live_session_.keepIn(KeptIn::Memory); });
+  connect(&file_, &SessionFile::keptInFile, &live_session_, [this] { live_session_.keepIn(KeptIn::File); });
   connect(&live_session_, &LiveSession::changed, this, &SessionController::changed);
   connect(&live_session_, &LiveSession::failed, this, &SessionController::failed);
   connect(&live_session_, &LiveSession::noticed, this, &SessionController::noticed);

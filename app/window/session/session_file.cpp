@@ -173,6 +173,7 @@ void SessionFile::saveAsJournal(const QString& path) {
                          name_ = QFileInfo(path).fileName();
                          saved_at_ = QTime::currentTime();
                          for (const SessionEdit& edit : std::exchange(*changed_meanwhile, {})) append(edit);
+                         emit keptInFile();
                          // Captures that waited for the file before are in this one.
                          tellStored(copy->poses());
                          emit sessionSaved(path);

@@ -73,6 +73,8 @@ class SessionFile : public QObject {
   void poseStored(hexoderm::PoseId pose, const hexoderm::StoreOutcome& outcome);
   /// No file keeps the session until it is saved; the operator was told.
   void keptInMemoryOnly();
+  /// A session that was in memory only has a file that every change is written to.
+  void keptInFile();
 
  private:
   [[nodiscard]] bool isJournalStuck() const;
