@@ -215,7 +215,8 @@ TEST_F(CaptureCourseTest, PosesAreLabelledByTheFirstResultOfTheSkin) {
 
 TEST_F(CaptureCourseTest, ARecaptureTakesThePlaceOfItsPoseInOneStep) {
   for (int k = 0; k < 3; ++k) takeStoreAndSolve();
-  const PatchReconstruction& patch = *largestPatch(*reconstruct(*session_.snapshot()));
+  const auto result = reconstruct(*session_.snapshot());
+  const PatchReconstruction& patch = *largestPatch(*result);
   course_->recapture(PoseId(2));
   EXPECT_EQ(course_->recapturing(), PoseId(2));
   ASSERT_THAT(turns_, SizeIs(1)) << "the device is asked to turn there";
