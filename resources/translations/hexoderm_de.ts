@@ -2,13 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
-    <name>hexoderm::AddPoseCommand</name>
-    <message>
-        <source>take pose %1</source>
-        <translation>Pose %1 aufnehmen</translation>
-    </message>
-</context>
-<context>
     <name>hexoderm::Banner</name>
     <message>
         <source>Where we stand</source>
@@ -52,6 +45,10 @@
     <message>
         <source>%1 to go</source>
         <translation>noch %1</translation>
+    </message>
+    <message>
+        <source>Writing</source>
+        <translation>Wird geschrieben</translation>
     </message>
 </context>
 <context>
@@ -620,6 +617,33 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>disabled</source>
         <translation>nicht benutzt</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::EditCommand</name>
+    <message>
+        <source>take pose %1</source>
+        <translation>Pose %1 aufnehmen</translation>
+    </message>
+    <message>
+        <source>delete pose %1</source>
+        <translation>Pose %1 löschen</translation>
+    </message>
+    <message>
+        <source>disable pose %1</source>
+        <translation>Pose %1 nicht benutzen</translation>
+    </message>
+    <message>
+        <source>enable pose %1</source>
+        <translation>Pose %1 wieder benutzen</translation>
+    </message>
+    <message>
+        <source>set link %1 aside</source>
+        <translation>Verbindung %1 ausschließen</translation>
+    </message>
+    <message>
+        <source>take link %1 back</source>
+        <translation>Verbindung %1 zurücknehmen</translation>
     </message>
 </context>
 <context>
@@ -1351,6 +1375,68 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
 </context>
 <context>
+    <name>hexoderm::LiveMode</name>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>What is shown stands still: the skin as it is now can&apos;t be solved. %1</source>
+        <translation>Das Gezeigte steht still: Die Haut, wie sie jetzt ist, lässt sich nicht lösen. %1</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::LiveSession</name>
+    <message>
+        <source>%1 has other cells than the session %2, so nothing was added. Connect it with a session of its own.</source>
+        <translation>%1 hat andere Zellen als die Sitzung %2, darum wurde nichts hinzugefügt. Mit einer eigenen Sitzung verbinden.</translation>
+    </message>
+    <message>
+        <source>The session that is open was changed while the skin was being connected, so it stays. Save it, and connect again.</source>
+        <translation>Die offene Sitzung wurde geändert, während die Haut verbunden wurde, darum bleibt sie. Speichern und noch einmal verbinden.</translation>
+    </message>
+    <message>
+        <source>Demo skin (simulated)</source>
+        <translation>Demo-Haut (simuliert)</translation>
+    </message>
+    <message>
+        <source>recapture pose %1</source>
+        <translation>Pose %1 neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>The links are others than those of the session; the poses stay.</source>
+        <translation>Die Verbindungen sind andere als die der Sitzung; die Posen bleiben.</translation>
+    </message>
+    <message>
+        <source>The device says that its cells or links have changed; the poses stay.</source>
+        <translation>Das Gerät meldet geänderte Zellen oder Verbindungen; die Posen bleiben.</translation>
+    </message>
+    <message>
+        <source>1 cell</source>
+        <translation>1 Zelle</translation>
+    </message>
+    <message>
+        <source>%1 cells</source>
+        <translation>%1 Zellen</translation>
+    </message>
+    <message>
+        <source>Pose %1 captured, in memory only: %2.</source>
+        <translation>Pose %1 aufgenommen, nur im Speicher: %2.</translation>
+    </message>
+    <message>
+        <source>Pose %1 captured: %2.</source>
+        <translation>Pose %1 aufgenommen: %2.</translation>
+    </message>
+    <message>
+        <source>Nothing came from %1.</source>
+        <translation>Nichts kam von %1.</translation>
+    </message>
+    <message>
+        <source>It repeats pose %1, which is only %2° away.</source>
+        <translation>Sie wiederholt Pose %1, die nur %2° entfernt ist.</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::LiveStrip</name>
     <message>
         <source>Connected skin</source>
@@ -1782,10 +1868,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
 </context>
 <context>
     <name>hexoderm::Message</name>
-    <message>
-        <source>Connecting to {}</source>
-        <translation>Verbindung mit {}</translation>
-    </message>
     <message>
         <source>Capturing what there is, moved or not</source>
         <translation>Aufnahme läuft, bewegt oder nicht</translation>
@@ -2463,16 +2545,16 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>{} Hautstücke</translation>
     </message>
     <message>
-        <source>a session holds at most {} poses</source>
-        <translation>eine Sitzung fasst höchstens {} Posen</translation>
-    </message>
-    <message>
         <source>the file is damaged: expected entry {}</source>
         <translation>die Datei ist beschädigt: erwartet ist Eintrag {}</translation>
     </message>
     <message>
         <source>the file is damaged: what it holds does not match its digest</source>
         <translation>die Datei ist beschädigt: Ihr Inhalt passt nicht zu ihrer Prüfsumme</translation>
+    </message>
+    <message>
+        <source>a session holds at most {} poses</source>
+        <translation>eine Sitzung fasst höchstens {} Posen</translation>
     </message>
     <message>
         <source>exists already, and what a session has captured is never replaced: take another name, or remove the file first</source>
@@ -3459,20 +3541,16 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>eine Pose muss eine Aufnahme enthalten</translation>
     </message>
     <message>
-        <source>there is no place {} among the poses</source>
-        <translation>unter den Posen gibt es keinen Platz {}</translation>
-    </message>
-    <message>
-        <source>a pose can be restored that was removed</source>
-        <translation>wiederhergestellt werden kann nur eine Pose, die entfernt wurde</translation>
-    </message>
-    <message>
         <source>there is no pose at place {}</source>
         <translation>an Platz {} ist keine Pose</translation>
     </message>
     <message>
         <source>entry {} is no pose of the session</source>
         <translation>Eintrag {} ist keine Pose der Sitzung</translation>
+    </message>
+    <message>
+        <source>a pose can be restored that was removed</source>
+        <translation>wiederhergestellt werden kann nur eine Pose, die entfernt wurde</translation>
     </message>
     <message>
         <source>expected samples in captures and nowhere else</source>
@@ -3565,6 +3643,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>raw samples: expected the end, found more data</source>
         <translation>Rohmesswerte: erwartet ist das Ende, gefunden wurden weitere Daten</translation>
+    </message>
+    <message>
+        <source>there is no place {} among the poses</source>
+        <translation>unter den Posen gibt es keinen Platz {}</translation>
     </message>
     <message>
         <source>a link joins two ports, and both ends are port {} of cell {}</source>
@@ -3783,6 +3865,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>erwartet wird ein Name, der auf .pdf oder .html endet</translation>
     </message>
     <message>
+        <source>Connecting to {}</source>
+        <translation>Verbindung mit {}</translation>
+    </message>
+    <message>
         <source>{} and {}</source>
         <comment>the end of a list</comment>
         <translation>{} und {}</translation>
@@ -3793,17 +3879,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Close this message</source>
         <translation>Diese Meldung schließen</translation>
-    </message>
-</context>
-<context>
-    <name>hexoderm::MuteLinkCommand</name>
-    <message>
-        <source>set link %1 aside</source>
-        <translation>Verbindung %1 ausschließen</translation>
-    </message>
-    <message>
-        <source>take link %1 back</source>
-        <translation>Verbindung %1 zurücknehmen</translation>
     </message>
 </context>
 <context>
@@ -3966,6 +4041,17 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Preparing the picture of %1 cells…</source>
         <translation>Das Bild von %1 Zellen wird vorbereitet…</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PoseGuide</name>
+    <message>
+        <source>The device refused to turn %1 times, so it is not asked any more. The last time: %2</source>
+        <translation>Das Gerät hat %1-mal abgelehnt, sich zu drehen, und wird nicht mehr gefragt. Zuletzt: %2</translation>
+    </message>
+    <message>
+        <source>The device does not turn there: %1. The next best pose is advised instead.</source>
+        <translation>Das Gerät dreht sich nicht dorthin: %1. Stattdessen wird eine andere Pose vorgeschlagen.</translation>
     </message>
 </context>
 <context>
@@ -4393,13 +4479,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Put it away; it can be taken back for %1 days</source>
         <translation>Weglegen; %1 Tage lang lässt sie sich zurückholen</translation>
-    </message>
-</context>
-<context>
-    <name>hexoderm::RemovePoseCommand</name>
-    <message>
-        <source>delete pose %1</source>
-        <translation>Pose %1 löschen</translation>
     </message>
 </context>
 <context>
@@ -4846,6 +4925,21 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
 </context>
 <context>
+    <name>hexoderm::ResultFiles</name>
+    <message>
+        <source>Exporting %1</source>
+        <translation>%1 wird exportiert</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>%1 wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Writing the report %1</source>
+        <translation>Der Bericht %1 wird geschrieben</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::SceneLegend</name>
     <message>
         <source>no link</source>
@@ -5168,15 +5262,7 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
 </context>
 <context>
-    <name>hexoderm::SessionController</name>
-    <message>
-        <source>What is shown stands still: the skin as it is now can&apos;t be solved. %1</source>
-        <translation>Das Gezeigte steht still: Die Haut, wie sie jetzt ist, lässt sich nicht lösen. %1</translation>
-    </message>
-    <message>
-        <source>Demo skin (simulated)</source>
-        <translation>Demo-Haut (simuliert)</translation>
-    </message>
+    <name>hexoderm::SessionFile</name>
     <message>
         <source>%1 is open already.</source>
         <translation>%1 ist schon offen.</translation>
@@ -5184,6 +5270,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Opening %1</source>
         <translation>%1 wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Recovered session</source>
+        <translation>Wiederhergestellte Sitzung</translation>
     </message>
     <message>
         <source>Changes will not be kept in this file; save the session under another name. %1</source>
@@ -5194,79 +5284,8 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>%1 wird gespeichert</translation>
     </message>
     <message>
-        <source>Exporting %1</source>
-        <translation>%1 wird exportiert</translation>
-    </message>
-    <message>
-        <source>The device says that its cells or links have changed; the poses stay.</source>
-        <translation>Das Gerät meldet geänderte Zellen oder Verbindungen; die Posen bleiben.</translation>
-    </message>
-    <message>
-        <source>%1 has other cells than the session %2, so nothing was added. Connect it with a session of its own.</source>
-        <translation>%1 hat andere Zellen als die Sitzung %2, darum wurde nichts hinzugefügt. Mit einer eigenen Sitzung verbinden.</translation>
-    </message>
-    <message>
-        <source>The links are others than those of the session; the poses stay.</source>
-        <translation>Die Verbindungen sind andere als die der Sitzung; die Posen bleiben.</translation>
-    </message>
-    <message>
-        <source>The session that is open was changed while the skin was being connected, so it stays. Save it, and connect again.</source>
-        <translation>Die offene Sitzung wurde geändert, während die Haut verbunden wurde, darum bleibt sie. Speichern und noch einmal verbinden.</translation>
-    </message>
-    <message>
-        <source>1 cell</source>
-        <translation>1 Zelle</translation>
-    </message>
-    <message>
-        <source>%1 cells</source>
-        <translation>%1 Zellen</translation>
-    </message>
-    <message>
-        <source>Pose %1 captured: %2.</source>
-        <translation>Pose %1 aufgenommen: %2.</translation>
-    </message>
-    <message>
-        <source>Nothing came from %1.</source>
-        <translation>Nichts kam von %1.</translation>
-    </message>
-    <message>
-        <source>It repeats pose %1, which is only %2° away.</source>
-        <translation>Sie wiederholt Pose %1, die nur %2° entfernt ist.</translation>
-    </message>
-    <message>
-        <source>Writing the report %1</source>
-        <translation>Der Bericht %1 wird geschrieben</translation>
-    </message>
-    <message>
-        <source>now</source>
-        <translation>jetzt</translation>
-    </message>
-    <message>
-        <source>The device does not turn there: %1. The next best pose is advised instead.</source>
-        <translation>Das Gerät dreht sich nicht dorthin: %1. Stattdessen wird eine andere Pose vorgeschlagen.</translation>
-    </message>
-    <message>
-        <source>recapture pose %1</source>
-        <translation>Pose %1 neu aufnehmen</translation>
-    </message>
-    <message>
         <source>Until it is saved, this session is kept in memory only. %1</source>
         <translation>Bis sie gespeichert ist, liegt diese Sitzung nur im Speicher. %1</translation>
-    </message>
-    <message>
-        <source>Recovered session</source>
-        <translation>Wiederhergestellte Sitzung</translation>
-    </message>
-</context>
-<context>
-    <name>hexoderm::SetPoseDisabledCommand</name>
-    <message>
-        <source>disable pose %1</source>
-        <translation>Pose %1 nicht benutzen</translation>
-    </message>
-    <message>
-        <source>enable pose %1</source>
-        <translation>Pose %1 wieder benutzen</translation>
     </message>
 </context>
 <context>

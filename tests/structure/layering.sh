@@ -30,7 +30,7 @@ forbid "headers of core carry no third-party types but Eigen's" \
 
 # Inside core: a layer includes itself and those before it, by the full name, in which a layer may have folders. Only a
 # header that is private to its folder goes by its bare name.
-layers=(util geometry graph device capture session reconstruction io)
+layers=(util geometry graph device capture session reconstruction io course)
 for ((i = 0; i < ${#layers[@]}; ++i)); do
   layer="${layers[i]}"
   allowed="$(IFS='|'; echo "${layers[*]:0:i+1}")"

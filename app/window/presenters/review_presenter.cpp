@@ -21,7 +21,7 @@ void MainWindow::connectVerify() {
   const auto serve = [this](TableActions* actions) {
     connect(actions, &TableActions::saveRequested, this, [this](const QString& name, const QByteArray& csv) {
       askForPath(tr("Save the table"), name, tr("Tables (*.csv)"), QStringLiteral(".csv"),
-                 [this, csv](const QString& path) { controller_.saveTable(csv, path); });
+                 [this, csv](const QString& path) { controller_.resultFiles().saveTable(csv, path); });
     });
   };
   serve(new TableActions(pose_view_, QStringLiteral("poses")));
