@@ -1377,10 +1377,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
 <context>
     <name>hexoderm::LiveMode</name>
     <message>
-        <source>now</source>
-        <translation>jetzt</translation>
-    </message>
-    <message>
         <source>What is shown stands still: the skin as it is now can&apos;t be solved. %1</source>
         <translation>Das Gezeigte steht still: Die Haut, wie sie jetzt ist, lässt sich nicht lösen. %1</translation>
     </message>
@@ -1868,6 +1864,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
 </context>
 <context>
     <name>hexoderm::Message</name>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
     <message>
         <source>Capturing what there is, moved or not</source>
         <translation>Aufnahme läuft, bewegt oder nicht</translation>

@@ -28,7 +28,7 @@ void LiveMode::solve() {
   auto moment = std::make_shared<SessionSnapshot>(*controller_.session()->snapshot());
   auto capture = std::make_shared<PoseCapture>();
   capture->id = PoseId(1);
-  capture->label = tr("now").toStdString();
+  capture->label = message("now");
   for (const CellSample& mean : means) {
     GravitySample sample;
     sample.cell = mean.cell;
