@@ -26,9 +26,10 @@ QString wordsOf(const MessageArgument::List& items) {
     } else if (k + 1 < items.size()) {
       text += QStringLiteral(", ") + item;
     } else {
-      text = QCoreApplication::translate("hexoderm::Message", "{} and {}", "the end of a list")
-                 .replace(QLatin1String("{}"), QStringLiteral("%1"))
-                 .arg(text, item);
+      // Its context as a literal, because lupdate reads it here.
+      const QString last = QCoreApplication::translate("hexoderm::Message", "{} and {}", "the end of a list");
+      const std::vector<std::string> both = {text.toStdString(), item.toStdString()};
+      text = QString::fromStdString(fillTemplate(last.toStdString(), both));
     }
   }
   return text;

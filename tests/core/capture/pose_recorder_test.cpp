@@ -143,7 +143,7 @@ TEST(PoseRecorder, CapturesEveryHoldOfASimulatedSkinOnce) {
     SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
     Captures captures;
     PoseRecorder recorder(captures);
-    recorder.setSkin({"simulated", std::make_shared<CellModel>(skin.model()), skin.neighbors()});
+    recorder.setSkin({Message::verbatim("simulated"), std::make_shared<CellModel>(skin.model()), skin.neighbors()});
     std::size_t held = 0;
     feedHolds(
         skin, recorder, 4, 1500, [&] { EXPECT_THAT(captures.poses, SizeIs(held)) << "captured on the way"; },
@@ -170,7 +170,7 @@ TEST(PoseRecorder, ABrokenCellKeepsNothingFromBeingCaptured) {
     SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
     Captures captures;
     PoseRecorder recorder(captures);
-    recorder.setSkin({"simulated", std::make_shared<CellModel>(skin.model()), skin.neighbors()});
+    recorder.setSkin({Message::verbatim("simulated"), std::make_shared<CellModel>(skin.model()), skin.neighbors()});
     std::size_t held = 0;
     feedHolds(
         skin, recorder, 3, 4500, [&] { EXPECT_THAT(captures.poses, SizeIs(held)); },

@@ -24,7 +24,7 @@ class SkinStreamTest : public testing::Test {
     take(skinwire::topologyMessage());
   }
   SourceStatus status() {
-    stream.report(SourceState::Streaming, std::to_string(++reports), SkinStream::Clock::now());
+    stream.report(SourceState::Streaming, Message::verbatim(std::to_string(++reports)), SkinStream::Clock::now());
     return listener.delivered().status();
   }
   std::size_t frames() { return listener.delivered().frames.size(); }
