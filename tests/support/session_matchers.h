@@ -76,7 +76,7 @@ inline Session sessionWithEverything() {
   Session session(std::move(model),
                   {{CellId(1), "forearm", {{PortNumber(2), CellId(2), PortNumber(3)}}},
                    {CellId(2), "", {{PortNumber(3), CellId(1), std::nullopt}, {PortNumber(1), CellId(16383), {}}}}},
-                  {"A \"test\" of ümläut", "", ""});
+                  {Message::verbatim("A \"test\" of ümläut"), "", ""});
   GroundTruth truth;
   truth.frame = "arm";
   truth.cells.push_back({CellId(1), {expSO3({0.1, -0.2, 0.3}), {1.0 / 7, -0.0, 5e-324}}});

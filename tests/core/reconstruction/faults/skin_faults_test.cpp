@@ -390,7 +390,7 @@ TEST_P(SkinFaults, HundredThousandCellsWithSixPosesWork) {
   }
   Session session(model, neighbors);
   for (const Eigen::Vector3d& up : orthogonalUps(6)) {
-    PoseCapture pose{session.nextPoseId(), "", {}};
+    PoseCapture pose{session.nextPoseId(), {}, {}};
     for (const CellReport& report : neighbors) pose.samples.push_back({report.id, up, Eigen::Matrix3d::Zero(), 0});
     session.addPose({std::make_shared<const PoseCapture>(std::move(pose)), false});
   }
