@@ -34,8 +34,9 @@ TEST(SkinCheck, AHealthySkinIsReadyAndSaysWhatItReads) {
   EXPECT_TRUE(check.ready);
   EXPECT_EQ(check.because.english(), "Every cell sends");
   EXPECT_THAT(check.items, SizeIs(3));
-  EXPECT_THAT(check.items, Contains(Field(&SkinCheckItem::message,
-                                          Property(&Message::english, "All 17 cells send and read 1.00 to 1.00 g"))));
+  EXPECT_THAT(check.items,
+              Contains(Field(&SkinCheckItem::message,
+                             testing::Property(&Message::english, "All 17 cells send and read 1.00 to 1.00 g"))));
   for (const SkinCheckItem& item : check.items) EXPECT_EQ(item.severity, Severity::Info) << item.message.english();
 }
 
@@ -47,10 +48,10 @@ TEST(SkinCheck, NamesCellsThatReadNoGravityOrSendNothing) {
   const SkinCheck check = checkSkin(*skin, readings, {});
   EXPECT_TRUE(check.ready) << "one pose more or less of a cell is no reason to stop";
   EXPECT_EQ(check.because.english(), "16 of 17 cells send");
-  EXPECT_THAT(check.items,
-              Contains(Field(&SkinCheckItem::message, Property(&Message::english, HasSubstr("Cell 7 reads 0.50 g")))));
-  EXPECT_THAT(check.items,
-              Contains(Field(&SkinCheckItem::message, Property(&Message::english, "Nothing comes from cell 17"))));
+  EXPECT_THAT(check.items, Contains(Field(&SkinCheckItem::message,
+                                          testing::Property(&Message::english, HasSubstr("Cell 7 reads 0.50 g")))));
+  EXPECT_THAT(check.items, Contains(Field(&SkinCheckItem::message,
+                                          testing::Property(&Message::english, "Nothing comes from cell 17"))));
 }
 
 TEST(SkinCheck, ADeviceThatSendsAnotherUnitIsOneSentenceAndNotOneForEachCell) {
