@@ -1,6 +1,7 @@
 #include "app/window/report/report.h"
 #include "app/window/report/report_pictures.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/units.h"
 #include "tests/app/window/window_test.h"
 #include "tests/support/reconstruction_builder.h"
 #include "tests/support/temporary_folder.h"
