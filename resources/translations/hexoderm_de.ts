@@ -5771,10 +5771,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>Das Bild %1 ließ sich nicht schreiben.</translation>
     </message>
     <message>
-        <source>--screenshots-size takes a size, for example 1280x800.</source>
-        <translation>--screenshots-size nimmt eine Größe, zum Beispiel 1280x800.</translation>
-    </message>
-    <message>
         <source>Draw in 3D without the graphics card, for this time.</source>
         <translation>3D ohne Grafikkarte zeichnen, für dieses Mal.</translation>
     </message>

@@ -1,7 +1,7 @@
-#include "app/window/text_fit.h"
-#include "app/window/screenshot_tour.h"
+#include "tests/screenshots/text_fit.h"
 #include "app/window/settings/translation.h"
 #include "tests/app/window/window_test.h"
+#include "tests/screenshots/screenshot_tour.h"
 
 #include <QHBoxLayout>
 #include <QProcess>
@@ -131,13 +131,23 @@ TEST_P(NothingIsCutOff, AnywhereOnATourThroughTheDemo) {
 INSTANTIATE_TEST_SUITE_P(Languages, NothingIsCutOff, testing::Values("en", "de"),
                          [](const auto& language) { return std::string(language.param); });
 
-TEST(ScreenshotTour, IsAnOptionOfTheProgram) {
-  const QTemporaryDir folder;
+int exitCodeOf(const char* path, const QStringList& arguments) {
   QProcess program;
-  program.start(QStringLiteral(HEXODERM_PROGRAM),
-                {QStringLiteral("--screenshots"), folder.path(), QStringLiteral("--screenshots-size=nonsense")});
-  ASSERT_TRUE(program.waitForFinished(test::kPatience_ms));
-  EXPECT_EQ(program.exitCode(), 2);
+  program.start(QString::fromLocal8Bit(path), arguments);
+  EXPECT_TRUE(program.waitForFinished(test::kPatience_ms)) << path;
+  return program.exitCode();
+}
+
+TEST(ScreenshotTour, IsAProgramThatRefusesArgumentsThatMakeNoSense) {
+  const QTemporaryDir folder;
+  EXPECT_EQ(exitCodeOf(HEXODERM_SCREENSHOTS_PROGRAM, {QStringLiteral("--size=nonsense"), folder.path()}), 2);
+  EXPECT_EQ(exitCodeOf(HEXODERM_SCREENSHOTS_PROGRAM, {QStringLiteral("--theme=pink"), folder.path()}), 2);
+  EXPECT_EQ(exitCodeOf(HEXODERM_SCREENSHOTS_PROGRAM, {}), 2);
+}
+
+TEST(ScreenshotTour, IsNoOptionOfTheShippedProgram) {
+  const QTemporaryDir folder;
+  EXPECT_EQ(exitCodeOf(HEXODERM_PROGRAM, {QStringLiteral("--screenshots"), folder.path()}), 1);
 }
 
 }  // namespace

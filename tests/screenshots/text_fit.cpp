@@ -1,4 +1,4 @@
-#include "app/window/text_fit.h"
+#include "tests/screenshots/text_fit.h"
 
 #include <QAbstractButton>
 #include <QAbstractScrollArea>

@@ -1,8 +1,8 @@
-#include "app/window/screenshot_tour.h"
+#include "tests/screenshots/screenshot_tour.h"
 
 #include "app/window/guide/guide.h"
 #include "app/window/main_window/main_window.h"
-#include "app/window/text_fit.h"
+#include "tests/screenshots/text_fit.h"
 #include "widgets/patch/patch_view.h"
 
 #include <QAbstractButton>
