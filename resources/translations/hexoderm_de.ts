@@ -55,6 +55,13 @@
     </message>
 </context>
 <context>
+    <name>hexoderm::CapturePresenter</name>
+    <message>
+        <source>It repeats pose %1.</source>
+        <translation>Sie wiederholt Pose %1.</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::CaptureWords</name>
     <message>
         <source>%1°</source>
@@ -579,6 +586,17 @@
     <message>
         <source>x17, ring8 or sheet:10x10, also with options: x17?seed=1&amp;speed=2. Its readings are made up.</source>
         <translation>x17, ring8 oder sheet:10x10, auch mit Optionen: x17?seed=1&amp;speed=2. Die Messwerte sind simuliert.</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::ConnectionPresenter</name>
+    <message>
+        <source>Since the skin was connected: %1. Poses need no more than their own samples, so a few lost ones do no harm; many speak of a slow network or cable.</source>
+        <translation>Seit die Haut verbunden ist: %1. Posen brauchen nur ihre eigenen Messwerte, einzelne verlorene schaden nicht; viele sprechen für ein langsames Netz oder Kabel.</translation>
+    </message>
+    <message>
+        <source>Demo skin</source>
+        <translation>Demo-Haut</translation>
     </message>
 </context>
 <context>
@@ -1755,6 +1773,13 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
 </context>
 <context>
+    <name>hexoderm::EarlierPanel</name>
+    <message>
+        <source>Recent</source>
+        <translation>Zuletzt</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::EventLog</name>
     <message>
         <source>The folder %1 can&apos;t be made.</source>
@@ -1763,6 +1788,29 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>%1 lines are missing here: they could not be written, or came too fast</source>
         <translation>Hier fehlen %1 Zeilen: Sie ließen sich nicht schreiben oder kamen zu schnell</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::EventRecorder</name>
+    <message>
+        <source>Solved: %1, %2, %3, %4 ms. %5</source>
+        <translation>Gelöst: %1, %2, %3, %4 ms. %5</translation>
+    </message>
+    <message>
+        <source>Hexoderm %1 starts</source>
+        <translation>Hexoderm %1 startet</translation>
+    </message>
+    <message>
+        <source>Opened %1</source>
+        <translation>%1 geöffnet</translation>
+    </message>
+    <message>
+        <source>Asked for: %1</source>
+        <translation>Verlangt: %1</translation>
+    </message>
+    <message>
+        <source>Skin at %1: %2. %3</source>
+        <translation>Haut unter %1: %2. %3</translation>
     </message>
 </context>
 <context>
@@ -1870,6 +1918,77 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Replace</source>
         <translation>Ersetzen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::FilePresenter</name>
+    <message>
+        <source>Saved to %1</source>
+        <translation>Gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>Exported to %1</source>
+        <translation>Exportiert: %1</translation>
+    </message>
+    <message>
+        <source>Not on disk yet; it waits in memory and the work can go on. %1</source>
+        <translation>Noch nicht auf der Platte; es wartet im Speicher, und die Arbeit kann weitergehen. %1</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>Open a session or a calibration</source>
+        <translation>Sitzung oder Kalibrierung öffnen</translation>
+    </message>
+    <message>
+        <source>Sessions and calibrations (*.hexo *.json *.xml)</source>
+        <translation>Sitzungen und Kalibrierungen (*.hexo *.json *.xml)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Save the table</source>
+        <translation>Tabelle speichern</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save the session</source>
+        <translation>Sitzung speichern</translation>
+    </message>
+    <message>
+        <source>Sessions (*.session.json);;Sessions that keep every change (*.hexo)</source>
+        <translation>Sitzungen (*.session.json);;Sitzungen, die jede Änderung behalten (*.hexo)</translation>
+    </message>
+    <message>
+        <source>Save the calibration</source>
+        <translation>Kalibrierung speichern</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.calibration.json)</source>
+        <translation>Kalibrierungen (*.calibration.json)</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>No program to show folders was found. The folder is %1.</source>
+        <translation>Es wurde kein Programm gefunden, das Ordner zeigt. Der Ordner ist %1.</translation>
+    </message>
+    <message>
+        <source>Unsaved poses</source>
+        <translation>Nicht gespeicherte Posen</translation>
+    </message>
+    <message>
+        <source>Save the session first? Its latest changes are not on disk yet.</source>
+        <translation>Die Sitzung vorher speichern? Ihre letzten Änderungen sind noch nicht auf der Platte.</translation>
     </message>
 </context>
 <context>
@@ -2313,6 +2432,13 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
 </context>
 <context>
+    <name>hexoderm::GuidePresenter</name>
+    <message>
+        <source>Step &amp;%1: %2</source>
+        <translation>Schritt &amp;%1: %2</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::GuideWindow</name>
     <message>
         <source>en</source>
@@ -2355,6 +2481,32 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Find the next one</source>
         <translation>Nächste Stelle</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::HelpPresenter</name>
+    <message>
+        <source>About Hexoderm</source>
+        <translation>Über Hexoderm</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Hexoderm %1&lt;/b&gt;&lt;p&gt;Finds out where every cell of a robot&apos;s artificial skin is.&lt;/p&gt;&lt;p&gt;BSD 3-Clause licence.&lt;/p&gt;</source>
+        <translation>&lt;b&gt;Hexoderm %1&lt;/b&gt;&lt;p&gt;Findet heraus, wo jede Zelle der künstlichen Haut eines Roboters ist.&lt;/p&gt;&lt;p&gt;BSD-3-Klausel-Lizenz.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::HistoryPresenter</name>
+    <message>
+        <source>One session was not saved: %1</source>
+        <translation>Eine Sitzung wurde nicht gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>%1 sessions were not saved. The newest: %2</source>
+        <translation>%1 Sitzungen wurden nicht gespeichert. Die neueste: %2</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Wiederherstellen</translation>
     </message>
 </context>
 <context>
@@ -2591,6 +2743,21 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
 </context>
 <context>
+    <name>hexoderm::LogPresenter</name>
+    <message>
+        <source>The log is kept in memory only. %1</source>
+        <translation>Das Protokoll bleibt nur im Speicher. %1</translation>
+    </message>
+    <message>
+        <source>Copied: versions, graphics, what is open and the last lines of the log, with your home folder as ~. Paste it into the report.</source>
+        <translation>Kopiert: Versionen, Grafik, was offen ist und die letzten Zeilen des Protokolls, mit dem eigenen Ordner als ~. In den Bericht einfügen.</translation>
+    </message>
+    <message>
+        <source>No program to show folders was found. The log is %1.</source>
+        <translation>Es wurde kein Programm gefunden, das Ordner zeigt. Das Protokoll ist %1.</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::LogView</name>
     <message>
         <source>Which lines of the log are shown</source>
@@ -2639,273 +2806,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>%1 lines</source>
         <translation>%1 Zeilen</translation>
-    </message>
-</context>
-<context>
-    <name>hexoderm::MainWindow</name>
-    <message>
-        <source>Poses</source>
-        <translation>Posen</translation>
-    </message>
-    <message>
-        <source>Links</source>
-        <translation>Verbindungen</translation>
-    </message>
-    <message>
-        <source>Findings</source>
-        <translation>Befunde</translation>
-    </message>
-    <message>
-        <source>The patch in three dimensions</source>
-        <translation>Das Hautstück in drei Dimensionen</translation>
-    </message>
-    <message>
-        <source>Steps</source>
-        <translation>Schritte</translation>
-    </message>
-    <message>
-        <source>Skin graph</source>
-        <translation>Hautgraph</translation>
-    </message>
-    <message>
-        <source>No poses yet.</source>
-        <translation>Noch keine Posen.</translation>
-    </message>
-    <message>
-        <source>No findings.</source>
-        <translation>Keine Befunde.</translation>
-    </message>
-    <message>
-        <source>No links yet.</source>
-        <translation>Noch keine Verbindungen.</translation>
-    </message>
-    <message>
-        <source>Findings and links</source>
-        <translation>Befunde und Verbindungen</translation>
-    </message>
-    <message>
-        <source>Saved to %1</source>
-        <translation>Gespeichert: %1</translation>
-    </message>
-    <message>
-        <source>Exported to %1</source>
-        <translation>Exportiert: %1</translation>
-    </message>
-    <message>
-        <source>No skin</source>
-        <translation>Keine Haut</translation>
-    </message>
-    <message>
-        <source>Hexoderm</source>
-        <translation>Hexoderm</translation>
-    </message>
-    <message>
-        <source>%1[*] · Hexoderm</source>
-        <translation>%1[*] · Hexoderm</translation>
-    </message>
-    <message>
-        <source>cells %1/%2</source>
-        <translation>Zellen %1/%2</translation>
-    </message>
-    <message>
-        <source>Cells that were measured in the fullest pose, of all cells</source>
-        <translation>Zellen, die in der vollständigsten Pose gemessen wurden, von allen</translation>
-    </message>
-    <message>
-        <source>solved in %1 ms · %2</source>
-        <translation>gelöst in %1 ms · %2</translation>
-    </message>
-    <message>
-        <source>%1, read from the file</source>
-        <translation>%1, aus der Datei</translation>
-    </message>
-    <message>
-        <source>A direction counts as defined from a singular value of %1 on</source>
-        <translation>Eine Richtung gilt ab einem Singulärwert von %1 als bestimmt</translation>
-    </message>
-    <message>
-        <source>not on disk</source>
-        <translation>nicht auf der Platte</translation>
-    </message>
-    <message>
-        <source>not saved</source>
-        <translation>nicht gespeichert</translation>
-    </message>
-    <message>
-        <source>saved at %1</source>
-        <translation>gespeichert um %1</translation>
-    </message>
-    <message>
-        <source>Del disable · Ctrl+Z undo</source>
-        <translation>Entf: aus · Strg+Z: zurück</translation>
-    </message>
-    <message>
-        <source>Findings %1</source>
-        <translation>Befunde %1</translation>
-    </message>
-    <message>
-        <source>Links %1</source>
-        <translation>Verbindungen %1</translation>
-    </message>
-    <message>
-        <source>Open a session or a calibration</source>
-        <translation>Sitzung oder Kalibrierung öffnen</translation>
-    </message>
-    <message>
-        <source>Sessions and calibrations (*.hexo *.json *.xml)</source>
-        <translation>Sitzungen und Kalibrierungen (*.hexo *.json *.xml)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Save the session</source>
-        <translation>Sitzung speichern</translation>
-    </message>
-    <message>
-        <source>Sessions (*.session.json);;Sessions that keep every change (*.hexo)</source>
-        <translation>Sitzungen (*.session.json);;Sitzungen, die jede Änderung behalten (*.hexo)</translation>
-    </message>
-    <message>
-        <source>Save the calibration</source>
-        <translation>Kalibrierung speichern</translation>
-    </message>
-    <message>
-        <source>Calibrations (*.calibration.json)</source>
-        <translation>Kalibrierungen (*.calibration.json)</translation>
-    </message>
-    <message>
-        <source>Open folder</source>
-        <translation>Ordner öffnen</translation>
-    </message>
-    <message>
-        <source>No program to show folders was found. The folder is %1.</source>
-        <translation>Es wurde kein Programm gefunden, das Ordner zeigt. Der Ordner ist %1.</translation>
-    </message>
-    <message>
-        <source>Unsaved poses</source>
-        <translation>Nicht gespeicherte Posen</translation>
-    </message>
-    <message>
-        <source>Save the session first? Its latest changes are not on disk yet.</source>
-        <translation>Die Sitzung vorher speichern? Ihre letzten Änderungen sind noch nicht auf der Platte.</translation>
-    </message>
-    <message>
-        <source>About Hexoderm</source>
-        <translation>Über Hexoderm</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Hexoderm %1&lt;/b&gt;&lt;p&gt;Finds out where every cell of a robot&apos;s artificial skin is.&lt;/p&gt;&lt;p&gt;BSD 3-Clause licence.&lt;/p&gt;</source>
-        <translation>&lt;b&gt;Hexoderm %1&lt;/b&gt;&lt;p&gt;Findet heraus, wo jede Zelle der künstlichen Haut eines Roboters ist.&lt;/p&gt;&lt;p&gt;BSD-3-Klausel-Lizenz.&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>Not on disk yet; it waits in memory and the work can go on. %1</source>
-        <translation>Noch nicht auf der Platte; es wartet im Speicher, und die Arbeit kann weitergehen. %1</translation>
-    </message>
-    <message>
-        <source>Try again</source>
-        <translation>Noch einmal</translation>
-    </message>
-    <message>
-        <source>Write a report</source>
-        <translation>Bericht schreiben</translation>
-    </message>
-    <message>
-        <source>Documents (*.pdf);;Pages for the browser (*.html)</source>
-        <translation>Dokumente (*.pdf);;Seiten für den Browser (*.html)</translation>
-    </message>
-    <message>
-        <source>The next capture takes the place of pose %1. Hold the part as it was held then.</source>
-        <translation>Die nächste Aufnahme tritt an die Stelle von Pose %1. Das Teil halten wie damals.</translation>
-    </message>
-    <message>
-        <source>Don&apos;t recapture</source>
-        <translation>Nicht neu aufnehmen</translation>
-    </message>
-    <message>
-        <source>Log</source>
-        <translation>Protokoll</translation>
-    </message>
-    <message>
-        <source>Save a picture of the graph</source>
-        <translation>Bild des Graphen speichern</translation>
-    </message>
-    <message>
-        <source>-graph</source>
-        <translation>-graph</translation>
-    </message>
-    <message>
-        <source>Vector graphics (*.svg);;Pictures (*.png)</source>
-        <translation>Vektorgrafik (*.svg);;Bilder (*.png)</translation>
-    </message>
-    <message>
-        <source>Cells</source>
-        <translation>Zellen</translation>
-    </message>
-    <message>
-        <source>No cells yet.</source>
-        <translation>Noch keine Zellen.</translation>
-    </message>
-    <message>
-        <source>Residuals</source>
-        <translation>Restfehler</translation>
-    </message>
-    <message>
-        <source>Cells %1</source>
-        <translation>Zellen %1</translation>
-    </message>
-    <message>
-        <source>Save a picture of the 3D view</source>
-        <translation>Bild der 3D-Ansicht speichern</translation>
-    </message>
-    <message>
-        <source>-3d</source>
-        <translation>-3d</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png)</source>
-        <translation>Bilder (*.png)</translation>
-    </message>
-    <message>
-        <source>Stillness</source>
-        <translation>Ruhe</translation>
-    </message>
-    <message>
-        <source>It repeats pose %1.</source>
-        <translation>Sie wiederholt Pose %1.</translation>
-    </message>
-    <message>
-        <source>Directions seen</source>
-        <translation>Gesehene Richtungen</translation>
-    </message>
-    <message>
-        <source>Since the skin was connected: %1. Poses need no more than their own samples, so a few lost ones do no harm; many speak of a slow network or cable.</source>
-        <translation>Seit die Haut verbunden ist: %1. Posen brauchen nur ihre eigenen Messwerte, einzelne verlorene schaden nicht; viele sprechen für ein langsames Netz oder Kabel.</translation>
-    </message>
-    <message>
-        <source>Save the table</source>
-        <translation>Tabelle speichern</translation>
-    </message>
-    <message>
-        <source>Tables (*.csv)</source>
-        <translation>Tabellen (*.csv)</translation>
-    </message>
-    <message>
-        <source>Compare with an earlier calibration</source>
-        <translation>Mit früherer Kalibrierung vergleichen</translation>
-    </message>
-    <message>
-        <source>Calibrations and sessions (*.calibration.json *.hexo *.session.json *.xml)</source>
-        <translation>Kalibrierungen und Sitzungen (*.calibration.json *.hexo *.session.json *.xml)</translation>
-    </message>
-    <message>
-        <source>R recapture · Del disable · Ctrl+Z undo</source>
-        <translation>R: neu · Entf: aus · Strg+Z: zurück</translation>
-    </message>
-    <message>
-        <source>Demo skin</source>
-        <translation>Demo-Haut</translation>
     </message>
 </context>
 <context>
@@ -2972,6 +2872,73 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
 </context>
 <context>
+    <name>hexoderm::Panels</name>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Skin graph</source>
+        <translation>Hautgraph</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>Posen</translation>
+    </message>
+    <message>
+        <source>No poses yet.</source>
+        <translation>Noch keine Posen.</translation>
+    </message>
+    <message>
+        <source>Directions seen</source>
+        <translation>Gesehene Richtungen</translation>
+    </message>
+    <message>
+        <source>The patch in three dimensions</source>
+        <translation>Das Hautstück in drei Dimensionen</translation>
+    </message>
+    <message>
+        <source>No findings.</source>
+        <translation>Keine Befunde.</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
+        <source>No links yet.</source>
+        <translation>Noch keine Verbindungen.</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>No cells yet.</source>
+        <translation>Noch keine Zellen.</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>Residuals</source>
+        <translation>Restfehler</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Stillness</source>
+        <translation>Ruhe</translation>
+    </message>
+    <message>
+        <source>Findings and links</source>
+        <translation>Befunde und Verbindungen</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::PartMotion</name>
     <message>
         <source>Turn the part</source>
@@ -2980,6 +2947,13 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Dragging and the arrow keys turn the part instead of the picture; dragging with Shift always does</source>
         <translation>Ziehen und Pfeiltasten drehen das Teil statt des Bildes; Ziehen mit Umschalt tut das immer</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PatchCaptions</name>
+    <message>
+        <source>gravity</source>
+        <translation>Schwerkraft</translation>
     </message>
 </context>
 <context>
@@ -3090,6 +3064,52 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Preparing the picture of %1 cells…</source>
         <translation>Das Bild von %1 Zellen wird vorbereitet…</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PickedCommands</name>
+    <message>
+        <source>The next capture takes the place of pose %1. Hold the part as it was held then.</source>
+        <translation>Die nächste Aufnahme tritt an die Stelle von Pose %1. Das Teil halten wie damals.</translation>
+    </message>
+    <message>
+        <source>Don&apos;t recapture</source>
+        <translation>Nicht neu aufnehmen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PicturePresenter</name>
+    <message>
+        <source>Save a picture of the 3D view</source>
+        <translation>Bild der 3D-Ansicht speichern</translation>
+    </message>
+    <message>
+        <source>-3d</source>
+        <translation>-3d</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Save a picture of the graph</source>
+        <translation>Bild des Graphen speichern</translation>
+    </message>
+    <message>
+        <source>-graph</source>
+        <translation>-graph</translation>
+    </message>
+    <message>
+        <source>Vector graphics (*.svg);;Pictures (*.png)</source>
+        <translation>Vektorgrafik (*.svg);;Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Write a report</source>
+        <translation>Bericht schreiben</translation>
+    </message>
+    <message>
+        <source>Documents (*.pdf);;Pages for the browser (*.html)</source>
+        <translation>Dokumente (*.pdf);;Seiten für den Browser (*.html)</translation>
     </message>
 </context>
 <context>
@@ -3424,6 +3444,25 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>From the next start on.</source>
         <translation>Ab dem nächsten Start.</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PreferencesPresenter</name>
+    <message>
+        <source>There is no OpenGL 3.2 here, so the 3D view is empty; graph and tables work.</source>
+        <translation>Hier gibt es kein OpenGL 3.2, darum ist die 3D-Ansicht leer; Graph und Tabellen arbeiten.</translation>
+    </message>
+    <message>
+        <source>%1 Drawing by the processor did not help either.</source>
+        <translation>%1 Auch Zeichnen im Prozessor half nicht.</translation>
+    </message>
+    <message>
+        <source>Draw without the graphics card</source>
+        <translation>Ohne Grafikkarte zeichnen</translation>
+    </message>
+    <message>
+        <source>From the next start on, the processor draws. Start Hexoderm again when it suits you.</source>
+        <translation>Ab dem nächsten Start zeichnet der Prozessor. Hexoderm bei Gelegenheit neu starten.</translation>
     </message>
 </context>
 <context>
@@ -3970,6 +4009,25 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
 </context>
 <context>
+    <name>hexoderm::ResultTables</name>
+    <message>
+        <source>Poses</source>
+        <translation>Posen</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::SceneLegend</name>
     <message>
         <source>no link</source>
@@ -3994,13 +4052,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Cells are coloured by: %1</source>
         <translation>Farbe der Zellen: %1</translation>
-    </message>
-</context>
-<context>
-    <name>hexoderm::PatchCaptions</name>
-    <message>
-        <source>gravity</source>
-        <translation>Schwerkraft</translation>
     </message>
 </context>
 <context>
@@ -4398,6 +4449,85 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>enable pose %1</source>
         <translation>Pose %1 wieder benutzen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::StatusPresenter</name>
+    <message>
+        <source>No skin</source>
+        <translation>Keine Haut</translation>
+    </message>
+    <message>
+        <source>Hexoderm</source>
+        <translation>Hexoderm</translation>
+    </message>
+    <message>
+        <source>%1[*] · Hexoderm</source>
+        <translation>%1[*] · Hexoderm</translation>
+    </message>
+    <message>
+        <source>cells %1/%2</source>
+        <translation>Zellen %1/%2</translation>
+    </message>
+    <message>
+        <source>Cells that were measured in the fullest pose, of all cells</source>
+        <translation>Zellen, die in der vollständigsten Pose gemessen wurden, von allen</translation>
+    </message>
+    <message>
+        <source>solved in %1 ms · %2</source>
+        <translation>gelöst in %1 ms · %2</translation>
+    </message>
+    <message>
+        <source>%1, read from the file</source>
+        <translation>%1, aus der Datei</translation>
+    </message>
+    <message>
+        <source>A direction counts as defined from a singular value of %1 on</source>
+        <translation>Eine Richtung gilt ab einem Singulärwert von %1 als bestimmt</translation>
+    </message>
+    <message>
+        <source>not on disk</source>
+        <translation>nicht auf der Platte</translation>
+    </message>
+    <message>
+        <source>not saved</source>
+        <translation>nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>saved at %1</source>
+        <translation>gespeichert um %1</translation>
+    </message>
+    <message>
+        <source>R recapture · Del disable · Ctrl+Z undo</source>
+        <translation>R: neu · Entf: aus · Strg+Z: zurück</translation>
+    </message>
+    <message>
+        <source>Del disable · Ctrl+Z undo</source>
+        <translation>Entf: aus · Strg+Z: zurück</translation>
+    </message>
+    <message>
+        <source>Findings %1</source>
+        <translation>Befunde %1</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
+        <source>Links %1</source>
+        <translation>Verbindungen %1</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>Cells %1</source>
+        <translation>Zellen %1</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
     </message>
 </context>
 <context>
@@ -4930,6 +5060,17 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
 </context>
 <context>
+    <name>hexoderm::VerifyPresenter</name>
+    <message>
+        <source>Compare with an earlier calibration</source>
+        <translation>Mit früherer Kalibrierung vergleichen</translation>
+    </message>
+    <message>
+        <source>Calibrations and sessions (*.calibration.json *.hexo *.session.json *.xml)</source>
+        <translation>Kalibrierungen und Sitzungen (*.calibration.json *.hexo *.session.json *.xml)</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::VerifySection</name>
     <message>
         <source>Working</source>
@@ -4942,6 +5083,21 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Figures: %1</source>
         <translation>Zahlen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::ViewSwap</name>
+    <message>
+        <source>Skin patch</source>
+        <translation>Hautstück</translation>
+    </message>
+    <message>
+        <source>Skin graph</source>
+        <translation>Hautgraph</translation>
+    </message>
+    <message>
+        <source>The patch in three dimensions</source>
+        <translation>Das Hautstück in drei Dimensionen</translation>
     </message>
 </context>
 <context>
@@ -5464,89 +5620,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Versions, graphics, what is open and the last lines of the log, with your home folder as ~</source>
         <translation>Versionen, Grafik, was offen ist und die letzten Zeilen des Protokolls, mit dem eigenen Ordner als ~</translation>
-    </message>
-</context>
-<context>
-    <name>hexoderm::WindowShell</name>
-    <message>
-        <source>The log is kept in memory only. %1</source>
-        <translation>Das Protokoll bleibt nur im Speicher. %1</translation>
-    </message>
-    <message>
-        <source>Hexoderm %1 starts</source>
-        <translation>Hexoderm %1 startet</translation>
-    </message>
-    <message>
-        <source>Skin patch</source>
-        <translation>Hautstück</translation>
-    </message>
-    <message>
-        <source>Skin graph</source>
-        <translation>Hautgraph</translation>
-    </message>
-    <message>
-        <source>The patch in three dimensions</source>
-        <translation>Das Hautstück in drei Dimensionen</translation>
-    </message>
-    <message>
-        <source>Asked for: %1</source>
-        <translation>Verlangt: %1</translation>
-    </message>
-    <message>
-        <source>Opened %1</source>
-        <translation>%1 geöffnet</translation>
-    </message>
-    <message>
-        <source>Skin at %1: %2. %3</source>
-        <translation>Haut unter %1: %2. %3</translation>
-    </message>
-    <message>
-        <source>%1 sessions were not saved. The newest: %2</source>
-        <translation>%1 Sitzungen wurden nicht gespeichert. Die neueste: %2</translation>
-    </message>
-    <message>
-        <source>Recover</source>
-        <translation>Wiederherstellen</translation>
-    </message>
-    <message>
-        <source>There is no OpenGL 3.2 here, so the 3D view is empty; graph and tables work.</source>
-        <translation>Hier gibt es kein OpenGL 3.2, darum ist die 3D-Ansicht leer; Graph und Tabellen arbeiten.</translation>
-    </message>
-    <message>
-        <source>%1 Drawing by the processor did not help either.</source>
-        <translation>%1 Auch Zeichnen im Prozessor half nicht.</translation>
-    </message>
-    <message>
-        <source>Draw without the graphics card</source>
-        <translation>Ohne Grafikkarte zeichnen</translation>
-    </message>
-    <message>
-        <source>From the next start on, the processor draws. Start Hexoderm again when it suits you.</source>
-        <translation>Ab dem nächsten Start zeichnet der Prozessor. Hexoderm bei Gelegenheit neu starten.</translation>
-    </message>
-    <message>
-        <source>No program to show folders was found. The log is %1.</source>
-        <translation>Es wurde kein Programm gefunden, das Ordner zeigt. Das Protokoll ist %1.</translation>
-    </message>
-    <message>
-        <source>Recent</source>
-        <translation>Zuletzt</translation>
-    </message>
-    <message>
-        <source>Step &amp;%1: %2</source>
-        <translation>Schritt &amp;%1: %2</translation>
-    </message>
-    <message>
-        <source>Copied: versions, graphics, what is open and the last lines of the log, with your home folder as ~. Paste it into the report.</source>
-        <translation>Kopiert: Versionen, Grafik, was offen ist und die letzten Zeilen des Protokolls, mit dem eigenen Ordner als ~. In den Bericht einfügen.</translation>
-    </message>
-    <message>
-        <source>Solved: %1, %2, %3, %4 ms. %5</source>
-        <translation>Gelöst: %1, %2, %3, %4 ms. %5</translation>
-    </message>
-    <message>
-        <source>One session was not saved: %1</source>
-        <translation>Eine Sitzung wurde nicht gespeichert: %1</translation>
     </message>
 </context>
 <context>

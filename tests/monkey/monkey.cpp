@@ -5,7 +5,6 @@
 //          [--trace]
 
 #include "app/window/main_window/main_window.h"
-#include "app/window/main_window/window_shell.h"
 #include "app/window/settings/preferences.h"
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/session/simulated_session.h"

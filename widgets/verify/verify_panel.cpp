@@ -81,7 +81,7 @@ VerifyPanel::VerifyPanel(Selection* selection, QWidget* parent)
   connect(surface_, &VerifySection::rowPicked, this, [this](int row) {
     if (row >= 0) emit surfaceShown(ofRow(surfaces_, row));
   });
-  setReconstruction(nullptr, false);
+  setReconstruction(nullptr);
 }
 
 void VerifyPanel::buildHoldOut() {
@@ -166,10 +166,14 @@ void VerifyPanel::dropComparison() {
   emit comparisonShown({});
 }
 
-void VerifyPanel::setReconstruction(std::shared_ptr<const Reconstruction> reconstruction, bool has_readings) {
+void VerifyPanel::setHasReadings(bool has_readings) {
+  has_readings_ = has_readings;
+  refreshControls();
+}
+
+void VerifyPanel::setReconstruction(std::shared_ptr<const Reconstruction> reconstruction) {
   const bool changed = reconstruction != reconstruction_;
   reconstruction_ = std::move(reconstruction);
-  has_readings_ = has_readings;
   if (changed && hold_out_result_) {
     hold_out_result_.reset();
     hold_out_outdated_ = true;

@@ -27,9 +27,10 @@ class VerifyPanel : public QWidget {
   /// `selection` must outlive the panel.
   explicit VerifyPanel(Selection* selection, QWidget* parent = nullptr);
 
-  /// What is verified; results about an earlier state of it go. `has_readings`: there is a session to hold a pose out
-  /// of.
-  void setReconstruction(std::shared_ptr<const Reconstruction> reconstruction, bool has_readings);
+  /// What is verified; results about an earlier state of it go.
+  void setReconstruction(std::shared_ptr<const Reconstruction> reconstruction);
+  /// Whether there is a session that a pose can be held out of, as there is none for a calibration; there is at first.
+  void setHasReadings(bool has_readings);
   void setTheme(Theme theme);
   void setRunning(VerifyCheck check, bool running);
 
@@ -73,7 +74,7 @@ class VerifyPanel : public QWidget {
   void showHoldOutFigures();
 
   std::shared_ptr<const Reconstruction> reconstruction_;
-  bool has_readings_ = false;
+  bool has_readings_ = true;
   std::optional<HoldOutResult> hold_out_result_;
   bool hold_out_outdated_ = false;  ///< there was a result, of an earlier state
   std::vector<FoundLoop> loops_;

@@ -178,10 +178,10 @@ TEST_F(WindowKeepingTest, TheNextSkinIsAskedNothingThatTheLastWasAsked) {
 TEST_F(WindowKeepingTest, ATurnByHandEndsTheRobotsRunForAllToSee) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
   controller().setRobot(true);
-  ASSERT_TRUE(action("actionRobot")->isChecked());
+  ASSERT_TRUE(waitUntil([this] { return action("actionRobot")->isChecked(); }));
   controller().turnTo(Eigen::Vector3d::UnitX());
   EXPECT_FALSE(controller().isRobotOn());
-  EXPECT_FALSE(action("actionRobot")->isChecked());
+  EXPECT_TRUE(waitUntil([this] { return !action("actionRobot")->isChecked(); }));
 }
 
 }  // namespace

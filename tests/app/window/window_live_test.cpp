@@ -73,9 +73,9 @@ TEST_F(WindowLiveTest, ASimulatedSkinIsConnectedAndEveryPoseIsInItsFile) {
   keepPicture(window_->picture(), "live-dark");
 
   action("actionDisconnect")->trigger();
+  EXPECT_TRUE(waitUntil([this] { return !action("actionCapture")->isEnabled(); }));
   EXPECT_FALSE(find<QWidget>("liveStrip")->isVisible());
   EXPECT_EQ(posesShown(), 2U);
-  EXPECT_FALSE(action("actionCapture")->isEnabled());
   EXPECT_EQ(action("actionCapture")->toolTip(), "No skin is connected");
   EXPECT_EQ(text("captureWhat"), "No skin is connected.");
   EXPECT_EQ(text("captureWait"), "No skin is connected, so no pose can be taken.");

@@ -146,7 +146,7 @@ TEST_P(WindowWiresTest, ADeviceIsConnectedCheckedCapturedAndLeft) {
   ASSERT_FALSE(controller().isAutomatic());
   action("actionDisconnect")->trigger();
   EXPECT_FALSE(controller().live().isRunning());
-  EXPECT_EQ(action("actionCapture")->toolTip(), "No skin is connected");
+  EXPECT_TRUE(waitUntil([this] { return action("actionCapture")->toolTip() == "No skin is connected"; }));
   EXPECT_EQ(posesShown(), 2U);
   ASSERT_TRUE(waitUntilKept());
   const Session kept = readSessionStore(path().toStdString());

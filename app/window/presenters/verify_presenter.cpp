@@ -1,0 +1,59 @@
+#include "app/window/presenters/verify_presenter.h"
+
+#include "app/window/presenters/file_presenter.h"
+#include "app/window/session/session_controller.h"
+#include "app/window/session/verification.h"
+#include "app/window/settings/preferences.h"
+#include "app/window/toolkit/deferred_dialog.h"
+#include "app/window/toolkit/file_dialog.h"
+#include "widgets/patch/patch_view.h"
+#include "widgets/verify/verify_panel.h"
+
+namespace hexoderm {
+
+VerifyPresenter::VerifyPresenter(const Views& views, const SessionController& controller, Verification& verification,
+                                 FilePresenter& files)
+    : views_(views), controller_(controller), verification_(verification) {
+  VerifyPanel* panel = &views_.panel;
+  for (TableActions* actions : panel->tableActions()) files.saveTablesOf(actions);
+  connect(panel, &VerifyPanel::holdOutRequested, this, [this](PoseId pose) {
+    if (controller_.session()) verification_.runHoldOut(controller_.session()->snapshot(), pose);
+  });
+  connect(panel, &VerifyPanel::cancelRequested, &verification_, &Verification::cancel);
+  connect(panel, &VerifyPanel::surfaceRequested, &verification_, &Verification::setSurface);
+  connect(panel, &VerifyPanel::comparisonFileWanted, this, &VerifyPresenter::askForComparison);
+  connect(panel, &VerifyPanel::comparisonRequested, &verification_, &Verification::compareWith);
+  connect(panel, &VerifyPanel::comparisonDropped, &verification_, &Verification::dropComparison);
+  connectResults();
+  connect(&controller_, &SessionController::reconstructionChanged, panel,
+          [this] { views_.panel.setHasReadings(controller_.session() != nullptr); });
+  // What one skin was compared with says nothing about the next.
+  connect(&controller_, &SessionController::opened, panel, &VerifyPanel::dropComparison);
+}
+
+void VerifyPresenter::connectResults() {
+  VerifyPanel* panel = &views_.panel;
+  connect(&verification_, &Verification::runningChanged, panel, &VerifyPanel::setRunning);
+  connect(&verification_, &Verification::heldOut, panel, &VerifyPanel::showHoldOut);
+  connect(&verification_, &Verification::loopsFound, panel, &VerifyPanel::showLoops);
+  connect(&verification_, &Verification::surfacesFitted, panel, &VerifyPanel::showSurfaces);
+  connect(&verification_, &Verification::compared, panel, &VerifyPanel::showComparison);
+  connect(&verification_, &Verification::failed, panel, &VerifyPanel::showFailure);
+  connect(panel, &VerifyPanel::surfaceShown, &views_.patch, &PatchView::setSurface);
+  connect(panel, &VerifyPanel::loopShown, &views_.patch, &PatchView::setLoop);
+  connect(panel, &VerifyPanel::comparisonShown, &views_.patch, &PatchView::setComparison);
+}
+
+void VerifyPresenter::askForComparison() {
+  auto* dialog = new FileDialog(&views_.window, tr("Compare with an earlier calibration"), lastFolder(),
+                                tr("Calibrations and sessions (*.calibration.json *.hexo *.session.json *.xml)"));
+  dialog->setObjectName(QStringLiteral("comparisonDialog"));
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+    rememberFolder(path);
+    views_.panel.compareWith(path);
+  });
+  openInTurns(dialog);
+}
+
+}  // namespace hexoderm
