@@ -49,6 +49,9 @@ class MainWindow : public QMainWindow {
   void setThemeChoice(ThemeChoice choice, bool remember);
   [[nodiscard]] Theme theme() const;
 
+  /// Shows at once what has changed, instead of in the next turn of the event loop.
+  void showChanges() { refresh_.finish(); }
+
   /// The whole window as it looks now. Waits for the 3D view to be up to date.
   [[nodiscard]] QImage picture();
 

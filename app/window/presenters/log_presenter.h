@@ -12,7 +12,7 @@ class MessageBar;
 class SessionController;
 class WindowActions;
 
-/// Hands the log to whoever reports a bug: as a text to be pasted, as a folder to be opened.
+/// Serves the log to people who report a bug: as a text to be pasted, as a folder to be opened.
 class LogPresenter : public QObject {
   Q_OBJECT
 

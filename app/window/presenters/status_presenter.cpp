@@ -2,8 +2,6 @@
 
 #include "app/window/session/session_controller.h"
 #include "app/window/toolkit/status_bar.h"
-#include "hexoderm/reconstruction/advice/verdict.h"
-#include "hexoderm/util/text.h"
 #include "widgets/controls/card_dock.h"
 #include "widgets/words/core_words.h"
 #include "widgets/words/formatting.h"

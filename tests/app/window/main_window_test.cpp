@@ -179,7 +179,7 @@ TEST_F(MainWindowTest, TheRobotTakesAllPosesAndStopsByItself) {
   clickBanner();
   ASSERT_TRUE(waitUntil([this] { return find<QPushButton>("bannerButton")->text().startsWith("Let the simulated"); }));
   clickBanner();
-  EXPECT_TRUE(controller().isRobotOn());
+  ASSERT_TRUE(waitUntil([this] { return controller().isRobotOn(); }));
   EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Stop the robot");
   ASSERT_TRUE(waitUntil([this] { return !controller().isRobotOn(); })) << message().toStdString();
   ASSERT_TRUE(waitUntilIdle());
