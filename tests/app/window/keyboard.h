@@ -72,7 +72,7 @@ class KeyboardTest : public WindowTest {
     ASSERT_TRUE(waitUntil([this] { return QApplication::activeModalWidget() == nullptr; }));
     QWidget* focus = window_->focusWidget();
     activateWindow();
-    EXPECT_TRUE(!focus || QApplication::focusWidget() == focus)
+    EXPECT_TRUE(!focus || waitUntil([focus] { return QApplication::focusWidget() == focus; }))
         << "the keyboard was at " << nameOf(focus).toStdString() << " and is at " << focusName().toStdString();
   }
 };
