@@ -1,5 +1,6 @@
 #include "widgets/patch/patch_view.h"
 
+#include "widgets/coloring/coloring_words.h"
 #include "widgets/controls/selection.h"
 #include "widgets/patch/measure_tool.h"
 #include "widgets/patch/opengl_info.h"
@@ -71,6 +72,15 @@ SceneColors sceneColors(Theme theme) {
   return scene;
 }
 
+/// One kind of readings is there before or after, but not both.
+bool comesOrGoes(const CellReadings* before, const CellReadings* after) {
+  const auto kinds = [](const CellReadings* readings) {
+    return std::pair(readings != nullptr && !readings->acceleration_g.empty(),
+                     readings != nullptr && !readings->temperature_c.empty());
+  };
+  return kinds(before) != kinds(after);
+}
+
 }  // namespace
 
 struct PatchView::Parts : public QObject {
@@ -80,9 +90,9 @@ struct PatchView::Parts : public QObject {
   Selection* selection;
   MeasureTool measure;
   std::shared_ptr<const Reconstruction> reconstruction;
-  CellColoring coloring = CellColoring::LinkQuality;
-  std::optional<SurfaceEvaluation> surface;
-  std::optional<LoopEvaluation> loop;
+  Coloring coloring = Coloring::LinkQuality;
+  PatchOverlays overlays;
+  PatchMoment moment;
 
   const OpenGlInfo opengl = queryOpenGl();
   SceneWidget* canvas = nullptr;      ///< null without OpenGL
@@ -162,7 +172,7 @@ void PatchView::Parts::buildScene(QGridLayout* layout) {
 }
 
 void PatchView::Parts::connectControls() {
-  connect(controls, &PatchControls::coloringChosen, this, [this](CellColoring chosen) {
+  connect(controls, &PatchControls::coloringChosen, this, [this](Coloring chosen) {
     coloring = chosen;
     scene->setColoring(chosen);
     refresh();
@@ -219,10 +229,10 @@ void PatchView::Parts::setContent(std::shared_ptr<const SceneContent> content) {
 
 void PatchView::Parts::updateControls() {
   const SceneContent* content = scene->content();
-  for (int k = 0; k <= static_cast<int>(CellColoring::Temperature); ++k) {
-    const auto each = static_cast<CellColoring>(k);
-    const bool known = content == nullptr || hasValues(each, content->figures, scene->readings());
-    controls->setWhyNot(each, whyNoColoring(each, known));
+  for (const ColoringRow& row : coloringTable()) {
+    if (row.patch_title == nullptr) continue;
+    const bool known = content == nullptr || hasValues(row.coloring, content->figures, scene->readings());
+    controls->setWhyNot(row.coloring, whyNoColoring(row.coloring, known));
   }
   for (const SceneItem item : kSceneItems) controls->setWhyNot(item, whyNotShown(item, scene->availability(item)));
 }
@@ -236,9 +246,9 @@ LegendContent PatchView::Parts::legend() const {
     const auto values = scene->values();
     content.range = colorRange(coloring, values);
     content.some_unknown = std::ranges::any_of(values, [](const auto& value) { return !value; });
-  } else if (coloring == CellColoring::LinkQuality) {
+  } else if (coloring == Coloring::LinkQuality) {
     content.some_unknown = std::ranges::any_of(shown.figures.quality, [](const auto& quality) { return !quality; });
-  } else if (coloring == CellColoring::BodyPart) {
+  } else if (coloring == Coloring::BodyPart) {
     for (const std::string& name : shown.figures.body_parts) content.body_parts.push_back(QString::fromStdString(name));
     content.some_unknown = std::ranges::any_of(shown.figures.body_part, [](const auto& part) { return !part; });
   }
@@ -261,7 +271,7 @@ void PatchView::Parts::updateOverlay() {
   } else {
     content.gravity = scene->showsGravity();
     content.legend = legend();
-    content.notes = notesInWords(scene->notes(), surface, loop);
+    content.notes = notesInWords(scene->notes(), overlays);
     content.message = measure.words();
   }
   overlay->setContent(content);
@@ -371,71 +381,34 @@ void PatchView::setTheme(Theme theme) {
 
 void PatchView::paintEvent(QPaintEvent* /*event*/) { QPainter(this).fillRect(rect(), parts_->background); }
 
-void PatchView::setPose(std::optional<PoseId> pose) {
+void PatchView::setOverlays(const PatchOverlays& overlays) {
+  if (overlays == parts_->overlays) return;
+  parts_->overlays = overlays;
   if (!parts_->scene) return;
-  parts_->scene->setPose(pose);
-  parts_->refresh();
-}
-
-void PatchView::setReadings(const std::vector<CellSample>& samples, const std::vector<CellTemperature>& temperatures) {
-  if (!parts_->scene) return;
-  CellReadings readings;
-  for (const CellSample& sample : samples) readings.acceleration_g[sample.cell] = sample.acceleration_g;
-  for (const CellTemperature& reading : temperatures) readings.temperature_c[reading.cell] = reading.temperature_c;
-  const CellReadings& before = parts_->scene->readings();
-  const bool came_or_went = readings.acceleration_g.empty() != before.acceleration_g.empty() ||
-                            readings.temperature_c.empty() != before.temperature_c.empty();
-  parts_->scene->setReadings(std::move(readings));
-  if (came_or_went) parts_->updateControls();
-  if (isReading(parts_->coloring)) parts_->refresh();
-}
-
-void PatchView::setTruth(std::shared_ptr<const GroundTruth> truth) {
-  if (!parts_->scene) return;
-  parts_->scene->setTruth(std::move(truth));
+  parts_->scene->setOverlays(overlays);
   parts_->updateControls();
   parts_->refresh();
 }
 
-void PatchView::setSurface(std::optional<SurfaceEvaluation> surface) {
-  if (!parts_->scene) return;
-  parts_->surface = surface;
-  parts_->scene->setSurface(std::move(surface));
-  parts_->updateControls();
-  parts_->refresh();
-}
+const PatchOverlays& PatchView::overlays() const { return parts_->overlays; }
 
-void PatchView::setLoop(std::optional<LoopEvaluation> loop) {
-  if (!parts_->scene) return;
-  parts_->loop = loop;
-  parts_->scene->setLoop(loop);
-  parts_->updateControls();
-  parts_->refresh();
-}
-
-void PatchView::setComparison(std::vector<Comparison> comparison) {
-  if (!parts_->scene) return;
-  parts_->scene->setComparison(std::move(comparison));
-  parts_->updateControls();
-  parts_->refresh();
-}
-
-bool PatchView::isUpToDate() const { return !parts_->builder || !parts_->builder->isBusy(); }
-
-void PatchView::setCurrentUp(const std::optional<Eigen::Vector3d>& up_o) {
+void PatchView::setMoment(const PatchMoment& moment) {
+  const PatchMoment before = std::exchange(parts_->moment, moment);
   if (!parts_->motion) return;
   const bool was_shown = parts_->scene->showsGravity();
-  parts_->motion->setUp(up_o);
-  if (parts_->scene->showsGravity() != was_shown) parts_->updateOverlay();
+  parts_->motion->setMoment(moment);
+  const bool other_readings = moment.readings != before.readings;
+  if (other_readings && comesOrGoes(before.readings.get(), moment.readings.get())) parts_->updateControls();
+  if (moment.pose != before.pose || (other_readings && isReading(parts_->coloring))) {
+    parts_->refresh();
+  } else if (parts_->scene->showsGravity() != was_shown) {
+    parts_->updateOverlay();
+  }
 }
 
-void PatchView::setNextUp(const std::optional<Eigen::Vector3d>& up_o) {
-  if (parts_->motion) parts_->motion->setNextUp(up_o);
-}
+const PatchMoment& PatchView::moment() const { return parts_->moment; }
 
-void PatchView::setNextTurn(const QString& angle) {
-  if (parts_->motion) parts_->motion->setNextTurn(angle);
-}
+bool PatchView::isUpToDate() const { return !parts_->builder || !parts_->builder->isBusy(); }
 
 void PatchView::setTurnable(bool turnable) {
   if (parts_->motion) parts_->motion->setTurnable(turnable);

@@ -9,12 +9,6 @@ namespace hexoderm {
 /// Red, green and blue in [0, 1].
 using Rgb = std::array<double, 3>;
 
-// Where the scales of quantities end, in the scene and in the graph: absolute, so that two pictures can be compared.
-inline constexpr double kResidualScaleEnd_deg = 2.0;
-inline constexpr double kDeviationScaleEnd_deg = 6.0;  ///< two poses of an uncalibrated sensor lie near it
-inline constexpr double kPositionScaleEnd_mm = 6.0;
-inline constexpr double kOrientationScaleEnd_deg = 6.0;
-
 /// The colours of the 3D scene as plain numbers, so that the scene needs no Qt.
 struct SceneColors {
   Rgb background_top{};
