@@ -2,8 +2,8 @@
 
 #include "hexoderm/geometry/covariance.h"
 #include "hexoderm/util/units.h"
-#include "widgets/verify/verify_words.h"
 #include "widgets/words/formatting.h"
+#include "widgets/words/surface_words.h"
 
 #include <QCoreApplication>
 #include <QLocale>

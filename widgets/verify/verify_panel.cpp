@@ -2,6 +2,7 @@
 
 #include "hexoderm/util/units.h"
 #include "widgets/words/core_words.h"
+#include "widgets/words/surface_words.h"
 
 #include <QButtonGroup>
 #include <QComboBox>

@@ -30,9 +30,10 @@ TEST(GraphFit, ShowsAllCellsAndCoversNoneWithTheButton) {
 
 TEST(GraphFit, WhereTheButtonFitsNowhereTheSkinGoesBelowIt) {
   const GraphScene scene(sampleX17());
-  const QSize as_wide_as_the_view(kView.width() - 16, 24);
-  const GraphFit beside(scene, kView, {});
-  const GraphFit below(scene, kView, {as_wide_as_the_view, nullptr, 0});
+  constexpr QSize kSmallView(220, 150);
+  const QSize as_wide_as_the_view(kSmallView.width() - 16, 24);
+  const GraphFit beside(scene, kSmallView, {});
+  const GraphFit below(scene, kSmallView, {as_wide_as_the_view, nullptr, 0});
   EXPECT_TRUE(coversACell(QRect(QPoint(8, 8), as_wide_as_the_view), scene, beside.camera()));
   EXPECT_FALSE(coversACell(QRect(below.buttonPlace(), as_wide_as_the_view), scene, below.camera()));
   EXPECT_LT(below.camera().scale, beside.camera().scale);
