@@ -10,7 +10,7 @@ struct ColoringWords {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::Coloring)
 };
 
-/// As few decimals as the ends of the scales have.
+/// A number with as few decimals as the ends of the scales have.
 QString endNumber(double value) { return QLocale().toString(value, 'g', 6); }
 
 /// "6°", "6 mm"

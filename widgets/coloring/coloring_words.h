@@ -29,7 +29,7 @@ QString whyNoColoring(Coloring coloring, bool has_values);
 
 /// "patch 3", where patches are classes. `index` counts from 0.
 QString patchWord(std::size_t index);
-/// Of what has no value and no class.
+/// The word for cells and links without a value or a class.
 QString notKnownWord();
 
 }  // namespace hexoderm

@@ -11,14 +11,14 @@ namespace hexoderm {
 
 class GraphLegend;
 
-/// How the area of a graph view is shared out when the whole skin is shown in it: the legend lies along the bottom, the
+/// The division of a graph view's area when the whole skin is shown in it: the legend lies along the bottom, the
 /// colouring button at the top, where it covers no cell if there is such a place, and the skin fills the rest.
 class GraphFit {
  public:
   /// Around the skin and the legend.
   static constexpr double kMargin_px = 12;
 
-  /// What shares the area with the skin.
+  /// The parts that share the area with the skin.
   struct Neighbors {
     std::optional<QSize> button;          ///< none where the button is hidden
     const GraphLegend* legend = nullptr;  ///< null: no legend is wanted

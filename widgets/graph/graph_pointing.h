@@ -11,7 +11,8 @@ namespace hexoderm {
 
 class Selection;
 
-// How mouse and keyboard point at cells and links of the graph, and what is said about the thing they point at.
+// Functions by which mouse and keyboard point at cells and links of the graph, and the words about the thing pointed
+// at.
 
 /// A cell or a link of a GraphScene, by index; or neither.
 struct GraphHit {
@@ -21,9 +22,9 @@ struct GraphHit {
   [[nodiscard]] bool isNothing() const { return !cell && !link; }
 };
 
-/// What is at a position of the view. Where cells are smaller than a hand is steady, the nearest cell, and no links.
+/// The cell or link at a position of the view. If cells are smaller than a hand is steady, only the nearest cell.
 GraphHit hitAt(const GraphScene& scene, const GraphCamera& camera, const QPointF& position);
-/// What is picked, as far as the scene shows it.
+/// The picked cell or link, as far as the scene shows it.
 GraphHit pickedIn(const GraphScene& scene, const Selection& selection);
 void pickHit(const GraphScene& scene, const GraphHit& hit, Selection& selection);
 /// The cell that an arrow key leads to from what is picked: a neighbour in the direction (unit length, y up), an end of

@@ -20,7 +20,7 @@ class GraphSheet : public QObject {
   /// `draw` draws the graph, in the coordinates of `view`, which must outlive the sheet.
   GraphSheet(QWidget* view, std::function<void(QPainter&)> draw);
 
-  /// What is drawn has changed.
+  /// Says that the graph has changed.
   void invalidate(bool takes_long);
   /// Up to date, except while a drawing that takes long is still due.
   const QPixmap& picture();

@@ -81,7 +81,7 @@ class PartMotion : public QObject {
   bool is_dragging_ = false;
   QPoint last_;
   Eigen::Vector3d wanted_up_o_ = Eigen::Vector3d::UnitZ();
-  Eigen::Vector3d right_o_ = Eigen::Vector3d::UnitX();  ///< of the picture, with the part turned as wanted
+  Eigen::Vector3d right_o_ = Eigen::Vector3d::UnitX();  ///< right of the picture, with the part turned as wanted
   QTimer request_soon_;
   QElapsedTimer since_request_;
   QTimer turn_over_;  ///< the keys have rested: the next turn starts from where the part is

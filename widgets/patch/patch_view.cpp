@@ -65,7 +65,7 @@ SceneColors sceneColors(Theme theme) {
   scene.arrow_shaft = toRgb(colors.text_muted);
   scene.arrow_head = toRgb(colors.accent);
   scene.text = toRgb(colors.text);
-  scene.overlay = toRgb(colors.accent);
+  scene.captions = toRgb(colors.accent);
   scene.difference = toRgb(colors.caution);
   scene.ellipsoid = toRgb(dark ? colors.selection : colors.panel);
   for (std::size_t k = 0; k < scene.axis.size(); ++k) scene.axis.at(k) = toRgb(colors.axis.at(k));
@@ -99,7 +99,7 @@ struct PatchView::Parts : public QObject {
   std::unique_ptr<PatchScene> scene;  ///< likewise
   std::unique_ptr<SceneBuilder> builder;
   PartMotion* motion = nullptr;  ///< likewise
-  PatchCaptions* overlay = nullptr;
+  PatchCaptions* captions = nullptr;
   PatchControls* controls = nullptr;
   std::vector<std::function<void()>> waiting;  ///< for the picture to be up to date
   QTimer at_rest;
@@ -117,11 +117,11 @@ struct PatchView::Parts : public QObject {
   void endInteraction() { at_rest.start(); }
   void setContent(std::shared_ptr<const SceneContent> content);
   void updateControls();
-  void updateOverlay();
+  void updateCaptions();
   [[nodiscard]] LegendContent legend() const;
   void updateSelection();
   void updateMeasure();
-  /// What is drawn over the cells has changed.
+  /// Called when the things drawn over the cells have changed.
   void refresh();
   /// Several changes in one turn of the event loop make one picture.
   void requestRender();
@@ -132,11 +132,11 @@ struct PatchView::Parts : public QObject {
 void PatchView::Parts::build() {
   auto* layout = new QGridLayout(view);
   layout->setContentsMargins(0, 0, 0, 0);
-  overlay = new PatchCaptions(view);
+  captions = new PatchCaptions(view);
   if (opengl.usable) buildScene(layout);
-  layout->addWidget(overlay, 0, 0, 2, 1);
+  layout->addWidget(captions, 0, 0, 2, 1);
   layout->setRowStretch(1, 1);
-  overlay->raise();
+  captions->raise();
   if (controls != nullptr) controls->raise();
   if (canvas != nullptr) {
     motion = new PartMotion(view, canvas, controls->turnButton(), *scene, [this] { requestRender(); });
@@ -146,7 +146,7 @@ void PatchView::Parts::build() {
   connect(selection, &Selection::changed, this, [this] { updateSelection(); });
   connect(&measure, &MeasureTool::changed, this, [this] { updateMeasure(); });
   view->setMinimumHeight(180);
-  updateOverlay();
+  updateCaptions();
 }
 
 void PatchView::Parts::buildScene(QGridLayout* layout) {
@@ -186,7 +186,7 @@ void PatchView::Parts::connectControls() {
     scene->showStandardView(standard);
     requestRender();
   });
-  connect(controls, &PatchControls::heightChanged, overlay, &PatchCaptions::setTopMargin);
+  connect(controls, &PatchControls::heightChanged, captions, &PatchCaptions::setTopMargin);
   connect(controls, &PatchControls::heightChanged, this, [this](int height) {
     scene->setTopMargin(qRound(height * canvas->devicePixelRatioF()));
     requestRender();
@@ -222,7 +222,7 @@ void PatchView::Parts::setContent(std::shared_ptr<const SceneContent> content) {
   scene->setContent(std::move(content));
   updateControls();
   refresh();
-  // What is delivered may be older than what was submitted since.
+  // The delivered content may be older than the newest submission.
   if (builder->isBusy()) return;
   for (const std::function<void()>& then : std::exchange(waiting, {})) then();
 }
@@ -255,7 +255,7 @@ LegendContent PatchView::Parts::legend() const {
   return content;
 }
 
-void PatchView::Parts::updateOverlay() {
+void PatchView::Parts::updateCaptions() {
   PatchCaptions::Content content;
   if (canvas == nullptr) {
     content.hint = PatchView::tr(
@@ -274,12 +274,12 @@ void PatchView::Parts::updateOverlay() {
     content.notes = notesInWords(scene->notes(), overlays);
     content.message = measure.words();
   }
-  overlay->setContent(content);
+  captions->setContent(content);
   if (controls != nullptr) controls->setVisible(content.hint.isEmpty());
 }
 
 void PatchView::Parts::refresh() {
-  updateOverlay();
+  updateCaptions();
   if (motion != nullptr) motion->refresh();
   requestRender();
 }
@@ -320,7 +320,7 @@ bool PatchView::Parts::eventFilter(QObject*, QEvent* event) {
     case QEvent::KeyRelease:
       event->ignore();  // so that it goes on to the window
       return true;
-    case QEvent::Show:  // what changed while it was hidden
+    case QEvent::Show:  // shows changes made while it was hidden
     case QEvent::Resize:
     case QEvent::ScreenChangeInternal:  // which may be a denser one
       requestRender();
@@ -358,7 +358,7 @@ void PatchView::setReconstruction(std::shared_ptr<const Reconstruction> reconstr
   parts_->reconstruction = std::move(reconstruction);
   parts_->measure.setReconstruction(parts_->reconstruction);
   if (!parts_->scene) {
-    parts_->updateOverlay();
+    parts_->updateCaptions();
   } else if (parts_->reconstruction && parts_->reconstruction->cellCount() > kMaxCellsAtOnce) {
     parts_->builder->submit(parts_->reconstruction);
     parts_->refresh();
@@ -370,7 +370,7 @@ void PatchView::setReconstruction(std::shared_ptr<const Reconstruction> reconstr
 
 void PatchView::setTheme(Theme theme) {
   const SceneColors colors = sceneColors(theme);
-  parts_->overlay->setTheme(theme, colors);
+  parts_->captions->setTheme(theme, colors);
   if (parts_->scene) parts_->scene->setColors(colors);
   if (parts_->motion) parts_->motion->setTheme(theme);
   parts_->background = Colors::of(theme).scene_bottom;
@@ -402,7 +402,7 @@ void PatchView::setMoment(const PatchMoment& moment) {
   if (moment.pose != before.pose || (other_readings && isReading(parts_->coloring))) {
     parts_->refresh();
   } else if (parts_->scene->showsGravity() != was_shown) {
-    parts_->updateOverlay();
+    parts_->updateCaptions();
   }
 }
 
@@ -445,7 +445,7 @@ QImage PatchView::screenshot() {
   drawNow();
   QImage image = parts_->canvas->picture();
   QPainter painter(&image);
-  parts_->overlay->paint(painter, parts_->canvas->size());
+  parts_->captions->paint(painter, parts_->canvas->size());
   parts_->motion->paintCaption(painter, parts_->canvas->size());
   return image;
 }

@@ -11,12 +11,12 @@
 
 namespace hexoderm {
 
-/// What changes from moment to moment while a skin is connected, and with the picked pose. Cheap to copy. Up directions
-/// are unit vectors in the frame of the largest patch.
+/// The state of a patch that changes from moment to moment while a skin is connected, and with the picked pose. Cheap
+/// to copy. Up directions are unit vectors in the frame of the largest patch.
 struct PatchMoment {
   std::optional<PoseId> pose;  ///< its gravity is what the arrow shows; none: the last pose's
-  /// What the cells read now, or in the picked pose; null: nothing is known. The distances to a fitted surface are not
-  /// taken from here but from PatchOverlays.
+  /// The cells' present readings; null: none. The distances to a fitted surface are not taken from here but from
+  /// PatchOverlays.
   std::shared_ptr<const CellReadings> readings;
   /// Up at this moment: the picture turns so that it stays upwards while the part is turned, and the arrow of gravity
   /// follows. None: the picture stays as it is, and the arrow is a pose's.

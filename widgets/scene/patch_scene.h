@@ -51,7 +51,7 @@ class PatchScene {
   [[nodiscard]] const PatchMoment& moment() const;
   void setShown(SceneItem item, bool shown);
   [[nodiscard]] Availability availability(SceneItem item) const;
-  /// Which overlays are drawn over the cells, and how much they are enlarged.
+  /// Notes on the overlays that are drawn over the cells, with their enlargements.
   [[nodiscard]] const SceneNotes& notes();
   /// Draws an outline about the cell or a line along the link, if the reconstruction has it.
   void setSelection(std::optional<CellId> cell, std::optional<std::pair<LinkEnd, LinkEnd>> link);

@@ -21,7 +21,7 @@ struct SceneNotes {
   std::optional<double> ellipsoid_factor;
   std::optional<double> shift_factor;
   std::optional<double> loop_factor;
-  std::optional<double> distance_factor;  ///< of the lines from the fitted surface to the cells
+  std::optional<double> distance_factor;  ///< enlargement of the lines from the fitted surface to the cells
   bool truth = false;
   bool tree = false;
   bool links = false;
@@ -47,7 +47,7 @@ class SceneOverlays {
   /// A line between the centres of two cells, or an outline about the first alone.
   void setMeasured(std::optional<CellId> first, std::optional<CellId> second);
 
-  /// Of the items that are drawn here; the others are always available.
+  /// Availability of the items that are drawn here; the others are always available.
   [[nodiscard]] Availability availability(SceneItem item) const;
   [[nodiscard]] const SceneNotes& notes();
   /// Brings what is drawn up to date; called before each rendering.
