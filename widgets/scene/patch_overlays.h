@@ -8,9 +8,9 @@
 
 namespace hexoderm {
 
-/// What lies over a patch: results and truths about the reconstruction that is shown, which is no part of this value.
-/// Whoever shows another reconstruction brings them up to date or takes them back. Null members are not there; two
-/// values are equal if they hold the same objects.
+/// Things that lie over a patch: results and truths about the reconstruction that is shown, which is no part of this
+/// value. The caller brings them up to date, or takes them back, when another reconstruction is shown. Null members are
+/// not there; two values are equal if they hold the same objects.
 struct PatchOverlays {
   std::shared_ptr<const GroundTruth> truth;                   ///< placements of a simulated skin, drawn as outlines
   std::shared_ptr<const SurfaceEvaluation> surface;           ///< fitted to a patch
