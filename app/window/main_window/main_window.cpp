@@ -19,8 +19,11 @@
 #include "widgets/patch/patch_view.h"
 #include "widgets/style/system_theme.h"
 #include "widgets/tables/cell_table.h"
-#include "widgets/tables/table_actions.h"
-#include "widgets/tables/tables.h"
+#include "widgets/tables/finding_table.h"
+#include "widgets/tables/link_table.h"
+#include "widgets/tables/pose_table.h"
+#include "widgets/tables/row_picking.h"
+#include "widgets/tables/sorted_table.h"
 #include "widgets/verify/residual_view.h"
 #include "widgets/verify/verify_panel.h"
 #include "widgets/words/core_words.h"
@@ -366,7 +369,9 @@ void MainWindow::showReconstruction(const std::shared_ptr<const Reconstruction>&
     graph_view_->setReconstruction(reconstruction);
     patch_view_->setReconstruction(reconstruction);
   }
-  patch_view_->setTruth(controller_.session() ? controller_.session()->truth() : nullptr);
+  PatchOverlays overlays = patch_view_->overlays();
+  overlays.truth = controller_.session() ? controller_.session()->truth() : nullptr;
+  patch_view_->setOverlays(overlays);
   showReview(reconstruction);
   if (reconstruction && picked) pickPose(*picked);
   showPickedPose();
@@ -378,7 +383,9 @@ void MainWindow::showPickedPose() {
   if (const std::optional<int> row = pickedPoseRow()) {
     picked_pose_ = pose_table_->reconstruction()->poses[static_cast<std::size_t>(*row)].pose;
   }
-  patch_view_->setPose(picked_pose_);
+  PatchMoment moment = patch_view_->moment();
+  moment.pose = picked_pose_;
+  patch_view_->setMoment(moment);
   coverage_view_->setPickedPose(picked_pose_);
   refresh();
 }

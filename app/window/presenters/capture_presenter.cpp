@@ -24,8 +24,10 @@ void MainWindow::connectCapture() {
     capture_panel_->setSource(source.isRunning() ? std::optional(source.status()) : std::nullopt);
     if (source.isRunning()) return;
     stillness_view_->clear();
-    patch_view_->setReadings({});
-    patch_view_->setCurrentUp({});
+    PatchMoment moment = patch_view_->moment();
+    moment.readings = nullptr;
+    moment.up_o.reset();
+    patch_view_->setMoment(moment);
     coverage_view_->setCurrent({});
   });
   connect(&live, &LiveSource::holdChanged, this, [this] {
@@ -85,7 +87,9 @@ void MainWindow::showAdvice() {
   const std::optional<NextPose> next =
       advice && result ? describeNextPose(*advice, *result, current_up_) : std::nullopt;
   capture_panel_->setAdvice(next);
-  patch_view_->setNextTurn(next ? turnAngleInWords(*next) : QString());
+  PatchMoment moment = patch_view_->moment();
+  moment.next_turn = next ? turnAngleInWords(*next).toStdString() : std::string();
+  patch_view_->setMoment(moment);
 }
 
 void MainWindow::showMoment() {
@@ -93,7 +97,6 @@ void MainWindow::showMoment() {
   const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
   current_up_ = result ? currentUp(*result, preview.means) : std::nullopt;
   stillness_view_->add(controller_.liveSession().source().hold(), preview);
-  patch_view_->setReadings(preview.means, preview.temperatures);
   coverage_view_->setCurrent(current_up_);
   followPart();
   // How far it is to the next pose, a few times a second: sentences that flicker can't be read.
@@ -116,9 +119,13 @@ void MainWindow::followPart() {
     }
   }
   patch_view_->setTurnable(capturing && controller_.liveSession().canTurn());
-  patch_view_->setCurrentUp(capturing ? current_up_ : std::nullopt);
+  PatchMoment moment = patch_view_->moment();
+  const SkinPreview& preview = controller_.liveSession().source().preview();
+  moment.readings = readingsOf(preview.means, preview.temperatures);
+  moment.up_o = capturing ? current_up_ : std::nullopt;
   const bool shows_next = capturing && controller_.poseGuide().isNextPoseWanted();
-  patch_view_->setNextUp(shows_next ? std::optional(controller_.poseGuide().nextPose()->up) : std::nullopt);
+  moment.next_up_o = shows_next ? std::optional(controller_.poseGuide().nextPose()->up) : std::nullopt;
+  patch_view_->setMoment(moment);
 }
 
 }  // namespace hexoderm

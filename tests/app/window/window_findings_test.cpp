@@ -8,7 +8,7 @@
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/units.h"
 #include "tests/app/window/window_test.h"
-#include "widgets/tables/tables.h"
+#include "widgets/tables/finding_table.h"
 #include "widgets/words/formatting.h"
 
 #include <QTabBar>

@@ -1,9 +1,10 @@
-#include "widgets/tables/table_actions.h"
+#include "widgets/tables/table_csv.h"
 
 #include "tests/support/qt_wait.h"
 #include "tests/widgets/sample_reconstruction.h"
+#include "widgets/tables/link_table.h"
 #include "widgets/tables/result_table.h"
-#include "widgets/tables/tables.h"
+#include "widgets/tables/sorted_table.h"
 
 #include <gmock/gmock.h>
 #include <QAction>
@@ -17,21 +18,21 @@
 namespace hexoderm {
 namespace {
 
-class TableActionsTest : public testing::Test {
+class TableCsvTest : public testing::Test {
  protected:
-  TableActionsTest() {
+  TableCsvTest() {
     table_.setContent({{"Name", {}, {}, 0, true}, {"Length mm", "mm", {}, 2, false}, {"Angle °", "deg", {}, 1, false}},
                       {{{QStringLiteral("a, b"), 1.0 / 3, QVariant()}},
                        {{QStringLiteral("say \"x\"\nand go"), -2.5, 1e-7}},
                        {{QStringLiteral("cell 10"), 10.0, 2.0}},
                        {{QStringLiteral("cell 9"), 9.0, 3.0}}});
   }
-  ~TableActionsTest() override { QLocale::setDefault(QLocale::c()); }
+  ~TableCsvTest() override { QLocale::setDefault(QLocale::c()); }
 
   ResultTable table_;
 };
 
-TEST_F(TableActionsTest, CsvQuotesWhatMustBeAndKeepsAllDigits) {
+TEST_F(TableCsvTest, CsvQuotesWhatMustBeAndKeepsAllDigits) {
   EXPECT_EQ(tableAsCsv(table_).toStdString(),
             "Name,Length mm,Angle (deg)\r\n"
             "\"a, b\",0.3333333333333333,\r\n"
@@ -40,14 +41,14 @@ TEST_F(TableActionsTest, CsvQuotesWhatMustBeAndKeepsAllDigits) {
             "cell 9,9,3\r\n");
 }
 
-TEST_F(TableActionsTest, CsvHasADecimalPointWhateverTheLocale) {
+TEST_F(TableCsvTest, CsvHasADecimalPointWhateverTheLocale) {
   const QByteArray before = tableAsCsv(table_);
   QLocale::setDefault(QLocale(QLocale::German));
   EXPECT_EQ(table_.index(1, 1).data().toString(), "−2,50") << "what is shown follows the locale";
   EXPECT_EQ(tableAsCsv(table_), before);
 }
 
-TEST_F(TableActionsTest, CsvOfTheLinksHoldsWhatIsBehindTheTexts) {
+TEST_F(TableCsvTest, CsvOfTheLinksHoldsWhatIsBehindTheTexts) {
   LinkTable links;
   links.setReconstruction(sampleTwoPatches());
   const QList<QByteArray> lines = tableAsCsv(links).split('\n');
@@ -59,32 +60,11 @@ TEST_F(TableActionsTest, CsvOfTheLinksHoldsWhatIsBehindTheTexts) {
   EXPECT_TRUE(lines[5].trimmed().endsWith(",,,,,,muted")) << lines[5].toStdString();
 }
 
-TEST_F(TableActionsTest, SortsNumbersByValueNamesAsAPersonWouldAndTheUnknownLast) {
-  SortedTable sorted(&table_);
-  const auto names = [&] {
-    QStringList result;
-    for (int row = 0; row < sorted.rowCount(); ++row) result << sorted.index(row, 0).data().toString().left(7);
-    return result.join('|').toStdString();
-  };
-  EXPECT_EQ(names(), "a, b|say \"x\"|cell 10|cell 9");
-  sorted.sort(1, Qt::AscendingOrder);
-  EXPECT_EQ(names(), "say \"x\"|a, b|cell 9|cell 10");
-  sorted.sort(0, Qt::AscendingOrder);
-  EXPECT_EQ(names(), "a, b|cell 9|cell 10|say \"x\"");
-  sorted.sort(2, Qt::AscendingOrder);
-  EXPECT_EQ(sorted.index(3, 0).data().toString(), "a, b");
-  sorted.sort(2, Qt::DescendingOrder);
-  EXPECT_EQ(sorted.index(3, 0).data().toString(), "a, b");
-  EXPECT_EQ(sorted.index(0, 0).data().toString(), "cell 9");
-  EXPECT_EQ(sorted.headerData(2, Qt::Horizontal, Qt::DisplayRole).toString(), QStringLiteral("Angle ° ↓"));
-  EXPECT_TRUE(tableAsCsv(sorted).startsWith("Name,Length mm,Angle (deg)\r\n")) << "files have no arrows";
-}
-
-TEST_F(TableActionsTest, CopiesWhatIsShownInItsOrder) {
+TEST_F(TableCsvTest, CopiesWhatIsShownInItsOrder) {
   SortedTable sorted(&table_);
   QTableView view;
   view.setModel(&sorted);
-  new TableActions(&view, "table");
+  new CsvActions(&view, "table");
   sorted.sort(1, Qt::DescendingOrder);
   view.show();
   view.activateWindow();
@@ -96,12 +76,12 @@ TEST_F(TableActionsTest, CopiesWhatIsShownInItsOrder) {
   EXPECT_TRUE(lines[1].startsWith("cell 10,"));
 }
 
-TEST_F(TableActionsTest, HandsOverWhatIsToBeSavedAsItIsShownNow) {
+TEST_F(TableCsvTest, HandsOverWhatIsToBeSavedAsItIsShownNow) {
   SortedTable sorted(&table_);
   QTableView view;
   view.setModel(&sorted);
-  auto* actions = new TableActions(&view, "table");
-  QSignalSpy asked(actions, &TableActions::saveRequested);
+  auto* actions = new CsvActions(&view, "table");
+  QSignalSpy asked(actions, &CsvActions::saveRequested);
   sorted.sort(1, Qt::DescendingOrder);
   view.findChild<QAction*>("actionSaveCsv")->trigger();
   ASSERT_EQ(asked.count(), 1);

@@ -81,7 +81,7 @@ TEST_F(PatchSceneTest, CellsOfAPixelAreDrawnAsBricksThatLookTheSame) {
   EXPECT_EQ(pointsDrawn(), 6 * 300 * 220);
   EXPECT_NEAR(far, near, 12);
   // Colours reach what is drawn, whichever it is.
-  scene.setColoring(CellColoring::Patch);
+  scene.setColoring(Coloring::Patch);
   const double recoloured = middleOf(picture());
   camera->Dolly(1.0 / 40);
   EXPECT_NEAR(middleOf(picture()), recoloured, 12);
@@ -290,10 +290,13 @@ TEST_F(PatchSceneTest, AfterThePartWasFollowedItIsSeenFromWhereItWasBefore) {
   window->Render();
   const auto before = picture();
   scene.keepView();
-  scene.setUp(Eigen::Vector3d::UnitY());
-  scene.setUp(Eigen::Vector3d::UnitX());
+  moment.up_o = Eigen::Vector3d::UnitY();
+  scene.setMoment(moment);
+  moment.up_o = Eigen::Vector3d::UnitX();
+  scene.setMoment(moment);
   EXPECT_GT(differingShare(before, picture()), kMaxDifferingShare);
-  scene.setUp(std::nullopt);
+  moment.up_o = std::nullopt;
+  scene.setMoment(moment);
   scene.returnToKeptView();
   EXPECT_LE(differingShare(before, picture()), kMaxDifferingShare);
   const auto again = cameraPosition();
