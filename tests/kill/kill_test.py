@@ -4,7 +4,7 @@
 Usage: kill_test.py KILL_HELPER [--kills N] [--seed S]
 
 After every kill: the database is whole (PRAGMA integrity_check), every capture that was confirmed is there bit for bit,
-read by the library and by this program itself from the layout in core/session/README.md; nothing is there that was not
+read by the library and by this program itself from the layout in core/hexoderm/session/README.md; nothing is there that was not
 captured; a file that was being saved or converted is whole, the old or the new one. The number of kills is per kind.
 """
 

@@ -20,7 +20,7 @@ struct WireOptions {
   void validate() const;
 };
 
-/// A skin that speaks SkinWire 1 (core/device/skinwire/README.md) on TCP, UDP, a serial port or a pseudo-terminal. It
+/// A skin that speaks SkinWire 1 (core/hexoderm/device/skinwire/README.md) on TCP, UDP, a serial port or a pseudo-terminal. It
 /// keeps trying for as long as it runs; only another major version of the protocol ends that (Incompatible). What is
 /// broken on the way is counted, named in the status and left out.
 class WireSource final : public SkinSource {
