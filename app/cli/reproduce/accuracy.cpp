@@ -76,7 +76,8 @@ Eigen::Vector3d gapOf(const SimulatedSkin& skin, const Placement& T) {
   return at(skin.loop()->first) - at(skin.loop()->second);
 }
 
-/// Where the neighbour lies if it is turned by R_c_n: eq. (2), or with a share of the arc's stretch (SPEC step 10).
+/// The neighbour's centre if it is turned by R_c_n: eq. (2), or the same with a share of the arc's stretch
+/// (core/hexoderm/reconstruction/README.md, gap share).
 Eigen::Vector3d neighborCentre(const Port& c, const Port& n, const Eigen::Matrix3d& R_c_n, LinkLaw law) {
   const Eigen::Vector3d pivot = c.vector_m - R_c_n * n.vector_m;
   if (law == LinkLaw::Bend) return pivot;

@@ -25,11 +25,11 @@ struct JournalEntry {
   [[nodiscard]] Digest expectedDigest(const Digest& previous) const;
 };
 
-/// What the entries so far amount to.
+/// The state of a session after the entries so far.
 class JournalState {
  public:
   struct StoredPose {
-    std::int64_t entry = 0;  ///< of its capture
+    std::int64_t entry = 0;  ///< entry of its capture
     SessionPose pose;
   };
 
@@ -49,7 +49,7 @@ class JournalState {
   [[nodiscard]] std::int64_t editedAtMs() const { return edited_at_ms_; }
   [[nodiscard]] const std::string& options() const { return options_; }
   [[nodiscard]] bool hasSkin() const { return model_ != nullptr; }
-  /// Of the skin's accelerometers; 0 without a skin.
+  /// The step of the skin's accelerometers; 0 without a skin.
   [[nodiscard]] double lsb_g() const { return model_ ? model_->accelerometer.lsb_g : 0; }
 
  private:

@@ -20,11 +20,11 @@ struct SessionPose {
   std::string why_disabled{};  ///< the operator's words; empty if none
 };
 
-/// Where a session came from: written into every calibration made of it.
+/// The origin of a session, written into every calibration made of it.
 struct SourceDescription {
   std::string text;    ///< for people, for example "Simulated x17 on cylinder:r=0.0501, ..."
   std::string file;    ///< name of the file it was read from, without folders; empty if none
-  std::string sha256;  ///< of that file's bytes; of a session store the digest of its journal
+  std::string sha256;  ///< hash of that file's bytes; for a session store, the digest of its journal
 };
 
 /// A link that the operator set aside, because it is a cable for example: it stays known and is kept out of the

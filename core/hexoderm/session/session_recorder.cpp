@@ -16,7 +16,7 @@ namespace hexoderm {
 
 namespace {
 
-/// Of poses without raw samples; those of 10,000 cells are a megabyte.
+/// Room for poses without raw samples; those of 10,000 cells take a megabyte.
 constexpr std::uintmax_t kRoomForPoses = std::uintmax_t{4} << 20U;
 
 /// Why raw samples should not be tried at all; empty if they may be. They go into SQLite's journal and from there into

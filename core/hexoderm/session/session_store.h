@@ -21,14 +21,14 @@ struct AddPose {
   std::optional<std::size_t> index{};                     ///< among the poses then; absent: at the end
   std::shared_ptr<const std::vector<SampleFrame>> raw{};  ///< what it was averaged from; null: not kept
 };
-/// As Session::removePose(). The capture stays in the file and can be restored.
+/// Undone by RestorePose: the capture stays in the file. See Session::removePose().
 struct RemovePose {
   std::size_t index = 0;
 };
 /// Takes back the last removal of a pose with this ID: it is as it was before, at place `index`. A file that was made
 /// after the removal knows nothing of it, and takes the pose as a capture.
 struct RestorePose {
-  SessionPose pose;  ///< as it was removed
+  SessionPose pose;  ///< the pose before its removal
   std::size_t index = 0;
 };
 struct SetPoseDisabled {
@@ -36,7 +36,7 @@ struct SetPoseDisabled {
   bool disabled = true;
   std::string why{};
 };
-/// As Session::setLinkMuted().
+/// See Session::setLinkMuted().
 struct SetLinkMuted {
   LinkEnd a;
   LinkEnd b;
@@ -61,18 +61,18 @@ struct SetOptions {
 using StoreOperation = std::variant<AddPose, RemovePose, RestorePose, SetPoseDisabled, SetLinkMuted, SetSource,
                                     SetTruth, SetSkin, SetOptions>;
 
-/// What happened to a session, as people may want to see it.
+/// One event of a session's journal, for people.
 struct JournalLine {
   std::uint64_t revision = 0;
   std::int64_t at_ms = 0;  ///< milliseconds since 1970, UTC
   std::string kind;        ///< "capture", "remove", ...: README.md in this folder lists them
 };
 
-/// A session file `*.hexo` (SPEC section 3; the layout is in README.md in this folder): an SQLite database with an
-/// append-only journal of everything that was done. What was captured is never changed and never removed.
+/// A session file `*.hexo` (the layout is in README.md in this folder): an SQLite database with an append-only journal
+/// of everything that was done. A capture is never changed and never removed.
 ///
-/// What append() has returned from is on disk: killed at any moment, the session reopens with all of it, and without
-/// parts of anything. One writer at a time, across processes; any number of readers beside it. Where a file can't be
+/// An entry is on disk once append() has returned: killed at any moment, the session reopens with all such entries, and
+/// without parts of others. One writer at a time, across processes; any number of readers beside it. If a file can't be
 /// written (full disk, read-only folder), it stays as it was, and the call can be repeated.
 ///
 /// All functions throw StorageError (missing, not permitted, full, open elsewhere) or FormatError (not a session,
@@ -84,8 +84,8 @@ class SessionStore {
   static SessionStore create(const std::filesystem::path& path, const Session& session);
   /// To read and append. Finishes what a killed writer left, and brings older versions to the newest.
   static SessionStore open(const std::filesystem::path& path);
-  /// Never changes the file, and works where nothing can be written. Where nobody is writing, others can't begin to
-  /// while the store is open, so it should be short; where somebody is, it reads what was captured so far.
+  /// Never changes the file, and works where nothing can be written. If nobody is writing, nobody can begin to while
+  /// the store is open, so it should be closed soon; if somebody is, it reads what was captured so far.
   static SessionStore openReadOnly(const std::filesystem::path& path);
 
   ~SessionStore();

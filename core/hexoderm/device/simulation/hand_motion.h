@@ -11,8 +11,8 @@
 
 namespace hexoderm {
 
-/// What an accelerometer fixed to the body at p_b reads at one moment, in the body's axes: up_b + field_b (p_b -
-/// hand_b), g.
+/// The specific force on a moving body at one moment, in the body's axes: an accelerometer fixed at p_b reads up_b +
+/// field_b (p_b - hand_b), g.
 struct BodyMotion {
   Eigen::Vector3d up_b;     ///< specific force at the hand: gravity's and the tremor's
   Eigen::Matrix3d field_b;  ///< angular and centripetal acceleration per lever arm, g/m
@@ -56,7 +56,7 @@ class HandMotion {
   using Axes = std::array<std::vector<Wave>, 3>;
   static Axes drawWaves(double rms, std::mt19937_64& random);
 
-  Eigen::Matrix3d R_w_b_;  ///< as held, before tremor and drift
+  Eigen::Matrix3d R_w_b_;  ///< the held orientation, before tremor and drift
   bool moves_ = false;
   Axes turn_;   ///< rad
   Axes shake_;  ///< g

@@ -35,8 +35,8 @@ class SheetRelaxation {
   void fitCell(std::size_t cell, std::span<const PlannedLink> links, std::vector<SE3>& cells) const;
 
   /// Fits all cells to all links: damped Gauss-Newton, each step by conjugate gradients, whose shortest solution keeps
-  /// the patch from wandering on a sphere. Where the curvature changes (torus, cone) it may slide to where it fits
-  /// better.
+  /// the patch from wandering on a sphere. On a surface of changing curvature (torus, cone) the patch may slide to a
+  /// place that fits better.
   void relax(std::vector<SE3>& cells) const;
 
  private:

@@ -55,7 +55,7 @@ LinksAt linksByCell(const std::vector<PlannedLink>& links, std::size_t without, 
   return at;
 }
 
-/// Where the cells that `links` lead to from `start` would lie if the patch were flat, in the first one's frame.
+/// Placements, in the first cell's frame, of the cells that `links` lead to from `start`, if the patch were flat.
 std::vector<std::optional<SE3>> layFlat(std::size_t start, const LinksAt& links) {
   std::vector<std::optional<SE3>> cells(links.size());
   cells[start] = SE3();

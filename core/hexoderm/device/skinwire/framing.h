@@ -59,9 +59,9 @@ class FrameDecoder {
 
   std::optional<Framing> framing_;
   Bytes buffer_;
-  std::size_t begin_ = 0;     ///< of what was not yet returned
+  std::size_t begin_ = 0;     ///< start of the bytes that were not yet returned
   std::size_t searched_ = 0;  ///< bytes of rest() without a delimiter
-  bool skipping_ = false;     ///< what is too long, up to its delimiter
+  bool skipping_ = false;     ///< dropping an oversized frame, up to its delimiter
   std::string stuck_;
 };
 

@@ -22,7 +22,7 @@ using boost::system::error_code;
 using skinwire::Bytes;
 using skinwire::ByteView;
 
-/// What is common: callbacks that stop with close(), and a queue of what is to be written.
+/// The part that all transports share: callbacks that stop with close(), and a queue of messages to be written.
 template <class Channel>
 class ChannelTransport : public WireTransport, public std::enable_shared_from_this<ChannelTransport<Channel>> {
  public:
@@ -229,7 +229,7 @@ class SerialTransport final : public StreamTransport<asio::serial_port> {
 
  protected:
   void closeChannel() override {
-    // What a device does not take would be waited for.
+    // Closing would wait for bytes that the device does not take.
     if (channel_.is_open()) ::tcflush(channel_.native_handle(), TCIOFLUSH);
     StreamTransport::closeChannel();
   }
