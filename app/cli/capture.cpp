@@ -183,7 +183,7 @@ class Capture {
     for (const OddCell& odd : captured.odd_cells) common_.note(describe(odd));
   }
 
-  /// What the poses so far are good for, and what comes next.
+  /// Judges the poses so far, and decides what comes next.
   void decide() {
     result_ = reconstruct(*session_->snapshot(), {}, result_.get());
     const std::size_t count = session_->poses().size();

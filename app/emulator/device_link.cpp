@@ -136,7 +136,7 @@ class Stream : public std::enable_shared_from_this<Stream<Channel>> {
   Callbacks callbacks_;
   std::array<std::uint8_t, 4096> buffer_{};
   std::deque<Bytes> queue_;
-  std::size_t written_ = 0;  ///< of the first in the queue
+  std::size_t written_ = 0;  ///< bytes of the first message in the queue
   std::size_t waiting_bytes_ = 0;
   Clock::time_point progress_{};
   bool is_forgetting_ = false;

@@ -82,7 +82,7 @@ void newResult(benchmark::State& state, GraphColoring coloring) {
 BENCHMARK_CAPTURE(newResult, quality, GraphColoring::Quality)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(newResult, position, GraphColoring::Position)->Unit(benchmark::kMillisecond);
 
-/// What one move of the mouse costs, with the painting that it leads to.
+/// Cost of one move of the mouse, with the painting that it leads to.
 void hover(benchmark::State& state) {
   ShownView shown;
   for (int zoom = 0; zoom < state.range(0); ++zoom) {

@@ -29,7 +29,7 @@ enum class Stream { Length, Cobs, Lines, Detected, Recording };
 constexpr unsigned kStreams = 5;
 constexpr unsigned kHasGoodBodies = 8;
 
-/// What SkinListener promises to whoever implements it.
+/// Checks the promises that SkinListener makes to its implementations.
 class StrictListener final : public SkinListener {
  public:
   void onSkin(const SkinDescription& skin) override {

@@ -162,7 +162,7 @@ def main():
     for test in (kill_while_capturing, kill_while_saving, kill_while_converting):
         folder = pathlib.Path(tempfile.mkdtemp(prefix="hexoderm-kill-"))
         print(test(arguments.helper, folder, arguments.kills, rng), flush=True)
-        shutil.rmtree(folder)  # what failed is left to be looked at
+        shutil.rmtree(folder)  # the folder of a failed run is kept for inspection
 
 
 if __name__ == "__main__":

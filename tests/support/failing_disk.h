@@ -14,7 +14,7 @@
 
 namespace hexoderm::test {
 
-/// As long as it lives, no write to a file of this process succeeds (EFBIG) beyond so many bytes of the file.
+/// Makes every write to a file of this process fail (EFBIG) beyond so many bytes of the file, as long as it lives.
 class NoFileGrows {
  public:
   explicit NoFileGrows(rlim_t beyond = 0) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {

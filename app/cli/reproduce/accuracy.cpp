@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kRadius_m = 0.0501;
 
-/// What one reconstruction is worth against the truth. What it does not have stays empty.
+/// Errors of one reconstruction against the truth. Figures that it does not have stay empty.
 struct Errors {
   std::optional<double> orientation_deg;
   std::optional<double> position_mm;

@@ -30,7 +30,7 @@ struct Nees {
 
 struct Row {
   SkinCase skin;
-  double prior_mg = 0;  ///< what the solver takes the offsets' sigma to be
+  double prior_mg = 0;  ///< the solver's prior for the offsets' sigma
   std::size_t skins = 0;
   Nees nees;
   Band band;

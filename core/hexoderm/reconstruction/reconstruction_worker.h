@@ -10,7 +10,7 @@
 
 namespace hexoderm {
 
-/// What the worker has to say about one snapshot: a result, or the message of the error that prevented it.
+/// The worker's answer to one snapshot: a result, or the message of the error that prevented it.
 struct ReconstructionOutcome {
   std::uint64_t revision = 0;
   std::shared_ptr<const Reconstruction> reconstruction;  ///< null if it failed

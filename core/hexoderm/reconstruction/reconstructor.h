@@ -7,8 +7,8 @@
 
 namespace hexoderm {
 
-/// Algorithm 1 of the paper, steps 2 to 9 and 13 of SPEC section 2, on one snapshot: graph, patches, edge rotations,
-/// classes, origin, placements, every sensor, findings and verdict.
+/// Solves one snapshot (Algorithm 1 of the paper, or the global solver of README.md in this folder): graph, patches,
+/// edge rotations, classes, origin, placements, every sensor, findings and verdict.
 ///
 /// `earlier`: a result of the same skin with other poses or options, from which the global solver starts where a patch
 /// has the same cells and origin; it changes how long the solver takes, not where it ends. May be null.

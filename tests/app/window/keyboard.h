@@ -34,7 +34,7 @@ class KeyboardTest : public WindowTest {
     return std::any_of(parts.begin(), parts.end(),
                        [](const QWidget* part) { return !part->isWindow() && isSeen(part); });
   }
-  /// What has the keyboard is on the screen, not hidden or scrolled away.
+  /// The widget with the focus is on the screen, not hidden or scrolled away.
   static void expectFocusIsSeen() {
     const QWidget* focus = QApplication::focusWidget();
     ASSERT_NE(focus, nullptr);
@@ -67,7 +67,7 @@ class KeyboardTest : public WindowTest {
     FAIL() << "no button " << words.toStdString() << " in\n" << passed.join('\n').toStdString();
   }
 
-  /// What the window manager does when a dialog has closed; there is none here.
+  /// Gives the focus back after a dialog has closed, in place of the window manager, which there is none of here.
   void comeBack() {
     ASSERT_TRUE(waitUntil([this] { return QApplication::activeModalWidget() == nullptr; }));
     QWidget* focus = window_->focusWidget();

@@ -38,7 +38,7 @@ class DemoByKeys : public KeyboardTest {
   void verify();
   void exportIt();
 
-  /// Of the page of the panel below that is open, by its name.
+  /// Opens a page of the panel below, by its name.
   void openPage(const QString& name) {
     ASSERT_NO_FATAL_FAILURE(tabTo("detailTabs"));
     auto* tabs = find<QTabBar>("detailTabs");

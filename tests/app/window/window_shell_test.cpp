@@ -1,4 +1,4 @@
-// What surrounds the steps: log, recent and unsaved sessions, preferences, keys, welcome.
+// The window around the steps: log, recent and unsaved sessions, preferences, keys, welcome.
 
 #include "app/window/main_window/window_shell.h"
 

@@ -72,7 +72,7 @@ class WindowTest : public testing::Test {
 
   void click(QWidget* widget) { QTest::mouseClick(widget, Qt::LeftButton); }
   void clickBanner() { click(find<QPushButton>("bannerButton")); }
-  /// Where there is no window manager, nobody gives the focus back when a dialog has closed.
+  /// Without a window manager nobody gives the focus back when a dialog has closed.
   void activateWindow() {
     window_->activateWindow();
     ASSERT_TRUE(test::waitUntilActive(*window_));

@@ -34,7 +34,7 @@ SolverOptions global() {
   return options;
 }
 
-/// What must hold whichever solver it is.
+/// Properties that hold for every solver.
 class EverySolver : public ::testing::TestWithParam<Solver> {
  protected:
   [[nodiscard]] SolverOptions options() const { return GetParam() == Solver::Tree ? tree() : global(); }

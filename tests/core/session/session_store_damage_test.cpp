@@ -33,7 +33,7 @@ class DamagedStore : public testing::Test {
   void execute(const std::string& sql) const {
     Database(path_.string(), "test", Database::Mode::ReadWrite).run(sql.c_str());
   }
-  /// What a reader and a writer say.
+  /// The complaints of a reader and of a writer.
   [[nodiscard]] std::string complaint() const {
     const std::string reader = messageOf<FormatError>([&] { readSessionStore(path_); });
     const std::string writer = messageOf<FormatError>([&] { SessionStore::open(path_); });

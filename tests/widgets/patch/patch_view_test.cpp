@@ -370,7 +370,7 @@ TEST_F(PatchViewTest, LargeSkinIsPreparedBesideTheWindowAndTheNewestWins) {
   view.setReconstruction(std::make_shared<const Reconstruction>(cylinderSheet(60, 50)));
   view.waitUntilUpToDate();
   EXPECT_EQ(view.screenshot(), newest);
-  // What is being prepared does not overwrite what came after it.
+  // A result in preparation does not overwrite a later one.
   view.setReconstruction(demo(0));
   const QImage single = view.screenshot();
   const auto large = std::make_shared<const Reconstruction>(cylinderSheet(100, 80));

@@ -143,7 +143,7 @@ TEST_F(PatchSceneTest, TheBaselineComparisonSeesChangedCellsOfALargeSkin) {
   Reconstruction sheet = cylinderSheet(60, 40);
   scene.setReconstruction(shared(sheet));
   const auto before = picture();
-  for (LinkEstimate& link : sheet.patches[0].links) {  // of two columns in the middle of the picture
+  for (LinkEstimate& link : sheet.patches[0].links) {  // links of two columns in the middle of the picture
     if (link.source.cell.value() > 28 * 40 && link.source.cell.value() <= 30 * 40) link.quality = EdgeQuality::Over;
   }
   scene.setReconstruction(shared(sheet));

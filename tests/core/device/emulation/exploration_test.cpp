@@ -22,7 +22,7 @@ struct Explored {
   Exploration result;
 };
 
-/// What a perfect exploration reports: the skin's own list, and the interface where it hangs.
+/// Report of a perfect exploration: the skin's own list, and the interface at its port.
 NeighborList withInterface(NeighborList cells, const LinkEnd& at, const CellModel& model) {
   for (CellReport& cell : cells) {
     if (cell.id == at.cell) cell.neighbors.push_back({at.port, model.interface_id, PortNumber(1)});
@@ -142,7 +142,7 @@ TEST(Exploration, ADeadCellIsMissingAndSoIsWhatLiesBehindIt) {
 }
 
 TEST(Exploration, APortThatWorksInOneDirectionGivesAOneSidedLink) {
-  // Of a closed ring, so that both cells are reached in any case.
+  // A closed ring, so that both cells are reached in any case.
   const Explored whole = explore("ring8:closed");
   const NeighborReport link = *std::ranges::find(find(whole.truth, 5)->neighbors, CellId(6), &NeighborReport::cell);
   const auto sees = [](const Explored& explored, std::uint32_t who, std::uint32_t whom) {

@@ -1,4 +1,4 @@
-// Where the simulated skin's cells lie and how they are joined.
+// Placements and links of the simulated skin's cells.
 
 #include "hexoderm/device/simulation/simulated_skin.h"
 

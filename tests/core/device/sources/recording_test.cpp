@@ -163,7 +163,7 @@ TEST(Recording, CutOffAnywhereItPlaysUpToTheLastWholeFrame) {
   const auto path = folder.path() / "a.skinrec";
   record(path);
   const std::string whole = readFile(path);
-  std::vector<std::size_t> ends = {8};  // of the magic and of each record
+  std::vector<std::size_t> ends = {8};  // ends of the magic and of each record
   for (RecordingReader reader(path); const auto record = reader.next();) {
     ends.push_back(ends.back() + 12 + record->body.size());
   }

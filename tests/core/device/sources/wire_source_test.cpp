@@ -24,8 +24,8 @@ WireOptions quick() {
           milliseconds(300), milliseconds(50),  milliseconds(300)};
 }
 
-/// Where something has to come in time, a computer that stands still for a moment looks like a device that does. Tries
-/// with more and more patience, until `passes(options)`; false if no patience helps.
+/// Runs a test of timing with more and more patience, until `passes(options)`; false if no patience helps. A computer
+/// that stands still for a moment looks like a device that does.
 template <class Test>
 bool passesWithPatience(const Test& passes) {
   for (const int times : {1, 5, 25}) {
