@@ -18,9 +18,8 @@ namespace hexoderm {
 
 class HoldRing;
 
-/// What the operator sees while capturing: what to do, readable from three metres, and why; the hold ring; what is
-/// awaited, with cell, value and limit; and what can be done about it. Without a source it says that no skin is
-/// connected.
+/// The operator's view while capturing: an instruction, readable from three metres, and its reason; the hold ring; the
+/// awaited condition, with cell, value and limit; and the remedy. Without a source it tells that no skin is connected.
 class CapturePanel : public QWidget {
   Q_OBJECT
 
@@ -34,7 +33,7 @@ class CapturePanel : public QWidget {
   };
   explicit CapturePanel(const Actions& actions, QWidget* parent = nullptr);
 
-  /// Where the source stands; none: no skin is connected.
+  /// The state of the source; none: no skin is connected.
   void setSource(const std::optional<SourceStatus>& status);
   /// Cheap: at most 20 times a second. Shown while the source streams.
   void setHold(const HoldStatus& hold);

@@ -29,7 +29,7 @@ class CoverageView : public QWidget {
   void setTheme(Theme theme);
 
   [[nodiscard]] std::optional<PoseId> pickedPose() const;
-  /// Where a direction is drawn, in the widget's coordinates.
+  /// Position of a direction, in the widget's coordinates.
   [[nodiscard]] QPointF placeOf(const Eigen::Vector3d& up_o) const;
 
   QSize sizeHint() const override;

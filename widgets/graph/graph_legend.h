@@ -11,7 +11,7 @@ class QPainter;
 
 namespace hexoderm {
 
-/// What else is in the graph and wants a word.
+/// Other marks in the graph that need an explanation.
 struct GraphMarks {
   bool tree = false;
   bool muted = false;

@@ -159,7 +159,7 @@ void GraphPainter::drawLinks(QPainter& painter) const {
       return;
     }
     group.append(QLineF(a, b));
-    // Where no band fits, the tree's links are a pixel wider.
+    // If no band fits, the tree's links are a pixel wider.
     if (in_tree && style_.marks_tree && radius_px_ >= graph_levels::kOutlineRadius) {
       group.append(QLineF(a, b).translated(0, 1));
     }

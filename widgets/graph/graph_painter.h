@@ -51,7 +51,7 @@ class GraphPainter {
   void drawSheet(QPainter& painter) const;
   void drawCellOutline(QPainter& painter, std::size_t cell, const QColor& color, double width) const;
   void drawLinkOutline(QPainter& painter, std::size_t link, const QColor& color, double width) const;
-  /// What these outlines cover, so that nothing else needs to be drawn anew.
+  /// The area of these outlines, so that nothing else needs to be drawn anew.
   [[nodiscard]] QRectF outlineBounds(std::size_t cell) const;
   [[nodiscard]] QRectF linkOutlineBounds(std::size_t link) const;
 
@@ -92,7 +92,7 @@ class GraphPainter {
   const GraphCamera& camera_;
   const GraphStyle& style_;
   const Colors& colors_;
-  double radius_px_;      ///< of a drawn hexagon
+  double radius_px_;      ///< radius of a drawn hexagon
   double separation_px_;  ///< between the two directions of a link
   QRectF seen_;           ///< the widget with a margin
   bool is_crowded_;       ///< so many are seen that each must be cheap

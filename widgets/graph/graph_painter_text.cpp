@@ -1,4 +1,4 @@
-// What GraphPainter writes into the sheet: IDs, ports, the letters at cuts, the names of patches.
+// GraphPainter's texts on the sheet: IDs, ports, the letters at cuts, the names of patches.
 
 #include "widgets/graph/graph_painter.h"
 

@@ -35,16 +35,16 @@ class GraphView : public QWidget {
   void setColoring(GraphColoring coloring);
   [[nodiscard]] GraphColoring coloring() const;
 
-  /// What the context menus of a link and of a cell offer first. The one that was clicked is picked before the menu
-  /// opens, so the actions are about what is picked. They must outlive the view or be deleted as QObjects.
+  /// Sets the first actions in the context menus of a link and of a cell. The clicked one is picked before the menu
+  /// opens, so the actions apply to the picked one. They must outlive the view or be deleted as QObjects.
   void setLinkActions(const QList<QAction*>& actions);
   void setCellActions(const QList<QAction*>& actions);
 
-  /// Where a cell, or the middle of a link, is drawn, in the widget's coordinates; absent if it is not shown.
+  /// Position of a cell, or of the middle of a link, in the widget's coordinates; absent if it is not shown.
   [[nodiscard]] std::optional<QPoint> positionOf(CellId cell) const;
   [[nodiscard]] std::optional<QPoint> positionOf(LinkEnd source, LinkEnd target) const;
 
-  /// As it is seen now, to be written on another thread.
+  /// The present picture, to be written on another thread.
   [[nodiscard]] GraphPicture picture() const;
 
   [[nodiscard]] QSize sizeHint() const override { return {340, 240}; }

@@ -185,7 +185,7 @@ bool PartMotion::onMouse(QEvent* event) {
     return true;
   }
   if (!is_dragging_) return false;
-  // Where the button is released counts too: moves that follow each other quickly are not all told.
+  // The position of the release counts too: of moves that follow each other quickly, some are not reported.
   if (event->type() != QEvent::MouseButtonPress) {
     const QPoint moved = mouse->pos() - last_;
     last_ = mouse->pos();
@@ -235,8 +235,8 @@ void PartMotion::beginTurn() {
   right_o_ = rightInPicture(camera, wanted_up_o_);
 }
 
-/// As if the part's front were dragged. To the right it turns about gravity, which no sensor feels: the picture alone
-/// shows it. Downwards its upper edge comes nearer.
+/// Turns the part as if its front were dragged. To the right it turns about gravity, which no sensor feels: the picture
+/// alone shows it. Downwards its upper edge comes nearer.
 void PartMotion::turnBy(double right_rad, double down_rad) {
   if (right_rad != 0) {
     right_o_ = expSO3(-right_rad * wanted_up_o_) * right_o_;

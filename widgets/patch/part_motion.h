@@ -19,8 +19,8 @@ namespace hexoderm {
 class PatchScene;
 class GhostCaption;
 
-/// What moves in the 3D view while poses are captured: the picture follows the part, the ghost of the next pose turns
-/// to where it should be held, and the mouse or the arrow keys turn the part where somebody else obeys.
+/// Motion in the 3D view while poses are captured: the picture follows the part, the ghost of the next pose turns to
+/// its orientation, and the mouse or the arrow keys turn the part if it obeys.
 class PartMotion : public QObject {
   Q_OBJECT
 
@@ -43,7 +43,7 @@ class PartMotion : public QObject {
   /// Off: the ghost is shown as it should be held, and does not move.
   void setAnimated(bool animated);
   void setTheme(Theme theme);
-  /// What is written beside the ghost, into a screenshot of this size.
+  /// Paints the caption beside the ghost, into a screenshot of this size.
   void paintCaption(QPainter& painter, const QSize& area) const;
 
   [[nodiscard]] bool isAnimating() const { return frames_.isActive(); }
@@ -80,7 +80,7 @@ class PartMotion : public QObject {
   bool is_dragging_ = false;
   QPoint last_;
   Eigen::Vector3d wanted_up_o_ = Eigen::Vector3d::UnitZ();
-  Eigen::Vector3d right_o_ = Eigen::Vector3d::UnitX();  ///< of the picture, with the part turned as wanted
+  Eigen::Vector3d right_o_ = Eigen::Vector3d::UnitX();  ///< right of the picture, with the part turned as wanted
   QTimer request_soon_;
   QElapsedTimer since_request_;
   QTimer turn_over_;  ///< the keys have rested: the next turn starts from where the part is

@@ -24,7 +24,7 @@ const std::vector<std::vector<CellColoring>>& coloringGroups() {
   return kGroups;
 }
 
-/// What an action is for, while it can be used; else why not.
+/// Shows the purpose of an action while it can be used, and else the reason why not.
 void allow(QAction* action, const QString& purpose, const QString& why_not) {
   action->setEnabled(why_not.isEmpty());
   action->setToolTip(why_not.isEmpty() ? purpose : why_not);

@@ -25,7 +25,7 @@ class PatchControls : public QFrame {
   /// Why cells can't be coloured by it, or something can't be shown; empty: they can.
   void setWhyNot(CellColoring coloring, const QString& why_not);
   void setWhyNot(SceneItem item, const QString& why_not);
-  /// What draws, as the last line of the menu.
+  /// Shows the renderer's name, as the last line of the menu.
   void setRenderer(const QString& words);
 
   [[nodiscard]] QAction* action(CellColoring coloring) const { return colorings_.at(coloring); }

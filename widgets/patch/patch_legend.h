@@ -12,7 +12,7 @@ class QSize;
 
 namespace hexoderm {
 
-/// What the cells' colours mean, for the legend.
+/// The meaning of the cells' colours, for the legend.
 struct LegendContent {
   CellColoring coloring = CellColoring::LinkQuality;
   ColorRange range;

@@ -111,7 +111,7 @@ struct PatchView::Parts : public QObject {
   [[nodiscard]] LegendContent legend() const;
   void updateSelection();
   void updateMeasure();
-  /// What is drawn over the cells has changed.
+  /// Called when the things drawn over the cells have changed.
   void refresh();
   /// Several changes in one turn of the event loop make one picture.
   void requestRender();
@@ -212,7 +212,7 @@ void PatchView::Parts::setContent(std::shared_ptr<const SceneContent> content) {
   scene->setContent(std::move(content));
   updateControls();
   refresh();
-  // What is delivered may be older than what was submitted since.
+  // The delivered content may be older than the newest submission.
   if (builder->isBusy()) return;
   for (const std::function<void()>& then : std::exchange(waiting, {})) then();
 }
@@ -310,7 +310,7 @@ bool PatchView::Parts::eventFilter(QObject*, QEvent* event) {
     case QEvent::KeyRelease:
       event->ignore();  // so that it goes on to the window
       return true;
-    case QEvent::Show:  // what changed while it was hidden
+    case QEvent::Show:  // shows changes made while it was hidden
     case QEvent::Resize:
     case QEvent::ScreenChangeInternal:  // which may be a denser one
       requestRender();

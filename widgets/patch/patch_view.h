@@ -40,7 +40,8 @@ class PatchView : public QWidget {
   void setTheme(Theme theme);
   /// Which pose's gravity the arrow shows; the last one by default.
   void setPose(std::optional<PoseId> pose);
-  /// What the cells read now (or in a picked pose), for the colours; empty: nothing. May come many times a second.
+  /// Sets the cells' present readings (or those of a picked pose), for the colours; empty: none. May come many times a
+  /// second.
   void setReadings(const std::vector<CellSample>& samples, const std::vector<CellTemperature>& temperatures = {});
   /// Known placements, of simulated skins; null: none.
   void setTruth(std::shared_ptr<const GroundTruth> truth);
@@ -50,10 +51,10 @@ class PatchView : public QWidget {
   void setLoop(std::optional<LoopEvaluation> loop);
   void setComparison(std::vector<Comparison> comparison);
 
-  /// Where up is now, a unit vector in the frame of the largest patch: the picture turns as the part is turned. None:
-  /// it stays. Cheap: may be called 20 times a second.
+  /// Sets the present up direction, a unit vector in the frame of the largest patch: the picture turns as the part is
+  /// turned. None: it stays. Cheap: may be called 20 times a second.
   void setCurrentUp(const std::optional<Eigen::Vector3d>& up_o);
-  /// Where up is to be in the next pose: shown as a ghost beside the skin that turns there. None: no ghost.
+  /// Sets the up direction of the next pose, shown by a ghost beside the skin that turns there. None: no ghost.
   void setNextUp(const std::optional<Eigen::Vector3d>& up_o);
   /// How far the part is to be turned there, in words ("90°"), to stand beside the ghost; empty: it says nothing.
   void setNextTurn(const QString& angle);

@@ -18,7 +18,7 @@ struct SceneWords {
 /// "0.35 mm", "12.0 mm"
 QString millimetres(double length_m) { return millimetresInWords(length_m, length_m < kMillimetre ? 2 : 1); }
 
-/// As few decimals as the ends of the scales have.
+/// A number with as few decimals as the ends of the scales have.
 QString endNumber(double value) { return QLocale().toString(value, 'g', 6); }
 
 QString enlarged(double factor) {

@@ -24,8 +24,8 @@ namespace hexoderm {
 /// cheap enough to be called for each new result.
 class PatchScene {
  public:
-  /// Where the camera looks from, in the patch frame: Front from +z (out of the origin cell's skin), Side from +x, Top
-  /// from +y.
+  /// Direction from which the camera looks, in the patch frame: Front from +z (out of the origin cell's skin), Side
+  /// from +x, Top from +y.
   enum class View { Oblique, Front, Side, Top };
 
   PatchScene();
@@ -50,23 +50,23 @@ class PatchScene {
   /// A surface fitted to a patch of this reconstruction.
   void setSurface(std::optional<SurfaceEvaluation> surface);
   void setLoop(std::optional<LoopEvaluation> loop);
-  /// Of this reconstruction with a reference, per patch.
+  /// Sets the comparison of this reconstruction with a reference, per patch.
   void setComparison(std::vector<Comparison> comparison);
   void setShown(SceneItem item, bool shown);
   [[nodiscard]] Availability availability(SceneItem item) const;
-  /// What is drawn over the cells, and how much enlarged.
+  /// Notes on the things drawn over the cells, and their enlargements.
   [[nodiscard]] const SceneNotes& notes();
-  /// An outline about the cell, a line along the link. What is not in the reconstruction is not shown.
+  /// Outlines the cell, or draws a line along the link. One that is not in the reconstruction is not shown.
   void setSelection(std::optional<CellId> cell, std::optional<std::pair<LinkEnd, LinkEnd>> link);
   /// The cells between which is measured: one is outlined, two are joined by a line.
   void setMeasured(std::optional<CellId> first, std::optional<CellId> second);
   /// Whose gravity the arrow shows; none: the last pose of the patch.
   void setPose(std::optional<PoseId> pose);
-  /// Where up is now, a unit vector in the frame of the largest patch: the picture follows, so that up stays upwards
-  /// while the part is turned, and the arrow of gravity with it. None: the picture stays, and the arrow is a pose's
-  /// again.
+  /// Sets the present up direction, a unit vector in the frame of the largest patch: the picture follows, so that up
+  /// stays upwards while the part is turned, and the arrow of gravity with it. None: the picture stays, and the arrow
+  /// is a pose's again.
   void setUp(const std::optional<Eigen::Vector3d>& up_o);
-  /// Where up is to be in the next pose: its ghost is shown beside the skin. None: no ghost.
+  /// Sets the up direction of the next pose: its ghost is shown beside the skin. None: no ghost.
   void setNextUp(const std::optional<Eigen::Vector3d>& up_o);
   /// How far the ghost has turned from the present orientation (0) to the next (1).
   void setGhostPhase(double phase);
@@ -97,7 +97,7 @@ class PatchScene {
   [[nodiscard]] std::optional<CellId> pick(double x, double y);
   [[nodiscard]] const SceneContent* content() const;
   [[nodiscard]] const CellReadings& readings() const;
-  /// What the cells are coloured by, in the unit that is shown; for the legend.
+  /// The values that the cells are coloured by, in the unit that is shown; for the legend.
   [[nodiscard]] std::vector<std::optional<double>> values() const;
   /// Whether the arrow is there: not without a pose, nor while it is switched off.
   [[nodiscard]] bool showsGravity() const;

@@ -19,7 +19,7 @@ class SceneBuilder {
   using Content = std::shared_ptr<const SceneContent>;
 
   /// `deliver` is called with each result, on the thread that made the builder (which needs an event loop), and never
-  /// after the destructor. That waits for the content being made.
+  /// after the destructor, which waits for the content being made.
   explicit SceneBuilder(std::function<void(Content)> deliver);
   ~SceneBuilder();
   SceneBuilder(const SceneBuilder&) = delete;
@@ -38,12 +38,12 @@ class SceneBuilder {
   void deliverResult();
 
   std::function<void(Content)> deliver_;
-  QObject receiver_;  ///< of the posted deliveries; they go with it
+  QObject receiver_;  ///< receiver of the posted deliveries, which go with it
   mutable std::mutex mutex_;
   std::condition_variable_any changed_;
   std::shared_ptr<const Reconstruction> waiting_;
   bool running_ = false;
-  bool cancelled_ = false;  ///< what is running is not wanted any more
+  bool cancelled_ = false;  ///< the running work is not wanted any more
   std::optional<Content> result_;
   std::jthread thread_;  // last: joined before what it uses goes
 };

@@ -19,7 +19,7 @@ namespace hexoderm {
 class SceneGhost {
  public:
   static constexpr std::size_t kMaxCells = 2000;
-  static constexpr double kShare = 0.34;  ///< of the window's width
+  static constexpr double kShare = 0.34;  ///< share of the window's width
 
   SceneGhost();
   ~SceneGhost();

@@ -5,7 +5,7 @@
 
 namespace hexoderm {
 
-/// What can be shown over the cells or left out, in the order of the menu.
+/// Things that can be shown over the cells or left out, in the order of the menu.
 enum class SceneItem { Ports, Ids, Axes, Gravity, Links, Tree, Ellipsoids, Truth, Surface, Loop, Comparison };
 
 inline constexpr std::array kSceneItems = {SceneItem::Ports,      SceneItem::Ids,       SceneItem::Axes,

@@ -15,19 +15,19 @@ class vtkRenderer;
 
 namespace hexoderm {
 
-/// What was drawn, for the words beside it. Absent: not drawn.
+/// Notes on drawn things, for the words beside them. Absent: not drawn.
 struct SceneNotes {
   std::optional<double> ellipsoid_factor;
   std::optional<double> shift_factor;
   std::optional<double> loop_factor;
-  std::optional<double> distance_factor;  ///< of the lines from the fitted surface to the cells
+  std::optional<double> distance_factor;  ///< enlargement of the lines from the fitted surface to the cells
   bool truth = false;
   bool tree = false;
   bool links = false;
 };
 
-/// What is drawn over the cells: links, tree, uncertainty, truth, fitted surface, loop gap, differences, and the line
-/// of a measurement. Made anew only when drawn after a change, each kind for itself; setters cost nothing.
+/// Things drawn over the cells: links, tree, uncertainty, truth, fitted surface, loop gap, differences, and the line of
+/// a measurement. Made anew only when drawn after a change, each kind for itself; setters cost nothing.
 class SceneOverlays {
  public:
   /// More would be neither told apart nor quick.
@@ -49,7 +49,7 @@ class SceneOverlays {
   /// A line between the centres of two cells, or an outline about the first alone.
   void setMeasured(std::optional<CellId> first, std::optional<CellId> second);
 
-  /// Of the items that are drawn here; the others are always available.
+  /// Availability of the items that are drawn here; the others are always available.
   [[nodiscard]] Availability availability(SceneItem item) const;
   [[nodiscard]] const SceneNotes& notes();
   /// Brings what is drawn up to date; called before each rendering.

@@ -22,7 +22,7 @@
 namespace hexoderm {
 namespace {
 
-// What part of a cell's colour shows without light, and what part of the light it gives back.
+// The share of a cell's colour that shows without light, and the share of light that it gives back.
 constexpr double kAmbient = 0.58;
 constexpr double kDiffuse = 0.42;
 
@@ -46,7 +46,7 @@ void lightByCorner(vtkActor* actor) {
   shader->AddVertexShaderReplacement("//VTK::Color::Impl", true, code, false);
 }
 
-/// Where a pixel's line of sight crosses a plane of constant depth, 0 at the front.
+/// The point at which a pixel's line of sight crosses a plane of constant depth, 0 at the front.
 std::array<double, 3> onSight(vtkRenderer* renderer, double x, double y, double depth) {
   renderer->SetDisplayPoint(x, y, depth);
   renderer->DisplayToWorld();
@@ -220,7 +220,7 @@ void SceneSkin::update(int window_height) {
   vtkCamera* camera = parts_->renderer->GetActiveCamera();
   double height_m = 2 * camera->GetParallelScale();
   if (camera->GetParallelProjection() == 0) {
-    // Where the skin comes closest.
+    // The point at which the skin comes closest.
     std::array<double, 3> middle{};
     parts_->content->surface->GetCenter(middle.data());
     const double distance = (Eigen::Vector3d(camera->GetPosition()) - Eigen::Vector3d(middle.data())).norm() -

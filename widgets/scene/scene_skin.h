@@ -39,7 +39,7 @@ class SceneSkin {
   void setSurfaceDistances(std::unordered_map<CellId, double> distance_m);
   void setColors(const SceneColors& colors);
   void setPortsVisible(bool visible);
-  /// Of every cell's front face, in the order of the layout.
+  /// Colour of every cell's front face, in the order of the layout.
   [[nodiscard]] const std::vector<Rgb>& frontColors() const;
   [[nodiscard]] CellColoring coloring() const;
   [[nodiscard]] const CellReadings& readings() const;

@@ -10,7 +10,7 @@
 
 namespace hexoderm {
 
-// What the checks of a calibration found: a verdict as a sentence, and the figures behind it as a table.
+// Results of the checks of a calibration: a verdict as a sentence, and the figures behind it as a table.
 
 struct VerifySentence {
   Tone tone = Tone::Neutral;

@@ -27,7 +27,7 @@ namespace {
 
 const QString kSetting = QStringLiteral("recent/files");
 
-/// As the operator would see it in a shell.
+/// The folder, in the form in which the operator would see it in a shell.
 QString shortFolder(const QString& path) {
   const QString folder = QDir::toNativeSeparators(QFileInfo(path).absolutePath());
   const QString home = QDir::toNativeSeparators(QDir::homePath());

@@ -13,7 +13,7 @@
 
 namespace hexoderm {
 
-/// What an action is for, also while its tool tip says why it can't be used.
+/// The purpose of an action, also while its tool tip tells why it can't be used.
 QString purposeOf(const QAction& action);
 
 /// Everything the window can do, each with its key. An action that can't be used says why in its tool tip.
@@ -50,7 +50,7 @@ class WindowActions {
   QAction* robot;  ///< can be checked: the device turns itself from pose to pose
   QAction* live_mode;
   QAction* light_cell;
-  QAction* show_next_pose;  ///< where to look, for who holds the part
+  QAction* show_next_pose;  ///< shows where to look while holding the part
   QAction* show_finding;    ///< the one that matters most
   QAction* find_cell;
   QAction* fit;

@@ -28,7 +28,7 @@ struct KeysDialog {
 
 QString plain(QString text) { return text.remove(QLatin1Char('&')).remove(QStringLiteral("…")); }
 
-/// What an action always does: the text of undo and redo says what it would do just now.
+/// The constant name of an action: the text of undo and redo tells what it would do just now.
 QString nameOf(const QAction& action) {
   const QVariant name = action.property(WindowActions::kAlways);
   return name.isValid() ? name.toString() : action.text();

@@ -19,7 +19,7 @@ struct ReportPicture {
 /// Everything that is in a report, so that it can be written on any thread.
 struct ReportContent {
   std::shared_ptr<const Reconstruction> reconstruction;  ///< not null
-  QString name;                                          ///< of the session or calibration
+  QString name;                                          ///< name of the session or calibration
   std::vector<ReportPicture> pictures;                   ///< null images are left out
   QDateTime made_at;
 };

@@ -40,7 +40,7 @@ class WindowStyle : public QProxyStyle {
   mutable std::map<std::pair<StandardPixmap, bool>, QIcon> icons_;
 };
 
-/// What the panels of the main window add to the application's sheet.
+/// The rules that the panels of the main window add to the application's sheet.
 QString panelSheet(const Colors& colors) {
   return QStringLiteral(
              "QFrame[cardHead=\"true\"] { background: %1; border: 1px solid %2; border-bottom: 0;"
@@ -198,7 +198,7 @@ class Wardrobe : public QObject {
   bool resizes_ = false;
 };
 
-/// What a sheet says of sizes: all but the colours and the pictures that have them.
+/// A sheet's rules about sizes: all but the colours and the pictures that have them.
 QString withoutColors(QString sheet) {
   static const QRegularExpression kColor(QStringLiteral("#[0-9a-fA-F]{6}|url\\([^)]*\\)"));
   return sheet.remove(kColor);

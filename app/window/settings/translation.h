@@ -13,7 +13,7 @@ inline constexpr char kSystemLanguage[] = "system";
 /// The languages that Hexoderm has texts in, as their two-letter codes, English first.
 QStringList shippedLanguages();
 
-/// As who speaks it calls it, of one of shippedLanguages().
+/// The language's own name, for one of shippedLanguages().
 QString languageName(const QString& language);
 
 /// kSystemLanguage or one of shippedLanguages().

@@ -7,9 +7,9 @@ class QWidget;
 
 namespace hexoderm {
 
-/// The large parts of the window in the order in which it is read, for the keyboard: F6 goes from part to part, and Tab
-/// through all controls, part by part and within a part as they are laid out. Order and stops are looked up at every
-/// key, as controls come and go with what is done. What gets the focus is scrolled into view.
+/// The large parts of the window in reading order, for the keyboard: F6 goes from part to part, and Tab through all
+/// controls, part by part and within a part in the order of the layout. Order and stops are looked up at every key, as
+/// controls come and go with the operator's work. The widget that gets the focus is scrolled into view.
 class FocusOrder {
  public:
   /// No part lies in another.
@@ -25,7 +25,7 @@ class FocusOrder {
  private:
   struct Pane {
     QPointer<QWidget> widget;
-    QPointer<QWidget> last;  ///< that had the focus in it
+    QPointer<QWidget> last;  ///< the widget of this part that had the focus last
   };
   std::vector<Pane> panes_;
 };
