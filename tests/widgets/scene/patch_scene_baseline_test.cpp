@@ -18,7 +18,7 @@ void writePng(vtkImageData* image, const std::string& path) {
   writer->Write();
 }
 
-/// Compares with tests/baselines/NAME.png. HEXODERM_UPDATE_BASELINES=1 writes it instead.
+/// Compares with the picture of this name in tests/baselines. HEXODERM_UPDATE_BASELINES=1 writes it instead.
 double differenceToBaseline(vtkImageData* image, const std::string& name) {
   const std::string path = std::string(HEXODERM_BASELINES) + "/" + name + ".png";
   if (std::getenv("HEXODERM_UPDATE_BASELINES") != nullptr) writePng(image, path);
