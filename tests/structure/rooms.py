@@ -18,7 +18,7 @@ import sys
 # The halls; a name such as main.cpp stands for the files with that stem at the root of the hall.
 HALLS = {
     "": "core < widgets < app < tests",
-    "core/hexoderm": "util < geometry < graph < device < capture < session < reconstruction < io",
+    "core/hexoderm": "util < geometry < graph < device < capture < session < reconstruction < io < course",
     "core/hexoderm/device": "{sample_frame, ground_truth} < skin_source < {skinwire, simulation} < {emulation, sources}",
     "core/hexoderm/reconstruction": "result < {links, sparse, accelerometer} < {joint, faults, advice} < evaluation"
                                     " < figures < reconstructor < {hold_out, reconstruction_worker}",

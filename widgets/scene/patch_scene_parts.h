@@ -21,7 +21,8 @@
 
 namespace hexoderm {
 
-/// The parts of a scene.
+/// What a scene is made of. Where its camera stands, patch_scene_camera.cpp says; what there is to see,
+/// patch_scene.cpp.
 struct PatchScene::Parts {
   static constexpr double kViewAngle_deg = 30;
 
@@ -44,7 +45,7 @@ struct PatchScene::Parts {
   SceneCorners corners;
   SceneGhost ghost;
   std::optional<Eigen::Vector3d> up_o;       ///< now
-  std::optional<Eigen::Vector3d> next_up_o;  ///< up direction of the ghost
+  std::optional<Eigen::Vector3d> next_up_o;  ///< of the ghost
 
   bool fit_pending = false;
   bool content_is_new = false;  ///< since the last picture
@@ -80,11 +81,11 @@ struct PatchScene::Parts {
   /// Shares of the window.
   [[nodiscard]] double freeWidth() const;
   [[nodiscard]] double freeHeight() const;
-  /// Room beyond the fit for a patch that grows, until it is fitted again, in half heights of the window.
+  /// What a patch that grows may go beyond the fit until it is fitted again, in half heights of the window.
   [[nodiscard]] double slackAbove() const;
   /// The upper left corner of where the arrow of gravity and its word are, in half windows from the window's middle.
   [[nodiscard]] Eigen::Vector2d cornerFrom(int around_px) const;
-  /// Position of the window's middle, seen from the focal point, in half windows.
+  /// Where the middle of the window is, seen from what the camera looks at, in half windows.
   [[nodiscard]] Eigen::Vector2d windowCenter() const;
   /// The free part of the window has the focus in its middle.
   void centerInFreePart();

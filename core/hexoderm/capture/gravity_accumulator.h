@@ -31,7 +31,7 @@ class GravityAccumulator {
     for (int axis = 0; axis < 3; ++axis) scatter_g2_(axis, axis) += (added - 1) * mean.variance_g2(axis);
   }
 
-  /// At most what 32 bits hold, although means may claim to be of more samples.
+  /// Limited to 32 bits, although means may claim to be of more samples.
   [[nodiscard]] std::uint32_t count() const {
     return static_cast<std::uint32_t>(std::min<std::uint64_t>(count_, UINT32_MAX));
   }

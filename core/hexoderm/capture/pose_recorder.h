@@ -78,7 +78,7 @@ class PoseRecorderListener {
  public:
   virtual ~PoseRecorderListener() = default;
   virtual void onPoseCaptured(CapturedPose captured) = 0;
-  /// At most 20 times per second of device time each.
+  /// Each is called at most 20 times per second of device time.
   virtual void onHold(const HoldStatus& status) = 0;
   virtual void onPreview(SkinPreview preview) = 0;
 };

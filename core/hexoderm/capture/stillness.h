@@ -19,8 +19,8 @@ struct StillnessOptions {
   double drift_window_s = 0.75;   ///< the drift is that of the last so many seconds, at least hold_s, at most 1.5;
                                   ///< longer than hold_s, so that tremor of 4 Hz and more is not taken for a turn
   double rearm_angle_rad = 0;     ///< after a capture, a move by more than this; constructor: 5 degrees
-  double release_factor = 1.25;   ///< what was still stays so up to this many times the limits
-  double quiet_fraction = 0.1;    ///< of the cells must be below the excess limit, or ...
+  double release_factor = 1.25;   ///< a still part stays still up to this multiple of the limits
+  double quiet_fraction = 0.1;    ///< this share of the cells must be below the excess limit, or ...
   std::size_t quiet_cells = 20;   ///< ... so many, if that is less; see StillnessDetector
   double patience_s = 3;          ///< a cell that misbehaves for so long while the rest is still is set aside
   double silent_after_s = 1;      ///< a cell that was not heard for so long is silent

@@ -34,12 +34,12 @@ struct TraceEvent {
   PoseId pose;  ///< set if state is Captured
 };
 
-/// The last ten seconds of one cell's readings and of what the stillness detector made of them, for a strip chart.
+/// The last ten seconds of one cell's readings, with the stillness detector's judgements, for a strip chart.
 ///
-/// The cell is the one that decides whether the part is still, or one that was picked. Which one decides can change
-/// with every judgement; another one is shown only when it has been decisive for a second. Readings of all cells of up
-/// to kMaxKeptCells are kept, so that a cell that is shown from now on comes with its past; of larger skins only the
-/// shown one's. Belongs to one thread.
+/// The cell is the deciding one, or one that was picked. The deciding cell can change with every judgement; a new one
+/// is shown only after it has been decisive for a second. Readings of all cells of skins of up to kMaxKeptCells cells
+/// are kept, so that a newly shown cell comes with its past; for larger skins only the shown cell's. Belongs to one
+/// thread.
 class StillnessTrace {
  public:
   static constexpr double kSpan_s = 10;
@@ -50,7 +50,7 @@ class StillnessTrace {
   void add(const HoldStatus& hold, const SkinPreview& preview);
   /// `time_s`: device time, for example CapturedPose::end_s.
   void addCaptured(PoseId pose, double time_s);
-  /// None: the cell that decides.
+  /// Picks a cell; none: the cell that decides.
   void pick(std::optional<CellId> cell);
   void clear();
 

@@ -25,7 +25,7 @@ auto named(const JsonReader& json, FromName from_name, const std::string& expect
   return *value;
 }
 
-/// For names that come with their own complaint.
+/// Reads a name, with the complaint of its own parser.
 template <class FromName>
 auto option(const JsonReader& json, FromName from_name) {
   const std::string name = json.string();

@@ -19,7 +19,7 @@
 namespace hexoderm {
 namespace {
 
-/// How many times what is expected is still as stated, and what is beyond doubt.
+/// Multiples of the expected error that still count as stated, and that are beyond doubt.
 struct Limits {
   double worse;
   double far_worse;

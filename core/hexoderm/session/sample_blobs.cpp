@@ -21,7 +21,7 @@ static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<floa
 /// cell, count, flags, nothing, mean (3), covariance (xx, xy, xz, yy, yz, zz), temperature
 constexpr std::size_t kSampleBytes = 4 * sizeof(std::uint32_t) + 10 * sizeof(double);
 constexpr std::uint32_t kHasTemperature = 1;
-/// In a count of samples: their cells are those of the frame before.
+/// Flag in a count of samples: their cells are those of the frame before.
 constexpr std::uint32_t kSameCells = 1U << 31U;
 constexpr int kMostSteps = std::numeric_limits<std::int16_t>::max();
 

@@ -58,7 +58,7 @@ class Session {
   [[nodiscard]] const std::vector<SessionPose>& poses() const { return poses_; }
   [[nodiscard]] const SourceDescription& source() const { return source_; }
   [[nodiscard]] const std::shared_ptr<const GroundTruth>& truth() const { return truth_; }
-  /// In ascending order of their ends.
+  /// The muted links, in ascending order of their ends.
   [[nodiscard]] const std::vector<MutedLink>& mutedLinks() const { return muted_links_; }
   /// Null if the link between these ports, in either order, is not set aside.
   [[nodiscard]] const MutedLink* findMutedLink(LinkEnd a, LinkEnd b) const;

@@ -113,7 +113,7 @@ struct SessionRecorder::State {
     return outcome;
   }
 
-  /// The same without raw samples, where there are any.
+  /// The operations without raw samples, if there are any.
   static std::optional<std::vector<StoreOperation>> withoutRaw(std::vector<StoreOperation> operations) {
     bool had_some = false;
     for (StoreOperation& operation : operations) {

@@ -48,7 +48,7 @@ class SessionRecorder {
   void flush(Acknowledge done);
   /// Tries again to write what waits.
   void retry();
-  /// How many calls of append() and flush() are not acknowledged finally.
+  /// Number of calls of append() and flush() that are not acknowledged finally.
   [[nodiscard]] std::size_t waiting() const;
 
  private:

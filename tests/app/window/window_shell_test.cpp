@@ -1,4 +1,4 @@
-// The window around the steps: log, recent and unsaved sessions, preferences, keys, welcome.
+// What surrounds the steps: log, recent and unsaved sessions, preferences, keys, welcome.
 
 #include "app/window/main_window/window_shell.h"
 

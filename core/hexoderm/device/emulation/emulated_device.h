@@ -13,7 +13,7 @@
 namespace hexoderm {
 
 struct EmulatedDeviceOptions {
-  double rate_hz = 0;          ///< of the samples; 0: the cell model's
+  double rate_hz = 0;          ///< rate of the samples; 0: the cell model's
   std::uint32_t means_of = 0;  ///< samples that a cell averages by itself; 0: every sample is sent
   std::size_t max_body = skinwire::kMaxBody;
   double message_every_s = 0.01;  ///< ticks that are sent together, where they fit
@@ -46,8 +46,8 @@ class EmulatedDevice {
   void take(const skinwire::Command& command, Messages& out);
   /// The next tick of the sensors' clock; appends what is to be sent.
   void tick(Messages& out);
-  /// The same for ticks for which there is no time: their samples are counted as dropped. Means are then of fewer
-  /// samples, and dropped where there is none left.
+  /// Advances like tick(), but for ticks for which there is no time: their samples are counted as dropped. Means are
+  /// then of fewer samples, and dropped where there is none left.
   void skip(std::size_t ticks, Messages& out);
   /// The number of ticks to skip at once if every second one has to be skipped.
   [[nodiscard]] std::size_t ticksPerMessage() const;

@@ -26,7 +26,7 @@ class HandMotion {
  public:
   /// On a table.
   explicit HandMotion(const Eigen::Vector3d& up_b);
-  /// In a hand.
+  /// Holds the part in a hand.
   HandMotion(const Eigen::Vector3d& up_b, const SimulatedSkinOptions& options, std::mt19937_64& random);
 
   /// Begins elsewhere: from `R_w_b` the part is turned the shortest way to where it is to be held, smoothly and no

@@ -12,10 +12,10 @@
 
 namespace hexoderm {
 
-/// How badly a link's law is broken by two cells on the surface, metres, with derivatives by each cell's shift along
-/// its own x and y axis (metres) and its turn about z (times `lever_m`, so metres too). Bend: the vector between the
-/// ends of both extended port vectors, eq. (2), and the yaw times the rms half width of the side. Surface: at either
-/// end, the bearing of the other cell less the extended pitch along the port.
+/// Violation of a link's law by two cells on the surface, metres, with derivatives by each cell's shift along its own x
+/// and y axis (metres) and its turn about z (times `lever_m`, so metres too). Bend: the vector between the ends of both
+/// extended port vectors, eq. (2), and the yaw times the rms half width of the side. Surface: at either end, the
+/// bearing of the other cell less the extended pitch along the port.
 struct LinkMisfit {
   Eigen::Vector4d value;
   Eigen::Matrix<double, 4, 3> by_source;

@@ -239,7 +239,7 @@ void LinkFaults::pullCables(std::vector<TrueCell>& cells) const {
   if (cables_.empty()) return;
   std::vector<SE3> motions;
   for (const Cut& cable : cables_) {
-    // The same cable from whichever end it was named.
+    // The cable is the same, whichever end names it.
     std::mt19937_64 random = randomStream(seed_, Stream::LinkFaults,
                                           {idOf(cable.link.source).value(), cable.link.source_port.number.value()});
     std::uniform_real_distribution<double> any_angle(kLeastCableTurn, kMostCableTurn);

@@ -78,7 +78,7 @@ struct SimulatedSkin::State {
   std::size_t recordings = 0;
   double clock_s = 0;
 
-  /// How the part is held: the motion since it began, and what the sensors' noise is drawn from.
+  /// A hold of the part: its motion since it began, and the source of the sensors' noise.
   struct Hold {
     HandMotion motion;
     Eigen::Vector3d hand_b;

@@ -14,8 +14,8 @@
 
 namespace hexoderm {
 
-/// How the simulated mould lets neighbours lie on the surface. It is a law of the simulator, independent of any
-/// estimator's gap model.
+/// The law by which the simulated mould places neighbours on the surface. It is a law of the simulator, independent of
+/// any estimator's gap model.
 enum class LinkLaw {
   Bend,     ///< rigid cells; only the gap bends, as an arc of constant length: next centre (2/k) atan(k e) along
   Surface,  ///< neighbouring centres one pitch (2 e) apart along the surface

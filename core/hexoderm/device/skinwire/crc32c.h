@@ -9,7 +9,7 @@ namespace hexoderm::skinwire {
 /// check value for "123456789" is 0xE3069283. Uses the processor's own instruction where there is one.
 std::uint32_t crc32c(std::span<const std::uint8_t> bytes);
 
-/// The same by tables, on every processor.
+/// The same checksum computed by tables, on every processor.
 std::uint32_t crc32cByTable(std::span<const std::uint8_t> bytes);
 
 }  // namespace hexoderm::skinwire

@@ -8,7 +8,7 @@
 
 namespace hexoderm::skinwire {
 
-/// How frames lie in a stream of bytes.
+/// The form of frames in a stream of bytes.
 enum class Framing {
   Length,  ///< TCP: little-endian length of 32 bits, then the body
   Cobs,    ///< serial: the body with its zeros coded away (Cheshire and Baker 1999), then 0x00

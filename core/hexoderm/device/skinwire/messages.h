@@ -111,7 +111,7 @@ struct Ack {
   friend bool operator==(const Ack&, const Ack&) = default;
 };
 
-/// In the order of the type numbers on the wire, which begin with 1.
+/// The alternatives are in the order of the type numbers on the wire, which begin with 1.
 using Message = std::variant<Hello, Topology, Samples, Status, Command, Ack>;
 
 /// The fault of a message beyond its syntax: numbers that are not finite, lengths that don't fit together, times,

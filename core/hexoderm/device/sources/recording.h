@@ -65,7 +65,7 @@ class RecordingReader {
   std::unique_ptr<Impl> impl_;
 };
 
-/// How fast a recording is played.
+/// The speed at which a recording is played.
 struct ReplayOptions {
   double speed = 1;       ///< times real time, above 0; infinity: as fast as the listener takes it
   bool stepwise = false;  ///< only by step()

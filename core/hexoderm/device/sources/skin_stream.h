@@ -45,7 +45,7 @@ class SkinStream {
   /// Why the last message that was rejected was.
   [[nodiscard]] const std::string& lastRejection() const { return last_rejection_; }
   [[nodiscard]] std::uint64_t rejectedMessages() const { return status_.rejected_messages; }
-  /// For status lines.
+  /// The device's name, for status lines.
   [[nodiscard]] std::string deviceName() const;
 
   /// Called for every Ack.

@@ -6,7 +6,7 @@
 
 namespace hexoderm {
 
-/// How badly readings fit what they should be, as a chi-squared.
+/// Deviation of readings from their expected values, as a chi-squared.
 struct Misfit {
   double chi_squared = 0;
   double degrees = 0;  ///< degrees of freedom

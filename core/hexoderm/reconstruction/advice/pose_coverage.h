@@ -13,7 +13,7 @@
 
 namespace hexoderm {
 
-// Which directions of gravity a session has seen, and what is missing, as whoever captures poses sees it. All
+// The directions of gravity that a session has seen, and the missing one, for the operator who captures poses. All
 // directions are up directions (where the accelerometers' specific force points), unit vectors in the frame of the
 // largest patch.
 
@@ -89,7 +89,7 @@ PoseCoverage coverageOf(const Reconstruction& reconstruction,
 /// each other (a part that is shaken, a patch whose shape is not known yet): if the mean of their unit vectors is
 /// shorter than 0.7.
 std::optional<Eigen::Vector3d> currentUp(const Reconstruction& reconstruction, std::span<const CellSample> readings);
-/// The same for a pose's means.
+/// The present up direction, from a pose's means.
 std::optional<Eigen::Vector3d> currentUp(const Reconstruction& reconstruction, std::span<const GravitySample> means);
 
 /// The contribution of the advised pose, depending on the poses so far.
@@ -135,8 +135,8 @@ std::optional<NextPose> describeNextPose(const PoseAdvice& advice, const Reconst
 /// A short label of a pose by what the origin cell, in whose frame `up_o` is, faces: "facing ceiling", "facing floor",
 /// "facing wall, +y up", "tilted up, -x up", "tilted down, ...".
 std::string poseLabel(const Eigen::Vector3d& up_o);
-/// The same for a capture, from the reading of the largest patch's origin alone: `reconstruction` may be one without
-/// any pose. Empty where there is no patch or the origin read no gravity.
+/// A label for a capture, from the reading of the largest patch's origin alone: `reconstruction` may be one without any
+/// pose. Empty if there is no patch or the origin read no gravity.
 std::string poseLabel(const Reconstruction& reconstruction, const PoseCapture& capture);
 
 }  // namespace hexoderm

@@ -71,8 +71,8 @@ struct Comparison {
   double orientation_rms_rad = 0;
 };
 
-/// How many cells lie where the stated uncertainty has them with 95 %. A difference counts as within if it is not
-/// longer than 1.96 times the root of its covariance's trace: at least 95 % of a normal error are, whatever its shape.
+/// Number of cells that lie within their stated 95 % uncertainty. A difference counts as within if it is not longer
+/// than 1.96 times the root of its covariance's trace: at least 95 % of a normal error are, whatever its shape.
 struct WithinStated {
   std::size_t stated = 0;  ///< cells that state an uncertainty; the origin, which is exact by definition, does not
   std::size_t position = 0;

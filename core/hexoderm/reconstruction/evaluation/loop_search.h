@@ -10,8 +10,8 @@ struct LoopSearchOptions {
   /// Link points of free ports that are no further apart face each other; absent: half a pitch, the longest port
   /// vector, because a whole one leaves room for a cell.
   std::optional<double> max_gap_m;
-  /// Each of the two looks at the centre of the other's cell, no further past it than this. In a ring half of what a
-  /// link bends by: 36 degrees of five cells.
+  /// Each of the two ports points at the centre of the other's cell to within this angle. In a ring it is half of a
+  /// link's bend: 36 degrees with five cells.
   double max_angle_rad = 0.7853981633974483;  ///< 45 degrees
 
   /// Throws InvalidArgument naming the first value out of range.

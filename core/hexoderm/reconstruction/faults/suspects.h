@@ -39,7 +39,7 @@ class SuspectSearch {
     [[nodiscard]] bool bad() const { return !implausible.empty() || !rigid; }
   };
   [[nodiscard]] Verdict judge(std::size_t link) const;
-  /// In standard deviations; `without`: a pose that does not count.
+  /// Misfit of a link in standard deviations; `without`: a pose that does not count.
   [[nodiscard]] double misfitOf(std::size_t link, std::optional<std::size_t> without = std::nullopt) const;
 
   const CellModel& model_;

@@ -32,8 +32,8 @@ struct CellShift {
 /// does not have are left out.
 std::vector<CellShift> shiftsOf(const Reconstruction& reconstruction, std::span<const Comparison> comparisons);
 
-/// How much small figures are enlarged to be seen: the largest of 1, 2, 5, 10, 20, 50 ... 1,000 with which `largest`
-/// stays within `room`.
+/// Factor by which small figures are enlarged to be seen: the largest of 1, 2, 5, 10, 20, 50 ... 1,000 with which
+/// `largest` stays within `room`.
 double enlargement(double largest, double room);
 
 /// The way from one cell to another.
@@ -43,7 +43,7 @@ struct CellDistance {
   /// Standard deviation of the length, if the result holds the covariance of any two cells.
   std::optional<double> sigma_m;
 };
-/// None if a cell is not there, or the two are in different patches: nothing is known of how these lie to each other.
+/// None if a cell is missing, or if the two are in different patches, whose relative placement is not known.
 std::optional<CellDistance> distanceBetween(const Reconstruction& reconstruction, CellId a, CellId b);
 
 }  // namespace hexoderm

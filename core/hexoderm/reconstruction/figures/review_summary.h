@@ -45,7 +45,7 @@ struct RankedLink {
   double residual_rad = 0;
   std::optional<double> sigma_rad;
 };
-/// How many links have a residual of so many times their predicted deviation.
+/// Number of links whose residual is so many times their predicted deviation.
 struct RatioBin {
   double lower = 0;
   double upper = 0;

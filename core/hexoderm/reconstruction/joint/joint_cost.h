@@ -96,7 +96,7 @@ double closureCost(const JointProblem& problem, const JointState& state);
 /// metres.
 Eigen::Vector3d arcOpening_m(const Eigen::Vector3d& U_c, const Eigen::Vector3d& U_n, double e_m);
 
-/// How far the end points of a link are apart, less the arc's share; metres.
+/// Distance between the end points of a link, less the arc's share; metres.
 double linkOpening_m(const JointProblem& problem, const JointState& state, std::size_t link);
 
 /// jointCost() with its gradient (exact) and its Gauss-Newton matrix (of the eliminated problem: Kaufman's).

@@ -28,8 +28,8 @@ class JointRefinement {
   /// From now on the cell is placed by its links. Needs another solve().
   void leaveOut(std::size_t cell);
 
-  /// How badly a cell's readings fit the gravity that all others agree on, however the cell lies; nothing to say with
-  /// fewer than two readings.
+  /// Misfit of a cell's readings with the gravity that all others agree on, for the best attitude of the cell;
+  /// meaningless with fewer than two readings.
   [[nodiscard]] Misfit misfitOf(std::size_t cell) const;
   /// Rms over the cells of what one pose leaves unexplained, in standard deviations of its readings.
   [[nodiscard]] double poseMisfit(std::size_t pose) const;

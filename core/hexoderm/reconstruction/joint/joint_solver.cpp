@@ -13,7 +13,7 @@
 namespace hexoderm {
 namespace {
 
-/// Which block of the sparse matrix a link adds to: two links may join the same two cells.
+/// The block of the sparse matrix that a link adds to: two links may join the same two cells.
 struct CouplePlan {
   std::vector<BlockCholesky::Couple> couples;
   struct Place {

@@ -36,7 +36,7 @@ FlatCell placeNeighbor(const FlatCell& cell, const FlatPort& port, CellId neighb
   return placed;
 }
 
-/// Which places of a sheet are taken: a grid of squares of the least distance between two hexagons' centres.
+/// Occupied places of a sheet: a grid of squares of the least distance between two hexagons' centres.
 class TakenPlaces {
  public:
   explicit TakenPlaces(double least_distance_m) : least_distance_m_(least_distance_m) {}

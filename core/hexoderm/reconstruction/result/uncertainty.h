@@ -6,8 +6,8 @@
 
 namespace hexoderm {
 
-/// How well a cell's placement relative to its origin is known, in the way the verdict says it: 1.96 standard
-/// deviations (95 %) along the worst axis. The orientation's is at most pi.
+/// Uncertainty of a cell's placement relative to its origin, as the verdict states it: 1.96 standard deviations (95 %)
+/// along the worst axis. The orientation's is at most pi.
 struct Uncertainty95 {
   double position_m = 0;
   double orientation_rad = 0;
