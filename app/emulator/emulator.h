@@ -29,7 +29,7 @@ class Emulator {
   void disconnect() { link_->disconnect(); }
   [[nodiscard]] EmulatedDevice& device() { return device_; }
   [[nodiscard]] WireFaults& faults() { return faults_; }
-  /// For what the device may have something to say about.
+  /// Runs an action on the device, and sends the messages that it leads to.
   void withDevice(const std::function<void(EmulatedDevice::Messages&)>& action);
 
  private:

@@ -1,4 +1,4 @@
-// How long the graph takes with 10,000 cells: a whole picture at several sizes and zooms, a new result, and a mouse
+// Time that the graph takes with 10,000 cells: a whole picture at several sizes and zooms, a new result, and a mouse
 // that moves over it. Needs a display: xvfb-run -a build/release/tests/benchmarks/graph_benchmark
 
 #include "hexoderm/device/simulation/simulated_skin.h"

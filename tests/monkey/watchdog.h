@@ -28,7 +28,7 @@ struct Stall {
   /// that draw work side by side), and the time in which the GUI thread waited for anything but them, such as the
   /// display or a disk. Only delays by other programs are left out; stolen time is not.
   [[nodiscard]] double alone_ms() const;
-  /// How long it would have been had the machine had all its processors; never less than what was computed in it.
+  /// Length of the stall if the machine had had all its processors; never less than its computing time.
   [[nodiscard]] double unstolen_ms() const;
 };
 

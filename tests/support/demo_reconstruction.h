@@ -9,7 +9,7 @@
 
 namespace hexoderm {
 
-/// How a hand-made skin for the tests of views looks; it comes from no solver and no simulator.
+/// Properties of a hand-made skin for the tests of views; it comes from no solver and no simulator.
 struct DemoOptions {
   double radius_m = 0.0501;     ///< radius of the cylinder (axis along y of the origin cell)
   std::uint32_t arm_cells = 4;  ///< cells in each of the four arms; 4 makes an X17, 0 a single cell

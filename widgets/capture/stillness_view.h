@@ -36,7 +36,7 @@ class StillnessView : public QWidget {
   QSize minimumSizeHint() const override;
 
  public slots:
-  /// None: the cell that decides.
+  /// Shows a cell; none: the cell that decides.
   void setCell(std::optional<hexoderm::CellId> cell);
 
  protected:

@@ -48,7 +48,7 @@ class StepPanel : public QScrollArea {
  public slots:
   /// Nothing happens if there is no such step.
   void openStep(int step);
-  /// The same, and the keyboard goes on from its heading.
+  /// Opens a step, and moves the keyboard to its heading.
   void goToStep(int step);
 
  public:

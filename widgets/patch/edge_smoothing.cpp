@@ -51,7 +51,7 @@ struct Surroundings {
     const int along_lines = std::abs(nw + ne - 2 * n) + 2 * std::abs(w + e - 2 * m) + std::abs(sw + se - 2 * s);
     return across_lines >= along_lines;
   }
-  /// How far it is from what is about it, 0 to 1 of `contrast`: 1 for a single pixel.
+  /// Difference from the surroundings, 0 to 1 of `contrast`: 1 for a single pixel.
   [[nodiscard]] float speck(int contrast) const {
     const float mean = static_cast<float>(2 * (n + s + w + e) + nw + ne + sw + se) / 12;
     return std::min(std::abs(mean - static_cast<float>(m)) / static_cast<float>(contrast), 1.0F);

@@ -87,8 +87,8 @@ Eigen::Vector3d neighborCentre(const Port& c, const Port& n, const Eigen::Matrix
   return pivot + 2.0 / 3.0 * c.vector_m.norm() * half_bend * half_bend * (u_c - u_n).normalized();
 }
 
-/// How far the loop gap comes out wrong, mm, if all orientations are known exactly: cells askew in the mould still lead
-/// the chain astray.
+/// Error of the loop gap, mm, if all orientations are known exactly: cells askew in the mould still lead the chain
+/// astray.
 double chainedGapError(const SimulatedSkin& skin, const GroundTruth& truth) {
   std::map<CellId, SE3> placed;
   placed[skin.neighbors().front().id] = truePlacement(truth, skin.neighbors().front().id);

@@ -75,9 +75,10 @@ class WindowActions {
   /// `panels`: the docks' own actions.
   void fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& panels) const;
 
-  /// Which can be used now, and why the others can't. `pose_row`: the row picked in the table of poses.
+  /// Enables the actions that can be used now, and gives the reasons of the others. `pose_row`: the row picked in the
+  /// table of poses.
   void refresh(const SessionController& controller, std::optional<int> pose_row, std::optional<CellId> cell);
-  /// The same of what can be done with a link. `picked`: of the selection.
+  /// The same for the actions on a link. `picked`: the selected link.
   void refreshLink(const SessionController& controller, const std::optional<Selection::Link>& picked);
 
  private:

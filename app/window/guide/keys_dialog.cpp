@@ -110,7 +110,8 @@ void showKeysDialog(QWidget* parent, const QMenuBar& menus) {
   search->setAccessibleName(search->placeholderText());
   search->setClearButtonEnabled(true);
 
-  // In its place before it is filled: what gets another parent is dressed anew, with all that is inside.
+  // The area gets its parent before it is filled: a widget that gets another parent is dressed anew, with all its
+  // contents.
   auto* area = new QScrollArea(dialog);
   auto* content = new QWidget;
   area->setWidget(content);

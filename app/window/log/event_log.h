@@ -40,18 +40,18 @@ class EventLog : public QObject {
 
   void add(Severity severity, const QString& text);
 
-  /// In memory, after the line of that number; 0: all. Oldest first.
+  /// The lines in memory after the line of that number; 0: all. Oldest first.
   [[nodiscard]] std::vector<LogLine> linesAfter(std::uint64_t number) const;
   [[nodiscard]] std::vector<LogLine> newest(std::size_t count) const;
 
   /// Empty without a file.
   [[nodiscard]] QString folder() const { return folder_; }
   [[nodiscard]] QString filePath() const;
-  /// Until everything added so far was written or could not be; false if that takes longer. For tests.
+  /// Waits until every line added so far was written or could not be; false if that takes longer. For tests.
   bool waitUntilWritten(int timeout_ms) const;
 
  signals:
-  /// At most once per turn of the event loop.
+  /// Emitted at most once per turn of the event loop.
   void grown();
   /// Said once: the file can't be written, and why.
   void fileFailed(const QString& why);

@@ -60,7 +60,8 @@ class Preferences : public QObject {
 /// The folder in which dialogs begin to look for a file: that of the last one, as long as it exists; else the user's
 /// documents, else the home folder.
 QString lastFolder();
-/// For lastFolder(): `file` was chosen. Nobody chose the folder that unsaved sessions are recovered from.
+/// Notes the folder of a chosen file, for lastFolder(). The folder of unsaved sessions is not noted, as nobody chose
+/// it.
 void rememberFolder(const QString& file);
 
 /// Gives the application the system's text size times a factor; theme.h's applyTheme() must follow.

@@ -14,10 +14,10 @@ class FocusOrder {
  public:
   /// No part lies in another.
   void add(QWidget* pane) { panes_.push_back({pane, nullptr}); }
-  /// To the next part that has something to stop at, or the one before: to where it was left, else to its beginning.
-  /// From outside all parts the first leads to the first one. False if there is nothing to stop at.
+  /// Moves to the next or previous part that has a stop: to the place where it was left, else to its beginning. From
+  /// outside all parts it moves to the first one. False if there is no stop.
   bool moveToPane(bool forward);
-  /// To the next control, or the one before; from outside all parts, and from the ends, round.
+  /// Moves to the next or previous control; from outside all parts, and from the ends, around.
   bool moveToControl(bool forward);
   /// Something has got the focus, whoever gave it.
   void noteFocus(QWidget* widget);

@@ -190,7 +190,7 @@ TEST_F(MainWindowTest, TheRobotTakesAllPosesAndStopsByItself) {
 }
 
 TEST_F(MainWindowTest, FourKeysLeadFromTheStartToAnExportedCalibrationWithinAMinute) {
-  // At the speed at which a newcomer sees it.
+  // The speed is that at which a newcomer sees it.
   QSettings().setValue(QStringLiteral("demo/source"), QStringLiteral("sim:x17"));
   press(Qt::Key_D, Qt::ControlModifier);
   ASSERT_TRUE(waitUntil([this] { return action("actionRobot")->isEnabled(); }));

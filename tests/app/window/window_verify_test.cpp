@@ -51,7 +51,7 @@ class WindowVerifyTest : public WindowTest {
 };
 
 TEST_F(WindowVerifyTest, HoldsAPoseOutAndSaysHowWellTheOthersForetellIt) {
-  // The same poses every time: how well one is foretold differs from capture to capture.
+  // The poses are the same every time: their predictability differs from capture to capture.
   const auto openSession = [this](std::size_t poses) {
     SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
     const QString path = pathTo(QStringLiteral("%1.session.json").arg(poses));

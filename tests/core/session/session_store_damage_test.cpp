@@ -41,7 +41,7 @@ class DamagedStore : public testing::Test {
     EXPECT_THAT(reader, testing::StartsWith(path_.string() + ": "));
     return reader;
   }
-  /// The same with an entry appended whose digest is right.
+  /// The complaint about a copy with an entry appended whose digest is right.
   [[nodiscard]] std::string complaintAbout(const std::string& kind, const std::string& detail,
                                            std::optional<Bytes> samples = std::nullopt) const {
     {

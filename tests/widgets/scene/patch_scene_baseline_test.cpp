@@ -1,4 +1,4 @@
-// How the scene looks: pictures that are kept, and that the comparison sees what it should.
+// Pictures of the scene, compared with kept ones, and checks that the comparison sees differences.
 #include "tests/widgets/scene/patch_scene_test.h"
 
 #include "tests/support/large_skin.h"

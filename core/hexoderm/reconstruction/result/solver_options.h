@@ -10,13 +10,17 @@ namespace hexoderm {
 
 enum class Solver {
   Global,  ///< all cells, poses and links together, with the sensors' errors
-  Tree,    ///< the paper's way, along shortest paths (step 9)
+  Tree,    ///< the paper's way, along shortest paths
 };
 /// Behaviour of a mould when it is bent: Pivot: nothing stretches and both extended port vectors end in one point; Arc:
 /// the pitch is kept along the arc; Fit: the data tell the position between the two.
 enum class GapModel { Fit, Arc, Pivot };
-enum class Centring { Auto, On, Off };       ///< subtract each cell's mean vector before the SVD (step 6)
-enum class SupportAxes { Auto, On, Off };    ///< append the gap's axes, scaled to 10 % (step 8)
+enum class Centring { Auto, On, Off };  ///< subtract each cell's mean vector before the SVD
+enum class SupportAxes {
+  Auto,
+  On,
+  Off
+};  ///< append the gap's axes, scaled to 10 %, for edges that are not fully defined
 enum class LinkWeights { Paper, Residual };  ///< 3, 2, 1, 1 by class, or by predicted deviation and residual (2.2)
 
 struct SolverOptions {

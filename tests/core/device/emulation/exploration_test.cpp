@@ -98,7 +98,7 @@ TEST(Exploration, CellsThatForgotTheirIdsGetNewOnes) {
     ASSERT_EQ(explored.result.cells.size(), truth.size());
     for (std::size_t k = 0; k < truth.size(); ++k) EXPECT_EQ(explored.result.cells[k].id.value(), k + 1);
 
-    // The same skin but for the numbers: walked along from the interface.
+    // The skin is the same but for the numbers: it is walked along from the interface.
     std::map<CellId, CellId> renamed;
     const auto start = std::ranges::find_if(explored.result.cells, [&](const CellReport& cell) {
       return std::ranges::any_of(cell.neighbors,

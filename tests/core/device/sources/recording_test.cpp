@@ -226,7 +226,7 @@ TEST(Recording, IsPlayedInRealTimeOrFaster) {
   EXPECT_GE(std::chrono::steady_clock::now() - began, std::chrono::milliseconds(100));
   EXPECT_EQ(delivered.frames.size(), 2U);
 
-  // At its own pace it can be stopped long before its end.
+  // Played at its own pace, it can be stopped long before its end.
   CollectingListener listener;
   ReplaySource source(path);
   source.start(listener);

@@ -38,7 +38,7 @@ bool passesWithPatience(const Test& passes) {
   return false;
 }
 
-/// For tests in which nothing may time out: what happens has another reason.
+/// Options for tests in which nothing may time out: every event has another reason.
 WireOptions patient() {
   WireOptions options;
   options.first_retry = milliseconds(10);
