@@ -5,7 +5,7 @@
 #include "widgets/controls/selection.h"
 #include "widgets/graph/graph_view.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 #include <QApplication>
 #include <QHelpEvent>
 #include <QImage>

@@ -12,10 +12,11 @@ enum class Solver {
   Global,  ///< all cells, poses and links together, with the sensors' errors
   Tree,    ///< the paper's way, along shortest paths
 };
-/// Behaviour of a mould when it is bent: Pivot: nothing stretches and both extended port vectors end in one point; Arc:
-/// the pitch is kept along the arc; Fit: the data tell the position between the two.
+/// Behaviour of a mould when it is bent. Pivot: nothing stretches, and both extended port vectors end in one point.
+/// Arc: the pitch is kept along the arc. Fit: the data tell the position between the two.
 enum class GapModel { Fit, Arc, Pivot };
 enum class Centring { Auto, On, Off };  ///< subtract each cell's mean vector before the SVD
+/// Append the gap's axes, scaled to 10 %, to the data of edges that are not fully defined.
 enum class SupportAxes {
   Auto,
   On,
