@@ -65,7 +65,7 @@ class StrictListener final : public SkinListener {
   void onStatus(const SourceStatus& /*status*/) override {}
   void onCommandOutcome(const CommandOutcome& /*outcome*/) override {}
 
-  /// The device may have begun anew, or its cells are others.
+  /// The device may have started over, or its cells are others.
   void allowNewBeginning() {
     last_s_ = 0;
     sampled_.clear();

@@ -110,7 +110,7 @@ void showKeysDialog(QWidget* parent, const QMenuBar& menus) {
   search->setAccessibleName(search->placeholderText());
   search->setClearButtonEnabled(true);
 
-  // The area gets its parent before it is filled: a widget that gets another parent is dressed anew, with all its
+  // The area gets its parent before it is filled: a widget that gets another parent is styled again, with all its
   // contents.
   auto* area = new QScrollArea(dialog);
   auto* content = new QWidget;

@@ -21,7 +21,7 @@ struct LogLine {
 };
 
 /// The events since the program was started, to be read in the window and to be sent with a report of a bug: the newest
-/// kCapacity lines in memory, and all of them in a file that begins anew at kFileBytes and keeps the one before. If
+/// kCapacity lines in memory, and all of them in a file that starts over at kFileBytes and keeps the one before. If
 /// lines can't be in the file, because the disk refuses or is too slow, the file tells how many are missing. add() may
 /// be called from any thread while the log lives, and never waits for the disk; everything else belongs to the thread
 /// of this object. While it lives it also takes the messages of Qt and VTK (qInstallMessageHandler); if there are

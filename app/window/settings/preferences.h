@@ -53,7 +53,7 @@ class Preferences : public QObject {
   void textFactorChanged(double factor);
   void toneChanged(bool on);
   void reducedMotionChanged(bool on);
-  /// The defaults are restored, the theme's too; dialogs show everything anew.
+  /// The defaults are restored, the theme's too; dialogs show everything again.
   void restored();
 };
 

@@ -28,7 +28,7 @@ class WindowStyle : public QProxyStyle {
     if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
     return QProxyStyle::styleHint(hint, option, widget, data);
   }
-  /// Kept, for Fusion reads and decodes its pictures anew each time, a dozen for each file dialog.
+  /// Kept, for Fusion reads and decodes its pictures again each time, a dozen for each file dialog.
   QIcon standardIcon(StandardPixmap kind, const QStyleOption* option, const QWidget* widget) const override {
     const bool mirrored = (option ? option->direction : QApplication::layoutDirection()) == Qt::RightToLeft;
     QIcon& icon = icons_[{kind, mirrored}];
@@ -67,8 +67,8 @@ QString panelSheet(const Colors& colors) {
            colors.text_muted.name(), colors.accent.name(), colors.accent_text.name());
 }
 
-/// Works out anew how widgets look: what is seen of the window in front at once, what is seen of each other window in a
-/// turn of the event loop of its own, and each is painted in the turn after; the rest, which is most, in turns that
+/// Styles all widgets again: the visible ones of the window in front at once, those of each other window in a turn of
+/// the event loop of their own, and each window is painted in the turn after; the rest, which is most, in turns that
 /// nobody notices, or when it is shown.
 class Wardrobe : public QObject {
  public:

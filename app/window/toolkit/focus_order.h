@@ -19,7 +19,7 @@ class FocusOrder {
   bool moveToPane(bool forward);
   /// Moves to the next or previous control; from outside all parts, and from the ends, around.
   bool moveToControl(bool forward);
-  /// Something has got the focus, whoever gave it.
+  /// Notes that a widget has got the focus, by any means.
   void noteFocus(QWidget* widget);
 
  private:

@@ -8,7 +8,7 @@
 
 namespace hexoderm {
 
-/// A cell that turns by itself may do so at this many times the drift limit.
+/// A single cell may turn at this many times the drift limit.
 inline constexpr double kRestlessTimesLimit = 2;
 
 /// Conditions under which a part counts as still.

@@ -13,7 +13,7 @@ namespace hexoderm {
 /// Decides from a stream of readings whether a body part is held still.
 ///
 /// Readings are summed up in slots of 50 ms (longer where cells send more rarely). At the end of each slot the part is
-/// judged anew by:
+/// judged again by:
 /// - drift: per cell, the slope of the direction over drift_window_s, its squared magnitude less the contribution of
 ///   the cell's noise; over the cells, the median. All cells of a rigid part see gravity turn by the same angle per
 ///   second, wherever they are. Where noise would drown the limit (one noisy cell at a low rate) the window grows, up
@@ -44,7 +44,7 @@ class StillnessDetector {
   StillnessDetector(StillnessDetector&&) noexcept;
   StillnessDetector& operator=(StillnessDetector&&) noexcept;
 
-  /// Takes a frame; true if stillness() was judged anew. `time_s` must be finite and not before the last frame's: an
+  /// Takes a frame; true if stillness() was judged again. `time_s` must be finite and not before the last frame's: an
   /// assertion; frames of the same time have no cell in common. A gap in time (0.5 s, or five times the usual distance
   /// of frames) begins a new window. Readings that are not finite or beyond 100 g are ignored, and so are cells beyond
   /// the first 200,000.
@@ -54,7 +54,7 @@ class StillnessDetector {
 
   /// The pose was captured: the next one needs a move of more than rearm_angle_rad from these readings.
   void disarm(const PoseCapture& pose);
-  /// Returns to the initial state, but keeps learned noise floors and known cells; the clock may start anew.
+  /// Returns to the initial state, but keeps learned noise floors and known cells; the clock may start over.
   void restart();
 
   /// Means of about the last 100 ms of every cell that sent something in that time, in the order in which the cells

@@ -46,7 +46,7 @@ class StillnessTrace {
   static constexpr std::size_t kMaxKeptCells = 1000;
 
   /// Adds a PoseRecorder's state and preview, at most 20 times per second. Where device time goes back, the trace
-  /// starts anew. Times that are not finite are ignored.
+  /// starts over. Times that are not finite are ignored.
   void add(const HoldStatus& hold, const SkinPreview& preview);
   /// `time_s`: device time, for example CapturedPose::end_s.
   void addCaptured(PoseId pose, double time_s);

@@ -84,11 +84,11 @@ struct CommandOutcome {
 class SkinListener {
  public:
   virtual ~SkinListener() = default;
-  /// Before the first frame, and again whenever topology or model changed.
+  /// Called before the first frame, and again whenever topology or model changed.
   virtual void onSkin(const SkinDescription& skin) = 0;
-  /// Only finite values, and only cells that onSkin named. Times don't go back, unless the device's clock started anew,
-  /// which the state before says (Connecting) or which happens without a word where a device restarts by itself. Frames
-  /// of the same time have no cell in common.
+  /// Delivers only finite values, and only of cells that onSkin named. Times don't go back, unless the device's clock
+  /// started over, which the state before it tells (Connecting) or which happens without notice if a device restarts on
+  /// its own. Frames of the same time have no cell in common.
   virtual void onFrame(const SampleFrame& frame) = 0;
   /// On every change of state, and about twice a second while counters change.
   virtual void onStatus(const SourceStatus& status) = 0;

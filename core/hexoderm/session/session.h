@@ -28,7 +28,7 @@ struct SourceDescription {
 };
 
 /// A link that the operator set aside, because it is a cable for example: it stays known and is kept out of the
-/// solution. Named by its ends, so that it stays set aside when the skin is explored anew.
+/// solution. Named by its ends, so that it stays set aside when the skin is explored again.
 struct MutedLink {
   LinkEnd source;  ///< the smaller (ID, port)
   LinkEnd target;
@@ -36,8 +36,8 @@ struct MutedLink {
   friend bool operator==(const MutedLink&, const MutedLink&) = default;
 };
 
-/// Everything a reconstruction is computed from, as it was at one revision. Immutable: whoever holds the shared pointer
-/// can read it on any thread for as long as it likes.
+/// Everything a reconstruction is computed from, at one revision. Immutable: the holder of the shared pointer can read
+/// it on any thread for any time.
 struct SessionSnapshot {
   std::uint64_t revision = 0;
   std::shared_ptr<const CellModel> model;         ///< never null
@@ -64,7 +64,7 @@ class Session {
   [[nodiscard]] const MutedLink* findMutedLink(LinkEnd a, LinkEnd b) const;
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
-  /// The device describes itself anew: poses, source and truth stay.
+  /// The device describes itself again: poses, source and truth stay.
   void setSkin(CellModel model, NeighborList neighbors);
   void setTruth(GroundTruth truth);
   void setSource(SourceDescription source);

@@ -49,7 +49,7 @@ struct SetSource {
 struct SetTruth {
   GroundTruth truth;
 };
-/// Cell model and topology as reported anew; poses, and what was set aside, stay.
+/// Cell model and topology as reported again; poses, and what was set aside, stay.
 struct SetSkin {
   std::shared_ptr<const CellModel> model;  ///< never null
   NeighborList neighbors;

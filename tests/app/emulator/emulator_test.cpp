@@ -202,7 +202,7 @@ TEST(Emulator, CellsBreakWhileItRuns) {
   EXPECT_TRUE(waitForSamples(16));
   EXPECT_THAT(host.listener.delivered().skins.back().neighbors, SizeIs(16));
 
-  // Another mould: the device begins anew.
+  // Another mould: the device starts over.
   EXPECT_THAT(emulator.type("mend 5"), HasSubstr("whole"));
   EXPECT_THAT(emulator.type("break wrong-port 3 1"), HasSubstr("starts again"));
   EXPECT_TRUE(waitForSamples(17));

@@ -141,7 +141,7 @@ TEST_F(MainWindowTest, PosesAreDisabledDeletedAndBroughtBackByKeys) {
   EXPECT_FALSE(controller().reconstruction()->poses[1].enabled);
   EXPECT_EQ(controller().reconstruction()->verdict.level, VerdictLevel::NotEnough);
 
-  // The same row is still picked although the table was filled anew.
+  // The same row is still picked although the table was filled again.
   press(Qt::Key_Delete);
   ASSERT_TRUE(waitUntilIdle());
   EXPECT_TRUE(controller().reconstruction()->poses[1].enabled);

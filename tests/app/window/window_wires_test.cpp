@@ -74,7 +74,7 @@ class WindowWiresTest : public WindowTest, public testing::WithParamInterface<Wi
     WindowTest::SetUp();
     device_ = std::make_unique<Device>(GetParam(), pathTo("usb-skin"));
   }
-  /// The first pose is captured by itself, where the part lies.
+  /// The first pose is captured automatically, where the part lies.
   void connectDevice() {
     ASSERT_NO_FATAL_FAILURE(connectByDialog(GetParam().kind, device_->address(), path()));
     ASSERT_TRUE(waitUntil([this] { return controller().isLive(); })) << labelText("liveText").toStdString();

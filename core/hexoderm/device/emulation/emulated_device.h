@@ -72,7 +72,7 @@ class EmulatedDevice {
   void breakCell(const CellFault& fault);
   /// Mends the cell's sensor at once, and its part in the network from the next exploration on.
   void mendCell(CellId cell);
-  /// The mould is another one: the device starts anew, with its clock and its numbering, and explores.
+  /// The mould is another one: the device starts over, with its clock and its numbering, and explores.
   void breakLink(const LinkFault& fault, Messages& out);
   /// Mends all faults of this link; false if there was none. Otherwise like breakLink.
   bool mendLink(const LinkEnd& at, Messages& out);

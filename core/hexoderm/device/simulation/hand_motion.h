@@ -19,9 +19,9 @@ struct BodyMotion {
 };
 
 /// Orientation and motion of a part while one pose is held. On a table: `up_b` is up, and nothing moves. In a hand: up
-/// to a miss of a few degrees, with tremor of turn and position (every axis a sum of sinusoids of 4 to 12 Hz, whose rms
-/// over a long time is the option's value) and a slow drift about a random axis, which goes to and fro:
-/// whoever holds a part for long notices, and a pose that is held is never another one.
+/// to within a few degrees, with tremor of turn and position (every axis a sum of sinusoids of 4 to 12 Hz, whose rms
+/// over a long time is the option's value) and a slow drift about a random axis, which goes to and fro: people notice a
+/// drift after a while, and a held pose never becomes another one.
 class HandMotion {
  public:
   /// On a table.

@@ -29,7 +29,7 @@ std::optional<Bytes> decodeCobs(ByteView bytes);
 ///
 /// It never holds more than one feed and kMaxBody bytes, whatever lengths are claimed. After garbage, Cobs goes on at
 /// the next 0x00 and Lines at the next line; Length can't be found again, so the decoder is then unusable (`stuck`),
-/// and the connection has to be made anew. A body with a wrong CRC means the same there, as it may be the length that
+/// and the connection has to be made again. A body with a wrong CRC means the same there, as it may be the length that
 /// broke.
 class FrameDecoder {
  public:

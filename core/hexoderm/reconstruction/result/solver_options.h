@@ -18,7 +18,7 @@ enum class GapModel { Fit, Arc, Pivot };
 enum class Centring { Auto, On, Off };  ///< subtract each cell's mean vector before the SVD
 /// Append the gap's axes, scaled to 10 %, to the data of edges that are not fully defined.
 enum class SupportAxes { Auto, On, Off };
-enum class LinkWeights { Paper, Residual };  ///< 3, 2, 1, 1 by class, or by predicted deviation and residual (2.2)
+enum class LinkWeights { Paper, Residual };  ///< 3, 2, 1, 1 by class, or by predicted deviation and residual
 
 struct SolverOptions {
   Solver solver = Solver::Global;

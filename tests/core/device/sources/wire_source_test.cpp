@@ -309,7 +309,7 @@ TEST(WireSource, AStatusNowAndThenIsNoSilence) {
     source.start(listener);
     DeviceConnection connection = device.accept();
     describe(connection);
-    // Longer than the time after which the connection would be made anew.
+    // Longer than the time after which the connection would be made again.
     const auto end = std::chrono::steady_clock::now() + 2 * options.reconnect_after;
     while (std::chrono::steady_clock::now() < end) {
       connection.send(skinwire::Status{"resting", false, 0, 0});
