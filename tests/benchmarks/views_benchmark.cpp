@@ -1,6 +1,7 @@
 // Time that the views of live readings and of residuals take. The live views are given new data twenty times a second,
 // so a picture must take less than 50 ms. Needs a display: xvfb-run -a build/release/tests/benchmarks/views_benchmark
 
+#include "tests/support/qt_wait.h"
 #include "tests/widgets/sample_reconstruction.h"
 #include "widgets/capture/coverage_view.h"
 #include "widgets/capture/stillness_view.h"
@@ -16,11 +17,17 @@
 namespace hexoderm {
 namespace {
 
+/// Shows a view of this size; nothing is painted before it is on the screen.
+void show(benchmark::State& state, QWidget& view, const QSize& size) {
+  view.resize(size);
+  view.show();
+  if (!test::waitUntilExposed(view)) state.SkipWithError("the view is not shown");
+}
+
 /// One picture of the stillness of 17 cells, with ten seconds of readings before it.
 void stillness(benchmark::State& state) {
   StillnessView view;
-  view.resize(700, 160);
-  view.show();
+  show(state, view, {700, 160});
   HoldStatus hold;
   hold.stillness.excess_cell = CellId(7);
   hold.stillness.excess_limit_g = 0.030;
@@ -50,8 +57,7 @@ void coverage(benchmark::State& state) {
                                 {PoseId(2), Eigen::Vector3d::UnitX(), 0.01},
                                 {PoseId(4), Eigen::Vector3d::UnitY(), 0.01}};
   CoverageView view;
-  view.resize(320, 360);
-  view.show();
+  show(state, view, {320, 360});
   view.setCoverage(coverageOf(*result));
   int step = 0;
   for ([[maybe_unused]] auto _ : state) {
@@ -66,13 +72,15 @@ BENCHMARK(coverage)->Unit(benchmark::kMillisecond);
 void residuals(benchmark::State& state) {
   const auto rows = static_cast<std::uint32_t>(state.range(0));
   const auto columns = static_cast<std::uint32_t>(state.range(1));
-  const auto result = sheetWithPoses(rows, columns, static_cast<std::uint32_t>(state.range(2)));
+  const auto one = sheetWithPoses(rows, columns, static_cast<std::uint32_t>(state.range(2)));
+  const auto other = std::make_shared<const Reconstruction>(*one);
   Selection selection;
   ResidualView view(&selection);
-  view.resize(700, 220);
-  view.show();
+  show(state, view, {700, 220});
+  bool first = false;
   for ([[maybe_unused]] auto _ : state) {
-    view.setReconstruction(result);
+    first = !first;
+    view.setReconstruction(first ? one : other);
     view.matrix()->viewport()->repaint();
     view.matrix()->sortByColumn(0, Qt::DescendingOrder);
     view.matrix()->viewport()->repaint();
