@@ -94,7 +94,7 @@ void ScreenshotTour::visitSteps(const QString& stage) {
 void ScreenshotTour::visitDialogs() {
   bool has_shown_files = false;
   for (const QAction* known : window_.findChildren<QAction*>()) {
-    // What opens a dialog says so by its dots. Those for files are alike.
+    // Actions that open a dialog are recognised by their dots. File dialogs are all alike.
     auto* action = const_cast<QAction*>(known);
     const QString name = action->objectName();
     const bool opens_dialog = action->text().endsWith(QChar(0x2026)) || name == QStringLiteral("actionKeys") ||

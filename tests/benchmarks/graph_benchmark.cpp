@@ -1,4 +1,4 @@
-// How long the graph takes with 10,000 cells: a whole picture at several sizes and zooms, a new result, and a mouse
+// Time that the graph takes with 10,000 cells: a whole picture at several sizes and zooms, a new result, and a mouse
 // that moves over it. Needs a display: xvfb-run -a build/release/tests/benchmarks/graph_benchmark
 
 #include "hexoderm/device/simulation/simulated_skin.h"
@@ -82,7 +82,7 @@ void newResult(benchmark::State& state, Coloring coloring) {
 BENCHMARK_CAPTURE(newResult, quality, Coloring::LinkQuality)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(newResult, position, Coloring::PositionUncertainty)->Unit(benchmark::kMillisecond);
 
-/// What one move of the mouse costs, with the painting that it leads to.
+/// Cost of one move of the mouse, with the painting that it leads to.
 void hover(benchmark::State& state) {
   ShownView shown;
   for (int zoom = 0; zoom < state.range(0); ++zoom) {

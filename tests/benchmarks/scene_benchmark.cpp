@@ -1,10 +1,10 @@
-// How fast the patch is drawn: SPEC section 6 asks for 30 frames/s at 10,000 cells and 15 at 100,000 with software
-// OpenGL, multisampling off. Prints frames/s while the camera turns, and how long a new result takes.
+// Speed of drawing the patch. The target is 30 frames/s at 10,000 cells and 15 at 100,000 with software OpenGL,
+// multisampling off. Prints frames/s while the camera turns, and the time that a new result takes.
 //
 //   LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 1440x900x24" build/release/tests/benchmarks/scene_benchmark
 //
-// README.md here has what came of it. The window has the size of the view in a window of 1440 x 900. The column CPU is
-// the time of all threads together: on a busy computer it says more than the frames/s do.
+// README.md here holds the figures measured so far. The window has the size of the view in a window of 1440 x 900. The
+// column CPU is the time of all threads together: on a busy computer it tells more than the frames/s do.
 
 #include "tests/support/demo_reconstruction.h"
 #include "tests/support/large_skin.h"
@@ -137,8 +137,7 @@ void ReadingsRecolour(benchmark::State& state) {
   }
 }
 
-/// The first pick of a result sorts its cells; the next ones are quicker.
-/// What the window does at rest without a graphics card.
+/// The window's work at rest without a graphics card.
 void PictureSmoothed(benchmark::State& state) {
   Stage& stage = Stage::showing(makeSceneContent(skinOf(state.range(0))));
   const vtkNew<vtkUnsignedCharArray> pixels;
@@ -148,6 +147,7 @@ void PictureSmoothed(benchmark::State& state) {
   for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(smoothEdges(picture));
 }
 
+/// The first pick of a result sorts its cells; the next ones are quicker.
 void FirstPick(benchmark::State& state) {
   const auto content = makeSceneContent(skinOf(state.range(0)));
   Stage& stage = Stage::showing(content);

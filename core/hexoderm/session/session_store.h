@@ -52,10 +52,11 @@ class SessionStore {
   /// Makes a file of the whole session and opens it for writing. It appears whole or not at all, and never replaces
   /// another: StorageError if there is something of that name.
   static SessionStore create(const std::filesystem::path& path, const Session& session);
-  /// To read and append. Finishes what a killed writer left, and brings older versions to the newest.
+  /// Opens a file for reading and appending. Finishes the work of a killed writer, and brings older versions to the
+  /// newest.
   static SessionStore open(const std::filesystem::path& path);
-  /// Never changes the file, and works where nothing can be written. Where nobody is writing, others can't begin to
-  /// while the store is open, so it should be short; where somebody is, it reads what was captured so far.
+  /// Never changes the file, and works where nothing can be written. If nobody is writing, nobody can begin to while
+  /// the store is open, so it should be closed soon; if somebody is, it reads what was captured so far.
   static SessionStore openReadOnly(const std::filesystem::path& path);
 
   ~SessionStore();

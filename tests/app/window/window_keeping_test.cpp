@@ -1,4 +1,5 @@
-// What is undone, saved and connected in any order is in the file, and nothing of one skin is left for the next.
+// Sessions that are undone, saved and connected in any order are whole in their files, and nothing of one skin is left
+// for the next.
 #include "app/window/files/session_paths.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/session/session_store.h"

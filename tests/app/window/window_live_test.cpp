@@ -33,7 +33,7 @@ class WindowLiveTest : public WindowTest {
     ASSERT_TRUE(waitForPoses(1)) << message().toStdString();
   }
   static Session read(const QString& path) { return readSessionStore(path.toStdString()); }
-  /// What is on disk, once nothing waits for it any more.
+  /// Waits until nothing waits to be written any more.
   bool waitUntilKept() {
     return waitUntil([this] {
       return controller().file().isKept() && !controller().file().isWriting() &&

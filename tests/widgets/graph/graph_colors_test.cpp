@@ -1,4 +1,4 @@
-// What the graph's colours say, its legend and its tooltips, and what a right click offers.
+// The graph's colours, its legend, its tooltips and its context menu.
 
 #include "hexoderm/reconstruction/result/uncertainty.h"
 #include "tests/support/qt_wait.h"

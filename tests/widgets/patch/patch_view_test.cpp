@@ -387,7 +387,7 @@ TEST_F(PatchViewTest, LargeSkinIsPreparedBesideTheWindowAndTheNewestWins) {
   view.setReconstruction(std::make_shared<const Reconstruction>(cylinderSheet(60, 50)));
   view.waitUntilUpToDate();
   EXPECT_EQ(view.screenshot(), newest);
-  // What is being prepared does not overwrite what came after it.
+  // A result in preparation does not overwrite a later one.
   view.setReconstruction(demo(0));
   const QImage single = view.screenshot();
   const auto large = std::make_shared<const Reconstruction>(cylinderSheet(100, 80));
@@ -399,11 +399,16 @@ TEST_F(PatchViewTest, LargeSkinIsPreparedBesideTheWindowAndTheNewestWins) {
   EXPECT_EQ(view.screenshot(), single);
 }
 
-TEST_F(PatchViewTest, IsClosedWhileALargeSkinIsPrepared) {
+TEST_F(PatchViewTest, IsClosedWhileALargeSkinIsPreparedAndLeavesNothingBehind) {
+  const auto widgets = QApplication::allWidgets().size();
+  const auto large = std::make_shared<const Reconstruction>(cylinderSheet(100, 80));
   auto other = std::make_unique<PatchView>(&selection);
-  other->setReconstruction(std::make_shared<const Reconstruction>(cylinderSheet(100, 80)));
+  other->setReconstruction(large);
+  EXPECT_FALSE(other->isUpToDate());
   other.reset();
   QCoreApplication::processEvents();
+  EXPECT_EQ(QApplication::allWidgets().size(), widgets);
+  EXPECT_EQ(large.use_count(), 1);
 }
 
 TEST_F(PatchViewTest, NoButtonIsCutOffInASmallView) {

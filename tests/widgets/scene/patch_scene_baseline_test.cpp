@@ -1,4 +1,4 @@
-// How the scene looks: pictures that are kept, and that the comparison sees what it should.
+// Pictures of the scene, compared with kept ones, and checks that the comparison sees differences.
 #include "tests/widgets/scene/patch_scene_test.h"
 
 #include "tests/support/large_skin.h"
@@ -18,7 +18,7 @@ void writePng(vtkImageData* image, const std::string& path) {
   writer->Write();
 }
 
-/// Compares with tests/baselines/NAME.png. HEXODERM_UPDATE_BASELINES=1 writes it instead.
+/// Compares with the picture of this name in tests/baselines. HEXODERM_UPDATE_BASELINES=1 writes it instead.
 double differenceToBaseline(vtkImageData* image, const std::string& name) {
   const std::string path = std::string(HEXODERM_BASELINES) + "/" + name + ".png";
   if (std::getenv("HEXODERM_UPDATE_BASELINES") != nullptr) writePng(image, path);
@@ -146,7 +146,7 @@ TEST_F(PatchSceneTest, TheBaselineComparisonSeesChangedCellsOfALargeSkin) {
   Reconstruction sheet = cylinderSheet(60, 40);
   scene.setReconstruction(shared(sheet));
   const auto before = picture();
-  for (LinkEstimate& link : sheet.patches[0].links) {  // of two columns in the middle of the picture
+  for (LinkEstimate& link : sheet.patches[0].links) {  // links of two columns in the middle of the picture
     if (link.source.cell.value() > 28 * 40 && link.source.cell.value() <= 30 * 40) link.quality = EdgeQuality::Over;
   }
   scene.setReconstruction(shared(sheet));

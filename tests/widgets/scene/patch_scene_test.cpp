@@ -1,4 +1,4 @@
-// What the scene shows, and that it goes again.
+// Objects of the scene, and their removal.
 #include "tests/widgets/scene/patch_scene_test.h"
 
 #include "hexoderm/reconstruction/figures/overlays.h"
@@ -121,7 +121,7 @@ TEST_F(PatchSceneTest, SelectionIsOutlinedAndTakenBack) {
   EXPECT_GT(differingShare(plain, picture()), 0.001);
   scene.setSelection(std::nullopt, std::pair(LinkEnd{CellId(1), PortNumber(1)}, LinkEnd{CellId(2), PortNumber(4)}));
   EXPECT_GT(differingShare(plain, picture()), 0.0005);
-  scene.setSelection(CellId(999), std::nullopt);  // of another skin
+  scene.setSelection(CellId(999), std::nullopt);  // a cell of another skin
   EXPECT_EQ(differingShare(plain, picture()), 0);
   scene.setSelection(std::nullopt, std::nullopt);
   EXPECT_EQ(differingShare(plain, picture()), 0);

@@ -108,7 +108,7 @@ class PatchSceneTest : public testing::Test {
     return position;
   }
 
-  /// Where the centre of a cell's front face is drawn.
+  /// Pixel at which the centre of a cell's front face is drawn.
   std::array<double, 2> pixelOf(const Reconstruction& reconstruction, CellId id) {
     const Eigen::Vector3d center = reconstruction.find(id).cell->T_o_u.t;
     scene.renderer()->SetWorldPoint(center.x(), center.y(), center.z(), 1);

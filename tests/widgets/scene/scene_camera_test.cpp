@@ -39,7 +39,7 @@ TEST_F(PatchSceneTest, LargeSkinShowsShadedCellsFromBehindAndCanBePickedThere) {
 TEST_F(PatchSceneTest, CellsOfAPixelAreDrawnAsBricksThatLookTheSame) {
   const auto sheet = shared(sheetReconstruction(300, 220));
   const auto content = makeSceneContent(sheet);
-  // As large as hexagons, in their places.
+  // The bricks are as large as the hexagons, in their places.
   ASSERT_EQ(content->bricks->GetNumberOfPoints(), 4 * 300 * 220);
   const double side_m = sheet->model->side_m;
   for (const vtkIdType cell : {0, 12345, 65999}) {
@@ -111,7 +111,7 @@ TEST_F(PatchSceneTest, ParallelProjectionKeepsTheSizeAndFits) {
   scene.setParallel(false);
   EXPECT_EQ(differingShare(perspective, picture()), 0);
 
-  // What is turned by hand stays as large as it is.
+  // A scene that is turned by hand keeps its scale.
   vtkCamera* camera = scene.renderer()->GetActiveCamera();
   camera->Azimuth(20);
   camera->Dolly(1.5);

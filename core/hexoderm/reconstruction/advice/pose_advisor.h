@@ -8,7 +8,7 @@
 
 namespace hexoderm {
 
-/// Which orientation would help most (SPEC step 12).
+/// The orientation that would help most, and by how much.
 struct PoseAdvice {
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< unit, in the frame of `seen`: the direction to point up
   double sigma_now_rad = 0;                       ///< predicted rms orientation error of an edge with the poses so far
