@@ -48,7 +48,7 @@ EventRecorder::EventRecorder(EventLog& log, const SessionController& controller,
           [this](const std::shared_ptr<const Reconstruction>& result) {
             if (result) log_.add(Severity::Info, lineOf(*result));
           });
-  connect(&controller_.live(), &LiveSource::statusChanged, this, &EventRecorder::recordConnection);
+  connect(&controller_.liveSession().source(), &LiveSource::statusChanged, this, &EventRecorder::recordConnection);
 }
 
 void EventRecorder::recordTold(Tone tone, const QString& text) { log_.add(severityOf(tone), text); }
@@ -58,7 +58,7 @@ void EventRecorder::recordAsked(const QAction& action) {
 }
 
 void EventRecorder::recordConnection() {
-  const LiveSource& live = controller_.live();
+  const LiveSource& live = controller_.liveSession().source();
   const QString state = sourceStateWord(live.status().state);
   // The text counts readings; only what becomes of the connection is news.
   if (state == connection_state_) return;

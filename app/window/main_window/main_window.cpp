@@ -39,7 +39,9 @@
 #include "widgets/graph/graph_view.h"
 #include "widgets/patch/patch_view.h"
 #include "widgets/tables/cell_table.h"
-#include "widgets/tables/tables.h"
+#include "widgets/tables/finding_table.h"
+#include "widgets/tables/link_table.h"
+#include "widgets/tables/pose_table.h"
 #include "widgets/verify/residual_view.h"
 #include "widgets/verify/verify_panel.h"
 
@@ -226,7 +228,7 @@ void MainWindow::dressViews() {
 
 void MainWindow::connectRefresh() {
   connect(&controller_, &SessionController::changed, &refresh_, &OncePerTurn::request);
-  connect(&controller_, &SessionController::nextPoseChanged, &refresh_, &OncePerTurn::request);
+  connect(&controller_.poseGuide(), &PoseGuide::nextPoseChanged, &refresh_, &OncePerTurn::request);
   connect(&presenters_->review, &ReviewPresenter::pickedPoseChanged, &refresh_, &OncePerTurn::request);
   connect(&refresh_, &OncePerTurn::done, this, &MainWindow::refreshed);
 }

@@ -22,26 +22,30 @@ namespace hexoderm {
 CapturePresenter::CapturePresenter(const Views& views, SessionController& controller, const WindowActions& actions,
                                    const Selection& selection, const Preferences& preferences)
     : views_(views), controller_(controller) {
-  const LiveSource& live = controller_.live();
+  const LiveSource& live = controller_.liveSession().source();
   connect(&live, &LiveSource::previewChanged, this, &CapturePresenter::showMoment);
   connect(&live, &LiveSource::statusChanged, this, &CapturePresenter::showSource);
   connect(&live, &LiveSource::holdChanged, this, &CapturePresenter::showHold);
-  connect(&live, &LiveSource::poseCaptured, this, &CapturePresenter::showCaptured);
-  connect(&controller_, &SessionController::nextPoseChanged, this, &CapturePresenter::showNextPose);
+  const LiveSession& live_session = controller_.liveSession();
+  connect(&live_session, &LiveSession::poseTaken, this,
+          [this](const CapturedPose& captured) { views_.panel.showWriting(captured.pose->id); });
+  connect(&live_session, &LiveSession::poseKept, this, &CapturePresenter::showCaptured);
+  connect(&live_session, &LiveSession::poseLost, &views_.panel, &CapturePanel::endWriting);
+  connect(&controller_.poseGuide(), &PoseGuide::nextPoseChanged, this, &CapturePresenter::showNextPose);
   connect(&views_.steps, &StepPanel::opened, this, &CapturePresenter::followPart);
-  connect(&views_.patch, &PatchView::turnRequested, &controller_, &SessionController::turnTo);
+  connect(&views_.patch, &PatchView::turnRequested, &controller_.poseGuide(), &PoseGuide::turnTo);
   connect(&selection, &Selection::changed, this, [this, &selection] { views_.stillness.setCell(selection.cell()); });
   connectCommands(actions);
   connectPreferences(preferences);
 }
 
 void CapturePresenter::connectCommands(const WindowActions& actions) {
-  connect(actions.turn, &QAction::triggered, &controller_, &SessionController::turnToNextPose);
-  connect(actions.automatic, &QAction::triggered, &controller_, &SessionController::setAutomatic);
-  connect(actions.capture, &QAction::triggered, &controller_, &SessionController::captureNow);
-  connect(actions.skip_pose, &QAction::triggered, &controller_, &SessionController::skipPose);
-  connect(actions.robot, &QAction::triggered, &controller_, &SessionController::setRobot);
-  connect(actions.live_mode, &QAction::triggered, &controller_, &SessionController::setLiveMode);
+  connect(actions.turn, &QAction::triggered, &controller_.poseGuide(), &PoseGuide::turnToNextPose);
+  connect(actions.automatic, &QAction::triggered, &controller_.liveSession(), &LiveSession::setAutomatic);
+  connect(actions.capture, &QAction::triggered, &controller_.liveSession(), &LiveSession::captureNow);
+  connect(actions.skip_pose, &QAction::triggered, &controller_.poseGuide(), &PoseGuide::skipPose);
+  connect(actions.robot, &QAction::triggered, &controller_.poseGuide(), &PoseGuide::setRobot);
+  connect(actions.live_mode, &QAction::triggered, &controller_.liveMode(), &LiveMode::setOn);
   connect(actions.show_next_pose, &QAction::triggered, this, [this] {
     views_.steps.openStep(static_cast<int>(GuideStep::Capture));
     views_.patch.fit();
@@ -57,17 +61,19 @@ void CapturePresenter::connectPreferences(const Preferences& preferences) {
 }
 
 void CapturePresenter::showSource() {
-  const LiveSource& source = controller_.live();
+  const LiveSource& source = controller_.liveSession().source();
   views_.panel.setSource(source.isRunning() ? std::optional(source.status()) : std::nullopt);
   if (source.isRunning()) return;
   views_.stillness.clear();
-  views_.patch.setReadings({});
-  views_.patch.setCurrentUp({});
+  PatchMoment moment = views_.patch.moment();
+  moment.readings = nullptr;
+  moment.up_o.reset();
+  views_.patch.setMoment(moment);
   views_.coverage.setCurrent({});
 }
 
 void CapturePresenter::showHold() {
-  const HoldStatus& hold = controller_.live().hold();
+  const HoldStatus& hold = controller_.liveSession().source().hold();
   views_.panel.setHold(hold);
   if (hold.restarts > restarts_) views_.tone.playStartsOver();
   restarts_ = hold.restarts;
@@ -92,41 +98,43 @@ void CapturePresenter::setReconstruction(const std::shared_ptr<const Reconstruct
 
 void CapturePresenter::showNextPose() {
   const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
-  const std::optional<PoseAdvice>& advice = controller_.nextPose();
+  const std::optional<PoseAdvice>& advice = controller_.poseGuide().nextPose();
   const bool known = advice && result;
-  views_.coverage.setNext(known && controller_.isNextPoseWanted() ? std::optional(advice->up) : std::nullopt);
+  views_.coverage.setNext(known && controller_.poseGuide().isNextPoseWanted() ? std::optional(advice->up)
+                                                                              : std::nullopt);
   showAdvice();
   followPart();
 }
 
 void CapturePresenter::showAdvice() {
   const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
-  const std::optional<PoseAdvice>& advice = controller_.nextPose();
+  const std::optional<PoseAdvice>& advice = controller_.poseGuide().nextPose();
   const std::optional<NextPose> next =
       advice && result ? describeNextPose(*advice, *result, current_up_) : std::nullopt;
   views_.panel.setAdvice(next);
-  views_.patch.setNextTurn(next ? turnAngleInWords(*next) : QString());
+  PatchMoment moment = views_.patch.moment();
+  moment.next_turn = next ? turnAngleInWords(*next).toStdString() : std::string();
+  views_.patch.setMoment(moment);
 }
 
 void CapturePresenter::showMoment() {
-  const SkinPreview& preview = controller_.live().preview();
+  const SkinPreview& preview = controller_.liveSession().source().preview();
   const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
   current_up_ = result ? currentUp(*result, preview.means) : std::nullopt;
-  views_.stillness.add(controller_.live().hold(), preview);
-  views_.patch.setReadings(preview.means, preview.temperatures);
+  views_.stillness.add(controller_.liveSession().source().hold(), preview);
   views_.coverage.setCurrent(current_up_);
   followPart();
   // The angle to the next pose changes with every reading, but sentences that flicker can't be read.
   constexpr qint64 kReadable_ms = 400;
   if (!advice_age_.isValid() || advice_age_.elapsed() > kReadable_ms) {
     advice_age_.start();
-    if (result && controller_.nextPose()) showAdvice();
+    if (result && controller_.poseGuide().nextPose()) showAdvice();
   }
 }
 
 void CapturePresenter::followPart() {
   // In the other steps the picture is the operator's own to turn.
-  const bool capturing = controller_.isLive() && !controller_.isLiveMode() &&
+  const bool capturing = controller_.liveSession().isLive() && !controller_.liveMode().isOn() &&
                          views_.steps.openIndex() == static_cast<int>(GuideStep::Capture);
   if (std::exchange(follows_part_, capturing) != capturing) {
     if (capturing) {
@@ -135,10 +143,14 @@ void CapturePresenter::followPart() {
       views_.patch.returnToKeptView();
     }
   }
-  views_.patch.setTurnable(capturing && controller_.canTurn());
-  views_.patch.setCurrentUp(capturing ? current_up_ : std::nullopt);
-  const bool shows_next = capturing && controller_.isNextPoseWanted();
-  views_.patch.setNextUp(shows_next ? std::optional(controller_.nextPose()->up) : std::nullopt);
+  views_.patch.setTurnable(capturing && controller_.liveSession().canTurn());
+  PatchMoment moment = views_.patch.moment();
+  const SkinPreview& preview = controller_.liveSession().source().preview();
+  moment.readings = readingsOf(preview.means, preview.temperatures);
+  moment.up_o = capturing ? current_up_ : std::nullopt;
+  const bool shows_next = capturing && controller_.poseGuide().isNextPoseWanted();
+  moment.next_up_o = shows_next ? std::optional(controller_.poseGuide().nextPose()->up) : std::nullopt;
+  views_.patch.setMoment(moment);
 }
 
 }  // namespace hexoderm

@@ -28,10 +28,10 @@ ConnectionPresenter::ConnectionPresenter(const Views& views, SessionController& 
                                          const WindowActions& actions, FilePresenter& files, EventLog& log)
     : views_(views), controller_(controller), files_(files), log_(log) {
   connect(actions.connect_skin, &QAction::triggered, this, &ConnectionPresenter::showDialog);
-  connect(actions.disconnect_skin, &QAction::triggered, &controller_, &SessionController::disconnectSource);
+  connect(actions.disconnect_skin, &QAction::triggered, &controller_.liveSession(), &LiveSession::disconnectSource);
   // While readings come these follow each other quickly, so only what shows them is refreshed.
-  connect(&controller_.live(), &LiveSource::holdChanged, this, &ConnectionPresenter::refresh);
-  connect(&controller_, &SessionController::captured, this, &ConnectionPresenter::showCaptured);
+  connect(&controller_.liveSession().source(), &LiveSource::holdChanged, this, &ConnectionPresenter::refresh);
+  connect(&controller_.liveSession(), &LiveSession::captured, this, &ConnectionPresenter::showCaptured);
   connect(&controller_, &SessionController::noticed, this,
           [this](const QString& text) { views_.messages.showMessage(Tone::Caution, text); });
 }
@@ -47,10 +47,10 @@ void ConnectionPresenter::showCaptured(const QString& text, bool remarkable) {
 }
 
 void ConnectionPresenter::refresh() {
-  const LiveSource& live = controller_.live();
+  const LiveSource& live = controller_.liveSession().source();
   const SourceStatus& status = live.status();
   // While all is well the status bar says it, and the step Capture has a panel that says more.
-  const bool is_well = controller_.isLive() && status.state == SourceState::Streaming;
+  const bool is_well = controller_.liveSession().isLive() && status.state == SourceState::Streaming;
   views_.strip.setVisible(live.isRunning() && !is_well);
   views_.status.setLosses(
       live.isRunning() ? lossesInWords(status, live.hold()) : QString(),
@@ -60,7 +60,7 @@ void ConnectionPresenter::refresh() {
   if (!live.isRunning()) return;
   views_.strip.setStatus(status, live.hold());
   const QString device = live.skin() ? coreWords(live.skin()->device) + QStringLiteral(" · ") : QString();
-  const QString where = controller_.isDemo() ? tr("Demo skin") : device + live.address();
+  const QString where = controller_.liveSession().isDemo() ? tr("Demo skin") : device + live.address();
   views_.status.setSource(
       QStringLiteral("%1 %2 · %3").arg(sourceStateSign(status.state), sourceStateWord(status.state), where),
       device + live.address() + QStringLiteral("\n") + coreWords(status.text));
@@ -68,18 +68,18 @@ void ConnectionPresenter::refresh() {
 
 void ConnectionPresenter::showDialog() {
   if (views_.window.findChild<ConnectDialog*>()) return;
-  auto* dialog =
-      new ConnectDialog(folderForSessions(), controller_.isKept() ? controller_.name() : QString(), &views_.window);
+  auto* dialog = new ConnectDialog(folderForSessions(),
+                                   controller_.file().isKept() ? controller_.file().name() : QString(), &views_.window);
   connect(dialog, &ConnectDialog::connectRequested, this, &ConnectionPresenter::connectTo);
   openInTurns(dialog);
 }
 
 void ConnectionPresenter::connectTo(const ConnectRequest& request) {
   if (request.continue_session) {
-    controller_.connectTo(request);
+    controller_.liveSession().connectTo(request);
   } else {
     rememberFolder(request.path);
-    files_.afterAskingToSave([this, request] { controller_.connectTo(request); });
+    files_.afterAskingToSave([this, request] { controller_.liveSession().connectTo(request); });
   }
 }
 

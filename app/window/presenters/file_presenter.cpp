@@ -7,7 +7,7 @@
 #include "app/window/toolkit/deferred_dialog.h"
 #include "app/window/toolkit/file_dialog.h"
 #include "widgets/controls/message_bar.h"
-#include "widgets/tables/table_actions.h"
+#include "widgets/tables/table_csv.h"
 
 #include <QDesktopServices>
 #include <QDir>
@@ -38,24 +38,24 @@ FilePresenter::FilePresenter(QWidget& window, SessionController& controller, con
   connect(
       &controller_, &SessionController::changed, this,
       [this] {
-        if (close_when_written_ && !controller_.isWriting()) window_.close();
+        if (close_when_written_ && !controller_.file().isWriting()) window_.close();
       },
       Qt::QueuedConnection);
   connect(&controller_, &SessionController::opened, &messages_, &QWidget::hide);
-  connect(&controller_, &SessionController::sessionSaved, this, [this](const QString& path) {
+  connect(&controller_.file(), &SessionFile::sessionSaved, this, [this](const QString& path) {
     showDone(tr("Saved to %1").arg(path), path);
     if (const auto proceed = std::exchange(after_saving_, nullptr)) proceed();
   });
-  connect(&controller_, &SessionController::exported, this,
+  connect(&controller_.resultFiles(), &ResultFiles::exported, this,
           [this](const QString& path) { showDone(tr("Exported to %1").arg(path), path); });
   connect(&controller_, &SessionController::failed, this, [this](const QString& message) {
     forgetPlans();
     messages_.showMessage(Tone::Bad, message);
   });
-  connect(&controller_, &SessionController::journalStuck, this, [this](const QString& why) {
+  connect(&controller_.file(), &SessionFile::journalStuck, this, [this](const QString& why) {
     forgetPlans();
     messages_.showMessage(Tone::Bad, tr("Not on disk yet; it waits in memory and the work can go on. %1").arg(why),
-                          tr("Try again"), [this] { controller_.retryWriting(); });
+                          tr("Try again"), [this] { controller_.file().retryWriting(); });
   });
 }
 
@@ -66,11 +66,11 @@ void FilePresenter::forgetPlans() {
 
 void FilePresenter::openFile(const QString& path) {
   rememberFolder(path);
-  afterAskingToSave([this, path] { controller_.openFile(path); });
+  afterAskingToSave([this, path] { controller_.file().openFile(path); });
 }
 
 void FilePresenter::startDemo() {
-  afterAskingToSave([this] { controller_.startDemo(); });
+  afterAskingToSave([this] { controller_.liveSession().startDemo(); });
 }
 
 void FilePresenter::askToOpen() {
@@ -83,8 +83,8 @@ void FilePresenter::askToOpen() {
 }
 
 QString FilePresenter::suggestedName() const {
-  if (controller_.isDemo() && controller_.sessionPath().isEmpty()) return QStringLiteral("demo");
-  QString name = controller_.name();
+  if (controller_.liveSession().isDemo() && controller_.file().sessionPath().isEmpty()) return QStringLiteral("demo");
+  QString name = controller_.file().name();
   for (const QString& extension :
        {kSessionExtension, kJournalExtension, kCalibrationExtension, QStringLiteral(".xml")}) {
     if (name.endsWith(extension)) name.chop(extension.size());
@@ -113,28 +113,28 @@ void FilePresenter::askForPath(const QString& title, const QString& name, const 
   openInTurns(dialog);
 }
 
-void FilePresenter::saveTablesOf(TableActions* actions) {
-  connect(actions, &TableActions::saveRequested, this, [this](const QString& name, const QByteArray& csv) {
+void FilePresenter::saveTablesOf(CsvActions* actions) {
+  connect(actions, &CsvActions::saveRequested, this, [this](const QString& name, const QByteArray& csv) {
     askForPath(tr("Save the table"), name, tr("Tables (*.csv)"), QStringLiteral(".csv"),
-               [this, csv](const QString& path) { controller_.saveTable(csv, path); });
+               [this, csv](const QString& path) { controller_.resultFiles().saveTable(csv, path); });
   });
 }
 
 void FilePresenter::saveSession(bool always_ask) {
   if (!controller_.session()) return;
-  if (!always_ask && (controller_.isKept() || controller_.sessionPath().endsWith(kSessionExtension))) {
-    controller_.saveSession(controller_.sessionPath());
+  if (!always_ask && (controller_.file().isKept() || controller_.file().sessionPath().endsWith(kSessionExtension))) {
+    controller_.file().saveSession(controller_.file().sessionPath());
     return;
   }
   askForPath(tr("Save the session"), suggestedName(),
              tr("Sessions (*.session.json);;Sessions that keep every change (*.hexo)"), kSessionExtension,
-             [this](const QString& path) { controller_.saveSession(path); });
+             [this](const QString& path) { controller_.file().saveSession(path); });
 }
 
 void FilePresenter::saveCalibration() {
   askForPath(tr("Save the calibration"), suggestedName(), tr("Calibrations (*.calibration.json)"),
              kCalibrationExtension, [this](const QString& path) {
-               controller_.exportTo({std::nullopt, path, {}});
+               controller_.resultFiles().exportTo({std::nullopt, path, {}});
              });
 }
 
@@ -142,7 +142,7 @@ void FilePresenter::showExportDialog() {
   auto* dialog = new ExportDialog(QDir(lastFolder()).filePath(suggestedName()), &window_);
   connect(dialog, &ExportDialog::exportRequested, this, [this](const ExportRequest& request) {
     rememberFolder(request.path);
-    controller_.exportTo(request);
+    controller_.resultFiles().exportTo(request);
   });
   openInTurns(dialog);
 }
@@ -157,7 +157,7 @@ void FilePresenter::showDone(const QString& text, const QString& path) {
 }
 
 void FilePresenter::afterAskingToSave(std::function<void()> proceed) {
-  if (!controller_.hasUnsavedChanges()) {
+  if (!controller_.file().hasUnsavedChanges()) {
     proceed();
     return;
   }
@@ -180,7 +180,7 @@ void FilePresenter::afterAskingToSave(std::function<void()> proceed) {
 }
 
 bool FilePresenter::mayClose() {
-  if (!may_close_ && controller_.hasUnsavedChanges()) {
+  if (!may_close_ && controller_.file().hasUnsavedChanges()) {
     if (window_.findChild<QMessageBox*>(QStringLiteral("unsavedBox"))) return false;
     afterAskingToSave([this] {
       may_close_ = true;
@@ -189,7 +189,7 @@ bool FilePresenter::mayClose() {
     return false;
   }
   // A file that is being written is finished first; it takes moments, and nothing waits for it here.
-  close_when_written_ = controller_.isWriting();
+  close_when_written_ = controller_.file().isWriting();
   return !close_when_written_;
 }
 

@@ -10,7 +10,7 @@ namespace hexoderm {
 
 class MessageBar;
 class SessionController;
-class TableActions;
+class CsvActions;
 class WindowActions;
 
 /// Asks the operator for the files that are read or written. Before a session is replaced or the window closes, it asks
@@ -37,7 +37,7 @@ class FilePresenter : public QObject {
   /// The name of what is open, without folder and extension.
   [[nodiscard]] QString suggestedName() const;
   /// Serves "Save as CSV…" of a table.
-  void saveTablesOf(TableActions* actions);
+  void saveTablesOf(CsvActions* actions);
 
  private:
   void askToOpen();

@@ -12,9 +12,9 @@ namespace hexoderm {
 GuidePresenter::GuidePresenter(const Views& views, const SessionController& controller, const WindowActions& actions)
     : views_(views), controller_(controller), actions_(actions) {
   connect(&controller_, &SessionController::opened, this, [this] {
-    const GuideStep step = controller_.live().isRunning() ? GuideStep::Capture
-                           : controller_.session()        ? GuideStep::Review
-                                                          : GuideStep::Export;
+    const GuideStep step = controller_.liveSession().source().isRunning() ? GuideStep::Capture
+                           : controller_.session()                        ? GuideStep::Review
+                                                                          : GuideStep::Export;
     views_.steps.openStep(static_cast<int>(step));
   });
 }
@@ -22,7 +22,7 @@ GuidePresenter::GuidePresenter(const Views& views, const SessionController& cont
 void GuidePresenter::refresh() {
   views_.banner.setContent(describeStand(controller_, actions_));
   const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
-  const LiveSource& live = controller_.live();
+  const LiveSource& live = controller_.liveSession().source();
   const SkinCheck check =
       result ? checkSkin(*result, live.preview().means, live.hold().stillness.odd_cells) : SkinCheck{};
   views_.check_list.setCheck(check);

@@ -37,12 +37,12 @@ void HistoryPresenter::connectRecent(const WindowActions& actions) {
   connect(&views_.welcome, &WelcomePanel::openWanted, &files_, &FilePresenter::openFile);
   connect(&views_.earlier, &EarlierPanel::openWanted, &files_, &FilePresenter::openFile);
   connect(&controller_, &SessionController::opened, this, &HistoryPresenter::noteOpened);
-  connect(&controller_, &SessionController::sessionSaved, this, &HistoryPresenter::noteSaved);
+  connect(&controller_.file(), &SessionFile::sessionSaved, this, &HistoryPresenter::noteSaved);
   connect(&controller_, &SessionController::reconstructionChanged, this, &HistoryPresenter::notePoses);
 }
 
 void HistoryPresenter::noteOpened() {
-  const QString path = controller_.session() ? controller_.sessionPath() : controller_.calibrationPath();
+  const QString path = controller_.session() ? controller_.file().sessionPath() : controller_.file().calibrationPath();
   if (path.isEmpty() || isInUnsavedFolder(path)) return;
   lists_.recent.note(path, poseCountOf(controller_));
 }
@@ -51,7 +51,7 @@ void HistoryPresenter::noteSaved(const QString& path) { lists_.recent.note(path,
 
 /// The list says how many poses there are now.
 void HistoryPresenter::notePoses() {
-  const QString path = controller_.sessionPath();
+  const QString path = controller_.file().sessionPath();
   if (!controller_.session() || path.isEmpty() || lists_.recent.files().empty()) return;
   const RecentFile& newest = lists_.recent.files().front();
   const int poses = poseCountOf(controller_);
@@ -63,7 +63,7 @@ void HistoryPresenter::notePoses() {
 void HistoryPresenter::connectUnsaved() {
   connect(&lists_.unsaved, &UnsavedSessions::recoverWanted, &files_, &FilePresenter::openFile);
   connect(&controller_, &SessionController::opened, this,
-          [this] { lists_.unsaved.noteOpened(controller_.sessionPath()); });
+          [this] { lists_.unsaved.noteOpened(controller_.file().sessionPath()); });
   connect(&lists_.unsaved, &UnsavedSessions::failed, this,
           [this](const QString& message) { views_.messages.showMessage(Tone::Bad, message); });
   connect(&lists_.unsaved, &UnsavedSessions::found, this, &HistoryPresenter::offerUnsaved);
@@ -75,7 +75,7 @@ void HistoryPresenter::offerUnsaved(int count) {
   log_.add(Severity::Info, count == 1 ? tr("One session was not saved: %1").arg(newest.path)
                                       : tr("%1 sessions were not saved. The newest: %2").arg(count).arg(newest.path));
   // An operator who began with something else has not seen the welcome, which says it too.
-  if ((controller_.isEmpty() && controller_.activity().isEmpty()) || !newest.problem.isEmpty()) return;
+  if ((controller_.isEmpty() && controller_.work().activity().isEmpty()) || !newest.problem.isEmpty()) return;
   views_.messages.showMessage(Tone::Caution, describeUnsaved(newest), tr("Recover"), [this, path = newest.path] {
     views_.messages.hide();
     lists_.unsaved.recover(path);
@@ -88,7 +88,7 @@ void HistoryPresenter::search() {
 }
 
 void HistoryPresenter::refresh() {
-  const bool is_connected = controller_.live().isRunning();
+  const bool is_connected = controller_.liveSession().source().isRunning();
   const bool is_welcome = controller_.isEmpty() && !is_connected;
   // After a key that opened something, the keys mean what the list of keys says; no neighbour gets the focus.
   if (!is_welcome && views_.welcome.isAncestorOf(QApplication::focusWidget())) views_.window.setFocus();

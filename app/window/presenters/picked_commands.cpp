@@ -25,11 +25,12 @@ PickedCommands::PickedCommands(const Views& views, SessionController& controller
   connect(actions_.recapture, &QAction::triggered, this, &PickedCommands::recapturePose);
   connect(actions_.mute_link, &QAction::triggered, this, &PickedCommands::muteLink);
   connect(actions_.light_cell, &QAction::triggered, this,
-          [this](bool on) { controller_.lightCell(on ? selection_.cell() : std::nullopt); });
+          [this](bool on) { controller_.liveSession().lightCell(on ? selection_.cell() : std::nullopt); });
   connect(&review_, &ReviewPresenter::pickedPoseChanged, this, &PickedCommands::refresh);
   connect(&selection_, &Selection::changed, this, [this] {
     // The light on the skin follows what is picked here.
-    if (controller_.litCell() && selection_.cell()) controller_.lightCell(selection_.cell());
+    if (controller_.liveSession().litCell() && selection_.cell())
+      controller_.liveSession().lightCell(selection_.cell());
     refresh();
   });
 }
@@ -57,16 +58,16 @@ void PickedCommands::recapturePose() {
   const std::optional<std::size_t> index = pickedPose();
   if (!index) return;
   const PoseId pose = controller_.session()->poses()[*index].capture->id;
-  if (controller_.recapturing() == pose) {
-    controller_.cancelRecapture();
+  if (controller_.liveSession().recapturing() == pose) {
+    controller_.liveSession().cancelRecapture();
     return;
   }
-  controller_.recapturePose(*index);
+  controller_.liveSession().recapturePose(*index);
   views_.steps.openStep(static_cast<int>(GuideStep::Capture));
   views_.messages.showMessage(
       Tone::Neutral,
       tr("The next capture takes the place of pose %1. Hold the part as it was held then.").arg(pose.value()),
-      tr("Don't recapture"), [this] { controller_.cancelRecapture(); });
+      tr("Don't recapture"), [this] { controller_.liveSession().cancelRecapture(); });
 }
 
 void PickedCommands::muteLink() {

@@ -59,24 +59,25 @@ void PicturePresenter::savePicture() {
     // comes before everything that waits.
     settle();
     views_.patch.drawNow();
-    QTimer::singleShot(1, this, [this, path] { controller_.saveImage(pictureAsDrawn(), path); });
+    QTimer::singleShot(1, this, [this, path] { controller_.resultFiles().saveImage(pictureAsDrawn(), path); });
   });
 }
 
 void PicturePresenter::savePatch() {
-  files_.askForPath(
-      tr("Save a picture of the 3D view"), files_.suggestedName() + tr("-3d"), tr("Pictures (*.png)"),
-      QStringLiteral(".png"), [this](const QString& path) {
-        views_.patch.whenUpToDate([this, path] { controller_.saveImage(views_.patch.screenshot(), path); });
-      });
+  files_.askForPath(tr("Save a picture of the 3D view"), files_.suggestedName() + tr("-3d"), tr("Pictures (*.png)"),
+                    QStringLiteral(".png"), [this](const QString& path) {
+                      views_.patch.whenUpToDate(
+                          [this, path] { controller_.resultFiles().saveImage(views_.patch.screenshot(), path); });
+                    });
 }
 
 void PicturePresenter::saveGraph() {
-  files_.askForPath(
-      tr("Save a picture of the graph"), files_.suggestedName() + tr("-graph"),
-      tr("Vector graphics (*.svg);;Pictures (*.png)"), QStringLiteral(".svg"), [this](const QString& path) {
-        controller_.savePicture([picture = views_.graph.picture(), path] { return picture.save(path); }, path);
-      });
+  files_.askForPath(tr("Save a picture of the graph"), files_.suggestedName() + tr("-graph"),
+                    tr("Vector graphics (*.svg);;Pictures (*.png)"), QStringLiteral(".svg"),
+                    [this](const QString& path) {
+                      controller_.resultFiles().savePicture(
+                          [picture = views_.graph.picture(), path] { return picture.save(path); }, path);
+                    });
 }
 
 void PicturePresenter::askForReport() {
@@ -84,7 +85,7 @@ void PicturePresenter::askForReport() {
                     tr("Documents (*.pdf);;Pages for the browser (*.html)"), QStringLiteral(".pdf"),
                     [this](const QString& path) {
                       if (!controller_.reconstruction()) return;
-                      controller_.writeReport(takeReportPictures(controller_.reconstruction()), path);
+                      controller_.resultFiles().writeReport(takeReportPictures(controller_.reconstruction()), path);
                     });
 }
 

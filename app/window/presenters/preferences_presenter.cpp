@@ -19,9 +19,10 @@ PreferencesPresenter::PreferencesPresenter(const Views& views, SessionController
     : views_(views), actions_(actions), preferences_(preferences), themes_(themes) {
   connect(actions_.preferences, &QAction::triggered, this, &PreferencesPresenter::showDialog);
   controller.setSolverOptions(preferences_.solverOptions());
-  controller.setRecorderOptions(preferences_.recorderOptions());
+  controller.liveSession().setRecorderOptions(preferences_.recorderOptions());
   connect(&preferences_, &Preferences::solverOptionsChanged, &controller, &SessionController::setSolverOptions);
-  connect(&preferences_, &Preferences::recorderOptionsChanged, &controller, &SessionController::setRecorderOptions);
+  connect(&preferences_, &Preferences::recorderOptionsChanged, &controller.liveSession(),
+          &LiveSession::setRecorderOptions);
   // When the window is there, and can say so.
   QTimer::singleShot(0, this, &PreferencesPresenter::offerSoftwareOpenGl);
 }

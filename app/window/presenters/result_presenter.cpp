@@ -6,17 +6,17 @@ namespace hexoderm {
 
 ResultPresenter::ResultPresenter(SessionController& controller) : controller_(controller) {
   connect(&controller_, &SessionController::reconstructionChanged, this, &ResultPresenter::handOut);
-  connect(&controller_, &SessionController::momentSolved, this, [this](const Result& moment) {
-    if (controller_.isLiveMode()) handToPictures(moment);
+  connect(&controller_.liveMode(), &LiveMode::momentSolved, this, [this](const Result& moment) {
+    if (controller_.liveMode().isOn()) handToPictures(moment);
   });
-  connect(&controller_, &SessionController::liveModeChanged, this, [this](bool on) {
+  connect(&controller_.liveMode(), &LiveMode::toggled, this, [this](bool on) {
     if (!on) handToPictures(controller_.reconstruction());
   });
 }
 
 void ResultPresenter::handOut(const Result& result) {
   for (const Receiver& receiver : receivers_) {
-    if (!receiver.is_picture || !controller_.isLiveMode()) receiver.set(result);
+    if (!receiver.is_picture || !controller_.liveMode().isOn()) receiver.set(result);
   }
   emit handedOut();
 }

@@ -13,8 +13,11 @@
 #include "widgets/controls/step_panel.h"
 #include "widgets/patch/patch_view.h"
 #include "widgets/tables/cell_table.h"
-#include "widgets/tables/table_actions.h"
-#include "widgets/tables/tables.h"
+#include "widgets/tables/finding_table.h"
+#include "widgets/tables/link_table.h"
+#include "widgets/tables/pose_table.h"
+#include "widgets/tables/row_picking.h"
+#include "widgets/tables/table_csv.h"
 #include "widgets/verify/residual_view.h"
 
 #include <QTableView>
@@ -25,11 +28,11 @@ ReviewPresenter::ReviewPresenter(const Views& views, const SessionController& co
                                  Selection& selection, FilePresenter& files, const ResultPresenter& results)
     : views_(views), controller_(controller), selection_(selection) {
   ResultTables& tables = views_.tables;
-  files.saveTablesOf(new TableActions(tables.pose_view, QStringLiteral("poses")));
-  files.saveTablesOf(new TableActions(tables.link_view, QStringLiteral("links")));
-  files.saveTablesOf(new TableActions(tables.cell_view, QStringLiteral("cells")));
-  files.saveTablesOf(new TableActions(tables.finding_view, QStringLiteral("findings")));
-  files.saveTablesOf(new TableActions(views_.residuals.matrix(), QStringLiteral("residuals")));
+  files.saveTablesOf(new CsvActions(tables.pose_view, QStringLiteral("poses")));
+  files.saveTablesOf(new CsvActions(tables.link_view, QStringLiteral("links")));
+  files.saveTablesOf(new CsvActions(tables.cell_view, QStringLiteral("cells")));
+  files.saveTablesOf(new CsvActions(tables.finding_view, QStringLiteral("findings")));
+  files.saveTablesOf(new CsvActions(views_.residuals.matrix(), QStringLiteral("residuals")));
   connectTables();
   connect(&results, &ResultPresenter::handedOut, this, &ReviewPresenter::showPicks);
   connect(&controller_, &SessionController::opened, this, [this] {
@@ -62,7 +65,9 @@ void ReviewPresenter::connectTables() {
 }
 
 void ReviewPresenter::showPicks() {
-  views_.patch.setTruth(controller_.session() ? controller_.session()->truth() : nullptr);
+  PatchOverlays overlays = views_.patch.overlays();
+  overlays.truth = controller_.session() ? controller_.session()->truth() : nullptr;
+  views_.patch.setOverlays(overlays);
   // The pose stays picked although the tables start anew. Qt's selection models tell nobody when they are reset, so
   // that it is still known here.
   if (const std::optional<PoseId> picked = picked_pose_) pickPose(*picked);
@@ -76,7 +81,9 @@ void ReviewPresenter::showPickedPose() {
   if (const std::optional<int> row = pickedPoseRow()) {
     picked_pose_ = views_.tables.poses->reconstruction()->poses[static_cast<std::size_t>(*row)].pose;
   }
-  views_.patch.setPose(picked_pose_);
+  PatchMoment moment = views_.patch.moment();
+  moment.pose = picked_pose_;
+  views_.patch.setMoment(moment);
   views_.coverage.setPickedPose(picked_pose_);
   emit pickedPoseChanged();
 }

@@ -23,14 +23,14 @@ void StatusPresenter::refresh() const {
 }
 
 void StatusPresenter::refreshName() const {
-  const QString name = controller_.isEmpty() ? tr("No skin") : controller_.name();
+  const QString name = controller_.isEmpty() ? tr("No skin") : controller_.file().name();
   views_.session_name.setText(controller_.isEmpty() ? QString() : name);
   views_.window.setWindowTitle(controller_.isEmpty() ? tr("Hexoderm") : tr("%1[*] · Hexoderm").arg(name));
-  views_.window.setWindowModified(controller_.hasUnsavedChanges());
+  views_.window.setWindowModified(controller_.file().hasUnsavedChanges());
   // Where a skin is connected, the presenter of the connection says more.
-  if (controller_.live().isRunning()) return;
+  if (controller_.liveSession().source().isRunning()) return;
   views_.status.setSource(QStringLiteral("● ") +
-                          (controller_.activity().isEmpty() ? name : controller_.activity() + "…"));
+                          (controller_.work().activity().isEmpty() ? name : controller_.work().activity() + "…"));
 }
 
 void StatusPresenter::refreshResult() const {
@@ -56,17 +56,17 @@ void StatusPresenter::refreshResult() const {
 }
 
 QString StatusPresenter::savedInWords() const {
-  if (controller_.hasUnsavedChanges()) return controller_.isKept() ? tr("not on disk") : tr("not saved");
-  if (!controller_.savedAt().isValid()) return {};
-  return tr("saved at %1").arg(controller_.savedAt().toString(QStringLiteral("HH:mm")));
+  if (controller_.file().hasUnsavedChanges()) return controller_.file().isKept() ? tr("not on disk") : tr("not saved");
+  if (!controller_.file().savedAt().isValid()) return {};
+  return tr("saved at %1").arg(controller_.file().savedAt().toString(QStringLiteral("HH:mm")));
 }
 
 void StatusPresenter::refreshPanels() const {
   const Reconstruction* result = controller_.reconstruction().get();
   views_.graph_dock.setRemark(result ? coreWords(sizeInWords(*result)) : QString());
   const bool has_poses = controller_.session() && !controller_.session()->poses().empty();
-  const QString keys =
-      controller_.isLive() ? tr("R recapture · Del disable · Ctrl+Z undo") : tr("Del disable · Ctrl+Z undo");
+  const QString keys = controller_.liveSession().isLive() ? tr("R recapture · Del disable · Ctrl+Z undo")
+                                                          : tr("Del disable · Ctrl+Z undo");
   views_.pose_dock.setRemark(has_poses ? keys : QString());
   QTabBar& tabs = views_.detail_tabs;
   tabs.setTabText(0, result ? tr("Findings %1").arg(result->findings.size()) : tr("Findings"));

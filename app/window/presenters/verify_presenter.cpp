@@ -15,7 +15,7 @@ VerifyPresenter::VerifyPresenter(const Views& views, const SessionController& co
                                  FilePresenter& files)
     : views_(views), controller_(controller), verification_(verification) {
   VerifyPanel* panel = &views_.panel;
-  for (TableActions* actions : panel->tableActions()) files.saveTablesOf(actions);
+  for (CsvActions* actions : panel->csvActions()) files.saveTablesOf(actions);
   connect(panel, &VerifyPanel::holdOutRequested, this, [this](PoseId pose) {
     if (controller_.session()) verification_.runHoldOut(controller_.session()->snapshot(), pose);
   });
@@ -39,9 +39,21 @@ void VerifyPresenter::connectResults() {
   connect(&verification_, &Verification::surfacesFitted, panel, &VerifyPanel::showSurfaces);
   connect(&verification_, &Verification::compared, panel, &VerifyPanel::showComparison);
   connect(&verification_, &Verification::failed, panel, &VerifyPanel::showFailure);
-  connect(panel, &VerifyPanel::surfaceShown, &views_.patch, &PatchView::setSurface);
-  connect(panel, &VerifyPanel::loopShown, &views_.patch, &PatchView::setLoop);
-  connect(panel, &VerifyPanel::comparisonShown, &views_.patch, &PatchView::setComparison);
+  connect(panel, &VerifyPanel::surfaceShown, this, [this](const std::optional<SurfaceEvaluation>& surface) {
+    PatchOverlays overlays = views_.patch.overlays();
+    overlays.surface = surface ? std::make_shared<const SurfaceEvaluation>(*surface) : nullptr;
+    views_.patch.setOverlays(overlays);
+  });
+  connect(panel, &VerifyPanel::loopShown, this, [this](const std::optional<LoopEvaluation>& loop) {
+    PatchOverlays overlays = views_.patch.overlays();
+    overlays.loop = loop ? std::make_shared<const LoopEvaluation>(*loop) : nullptr;
+    views_.patch.setOverlays(overlays);
+  });
+  connect(panel, &VerifyPanel::comparisonShown, this, [this](const std::vector<Comparison>& comparison) {
+    PatchOverlays overlays = views_.patch.overlays();
+    overlays.comparison = std::make_shared<const std::vector<Comparison>>(comparison);
+    views_.patch.setOverlays(overlays);
+  });
 }
 
 void VerifyPresenter::askForComparison() {

@@ -2,8 +2,10 @@
 
 #include "app/window/toolkit/table_views.h"
 #include "widgets/tables/cell_table.h"
-#include "widgets/tables/table_actions.h"
-#include "widgets/tables/tables.h"
+#include "widgets/tables/finding_table.h"
+#include "widgets/tables/link_table.h"
+#include "widgets/tables/pose_table.h"
+#include "widgets/tables/sorted_table.h"
 
 #include <QTableView>
 

@@ -1,11 +1,12 @@
 #pragma once
 
 #include "tests/support/qt_wait.h"
-#include "tests/widgets/qt_test.h"
 #include "tests/widgets/sample_reconstruction.h"
 #include "widgets/controls/selection.h"
 #include "widgets/graph/graph_view.h"
 
+#include <gmock/gmock.h>
+#include <QApplication>
 #include <QHelpEvent>
 #include <QImage>
 #include <QTest>

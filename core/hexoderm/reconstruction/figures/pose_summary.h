@@ -13,7 +13,7 @@ namespace hexoderm {
 std::vector<PoseSummary> summarisePoses(const SessionSnapshot& snapshot, const GravityTable& table,
                                         const std::vector<PatchReconstruction>& patches);
 
-/// What the poses as a whole lack: none at all, a single line of gravity, repetitions.
+/// Adds findings about the poses as a whole: none at all, a single line of gravity, repetitions.
 void judgePoses(const std::vector<PoseSummary>& poses, const std::vector<PatchReconstruction>& patches,
                 std::vector<Finding>& findings);
 

@@ -42,7 +42,7 @@ TEST_F(RefreshTest, AWindowThatHasTheKeyboardIsNotPaintedAnewWhenADialogTakesIt)
 /// The skin is disconnected, so that nothing but the test changes anything.
 TEST_F(RefreshTest, TheWindowIsRefreshedOnceHoweverMuchAnActionChanges) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
-  controller().disconnectSource();
+  controller().liveSession().disconnectSource();
   clickRow("poseView", 0);
   ASSERT_TRUE(waitUntilIdle());
   QTest::qWait(100);
@@ -62,7 +62,7 @@ TEST_F(RefreshTest, TheWindowIsRefreshedOnceHoweverMuchAnActionChanges) {
 
 TEST_F(RefreshTest, APictureShowsWhatHasJustChanged) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
-  controller().disconnectSource();
+  controller().liveSession().disconnectSource();
   ASSERT_TRUE(waitUntilIdle());
   QTest::qWait(100);
   const QSignalSpy refreshed(window_.get(), &MainWindow::refreshed);

@@ -40,10 +40,10 @@ TEST_F(ResultPresenterTest, OnlyPicturesShowTheMomentInLiveMode) {
   ResultPresenter results(controller());
   results.addPicture(&picture_);
   results.add(&table_);
-  controller().setLiveMode(true);
+  controller().liveMode().setOn(true);
   ASSERT_TRUE(waitUntil([this] { return picture_.shown && picture_.shown != controller().reconstruction(); }));
   EXPECT_EQ(table_.shown, nullptr);
-  controller().setLiveMode(false);
+  controller().liveMode().setOn(false);
   EXPECT_EQ(picture_.shown, controller().reconstruction());
 }
 
