@@ -79,15 +79,16 @@ class Script : public QObject {
  private:
   void step() {
     SessionController& controller = window_.controller();
-    if (done_ || !controller.reconstruction() || controller.isSolving() || !controller.activity().isEmpty()) return;
+    if (done_ || !controller.reconstruction() || controller.isSolving() || !controller.work().activity().isEmpty())
+      return;
     if (!controller.isCurrent()) return;
-    if (controller.isDemo() && static_cast<int>(controller.session()->poses().size()) < poses_) {
-      if (!controller.isRobotOn()) controller.setRobot(true);
+    if (controller.liveSession().isDemo() && static_cast<int>(controller.session()->poses().size()) < poses_) {
+      if (!controller.poseGuide().isRobotOn()) controller.poseGuide().setRobot(true);
       return;
     }
     done_ = true;
-    controller.setRobot(false);
-    controller.setAutomatic(false);
+    controller.poseGuide().setRobot(false);
+    controller.liveSession().setAutomatic(false);
     if (picture_.isEmpty()) return;
     // The views draw what they have just been given when the events before this one are through.
     QTimer::singleShot(0, this, [this] {

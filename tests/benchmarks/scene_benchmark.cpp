@@ -63,7 +63,7 @@ struct Stage {
   static Stage& showing(const std::shared_ptr<const SceneContent>& content) {
     static Stage& stage = *new Stage;  // never destroyed: OpenGL may be gone by then
     stage.scene.setContent(content);
-    stage.scene.setColoring(CellColoring::LinkQuality);
+    stage.scene.setColoring(Coloring::LinkQuality);
     stage.scene.setSmoothed(false);  // as while the mouse turns the scene
     stage.scene.showStandardView(PatchScene::View::Oblique);
     stage.draw();
@@ -121,7 +121,7 @@ void NewResultPrepared(benchmark::State& state) {
 void ReadingsRecolour(benchmark::State& state) {
   const auto skin = skinOf(state.range(0));
   Stage& stage = Stage::showing(makeSceneContent(skin));
-  stage.scene.setColoring(CellColoring::ReadingZ);
+  stage.scene.setColoring(Coloring::ReadingZ);
   stage.draw();
   CellReadings readings;
   double g = 0;
@@ -130,7 +130,9 @@ void ReadingsRecolour(benchmark::State& state) {
     for (const PatchReconstruction& patch : skin->patches) {
       for (const CellPlacement& cell : patch.cells) readings.acceleration_g[cell.cell] = {0, 0, g};
     }
-    stage.scene.setReadings(readings);
+    PatchMoment moment;
+    moment.readings = std::make_shared<const CellReadings>(readings);
+    stage.scene.setMoment(moment);
     stage.draw();
   }
 }

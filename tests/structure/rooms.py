@@ -30,9 +30,6 @@ HALLS = {
 
 # Arrows against the order that are being removed: (hall, from, to). One that is no longer drawn fails, too.
 TOLERATED = {
-    ("widgets", "coloring", "graph"),
-    ("widgets", "coloring", "patch"),
-    ("widgets", "patch", "verify"),
     ("app/window", "presenters", "main_window"),
 }
 

@@ -131,6 +131,7 @@ QWidget* CapturePanel::makeButton(QAction* action, const char* object_name) {
 
 void CapturePanel::setSource(const std::optional<SourceStatus>& status) {
   source_ = status;
+  if (!source_) writing_.reset();
   refresh();
   refreshAdvice();
 }
@@ -138,7 +139,10 @@ void CapturePanel::setSource(const std::optional<SourceStatus>& status) {
 void CapturePanel::setHold(const HoldStatus& hold) {
   hold_ = hold;
   // A motion ends the moment of the capture.
-  if (captured_ && hold.stillness.armed && hold.progress > 0 && hold.phase == HoldPhase::Watching) captured_.reset();
+  if (hold.stillness.armed && hold.progress > 0 && hold.phase == HoldPhase::Watching) {
+    writing_.reset();
+    captured_.reset();
+  }
   refresh();
 }
 
@@ -147,7 +151,21 @@ void CapturePanel::setAdvice(const std::optional<NextPose>& next) {
   refreshAdvice();
 }
 
+void CapturePanel::showWriting(PoseId pose) {
+  writing_ = pose;
+  captured_.reset();
+  captured_timer_->stop();
+  showIfAny(remark_, {});
+  refresh();
+}
+
+void CapturePanel::endWriting(PoseId pose) {
+  if (writing_ == pose) writing_.reset();
+  refresh();
+}
+
 void CapturePanel::showCaptured(PoseId pose, const QString& remark) {
+  if (writing_ == pose) writing_.reset();
   captured_ = pose;
   showIfAny(remark_, remark);
   captured_timer_->start();
@@ -178,6 +196,8 @@ void CapturePanel::refresh() {
   }
   if (captured_) {
     ring_->setContent({tr("Captured"), tr("pose %1").arg(captured_->value()), 1, true});
+  } else if (writing_) {
+    ring_->setContent({tr("Writing"), tr("pose %1").arg(writing_->value()), 1, false});
   } else {
     const HoldWords words = holdInWords(hold_);
     // An operator on the way to the next pose is not told to stop.

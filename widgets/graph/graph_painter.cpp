@@ -290,7 +290,7 @@ void GraphPainter::drawCells(QPainter& painter) const {
 }
 
 void GraphPainter::drawDots(QPainter& painter) const {
-  const bool filled = colorsCells(paint_.coloring);
+  const bool filled = !coloringRow(paint_.coloring).colors_links;
   // Colours of cells want to be seen, those of links between the cells, too.
   const double half = std::max(0.5, (filled ? 1.3 : 0.85) * radius_px_);
   for (std::size_t k = 0; k < scene_.cells().size(); ++k) {

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "widgets/coloring/graph_coloring.h"
+#include "widgets/graph/graph_camera.h"
+#include "widgets/graph/graph_paint.h"
 #include "widgets/graph/graph_scene.h"
 #include "widgets/style/palette.h"
 
@@ -9,29 +10,10 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QPolygonF>
-#include <QSizeF>
 
 namespace hexoderm {
 
-/// Which part of the sheet is seen: `center` of it in the middle of the widget, `scale` pixels for a metre.
-struct GraphCamera {
-  QPointF center;
-  double scale = 1;
-  QSizeF size;
-
-  [[nodiscard]] QPointF toScreen(const QPointF& sheet) const {
-    return {size.width() / 2 + (sheet.x() - center.x()) * scale, size.height() / 2 - (sheet.y() - center.y()) * scale};
-  }
-  [[nodiscard]] QPointF toSheet(const QPointF& screen) const {
-    return {center.x() + (screen.x() - size.width() / 2) / scale,
-            center.y() - (screen.y() - size.height() / 2) / scale};
-  }
-  [[nodiscard]] QRectF toScreen(const QRectF& sheet) const {
-    return QRectF(toScreen(sheet.topLeft()), toScreen(sheet.bottomRight())).normalized();
-  }
-};
-
-/// How a graph is drawn, wherever it is.
+/// The style that a graph is drawn in, on the screen and in files.
 struct GraphStyle {
   Theme theme = Theme::Light;
   QFont font;

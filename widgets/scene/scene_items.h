@@ -13,7 +13,7 @@ inline constexpr std::array kSceneItems = {SceneItem::Ports,      SceneItem::Ids
                                            SceneItem::Ellipsoids, SceneItem::Truth,     SceneItem::Surface,
                                            SceneItem::Loop,       SceneItem::Comparison};
 
-/// Whether an item can be drawn now, and why not.
+/// Tells whether an item can be drawn now, and why not.
 enum class Availability { Available, NoSkin, NoData, TooManyCells };
 
 using ShownItems = std::array<bool, kSceneItems.size()>;

@@ -2,6 +2,7 @@
 
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
+#include "widgets/coloring/cell_colors.h"
 #include "widgets/scene/cell_meshes.h"
 
 #include <vtkActor.h>
@@ -59,7 +60,7 @@ std::array<double, 3> onSight(vtkRenderer* renderer, double x, double y, double 
 struct SceneSkin::Parts {
   vtkRenderer* renderer = nullptr;
   std::shared_ptr<const SceneContent> content;
-  CellColoring coloring = CellColoring::LinkQuality;
+  Coloring coloring = Coloring::LinkQuality;
   CellReadings readings;
   SceneColors colors;
   std::vector<Rgb> front_colors;
@@ -181,7 +182,7 @@ void SceneSkin::setContent(std::shared_ptr<const SceneContent> content) {
   parts_->recolor();
 }
 
-void SceneSkin::setColoring(CellColoring coloring) {
+void SceneSkin::setColoring(Coloring coloring) {
   parts_->coloring = coloring;
   parts_->recolor();
 }
@@ -194,7 +195,7 @@ void SceneSkin::setReadings(CellReadings readings) {
 
 void SceneSkin::setSurfaceDistances(std::unordered_map<CellId, double> distance_m) {
   parts_->readings.surface_distance_m = std::move(distance_m);
-  if (parts_->coloring == CellColoring::SurfaceDistance) parts_->recolor();
+  if (parts_->coloring == Coloring::SurfaceDistance) parts_->recolor();
 }
 
 void SceneSkin::setColors(const SceneColors& colors) {
@@ -209,7 +210,7 @@ void SceneSkin::setPortsVisible(bool visible) {
 
 const std::vector<Rgb>& SceneSkin::frontColors() const { return parts_->front_colors; }
 
-CellColoring SceneSkin::coloring() const { return parts_->coloring; }
+Coloring SceneSkin::coloring() const { return parts_->coloring; }
 
 const CellReadings& SceneSkin::readings() const { return parts_->readings; }
 

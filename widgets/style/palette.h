@@ -64,7 +64,7 @@ QColor viridis(double t);
 /// Dark or light, whichever is read better on `ground`.
 QColor textOn(const QColor& ground);
 
-/// The theme of the system: the desktop portal's setting if there is one, else by the palette's lightness.
+/// The theme that the system asks for: the desktop portal's setting if there is one, else the palette's lightness.
 Theme systemTheme();
 
 }  // namespace hexoderm

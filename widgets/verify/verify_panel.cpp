@@ -1,8 +1,8 @@
 #include "widgets/verify/verify_panel.h"
 
 #include "hexoderm/util/units.h"
-#include "widgets/tables/table_actions.h"
 #include "widgets/words/core_words.h"
+#include "widgets/words/surface_words.h"
 
 #include <QButtonGroup>
 #include <QComboBox>
@@ -334,8 +334,8 @@ void VerifyPanel::showFailure(VerifyCheck check, const QString& message) {
   }
 }
 
-std::array<TableActions*, 4> VerifyPanel::tableActions() const {
-  return {hold_out_->tableActions(), loop_->tableActions(), surface_->tableActions(), comparison_->tableActions()};
+std::array<CsvActions*, 4> VerifyPanel::csvActions() const {
+  return {hold_out_->csvActions(), loop_->csvActions(), surface_->csvActions(), comparison_->csvActions()};
 }
 
 void VerifyPanel::requestSurface() {

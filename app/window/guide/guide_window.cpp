@@ -265,11 +265,12 @@ void GuideWindow::dressAnew() {
 }
 
 QString guidePageFor(const SessionController& controller) {
-  if (controller.live().isRunning() && !controller.isLive()) return QStringLiteral("connect");
+  if (controller.liveSession().source().isRunning() && !controller.liveSession().isLive())
+    return QStringLiteral("connect");
   if (controller.isEmpty()) return QStringLiteral("demo");
   const Reconstruction* result = controller.reconstruction().get();
   if (!result) return QStringLiteral("check");
-  if (controller.wantsMorePoses()) return QStringLiteral("capture");
+  if (controller.poseGuide().wantsMorePoses()) return QStringLiteral("capture");
   const bool has_faults = std::any_of(result->findings.begin(), result->findings.end(),
                                       [](const Finding& finding) { return finding.severity != Severity::Info; });
   return has_faults ? QStringLiteral("faults") : QStringLiteral("export");

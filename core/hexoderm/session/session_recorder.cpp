@@ -24,7 +24,7 @@ constexpr std::uintmax_t kRoomForPoses = std::uintmax_t{4} << 20U;
 std::string whyNoRawSamples(const std::vector<StoreOperation>& operations, const std::filesystem::path& path) {
   std::uintmax_t most_bytes = 0;
   for (const StoreOperation& operation : operations) {
-    const auto* add = std::get_if<AddPose>(&operation);
+    const AddPose* add = addedPose(operation);
     if (add == nullptr || !add->raw) continue;
     for (const SampleFrame& frame : *add->raw) {
       most_bytes += 20 + 28 * frame.samples.size() + 56 * frame.means.size() + 12 * frame.temperatures.size();
@@ -117,7 +117,9 @@ struct SessionRecorder::State {
   static std::optional<std::vector<StoreOperation>> withoutRaw(std::vector<StoreOperation> operations) {
     bool had_some = false;
     for (StoreOperation& operation : operations) {
-      if (auto* add = std::get_if<AddPose>(&operation)) had_some = std::exchange(add->raw, nullptr) || had_some;
+      auto* edit = std::get_if<SessionEdit>(&operation);
+      auto* add = edit != nullptr ? std::get_if<AddPose>(edit) : nullptr;
+      if (add != nullptr) had_some = std::exchange(add->raw, nullptr) || had_some;
     }
     return had_some ? std::optional(std::move(operations)) : std::nullopt;
   }

@@ -84,7 +84,7 @@ void write(Database& database, std::span<const StoreOperation> operations, Journ
   const std::int64_t at_ms = nowMs();
   for (const StoreOperation& operation : operations) {
     Bytes raw;
-    const auto* add = std::get_if<AddPose>(&operation);
+    const AddPose* add = addedPose(operation);
     if (add != nullptr && add->raw) raw = encodeFrames(*add->raw, journal.state.lsb_g());
     const JournalEntry entry = journal.state.entryFor(operation, at_ms, raw.empty() ? "" : sha256Of(raw));
     try {
@@ -181,6 +181,11 @@ class NewFile {
 
 }  // namespace
 
+const AddPose* addedPose(const StoreOperation& operation) {
+  const auto* edit = std::get_if<SessionEdit>(&operation);
+  return edit != nullptr ? std::get_if<AddPose>(edit) : nullptr;
+}
+
 struct SessionStore::State {
   std::filesystem::path path;
   StoreFile file;
@@ -229,7 +234,7 @@ SessionStore SessionStore::openReadOnly(const std::filesystem::path& path) {
 Session SessionStore::readSession() const { return state_->journal.state.session(state_->path.filename().string()); }
 
 std::vector<SampleFrame> SessionStore::readRawSamples(std::size_t index) const {
-  const std::int64_t capture = state_->journal.state.poseAt(index).entry;
+  const std::int64_t capture = state_->journal.state.captureAt(index);
   const std::string sha256 = state_->journal.state.rawSha256(capture);
   if (sha256.empty()) return {};
   Database& database = state_->file.database;

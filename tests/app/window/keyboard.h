@@ -67,12 +67,13 @@ class KeyboardTest : public WindowTest {
     FAIL() << "no button " << words.toStdString() << " in\n" << passed.join('\n').toStdString();
   }
 
-  /// Gives the focus back after a dialog has closed, in place of the window manager, which there is none of here.
+  /// After a dialog has closed: the window has the keyboard again, where it was.
   void comeBack() {
-    ASSERT_TRUE(waitUntil([this] { return QApplication::activeModalWidget() == nullptr; }));
-    QWidget* focus = window_->focusWidget();
-    activateWindow();
-    EXPECT_TRUE(!focus || QApplication::focusWidget() == focus) << "the keyboard is where it was";
+    ASSERT_TRUE(waitUntil([] { return QApplication::activeModalWidget() == nullptr; }));
+    ASSERT_NO_FATAL_FAILURE(activateWindow());
+    const QWidget* focus = window_->focusWidget();
+    EXPECT_TRUE(waitUntil([&] { return focus == nullptr || QApplication::focusWidget() == focus; }))
+        << "the keyboard is at " << focusName().toStdString();
   }
 };
 

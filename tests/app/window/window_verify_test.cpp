@@ -56,7 +56,7 @@ TEST_F(WindowVerifyTest, HoldsAPoseOutAndSaysHowWellTheOthersForetellIt) {
     SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
     const QString path = pathTo(QStringLiteral("%1.session.json").arg(poses));
     writeSessionJson(simulateSession(skin, poses), path.toStdString());
-    controller().openFile(path);
+    controller().file().openFile(path);
     ASSERT_TRUE(waitForPoses(poses)) << message().toStdString();
   };
   ASSERT_NO_FATAL_FAILURE(openSession(3));
@@ -112,7 +112,7 @@ TEST_F(WindowVerifyTest, AnOpenRingsGapIsFoundWithoutBeingAskedFor) {
   writeSessionJson(simulateSession(ring, 3), path.toStdString());
   std::optional<LoopEvaluation> drawn;
   QObject::connect(&panel(), &VerifyPanel::loopShown, [&](const std::optional<LoopEvaluation>& loop) { drawn = loop; });
-  controller().openFile(path);
+  controller().file().openFile(path);
   ASSERT_TRUE(waitForSentence("loops", "One open loop; its gap is")) << sentence("loops").toStdString();
   ASSERT_TRUE(drawn.has_value());
   EXPECT_NEAR(drawn->loop_length_m, 0.22228, 1e-5);
@@ -121,7 +121,7 @@ TEST_F(WindowVerifyTest, AnOpenRingsGapIsFoundWithoutBeingAskedFor) {
 TEST_F(WindowVerifyTest, ComparesWithAnEarlierCalibrationAndSaysWhatIsWrongWithAFile) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(3));
   const QString path = pathTo("earlier.calibration.json");
-  controller().exportTo({std::nullopt, path, {}});
+  controller().resultFiles().exportTo({std::nullopt, path, {}});
   ASSERT_TRUE(waitForMessage("Exported to " + path));
   ASSERT_NO_FATAL_FAILURE(takeNextPose());
   ASSERT_NO_FATAL_FAILURE(showPanel());

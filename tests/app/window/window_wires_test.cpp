@@ -77,8 +77,9 @@ class WindowWiresTest : public WindowTest, public testing::WithParamInterface<Wi
   /// The first pose is captured automatically, where the part lies.
   void connectDevice() {
     ASSERT_NO_FATAL_FAILURE(connectByDialog(GetParam().kind, device_->address(), path()));
-    ASSERT_TRUE(waitUntil([this] { return controller().isLive(); })) << labelText("liveText").toStdString();
-    // Success is reported for a moment only, and solving may take longer.
+    ASSERT_TRUE(waitUntil([this] { return controller().liveSession().isLive(); }))
+        << labelText("liveText").toStdString();
+    // What went well is said for a moment only, and solving may take longer.
     ASSERT_TRUE(waitForMessage("Pose 1 captured: 17 cells."))
         << message().toStdString() << labelText("captureWait").toStdString();
     ASSERT_TRUE(waitForPoses(1)) << message().toStdString();
@@ -87,7 +88,7 @@ class WindowWiresTest : public WindowTest, public testing::WithParamInterface<Wi
   void turnToTheSecondPose() {
     ASSERT_TRUE(waitUntil([this] { return action("actionTurn")->isEnabled(); }))
         << action("actionTurn")->toolTip().toStdString();
-    advised_o_ = controller().nextPose()->up;
+    advised_o_ = controller().poseGuide().nextPose()->up;
     press(Qt::Key_T);
     ASSERT_TRUE(waitForMessage("Pose 2 captured: 17 cells."))
         << message().toStdString() << labelText("captureWait").toStdString();
@@ -104,8 +105,10 @@ class WindowWiresTest : public WindowTest, public testing::WithParamInterface<Wi
   [[nodiscard]] std::size_t posesInFile() const { return readSessionStore(path().toStdString()).poses().size(); }
   /// Once nothing waits to be written any more.
   bool waitUntilKept() {
-    return waitUntil(
-        [this] { return controller().isKept() && !controller().isWriting() && !controller().hasUnsavedChanges(); });
+    return waitUntil([this] {
+      return controller().file().isKept() && !controller().file().isWriting() &&
+             !controller().file().hasUnsavedChanges();
+    });
   }
   bool isSaidByTheCheck(const QString& text) {
     for (const QLabel* label : find<CheckList>("checkList")->findChildren<QLabel*>()) {
@@ -143,9 +146,9 @@ TEST_P(WindowWiresTest, ADeviceIsConnectedCheckedCapturedAndLeft) {
   EXPECT_EQ(controller().reconstruction()->verdict.level, VerdictLevel::Usable);
 
   press(Qt::Key_A);
-  ASSERT_FALSE(controller().isAutomatic());
+  ASSERT_FALSE(controller().liveSession().isAutomatic());
   action("actionDisconnect")->trigger();
-  EXPECT_FALSE(controller().live().isRunning());
+  EXPECT_FALSE(controller().liveSession().source().isRunning());
   EXPECT_EQ(action("actionCapture")->toolTip(), "No skin is connected");
   EXPECT_EQ(posesShown(), 2U);
   ASSERT_TRUE(waitUntilKept());
@@ -159,7 +162,7 @@ TEST_P(WindowWiresTest, ADeviceIsConnectedCheckedCapturedAndLeft) {
   auto* dialog = waitForDialog<QDialog>("connectDialog");
   ASSERT_NE(dialog, nullptr);
   QTest::keyClick(dialog->findChild<QComboBox*>("connectAddress"), Qt::Key_Return);
-  ASSERT_TRUE(waitUntil([this] { return controller().isLive(); })) << labelText("liveText").toStdString();
+  ASSERT_TRUE(waitUntil([this] { return controller().liveSession().isLive(); })) << labelText("liveText").toStdString();
   ASSERT_NO_FATAL_FAILURE(captureBySpace(3));
   ASSERT_TRUE(waitForMessage("Pose 3 captured: 17 cells. It repeats pose 2")) << message().toStdString();
   ASSERT_TRUE(waitUntilKept());
@@ -170,7 +173,7 @@ TEST_P(WindowWiresTest, ADeviceThatIsPulledOutIsSaidAndTheWorkGoesOnWhenItIsBack
   ASSERT_NO_FATAL_FAILURE(connectDevice());
   ASSERT_NO_FATAL_FAILURE(turnToTheSecondPose());
   press(Qt::Key_A);
-  ASSERT_FALSE(controller().isAutomatic());
+  ASSERT_FALSE(controller().liveSession().isAutomatic());
   device_->pullOut();
   ASSERT_TRUE(waitUntil([this] { return labelText("liveText").contains(GetParam().gone); }))
       << labelText("liveText").toStdString();
@@ -190,7 +193,7 @@ TEST_P(WindowWiresTest, ADeviceThatIsPulledOutIsSaidAndTheWorkGoesOnWhenItIsBack
   ASSERT_NO_FATAL_FAILURE(device_->plugIn());
   ASSERT_TRUE(waitUntil([this] { return labelText("liveState") == "Streaming"; }))
       << labelText("liveText").toStdString();
-  EXPECT_GE(controller().live().status().reconnects, 1U);
+  EXPECT_GE(controller().liveSession().source().status().reconnects, 1U);
   ASSERT_NO_FATAL_FAILURE(captureBySpace(3));
   ASSERT_TRUE(waitForMessage("Pose 3 captured: 17 cells. It repeats pose 1")) << message().toStdString();
   EXPECT_FALSE(find<QWidget>("liveStrip")->isVisible());

@@ -64,9 +64,16 @@ TEST(CaptureTone, WithoutADeviceItIsSilent) {
 
 TEST(CaptureTone, SwitchedOffItNeverLooksForADevice) {
   CaptureTone tone;
-  tone.setEnabled(false);
-  tone.playCaptured();
-  EXPECT_FALSE(tone.hasDevice());
+  std::vector<ToneKind> played;
+  QObject::connect(&tone, &CaptureTone::played, [&](ToneKind kind) { played.push_back(kind); });
+  tone.playStartsOver();
+  EXPECT_EQ(played, std::vector{ToneKind::StartsOver});
+  CaptureTone silent;
+  QObject::connect(&silent, &CaptureTone::played, [&](ToneKind kind) { played.push_back(kind); });
+  silent.setEnabled(false);
+  silent.playCaptured();
+  EXPECT_FALSE(silent.hasDevice());
+  EXPECT_EQ(played.size(), 1U);
 }
 
 }  // namespace

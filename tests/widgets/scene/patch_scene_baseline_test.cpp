@@ -45,7 +45,7 @@ TEST_F(PatchSceneTest, LooksLikeTheBaselineInTheLightWithAPickedCell) {
 
 TEST_F(PatchSceneTest, LooksLikeTheBaselineColouredByDeviation) {
   scene.setReconstruction(shared(demoReconstruction(mixedQualities())));
-  scene.setColoring(CellColoring::Deviation);
+  scene.setColoring(Coloring::Deviation);
   scene.showStandardView(PatchScene::View::Front);
   EXPECT_LE(differenceToBaseline(picture(), "patch_scene_deviation"), kMaxDifferingShare);
 }
@@ -74,7 +74,7 @@ TEST_F(PatchSceneTest, TheBaselineComparisonSeesOneChangedColour) {
 TEST_F(PatchSceneTest, LooksLikeTheBaselineColouredByPositionUncertainty) {
   scene.setColors(testColors(false));
   scene.setReconstruction(shared(withUncertainties()));
-  scene.setColoring(CellColoring::PositionUncertainty);
+  scene.setColoring(Coloring::PositionUncertainty);
   EXPECT_LE(differenceToBaseline(picture(), "patch_scene_uncertainty"), kMaxDifferingShare);
 }
 
@@ -89,8 +89,9 @@ TEST_F(PatchSceneTest, LooksLikeTheBaselineWithEllipsoids) {
 TEST_F(PatchSceneTest, LooksLikeTheBaselineWithAFittedCylinder) {
   const Reconstruction rough = roughened(0.0008);
   scene.setReconstruction(shared(rough));
-  scene.setSurface(evaluateSurface(rough.patches[0], SurfaceKind::Cylinder));
-  scene.setColoring(CellColoring::SurfaceDistance);
+  overlays.surface = shared(evaluateSurface(rough.patches[0], SurfaceKind::Cylinder));
+  scene.setOverlays(overlays);
+  scene.setColoring(Coloring::SurfaceDistance);
   EXPECT_LE(differenceToBaseline(picture(), "patch_scene_surface"), kMaxDifferingShare);
   EXPECT_TRUE(scene.notes().distance_factor.has_value());
 }
@@ -114,15 +115,15 @@ TEST_F(PatchSceneTest, LargeSkinLooksLikeTheBaseline) {
 /// The negative controls of these.
 TEST_F(PatchSceneTest, TheBaselineComparisonSeesLargerUncertainties) {
   scene.setReconstruction(shared(withUncertainties()));
-  scene.setColoring(CellColoring::PositionUncertainty);
+  scene.setColoring(Coloring::PositionUncertainty);
   const auto coloured = picture();
-  scene.setColoring(CellColoring::LinkQuality);
+  scene.setColoring(Coloring::LinkQuality);
   scene.setShown(SceneItem::Ellipsoids, true);
   const auto ellipsoids = picture();
   scene.setReconstruction(shared(withUncertainties(1.4)));
   EXPECT_GT(differingShare(ellipsoids, picture()), 1.5 * kMaxDifferingShare);
   scene.setShown(SceneItem::Ellipsoids, false);
-  scene.setColoring(CellColoring::PositionUncertainty);
+  scene.setColoring(Coloring::PositionUncertainty);
   scene.setReconstruction(shared(withUncertainties(2.5)));
   EXPECT_GT(differingShare(coloured, picture()), 1.5 * kMaxDifferingShare);
 }
@@ -131,11 +132,13 @@ TEST_F(PatchSceneTest, TheBaselineComparisonSeesAnotherSurface) {
   const Reconstruction rough = roughened(0.0008);
   scene.setReconstruction(shared(rough));
   SurfaceEvaluation surface = evaluateSurface(rough.patches[0], SurfaceKind::Cylinder);
-  scene.setSurface(surface);
+  overlays.surface = shared(surface);
+  scene.setOverlays(overlays);
   const auto before = picture();
   *surface.radius_m += 0.001;
   for (double& distance_m : surface.distance_m) distance_m -= 0.001;
-  scene.setSurface(surface);
+  overlays.surface = shared(surface);
+  scene.setOverlays(overlays);
   EXPECT_GT(differingShare(before, picture()), 1.5 * kMaxDifferingShare);
 }
 

@@ -4,7 +4,9 @@
 #include "tests/support/qt_wait.h"
 #include "tests/widgets/sample_reconstruction.h"
 #include "widgets/controls/selection.h"
-#include "widgets/tables/table_actions.h"
+#include "widgets/tables/sorted_table.h"
+#include "widgets/tables/table_csv.h"
+#include "widgets/tables/table_roles.h"
 #include "widgets/verify/residual_plots.h"
 #include "widgets/verify/residual_table.h"
 
