@@ -9,6 +9,7 @@
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
+#include "hexoderm/util/sha256.h"
 
 #include "hexoderm/session/journal.h"
 #include "hexoderm/session/store_schema.h"

@@ -112,7 +112,7 @@ double chainedGapError(const SimulatedSkin& skin, const GroundTruth& truth) {
 
 Errors judge(const SimulatedSkin& skin, const GroundTruth& truth, const Reconstruction& result, double true_share) {
   Errors errors;
-  const PatchReconstruction& patch = largestPatch(result);
+  const PatchReconstruction& patch = *largestPatch(result);
   for (const Comparison& comparison : compareToTruth(result, truth)) {
     if (comparison.patch != patch.id) continue;
     errors.orientation_deg = toDegrees(comparison.orientation_rms_rad);

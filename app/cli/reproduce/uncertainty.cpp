@@ -39,7 +39,7 @@ struct Row {
 
 /// The truth is moved so that the origin cells coincide, no best fit; mean over the other cells of e^T C^-1 e / 3.
 std::optional<Nees> neesOf(const Reconstruction& result, const GroundTruth& truth) {
-  const PatchReconstruction& patch = largestPatch(result);
+  const PatchReconstruction& patch = *largestPatch(result);
   const SE3 T_o_b = truePlacement(truth, patch.origin).inverse();
   Nees sum;
   double count = 0;

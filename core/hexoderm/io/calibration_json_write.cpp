@@ -146,13 +146,6 @@ Json patchJson(const PatchReconstruction& patch) {
   return json;
 }
 
-/// The first of those with the most cells; null for an empty skin.
-const PatchReconstruction* largestPatch(const Reconstruction& reconstruction) {
-  const auto largest = std::ranges::max_element(reconstruction.patches, {},
-                                                [](const PatchReconstruction& patch) { return patch.cells.size(); });
-  return largest == reconstruction.patches.end() ? nullptr : &*largest;
-}
-
 Json findingJson(const Finding& finding) {
   return {{"code", codeName(finding.code)},
           {"severity", severityName(finding.severity)},

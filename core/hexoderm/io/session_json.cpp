@@ -6,6 +6,7 @@
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/json_reader.h"
 #include "hexoderm/util/limits.h"
+#include "hexoderm/util/sha256.h"
 
 #include <algorithm>
 #include <cmath>

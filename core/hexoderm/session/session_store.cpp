@@ -4,6 +4,7 @@
 #include "hexoderm/session/store_file.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
+#include "hexoderm/util/sha256.h"
 
 #include <fcntl.h>
 #include <sqlite3.h>

@@ -3,6 +3,7 @@
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
+#include "hexoderm/util/sha256.h"
 #include "tests/support/error_matchers.h"
 #include "tests/support/json_mutations.h"
 #include "tests/support/session_matchers.h"

@@ -3,6 +3,7 @@
 #include "hexoderm/graph/skin_graph.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
+#include "hexoderm/util/sha256.h"
 #include "hexoderm/util/units.h"
 #include "tests/support/error_matchers.h"
 #include "tests/support/matchers.h"

@@ -1,5 +1,7 @@
 #include "hexoderm/device/sources/wire_transport.h"
 
+#include "hexoderm/device/sources/write_queue.h"
+
 #include <termios.h>
 
 #include <boost/asio/connect.hpp>
@@ -7,10 +9,8 @@
 #include <boost/asio/ip/udp.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/serial_port.hpp>
-#include <boost/asio/write.hpp>
 
 #include <array>
-#include <deque>
 #include <thread>
 #include <vector>
 
@@ -22,26 +22,25 @@ using boost::system::error_code;
 using skinwire::Bytes;
 using skinwire::ByteView;
 
-/// The part that all transports share: callbacks that stop with close(), and a queue of messages to be written.
+/// Common to all wires: callbacks that stop with close(), and the queue of what is to be written.
 template <class Channel>
 class ChannelTransport : public WireTransport, public std::enable_shared_from_this<ChannelTransport<Channel>> {
  public:
-  ChannelTransport(asio::io_context& io, Callbacks callbacks) : channel_(io), callbacks_(std::move(callbacks)) {}
+  ChannelTransport(asio::io_context& io, Callbacks callbacks)
+      : channel_(io),
+        queue_(channel_, [this](const error_code& error) { end(error.message()); }),
+        callbacks_(std::move(callbacks)) {}
 
-  void write(Bytes bytes) final {
-    if (closed_) return;
-    queue_.push_back(std::move(bytes));
-    if (queue_.size() == 1) writeNext();
-  }
+  void write(Bytes bytes) final { queue_.push(std::move(bytes), this->shared_from_this()); }
 
   void close() final {
     if (closed_) return;
     closed_ = true;
+    queue_.close();
     closeChannel();
   }
 
  protected:
-  virtual void startWriting(const Bytes& bytes, std::function<void(const error_code&)> done) = 0;
   virtual void startReading() = 0;
   virtual void closeChannel() {
     error_code ignored;
@@ -72,17 +71,8 @@ class ChannelTransport : public WireTransport, public std::enable_shared_from_th
   std::vector<std::uint8_t> buffer_ = std::vector<std::uint8_t>(65'536);
 
  private:
-  void writeNext() {
-    startWriting(queue_.front(), [self = this->shared_from_this()](const error_code& error) {
-      if (self->closed_) return;
-      if (error) return self->end(error.message());
-      self->queue_.pop_front();
-      if (!self->queue_.empty()) self->writeNext();
-    });
-  }
-
+  WriteQueue<Channel> queue_;
   Callbacks callbacks_;
-  std::deque<Bytes> queue_;
   bool closed_ = false;
 };
 
@@ -92,10 +82,6 @@ class StreamTransport : public ChannelTransport<Channel> {
   using ChannelTransport<Channel>::ChannelTransport;
 
  protected:
-  void startWriting(const Bytes& bytes, std::function<void(const error_code&)> done) override {
-    asio::async_write(this->channel_, asio::buffer(bytes),
-                      [done = std::move(done)](const error_code& error, std::size_t) { done(error); });
-  }
   void startReading() override {
     this->channel_.async_read_some(asio::buffer(this->buffer_),
                                    [this, self = this->shared_from_this()](const error_code& error, std::size_t size) {
@@ -190,10 +176,6 @@ class UdpTransport final : public ChannelTransport<asio::ip::udp::socket> {
   }
 
  protected:
-  void startWriting(const Bytes& bytes, std::function<void(const error_code&)> done) override {
-    channel_.async_send(asio::buffer(bytes),
-                        [done = std::move(done)](const error_code& error, std::size_t) { done(error); });
-  }
   void startReading() override {
     channel_.async_receive(
         asio::buffer(buffer_),

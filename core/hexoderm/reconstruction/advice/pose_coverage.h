@@ -17,9 +17,6 @@ namespace hexoderm {
 // directions are up directions (where the accelerometers' specific force points), unit vectors in the frame of the
 // largest patch.
 
-/// The largest patch, by which the poses are judged, the first of equally large ones; null if there is none.
-const PatchReconstruction* largestPatch(const Reconstruction& reconstruction);
-
 /// The half of the sphere around +z of the patch frame, where up is where the origin cell faces, and the other half.
 enum class Hemisphere { Front, Back };
 

@@ -36,8 +36,8 @@ Uncertainty95 worstSpread(const Reconstruction& r) {
 
 std::vector<Eigen::Vector3d> directionsSeen(const Reconstruction& r) {
   std::vector<Eigen::Vector3d> seen;
-  if (r.patches.empty()) return seen;
-  const auto largest = std::ranges::max_element(r.patches, {}, [](const auto& patch) { return patch.cells.size(); });
+  const PatchReconstruction* largest = largestPatch(r);
+  if (largest == nullptr) return seen;
   for (const GravityDirection& gravity : largest->gravity) seen.push_back(gravity.g_o);
   return seen;
 }

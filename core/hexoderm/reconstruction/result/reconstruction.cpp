@@ -77,6 +77,12 @@ const LinkEstimate* Reconstruction::findLink(LinkEnd a, LinkEnd b) const {
   return nullptr;
 }
 
+const PatchReconstruction* largestPatch(const Reconstruction& reconstruction) {
+  const auto largest = std::ranges::max_element(reconstruction.patches, {},
+                                                [](const PatchReconstruction& patch) { return patch.cells.size(); });
+  return largest == reconstruction.patches.end() || largest->cells.empty() ? nullptr : &*largest;
+}
+
 std::string sizeInWords(const Reconstruction& reconstruction) {
   return counted(reconstruction.cellCount(), "cell", "cells") + ", " +
          counted(reconstruction.linkCount(), "link", "links") + ", " +

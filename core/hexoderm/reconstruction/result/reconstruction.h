@@ -180,6 +180,9 @@ struct Reconstruction {
   [[nodiscard]] const LinkEstimate* findLink(LinkEnd a, LinkEnd b) const;  ///< in either order
 };
 
+/// The patch with the most cells, of equally large ones the first; null for an empty skin.
+const PatchReconstruction* largestPatch(const Reconstruction& reconstruction);
+
 /// "17 cells, 16 links, 1 patch", the one way a skin's size is said.
 std::string sizeInWords(const Reconstruction& reconstruction);
 
