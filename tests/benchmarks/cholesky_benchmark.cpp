@@ -2,9 +2,10 @@
 // minimum degree and, where it is installed, CHOLMOD's supernodal factor, all of the same matrix. It is the one that
 // the joint estimate of a simulated sheet begins with. Run as
 //
-//   OPENBLAS_NUM_THREADS=1 build/release/tests/benchmarks/cholesky_benchmark
+//   build/release/tests/benchmarks/cholesky_benchmark
 //
-// The statistic to read is the least CPU time of many repetitions: other programs only ever make it longer.
+// The statistic to read is the least CPU time of many repetitions: other programs only ever make it longer. Figures and
+// what follows from them are in core/hexoderm/reconstruction/sparse/README.md.
 
 #include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/reconstruction/patch/patch_solver.h"
