@@ -1,4 +1,4 @@
-# The Debian 12 packages that Hexoderm is built from. Sourced by setup.sh; each list says what it is for.
+# The Debian 12 packages that Hexoderm is built from. Sourced by setup.sh; each list names its purpose.
 
 # Library, command line and their tests.
 core_packages=(

@@ -8,10 +8,12 @@ source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
 "$root/packaging/setup.sh"
 cd "$root"
 build() {
-  cmake --preset release && cmake --build --preset release --parallel "$jobs" --target hexoderm hexoderm-cli
+  cmake --preset release &&
+    cmake --build --preset release --parallel "$jobs" --target hexoderm hexoderm-cli hexoderm-emulator
 }
 # A first build takes minutes and shows its progress; after that the build's few lines are of no interest.
-if [ -x build/release/app/window/hexoderm ] && [ -x build/release/app/cli/hexoderm-cli ]; then
+if [ -x build/release/app/window/hexoderm ] && [ -x build/release/app/cli/hexoderm-cli ] &&
+  [ -x build/release/app/emulator/hexoderm-emulator ]; then
   build_log="$(build 2>&1)" || { echo "$build_log" >&2; exit 1; }
 else
   echo "Building Hexoderm; the first time this takes a few minutes."

@@ -1,9 +1,12 @@
 #!/bin/bash
 # Sets up, builds and runs all tests; the last line is "N passed, M failed".
-# Usage: packaging/test.sh [--quick]
-#   (nothing)  release: library, command line, window; core: without Qt and VTK; asan: core under the address and
-#              undefined-behaviour sanitizers; tsan: what runs on several threads under the thread sanitizer
-#   --quick    release alone
+# Usage: packaging/test.sh [--quick | --window-asan]
+#   (nothing)      release: library, command line, window; core: that it builds and installs without Qt and VTK (its tests
+#                  are those of release); asan: core under the address and undefined-behaviour sanitizers; tsan: what runs on
+#                  several threads under the thread sanitizer
+#   --quick        release alone
+#   --window-asan  the window and its tests under the address sanitizer, alone: half an hour and more
+# In CI (the variable CI is set) a compiler's warning is an error.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
 
@@ -11,8 +14,9 @@ stages=(release core asan tsan)
 case "${1:-}" in
   "") ;;
   --quick) stages=(release) ;;
+  --window-asan) stages=(window-asan) ;;
   *)
-    sed -n '2,6s/^# //p' "${BASH_SOURCE[0]}" >&2
+    sed -n '2,9s/^# //p' "${BASH_SOURCE[0]}" >&2
     exit 2
     ;;
 esac
@@ -33,14 +37,26 @@ failed=0
 with_failures=()  # results that name tests which did not pass
 # Builds and tests one preset, and adds its tests to the counts. A stage that can't be built counts as one failure.
 run_stage() {
-  local preset="$1" targets=() select=() results="$root/build/$1/test-results.xml" start=$SECONDS ok
-  if [ "$preset" = tsan ]; then
-    targets=(--target hexoderm_threaded_tests)
-    select=(--label-regex '^threads$')
-  fi
+  local preset="$1" targets=() select=() display=env results="$root/build/$1/test-results.xml" start=$SECONDS ok
+  case "$preset" in
+    release) display=on_virtual_display ;;  # the others have no windows
+    core)
+      targets=(--target hexoderm-cli hexoderm-emulator)
+      select=(--tests-regex '^structure\.')
+      ;;
+    tsan)
+      targets=(--target hexoderm_threaded_tests)
+      select=(--label-regex '^threads$')
+      ;;
+    window-asan)
+      display="on_virtual_display env ASAN_OPTIONS=detect_leaks=0"  # graphics drivers leak
+      targets=(--target hexoderm_window_tests)
+      select=(--label-regex '^window$')
+      ;;
+  esac
   rm -f "$results"
   echo "== $preset"
-  if ! cmake --preset "$preset" >"$root/build/configure.log" 2>&1; then
+  if ! cmake --preset "$preset" ${CI:+-DHEXODERM_WERROR=ON} >"$root/build/configure.log" 2>&1; then
     cat "$root/build/configure.log"
     echo "== $preset: could not be configured"
     failed=$((failed + 1))
@@ -52,9 +68,8 @@ run_stage() {
     failed=$((failed + 1))
     return
   fi
+  local built=$((SECONDS - start))
   ok=yes
-  local display=env
-  [ "$preset" != release ] || display=on_virtual_display  # the others have no windows
   $display env "${test_environment[@]}" ctest --preset "$preset" "${select[@]}" --parallel "$jobs" \
     --output-junit "$results" || ok=no
 
@@ -71,7 +86,7 @@ run_stage() {
     echo "== $preset: ctest failed before or after its tests"
     failed=$((failed + 1))
   fi
-  echo "== $preset: $run of $all passed, $((SECONDS - start)) s"
+  echo "== $preset: $run of $all passed, $((SECONDS - start)) s, of which $built s to build"
 }
 
 mkdir -p build

@@ -1,21 +1,18 @@
 #include "app/cli/capture_events.h"
 #include "app/cli/command.h"
 
+#include "hexoderm/course/capture_course.h"
 #include "hexoderm/device/sources/open_source.h"
 #include "hexoderm/device/sources/recording.h"
-#include "hexoderm/geometry/se3.h"
-#include "hexoderm/reconstruction/advice/pose_advisor.h"
-#include "hexoderm/reconstruction/advice/pose_coverage.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/util/text.h"
 
-#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <iostream>
-#include <map>
+#include <utility>
 
 namespace hexoderm::cli {
 namespace {
@@ -49,24 +46,23 @@ class InterruptGuard {
 
 std::string cellsInWords(std::size_t count) { return std::to_string(count) + (count == 1 ? " cell" : " cells"); }
 
-/// One run of the command: what the events lead to.
-class Capture {
-  using Clock = std::chrono::steady_clock;
+/// One run of the command: passes what happens to the course of the capture, and says what it makes of it.
+class Capture final : public CaptureOwner {
+  using Clock = CaptureCourse::Clock;
 
  public:
   Capture(const CaptureOptions& options, const Common& common, SkinSource& source, CaptureEvents& events)
-      : options_(options), common_(common), source_(source), events_(events) {}
+      : options_(options), common_(common), source_(source), events_(events), course_(*this, courseOptions(options)) {}
 
-  /// Returns when the poses are good, the stream is over, or the user ends it.
+  /// Returns when there are enough poses, the stream is over, or the user ends it.
   void run() {
     const auto patience = std::chrono::duration<double>(options_.timeout_s);
     Clock::time_point last_progress = Clock::now();
-    while (!done_ && !interrupted) {
+    while (!course_.isFinished() && lost_.empty() && !interrupted) {
       const std::optional<CaptureEvent> event = events_.next(std::chrono::milliseconds(100));
       if (event) std::visit([this](const auto& what) { handle(what); }, *event);
-      if (made_progress_ || disk_is_full_since_) last_progress = Clock::now();
-      made_progress_ = false;
-      if (disk_is_full_since_ && Clock::now() >= next_try_) tryAgain();
+      if (std::exchange(made_progress_, false) || course_.isFileRefused()) last_progress = Clock::now();
+      course_.tick();
       if (!event && status_.state == SourceState::Ended) break;
       if (status_.state == SourceState::Incompatible) throw DeviceError(source_.address() + ": " + status_.text);
       if (Clock::now() - last_progress > patience && (!session_ || options_.automatic)) {
@@ -79,7 +75,7 @@ class Capture {
   /// Waits until all that was captured is on disk. Throws StorageError if something can't be.
   void finish() {
     common_.endProgress();
-    while (store_ && waiting_ > 0 && !disk_is_full_since_) handleStored(std::chrono::milliseconds(100));
+    while (store_ && course_.waiting() > 0 && !course_.isFileRefused()) handleStored(std::chrono::milliseconds(100));
     store_.reset();  // tries for the last time
     while (handleStored(std::chrono::milliseconds(0))) continue;
     if (!lost_.empty()) throw StorageError(lost_);
@@ -90,45 +86,68 @@ class Capture {
   [[nodiscard]] const SourceStatus& status() const { return status_; }
   [[nodiscard]] const std::string& device() const { return device_; }
 
+  void perform(const std::vector<SessionEdit>& edits) override {
+    for (const SessionEdit& edit : edits) {
+      apply(edit, *session_);
+      SessionRecorder::Acknowledge done;
+      if (const auto* add = std::get_if<AddPose>(&edit)) {
+        done = [this, id = add->pose.capture->id](const StoreOutcome& outcome) { events_.push(Stored{id, outcome}); };
+      }
+      store_->append({edit}, std::move(done));
+    }
+    course_.noteChange();
+  }
+  std::uint32_t send(const SkinCommand& command) override { return source_.send(command); }
+  void retryWriting() override { store_->retry(); }
+  void onCourseEvent(const CourseEvent& event) override {
+    std::visit([this](const auto& what) { show(what); }, event);
+  }
+
  private:
+  static CaptureCourseOptions courseOptions(const CaptureOptions& options) {
+    CaptureCourseOptions course;
+    course.poses = options.poses;
+    course.keep_raw = options.keep_raw;
+    // The disk may have room again in a moment.
+    course.retry_every = std::chrono::seconds(1);
+    course.give_up_after = std::chrono::seconds(10);
+    return course;
+  }
+
   void handle(const SkinDescription& skin) {
     made_progress_ = true;
-    if (!session_) {
-      device_ = skin.device;
-      can_turn_ = skin.can_turn;
-      session_.emplace(*skin.model, skin.neighbors, SourceDescription{skin.device + ", " + source_.address(), "", ""});
-      if (skin.truth) session_->setTruth(*skin.truth);
-      without_poses_ = reconstruct(*session_->snapshot());
-      store_ = std::make_unique<SessionRecorder>(SessionStore::create(options_.output, *session_));
-      common_.endProgress();
-      common_.note(device_ + ": " + cellsInWords(skin.neighbors.size()));
-      if (options_.automatic && !can_turn_) {
-        throw DeviceError(source_.address() + ": --auto needs a device that turns by itself, and this one can't");
-      }
+    if (session_) {
+      course_.describe(skin);
       return;
     }
-    if (skin.neighbors == session_->neighbors()) return;
-    session_->setSkin(*skin.model, skin.neighbors);
-    without_poses_ = reconstruct(*Session(*skin.model, skin.neighbors).snapshot());
-    store_->append({SetSkin{skin.model, skin.neighbors}}, {});
-    common_.note("The device says that its topology has changed; poses stay.");
+    device_ = skin.device;
+    session_ = CaptureCourse::sessionOf(skin, source_.address());
+    store_ = std::make_unique<SessionRecorder>(SessionStore::create(options_.output, *session_));
+    common_.endProgress();
+    common_.note(device_ + ": " + cellsInWords(skin.neighbors.size()));
+    if (options_.automatic && !skin.can_turn) {
+      throw DeviceError(source_.address() + ": --auto needs a device that turns by itself, and this one can't");
+    }
+    course_.begin(*session_, skin);
+    course_.setRobot(options_.automatic);
+    nameTheSkin();
+  }
+
+  /// Labels come from the result without poses, so that they are the same for a recording however fast it is played.
+  void nameTheSkin() {
+    course_.setResult(reconstruct(*Session(session_->model(), session_->neighbors()).snapshot()), false);
   }
 
   void handle(const CapturedPose& captured) {
     made_progress_ = true;
-    if (!session_ || (options_.poses > 0 && session_->poses().size() >= options_.poses)) return;
-    auto labelled = std::make_shared<PoseCapture>(*captured.pose);
-    if (labelled->label.empty()) labelled->label = poseLabel(*without_poses_, *labelled);
-    session_->addPose({labelled, false});
-    AddPose add{{labelled, false}};
-    if (options_.keep_raw) add.raw = std::make_shared<const std::vector<SampleFrame>>(captured.frames);
-    ++waiting_;
-    store_->append({add}, [this, id = captured.pose->id](const StoreOutcome& outcome) {
-      events_.push(Stored{id, outcome});
-    });
-    captured_.emplace(captured.pose->id, captured);
+    course_.take(captured);
   }
 
+  void handle(const Stored& stored) {
+    made_progress_ = true;
+    course_.setStored(stored.pose, stored.outcome);
+    if (has_news_ && course_.waiting() == 0) solve();
+  }
   bool handleStored(std::chrono::milliseconds patience) {
     const std::optional<CaptureEvent> event = events_.next(patience);
     if (!event) return false;
@@ -136,92 +155,15 @@ class Capture {
     return true;
   }
 
-  /// Only now it counts as captured.
-  void handle(const Stored& stored) {
-    made_progress_ = true;
-    if (stored.outcome.is_kept) {
-      // The disk may have room again in a moment; until then the pose waits in memory.
-      constexpr auto kPatienceWithDisk = std::chrono::seconds(10);
-      if (!disk_is_full_since_) {
-        disk_is_full_since_ = Clock::now();
-        next_try_ = *disk_is_full_since_ + kBetweenTries;
-        common_.endProgress();
-        common_.note(stored.outcome.error + ". Trying again.");
-      }
-      done_ = Clock::now() - *disk_is_full_since_ >= kPatienceWithDisk;
-      return;
-    }
-    --waiting_;
-    if (!stored.outcome.error.empty()) {
-      lost_ = stored.outcome.error;
-      done_ = true;
-      return;
-    }
-    disk_is_full_since_.reset();
-    announce(captured_.at(stored.pose));
-    if (!stored.outcome.without_raw.empty()) {
-      common_.note("Pose " + toString(stored.pose) + " is kept without its raw samples: " + stored.outcome.without_raw);
-    }
-    captured_.erase(stored.pose);
-    if (waiting_ == 0) decide();
-  }
-
-  void tryAgain() {
-    next_try_ = Clock::now() + kBetweenTries;
-    store_->retry();
-  }
-
-  void announce(const CapturedPose& captured) const {
-    common_.endProgress();
-    std::string text =
-        "Pose " + toString(captured.pose->id) + " captured: " + cellsInWords(captured.pose->samples.size());
-    if (!captured.silent_cells.empty()) text += ", silent " + listInWords(captured.silent_cells);
-    if (captured.repeats) {
-      text += "; it repeats pose " + toString(*captured.repeats) + " (" + degrees(captured.repeat_angle_rad, 1) + ")";
-    }
-    common_.note(text);
-    for (const OddCell& odd : captured.odd_cells) common_.note(describe(odd));
-  }
-
-  /// What the poses so far are good for, and what comes next.
-  void decide() {
+  void solve() {
+    has_news_ = false;
     result_ = reconstruct(*session_->snapshot(), {}, result_.get());
-    const std::size_t count = session_->poses().size();
-    // A pose costs a device nothing: where a person could stop, it goes on until the result is good.
-    const bool is_good = enoughPoses(*result_) && result_->verdict.level == VerdictLevel::Good;
-    done_ =
-        options_.poses > 0 ? count >= options_.poses : options_.automatic && (is_good || count >= kMostPosesByItself);
-    if (done_ || result_->patches.empty()) return;
-    advised_in_ = &*std::ranges::max_element(result_->patches, {},
-                                             [](const PatchReconstruction& patch) { return patch.cells.size(); });
-    advise();
+    course_.setResult(result_, true);
   }
 
-  void advise() {
-    std::vector<Eigen::Vector3d> seen;
-    for (const GravityDirection& gravity : advised_in_->gravity) seen.push_back(gravity.g_o);
-    const PoseAdvice advice = adviseNextPose(session_->model(), seen, unreachable_);
-    common_.note("Next: " + adviceInWords(advice, *result_));
-    if (!options_.automatic) return;
-    asked_up_ = advice.up;
-    asked_ = source_.send(TurnTo{advised_in_->origin, advice.up});
-  }
-
-  /// A direction that can't be reached is skipped, and the next best asked for.
   void handle(const CommandOutcome& outcome) {
-    if (asked_ == 0 || outcome.command != asked_) return;
-    asked_ = 0;
     made_progress_ = true;
-    if (outcome.done) return;
-    common_.endProgress();
-    common_.note("The device does not turn there: " + outcome.text);
-    constexpr std::size_t kMostRefusals = 10;
-    unreachable_.push_back(asked_up_);
-    if (unreachable_.size() > kMostRefusals) {
-      throw DeviceError(source_.address() + ": refused to turn " + std::to_string(unreachable_.size()) +
-                        " times, the last time: " + outcome.text);
-    }
-    advise();
+    course_.setOutcome(outcome);
   }
 
   void handle(const SourceStatus& status) {
@@ -239,6 +181,48 @@ class Capture {
     common_.progress(hold.text);
   }
 
+  void show(const PoseTaken& /*taken*/) {}
+  void show(const PoseKept& kept) {
+    has_news_ = true;
+    const CapturedPose& captured = kept.captured;
+    common_.endProgress();
+    std::string text =
+        "Pose " + toString(captured.pose->id) + " captured: " + cellsInWords(captured.pose->samples.size());
+    if (!captured.silent_cells.empty()) text += ", silent " + listInWords(captured.silent_cells);
+    if (captured.repeats) {
+      text += "; it repeats pose " + toString(*captured.repeats) + " (" + degrees(captured.repeat_angle_rad, 1) + ")";
+    }
+    common_.note(text);
+    for (const OddCell& odd : captured.odd_cells) common_.note(describe(odd));
+    if (!kept.without_raw.empty()) {
+      common_.note("Pose " + toString(captured.pose->id) + " is kept without its raw samples: " + kept.without_raw);
+    }
+  }
+  void show(const PoseLost& pose) { lost_ = pose.why; }
+  void show(const FileRefused& refused) {
+    common_.endProgress();
+    common_.note(refused.why + ". Trying again.");
+  }
+  void show(const SkinChanged& /*changed*/) {
+    nameTheSkin();
+    common_.note("The device says that its topology has changed; poses stay.");
+  }
+  void show(const AdviceWanted& wanted) {
+    if (wanted.question.seen == result_ && !course_.isFinished()) course_.setAdvice(adviseOn(wanted.question));
+  }
+  void show(const AdviceChanged& /*changed*/) {
+    if (course_.nextPose()) common_.note("Next: " + adviceInWords(*course_.nextPose(), *result_));
+  }
+  void show(const TurnRefused& refused) {
+    common_.endProgress();
+    common_.note("The device does not turn there: " + refused.why);
+    if (refused.gave_up) {
+      throw DeviceError(source_.address() + ": refused to turn " + std::to_string(refused.times) +
+                        " times, the last time: " + refused.why);
+    }
+  }
+  void show(const CourseFinished& /*finished*/) {}
+
   const CaptureOptions& options_;
   const Common& common_;
   SkinSource& source_;
@@ -246,27 +230,14 @@ class Capture {
 
   std::optional<Session> session_;
   std::unique_ptr<SessionRecorder> store_;
-  std::map<PoseId, CapturedPose> captured_;  ///< not yet on disk
-  std::size_t waiting_ = 0;
+  CaptureCourse course_;
   std::string lost_;  ///< why something is not on disk and never will be
-
-  static constexpr auto kBetweenTries = std::chrono::seconds(1);
-  std::optional<Clock::time_point> disk_is_full_since_;  ///< when it first refused a pose that still waits
-  Clock::time_point next_try_{};
   std::string device_;
-  bool can_turn_ = false;
   SourceStatus status_;
   HoldStatus hold_;
-
-  /// Names the poses: unlike the result, the same for the same recording however fast it is played.
-  std::shared_ptr<const Reconstruction> without_poses_;
   std::shared_ptr<const Reconstruction> result_;
-  const PatchReconstruction* advised_in_ = nullptr;
-  std::vector<Eigen::Vector3d> unreachable_;
-  Eigen::Vector3d asked_up_ = Eigen::Vector3d::Zero();
-  std::uint32_t asked_ = 0;  ///< the turn that was asked for; 0: none
+  bool has_news_ = false;  ///< poses that are not in the result
   bool made_progress_ = false;
-  bool done_ = false;
 };
 
 void print(const Capture& capture, const CaptureOptions& options, const Common& common) {
@@ -321,7 +292,7 @@ int run(const CaptureOptions& options, const Common& common) {
     capture.run();
   } catch (...) {
     source->stop();
-    capture.finish();  // what was captured stays
+    capture.finish();  // captured poses stay
     throw;
   }
   source->stop();

@@ -335,7 +335,7 @@ class PseudoTerminalLink final : public DeviceLink {
 
   void take(const skinwire::Command& command) {
     const auto* describe = std::get_if<skinwire::Describe>(&command.request);
-    // Nobody says when a host opens the port. One that has no topology yet has just come.
+    // A pseudo-terminal does not tell when a host opens it. A host that has no topology yet has just come.
     const bool is_new = !has_host_ || (describe != nullptr && !describe->known_topology);
     if (is_new && describe != nullptr) {
       has_host_ = true;

@@ -60,7 +60,7 @@ QString languageFromArguments(const QStringList& arguments) {
   return Preferences().language();
 }
 
-/// What is asked for before there is an application that could parse it.
+/// Whether an option is given, for options that are needed before there is an application that could parse them.
 bool isAsked(int argc, char** argv, const char* option) {
   return std::any_of(argv + 1, argv + argc,
                      [option](const char* argument) { return std::strcmp(argument, option) == 0; });
@@ -79,15 +79,16 @@ class Script : public QObject {
  private:
   void step() {
     SessionController& controller = window_.controller();
-    if (done_ || !controller.reconstruction() || controller.isSolving() || !controller.activity().isEmpty()) return;
+    if (done_ || !controller.reconstruction() || controller.isSolving() || !controller.work().activity().isEmpty())
+      return;
     if (!controller.isCurrent()) return;
-    if (controller.isDemo() && static_cast<int>(controller.session()->poses().size()) < poses_) {
-      if (!controller.isRobotOn()) controller.setRobot(true);
+    if (controller.liveSession().isDemo() && static_cast<int>(controller.session()->poses().size()) < poses_) {
+      if (!controller.poseGuide().isRobotOn()) controller.poseGuide().setRobot(true);
       return;
     }
     done_ = true;
-    controller.setRobot(false);
-    controller.setAutomatic(false);
+    controller.poseGuide().setRobot(false);
+    controller.liveSession().setAutomatic(false);
     if (picture_.isEmpty()) return;
     // The views draw what they have just been given when the events before this one are through.
     QTimer::singleShot(0, this, [this] {
@@ -113,7 +114,7 @@ int main(int argc, char** argv) {
   QCoreApplication::setApplicationName(QStringLiteral("hexoderm"));
   prepareSoftwareOpenGl(isAsked(argc, argv, "--software-opengl"));
 #if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
-  // As Qt 6 does: dense screens are followed, by their exact scale.
+  // As in Qt 6: dense screens are followed, by their exact scale.
   QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
   QGuiApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);

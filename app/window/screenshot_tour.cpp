@@ -57,7 +57,7 @@ QWidget* openDialog(const QWidget& window) {
 bool ScreenshotTour::waitUntilIdle() {
   const SessionController& controller = window_.controller();
   const bool is_idle = waitUntil([&] {
-    return controller.activity().isEmpty() && !controller.isSolving() && controller.reconstruction() != nullptr;
+    return controller.work().activity().isEmpty() && !controller.isSolving() && controller.reconstruction() != nullptr;
   });
   if (!is_idle) problems_ << QStringLiteral("the window did not come to rest");
   settle();
@@ -94,7 +94,7 @@ void ScreenshotTour::visitSteps(const QString& stage) {
 void ScreenshotTour::visitDialogs() {
   bool has_shown_files = false;
   for (const QAction* known : window_.findChildren<QAction*>()) {
-    // What opens a dialog says so by its dots. Those for files are alike.
+    // Actions that open a dialog are recognised by their dots. File dialogs are all alike.
     auto* action = const_cast<QAction*>(known);
     const QString name = action->objectName();
     const bool opens_dialog = action->text().endsWith(QChar(0x2026)) || name == QStringLiteral("actionKeys") ||
@@ -127,16 +127,16 @@ QStringList ScreenshotTour::run(QSize size) {
   visitSteps(QStringLiteral("start"));
   SessionController& controller = window_.controller();
   stepHead(static_cast<int>(GuideStep::Capture) + 1)->click();
-  controller.setRobot(true);
+  controller.poseGuide().setRobot(true);
   const auto poses = [&] { return controller.reconstruction() ? controller.reconstruction()->poses.size() : 0; };
   if (!waitUntil([&] { return poses() >= 1; })) return problems_ << QStringLiteral("no pose was taken");
   stop(window_, QStringLiteral("first-pose"));
   if (!waitUntil([&] { return poses() >= 2; })) return problems_ << QStringLiteral("no second pose was taken");
   stop(window_, QStringLiteral("second-pose"));
   const bool is_done =
-      waitUntil([&] { return poses() >= kMostPoses || (poses() > 1 && !controller.wantsMorePoses()); });
-  controller.setRobot(false);
-  controller.setAutomatic(false);
+      waitUntil([&] { return poses() >= kMostPoses || (poses() > 1 && !controller.poseGuide().wantsMorePoses()); });
+  controller.poseGuide().setRobot(false);
+  controller.liveSession().setAutomatic(false);
   if (!is_done || !waitUntilIdle()) return problems_ << QStringLiteral("the robot did not take enough poses");
   visitSteps(QStringLiteral("done"));
   if (window_.size() != size) {

@@ -22,8 +22,8 @@ class ScreenshotTour {
   ScreenshotTour(MainWindow& window, const QDir& folder, const QString& prefix, int largest_width_px = 0)
       : window_(window), folder_(folder), prefix_(prefix), largest_width_px_(largest_width_px) {}
 
-  /// Runs the event loop until it is through. What went wrong, in words: texts that are cut off, pictures that could
-  /// not be written, waits that had no end. Empty if all is well.
+  /// Runs the event loop until the tour is through. Returns its failures, in words: texts that are cut off, pictures
+  /// that could not be written, waits that had no end. Empty if all is well.
   QStringList run(QSize size);
 
  private:

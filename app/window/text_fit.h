@@ -15,8 +15,8 @@ struct CutText {
 };
 
 /// Every visible label, button, tab, menu title, column header and group title under `root` (itself included) whose
-/// text is wider or taller than its room, or which hangs over the edge of its parent. What scrolls may hang over. A
-/// widget that draws its text itself tells by a dynamic property "textIsCut" (bool). Layouts must have settled.
+/// text is wider or taller than its room, or which hangs over the edge of its parent. Scrolled contents may hang over.
+/// A widget that draws its text itself reports by a dynamic property "textIsCut" (bool). Layouts must have settled.
 std::vector<CutText> findCutTexts(const QWidget& root);
 
 }  // namespace hexoderm

@@ -2,13 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
-    <name>hexoderm::AddPoseCommand</name>
-    <message>
-        <source>take pose %1</source>
-        <translation>Pose %1 aufnehmen</translation>
-    </message>
-</context>
-<context>
     <name>hexoderm::Banner</name>
     <message>
         <source>Where we stand</source>
@@ -52,6 +45,10 @@
     <message>
         <source>%1 to go</source>
         <translation>noch %1</translation>
+    </message>
+    <message>
+        <source>Writing</source>
+        <translation>Wird geschrieben</translation>
     </message>
 </context>
 <context>
@@ -444,6 +441,185 @@
     <message>
         <source>Show: %1</source>
         <translation>Zeigen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::Coloring</name>
+    <message>
+        <source>link quality</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>Restfehler</translation>
+    </message>
+    <message>
+        <source>residual, rms over poses</source>
+        <translation>Restfehler, Effektivwert über die Posen</translation>
+    </message>
+    <message>
+        <source>worst link&apos;s residual</source>
+        <translation>Restfehler der schlechtesten Verbindung</translation>
+    </message>
+    <message>
+        <source>No link was measured yet</source>
+        <translation>Noch ist keine Verbindung gemessen</translation>
+    </message>
+    <message>
+        <source>predicted deviation</source>
+        <translation>erwartete Abweichung</translation>
+    </message>
+    <message>
+        <source>worst link&apos;s predicted deviation</source>
+        <translation>erwartete Abweichung der schlechtesten Verbindung</translation>
+    </message>
+    <message>
+        <source>bend</source>
+        <translation>Biegung</translation>
+    </message>
+    <message>
+        <source>bend, either way</source>
+        <translation>Biegung, beide Richtungen</translation>
+    </message>
+    <message>
+        <source>twist</source>
+        <translation>Verwindung</translation>
+    </message>
+    <message>
+        <source>twist, either way</source>
+        <translation>Verwindung, beide Richtungen</translation>
+    </message>
+    <message>
+        <source>yaw</source>
+        <translation>Gieren</translation>
+    </message>
+    <message>
+        <source>yaw, either way</source>
+        <translation>Gieren, beide Richtungen</translation>
+    </message>
+    <message>
+        <source>position uncertainty</source>
+        <translation>Unsicherheit des Ortes</translation>
+    </message>
+    <message>
+        <source>position known to (95 %)</source>
+        <translation>Ort bekannt auf (95 %)</translation>
+    </message>
+    <message>
+        <source>position uncertainty (95 %)</source>
+        <translation>Unsicherheit des Ortes (95 %)</translation>
+    </message>
+    <message>
+        <source>This result states no uncertainties</source>
+        <translation>Dieses Ergebnis nennt keine Unsicherheiten</translation>
+    </message>
+    <message>
+        <source>orientation uncertainty</source>
+        <translation>Unsicherheit der Orientierung</translation>
+    </message>
+    <message>
+        <source>orientation known to (95 %)</source>
+        <translation>Orientierung bekannt auf (95 %)</translation>
+    </message>
+    <message>
+        <source>orientation uncertainty (95 %)</source>
+        <translation>Unsicherheit der Orientierung (95 %)</translation>
+    </message>
+    <message>
+        <source>distance from the origin</source>
+        <translation>Abstand vom Ursprung</translation>
+    </message>
+    <message>
+        <source>distance from the origin along the path</source>
+        <translation>Abstand vom Ursprung entlang des Weges</translation>
+    </message>
+    <message>
+        <source>This result holds no paths from the origin</source>
+        <translation>Dieses Ergebnis enthält keine Wege vom Ursprung</translation>
+    </message>
+    <message>
+        <source>distance from the fitted surface</source>
+        <translation>Abstand von der angepassten Fläche</translation>
+    </message>
+    <message>
+        <source>No surface was fitted yet</source>
+        <translation>Noch ist keine Fläche angepasst</translation>
+    </message>
+    <message>
+        <source>placed by</source>
+        <translation>verortet durch</translation>
+    </message>
+    <message>
+        <source>patch</source>
+        <translation>Hautstück</translation>
+    </message>
+    <message>
+        <source>body part</source>
+        <translation>Körperteil</translation>
+    </message>
+    <message>
+        <source>The skin does not say which body part its cells are on</source>
+        <translation>Die Haut sagt nicht, auf welchem Körperteil ihre Zellen sind</translation>
+    </message>
+    <message>
+        <source>reading x</source>
+        <translation>Messwert x</translation>
+    </message>
+    <message>
+        <source>newest reading along x</source>
+        <translation>neuester Messwert entlang x</translation>
+    </message>
+    <message>
+        <source>There are no readings: connect a skin</source>
+        <translation>Es gibt keine Messwerte: eine Haut verbinden</translation>
+    </message>
+    <message>
+        <source>reading y</source>
+        <translation>Messwert y</translation>
+    </message>
+    <message>
+        <source>newest reading along y</source>
+        <translation>neuester Messwert entlang y</translation>
+    </message>
+    <message>
+        <source>reading z</source>
+        <translation>Messwert z</translation>
+    </message>
+    <message>
+        <source>newest reading along z</source>
+        <translation>neuester Messwert entlang z</translation>
+    </message>
+    <message>
+        <source>reading, norm</source>
+        <translation>Messwert, Betrag</translation>
+    </message>
+    <message>
+        <source>norm of the newest reading</source>
+        <translation>Betrag des neuesten Messwerts</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>The skin sends no temperatures</source>
+        <translation>Die Haut sendet keine Temperaturen</translation>
+    </message>
+    <message>
+        <source>%1 or more</source>
+        <translation>%1 oder mehr</translation>
+    </message>
+    <message>
+        <source>%1 or less</source>
+        <translation>%1 oder weniger</translation>
+    </message>
+    <message>
+        <source>patch %1</source>
+        <translation>Hautstück %1</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
     </message>
 </context>
 <context>
@@ -1755,6 +1931,44 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
 </context>
 <context>
+    <name>hexoderm::CsvActions</name>
+    <message>
+        <source>Copy as CSV</source>
+        <translation>Als CSV kopieren</translation>
+    </message>
+    <message>
+        <source>Save as CSV…</source>
+        <translation>Als CSV speichern…</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::EditCommand</name>
+    <message>
+        <source>take pose %1</source>
+        <translation>Pose %1 aufnehmen</translation>
+    </message>
+    <message>
+        <source>delete pose %1</source>
+        <translation>Pose %1 löschen</translation>
+    </message>
+    <message>
+        <source>disable pose %1</source>
+        <translation>Pose %1 nicht benutzen</translation>
+    </message>
+    <message>
+        <source>enable pose %1</source>
+        <translation>Pose %1 wieder benutzen</translation>
+    </message>
+    <message>
+        <source>set link %1 aside</source>
+        <translation>Verbindung %1 ausschließen</translation>
+    </message>
+    <message>
+        <source>take link %1 back</source>
+        <translation>Verbindung %1 zurücknehmen</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::EventLog</name>
     <message>
         <source>The folder %1 can&apos;t be made.</source>
@@ -1914,69 +2128,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
 </context>
 <context>
-    <name>hexoderm::GraphColoring</name>
-    <message>
-        <source>%1° or more</source>
-        <translation>%1° oder mehr</translation>
-    </message>
-    <message>
-        <source>own readings</source>
-        <translation>eigene Messwerte</translation>
-    </message>
-    <message>
-        <source>links</source>
-        <translation>Verbindungen</translation>
-    </message>
-    <message>
-        <source>patch %1</source>
-        <translation>Hautstück %1</translation>
-    </message>
-    <message>
-        <source>bend</source>
-        <translation>Biegung</translation>
-    </message>
-    <message>
-        <source>twist</source>
-        <translation>Verwindung</translation>
-    </message>
-    <message>
-        <source>yaw</source>
-        <translation>Gieren</translation>
-    </message>
-    <message>
-        <source>placed by</source>
-        <translation>verortet durch</translation>
-    </message>
-    <message>
-        <source>residual, rms over poses</source>
-        <translation>Restfehler, Effektivwert über die Posen</translation>
-    </message>
-    <message>
-        <source>bend, either way</source>
-        <translation>Biegung, beide Richtungen</translation>
-    </message>
-    <message>
-        <source>twist, either way</source>
-        <translation>Verwindung, beide Richtungen</translation>
-    </message>
-    <message>
-        <source>yaw, either way</source>
-        <translation>Gieren, beide Richtungen</translation>
-    </message>
-    <message>
-        <source>position known to (95 %)</source>
-        <translation>Ort bekannt auf (95 %)</translation>
-    </message>
-    <message>
-        <source>±%1 mm or more</source>
-        <translation>±%1 mm oder mehr</translation>
-    </message>
-    <message>
-        <source>orientation known to (95 %)</source>
-        <translation>Orientierung bekannt auf (95 %)</translation>
-    </message>
-</context>
-<context>
     <name>hexoderm::GraphColoringButton</name>
     <message>
         <source>What the colours of links and cells show</source>
@@ -2010,10 +2161,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>und so weiter</translation>
     </message>
     <message>
-        <source>not known</source>
-        <translation>nicht bekannt</translation>
-    </message>
-    <message>
         <source>not used</source>
         <translation>nicht benutzt</translation>
     </message>
@@ -2024,6 +2171,36 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>origin</source>
         <translation>Ursprung</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::GraphPaint</name>
+    <message>
+        <source>own readings</source>
+        <translation>eigene Messwerte</translation>
+    </message>
+    <message>
+        <source>links</source>
+        <translation>Verbindungen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::GraphPointing</name>
+    <message>
+        <source>No skin is open.</source>
+        <translation>Keine Haut ist offen.</translation>
+    </message>
+    <message>
+        <source>Picked: cell %1</source>
+        <translation>Gewählt: Zelle %1</translation>
+    </message>
+    <message>
+        <source>Picked: %1, %2</source>
+        <translation>Gewählt: %1, %2</translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation>nicht benutzt</translation>
     </message>
 </context>
 <context>
@@ -2041,18 +2218,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>%1 Zellen</translation>
     </message>
     <message>
-        <source>No skin is open.</source>
-        <translation>Keine Haut ist offen.</translation>
-    </message>
-    <message>
-        <source>Picked: cell %1</source>
-        <translation>Gewählt: Zelle %1</translation>
-    </message>
-    <message>
-        <source>Picked: %1, %2</source>
-        <translation>Gewählt: %1, %2</translation>
-    </message>
-    <message>
         <source>This skin has no cells.</source>
         <translation>Diese Haut hat keine Zellen.</translation>
     </message>
@@ -2063,10 +2228,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Skin graph</source>
         <translation>Hautgraph</translation>
-    </message>
-    <message>
-        <source>not used</source>
-        <translation>nicht benutzt</translation>
     </message>
     <message>
         <source>Colours</source>
@@ -2480,6 +2641,68 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>set aside</source>
         <translation>ausgeschlossen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::LiveMode</name>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>What is shown stands still: the skin as it is now can&apos;t be solved. %1</source>
+        <translation>Das Gezeigte steht still: Die Haut, wie sie jetzt ist, lässt sich nicht lösen. %1</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::LiveSession</name>
+    <message>
+        <source>%1 has other cells than the session %2, so nothing was added. Connect it with a session of its own.</source>
+        <translation>%1 hat andere Zellen als die Sitzung %2, darum wurde nichts hinzugefügt. Mit einer eigenen Sitzung verbinden.</translation>
+    </message>
+    <message>
+        <source>The session that is open was changed while the skin was being connected, so it stays. Save it, and connect again.</source>
+        <translation>Die offene Sitzung wurde geändert, während die Haut verbunden wurde, darum bleibt sie. Speichern und noch einmal verbinden.</translation>
+    </message>
+    <message>
+        <source>Demo skin (simulated)</source>
+        <translation>Demo-Haut (simuliert)</translation>
+    </message>
+    <message>
+        <source>recapture pose %1</source>
+        <translation>Pose %1 neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>The links are others than those of the session; the poses stay.</source>
+        <translation>Die Verbindungen sind andere als die der Sitzung; die Posen bleiben.</translation>
+    </message>
+    <message>
+        <source>The device says that its cells or links have changed; the poses stay.</source>
+        <translation>Das Gerät meldet geänderte Zellen oder Verbindungen; die Posen bleiben.</translation>
+    </message>
+    <message>
+        <source>1 cell</source>
+        <translation>1 Zelle</translation>
+    </message>
+    <message>
+        <source>%1 cells</source>
+        <translation>%1 Zellen</translation>
+    </message>
+    <message>
+        <source>Pose %1 captured, in memory only: %2.</source>
+        <translation>Pose %1 aufgenommen, nur im Speicher: %2.</translation>
+    </message>
+    <message>
+        <source>Pose %1 captured: %2.</source>
+        <translation>Pose %1 aufgenommen: %2.</translation>
+    </message>
+    <message>
+        <source>Nothing came from %1.</source>
+        <translation>Nichts kam von %1.</translation>
+    </message>
+    <message>
+        <source>It repeats pose %1, which is only %2° away.</source>
+        <translation>Sie wiederholt Pose %1, die nur %2° entfernt ist.</translation>
     </message>
 </context>
 <context>
@@ -2927,17 +3150,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
 </context>
 <context>
-    <name>hexoderm::MuteLinkCommand</name>
-    <message>
-        <source>set link %1 aside</source>
-        <translation>Verbindung %1 ausschließen</translation>
-    </message>
-    <message>
-        <source>take link %1 back</source>
-        <translation>Verbindung %1 zurücknehmen</translation>
-    </message>
-</context>
-<context>
     <name>hexoderm::OpenGlWords</name>
     <message>
         <source>no OpenGL 3.2</source>
@@ -2980,6 +3192,13 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Dragging and the arrow keys turn the part instead of the picture; dragging with Shift always does</source>
         <translation>Ziehen und Pfeiltasten drehen das Teil statt des Bildes; Ziehen mit Umschalt tut das immer</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PatchCaptions</name>
+    <message>
+        <source>gravity</source>
+        <translation>Schwerkraft</translation>
     </message>
 </context>
 <context>
@@ -3070,6 +3289,25 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
 </context>
 <context>
+    <name>hexoderm::PatchLegend</name>
+    <message>
+        <source>no link</source>
+        <translation>keine Verbindung</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>Cells are coloured by: %1; from %2 (dark) to %3 (bright)</source>
+        <translation>Farbe der Zellen: %1; von %2 (dunkel) bis %3 (hell)</translation>
+    </message>
+    <message>
+        <source>Cells are coloured by: %1</source>
+        <translation>Farbe der Zellen: %1</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::PatchView</name>
     <message>
         <source>Skin patch in 3D</source>
@@ -3090,6 +3328,184 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Preparing the picture of %1 cells…</source>
         <translation>Das Bild von %1 Zellen wird vorbereitet…</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PatchWords</name>
+    <message>
+        <source>drawn %1 times as large</source>
+        <translation>%1-fach vergrößert gezeichnet</translation>
+    </message>
+    <message>
+        <source>true to scale</source>
+        <translation>maßstäblich</translation>
+    </message>
+    <message>
+        <source>This result states no uncertainties</source>
+        <translation>Dieses Ergebnis nennt keine Unsicherheiten</translation>
+    </message>
+    <message>
+        <source>No surface was fitted yet</source>
+        <translation>Noch ist keine Fläche angepasst</translation>
+    </message>
+    <message>
+        <source>&amp;Ports</source>
+        <translation>&amp;Ports</translation>
+    </message>
+    <message>
+        <source>Cell &amp;IDs</source>
+        <translation>&amp;IDs der Zellen</translation>
+    </message>
+    <message>
+        <source>A&amp;xes</source>
+        <translation>&amp;Achsen</translation>
+    </message>
+    <message>
+        <source>&amp;Gravity</source>
+        <translation>&amp;Schwerkraft</translation>
+    </message>
+    <message>
+        <source>&amp;Links by quality</source>
+        <translation>&amp;Verbindungen nach Güte</translation>
+    </message>
+    <message>
+        <source>Shortest-path t&amp;ree</source>
+        <translation>&amp;Baum der kürzesten Wege</translation>
+    </message>
+    <message>
+        <source>&amp;Uncertainty ellipsoids</source>
+        <translation>&amp;Unsicherheitsellipsoide</translation>
+    </message>
+    <message>
+        <source>&amp;Truth</source>
+        <translation>&amp;Wahrheit</translation>
+    </message>
+    <message>
+        <source>Fitted &amp;surface</source>
+        <translation>Angepasste &amp;Fläche</translation>
+    </message>
+    <message>
+        <source>L&amp;oop gap</source>
+        <translation>Lücke der S&amp;chleife</translation>
+    </message>
+    <message>
+        <source>&amp;Differences to the other calibration</source>
+        <translation>&amp;Unterschiede zur anderen Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Discs where a link joins a neighbour, rings where a port is free</source>
+        <translation>Scheiben, wo eine Verbindung ansetzt, Ringe, wo ein Port frei ist</translation>
+    </message>
+    <message>
+        <source>Each cell&apos;s number, on faces that look at you</source>
+        <translation>Die Nummer jeder Zelle, auf zugewandten Seiten</translation>
+    </message>
+    <message>
+        <source>The directions of the patch&apos;s frame, which is the origin cell&apos;s</source>
+        <translation>Die Richtungen im Koordinatensystem des Hautstücks, dem der Ursprungszelle</translation>
+    </message>
+    <message>
+        <source>Where gravity points in the picked pose</source>
+        <translation>Wohin die Schwerkraft in der gewählten Pose zeigt</translation>
+    </message>
+    <message>
+        <source>Every link in the colour and line style of its class; muted links are crossed</source>
+        <translation>Jede Verbindung in Farbe und Linienart ihrer Güte; ausgeschlossene sind durchgestrichen</translation>
+    </message>
+    <message>
+        <source>The links by which every cell is reached from the origin on the shortest way</source>
+        <translation>Die Verbindungen, über die jede Zelle auf kürzestem Weg vom Ursprung erreicht wird</translation>
+    </message>
+    <message>
+        <source>The region that holds each cell&apos;s centre with 95 % probability, relative to the origin</source>
+        <translation>Der Bereich, in dem die Mitte jeder Zelle mit 95 % Wahrscheinlichkeit liegt, bezogen auf den Ursprung</translation>
+    </message>
+    <message>
+        <source>Where the simulated cells really are, moved onto the result as well as possible</source>
+        <translation>Wo die simulierten Zellen wirklich sind, bestmöglich auf das Ergebnis gelegt</translation>
+    </message>
+    <message>
+        <source>The surface fitted to the cells, with each cell&apos;s distance from it</source>
+        <translation>Die an die Zellen angepasste Fläche, mit dem Abstand jeder Zelle</translation>
+    </message>
+    <message>
+        <source>The gap between the two ports where the loop should close</source>
+        <translation>Die Lücke zwischen den beiden Ports, an denen sich die Schleife schließen soll</translation>
+    </message>
+    <message>
+        <source>From where each cell was to where it is now</source>
+        <translation>Von wo jede Zelle war bis wo sie jetzt ist</translation>
+    </message>
+    <message>
+        <source>There is no skin yet</source>
+        <translation>Noch gibt es keine Haut</translation>
+    </message>
+    <message>
+        <source>This skin has too many cells to draw them: at most %1</source>
+        <translation>Diese Haut hat dafür zu viele Zellen: höchstens %1</translation>
+    </message>
+    <message>
+        <source>Only of a simulated skin is the truth known</source>
+        <translation>Nur von einer simulierten Haut ist die Wahrheit bekannt</translation>
+    </message>
+    <message>
+        <source>No loop was evaluated yet</source>
+        <translation>Noch ist keine Schleife ausgewertet</translation>
+    </message>
+    <message>
+        <source>No comparison was made yet</source>
+        <translation>Noch ist nichts verglichen</translation>
+    </message>
+    <message>
+        <source>broad lines: the shortest-path tree</source>
+        <translation>breite Linien: der Baum der kürzesten Wege</translation>
+    </message>
+    <message>
+        <source>ellipsoids: 95 %, %1</source>
+        <translation>Ellipsoide: 95 %, %1</translation>
+    </message>
+    <message>
+        <source>outlines: the truth, moved onto the result</source>
+        <translation>Umrisse: die Wahrheit, auf das Ergebnis gelegt</translation>
+    </message>
+    <message>
+        <source>%1, radius %2</source>
+        <translation>%1, Radius %2</translation>
+    </message>
+    <message>
+        <source>; rms distance %1, lines %2</source>
+        <translation>; Effektivwert der Abstände %1, Linien %2</translation>
+    </message>
+    <message>
+        <source>loop gap: %1, %2 % of the loop; the arrow %3</source>
+        <translation>Lücke der Schleife: %1, %2 % der Schleife; der Pfeil %3</translation>
+    </message>
+    <message>
+        <source>arrows: from before to now, %1</source>
+        <translation>Pfeile: von vorher zu jetzt, %1</translation>
+    </message>
+    <message>
+        <source>Cells %1 and %2 are in different patches: how these lie to each other is not known</source>
+        <translation>Die Zellen %1 und %2 sind in verschiedenen Hautstücken: Wie diese zueinander liegen, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Cells %1 and %2: %3 apart, their faces %4 to each other</source>
+        <translation>Zellen %1 und %2: %3 Abstand, ihre Flächen %4 zueinander</translation>
+    </message>
+    <message>
+        <source>Cells %1 and %2: %3 ± %4 (95 %) apart, their faces %5 to each other</source>
+        <translation>Zellen %1 und %2: %3 ± %4 (95 %) Abstand, ihre Flächen %5 zueinander</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PoseGuide</name>
+    <message>
+        <source>The device refused to turn %1 times, so it is not asked any more. The last time: %2</source>
+        <translation>Das Gerät hat %1-mal abgelehnt, sich zu drehen, und wird nicht mehr gefragt. Zuletzt: %2</translation>
+    </message>
+    <message>
+        <source>The device does not turn there: %1. The next best pose is advised instead.</source>
+        <translation>Das Gerät dreht sich nicht dorthin: %1. Stattdessen wird eine andere Pose vorgeschlagen.</translation>
     </message>
 </context>
 <context>
@@ -3517,13 +3933,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Put it away; it can be taken back for %1 days</source>
         <translation>Weglegen; %1 Tage lang lässt sie sich zurückholen</translation>
-    </message>
-</context>
-<context>
-    <name>hexoderm::RemovePoseCommand</name>
-    <message>
-        <source>delete pose %1</source>
-        <translation>Pose %1 löschen</translation>
     </message>
 </context>
 <context>
@@ -3970,344 +4379,22 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
 </context>
 <context>
-    <name>hexoderm::SceneLegend</name>
+    <name>hexoderm::ResultFiles</name>
     <message>
-        <source>no link</source>
-        <translation>keine Verbindung</translation>
+        <source>Exporting %1</source>
+        <translation>%1 wird exportiert</translation>
     </message>
     <message>
-        <source>patch %1</source>
-        <translation>Hautstück %1</translation>
+        <source>Saving %1</source>
+        <translation>%1 wird gespeichert</translation>
     </message>
     <message>
-        <source>and %1 more</source>
-        <translation>und %1 weitere</translation>
-    </message>
-    <message>
-        <source>not known</source>
-        <translation>nicht bekannt</translation>
-    </message>
-    <message>
-        <source>Cells are coloured by: %1; from %2 (dark) to %3 (bright)</source>
-        <translation>Farbe der Zellen: %1; von %2 (dunkel) bis %3 (hell)</translation>
-    </message>
-    <message>
-        <source>Cells are coloured by: %1</source>
-        <translation>Farbe der Zellen: %1</translation>
+        <source>Writing the report %1</source>
+        <translation>Der Bericht %1 wird geschrieben</translation>
     </message>
 </context>
 <context>
-    <name>hexoderm::PatchCaptions</name>
-    <message>
-        <source>gravity</source>
-        <translation>Schwerkraft</translation>
-    </message>
-</context>
-<context>
-    <name>hexoderm::SceneWords</name>
-    <message>
-        <source>drawn %1 times as large</source>
-        <translation>%1-fach vergrößert gezeichnet</translation>
-    </message>
-    <message>
-        <source>true to scale</source>
-        <translation>maßstäblich</translation>
-    </message>
-    <message>
-        <source>link quality</source>
-        <translation>Güte</translation>
-    </message>
-    <message>
-        <source>residual</source>
-        <translation>Restfehler</translation>
-    </message>
-    <message>
-        <source>predicted deviation</source>
-        <translation>erwartete Abweichung</translation>
-    </message>
-    <message>
-        <source>position uncertainty</source>
-        <translation>Unsicherheit des Ortes</translation>
-    </message>
-    <message>
-        <source>orientation uncertainty</source>
-        <translation>Unsicherheit der Orientierung</translation>
-    </message>
-    <message>
-        <source>distance from the origin</source>
-        <translation>Abstand vom Ursprung</translation>
-    </message>
-    <message>
-        <source>distance from the fitted surface</source>
-        <translation>Abstand von der angepassten Fläche</translation>
-    </message>
-    <message>
-        <source>patch</source>
-        <translation>Hautstück</translation>
-    </message>
-    <message>
-        <source>body part</source>
-        <translation>Körperteil</translation>
-    </message>
-    <message>
-        <source>reading x</source>
-        <translation>Messwert x</translation>
-    </message>
-    <message>
-        <source>reading y</source>
-        <translation>Messwert y</translation>
-    </message>
-    <message>
-        <source>reading z</source>
-        <translation>Messwert z</translation>
-    </message>
-    <message>
-        <source>reading, norm</source>
-        <translation>Messwert, Betrag</translation>
-    </message>
-    <message>
-        <source>temperature</source>
-        <translation>Temperatur</translation>
-    </message>
-    <message>
-        <source>worst link&apos;s residual, °</source>
-        <translation>Restfehler der schlechtesten Verbindung, °</translation>
-    </message>
-    <message>
-        <source>worst link&apos;s predicted deviation, °</source>
-        <translation>erwartete Abweichung der schlechtesten Verbindung, °</translation>
-    </message>
-    <message>
-        <source>position uncertainty (95 %), mm</source>
-        <translation>Unsicherheit des Ortes (95 %), mm</translation>
-    </message>
-    <message>
-        <source>orientation uncertainty (95 %), °</source>
-        <translation>Unsicherheit der Orientierung (95 %), °</translation>
-    </message>
-    <message>
-        <source>distance from the origin along the path, mm</source>
-        <translation>Abstand vom Ursprung entlang des Weges, mm</translation>
-    </message>
-    <message>
-        <source>distance from the fitted surface, mm</source>
-        <translation>Abstand von der angepassten Fläche, mm</translation>
-    </message>
-    <message>
-        <source>newest reading along x, g</source>
-        <translation>neuester Messwert entlang x, g</translation>
-    </message>
-    <message>
-        <source>newest reading along y, g</source>
-        <translation>neuester Messwert entlang y, g</translation>
-    </message>
-    <message>
-        <source>newest reading along z, g</source>
-        <translation>neuester Messwert entlang z, g</translation>
-    </message>
-    <message>
-        <source>norm of the newest reading, g</source>
-        <translation>Betrag des neuesten Messwerts, g</translation>
-    </message>
-    <message>
-        <source>temperature, °C</source>
-        <translation>Temperatur, °C</translation>
-    </message>
-    <message>
-        <source>%1 or less</source>
-        <translation>%1 oder weniger</translation>
-    </message>
-    <message>
-        <source>%1 or more</source>
-        <translation>%1 oder mehr</translation>
-    </message>
-    <message>
-        <source>No link was measured yet</source>
-        <translation>Noch ist keine Verbindung gemessen</translation>
-    </message>
-    <message>
-        <source>This result states no uncertainties</source>
-        <translation>Dieses Ergebnis nennt keine Unsicherheiten</translation>
-    </message>
-    <message>
-        <source>This result holds no paths from the origin</source>
-        <translation>Dieses Ergebnis enthält keine Wege vom Ursprung</translation>
-    </message>
-    <message>
-        <source>No surface was fitted yet</source>
-        <translation>Noch ist keine Fläche angepasst</translation>
-    </message>
-    <message>
-        <source>The skin does not say which body part its cells are on</source>
-        <translation>Die Haut sagt nicht, auf welchem Körperteil ihre Zellen sind</translation>
-    </message>
-    <message>
-        <source>There are no readings: connect a skin</source>
-        <translation>Es gibt keine Messwerte: eine Haut verbinden</translation>
-    </message>
-    <message>
-        <source>The skin sends no temperatures</source>
-        <translation>Die Haut sendet keine Temperaturen</translation>
-    </message>
-    <message>
-        <source>&amp;Ports</source>
-        <translation>&amp;Ports</translation>
-    </message>
-    <message>
-        <source>Cell &amp;IDs</source>
-        <translation>&amp;IDs der Zellen</translation>
-    </message>
-    <message>
-        <source>A&amp;xes</source>
-        <translation>&amp;Achsen</translation>
-    </message>
-    <message>
-        <source>&amp;Gravity</source>
-        <translation>&amp;Schwerkraft</translation>
-    </message>
-    <message>
-        <source>&amp;Links by quality</source>
-        <translation>&amp;Verbindungen nach Güte</translation>
-    </message>
-    <message>
-        <source>Shortest-path t&amp;ree</source>
-        <translation>&amp;Baum der kürzesten Wege</translation>
-    </message>
-    <message>
-        <source>&amp;Uncertainty ellipsoids</source>
-        <translation>&amp;Unsicherheitsellipsoide</translation>
-    </message>
-    <message>
-        <source>&amp;Truth</source>
-        <translation>&amp;Wahrheit</translation>
-    </message>
-    <message>
-        <source>Fitted &amp;surface</source>
-        <translation>Angepasste &amp;Fläche</translation>
-    </message>
-    <message>
-        <source>L&amp;oop gap</source>
-        <translation>Lücke der S&amp;chleife</translation>
-    </message>
-    <message>
-        <source>&amp;Differences to the other calibration</source>
-        <translation>&amp;Unterschiede zur anderen Kalibrierung</translation>
-    </message>
-    <message>
-        <source>Discs where a link joins a neighbour, rings where a port is free</source>
-        <translation>Scheiben, wo eine Verbindung ansetzt, Ringe, wo ein Port frei ist</translation>
-    </message>
-    <message>
-        <source>Each cell&apos;s number, on faces that look at you</source>
-        <translation>Die Nummer jeder Zelle, auf zugewandten Seiten</translation>
-    </message>
-    <message>
-        <source>The directions of the patch&apos;s frame, which is the origin cell&apos;s</source>
-        <translation>Die Richtungen im Koordinatensystem des Hautstücks, dem der Ursprungszelle</translation>
-    </message>
-    <message>
-        <source>Where gravity points in the picked pose</source>
-        <translation>Wohin die Schwerkraft in der gewählten Pose zeigt</translation>
-    </message>
-    <message>
-        <source>Every link in the colour and line style of its class; muted links are crossed</source>
-        <translation>Jede Verbindung in Farbe und Linienart ihrer Güte; ausgeschlossene sind durchgestrichen</translation>
-    </message>
-    <message>
-        <source>The links by which every cell is reached from the origin on the shortest way</source>
-        <translation>Die Verbindungen, über die jede Zelle auf kürzestem Weg vom Ursprung erreicht wird</translation>
-    </message>
-    <message>
-        <source>The region that holds each cell&apos;s centre with 95 % probability, relative to the origin</source>
-        <translation>Der Bereich, in dem die Mitte jeder Zelle mit 95 % Wahrscheinlichkeit liegt, bezogen auf den Ursprung</translation>
-    </message>
-    <message>
-        <source>Where the simulated cells really are, moved onto the result as well as possible</source>
-        <translation>Wo die simulierten Zellen wirklich sind, bestmöglich auf das Ergebnis gelegt</translation>
-    </message>
-    <message>
-        <source>The surface fitted to the cells, with each cell&apos;s distance from it</source>
-        <translation>Die an die Zellen angepasste Fläche, mit dem Abstand jeder Zelle</translation>
-    </message>
-    <message>
-        <source>The gap between the two ports where the loop should close</source>
-        <translation>Die Lücke zwischen den beiden Ports, an denen sich die Schleife schließen soll</translation>
-    </message>
-    <message>
-        <source>From where each cell was to where it is now</source>
-        <translation>Von wo jede Zelle war bis wo sie jetzt ist</translation>
-    </message>
-    <message>
-        <source>There is no skin yet</source>
-        <translation>Noch gibt es keine Haut</translation>
-    </message>
-    <message>
-        <source>This skin has too many cells to draw them: at most %1</source>
-        <translation>Diese Haut hat dafür zu viele Zellen: höchstens %1</translation>
-    </message>
-    <message>
-        <source>Only of a simulated skin is the truth known</source>
-        <translation>Nur von einer simulierten Haut ist die Wahrheit bekannt</translation>
-    </message>
-    <message>
-        <source>No loop was evaluated yet</source>
-        <translation>Noch ist keine Schleife ausgewertet</translation>
-    </message>
-    <message>
-        <source>No comparison was made yet</source>
-        <translation>Noch ist nichts verglichen</translation>
-    </message>
-    <message>
-        <source>broad lines: the shortest-path tree</source>
-        <translation>breite Linien: der Baum der kürzesten Wege</translation>
-    </message>
-    <message>
-        <source>ellipsoids: 95 %, %1</source>
-        <translation>Ellipsoide: 95 %, %1</translation>
-    </message>
-    <message>
-        <source>outlines: the truth, moved onto the result</source>
-        <translation>Umrisse: die Wahrheit, auf das Ergebnis gelegt</translation>
-    </message>
-    <message>
-        <source>%1, radius %2</source>
-        <translation>%1, Radius %2</translation>
-    </message>
-    <message>
-        <source>; rms distance %1, lines %2</source>
-        <translation>; Effektivwert der Abstände %1, Linien %2</translation>
-    </message>
-    <message>
-        <source>loop gap: %1, %2 % of the loop; the arrow %3</source>
-        <translation>Lücke der Schleife: %1, %2 % der Schleife; der Pfeil %3</translation>
-    </message>
-    <message>
-        <source>arrows: from before to now, %1</source>
-        <translation>Pfeile: von vorher zu jetzt, %1</translation>
-    </message>
-    <message>
-        <source>Cells %1 and %2 are in different patches: how these lie to each other is not known</source>
-        <translation>Die Zellen %1 und %2 sind in verschiedenen Hautstücken: Wie diese zueinander liegen, ist nicht bekannt</translation>
-    </message>
-    <message>
-        <source>Cells %1 and %2: %3 apart, their faces %4 to each other</source>
-        <translation>Zellen %1 und %2: %3 Abstand, ihre Flächen %4 zueinander</translation>
-    </message>
-    <message>
-        <source>Cells %1 and %2: %3 ± %4 (95 %) apart, their faces %5 to each other</source>
-        <translation>Zellen %1 und %2: %3 ± %4 (95 %) Abstand, ihre Flächen %5 zueinander</translation>
-    </message>
-</context>
-<context>
-    <name>hexoderm::SessionController</name>
-    <message>
-        <source>What is shown stands still: the skin as it is now can&apos;t be solved. %1</source>
-        <translation>Das Gezeigte steht still: Die Haut, wie sie jetzt ist, lässt sich nicht lösen. %1</translation>
-    </message>
-    <message>
-        <source>Demo skin (simulated)</source>
-        <translation>Demo-Haut (simuliert)</translation>
-    </message>
+    <name>hexoderm::SessionFile</name>
     <message>
         <source>%1 is open already.</source>
         <translation>%1 ist schon offen.</translation>
@@ -4315,6 +4402,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Opening %1</source>
         <translation>%1 wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Recovered session</source>
+        <translation>Wiederhergestellte Sitzung</translation>
     </message>
     <message>
         <source>Changes will not be kept in this file; save the session under another name. %1</source>
@@ -4325,79 +4416,8 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <translation>%1 wird gespeichert</translation>
     </message>
     <message>
-        <source>Exporting %1</source>
-        <translation>%1 wird exportiert</translation>
-    </message>
-    <message>
-        <source>The device says that its cells or links have changed; the poses stay.</source>
-        <translation>Das Gerät meldet geänderte Zellen oder Verbindungen; die Posen bleiben.</translation>
-    </message>
-    <message>
-        <source>%1 has other cells than the session %2, so nothing was added. Connect it with a session of its own.</source>
-        <translation>%1 hat andere Zellen als die Sitzung %2, darum wurde nichts hinzugefügt. Mit einer eigenen Sitzung verbinden.</translation>
-    </message>
-    <message>
-        <source>The links are others than those of the session; the poses stay.</source>
-        <translation>Die Verbindungen sind andere als die der Sitzung; die Posen bleiben.</translation>
-    </message>
-    <message>
-        <source>The session that is open was changed while the skin was being connected, so it stays. Save it, and connect again.</source>
-        <translation>Die offene Sitzung wurde geändert, während die Haut verbunden wurde, darum bleibt sie. Speichern und noch einmal verbinden.</translation>
-    </message>
-    <message>
-        <source>1 cell</source>
-        <translation>1 Zelle</translation>
-    </message>
-    <message>
-        <source>%1 cells</source>
-        <translation>%1 Zellen</translation>
-    </message>
-    <message>
-        <source>Pose %1 captured: %2.</source>
-        <translation>Pose %1 aufgenommen: %2.</translation>
-    </message>
-    <message>
-        <source>Nothing came from %1.</source>
-        <translation>Nichts kam von %1.</translation>
-    </message>
-    <message>
-        <source>It repeats pose %1, which is only %2° away.</source>
-        <translation>Sie wiederholt Pose %1, die nur %2° entfernt ist.</translation>
-    </message>
-    <message>
-        <source>Writing the report %1</source>
-        <translation>Der Bericht %1 wird geschrieben</translation>
-    </message>
-    <message>
-        <source>now</source>
-        <translation>jetzt</translation>
-    </message>
-    <message>
-        <source>The device does not turn there: %1. The next best pose is advised instead.</source>
-        <translation>Das Gerät dreht sich nicht dorthin: %1. Stattdessen wird eine andere Pose vorgeschlagen.</translation>
-    </message>
-    <message>
-        <source>recapture pose %1</source>
-        <translation>Pose %1 neu aufnehmen</translation>
-    </message>
-    <message>
         <source>Until it is saved, this session is kept in memory only. %1</source>
         <translation>Bis sie gespeichert ist, liegt diese Sitzung nur im Speicher. %1</translation>
-    </message>
-    <message>
-        <source>Recovered session</source>
-        <translation>Wiederhergestellte Sitzung</translation>
-    </message>
-</context>
-<context>
-    <name>hexoderm::SetPoseDisabledCommand</name>
-    <message>
-        <source>disable pose %1</source>
-        <translation>Pose %1 nicht benutzen</translation>
-    </message>
-    <message>
-        <source>enable pose %1</source>
-        <translation>Pose %1 wieder benutzen</translation>
     </message>
 </context>
 <context>
@@ -4487,14 +4507,22 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
 </context>
 <context>
-    <name>hexoderm::TableActions</name>
+    <name>hexoderm::SurfaceWords</name>
     <message>
-        <source>Copy as CSV</source>
-        <translation>Als CSV kopieren</translation>
+        <source>Plane</source>
+        <translation>Ebene</translation>
     </message>
     <message>
-        <source>Save as CSV…</source>
-        <translation>Als CSV speichern…</translation>
+        <source>Sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>Cone</source>
+        <translation>Kegel</translation>
     </message>
 </context>
 <context>
@@ -4680,22 +4708,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>open</source>
         <translation>offen</translation>
-    </message>
-    <message>
-        <source>Plane</source>
-        <translation>Ebene</translation>
-    </message>
-    <message>
-        <source>Sphere</source>
-        <translation>Kugel</translation>
-    </message>
-    <message>
-        <source>Cylinder</source>
-        <translation>Zylinder</translation>
-    </message>
-    <message>
-        <source>Cone</source>
-        <translation>Kegel</translation>
     </message>
     <message>
         <source>%1, half angle %2, radius %3 at its middle</source>

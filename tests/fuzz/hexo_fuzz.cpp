@@ -102,7 +102,7 @@ std::pair<JournalEntry, std::optional<Bytes>> readEntry(FuzzInput& input) {
   return {std::move(entry), std::move(raw)};
 }
 
-/// What the tables themselves refuse (a number twice, for one) is left out.
+/// Rows that the tables themselves refuse (a number twice, for one) are left out.
 void writeJournal(FuzzInput& input) {
   static const Bytes good = makeGoodFile(false);
   scratch().write(good);

@@ -38,7 +38,7 @@ std::vector<std::vector<std::string>> tableAfter(const std::string& markdown, co
 }
 
 TEST(Documentation, FindingsTableSaysWhatTheCodeSays) {
-  const std::filesystem::path readme = std::filesystem::path(HEXODERM_SOURCE_DIR) / "core/util/README.md";
+  const std::filesystem::path readme = std::filesystem::path(HEXODERM_SOURCE_DIR) / "core/hexoderm/util/README.md";
   std::vector<std::vector<std::string>> expected;
   for (const FindingDescription& entry : findingTable()) {
     expected.push_back(

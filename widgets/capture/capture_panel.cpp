@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kCapturedShown_ms = 2500;
 constexpr double kOnTheWay = 20 * kDegree;
-// Of the usual font: read from three metres, and larger where there is room.
+// Multiples of the usual font: the sentence is read from three metres, and is larger where there is room.
 constexpr double kSmallestSentence = 1.6;
 constexpr double kLargestSentence = 3.0;
 constexpr double kSmallestAtLines = 24;  // width, in line heights, up to which it is the smallest
@@ -131,6 +131,7 @@ QWidget* CapturePanel::makeButton(QAction* action, const char* object_name) {
 
 void CapturePanel::setSource(const std::optional<SourceStatus>& status) {
   source_ = status;
+  if (!source_) writing_.reset();
   refresh();
   refreshAdvice();
 }
@@ -138,7 +139,10 @@ void CapturePanel::setSource(const std::optional<SourceStatus>& status) {
 void CapturePanel::setHold(const HoldStatus& hold) {
   hold_ = hold;
   // A motion ends the moment of the capture.
-  if (captured_ && hold.stillness.armed && hold.progress > 0 && hold.phase == HoldPhase::Watching) captured_.reset();
+  if (hold.stillness.armed && hold.progress > 0 && hold.phase == HoldPhase::Watching) {
+    writing_.reset();
+    captured_.reset();
+  }
   refresh();
 }
 
@@ -147,7 +151,21 @@ void CapturePanel::setAdvice(const std::optional<NextPose>& next) {
   refreshAdvice();
 }
 
+void CapturePanel::showWriting(PoseId pose) {
+  writing_ = pose;
+  captured_.reset();
+  captured_timer_->stop();
+  showIfAny(remark_, {});
+  refresh();
+}
+
+void CapturePanel::endWriting(PoseId pose) {
+  if (writing_ == pose) writing_.reset();
+  refresh();
+}
+
 void CapturePanel::showCaptured(PoseId pose, const QString& remark) {
+  if (writing_ == pose) writing_.reset();
   captured_ = pose;
   showIfAny(remark_, remark);
   captured_timer_->start();
@@ -170,7 +188,7 @@ void CapturePanel::refresh() {
     return;
   }
   if (source_->state != SourceState::Streaming) {
-    // What was said of the last reading is no longer true when none come.
+    // Statements about the last reading are no longer true when no readings come.
     ring_->setContent({sourceStateWord(source_->state), tr("no readings"), 0, false});
     showIfAny(wait_, coreWords(source_->text));
     showIfAny(odd_, {});
@@ -178,9 +196,11 @@ void CapturePanel::refresh() {
   }
   if (captured_) {
     ring_->setContent({tr("Captured"), tr("pose %1").arg(captured_->value()), 1, true});
+  } else if (writing_) {
+    ring_->setContent({tr("Writing"), tr("pose %1").arg(writing_->value()), 1, false});
   } else {
     const HoldWords words = holdInWords(hold_);
-    // Who is on the way to the next pose is not told to stop.
+    // An operator on the way to the next pose is not told to stop.
     const bool on_the_way = hold_.phase == HoldPhase::Watching && hold_.stillness.blocker == Blocker::Turning &&
                             next_ && next_->turn && next_->turn->angle_rad > kOnTheWay;
     if (on_the_way) {

@@ -18,9 +18,9 @@ namespace hexoderm {
 
 class HoldRing;
 
-/// What the operator sees while capturing: what to do, readable from three metres, and why; the hold ring; what is
-/// awaited, with cell, value and limit; and what can be done about it. Without a source it says that no skin is
-/// connected.
+/// The operator's view of capturing: the next pose, readable from three metres, with its reason; the hold ring; the
+/// condition that is awaited, with cell, value and limit; and the buttons for it. Without a source it says that no skin
+/// is connected.
 class CapturePanel : public QWidget {
   Q_OBJECT
 
@@ -34,13 +34,18 @@ class CapturePanel : public QWidget {
   };
   explicit CapturePanel(const Actions& actions, QWidget* parent = nullptr);
 
-  /// Where the source stands; none: no skin is connected.
+  /// The state of the source; none: no skin is connected.
   void setSource(const std::optional<SourceStatus>& status);
   /// Cheap: at most 20 times a second. Shown while the source streams.
   void setHold(const HoldStatus& hold);
   /// Nothing: advice is still being worked out.
   void setAdvice(const std::optional<NextPose>& next);
-  /// Shown in the ring for a moment; `remark` ("Pose 4 repeats pose 2") stays until the next pose.
+  /// The ring says that the pose is being written, until showCaptured() or a motion.
+  void showWriting(PoseId pose);
+  /// The pose will not be written.
+  void endWriting(PoseId pose);
+  /// The ring says for a moment that the pose is captured; `remark` ("Pose 4 repeats pose 2") stays until the next
+  /// pose.
   void showCaptured(PoseId pose, const QString& remark = {});
   void setTheme(Theme theme);
 
@@ -69,6 +74,7 @@ class CapturePanel : public QWidget {
   std::optional<SourceStatus> source_;
   HoldStatus hold_;
   std::optional<NextPose> next_;
+  std::optional<PoseId> writing_;
   std::optional<PoseId> captured_;
 };
 

@@ -95,7 +95,7 @@ class Player : public QObject {
 }  // namespace
 
 QByteArray toneSamples(ToneKind kind, int rate_hz) {
-  constexpr double kLoudness = 0.35;  // of full scale
+  constexpr double kLoudness = 0.35;  // share of full scale
   constexpr double kFade_s = 0.012;   // so that no note begins or ends with a click
   std::vector<qint16> samples;
   for (const Note& note : notesOf(kind)) {
@@ -116,7 +116,6 @@ struct CaptureTone::Parts {
   bool enabled = true;
 
   void play(ToneKind kind) {
-    if (!enabled) return;
     if (thread == nullptr) {
       thread = new QThread;
       player = new Player;
@@ -142,7 +141,13 @@ CaptureTone::~CaptureTone() {
 void CaptureTone::setEnabled(bool enabled) { parts_->enabled = enabled; }
 bool CaptureTone::isEnabled() const { return parts_->enabled; }
 bool CaptureTone::hasDevice() const { return parts_->player != nullptr && parts_->player->has_device; }
-void CaptureTone::playCaptured() { parts_->play(ToneKind::Captured); }
-void CaptureTone::playStartsOver() { parts_->play(ToneKind::StartsOver); }
+void CaptureTone::playCaptured() { play(ToneKind::Captured); }
+void CaptureTone::playStartsOver() { play(ToneKind::StartsOver); }
+
+void CaptureTone::play(ToneKind kind) {
+  if (!parts_->enabled) return;
+  parts_->play(kind);
+  emit played(kind);
+}
 
 }  // namespace hexoderm

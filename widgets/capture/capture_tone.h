@@ -6,6 +6,8 @@
 
 namespace hexoderm {
 
+enum class ToneKind { Captured, StartsOver };
+
 /// Short tones for whoever looks at the part and not at the screen: one for a captured pose, a lower double one for a
 /// motion that starts a capture over. Silent where there is no audio device; never an error, never waits.
 class CaptureTone : public QObject {
@@ -24,12 +26,17 @@ class CaptureTone : public QObject {
   void playCaptured();
   void playStartsOver();
 
+ signals:
+  /// A tone was asked for while they are enabled, heard or not.
+  void played(hexoderm::ToneKind kind);
+
  private:
+  void play(ToneKind kind);
+
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };
 
-enum class ToneKind { Captured, StartsOver };
 /// 16 bit signed mono samples of a tone at a sample rate, little-endian.
 QByteArray toneSamples(ToneKind kind, int rate_hz);
 

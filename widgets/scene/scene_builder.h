@@ -19,7 +19,7 @@ class SceneBuilder {
   using Content = std::shared_ptr<const SceneContent>;
 
   /// `deliver` is called with each result, on the thread that made the builder (which needs an event loop), and never
-  /// after the destructor. That waits for the content being made.
+  /// after the destructor, which waits for the content being made.
   explicit SceneBuilder(std::function<void(Content)> deliver);
   SceneBuilder(const SceneBuilder&) = delete;
   SceneBuilder& operator=(const SceneBuilder&) = delete;
@@ -36,7 +36,7 @@ class SceneBuilder {
   void deliverResult();
 
   std::function<void(Content)> deliver_;
-  QObject receiver_;  ///< of the posted deliveries; they go with it
+  QObject receiver_;  ///< receiver of the posted deliveries, which go with it
   mutable std::mutex mutex_;
   std::uint64_t submitted_ = 0;  ///< how many so far
   std::uint64_t settled_ = 0;    ///< of these: made or cancelled; those before a made one count too

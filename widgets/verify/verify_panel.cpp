@@ -1,8 +1,8 @@
 #include "widgets/verify/verify_panel.h"
 
 #include "hexoderm/util/units.h"
-#include "widgets/tables/table_actions.h"
 #include "widgets/words/core_words.h"
+#include "widgets/words/surface_words.h"
 
 #include <QButtonGroup>
 #include <QComboBox>
@@ -202,7 +202,7 @@ void VerifyPanel::setReconstruction(std::shared_ptr<const Reconstruction> recons
   refreshControls();
 }
 
-/// What is left to solve with when the chosen pose is held out.
+/// Number of poses left to solve with when the chosen pose is held out.
 std::size_t VerifyPanel::otherPoses() const {
   const PoseId chosen(pose_->currentData().toUInt());
   return static_cast<std::size_t>(std::ranges::count_if(
@@ -280,7 +280,7 @@ void VerifyPanel::showLoops(const std::vector<FoundLoop>& loops) {
   loops_ = loops;
   loop_->setSentence(loopsInWords(loops, reconstruction_ ? reconstruction_->patches.size() : 0));
   loop_->setFigures(loopFigures(loops));
-  // What is open is looked at first; nothing is drawn of a sheet with hundreds of closed ones until one is picked.
+  // Open loops are looked at first; nothing is drawn of a sheet with hundreds of closed ones until one is picked.
   const bool open = !loops.empty() && !loops.front().closed;
   emit loopShown(open ? std::optional(loops.front().closure) : std::nullopt);
 }
@@ -334,8 +334,8 @@ void VerifyPanel::showFailure(VerifyCheck check, const QString& message) {
   }
 }
 
-std::array<TableActions*, 4> VerifyPanel::tableActions() const {
-  return {hold_out_->tableActions(), loop_->tableActions(), surface_->tableActions(), comparison_->tableActions()};
+std::array<CsvActions*, 4> VerifyPanel::csvActions() const {
+  return {hold_out_->csvActions(), loop_->csvActions(), surface_->csvActions(), comparison_->csvActions()};
 }
 
 void VerifyPanel::requestSurface() {

@@ -22,7 +22,7 @@ const std::vector<const char*>& coreTemplates() {
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "1 patch"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "%1 patches"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "±%1 mm, ±%2°"),
-      // Findings about the topology (core/graph/skin_graph.cpp, core/io/tum_calibration.cpp).
+      // Findings about the topology (core/hexoderm/graph/skin_graph.cpp, core/hexoderm/io/tum_calibration.cpp).
       QT_TRANSLATE_NOOP("hexoderm::CoreWords",
                         "A cell carries the ID 0, which means \"no neighbour\"; it is left out."),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "Cell %1 is listed more than once; only the first entry counts."),
@@ -59,7 +59,7 @@ const std::vector<const char*>& coreTemplates() {
       QT_TRANSLATE_NOOP(
           "hexoderm::CoreWords",
           "The %1 joins cells that the file places in different frames (root cells %2 and %3); the patch ends there."),
-      // Findings about links (core/reconstruction).
+      // Findings about links (core/hexoderm/reconstruction).
       QT_TRANSLATE_NOOP(
           "hexoderm::CoreWords",
           "The %1 bends by %2 degrees, and a skin link by no more than %3. It is probably a cable or crosses a joint."),
@@ -82,7 +82,7 @@ const std::vector<const char*>& coreTemplates() {
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "The %1 was set aside by hand, but the skin reports no such link."),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "The %1 was set aside by hand (%2), but the skin reports no such link."),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "The operator set a link aside, as a cable for example; it is muted."),
-      // Findings about cells (core/reconstruction/cell_health.cpp, suspects.cpp, reconstructor.cpp).
+      // Findings about cells (core/hexoderm/reconstruction/faults/cell_health.cpp, suspects.cpp, reconstructor.cpp).
       QT_TRANSLATE_NOOP("hexoderm::CoreWords",
                         "Cell %1 delivered no reading in any pose; it is placed through its links."),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "Cell %1 delivered no reading %2; it is placed from the other poses."),
@@ -112,7 +112,7 @@ const std::vector<const char*>& coreTemplates() {
                         "Cell %1 reads what fits none of the other cells, however it lies: its accelerometer is "
                         "wrongly wired or broken, or its one link is not rigid. The cell is placed through its links."),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "Cell %1 was left out; it is placed through its links."),
-      // Findings about poses (core/reconstruction/gravity_table.cpp, pose_summary.cpp, cell_health.cpp,
+      // Findings about poses (core/hexoderm/reconstruction/links/gravity_table.cpp, pose_summary.cpp, cell_health.cpp,
       // reconstructor.cpp).
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "Two poses carry the number %1; both are used."),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "Pose %1 holds a reading of cell %2, which is not in the skin."),
@@ -134,7 +134,7 @@ const std::vector<const char*>& coreTemplates() {
       QT_TRANSLATE_NOOP("hexoderm::CoreWords",
                         "In pose %1 the cells contradict each other by %2 times their noise (other poses %3): the part "
                         "probably moved while it was sampled. Take the pose again."),
-      // What a finding means (core/util/finding.cpp).
+      // What a finding means (core/hexoderm/util/finding.cpp).
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "A cell ID is listed twice; the first entry counts."),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "A cell carries ID 0 or an interface's ID; it is left out."),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords",
@@ -202,7 +202,8 @@ const std::vector<const char*>& coreTemplates() {
                         "Most cells scattered far beyond their noise in this pose: the part was probably moving."),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords",
                         "The cells contradict each other in one pose far more than in the others; the part moved."),
-      // Verdict and advice (core/reconstruction/verdict.cpp, pose_advisor.cpp, core/io/tum_calibration.cpp).
+      // Verdict and advice (core/hexoderm/reconstruction/advice/verdict.cpp, pose_advisor.cpp,
+      // core/hexoderm/io/tum_calibration.cpp).
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "The skin has no cells."),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "Check the connection to the skin and explore it again."),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "One cell: it is its own origin, there is nothing to estimate."),
@@ -228,7 +229,7 @@ const std::vector<const char*>& coreTemplates() {
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "Imported placements; nothing was measured here."),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords",
                         "Check the findings, then export, or take poses of this skin to measure it."),
-      // What a capture waits for (core/capture).
+      // What a capture waits for (core/hexoderm/capture).
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "Waiting for samples"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "Waiting for samples: all cells are silent"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "Waiting for samples: fewer than %1 s so far"),
@@ -246,7 +247,7 @@ const std::vector<const char*>& coreTemplates() {
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "Cell %1 is noisy: it scatters by %2 mg rms while the rest is still"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "Cell %1 is restless: it turns by %2 deg/s while the rest is still"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "Cell %1 is silent: nothing came from it for %2 s"),
-      // Whether the skin is in order (core/reconstruction/skin_check.cpp).
+      // Whether the skin is in order (core/hexoderm/reconstruction/advice/skin_check.cpp).
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "cells %1"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "Found: %1"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "Every link joins two ports that fit"),
@@ -262,7 +263,7 @@ const std::vector<const char*>& coreTemplates() {
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "No readings have come yet"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "Every cell sends"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "%1 of %2 cells send"),
-      // Fits of surfaces (core/geometry/surface_fit.cpp).
+      // Fits of surfaces (core/hexoderm/geometry/surface_fit.cpp).
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "plane fit: at least %1 points are needed, there are %2"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "plane fit: all points are the same"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "plane fit: the points lie on a line"),
@@ -278,7 +279,7 @@ const std::vector<const char*>& coreTemplates() {
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "cone fit: all points are the same"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "cone fit: the points lie on a line"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "cone fit: the points lie in a plane"),
-      // Where a source stands (core/device).
+      // Where a source stands (core/hexoderm/device).
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "connecting"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "connected to %1"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "the device"),
@@ -316,25 +317,25 @@ const std::vector<const char*>& coreTemplates() {
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "Host not found (authoritative)"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "No such device"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "Device or resource busy"),
-      // Addresses (core/device/open_source.cpp, wire_address.cpp).
+      // Addresses (core/hexoderm/device/sources/open_source.cpp, wire_address.cpp).
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "source \"%1\": expected one of %2"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "source \"%1\": expected %2"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "%1, the port from 1 to 65535 (for example %2)"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "%1 or %2 (for example %3)"),
-      // How a pose is called (core/reconstruction/pose_coverage.cpp).
+      // How a pose is called (core/hexoderm/reconstruction/advice/pose_coverage.cpp).
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "facing ceiling"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "facing floor"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "facing wall, %1 up"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "tilted up, %1 up"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "tilted down, %1 up"),
-      // Formats of export (core/io/exporter.cpp).
+      // Formats of export (core/hexoderm/io/exporter.cpp).
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "folder of tables: cells, sensors, links, poses, residuals"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "skin graph for Graphviz, with ports and quality"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "mesh of the cells in metres, coloured by quality"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "mesh of the cells for CAD, in millimetres or metres"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "everything about the cells and sensors for ParaView and VTK, lossless"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "links for every cell and sensor, or for every patch, for ROS"),
-      // Files (core/util, core/session, core/io; app/window/recovery.cpp, report.cpp).
+      // Files (core/hexoderm/util, core/hexoderm/session, core/hexoderm/io; app/window/files/recovery.cpp, report.cpp).
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "%1: is open in another window, close it there first"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "%1: cannot be moved to %2: %3"),
       QT_TRANSLATE_NOOP("hexoderm::CoreWords", "%1: the folder cannot be made"),

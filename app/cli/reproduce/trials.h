@@ -30,7 +30,7 @@ struct SkinCase {
 };
 
 SimulatedSkin makeSkin(const SkinCase& skin_case, std::size_t seed);
-/// What a calibration of the skin delivers, and the truth.
+/// A calibration session of the skin, with the truth.
 Session measure(SimulatedSkin& skin, const SkinCase& skin_case);
 
 /// --solver tree --centre off, and as in the paper no link is judged and muted: every skin counts.

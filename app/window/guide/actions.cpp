@@ -7,7 +7,7 @@
 namespace hexoderm {
 namespace {
 
-/// What an action is for is kept apart from its tool tip, which says why not while the action can't be used.
+/// The purpose of an action is kept apart from its tool tip, which gives the reason while the action can't be used.
 constexpr const char* kPurpose = "purpose";
 
 void allow(QAction* action, const QString& why_not) {
@@ -192,45 +192,46 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
 }
 
 void WindowActions::refreshCapture(const SessionController& controller, const QString& no_session) {
-  const bool live = controller.isLive();
+  const bool live = controller.liveSession().isLive();
   QString no_skin = no_session;
   if (no_skin.isEmpty() && !live) no_skin = tr("No skin is connected");
-  if (live && controller.live().status().state != SourceState::Streaming) {
-    no_skin = tr("The skin does not send: %1").arg(coreWords(controller.live().status().text));
+  if (live && controller.liveSession().source().status().state != SourceState::Streaming) {
+    no_skin = tr("The skin does not send: %1").arg(coreWords(controller.liveSession().source().status().text));
   }
   allow(capture, no_skin);
   QString no_advice = no_skin;
-  if (no_advice.isEmpty() && !controller.nextPose()) no_advice = tr("The next pose is being worked out");
+  if (no_advice.isEmpty() && !controller.poseGuide().nextPose()) no_advice = tr("The next pose is being worked out");
   allow(show_next_pose, no_advice);
   QString not_wanted;
-  if (controller.nextPose() && !controller.isNextPoseWanted()) {
+  if (controller.poseGuide().nextPose() && !controller.poseGuide().isNextPoseWanted()) {
     // After a capture the advice from before it is still there for a moment.
     not_wanted = controller.enabledPoses() == 0 ? tr("Any way up will do for the first pose")
-                 : controller.wantsMorePoses()
+                 : controller.poseGuide().wantsMorePoses()
                      ? tr("The next pose is being worked out")
                      : tr("There are enough poses; turn and capture more by hand if you like");
   }
   allow(skip_pose, no_advice.isEmpty() ? not_wanted : no_advice);
   QString no_robot = no_skin;
-  if (no_robot.isEmpty() && !controller.canTurn()) {
+  if (no_robot.isEmpty() && !controller.liveSession().canTurn()) {
     no_robot = tr("This device can't turn itself; turn the part by hand");
   }
-  robot->setChecked(controller.isRobotOn());
-  const QString who =
-      controller.isDemo() ? tr("Let the simulated robot take the poses") : tr("Let the robot take the poses");
-  robot->setIconText(controller.isRobotOn() ? tr("Stop the robot") : who);
+  robot->setChecked(controller.poseGuide().isRobotOn());
+  const QString who = controller.liveSession().isDemo() ? tr("Let the simulated robot take the poses")
+                                                        : tr("Let the robot take the poses");
+  robot->setIconText(controller.poseGuide().isRobotOn() ? tr("Stop the robot") : who);
   QString no_more = no_robot;
-  if (no_more.isEmpty() && !controller.isRobotOn() && !controller.wantsMorePoses()) {
+  if (no_more.isEmpty() && !controller.poseGuide().isRobotOn() &&
+      !controller.poseGuide().wantsMorePoses(TurnedBy::Device)) {
     no_more = tr("There are enough poses; turn and capture more by hand if you like");
   }
   allow(robot, no_more);
-  if (no_robot.isEmpty() && !controller.nextPose()) no_robot = tr("The next pose is being worked out");
+  if (no_robot.isEmpty() && !controller.poseGuide().nextPose()) no_robot = tr("The next pose is being worked out");
   allow(turn, no_robot.isEmpty() ? not_wanted : no_robot);
-  automatic->setChecked(controller.isAutomatic());
+  automatic->setChecked(controller.liveSession().isAutomatic());
   allow(automatic, live ? QString() : tr("No skin is connected"));
-  allow(disconnect_skin, controller.live().isRunning() ? QString() : tr("No skin is connected"));
-  live_mode->setChecked(controller.isLiveMode());
-  live_mode->setIconText(controller.isLiveMode() ? tr("End live mode") : tr("Live mode"));
+  allow(disconnect_skin, controller.liveSession().source().isRunning() ? QString() : tr("No skin is connected"));
+  live_mode->setChecked(controller.liveMode().isOn());
+  live_mode->setIconText(controller.liveMode().isOn() ? tr("End live mode") : tr("Live mode"));
   allow(live_mode, live ? QString() : tr("No skin is connected"));
 }
 
@@ -252,14 +253,14 @@ void WindowActions::refreshLink(const SessionController& controller, const std::
 
 void WindowActions::refreshDevice(const SessionController& controller, std::optional<CellId> cell) {
   QString no_light;
-  if (!controller.isLive()) {
+  if (!controller.liveSession().isLive()) {
     no_light = tr("No skin is connected");
-  } else if (!controller.live().skin() || !controller.live().skin()->can_light_cells) {
+  } else if (!controller.liveSession().source().skin() || !controller.liveSession().source().skin()->can_light_cells) {
     no_light = tr("The cells of this device have no lights");
-  } else if (!cell && !controller.litCell()) {
+  } else if (!cell && !controller.liveSession().litCell()) {
     no_light = tr("Pick a cell first");
   }
-  const std::optional<CellId> lit = controller.litCell();
+  const std::optional<CellId> lit = controller.liveSession().litCell();
   light_cell->setChecked(lit.has_value());
   // A button shows no tick: its words say whether the light is on, and where.
   light_cell->setIconText(lit ? tr("Switch the light of cell %1 off").arg(lit->value()) : tr("Light the picked cell"));
@@ -295,8 +296,8 @@ void WindowActions::refresh(const SessionController& controller, std::optional<i
   refreshCapture(controller, no_session);
   refreshDevice(controller, cell);
   QString no_recapture = no_pose;
-  if (no_recapture.isEmpty() && !controller.isLive()) no_recapture = tr("No skin is connected");
-  const bool waits = index && controller.recapturing() == session->poses()[*index].capture->id;
+  if (no_recapture.isEmpty() && !controller.liveSession().isLive()) no_recapture = tr("No skin is connected");
+  const bool waits = index && controller.liveSession().recapturing() == session->poses()[*index].capture->id;
   recapture->setText(waits ? tr("Don't &recapture") : tr("&Recapture pose"));
   allow(recapture, no_recapture);
   const bool has_findings = controller.reconstruction() && !controller.reconstruction()->findings.empty();

@@ -23,8 +23,9 @@ bool isExportable(const Reconstruction& reconstruction) {
 QAction* bestAction(const SessionController& controller, const WindowActions& actions) {
   if (controller.isEmpty()) return actions.demo;
   const Reconstruction* result = controller.reconstruction().get();
-  if (controller.isRobotOn()) return actions.robot;
-  if (controller.wantsMorePoses()) return controller.canTurn() ? actions.robot : actions.show_next_pose;
+  if (controller.poseGuide().isRobotOn()) return actions.robot;
+  if (controller.poseGuide().wantsMorePoses())
+    return controller.liveSession().canTurn() ? actions.robot : actions.show_next_pose;
   if (!result || (controller.session() && !isExportable(*result))) return actions.connect_skin;
   const Finding* finding = worstFinding(*result);
   return finding && finding->severity == Severity::Error ? actions.show_finding : actions.export_to;
@@ -42,10 +43,13 @@ bool isOver(const LiveSource& live) {
 }
 /// A session in which nothing was captured: what is shown was not measured.
 bool hasNoPose(const SessionController& controller) { return controller.session() && controller.enabledPoses() == 0; }
-bool hasReadings(const SessionController& controller) { return !controller.live().preview().means.empty(); }
+bool hasReadings(const SessionController& controller) {
+  return !controller.liveSession().source().preview().means.empty();
+}
 /// A skin is connected and has not sent any readings yet.
 bool isAwaited(const SessionController& controller) {
-  return controller.isLive() && controller.live().status().state == SourceState::Streaming && !hasReadings(controller);
+  return controller.liveSession().isLive() &&
+         controller.liveSession().source().status().state == SourceState::Streaming && !hasReadings(controller);
 }
 QString noPose() { return Guide::tr("No pose has been captured yet."); }
 
@@ -54,7 +58,7 @@ void say(Step& step, Readiness readiness, const QString& because) {
   step.because = because;
 }
 
-/// What comes by itself is waited for; the rest blocks.
+/// A result that comes by itself is waited for; everything else blocks.
 void sayNoResult(Step& step, const SessionController& controller) {
   if (controller.isEmpty()) {
     say(step, Readiness::Blocked, Guide::tr("There is no skin yet."));
@@ -63,7 +67,7 @@ void sayNoResult(Step& step, const SessionController& controller) {
   }
 }
 
-/// Of an action that the step is about: its own reason, or why it can't be used.
+/// Explains the step by its action: `because`, or the reason why the action can't be used.
 void sayOf(Step& step, const QAction& action, const QString& because) {
   if (action.isEnabled()) {
     say(step, Readiness::Ready, because);
@@ -76,18 +80,18 @@ Step connectStep(const SessionController& controller, const WindowActions& actio
   Step step;
   step.title = Guide::tr("Connect");
   step.actions = {actions.demo, actions.connect_skin, actions.open};
-  if (controller.live().isRunning()) step.actions = {actions.disconnect_skin};
-  if (controller.live().isRunning() && !controller.isLive()) {
+  if (controller.liveSession().source().isRunning()) step.actions = {actions.disconnect_skin};
+  if (controller.liveSession().source().isRunning() && !controller.liveSession().isLive()) {
     step.state = StepState::Current;
-    step.note = controller.live().address();
+    step.note = controller.liveSession().source().address();
     step.what = Guide::tr("Check that the device is switched on, and that its address is right.");
     step.why = Guide::tr("The steps go on when the skin has said which cells it has.");
-    if (isOver(controller.live())) {
+    if (isOver(controller.liveSession().source())) {
       step.what = Guide::tr("Disconnect, and connect to another skin or recording.");
       step.why = Guide::tr("Nothing more will come from this one.");
     }
-    say(step, isOver(controller.live()) ? Readiness::Blocked : Readiness::Waiting,
-        coreWords(controller.live().status().text));
+    say(step, isOver(controller.liveSession().source()) ? Readiness::Blocked : Readiness::Waiting,
+        coreWords(controller.liveSession().source().status().text));
     return step;
   }
   if (controller.isEmpty()) {
@@ -100,16 +104,16 @@ Step connectStep(const SessionController& controller, const WindowActions& actio
     return step;
   }
   step.state = StepState::Done;
-  step.note = controller.name();
-  if (controller.isDemo()) {
+  step.note = controller.file().name();
+  if (controller.liveSession().isDemo()) {
     step.why = Guide::tr("A simulated skin in a simulated hand. Its readings err as those of a real skin do.");
   } else {
     step.why = controller.session() ? coreWords(controller.session()->source().text)
                                     : coreWords(controller.reconstruction()->source.text);
   }
-  if (controller.isLive()) {
-    if (controller.live().status().state != SourceState::Streaming) {
-      say(step, Readiness::Blocked, coreWords(controller.live().status().text));
+  if (controller.liveSession().isLive()) {
+    if (controller.liveSession().source().status().state != SourceState::Streaming) {
+      say(step, Readiness::Blocked, coreWords(controller.liveSession().source().status().text));
     } else if (hasReadings(controller)) {
       say(step, Readiness::Ready, Guide::tr("The skin has said which cells it has, and sends."));
     } else {
@@ -132,7 +136,7 @@ Step checkStep(const SessionController& controller, const WindowActions& actions
     return step;
   }
   step.note = coreWords(sizeInWords(*result));
-  if (controller.isLive()) {
+  if (controller.liveSession().isLive()) {
     step.state = check.ready ? StepState::Done : StepState::Current;
     const Readiness not_yet = isAwaited(controller) ? Readiness::Waiting : Readiness::Blocked;
     say(step, check.ready ? Readiness::Ready : not_yet, coreWords(check.because) + QLatin1Char('.'));
@@ -144,7 +148,7 @@ Step checkStep(const SessionController& controller, const WindowActions& actions
   step.why = Guide::tr(
       "Every cell and every link should be there. What was reported but can't be a skin link is listed "
       "under Findings and kept out.");
-  if (controller.isLive()) step.actions = {actions.light_cell};
+  if (controller.liveSession().isLive()) step.actions = {actions.light_cell};
   return step;
 }
 
@@ -164,12 +168,12 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
     return step;
   }
   const std::size_t enabled = controller.enabledPoses();
-  const bool more = controller.wantsMorePoses();
+  const bool more = controller.poseGuide().wantsMorePoses();
   step.note =
       more && enabled < kGoodPoseCount ? Guide::tr("%1 of %2").arg(enabled).arg(kGoodPoseCount) : posesInWords(enabled);
-  if (controller.canTurn())
+  if (controller.liveSession().canTurn())
     step.actions = {actions.robot, actions.live_mode};
-  else if (controller.isLive())
+  else if (controller.liveSession().isLive())
     step.actions = {actions.live_mode};
   step.state = more || (result && !isExportable(*result)) ? StepState::Current : StepState::Done;
   if (isAwaited(controller)) step.state = StepState::Waiting;
@@ -179,7 +183,7 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
   } else {
     sayOf(step, *actions.capture, Guide::tr("The skin sends."));
   }
-  if (controller.isLive()) return step;
+  if (controller.liveSession().isLive()) return step;
   if (result && step.state == StepState::Current) step.what = coreWords(result->verdict.next_action);
   step.why = Guide::tr(
       "Gravity seen from several directions tells how every cell is turned against its neighbours. No skin is "
@@ -265,7 +269,7 @@ Step exportStep(const SessionController& controller, const WindowActions& action
 }
 
 QString robotInWords(const SessionController& controller) {
-  return controller.isDemo() ? Guide::tr("The simulated robot") : Guide::tr("The robot");
+  return controller.liveSession().isDemo() ? Guide::tr("The simulated robot") : Guide::tr("The robot");
 }
 
 }  // namespace
@@ -273,12 +277,12 @@ QString robotInWords(const SessionController& controller) {
 Banner::Content describeStand(const SessionController& controller, const WindowActions& actions) {
   Banner::Content content;
   content.action = bestAction(controller, actions);
-  if (controller.live().isRunning() && !controller.isLive()) {
+  if (controller.liveSession().source().isRunning() && !controller.liveSession().isLive()) {
     content.action = actions.disconnect_skin;
-    const QString sentence =
-        isOver(controller.live()) ? Guide::tr("No skin came from %1.") : Guide::tr("Waiting for the skin at %1.");
-    content.sentence = sentence.arg(controller.live().address());
-  } else if (controller.isRobotOn()) {
+    const QString sentence = isOver(controller.liveSession().source()) ? Guide::tr("No skin came from %1.")
+                                                                       : Guide::tr("Waiting for the skin at %1.");
+    content.sentence = sentence.arg(controller.liveSession().source().address());
+  } else if (controller.poseGuide().isRobotOn()) {
     const auto next = controller.enabledPoses() + 1;
     content.sentence =
         next <= kGoodPoseCount
@@ -289,8 +293,8 @@ Banner::Content describeStand(const SessionController& controller, const WindowA
     content.sentence = coreWords(result->verdict.reason);
   } else if (!controller.isEmpty()) {
     content.sentence = Guide::tr("The placements are being worked out…");
-  } else if (!controller.activity().isEmpty()) {
-    content.sentence = Guide::tr("%1…").arg(controller.activity());
+  } else if (!controller.work().activity().isEmpty()) {
+    content.sentence = Guide::tr("%1…").arg(controller.work().activity());
   } else {
     content.sentence = Guide::tr("No skin yet: start the demo, connect to a skin, or open a session or a calibration.");
   }

@@ -78,7 +78,7 @@ class GuideBrowser : public QTextBrowser {
     return page.replace(QStringLiteral("@keys@\n"), keys).toUtf8();
   }
 
-  /// A page is laid out when it is complete; Qt would do so anew for every word of a table.
+  /// A page is laid out when it is complete; Qt would do so again for every word of a table.
   void layOut() {
     if (filling_.isNull()) return;
     filling_.endEditBlock();
@@ -265,11 +265,12 @@ void GuideWindow::dressAnew() {
 }
 
 QString guidePageFor(const SessionController& controller) {
-  if (controller.live().isRunning() && !controller.isLive()) return QStringLiteral("connect");
+  if (controller.liveSession().source().isRunning() && !controller.liveSession().isLive())
+    return QStringLiteral("connect");
   if (controller.isEmpty()) return QStringLiteral("demo");
   const Reconstruction* result = controller.reconstruction().get();
   if (!result) return QStringLiteral("check");
-  if (controller.wantsMorePoses()) return QStringLiteral("capture");
+  if (controller.poseGuide().wantsMorePoses()) return QStringLiteral("capture");
   const bool has_faults = std::any_of(result->findings.begin(), result->findings.end(),
                                       [](const Finding& finding) { return finding.severity != Severity::Info; });
   return has_faults ? QStringLiteral("faults") : QStringLiteral("export");

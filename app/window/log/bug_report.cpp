@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t kLogLines = 200;
 
-/// Asked from the context that draws, so that nothing is made anew for it.
+/// Asked from the context that draws, so that nothing is made again for it.
 QString graphicsInWords(QWidget& window) {
   auto* view = window.findChild<SceneWidget*>();
   if (!view || !view->makeCurrent()) return QStringLiteral("none");
@@ -51,11 +51,12 @@ QString screensInWords(const QWidget& window) {
 
 QString sessionInWords(const SessionController& controller) {
   if (controller.isEmpty()) return QStringLiteral("nothing is open");
-  QStringList words = {controller.name()};
-  if (controller.isDemo()) words << QStringLiteral("demo");
-  if (controller.live().isRunning()) {
+  QStringList words = {controller.file().name()};
+  if (controller.liveSession().isDemo()) words << QStringLiteral("demo");
+  if (controller.liveSession().source().isRunning()) {
     words << QStringLiteral("connected to %1: %2")
-                 .arg(controller.live().address(), QString::fromStdString(controller.live().status().text));
+                 .arg(controller.liveSession().source().address(),
+                      QString::fromStdString(controller.liveSession().source().status().text));
   }
   if (controller.session()) words << QStringLiteral("%1 poses").arg(controller.session()->poses().size());
   if (const Reconstruction* result = controller.reconstruction().get()) {

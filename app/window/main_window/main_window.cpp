@@ -19,8 +19,11 @@
 #include "widgets/patch/patch_view.h"
 #include "widgets/style/system_theme.h"
 #include "widgets/tables/cell_table.h"
-#include "widgets/tables/table_actions.h"
-#include "widgets/tables/tables.h"
+#include "widgets/tables/finding_table.h"
+#include "widgets/tables/link_table.h"
+#include "widgets/tables/pose_table.h"
+#include "widgets/tables/row_picking.h"
+#include "widgets/tables/sorted_table.h"
 #include "widgets/verify/residual_view.h"
 #include "widgets/verify/verify_panel.h"
 #include "widgets/words/core_words.h"
@@ -309,7 +312,7 @@ void MainWindow::connectController() {
   connect(
       &controller_, &SessionController::changed, this,
       [this] {
-        if (close_when_written_ && !controller_.isWriting()) close();
+        if (close_when_written_ && !controller_.file().isWriting()) close();
       },
       Qt::QueuedConnection);
   connect(&controller_, &SessionController::reconstructionChanged, this, &MainWindow::showReconstruction);
@@ -317,14 +320,15 @@ void MainWindow::connectController() {
     message_bar_->hide();
     selection_.clear();
     picked_pose_.reset();
-    openStep(controller_.live().isRunning() ? GuideStep::Capture
-                                            : (controller_.session() ? GuideStep::Review : GuideStep::Export));
+    openStep(controller_.liveSession().source().isRunning()
+                 ? GuideStep::Capture
+                 : (controller_.session() ? GuideStep::Review : GuideStep::Export));
   });
-  connect(&controller_, &SessionController::sessionSaved, this, [this](const QString& path) {
+  connect(&controller_.file(), &SessionFile::sessionSaved, this, [this](const QString& path) {
     showDone(tr("Saved to %1").arg(path), path);
     if (const auto proceed = std::exchange(after_saving_, nullptr)) proceed();
   });
-  connect(&controller_, &SessionController::exported, this,
+  connect(&controller_.resultFiles(), &ResultFiles::exported, this,
           [this](const QString& path) { showDone(tr("Exported to %1").arg(path), path); });
   connect(&controller_, &SessionController::failed, this, [this](const QString& message) {
     after_saving_ = nullptr;
@@ -338,7 +342,8 @@ void MainWindow::connectSelection() {
   connect(&selection_, &Selection::changed, this, &MainWindow::showPickedLink);
   connect(&selection_, &Selection::changed, this, [this] {
     // The light on the skin follows what is picked here.
-    if (controller_.litCell() && selection_.cell()) controller_.lightCell(selection_.cell());
+    if (controller_.liveSession().litCell() && selection_.cell())
+      controller_.liveSession().lightCell(selection_.cell());
     actions_.refresh(controller_, pickedPoseRow(), selection_.cell());
     actions_.refreshLink(controller_, selection_.link());
   });
@@ -360,11 +365,13 @@ void MainWindow::showReconstruction(const std::shared_ptr<const Reconstruction>&
   link_table_->setReconstruction(reconstruction);
   finding_table_->setReconstruction(reconstruction);
   // In live mode the pictures show the moment instead.
-  if (!controller_.isLiveMode()) {
+  if (!controller_.liveMode().isOn()) {
     graph_view_->setReconstruction(reconstruction);
     patch_view_->setReconstruction(reconstruction);
   }
-  patch_view_->setTruth(controller_.session() ? controller_.session()->truth() : nullptr);
+  PatchOverlays overlays = patch_view_->overlays();
+  overlays.truth = controller_.session() ? controller_.session()->truth() : nullptr;
+  patch_view_->setOverlays(overlays);
   showReview(reconstruction);
   if (reconstruction && picked) pickPose(*picked);
   showPickedPose();
@@ -376,7 +383,9 @@ void MainWindow::showPickedPose() {
   if (const std::optional<int> row = pickedPoseRow()) {
     picked_pose_ = pose_table_->reconstruction()->poses[static_cast<std::size_t>(*row)].pose;
   }
-  patch_view_->setPose(picked_pose_);
+  PatchMoment moment = patch_view_->moment();
+  moment.pose = picked_pose_;
+  patch_view_->setMoment(moment);
   coverage_view_->setPickedPose(picked_pose_);
   refresh();
 }
@@ -422,7 +431,7 @@ void MainWindow::refresh() {
   actions_.refreshLink(controller_, selection_.link());
   banner_->setContent(describeStand(controller_, actions_));
   const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
-  const LiveSource& live = controller_.live();
+  const LiveSource& live = controller_.liveSession().source();
   const SkinCheck check =
       result ? checkSkin(*result, live.preview().means, live.hold().stillness.odd_cells) : SkinCheck{};
   check_list_->setCheck(check);
@@ -435,14 +444,14 @@ void MainWindow::refresh() {
 
 void MainWindow::refreshStatus() {
   const Reconstruction* result = controller_.reconstruction().get();
-  const QString name = controller_.isEmpty() ? tr("No skin") : controller_.name();
+  const QString name = controller_.isEmpty() ? tr("No skin") : controller_.file().name();
   session_name_->setText(controller_.isEmpty() ? QString() : name);
   setWindowTitle(controller_.isEmpty() ? tr("Hexoderm") : tr("%1[*] · Hexoderm").arg(name));
-  setWindowModified(controller_.hasUnsavedChanges());
+  setWindowModified(controller_.file().hasUnsavedChanges());
 
-  if (!controller_.live().isRunning()) {
+  if (!controller_.liveSession().source().isRunning()) {
     source_status_->setText(QStringLiteral("● ") +
-                            (controller_.activity().isEmpty() ? name : controller_.activity() + "…"));
+                            (controller_.work().activity().isEmpty() ? name : controller_.work().activity() + "…"));
   }
   cells_status_->setVisible(result != nullptr && !result->poses.empty());
   solve_status_->setVisible(result != nullptr);
@@ -462,17 +471,17 @@ void MainWindow::refreshStatus() {
                                   .arg(figureInWords(result->options.class_threshold, 2)));
   }
   QString saved;
-  if (controller_.hasUnsavedChanges()) {
-    saved = controller_.isKept() ? tr("not on disk") : tr("not saved");
-  } else if (controller_.savedAt().isValid()) {
-    saved = tr("saved at %1").arg(controller_.savedAt().toString(QStringLiteral("HH:mm")));
+  if (controller_.file().hasUnsavedChanges()) {
+    saved = controller_.file().isKept() ? tr("not on disk") : tr("not saved");
+  } else if (controller_.file().savedAt().isValid()) {
+    saved = tr("saved at %1").arg(controller_.file().savedAt().toString(QStringLiteral("HH:mm")));
   }
   saved_status_->setText(saved);
 
   graph_dock_->setRemark(result ? coreWords(sizeInWords(*result)) : QString());
   const bool has_poses = controller_.session() && !controller_.session()->poses().empty();
-  const QString keys =
-      controller_.isLive() ? tr("R recapture · Del disable · Ctrl+Z undo") : tr("Del disable · Ctrl+Z undo");
+  const QString keys = controller_.liveSession().isLive() ? tr("R recapture · Del disable · Ctrl+Z undo")
+                                                          : tr("Del disable · Ctrl+Z undo");
   pose_dock_->setRemark(has_poses ? keys : QString());
   detail_tabs_->setTabText(0, result ? tr("Findings %1").arg(result->findings.size()) : tr("Findings"));
   detail_tabs_->setTabText(1, result ? tr("Links %1").arg(result->linkCount()) : tr("Links"));

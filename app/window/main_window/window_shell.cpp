@@ -184,8 +184,8 @@ void WindowShell::connectLog() {
           [this](const std::shared_ptr<const Reconstruction>& result) {
             if (result) log_.add(Severity::Info, resultInWords(*result));
           });
-  connect(&controller.live(), &LiveSource::statusChanged, this, [this] {
-    const LiveSource& live = window_.controller.live();
+  connect(&controller.liveSession().source(), &LiveSource::statusChanged, this, [this] {
+    const LiveSource& live = window_.controller.liveSession().source();
     const QString state = sourceStateWord(live.status().state);
     // The text counts readings; only what becomes of the connection is news.
     if (state == source_state_) return;
@@ -200,14 +200,14 @@ void WindowShell::connectRecent() {
   recent_.serve(window_.actions.recent, [this](const QString& path) { window_.open_file(path); });
   const SessionController& controller = window_.controller;
   connect(&controller, &SessionController::opened, this, &WindowShell::noteOpen);
-  connect(&controller, &SessionController::sessionSaved, this, [this](const QString& path) {
+  connect(&controller.file(), &SessionFile::sessionSaved, this, [this](const QString& path) {
     const Session* session = window_.controller.session();
     recent_.note(path, session ? static_cast<int>(session->poses().size()) : -1);
   });
   // So that the list says how many poses there are now.
   connect(&controller, &SessionController::reconstructionChanged, this, [this] {
     const Session* session = window_.controller.session();
-    const QString path = window_.controller.sessionPath();
+    const QString path = window_.controller.file().sessionPath();
     if (!session || path.isEmpty() || recent_.files().empty()) return;
     const RecentFile& newest = recent_.files().front();
     const auto poses = static_cast<int>(session->poses().size());
@@ -220,7 +220,7 @@ void WindowShell::connectRecent() {
 
 void WindowShell::noteOpen() {
   const SessionController& controller = window_.controller;
-  const QString path = controller.session() ? controller.sessionPath() : controller.calibrationPath();
+  const QString path = controller.session() ? controller.file().sessionPath() : controller.file().calibrationPath();
   if (path.isEmpty() || isInUnsavedFolder(path)) return;
   recent_.note(path, controller.session() ? static_cast<int>(controller.session()->poses().size()) : -1);
 }
@@ -228,7 +228,7 @@ void WindowShell::noteOpen() {
 void WindowShell::connectRecovery() {
   connect(&unsaved_, &UnsavedSessions::recoverWanted, this, [this](const QString& path) { window_.open_file(path); });
   connect(&window_.controller, &SessionController::opened, this,
-          [this] { unsaved_.noteOpened(window_.controller.sessionPath()); });
+          [this] { unsaved_.noteOpened(window_.controller.file().sessionPath()); });
   connect(&unsaved_, &UnsavedSessions::failed, this,
           [this](const QString& message) { window_.messages.showMessage(Tone::Bad, message); });
   connect(&unsaved_, &UnsavedSessions::found, this, [this](int count) {
@@ -237,7 +237,8 @@ void WindowShell::connectRecovery() {
     log_.add(Severity::Info, count == 1 ? tr("One session was not saved: %1").arg(newest.path)
                                         : tr("%1 sessions were not saved. The newest: %2").arg(count).arg(newest.path));
     // Who began with something else has not seen the welcome, which says it too.
-    if ((window_.controller.isEmpty() && window_.controller.activity().isEmpty()) || !newest.problem.isEmpty()) return;
+    if ((window_.controller.isEmpty() && window_.controller.work().activity().isEmpty()) || !newest.problem.isEmpty())
+      return;
     window_.messages.showMessage(Tone::Caution, describeUnsaved(newest), tr("Recover"), [this, path = newest.path] {
       window_.messages.hide();
       unsaved_.recover(path);
@@ -249,9 +250,10 @@ void WindowShell::connectRecovery() {
 void WindowShell::connectPreferences() {
   SessionController& controller = window_.controller;
   controller.setSolverOptions(preferences_.solverOptions());
-  controller.setRecorderOptions(preferences_.recorderOptions());
+  controller.liveSession().setRecorderOptions(preferences_.recorderOptions());
   connect(&preferences_, &Preferences::solverOptionsChanged, &controller, &SessionController::setSolverOptions);
-  connect(&preferences_, &Preferences::recorderOptionsChanged, &controller, &SessionController::setRecorderOptions);
+  connect(&preferences_, &Preferences::recorderOptionsChanged, &controller.liveSession(),
+          &LiveSession::setRecorderOptions);
   connect(&preferences_, &Preferences::textFactorChanged, this, [this](double factor) {
     applyTextFactor(factor);
     // The style sheet's sizes follow the application's; in a turn of the event loop of their own.
@@ -291,12 +293,12 @@ void WindowShell::offerSoftwareOpenGl() {
 }
 
 void WindowShell::showWelcome() {
-  const bool is_welcome = window_.controller.isEmpty() && !window_.controller.live().isRunning();
+  const bool is_welcome = window_.controller.isEmpty() && !window_.controller.liveSession().source().isRunning();
   // Who chose by a key what is opened goes on with keys that mean what the list of keys says, not with a neighbour.
   if (welcome_ && !is_welcome && welcome_->isAncestorOf(QApplication::focusWidget())) window_.window.setFocus();
   if (welcome_) welcome_->setVisible(is_welcome);
   // Beside what ends a connection, files would look like part of it.
-  if (connect_body_) connect_body_->setVisible(!is_welcome && !window_.controller.live().isRunning());
+  if (connect_body_) connect_body_->setVisible(!is_welcome && !window_.controller.liveSession().source().isRunning());
 }
 
 void WindowShell::copyReport() {

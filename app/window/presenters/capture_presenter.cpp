@@ -17,35 +17,40 @@ namespace hexoderm {
 
 void MainWindow::connectCapture() {
   step_panel_->setBody(static_cast<int>(GuideStep::Capture), capture_panel_);
-  const LiveSource& live = controller_.live();
+  const LiveSource& live = controller_.liveSession().source();
   connect(&live, &LiveSource::previewChanged, this, &MainWindow::showMoment);
   connect(&live, &LiveSource::statusChanged, this, [this] {
-    const LiveSource& source = controller_.live();
+    const LiveSource& source = controller_.liveSession().source();
     capture_panel_->setSource(source.isRunning() ? std::optional(source.status()) : std::nullopt);
     if (source.isRunning()) return;
     stillness_view_->clear();
-    patch_view_->setReadings({});
-    patch_view_->setCurrentUp({});
+    PatchMoment moment = patch_view_->moment();
+    moment.readings = nullptr;
+    moment.up_o.reset();
+    patch_view_->setMoment(moment);
     coverage_view_->setCurrent({});
   });
   connect(&live, &LiveSource::holdChanged, this, [this] {
-    const HoldStatus& hold = controller_.live().hold();
+    const HoldStatus& hold = controller_.liveSession().source().hold();
     capture_panel_->setHold(hold);
     if (hold.restarts > restarts_) tone_->playStartsOver();
     restarts_ = hold.restarts;
   });
-  connect(&live, &LiveSource::poseCaptured, this, [this](const CapturedPose& captured) {
+  connect(&controller_.liveSession(), &LiveSession::poseTaken, this,
+          [this](const CapturedPose& captured) { capture_panel_->showWriting(captured.pose->id); });
+  connect(&controller_.liveSession(), &LiveSession::poseKept, this, [this](const CapturedPose& captured) {
     tone_->playCaptured();
     stillness_view_->addCaptured(captured.pose->id, captured.end_s);
     capture_panel_->showCaptured(
         captured.pose->id, captured.repeats ? tr("It repeats pose %1.").arg(captured.repeats->value()) : QString());
   });
-  connect(&controller_, &SessionController::nextPoseChanged, this, &MainWindow::showNextPose);
+  connect(&controller_.liveSession(), &LiveSession::poseLost, capture_panel_, &CapturePanel::endWriting);
+  connect(&controller_.poseGuide(), &PoseGuide::nextPoseChanged, this, &MainWindow::showNextPose);
   connect(&controller_, &SessionController::reconstructionChanged, this, &MainWindow::showCoverage);
   connect(step_panel_, &StepPanel::opened, this, &MainWindow::followPart);
   connect(step_panel_, &StepPanel::opened, this, &MainWindow::refreshLive);
   connect(coverage_view_, &CoverageView::posePicked, this, &MainWindow::pickPose);
-  connect(patch_view_, &PatchView::turnRequested, &controller_, &SessionController::turnTo);
+  connect(patch_view_, &PatchView::turnRequested, &controller_.poseGuide(), &PoseGuide::turnTo);
   connect(&selection_, &Selection::changed, stillness_view_, [this] { stillness_view_->setCell(selection_.cell()); });
 
   const Preferences& preferences = shell_->preferences();
@@ -68,41 +73,43 @@ void MainWindow::showCoverage(const std::shared_ptr<const Reconstruction>& recon
 
 void MainWindow::showNextPose() {
   const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
-  const std::optional<PoseAdvice>& advice = controller_.nextPose();
+  const std::optional<PoseAdvice>& advice = controller_.poseGuide().nextPose();
   const bool known = advice && result;
-  coverage_view_->setNext(known && controller_.isNextPoseWanted() ? std::optional(advice->up) : std::nullopt);
+  coverage_view_->setNext(known && controller_.poseGuide().isNextPoseWanted() ? std::optional(advice->up)
+                                                                              : std::nullopt);
   showAdvice();
   followPart();
 }
 
 void MainWindow::showAdvice() {
   const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
-  const std::optional<PoseAdvice>& advice = controller_.nextPose();
+  const std::optional<PoseAdvice>& advice = controller_.poseGuide().nextPose();
   const std::optional<NextPose> next =
       advice && result ? describeNextPose(*advice, *result, current_up_) : std::nullopt;
   capture_panel_->setAdvice(next);
-  patch_view_->setNextTurn(next ? turnAngleInWords(*next) : QString());
+  PatchMoment moment = patch_view_->moment();
+  moment.next_turn = next ? turnAngleInWords(*next).toStdString() : std::string();
+  patch_view_->setMoment(moment);
 }
 
 void MainWindow::showMoment() {
-  const SkinPreview& preview = controller_.live().preview();
+  const SkinPreview& preview = controller_.liveSession().source().preview();
   const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
   current_up_ = result ? currentUp(*result, preview.means) : std::nullopt;
-  stillness_view_->add(controller_.live().hold(), preview);
-  patch_view_->setReadings(preview.means, preview.temperatures);
+  stillness_view_->add(controller_.liveSession().source().hold(), preview);
   coverage_view_->setCurrent(current_up_);
   followPart();
   // How far it is to the next pose, a few times a second: sentences that flicker can't be read.
   constexpr qint64 kReadable_ms = 400;
   if (!advice_age_.isValid() || advice_age_.elapsed() > kReadable_ms) {
     advice_age_.start();
-    if (result && controller_.nextPose()) showAdvice();
+    if (result && controller_.poseGuide().nextPose()) showAdvice();
   }
 }
 
 void MainWindow::followPart() {
   // In the other steps the picture is the operator's own to turn.
-  const bool capturing = controller_.isLive() && !controller_.isLiveMode() &&
+  const bool capturing = controller_.liveSession().isLive() && !controller_.liveMode().isOn() &&
                          step_panel_->openIndex() == static_cast<int>(GuideStep::Capture);
   if (std::exchange(follows_part_, capturing) != capturing) {
     if (capturing) {
@@ -111,10 +118,14 @@ void MainWindow::followPart() {
       patch_view_->returnToKeptView();
     }
   }
-  patch_view_->setTurnable(capturing && controller_.canTurn());
-  patch_view_->setCurrentUp(capturing ? current_up_ : std::nullopt);
-  const bool shows_next = capturing && controller_.isNextPoseWanted();
-  patch_view_->setNextUp(shows_next ? std::optional(controller_.nextPose()->up) : std::nullopt);
+  patch_view_->setTurnable(capturing && controller_.liveSession().canTurn());
+  PatchMoment moment = patch_view_->moment();
+  const SkinPreview& preview = controller_.liveSession().source().preview();
+  moment.readings = readingsOf(preview.means, preview.temperatures);
+  moment.up_o = capturing ? current_up_ : std::nullopt;
+  const bool shows_next = capturing && controller_.poseGuide().isNextPoseWanted();
+  moment.next_up_o = shows_next ? std::optional(controller_.poseGuide().nextPose()->up) : std::nullopt;
+  patch_view_->setMoment(moment);
 }
 
 }  // namespace hexoderm

@@ -25,15 +25,15 @@ QString folderForSessions() {
 
 void MainWindow::connectLive() {
   connect(actions_.connect_skin, &QAction::triggered, this, &MainWindow::showConnectDialog);
-  connect(actions_.disconnect_skin, &QAction::triggered, &controller_, &SessionController::disconnectSource);
-  connect(actions_.turn, &QAction::triggered, &controller_, &SessionController::turnToNextPose);
-  connect(actions_.automatic, &QAction::triggered, &controller_, &SessionController::setAutomatic);
-  connect(actions_.capture, &QAction::triggered, &controller_, &SessionController::captureNow);
-  connect(actions_.skip_pose, &QAction::triggered, &controller_, &SessionController::skipPose);
-  connect(actions_.robot, &QAction::triggered, &controller_, &SessionController::setRobot);
-  connect(actions_.live_mode, &QAction::triggered, &controller_, &SessionController::setLiveMode);
+  connect(actions_.disconnect_skin, &QAction::triggered, &controller_.liveSession(), &LiveSession::disconnectSource);
+  connect(actions_.turn, &QAction::triggered, &controller_.poseGuide(), &PoseGuide::turnToNextPose);
+  connect(actions_.automatic, &QAction::triggered, &controller_.liveSession(), &LiveSession::setAutomatic);
+  connect(actions_.capture, &QAction::triggered, &controller_.liveSession(), &LiveSession::captureNow);
+  connect(actions_.skip_pose, &QAction::triggered, &controller_.poseGuide(), &PoseGuide::skipPose);
+  connect(actions_.robot, &QAction::triggered, &controller_.poseGuide(), &PoseGuide::setRobot);
+  connect(actions_.live_mode, &QAction::triggered, &controller_.liveMode(), &LiveMode::setOn);
   connect(actions_.light_cell, &QAction::triggered, this,
-          [this](bool on) { controller_.lightCell(on ? selection_.cell() : std::nullopt); });
+          [this](bool on) { controller_.liveSession().lightCell(on ? selection_.cell() : std::nullopt); });
   connect(actions_.show_next_pose, &QAction::triggered, this, [this] {
     openStep(GuideStep::Capture);
     patch_view_->fit();
@@ -42,38 +42,39 @@ void MainWindow::connectLive() {
     const std::optional<int> row = pickedPoseRow();
     const std::optional<std::size_t> index = row ? controller_.sessionIndexOfPoseRow(*row) : std::nullopt;
     if (!index) return;
-    if (controller_.recapturing() == controller_.session()->poses()[*index].capture->id) {
-      controller_.cancelRecapture();
+    if (controller_.liveSession().recapturing() == controller_.session()->poses()[*index].capture->id) {
+      controller_.liveSession().cancelRecapture();
       return;
     }
-    controller_.recapturePose(*index);
+    controller_.liveSession().recapturePose(*index);
     openStep(GuideStep::Capture);
     message_bar_->showMessage(Tone::Neutral,
                               tr("The next capture takes the place of pose %1. Hold the part as it was held then.")
                                   .arg(controller_.session()->poses()[*index].capture->id.value()),
-                              tr("Don't recapture"), [this] { controller_.cancelRecapture(); });
+                              tr("Don't recapture"), [this] { controller_.liveSession().cancelRecapture(); });
   });
-  connect(&controller_, &SessionController::nextPoseChanged, this, &MainWindow::refresh);
+  connect(&controller_.poseGuide(), &PoseGuide::nextPoseChanged, this, &MainWindow::refresh);
   connect(patch_view_, &PatchView::pictureRequested, this, [this] {
     askForPath(tr("Save a picture of the 3D view"), suggestedName() + tr("-3d"), tr("Pictures (*.png)"),
                QStringLiteral(".png"), [this](const QString& path) {
-                 patch_view_->whenUpToDate([this, path] { controller_.saveImage(patch_view_->screenshot(), path); });
+                 patch_view_->whenUpToDate(
+                     [this, path] { controller_.resultFiles().saveImage(patch_view_->screenshot(), path); });
                });
   });
-  connect(&controller_, &SessionController::momentSolved, this,
+  connect(&controller_.liveMode(), &LiveMode::momentSolved, this,
           [this](const std::shared_ptr<const Reconstruction>& moment) {
-            if (!controller_.isLiveMode()) return;
+            if (!controller_.liveMode().isOn()) return;
             graph_view_->setReconstruction(moment);
             patch_view_->setReconstruction(moment);
           });
-  connect(&controller_, &SessionController::liveModeChanged, this, [this](bool on) {
+  connect(&controller_.liveMode(), &LiveMode::toggled, this, [this](bool on) {
     if (on) return;
     graph_view_->setReconstruction(controller_.reconstruction());
     patch_view_->setReconstruction(controller_.reconstruction());
   });
   // While readings come these follow each other quickly, so only what shows them is refreshed.
-  connect(&controller_.live(), &LiveSource::holdChanged, this, &MainWindow::refreshLive);
-  connect(&controller_, &SessionController::captured, this, [this](const QString& text, bool remarkable) {
+  connect(&controller_.liveSession().source(), &LiveSource::holdChanged, this, &MainWindow::refreshLive);
+  connect(&controller_.liveSession(), &LiveSession::captured, this, [this](const QString& text, bool remarkable) {
     if (remarkable && !message_bar_->isUrgent()) {
       message_bar_->showMessage(Tone::Caution, text);
     } else {
@@ -87,19 +88,19 @@ void MainWindow::connectLive() {
   });
   connect(&controller_, &SessionController::noticed, this,
           [this](const QString& text) { message_bar_->showMessage(Tone::Caution, text); });
-  connect(&controller_, &SessionController::journalStuck, this, [this](const QString& why) {
+  connect(&controller_.file(), &SessionFile::journalStuck, this, [this](const QString& why) {
     after_saving_ = nullptr;
     may_close_ = close_when_written_ = false;
     message_bar_->showMessage(Tone::Bad, tr("Not on disk yet; it waits in memory and the work can go on. %1").arg(why),
-                              tr("Try again"), [this] { controller_.retryWriting(); });
+                              tr("Try again"), [this] { controller_.file().retryWriting(); });
   });
 }
 
 void MainWindow::refreshLive() {
-  const LiveSource& live = controller_.live();
+  const LiveSource& live = controller_.liveSession().source();
   const SourceStatus& status = live.status();
   // While all is well the status bar says it, and the step Capture has a panel that says more.
-  const bool is_well = controller_.isLive() && status.state == SourceState::Streaming;
+  const bool is_well = controller_.liveSession().isLive() && status.state == SourceState::Streaming;
   live_strip_->setVisible(live.isRunning() && !is_well);
   const QString losses = live.isRunning() ? lossesInWords(status, live.hold()) : QString();
   losses_status_->setVisible(!losses.isEmpty());
@@ -111,7 +112,7 @@ void MainWindow::refreshLive() {
   if (!live.isRunning()) return;
   live_strip_->setStatus(status, live.hold());
   const QString device = live.skin() ? coreWords(live.skin()->device) + QStringLiteral(" · ") : QString();
-  const QString where = controller_.isDemo() ? tr("Demo skin") : device + live.address();
+  const QString where = controller_.liveSession().isDemo() ? tr("Demo skin") : device + live.address();
   source_status_->setText(
       QStringLiteral("%1 %2 · %3").arg(sourceStateSign(status.state), sourceStateWord(status.state), where));
   source_status_->setToolTip(device + live.address() + QStringLiteral("\n") + coreWords(status.text));
@@ -119,17 +120,18 @@ void MainWindow::refreshLive() {
 
 void MainWindow::showConnectDialog() {
   if (findChild<ConnectDialog*>()) return;
-  auto* dialog = new ConnectDialog(folderForSessions(), controller_.isKept() ? controller_.name() : QString(), this);
+  auto* dialog =
+      new ConnectDialog(folderForSessions(), controller_.file().isKept() ? controller_.file().name() : QString(), this);
   connect(dialog, &ConnectDialog::connectRequested, this, &MainWindow::connectTo);
   openInTurns(dialog);
 }
 
 void MainWindow::connectTo(const ConnectRequest& request) {
   if (request.continue_session) {
-    controller_.connectTo(request);
+    controller_.liveSession().connectTo(request);
   } else {
     rememberFolder(request.path);
-    afterAskingToSave([this, request] { controller_.connectTo(request); });
+    afterAskingToSave([this, request] { controller_.liveSession().connectTo(request); });
   }
 }
 

@@ -50,11 +50,11 @@ void settle() {
 
 void MainWindow::openFile(const QString& path) {
   rememberFolder(path);
-  afterAskingToSave([this, path] { controller_.openFile(path); });
+  afterAskingToSave([this, path] { controller_.file().openFile(path); });
 }
 
 void MainWindow::startDemo() {
-  afterAskingToSave([this] { controller_.startDemo(); });
+  afterAskingToSave([this] { controller_.liveSession().startDemo(); });
 }
 
 void MainWindow::askToOpen() {
@@ -67,8 +67,8 @@ void MainWindow::askToOpen() {
 }
 
 QString MainWindow::suggestedName() const {
-  if (controller_.isDemo() && controller_.sessionPath().isEmpty()) return QStringLiteral("demo");
-  QString name = controller_.name();
+  if (controller_.liveSession().isDemo() && controller_.file().sessionPath().isEmpty()) return QStringLiteral("demo");
+  QString name = controller_.file().name();
   for (const QString& extension :
        {kSessionExtension, kJournalExtension, kCalibrationExtension, QStringLiteral(".xml")}) {
     if (name.endsWith(extension)) name.chop(extension.size());
@@ -99,19 +99,19 @@ void MainWindow::askForPath(const QString& title, const QString& name, const QSt
 
 void MainWindow::saveSession(bool always_ask) {
   if (!controller_.session()) return;
-  if (!always_ask && (controller_.isKept() || controller_.sessionPath().endsWith(kSessionExtension))) {
-    controller_.saveSession(controller_.sessionPath());
+  if (!always_ask && (controller_.file().isKept() || controller_.file().sessionPath().endsWith(kSessionExtension))) {
+    controller_.file().saveSession(controller_.file().sessionPath());
     return;
   }
   askForPath(tr("Save the session"), suggestedName(),
              tr("Sessions (*.session.json);;Sessions that keep every change (*.hexo)"), kSessionExtension,
-             [this](const QString& path) { controller_.saveSession(path); });
+             [this](const QString& path) { controller_.file().saveSession(path); });
 }
 
 void MainWindow::saveCalibration() {
   askForPath(tr("Save the calibration"), suggestedName(), tr("Calibrations (*.calibration.json)"),
              kCalibrationExtension, [this](const QString& path) {
-               controller_.exportTo({std::nullopt, path, {}});
+               controller_.resultFiles().exportTo({std::nullopt, path, {}});
              });
 }
 
@@ -119,7 +119,7 @@ void MainWindow::showExportDialog() {
   auto* dialog = new ExportDialog(QDir(lastFolder()).filePath(suggestedName()), this);
   connect(dialog, &ExportDialog::exportRequested, this, [this](const ExportRequest& request) {
     rememberFolder(request.path);
-    controller_.exportTo(request);
+    controller_.resultFiles().exportTo(request);
   });
   openInTurns(dialog);
 }
@@ -128,7 +128,7 @@ void MainWindow::askForReport() {
   askForPath(tr("Write a report"), suggestedName(), tr("Documents (*.pdf);;Pages for the browser (*.html)"),
              QStringLiteral(".pdf"), [this](const QString& path) {
                if (!controller_.reconstruction()) return;
-               controller_.writeReport(takeReportPictures(controller_.reconstruction()), path);
+               controller_.resultFiles().writeReport(takeReportPictures(controller_.reconstruction()), path);
              });
 }
 
@@ -155,14 +155,15 @@ void MainWindow::savePicture() {
     // comes before everything that waits.
     settle();
     patch_view_->drawNow();
-    QTimer::singleShot(1, this, [this, path] { controller_.saveImage(pictureAsDrawn(), path); });
+    QTimer::singleShot(1, this, [this, path] { controller_.resultFiles().saveImage(pictureAsDrawn(), path); });
   });
 }
 
 void MainWindow::saveGraph() {
   askForPath(tr("Save a picture of the graph"), suggestedName() + tr("-graph"),
              tr("Vector graphics (*.svg);;Pictures (*.png)"), QStringLiteral(".svg"), [this](const QString& path) {
-               controller_.savePicture([picture = graph_view_->picture(), path] { return picture.save(path); }, path);
+               controller_.resultFiles().savePicture(
+                   [picture = graph_view_->picture(), path] { return picture.save(path); }, path);
              });
 }
 
@@ -177,7 +178,7 @@ void MainWindow::showDone(const QString& text, const QString& path) {
 }
 
 void MainWindow::afterAskingToSave(std::function<void()> proceed) {
-  if (!controller_.hasUnsavedChanges()) {
+  if (!controller_.file().hasUnsavedChanges()) {
     proceed();
     return;
   }
@@ -200,7 +201,7 @@ void MainWindow::afterAskingToSave(std::function<void()> proceed) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!may_close_ && controller_.hasUnsavedChanges()) {
+  if (!may_close_ && controller_.file().hasUnsavedChanges()) {
     event->ignore();
     if (findChild<QMessageBox*>(QStringLiteral("unsavedBox"))) return;
     afterAskingToSave([this] {
@@ -209,7 +210,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     });
     return;
   }
-  if (controller_.isWriting()) {
+  if (controller_.file().isWriting()) {
     // A file that is being written is finished first; it takes moments, and nothing waits for it here.
     event->ignore();
     close_when_written_ = true;

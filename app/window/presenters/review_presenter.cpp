@@ -7,7 +7,9 @@
 #include "widgets/controls/step_panel.h"
 #include "widgets/patch/patch_view.h"
 #include "widgets/tables/cell_table.h"
-#include "widgets/tables/table_actions.h"
+#include "widgets/tables/row_picking.h"
+#include "widgets/tables/sorted_table.h"
+#include "widgets/tables/table_csv.h"
 #include "widgets/verify/residual_view.h"
 #include "widgets/verify/verify_panel.h"
 
@@ -18,18 +20,18 @@ namespace hexoderm {
 void MainWindow::connectVerify() {
   step_panel_->setBody(static_cast<int>(GuideStep::Verify), verify_panel_);
   for (QTableView* view : {pose_view_, link_view_, cell_view_}) SortedTable::enableIn(view);
-  const auto serve = [this](TableActions* actions) {
-    connect(actions, &TableActions::saveRequested, this, [this](const QString& name, const QByteArray& csv) {
+  const auto serve = [this](CsvActions* actions) {
+    connect(actions, &CsvActions::saveRequested, this, [this](const QString& name, const QByteArray& csv) {
       askForPath(tr("Save the table"), name, tr("Tables (*.csv)"), QStringLiteral(".csv"),
-                 [this, csv](const QString& path) { controller_.saveTable(csv, path); });
+                 [this, csv](const QString& path) { controller_.resultFiles().saveTable(csv, path); });
     });
   };
-  serve(new TableActions(pose_view_, QStringLiteral("poses")));
-  serve(new TableActions(link_view_, QStringLiteral("links")));
-  serve(new TableActions(cell_view_, QStringLiteral("cells")));
-  serve(new TableActions(finding_view_, QStringLiteral("findings")));
-  serve(new TableActions(residual_view_->matrix(), QStringLiteral("residuals")));
-  for (TableActions* actions : verify_panel_->tableActions()) serve(actions);
+  serve(new CsvActions(pose_view_, QStringLiteral("poses")));
+  serve(new CsvActions(link_view_, QStringLiteral("links")));
+  serve(new CsvActions(cell_view_, QStringLiteral("cells")));
+  serve(new CsvActions(finding_view_, QStringLiteral("findings")));
+  serve(new CsvActions(residual_view_->matrix(), QStringLiteral("residuals")));
+  for (CsvActions* actions : verify_panel_->csvActions()) serve(actions);
 
   onPicked(cell_view_, this,
            [this](const QModelIndex& picked) { selection_.selectCell(cell_table_->cellAt(sourceRow(picked))); });
@@ -51,9 +53,21 @@ void MainWindow::connectVerify() {
   connect(verification_, &Verification::surfacesFitted, verify_panel_, &VerifyPanel::showSurfaces);
   connect(verification_, &Verification::compared, verify_panel_, &VerifyPanel::showComparison);
   connect(verification_, &Verification::failed, verify_panel_, &VerifyPanel::showFailure);
-  connect(verify_panel_, &VerifyPanel::surfaceShown, patch_view_, &PatchView::setSurface);
-  connect(verify_panel_, &VerifyPanel::loopShown, patch_view_, &PatchView::setLoop);
-  connect(verify_panel_, &VerifyPanel::comparisonShown, patch_view_, &PatchView::setComparison);
+  connect(verify_panel_, &VerifyPanel::surfaceShown, this, [this](const std::optional<SurfaceEvaluation>& surface) {
+    PatchOverlays overlays = patch_view_->overlays();
+    overlays.surface = surface ? std::make_shared<const SurfaceEvaluation>(*surface) : nullptr;
+    patch_view_->setOverlays(overlays);
+  });
+  connect(verify_panel_, &VerifyPanel::loopShown, this, [this](const std::optional<LoopEvaluation>& loop) {
+    PatchOverlays overlays = patch_view_->overlays();
+    overlays.loop = loop ? std::make_shared<const LoopEvaluation>(*loop) : nullptr;
+    patch_view_->setOverlays(overlays);
+  });
+  connect(verify_panel_, &VerifyPanel::comparisonShown, this, [this](const std::vector<Comparison>& comparison) {
+    PatchOverlays overlays = patch_view_->overlays();
+    overlays.comparison = std::make_shared<const std::vector<Comparison>>(comparison);
+    patch_view_->setOverlays(overlays);
+  });
   // What one skin was compared with says nothing about the next.
   connect(&controller_, &SessionController::opened, verify_panel_, &VerifyPanel::dropComparison);
 }

@@ -8,77 +8,29 @@
 namespace hexoderm {
 namespace {
 
-QString nameOf(const SessionPose& pose) { return QString::number(pose.capture->id.value()); }
+QString idOf(const SessionPose& pose) { return QString::number(pose.capture->id.value()); }
 
 }  // namespace
 
-AddPoseCommand::AddPoseCommand(EditedSession edited, SessionPose pose, std::optional<std::size_t> index)
-    : edited_(std::move(edited)), pose_(std::move(pose)), index_(index.value_or(edited_.session.poses().size())) {
-  setText(tr("take pose %1").arg(nameOf(pose_)));
-}
-
-void AddPoseCommand::redo() {
-  edited_.session.addPose(pose_, index_);
-  // A file that keeps the capture already only takes it back.
-  if (std::exchange(is_new_, false)) {
-    edited_.changed(AddPose{pose_, index_});
-  } else {
-    edited_.changed(RestorePose{pose_, index_});
+EditCommand::EditCommand(EditedSession edited, SessionEdit edit) : edited_(std::move(edited)), next_(std::move(edit)) {
+  const std::vector<SessionPose>& poses = edited_.session.poses();
+  if (const auto* add = std::get_if<AddPose>(&next_)) {
+    setText(tr("take pose %1").arg(idOf(add->pose)));
+  } else if (const auto* remove = std::get_if<RemovePose>(&next_)) {
+    setText(tr("delete pose %1").arg(idOf(poses.at(remove->index))));
+  } else if (const auto* set = std::get_if<SetPoseDisabled>(&next_)) {
+    const QString pose = idOf(poses.at(set->index));
+    setText(set->disabled ? tr("disable pose %1").arg(pose) : tr("enable pose %1").arg(pose));
+  } else if (const auto* mute = std::get_if<SetLinkMuted>(&next_)) {
+    const QString link = shortLinkName(std::min(mute->a, mute->b), std::max(mute->a, mute->b));
+    setText(mute->muted ? tr("set link %1 aside").arg(link) : tr("take link %1 back").arg(link));
   }
 }
 
-void AddPoseCommand::undo() {
-  edited_.session.removePose(index_);
-  edited_.changed(RemovePose{index_});
-}
-
-SetPoseDisabledCommand::SetPoseDisabledCommand(EditedSession edited, std::size_t index, bool disabled)
-    : edited_(std::move(edited)),
-      index_(index),
-      disabled_(disabled),
-      why_(edited_.session.poses().at(index).why_disabled) {
-  const QString pose = nameOf(edited_.session.poses().at(index));
-  setText(disabled ? tr("disable pose %1").arg(pose) : tr("enable pose %1").arg(pose));
-}
-
-void SetPoseDisabledCommand::redo() { set(disabled_, {}); }
-
-void SetPoseDisabledCommand::undo() { set(!disabled_, why_); }
-
-void SetPoseDisabledCommand::set(bool disabled, const std::string& why) {
-  edited_.session.setPoseDisabled(index_, disabled, why);
-  edited_.changed(SetPoseDisabled{index_, disabled, why});
-}
-
-RemovePoseCommand::RemovePoseCommand(EditedSession edited, std::size_t index)
-    : edited_(std::move(edited)), pose_(edited_.session.poses().at(index)), index_(index) {
-  setText(tr("delete pose %1").arg(nameOf(pose_)));
-}
-
-void RemovePoseCommand::redo() {
-  edited_.session.removePose(index_);
-  edited_.changed(RemovePose{index_});
-}
-
-void RemovePoseCommand::undo() {
-  edited_.session.addPose(pose_, index_);
-  edited_.changed(RestorePose{pose_, index_});
-}
-
-MuteLinkCommand::MuteLinkCommand(EditedSession edited, LinkEnd a, LinkEnd b, bool muted)
-    : edited_(std::move(edited)), a_(std::min(a, b)), b_(std::max(a, b)), muted_(muted) {
-  if (const MutedLink* before = edited_.session.findMutedLink(a_, b_)) why_ = before->why;
-  const QString name = shortLinkName(a_, b_);
-  setText(muted ? tr("set link %1 aside").arg(name) : tr("take link %1 back").arg(name));
-}
-
-void MuteLinkCommand::redo() { set(muted_, {}); }
-
-void MuteLinkCommand::undo() { set(!muted_, why_); }
-
-void MuteLinkCommand::set(bool muted, const std::string& why) {
-  edited_.session.setLinkMuted(a_, b_, muted, why);
-  edited_.changed(SetLinkMuted{a_, b_, muted, why});
+void EditCommand::step() {
+  const SessionEdit edit = std::exchange(next_, inverse(next_, edited_.session));
+  apply(edit, edited_.session);
+  edited_.changed(edit);
 }
 
 }  // namespace hexoderm

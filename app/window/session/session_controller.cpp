@@ -1,43 +1,12 @@
 #include "app/window/session/session_controller.h"
 
-#include "app/window/files/session_paths.h"
-#include "hexoderm/io/calibration_json.h"
-#include "hexoderm/io/session_json.h"
-#include "hexoderm/session/session_store.h"
-#include "hexoderm/util/error.h"
-#include "hexoderm/util/file.h"
 #include "widgets/words/core_words.h"
 
-#include <QFileInfo>
 #include <QMetaObject>
-#include <QSettings>
-#include <filesystem>
+#include <algorithm>
 #include <utility>
 
 namespace hexoderm {
-namespace {
-
-/// A file as it was opened; a session store that can be written stays open for what comes.
-struct Opened {
-  OpenedFile file;
-  std::optional<SessionStore> store;
-  std::string remark;  ///< why it is not open for writing although it could be
-};
-
-Opened openToEdit(const std::filesystem::path& path) {
-  if (!isSessionStore(path)) return {openFile(path, builtInCellModel("hex-bma150")), std::nullopt, {}};
-  std::string remark;
-  try {
-    SessionStore store = SessionStore::open(path);
-    Session session = store.readSession();
-    return {std::move(session), std::move(store), {}};
-  } catch (const StorageError& error) {
-    remark = error.what();
-  }
-  return {readSessionStore(path), std::nullopt, remark};
-}
-
-}  // namespace
 
 SessionController::SessionController(QObject* parent)
     : QObject(parent),
@@ -46,22 +15,53 @@ SessionController::SessionController(QObject* parent)
         QMetaObject::invokeMethod(
             this, [this, outcome = std::move(outcome)] { receive(outcome); }, Qt::QueuedConnection);
       }),
-      moment_worker_([this](ReconstructionOutcome outcome) {
-        QMetaObject::invokeMethod(
-            this, [this, outcome = std::move(outcome)] { receiveMoment(outcome); }, Qt::QueuedConnection);
-      }) {
+      result_files_(*this, work_),
+      live_session_(*this),
+      pose_guide_(live_session_),
+      live_mode_(*this),
+      file_(*this, work_) {
   connect(&undo_stack_, &QUndoStack::indexChanged, this, [this] {
     if (session_) submit();
   });
   connect(&undo_stack_, &QUndoStack::cleanChanged, this, &SessionController::changed);
-  connectLive();
+  connectParts();
 }
 
 SessionController::~SessionController() {
   // The stack says so when it is cleared, and by then the worker is gone.
   disconnect(&undo_stack_, nullptr, this, nullptr);
-  // Whoever ends the window was asked first.
-  dropJournal();
+}
+
+void SessionController::connectParts() {
+  connect(&work_, &BackgroundWork::changed, this, &SessionController::changed);
+  connect(&work_, &BackgroundWork::failed, this, &SessionController::failed);
+  connect(&file_, &SessionFile::changed, this, &SessionController::changed);
+  connect(&file_, &SessionFile::failed, this, &SessionController::failed);
+  connect(&file_, &SessionFile::noticed, this, &SessionController::noticed);
+  connect(&file_, &SessionFile::poseStored, &live_session_, &LiveSession::setStored);
+  connect(&file_, &SessionFile::keptInMemoryOnly, &live_session_, [this] { live_session_.keepIn(KeptIn::Memory); });
+  connect(&file_, &SessionFile::keptInFile, &live_session_, [this] { live_session_.keepIn(KeptIn::File); });
+  connect(&live_session_, &LiveSession::changed, this, &SessionController::changed);
+  connect(&live_session_, &LiveSession::failed, this, &SessionController::failed);
+  connect(&live_session_, &LiveSession::noticed, this, &SessionController::noticed);
+  connect(&live_session_, &LiveSession::ended, &live_mode_, [this] { live_mode_.setOn(false); });
+  connect(&live_session_.source(), &LiveSource::previewChanged, &live_mode_, &LiveMode::solve);
+  connect(&pose_guide_, &PoseGuide::changed, this, &SessionController::changed);
+  connect(&pose_guide_, &PoseGuide::noticed, this, &SessionController::noticed);
+  connect(&live_mode_, &LiveMode::toggled, this, &SessionController::changed);
+  connect(&live_mode_, &LiveMode::noticed, this, &SessionController::noticed);
+}
+
+std::size_t SessionController::enabledPoses() const {
+  if (!session_) return 0;
+  return static_cast<std::size_t>(std::ranges::count(session_->poses(), false, &SessionPose::disabled));
+}
+
+std::optional<std::size_t> SessionController::indexOf(PoseId pose) const {
+  const std::vector<SessionPose>& poses = session_->poses();
+  const auto found = std::ranges::find_if(poses, [&](const SessionPose& other) { return other.capture->id == pose; });
+  if (found == poses.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - poses.begin());
 }
 
 std::optional<std::size_t> SessionController::sessionIndexOfPoseRow(int row) const {
@@ -75,194 +75,47 @@ std::optional<std::size_t> SessionController::sessionIndexOfPoseRow(int row) con
   return index < poses.size() && poses[index].capture->id == id ? std::optional(index) : indexOf(id);
 }
 
-void SessionController::startDemo() {
-  ConnectRequest request;
-  request.address = QSettings().value(QStringLiteral("demo/source"), QStringLiteral("sim:x17")).toString();
-  request.demo = true;
-  connectTo(request);
+EditedSession SessionController::edited() {
+  return {*session_, [this](const SessionEdit& edit) { file_.record(edit); }};
 }
 
-void SessionController::openFile(const QString& path) {
-  if (journal_ && isSameFile(path, journal_->path())) {
-    emit noticed(tr("%1 is open already.").arg(journal_->path()));
-    return;
-  }
-  const std::uint64_t ticket = ++asked_count_;
-  const QString name = QFileInfo(path).fileName();
-  start(tr("Opening %1").arg(name),
-        [this, ticket, name, path]() -> Continuation {
-          auto opened_file = std::make_shared<Opened>(openToEdit(toPath(path)));
-          return [this, ticket, name, path, opened_file] {
-            if (ticket != asked_count_) return;
-            disconnectSource();
-            if (auto* session = std::get_if<Session>(&opened_file->file)) {
-              showSession(std::make_unique<Session>(std::move(*session)), name, path);
-            } else {
-              showCalibration(std::get<std::shared_ptr<const Reconstruction>>(opened_file->file), path);
-            }
-            if (opened_file->store && isInUnsavedFolder(path)) {
-              // Recovered: it goes on where it was, and still waits to be saved.
-              scratch_path_ = path;
-              session_path_.clear();
-              name_ = tr("Recovered session");
-              undo_stack_.resetClean();
-            }
-            if (opened_file->store) {
-              journal_ =
-                  std::make_unique<SessionJournal>(*this, jobs_, path, std::move(*opened_file->store), journalTold());
-              emit changed();
-            } else if (!opened_file->remark.empty()) {
-              emit noticed(tr("Changes will not be kept in this file; save the session under another name. %1")
-                               .arg(coreWords(opened_file->remark)));
-            }
-          };
-        },
-        {});
+void SessionController::perform(const std::vector<SessionEdit>& edits, const QString& text) {
+  const bool is_macro = edits.size() > 1;
+  if (is_macro) undo_stack_.beginMacro(text);
+  for (const SessionEdit& edit : edits) undo_stack_.push(new EditCommand(edited(), edit));
+  if (is_macro) undo_stack_.endMacro();
 }
 
-void SessionController::saveSession(const QString& path) {
-  if (!session_) return;
-  if (journal_ && isSameFile(path, journal_->path())) {
-    retryWriting();
-    return;
-  }
-  if (path.endsWith(QStringLiteral(".hexo"))) {
-    saveAsJournal(path);
-    return;
-  }
-  // The copy shares the captures; what the operator does meanwhile is not in it and stays unsaved.
-  startWriting(tr("Saving %1").arg(QFileInfo(path).fileName()),
-               [this, path, session = *session_, ticket = opened_count_]() -> Continuation {
-                 writeSessionJson(session, toPath(path));
-                 return [this, path, ticket, revision = session.revision()] {
-                   if (ticket != opened_count_ || !session_) return;
-                   if (isKept() && !isJournalStuck()) {
-                     // The session goes on in its own file, and this is a copy.
-                     emit sessionSaved(path);
-                     return;
-                   }
-                   // A scratch file goes on: for what will be changed after this.
-                   if (scratch_path_.isEmpty()) journal_.reset();
-                   session_path_ = path;
-                   name_ = QFileInfo(path).fileName();
-                   saved_at_ = QTime::currentTime();
-                   if (session_->revision() == revision) {
-                     undo_stack_.setClean();
-                   } else {
-                     undo_stack_.resetClean();
-                   }
-                   emit sessionSaved(path);
-                 };
-               });
-}
-
-void SessionController::exportTo(const ExportRequest& request) {
-  if (!reconstruction_) return;
-  startWriting(tr("Exporting %1").arg(QFileInfo(request.path).fileName()),
-               [this, request, reconstruction = reconstruction_]() -> Continuation {
-                 if (request.format) {
-                   exportReconstruction(*reconstruction, *request.format, toPath(request.path), request.options);
-                 } else {
-                   writeCalibrationJson(*reconstruction, toPath(request.path));
-                 }
-                 return [this, path = request.path] { emit exported(path); };
-               });
-}
-
-void SessionController::saveImage(const QImage& image, const QString& path) {
-  savePicture([image, path] { return image.save(path, "PNG"); }, path);
-}
-
-void SessionController::savePicture(std::function<bool()> write, const QString& path) {
-  startWriting(
-      tr("Saving %1").arg(QFileInfo(path).fileName()), [this, write = std::move(write), path]() -> Continuation {
-        if (!write()) {
-          throw StorageError("The picture " + path.toStdString() + " could not be written: is the folder writable?");
-        }
-        return [this, path] { emit exported(path); };
-      });
-}
-
-void SessionController::saveTable(const QByteArray& csv, const QString& path) {
-  startWriting(tr("Saving %1").arg(QFileInfo(path).fileName()), [this, csv, path]() -> Continuation {
-    writeFileAtomically(toPath(path), std::string_view(csv.constData(), static_cast<std::size_t>(csv.size())));
-    return [this, path] { emit exported(path); };
-  });
-}
-
-void SessionController::writeReport(const std::vector<ReportPicture>& pictures, const QString& path) {
-  if (!reconstruction_) return;
-  const ReportContent content{reconstruction_, name_, pictures, QDateTime::currentDateTime()};
-  startWriting(tr("Writing the report %1").arg(QFileInfo(path).fileName()), [this, content, path]() -> Continuation {
-    hexoderm::writeReport(content, path);
-    return [this, path] { emit exported(path); };
-  });
-}
-
-void SessionController::captureNow() {
-  if (isLive()) live_.captureNow();
+void SessionController::performForGood(const SessionEdit& edit) {
+  apply(edit, *session_);
+  file_.record(edit);
+  submit();
 }
 
 void SessionController::setPoseDisabled(std::size_t index, bool disabled) {
   if (!session_ || index >= session_->poses().size() || session_->poses()[index].disabled == disabled) return;
-  undo_stack_.push(new SetPoseDisabledCommand(edited(), index, disabled));
+  perform({SetPoseDisabled{index, disabled, {}}});
 }
 
 void SessionController::removePose(std::size_t index) {
   if (!session_ || index >= session_->poses().size()) return;
-  undo_stack_.push(new RemovePoseCommand(edited(), index));
+  perform({RemovePose{index}});
 }
 
 void SessionController::setLinkMuted(LinkEnd a, LinkEnd b, bool muted) {
   if (!session_ || a == b || (session_->findMutedLink(a, b) != nullptr) == muted) return;
-  undo_stack_.push(new MuteLinkCommand(edited(), a, b, muted));
-}
-
-void SessionController::start(const QString& activity, std::function<Continuation()> work, Continuation finally) {
-  activities_.push_back(activity);
-  emit changed();
-  jobs_.add([this, work = std::move(work), finally = std::move(finally)] {
-    Continuation then;
-    try {
-      then = work();
-    } catch (const std::exception& error) {
-      then = [this, message = coreWords(error.what())] { emit failed(message); };
-    }
-    QMetaObject::invokeMethod(
-        this,
-        [this, then = std::move(then), finally] {
-          activities_.pop_front();
-          if (finally) finally();
-          then();
-          emit changed();
-        },
-        Qt::QueuedConnection);
-  });
-}
-
-void SessionController::startWriting(const QString& activity, std::function<Continuation()> work) {
-  ++writing_;
-  start(activity, std::move(work), [this] { --writing_; });
+  perform({SetLinkMuted{a, b, muted, {}}});
 }
 
 void SessionController::closeCurrent() {
-  ++opened_count_;
   worker_.cancel();
-  moment_worker_.cancel();
-  calibration_path_.clear();
-  forgetSource();
-  announcements_.clear();
-  was_stuck_ = false;
-  scratch_fails_ = false;
-  saves_under_way_.clear();
-  dropJournal();
+  live_session_.forget();
+  live_mode_.cancel();
+  file_.close();
   // The stack's commands refer to the session, so they go first; while there is no session nothing is submitted.
   const std::unique_ptr<Session> old = std::move(session_);
   undo_stack_.clear();
-  demo_ = false;
   reconstruction_.reset();
-  session_path_.clear();
-  saved_at_ = {};
   first_revision_ = submitted_revision_ + 1;
   shown_revision_ = submitted_revision_;
 }
@@ -270,8 +123,7 @@ void SessionController::closeCurrent() {
 void SessionController::showSession(std::unique_ptr<Session> session, const QString& name, const QString& path) {
   closeCurrent();
   session_ = std::move(session);
-  name_ = name;
-  session_path_ = path;
+  file_.nameSession(name, path);
   emit reconstructionChanged(nullptr);
   submit();
   emit opened(name);
@@ -279,11 +131,10 @@ void SessionController::showSession(std::unique_ptr<Session> session, const QStr
 
 void SessionController::showCalibration(std::shared_ptr<const Reconstruction> calibration, const QString& path) {
   closeCurrent();
-  name_ = QFileInfo(path).fileName();
-  calibration_path_ = path;
+  file_.nameCalibration(path);
   reconstruction_ = std::move(calibration);
   emit reconstructionChanged(reconstruction_);
-  emit opened(name_);
+  emit opened(file_.name());
 }
 
 void SessionController::submit() {
@@ -291,6 +142,7 @@ void SessionController::submit() {
   // Sessions count their own revisions from 1; results must be told apart across sessions too.
   snapshot->revision = ++submitted_revision_;
   worker_.submit(std::move(snapshot), options_);
+  live_session_.noteChange();
   emit changed();
 }
 
@@ -304,7 +156,7 @@ void SessionController::receive(const ReconstructionOutcome& outcome) {
   shown_revision_ = outcome.revision;
   if (outcome.reconstruction) {
     reconstruction_ = outcome.reconstruction;
-    adviseAnew();
+    live_session_.noteResult();
     emit reconstructionChanged(reconstruction_);
   } else {
     emit failed(coreWords(outcome.error));

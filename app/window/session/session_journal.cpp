@@ -9,12 +9,13 @@
 
 namespace hexoderm {
 
-SessionJournal::SessionJournal(QObject& context, JobQueue& jobs, QString path, SessionRecorder::Open open, Told changed)
+SessionJournal::SessionJournal(QObject& context, JobQueue& jobs, QString path, SessionRecorder::Open open,
+                               Written opened, Told changed)
     : context_(context),
       jobs_(jobs),
       path_(std::move(path)),
       state_(std::make_shared<State>(State{0, {}, std::move(changed)})),
-      recorder_(std::make_shared<SessionRecorder>(std::move(open), acknowledgement({}))) {}
+      recorder_(std::make_shared<SessionRecorder>(std::move(open), acknowledgement(std::move(opened)))) {}
 
 SessionJournal::SessionJournal(QObject& context, JobQueue& jobs, QString path, SessionStore store, Told changed)
     : context_(context),
@@ -27,7 +28,7 @@ SessionJournal::~SessionJournal() {
   jobs_.add([recorder = std::move(recorder_)]() mutable { recorder.reset(); });
 }
 
-void SessionJournal::append(StoreOperation operation, std::function<void()> written) {
+void SessionJournal::append(StoreOperation operation, Written written) {
   std::vector<StoreOperation> operations;
   operations.push_back(std::move(operation));
   recorder_->append(std::move(operations), acknowledgement(std::move(written)));
@@ -35,7 +36,7 @@ void SessionJournal::append(StoreOperation operation, std::function<void()> writ
 
 void SessionJournal::retry() { recorder_->retry(); }
 
-SessionRecorder::Acknowledge SessionJournal::acknowledgement(std::function<void()> written) {
+SessionRecorder::Acknowledge SessionJournal::acknowledgement(Written written) {
   ++state_->waiting;
   return
       [context = &context_, weak = std::weak_ptr(state_), written = std::move(written)](const StoreOutcome& outcome) {
@@ -46,7 +47,7 @@ SessionRecorder::Acknowledge SessionJournal::acknowledgement(std::function<void(
               if (!state) return;
               state->problem = coreWords(outcome.error);
               if (!outcome.is_kept) --state->waiting;
-              if (outcome.error.empty() && written) written();
+              if (written) written(outcome);
               // `changed` may replace the journal, and with it the function that runs.
               const Told changed = state->changed;
               changed(state->problem);

@@ -12,15 +12,19 @@ namespace hexoderm {
 class JobQueue;
 
 /// The file *.hexo that a session is kept in while it is worked on: every change is appended as it happens, by a thread
-/// of its own. What can't be written waits in memory, in order, until retry() or the next change.
+/// of its own. A change that can't be written waits in memory, in order, until retry() or the next change.
 class SessionJournal {
  public:
-  /// Told on the thread of `context` about everything that became of something: `why` is empty for success.
+  /// Called on the thread of `context` after every outcome; `why` is empty for success.
   using Told = std::function<void(const QString& why)>;
+  /// Called on the thread of `context`, before Told, with what became of one change: see SessionRecorder.
+  using Written = std::function<void(const StoreOutcome& outcome)>;
 
-  /// `open` runs on the journal's thread. `context` and `jobs` must outlive the journal; `changed` is called on the
-  /// thread of `context`, as long as the journal lives, when the answers of the functions below may have changed.
-  SessionJournal(QObject& context, JobQueue& jobs, QString path, SessionRecorder::Open open, Told changed);
+  /// `open` runs on the journal's thread, `opened` is told about it. `context` and `jobs` must outlive the journal;
+  /// `changed` is called on the thread of `context`, as long as the journal lives, when the answers of the functions
+  /// below may have changed.
+  SessionJournal(QObject& context, JobQueue& jobs, QString path, SessionRecorder::Open open, Written opened,
+                 Told changed);
   /// For a store that is open already.
   SessionJournal(QObject& context, JobQueue& jobs, QString path, SessionStore store, Told changed);
   /// Closes the file on the thread of `jobs`, after one last try.
@@ -28,14 +32,13 @@ class SessionJournal {
   SessionJournal(const SessionJournal&) = delete;
   SessionJournal& operator=(const SessionJournal&) = delete;
 
-  /// `written` is called once it is on disk.
-  void append(StoreOperation operation, std::function<void()> written = {});
+  void append(StoreOperation operation, Written written = {});
   void retry();
 
   [[nodiscard]] const QString& path() const { return path_; }
   /// Something is not on disk yet.
   [[nodiscard]] bool isWaiting() const { return state_->waiting > 0; }
-  /// Why what waits could not be written; empty if nothing went wrong.
+  /// The reason that a change waits for; empty if nothing went wrong.
   [[nodiscard]] const QString& problem() const { return state_->problem; }
 
  private:
@@ -45,7 +48,7 @@ class SessionJournal {
     QString problem;
     Told changed;
   };
-  SessionRecorder::Acknowledge acknowledgement(std::function<void()> written);
+  SessionRecorder::Acknowledge acknowledgement(Written written);
 
   QObject& context_;
   JobQueue& jobs_;

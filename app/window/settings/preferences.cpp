@@ -36,7 +36,6 @@ const QString kSupportAxes = QStringLiteral("solver/support_axes");
 const QString kWeights = QStringLiteral("solver/weights");
 const QString kThreshold = QStringLiteral("solver/class_threshold");
 
-
 /// `read` of a setting's name; the default where there is none or it is no name.
 template <class Value, class Read>
 void readName(const QString& key, Value& value, Read read) {

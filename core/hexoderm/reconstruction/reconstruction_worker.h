@@ -34,7 +34,7 @@ class ReconstructionWorker {
 
   /// Never waits for a solve.
   void submit(std::shared_ptr<const SessionSnapshot> snapshot, SolverOptions options);
-  /// For when nobody wants a result any more: stops the running solve, drops what waits. Never waits itself, so that
+  /// Stops the running solve and drops the waiting snapshot, when no result is wanted any more. It does not wait, so
   /// one more report may come.
   void cancel();
 

@@ -62,43 +62,29 @@ Digest JournalEntry::expectedDigest(const Digest& previous) const {
   return sha.finish();
 }
 
-void JournalState::insert(StoredPose pose, std::size_t place) {
-  if (place > poses_.size()) throw InvalidArgument("there is no place " + std::to_string(place) + " among the poses");
-  if (poses_.size() + removed_.size() >= kMostPoses) {
-    throw InvalidArgument("a session holds at most " + std::to_string(kMostPoses) + " poses");
-  }
-  poses_.insert(poses_.begin() + static_cast<std::ptrdiff_t>(place), std::move(pose));
-}
-
-JournalState::StoredPose JournalState::take(std::size_t index) {
-  StoredPose pose = poseAt(index);
-  poses_.erase(poses_.begin() + static_cast<std::ptrdiff_t>(index));
-  return pose;
-}
-
-void JournalState::restore(std::int64_t capture, std::size_t place) {
-  const auto found = std::ranges::find(removed_, capture, &StoredPose::entry);
-  if (found == removed_.end()) throw InvalidArgument("a pose can be restored that was removed");
-  StoredPose pose = std::move(*found);
-  removed_.erase(found);
-  insert(std::move(pose), place);
-}
-
-const JournalState::StoredPose& JournalState::poseAt(std::size_t index) const {
-  if (index >= poses_.size()) throw InvalidArgument("there is no pose at place " + std::to_string(index));
-  return poses_[index];
+std::int64_t JournalState::captureAt(std::size_t index) const {
+  if (index >= captures_.size()) throw InvalidArgument("there is no pose at place " + std::to_string(index));
+  return captures_[index];
 }
 
 std::size_t JournalState::placeOf(std::int64_t capture) const {
-  const auto found = std::ranges::find(poses_, capture, &StoredPose::entry);
-  if (found == poses_.end()) throw InvalidArgument("entry " + std::to_string(capture) + " is no pose of the session");
-  return static_cast<std::size_t>(found - poses_.begin());
+  const auto found = std::ranges::find(captures_, capture);
+  if (found == captures_.end()) {
+    throw InvalidArgument("entry " + std::to_string(capture) + " is no pose of the session");
+  }
+  return static_cast<std::size_t>(found - captures_.begin());
 }
 
-const JournalState::StoredPose* JournalState::lastRemoved(PoseId id) const {
+const JournalState::RemovedPose* JournalState::lastRemoved(PoseId id) const {
   const auto found = std::find_if(removed_.rbegin(), removed_.rend(),
-                                  [&](const StoredPose& pose) { return pose.pose.capture->id == id; });
+                                  [&](const RemovedPose& removed) { return removed.pose.capture->id == id; });
   return found == removed_.rend() ? nullptr : &*found;
+}
+
+const JournalState::RemovedPose& JournalState::removedBy(std::int64_t capture) const {
+  const auto found = std::ranges::find(removed_, capture, &RemovedPose::capture);
+  if (found == removed_.end()) throw InvalidArgument("a pose can be restored that was removed");
+  return *found;
 }
 
 std::string JournalState::rawSha256(std::int64_t capture) const {
@@ -117,12 +103,14 @@ void JournalState::read(const JournalEntry& entry, const std::string& file) {
   if (entry.samples.has_value() != (entry.kind == "capture")) {
     throw FormatError(where + ": expected samples in captures and nowhere else");
   }
+  if (!hasSkin() && entry.kind != "skin") {
+    throw FormatError(where + ": expected the skin first, found \"" + entry.kind + "\"");
+  }
   try {
     apply(entry, where);
   } catch (const InvalidArgument& error) {
     throw FormatError(where + ": " + error.what());
   }
-  if (!hasSkin()) throw FormatError(where + ": expected the skin first, found \"" + entry.kind + "\"");
   last_entry_ = entry.entry;
   edited_at_ms_ = entry.at_ms;
   digest_ = entry.digest;
@@ -132,17 +120,33 @@ void JournalState::apply(const JournalEntry& entry, const std::string& where) {
   const nlohmann::json document = parseJson(entry.detail, where);
   const JsonReader json(document, where);
   if (!json.isObject()) json.fail("an object");
+  if (const std::optional<SessionEdit> edit = editIn(entry, json, where)) {
+    const bool is_restored = std::holds_alternative<RestorePose>(*edit);
+    apply(*edit, is_restored ? captureOf(json) : entry.entry);
+    if (entry.kind != "capture") return;
+    if (const auto raw = json.find("raw_sha256")) raw_sha256_[entry.entry] = raw->string();
+  } else if (entry.kind == "source") {
+    session_->setSource({json.at("text").string(), json.at("file").string(), json.at("sha256").string()});
+  } else if (entry.kind == "truth") {
+    session_->setTruth(readTruth(json));
+  } else if (entry.kind == "options") {
+    options_ = entry.detail;
+  } else {
+    throw FormatError(where +
+                      ": kind: expected capture, remove, restore, disable, enable, mute, unmute, skin, source, truth "
+                      "or options, found \"" +
+                      entry.kind.substr(0, 40) + "\"");
+  }
+}
+
+std::optional<SessionEdit> JournalState::editIn(const JournalEntry& entry, const JsonReader& json,
+                                                const std::string& where) const {
   const std::string& kind = entry.kind;
   if (kind == "skin") {
-    model_ = std::make_shared<const CellModel>(readCellModel(json.at("cell_model")));
-    neighbors_ = std::make_shared<const NeighborList>(readNeighbors(json.at("cells")));
-  } else if (kind == "source") {
-    source_ = {json.at("text").string(), json.at("file").string(), json.at("sha256").string()};
-  } else if (kind == "truth") {
-    truth_ = std::make_shared<const GroundTruth>(readTruth(json));
-  } else if (kind == "options") {
-    options_ = entry.detail;
-  } else if (kind == "capture") {
+    return SetSkin{std::make_shared<const CellModel>(readCellModel(json.at("cell_model"))),
+                   readNeighbors(json.at("cells"))};
+  }
+  if (kind == "capture") {
     PoseCapture capture;
     // One below the largest number, so that there is always an ID for the next pose.
     capture.id = PoseId(json.at("pose").unsignedInteger(0, UINT32_MAX - 1));
@@ -151,33 +155,46 @@ void JournalState::apply(const JournalEntry& entry, const std::string& where) {
     capture.samples = decodeSamples(*entry.samples, where);
     const auto disabled = json.find("disabled");
     const auto why = json.find("why_disabled");
-    insert({entry.entry,
-            {std::make_shared<const PoseCapture>(std::move(capture)), disabled && disabled->boolean(),
-             why ? why->string() : std::string()}},
-           placeIn(json));
-    if (const auto raw = json.find("raw_sha256")) raw_sha256_[entry.entry] = raw->string();
-  } else if (kind == "remove") {
-    removed_.push_back(take(placeOf(captureOf(json))));
-  } else if (kind == "restore") {
-    restore(captureOf(json), placeIn(json));
-  } else if (kind == "disable" || kind == "enable") {
-    SessionPose& pose = poses_[placeOf(captureOf(json))].pose;
+    return AddPose{{std::make_shared<const PoseCapture>(std::move(capture)), disabled && disabled->boolean(),
+                    why ? why->string() : std::string()},
+                   placeIn(json)};
+  }
+  if (kind == "remove") return RemovePose{placeOf(captureOf(json))};
+  if (kind == "restore") return RestorePose{removedBy(captureOf(json)).pose, placeIn(json)};
+  if (kind == "disable" || kind == "enable") {
     const auto why = json.find("why");
-    pose.disabled = kind == "disable";
-    pose.why_disabled = why && pose.disabled ? why->string() : std::string();
-  } else if (kind == "mute" || kind == "unmute") {
+    return SetPoseDisabled{placeOf(captureOf(json)), kind == "disable", why ? why->string() : std::string()};
+  }
+  if (kind == "mute" || kind == "unmute") {
     MutedLink link = readMutedLink(json);
-    const std::pair ends(link.source, link.target);
-    if (kind == "unmute") {
-      muted_links_.erase(ends);
-    } else {
-      muted_links_[ends] = std::move(link.why);
+    return SetLinkMuted{link.source, link.target, kind == "mute", std::move(link.why)};
+  }
+  return std::nullopt;
+}
+
+void JournalState::apply(const SessionEdit& edit, std::int64_t capture) {
+  if (const auto* skin = std::get_if<SetSkin>(&edit); skin != nullptr && !session_) {
+    session_.emplace(*skin->model, skin->neighbors);
+    return;
+  }
+  const auto at = [this](std::size_t place) { return captures_.begin() + static_cast<std::ptrdiff_t>(place); };
+  if (const auto* add = std::get_if<AddPose>(&edit)) {
+    if (captures_.size() + removed_.size() >= kMostPoses) {
+      throw InvalidArgument("a session holds at most " + std::to_string(kMostPoses) + " poses");
     }
+    hexoderm::apply(edit, *session_);
+    captures_.insert(at(add->index.value_or(captures_.size())), capture);
+  } else if (const auto* remove = std::get_if<RemovePose>(&edit)) {
+    RemovedPose removed{captureAt(remove->index), session_->poses().at(remove->index)};
+    hexoderm::apply(edit, *session_);
+    captures_.erase(at(remove->index));
+    removed_.push_back(std::move(removed));
+  } else if (const auto* restore = std::get_if<RestorePose>(&edit)) {
+    hexoderm::apply(edit, *session_);
+    captures_.insert(at(restore->index), capture);
+    std::erase_if(removed_, [&](const RemovedPose& removed) { return removed.capture == capture; });
   } else {
-    throw FormatError(where +
-                      ": kind: expected capture, remove, restore, disable, enable, mute, unmute, skin, source, truth "
-                      "or options, found \"" +
-                      kind.substr(0, 40) + "\"");
+    hexoderm::apply(edit, *session_);
   }
 }
 
@@ -187,41 +204,14 @@ JournalEntry JournalState::entryFor(const StoreOperation& operation, std::int64_
   entry.entry = last_entry_ + 1;
   entry.at_ms = at_ms;
   Json detail = Json::object();
-  if (const auto* add = std::get_if<AddPose>(&operation)) {
-    requireCapture(add->pose);
-    detail = sayCapture(add->pose, add->index.value_or(poses_.size()), entry);
-    if (!raw_sha256.empty()) detail["raw_sha256"] = raw_sha256;
-  } else if (const auto* remove = std::get_if<RemovePose>(&operation)) {
-    entry.kind = "remove";
-    detail["capture"] = poseAt(remove->index).entry;
-  } else if (const auto* restored = std::get_if<RestorePose>(&operation)) {
-    requireCapture(restored->pose);
-    if (const StoredPose* removed = lastRemoved(restored->pose.capture->id)) {
-      entry.kind = "restore";
-      detail["capture"] = removed->entry;
-      detail["place"] = restored->index;
-    } else {
-      detail = sayCapture(restored->pose, restored->index, entry);
-    }
-  } else if (const auto* disable = std::get_if<SetPoseDisabled>(&operation)) {
-    entry.kind = disable->disabled ? "disable" : "enable";
-    detail["capture"] = poseAt(disable->index).entry;
-    if (disable->disabled && !disable->why.empty()) detail["why"] = disable->why;
-  } else if (const auto* mute = std::get_if<SetLinkMuted>(&operation)) {
-    entry.kind = mute->muted ? "mute" : "unmute";
-    detail = mutedLinkJson(
-        {std::min(mute->a, mute->b), std::max(mute->a, mute->b), mute->muted ? mute->why : std::string()});
+  if (const auto* edit = std::get_if<SessionEdit>(&operation)) {
+    detail = sayEdit(*edit, raw_sha256, entry);
   } else if (const auto* source = std::get_if<SetSource>(&operation)) {
     entry.kind = "source";
     detail = {{"text", source->source.text}, {"file", source->source.file}, {"sha256", source->source.sha256}};
   } else if (const auto* truth = std::get_if<SetTruth>(&operation)) {
     entry.kind = "truth";
     detail = truthJson(truth->truth);
-  } else if (const auto* skin = std::get_if<SetSkin>(&operation)) {
-    if (!skin->model) throw InvalidArgument("a skin must have a cell model");
-    entry.kind = "skin";
-    detail["cell_model"] = cellModelJson(*skin->model);
-    detail["cells"] = neighborsJson(skin->neighbors);
   } else if (const auto* options = std::get_if<SetOptions>(&operation)) {
     entry.kind = "options";
     entry.detail = options->json;
@@ -231,17 +221,46 @@ JournalEntry JournalState::entryFor(const StoreOperation& operation, std::int64_
   return entry;
 }
 
-Session JournalState::session(const std::string& file) const {
-  if (!hasSkin()) throw InvalidArgument("a session needs a skin first");
-  Session session(*model_, *neighbors_, {source_.text, file, hexDigits(digest_)});
-  if (truth_) session.setTruth(*truth_);
-  // Their numbers are not used again.
-  for (const StoredPose& pose : removed_) {
-    session.addPose(pose.pose);
-    session.removePose(0);
+nlohmann::ordered_json JournalState::sayEdit(const SessionEdit& edit, const std::string& raw_sha256,
+                                             JournalEntry& entry) const {
+  Json detail = Json::object();
+  if (const auto* add = std::get_if<AddPose>(&edit)) {
+    requireCapture(add->pose);
+    detail = sayCapture(add->pose, add->index.value_or(captures_.size()), entry);
+    if (!raw_sha256.empty()) detail["raw_sha256"] = raw_sha256;
+  } else if (const auto* remove = std::get_if<RemovePose>(&edit)) {
+    entry.kind = "remove";
+    detail["capture"] = captureAt(remove->index);
+  } else if (const auto* restore = std::get_if<RestorePose>(&edit)) {
+    requireCapture(restore->pose);
+    if (const RemovedPose* removed = lastRemoved(restore->pose.capture->id)) {
+      entry.kind = "restore";
+      detail["capture"] = removed->capture;
+      detail["place"] = restore->index;
+    } else {
+      detail = sayCapture(restore->pose, restore->index, entry);
+    }
+  } else if (const auto* disable = std::get_if<SetPoseDisabled>(&edit)) {
+    entry.kind = disable->disabled ? "disable" : "enable";
+    detail["capture"] = captureAt(disable->index);
+    if (disable->disabled && !disable->why.empty()) detail["why"] = disable->why;
+  } else if (const auto* mute = std::get_if<SetLinkMuted>(&edit)) {
+    entry.kind = mute->muted ? "mute" : "unmute";
+    detail = mutedLinkJson(
+        {std::min(mute->a, mute->b), std::max(mute->a, mute->b), mute->muted ? mute->why : std::string()});
+  } else if (const auto* skin = std::get_if<SetSkin>(&edit)) {
+    if (!skin->model) throw InvalidArgument("a skin must have a cell model");
+    entry.kind = "skin";
+    detail["cell_model"] = cellModelJson(*skin->model);
+    detail["cells"] = neighborsJson(skin->neighbors);
   }
-  for (const StoredPose& pose : poses_) session.addPose(pose.pose);
-  for (const auto& [ends, why] : muted_links_) session.setLinkMuted(ends.first, ends.second, true, why);
+  return detail;
+}
+
+Session JournalState::session(const std::string& file) const {
+  if (!session_) throw InvalidArgument("a session needs a skin first");
+  Session session = *session_;
+  session.setSource({session.source().text, file, hexDigits(digest_)});
   return session;
 }
 

@@ -1,13 +1,13 @@
 #pragma once
 
-// Private to session/: entries of the journal, written from operations and read back into what they amount to.
+// Private to session/: entries of the journal, written from operations and read back into the session that they make.
 
 #include "hexoderm/session/sample_blobs.h"
 #include "hexoderm/session/session_store.h"
+#include "hexoderm/util/json_reader.h"
 
 #include <array>
 #include <map>
-#include <utility>
 
 namespace hexoderm {
 
@@ -25,14 +25,10 @@ struct JournalEntry {
   [[nodiscard]] Digest expectedDigest(const Digest& previous) const;
 };
 
-/// What the entries so far amount to.
+/// The session that the entries so far make, and what a file knows of it besides. A value: every transaction works on a
+/// copy, which shares captures, skin and truth.
 class JournalState {
  public:
-  struct StoredPose {
-    std::int64_t entry = 0;  ///< of its capture
-    SessionPose pose;
-  };
-
   /// Applies an entry that was read. Throws FormatError beginning with `file` and the entry: not the next one, digest
   /// wrong, content that is no entry, or makes no sense after those before.
   void read(const JournalEntry& entry, const std::string& file);
@@ -42,33 +38,42 @@ class JournalState {
 
   /// Throws InvalidArgument if there is no skin yet.
   [[nodiscard]] Session session(const std::string& file) const;
-  [[nodiscard]] const StoredPose& poseAt(std::size_t index) const;  ///< throws InvalidArgument
+  /// The entry of the capture of the pose at `index`. Throws InvalidArgument if there is no such pose.
+  [[nodiscard]] std::int64_t captureAt(std::size_t index) const;
   /// SHA-256 of the raw samples of a capture, hexadecimal; empty if it has none.
   [[nodiscard]] std::string rawSha256(std::int64_t capture) const;
   [[nodiscard]] std::int64_t lastEntry() const { return last_entry_; }
   [[nodiscard]] std::int64_t editedAtMs() const { return edited_at_ms_; }
   [[nodiscard]] const std::string& options() const { return options_; }
-  [[nodiscard]] bool hasSkin() const { return model_ != nullptr; }
+  [[nodiscard]] bool hasSkin() const { return session_.has_value(); }
   /// Of the skin's accelerometers; 0 without a skin.
-  [[nodiscard]] double lsb_g() const { return model_ ? model_->accelerometer.lsb_g : 0; }
+  [[nodiscard]] double lsb_g() const { return session_ ? session_->model().accelerometer.lsb_g : 0; }
 
  private:
-  void insert(StoredPose pose, std::size_t place);
-  StoredPose take(std::size_t index);
-  void restore(std::int64_t capture, std::size_t place);
+  struct RemovedPose {
+    std::int64_t capture = 0;  ///< its entry
+    SessionPose pose;
+  };
+
   [[nodiscard]] std::size_t placeOf(std::int64_t capture) const;
   /// Null if none of this ID was removed.
-  [[nodiscard]] const StoredPose* lastRemoved(PoseId id) const;
+  [[nodiscard]] const RemovedPose* lastRemoved(PoseId id) const;
+  [[nodiscard]] const RemovedPose& removedBy(std::int64_t capture) const;
+  /// Gives the entry its kind and, if it is a capture, its samples; returns its detail.
+  [[nodiscard]] nlohmann::ordered_json sayEdit(const SessionEdit& edit, const std::string& raw_sha256,
+                                               JournalEntry& entry) const;
   void apply(const JournalEntry& entry, const std::string& where);
+  /// Nothing for the kinds that are no edits.
+  [[nodiscard]] std::optional<SessionEdit> editIn(const JournalEntry& entry, const JsonReader& json,
+                                                  const std::string& where) const;
+  /// Keeps captures_ and removed_ in step with the session. `capture`: the entry of the capture that is added or
+  /// restored.
+  void apply(const SessionEdit& edit, std::int64_t capture);
 
-  std::shared_ptr<const CellModel> model_;
-  std::shared_ptr<const NeighborList> neighbors_;  ///< shared, because states are copied for every transaction
-  SourceDescription source_;
-  std::shared_ptr<const GroundTruth> truth_;
+  std::optional<Session> session_;      ///< none before the first skin
+  std::vector<std::int64_t> captures_;  ///< entries of the captures of the session's poses
+  std::vector<RemovedPose> removed_;    ///< the last removed last
   std::string options_ = "{}";
-  std::vector<StoredPose> poses_;
-  std::vector<StoredPose> removed_;                                 ///< the last removed last
-  std::map<std::pair<LinkEnd, LinkEnd>, std::string> muted_links_;  ///< and why
   std::map<std::int64_t, std::string> raw_sha256_;
   std::int64_t last_entry_ = 0;
   std::int64_t edited_at_ms_ = 0;

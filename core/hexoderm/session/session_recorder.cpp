@@ -16,7 +16,7 @@ namespace hexoderm {
 
 namespace {
 
-/// Of poses without raw samples; those of 10,000 cells are a megabyte.
+/// Room for poses without raw samples; those of 10,000 cells take a megabyte.
 constexpr std::uintmax_t kRoomForPoses = std::uintmax_t{4} << 20U;
 
 /// Why raw samples should not be tried at all; empty if they may be. They go into SQLite's journal and from there into
@@ -24,7 +24,7 @@ constexpr std::uintmax_t kRoomForPoses = std::uintmax_t{4} << 20U;
 std::string whyNoRawSamples(const std::vector<StoreOperation>& operations, const std::filesystem::path& path) {
   std::uintmax_t most_bytes = 0;
   for (const StoreOperation& operation : operations) {
-    const auto* add = std::get_if<AddPose>(&operation);
+    const AddPose* add = addedPose(operation);
     if (add == nullptr || !add->raw) continue;
     for (const SampleFrame& frame : *add->raw) {
       most_bytes += 20 + 28 * frame.samples.size() + 56 * frame.means.size() + 12 * frame.temperatures.size();
@@ -113,11 +113,13 @@ struct SessionRecorder::State {
     return outcome;
   }
 
-  /// The same without raw samples, where there are any.
+  /// The operations without raw samples, if there are any.
   static std::optional<std::vector<StoreOperation>> withoutRaw(std::vector<StoreOperation> operations) {
     bool had_some = false;
     for (StoreOperation& operation : operations) {
-      if (auto* add = std::get_if<AddPose>(&operation)) had_some = std::exchange(add->raw, nullptr) || had_some;
+      auto* edit = std::get_if<SessionEdit>(&operation);
+      auto* add = edit != nullptr ? std::get_if<AddPose>(edit) : nullptr;
+      if (add != nullptr) had_some = std::exchange(add->raw, nullptr) || had_some;
     }
     return had_some ? std::optional(std::move(operations)) : std::nullopt;
   }

@@ -80,12 +80,12 @@ void insert(Database& database, const JournalEntry& entry) {
   row.step();
 }
 
-/// Writes the entries of some operations; the journal is as after them. In a transaction of the caller's.
+/// Writes the entries of some operations, in a transaction of the caller's, and appends them to `journal`.
 void write(Database& database, std::span<const StoreOperation> operations, Journal& journal) {
   const std::int64_t at_ms = nowMs();
   for (const StoreOperation& operation : operations) {
     Bytes raw;
-    const auto* add = std::get_if<AddPose>(&operation);
+    const AddPose* add = addedPose(operation);
     if (add != nullptr && add->raw) raw = encodeFrames(*add->raw, journal.state.lsb_g());
     const JournalEntry entry = journal.state.entryFor(operation, at_ms, raw.empty() ? "" : sha256Of(raw));
     try {
@@ -182,6 +182,11 @@ class NewFile {
 
 }  // namespace
 
+const AddPose* addedPose(const StoreOperation& operation) {
+  const auto* edit = std::get_if<SessionEdit>(&operation);
+  return edit != nullptr ? std::get_if<AddPose>(edit) : nullptr;
+}
+
 struct SessionStore::State {
   std::filesystem::path path;
   StoreFile file;
@@ -198,7 +203,7 @@ void writeSessionStore(const Session& session, const std::filesystem::path& path
   NewFile file(path);
   {
     Database database(file.temporary(), path.string(), Database::Mode::Create);
-    // Nobody reads it before it is whole, and it is synced then.
+    // Nobody reads the file before it is whole, and it is synced then.
     database.run("PRAGMA journal_mode=MEMORY; PRAGMA synchronous=OFF");
     migrate(database, storeMigrations());
     Transaction transaction(database);
@@ -230,7 +235,7 @@ SessionStore SessionStore::openReadOnly(const std::filesystem::path& path) {
 Session SessionStore::readSession() const { return state_->journal.state.session(state_->path.filename().string()); }
 
 std::vector<SampleFrame> SessionStore::readRawSamples(std::size_t index) const {
-  const std::int64_t capture = state_->journal.state.poseAt(index).entry;
+  const std::int64_t capture = state_->journal.state.captureAt(index);
   const std::string sha256 = state_->journal.state.rawSha256(capture);
   if (sha256.empty()) return {};
   Database& database = state_->file.database;

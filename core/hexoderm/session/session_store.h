@@ -1,7 +1,6 @@
 #pragma once
 
-#include "hexoderm/device/sample_frame.h"
-#include "hexoderm/session/session.h"
+#include "hexoderm/session/session_edit.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -14,66 +13,37 @@
 
 namespace hexoderm {
 
-/// A capture, as Session::addPose(). Throws InvalidArgument if it holds numbers that are not finite or negative
-/// variances.
-struct AddPose {
-  SessionPose pose;
-  std::optional<std::size_t> index{};                     ///< among the poses then; absent: at the end
-  std::shared_ptr<const std::vector<SampleFrame>> raw{};  ///< what it was averaged from; null: not kept
-};
-/// As Session::removePose(). The capture stays in the file and can be restored.
-struct RemovePose {
-  std::size_t index = 0;
-};
-/// Takes back the last removal of a pose with this ID: it is as it was before, at place `index`. A file that was made
-/// after the removal knows nothing of it, and takes the pose as a capture.
-struct RestorePose {
-  SessionPose pose;  ///< as it was removed
-  std::size_t index = 0;
-};
-struct SetPoseDisabled {
-  std::size_t index = 0;
-  bool disabled = true;
-  std::string why{};
-};
-/// As Session::setLinkMuted().
-struct SetLinkMuted {
-  LinkEnd a;
-  LinkEnd b;
-  bool muted = true;
-  std::string why{};
-};
+/// Where the session came from.
 struct SetSource {
   SourceDescription source;
 };
+/// The truth of a simulated skin.
 struct SetTruth {
   GroundTruth truth;
-};
-/// Cell model and topology as reported anew; poses, and what was set aside, stay.
-struct SetSkin {
-  std::shared_ptr<const CellModel> model;  ///< never null
-  NeighborList neighbors;
 };
 /// Options that were used, as the text of a JSON object.
 struct SetOptions {
   std::string json;
 };
-using StoreOperation = std::variant<AddPose, RemovePose, RestorePose, SetPoseDisabled, SetLinkMuted, SetSource,
-                                    SetTruth, SetSkin, SetOptions>;
+/// An entry of a file's journal: an edit of the session, or a fact about it that nobody edits.
+using StoreOperation = std::variant<SessionEdit, SetSource, SetTruth, SetOptions>;
 
-/// What happened to a session, as people may want to see it.
+/// The capture that the operation adds; null if it is another one.
+const AddPose* addedPose(const StoreOperation& operation);
+
+/// An entry of a file's journal, as people may want to see it.
 struct JournalLine {
   std::uint64_t revision = 0;
   std::int64_t at_ms = 0;  ///< milliseconds since 1970, UTC
   std::string kind;        ///< "capture", "remove", ...: README.md in this folder lists them
 };
 
-/// A session file `*.hexo` (SPEC section 3; the layout is in README.md in this folder): an SQLite database with an
-/// append-only journal of everything that was done. What was captured is never changed and never removed.
+/// A session file `*.hexo` (the layout is in README.md in this folder): an SQLite database with an append-only journal
+/// of everything that was done. What was captured is never changed and never removed.
 ///
-/// What append() has returned from is on disk: killed at any moment, the session reopens with all of it, and without
-/// parts of anything. One writer at a time, across processes; any number of readers beside it. Where a file can't be
-/// written (full disk, read-only folder), it stays as it was, and the call can be repeated.
+/// Once append() has returned, its operations are on disk: killed at any moment, the session reopens with all of it,
+/// and without parts of anything. One writer at a time, across processes; any number of readers beside it. Where a file
+/// can't be written (full disk, read-only folder), it stays as it was, and the call can be repeated.
 ///
 /// All functions throw StorageError (missing, not permitted, full, open elsewhere) or FormatError (not a session,
 /// damaged, of a newer version), which name the file. Belongs to one thread at a time, and can be moved to another.
@@ -82,10 +52,11 @@ class SessionStore {
   /// Makes a file of the whole session and opens it for writing. It appears whole or not at all, and never replaces
   /// another: StorageError if there is something of that name.
   static SessionStore create(const std::filesystem::path& path, const Session& session);
-  /// To read and append. Finishes what a killed writer left, and brings older versions to the newest.
+  /// Opens a file for reading and appending. Finishes the work of a killed writer, and brings older versions to the
+  /// newest.
   static SessionStore open(const std::filesystem::path& path);
-  /// Never changes the file, and works where nothing can be written. Where nobody is writing, others can't begin to
-  /// while the store is open, so it should be short; where somebody is, it reads what was captured so far.
+  /// Never changes the file, and works where nothing can be written. If nobody is writing, nobody can begin to while
+  /// the store is open, so it should be closed soon; if somebody is, it reads what was captured so far.
   static SessionStore openReadOnly(const std::filesystem::path& path);
 
   ~SessionStore();

@@ -11,7 +11,7 @@ namespace hexoderm {
 /// The window with nobody at the mouse: everything a test does here is a key, sent to where keys go.
 class KeyboardTest : public WindowTest {
  protected:
-  /// To the popup, dialog or window that has the keyboard, as the window system does it.
+  /// Sends a key to the popup, dialog or window that has the keyboard, like the window system.
   static void key(int code, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
     QTest::keyPress(static_cast<QWidget*>(nullptr), Qt::Key(code), modifiers);
     // The key may have closed what it was pressed in.
@@ -34,7 +34,7 @@ class KeyboardTest : public WindowTest {
     return std::any_of(parts.begin(), parts.end(),
                        [](const QWidget* part) { return !part->isWindow() && isSeen(part); });
   }
-  /// What has the keyboard is on the screen, not hidden or scrolled away.
+  /// The widget with the focus is on the screen, not hidden or scrolled away.
   static void expectFocusIsSeen() {
     const QWidget* focus = QApplication::focusWidget();
     ASSERT_NE(focus, nullptr);
@@ -67,12 +67,13 @@ class KeyboardTest : public WindowTest {
     FAIL() << "no button " << words.toStdString() << " in\n" << passed.join('\n').toStdString();
   }
 
-  /// What the window manager does when a dialog has closed; there is none here.
+  /// After a dialog has closed: the window has the keyboard again, where it was.
   void comeBack() {
-    ASSERT_TRUE(waitUntil([this] { return QApplication::activeModalWidget() == nullptr; }));
-    QWidget* focus = window_->focusWidget();
-    activateWindow();
-    EXPECT_TRUE(!focus || QApplication::focusWidget() == focus) << "the keyboard is where it was";
+    ASSERT_TRUE(waitUntil([] { return QApplication::activeModalWidget() == nullptr; }));
+    ASSERT_NO_FATAL_FAILURE(activateWindow());
+    const QWidget* focus = window_->focusWidget();
+    EXPECT_TRUE(waitUntil([&] { return focus == nullptr || QApplication::focusWidget() == focus; }))
+        << "the keyboard is at " << focusName().toStdString();
   }
 };
 

@@ -1,6 +1,6 @@
 #include "hexoderm/io/session_json.h"
 #include "tests/app/window/window_test.h"
-#include "widgets/tables/tables.h"
+#include "widgets/tables/finding_table.h"
 
 #include <QDragEnterEvent>
 #include <QDropEvent>
@@ -35,11 +35,11 @@ void drop(QWidget* target, const QString& path) {
 TEST_F(WindowFilesTest, OpensADroppedSession) {
   drop(window_.get(), writeFile("row.session.json", kSessionWithOneSidedLink));
   ASSERT_TRUE(waitForPoses(1));
-  EXPECT_EQ(controller().name(), "row.session.json");
+  EXPECT_EQ(controller().file().name(), "row.session.json");
   EXPECT_EQ(controller().reconstruction()->cellCount(), 3U);
   EXPECT_FALSE(action("actionCapture")->isEnabled());
   EXPECT_TRUE(action("actionCapture")->toolTip().contains("No skin is connected"));
-  EXPECT_FALSE(controller().hasUnsavedChanges());
+  EXPECT_FALSE(controller().file().hasUnsavedChanges());
 }
 
 TEST_F(WindowFilesTest, AClickOnAFindingPicksWhatItIsAbout) {
@@ -70,7 +70,7 @@ TEST_F(WindowFilesTest, ABadFileIsNamedAndNothingIsLost) {
   const QString bad = writeFile("broken.session.json", "{\"format\": \"hexoderm-session\", \"version\": 1,");
   drop(window_.get(), bad);
   ASSERT_TRUE(waitForMessage("broken.session.json")) << message().toStdString();
-  EXPECT_EQ(controller().name(), "Demo skin (simulated)");
+  EXPECT_EQ(controller().file().name(), "Demo skin (simulated)");
   EXPECT_EQ(posesShown(), 1U);
   keepPicture(window_->picture(), "message-light");
 
@@ -87,7 +87,7 @@ TEST_F(WindowFilesTest, SavesByKeysAndReopensTheSame) {
   const QString path = pathTo("mine.session.json");
   ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("saveDialog", path));
   ASSERT_TRUE(waitForMessage("Saved to " + path)) << message().toStdString();
-  EXPECT_FALSE(controller().hasUnsavedChanges());
+  EXPECT_FALSE(controller().file().hasUnsavedChanges());
   EXPECT_FALSE(window_->isWindowModified());
   EXPECT_EQ(readSessionJson(path.toStdString()).poses().size(), 2U);
 
@@ -95,14 +95,14 @@ TEST_F(WindowFilesTest, SavesByKeysAndReopensTheSame) {
   clickRow("poseView", 0);
   press(Qt::Key_Delete);
   ASSERT_TRUE(waitUntilIdle());
-  EXPECT_TRUE(controller().hasUnsavedChanges());
+  EXPECT_TRUE(controller().file().hasUnsavedChanges());
   press(Qt::Key_S, Qt::ControlModifier);
-  ASSERT_TRUE(waitUntil([this] { return !controller().hasUnsavedChanges(); }));
+  ASSERT_TRUE(waitUntil([this] { return !controller().file().hasUnsavedChanges(); }));
   EXPECT_TRUE(readSessionJson(path.toStdString()).poses()[0].disabled);
 
   press(Qt::Key_O, Qt::ControlModifier);
   ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("openDialog", path));
-  ASSERT_TRUE(waitUntil([this] { return controller().session() && !controller().isDemo(); }));
+  ASSERT_TRUE(waitUntil([this] { return controller().session() && !controller().liveSession().isDemo(); }));
   ASSERT_TRUE(waitForPoses(2));
   EXPECT_FALSE(controller().reconstruction()->poses[0].enabled);
 }
@@ -134,19 +134,19 @@ TEST_F(WindowFilesTest, TheButtonsOfAFileDialogHaveRoomForTheirPictures) {
 
 TEST_F(WindowFilesTest, AFailedSaveIsSaidAndTheWorkStaysUnsaved) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
-  controller().saveSession(pathTo("no/such/folder/a.session.json"));
+  controller().file().saveSession(pathTo("no/such/folder/a.session.json"));
   ASSERT_TRUE(waitForMessage("a.session.json")) << message().toStdString();
-  EXPECT_TRUE(controller().hasUnsavedChanges());
+  EXPECT_TRUE(controller().file().hasUnsavedChanges());
 }
 
 TEST_F(WindowFilesTest, ACalibrationIsShownWithoutASession) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
   const QString path = pathTo("arm.calibration.json");
-  controller().exportTo({std::nullopt, path, {}});
+  controller().resultFiles().exportTo({std::nullopt, path, {}});
   ASSERT_TRUE(waitForMessage("Exported to " + path)) << message().toStdString();
   controller().undoStack()->setClean();
   window_->openFile(path);
-  ASSERT_TRUE(waitUntil([this] { return controller().name() == "arm.calibration.json"; }));
+  ASSERT_TRUE(waitUntil([this] { return controller().file().name() == "arm.calibration.json"; }));
   EXPECT_EQ(controller().session(), nullptr);
   EXPECT_EQ(controller().reconstruction()->cellCount(), 17U);
   EXPECT_FALSE(action("actionSave")->isEnabled());
@@ -191,9 +191,9 @@ TEST_F(WindowFilesTest, AnotherFileAsksForUnsavedPosesToo) {
   drop(window_.get(), path);
   auto* box = waitForDialog<QMessageBox>("unsavedBox");
   ASSERT_NE(box, nullptr);
-  EXPECT_TRUE(controller().isDemo());
+  EXPECT_TRUE(controller().liveSession().isDemo());
   click(box->button(QMessageBox::Discard));
-  ASSERT_TRUE(waitUntil([this] { return controller().name() == "row.session.json"; }));
+  ASSERT_TRUE(waitUntil([this] { return controller().file().name() == "row.session.json"; }));
   EXPECT_TRUE(waitForPoses(1));
 }
 

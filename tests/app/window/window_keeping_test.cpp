@@ -1,9 +1,13 @@
-// What is undone, saved and connected in any order is in the file, and nothing of one skin is left for the next.
+// Sessions that are undone, saved and connected in any order are whole in their files, and nothing of one skin is left
+// for the next.
 #include "app/window/files/session_paths.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/session/simulated_session.h"
 #include "tests/app/window/window_test.h"
+#include "tests/support/failing_disk.h"
+#include "widgets/capture/capture_tone.h"
+#include "widgets/capture/hold_ring.h"
 
 namespace hexoderm {
 namespace {
@@ -36,8 +40,8 @@ class WindowKeepingTest : public WindowTest {
   void open(const QString& name, const Session& session) {
     const std::string path = pathTo(name).toStdString();
     name.endsWith(".hexo") ? writeSessionStore(session, path) : writeSessionJson(session, path);
-    controller().openFile(pathTo(name));
-    ASSERT_TRUE(waitUntil([&] { return controller().name() == name; })) << message().toStdString();
+    controller().file().openFile(pathTo(name));
+    ASSERT_TRUE(waitUntil([&] { return controller().file().name() == name; })) << message().toStdString();
     ASSERT_TRUE(waitForPoses(session.poses().size())) << message().toStdString();
   }
   static Session read(const QString& path) { return readSessionStore(path.toStdString()); }
@@ -47,7 +51,7 @@ class WindowKeepingTest : public WindowTest {
     return files.isEmpty() ? QString() : files.front().absoluteFilePath();
   }
   bool waitUntilWritten() {
-    return waitUntil([this] { return controller().activity().isEmpty() && !controller().isWriting(); });
+    return waitUntil([this] { return controller().work().activity().isEmpty() && !controller().file().isWriting(); });
   }
 };
 
@@ -75,8 +79,8 @@ TEST_F(WindowKeepingTest, WhatIsUndoneAfterSavingIsUndoneInTheFile) {
   press(Qt::Key_Delete, Qt::ShiftModifier);
   ASSERT_TRUE(waitForPoses(2));
   const QString path = pathTo("kept.hexo");
-  controller().saveSession(path);
-  ASSERT_TRUE(waitUntil([this] { return controller().isKept(); }));
+  controller().file().saveSession(path);
+  ASSERT_TRUE(waitUntil([this] { return controller().file().isKept(); }));
   QSignalSpy failed(&controller(), &SessionController::failed);
   press(Qt::Key_Z, Qt::ControlModifier);
   ASSERT_TRUE(waitForPoses(3));
@@ -93,8 +97,8 @@ TEST_F(WindowKeepingTest, ACaptureThatWasUndoneBeforeSavingComesBackInTheFile) {
   press(Qt::Key_Z, Qt::ControlModifier);
   ASSERT_TRUE(waitForPoses(1));
   const QString path = pathTo("kept.hexo");
-  controller().saveSession(path);
-  ASSERT_TRUE(waitUntil([this] { return controller().isKept(); }));
+  controller().file().saveSession(path);
+  ASSERT_TRUE(waitUntil([this] { return controller().file().isKept(); }));
   press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
   ASSERT_TRUE(waitForPoses(2));
   ASSERT_TRUE(waitUntilWritten());
@@ -125,11 +129,11 @@ TEST_F(WindowKeepingTest, WhatChangesBetweenTwoSavesIsInBothFiles) {
   const QString first = pathTo("first.hexo");
   const QString second = pathTo("second.hexo");
   // Nothing is saved before the event loop runs again.
-  controller().saveSession(first);
+  controller().file().saveSession(first);
   controller().setPoseDisabled(0, true);
-  controller().saveSession(second);
+  controller().file().saveSession(second);
   controller().setPoseDisabled(1, true);
-  ASSERT_TRUE(waitUntil([&] { return controller().sessionPath() == second; }));
+  ASSERT_TRUE(waitUntil([&] { return controller().file().sessionPath() == second; }));
   controller().setPoseDisabled(2, true);
   ASSERT_TRUE(waitUntilWritten());
   const auto disabled = [](const Session& session) {
@@ -155,32 +159,90 @@ TEST_F(WindowKeepingTest, AReasonComesBackWithWhatItIsFor) {
   EXPECT_EQ(read(pathTo("why.hexo")).poses()[0].why_disabled, "someone leaned on the arm");
 }
 
+TEST_F(WindowKeepingTest, RingToneAndStatusSayCapturedWhenThePoseIsOnDiskAndNotBefore) {
+  LiveSession& live = controller().liveSession();
+  live.setAutomatic(false);
+  window_->connectTo({QStringLiteral("sim:x17?speed=20"), pathTo("arm.hexo")});
+  ASSERT_TRUE(waitForPoses(0)) << message().toStdString();
+  ASSERT_TRUE(waitUntilWritten());
+  const auto* ring = find<HoldRing>("holdRing");
+  QObject listener;
+  std::vector<ToneKind> tones;
+  QObject::connect(window_->findChild<CaptureTone*>(), &CaptureTone::played, &listener,
+                   [&](ToneKind kind) { tones.push_back(kind); });
+  // The window's own part hears of it first.
+  QString word_while_written;
+  QObject::connect(&live, &LiveSession::poseTaken, &listener, [&] { word_while_written = ring->content().word; });
+  bool is_ring_captured = false;
+  QObject::connect(&live, &LiveSession::poseKept, &listener, [&] { is_ring_captured = ring->content().captured; });
+  bool was_captured_too_early = false;
+  const auto saysCaptured = [&] {
+    return ring->content().captured || labelText("saidStatus").contains("captured") || message().contains("captured") ||
+           std::ranges::count(tones, ToneKind::Captured) > 0;
+  };
+  {
+    const test::NoFileGrows full;
+    QObject::connect(
+        &live.source(), &LiveSource::holdChanged, &listener, [&, before = controller().session()->poses().size()] {
+          const bool on_disk = !controller().file().hasUnsavedChanges() && !controller().file().isWriting();
+          if (controller().session()->poses().size() > before && !on_disk && saysCaptured()) {
+            was_captured_too_early = true;
+          }
+        });
+    press(Qt::Key_Space);
+    ASSERT_TRUE(waitForMessage("Not on disk yet")) << message().toStdString();
+    EXPECT_EQ(controller().session()->poses().size(), 1U);
+    ASSERT_TRUE(waitForPoses(1)) << "the work goes on";
+    EXPECT_EQ(word_while_written, "Writing");
+    EXPECT_FALSE(saysCaptured()) << labelText("saidStatus").toStdString() << message().toStdString();
+    EXPECT_FALSE(is_ring_captured);
+    EXPECT_EQ(read(pathTo("arm.hexo")).poses().size(), 0U);
+  }
+  click(find<QPushButton>("messageButton"));
+  ASSERT_TRUE(waitUntil([&] { return std::ranges::count(tones, ToneKind::Captured) == 1; })) << message().toStdString();
+  EXPECT_TRUE(is_ring_captured);
+  EXPECT_EQ(labelText("saidStatus"), "Pose 1 captured: 17 cells.");
+  EXPECT_FALSE(was_captured_too_early);
+  EXPECT_EQ(read(pathTo("arm.hexo")).poses().size(), 1U);
+}
+
+TEST_F(WindowKeepingTest, WithoutAScratchFileAPoseIsSaidToBeCapturedInMemory) {
+  ASSERT_TRUE(QDir().mkpath(QFileInfo(unsavedFolder()).absolutePath()));
+  QFile in_the_way(unsavedFolder());
+  ASSERT_TRUE(in_the_way.open(QIODevice::WriteOnly));
+  QSignalSpy captured(&controller().liveSession(), &LiveSession::captured);
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
+  ASSERT_TRUE(waitUntil([&] { return captured.size() == 1; }));
+  EXPECT_EQ(captured.front().front().toString(), "Pose 1 captured, in memory only: 17 cells.");
+}
+
 TEST_F(WindowKeepingTest, TheNextSkinIsAskedNothingThatTheLastWasAsked) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
-  controller().saveSession(pathTo("arm.hexo"));
-  ASSERT_TRUE(waitUntil([this] { return controller().isKept(); }));
-  controller().setRobot(true);
-  controller().setLiveMode(true);
-  controller().lightCell(CellId(3));
-  ASSERT_TRUE(controller().isRobotOn() && controller().isLiveMode() && controller().litCell());
+  controller().file().saveSession(pathTo("arm.hexo"));
+  ASSERT_TRUE(waitUntil([this] { return controller().file().isKept(); }));
+  controller().poseGuide().setRobot(true);
+  controller().liveMode().setOn(true);
+  controller().liveSession().lightCell(CellId(3));
+  ASSERT_TRUE(controller().poseGuide().isRobotOn() && controller().liveMode().isOn() &&
+              controller().liveSession().litCell());
   // A skin that is never there.
   ConnectRequest request;
   request.address = QStringLiteral("replay:") + pathTo("none.skinrec");
   request.continue_session = true;
-  controller().connectTo(request);
-  EXPECT_FALSE(controller().isRobotOn());
-  EXPECT_FALSE(controller().isLiveMode());
-  EXPECT_EQ(controller().litCell(), std::nullopt);
-  ASSERT_TRUE(waitUntil([this] { return !controller().live().isRunning(); }));
+  controller().liveSession().connectTo(request);
+  EXPECT_FALSE(controller().poseGuide().isRobotOn());
+  EXPECT_FALSE(controller().liveMode().isOn());
+  EXPECT_EQ(controller().liveSession().litCell(), std::nullopt);
+  ASSERT_TRUE(waitUntil([this] { return !controller().liveSession().source().isRunning(); }));
   EXPECT_FALSE(action("actionLiveMode")->isChecked());
 }
 
 TEST_F(WindowKeepingTest, ATurnByHandEndsTheRobotsRunForAllToSee) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
-  controller().setRobot(true);
+  controller().poseGuide().setRobot(true);
   ASSERT_TRUE(action("actionRobot")->isChecked());
-  controller().turnTo(Eigen::Vector3d::UnitX());
-  EXPECT_FALSE(controller().isRobotOn());
+  controller().poseGuide().turnTo(Eigen::Vector3d::UnitX());
+  EXPECT_FALSE(controller().poseGuide().isRobotOn());
   EXPECT_FALSE(action("actionRobot")->isChecked());
 }
 

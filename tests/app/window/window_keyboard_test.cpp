@@ -28,7 +28,7 @@ class DemoByKeys : public KeyboardTest {
 
   QString text(const char* label) { return find<QLabel>(label)->text(); }
   bool isStillAndNew() {
-    const Stillness& still = controller().live().hold().stillness;
+    const Stillness& still = controller().liveSession().source().hold().stillness;
     return still.armed && still.blocker == Blocker::None;
   }
   void startDemo();
@@ -38,7 +38,7 @@ class DemoByKeys : public KeyboardTest {
   void verify();
   void exportIt();
 
-  /// Of the page of the panel below that is open, by its name.
+  /// Opens a page of the panel below, by its name.
   void openPage(const QString& name) {
     ASSERT_NO_FATAL_FAILURE(tabTo("detailTabs"));
     auto* tabs = find<QTabBar>("detailTabs");
@@ -46,7 +46,7 @@ class DemoByKeys : public KeyboardTest {
     for (int k = 0; k < tabs->count() && !tabs->tabText(tabs->currentIndex()).startsWith(name); ++k) key(Qt::Key_Right);
     ASSERT_TRUE(tabs->tabText(tabs->currentIndex()).startsWith(name)) << name.toStdString();
   }
-  /// In a table that has the focus.
+  /// Goes to a row of the table that has the focus.
   void goToRow(int row) {
     auto* table = qobject_cast<QTableView*>(QApplication::focusWidget());
     ASSERT_NE(table, nullptr) << focusName().toStdString();
@@ -77,10 +77,10 @@ class DemoByKeys : public KeyboardTest {
 
 void DemoByKeys::startDemo() {
   ASSERT_NO_FATAL_FAILURE(pressButton("Start the demo skin"));
-  ASSERT_TRUE(waitUntil([this] { return controller().isLive(); })) << message().toStdString();
+  ASSERT_TRUE(waitUntil([this] { return controller().liveSession().isLive(); })) << message().toStdString();
   ASSERT_TRUE(waitForPoses(1)) << "it takes the first one where it lies";
   key(Qt::Key_A);
-  EXPECT_FALSE(controller().isAutomatic());
+  EXPECT_FALSE(controller().liveSession().isAutomatic());
 }
 
 void DemoByKeys::checkSkin() {
@@ -94,23 +94,24 @@ void DemoByKeys::checkSkin() {
   ASSERT_TRUE(window_->selection().cell().has_value());
   const CellId first = *window_->selection().cell();
   key(Qt::Key_L, Qt::ControlModifier);
-  EXPECT_EQ(controller().litCell(), first);
+  EXPECT_EQ(controller().liveSession().litCell(), first);
   keys("7");
   EXPECT_EQ(window_->selection().cell(), CellId(7));
   key(Qt::Key_Return);
   EXPECT_EQ(QApplication::focusWidget()->objectName(), "graphView") << "back from the field";
-  EXPECT_EQ(controller().litCell(), CellId(7));
+  EXPECT_EQ(controller().liveSession().litCell(), CellId(7));
   key(Qt::Key_2, Qt::ControlModifier);
   ASSERT_NO_FATAL_FAILURE(pressButton("Switch the light of cell 7 off"));
-  EXPECT_EQ(controller().litCell(), std::nullopt);
+  EXPECT_EQ(controller().liveSession().litCell(), std::nullopt);
 }
 
 void DemoByKeys::capturePoses() {
   key(Qt::Key_3, Qt::ControlModifier);
   ASSERT_TRUE(waitUntil([this] { return action("actionSkipPose")->isEnabled(); }));
-  const Eigen::Vector3d advised = controller().nextPose()->up;
+  const Eigen::Vector3d advised = controller().poseGuide().nextPose()->up;
   key(Qt::Key_N);
-  ASSERT_TRUE(waitUntil([&] { return !controller().nextPose()->up.isApprox(advised); })) << "another one is advised";
+  ASSERT_TRUE(waitUntil([&] { return !controller().poseGuide().nextPose()->up.isApprox(advised); }))
+      << "another one is advised";
   // By the buttons of the step: turned there, and taken when it is still.
   ASSERT_TRUE(waitUntil([this] { return action("actionTurn")->isEnabled(); }));
   ASSERT_NO_FATAL_FAILURE(tabTo("captureTurnForMe"));
@@ -121,27 +122,27 @@ void DemoByKeys::capturePoses() {
   ASSERT_TRUE(waitForPoses(2)) << text("captureWait").toStdString();
   // The robot takes what is still wanted.
   key(Qt::Key_B);
-  EXPECT_TRUE(controller().isRobotOn());
-  ASSERT_TRUE(waitUntil([this] { return !controller().isRobotOn(); })) << text("captureWait").toStdString();
+  EXPECT_TRUE(controller().poseGuide().isRobotOn());
+  ASSERT_TRUE(waitUntil([this] { return !controller().poseGuide().isRobotOn(); })) << text("captureWait").toStdString();
   ASSERT_TRUE(waitUntilIdle());
   ASSERT_GE(posesShown(), 4U);
   ASSERT_NO_FATAL_FAILURE(tabTo("captureAutomatic"));
   key(Qt::Key_Space);
-  EXPECT_FALSE(controller().isAutomatic());
+  EXPECT_FALSE(controller().liveSession().isAutomatic());
   key(Qt::Key_Space);
-  EXPECT_TRUE(controller().isAutomatic());
+  EXPECT_TRUE(controller().liveSession().isAutomatic());
   // The second is taken again, in its place.
   ASSERT_NO_FATAL_FAILURE(tabTo("poseView"));
   ASSERT_NO_FATAL_FAILURE(goToRow(1));
   const auto second = controller().session()->poses()[1].capture;
   key(Qt::Key_R);
-  EXPECT_EQ(controller().recapturing(), second->id);
+  EXPECT_EQ(controller().liveSession().recapturing(), second->id);
   ASSERT_TRUE(waitUntil([&] { return controller().session()->poses()[1].capture != second; }))
       << text("captureWait").toStdString();
   ASSERT_TRUE(waitUntilIdle());
   ASSERT_GE(posesShown(), 4U);
   key(Qt::Key_A);
-  EXPECT_FALSE(controller().isAutomatic());
+  EXPECT_FALSE(controller().liveSession().isAutomatic());
   ASSERT_TRUE(waitUntilIdle());
 }
 

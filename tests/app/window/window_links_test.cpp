@@ -3,7 +3,7 @@
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/session/session_store.h"
 #include "tests/app/window/window_test.h"
-#include "widgets/tables/tables.h"
+#include "widgets/tables/link_table.h"
 
 #include <QClipboard>
 #include <QContextMenuEvent>
@@ -34,7 +34,7 @@ class WindowLinksTest : public WindowTest {
     return controller().reconstruction()->findLink(link.first, link.second);
   }
   bool waitUntilKept() {
-    return waitUntil([this] { return !controller().isWriting() && !controller().hasUnsavedChanges(); });
+    return waitUntil([this] { return !controller().file().isWriting() && !controller().file().hasUnsavedChanges(); });
   }
 };
 
@@ -93,7 +93,7 @@ TEST_F(WindowLinksTest, AJournalKeepsEveryChangeAsItHappens) {
   const QString path = pathTo("demo.hexo");
   ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("saveDialog", path));
   ASSERT_TRUE(waitForMessage("Saved to " + path)) << message().toStdString();
-  ASSERT_TRUE(waitUntil([&] { return controller().isKept(); }));
+  ASSERT_TRUE(waitUntil([&] { return controller().file().isKept(); }));
   const Selection::Link link = firstLink();
   ASSERT_NO_FATAL_FAILURE(clickLinkInGraph(link));
   press(Qt::Key_M);

@@ -33,10 +33,12 @@ class WindowLiveTest : public WindowTest {
     ASSERT_TRUE(waitForPoses(1)) << message().toStdString();
   }
   static Session read(const QString& path) { return readSessionStore(path.toStdString()); }
-  /// What is on disk, once nothing waits for it any more.
+  /// Waits until nothing waits to be written any more.
   bool waitUntilKept() {
-    return waitUntil(
-        [this] { return controller().isKept() && !controller().isWriting() && !controller().hasUnsavedChanges(); });
+    return waitUntil([this] {
+      return controller().file().isKept() && !controller().file().isWriting() &&
+             !controller().file().hasUnsavedChanges();
+    });
   }
   QString writeSimulatedStore(const QString& name, std::size_t poses) {
     SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
@@ -54,7 +56,7 @@ TEST_F(WindowLiveTest, ASimulatedSkinIsConnectedAndEveryPoseIsInItsFile) {
   keepPicture(dialog->grab().toImage(), "connect-light");
   click(dialog->findChild<QPushButton*>("connectButton"));
   ASSERT_TRUE(waitForPoses(1)) << message().toStdString();
-  EXPECT_EQ(controller().name(), "arm.hexo");
+  EXPECT_EQ(controller().file().name(), "arm.hexo");
   EXPECT_EQ(controller().reconstruction()->cellCount(), 17U);
   EXPECT_EQ(text("liveState"), "Streaming");
   EXPECT_FALSE(find<QWidget>("liveStrip")->isVisible()) << "nothing is wrong, and the step's panel says more";
@@ -88,7 +90,7 @@ TEST_F(WindowLiveTest, SpaceCapturesAtOnceAndWhatIsUndoneIsUndoneInTheFileToo) {
   const QString path = pathTo("arm.hexo");
   ASSERT_NO_FATAL_FAILURE(connectQuickSkin(path));
   press(Qt::Key_A);
-  EXPECT_FALSE(controller().isAutomatic());
+  EXPECT_FALSE(controller().liveSession().isAutomatic());
   press(Qt::Key_Space);
   ASSERT_TRUE(waitForPoses(2)) << message().toStdString();
   EXPECT_TRUE(waitForMessage("It repeats pose 1")) << message().toStdString();
@@ -129,7 +131,7 @@ TEST_F(WindowLiveTest, AWrongAddressIsRefusedInWords) {
   EXPECT_FALSE(dialog->findChild<QPushButton*>("connectButton")->isEnabled());
   QTest::keyClick(dialog, Qt::Key_Escape);
   EXPECT_TRUE(waitUntil([&] { return window_->findChild<QDialog*>("connectDialog") == nullptr; }));
-  EXPECT_FALSE(controller().live().isRunning());
+  EXPECT_FALSE(controller().liveSession().source().isRunning());
 }
 
 TEST_F(WindowLiveTest, TheAddressOfALargeSkinIsCheckedAsItIsTyped) {
@@ -151,7 +153,7 @@ TEST_F(WindowLiveTest, ADeviceThatIsNotThereIsSaidAndCanBeGivenUp) {
   keepPicture(window_->picture(), "live-refused");
   EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Disconnect");
   clickBanner();
-  EXPECT_FALSE(controller().live().isRunning());
+  EXPECT_FALSE(controller().liveSession().source().isRunning());
   EXPECT_FALSE(QFile::exists(pathTo("arm.hexo"))) << "nothing was captured";
 }
 
@@ -195,14 +197,14 @@ TEST_F(WindowLiveTest, WhatCanNotBeWrittenWaitsUntilItCan) {
   window_->connectTo({kQuickSkin, path, false});
   ASSERT_TRUE(waitForPoses(1)) << message().toStdString();
   ASSERT_TRUE(waitForMessage("arm.hexo")) << message().toStdString();
-  EXPECT_TRUE(controller().hasUnsavedChanges());
+  EXPECT_TRUE(controller().file().hasUnsavedChanges());
   EXPECT_EQ(text("savedStatus"), "not on disk");
   EXPECT_EQ(find<QPushButton>("messageButton")->text(), "Try again");
   keepPicture(window_->picture(), "live-stuck");
   ASSERT_TRUE(QDir(folder_.path()).mkdir("later"));
   click(find<QPushButton>("messageButton"));
   ASSERT_TRUE(waitForMessage("Saved to " + path)) << message().toStdString();
-  EXPECT_FALSE(controller().hasUnsavedChanges());
+  EXPECT_FALSE(controller().file().hasUnsavedChanges());
   EXPECT_EQ(read(path).poses().size(), 1U);
 }
 
@@ -215,7 +217,7 @@ TEST_F(WindowLiveTest, AFullDiskLosesNoPose) {
     press(Qt::Key_Space);
     ASSERT_TRUE(waitForMessage("Not on disk yet")) << message().toStdString();
     EXPECT_EQ(controller().session()->poses().size(), 2U);
-    EXPECT_TRUE(controller().hasUnsavedChanges());
+    EXPECT_TRUE(controller().file().hasUnsavedChanges());
     EXPECT_EQ(read(path).poses().size(), 1U) << "what was captured before is intact";
   }
   // The next change tries again too, and the message goes.
@@ -230,10 +232,10 @@ TEST_F(WindowLiveTest, ConnectionsMayEndAtAnyMoment) {
   for (int k = 0; k < 9; ++k) {
     window_->connectTo({kQuickSkin, pathTo(QStringLiteral("arm%1.hexo").arg(k)), false});
     if (k % 3 == 1) QCoreApplication::processEvents();
-    if (k % 2 == 1) controller().disconnectSource();
+    if (k % 2 == 1) controller().liveSession().disconnectSource();
   }
   ASSERT_NO_FATAL_FAILURE(connectQuickSkin(pathTo("last.hexo")));
-  EXPECT_EQ(controller().name(), "last.hexo");
+  EXPECT_EQ(controller().file().name(), "last.hexo");
   press(Qt::Key_Space);
   window_.reset();
   EXPECT_GE(read(pathTo("last.hexo")).poses().size(), 1U);
@@ -251,7 +253,7 @@ TEST_F(WindowLiveTest, CaptureGoesOnInAnUnfinishedSession) {
 
   window_->connectTo({"sim:ring8?speed=20", {}, true});
   ASSERT_TRUE(waitForMessage("other cells")) << message().toStdString();
-  EXPECT_FALSE(controller().live().isRunning());
+  EXPECT_FALSE(controller().liveSession().source().isRunning());
 
   window_->connectTo({kQuickSkin, {}, true});
   ASSERT_TRUE(waitForPoses(2)) << message().toStdString();
@@ -266,7 +268,7 @@ TEST_F(WindowLiveTest, ASessionThatIsOpenElsewhereIsReadAndSaysSo) {
   window_->openFile(path);
   ASSERT_TRUE(waitForPoses(2));
   ASSERT_TRUE(waitForMessage("will not be kept in this file")) << message().toStdString();
-  EXPECT_FALSE(controller().isKept());
+  EXPECT_FALSE(controller().file().isKept());
 }
 
 TEST_F(WindowLiveTest, TheDemoCanBeSavedAsASessionThatKeepsEveryChange) {

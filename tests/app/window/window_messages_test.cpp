@@ -23,7 +23,7 @@ class WindowMessagesTest : public WindowTest {
     window_->connectTo({device_.address(), pathTo("arm.hexo"), false});
     ASSERT_NO_FATAL_FAILURE(device_.accept());
     device_.introduce();
-    ASSERT_TRUE(waitUntil([this] { return controller().isLive(); })) << text("liveText").toStdString();
+    ASSERT_TRUE(waitUntil([this] { return controller().liveSession().isLive(); })) << text("liveText").toStdString();
     ASSERT_TRUE(waitUntilIdle());
   }
   /// With one pose taken, `kUp` up.
@@ -95,15 +95,16 @@ TEST_F(WindowMessagesTest, APartThatWasNotMovedSinceIsAskedToMove) {
 TEST_F(WindowMessagesTest, AHoldThatIsBrokenOffStartsOverAndTakesNothingOfIt) {
   ASSERT_NO_FATAL_FAILURE(connectDevice());
   // Still long enough to begin, and not to end.
-  while (controller().live().hold().phase == HoldPhase::Watching) {
+  while (controller().liveSession().source().hold().phase == HoldPhase::Watching) {
     device_.hold(0.1, kUp);
-    ASSERT_TRUE(waitUntil([&, seen = controller().live().preview().time_s] {
-      return controller().live().preview().time_s > seen || controller().live().hold().phase != HoldPhase::Watching;
+    ASSERT_TRUE(waitUntil([&, seen = controller().liveSession().source().preview().time_s] {
+      return controller().liveSession().source().preview().time_s > seen ||
+             controller().liveSession().source().hold().phase != HoldPhase::Watching;
     }));
   }
   ASSERT_TRUE(waitForRing("Hold…")) << ring().toStdString();
   turn(1, 0, 40);
-  ASSERT_TRUE(waitUntil([this] { return controller().live().hold().restarts > 0; }));
+  ASSERT_TRUE(waitUntil([this] { return controller().liveSession().source().hold().restarts > 0; }));
   ASSERT_TRUE(waitForRing("Hold still")) << ring().toStdString();
   EXPECT_EQ(controller().session()->poses().size(), 0U);
   turn(0.2, 40, 40);
@@ -149,17 +150,17 @@ TEST_F(WindowMessagesTest, AKeyThatIsHeldTakesOnePoseAndSwitchesOnce) {
     QTest::simulateEvent(window_.get(), false, key, Qt::NoModifier, letter, false);
   };
   hold_down(Qt::Key_A, "a");
-  EXPECT_FALSE(controller().isAutomatic()) << "switched once, not to and fro";
+  EXPECT_FALSE(controller().liveSession().isAutomatic()) << "switched once, not to and fro";
   hold_down(Qt::Key_Space, " ");
   ASSERT_TRUE(waitUntil([this] {
     shake(0.2, 0.09);
     return controller().session()->poses().size() == 1;
   })) << text("captureWait").toStdString();
   // Time enough for others, if they had been asked for.
-  const double taken_s = controller().live().preview().time_s;
+  const double taken_s = controller().liveSession().source().preview().time_s;
   ASSERT_TRUE(waitUntil([&] {
     shake(0.2, 0.09);
-    return controller().live().preview().time_s > taken_s + 5;
+    return controller().liveSession().source().preview().time_s > taken_s + 5;
   }));
   EXPECT_EQ(controller().session()->poses().size(), 1U);
 }
@@ -253,7 +254,8 @@ TEST_F(WindowMessagesTest, ADeviceThatIsPulledOutAndComesBackGoesOnWhereItWas) {
   ASSERT_NO_FATAL_FAILURE(device_.accept());
   device_.introduce();
   ASSERT_TRUE(waitUntil([this] {
-    return controller().live().status().state == SourceState::Streaming || (device_.hold(0.1, kSide), false);
+    return controller().liveSession().source().status().state == SourceState::Streaming ||
+           (device_.hold(0.1, kSide), false);
   }));
   device_.hold(4, kSide);
   ASSERT_TRUE(waitForPoses(2)) << text("captureWait").toStdString();
@@ -333,7 +335,8 @@ TEST_F(WindowMessagesTest, EveryButtonThatCanNotBePressedSaysWhy) {
   action("actionDisconnect")->trigger();
   expectReasons("disconnected");
   window_->openFile(QStringLiteral(HEXODERM_TEST_DATA "/two_patches.tum.xml"));
-  ASSERT_TRUE(waitUntil([this] { return controller().name() == "two_patches.tum.xml"; })) << message().toStdString();
+  ASSERT_TRUE(waitUntil([this] { return controller().file().name() == "two_patches.tum.xml"; }))
+      << message().toStdString();
   expectReasons("with a calibration");
 }
 

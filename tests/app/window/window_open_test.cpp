@@ -36,7 +36,7 @@ class WindowOpenTest : public WindowTest {
     ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("openDialog", path));
   }
   bool waitForName(const QString& name) {
-    return waitUntil([&] { return controller().name() == name; }) && waitUntilIdle();
+    return waitUntil([&] { return controller().file().name() == name; }) && waitUntilIdle();
   }
 };
 
@@ -47,11 +47,11 @@ TEST_F(WindowOpenTest, SessionsOfBothKindsCalibrationsAndTumFilesOpenByTheSameKe
   ASSERT_NO_FATAL_FAILURE(openByKeys(pathTo("a.session.json")));
   ASSERT_TRUE(waitForName("a.session.json")) << message().toStdString();
   EXPECT_EQ(posesShown(), 3U);
-  EXPECT_FALSE(controller().isKept());
+  EXPECT_FALSE(controller().file().isKept());
   ASSERT_NO_FATAL_FAILURE(openByKeys(pathTo("b.hexo")));
   ASSERT_TRUE(waitForName("b.hexo")) << message().toStdString();
   EXPECT_EQ(posesShown(), 3U);
-  EXPECT_TRUE(controller().isKept()) << "a session store keeps every change";
+  EXPECT_TRUE(controller().file().isKept()) << "a session store keeps every change";
   writeCalibrationJson(*controller().reconstruction(), pathTo("c.calibration.json").toStdString());
   ASSERT_NO_FATAL_FAILURE(openByKeys(pathTo("c.calibration.json")));
   ASSERT_TRUE(waitForName("c.calibration.json")) << message().toStdString();
@@ -99,7 +99,7 @@ TEST_F(WindowOpenTest, ARecordingThatIsOpenedAsAFileSaysWhereItBelongs) {
   EXPECT_TRUE(message().contains("connect", Qt::CaseInsensitive)) << message().toStdString();
 }
 
-/// How a file is broken, and what must be said of it beside its name.
+/// A way of breaking a file, and the words that its message must have beside the file's name.
 struct Broken {
   const char* name;
   const char* file;
@@ -217,7 +217,7 @@ TEST_P(WindowBrokenFileTest, IsNamedWithItsPlaceAndNothingIsLost) {
   EXPECT_FALSE(message().contains('\n')) << "one line";
   EXPECT_EQ(contentOf(path), content) << "no file that was opened is changed";
 
-  EXPECT_EQ(controller().name(), "open.hexo");
+  EXPECT_EQ(controller().file().name(), "open.hexo");
   EXPECT_EQ(posesShown(), 2U);
   EXPECT_TRUE(controller().session()->poses()[1].disabled);
   EXPECT_EQ(controller().undoStack()->count(), undo_steps);
@@ -243,18 +243,18 @@ TEST_F(WindowOpenTest, ASessionThatIsOpenInTwoWindowsIsKeptByTheFirst) {
   const QString path = writeStore("shared.hexo");
   window_->openFile(path);
   ASSERT_TRUE(waitForName("shared.hexo")) << message().toStdString();
-  ASSERT_TRUE(waitUntil([this] { return controller().isKept(); }));
+  ASSERT_TRUE(waitUntil([this] { return controller().file().isKept(); }));
   const std::unique_ptr<MainWindow> first = std::move(window_);
 
   openWindow();
   window_->openFile(path);
   ASSERT_TRUE(waitForPoses(3)) << message().toStdString();
   ASSERT_TRUE(waitForMessage("will not be kept in this file")) << message().toStdString();
-  EXPECT_FALSE(controller().isKept());
+  EXPECT_FALSE(controller().file().isKept());
   clickRow("poseView", 0);
   press(Qt::Key_Delete);
   ASSERT_TRUE(waitUntilIdle());
-  EXPECT_TRUE(controller().hasUnsavedChanges()) << "what is done here must be saved elsewhere";
+  EXPECT_TRUE(controller().file().hasUnsavedChanges()) << "what is done here must be saved elsewhere";
   EXPECT_FALSE(readSessionStore(path.toStdString()).poses()[0].disabled);
   EXPECT_FALSE(first->controller().session()->poses()[0].disabled);
   first->controller().removePose(2);

@@ -13,9 +13,9 @@ namespace {
 
 constexpr std::uint64_t kCells = 17;
 constexpr qint64 kMagic = 8;
-constexpr qint64 kHead = 12;  // of a record
+constexpr qint64 kHead = 12;  // head of a record
 
-/// Where a record lies in the file, and how many frames are in it.
+/// Position of a record in the file, and the number of frames in it.
 struct Record {
   qint64 begin = 0;
   qint64 end = 0;
@@ -65,7 +65,7 @@ TEST_F(WindowRecordingTest, OneThatWasCutOffIsPlayedAsFarAsItIsWhole) {
   ASSERT_NO_FATAL_FAILURE(play(path));
   ASSERT_TRUE(waitUntilEnded()) << labelText("liveText").toStdString() << message().toStdString();
   ASSERT_TRUE(waitForPoses(1)) << message().toStdString();
-  EXPECT_EQ(controller().live().status().frames, frames(whole));
+  EXPECT_EQ(controller().liveSession().source().status().frames, frames(whole));
   EXPECT_EQ(controller().reconstruction()->cellCount(), kCells);
   const QString said =
       QStringLiteral("%1: is cut off; all before byte %2 was played").arg(path).arg(records_[whole].begin);
@@ -78,9 +78,9 @@ TEST_F(WindowRecordingTest, OneThatWasCutOffIsPlayedAsFarAsItIsWhole) {
   keepPicture(window_->picture(), "recording-cut-off");
 
   click(find<QPushButton>("liveDisconnect"));
-  EXPECT_FALSE(controller().live().isRunning());
+  EXPECT_FALSE(controller().liveSession().source().isRunning());
   EXPECT_EQ(posesShown(), 1U);
-  ASSERT_TRUE(waitUntil([this] { return controller().isKept() && !controller().isWriting(); }));
+  ASSERT_TRUE(waitUntil([this] { return controller().file().isKept() && !controller().file().isWriting(); }));
   EXPECT_EQ(readSessionStore(pathTo("arm.hexo").toStdString()).poses().size(), 1U);
 }
 
@@ -94,7 +94,7 @@ TEST_F(WindowRecordingTest, ADamagedRecordIsLeftOutAndCounted) {
   ASSERT_TRUE(waitForPoses(1)) << message().toStdString();
   EXPECT_TRUE(labelText("liveText").contains("damaged.skinrec: the recording is over"))
       << labelText("liveText").toStdString();
-  EXPECT_EQ(controller().live().status().frames, frames() - damaged.frames);
+  EXPECT_EQ(controller().liveSession().source().status().frames, frames() - damaged.frames);
   EXPECT_TRUE(labelText("liveCounters").contains("1 broken")) << labelText("liveCounters").toStdString();
   EXPECT_EQ(labelText("lossesStatus"), QStringLiteral("%1 samples lost").arg(damaged.frames * kCells));
 }
@@ -109,9 +109,9 @@ class WindowBrokenRecordingTest : public WindowRecordingTest {
     ASSERT_TRUE(waitForPoses(2)) << message().toStdString();
   }
   void expectTheSessionStays() {
-    EXPECT_EQ(controller().name(), "open.hexo");
+    EXPECT_EQ(controller().file().name(), "open.hexo");
     EXPECT_EQ(posesShown(), 2U);
-    EXPECT_TRUE(controller().isKept());
+    EXPECT_TRUE(controller().file().isKept());
     EXPECT_FALSE(QFile::exists(pathTo("arm.hexo")));
   }
 };
@@ -133,7 +133,7 @@ TEST_F(WindowBrokenRecordingTest, WhatIsNoRecordingIsRefusedInWords) {
     ASSERT_TRUE(waitForMessage(QLatin1String(file.name))) << message().toStdString();
     EXPECT_TRUE(message().contains(file.said)) << message().toStdString();
     EXPECT_TRUE(find<QWidget>("messageBar")->isVisible()) << "it stays until somebody has read it";
-    EXPECT_FALSE(controller().live().isRunning());
+    EXPECT_FALSE(controller().liveSession().source().isRunning());
     EXPECT_FALSE(find<QWidget>("liveStrip")->isVisible());
     ASSERT_NO_FATAL_FAILURE(expectTheSessionStays());
   }
@@ -163,7 +163,7 @@ TEST_F(WindowBrokenRecordingTest, OneInWhichThereIsNoSkinEndsAndIsNotWaitedFor) 
     EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Disconnect");
     keepPicture(window_->picture(), QStringLiteral("recording-%1").arg(QString(file.name).section('.', 0, 0)));
     clickBanner();
-    EXPECT_FALSE(controller().live().isRunning());
+    EXPECT_FALSE(controller().liveSession().source().isRunning());
     ASSERT_NO_FATAL_FAILURE(expectTheSessionStays());
   }
 }

@@ -14,7 +14,7 @@ class WindowReferenceTest : public WindowTest {
  protected:
   void open(const QString& path) {
     window_->openFile(kData + path);
-    ASSERT_TRUE(waitUntil([&] { return controller().name() == QFileInfo(path).fileName(); }))
+    ASSERT_TRUE(waitUntil([&] { return controller().file().name() == QFileInfo(path).fileName(); }))
         << message().toStdString();
     ASSERT_TRUE(waitUntilIdle());
   }

@@ -185,7 +185,7 @@ TEST_F(WindowShellTest, RemembersRecentFilesAcrossStarts) {
   EXPECT_TRUE(menu->actions()[1]->text().contains("first.hexo"));
   menu->actions()[1]->trigger();
   ASSERT_TRUE(waitForPoses(2));
-  EXPECT_EQ(controller().name(), "first.hexo");
+  EXPECT_EQ(controller().file().name(), "first.hexo");
   EXPECT_EQ(shell().recentFiles().files()[0].title, "first.hexo");
 }
 
@@ -221,7 +221,7 @@ TEST_F(WindowShellTest, ARecentFileThatIsGoneSaysSoAndLeavesTheListByDel) {
   EXPECT_TRUE(button->accessibleDescription().contains("not there"));
   EXPECT_TRUE(waitUntil([&] { return !window_->actions().recent->actions()[0]->isEnabled(); }));
   click(button);
-  EXPECT_TRUE(controller().activity().isEmpty()) << "nothing to open";
+  EXPECT_TRUE(controller().work().activity().isEmpty()) << "nothing to open";
   button->setFocus();
   QTest::keyClick(button, Qt::Key_Delete);
   EXPECT_EQ(shell().recentFiles().files().size(), 1U);
@@ -388,7 +388,7 @@ TEST_F(WindowShellTest, RecoversWhatAKilledProgramLeft) {
   click(visible<QPushButton>("recoverButton"));
   ASSERT_TRUE(waitForPoses(left[0].poses));
   EXPECT_TRUE(QFile::exists(QDir(unsavedFolder()).filePath(QFileInfo(scratch).fileName()))) << "until it is saved";
-  EXPECT_FALSE(controller().isKept());
+  EXPECT_FALSE(controller().file().isKept());
 }
 
 TEST_F(WindowShellTest, PreferencesActAtOnceAndAreRemembered) {

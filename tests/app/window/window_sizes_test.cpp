@@ -18,8 +18,9 @@ class WindowSizesTest : public WindowTest {
   }
   void open(const QString& path) {
     window_->openFile(path);
-    ASSERT_TRUE(waitLong([&] { return controller().name() == QFileInfo(path).fileName(); })) << message().toStdString();
-    ASSERT_TRUE(waitLong([this] { return controller().isCurrent() && controller().activity().isEmpty(); }));
+    ASSERT_TRUE(waitLong([&] { return controller().file().name() == QFileInfo(path).fileName(); }))
+        << message().toStdString();
+    ASSERT_TRUE(waitLong([this] { return controller().isCurrent() && controller().work().activity().isEmpty(); }));
   }
   QString writeSkin(const QString& patch, std::size_t poses, std::size_t frames, SimulatedSkinOptions options = {}) {
     options.patch = patch.toStdString();
@@ -69,7 +70,8 @@ TEST_F(WindowSizesTest, AThousandPosesAreLeftForAnotherSessionAndForTheEndWhileT
   writeSessionStore(simulateSession(x17, 3, 2), few.toStdString());
   const auto beginSolving = [&] {
     window_->openFile(many);
-    ASSERT_TRUE(waitLong([&] { return controller().name() == QFileInfo(many).fileName(); })) << message().toStdString();
+    ASSERT_TRUE(waitLong([&] { return controller().file().name() == QFileInfo(many).fileName(); }))
+        << message().toStdString();
     ASSERT_FALSE(controller().isCurrent());
   };
   ASSERT_NO_FATAL_FAILURE(beginSolving());
@@ -80,8 +82,8 @@ TEST_F(WindowSizesTest, AThousandPosesAreLeftForAnotherSessionAndForTheEndWhileT
 }
 
 TEST_F(WindowSizesTest, AHundredThousandCells) {
-  // Of a skin without errors the tree is the optimum: from any other the global solver is many steps away, which this
-  // many cells make minutes.
+  // For a skin without errors the tree is the optimum; for any other the global solver needs many steps, and with so
+  // many cells minutes.
   ASSERT_NO_FATAL_FAILURE(open(writeSkin("sheet:400x250", 6, 2, SimulatedSkinOptions::ideal())));
   ASSERT_TRUE(waitLong([this] { return posesShown() == 6; }));
   EXPECT_EQ(controller().reconstruction()->cellCount(), 100000U);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/window/main_window/main_window.h"
+#include "tests/app/window/keyboard_keeper.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/graph/graph_view.h"
 
@@ -62,7 +63,7 @@ class WindowTest : public testing::Test {
   }
   bool waitUntilIdle() {
     return waitUntil([this] {
-      return controller().activity().isEmpty() && !controller().isSolving() && controller().reconstruction();
+      return controller().work().activity().isEmpty() && !controller().isSolving() && controller().reconstruction();
     });
   }
   std::size_t posesShown() { return controller().reconstruction() ? controller().reconstruction()->poses.size() : 0; }
@@ -72,10 +73,9 @@ class WindowTest : public testing::Test {
 
   void click(QWidget* widget) { QTest::mouseClick(widget, Qt::LeftButton); }
   void clickBanner() { click(find<QPushButton>("bannerButton")); }
-  /// Where there is no window manager, nobody gives the focus back when a dialog has closed.
   void activateWindow() {
     window_->activateWindow();
-    ASSERT_TRUE(test::waitUntilActive(*window_));
+    ASSERT_TRUE(waitUntil([this] { return window_->isActiveWindow(); }));
   }
   /// A key for the window itself, whichever of its parts has the focus.
   void press(int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
@@ -101,11 +101,11 @@ class WindowTest : public testing::Test {
   void turnBy(Ask ask) {
     constexpr std::uint64_t kLongestTurn = 3500;  // samples: half a turn, and what a status may be late
     ASSERT_TRUE(waitUntil([this] {
-      return controller().canTurn() && controller().nextPose() &&
-             (action("actionTurn")->isEnabled() || !controller().wantsMorePoses());
+      return controller().liveSession().canTurn() && controller().poseGuide().nextPose() &&
+             (action("actionTurn")->isEnabled() || !controller().poseGuide().wantsMorePoses());
     }));
     ask();
-    const LiveSource& live = controller().live();
+    const LiveSource& live = controller().liveSession().source();
     std::optional<std::uint64_t> from;
     const auto connection = QObject::connect(&live, &LiveSource::statusChanged, window_.get(), [&] {
       if (!from) from = live.status().frames;
@@ -117,24 +117,24 @@ class WindowTest : public testing::Test {
   void takeNextPose() {
     const std::size_t before = posesShown();
     ASSERT_NO_FATAL_FAILURE(turnBy([this] {
-      if (controller().wantsMorePoses()) {
+      if (controller().poseGuide().wantsMorePoses()) {
         action("actionTurn")->trigger();
       } else {
-        controller().turnTo(controller().nextPose()->up);
+        controller().poseGuide().turnTo(controller().poseGuide().nextPose()->up);
       }
     }));
-    controller().captureNow();
+    controller().liveSession().captureNow();
     ASSERT_TRUE(waitForPoses(before + 1)) << message().toStdString();
   }
 
   /// The demo with so many poses and no more: the first where the skin lies, the others where the advice says.
   void takeDemoPoses(std::size_t count) {
-    controller().setAutomatic(false);
+    controller().liveSession().setAutomatic(false);
     clickBanner();
-    ASSERT_TRUE(waitUntil([this] { return controller().isLive(); })) << message().toStdString();
+    ASSERT_TRUE(waitUntil([this] { return controller().liveSession().isLive(); })) << message().toStdString();
     ASSERT_TRUE(waitForPoses(0));
     if (count == 0) return;
-    controller().captureNow();
+    controller().liveSession().captureNow();
     ASSERT_TRUE(waitForPoses(1)) << message().toStdString();
     for (std::size_t taken = 1; taken < count; ++taken) ASSERT_NO_FATAL_FAILURE(takeNextPose());
   }
@@ -206,6 +206,7 @@ class WindowTest : public testing::Test {
   }
 
   QTemporaryDir folder_;
+  KeyboardKeeper keyboard_keeper_;
   std::unique_ptr<MainWindow> window_;
 };
 

@@ -10,7 +10,7 @@
 namespace hexoderm {
 namespace {
 
-/// What can be changed of a session.
+/// The parts of a session that can be changed.
 struct State {
   std::vector<std::pair<PoseId, bool>> poses;  ///< with "disabled"
   std::vector<MutedLink> muted;
@@ -46,7 +46,8 @@ class WindowUndoTest : public WindowTest {
   }
   bool waitUntilKept() {
     return waitUntilIdle() && waitUntil([this] {
-             return controller().isKept() && !controller().isWriting() && !controller().hasUnsavedChanges();
+             return controller().file().isKept() && !controller().file().isWriting() &&
+                    !controller().file().hasUnsavedChanges();
            });
   }
   State now() { return stateOf(*controller().session()); }
@@ -139,7 +140,7 @@ class WindowUndoOfCapturesTest : public WindowUndoTest {
   void connectSkin() {
     window_->connectTo({QStringLiteral("sim:x17?speed=20"), path_, false});
     ASSERT_TRUE(waitForPoses(1)) << message().toStdString();
-    controller().setAutomatic(false);
+    controller().liveSession().setAutomatic(false);
     ASSERT_TRUE(waitUntilKept());
   }
   void capture(std::size_t expected) {

@@ -51,12 +51,12 @@ class WindowVerifyTest : public WindowTest {
 };
 
 TEST_F(WindowVerifyTest, HoldsAPoseOutAndSaysHowWellTheOthersForetellIt) {
-  // The same poses every time: how well one is foretold differs from capture to capture.
+  // The poses are the same every time: their predictability differs from capture to capture.
   const auto openSession = [this](std::size_t poses) {
     SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
     const QString path = pathTo(QStringLiteral("%1.session.json").arg(poses));
     writeSessionJson(simulateSession(skin, poses), path.toStdString());
-    controller().openFile(path);
+    controller().file().openFile(path);
     ASSERT_TRUE(waitForPoses(poses)) << message().toStdString();
   };
   ASSERT_NO_FATAL_FAILURE(openSession(3));
@@ -112,7 +112,7 @@ TEST_F(WindowVerifyTest, AnOpenRingsGapIsFoundWithoutBeingAskedFor) {
   writeSessionJson(simulateSession(ring, 3), path.toStdString());
   std::optional<LoopEvaluation> drawn;
   QObject::connect(&panel(), &VerifyPanel::loopShown, [&](const std::optional<LoopEvaluation>& loop) { drawn = loop; });
-  controller().openFile(path);
+  controller().file().openFile(path);
   ASSERT_TRUE(waitForSentence("loops", "One open loop; its gap is")) << sentence("loops").toStdString();
   ASSERT_TRUE(drawn.has_value());
   EXPECT_NEAR(drawn->loop_length_m, 0.22228, 1e-5);
@@ -121,7 +121,7 @@ TEST_F(WindowVerifyTest, AnOpenRingsGapIsFoundWithoutBeingAskedFor) {
 TEST_F(WindowVerifyTest, ComparesWithAnEarlierCalibrationAndSaysWhatIsWrongWithAFile) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(3));
   const QString path = pathTo("earlier.calibration.json");
-  controller().exportTo({std::nullopt, path, {}});
+  controller().resultFiles().exportTo({std::nullopt, path, {}});
   ASSERT_TRUE(waitForMessage("Exported to " + path));
   ASSERT_NO_FATAL_FAILURE(takeNextPose());
   ASSERT_NO_FATAL_FAILURE(showPanel());
@@ -270,7 +270,7 @@ TEST_F(WindowVerifyTest, WhatIsVerifiedIsTheSolverThatWasUsed) {
   EXPECT_NE(held_out->rms_rad, evaluateHoldOut(*session.snapshot(), PoseId(3)).rms_rad);
   EXPECT_LT(comparisons[0].position_rms_m, 1e-12) << "the same session, solved in the same way";
 
-  // The session is solved anew when the solver is another.
+  // The session is solved again when the solver is another.
   comparisons.clear();
   verification.setReconstruction(reconstruct(*session.snapshot()));
   ASSERT_TRUE(waitUntil([&] { return !comparisons.empty(); }));

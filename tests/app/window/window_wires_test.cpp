@@ -15,9 +15,9 @@ namespace {
 
 struct Wire {
   const char* name;
-  const char* kind;                 ///< as the dialog calls it
+  const char* kind;                 ///< its name in the dialog
   std::vector<std::string> spoken;  ///< options of the emulator
-  const char* gone;                 ///< what the operating system says where there is no device
+  const char* gone;                 ///< the operating system's message if there is no device
 };
 void PrintTo(const Wire& wire, std::ostream* out) { *out << wire.name; }
 
@@ -53,7 +53,7 @@ class Device {
     emulator_->kill();
     emulator_.reset();
   }
-  /// As it is typed behind the kind of connection.
+  /// The address, in the form in which it is typed after the kind of connection.
   [[nodiscard]] QString address() const {
     return isSerial() ? port_name_ : QStringLiteral("127.0.0.1:%1").arg(QString::fromStdString(port_));
   }
@@ -74,10 +74,11 @@ class WindowWiresTest : public WindowTest, public testing::WithParamInterface<Wi
     WindowTest::SetUp();
     device_ = std::make_unique<Device>(GetParam(), pathTo("usb-skin"));
   }
-  /// The first pose is captured by itself, where the part lies.
+  /// The first pose is captured automatically, where the part lies.
   void connectDevice() {
     ASSERT_NO_FATAL_FAILURE(connectByDialog(GetParam().kind, device_->address(), path()));
-    ASSERT_TRUE(waitUntil([this] { return controller().isLive(); })) << labelText("liveText").toStdString();
+    ASSERT_TRUE(waitUntil([this] { return controller().liveSession().isLive(); }))
+        << labelText("liveText").toStdString();
     // What went well is said for a moment only, and solving may take longer.
     ASSERT_TRUE(waitForMessage("Pose 1 captured: 17 cells."))
         << message().toStdString() << labelText("captureWait").toStdString();
@@ -87,7 +88,7 @@ class WindowWiresTest : public WindowTest, public testing::WithParamInterface<Wi
   void turnToTheSecondPose() {
     ASSERT_TRUE(waitUntil([this] { return action("actionTurn")->isEnabled(); }))
         << action("actionTurn")->toolTip().toStdString();
-    advised_o_ = controller().nextPose()->up;
+    advised_o_ = controller().poseGuide().nextPose()->up;
     press(Qt::Key_T);
     ASSERT_TRUE(waitForMessage("Pose 2 captured: 17 cells."))
         << message().toStdString() << labelText("captureWait").toStdString();
@@ -104,8 +105,10 @@ class WindowWiresTest : public WindowTest, public testing::WithParamInterface<Wi
   [[nodiscard]] std::size_t posesInFile() const { return readSessionStore(path().toStdString()).poses().size(); }
   /// Once nothing waits to be written any more.
   bool waitUntilKept() {
-    return waitUntil(
-        [this] { return controller().isKept() && !controller().isWriting() && !controller().hasUnsavedChanges(); });
+    return waitUntil([this] {
+      return controller().file().isKept() && !controller().file().isWriting() &&
+             !controller().file().hasUnsavedChanges();
+    });
   }
   bool isSaidByTheCheck(const QString& text) {
     for (const QLabel* label : find<CheckList>("checkList")->findChildren<QLabel*>()) {
@@ -130,7 +133,7 @@ TEST_P(WindowWiresTest, ADeviceIsConnectedCheckedCapturedAndLeft) {
   EXPECT_TRUE(waitUntil([this] { return isSaidByTheCheck("17 cells, 16 links, 1 patch"); }));
   EXPECT_TRUE(waitUntil([this] { return isSaidByTheCheck("All 17 cells send"); }));
 
-  // What is asked of the device arrives there.
+  // Requests to the device arrive there.
   clickCellInGraph(CellId(3));
   ASSERT_TRUE(action("actionLightCell")->isEnabled()) << action("actionLightCell")->toolTip().toStdString();
   press(Qt::Key_L, Qt::ControlModifier);
@@ -143,9 +146,9 @@ TEST_P(WindowWiresTest, ADeviceIsConnectedCheckedCapturedAndLeft) {
   EXPECT_EQ(controller().reconstruction()->verdict.level, VerdictLevel::Usable);
 
   press(Qt::Key_A);
-  ASSERT_FALSE(controller().isAutomatic());
+  ASSERT_FALSE(controller().liveSession().isAutomatic());
   action("actionDisconnect")->trigger();
-  EXPECT_FALSE(controller().live().isRunning());
+  EXPECT_FALSE(controller().liveSession().source().isRunning());
   EXPECT_EQ(action("actionCapture")->toolTip(), "No skin is connected");
   EXPECT_EQ(posesShown(), 2U);
   ASSERT_TRUE(waitUntilKept());
@@ -159,7 +162,7 @@ TEST_P(WindowWiresTest, ADeviceIsConnectedCheckedCapturedAndLeft) {
   auto* dialog = waitForDialog<QDialog>("connectDialog");
   ASSERT_NE(dialog, nullptr);
   QTest::keyClick(dialog->findChild<QComboBox*>("connectAddress"), Qt::Key_Return);
-  ASSERT_TRUE(waitUntil([this] { return controller().isLive(); })) << labelText("liveText").toStdString();
+  ASSERT_TRUE(waitUntil([this] { return controller().liveSession().isLive(); })) << labelText("liveText").toStdString();
   ASSERT_NO_FATAL_FAILURE(captureBySpace(3));
   ASSERT_TRUE(waitForMessage("Pose 3 captured: 17 cells. It repeats pose 2")) << message().toStdString();
   ASSERT_TRUE(waitUntilKept());
@@ -170,7 +173,7 @@ TEST_P(WindowWiresTest, ADeviceThatIsPulledOutIsSaidAndTheWorkGoesOnWhenItIsBack
   ASSERT_NO_FATAL_FAILURE(connectDevice());
   ASSERT_NO_FATAL_FAILURE(turnToTheSecondPose());
   press(Qt::Key_A);
-  ASSERT_FALSE(controller().isAutomatic());
+  ASSERT_FALSE(controller().liveSession().isAutomatic());
   device_->pullOut();
   ASSERT_TRUE(waitUntil([this] { return labelText("liveText").contains(GetParam().gone); }))
       << labelText("liveText").toStdString();
@@ -190,7 +193,7 @@ TEST_P(WindowWiresTest, ADeviceThatIsPulledOutIsSaidAndTheWorkGoesOnWhenItIsBack
   ASSERT_NO_FATAL_FAILURE(device_->plugIn());
   ASSERT_TRUE(waitUntil([this] { return labelText("liveState") == "Streaming"; }))
       << labelText("liveText").toStdString();
-  EXPECT_GE(controller().live().status().reconnects, 1U);
+  EXPECT_GE(controller().liveSession().source().status().reconnects, 1U);
   ASSERT_NO_FATAL_FAILURE(captureBySpace(3));
   ASSERT_TRUE(waitForMessage("Pose 3 captured: 17 cells. It repeats pose 1")) << message().toStdString();
   EXPECT_FALSE(find<QWidget>("liveStrip")->isVisible());

@@ -164,7 +164,8 @@ std::vector<StoreOperation> captureWithRaw(std::uint32_t id) {
     for (std::uint32_t cell = 1; cell <= 1000; ++cell) frames[k].samples.push_back({CellId(cell), {0, 0.1, 1}});
   }
   std::vector<StoreOperation> operations = capture(id);
-  std::get<AddPose>(operations[0]).raw = std::make_shared<const std::vector<SampleFrame>>(std::move(frames));
+  std::get<AddPose>(std::get<SessionEdit>(operations[0])).raw =
+      std::make_shared<const std::vector<SampleFrame>>(std::move(frames));
   return operations;
 }
 

@@ -172,6 +172,40 @@ TEST_F(CapturePanelTest, ACaptureIsShownForAMomentAndARepetitionStaysInWords) {
   EXPECT_EQ(text("captureRemark"), QString());
 }
 
+HoldStatus movedOn() {
+  HoldStatus hold;
+  hold.stillness.armed = true;
+  hold.progress = 0.2;
+  return hold;
+}
+
+TEST_F(CapturePanelTest, APoseThatIsBeingWrittenIsNotSaidToBeCaptured) {
+  show();
+  panel.setSource(streaming());
+  panel.setHold(HoldStatus{});
+  panel.showCaptured(PoseId(3), QStringLiteral("Pose 3 repeats pose 1."));
+  panel.showWriting(PoseId(4));
+  EXPECT_FALSE(ring()->content().captured);
+  EXPECT_EQ(ring()->content().word, QStringLiteral("Writing"));
+  EXPECT_EQ(ring()->content().detail, QStringLiteral("pose 4"));
+  EXPECT_EQ(text("captureRemark"), QString()) << "that was said of the pose before";
+  panel.setHold(HoldStatus{});
+  EXPECT_EQ(ring()->content().word, QStringLiteral("Writing")) << "as long as the part is not moved";
+  panel.showCaptured(PoseId(4));
+  EXPECT_TRUE(ring()->content().captured);
+  EXPECT_TRUE(test::waitUntil([&] { return !ring()->content().captured; }));
+  EXPECT_NE(ring()->content().word, QStringLiteral("Writing"));
+
+  panel.showWriting(PoseId(5));
+  panel.setHold(movedOn());
+  EXPECT_NE(ring()->content().word, QStringLiteral("Writing")) << "the next hold has begun";
+  panel.showWriting(PoseId(6));
+  panel.endWriting(PoseId(5));
+  EXPECT_EQ(ring()->content().word, QStringLiteral("Writing"));
+  panel.endWriting(PoseId(6));
+  EXPECT_NE(ring()->content().word, QStringLiteral("Writing"));
+}
+
 TEST_F(CapturePanelTest, ASilentSourceIsSaidInsteadOfOldReadings) {
   show();
   panel.setSource(streaming());

@@ -18,7 +18,7 @@ std::vector<int> samplesOf(ToneKind kind) {
   return samples;
 }
 
-/// Of the first note: until silence of 10 ms.
+/// Frequency of the first note, which ends with silence of 10 ms.
 double frequencyOf(const std::vector<int>& samples) {
   int crossings = 0;
   std::size_t last = 0;
@@ -64,9 +64,16 @@ TEST(CaptureTone, WithoutADeviceItIsSilent) {
 
 TEST(CaptureTone, SwitchedOffItNeverLooksForADevice) {
   CaptureTone tone;
-  tone.setEnabled(false);
-  tone.playCaptured();
-  EXPECT_FALSE(tone.hasDevice());
+  std::vector<ToneKind> played;
+  QObject::connect(&tone, &CaptureTone::played, [&](ToneKind kind) { played.push_back(kind); });
+  tone.playStartsOver();
+  EXPECT_EQ(played, std::vector{ToneKind::StartsOver});
+  CaptureTone silent;
+  QObject::connect(&silent, &CaptureTone::played, [&](ToneKind kind) { played.push_back(kind); });
+  silent.setEnabled(false);
+  silent.playCaptured();
+  EXPECT_FALSE(silent.hasDevice());
+  EXPECT_EQ(played.size(), 1U);
 }
 
 }  // namespace

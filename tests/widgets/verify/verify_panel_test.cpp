@@ -116,7 +116,7 @@ TEST_F(VerifyPanelTest, SaysWhyAPoseCannotBeHeldOut) {
   panel_->setReconstruction(none, true);
   EXPECT_FALSE(find<QComboBox>("holdOutPose")->isEnabled());
   EXPECT_EQ(sentence("holdOut"), "Takes 4 poses that are not disabled, and there is none yet.");
-  // Of four poses one is disabled: it can be foretold by the three others, and none of these by two.
+  // Of four poses one is disabled: it can be predicted from the three others, but none of these from two.
   auto four = skin();
   four->poses.pop_back();
   panel_->setReconstruction(four, true);

@@ -211,7 +211,7 @@ class SerialTransport final : public StreamTransport<asio::serial_port> {
 
  protected:
   void closeChannel() override {
-    // What a device does not take would be waited for.
+    // Closing would wait for bytes that the device does not take.
     if (channel_.is_open()) ::tcflush(channel_.native_handle(), TCIOFLUSH);
     StreamTransport::closeChannel();
   }

@@ -8,7 +8,7 @@
 
 namespace hexoderm {
 
-/// Which orientation would help most (SPEC step 12).
+/// The orientation that would help most, and by how much.
 struct PoseAdvice {
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< unit, in the frame of `seen`: the direction to point up
   double sigma_now_rad = 0;                       ///< predicted rms orientation error of an edge with the poses so far
@@ -25,14 +25,20 @@ struct PoseAdvice {
 PoseAdvice adviseNextPose(const CellModel& model, const std::vector<Eigen::Vector3d>& seen,
                           const std::vector<Eigen::Vector3d>& unreachable = {});
 
-/// The first set of directions that tells the sensors' offsets apart is a tetrahedron's (SPEC step 12).
+/// The first set of directions that tells the sensors' offsets apart is a tetrahedron's.
 inline constexpr std::size_t kGoodPoseCount = 4;
-/// A device that turns itself ends here: what is not usable after so many poses does not lack poses.
+/// A result that is not good after so many poses does not lack poses.
 inline constexpr std::size_t kMostPosesByItself = 12;
-/// Whether the operator can stop: kGoodPoseCount poses are enabled and the result is usable or good. What is not good
-/// after that is limited by the links or has a finding, and hardly becomes so by further poses (a simulated ring of
-/// eight: 4.0 mm at the worst cell with 4 poses and with 12).
-bool enoughPoses(const Reconstruction& reconstruction);
+/// Whoever brings the part from one pose to the next.
+enum class TurnedBy {
+  Hand,    ///< a person, or a robot that somebody moves
+  Device,  ///< the device, when it is asked to (TurnTo)
+};
+/// The rule for when there are enough poses. By hand: kGoodPoseCount poses are enabled and the result is usable or
+/// good. If it is not good by then, it is limited by the links or has a finding, and hardly becomes so by further poses
+/// (a simulated ring of eight: 4.0 mm at the worst cell with 4 poses and with 12). A pose costs a device that turns
+/// itself nothing, so it goes on until the result is good, or until kMostPosesByItself poses are enabled.
+bool enoughPoses(const Reconstruction& reconstruction, TurnedBy turned_by = TurnedBy::Hand);
 
 /// "Turn the part so that cell 7 faces the floor": the cell of the largest patch whose front points most exactly up or
 /// down when `advice` is followed. Empty if there is no patch.

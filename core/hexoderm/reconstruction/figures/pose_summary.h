@@ -13,8 +13,8 @@ namespace hexoderm {
 std::vector<PoseSummary> summarisePoses(const SessionSnapshot& snapshot, const GravityTable& table,
                                         const Reconstruction& reconstruction);
 
-/// Findings about the poses as a whole: there are none, all lie on a single line of gravity, some repeat others. Needs
-/// the patches and the table of poses to be in place.
+/// Adds findings about the poses as a whole: there are none, all lie on a single line of gravity, some repeat others.
+/// Needs the patches and the table of poses to be in place.
 void judgePoses(const Reconstruction& reconstruction, std::vector<Finding>& findings);
 
 }  // namespace hexoderm

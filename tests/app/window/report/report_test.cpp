@@ -168,7 +168,7 @@ TEST_F(ReportWindow, WritesAReportWithPicturesFromTheMenu) {
 TEST_F(ReportWindow, SaysWhyAReportCanNotBeWritten) {
   takeDemoPoses(1);
   const QString file = writeFile(QStringLiteral("file"), "x");
-  controller().writeReport({}, file + QStringLiteral("/report.pdf"));
+  controller().resultFiles().writeReport({}, file + QStringLiteral("/report.pdf"));
   ASSERT_TRUE(waitForMessage(QStringLiteral("report.pdf")));
   EXPECT_TRUE(message().contains(QStringLiteral("cannot be written"))) << message().toStdString();
 }

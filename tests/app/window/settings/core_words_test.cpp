@@ -393,7 +393,7 @@ TEST_F(CoreWords, KnowWhereASourceStands) {
     source->stop();
     for (const std::string& text : listener.texts()) add(text);
   }
-  // As core/device says them; they take a device that misbehaves for seconds.
+  // Texts of core/hexoderm/device; to provoke them takes seconds with a device that misbehaves.
   for (const char* text :
        {"tcp://a:1: connected to Arm 3", "udp://a:1: connected to the device, its topology has not come; it says: hot",
         "tcp://a:1: nothing came for 1.0 s; reconnecting after 3.0 s",

@@ -69,5 +69,24 @@ TEST(EnoughPoses, AreFourThatAreEnabledAndOfUse) {
   EXPECT_FALSE(enoughPoses(result)) << "three are left";
 }
 
+TEST(EnoughPoses, OfADeviceThatTurnsItselfAreGoodOrTwelve) {
+  Reconstruction result;
+  result.poses.resize(kGoodPoseCount);
+  result.verdict.level = VerdictLevel::Usable;
+  EXPECT_TRUE(enoughPoses(result, TurnedBy::Hand));
+  EXPECT_FALSE(enoughPoses(result, TurnedBy::Device)) << "another pose costs it nothing";
+  result.verdict.level = VerdictLevel::Good;
+  EXPECT_TRUE(enoughPoses(result, TurnedBy::Device));
+  result.poses.pop_back();
+  EXPECT_FALSE(enoughPoses(result, TurnedBy::Device));
+
+  result.verdict.level = VerdictLevel::Failed;
+  result.poses.resize(kMostPosesByItself);
+  EXPECT_TRUE(enoughPoses(result, TurnedBy::Device));
+  EXPECT_FALSE(enoughPoses(result, TurnedBy::Hand));
+  result.poses[0].enabled = false;
+  EXPECT_FALSE(enoughPoses(result, TurnedBy::Device)) << "eleven are left";
+}
+
 }  // namespace
 }  // namespace hexoderm

@@ -1,0 +1,113 @@
+#pragma once
+
+#include "app/window/session/live_source.h"
+#include "hexoderm/course/capture_course.h"
+
+#include <QObject>
+#include <cstdint>
+#include <optional>
+
+namespace hexoderm {
+
+class SessionController;
+
+/// What the dialog that connects asks for.
+struct ConnectRequest {
+  QString address;  ///< as openSkinSource() takes it
+  QString path;     ///< of the new *.hexo that the poses are kept in; empty: until it is saved, a scratch file
+  bool continue_session = false;  ///< instead, the poses join the session that is open and kept in a file
+  bool demo = false;              ///< the simulated skin that everything can be tried with
+};
+
+/// The connected skin, whose poses the open session grows by. CaptureCourse decides what becomes of them.
+class LiveSession : public QObject, private CaptureOwner {
+  Q_OBJECT
+
+ public:
+  /// `controller` outlives this object.
+  explicit LiveSession(SessionController& controller);
+
+  /// The skin that is connected, or about to be.
+  [[nodiscard]] const LiveSource& source() const { return source_; }
+  [[nodiscard]] const CaptureCourse& course() const { return course_; }
+  /// The open session grows by the poses of the connected skin.
+  [[nodiscard]] bool isLive() const { return course_.isOn() && source_.isRunning(); }
+  /// The session is that of the simulated skin that everything can be tried with.
+  [[nodiscard]] bool isDemo() const;
+  /// The device can be asked to turn itself.
+  [[nodiscard]] bool canTurn() const { return isLive() && course_.canTurn(); }
+  [[nodiscard]] bool isAutomatic() const { return automatic_; }
+  /// The pose that the next capture replaces.
+  [[nodiscard]] std::optional<PoseId> recapturing() const { return course_.recapturing(); }
+  /// The cell whose light was switched on.
+  [[nodiscard]] std::optional<CellId> litCell() const { return lit_; }
+
+  // For the other parts of the session.
+
+  [[nodiscard]] CaptureCourse& course() { return course_; }
+  /// Another session is opened, or none.
+  void forget();
+  void noteChange();
+  void noteResult();
+  void setStored(hexoderm::PoseId pose, const hexoderm::StoreOutcome& outcome) { course_.setStored(pose, outcome); }
+  void keepIn(KeptIn where) { course_.setKeptIn(where); }
+
+ public slots:
+  void startDemo();
+  /// The session that is open stays until the skin has described itself.
+  void connectTo(const hexoderm::ConnectRequest& request);
+  /// What was captured stays.
+  void disconnectSource();
+  /// The next readings become a pose, moved or not. Nothing happens where no skin is connected.
+  void captureNow();
+  void setAutomatic(bool automatic);
+  /// The next capture takes the place of this pose.
+  void recapturePose(std::size_t index);
+  void cancelRecapture();
+  /// Lights a cell of the connected skin, and darkens the one before.
+  void lightCell(std::optional<hexoderm::CellId> cell);
+  /// Of captures, from the next connection on.
+  void setRecorderOptions(const hexoderm::PoseRecorderOptions& options) { recorder_options_ = options; }
+
+ signals:
+  void changed();
+  void failed(const QString& message);
+  void noticed(const QString& text);
+  /// A pose is in the session and is being written; it is not captured yet.
+  void poseTaken(const hexoderm::CapturedPose& captured);
+  /// A pose is captured: it is on disk, or the operator knows that nothing is.
+  void poseKept(const hexoderm::CapturedPose& captured);
+  /// A pose that was taken can't be written, and nobody will try again.
+  void poseLost(hexoderm::PoseId pose);
+  /// The same as poseKept(), in words; `remarkable` if the operator should read them.
+  void captured(const QString& text, bool remarkable);
+  /// Advice and turns, see CaptureCourse.
+  void told(const hexoderm::CourseEvent& event);
+  /// No skin is connected any more, or another one is being.
+  void ended();
+
+ private:
+  void perform(const std::vector<SessionEdit>& edits) override;
+  std::uint32_t send(const SkinCommand& command) override { return source_.send(command); }
+  void retryWriting() override;
+  void onCourseEvent(const CourseEvent& event) override;
+
+  void forgetSource();
+  void showSkin(const SkinDescription& skin);
+  [[nodiscard]] bool begin(const SkinDescription& skin);
+  [[nodiscard]] bool join(const SkinDescription& skin);
+  void announce(const PoseKept& kept);
+  [[nodiscard]] std::vector<std::shared_ptr<const PoseCapture>> enabledCaptures() const;
+
+  SessionController& controller_;
+  CaptureCourse course_;
+  PoseRecorderOptions recorder_options_;
+  ConnectRequest request_;
+  std::uint64_t request_revision_ = 0;  ///< SessionController::submittedRevision() when it was made
+  bool demo_ = false;
+  bool automatic_ = true;
+  std::optional<CellId> lit_;
+  LiveSource source_;
+};
+
+}  // namespace hexoderm

@@ -1,0 +1,107 @@
+#pragma once
+
+#include "app/window/session/session_journal.h"
+#include "hexoderm/session/session_edit.h"
+#include "hexoderm/session/session_recorder.h"
+
+#include <QObject>
+#include <QTime>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace hexoderm {
+
+class BackgroundWork;
+class SessionController;
+
+/// The file that the open session is kept in.
+///
+/// A session *.hexo is kept: every edit is written to it as it happens. Any other session has a scratch file from its
+/// first edit on, so that a killed program loses nothing, and is saved when the operator says so. Where not even a
+/// scratch file can be written, the session is in memory only, and the operator is told.
+class SessionFile : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Both outlive this object.
+  SessionFile(SessionController& controller, BackgroundWork& work);
+  ~SessionFile() override;
+
+  /// The name of what is open: its file's, or where it came from.
+  [[nodiscard]] QString name() const { return name_; }
+  /// Where Save goes without asking; empty if it must ask.
+  [[nodiscard]] QString sessionPath() const { return session_path_; }
+  /// The file that the open calibration was read from; empty if none is open.
+  [[nodiscard]] QString calibrationPath() const { return calibration_path_; }
+  /// Every change is written to sessionPath() as it happens.
+  [[nodiscard]] bool isKept() const;
+  /// Of a session that is kept: only changes that could not be written.
+  [[nodiscard]] bool hasUnsavedChanges() const;
+  [[nodiscard]] bool isWriting() const;
+  /// When the session was last saved, or its file last written to; invalid if it never was.
+  [[nodiscard]] QTime savedAt() const { return saved_at_; }
+
+  // For the other parts of the session.
+
+  /// The file that is being opened is not to be shown any more.
+  void cancelOpening() { ++asked_count_; }
+  /// Nothing is open any more; a scratch file goes.
+  void close();
+  void nameSession(const QString& name, const QString& path);
+  void nameCalibration(const QString& path);
+  /// Makes a new file of the session that is open, and keeps it there.
+  void keepIn(const QString& path);
+  void keepInScratch(const QString& name);
+  /// An edit that the session just got.
+  void record(const SessionEdit& edit);
+
+ public slots:
+  void openFile(const QString& path);
+  void saveSession(const QString& path);
+  /// Writes what could not be written.
+  void retryWriting();
+
+ signals:
+  void changed();
+  void failed(const QString& message);
+  void noticed(const QString& text);
+  void sessionSaved(const QString& path);
+  /// The file can't be written; changes wait in memory. retryWriting() tries again.
+  void journalStuck(const QString& why);
+  /// What became of a pose that was added.
+  void poseStored(hexoderm::PoseId pose, const hexoderm::StoreOutcome& outcome);
+  /// No file keeps the session until it is saved; the operator was told.
+  void keptInMemoryOnly();
+  /// A session that was in memory only has a file that every change is written to.
+  void keptInFile();
+
+ private:
+  [[nodiscard]] bool isJournalStuck() const;
+  void append(const SessionEdit& edit);
+  void beginJournal(const QString& path);
+  void dropJournal();
+  [[nodiscard]] SessionJournal::Told told();
+  void tellStored(const std::vector<SessionPose>& poses);
+  void saveAsJson(const QString& path);
+  void saveAsJournal(const QString& path);
+  [[nodiscard]] QString suggestedScratchName() const;
+
+  SessionController& controller_;
+  BackgroundWork& work_;
+  QString name_;
+  QString session_path_;
+  QString calibration_path_;
+  QTime saved_at_;
+  QString scratch_path_;        ///< of the journal, where it is only kept until the session is saved
+  bool scratch_fails_ = false;  ///< told once
+  bool was_stuck_ = false;      ///< the operator was told that something is not on disk
+  /// For each new file that the session is being copied into, the edits since then. They belong to the job that makes
+  /// the file, so that they go with a job that fails.
+  std::vector<std::weak_ptr<std::vector<SessionEdit>>> saves_under_way_;
+  std::uint64_t asked_count_ = 0;   ///< the last request to open something; answers to earlier ones are dropped
+  std::uint64_t opened_count_ = 0;  ///< which session or calibration this is; late answers for others are dropped
+  std::unique_ptr<SessionJournal> journal_;
+};
+
+}  // namespace hexoderm

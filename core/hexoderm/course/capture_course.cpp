@@ -1,0 +1,273 @@
+#include "hexoderm/course/capture_course.h"
+
+#include "hexoderm/reconstruction/advice/pose_coverage.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+std::set<CellId> cellsOf(const NeighborList& neighbors) {
+  std::set<CellId> cells;
+  for (const CellReport& cell : neighbors) cells.insert(cell.id);
+  return cells;
+}
+
+}  // namespace
+
+AdviceAnswer adviseOn(const AdviceQuestion& question) {
+  std::vector<Eigen::Vector3d> seen_o;
+  for (const GravityDirection& gravity : largestPatch(*question.seen)->gravity) seen_o.push_back(gravity.g_o);
+  AdviceAnswer answer;
+  answer.number = question.number;
+  answer.advice = adviseNextPose(*question.seen->model, seen_o, question.unreachable);
+  const std::optional<NextPose> next = describeNextPose(answer.advice, *question.seen);
+  answer.is_wanted = next && next->isWanted();
+  return answer;
+}
+
+CaptureCourse::CaptureCourse(CaptureOwner& owner, CaptureCourseOptions options) : owner_(owner), options_(options) {}
+
+Session CaptureCourse::sessionOf(const SkinDescription& skin, const std::string& address) {
+  Session session(*skin.model, skin.neighbors, SourceDescription{skin.device + ", " + address, "", ""});
+  if (skin.truth) session.setTruth(*skin.truth);
+  return session;
+}
+
+void CaptureCourse::begin(const Session& session, const SkinDescription& skin) {
+  end();
+  session_ = &session;
+  can_turn_ = skin.can_turn;
+}
+
+bool CaptureCourse::join(const Session& session, const SkinDescription& skin) {
+  if (cellsOf(skin.neighbors) != cellsOf(session.neighbors())) return false;
+  begin(session, skin);
+  if (skin.neighbors != session.neighbors()) replaceSkin(skin, true);
+  return true;
+}
+
+void CaptureCourse::describe(const SkinDescription& skin) {
+  if (!isOn()) return;
+  can_turn_ = skin.can_turn;
+  if (skin.neighbors != session_->neighbors()) replaceSkin(skin, false);
+}
+
+void CaptureCourse::replaceSkin(const SkinDescription& skin, bool on_joining) {
+  labels_from_.reset();
+  owner_.perform({SetSkin{skin.model, skin.neighbors}});
+  owner_.onCourseEvent(SkinChanged{on_joining});
+}
+
+void CaptureCourse::end() {
+  session_ = nullptr;
+  can_turn_ = false;
+  finished_ = false;
+  labels_from_.reset();
+  result_.reset();
+  is_current_ = false;
+  recapturing_.reset();
+  unreachable_.clear();
+  robot_ = false;
+  asked_turn_ = 0;
+  refusals_ = 0;
+  askForAdvice();
+}
+
+void CaptureCourse::forget() {
+  end();
+  waiting_.clear();
+  refused_since_.reset();
+  kept_in_ = KeptIn::File;
+}
+
+std::shared_ptr<const PoseCapture> CaptureCourse::labelled(const std::shared_ptr<const PoseCapture>& pose) const {
+  if (!pose->label.empty() || !labels_from_) return pose;
+  auto with_label = std::make_shared<PoseCapture>(*pose);
+  with_label->label = poseLabel(*labels_from_, *pose);
+  return with_label;
+}
+
+std::optional<std::size_t> CaptureCourse::indexOf(PoseId pose) const {
+  const std::vector<SessionPose>& poses = session_->poses();
+  const auto found = std::ranges::find_if(poses, [&](const SessionPose& other) { return other.capture->id == pose; });
+  if (found == poses.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - poses.begin());
+}
+
+void CaptureCourse::take(const CapturedPose& captured) {
+  if (!isOn()) return;
+  const std::optional<std::size_t> replaced = recapturing_ ? indexOf(*recapturing_) : std::nullopt;
+  if (!replaced && options_.poses > 0 && session_->poses().size() >= options_.poses) return;
+  PoseTaken taken{captured, {}};
+  AddPose add{{labelled(captured.pose), false}};
+  if (options_.keep_raw) add.raw = std::make_shared<const std::vector<SampleFrame>>(std::move(taken.captured.frames));
+  taken.captured.frames.clear();
+  std::vector<SessionEdit> edits;
+  if (replaced) {
+    taken.replaced = std::exchange(recapturing_, std::nullopt);
+    edits.emplace_back(RemovePose{*replaced});
+    add.index = replaced;
+  }
+  edits.emplace_back(std::move(add));
+  const PoseId id = captured.pose->id;
+  waiting_.insert_or_assign(id, taken.captured);
+  owner_.perform(edits);
+  owner_.onCourseEvent(taken);
+  if (kept_in_ != KeptIn::Memory) return;
+  // Whoever was told may have ended the course, or saved the session.
+  if (const auto waiting = waiting_.find(id); waiting != waiting_.end()) keep(waiting, KeptIn::Memory, {});
+}
+
+void CaptureCourse::keep(std::map<PoseId, CapturedPose>::iterator waiting, KeptIn where,
+                         const std::string& without_raw) {
+  const CapturedPose captured = std::move(waiting->second);
+  waiting_.erase(waiting);
+  owner_.onCourseEvent(PoseKept{captured, where, without_raw});
+  finishIfEnough();
+  turnIfTime();
+}
+
+void CaptureCourse::setStored(PoseId pose, const StoreOutcome& outcome, Clock::time_point now) {
+  const auto waiting = waiting_.find(pose);
+  if (waiting == waiting_.end()) return;
+  if (outcome.is_kept) {
+    if (refused_since_) return;
+    refused_since_ = now;
+    next_try_ = now + options_.retry_every;
+    owner_.onCourseEvent(FileRefused{outcome.error});
+  } else if (outcome.error.empty()) {
+    refused_since_.reset();
+    keep(waiting, KeptIn::File, outcome.without_raw);
+  } else {
+    waiting_.erase(waiting);
+    owner_.onCourseEvent(PoseLost{pose, outcome.error});
+  }
+}
+
+void CaptureCourse::setKeptIn(KeptIn where) {
+  kept_in_ = where;
+  refused_since_.reset();
+  while (kept_in_ == KeptIn::Memory && !waiting_.empty()) keep(waiting_.begin(), KeptIn::Memory, {});
+}
+
+void CaptureCourse::tick(Clock::time_point now) {
+  using std::chrono::milliseconds;
+  if (!refused_since_ || finished_) return;
+  if (options_.give_up_after > milliseconds(0) && now - *refused_since_ >= options_.give_up_after) {
+    finished_ = true;
+    owner_.onCourseEvent(CourseFinished{});
+  } else if (options_.retry_every > milliseconds(0) && now >= next_try_) {
+    next_try_ = now + options_.retry_every;
+    owner_.retryWriting();
+  }
+}
+
+void CaptureCourse::setResult(std::shared_ptr<const Reconstruction> result, bool is_current) {
+  result_ = std::move(result);
+  is_current_ = result_ && is_current;
+  if (!isOn()) return;
+  if (!labels_from_) labels_from_ = result_;
+  finishIfEnough();
+  askForAdvice();
+}
+
+void CaptureCourse::noteChange() {
+  is_current_ = false;
+  if (recapturing_ && !(isOn() && indexOf(*recapturing_))) recapturing_.reset();
+}
+
+void CaptureCourse::askForAdvice() {
+  ++advice_asked_;
+  if (isOn() && result_ && largestPatch(*result_) != nullptr) {
+    owner_.onCourseEvent(AdviceWanted{{advice_asked_, result_, unreachable_}});
+  } else if (std::exchange(next_pose_, std::nullopt)) {
+    owner_.onCourseEvent(AdviceChanged{});
+  }
+}
+
+void CaptureCourse::setAdvice(const AdviceAnswer& answer) {
+  if (answer.number != advice_asked_) return;
+  next_pose_ = answer.advice;
+  next_pose_wanted_ = answer.is_wanted;
+  advice_answered_ = answer.number;
+  owner_.onCourseEvent(AdviceChanged{});
+  turnIfTime();
+}
+
+void CaptureCourse::skipPose() {
+  if (!next_pose_) return;
+  unreachable_.push_back(next_pose_->up);
+  askForAdvice();
+}
+
+void CaptureCourse::recapture(PoseId pose) {
+  if (!isOn() || !indexOf(pose)) return;
+  recapturing_ = pose;
+  const PatchReconstruction* patch = canTurn() && result_ ? largestPatch(*result_) : nullptr;
+  if (patch == nullptr) return;
+  const auto gravity = std::ranges::find(patch->gravity, pose, &GravityDirection::pose);
+  if (gravity != patch->gravity.end()) sendTurn(gravity->g_o);
+}
+
+void CaptureCourse::sendTurn(const Eigen::Vector3d& up_o) {
+  asked_up_ = up_o;
+  asked_turn_ = owner_.send(TurnTo{largestPatch(*result_)->origin, up_o});
+}
+
+void CaptureCourse::turnToNextPose() {
+  if (canTurn() && next_pose_) sendTurn(next_pose_->up);
+}
+
+void CaptureCourse::turnTo(const Eigen::Vector3d& up_o) {
+  if (!canTurn() || !result_ || largestPatch(*result_) == nullptr) return;
+  robot_ = false;
+  // A refusal of what somebody asked for by hand says nothing about where the robot can turn.
+  asked_turn_ = 0;
+  owner_.send(TurnTo{largestPatch(*result_)->origin, up_o.normalized()});
+}
+
+void CaptureCourse::setOutcome(const CommandOutcome& outcome) {
+  if (asked_turn_ == 0 || outcome.command != asked_turn_) return;
+  asked_turn_ = 0;
+  if (outcome.done) return;
+  unreachable_.push_back(asked_up_);
+  const bool gives_up = ++refusals_ > kMostRefusals;
+  if (gives_up) robot_ = false;
+  owner_.onCourseEvent(TurnRefused{outcome.text, refusals_, gives_up});
+  askForAdvice();
+}
+
+void CaptureCourse::setRobot(bool on) {
+  robot_ = on && canTurn();
+  refusals_ = 0;
+  finished_ = false;
+  finishIfEnough();
+  turnIfTime();
+}
+
+bool CaptureCourse::wantsMorePoses(TurnedBy turned_by) const {
+  if (!isOn()) return false;
+  if (options_.poses > 0) return session_->poses().size() < options_.poses;
+  return !result_ || !enoughPoses(*result_, turned_by);
+}
+
+bool CaptureCourse::isSettled() const {
+  return isOn() && !finished_ && is_current_ && waiting_.empty() && !session_->poses().empty();
+}
+
+void CaptureCourse::finishIfEnough() {
+  const bool has_end = robot_ || options_.poses > 0;
+  if (!has_end || !isSettled() || wantsMorePoses(robot_ ? TurnedBy::Device : TurnedBy::Hand)) return;
+  robot_ = false;
+  finished_ = true;
+  owner_.onCourseEvent(CourseFinished{});
+}
+
+void CaptureCourse::turnIfTime() {
+  if (robot_ && isSettled() && advice_answered_ == advice_asked_) turnToNextPose();
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,56 @@
+#include "hexoderm/session/session_edit.h"
+
+#include "hexoderm/util/error.h"
+
+namespace hexoderm {
+namespace {
+
+const SessionPose& poseAt(const Session& session, std::size_t index) {
+  if (index >= session.poses().size()) {
+    throw InvalidArgument("there is no pose at place " + std::to_string(index));
+  }
+  return session.poses()[index];
+}
+
+struct Apply {
+  Session& session;
+
+  void operator()(const AddPose& add) const { session.addPose(add.pose, add.index); }
+  void operator()(const RemovePose& remove) const { session.removePose(remove.index); }
+  void operator()(const RestorePose& restore) const { session.addPose(restore.pose, restore.index); }
+  void operator()(const SetPoseDisabled& set) const { session.setPoseDisabled(set.index, set.disabled, set.why); }
+  void operator()(const SetLinkMuted& set) const { session.setLinkMuted(set.a, set.b, set.muted, set.why); }
+  void operator()(const SetSkin& skin) const {
+    if (!skin.model) throw InvalidArgument("a skin must have a cell model");
+    session.setSkin(*skin.model, skin.neighbors);
+  }
+};
+
+struct Invert {
+  const Session& before;
+
+  SessionEdit operator()(const AddPose& add) const { return RemovePose{add.index.value_or(before.poses().size())}; }
+  SessionEdit operator()(const RemovePose& remove) const {
+    return RestorePose{poseAt(before, remove.index), remove.index};
+  }
+  SessionEdit operator()(const RestorePose& restore) const { return RemovePose{restore.index}; }
+  SessionEdit operator()(const SetPoseDisabled& set) const {
+    const SessionPose& pose = poseAt(before, set.index);
+    return SetPoseDisabled{set.index, pose.disabled, pose.why_disabled};
+  }
+  SessionEdit operator()(const SetLinkMuted& set) const {
+    const MutedLink* link = before.findMutedLink(set.a, set.b);
+    return SetLinkMuted{set.a, set.b, link != nullptr, link != nullptr ? link->why : std::string()};
+  }
+  SessionEdit operator()(const SetSkin& /*skin*/) const {
+    return SetSkin{std::make_shared<const CellModel>(before.model()), before.neighbors()};
+  }
+};
+
+}  // namespace
+
+void apply(const SessionEdit& edit, Session& session) { std::visit(Apply{session}, edit); }
+
+SessionEdit inverse(const SessionEdit& edit, const Session& before) { return std::visit(Invert{before}, edit); }
+
+}  // namespace hexoderm

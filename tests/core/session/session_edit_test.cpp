@@ -1,0 +1,86 @@
+#include "hexoderm/session/session_edit.h"
+
+#include "hexoderm/util/error.h"
+#include "tests/support/session_matchers.h"
+
+#include <gmock/gmock.h>
+
+namespace hexoderm {
+namespace {
+
+SessionPose pose(std::uint32_t id) {
+  return {std::make_shared<const PoseCapture>(PoseCapture{PoseId(id), "pose " + std::to_string(id), {}}), false};
+}
+
+const LinkEnd kA{CellId(1), PortNumber(2)};
+const LinkEnd kB{CellId(2), PortNumber(3)};
+
+Session threePoses() {
+  Session session(builtInCellModel("hex-bma150"), {{CellId(1), "", {}}, {CellId(2), "", {}}});
+  for (std::uint32_t id : {4U, 5U, 6U}) session.addPose(pose(id));
+  session.setPoseDisabled(1, true, "someone leaned on the arm");
+  session.setLinkMuted(kA, kB, true, "a cable");
+  return session;
+}
+
+std::vector<SessionEdit> edits() {
+  CellModel model = builtInCellModel("hex-bma150");
+  model.name = "another";
+  return {AddPose{pose(9)},
+          AddPose{pose(9), 1},
+          RemovePose{0},
+          RemovePose{1},
+          RestorePose{pose(3), 2},
+          SetPoseDisabled{0, true, "too warm"},
+          SetPoseDisabled{1, false, ""},
+          SetPoseDisabled{1, true, "for another reason"},
+          SetLinkMuted{kB, kA, false, ""},
+          SetLinkMuted{kA, kB, true, "for another reason"},
+          SetLinkMuted{kA, {CellId(2), PortNumber(1)}, true, "a joint"},
+          SetSkin{std::make_shared<const CellModel>(model), {{CellId(1), "elbow", {}}}}};
+}
+
+TEST(SessionEdit, ItsInverseTakesItBackAndTheInverseOfThatDoesItAgain) {
+  for (const SessionEdit& edit : edits()) {
+    SCOPED_TRACE(edit.index());
+    const Session before = threePoses();
+    Session session = before;
+    const SessionEdit back = inverse(edit, session);
+    apply(edit, session);
+    const Session after = session;
+    EXPECT_GT(after.revision(), before.revision());
+    const SessionEdit again = inverse(back, session);
+    apply(back, session);
+    test::expectSameSession(session, before);
+    apply(again, session);
+    test::expectSameSession(session, after);
+  }
+}
+
+TEST(SessionEdit, ACaptureThatComesBackIsRestored) {
+  Session session = threePoses();
+  const SessionEdit back = inverse(AddPose{pose(9)}, session);
+  apply(AddPose{pose(9)}, session);
+  const SessionEdit again = inverse(back, session);
+  const auto* restore = std::get_if<RestorePose>(&again);
+  ASSERT_NE(restore, nullptr) << "a file has the capture already";
+  EXPECT_EQ(restore->pose.capture, session.poses()[3].capture);
+  EXPECT_EQ(restore->index, 3U);
+}
+
+TEST(SessionEdit, OneThatMakesNoSenseIsRefusedAndChangesNothing) {
+  const std::vector<SessionEdit> bad = {AddPose{pose(9), 4},     AddPose{},           RemovePose{3},
+                                        RestorePose{pose(9), 4}, RestorePose{},       SetPoseDisabled{3},
+                                        SetLinkMuted{kA, kA},    SetSkin{nullptr, {}}};
+  for (const SessionEdit& edit : bad) {
+    SCOPED_TRACE(edit.index());
+    Session session = threePoses();
+    EXPECT_THROW(apply(edit, session), InvalidArgument);
+    test::expectSameSession(session, threePoses());
+  }
+  EXPECT_THROW(static_cast<void>(inverse(RemovePose{3}, threePoses())), InvalidArgument);
+  EXPECT_THROW(static_cast<void>(inverse(SetPoseDisabled{3}, threePoses())), InvalidArgument);
+}
+
+}  // namespace
+}  // namespace hexoderm
