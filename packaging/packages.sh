@@ -48,5 +48,6 @@ developer_packages=(
   clang
   clang-format
   clang-tidy
+  libsuitesparse-dev # CHOLMOD, for tests/benchmarks/cholesky_benchmark
   libclang-rt-14-dev # sanitizers and libFuzzer of clang, for tests/fuzz
 )

@@ -14,7 +14,7 @@ namespace hexoderm {
 /// The meaning of the colours in the graph and in the 3D view, in the order of their menus.
 enum class Coloring {
   LinkQuality,
-  Residual,   ///< of a link; of a cell that of its worst link
+  Residual,   ///< residual of a link, or of a cell's worst link
   Deviation,  ///< predicted, of a link; of a cell that of its worst link
   Bend,
   Twist,
@@ -58,7 +58,7 @@ struct ColoringRow {
   Coloring coloring{};
   ColoringGroup group{};
   const char* name = nullptr;  ///< in menus
-  const char* unit = "";       ///< of the values; empty for classes
+  const char* unit = "";       ///< unit of the values; empty for classes
 
   // Values in the unit, absent where they are not known. Classes have neither.
   OfLink of_link = nullptr;
@@ -78,7 +78,7 @@ struct ColoringRow {
   const char* missing = nullptr;  ///< reason why the 3D view cannot offer it where no cell has a value
 };
 
-/// In the order of Coloring.
+/// The rows, in the order of Coloring.
 std::span<const ColoringRow> coloringTable();
 const ColoringRow& coloringRow(Coloring coloring);
 

@@ -9,7 +9,7 @@
 namespace hexoderm {
 namespace {
 
-// In heights of a row, so that the legend grows with the system's font.
+// Sizes are in heights of a row, so that the legend grows with the system's font.
 constexpr double kSampleWidth = 1.5;
 constexpr double kEntrySpace = 0.4;
 constexpr double kBetween = 1.0;
@@ -146,7 +146,7 @@ void GraphLegend::drawSample(QPainter& painter, const Entry& entry, const QRectF
   const QLineF line(box.left(), y, box.right(), y);
   switch (entry.sample) {
     case Sample::Line: {
-      // In both directions, as links are drawn.
+      // The strokes of both directions, like those of links.
       const double aside = 0.22 * box.height();
       drawStroke(painter, entry.stroke, line.translated(0, -aside), 0.8 * thick);
       drawStroke(painter, entry.stroke, line.translated(0, aside), 0.8 * thick);

@@ -31,8 +31,8 @@ void pickHit(const GraphScene& scene, const GraphHit& hit, Selection& selection)
 /// the picked link, or the origin where nothing is picked.
 std::optional<std::size_t> cellToward(const GraphScene& scene, const GraphHit& picked, const QPointF& direction);
 
-/// The point of the sheet where a cell, or the middle of a link, is drawn. Of a cut link it is one of its ends. None
-/// for nothing.
+/// The point of the sheet at which a cell, or the middle of a link, is drawn. For a cut link it is one of its ends.
+/// None for nothing.
 std::optional<QPointF> middleOf(const GraphScene& scene, const GraphHit& hit);
 
 /// Empty for nothing.

@@ -10,9 +10,9 @@ class QWidget;
 
 namespace hexoderm {
 
-/// The drawn graph without what is picked, kept as a picture, so that picking and pointing cost nothing. It is drawn
-/// anew when it is needed after a change. What takes long to draw has a turn of the event loop to itself, apart from
-/// the one in which the whole window may be painted; until then the picture from before is shown.
+/// The drawn graph without the picked cell or link, kept as a picture, so that picking and pointing cost nothing. It is
+/// drawn again when it is needed after a change. A drawing that takes long has a turn of the event loop to itself,
+/// apart from the one in which the whole window may be painted; until then the earlier picture is shown.
 class GraphSheet : public QObject {
   Q_OBJECT
 

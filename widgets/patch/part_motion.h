@@ -37,7 +37,7 @@ class PartMotion : public QObject {
   /// Hands the moment on to the scene with an up direction that follows large moves at once and small ones slowly, and
   /// starts the ghost's turn where the next pose is another one.
   void setMoment(const PatchMoment& moment);
-  /// To be called when another skin, or another shape of it, is shown.
+  /// Must be called when another skin, or another shape of it, is shown.
   void refresh();
   void setTurnable(bool turnable);
   /// Off: the ghost does not move and is shown in the orientation in which the part should be held.

@@ -29,7 +29,7 @@ class PatchCaptions : public QWidget {
   void setTheme(Theme theme, const SceneColors& colors);
   /// Kept free for the buttons.
   void setTopMargin(int pixels);
-  /// The same picture into a screenshot of the given size.
+  /// Paints the same texts into a screenshot of the given size.
   void paint(QPainter& painter, const QSize& area) const;
 
  protected:

@@ -27,7 +27,7 @@ struct LegendContent {
 int paintLegend(QPainter& painter, const QSize& area, const LegendContent& content, Theme theme,
                 const SceneColors& colors);
 
-/// The same in one sentence, for screen readers.
+/// The legend in one sentence, for screen readers.
 QString legendInWords(const LegendContent& content);
 
 }  // namespace hexoderm

@@ -65,7 +65,7 @@ SceneColors sceneColors(Theme theme) {
   scene.arrow_shaft = toRgb(colors.text_muted);
   scene.arrow_head = toRgb(colors.accent);
   scene.text = toRgb(colors.text);
-  scene.captions = toRgb(colors.accent);
+  scene.overlay = toRgb(colors.accent);
   scene.difference = toRgb(colors.caution);
   scene.ellipsoid = toRgb(dark ? colors.selection : colors.panel);
   for (std::size_t k = 0; k < scene.axis.size(); ++k) scene.axis.at(k) = toRgb(colors.axis.at(k));

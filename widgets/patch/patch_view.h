@@ -53,7 +53,7 @@ class PatchView : public QWidget {
   /// Calls `then` as soon as everything that was set is in the picture: at once, except while a large skin is being
   /// prepared. Never after the view has gone.
   void whenUpToDate(std::function<void()> then);
-  /// Blocks until everything that was set is in the picture. For pictures that nobody watches being taken.
+  /// Blocks until everything that was set is in the picture. For pictures that are taken without an operator.
   void waitUntilUpToDate();
   /// Draws at once and as smoothly as possible, instead of in the next turns of the event loop.
   void drawNow();

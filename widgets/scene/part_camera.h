@@ -21,7 +21,7 @@ void standCameraUpright(vtkCamera* camera, const Eigen::Vector3d& up);
 /// from above.
 void spinPartInPicture(vtkCamera* camera, const Eigen::Vector3d& up, double angle_rad);
 
-/// To the right in the picture, square to `up`.
+/// The direction to the right in the picture, perpendicular to `up`.
 Eigen::Vector3d rightInPicture(vtkCamera* camera, const Eigen::Vector3d& up);
 
 }  // namespace hexoderm

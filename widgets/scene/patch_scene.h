@@ -39,7 +39,7 @@ class PatchScene {
 
   /// Null empties the scene. The camera moves only when the set of cells has changed.
   void setContent(std::shared_ptr<const SceneContent> content);
-  /// The same, making the content here and now.
+  /// Makes the content here and now, and shows it.
   void setReconstruction(std::shared_ptr<const Reconstruction> reconstruction);
   void setColors(const SceneColors& colors);
   void setColoring(Coloring coloring);

@@ -39,7 +39,7 @@ class SceneBuilder {
   QObject receiver_;  ///< receiver of the posted deliveries, which go with it
   mutable std::mutex mutex_;
   std::uint64_t submitted_ = 0;  ///< how many so far
-  std::uint64_t settled_ = 0;    ///< of these: made or cancelled; those before a made one count too
+  std::uint64_t settled_ = 0;    ///< number of these that are made or cancelled; those before a made one count too
   std::optional<Content> result_;
   LatestWorker worker_;  // last: it has ended before anything that it uses is destroyed
 };

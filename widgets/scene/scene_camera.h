@@ -40,7 +40,7 @@ class SceneCamera {
 
   /// Moves the camera along its direction until everything fits; done by the next prepare().
   void fit() { fit_pending_ = true; }
-  /// The same unless somebody has moved the camera by hand.
+  /// Fits the view unless somebody has moved the camera by hand.
   void fitIfUntouched();
   void lookFrom(View view);
   /// Remembers the present direction; returnToKeptView() looks from there again and fits. Without a kept view it does

@@ -44,7 +44,7 @@ class SceneSkin {
   [[nodiscard]] Coloring coloring() const;
   [[nodiscard]] const CellReadings& readings() const;
 
-  /// To be called before each rendering: as the camera stands, cells are lit, and drawn in as much detail as shows.
+  /// Must be called before each rendering: cells are lit for the camera's position, and drawn in the visible detail.
   void update(int window_height);
 
   /// The cell at a pixel of the window (origin lower left); none beside the skin.

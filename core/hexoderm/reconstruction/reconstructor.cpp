@@ -63,8 +63,8 @@ std::shared_ptr<Reconstruction> describe(const SkinLinks& skin, std::span<const 
   result->source = snapshot.source;
   result->model = snapshot.model;
   result->patches = describePatches(skin, patches, weights);
-  result->poses = summarisePoses(snapshot, skin.table(), result->patches);
-  judgePoses(result->poses, result->patches, findings);
+  result->poses = summarisePoses(snapshot, skin.table(), *result);
+  judgePoses(*result, findings);
   result->findings = std::move(findings);
   result->layout = computeFlatLayout(skin.model(), result->patches);
   result->verdict = judge(*result);

@@ -17,7 +17,7 @@ struct LatestWorker::State {
   mutable std::condition_variable_any changed;
   std::vector<Job> waiting;            // per mailbox; empty: none
   std::optional<std::size_t> running;  // mailbox of the job that runs
-  std::stop_source stop_running;       // of that job
+  std::stop_source stop_running;       // stops that job
   std::jthread thread;  // last: started when everything it uses exists, joined before any of it is destroyed
 
   [[nodiscard]] std::vector<Job>::iterator firstWaiting() {
@@ -39,7 +39,7 @@ struct LatestWorker::State {
       const std::stop_token stop_job = stop_running.get_token();
       lock.unlock();
       job(stop_job);
-      job = nullptr;  // what it holds goes before anybody is told that the worker is idle
+      job = nullptr;  // the job's own data go before anybody is told that the worker is idle
       lock.lock();
       running.reset();
       changed.notify_all();

@@ -18,7 +18,7 @@ class Sha256 {
 
   Sha256();
   void add(const void* data, std::size_t size);
-  /// Of everything added; nothing may be added afterwards.
+  /// The digest of everything added; nothing may be added afterwards.
   [[nodiscard]] Digest finish();
 
  private:

@@ -89,7 +89,7 @@ class WriteQueue {
   Channel& channel_;
   Failed failed_;
   std::deque<skinwire::Bytes> pieces_;
-  std::size_t written_ = 0;  ///< of the first piece
+  std::size_t written_ = 0;  ///< bytes of the first piece that are written
   std::size_t waiting_bytes_ = 0;
   Clock::time_point progress_{};
   bool is_forgetting_ = false;

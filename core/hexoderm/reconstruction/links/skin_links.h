@@ -68,7 +68,7 @@ class SkinLinks {
   std::vector<std::vector<std::optional<double>>> pose_residuals_;  ///< per link and pose
 };
 
-/// What each link costs on a shortest path, by SolverOptions::weights.
+/// Cost of each link on a shortest path, by SolverOptions::weights.
 std::vector<double> linkWeights(const SkinLinks& skin);
 
 }  // namespace hexoderm

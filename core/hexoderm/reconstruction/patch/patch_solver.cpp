@@ -62,7 +62,7 @@ Completion PatchSolver::refine(const Reconstruction* earlier, const std::stop_to
   return Completion::Finished;
 }
 
-/// Where the earlier result had the cells of this patch, if it had just these from the same origin; else the tree's.
+/// Placements of the earlier result, if it had exactly the cells of this patch and the same origin; else the tree's.
 std::vector<SE3> PatchSolver::startingPlacements(const Reconstruction* earlier) const {
   const std::vector<GraphCell>& graph_cells = skin_.graph().cells();
   std::vector<SE3> placements(graph_cells.size());
@@ -79,7 +79,7 @@ std::vector<SE3> PatchSolver::startingPlacements(const Reconstruction* earlier) 
 }
 
 std::optional<std::size_t> PatchSolver::worstSensor() const {
-  // Of two cells neither is the odd one out.
+  // With two cells, neither is the odd one out.
   constexpr std::size_t kFewestForAVote = 3;
   if (cells_.size() < kFewestForAVote) return std::nullopt;
   // With hundreds of poses the smallest misfit is significant; only one that also matters makes a sensor useless.

@@ -16,12 +16,12 @@ using ::testing::SizeIs;
 class PatchSolverTest : public ::testing::Test {
  protected:
   PatchSolverTest() {
-    options_.gap_model = GapModel::Pivot;  // as the skin is made
+    options_.gap_model = GapModel::Pivot;  // like the skin
     links_.estimateEdges();
     weights_ = linkWeights(links_);
   }
 
-  /// Of a cell as the skin was made, in the frame of the patch.
+  /// True placement of a cell, in the frame of the patch.
   [[nodiscard]] SE3 truthOf(const PatchReconstruction& patch, CellId cell) const {
     return skin_.truth.at(patch.origin).inverse() * skin_.truth.at(cell);
   }
