@@ -1,4 +1,4 @@
-# Shared by run.sh and test.sh: where the project is, how many jobs fit, and whether there is a display.
+# Shared by run.sh and test.sh: the project's folder, the number of jobs that fit, and the display.
 
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 jobs="$(nproc)"

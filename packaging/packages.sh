@@ -1,4 +1,4 @@
-# The Debian 12 packages that Hexoderm is built from. Sourced by setup.sh; each list says what it is for.
+# The Debian 12 packages that Hexoderm is built from. Sourced by setup.sh; each list names its purpose.
 
 # Library, command line and their tests.
 core_packages=(
@@ -49,5 +49,6 @@ developer_packages=(
   clang
   clang-format
   clang-tidy
+  libsuitesparse-dev # CHOLMOD, for tests/benchmarks/cholesky_benchmark
   libclang-rt-14-dev # sanitizers and libFuzzer of clang, for tests/fuzz
 )

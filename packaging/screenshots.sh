@@ -3,16 +3,16 @@
 # German. Fails if a text is cut off anywhere, and says which.
 # Usage: packaging/screenshots.sh [DIR]     (default: out/screenshots)
 #        packaging/screenshots.sh --guide   makes the pictures of the user guide and of the README anew, in resources
-# HEXODERM_WINDOW: the program to run (default: that of the preset release, which is built first)
+# HEXODERM_SCREENSHOTS: the program that takes them (default: that of the preset release, which is built first)
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/environment.sh"
 
-window="${HEXODERM_WINDOW:-}"
-if [ -z "$window" ]; then
+program="${HEXODERM_SCREENSHOTS:-}"
+if [ -z "$program" ]; then
   cd "$root"
   cmake --preset release >/dev/null
-  cmake --build --preset release --parallel "$jobs" --target hexoderm >/dev/null
-  window="$root/build/release/app/window/hexoderm"
+  cmake --build --preset release --parallel "$jobs" --target hexoderm-screenshots >/dev/null
+  program="$root/build/release/tests/screenshots/hexoderm-screenshots"
 fi
 
 # On a virtual display that the larger window fits on, without the user's settings and unsaved sessions.
@@ -26,14 +26,14 @@ tour() {
     XDG_CONFIG_HOME="$home/config" XDG_DATA_HOME="$home/data" XDG_CACHE_HOME="$home/cache" \
     XDG_RUNTIME_DIR="$home/runtime" \
     xvfb-run --auto-servernum --server-args="-screen 0 2000x1200x24 -dpi 96 -nolisten tcp" \
-    "$window" --language "$language" --theme "$theme" --screenshots "$folder" --screenshots-size "$size" "$@"
+    "$program" --language "$language" --theme "$theme" --size "$size" "$@" "$folder"
 }
 
 if [ "${1:-}" = --guide ]; then
   images="$root/resources/guide/images"
   for language in en de; do
     made="$home/$language"
-    tour "$made" "$language" light 1280x800 --screenshots-width 760 || echo "see above; the pictures are made all the same"
+    tour "$made" "$language" light 1280x800 --width 760 || echo "see above; the pictures are made all the same"
     cp "$made"/*-second-pose.png "$images/$language-capture.png"
     cp "$made"/*-done-step4.png "$images/$language-review.png"
     last="$(find "$made" -name '*-done-step*.png' | sort -V | tail -1)"

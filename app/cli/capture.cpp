@@ -293,7 +293,7 @@ int run(const CaptureOptions& options, const Common& common) {
     capture.run();
   } catch (...) {
     source->stop();
-    capture.finish();  // what was captured stays
+    capture.finish();  // captured poses stay
     throw;
   }
   source->stop();

@@ -20,8 +20,8 @@ struct Stored {
 };
 using CaptureEvent = std::variant<SkinDescription, CapturedPose, SourceStatus, CommandOutcome, HoldStatus, Stored>;
 
-/// What source, pose recorder and store say on their threads, in order, for the one thread that decides. Of hold and
-/// source states only the newest waits. Feeds the pose recorder on the source's thread.
+/// Events of source, pose recorder and store, from their threads, in order, for the one thread that decides. Only the
+/// newest of the hold states and of the source states is kept. Feeds the pose recorder on the source's thread.
 class CaptureEvents final : public SkinListener, public PoseRecorderListener {
  public:
   explicit CaptureEvents(const PoseRecorderOptions& options) : recorder_(*this, options) {}

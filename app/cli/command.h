@@ -14,7 +14,7 @@
 
 namespace hexoderm::cli {
 
-/// What the program ends with (SPEC 5.1).
+/// Exit codes of the program.
 enum ExitCode : int {
   kDone = 0,
   kNotGoodEnough = 1,  ///< the verdict is not_enough or failed; the output is still written

@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
   } catch (const cli::BadInput& error) {
     return fail(error, cli::kBadInput);
   } catch (const FormatError& error) {
-    return fail(error, cli::kStorage);  // what was written did not read back as meant
+    return fail(error, cli::kStorage);  // the written file did not read back as intended
   } catch (const InvalidArgument& error) {
     return fail(error, cli::kUsage);
   } catch (const DeviceError& error) {

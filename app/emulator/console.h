@@ -9,7 +9,7 @@
 
 namespace hexoderm::emulator {
 
-/// What can be typed while the emulator runs.
+/// The list of lines that can be typed while the emulator runs.
 std::string consoleHelp();
 
 /// Does one line, and returns what to say about it; empty for an empty line. Throws InvalidArgument for what can't be

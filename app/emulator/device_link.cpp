@@ -1,5 +1,6 @@
 #include "app/emulator/device_link.h"
 
+#include "hexoderm/device/sources/write_queue.h"
 #include "hexoderm/util/error.h"
 
 #include <fcntl.h>
@@ -11,13 +12,11 @@
 #include <boost/asio/ip/udp.hpp>
 #include <boost/asio/posix/stream_descriptor.hpp>
 #include <boost/asio/steady_timer.hpp>
-#include <boost/asio/write.hpp>
 
 #include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
-#include <deque>
 #include <vector>
 
 namespace hexoderm::emulator {
@@ -47,36 +46,29 @@ class Stream : public std::enable_shared_from_this<Stream<Channel>> {
   };
 
   Stream(Channel channel, skinwire::Framing framing, Callbacks callbacks)
-      : channel_(std::move(channel)), decoder_(framing), callbacks_(std::move(callbacks)) {}
+      : channel_(std::move(channel)),
+        queue_(channel_, [this](const error_code&) { end(); }),
+        decoder_(framing),
+        callbacks_(std::move(callbacks)) {}
 
   void start() { read(); }
   void close() {
     closed_ = true;
+    queue_.close();
     error_code ignored;
     channel_.close(ignored);
   }
 
   bool send(Bytes bytes) {
     if (closed_) return false;
-    waiting_bytes_ += bytes.size();
-    queue_.push_back(std::move(bytes));
-    if (queue_.size() == 1) {
-      progress_ = Clock::now();
-      write();
-    }
+    queue_.push(std::move(bytes), this->shared_from_this());
     return true;
   }
-  [[nodiscard]] std::size_t waitingBytes() const { return waiting_bytes_; }
-  /// Something waits, and nothing was taken for so long.
-  [[nodiscard]] bool isStalled(Clock::duration limit) const {
-    return !queue_.empty() && Clock::now() - progress_ > limit;
-  }
+  [[nodiscard]] std::size_t waitingBytes() const { return queue_.waitingBytes(); }
+  /// Something waits, and the host took nothing for this long.
+  [[nodiscard]] bool isStalled(Clock::duration limit) const { return queue_.isStalled(limit); }
   /// Gives up what waits, also what is partly sent.
-  void forgetWaiting() {
-    if (queue_.empty()) return;
-    is_forgetting_ = true;
-    channel_.cancel();
-  }
+  void forgetWaiting() { queue_.forget(); }
 
  private:
   void read() {
@@ -102,44 +94,16 @@ class Stream : public std::enable_shared_from_this<Stream<Channel>> {
     read();
   }
 
-  void write() {
-    channel_.async_write_some(asio::buffer(queue_.front().data() + written_, queue_.front().size() - written_),
-                              [self = this->shared_from_this()](const error_code& error, std::size_t size) {
-                                if (!self->closed_) self->wrote(error, size);
-                              });
-  }
-
-  void wrote(const error_code& error, std::size_t size) {
-    if (std::exchange(is_forgetting_, false)) {
-      queue_.clear();
-      written_ = waiting_bytes_ = 0;
-      return;
-    }
-    if (error) return end();
-    progress_ = Clock::now();
-    written_ += size;
-    waiting_bytes_ -= size;
-    if (written_ == queue_.front().size()) {
-      queue_.pop_front();
-      written_ = 0;
-    }
-    if (!queue_.empty()) write();
-  }
-
   void end() {
     close();
     callbacks_.ended();
   }
 
   Channel channel_;
+  WriteQueue<Channel> queue_;
   skinwire::FrameDecoder decoder_;
   Callbacks callbacks_;
   std::array<std::uint8_t, 4096> buffer_{};
-  std::deque<Bytes> queue_;
-  std::size_t written_ = 0;  ///< of the first in the queue
-  std::size_t waiting_bytes_ = 0;
-  Clock::time_point progress_{};
-  bool is_forgetting_ = false;
   bool closed_ = false;
 };
 
@@ -371,7 +335,7 @@ class PseudoTerminalLink final : public DeviceLink {
 
   void take(const skinwire::Command& command) {
     const auto* describe = std::get_if<skinwire::Describe>(&command.request);
-    // Nobody says when a host opens the port. One that has no topology yet has just come.
+    // A pseudo-terminal does not tell when a host opens it. A host that has no topology yet has just come.
     const bool is_new = !has_host_ || (describe != nullptr && !describe->known_topology);
     if (is_new && describe != nullptr) {
       has_host_ = true;

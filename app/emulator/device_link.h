@@ -20,7 +20,7 @@ class DeviceLink {
   };
 
   virtual ~DeviceLink() = default;
-  /// For people and for the host: "tcp://127.0.0.1:7700".
+  /// The address, for people and for the host: "tcp://127.0.0.1:7700".
   [[nodiscard]] virtual std::string address() const = 0;
   /// Longest body that should be sent, bytes.
   [[nodiscard]] virtual std::size_t maxBody() const = 0;

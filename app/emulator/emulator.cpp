@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::chrono::milliseconds kPause(1);
 constexpr std::chrono::milliseconds kLongestWork(10);  // then the wire is looked at
-// Of the wall's clock. A computer that was busy elsewhere for a moment may catch up; one that is too slow leaves out
-// every second message's samples; one that stood still goes on with the present.
+// Seconds of the wall clock. A computer that was busy elsewhere for a moment may catch up; one that is too slow leaves
+// out the samples of every second message; one that stood still goes on with the present.
 constexpr double kMuchBehind_s = 0.3;
 constexpr double kTooFarBehind_s = 1;
 
@@ -38,7 +38,7 @@ void Emulator::withDevice(const std::function<void(EmulatedDevice::Messages&)>& 
 bool Emulator::chance(double share) { return share > 0 && static_cast<double>(random_() >> 11U) * 0x1p-53 < share; }
 
 void Emulator::send() {
-  // What gets dropped here was taken for sent when a status behind it was made.
+  // A status behind them in the queue was made when the samples dropped here still counted as sent.
   std::uint64_t dropped = 0;
   const auto drop = [&](const skinwire::Samples& samples) {
     device_.countDropped(samples);

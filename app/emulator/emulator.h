@@ -13,12 +13,12 @@ namespace hexoderm::emulator {
 
 /// Faults of the wire, switched while it runs.
 struct WireFaults {
-  double drop_share = 0;    ///< of the messages of samples
-  double garble_share = 0;  ///< of all messages
+  double drop_share = 0;    ///< share of the messages of samples
+  double garble_share = 0;  ///< share of all messages
   bool is_silent = false;
 };
 
-/// Lets an emulated device tick in real time, or `speed` times as fast, and puts it on a wire. Where the host or this
+/// Lets an emulated device tick in real time, or `speed` times as fast, and puts it on a wire. If the host or this
 /// computer is too slow, samples are dropped and counted; the device's clock goes on.
 class Emulator {
  public:
@@ -29,7 +29,7 @@ class Emulator {
   void disconnect() { link_->disconnect(); }
   [[nodiscard]] EmulatedDevice& device() { return device_; }
   [[nodiscard]] WireFaults& faults() { return faults_; }
-  /// For what the device may have something to say about.
+  /// Runs an action on the device, and sends the messages that it leads to.
   void withDevice(const std::function<void(EmulatedDevice::Messages&)>& action);
 
  private:

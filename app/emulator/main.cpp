@@ -14,7 +14,7 @@
 namespace hexoderm::emulator {
 namespace {
 
-// As of the other programs (SPEC 5.1).
+// The exit codes of hexoderm-cli, as far as they apply.
 constexpr int kDone = 0;
 constexpr int kUsage = 2;
 constexpr int kBadInput = 3;

@@ -1,13 +1,10 @@
 #include "app/window/main_window/main_window.h"
-#include "app/window/screenshot_tour.h"
 #include "app/window/settings/preferences.h"
 #include "app/window/settings/translation.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QLocale>
-#include <QSettings>
-#include <QTemporaryDir>
 #include <QTextStream>
 #include <QTimer>
 #include <algorithm>
@@ -28,27 +25,6 @@ int complain(const QString& message, int code) {
   return code;
 }
 
-/// Settings of its own, so that pictures show what a newcomer sees.
-int runTour(const QString& folder, const QString& size, int largest_width_px, const QString& language,
-            std::optional<ThemeChoice> theme) {
-  const QStringList sides = size.split(QLatin1Char('x'));
-  const QSize window_size = sides.size() == 2 ? QSize(sides[0].toInt(), sides[1].toInt()) : QSize();
-  if (window_size.isEmpty()) {
-    return complain(QCoreApplication::translate("main", "--screenshots-size takes a size, for example 1280x800."),
-                    kUsage);
-  }
-  const QTemporaryDir settings;
-  QSettings::setDefaultFormat(QSettings::IniFormat);
-  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
-  MainWindow window;
-  if (theme) window.setThemeChoice(*theme, false);
-  const QString prefix = language + QLatin1Char('-') +
-                         (window.theme() == Theme::Dark ? QStringLiteral("dark-") : QStringLiteral("light-")) + size;
-  const QStringList problems = ScreenshotTour(window, QDir(folder), prefix, largest_width_px).run(window_size);
-  for (const QString& problem : problems) complain(problem, 0);
-  return problems.isEmpty() ? 0 : 1;
-}
-
 /// The help is in the language, too, so it is looked for before the arguments are parsed.
 QString languageFromArguments(const QStringList& arguments) {
   const int at = arguments.indexOf(QStringLiteral("--language"));
@@ -60,7 +36,7 @@ QString languageFromArguments(const QStringList& arguments) {
   return Preferences().language();
 }
 
-/// What is asked for before there is an application that could parse it.
+/// Whether an option is given, for options that are needed before there is an application that could parse them.
 bool isAsked(int argc, char** argv, const char* option) {
   return std::any_of(argv + 1, argv + argc,
                      [option](const char* argument) { return std::strcmp(argument, option) == 0; });
@@ -114,7 +90,7 @@ int main(int argc, char** argv) {
   QCoreApplication::setApplicationName(QStringLiteral("hexoderm"));
   prepareSoftwareOpenGl(isAsked(argc, argv, "--software-opengl"));
 #if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
-  // As Qt 6 does: dense screens are followed, by their exact scale.
+  // As in Qt 6: dense screens are followed, by their exact scale.
   QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
   QGuiApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
@@ -122,7 +98,7 @@ int main(int argc, char** argv) {
   QApplication app(argc, argv);
   QCoreApplication::setApplicationVersion(QStringLiteral(HEXODERM_VERSION));
 
-  const QString texts_language = installTranslations(app, languageFromArguments(app.arguments()));
+  installTranslations(app, languageFromArguments(app.arguments()));
 
   QCommandLineParser parser;
   parser.setApplicationDescription(
@@ -146,18 +122,10 @@ int main(int argc, char** argv) {
       QStringLiteral("screenshot"),
       QCoreApplication::translate("main", "Save a picture of the window after the first result, and quit."),
       QStringLiteral("FILE"));
-  // For packaging/screenshots.sh, and nothing that a user looks for.
-  QCommandLineOption tour(QStringLiteral("screenshots"), {}, QStringLiteral("DIR"));
-  QCommandLineOption tour_size(QStringLiteral("screenshots-size"), {}, QStringLiteral("WxH"),
-                               QStringLiteral("1280x800"));
-  QCommandLineOption tour_width(QStringLiteral("screenshots-width"), {}, QStringLiteral("PIXELS"), QStringLiteral("0"));
-  tour.setFlags(QCommandLineOption::HiddenFromHelp);
-  tour_size.setFlags(QCommandLineOption::HiddenFromHelp);
-  tour_width.setFlags(QCommandLineOption::HiddenFromHelp);
   const QCommandLineOption software_opengl(
       QStringLiteral("software-opengl"),
       QCoreApplication::translate("main", "Draw in 3D without the graphics card, for this time."));
-  parser.addOptions({demo, poses, theme, language, screenshot, software_opengl, tour, tour_size, tour_width});
+  parser.addOptions({demo, poses, theme, language, screenshot, software_opengl});
   parser.process(app);
 
   if (parser.positionalArguments().size() > 1) {
@@ -186,9 +154,6 @@ int main(int argc, char** argv) {
   }
 
   applyTextFactor(Preferences().textFactor());
-  if (parser.isSet(tour))
-    return runTour(parser.value(tour), parser.value(tour_size), parser.value(tour_width).toInt(), texts_language,
-                   choice);
   MainWindow window;
   if (choice) window.setThemeChoice(*choice, false);
   window.show();

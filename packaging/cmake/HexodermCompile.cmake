@@ -17,7 +17,7 @@ if(HEXODERM_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
       CCACHE_SLOPPINESS=pch_defines,time_macros ${HEXODERM_CCACHE})
 endif()
 
-# Nobody asks errno what a square root thinks.
+# errno after a square root is never looked at.
 add_compile_options(-fno-math-errno)
 
 if(HEXODERM_SANITIZE)
@@ -33,7 +33,7 @@ if(HEXODERM_FUZZ)
   if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
     message(FATAL_ERROR "HEXODERM_FUZZ needs clang: cmake --preset fuzz")
   endif()
-  # Which branches were taken, for libFuzzer to follow; and an index out of range is a crash.
+  # Coverage for libFuzzer to follow; and an index out of range is a crash.
   add_compile_options(-fsanitize=fuzzer-no-link)
   add_compile_definitions(_GLIBCXX_ASSERTIONS)
 endif()

@@ -52,6 +52,13 @@
     </message>
 </context>
 <context>
+    <name>hexoderm::CapturePresenter</name>
+    <message>
+        <source>It repeats pose %1.</source>
+        <translation>Sie wiederholt Pose %1.</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::CaptureWords</name>
     <message>
         <source>%1°</source>
@@ -444,6 +451,185 @@
     </message>
 </context>
 <context>
+    <name>hexoderm::Coloring</name>
+    <message>
+        <source>link quality</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>Restfehler</translation>
+    </message>
+    <message>
+        <source>residual, rms over poses</source>
+        <translation>Restfehler, Effektivwert über die Posen</translation>
+    </message>
+    <message>
+        <source>worst link&apos;s residual</source>
+        <translation>Restfehler der schlechtesten Verbindung</translation>
+    </message>
+    <message>
+        <source>No link was measured yet</source>
+        <translation>Noch ist keine Verbindung gemessen</translation>
+    </message>
+    <message>
+        <source>predicted deviation</source>
+        <translation>erwartete Abweichung</translation>
+    </message>
+    <message>
+        <source>worst link&apos;s predicted deviation</source>
+        <translation>erwartete Abweichung der schlechtesten Verbindung</translation>
+    </message>
+    <message>
+        <source>bend</source>
+        <translation>Biegung</translation>
+    </message>
+    <message>
+        <source>bend, either way</source>
+        <translation>Biegung, beide Richtungen</translation>
+    </message>
+    <message>
+        <source>twist</source>
+        <translation>Verwindung</translation>
+    </message>
+    <message>
+        <source>twist, either way</source>
+        <translation>Verwindung, beide Richtungen</translation>
+    </message>
+    <message>
+        <source>yaw</source>
+        <translation>Gieren</translation>
+    </message>
+    <message>
+        <source>yaw, either way</source>
+        <translation>Gieren, beide Richtungen</translation>
+    </message>
+    <message>
+        <source>position uncertainty</source>
+        <translation>Unsicherheit des Ortes</translation>
+    </message>
+    <message>
+        <source>position known to (95 %)</source>
+        <translation>Ort bekannt auf (95 %)</translation>
+    </message>
+    <message>
+        <source>position uncertainty (95 %)</source>
+        <translation>Unsicherheit des Ortes (95 %)</translation>
+    </message>
+    <message>
+        <source>This result states no uncertainties</source>
+        <translation>Dieses Ergebnis nennt keine Unsicherheiten</translation>
+    </message>
+    <message>
+        <source>orientation uncertainty</source>
+        <translation>Unsicherheit der Orientierung</translation>
+    </message>
+    <message>
+        <source>orientation known to (95 %)</source>
+        <translation>Orientierung bekannt auf (95 %)</translation>
+    </message>
+    <message>
+        <source>orientation uncertainty (95 %)</source>
+        <translation>Unsicherheit der Orientierung (95 %)</translation>
+    </message>
+    <message>
+        <source>distance from the origin</source>
+        <translation>Abstand vom Ursprung</translation>
+    </message>
+    <message>
+        <source>distance from the origin along the path</source>
+        <translation>Abstand vom Ursprung entlang des Weges</translation>
+    </message>
+    <message>
+        <source>This result holds no paths from the origin</source>
+        <translation>Dieses Ergebnis enthält keine Wege vom Ursprung</translation>
+    </message>
+    <message>
+        <source>distance from the fitted surface</source>
+        <translation>Abstand von der angepassten Fläche</translation>
+    </message>
+    <message>
+        <source>No surface was fitted yet</source>
+        <translation>Noch ist keine Fläche angepasst</translation>
+    </message>
+    <message>
+        <source>placed by</source>
+        <translation>verortet durch</translation>
+    </message>
+    <message>
+        <source>patch</source>
+        <translation>Hautstück</translation>
+    </message>
+    <message>
+        <source>body part</source>
+        <translation>Körperteil</translation>
+    </message>
+    <message>
+        <source>The skin does not say which body part its cells are on</source>
+        <translation>Die Haut sagt nicht, auf welchem Körperteil ihre Zellen sind</translation>
+    </message>
+    <message>
+        <source>reading x</source>
+        <translation>Messwert x</translation>
+    </message>
+    <message>
+        <source>newest reading along x</source>
+        <translation>neuester Messwert entlang x</translation>
+    </message>
+    <message>
+        <source>There are no readings: connect a skin</source>
+        <translation>Es gibt keine Messwerte: eine Haut verbinden</translation>
+    </message>
+    <message>
+        <source>reading y</source>
+        <translation>Messwert y</translation>
+    </message>
+    <message>
+        <source>newest reading along y</source>
+        <translation>neuester Messwert entlang y</translation>
+    </message>
+    <message>
+        <source>reading z</source>
+        <translation>Messwert z</translation>
+    </message>
+    <message>
+        <source>newest reading along z</source>
+        <translation>neuester Messwert entlang z</translation>
+    </message>
+    <message>
+        <source>reading, norm</source>
+        <translation>Messwert, Betrag</translation>
+    </message>
+    <message>
+        <source>norm of the newest reading</source>
+        <translation>Betrag des neuesten Messwerts</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>The skin sends no temperatures</source>
+        <translation>Die Haut sendet keine Temperaturen</translation>
+    </message>
+    <message>
+        <source>%1 or more</source>
+        <translation>%1 oder mehr</translation>
+    </message>
+    <message>
+        <source>%1 or less</source>
+        <translation>%1 oder weniger</translation>
+    </message>
+    <message>
+        <source>patch %1</source>
+        <translation>Hautstück %1</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::ConnectDialog</name>
     <message>
         <source>Simulated skin</source>
@@ -579,6 +765,17 @@
     </message>
 </context>
 <context>
+    <name>hexoderm::ConnectionPresenter</name>
+    <message>
+        <source>Since the skin was connected: %1. Poses need no more than their own samples, so a few lost ones do no harm; many speak of a slow network or cable.</source>
+        <translation>Seit die Haut verbunden ist: %1. Posen brauchen nur ihre eigenen Messwerte, einzelne verlorene schaden nicht; viele sprechen für ein langsames Netz oder Kabel.</translation>
+    </message>
+    <message>
+        <source>Demo skin</source>
+        <translation>Demo-Haut</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::CoverageView</name>
     <message>
         <source>front</source>
@@ -620,6 +817,24 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
 </context>
 <context>
+    <name>hexoderm::CsvActions</name>
+    <message>
+        <source>Copy as CSV</source>
+        <translation>Als CSV kopieren</translation>
+    </message>
+    <message>
+        <source>Save as CSV…</source>
+        <translation>Als CSV speichern…</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::EarlierPanel</name>
+    <message>
+        <source>Recent</source>
+        <translation>Zuletzt</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::EditCommand</name>
     <message>
         <source>take pose %1</source>
@@ -655,6 +870,29 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>%1 lines are missing here: they could not be written, or came too fast</source>
         <translation>Hier fehlen %1 Zeilen: Sie ließen sich nicht schreiben oder kamen zu schnell</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::EventRecorder</name>
+    <message>
+        <source>Solved: %1, %2, %3, %4 ms. %5</source>
+        <translation>Gelöst: %1, %2, %3, %4 ms. %5</translation>
+    </message>
+    <message>
+        <source>Hexoderm %1 starts</source>
+        <translation>Hexoderm %1 startet</translation>
+    </message>
+    <message>
+        <source>Opened %1</source>
+        <translation>%1 geöffnet</translation>
+    </message>
+    <message>
+        <source>Asked for: %1</source>
+        <translation>Verlangt: %1</translation>
+    </message>
+    <message>
+        <source>Skin at %1: %2. %3</source>
+        <translation>Haut unter %1: %2. %3</translation>
     </message>
 </context>
 <context>
@@ -765,6 +1003,77 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
 </context>
 <context>
+    <name>hexoderm::FilePresenter</name>
+    <message>
+        <source>Saved to %1</source>
+        <translation>Gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>Exported to %1</source>
+        <translation>Exportiert: %1</translation>
+    </message>
+    <message>
+        <source>Not on disk yet; it waits in memory and the work can go on. %1</source>
+        <translation>Noch nicht auf der Platte; es wartet im Speicher, und die Arbeit kann weitergehen. %1</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>Open a session or a calibration</source>
+        <translation>Sitzung oder Kalibrierung öffnen</translation>
+    </message>
+    <message>
+        <source>Sessions and calibrations (*.hexo *.json *.xml)</source>
+        <translation>Sitzungen und Kalibrierungen (*.hexo *.json *.xml)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Save the table</source>
+        <translation>Tabelle speichern</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save the session</source>
+        <translation>Sitzung speichern</translation>
+    </message>
+    <message>
+        <source>Sessions (*.session.json);;Sessions that keep every change (*.hexo)</source>
+        <translation>Sitzungen (*.session.json);;Sitzungen, die jede Änderung behalten (*.hexo)</translation>
+    </message>
+    <message>
+        <source>Save the calibration</source>
+        <translation>Kalibrierung speichern</translation>
+    </message>
+    <message>
+        <source>Calibrations (*.calibration.json)</source>
+        <translation>Kalibrierungen (*.calibration.json)</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>No program to show folders was found. The folder is %1.</source>
+        <translation>Es wurde kein Programm gefunden, das Ordner zeigt. Der Ordner ist %1.</translation>
+    </message>
+    <message>
+        <source>Unsaved poses</source>
+        <translation>Nicht gespeicherte Posen</translation>
+    </message>
+    <message>
+        <source>Save the session first? Its latest changes are not on disk yet.</source>
+        <translation>Die Sitzung vorher speichern? Ihre letzten Änderungen sind noch nicht auf der Platte.</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::FindCellField</name>
     <message>
         <source>Find cell…</source>
@@ -806,69 +1115,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
 </context>
 <context>
-    <name>hexoderm::GraphColoring</name>
-    <message>
-        <source>%1° or more</source>
-        <translation>%1° oder mehr</translation>
-    </message>
-    <message>
-        <source>own readings</source>
-        <translation>eigene Messwerte</translation>
-    </message>
-    <message>
-        <source>links</source>
-        <translation>Verbindungen</translation>
-    </message>
-    <message>
-        <source>patch %1</source>
-        <translation>Hautstück %1</translation>
-    </message>
-    <message>
-        <source>bend</source>
-        <translation>Biegung</translation>
-    </message>
-    <message>
-        <source>twist</source>
-        <translation>Verwindung</translation>
-    </message>
-    <message>
-        <source>yaw</source>
-        <translation>Gieren</translation>
-    </message>
-    <message>
-        <source>placed by</source>
-        <translation>verortet durch</translation>
-    </message>
-    <message>
-        <source>residual, rms over poses</source>
-        <translation>Restfehler, Effektivwert über die Posen</translation>
-    </message>
-    <message>
-        <source>bend, either way</source>
-        <translation>Biegung, beide Richtungen</translation>
-    </message>
-    <message>
-        <source>twist, either way</source>
-        <translation>Verwindung, beide Richtungen</translation>
-    </message>
-    <message>
-        <source>yaw, either way</source>
-        <translation>Gieren, beide Richtungen</translation>
-    </message>
-    <message>
-        <source>position known to (95 %)</source>
-        <translation>Ort bekannt auf (95 %)</translation>
-    </message>
-    <message>
-        <source>±%1 mm or more</source>
-        <translation>±%1 mm oder mehr</translation>
-    </message>
-    <message>
-        <source>orientation known to (95 %)</source>
-        <translation>Orientierung bekannt auf (95 %)</translation>
-    </message>
-</context>
-<context>
     <name>hexoderm::GraphColoringButton</name>
     <message>
         <source>What the colours of links and cells show</source>
@@ -902,10 +1148,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>und so weiter</translation>
     </message>
     <message>
-        <source>not known</source>
-        <translation>nicht bekannt</translation>
-    </message>
-    <message>
         <source>not used</source>
         <translation>nicht benutzt</translation>
     </message>
@@ -916,6 +1158,36 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>origin</source>
         <translation>Ursprung</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::GraphPaint</name>
+    <message>
+        <source>own readings</source>
+        <translation>eigene Messwerte</translation>
+    </message>
+    <message>
+        <source>links</source>
+        <translation>Verbindungen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::GraphPointing</name>
+    <message>
+        <source>No skin is open.</source>
+        <translation>Keine Haut ist offen.</translation>
+    </message>
+    <message>
+        <source>Picked: cell %1</source>
+        <translation>Gewählt: Zelle %1</translation>
+    </message>
+    <message>
+        <source>Picked: %1, %2</source>
+        <translation>Gewählt: %1, %2</translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation>nicht benutzt</translation>
     </message>
 </context>
 <context>
@@ -933,18 +1205,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>%1 Zellen</translation>
     </message>
     <message>
-        <source>No skin is open.</source>
-        <translation>Keine Haut ist offen.</translation>
-    </message>
-    <message>
-        <source>Picked: cell %1</source>
-        <translation>Gewählt: Zelle %1</translation>
-    </message>
-    <message>
-        <source>Picked: %1, %2</source>
-        <translation>Gewählt: %1, %2</translation>
-    </message>
-    <message>
         <source>This skin has no cells.</source>
         <translation>Diese Haut hat keine Zellen.</translation>
     </message>
@@ -955,10 +1215,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Skin graph</source>
         <translation>Hautgraph</translation>
-    </message>
-    <message>
-        <source>not used</source>
-        <translation>nicht benutzt</translation>
     </message>
     <message>
         <source>Colours</source>
@@ -1205,6 +1461,13 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
 </context>
 <context>
+    <name>hexoderm::GuidePresenter</name>
+    <message>
+        <source>Step &amp;%1: %2</source>
+        <translation>Schritt &amp;%1: %2</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::GuideWindow</name>
     <message>
         <source>en</source>
@@ -1247,6 +1510,32 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Find the next one</source>
         <translation>Nächste Stelle</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::HelpPresenter</name>
+    <message>
+        <source>About Hexoderm</source>
+        <translation>Über Hexoderm</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Hexoderm %1&lt;/b&gt;&lt;p&gt;Finds out where every cell of a robot&apos;s artificial skin is.&lt;/p&gt;&lt;p&gt;BSD 3-Clause licence.&lt;/p&gt;</source>
+        <translation>&lt;b&gt;Hexoderm %1&lt;/b&gt;&lt;p&gt;Findet heraus, wo jede Zelle der künstlichen Haut eines Roboters ist.&lt;/p&gt;&lt;p&gt;BSD-3-Klausel-Lizenz.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::HistoryPresenter</name>
+    <message>
+        <source>One session was not saved: %1</source>
+        <translation>Eine Sitzung wurde nicht gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>%1 sessions were not saved. The newest: %2</source>
+        <translation>%1 Sitzungen wurden nicht gespeichert. Die neueste: %2</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Wiederherstellen</translation>
     </message>
 </context>
 <context>
@@ -1534,6 +1823,21 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
 </context>
 <context>
+    <name>hexoderm::LogPresenter</name>
+    <message>
+        <source>The log is kept in memory only. %1</source>
+        <translation>Das Protokoll bleibt nur im Speicher. %1</translation>
+    </message>
+    <message>
+        <source>Copied: versions, graphics, what is open and the last lines of the log, with your home folder as ~. Paste it into the report.</source>
+        <translation>Kopiert: Versionen, Grafik, was offen ist und die letzten Zeilen des Protokolls, mit dem eigenen Ordner als ~. In den Bericht einfügen.</translation>
+    </message>
+    <message>
+        <source>No program to show folders was found. The log is %1.</source>
+        <translation>Es wurde kein Programm gefunden, das Ordner zeigt. Das Protokoll ist %1.</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::LogView</name>
     <message>
         <source>Which lines of the log are shown</source>
@@ -1585,273 +1889,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
 </context>
 <context>
-    <name>hexoderm::MainWindow</name>
-    <message>
-        <source>Poses</source>
-        <translation>Posen</translation>
-    </message>
-    <message>
-        <source>Links</source>
-        <translation>Verbindungen</translation>
-    </message>
-    <message>
-        <source>Findings</source>
-        <translation>Befunde</translation>
-    </message>
-    <message>
-        <source>The patch in three dimensions</source>
-        <translation>Das Hautstück in drei Dimensionen</translation>
-    </message>
-    <message>
-        <source>Steps</source>
-        <translation>Schritte</translation>
-    </message>
-    <message>
-        <source>Skin graph</source>
-        <translation>Hautgraph</translation>
-    </message>
-    <message>
-        <source>No poses yet.</source>
-        <translation>Noch keine Posen.</translation>
-    </message>
-    <message>
-        <source>No findings.</source>
-        <translation>Keine Befunde.</translation>
-    </message>
-    <message>
-        <source>No links yet.</source>
-        <translation>Noch keine Verbindungen.</translation>
-    </message>
-    <message>
-        <source>Findings and links</source>
-        <translation>Befunde und Verbindungen</translation>
-    </message>
-    <message>
-        <source>Saved to %1</source>
-        <translation>Gespeichert: %1</translation>
-    </message>
-    <message>
-        <source>Exported to %1</source>
-        <translation>Exportiert: %1</translation>
-    </message>
-    <message>
-        <source>No skin</source>
-        <translation>Keine Haut</translation>
-    </message>
-    <message>
-        <source>Hexoderm</source>
-        <translation>Hexoderm</translation>
-    </message>
-    <message>
-        <source>%1[*] · Hexoderm</source>
-        <translation>%1[*] · Hexoderm</translation>
-    </message>
-    <message>
-        <source>cells %1/%2</source>
-        <translation>Zellen %1/%2</translation>
-    </message>
-    <message>
-        <source>Cells that were measured in the fullest pose, of all cells</source>
-        <translation>Zellen, die in der vollständigsten Pose gemessen wurden, von allen</translation>
-    </message>
-    <message>
-        <source>solved in %1 ms · %2</source>
-        <translation>gelöst in %1 ms · %2</translation>
-    </message>
-    <message>
-        <source>%1, read from the file</source>
-        <translation>%1, aus der Datei</translation>
-    </message>
-    <message>
-        <source>A direction counts as defined from a singular value of %1 on</source>
-        <translation>Eine Richtung gilt ab einem Singulärwert von %1 als bestimmt</translation>
-    </message>
-    <message>
-        <source>not on disk</source>
-        <translation>nicht auf der Platte</translation>
-    </message>
-    <message>
-        <source>not saved</source>
-        <translation>nicht gespeichert</translation>
-    </message>
-    <message>
-        <source>saved at %1</source>
-        <translation>gespeichert um %1</translation>
-    </message>
-    <message>
-        <source>Del disable · Ctrl+Z undo</source>
-        <translation>Entf: aus · Strg+Z: zurück</translation>
-    </message>
-    <message>
-        <source>Findings %1</source>
-        <translation>Befunde %1</translation>
-    </message>
-    <message>
-        <source>Links %1</source>
-        <translation>Verbindungen %1</translation>
-    </message>
-    <message>
-        <source>Open a session or a calibration</source>
-        <translation>Sitzung oder Kalibrierung öffnen</translation>
-    </message>
-    <message>
-        <source>Sessions and calibrations (*.hexo *.json *.xml)</source>
-        <translation>Sitzungen und Kalibrierungen (*.hexo *.json *.xml)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Save the session</source>
-        <translation>Sitzung speichern</translation>
-    </message>
-    <message>
-        <source>Sessions (*.session.json);;Sessions that keep every change (*.hexo)</source>
-        <translation>Sitzungen (*.session.json);;Sitzungen, die jede Änderung behalten (*.hexo)</translation>
-    </message>
-    <message>
-        <source>Save the calibration</source>
-        <translation>Kalibrierung speichern</translation>
-    </message>
-    <message>
-        <source>Calibrations (*.calibration.json)</source>
-        <translation>Kalibrierungen (*.calibration.json)</translation>
-    </message>
-    <message>
-        <source>Open folder</source>
-        <translation>Ordner öffnen</translation>
-    </message>
-    <message>
-        <source>No program to show folders was found. The folder is %1.</source>
-        <translation>Es wurde kein Programm gefunden, das Ordner zeigt. Der Ordner ist %1.</translation>
-    </message>
-    <message>
-        <source>Unsaved poses</source>
-        <translation>Nicht gespeicherte Posen</translation>
-    </message>
-    <message>
-        <source>Save the session first? Its latest changes are not on disk yet.</source>
-        <translation>Die Sitzung vorher speichern? Ihre letzten Änderungen sind noch nicht auf der Platte.</translation>
-    </message>
-    <message>
-        <source>About Hexoderm</source>
-        <translation>Über Hexoderm</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Hexoderm %1&lt;/b&gt;&lt;p&gt;Finds out where every cell of a robot&apos;s artificial skin is.&lt;/p&gt;&lt;p&gt;BSD 3-Clause licence.&lt;/p&gt;</source>
-        <translation>&lt;b&gt;Hexoderm %1&lt;/b&gt;&lt;p&gt;Findet heraus, wo jede Zelle der künstlichen Haut eines Roboters ist.&lt;/p&gt;&lt;p&gt;BSD-3-Klausel-Lizenz.&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>Not on disk yet; it waits in memory and the work can go on. %1</source>
-        <translation>Noch nicht auf der Platte; es wartet im Speicher, und die Arbeit kann weitergehen. %1</translation>
-    </message>
-    <message>
-        <source>Try again</source>
-        <translation>Noch einmal</translation>
-    </message>
-    <message>
-        <source>Write a report</source>
-        <translation>Bericht schreiben</translation>
-    </message>
-    <message>
-        <source>Documents (*.pdf);;Pages for the browser (*.html)</source>
-        <translation>Dokumente (*.pdf);;Seiten für den Browser (*.html)</translation>
-    </message>
-    <message>
-        <source>The next capture takes the place of pose %1. Hold the part as it was held then.</source>
-        <translation>Die nächste Aufnahme tritt an die Stelle von Pose %1. Das Teil halten wie damals.</translation>
-    </message>
-    <message>
-        <source>Don&apos;t recapture</source>
-        <translation>Nicht neu aufnehmen</translation>
-    </message>
-    <message>
-        <source>Log</source>
-        <translation>Protokoll</translation>
-    </message>
-    <message>
-        <source>Save a picture of the graph</source>
-        <translation>Bild des Graphen speichern</translation>
-    </message>
-    <message>
-        <source>-graph</source>
-        <translation>-graph</translation>
-    </message>
-    <message>
-        <source>Vector graphics (*.svg);;Pictures (*.png)</source>
-        <translation>Vektorgrafik (*.svg);;Bilder (*.png)</translation>
-    </message>
-    <message>
-        <source>Cells</source>
-        <translation>Zellen</translation>
-    </message>
-    <message>
-        <source>No cells yet.</source>
-        <translation>Noch keine Zellen.</translation>
-    </message>
-    <message>
-        <source>Residuals</source>
-        <translation>Restfehler</translation>
-    </message>
-    <message>
-        <source>Cells %1</source>
-        <translation>Zellen %1</translation>
-    </message>
-    <message>
-        <source>Save a picture of the 3D view</source>
-        <translation>Bild der 3D-Ansicht speichern</translation>
-    </message>
-    <message>
-        <source>-3d</source>
-        <translation>-3d</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png)</source>
-        <translation>Bilder (*.png)</translation>
-    </message>
-    <message>
-        <source>Stillness</source>
-        <translation>Ruhe</translation>
-    </message>
-    <message>
-        <source>It repeats pose %1.</source>
-        <translation>Sie wiederholt Pose %1.</translation>
-    </message>
-    <message>
-        <source>Directions seen</source>
-        <translation>Gesehene Richtungen</translation>
-    </message>
-    <message>
-        <source>Since the skin was connected: %1. Poses need no more than their own samples, so a few lost ones do no harm; many speak of a slow network or cable.</source>
-        <translation>Seit die Haut verbunden ist: %1. Posen brauchen nur ihre eigenen Messwerte, einzelne verlorene schaden nicht; viele sprechen für ein langsames Netz oder Kabel.</translation>
-    </message>
-    <message>
-        <source>Save the table</source>
-        <translation>Tabelle speichern</translation>
-    </message>
-    <message>
-        <source>Tables (*.csv)</source>
-        <translation>Tabellen (*.csv)</translation>
-    </message>
-    <message>
-        <source>Compare with an earlier calibration</source>
-        <translation>Mit früherer Kalibrierung vergleichen</translation>
-    </message>
-    <message>
-        <source>Calibrations and sessions (*.calibration.json *.hexo *.session.json *.xml)</source>
-        <translation>Kalibrierungen und Sitzungen (*.calibration.json *.hexo *.session.json *.xml)</translation>
-    </message>
-    <message>
-        <source>R recapture · Del disable · Ctrl+Z undo</source>
-        <translation>R: neu · Entf: aus · Strg+Z: zurück</translation>
-    </message>
-    <message>
-        <source>Demo skin</source>
-        <translation>Demo-Haut</translation>
-    </message>
-</context>
-<context>
     <name>hexoderm::MeasureTool</name>
     <message>
         <source>Measure: pick the first cell (Esc ends)</source>
@@ -1864,10 +1901,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
 </context>
 <context>
     <name>hexoderm::Message</name>
-    <message>
-        <source>now</source>
-        <translation>jetzt</translation>
-    </message>
     <message>
         <source>Capturing what there is, moved or not</source>
         <translation>Aufnahme läuft, bewegt oder nicht</translation>
@@ -2437,6 +2470,30 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Zelle {} misst in allen Posen dieselbe Richtung (auf {} Grad genau), während sich die anderen Zellen um {} Grad drehen: Ihr Beschleunigungssensor hängt. Die Zelle wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
+        <source>In pose {} most neighbouring cells contradict each other, and without it they don&apos;t: the part probably moved while it was sampled. The pose is not used; take it again.</source>
+        <translation>In Pose {} widersprechen sich die meisten Nachbarzellen, ohne sie nicht: Wahrscheinlich hat sich das Teil während der Messung bewegt. Die Pose wird nicht benutzt; noch einmal aufnehmen.</translation>
+    </message>
+    <message>
+        <source>The {} was set aside by hand; it is not used.</source>
+        <translation>Die {} wurde von Hand ausgeschlossen; sie wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>The {} was set aside by hand, but the skin reports no such link.</source>
+        <translation>Die {} wurde von Hand ausgeschlossen, aber die Haut meldet keine solche Verbindung.</translation>
+    </message>
+    <message>
+        <source>The {} was set aside by hand ({}); it is not used.</source>
+        <translation>Die {} wurde von Hand ausgeschlossen ({}); sie wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>The {} was set aside by hand ({}), but the skin reports no such link.</source>
+        <translation>Die {} wurde von Hand ausgeschlossen ({}), aber die Haut meldet keine solche Verbindung.</translation>
+    </message>
+    <message>
+        <source>Cell {} was left out; it is placed through its links.</source>
+        <translation>Zelle {} wurde weggelassen; sie wird über ihre Verbindungen verortet.</translation>
+    </message>
+    <message>
         <source>The {} bends by {} degrees, and a skin link by no more than {}. It is probably a cable or crosses a joint.</source>
         <translation>Die {} biegt sich um {} Grad, eine Hautverbindung um höchstens {}. Wahrscheinlich ist sie ein Kabel oder führt über ein Gelenk.</translation>
     </message>
@@ -2491,30 +2548,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Pose {} holds two readings of cell {}; the first counts.</source>
         <translation>Pose {} enthält zwei Messwerte von Zelle {}; der erste zählt.</translation>
-    </message>
-    <message>
-        <source>The {} was set aside by hand; it is not used.</source>
-        <translation>Die {} wurde von Hand ausgeschlossen; sie wird nicht benutzt.</translation>
-    </message>
-    <message>
-        <source>The {} was set aside by hand, but the skin reports no such link.</source>
-        <translation>Die {} wurde von Hand ausgeschlossen, aber die Haut meldet keine solche Verbindung.</translation>
-    </message>
-    <message>
-        <source>The {} was set aside by hand ({}); it is not used.</source>
-        <translation>Die {} wurde von Hand ausgeschlossen ({}); sie wird nicht benutzt.</translation>
-    </message>
-    <message>
-        <source>The {} was set aside by hand ({}), but the skin reports no such link.</source>
-        <translation>Die {} wurde von Hand ausgeschlossen ({}), aber die Haut meldet keine solche Verbindung.</translation>
-    </message>
-    <message>
-        <source>Cell {} was left out; it is placed through its links.</source>
-        <translation>Zelle {} wurde weggelassen; sie wird über ihre Verbindungen verortet.</translation>
-    </message>
-    <message>
-        <source>In pose {} most neighbouring cells contradict each other, and without it they don&apos;t: the part probably moved while it was sampled. The pose is not used; take it again.</source>
-        <translation>In Pose {} widersprechen sich die meisten Nachbarzellen, ohne sie nicht: Wahrscheinlich hat sich das Teil während der Messung bewegt. Die Pose wird nicht benutzt; noch einmal aufnehmen.</translation>
     </message>
     <message>
         <source>With all other links the ends of the {} come to lie {} apart, and a skin link leaves no more than {}: it is probably a cable, or another link of the loop is. The link is not used.</source>
@@ -3525,16 +3558,12 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Schleifensuche: Der größte Winkel muss 0 Radiant oder mehr betragen</translation>
     </message>
     <message>
-        <source>hold-out: there is no pose {}</source>
-        <translation>zurückgehaltene Pose: Es gibt keine Pose {}</translation>
-    </message>
-    <message>
         <source>there is no cell {} to be left out</source>
         <translation>es gibt keine Zelle {}, die ausgelassen werden könnte</translation>
     </message>
     <message>
-        <source>SHA-256 is not available in this OpenSSL</source>
-        <translation>SHA-256 ist in diesem OpenSSL nicht verfügbar</translation>
+        <source>hold-out: there is no pose {}</source>
+        <translation>zurückgehaltene Pose: Es gibt keine Pose {}</translation>
     </message>
     <message>
         <source>a pose must hold a capture</source>
@@ -3845,6 +3874,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>ein Text mit einem {{}} für jedes der {} Argumente</translation>
     </message>
     <message>
+        <source>SHA-256 is not available in this OpenSSL</source>
+        <translation>SHA-256 ist in diesem OpenSSL nicht verfügbar</translation>
+    </message>
+    <message>
         <source>expected {}, found &quot;{}&quot;</source>
         <translation>erwartet ist {}, gefunden wurde „{}“</translation>
     </message>
@@ -3863,6 +3896,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>expected a name that ends in .pdf or .html</source>
         <translation>erwartet wird ein Name, der auf .pdf oder .html endet</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
     </message>
     <message>
         <source>Connecting to {}</source>
@@ -3913,6 +3950,73 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>over-defined</source>
         <translation>überbestimmt</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::Panels</name>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Skin graph</source>
+        <translation>Hautgraph</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>Posen</translation>
+    </message>
+    <message>
+        <source>No poses yet.</source>
+        <translation>Noch keine Posen.</translation>
+    </message>
+    <message>
+        <source>Directions seen</source>
+        <translation>Gesehene Richtungen</translation>
+    </message>
+    <message>
+        <source>The patch in three dimensions</source>
+        <translation>Das Hautstück in drei Dimensionen</translation>
+    </message>
+    <message>
+        <source>No findings.</source>
+        <translation>Keine Befunde.</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
+        <source>No links yet.</source>
+        <translation>Noch keine Verbindungen.</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>No cells yet.</source>
+        <translation>Noch keine Zellen.</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>Residuals</source>
+        <translation>Restfehler</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Stillness</source>
+        <translation>Ruhe</translation>
+    </message>
+    <message>
+        <source>Findings and links</source>
+        <translation>Befunde und Verbindungen</translation>
     </message>
 </context>
 <context>
@@ -4021,6 +4125,25 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
 </context>
 <context>
+    <name>hexoderm::PatchLegend</name>
+    <message>
+        <source>no link</source>
+        <translation>keine Verbindung</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>Cells are coloured by: %1; from %2 (dark) to %3 (bright)</source>
+        <translation>Farbe der Zellen: %1; von %2 (dunkel) bis %3 (hell)</translation>
+    </message>
+    <message>
+        <source>Cells are coloured by: %1</source>
+        <translation>Farbe der Zellen: %1</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::PatchView</name>
     <message>
         <source>Skin patch in 3D</source>
@@ -4041,6 +4164,219 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Preparing the picture of %1 cells…</source>
         <translation>Das Bild von %1 Zellen wird vorbereitet…</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PatchWords</name>
+    <message>
+        <source>drawn %1 times as large</source>
+        <translation>%1-fach vergrößert gezeichnet</translation>
+    </message>
+    <message>
+        <source>true to scale</source>
+        <translation>maßstäblich</translation>
+    </message>
+    <message>
+        <source>This result states no uncertainties</source>
+        <translation>Dieses Ergebnis nennt keine Unsicherheiten</translation>
+    </message>
+    <message>
+        <source>No surface was fitted yet</source>
+        <translation>Noch ist keine Fläche angepasst</translation>
+    </message>
+    <message>
+        <source>&amp;Ports</source>
+        <translation>&amp;Ports</translation>
+    </message>
+    <message>
+        <source>Cell &amp;IDs</source>
+        <translation>&amp;IDs der Zellen</translation>
+    </message>
+    <message>
+        <source>A&amp;xes</source>
+        <translation>&amp;Achsen</translation>
+    </message>
+    <message>
+        <source>&amp;Gravity</source>
+        <translation>&amp;Schwerkraft</translation>
+    </message>
+    <message>
+        <source>&amp;Links by quality</source>
+        <translation>&amp;Verbindungen nach Güte</translation>
+    </message>
+    <message>
+        <source>Shortest-path t&amp;ree</source>
+        <translation>&amp;Baum der kürzesten Wege</translation>
+    </message>
+    <message>
+        <source>&amp;Uncertainty ellipsoids</source>
+        <translation>&amp;Unsicherheitsellipsoide</translation>
+    </message>
+    <message>
+        <source>&amp;Truth</source>
+        <translation>&amp;Wahrheit</translation>
+    </message>
+    <message>
+        <source>Fitted &amp;surface</source>
+        <translation>Angepasste &amp;Fläche</translation>
+    </message>
+    <message>
+        <source>L&amp;oop gap</source>
+        <translation>Lücke der S&amp;chleife</translation>
+    </message>
+    <message>
+        <source>&amp;Differences to the other calibration</source>
+        <translation>&amp;Unterschiede zur anderen Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Discs where a link joins a neighbour, rings where a port is free</source>
+        <translation>Scheiben, wo eine Verbindung ansetzt, Ringe, wo ein Port frei ist</translation>
+    </message>
+    <message>
+        <source>Each cell&apos;s number, on faces that look at you</source>
+        <translation>Die Nummer jeder Zelle, auf zugewandten Seiten</translation>
+    </message>
+    <message>
+        <source>The directions of the patch&apos;s frame, which is the origin cell&apos;s</source>
+        <translation>Die Richtungen im Koordinatensystem des Hautstücks, dem der Ursprungszelle</translation>
+    </message>
+    <message>
+        <source>Where gravity points in the picked pose</source>
+        <translation>Wohin die Schwerkraft in der gewählten Pose zeigt</translation>
+    </message>
+    <message>
+        <source>Every link in the colour and line style of its class; muted links are crossed</source>
+        <translation>Jede Verbindung in Farbe und Linienart ihrer Güte; ausgeschlossene sind durchgestrichen</translation>
+    </message>
+    <message>
+        <source>The links by which every cell is reached from the origin on the shortest way</source>
+        <translation>Die Verbindungen, über die jede Zelle auf kürzestem Weg vom Ursprung erreicht wird</translation>
+    </message>
+    <message>
+        <source>The region that holds each cell&apos;s centre with 95 % probability, relative to the origin</source>
+        <translation>Der Bereich, in dem die Mitte jeder Zelle mit 95 % Wahrscheinlichkeit liegt, bezogen auf den Ursprung</translation>
+    </message>
+    <message>
+        <source>Where the simulated cells really are, moved onto the result as well as possible</source>
+        <translation>Wo die simulierten Zellen wirklich sind, bestmöglich auf das Ergebnis gelegt</translation>
+    </message>
+    <message>
+        <source>The surface fitted to the cells, with each cell&apos;s distance from it</source>
+        <translation>Die an die Zellen angepasste Fläche, mit dem Abstand jeder Zelle</translation>
+    </message>
+    <message>
+        <source>The gap between the two ports where the loop should close</source>
+        <translation>Die Lücke zwischen den beiden Ports, an denen sich die Schleife schließen soll</translation>
+    </message>
+    <message>
+        <source>From where each cell was to where it is now</source>
+        <translation>Von wo jede Zelle war bis wo sie jetzt ist</translation>
+    </message>
+    <message>
+        <source>There is no skin yet</source>
+        <translation>Noch gibt es keine Haut</translation>
+    </message>
+    <message>
+        <source>This skin has too many cells to draw them: at most %1</source>
+        <translation>Diese Haut hat dafür zu viele Zellen: höchstens %1</translation>
+    </message>
+    <message>
+        <source>Only of a simulated skin is the truth known</source>
+        <translation>Nur von einer simulierten Haut ist die Wahrheit bekannt</translation>
+    </message>
+    <message>
+        <source>No loop was evaluated yet</source>
+        <translation>Noch ist keine Schleife ausgewertet</translation>
+    </message>
+    <message>
+        <source>No comparison was made yet</source>
+        <translation>Noch ist nichts verglichen</translation>
+    </message>
+    <message>
+        <source>broad lines: the shortest-path tree</source>
+        <translation>breite Linien: der Baum der kürzesten Wege</translation>
+    </message>
+    <message>
+        <source>ellipsoids: 95 %, %1</source>
+        <translation>Ellipsoide: 95 %, %1</translation>
+    </message>
+    <message>
+        <source>outlines: the truth, moved onto the result</source>
+        <translation>Umrisse: die Wahrheit, auf das Ergebnis gelegt</translation>
+    </message>
+    <message>
+        <source>%1, radius %2</source>
+        <translation>%1, Radius %2</translation>
+    </message>
+    <message>
+        <source>; rms distance %1, lines %2</source>
+        <translation>; Effektivwert der Abstände %1, Linien %2</translation>
+    </message>
+    <message>
+        <source>loop gap: %1, %2 % of the loop; the arrow %3</source>
+        <translation>Lücke der Schleife: %1, %2 % der Schleife; der Pfeil %3</translation>
+    </message>
+    <message>
+        <source>arrows: from before to now, %1</source>
+        <translation>Pfeile: von vorher zu jetzt, %1</translation>
+    </message>
+    <message>
+        <source>Cells %1 and %2 are in different patches: how these lie to each other is not known</source>
+        <translation>Die Zellen %1 und %2 sind in verschiedenen Hautstücken: Wie diese zueinander liegen, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Cells %1 and %2: %3 apart, their faces %4 to each other</source>
+        <translation>Zellen %1 und %2: %3 Abstand, ihre Flächen %4 zueinander</translation>
+    </message>
+    <message>
+        <source>Cells %1 and %2: %3 ± %4 (95 %) apart, their faces %5 to each other</source>
+        <translation>Zellen %1 und %2: %3 ± %4 (95 %) Abstand, ihre Flächen %5 zueinander</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PickedCommands</name>
+    <message>
+        <source>The next capture takes the place of pose %1. Hold the part as it was held then.</source>
+        <translation>Die nächste Aufnahme tritt an die Stelle von Pose %1. Das Teil halten wie damals.</translation>
+    </message>
+    <message>
+        <source>Don&apos;t recapture</source>
+        <translation>Nicht neu aufnehmen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PicturePresenter</name>
+    <message>
+        <source>Save a picture of the 3D view</source>
+        <translation>Bild der 3D-Ansicht speichern</translation>
+    </message>
+    <message>
+        <source>-3d</source>
+        <translation>-3d</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Save a picture of the graph</source>
+        <translation>Bild des Graphen speichern</translation>
+    </message>
+    <message>
+        <source>-graph</source>
+        <translation>-graph</translation>
+    </message>
+    <message>
+        <source>Vector graphics (*.svg);;Pictures (*.png)</source>
+        <translation>Vektorgrafik (*.svg);;Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Write a report</source>
+        <translation>Bericht schreiben</translation>
+    </message>
+    <message>
+        <source>Documents (*.pdf);;Pages for the browser (*.html)</source>
+        <translation>Dokumente (*.pdf);;Seiten für den Browser (*.html)</translation>
     </message>
 </context>
 <context>
@@ -4386,6 +4722,25 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>From the next start on.</source>
         <translation>Ab dem nächsten Start.</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PreferencesPresenter</name>
+    <message>
+        <source>There is no OpenGL 3.2 here, so the 3D view is empty; graph and tables work.</source>
+        <translation>Hier gibt es kein OpenGL 3.2, darum ist die 3D-Ansicht leer; Graph und Tabellen arbeiten.</translation>
+    </message>
+    <message>
+        <source>%1 Drawing by the processor did not help either.</source>
+        <translation>%1 Auch Zeichnen im Prozessor half nicht.</translation>
+    </message>
+    <message>
+        <source>Draw without the graphics card</source>
+        <translation>Ohne Grafikkarte zeichnen</translation>
+    </message>
+    <message>
+        <source>From the next start on, the processor draws. Start Hexoderm again when it suits you.</source>
+        <translation>Ab dem nächsten Start zeichnet der Prozessor. Hexoderm bei Gelegenheit neu starten.</translation>
     </message>
 </context>
 <context>
@@ -4940,325 +5295,22 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
 </context>
 <context>
-    <name>hexoderm::SceneLegend</name>
+    <name>hexoderm::ResultTables</name>
     <message>
-        <source>no link</source>
-        <translation>keine Verbindung</translation>
+        <source>Poses</source>
+        <translation>Posen</translation>
     </message>
     <message>
-        <source>patch %1</source>
-        <translation>Hautstück %1</translation>
+        <source>Links</source>
+        <translation>Verbindungen</translation>
     </message>
     <message>
-        <source>and %1 more</source>
-        <translation>und %1 weitere</translation>
+        <source>Findings</source>
+        <translation>Befunde</translation>
     </message>
     <message>
-        <source>not known</source>
-        <translation>nicht bekannt</translation>
-    </message>
-    <message>
-        <source>Cells are coloured by: %1; from %2 (dark) to %3 (bright)</source>
-        <translation>Farbe der Zellen: %1; von %2 (dunkel) bis %3 (hell)</translation>
-    </message>
-    <message>
-        <source>Cells are coloured by: %1</source>
-        <translation>Farbe der Zellen: %1</translation>
-    </message>
-</context>
-<context>
-    <name>hexoderm::SceneWords</name>
-    <message>
-        <source>drawn %1 times as large</source>
-        <translation>%1-fach vergrößert gezeichnet</translation>
-    </message>
-    <message>
-        <source>true to scale</source>
-        <translation>maßstäblich</translation>
-    </message>
-    <message>
-        <source>link quality</source>
-        <translation>Güte</translation>
-    </message>
-    <message>
-        <source>residual</source>
-        <translation>Restfehler</translation>
-    </message>
-    <message>
-        <source>predicted deviation</source>
-        <translation>erwartete Abweichung</translation>
-    </message>
-    <message>
-        <source>position uncertainty</source>
-        <translation>Unsicherheit des Ortes</translation>
-    </message>
-    <message>
-        <source>orientation uncertainty</source>
-        <translation>Unsicherheit der Orientierung</translation>
-    </message>
-    <message>
-        <source>distance from the origin</source>
-        <translation>Abstand vom Ursprung</translation>
-    </message>
-    <message>
-        <source>distance from the fitted surface</source>
-        <translation>Abstand von der angepassten Fläche</translation>
-    </message>
-    <message>
-        <source>patch</source>
-        <translation>Hautstück</translation>
-    </message>
-    <message>
-        <source>body part</source>
-        <translation>Körperteil</translation>
-    </message>
-    <message>
-        <source>reading x</source>
-        <translation>Messwert x</translation>
-    </message>
-    <message>
-        <source>reading y</source>
-        <translation>Messwert y</translation>
-    </message>
-    <message>
-        <source>reading z</source>
-        <translation>Messwert z</translation>
-    </message>
-    <message>
-        <source>reading, norm</source>
-        <translation>Messwert, Betrag</translation>
-    </message>
-    <message>
-        <source>temperature</source>
-        <translation>Temperatur</translation>
-    </message>
-    <message>
-        <source>worst link&apos;s residual, °</source>
-        <translation>Restfehler der schlechtesten Verbindung, °</translation>
-    </message>
-    <message>
-        <source>worst link&apos;s predicted deviation, °</source>
-        <translation>erwartete Abweichung der schlechtesten Verbindung, °</translation>
-    </message>
-    <message>
-        <source>position uncertainty (95 %), mm</source>
-        <translation>Unsicherheit des Ortes (95 %), mm</translation>
-    </message>
-    <message>
-        <source>orientation uncertainty (95 %), °</source>
-        <translation>Unsicherheit der Orientierung (95 %), °</translation>
-    </message>
-    <message>
-        <source>distance from the origin along the path, mm</source>
-        <translation>Abstand vom Ursprung entlang des Weges, mm</translation>
-    </message>
-    <message>
-        <source>distance from the fitted surface, mm</source>
-        <translation>Abstand von der angepassten Fläche, mm</translation>
-    </message>
-    <message>
-        <source>newest reading along x, g</source>
-        <translation>neuester Messwert entlang x, g</translation>
-    </message>
-    <message>
-        <source>newest reading along y, g</source>
-        <translation>neuester Messwert entlang y, g</translation>
-    </message>
-    <message>
-        <source>newest reading along z, g</source>
-        <translation>neuester Messwert entlang z, g</translation>
-    </message>
-    <message>
-        <source>norm of the newest reading, g</source>
-        <translation>Betrag des neuesten Messwerts, g</translation>
-    </message>
-    <message>
-        <source>temperature, °C</source>
-        <translation>Temperatur, °C</translation>
-    </message>
-    <message>
-        <source>%1 or less</source>
-        <translation>%1 oder weniger</translation>
-    </message>
-    <message>
-        <source>%1 or more</source>
-        <translation>%1 oder mehr</translation>
-    </message>
-    <message>
-        <source>No link was measured yet</source>
-        <translation>Noch ist keine Verbindung gemessen</translation>
-    </message>
-    <message>
-        <source>This result states no uncertainties</source>
-        <translation>Dieses Ergebnis nennt keine Unsicherheiten</translation>
-    </message>
-    <message>
-        <source>This result holds no paths from the origin</source>
-        <translation>Dieses Ergebnis enthält keine Wege vom Ursprung</translation>
-    </message>
-    <message>
-        <source>No surface was fitted yet</source>
-        <translation>Noch ist keine Fläche angepasst</translation>
-    </message>
-    <message>
-        <source>The skin does not say which body part its cells are on</source>
-        <translation>Die Haut sagt nicht, auf welchem Körperteil ihre Zellen sind</translation>
-    </message>
-    <message>
-        <source>There are no readings: connect a skin</source>
-        <translation>Es gibt keine Messwerte: eine Haut verbinden</translation>
-    </message>
-    <message>
-        <source>The skin sends no temperatures</source>
-        <translation>Die Haut sendet keine Temperaturen</translation>
-    </message>
-    <message>
-        <source>&amp;Ports</source>
-        <translation>&amp;Ports</translation>
-    </message>
-    <message>
-        <source>Cell &amp;IDs</source>
-        <translation>&amp;IDs der Zellen</translation>
-    </message>
-    <message>
-        <source>A&amp;xes</source>
-        <translation>&amp;Achsen</translation>
-    </message>
-    <message>
-        <source>&amp;Gravity</source>
-        <translation>&amp;Schwerkraft</translation>
-    </message>
-    <message>
-        <source>&amp;Links by quality</source>
-        <translation>&amp;Verbindungen nach Güte</translation>
-    </message>
-    <message>
-        <source>Shortest-path t&amp;ree</source>
-        <translation>&amp;Baum der kürzesten Wege</translation>
-    </message>
-    <message>
-        <source>&amp;Uncertainty ellipsoids</source>
-        <translation>&amp;Unsicherheitsellipsoide</translation>
-    </message>
-    <message>
-        <source>&amp;Truth</source>
-        <translation>&amp;Wahrheit</translation>
-    </message>
-    <message>
-        <source>Fitted &amp;surface</source>
-        <translation>Angepasste &amp;Fläche</translation>
-    </message>
-    <message>
-        <source>L&amp;oop gap</source>
-        <translation>Lücke der S&amp;chleife</translation>
-    </message>
-    <message>
-        <source>&amp;Differences to the other calibration</source>
-        <translation>&amp;Unterschiede zur anderen Kalibrierung</translation>
-    </message>
-    <message>
-        <source>Discs where a link joins a neighbour, rings where a port is free</source>
-        <translation>Scheiben, wo eine Verbindung ansetzt, Ringe, wo ein Port frei ist</translation>
-    </message>
-    <message>
-        <source>Each cell&apos;s number, on faces that look at you</source>
-        <translation>Die Nummer jeder Zelle, auf zugewandten Seiten</translation>
-    </message>
-    <message>
-        <source>The directions of the patch&apos;s frame, which is the origin cell&apos;s</source>
-        <translation>Die Richtungen im Koordinatensystem des Hautstücks, dem der Ursprungszelle</translation>
-    </message>
-    <message>
-        <source>Where gravity points in the picked pose</source>
-        <translation>Wohin die Schwerkraft in der gewählten Pose zeigt</translation>
-    </message>
-    <message>
-        <source>Every link in the colour and line style of its class; muted links are crossed</source>
-        <translation>Jede Verbindung in Farbe und Linienart ihrer Güte; ausgeschlossene sind durchgestrichen</translation>
-    </message>
-    <message>
-        <source>The links by which every cell is reached from the origin on the shortest way</source>
-        <translation>Die Verbindungen, über die jede Zelle auf kürzestem Weg vom Ursprung erreicht wird</translation>
-    </message>
-    <message>
-        <source>The region that holds each cell&apos;s centre with 95 % probability, relative to the origin</source>
-        <translation>Der Bereich, in dem die Mitte jeder Zelle mit 95 % Wahrscheinlichkeit liegt, bezogen auf den Ursprung</translation>
-    </message>
-    <message>
-        <source>Where the simulated cells really are, moved onto the result as well as possible</source>
-        <translation>Wo die simulierten Zellen wirklich sind, bestmöglich auf das Ergebnis gelegt</translation>
-    </message>
-    <message>
-        <source>The surface fitted to the cells, with each cell&apos;s distance from it</source>
-        <translation>Die an die Zellen angepasste Fläche, mit dem Abstand jeder Zelle</translation>
-    </message>
-    <message>
-        <source>The gap between the two ports where the loop should close</source>
-        <translation>Die Lücke zwischen den beiden Ports, an denen sich die Schleife schließen soll</translation>
-    </message>
-    <message>
-        <source>From where each cell was to where it is now</source>
-        <translation>Von wo jede Zelle war bis wo sie jetzt ist</translation>
-    </message>
-    <message>
-        <source>There is no skin yet</source>
-        <translation>Noch gibt es keine Haut</translation>
-    </message>
-    <message>
-        <source>This skin has too many cells to draw them: at most %1</source>
-        <translation>Diese Haut hat dafür zu viele Zellen: höchstens %1</translation>
-    </message>
-    <message>
-        <source>Only of a simulated skin is the truth known</source>
-        <translation>Nur von einer simulierten Haut ist die Wahrheit bekannt</translation>
-    </message>
-    <message>
-        <source>No loop was evaluated yet</source>
-        <translation>Noch ist keine Schleife ausgewertet</translation>
-    </message>
-    <message>
-        <source>No comparison was made yet</source>
-        <translation>Noch ist nichts verglichen</translation>
-    </message>
-    <message>
-        <source>broad lines: the shortest-path tree</source>
-        <translation>breite Linien: der Baum der kürzesten Wege</translation>
-    </message>
-    <message>
-        <source>ellipsoids: 95 %, %1</source>
-        <translation>Ellipsoide: 95 %, %1</translation>
-    </message>
-    <message>
-        <source>outlines: the truth, moved onto the result</source>
-        <translation>Umrisse: die Wahrheit, auf das Ergebnis gelegt</translation>
-    </message>
-    <message>
-        <source>%1, radius %2</source>
-        <translation>%1, Radius %2</translation>
-    </message>
-    <message>
-        <source>; rms distance %1, lines %2</source>
-        <translation>; Effektivwert der Abstände %1, Linien %2</translation>
-    </message>
-    <message>
-        <source>loop gap: %1, %2 % of the loop; the arrow %3</source>
-        <translation>Lücke der Schleife: %1, %2 % der Schleife; der Pfeil %3</translation>
-    </message>
-    <message>
-        <source>arrows: from before to now, %1</source>
-        <translation>Pfeile: von vorher zu jetzt, %1</translation>
-    </message>
-    <message>
-        <source>Cells %1 and %2 are in different patches: how these lie to each other is not known</source>
-        <translation>Die Zellen %1 und %2 sind in verschiedenen Hautstücken: Wie diese zueinander liegen, ist nicht bekannt</translation>
-    </message>
-    <message>
-        <source>Cells %1 and %2: %3 apart, their faces %4 to each other</source>
-        <translation>Zellen %1 und %2: %3 Abstand, ihre Flächen %4 zueinander</translation>
-    </message>
-    <message>
-        <source>Cells %1 and %2: %3 ± %4 (95 %) apart, their faces %5 to each other</source>
-        <translation>Zellen %1 und %2: %3 ± %4 (95 %) Abstand, ihre Flächen %5 zueinander</translation>
+        <source>Cells</source>
+        <translation>Zellen</translation>
     </message>
 </context>
 <context>
@@ -5286,6 +5338,85 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Until it is saved, this session is kept in memory only. %1</source>
         <translation>Bis sie gespeichert ist, liegt diese Sitzung nur im Speicher. %1</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::StatusPresenter</name>
+    <message>
+        <source>No skin</source>
+        <translation>Keine Haut</translation>
+    </message>
+    <message>
+        <source>Hexoderm</source>
+        <translation>Hexoderm</translation>
+    </message>
+    <message>
+        <source>%1[*] · Hexoderm</source>
+        <translation>%1[*] · Hexoderm</translation>
+    </message>
+    <message>
+        <source>cells %1/%2</source>
+        <translation>Zellen %1/%2</translation>
+    </message>
+    <message>
+        <source>Cells that were measured in the fullest pose, of all cells</source>
+        <translation>Zellen, die in der vollständigsten Pose gemessen wurden, von allen</translation>
+    </message>
+    <message>
+        <source>solved in %1 ms · %2</source>
+        <translation>gelöst in %1 ms · %2</translation>
+    </message>
+    <message>
+        <source>%1, read from the file</source>
+        <translation>%1, aus der Datei</translation>
+    </message>
+    <message>
+        <source>A direction counts as defined from a singular value of %1 on</source>
+        <translation>Eine Richtung gilt ab einem Singulärwert von %1 als bestimmt</translation>
+    </message>
+    <message>
+        <source>not on disk</source>
+        <translation>nicht auf der Platte</translation>
+    </message>
+    <message>
+        <source>not saved</source>
+        <translation>nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>saved at %1</source>
+        <translation>gespeichert um %1</translation>
+    </message>
+    <message>
+        <source>R recapture · Del disable · Ctrl+Z undo</source>
+        <translation>R: neu · Entf: aus · Strg+Z: zurück</translation>
+    </message>
+    <message>
+        <source>Del disable · Ctrl+Z undo</source>
+        <translation>Entf: aus · Strg+Z: zurück</translation>
+    </message>
+    <message>
+        <source>Findings %1</source>
+        <translation>Befunde %1</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Befunde</translation>
+    </message>
+    <message>
+        <source>Links %1</source>
+        <translation>Verbindungen %1</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>Cells %1</source>
+        <translation>Zellen %1</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
     </message>
 </context>
 <context>
@@ -5375,14 +5506,22 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
 </context>
 <context>
-    <name>hexoderm::TableActions</name>
+    <name>hexoderm::SurfaceWords</name>
     <message>
-        <source>Copy as CSV</source>
-        <translation>Als CSV kopieren</translation>
+        <source>Plane</source>
+        <translation>Ebene</translation>
     </message>
     <message>
-        <source>Save as CSV…</source>
-        <translation>Als CSV speichern…</translation>
+        <source>Sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>Cone</source>
+        <translation>Kegel</translation>
     </message>
 </context>
 <context>
@@ -5568,22 +5707,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>open</source>
         <translation>offen</translation>
-    </message>
-    <message>
-        <source>Plane</source>
-        <translation>Ebene</translation>
-    </message>
-    <message>
-        <source>Sphere</source>
-        <translation>Kugel</translation>
-    </message>
-    <message>
-        <source>Cylinder</source>
-        <translation>Zylinder</translation>
-    </message>
-    <message>
-        <source>Cone</source>
-        <translation>Kegel</translation>
     </message>
     <message>
         <source>%1, half angle %2, radius %3 at its middle</source>
@@ -5818,6 +5941,17 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
 </context>
 <context>
+    <name>hexoderm::VerifyPresenter</name>
+    <message>
+        <source>Compare with an earlier calibration</source>
+        <translation>Mit früherer Kalibrierung vergleichen</translation>
+    </message>
+    <message>
+        <source>Calibrations and sessions (*.calibration.json *.hexo *.session.json *.xml)</source>
+        <translation>Kalibrierungen und Sitzungen (*.calibration.json *.hexo *.session.json *.xml)</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::VerifySection</name>
     <message>
         <source>Working</source>
@@ -5830,6 +5964,21 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Figures: %1</source>
         <translation>Zahlen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::ViewSwap</name>
+    <message>
+        <source>Skin patch</source>
+        <translation>Hautstück</translation>
+    </message>
+    <message>
+        <source>Skin graph</source>
+        <translation>Hautgraph</translation>
+    </message>
+    <message>
+        <source>The patch in three dimensions</source>
+        <translation>Das Hautstück in drei Dimensionen</translation>
     </message>
 </context>
 <context>
@@ -6355,89 +6504,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
 </context>
 <context>
-    <name>hexoderm::WindowShell</name>
-    <message>
-        <source>The log is kept in memory only. %1</source>
-        <translation>Das Protokoll bleibt nur im Speicher. %1</translation>
-    </message>
-    <message>
-        <source>Hexoderm %1 starts</source>
-        <translation>Hexoderm %1 startet</translation>
-    </message>
-    <message>
-        <source>Skin patch</source>
-        <translation>Hautstück</translation>
-    </message>
-    <message>
-        <source>Skin graph</source>
-        <translation>Hautgraph</translation>
-    </message>
-    <message>
-        <source>The patch in three dimensions</source>
-        <translation>Das Hautstück in drei Dimensionen</translation>
-    </message>
-    <message>
-        <source>Asked for: %1</source>
-        <translation>Verlangt: %1</translation>
-    </message>
-    <message>
-        <source>Opened %1</source>
-        <translation>%1 geöffnet</translation>
-    </message>
-    <message>
-        <source>Skin at %1: %2. %3</source>
-        <translation>Haut unter %1: %2. %3</translation>
-    </message>
-    <message>
-        <source>%1 sessions were not saved. The newest: %2</source>
-        <translation>%1 Sitzungen wurden nicht gespeichert. Die neueste: %2</translation>
-    </message>
-    <message>
-        <source>Recover</source>
-        <translation>Wiederherstellen</translation>
-    </message>
-    <message>
-        <source>There is no OpenGL 3.2 here, so the 3D view is empty; graph and tables work.</source>
-        <translation>Hier gibt es kein OpenGL 3.2, darum ist die 3D-Ansicht leer; Graph und Tabellen arbeiten.</translation>
-    </message>
-    <message>
-        <source>%1 Drawing by the processor did not help either.</source>
-        <translation>%1 Auch Zeichnen im Prozessor half nicht.</translation>
-    </message>
-    <message>
-        <source>Draw without the graphics card</source>
-        <translation>Ohne Grafikkarte zeichnen</translation>
-    </message>
-    <message>
-        <source>From the next start on, the processor draws. Start Hexoderm again when it suits you.</source>
-        <translation>Ab dem nächsten Start zeichnet der Prozessor. Hexoderm bei Gelegenheit neu starten.</translation>
-    </message>
-    <message>
-        <source>No program to show folders was found. The log is %1.</source>
-        <translation>Es wurde kein Programm gefunden, das Ordner zeigt. Das Protokoll ist %1.</translation>
-    </message>
-    <message>
-        <source>Recent</source>
-        <translation>Zuletzt</translation>
-    </message>
-    <message>
-        <source>Step &amp;%1: %2</source>
-        <translation>Schritt &amp;%1: %2</translation>
-    </message>
-    <message>
-        <source>Copied: versions, graphics, what is open and the last lines of the log, with your home folder as ~. Paste it into the report.</source>
-        <translation>Kopiert: Versionen, Grafik, was offen ist und die letzten Zeilen des Protokolls, mit dem eigenen Ordner als ~. In den Bericht einfügen.</translation>
-    </message>
-    <message>
-        <source>Solved: %1, %2, %3, %4 ms. %5</source>
-        <translation>Gelöst: %1, %2, %3, %4 ms. %5</translation>
-    </message>
-    <message>
-        <source>One session was not saved: %1</source>
-        <translation>Eine Sitzung wurde nicht gespeichert: %1</translation>
-    </message>
-</context>
-<context>
     <name>hexoderm::Words</name>
     <message>
         <source>and %1 more</source>
@@ -6657,10 +6723,6 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>The picture %1 could not be written.</source>
         <translation>Das Bild %1 ließ sich nicht schreiben.</translation>
-    </message>
-    <message>
-        <source>--screenshots-size takes a size, for example 1280x800.</source>
-        <translation>--screenshots-size nimmt eine Größe, zum Beispiel 1280x800.</translation>
     </message>
     <message>
         <source>Draw in 3D without the graphics card, for this time.</source>

@@ -1,5 +1,5 @@
-// What it takes to be 10,000 cells at 1 kHz: read, put into messages and framed. "core" is the share of one core at
-// that rate; above 1 samples are dropped.
+// Time it takes to emulate 10,000 cells at 1 kHz: to read them, to put the readings into messages and to frame these.
+// "core" is the share of one core at that rate; above 1 samples are dropped.
 
 #include "hexoderm/device/emulation/emulated_device.h"
 #include "hexoderm/device/skinwire/framing.h"

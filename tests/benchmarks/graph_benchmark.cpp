@@ -1,4 +1,4 @@
-// How long the graph takes with 10,000 cells: a whole picture at several sizes and zooms, a new result, and a mouse
+// Time that the graph takes with 10,000 cells: a whole picture at several sizes and zooms, a new result, and a mouse
 // that moves over it. Needs a display: xvfb-run -a build/release/tests/benchmarks/graph_benchmark
 
 #include "hexoderm/device/simulation/simulated_skin.h"
@@ -32,7 +32,7 @@ const std::shared_ptr<const Reconstruction>& sheet() {
 }
 
 /// A picture of the fitted sheet, enlarged by `zoom`, into an image of width x height pixels.
-void paint(benchmark::State& state, GraphColoring coloring) {
+void paint(benchmark::State& state, Coloring coloring) {
   const QSizeF size(static_cast<double>(state.range(0)), static_cast<double>(state.range(1)));
   const auto scene = std::make_shared<const GraphScene>(sheet());
   const auto colors = std::make_shared<const GraphPaint>(paintOf(*scene, coloring, Theme::Light));
@@ -58,9 +58,9 @@ void sizes(benchmark::internal::Benchmark* benchmark) {
   for (const int zoom : {1, 2, 4, 8, 16}) benchmark->Args({1000, 650, zoom});
   benchmark->Args({1880, 1000, 1})->Args({1880, 1000, 2})->Args({1880, 1000, 4});
 }
-BENCHMARK_CAPTURE(paint, quality, GraphColoring::Quality)->Apply(sizes)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(paint, deviation, GraphColoring::Deviation)->Apply(sizes)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(paint, patch, GraphColoring::Patch)->Args({1000, 650, 1})->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(paint, quality, Coloring::LinkQuality)->Apply(sizes)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(paint, deviation, Coloring::Deviation)->Apply(sizes)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(paint, patch, Coloring::Patch)->Args({1000, 650, 1})->Unit(benchmark::kMillisecond);
 
 /// A view on the screen that shows the sheet.
 struct ShownView {
@@ -74,15 +74,15 @@ struct ShownView {
   GraphView view;
 };
 
-void newResult(benchmark::State& state, GraphColoring coloring) {
+void newResult(benchmark::State& state, Coloring coloring) {
   ShownView shown;
   shown.view.setColoring(coloring);
   for ([[maybe_unused]] auto _ : state) shown.view.setReconstruction(sheet());
 }
-BENCHMARK_CAPTURE(newResult, quality, GraphColoring::Quality)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(newResult, position, GraphColoring::Position)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(newResult, quality, Coloring::LinkQuality)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(newResult, position, Coloring::PositionUncertainty)->Unit(benchmark::kMillisecond);
 
-/// What one move of the mouse costs, with the painting that it leads to.
+/// Cost of one move of the mouse, with the painting that it leads to.
 void hover(benchmark::State& state) {
   ShownView shown;
   for (int zoom = 0; zoom < state.range(0); ++zoom) {

@@ -1,5 +1,5 @@
-// How long a reconstruction takes: the tree, the joint estimate from scratch, and from the result before the last pose
-// came in, as the window does it. The skins are simulated.
+// Time that a reconstruction takes: the tree, the joint estimate from scratch, and from the result before the last pose
+// came in, as in the window. The skins are simulated.
 
 #include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/reconstruction/reconstructor.h"

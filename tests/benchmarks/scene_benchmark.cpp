@@ -1,10 +1,10 @@
-// How fast the patch is drawn: SPEC section 6 asks for 30 frames/s at 10,000 cells and 15 at 100,000 with software
-// OpenGL, multisampling off. Prints frames/s while the camera turns, and how long a new result takes.
+// Speed of drawing the patch. The target is 30 frames/s at 10,000 cells and 15 at 100,000 with software OpenGL,
+// multisampling off. Prints frames/s while the camera turns, and the time that a new result takes.
 //
 //   LIBGL_ALWAYS_SOFTWARE=1 xvfb-run -a -s "-screen 0 1440x900x24" build/release/tests/benchmarks/scene_benchmark
 //
-// README.md here has what came of it. The window has the size of the view in a window of 1440 x 900. The column CPU is
-// the time of all threads together: on a busy computer it says more than the frames/s do.
+// README.md here holds the figures measured so far. The window has the size of the view in a window of 1440 x 900. The
+// column CPU is the time of all threads together: on a busy computer it tells more than the frames/s do.
 
 #include "tests/support/demo_reconstruction.h"
 #include "tests/support/large_skin.h"
@@ -63,7 +63,7 @@ struct Stage {
   static Stage& showing(const std::shared_ptr<const SceneContent>& content) {
     static Stage& stage = *new Stage;  // never destroyed: OpenGL may be gone by then
     stage.scene.setContent(content);
-    stage.scene.setColoring(CellColoring::LinkQuality);
+    stage.scene.setColoring(Coloring::LinkQuality);
     stage.scene.setSmoothed(false);  // as while the mouse turns the scene
     stage.scene.showStandardView(PatchScene::View::Oblique);
     stage.draw();
@@ -121,7 +121,7 @@ void NewResultPrepared(benchmark::State& state) {
 void ReadingsRecolour(benchmark::State& state) {
   const auto skin = skinOf(state.range(0));
   Stage& stage = Stage::showing(makeSceneContent(skin));
-  stage.scene.setColoring(CellColoring::ReadingZ);
+  stage.scene.setColoring(Coloring::ReadingZ);
   stage.draw();
   CellReadings readings;
   double g = 0;
@@ -130,13 +130,14 @@ void ReadingsRecolour(benchmark::State& state) {
     for (const PatchReconstruction& patch : skin->patches) {
       for (const CellPlacement& cell : patch.cells) readings.acceleration_g[cell.cell] = {0, 0, g};
     }
-    stage.scene.setReadings(readings);
+    PatchMoment moment;
+    moment.readings = std::make_shared<const CellReadings>(readings);
+    stage.scene.setMoment(moment);
     stage.draw();
   }
 }
 
-/// The first pick of a result sorts its cells; the next ones are quicker.
-/// What the window does at rest without a graphics card.
+/// The window's work at rest without a graphics card.
 void PictureSmoothed(benchmark::State& state) {
   Stage& stage = Stage::showing(makeSceneContent(skinOf(state.range(0))));
   const vtkNew<vtkUnsignedCharArray> pixels;
@@ -146,6 +147,7 @@ void PictureSmoothed(benchmark::State& state) {
   for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(smoothEdges(picture));
 }
 
+/// The first pick of a result sorts its cells; the next ones are quicker.
 void FirstPick(benchmark::State& state) {
   const auto content = makeSceneContent(skinOf(state.range(0)));
   Stage& stage = Stage::showing(content);

@@ -1,6 +1,6 @@
-// What it takes to keep the raw samples of 10,000 cells at 1 kHz: a pose with all its samples, from the frames to what
-// is on the disk of the temporary folder (TMPDIR). "head_room" is seconds of samples stored per second of the clock;
-// below 1 the store would fall behind a device whose every sample is kept.
+// Time it takes to keep the raw samples of 10,000 cells at 1 kHz: a pose with all its samples, from the frames to the
+// disk of the temporary folder (TMPDIR). "head_room" is seconds of samples stored per second of the clock; below 1 the
+// store would fall behind a device whose every sample is kept.
 
 #include "hexoderm/capture/pose_capture.h"
 #include "hexoderm/session/session_store.h"
@@ -19,7 +19,7 @@ constexpr double kRate_hz = 1000;
 
 enum Readings { kLsb, kFloats, kDoubles };
 
-/// As a device sends them: whole LSB of 4 mg, or numbers of its own.
+/// Readings in the form in which a device sends them: whole LSB of 4 mg, or numbers of its own.
 std::vector<SampleFrame> record(std::size_t frame_count, Readings readings) {
   const double lsb_g = readings == kLsb ? 0.004 : 0.001 + 1e-9;
   std::mt19937 random(1);
@@ -40,7 +40,7 @@ std::vector<SampleFrame> record(std::size_t frame_count, Readings readings) {
 }
 
 void storeRawSamples(benchmark::State& state) {
-  constexpr std::size_t kFrames = 100;  // of a pose
+  constexpr std::size_t kFrames = 100;  // frames of a pose
   const test::TemporaryFolder folder;
   NeighborList cells;
   for (std::uint32_t id = 1; id <= kCells; ++id) cells.push_back({CellId(id), "", {}});

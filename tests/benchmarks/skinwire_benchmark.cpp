@@ -1,4 +1,4 @@
-// What it takes to receive 10,000 cells at 1 kHz: frames cut out of a stream, checked, decoded, and averaged by a
+// Time it takes to receive 10,000 cells at 1 kHz: frames cut out of a stream, checked, decoded, and averaged by a
 // listener. "core" is the share of one core at that rate.
 
 #include "hexoderm/device/skinwire/framing.h"
@@ -65,7 +65,7 @@ void receive(benchmark::State& state) {
     state.ResumeTiming();
 
     skinwire::FrameDecoder decoder(skinwire::Framing::Length);
-    constexpr std::size_t kPiece = 65'536;  // as it comes from a socket
+    constexpr std::size_t kPiece = 65'536;  // a typical read from a socket
     for (std::size_t at = 0; at < wire.size(); at += kPiece) {
       decoder.feed(skinwire::ByteView(wire).subspan(at, std::min(kPiece, wire.size() - at)));
       while (auto decoded = decoder.next()) {

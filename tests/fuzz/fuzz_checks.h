@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-/// What every target defines: returns 0, and crashes on what must not happen.
+/// Defined by every target: returns 0, and crashes on anything that must not happen.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace hexoderm::fuzz {
@@ -19,8 +19,8 @@ inline std::string_view asText(std::span<const std::uint8_t> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// What every reader of sessions promises of one that it returns: a model that makes sense, finite numbers, variances
-/// of at least 0, rotations. Also that its topology makes a graph, however it contradicts itself.
+/// Requires what every reader of sessions promises of a session that it returns: a model that makes sense, finite
+/// numbers, variances of at least 0, rotations. Also that its topology makes a graph, however it contradicts itself.
 void requireSound(const Session& session);
 
 }  // namespace hexoderm::fuzz

@@ -9,6 +9,7 @@
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
+#include "hexoderm/util/sha256.h"
 
 #include "hexoderm/session/journal.h"
 #include "hexoderm/session/store_schema.h"
@@ -101,7 +102,7 @@ std::pair<JournalEntry, std::optional<Bytes>> readEntry(FuzzInput& input) {
   return {std::move(entry), std::move(raw)};
 }
 
-/// What the tables themselves refuse (a number twice, for one) is left out.
+/// Rows that the tables themselves refuse (a number twice, for one) are left out.
 void writeJournal(FuzzInput& input) {
   static const Bytes good = makeGoodFile(false);
   scratch().write(good);

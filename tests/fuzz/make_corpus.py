@@ -33,7 +33,7 @@ def skinwire():
     put("skinwire", "recording", bytes([RECORDING, 0]) + records)
     for name, stream in (("length", LENGTH), ("cobs", COBS), ("recording", RECORDING)):
         put("skinwire", "bodies_" + name, bytes([stream | GOOD_BODIES, 99]) + bodies)
-    # The acknowledgement in core/device/skinwire/README.md.
+    # The acknowledgement in core/hexoderm/device/skinwire/README.md.
     ack = bytes.fromhex("1d 01 06 08 02 1a 12 74 68 65 72 65 20 69 73 20 6e 6f 20 63 65 6c 6c 20 37 ff 4e ad fe 00")
     put("skinwire", "cobs", bytes([COBS, 3]) + b"garbage\0" + ack + ack)
     all_lines = b"\n".join(lines[name] for name in order) + b"\n"

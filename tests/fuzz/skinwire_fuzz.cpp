@@ -29,7 +29,7 @@ enum class Stream { Length, Cobs, Lines, Detected, Recording };
 constexpr unsigned kStreams = 5;
 constexpr unsigned kHasGoodBodies = 8;
 
-/// What SkinListener promises to whoever implements it.
+/// Checks the promises that SkinListener makes to its implementations.
 class StrictListener final : public SkinListener {
  public:
   void onSkin(const SkinDescription& skin) override {
@@ -65,7 +65,7 @@ class StrictListener final : public SkinListener {
   void onStatus(const SourceStatus& /*status*/) override {}
   void onCommandOutcome(const CommandOutcome& /*outcome*/) override {}
 
-  /// The device may have begun anew, or its cells are others.
+  /// The device may have started over, or its cells are others.
   void allowNewBeginning() {
     last_s_ = 0;
     sampled_.clear();

@@ -1,5 +1,5 @@
-// The program that kill_test.py kills: it captures, saves or converts without end, and says on standard output what is
-// done. Everything it writes follows from a number, so that whoever looks at it later knows what must be there.
+// The program that kill_test.py kills: it captures, saves or converts without end, and reports its progress on standard
+// output. Everything it writes follows from a number, so that a later reader knows what must be there.
 //
 //   kill_helper capture FILE.hexo         opens or makes the store and captures; after each acknowledgement a line
 //                                         "captured POSE mean... covariance... temperature" with exact numbers

@@ -4,7 +4,7 @@
 Usage: kill_test.py KILL_HELPER [--kills N] [--seed S]
 
 After every kill: the database is whole (PRAGMA integrity_check), every capture that was confirmed is there bit for bit,
-read by the library and by this program itself from the layout in core/session/README.md; nothing is there that was not
+read by the library and by this program itself from the layout in core/hexoderm/session/README.md; nothing is there that was not
 captured; a file that was being saved or converted is whole, the old or the new one. The number of kills is per kind.
 """
 
@@ -162,7 +162,7 @@ def main():
     for test in (kill_while_capturing, kill_while_saving, kill_while_converting):
         folder = pathlib.Path(tempfile.mkdtemp(prefix="hexoderm-kill-"))
         print(test(arguments.helper, folder, arguments.kills, rng), flush=True)
-        shutil.rmtree(folder)  # what failed is left to be looked at
+        shutil.rmtree(folder)  # the folder of a failed run is kept for inspection
 
 
 if __name__ == "__main__":

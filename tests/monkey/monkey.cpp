@@ -5,7 +5,6 @@
 //          [--trace]
 
 #include "app/window/main_window/main_window.h"
-#include "app/window/main_window/window_shell.h"
 #include "app/window/settings/preferences.h"
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/session/simulated_session.h"
@@ -69,7 +68,7 @@ class Monkey : public QObject {
       // QTest lets events through in the middle of a key; only what lasts waits for an answer in a loop of its own.
       constexpr int kPatience = 20;
       if (++waited_ == kPatience) closeWhatWaits();
-      // What does not close like this is clicked at.
+      // Things that do not close like this are clicked.
       if (waited_ < 2 * kPatience) return;
     }
     waited_ = 0;
@@ -88,7 +87,7 @@ class Monkey : public QObject {
     if (window_.windowHandle()) QTest::keyClick(window_.windowHandle(), Qt::Key_Escape);
   }
 
-  /// Where files are chosen, the monkey chooses none: it would write anywhere.
+  /// In file dialogs the monkey chooses no file: it would write anywhere.
   bool closeFileDialogs() {
     for (QWidget* top : QApplication::topLevelWidgets()) {
       auto* dialog = qobject_cast<QFileDialog*>(top);
@@ -162,7 +161,7 @@ class Monkey : public QObject {
     const Qt::MouseButton button = chance(0.9) ? Qt::LeftButton : Qt::RightButton;
     begin(QStringLiteral("click on %1").arg(nameOf(top, at)));
     QPointer<QWindow> handle(top->windowHandle());
-    // What is clicked on may be gone before the button comes up, so every event looks whether there is still a window.
+    // The clicked widget may be gone before the button comes up, so every event checks that there is still a window.
     for (int k = chance(0.1) ? 2 : 1; k > 0; --k) {
       if (handle) QTest::mousePress(handle, button, Qt::NoModifier, at);
       if (handle) QTest::mouseRelease(handle, button, Qt::NoModifier, at);
@@ -264,12 +263,12 @@ QString writeLargeSession(const QString& path) {
   return path;
 }
 
-/// What is not held against the window.
+/// Time that is not held against the window.
 struct Discount {
   bool load = false;
   bool stolen = false;
 
-  /// What counts of a stall.
+  /// The part of a stall that counts.
   [[nodiscard]] double counted_ms(const test::Stall& stall) const {
     return std::min(load ? stall.alone_ms() : stall.wall_ms, stolen ? stall.unstolen_ms() : stall.wall_ms);
   }
@@ -338,7 +337,7 @@ int main(int argc, char** argv) {
     window.actions().quit->setEnabled(false);
     window.show();
     window.openFile(large);
-    // What is made once, at the start, is not what the monkey looks at.
+    // The first result is made once, at the start, and is not judged.
     if (!QTest::qWaitFor([&] { return window.controller().reconstruction() != nullptr; }, 60000)) {
       std::cerr << "monkey: the session was not opened\n";
       return EXIT_FAILURE;

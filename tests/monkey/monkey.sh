@@ -1,6 +1,5 @@
 #!/bin/bash
-# Twenty minutes of random input on the window: what it does is in monkey.cpp. Builds the program where it is not up to
-# date.
+# Twenty minutes of random input on the window: monkey.cpp has its actions. Builds the program if it is not up to date.
 # Usage: tests/monkey/monkey.sh [--minutes N] [--seed N] [--limit-ms N] [--discount-load] [--discount-stolen] [--trace]
 set -euo pipefail
 cd "$(dirname "$0")/../.."

@@ -73,7 +73,7 @@ Watchdog::Watchdog(double limit_ms, bool trace)
       processors_(QStringLiteral("/proc/stat")),
       last_beat_ns_(now_ns()),
       gui_thread_(::pthread_self()) {
-  // Where the stack itself is used up, there is one left to say so on.
+  // A stack for the signal handler, in case the thread's own is used up.
   static std::array<char, 256 * 1024> spare;
   stack_t stack{};
   stack.ss_sp = spare.data();
@@ -83,7 +83,7 @@ Watchdog::Watchdog(double limit_ms, bool trace)
   void* frame = nullptr;
   ::backtrace(&frame, 1);
   for (const int signal : {SIGUSR1, SIGSEGV, SIGABRT, SIGFPE, SIGBUS}) writeStackOn(signal);
-  // Where the kernel does not count, nothing is taken for a queue.
+  // If the kernel does not count it, queueing time is zero.
   static_cast<void>(schedule_.open(QIODevice::ReadOnly | QIODevice::Unbuffered));
   last_cpu_ms_ = clock_ms(CLOCK_THREAD_CPUTIME_ID);
   last_process_ms_ = clock_ms(CLOCK_PROCESS_CPUTIME_ID);

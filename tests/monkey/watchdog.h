@@ -16,19 +16,19 @@ namespace hexoderm::test {
 /// A time in which the GUI thread took no events, and what went on in it as the kernel counts it.
 struct Stall {
   double wall_ms = 0;
-  double cpu_ms = 0;            ///< that the GUI thread computed
-  double queue_ms = 0;          ///< that it was ready to but had no processor
-  double drawing_ms = 0;        ///< that a thread that draws in software OpenGL computed, at most
-  double drawing_queue_ms = 0;  ///< by how much longer one was at it, for want of a processor
-  double others_ms = 0;         ///< that all other threads of this process computed
-  double stolen_ms = 0;         ///< that a virtual machine's host took a processor away: the one that it took longest
+  double cpu_ms = 0;            ///< computing time of the GUI thread
+  double queue_ms = 0;          ///< time in which the GUI thread was ready but had no processor
+  double drawing_ms = 0;        ///< computing time of the busiest thread that draws in software OpenGL
+  double drawing_queue_ms = 0;  ///< time in which such a thread was ready but had no processor, at most
+  double others_ms = 0;         ///< computing time of all other threads of this process
+  double stolen_ms = 0;         ///< time that a virtual machine's host took away, of the processor that it took longest
   QString doing;
 
-  /// How long it would have been at most, were there nothing else on the machine: what was computed one after another
-  /// (only the threads that draw work side by side), and the time in which the GUI thread waited for anything but them,
-  /// such as the display or a disk. Only what other programs made of it is left out. What was stolen is not.
+  /// Upper bound of the stall's length on an otherwise idle machine: computing time one after another (only the threads
+  /// that draw work side by side), and the time in which the GUI thread waited for anything but them, such as the
+  /// display or a disk. Only delays by other programs are left out; stolen time is not.
   [[nodiscard]] double alone_ms() const;
-  /// How long it would have been had the machine had all its processors; never less than what was computed in it.
+  /// Length of the stall if the machine had had all its processors; never less than its computing time.
   [[nodiscard]] double unstolen_ms() const;
 };
 
@@ -42,18 +42,18 @@ class Watchdog : public QObject {
   Watchdog(double limit_ms, bool trace);
   ~Watchdog() override;
 
-  /// What is done from now on; named with the stalls that come.
+  /// Names the present activity, for the stalls that follow.
   void setDoing(const QString& doing);
 
   [[nodiscard]] const std::vector<Stall>& stalls() const { return stalls_; }
-  [[nodiscard]] const Stall& worst() const { return worst_; }  ///< of those and of the shorter ones
+  [[nodiscard]] const Stall& worst() const { return worst_; }  ///< the longest, even if shorter than the limit
   [[nodiscard]] std::uint64_t beats() const { return beats_; }
 
  private:
   void beat();
   void watch();
 
-  /// Of one thread since it began.
+  /// Times of one thread since it began.
   struct Turns {
     double cpu_ms = 0;
     double queue_ms = 0;

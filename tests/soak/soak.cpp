@@ -37,7 +37,7 @@ double residentMib() {
   return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / (1024 * 1024);
 }
 
-/// What the soak is for; filled on the source's thread, read when it is over.
+/// The soak's results; filled on the source's thread, read when it is over.
 struct Account {
   double simulated_s = 0;
   std::size_t frames = 0;
@@ -126,7 +126,7 @@ class Operator final : public SkinListener, public PoseRecorderListener {
   }
 
   void lookAtMemory() {
-    constexpr double kWarmUp = 0.2;  // of the time, but at least the first file
+    constexpr double kWarmUp = 0.2;  // share of the time, but at least the first file
     double& most =
         account_.simulated_s < kWarmUp * duration_s_ || account_.files < 2 ? account_.warm_mib : account_.most_mib;
     most = std::max(most, residentMib());

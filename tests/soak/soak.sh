@@ -1,5 +1,5 @@
 #!/bin/bash
-# Two hours of a streaming skin, compressed: what it does is in soak.cpp. Builds the program where it is not up to date.
+# Two hours of a streaming skin, compressed: soak.cpp has its course. Builds the program if it is not up to date.
 # Usage: tests/soak/soak.sh [--minutes N] [--growth-mib M]
 set -euo pipefail
 cd "$(dirname "$0")/../.."

@@ -7,7 +7,7 @@
 
 namespace hexoderm {
 
-/// The same skin and poses with other readings: `change` sees every sample of every pose.
+/// The session with other readings: `change` gets every sample of every pose.
 inline Session changed(const Session& session, const std::function<void(std::size_t pose, GravitySample&)>& change) {
   Session result(session.model(), session.neighbors());
   for (std::size_t p = 0; p < session.poses().size(); ++p) {

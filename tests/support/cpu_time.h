@@ -4,8 +4,8 @@
 
 namespace hexoderm::test {
 
-/// What this thread has computed so far, in seconds: unlike the time that goes by, it does not depend on what else the
-/// computer does.
+/// Computing time of this thread so far, in seconds: unlike the time that goes by, it does not depend on other
+/// programs.
 inline double threadCpuTime_s() {
   std::timespec now{};
   ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);

@@ -9,9 +9,9 @@
 
 namespace hexoderm {
 
-/// How a hand-made skin for the tests of views looks; it comes from no solver and no simulator.
+/// Properties of a hand-made skin for the tests of views; it comes from no solver and no simulator.
 struct DemoOptions {
-  double radius_m = 0.0501;     ///< of the cylinder (axis along y of the origin cell)
+  double radius_m = 0.0501;     ///< radius of the cylinder (axis along y of the origin cell)
   std::uint32_t arm_cells = 4;  ///< cells in each of the four arms; 4 makes an X17, 0 a single cell
   std::uint32_t first_id = 1;   ///< the origin; the arms are numbered in turns, as the X17's cells are
   std::array<EdgeQuality, 4> arm_quality = {EdgeQuality::Fully, EdgeQuality::Fully, EdgeQuality::Fully,

@@ -14,7 +14,7 @@
 
 namespace hexoderm::test {
 
-/// As long as it lives, no write to a file of this process succeeds (EFBIG) beyond so many bytes of the file.
+/// Makes every write to a file of this process fail (EFBIG) beyond so many bytes of the file, as long as it lives.
 class NoFileGrows {
  public:
   explicit NoFileGrows(rlim_t beyond = 0) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -52,7 +52,7 @@ int inAnotherProcess(Body body) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-/// The same without root's right to write everywhere.
+/// Runs the body without root's right to write everywhere.
 template <class Body>
 int asOrdinaryUser(Body body) {
   return inAnotherProcess([&] {
@@ -62,8 +62,8 @@ int asOrdinaryUser(Body body) {
   });
 }
 
-/// The same with an empty disk of `size` bytes at `folder`, which only that process sees; -1 if this system lets nobody
-/// but root mount one.
+/// Runs the body with an empty disk of `size` bytes at `folder`, which only that process sees; -1 if this system lets
+/// nobody but root mount one.
 template <class Body>
 int withSmallDisk(const std::string& folder, std::size_t size, Body body) {
   constexpr int kNoDisk = 97;

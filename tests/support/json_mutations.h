@@ -9,8 +9,8 @@
 namespace hexoderm::test {
 
 /// Calls `check(text, what)` with the document after each single change: every value replaced by each of some that
-/// readers must be ready for, and every key or item left out. Of an array the first and the last item stand for all.
-/// Returns how many there were.
+/// readers must be ready for, and every key or item left out. The first and the last item of an array stand for all.
+/// Returns the number of changes.
 template <class Check>
 std::size_t forEachMutation(const nlohmann::json& document, Check check) {
   static const std::array kValues = {

@@ -102,7 +102,7 @@ inline Reconstruction makeTestReconstruction() {
   return result;
 }
 
-/// The same skin without any cell: what an empty session gives.
+/// The same skin without any cell, as from an empty session.
 inline Reconstruction makeEmptyReconstruction() {
   Reconstruction result;
   result.model = std::make_shared<CellModel>(builtInCellModel("hex-bma150"));

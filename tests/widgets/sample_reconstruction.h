@@ -4,7 +4,9 @@
 #include "hexoderm/util/units.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -97,6 +99,28 @@ inline std::shared_ptr<Reconstruction> sampleSheet(std::uint32_t rows, std::uint
   return sampleReconstruction({samplePatch(0, ids, links)});
 }
 
+/// A sheet whose residuals differ by link and pose.
+inline std::shared_ptr<Reconstruction> sheetWithPoses(std::uint32_t rows, std::uint32_t columns, std::uint32_t poses) {
+  auto reconstruction = sampleSheet(rows, columns);
+  for (std::uint32_t k = 1; k <= poses; ++k) {
+    reconstruction->poses.push_back({PoseId(k), {}, k % 7 != 3, rows * columns, 0.001, 60 * kDegree, 0.5 * kDegree});
+  }
+  double phase = 0;
+  for (LinkEstimate& link : reconstruction->patches[0].links) {
+    phase += 0.37;
+    link.pose_residual_rad.clear();
+    double sum = 0;
+    for (std::uint32_t k = 0; k < poses; ++k) {
+      const double degrees = 0.6 + 0.5 * std::sin(phase + k) + (std::fmod(phase, 40) < 0.37 ? 1.9 : 0);
+      const bool measured = reconstruction->poses[k].enabled;
+      link.pose_residual_rad.push_back(measured ? std::optional(degrees * kDegree) : std::nullopt);
+      sum += measured ? degrees * degrees : 0;
+    }
+    link.residual_rad = std::sqrt(sum / poses) * kDegree;
+  }
+  return reconstruction;
+}
+
 /// Two patches with a muted link between them and one inside of the first.
 inline std::shared_ptr<Reconstruction> sampleTwoPatches() {
   const std::vector<LinkEstimate> first = {sampleLink(1, 1, 2, 4, EdgeQuality::Over), sampleLink(2, 2, 3, 3),
@@ -108,11 +132,12 @@ inline std::shared_ptr<Reconstruction> sampleTwoPatches() {
       sampleReconstruction({samplePatch(0, {1, 2, 3, 4}, first), samplePatch(1, {21, 22, 23}, second)});
   reconstruction->patches[1].cells[1].placed_by = PlacedBy::Links;
   reconstruction->findings = {
-      makeFinding(FindingCode::InterfaceLink, Message::verbatim("A computer interface (ID 16383) is connected at cell 1 port 4."),
-                  {CellId(1)}),
+      makeFinding(FindingCode::InterfaceLink,
+                  Message::verbatim("A computer interface (ID 16383) is connected at cell 1 port 4."), {CellId(1)}),
       makeFinding(FindingCode::OneSidedLink, Message::verbatim("Only cell 3 reports the link 3 port 1 - 21 port 4."),
                   {CellId(3), CellId(21)}),
-      makeFinding(FindingCode::DeadSensor, Message::verbatim("Cell 22 reads nothing like gravity."), {CellId(22)}, {}, {PoseId(1)}),
+      makeFinding(FindingCode::DeadSensor, Message::verbatim("Cell 22 reads nothing like gravity."), {CellId(22)}, {},
+                  {PoseId(1)}),
       makeFinding(FindingCode::NoPoses, Message::verbatim("No pose has been captured yet.")),
   };
   return reconstruction;

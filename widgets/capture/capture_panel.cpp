@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kCapturedShown_ms = 2500;
 constexpr double kOnTheWay = 20 * kDegree;
-// Of the usual font: read from three metres, and larger where there is room.
+// Multiples of the usual font: the sentence is read from three metres, and is larger where there is room.
 constexpr double kSmallestSentence = 1.6;
 constexpr double kLargestSentence = 3.0;
 constexpr double kSmallestAtLines = 24;  // width, in line heights, up to which it is the smallest
@@ -188,7 +188,7 @@ void CapturePanel::refresh() {
     return;
   }
   if (source_->state != SourceState::Streaming) {
-    // What was said of the last reading is no longer true when none come.
+    // Statements about the last reading are no longer true when no readings come.
     ring_->setContent({sourceStateWord(source_->state), tr("no readings"), 0, false});
     showIfAny(wait_, words(source_->message));
     showIfAny(odd_, {});
@@ -200,7 +200,7 @@ void CapturePanel::refresh() {
     ring_->setContent({tr("Writing"), tr("pose %1").arg(writing_->value()), 1, false});
   } else {
     const HoldWords words = holdInWords(hold_);
-    // Who is on the way to the next pose is not told to stop.
+    // An operator on the way to the next pose is not told to stop.
     const bool on_the_way = hold_.phase == HoldPhase::Watching && hold_.stillness.blocker == Blocker::Turning &&
                             next_ && next_->turn && next_->turn->angle_rad > kOnTheWay;
     if (on_the_way) {

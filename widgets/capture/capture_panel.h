@@ -34,7 +34,7 @@ class CapturePanel : public QWidget {
   };
   explicit CapturePanel(const Actions& actions, QWidget* parent = nullptr);
 
-  /// Where the source stands; none: no skin is connected.
+  /// The state of the source; none: no skin is connected.
   void setSource(const std::optional<SourceStatus>& status);
   /// Cheap: at most 20 times a second. Shown while the source streams.
   void setHold(const HoldStatus& hold);

@@ -95,7 +95,7 @@ class Player : public QObject {
 }  // namespace
 
 QByteArray toneSamples(ToneKind kind, int rate_hz) {
-  constexpr double kLoudness = 0.35;  // of full scale
+  constexpr double kLoudness = 0.35;  // share of full scale
   constexpr double kFade_s = 0.012;   // so that no note begins or ends with a click
   std::vector<qint16> samples;
   for (const Note& note : notesOf(kind)) {

@@ -170,7 +170,7 @@ HoldWords holdInWords(const HoldStatus& hold) {
       return hold.automatic ? HoldWords{CaptureWords::tr("Hold…"), percent}
                             : HoldWords{CaptureWords::tr("Still"), CaptureWords::tr("ready to capture")};
     case Blocker::NotMoved:
-      // What is captured by hand needs no other pose than the last one.
+      // A capture by hand needs no move since the last pose.
       return hold.automatic ? HoldWords{CaptureWords::tr("Turn the part"), CaptureWords::tr("then hold it still")}
                             : HoldWords{CaptureWords::tr("Still"), CaptureWords::tr("ready to capture")};
     case Blocker::Turning:

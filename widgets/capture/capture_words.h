@@ -9,7 +9,7 @@
 
 namespace hexoderm {
 
-// What core says of capturing as numbers, in the operator's words (translated, whole sentences).
+// Core's numbers about capturing, in the operator's words (translated, whole sentences).
 
 /// "Turn the part so that cell 1 faces a wall, its side towards the ceiling."
 QString nextPoseInWords(const NextPose& next);
@@ -32,7 +32,7 @@ QString coverageInWords(const PoseCoverage& coverage, const std::optional<Eigen:
 /// "2 poses", "2 poses, 1 disabled".
 QString poseCountInWords(const PoseCoverage& coverage);
 
-/// What to do, in two or three words, and the small print of the ring: "Hold still", "starts over".
+/// An instruction in two or three words, and the small print of the ring: "Hold still", "starts over".
 struct HoldWords {
   QString word;
   QString detail;

@@ -45,10 +45,10 @@ struct CoverageView::Parts {
   Theme theme = Theme::Light;
   QPixmap still;  ///< everything but the present direction
   bool is_stale = true;
-  double said_height = 0;  ///< of what is below the discs
+  double said_height = 0;  ///< height of the words below the discs
   QString empty_hint;
 
-  /// Where things are, from top to bottom.
+  /// Positions from top to bottom.
   struct Layout {
     double radius = 0;
     std::array<QPointF, 2> centers;  ///< front, back
@@ -78,7 +78,7 @@ struct CoverageView::Parts {
   [[nodiscard]] QRect aroundCurrent() const;
 
   void changed();
-  /// What is said has changed, and with it the room that it needs.
+  /// The words have changed, and with them the room that they need.
   void sayAnew();
   void paintStill();
   void paintDisc(QPainter& painter, const Layout& layout, std::size_t side) const;
@@ -288,7 +288,7 @@ void CoverageView::Parts::paintGauges(QPainter& painter, const Layout& layout) c
     painter.setPen(Qt::NoPen);
     painter.setBrush(colors().border);
     painter.drawRoundedRect(QRectF(left, middle - thick / 2, bar, thick), 2, 2);
-    // What is below its limit is hatched as well as of another hue.
+    // A value below its limit is hatched as well as of another hue.
     const QColor hue = linkStroke(reached ? EdgeQuality::Fully : EdgeQuality::Partially, theme).color;
     const QRectF filled(left, middle - thick / 2, std::max(2.0, bar * value / scale), thick);
     painter.setBrush(reached ? QBrush(hue) : QBrush(hue, Qt::BDiagPattern));

@@ -8,10 +8,10 @@
 
 namespace hexoderm {
 
-/// Which directions of gravity were seen: both halves of the sphere as discs, since a sphere hides its far side, with
+/// The directions of gravity seen so far: both halves of the sphere as discs, since a sphere hides its far side, with
 /// the poses as numbers, the next one as a dashed ring and the present direction as a moving dot. Below: the three
-/// singular values with their limit, the class they make, and which direction is missing, in words. A click or the
-/// arrow keys pick a pose.
+/// singular values with their limit, their class, and the missing direction in words. A click or the arrow keys pick a
+/// pose.
 class CoverageView : public QWidget {
   Q_OBJECT
 
@@ -29,7 +29,7 @@ class CoverageView : public QWidget {
   void setTheme(Theme theme);
 
   [[nodiscard]] std::optional<PoseId> pickedPose() const;
-  /// Where a direction is drawn, in the widget's coordinates.
+  /// Position of a direction, in the widget's coordinates.
   [[nodiscard]] QPointF placeOf(const Eigen::Vector3d& up_o) const;
 
   QSize sizeHint() const override;

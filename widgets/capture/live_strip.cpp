@@ -20,7 +20,7 @@ struct LiveWords {
 QLabel* plainLabel(const char* object_name, QWidget* parent) {
   auto* label = new QLabel(parent);
   label->setObjectName(QLatin1String(object_name));
-  // What devices say of themselves is never read as markup.
+  // A device's texts are never read as markup.
   label->setTextFormat(Qt::PlainText);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   return label;

@@ -24,7 +24,7 @@ class StillnessView : public QWidget {
   void add(const HoldStatus& hold, const SkinPreview& preview);
   /// `time_s`: device time, CapturedPose::end_s.
   void addCaptured(PoseId pose, double time_s);
-  /// Of another source from now on.
+  /// Clears the view for another source.
   void clear();
   void setTheme(Theme theme);
 
@@ -36,7 +36,7 @@ class StillnessView : public QWidget {
   QSize minimumSizeHint() const override;
 
  public slots:
-  /// None: the cell that decides.
+  /// Shows a cell; none: the cell that decides.
   void setCell(std::optional<hexoderm::CellId> cell);
 
  protected:

@@ -11,7 +11,7 @@ namespace hexoderm {
 
 class ActionButton;
 
-/// How good or bad a message is; always said in its words too.
+/// The quality of a message, good or bad; its words express it too.
 enum class Tone { Neutral, Good, Caution, Bad };
 QColor toneColor(Tone tone, Theme theme);
 Tone toneOf(VerdictLevel level);

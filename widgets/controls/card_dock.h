@@ -14,7 +14,7 @@ class CardDock : public QDockWidget {
   /// `object_name` names the dock where the layout is remembered. Takes over `content`.
   CardDock(const QString& heading, const QString& object_name, QWidget* content, QWidget* parent = nullptr);
 
-  /// Where the content changes.
+  /// Sets the heading, for docks whose content changes.
   void setHeading(const QString& heading);
   void setRemark(const QString& remark);
   /// Shows `widget`, for example tabs, in the place of the heading.

@@ -11,7 +11,7 @@ class QVBoxLayout;
 
 namespace hexoderm {
 
-/// What was checked about a skin, one line each with a sign and its words. What is wrong has a button that shows where.
+/// Results of checks of a skin, one line each with a sign and its words. A fault has a button that shows where it is.
 class CheckList : public QWidget {
   Q_OBJECT
 

@@ -57,7 +57,7 @@ void FlowLayout::setGeometry(const QRect& rect) {
 int FlowLayout::arrange(const QRect& rect, bool place) const {
   const QRect room = rect.marginsRemoved(contentsMargins());
   const bool one_row = rowWidth() <= room.width();
-  // What is hidden takes no room.
+  // Hidden items take no room.
   int row_height = 0;
   for (const QLayoutItem* item : items_) {
     if (!item->isEmpty()) row_height = std::max(row_height, item->sizeHint().height());

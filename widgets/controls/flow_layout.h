@@ -15,7 +15,7 @@ class FlowLayout : public QLayout {
   explicit FlowLayout(QWidget* parent = nullptr);
   ~FlowLayout() override;
 
-  /// What is added from now on belongs to the second group.
+  /// Items added from now on belong to the second group.
   void beginSecondGroup() { second_group_ = count(); }
 
   void addItem(QLayoutItem* item) override { items_.append(item); }
@@ -34,10 +34,10 @@ class FlowLayout : public QLayout {
  private:
   /// Places the items where `place`; returns the height that they need.
   int arrange(const QRect& rect, bool place) const;
-  /// Where the second group begins; the end, if there is none.
+  /// Index of the second group's first item; the end, if there is none.
   [[nodiscard]] int firstGroupEnd() const { return second_group_.value_or(count()); }
   [[nodiscard]] int groupWidth(int first, int end) const;
-  /// What all need in one row.
+  /// Width of all items in one row.
   [[nodiscard]] int rowWidth() const;
 
   QList<QLayoutItem*> items_;

@@ -25,7 +25,7 @@ class MessageBar : public QFrame {
   void setTheme(Theme theme);
 
  signals:
-  /// For whoever keeps a record of what the operator was told.
+  /// Emitted for a record of the messages shown to the operator.
   void shown(hexoderm::Tone tone, const QString& text);
 
  protected:

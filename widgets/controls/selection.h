@@ -8,7 +8,8 @@
 
 namespace hexoderm {
 
-/// What is picked, shared by all views: a cell or a link picked anywhere is picked everywhere. At most one of the two.
+/// The picked cell or link, shared by all views: one that is picked anywhere is picked everywhere. At most one of the
+/// two.
 class Selection : public QObject {
   Q_OBJECT
 

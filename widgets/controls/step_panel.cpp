@@ -244,7 +244,7 @@ StepPanel::StepPanel(QWidget* parent) : QScrollArea(parent), layout_(nullptr) {
   setWidget(content);
   make_room_.setSingleShot(true);
   connect(&make_room_, &QTimer::timeout, this, [this] {
-    // Whoever has scrolled meanwhile stays there.
+    // An operator who has scrolled meanwhile stays there.
     if (verticalScrollBar()->value() == placed_at_) makeRoom();
   });
 }
@@ -293,7 +293,7 @@ void StepPanel::makeRoom() {
   const int end = row->y() + row->height();
   const bool is_seen = row->y() >= bar->value() && end <= bar->value() + height;
   if (!is_seen) bar->setValue(end <= height ? 0 : row->y());
-  // Who works in it with the keyboard does not lose the place.
+  // An operator who works in it with the keyboard does not lose the place.
   if (focus != nullptr && row->isAncestorOf(focus)) ensureWidgetVisible(focus);
   placed_at_ = bar->value();
 }

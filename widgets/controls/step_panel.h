@@ -13,8 +13,8 @@ namespace hexoderm {
 
 enum class StepState { Waiting, Current, Done };
 
-/// Whether a step can be taken. Possible: it can, but had better not be yet. Waiting: it can as soon as something comes
-/// that is on its way. Blocked: somebody has to do something before.
+/// Whether a step can be taken. Possible: allowed, but not recommended yet. Waiting: allowed as soon as something
+/// arrives that is on its way. Blocked: somebody has to do something first.
 enum class Readiness { Ready, Possible, Waiting, Blocked };
 
 /// One step from "connect" to "export": what it is, where it stands, what to do and why.
@@ -22,7 +22,7 @@ struct Step {
   QString title;
   QString note;  ///< one line under the title: "17 cells, 16 links, 1 patch"
   StepState state = StepState::Waiting;
-  QString what;  ///< what to do now
+  QString what;  ///< the present task
   QString why;   ///< why, or what it is waiting for
   Readiness readiness = Readiness::Blocked;
   QString because;  ///< why, as a sentence; empty: nothing is said
@@ -41,14 +41,14 @@ class StepPanel : public QScrollArea {
   static constexpr const char* kIsOpen = "stepIsOpen";
 
   void setSteps(const std::vector<Step>& steps);
-  /// What a step shows beside its words, once there is such a step; the panel takes it over.
+  /// Sets the content of a step beside its words, once there is such a step; the panel takes ownership.
   void setBody(int step, QWidget* body);
   [[nodiscard]] int openIndex() const { return static_cast<int>(open_); }
 
  public slots:
   /// Nothing happens if there is no such step.
   void openStep(int step);
-  /// The same, and the keyboard goes on from its heading.
+  /// Opens a step, and moves the keyboard to its heading.
   void goToStep(int step);
 
  public:
@@ -65,7 +65,7 @@ class StepPanel : public QScrollArea {
  private:
   class Row;
   void showOpenRow();
-  /// Where the open step does not fit below the steps before it, these give way; what has the focus in it is seen.
+  /// If the open step does not fit below the steps before it, these give way; its widget with the focus stays in view.
   void makeRoom();
   void makeRoomSoon();
 
@@ -74,7 +74,7 @@ class StepPanel : public QScrollArea {
   std::vector<QWidget*> bodies_;  ///< by step; null where there is none
   std::size_t open_ = 0;
   QTimer make_room_;
-  int placed_at_ = 0;  ///< what the bar was set to, as long as nobody else scrolls
+  int placed_at_ = 0;  ///< the scroll bar's value as it was set here, as long as nobody else scrolls
   Theme theme_ = Theme::Light;
 };
 

@@ -1,8 +1,11 @@
 #include "widgets/graph/graph_coloring_button.h"
 
+#include "widgets/coloring/coloring_words.h"
+
 #include <QAction>
 #include <QActionGroup>
 #include <QMenu>
+#include <utility>
 
 namespace hexoderm {
 
@@ -14,12 +17,15 @@ GraphColoringButton::GraphColoringButton(QWidget* parent) : QToolButton(parent) 
   auto* menu = new QMenu(this);
   menu->setToolTipsVisible(true);
   auto* group = new QActionGroup(menu);
-  bool cells = false;
-  for (const GraphColoring coloring : graphColorings()) {
-    if (colorsCells(coloring) && !cells) menu->addSeparator();
-    cells = colorsCells(coloring);
-    addColoring(coloring, group);
-    menu->addAction(actions_.back());
+  bool colors_links = true;
+  for (const ColoringRow& row : coloringTable()) {
+    if (row.graph_title == nullptr) continue;
+    if (std::exchange(colors_links, row.colors_links) != row.colors_links) menu->addSeparator();
+    QAction* action = menu->addAction(coloringName(row.coloring));
+    action->setCheckable(true);
+    group->addAction(action);
+    connect(action, &QAction::triggered, this, [this, coloring = row.coloring] { setColoring(coloring); });
+    actions_.emplace(row.coloring, action);
   }
   menu->addSeparator();
   tree_ = menu->addAction(tr("Mark the &shortest paths"));
@@ -29,21 +35,14 @@ GraphColoringButton::GraphColoringButton(QWidget* parent) : QToolButton(parent) 
   tree_->setToolTip(tr("A band under the links on the shortest paths to the origin"));
   connect(tree_, &QAction::toggled, this, &GraphColoringButton::changed);
   setMenu(menu);
-  setColoring(GraphColoring::Quality);
-}
-
-void GraphColoringButton::addColoring(GraphColoring coloring, QActionGroup* group) {
-  auto* action = new QAction(coloringName(coloring), group);
-  action->setCheckable(true);
-  connect(action, &QAction::triggered, this, [this, coloring] { setColoring(coloring); });
-  actions_.push_back(action);
+  setColoring(Coloring::LinkQuality);
 }
 
 bool GraphColoringButton::marksTree() const { return tree_->isChecked(); }
 
-void GraphColoringButton::setColoring(GraphColoring coloring) {
+void GraphColoringButton::setColoring(Coloring coloring) {
   coloring_ = coloring;
-  actions_[static_cast<std::size_t>(coloring)]->setChecked(true);
+  actions_.at(coloring)->setChecked(true);
   setText(tr("Colour: %1 ▾").arg(coloringName(coloring)));
   setAccessibleName(tr("Colour of the graph: %1").arg(coloringName(coloring)));
   adjustSize();
@@ -51,7 +50,7 @@ void GraphColoringButton::setColoring(GraphColoring coloring) {
 }
 
 void GraphColoringButton::setBodyPartsKnown(bool known) {
-  QAction* action = actions_[static_cast<std::size_t>(GraphColoring::BodyPart)];
+  QAction* action = actions_.at(Coloring::BodyPart);
   action->setEnabled(known);
   action->setToolTip(known ? QString() : tr("This skin does not say which body parts its cells are on"));
 }

@@ -1,35 +1,33 @@
 #pragma once
 
-#include "widgets/coloring/graph_coloring.h"
+#include "widgets/coloring/coloring.h"
 
 #include <QToolButton>
+#include <map>
 
 class QAction;
-class QActionGroup;
 
 namespace hexoderm {
 
-/// The button over the graph that says what its colours show; its menu changes that.
+/// The button over the graph that names the colouring; its menu changes it.
 class GraphColoringButton : public QToolButton {
   Q_OBJECT
 
  public:
   explicit GraphColoringButton(QWidget* parent);
 
-  [[nodiscard]] GraphColoring coloring() const { return coloring_; }
+  [[nodiscard]] Coloring coloring() const { return coloring_; }
   [[nodiscard]] bool marksTree() const;
-  void setColoring(GraphColoring coloring);
-  /// Without any, there is nothing to be coloured by.
+  void setColoring(Coloring coloring);
+  /// The graph can be coloured by body parts only if the skin says which these are.
   void setBodyPartsKnown(bool known);
 
  signals:
   void changed();
 
  private:
-  void addColoring(GraphColoring coloring, QActionGroup* group);
-
-  GraphColoring coloring_ = GraphColoring::Quality;
-  std::vector<QAction*> actions_;  ///< in the order of graphColorings()
+  Coloring coloring_ = Coloring::LinkQuality;
+  std::map<Coloring, QAction*> actions_;
   QAction* tree_ = nullptr;
 };
 

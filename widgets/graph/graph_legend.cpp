@@ -9,7 +9,7 @@
 namespace hexoderm {
 namespace {
 
-// In heights of a row, so that the legend grows with the system's font.
+// Sizes are in heights of a row, so that the legend grows with the system's font.
 constexpr double kSampleWidth = 1.5;
 constexpr double kEntrySpace = 0.4;
 constexpr double kBetween = 1.0;
@@ -22,7 +22,7 @@ constexpr std::size_t kMostClasses = 8;
 GraphLegend::GraphLegend(const GraphPaint& paint, const GraphMarks& marks, Theme theme, const QFont& font)
     : scale_(paint.scale), colors_(Colors::of(theme)), font_(font) {
   if (font_.pointSizeF() > 0) font_.setPointSizeF(0.9 * font_.pointSizeF());
-  const bool of_cells = colorsCells(paint.coloring);
+  const bool of_cells = !coloringRow(paint.coloring).colors_links;
   for (std::size_t k = 0; k < std::min(paint.words.size(), kMostClasses); ++k) {
     entries_.push_back({of_cells ? Sample::Fill : Sample::Line,
                         of_cells ? LinkStroke{paint.fills[k], Qt::SolidLine, false} : paint.strokes[k],
@@ -34,7 +34,7 @@ GraphLegend::GraphLegend(const GraphPaint& paint, const GraphMarks& marks, Theme
   if (paint.has_unknown) {
     entries_.push_back({of_cells ? Sample::Fill : Sample::Line,
                         {of_cells ? colors_.cell_fill : colors_.muted_link, Qt::SolidLine, false},
-                        tr("not known")});
+                        notKnownWord()});
   }
   if (marks.muted) entries_.push_back({Sample::Muted, {colors_.muted_link, Qt::SolidLine, false}, tr("not used")});
   if (marks.tree) entries_.push_back({Sample::Tree, {colors_.tree_band, Qt::SolidLine, false}, tr("shortest paths")});
@@ -49,8 +49,8 @@ double GraphLegend::widthOf(const Entry& entry) const {
 
 double GraphLegend::scaleWidth() const {
   const QFontMetricsF metrics(font_);
-  const double words = metrics.horizontalAdvance(scale_->title) + metrics.horizontalAdvance(QStringLiteral("0")) +
-                       metrics.horizontalAdvance(scale_->end_text);
+  const double words = metrics.horizontalAdvance(scale_->title) + metrics.horizontalAdvance(scale_->low) +
+                       metrics.horizontalAdvance(scale_->high);
   return words + (kBarWidth + 2 * kEntrySpace + kBetween) * rowHeight();
 }
 
@@ -100,7 +100,7 @@ void GraphLegend::drawScale(QPainter& painter, const QRectF& row) const {
   };
   write(scale_->title, colors_.text);
   x += kBetween * rowHeight();
-  write(QStringLiteral("0"), colors_.text_muted);
+  write(scale_->low, colors_.text_muted);
   x += kEntrySpace * rowHeight();
   const QRectF bar(x, row.top() + 0.25 * row.height(), kBarWidth * rowHeight(), 0.5 * row.height());
   QLinearGradient gradient(bar.topLeft(), bar.topRight());
@@ -112,7 +112,7 @@ void GraphLegend::drawScale(QPainter& painter, const QRectF& row) const {
   painter.setBrush(gradient);
   painter.drawRect(bar);
   x = bar.right() + kEntrySpace * rowHeight();
-  write(scale_->end_text, colors_.text_muted);
+  write(scale_->high, colors_.text_muted);
 }
 
 void GraphLegend::drawEntries(QPainter& painter, const QRectF& area) const {
@@ -146,7 +146,7 @@ void GraphLegend::drawSample(QPainter& painter, const Entry& entry, const QRectF
   const QLineF line(box.left(), y, box.right(), y);
   switch (entry.sample) {
     case Sample::Line: {
-      // In both directions, as links are drawn.
+      // The strokes of both directions, like those of links.
       const double aside = 0.22 * box.height();
       drawStroke(painter, entry.stroke, line.translated(0, -aside), 0.8 * thick);
       drawStroke(painter, entry.stroke, line.translated(0, aside), 0.8 * thick);

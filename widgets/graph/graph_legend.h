@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/coloring/graph_coloring.h"
+#include "widgets/graph/graph_paint.h"
 
 #include <QCoreApplication>
 #include <QFont>
@@ -11,32 +11,32 @@ class QPainter;
 
 namespace hexoderm {
 
-/// What else is in the graph and wants a word.
+/// Marks in the graph that the legend explains besides the colours.
 struct GraphMarks {
   bool tree = false;
   bool muted = false;
 };
 
-/// The words for the colours of the graph, below it: each class with its line or fill, or a scale with its unit.
+/// The legend below the graph: each class of colours with its line or fill, or a scale with its unit, and the marks.
 class GraphLegend {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::GraphLegend)
 
  public:
   GraphLegend(const GraphPaint& paint, const GraphMarks& marks, Theme theme, const QFont& font);
 
-  /// How high it is in so wide an area; 0 if it does not fit in.
+  /// Its height in an area of this width; 0 if it does not fit in.
   [[nodiscard]] double heightFor(double width) const;
-  /// Into an area that is as high as heightFor() its width.
+  /// `area` is as high as heightFor() its width.
   void draw(QPainter& painter, const QRectF& area) const;
 
  private:
   enum class Sample { Line, Fill, Muted, Tree, Origin };
   struct Entry {
     Sample sample = Sample::Line;
-    LinkStroke stroke;  ///< its colour is that of a fill, too
+    LinkStroke stroke;  ///< its colour is also that of a fill
     QString word;
   };
-  /// How the entries are arranged; no rows if they don't fit.
+  /// The arrangement of the entries; no rows if they don't fit.
   struct Arrangement {
     int rows = 0;
     int columns = 0;
@@ -51,7 +51,7 @@ class GraphLegend {
   void drawScale(QPainter& painter, const QRectF& row) const;
   void drawEntries(QPainter& painter, const QRectF& area) const;
 
-  std::optional<GraphScale> scale_;
+  std::optional<ScaleWords> scale_;
   std::vector<Entry> entries_;
   const Colors& colors_;
   QFont font_;

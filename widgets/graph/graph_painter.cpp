@@ -159,7 +159,7 @@ void GraphPainter::drawLinks(QPainter& painter) const {
       return;
     }
     group.append(QLineF(a, b));
-    // Where no band fits, the tree's links are a pixel wider.
+    // If no band fits, the tree's links are a pixel wider.
     if (in_tree && style_.marks_tree && radius_px_ >= graph_levels::kOutlineRadius) {
       group.append(QLineF(a, b).translated(0, 1));
     }
@@ -290,7 +290,7 @@ void GraphPainter::drawCells(QPainter& painter) const {
 }
 
 void GraphPainter::drawDots(QPainter& painter) const {
-  const bool filled = colorsCells(paint_.coloring);
+  const bool filled = !coloringRow(paint_.coloring).colors_links;
   // Colours of cells want to be seen, those of links between the cells, too.
   const double half = std::max(0.5, (filled ? 1.3 : 0.85) * radius_px_);
   for (std::size_t k = 0; k < scene_.cells().size(); ++k) {

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "widgets/coloring/graph_coloring.h"
+#include "widgets/graph/graph_camera.h"
+#include "widgets/graph/graph_paint.h"
 #include "widgets/graph/graph_scene.h"
 #include "widgets/style/palette.h"
 
@@ -9,29 +10,10 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QPolygonF>
-#include <QSizeF>
 
 namespace hexoderm {
 
-/// Which part of the sheet is seen: `center` of it in the middle of the widget, `scale` pixels for a metre.
-struct GraphCamera {
-  QPointF center;
-  double scale = 1;
-  QSizeF size;
-
-  [[nodiscard]] QPointF toScreen(const QPointF& sheet) const {
-    return {size.width() / 2 + (sheet.x() - center.x()) * scale, size.height() / 2 - (sheet.y() - center.y()) * scale};
-  }
-  [[nodiscard]] QPointF toSheet(const QPointF& screen) const {
-    return {center.x() + (screen.x() - size.width() / 2) / scale,
-            center.y() - (screen.y() - size.height() / 2) / scale};
-  }
-  [[nodiscard]] QRectF toScreen(const QRectF& sheet) const {
-    return QRectF(toScreen(sheet.topLeft()), toScreen(sheet.bottomRight())).normalized();
-  }
-};
-
-/// How a graph is drawn, wherever it is.
+/// The style that a graph is drawn in, on the screen and in files.
 struct GraphStyle {
   Theme theme = Theme::Light;
   QFont font;
@@ -51,7 +33,7 @@ class GraphPainter {
   void drawSheet(QPainter& painter) const;
   void drawCellOutline(QPainter& painter, std::size_t cell, const QColor& color, double width) const;
   void drawLinkOutline(QPainter& painter, std::size_t link, const QColor& color, double width) const;
-  /// What these outlines cover, so that nothing else needs to be drawn anew.
+  /// The area of these outlines, so that nothing else needs to be drawn anew.
   [[nodiscard]] QRectF outlineBounds(std::size_t cell) const;
   [[nodiscard]] QRectF linkOutlineBounds(std::size_t link) const;
 
@@ -92,7 +74,7 @@ class GraphPainter {
   const GraphCamera& camera_;
   const GraphStyle& style_;
   const Colors& colors_;
-  double radius_px_;      ///< of a drawn hexagon
+  double radius_px_;      ///< radius of a drawn hexagon
   double separation_px_;  ///< between the two directions of a link
   QRectF seen_;           ///< the widget with a margin
   bool is_crowded_;       ///< so many are seen that each must be cheap

@@ -1,4 +1,4 @@
-// What GraphPainter writes into the sheet: IDs, ports, the letters at cuts, the names of patches.
+// GraphPainter's texts on the sheet: IDs, ports, the letters at cuts, the names of patches.
 
 #include "widgets/graph/graph_painter.h"
 
@@ -17,7 +17,7 @@ void GraphPainter::drawIds(QPainter& painter) const {
   font.setPixelSize(static_cast<int>(pixels));
   QFont starred = font;  // the star needs room, too
   starred.setPixelSize(static_cast<int>(std::min(pixels, 1.62 * radius_px_ / (0.62 * digits + 1.0))));
-  const bool filled = colorsCells(paint_.coloring);
+  const bool filled = !coloringRow(paint_.coloring).colors_links;
   painter.setPen(colors_.text);
   for (std::size_t k = 0; k < scene_.cells().size(); ++k) {
     const GraphScene::Cell& cell = scene_.cells()[k];
@@ -37,7 +37,7 @@ void GraphPainter::drawPorts(QPainter& painter) const {
   font.setPixelSize(static_cast<int>(std::clamp(0.3 * radius_px_, 9.0, 13.0)));
   painter.setFont(font);
   painter.setPen(colors_.text_muted);
-  const bool filled = colorsCells(paint_.coloring);
+  const bool filled = !coloringRow(paint_.coloring).colors_links;
   const auto draw = [&](std::size_t cell, const GraphScene::Link& link, PortNumber port) {
     const QPointF direction = scene_.directionFrom(cell, link);
     const QPointF place =

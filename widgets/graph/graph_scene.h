@@ -13,8 +13,8 @@
 
 namespace hexoderm {
 
-/// What the graph view shows of a Reconstruction, on the sheet of FlatLayout (metres, y up), with the questions that
-/// mouse and keyboard ask of it. Holds the Reconstruction that its pointers lead into.
+/// A Reconstruction on the sheet of FlatLayout (metres, y up), with the questions that mouse and keyboard ask of it.
+/// Holds the Reconstruction that its pointers lead into.
 class GraphScene {
  public:
   struct Cell {
@@ -34,11 +34,11 @@ class GraphScene {
     QPointF from;  ///< port points
     QPointF to;
     bool cut = false;
-    QString mark;  ///< of a cut link: the letters that stand at both of its ends
+    QString mark;  ///< of a cut link: the letters at both of its ends
   };
   struct Patch {
     const PatchReconstruction* patch = nullptr;
-    QRectF bounds;  ///< of its hexagons; y up
+    QRectF bounds;  ///< bounds of its hexagons; y up
   };
 
   GraphScene() = default;

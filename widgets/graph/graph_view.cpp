@@ -2,26 +2,30 @@
 
 #include "widgets/controls/find_cell_field.h"
 #include "widgets/controls/selection.h"
-#include "widgets/graph/graph_view_parts.h"
+#include "widgets/graph/graph_coloring_button.h"
 
 #include <QApplication>
 #include <QClipboard>
 #include <QContextMenuEvent>
 #include <QHelpEvent>
 #include <QKeyEvent>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace hexoderm {
-
-using graph_view::Hit;
-using graph_view::kKeyZoom;
-
 namespace {
+
+constexpr double kKeyZoom = 1.25;
+/// In a smaller view there is no button; the context menu offers the colours, too.
+constexpr QSize kLeastForButton(220, 150);
+/// A larger skin takes long to draw.
+constexpr std::size_t kMostCellsAtOnce = 300;
 
 QPointF positionIn(const QMouseEvent& event) {
 #if QT_VERSION >= QT_VERSION_CHECK(6, 0, 0)
@@ -49,170 +53,303 @@ std::optional<QPointF> arrowDirection(int key) {
 }  // namespace
 
 GraphView::GraphView(Selection* selection, QWidget* parent)
-    : QWidget(parent), parts_(std::make_unique<Parts>(this, selection)) {
+    : QWidget(parent),
+      selection_(selection),
+      finder_(new FindCellField([this](CellId id) { return scene_->indexOf(id).has_value(); }, this)),
+      button_(new GraphColoringButton(this)),
+      sheet_(this, [this](QPainter& painter) { picture().draw(painter); }) {
   setObjectName(QStringLiteral("graphView"));
   setAccessibleName(tr("Skin graph"));
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setAttribute(Qt::WA_OpaquePaintEvent);
-  parts_->camera.size = size();
-  parts_->recolor();
-  parts_->describe();
-  connect(parts_->button, &GraphColoringButton::changed, this, [this] { parts_->recolor(); });
-  connect(selection, &Selection::changed, this, [this] { parts_->onPicked(); });
-  connect(parts_->finder, &FindCellField::found, this, [this](quint32 id) {
-    if (const auto cell = parts_->scene->indexOf(CellId(id))) {
-      parts_->bringIntoView(parts_->scene->cells()[*cell].center);
-      parts_->selection->selectCell(CellId(id));
+  recolor();
+  describe();
+  connect(button_, &GraphColoringButton::changed, this, &GraphView::recolor);
+  connect(selection, &Selection::changed, this, &GraphView::onSelectionChanged);
+  connect(finder_, &FindCellField::found, this, [this](quint32 id) {
+    if (const auto cell = scene_->indexOf(CellId(id))) {
+      bringIntoView({cell, std::nullopt});
+      selection_->selectCell(CellId(id));
     }
   });
-  connect(parts_->finder, &FindCellField::closed, this, [this] { setFocus(Qt::OtherFocusReason); });
+  connect(finder_, &FindCellField::closed, this, [this] { setFocus(Qt::OtherFocusReason); });
 }
 
 GraphView::~GraphView() = default;
 
 void GraphView::setReconstruction(std::shared_ptr<const Reconstruction> reconstruction) {
-  Parts& parts = *parts_;
   auto scene = std::make_shared<const GraphScene>(std::move(reconstruction));
-  const bool stays = parts.scene->hasSamePlacesAs(*scene);
-  parts.hover({});
-  parts.scene = std::move(scene);
-  if (!stays) parts.follows_size = true;
-  parts.recolor();
-  parts.describe();
+  const bool stays = scene_->hasSamePlacesAs(*scene);
+  hover({});
+  scene_ = std::move(scene);
+  if (!stays) follows_size_ = true;
+  recolor();
+  describe();
 }
 
 void GraphView::setTheme(Theme theme) {
-  parts_->theme = theme;
-  parts_->recolor();
+  theme_ = theme;
+  recolor();
 }
 
-void GraphView::setColoring(GraphColoring coloring) { parts_->button->setColoring(coloring); }
+void GraphView::setColoring(Coloring coloring) { button_->setColoring(coloring); }
 
-GraphColoring GraphView::coloring() const { return parts_->button->coloring(); }
+Coloring GraphView::coloring() const { return button_->coloring(); }
 
-void GraphView::setLinkActions(const QList<QAction*>& actions) { parts_->link_actions = actions; }
+void GraphView::setLinkActions(const QList<QAction*>& actions) { link_actions_ = actions; }
 
-void GraphView::setCellActions(const QList<QAction*>& actions) { parts_->cell_actions = actions; }
+void GraphView::setCellActions(const QList<QAction*>& actions) { cell_actions_ = actions; }
 
-GraphPicture GraphView::picture() const { return parts_->picture(); }
-
-void GraphView::copyPicture() {
-  parts_->drawSheet();
-  QApplication::clipboard()->setPixmap(parts_->sheet);
+GraphStyle GraphView::style() const {
+  GraphStyle style;
+  style.theme = theme_;
+  style.font = font();
+  style.marks_tree = button_->marksTree();
+  return style;
 }
+
+GraphMarks GraphView::marks() const { return {button_->marksTree(), scene_->hasMutedLinks()}; }
+
+GraphPicture GraphView::picture() const { return {scene_, paint_, camera_, style(), marks(), fit_.legendArea()}; }
+
+void GraphView::copyPicture() { QApplication::clipboard()->setPixmap(sheet_.currentPicture()); }
+
+GraphHit GraphView::picked() const { return pickedIn(*scene_, *selection_); }
 
 std::optional<QPoint> GraphView::positionOf(CellId cell) const {
-  const auto index = parts_->scene->indexOf(cell);
-  if (!index) return std::nullopt;
-  return parts_->camera.toScreen(parts_->scene->cells()[*index].center).toPoint();
+  const auto middle = middleOf(*scene_, {scene_->indexOf(cell), std::nullopt});
+  return middle ? std::optional(camera_.toScreen(*middle).toPoint()) : std::nullopt;
 }
 
 std::optional<QPoint> GraphView::positionOf(LinkEnd source, LinkEnd target) const {
-  const auto index = parts_->scene->indexOf(source, target);
-  if (!index) return std::nullopt;
-  return parts_->camera.toScreen(Parts::middleOf(parts_->scene->links()[*index])).toPoint();
+  const auto middle = middleOf(*scene_, {std::nullopt, scene_->indexOf(source, target)});
+  return middle ? std::optional(camera_.toScreen(*middle).toPoint()) : std::nullopt;
 }
-
-void GraphView::fit() { parts_->fitCamera(); }
 
 void GraphView::findCell() {
-  parts_->finder->move(8, 8);
-  parts_->finder->raise();
-  parts_->finder->open(QString());
+  finder_->move(8, 8);
+  finder_->raise();
+  finder_->open(QString());
 }
 
-bool GraphView::event(QEvent* event) {
-  if (event->type() == QEvent::ToolTip) {
-    const QPoint position = static_cast<QHelpEvent*>(event)->pos();
-    const Hit hit = parts_->hitAt(position);
-    const QString text = parts_->toolTipOf(hit);
-    if (text.isEmpty()) {
-      QToolTip::hideText();
-    } else {
-      QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), text, this);
-    }
-    return true;
+// --- camera and colours ---
+
+void GraphView::recolor() {
+  button_->setBodyPartsKnown(knowsBodyParts(*scene_));
+  paint_ = std::make_shared<const GraphPaint>(paintOf(*scene_, button_->coloring(), theme_));
+  arrange();
+  if (follows_size_) {
+    fit();
+  } else {
+    repaintSheet();
   }
-  if (event->type() == QEvent::FontChange) parts_->recolor();
-  return QWidget::event(event);
+}
+
+void GraphView::arrange() {
+  const bool has_cells = !scene_->cells().empty();
+  button_->setVisible(has_cells && width() >= kLeastForButton.width() && height() >= kLeastForButton.height());
+  button_->adjustSize();
+  const GraphLegend legend(*paint_, marks(), theme_, font());
+  GraphFit::Neighbors neighbors;
+  if (!button_->isHidden()) neighbors.button = button_->size();
+  if (has_cells) neighbors.legend = &legend;
+  if (scene_->patches().size() > 1) neighbors.caption_height_px = fontMetrics().height() + 2.0;
+  fit_ = GraphFit(*scene_, size(), neighbors);
+  button_->move(fit_.buttonPlace());
+}
+
+void GraphView::fit() {
+  camera_ = fit_.camera();
+  follows_size_ = true;
+  repaintSheet();
+}
+
+void GraphView::moveCamera(const GraphCamera& camera) {
+  camera_ = camera;
+  follows_size_ = false;
+  repaintSheet();
+}
+
+void GraphView::zoom(double factor, const QPointF& about) {
+  if (scene_->cells().empty()) return;
+  GraphCamera zoomed = camera_;
+  zoomed.zoomTo(std::clamp(camera_.scale * factor, 0.5 * fit_.camera().scale, fit_.largestScale(*scene_)), about);
+  moveCamera(zoomed);
+}
+
+void GraphView::bringIntoView(const GraphHit& hit) {
+  const std::optional<QPointF> middle = middleOf(*scene_, hit);
+  if (!middle) return;
+  GraphCamera moved = camera_;
+  moved.bringIntoView(*middle, 4 * GraphFit::kMargin_px);
+  if (moved.center == camera_.center) return;
+  const bool followed = follows_size_;
+  moveCamera(moved);
+  follows_size_ = followed;
+}
+
+void GraphView::repaintSheet() { sheet_.invalidate(scene_->cells().size() > kMostCellsAtOnce); }
+
+// --- pointing and picking ---
+
+void GraphView::onSelectionChanged() {
+  bringIntoView(picked());
+  describe();
+  update();
+}
+
+void GraphView::describe() { setAccessibleDescription(describeGraph(*scene_, picked())); }
+
+void GraphView::hover(const GraphHit& hit) {
+  if (hit == hovered_) return;
+  update(regionOf(hovered_) | regionOf(hit));
+  hovered_ = hit;
+  if (hit.isNothing()) {
+    unsetCursor();
+  } else {
+    setCursor(Qt::PointingHandCursor);
+  }
+}
+
+void GraphView::showMenu(const GraphHit& hit, const QPoint& global_position) {
+  if (scene_->cells().empty()) return;
+  if (!hit.isNothing()) pickHit(*scene_, hit, *selection_);
+  auto* menu = new QMenu(this);
+  menu->setObjectName(QStringLiteral("graphMenu"));
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->setToolTipsVisible(true);
+  if (hit.link) menu->addActions(link_actions_);
+  if (hit.cell) menu->addActions(cell_actions_);
+  menu->addSeparator();
+  QAction* colors = menu->addMenu(button_->menu());
+  colors->setText(tr("Colours"));
+  menu->addAction(tr("&Fit"), this, &GraphView::fit);
+  menu->addAction(tr("Find &cell…"), this, &GraphView::findCell);
+  menu->addSeparator();
+  menu->addAction(tr("Copy pict&ure"), this, &GraphView::copyPicture);
+  menu->addAction(tr("&Save picture…"), this, &GraphView::pictureWanted);
+  menu->popup(global_position);
+}
+
+// --- drawing ---
+
+void GraphView::drawHint(QPainter& painter) const {
+  painter.setPen(Colors::of(theme_).text_muted);
+  const QString text = scene_->reconstruction() ? tr("This skin has no cells.")
+                                                : tr("The skin graph appears here as soon as a skin is open.");
+  painter.drawText(QRectF(rect()).adjusted(24, 12, -24, -12), Qt::AlignCenter | Qt::TextWordWrap, text);
+}
+
+void GraphView::drawHighlights(QPainter& painter) const {
+  const GraphStyle own = style();
+  const GraphPainter graph(*scene_, *paint_, camera_, own);
+  const Colors& colors = Colors::of(theme_);
+  if (hovered_.cell) graph.drawCellOutline(painter, *hovered_.cell, colors.text_muted, 2);
+  if (hovered_.link) graph.drawLinkOutline(painter, *hovered_.link, colors.text_muted, 1);
+  const GraphHit hit = picked();
+  if (hit.cell) graph.drawCellOutline(painter, *hit.cell, colors.selection, 3.2);
+  if (hit.link) graph.drawLinkOutline(painter, *hit.link, colors.selection, 2);
+}
+
+QRect GraphView::regionOf(const GraphHit& hit) const {
+  if (hit.isNothing()) return {};
+  const GraphStyle own = style();
+  const GraphPainter graph(*scene_, *paint_, camera_, own);
+  return (hit.cell ? graph.outlineBounds(*hit.cell) : graph.linkOutlineBounds(*hit.link)).toAlignedRect();
 }
 
 void GraphView::paintEvent(QPaintEvent* event) {
-  Parts& parts = *parts_;
-  parts.drawSheetUnlessSoon();
+  const QPixmap& sheet = sheet_.picture();
   QPainter painter(this);
-  const double ratio = parts.sheet.devicePixelRatioF();
-  const QRect covered(QPoint(0, 0), (QSizeF(parts.sheet.size()) / ratio).toSize());
-  if (!covered.contains(event->rect())) painter.fillRect(event->rect(), Colors::of(parts.theme).panel);
-  // Only what is asked for: where the mouse went, a few hexagons.
+  const double ratio = sheet.devicePixelRatioF();
+  const QRect covered(QPoint(0, 0), (QSizeF(sheet.size()) / ratio).toSize());
+  if (!covered.contains(event->rect())) painter.fillRect(event->rect(), Colors::of(theme_).panel);
+  // Only the part that is asked for: where the mouse went, that is a few hexagons.
   const QRect changed = event->rect().intersected(covered);
-  painter.drawPixmap(changed, parts.sheet,
+  painter.drawPixmap(changed, sheet,
                      QRectF(QPointF(changed.topLeft()) * ratio, QSizeF(changed.size()) * ratio).toRect());
   painter.setRenderHint(QPainter::Antialiasing);
-  if (parts.scene->cells().empty()) {
-    parts.drawHint(painter);
+  if (scene_->cells().empty()) {
+    drawHint(painter);
   } else {
-    parts.drawHighlights(painter);
+    drawHighlights(painter);
   }
-  if (parts.shows_focus) {
+  if (shows_focus_) {
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(Colors::of(parts.theme).accent, 2));
+    painter.setPen(QPen(Colors::of(theme_).accent, 2));
     painter.drawRect(QRectF(rect()).adjusted(1, 1, -1, -1));
   }
 }
 
+// --- events ---
+
+bool GraphView::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip) {
+    const auto* help = static_cast<QHelpEvent*>(event);
+    const QString text = toolTipOf(*scene_, hitAt(*scene_, camera_, help->pos()));
+    if (text.isEmpty()) {
+      QToolTip::hideText();
+    } else {
+      QToolTip::showText(help->globalPos(), text, this);
+    }
+    return true;
+  }
+  if (event->type() == QEvent::FontChange) recolor();
+  return QWidget::event(event);
+}
+
 void GraphView::resizeEvent(QResizeEvent* event) {
-  parts_->camera.size = size();
-  parts_->arrange();
-  if (parts_->follows_size) {
-    parts_->fitCamera();
+  camera_.size = size();
+  arrange();
+  if (follows_size_) {
+    fit();
   } else {
-    parts_->repaintSheet();
+    repaintSheet();
   }
   QWidget::resizeEvent(event);
 }
 
 void GraphView::wheelEvent(QWheelEvent* event) {
   // One notch is 120: a quarter larger or smaller.
-  parts_->zoom(std::pow(kKeyZoom, event->angleDelta().y() / 120.0), event->position());
+  zoom(std::pow(kKeyZoom, event->angleDelta().y() / 120.0), event->position());
   event->accept();
 }
 
 void GraphView::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton && event->button() != Qt::MiddleButton) return;
-  parts_->pressed_at = positionIn(*event).toPoint();
-  parts_->last_mouse = positionIn(*event);
+  pressed_at_ = positionIn(*event).toPoint();
+  last_mouse_ = positionIn(*event);
 }
 
 void GraphView::mouseMoveEvent(QMouseEvent* event) {
-  Parts& parts = *parts_;
-  if (!parts.pressed_at) {
-    parts.hover(parts.hitAt(positionIn(*event)));
+  const QPointF position = positionIn(*event);
+  if (!pressed_at_) {
+    hover(hitAt(*scene_, camera_, position));
     return;
   }
-  if (!parts.panning) {
-    if ((positionIn(*event).toPoint() - *parts.pressed_at).manhattanLength() < QApplication::startDragDistance())
-      return;
-    if (parts.scene->cells().empty()) return;
-    parts.panning = true;
-    parts.hover({});
+  if (!is_panning_) {
+    if ((position.toPoint() - *pressed_at_).manhattanLength() < QApplication::startDragDistance()) return;
+    if (scene_->cells().empty()) return;
+    is_panning_ = true;
+    hover({});
     setCursor(Qt::ClosedHandCursor);
   }
-  parts.pan(positionIn(*event) - parts.last_mouse);
-  parts.last_mouse = positionIn(*event);
+  GraphCamera panned = camera_;
+  panned.pan(position - last_mouse_);
+  moveCamera(panned);
+  last_mouse_ = position;
 }
 
 void GraphView::mouseReleaseEvent(QMouseEvent* event) {
-  Parts& parts = *parts_;
-  if (!parts.pressed_at) return;
-  if (parts.panning) {
+  if (!pressed_at_) return;
+  if (is_panning_) {
     unsetCursor();
   } else if (event->button() == Qt::LeftButton) {
-    parts.pick(parts.hitAt(positionIn(*event)));
+    pickHit(*scene_, hitAt(*scene_, camera_, positionIn(*event)), *selection_);
   }
-  parts.pressed_at.reset();
-  parts.panning = false;
+  pressed_at_.reset();
+  is_panning_ = false;
 }
 
 void GraphView::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -221,55 +358,53 @@ void GraphView::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void GraphView::contextMenuEvent(QContextMenuEvent* event) {
   if (event->reason() == QContextMenuEvent::Mouse) {
-    parts_->showMenu(parts_->hitAt(event->pos()), event->globalPos());
+    showMenu(hitAt(*scene_, camera_, event->pos()), event->globalPos());
     return;
   }
-  const Hit hit = parts_->picked();
-  QPointF at = QRectF(rect()).center();
-  if (hit.cell) at = parts_->camera.toScreen(parts_->scene->cells()[*hit.cell].center);
-  if (hit.link) at = parts_->camera.toScreen(Parts::middleOf(parts_->scene->links()[*hit.link]));
-  parts_->showMenu(hit, mapToGlobal(at.toPoint()));
+  const GraphHit hit = picked();
+  const std::optional<QPointF> middle = middleOf(*scene_, hit);
+  const QPointF at = middle ? camera_.toScreen(*middle) : QRectF(rect()).center();
+  showMenu(hit, mapToGlobal(at.toPoint()));
 }
 
 void GraphView::leaveEvent(QEvent* event) {
-  parts_->hover({});
+  hover({});
   QWidget::leaveEvent(event);
 }
 
 void GraphView::keyPressEvent(QKeyEvent* event) {
-  Parts& parts = *parts_;
   const QPointF middle = QRectF(rect()).center();
   if (event->matches(QKeySequence::Find)) {
     findCell();
   } else if (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) {
     QWidget::keyPressEvent(event);
   } else if (const auto direction = arrowDirection(event->key())) {
-    parts.movePicked(*direction);
+    if (const auto next = cellToward(*scene_, picked(), *direction)) selection_->selectCell(scene_->cells()[*next].id);
   } else if (event->key() == Qt::Key_F) {
     fit();
   } else if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal) {
-    parts.zoom(kKeyZoom, middle);
+    zoom(kKeyZoom, middle);
   } else if (event->key() == Qt::Key_Minus) {
-    parts.zoom(1 / kKeyZoom, middle);
-  } else if (event->key() == Qt::Key_Escape && !parts.picked().isNothing()) {
-    parts.selection->clear();
+    zoom(1 / kKeyZoom, middle);
+  } else if (event->key() == Qt::Key_Escape && !picked().isNothing()) {
+    selection_->clear();
   } else if (event->text().size() == 1 && event->text().at(0).isDigit()) {
     findCell();
-    parts.finder->open(event->text());
+    finder_->open(event->text());
   } else {
     QWidget::keyPressEvent(event);
   }
 }
 
 void GraphView::focusInEvent(QFocusEvent* event) {
-  parts_->shows_focus = event->reason() != Qt::MouseFocusReason && event->reason() != Qt::ActiveWindowFocusReason &&
-                        event->reason() != Qt::PopupFocusReason;
+  shows_focus_ = event->reason() != Qt::MouseFocusReason && event->reason() != Qt::ActiveWindowFocusReason &&
+                 event->reason() != Qt::PopupFocusReason;
   update();
   QWidget::focusInEvent(event);
 }
 
 void GraphView::focusOutEvent(QFocusEvent* event) {
-  parts_->shows_focus = false;
+  shows_focus_ = false;
   update();
   QWidget::focusOutEvent(event);
 }

@@ -1,8 +1,11 @@
 #pragma once
 
 #include "hexoderm/reconstruction/result/reconstruction.h"
-#include "widgets/coloring/graph_coloring.h"
+#include "widgets/coloring/coloring.h"
+#include "widgets/graph/graph_fit.h"
 #include "widgets/graph/graph_picture.h"
+#include "widgets/graph/graph_pointing.h"
+#include "widgets/graph/graph_sheet.h"
 #include "widgets/style/palette.h"
 
 #include <QList>
@@ -15,12 +18,14 @@ class QAction;
 
 namespace hexoderm {
 
+class FindCellField;
+class GraphColoringButton;
 class Selection;
 
-/// The live graph: the skin as a flat honeycomb, hexagons with IDs, every link in both directions with the colour and
-/// line style of its quality or by any other figure, muted links grey and crossed, cuts of closed surfaces drawn,
-/// origin starred, shortest paths marked. A button over it chooses the colours, a legend below it says what they mean;
-/// both give way where there is no room for them.
+/// The live graph: the skin as a flat honeycomb of hexagons with IDs. Every link is drawn in both directions with the
+/// colour and line style of its quality, or coloured by another figure; muted links are grey and crossed. Cuts of
+/// closed surfaces, the origin and the shortest paths are marked. A button over the graph chooses the colours and a
+/// legend below it explains them; both give way where there is no room for them.
 class GraphView : public QWidget {
   Q_OBJECT
 
@@ -32,19 +37,20 @@ class GraphView : public QWidget {
   /// Null shows an empty view with a hint.
   void setReconstruction(std::shared_ptr<const Reconstruction> reconstruction);
   void setTheme(Theme theme);
-  void setColoring(GraphColoring coloring);
-  [[nodiscard]] GraphColoring coloring() const;
+  void setColoring(Coloring coloring);
+  [[nodiscard]] Coloring coloring() const;
 
-  /// What the context menus of a link and of a cell offer first. The one that was clicked is picked before the menu
-  /// opens, so the actions are about what is picked. They must outlive the view or be deleted as QObjects.
+  /// Actions that the context menus of a link and of a cell offer first. The link or cell that was clicked is picked
+  /// before the menu opens, so the actions are about the picked one. They must outlive the view or be deleted as
+  /// QObjects.
   void setLinkActions(const QList<QAction*>& actions);
   void setCellActions(const QList<QAction*>& actions);
 
-  /// Where a cell, or the middle of a link, is drawn, in the widget's coordinates; absent if it is not shown.
+  /// Position of a cell, or of the middle of a link, in the widget's coordinates; absent if it is not shown.
   [[nodiscard]] std::optional<QPoint> positionOf(CellId cell) const;
   [[nodiscard]] std::optional<QPoint> positionOf(LinkEnd source, LinkEnd target) const;
 
-  /// As it is seen now, to be written on another thread.
+  /// The graph as it is seen now; another thread may write it.
   [[nodiscard]] GraphPicture picture() const;
 
   [[nodiscard]] QSize sizeHint() const override { return {340, 240}; }
@@ -54,7 +60,7 @@ class GraphView : public QWidget {
   void fit();
   /// Opens the field in which the ID of a cell is typed.
   void findCell();
-  /// Puts what is seen on the clipboard.
+  /// Puts the graph as it is seen on the clipboard.
   void copyPicture();
 
  signals:
@@ -77,8 +83,45 @@ class GraphView : public QWidget {
   void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  /// Colours anew, after something that the colours depend on has changed.
+  void recolor();
+  /// Shares the area out anew between skin, button and legend.
+  void arrange();
+  void moveCamera(const GraphCamera& camera);
+  void zoom(double factor, const QPointF& about);
+  void bringIntoView(const GraphHit& hit);
+  void onSelectionChanged();
+  void describe();
+  void hover(const GraphHit& hit);
+  void showMenu(const GraphHit& hit, const QPoint& global_position);
+  void repaintSheet();
+  void drawHint(QPainter& painter) const;
+  void drawHighlights(QPainter& painter) const;
+  /// The pixels that the outline of a cell or a link covers.
+  [[nodiscard]] QRect regionOf(const GraphHit& hit) const;
+  [[nodiscard]] GraphHit picked() const;
+  [[nodiscard]] GraphStyle style() const;
+  [[nodiscard]] GraphMarks marks() const;
+
+  Selection* selection_;
+  std::shared_ptr<const GraphScene> scene_ = std::make_shared<GraphScene>();
+  std::shared_ptr<const GraphPaint> paint_ = std::make_shared<GraphPaint>();
+  Theme theme_ = Theme::Light;
+  FindCellField* finder_;
+  GraphColoringButton* button_;
+  QList<QAction*> link_actions_;
+  QList<QAction*> cell_actions_;
+
+  GraphFit fit_;
+  GraphCamera camera_;
+  bool follows_size_ = true;  ///< shows everything, until somebody zooms or pans
+  GraphSheet sheet_;
+
+  GraphHit hovered_;
+  std::optional<QPoint> pressed_at_;
+  QPointF last_mouse_;
+  bool is_panning_ = false;
+  bool shows_focus_ = false;  ///< the keyboard focus came by keyboard
 };
 
 }  // namespace hexoderm

@@ -12,7 +12,7 @@ namespace hexoderm {
 namespace {
 
 // The usual settings; brightness is from 0 to 255.
-constexpr std::uint8_t kLeastContrast = 12;  // what is no edge in the dark ...
+constexpr std::uint8_t kLeastContrast = 12;  // least contrast of an edge in the dark ...
 constexpr int kContrastDivisor = 8;          // ... and what is none beside a neighbour as bright as that
 constexpr int kReach_px = 16;                // how far the ends of an edge are looked for
 constexpr float kSpeckPart = 0.75F;          // how much of a single pixel is taken away
@@ -51,14 +51,14 @@ struct Surroundings {
     const int along_lines = std::abs(nw + ne - 2 * n) + 2 * std::abs(w + e - 2 * m) + std::abs(sw + se - 2 * s);
     return across_lines >= along_lines;
   }
-  /// How far it is from what is about it, 0 to 1 of `contrast`: 1 for a single pixel.
+  /// Difference from the surroundings, 0 to 1 of `contrast`: 1 for a single pixel.
   [[nodiscard]] float speck(int contrast) const {
     const float mean = static_cast<float>(2 * (n + s + w + e) + nw + ne + sw + se) / 12;
     return std::min(std::abs(mean - static_cast<float>(m)) / static_cast<float>(contrast), 1.0F);
   }
 };
 
-/// Where one pixel's colour goes: towards the neighbour at `neighbour`, as an offset in pixels of the picture.
+/// A pixel's colour goes towards the neighbour at `neighbour`, an offset in pixels of the picture.
 struct Mixture {
   std::ptrdiff_t neighbour = 0;
   float part = 0;
@@ -66,7 +66,7 @@ struct Mixture {
 
 struct EdgeEnd {
   int distance_px = kReach_px;
-  int change = 0;  ///< of brightness beyond it; 0 if the end is out of reach
+  int change = 0;  ///< change of brightness beyond it; 0 if the end is out of reach
 };
 
 /// Goes along the edge between a pixel and its neighbour until both together become brighter or darker. `room_px` is
@@ -95,7 +95,7 @@ Mixture mixture(const std::uint8_t* at, const QSize& size, int x, int y, const S
   mixture.neighbour = std::abs(before) >= std::abs(after) ? -across : across;
   const int steepness = std::max(std::abs(before), std::abs(after));
 
-  // Of the sum of two pixels, half of the steepness: a quarter of it for their mean.
+  // Half of the steepness for the sum of two pixels: a quarter of it for their mean.
   const int threshold = std::max(steepness / 2, 1);
   const EdgeEnd back = findEnd(at, mixture.neighbour, -along, position, threshold);
   const EdgeEnd ahead = findEnd(at, mixture.neighbour, along, length - 1 - position, threshold);
@@ -139,7 +139,7 @@ QImage smoothEdges(const QImage& picture) {
   const QSize size = picture.size();
   if (size.width() < 3 || size.height() < 3) return picture;
   const std::vector<std::uint8_t> bright = brightness(picture);
-  const QImage original = picture.copy();  // whose lines follow each other without gaps, like those of `bright`
+  const QImage original = picture.copy();  // its lines follow each other without gaps, like those of `bright`
   QImage smoothed = original;
   std::vector<std::uint8_t> contrasts(static_cast<std::size_t>(size.width()));
   for (int y = 1; y + 1 < size.height(); ++y) {

@@ -5,11 +5,11 @@
 
 namespace hexoderm {
 
-/// What draws here.
+/// The OpenGL implementation that draws here.
 struct OpenGlInfo {
   bool usable = false;    ///< OpenGL 3.2 or newer, which VTK needs
   bool software = false;  ///< drawn by the processor, not by a graphics card
-  QString renderer;       ///< as the driver calls itself; empty if not usable
+  QString renderer;       ///< the driver's own name; empty if not usable
 };
 
 /// Without multisampling, which costs a factor of three in software OpenGL.

@@ -70,32 +70,28 @@ PartMotion::PartMotion(QWidget* view, QWidget* canvas, QToolButton* button, Patc
 
 PartMotion::~PartMotion() = default;
 
-void PartMotion::setUp(const std::optional<Eigen::Vector3d>& up_o) {
-  std::optional<Eigen::Vector3d> shown = up_o;
-  if (up_o && up_o_) {
-    const double away = angleBetween(*up_o_, *up_o);
-    if (away < kUnseen) return;
-    const double part = std::clamp(away / kAtOnce, kSlowest, 1.0);
-    shown = Eigen::Vector3d(expSO3(part * logSO3(shortestRotation(*up_o_, *up_o))) * *up_o_).normalized();
-  }
-  if (!up_o && !up_o_) return;
-  up_o_ = shown;
-  scene_.setUp(up_o_);
+std::optional<Eigen::Vector3d> PartMotion::smoothed(const std::optional<Eigen::Vector3d>& up_o) const {
+  if (!up_o || !up_o_) return up_o;
+  const double away = angleBetween(*up_o_, *up_o);
+  if (away < kUnseen) return up_o_;
+  const double part = std::clamp(away / kAtOnce, kSlowest, 1.0);
+  return Eigen::Vector3d(expSO3(part * logSO3(shortestRotation(*up_o_, *up_o))) * *up_o_).normalized();
+}
+
+void PartMotion::setMoment(const PatchMoment& moment) {
+  PatchMoment shown = moment;
+  shown.up_o = smoothed(moment.up_o);
+  const std::optional<Eigen::Vector3d> up_before = std::exchange(up_o_, shown.up_o);
+  const std::optional<Eigen::Vector3d> next_before = std::exchange(next_o_, moment.next_up_o);
+  caption_->setAngle(QString::fromStdString(moment.next_turn));
+  scene_.setMoment(shown);
+  const bool is_other_next =
+      next_o_.has_value() != next_before.has_value() || (next_o_ && angleBetween(*next_o_, *next_before) > kOtherNext);
+  if (is_other_next) play();
+  if (up_o_ == up_before && next_o_ == next_before) return;
   updateCaption();
   render_();
 }
-
-void PartMotion::setNextUp(const std::optional<Eigen::Vector3d>& up_o) {
-  const bool is_other = up_o.has_value() != next_o_.has_value() || (up_o && angleBetween(*up_o, *next_o_) > kOtherNext);
-  if (up_o == next_o_) return;
-  next_o_ = up_o;
-  scene_.setNextUp(up_o);
-  if (is_other) play();
-  updateCaption();
-  render_();
-}
-
-void PartMotion::setNextTurn(const QString& angle) { caption_->setAngle(angle); }
 
 void PartMotion::refresh() { updateCaption(); }
 
@@ -185,7 +181,7 @@ bool PartMotion::onMouse(QEvent* event) {
     return true;
   }
   if (!is_dragging_) return false;
-  // Where the button is released counts too: moves that follow each other quickly are not all told.
+  // The position of the release counts too: of moves that follow each other quickly, some are not reported.
   if (event->type() != QEvent::MouseButtonPress) {
     const QPoint moved = mouse->pos() - last_;
     last_ = mouse->pos();
@@ -235,8 +231,8 @@ void PartMotion::beginTurn() {
   right_o_ = rightInPicture(camera, wanted_up_o_);
 }
 
-/// As if the part's front were dragged. To the right it turns about gravity, which no sensor feels: the picture alone
-/// shows it. Downwards its upper edge comes nearer.
+/// Turns the part as if its front were dragged. To the right it turns about gravity, which no sensor feels: the picture
+/// alone shows it. Downwards its upper edge comes nearer.
 void PartMotion::turnBy(double right_rad, double down_rad) {
   if (right_rad != 0) {
     right_o_ = expSO3(-right_rad * wanted_up_o_) * right_o_;

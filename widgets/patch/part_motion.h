@@ -18,32 +18,32 @@ namespace hexoderm {
 
 class PatchScene;
 class GhostCaption;
+struct PatchMoment;
 
-/// What moves in the 3D view while poses are captured: the picture follows the part, the ghost of the next pose turns
-/// to where it should be held, and the mouse or the arrow keys turn the part where somebody else obeys.
+/// The motion in the 3D view while poses are captured: the picture follows the part, the ghost of the next pose turns
+/// to the orientation in which the part should be held, and the mouse or the arrow keys ask for turns of the part.
 class PartMotion : public QObject {
   Q_OBJECT
 
  public:
   static constexpr int kRequestEvery_ms = 50;
 
-  /// `view` gets the keys, `canvas` (inside of it) the mouse; `button` switches what dragging turns, and is shown while
-  /// the part can be turned. All must outlive this but `canvas`.
-  /// `render` asks for a picture soon.
+  /// `view` receives the keys, and `canvas`, which lies inside it, the mouse. `button` decides whether dragging turns
+  /// the picture or the part, and is shown while the part can be turned. `render` asks for a picture soon. All but
+  /// `canvas` must outlive this.
   PartMotion(QWidget* view, QWidget* canvas, QToolButton* button, PatchScene& scene, std::function<void()> render);
   ~PartMotion() override;
 
-  /// Unit vectors in the frame of the largest patch. None: the picture stays as it is.
-  void setUp(const std::optional<Eigen::Vector3d>& up_o);
-  void setNextUp(const std::optional<Eigen::Vector3d>& up_o);
-  void setNextTurn(const QString& angle);
-  /// The skin or its shape is another one.
+  /// Hands the moment on to the scene with an up direction that follows large moves at once and small ones slowly, and
+  /// starts the ghost's turn where the next pose is another one.
+  void setMoment(const PatchMoment& moment);
+  /// Must be called when another skin, or another shape of it, is shown.
   void refresh();
   void setTurnable(bool turnable);
-  /// Off: the ghost is shown as it should be held, and does not move.
+  /// Off: the ghost does not move and is shown in the orientation in which the part should be held.
   void setAnimated(bool animated);
   void setTheme(Theme theme);
-  /// What is written beside the ghost, into a screenshot of this size.
+  /// Paints the words beside the ghost into a screenshot of this size.
   void paintCaption(QPainter& painter, const QSize& area) const;
 
   [[nodiscard]] bool isAnimating() const { return frames_.isActive(); }
@@ -61,6 +61,7 @@ class PartMotion : public QObject {
   void beginTurn();
   void turnBy(double right_rad, double down_rad);
   void request();
+  [[nodiscard]] std::optional<Eigen::Vector3d> smoothed(const std::optional<Eigen::Vector3d>& up_o) const;
   void play();
   void nextFrame();
   void updateCaption();
@@ -73,14 +74,14 @@ class PartMotion : public QObject {
   GhostCaption* caption_;
   QToolButton* button_;
 
-  std::optional<Eigen::Vector3d> up_o_;
+  std::optional<Eigen::Vector3d> up_o_;  ///< shown
   std::optional<Eigen::Vector3d> next_o_;
 
   bool turnable_ = false;
   bool is_dragging_ = false;
   QPoint last_;
   Eigen::Vector3d wanted_up_o_ = Eigen::Vector3d::UnitZ();
-  Eigen::Vector3d right_o_ = Eigen::Vector3d::UnitX();  ///< of the picture, with the part turned as wanted
+  Eigen::Vector3d right_o_ = Eigen::Vector3d::UnitX();  ///< right of the picture, with the part turned as wanted
   QTimer request_soon_;
   QElapsedTimer since_request_;
   QTimer turn_over_;  ///< the keys have rested: the next turn starts from where the part is

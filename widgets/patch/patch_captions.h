@@ -9,8 +9,8 @@
 
 namespace hexoderm {
 
-/// What is written over the 3D scene: the legend of its colours, a line for each thing drawn over the cells, the word
-/// beside the gravity arrow, and a hint where there is nothing to see. Lets the mouse through.
+/// The texts over the 3D scene: the legend of its colours, a line for each thing drawn over the cells, the word beside
+/// the gravity arrow, and a hint if there is nothing to see. Lets the mouse through.
 class PatchCaptions : public QWidget {
   Q_OBJECT
 
@@ -19,7 +19,7 @@ class PatchCaptions : public QWidget {
     QString hint;          ///< instead of everything else, where not empty
     bool gravity = false;  ///< the arrow is there
     QStringList notes;
-    QString message;  ///< what a tool says or waits for; emphasised above the notes
+    QString message;  ///< the message of a tool; emphasised above the notes
     LegendContent legend;
   };
 
@@ -29,7 +29,7 @@ class PatchCaptions : public QWidget {
   void setTheme(Theme theme, const SceneColors& colors);
   /// Kept free for the buttons.
   void setTopMargin(int pixels);
-  /// The same picture into a screenshot of the given size.
+  /// Paints the same texts into a screenshot of the given size.
   void paint(QPainter& painter, const QSize& area) const;
 
  protected:

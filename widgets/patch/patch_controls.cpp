@@ -1,5 +1,6 @@
 #include "widgets/patch/patch_controls.h"
 
+#include "widgets/coloring/coloring_words.h"
 #include "widgets/controls/flow_layout.h"
 #include "widgets/patch/patch_words.h"
 
@@ -8,23 +9,12 @@
 #include <QMenu>
 #include <QResizeEvent>
 #include <QToolButton>
-#include <vector>
+#include <optional>
 
 namespace hexoderm {
 namespace {
 
-const std::vector<std::vector<CellColoring>>& coloringGroups() {
-  static const std::vector<std::vector<CellColoring>> kGroups = {
-      {CellColoring::LinkQuality, CellColoring::Residual, CellColoring::Deviation},
-      {CellColoring::PositionUncertainty, CellColoring::OrientationUncertainty},
-      {CellColoring::PathDistance, CellColoring::SurfaceDistance},
-      {CellColoring::Patch, CellColoring::BodyPart},
-      {CellColoring::ReadingX, CellColoring::ReadingY, CellColoring::ReadingZ, CellColoring::ReadingNorm,
-       CellColoring::Temperature}};
-  return kGroups;
-}
-
-/// What an action is for, while it can be used; else why not.
+/// An action tells its purpose while it can be used, and otherwise the reason why not.
 void allow(QAction* action, const QString& purpose, const QString& why_not) {
   action->setEnabled(why_not.isEmpty());
   action->setToolTip(why_not.isEmpty() ? purpose : why_not);
@@ -73,25 +63,26 @@ void PatchControls::buildColoringMenu() {
   menu->setObjectName(QStringLiteral("coloringMenu"));
   menu->setToolTipsVisible(true);
   auto* group = new QActionGroup(menu);
-  for (const std::vector<CellColoring>& colorings : coloringGroups()) {
-    if (!menu->isEmpty()) menu->addSeparator();
-    for (const CellColoring coloring : colorings) {
-      const QString name = coloringName(coloring);
-      QAction* action = menu->addAction(name);
-      action->setCheckable(true);
-      group->addAction(action);
-      colorings_.emplace(coloring, action);
-      allow(action, coloringTitle(coloring), {});
-      connect(action, &QAction::toggled, this, [this, coloring, name](bool chosen) {
-        if (!chosen) return;
-        coloring_button_->setText(tr("Colour: %1 ▾").arg(name));
-        coloring_button_->setAccessibleName(tr("Colour of the cells: %1").arg(name));
-        emit coloringChosen(coloring);
-      });
-    }
+  std::optional<ColoringGroup> group_before;
+  for (const ColoringRow& row : coloringTable()) {
+    if (row.patch_title == nullptr) continue;
+    if (group_before && *group_before != row.group) menu->addSeparator();
+    group_before = row.group;
+    const QString name = coloringName(row.coloring);
+    QAction* action = menu->addAction(name);
+    action->setCheckable(true);
+    group->addAction(action);
+    colorings_.emplace(row.coloring, action);
+    setWhyNot(row.coloring, {});
+    connect(action, &QAction::toggled, this, [this, coloring = row.coloring, name](bool chosen) {
+      if (!chosen) return;
+      coloring_button_->setText(tr("Colour: %1 ▾").arg(name));
+      coloring_button_->setAccessibleName(tr("Colour of the cells: %1").arg(name));
+      emit coloringChosen(coloring);
+    });
   }
   coloring_button_->setMenu(menu);
-  colorings_.at(CellColoring::LinkQuality)->setChecked(true);
+  colorings_.at(Coloring::LinkQuality)->setChecked(true);
 }
 
 void PatchControls::buildShowMenu() {
@@ -128,8 +119,8 @@ void PatchControls::buildViewButtons() {
   look(tr("Top"), tr("Look along the origin cell's y axis"), PatchScene::View::Top);
 }
 
-void PatchControls::setWhyNot(CellColoring coloring, const QString& why_not) {
-  allow(action(coloring), coloringTitle(coloring), why_not);
+void PatchControls::setWhyNot(Coloring coloring, const QString& why_not) {
+  allow(action(coloring), patchTitle(coloring), why_not);
 }
 
 void PatchControls::setWhyNot(SceneItem item, const QString& why_not) { allow(action(item), itemTip(item), why_not); }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/coloring/cell_coloring.h"
+#include "widgets/coloring/coloring.h"
 #include "widgets/scene/patch_scene.h"
 
 #include <QFrame>
@@ -14,30 +14,30 @@ namespace hexoderm {
 
 class FlowLayout;
 
-/// The buttons over the 3D scene: what the colours mean, what is shown, measuring, and where to look from. In several
-/// rows where one is too narrow.
+/// The buttons over the 3D scene: the meaning of the colours, the things that are shown, measuring, and the directions
+/// to look from. They stand in several rows where one is too narrow.
 class PatchControls : public QFrame {
   Q_OBJECT
 
  public:
   explicit PatchControls(QWidget* parent = nullptr);
 
-  /// Why cells can't be coloured by it, or something can't be shown; empty: they can.
-  void setWhyNot(CellColoring coloring, const QString& why_not);
+  /// `why_not`: the reason why cells can't be coloured by it, or why something can't be shown; empty if they can.
+  void setWhyNot(Coloring coloring, const QString& why_not);
   void setWhyNot(SceneItem item, const QString& why_not);
-  /// What draws, as the last line of the menu.
+  /// Names the renderer in the last line of the menu.
   void setRenderer(const QString& words);
 
-  [[nodiscard]] QAction* action(CellColoring coloring) const { return colorings_.at(coloring); }
+  [[nodiscard]] QAction* action(Coloring coloring) const { return colorings_.at(coloring); }
   [[nodiscard]] QAction* action(SceneItem item) const { return items_.at(item); }
-  /// For who makes the part turnable: hidden, and without a text.
+  /// Hidden and without a text until the part can be turned.
   [[nodiscard]] QToolButton* turnButton() const { return turn_button_; }
   [[nodiscard]] QAction* measureAction() const { return measure_; }
   [[nodiscard]] QAction* parallelAction() const { return parallel_; }
   [[nodiscard]] QAction* pictureAction() const { return picture_; }
 
  signals:
-  void coloringChosen(hexoderm::CellColoring coloring);
+  void coloringChosen(hexoderm::Coloring coloring);
   void itemToggled(hexoderm::SceneItem item, bool shown);
   void viewRequested(hexoderm::PatchScene::View view);
   void fitRequested();
@@ -56,7 +56,7 @@ class PatchControls : public QFrame {
   QToolButton* coloring_button_ = nullptr;
   QToolButton* turn_button_ = nullptr;
   QMenu* show_menu_ = nullptr;
-  std::map<CellColoring, QAction*> colorings_;
+  std::map<Coloring, QAction*> colorings_;
   std::map<SceneItem, QAction*> items_;
   QAction* measure_;
   QAction* parallel_;

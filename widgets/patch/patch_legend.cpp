@@ -1,6 +1,6 @@
 #include "widgets/patch/patch_legend.h"
 
-#include "widgets/patch/patch_words.h"
+#include "widgets/coloring/coloring_words.h"
 
 #include <QCoreApplication>
 #include <QLinearGradient>
@@ -22,8 +22,8 @@ constexpr int kMargin = 8;    // below and at the sides
 constexpr std::size_t kMaxCategories = 12;
 constexpr std::array kClasses = {EdgeQuality::Undefined, EdgeQuality::Partially, EdgeQuality::Fully, EdgeQuality::Over};
 
-struct SceneLegend {
-  Q_DECLARE_TR_FUNCTIONS(hexoderm::SceneLegend)
+struct PatchLegend {
+  Q_DECLARE_TR_FUNCTIONS(hexoderm::PatchLegend)
 };
 
 QColor toQColor(const Rgb& color) { return QColor::fromRgbF(color[0], color[1], color[2]); }
@@ -47,22 +47,21 @@ Entry swatch(const QString& word, const QColor& color) {
 
 std::vector<Entry> categoryEntries(const LegendContent& content, Theme theme, const SceneColors& colors) {
   std::vector<Entry> entries;
-  if (content.coloring == CellColoring::LinkQuality) {
+  if (content.coloring == Coloring::LinkQuality) {
     for (const EdgeQuality quality : kClasses) entries.push_back(classEntry(quality, theme));
-    if (content.some_unknown) entries.push_back(swatch(SceneLegend::tr("no link"), toQColor(colors.neutral)));
+    if (content.some_unknown) entries.push_back(swatch(PatchLegend::tr("no link"), toQColor(colors.neutral)));
     return entries;
   }
-  const bool by_part = content.coloring == CellColoring::BodyPart;
+  const bool by_part = content.coloring == Coloring::BodyPart;
   const std::size_t count = by_part ? content.body_parts.size() : content.patches;
   for (std::size_t k = 0; k < std::min(count, kMaxCategories); ++k) {
-    entries.push_back(swatch(by_part ? content.body_parts[k] : SceneLegend::tr("patch %1").arg(k + 1),
-                             toQColor(categoryColor(colors, k, count))));
+    entries.push_back(
+        swatch(by_part ? content.body_parts[k] : patchWord(k), toQColor(categoryColor(colors, k, count))));
   }
   if (count > kMaxCategories) {
-    entries.push_back({SceneLegend::tr("and %1 more").arg(count - kMaxCategories), [](QPainter&, double, double) {}});
+    entries.push_back({PatchLegend::tr("and %1 more").arg(count - kMaxCategories), [](QPainter&, double, double) {}});
   }
-  if (by_part && content.some_unknown)
-    entries.push_back(swatch(SceneLegend::tr("not known"), toQColor(colors.neutral)));
+  if (by_part && content.some_unknown) entries.push_back(swatch(notKnownWord(), toQColor(colors.neutral)));
   return entries;
 }
 
@@ -110,10 +109,8 @@ int paintScale(QPainter& painter, const QSize& area, const LegendContent& conten
                const SceneColors& colors) {
   constexpr int kSteps = 32;
   const QFontMetrics metrics = painter.fontMetrics();
-  const QString title = coloringTitle(content.coloring);
-  const QString low = lowEndInWords(content.coloring, content.range);
-  const QString high = highEndInWords(content.coloring, content.range);
-  const QString unknown = content.some_unknown ? SceneLegend::tr("not known") : QString();
+  const auto [title, low, high] = patchScaleInWords(content.coloring, content.range);
+  const QString unknown = content.some_unknown ? notKnownWord() : QString();
   const int row_height = metrics.height() + 2;
   const int unknown_width = unknown.isEmpty() ? 0 : kBetween + kSample + kSpace + metrics.horizontalAdvance(unknown);
   const int ends = metrics.horizontalAdvance(low) + metrics.horizontalAdvance(high) + 2 * kSpace + unknown_width + 6;
@@ -167,11 +164,11 @@ int paintLegend(QPainter& painter, const QSize& area, const LegendContent& conte
 
 QString legendInWords(const LegendContent& content) {
   if (isQuantity(content.coloring)) {
-    return SceneLegend::tr("Cells are coloured by: %1; from %2 (dark) to %3 (bright)")
-        .arg(coloringTitle(content.coloring), lowEndInWords(content.coloring, content.range),
-             highEndInWords(content.coloring, content.range));
+    const ScaleWords words = patchScaleInWords(content.coloring, content.range);
+    return PatchLegend::tr("Cells are coloured by: %1; from %2 (dark) to %3 (bright)")
+        .arg(words.title, words.low, words.high);
   }
-  return SceneLegend::tr("Cells are coloured by: %1").arg(coloringName(content.coloring));
+  return PatchLegend::tr("Cells are coloured by: %1").arg(coloringName(content.coloring));
 }
 
 }  // namespace hexoderm

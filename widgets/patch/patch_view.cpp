@@ -1,5 +1,6 @@
 #include "widgets/patch/patch_view.h"
 
+#include "widgets/coloring/coloring_words.h"
 #include "widgets/controls/selection.h"
 #include "widgets/patch/measure_tool.h"
 #include "widgets/patch/opengl_info.h"
@@ -71,6 +72,15 @@ SceneColors sceneColors(Theme theme) {
   return scene;
 }
 
+/// One kind of readings is there before or after, but not both.
+bool comesOrGoes(const CellReadings* before, const CellReadings* after) {
+  const auto kinds = [](const CellReadings* readings) {
+    return std::pair(readings != nullptr && !readings->acceleration_g.empty(),
+                     readings != nullptr && !readings->temperature_c.empty());
+  };
+  return kinds(before) != kinds(after);
+}
+
 }  // namespace
 
 struct PatchView::Parts : public QObject {
@@ -80,16 +90,16 @@ struct PatchView::Parts : public QObject {
   Selection* selection;
   MeasureTool measure;
   std::shared_ptr<const Reconstruction> reconstruction;
-  CellColoring coloring = CellColoring::LinkQuality;
-  std::optional<SurfaceEvaluation> surface;
-  std::optional<LoopEvaluation> loop;
+  Coloring coloring = Coloring::LinkQuality;
+  PatchOverlays overlays;
+  PatchMoment moment;
 
   const OpenGlInfo opengl = queryOpenGl();
   SceneWidget* canvas = nullptr;      ///< null without OpenGL
   std::unique_ptr<PatchScene> scene;  ///< likewise
   std::unique_ptr<SceneBuilder> builder;
   PartMotion* motion = nullptr;  ///< likewise
-  PatchCaptions* overlay = nullptr;
+  PatchCaptions* captions = nullptr;
   PatchControls* controls = nullptr;
   std::vector<std::function<void()>> waiting;  ///< for the picture to be up to date
   QTimer at_rest;
@@ -107,11 +117,11 @@ struct PatchView::Parts : public QObject {
   void endInteraction() { at_rest.start(); }
   void setContent(std::shared_ptr<const SceneContent> content);
   void updateControls();
-  void updateOverlay();
+  void updateCaptions();
   [[nodiscard]] LegendContent legend() const;
   void updateSelection();
   void updateMeasure();
-  /// What is drawn over the cells has changed.
+  /// Called when the things drawn over the cells have changed.
   void refresh();
   /// Several changes in one turn of the event loop make one picture.
   void requestRender();
@@ -122,11 +132,11 @@ struct PatchView::Parts : public QObject {
 void PatchView::Parts::build() {
   auto* layout = new QGridLayout(view);
   layout->setContentsMargins(0, 0, 0, 0);
-  overlay = new PatchCaptions(view);
+  captions = new PatchCaptions(view);
   if (opengl.usable) buildScene(layout);
-  layout->addWidget(overlay, 0, 0, 2, 1);
+  layout->addWidget(captions, 0, 0, 2, 1);
   layout->setRowStretch(1, 1);
-  overlay->raise();
+  captions->raise();
   if (controls != nullptr) controls->raise();
   if (canvas != nullptr) {
     motion = new PartMotion(view, canvas, controls->turnButton(), *scene, [this] { requestRender(); });
@@ -136,7 +146,7 @@ void PatchView::Parts::build() {
   connect(selection, &Selection::changed, this, [this] { updateSelection(); });
   connect(&measure, &MeasureTool::changed, this, [this] { updateMeasure(); });
   view->setMinimumHeight(180);
-  updateOverlay();
+  updateCaptions();
 }
 
 void PatchView::Parts::buildScene(QGridLayout* layout) {
@@ -162,7 +172,7 @@ void PatchView::Parts::buildScene(QGridLayout* layout) {
 }
 
 void PatchView::Parts::connectControls() {
-  connect(controls, &PatchControls::coloringChosen, this, [this](CellColoring chosen) {
+  connect(controls, &PatchControls::coloringChosen, this, [this](Coloring chosen) {
     coloring = chosen;
     scene->setColoring(chosen);
     refresh();
@@ -176,7 +186,7 @@ void PatchView::Parts::connectControls() {
     scene->showStandardView(standard);
     requestRender();
   });
-  connect(controls, &PatchControls::heightChanged, overlay, &PatchCaptions::setTopMargin);
+  connect(controls, &PatchControls::heightChanged, captions, &PatchCaptions::setTopMargin);
   connect(controls, &PatchControls::heightChanged, this, [this](int height) {
     scene->setTopMargin(qRound(height * canvas->devicePixelRatioF()));
     requestRender();
@@ -212,17 +222,17 @@ void PatchView::Parts::setContent(std::shared_ptr<const SceneContent> content) {
   scene->setContent(std::move(content));
   updateControls();
   refresh();
-  // What is delivered may be older than what was submitted since.
+  // The delivered content may be older than the newest submission.
   if (builder->isBusy()) return;
   for (const std::function<void()>& then : std::exchange(waiting, {})) then();
 }
 
 void PatchView::Parts::updateControls() {
   const SceneContent* content = scene->content();
-  for (int k = 0; k <= static_cast<int>(CellColoring::Temperature); ++k) {
-    const auto each = static_cast<CellColoring>(k);
-    const bool known = content == nullptr || hasValues(each, content->figures, scene->readings());
-    controls->setWhyNot(each, whyNoColoring(each, known));
+  for (const ColoringRow& row : coloringTable()) {
+    if (row.patch_title == nullptr) continue;
+    const bool known = content == nullptr || hasValues(row.coloring, content->figures, scene->readings());
+    controls->setWhyNot(row.coloring, whyNoColoring(row.coloring, known));
   }
   for (const SceneItem item : kSceneItems) controls->setWhyNot(item, whyNotShown(item, scene->availability(item)));
 }
@@ -236,16 +246,16 @@ LegendContent PatchView::Parts::legend() const {
     const auto values = scene->values();
     content.range = colorRange(coloring, values);
     content.some_unknown = std::ranges::any_of(values, [](const auto& value) { return !value; });
-  } else if (coloring == CellColoring::LinkQuality) {
+  } else if (coloring == Coloring::LinkQuality) {
     content.some_unknown = std::ranges::any_of(shown.figures.quality, [](const auto& quality) { return !quality; });
-  } else if (coloring == CellColoring::BodyPart) {
+  } else if (coloring == Coloring::BodyPart) {
     for (const std::string& name : shown.figures.body_parts) content.body_parts.push_back(QString::fromStdString(name));
     content.some_unknown = std::ranges::any_of(shown.figures.body_part, [](const auto& part) { return !part; });
   }
   return content;
 }
 
-void PatchView::Parts::updateOverlay() {
+void PatchView::Parts::updateCaptions() {
   PatchCaptions::Content content;
   if (canvas == nullptr) {
     content.hint = PatchView::tr(
@@ -261,15 +271,15 @@ void PatchView::Parts::updateOverlay() {
   } else {
     content.gravity = scene->showsGravity();
     content.legend = legend();
-    content.notes = notesInWords(scene->notes(), surface, loop);
+    content.notes = notesInWords(scene->notes(), overlays);
     content.message = measure.words();
   }
-  overlay->setContent(content);
+  captions->setContent(content);
   if (controls != nullptr) controls->setVisible(content.hint.isEmpty());
 }
 
 void PatchView::Parts::refresh() {
-  updateOverlay();
+  updateCaptions();
   if (motion != nullptr) motion->refresh();
   requestRender();
 }
@@ -310,7 +320,7 @@ bool PatchView::Parts::eventFilter(QObject*, QEvent* event) {
     case QEvent::KeyRelease:
       event->ignore();  // so that it goes on to the window
       return true;
-    case QEvent::Show:  // what changed while it was hidden
+    case QEvent::Show:  // shows changes made while it was hidden
     case QEvent::Resize:
     case QEvent::ScreenChangeInternal:  // which may be a denser one
       requestRender();
@@ -348,7 +358,7 @@ void PatchView::setReconstruction(std::shared_ptr<const Reconstruction> reconstr
   parts_->reconstruction = std::move(reconstruction);
   parts_->measure.setReconstruction(parts_->reconstruction);
   if (!parts_->scene) {
-    parts_->updateOverlay();
+    parts_->updateCaptions();
   } else if (parts_->reconstruction && parts_->reconstruction->cellCount() > kMaxCellsAtOnce) {
     parts_->builder->submit(parts_->reconstruction);
     parts_->refresh();
@@ -360,7 +370,7 @@ void PatchView::setReconstruction(std::shared_ptr<const Reconstruction> reconstr
 
 void PatchView::setTheme(Theme theme) {
   const SceneColors colors = sceneColors(theme);
-  parts_->overlay->setTheme(theme, colors);
+  parts_->captions->setTheme(theme, colors);
   if (parts_->scene) parts_->scene->setColors(colors);
   if (parts_->motion) parts_->motion->setTheme(theme);
   parts_->background = Colors::of(theme).scene_bottom;
@@ -371,71 +381,34 @@ void PatchView::setTheme(Theme theme) {
 
 void PatchView::paintEvent(QPaintEvent* /*event*/) { QPainter(this).fillRect(rect(), parts_->background); }
 
-void PatchView::setPose(std::optional<PoseId> pose) {
+void PatchView::setOverlays(const PatchOverlays& overlays) {
+  if (overlays == parts_->overlays) return;
+  parts_->overlays = overlays;
   if (!parts_->scene) return;
-  parts_->scene->setPose(pose);
-  parts_->refresh();
-}
-
-void PatchView::setReadings(const std::vector<CellSample>& samples, const std::vector<CellTemperature>& temperatures) {
-  if (!parts_->scene) return;
-  CellReadings readings;
-  for (const CellSample& sample : samples) readings.acceleration_g[sample.cell] = sample.acceleration_g;
-  for (const CellTemperature& reading : temperatures) readings.temperature_c[reading.cell] = reading.temperature_c;
-  const CellReadings& before = parts_->scene->readings();
-  const bool came_or_went = readings.acceleration_g.empty() != before.acceleration_g.empty() ||
-                            readings.temperature_c.empty() != before.temperature_c.empty();
-  parts_->scene->setReadings(std::move(readings));
-  if (came_or_went) parts_->updateControls();
-  if (isReading(parts_->coloring)) parts_->refresh();
-}
-
-void PatchView::setTruth(std::shared_ptr<const GroundTruth> truth) {
-  if (!parts_->scene) return;
-  parts_->scene->setTruth(std::move(truth));
+  parts_->scene->setOverlays(overlays);
   parts_->updateControls();
   parts_->refresh();
 }
 
-void PatchView::setSurface(std::optional<SurfaceEvaluation> surface) {
-  if (!parts_->scene) return;
-  parts_->surface = surface;
-  parts_->scene->setSurface(std::move(surface));
-  parts_->updateControls();
-  parts_->refresh();
-}
+const PatchOverlays& PatchView::overlays() const { return parts_->overlays; }
 
-void PatchView::setLoop(std::optional<LoopEvaluation> loop) {
-  if (!parts_->scene) return;
-  parts_->loop = loop;
-  parts_->scene->setLoop(loop);
-  parts_->updateControls();
-  parts_->refresh();
-}
-
-void PatchView::setComparison(std::vector<Comparison> comparison) {
-  if (!parts_->scene) return;
-  parts_->scene->setComparison(std::move(comparison));
-  parts_->updateControls();
-  parts_->refresh();
-}
-
-bool PatchView::isUpToDate() const { return !parts_->builder || !parts_->builder->isBusy(); }
-
-void PatchView::setCurrentUp(const std::optional<Eigen::Vector3d>& up_o) {
+void PatchView::setMoment(const PatchMoment& moment) {
+  const PatchMoment before = std::exchange(parts_->moment, moment);
   if (!parts_->motion) return;
   const bool was_shown = parts_->scene->showsGravity();
-  parts_->motion->setUp(up_o);
-  if (parts_->scene->showsGravity() != was_shown) parts_->updateOverlay();
+  parts_->motion->setMoment(moment);
+  const bool other_readings = moment.readings != before.readings;
+  if (other_readings && comesOrGoes(before.readings.get(), moment.readings.get())) parts_->updateControls();
+  if (moment.pose != before.pose || (other_readings && isReading(parts_->coloring))) {
+    parts_->refresh();
+  } else if (parts_->scene->showsGravity() != was_shown) {
+    parts_->updateCaptions();
+  }
 }
 
-void PatchView::setNextUp(const std::optional<Eigen::Vector3d>& up_o) {
-  if (parts_->motion) parts_->motion->setNextUp(up_o);
-}
+const PatchMoment& PatchView::moment() const { return parts_->moment; }
 
-void PatchView::setNextTurn(const QString& angle) {
-  if (parts_->motion) parts_->motion->setNextTurn(angle);
-}
+bool PatchView::isUpToDate() const { return !parts_->builder || !parts_->builder->isBusy(); }
 
 void PatchView::setTurnable(bool turnable) {
   if (parts_->motion) parts_->motion->setTurnable(turnable);
@@ -472,7 +445,7 @@ QImage PatchView::screenshot() {
   drawNow();
   QImage image = parts_->canvas->picture();
   QPainter painter(&image);
-  parts_->overlay->paint(painter, parts_->canvas->size());
+  parts_->captions->paint(painter, parts_->canvas->size());
   parts_->motion->paintCaption(painter, parts_->canvas->size());
   return image;
 }

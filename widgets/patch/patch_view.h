@@ -1,10 +1,8 @@
 #pragma once
 
-#include "hexoderm/device/sample_frame.h"
-#include "hexoderm/reconstruction/evaluation/evaluation.h"
 #include "hexoderm/reconstruction/result/reconstruction.h"
-#include "widgets/coloring/cell_coloring.h"
-#include "widgets/scene/scene_items.h"
+#include "widgets/scene/patch_moment.h"
+#include "widgets/scene/patch_overlays.h"
 #include "widgets/style/palette.h"
 
 #include <QImage>
@@ -12,17 +10,15 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <vector>
 
 namespace hexoderm {
 
 class Selection;
 
-/// The patch in 3D: true hexagonal prisms with ports, IDs, origin and gravity, coloured by what is chosen, and what is
-/// known beside them: readings, truth, a fitted surface, a loop's gap, differences to another calibration. Shows what
-/// it is given and nothing else; without OpenGL it says so in words and stays empty.
+/// The patch in 3D: true hexagonal prisms with ports, IDs, origin and gravity, in the colours that are chosen, with
+/// overlays and live readings. It computes nothing itself; without OpenGL it says so in words and stays empty.
 ///
-/// Large skins are prepared on another thread; until that is done, the picture before stays.
+/// Large skins are prepared on another thread; until that is done, the previous picture stays.
 class PatchView : public QWidget {
   Q_OBJECT
 
@@ -38,26 +34,15 @@ class PatchView : public QWidget {
   /// Null shows an empty scene with a hint.
   void setReconstruction(std::shared_ptr<const Reconstruction> reconstruction);
   void setTheme(Theme theme);
-  /// Which pose's gravity the arrow shows; the last one by default.
-  void setPose(std::optional<PoseId> pose);
-  /// What the cells read now (or in a picked pose), for the colours; empty: nothing. May come many times a second.
-  void setReadings(const std::vector<CellSample>& samples, const std::vector<CellTemperature>& temperatures = {});
-  /// Known placements, of simulated skins; null: none.
-  void setTruth(std::shared_ptr<const GroundTruth> truth);
-  // Results about the reconstruction that is shown. They stay until they are set anew: whoever shows another
-  // reconstruction has to bring them up to date or take them back.
-  void setSurface(std::optional<SurfaceEvaluation> surface);
-  void setLoop(std::optional<LoopEvaluation> loop);
-  void setComparison(std::vector<Comparison> comparison);
-
-  /// Where up is now, a unit vector in the frame of the largest patch: the picture turns as the part is turned. None:
-  /// it stays. Cheap: may be called 20 times a second.
-  void setCurrentUp(const std::optional<Eigen::Vector3d>& up_o);
-  /// Where up is to be in the next pose: shown as a ghost beside the skin that turns there. None: no ghost.
-  void setNextUp(const std::optional<Eigen::Vector3d>& up_o);
-  /// How far the part is to be turned there, in words ("90°"), to stand beside the ghost; empty: it says nothing.
-  void setNextTurn(const QString& angle);
-  /// Whether turnRequested() is obeyed: then a button, Shift and the arrow keys turn the part instead of the picture.
+  /// Results and truths about the reconstruction that is shown. They stay until they are set anew.
+  void setOverlays(const PatchOverlays& overlays);
+  [[nodiscard]] const PatchOverlays& overlays() const;
+  /// The present moment of a connected skin and the picked pose. Each call lets the picture follow the part a little
+  /// further; may come 20 times a second.
+  void setMoment(const PatchMoment& moment);
+  [[nodiscard]] const PatchMoment& moment() const;
+  /// On: somebody obeys turnRequested(), so that a button, Shift and the arrow keys turn the part instead of the
+  /// picture.
   void setTurnable(bool turnable);
   /// Off: nothing moves by itself.
   void setAnimated(bool animated);
@@ -68,9 +53,9 @@ class PatchView : public QWidget {
   /// Calls `then` as soon as everything that was set is in the picture: at once, except while a large skin is being
   /// prepared. Never after the view has gone.
   void whenUpToDate(std::function<void()> then);
-  /// Waits until it is, as long as preparing takes. For pictures that nobody watches being taken.
+  /// Blocks until everything that was set is in the picture. For pictures that are taken without an operator.
   void waitUntilUpToDate();
-  /// Draws what was set, as smooth as it gets, instead of in the next turns of the event loop.
+  /// Draws at once and as smoothly as possible, instead of in the next turns of the event loop.
   void drawNow();
   /// The scene as drawn, without the buttons on top; while a large skin is being prepared, as it was before.
   [[nodiscard]] QImage screenshot();
@@ -78,8 +63,8 @@ class PatchView : public QWidget {
  public slots:
   void fit();
   void showStandardView(hexoderm::PatchView::StandardView view);
-  /// For the time in which the picture follows the part: afterwards it is seen again, all of it, from where it was seen
-  /// before.
+  /// Remembers the direction of view while the picture follows the part; afterwards the whole patch is seen from there
+  /// again.
   void keepView();
   void returnToKeptView();
 

@@ -23,7 +23,7 @@ SceneWidget::SceneWidget(QWidget* parent) : QWidget(parent) {
   surface_.create();
   connectWindow();
   makeCurrent();
-  // As wide as OpenGL promises it; wider lines are drawn as faces.
+  // The widest lines that OpenGL guarantees; wider ones are drawn as faces.
   window_->SetForceMaximumHardwareLineWidth(1);
   window_->SetReadyForRendering(true);
   window_->SetOwnContext(0);

@@ -37,17 +37,17 @@ class SceneWidget : public QWidget {
 
   /// Seen where a picture of another size does not reach.
   void setBackground(const QColor& color);
-  /// What was drawn last; drawn now if that is nothing or of another size.
+  /// The last picture; drawn now if there is none or its size has changed.
   [[nodiscard]] QImage picture();
 
  protected:
-  /// What it is told goes to VTK's interactor too.
+  /// Passes events on to VTK's interactor.
   bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
 
  private:
   void connectWindow();
-  /// What VTK asks its window's owner, who sets `answer`; or tells it, that a drawing is complete.
+  /// Answers the questions that VTK asks its window's owner, by setting `answer`, and handles the end of a drawing.
   void answerWindow(vtkObject* window, unsigned long event, void* answer);
   void takeSize();
   /// Fetches what was drawn, once for however many drawings.

@@ -4,10 +4,10 @@
 
 namespace hexoderm {
 
-/// Blends what is translucent in the order of the actors. VTK's own renderer blends in no order, for which it fills
-/// more pictures as large as the window and puts them together with shaders of their own; without a graphics card,
-/// the window stands still while these are compiled, when the first translucent thing appears. What Hexoderm shows
-/// translucent is of one colour each, so that no order of it would be seen.
+/// Blends translucent things in the order of the actors. VTK's own renderer blends in no order, for which it fills more
+/// pictures as large as the window and puts them together with shaders of their own; without a graphics card, the
+/// window stands still while these are compiled, when the first translucent thing appears. Hexoderm's translucent
+/// things are of one colour each, so that no order of them would be seen.
 class BlendingRenderer : public vtkOpenGLRenderer {
  public:
   static BlendingRenderer* New();

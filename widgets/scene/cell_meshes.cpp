@@ -17,13 +17,13 @@
 namespace hexoderm {
 namespace {
 
-constexpr double kMarkLift = 0.015;       // of the side length, so that marks lie on the face and not in it
-constexpr double kPortInset = 0.86;       // of the extended port vector: on the face, beside the gap
-constexpr double kPortRadius = 0.075;     // of the side length
-constexpr double kPortRingWidth = 0.4;    // of the radius
-constexpr double kOriginRadius = 0.42;    // of the side length
-constexpr double kOriginRingWidth = 0.1;  // of the radius
-constexpr double kLinkLift = 0.07;        // of the side length
+constexpr double kMarkLift = 0.015;       // share of the side length, so that marks lie on the face and not in it
+constexpr double kPortInset = 0.86;       // share of the extended port vector: on the face, beside the gap
+constexpr double kPortRadius = 0.075;     // share of the side length
+constexpr double kPortRingWidth = 0.4;    // share of the radius
+constexpr double kOriginRadius = 0.42;    // share of the side length
+constexpr double kOriginRingWidth = 0.1;  // share of the radius
+constexpr double kLinkLift = 0.07;        // share of the side length
 
 using Bytes = std::array<unsigned char, 3>;
 

@@ -9,7 +9,7 @@
 
 namespace hexoderm {
 
-// What is drawn of the cells themselves. No Qt, no OpenGL.
+// Meshes of the cells themselves. No Qt, no OpenGL.
 
 /// The surface with one colour a cell; the sides and backs of prisms are darker. Shares points and polygons with the
 /// content's.

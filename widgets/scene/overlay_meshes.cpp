@@ -16,9 +16,9 @@ namespace {
 constexpr double kEllipsoidRoom = 0.8;  // the longest semi-axis
 constexpr double kShiftRoom = 1.2;      // the longest arrow
 constexpr double kDistanceRoom = 0.8;   // the longest distance line
-constexpr double kLinkLift = 0.05;      // above the front faces
+constexpr double kLinkLineLift = 0.05;  // above the front faces
 constexpr double kTreeLift = 0.035;     // below the links
-constexpr double kDoubleApart = 0.035;  // of a double line's strokes from its middle
+constexpr double kDoubleApart = 0.035;  // distance of a double line's strokes from its middle
 constexpr double kDash = 0.22;          // a dash and the gap behind it
 constexpr double kDot = 0.09;
 constexpr double kCross = 0.12;   // half of a muted link's cross
@@ -192,7 +192,7 @@ EnlargedShape makeEllipsoids(const SceneContent& content) {
 
 vtkSmartPointer<vtkPolyData> makeLinkLines(const SceneContent& content, const SceneColors& colors) {
   const double side_m = content.reconstruction->model->side_m;
-  const double lift = kLinkLift * side_m;
+  const double lift = kLinkLineLift * side_m;
   PolyDataBuilder mesh;
   for (const PatchReconstruction& patch : content.reconstruction->patches) {
     for (const LinkEstimate& link : patch.links) {

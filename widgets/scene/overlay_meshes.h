@@ -12,7 +12,7 @@
 
 namespace hexoderm {
 
-// What is drawn over the cells, each kind as one mesh. No Qt, no OpenGL. All points in the scene's frame.
+// Things drawn over the cells, each kind as one mesh. No Qt, no OpenGL. All points in the scene's frame.
 
 /// Enlarged figures are drawn this many times as large as they are.
 struct EnlargedShape {

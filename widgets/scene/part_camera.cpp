@@ -13,7 +13,7 @@ namespace {
 
 Eigen::Vector3d backOf(vtkCamera* camera) { return -toEigen(camera->GetDirectionOfProjection()); }
 
-/// Looks at the focal point from `back` (unit). Where it looks along `up`, `other_up` is upwards instead.
+/// Looks at the focal point from `back` (unit). If it looks along `up`, `other_up` is upwards instead.
 void lookFrom(vtkCamera* camera, const Eigen::Vector3d& back, const Eigen::Vector3d& up,
               const Eigen::Vector3d& other_up) {
   constexpr double kAlong = 0.02;

@@ -6,8 +6,8 @@ class vtkCamera;
 
 namespace hexoderm {
 
-// How the camera of the 3D scene goes with the part that is held. Directions are up directions, unit vectors in the
-// scene's frame, which is the patch's: the part stays where it is there, and the camera goes round it.
+// Functions that move the camera of the 3D scene with the part that is held. Directions are up directions, unit vectors
+// in the scene's frame, which is the patch's: the part stays where it is there, and the camera goes round it.
 
 /// Turns the camera about its focal point as the world turns about the part when up goes from one direction to another:
 /// by the smallest rotation, so that the part does not spin about gravity. Up is upwards in the picture afterwards, and
@@ -21,7 +21,7 @@ void standCameraUpright(vtkCamera* camera, const Eigen::Vector3d& up);
 /// from above.
 void spinPartInPicture(vtkCamera* camera, const Eigen::Vector3d& up, double angle_rad);
 
-/// To the right in the picture, square to `up`.
+/// The direction to the right in the picture, perpendicular to `up`.
 Eigen::Vector3d rightInPicture(vtkCamera* camera, const Eigen::Vector3d& up);
 
 }  // namespace hexoderm

@@ -1,34 +1,65 @@
 #include "widgets/scene/patch_scene.h"
 
 #include "hexoderm/reconstruction/advice/pose_coverage.h"
+#include "widgets/scene/blending_renderer.h"
 #include "widgets/scene/cell_meshes.h"
-#include "widgets/scene/patch_scene_parts.h"
+#include "widgets/scene/scene_corners.h"
+#include "widgets/scene/scene_ghost.h"
+#include "widgets/scene/scene_labels.h"
+#include "widgets/scene/scene_skin.h"
 
+#include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkCommand.h>
 #include <vtkLight.h>
+#include <vtkNew.h>
+#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkWeakPointer.h>
 #include <algorithm>
+#include <unordered_map>
 
 namespace hexoderm {
-namespace {
 
-bool sameCells(const SceneContent* before, const SceneContent* after) {
-  if (before == nullptr || after == nullptr) return before == after;
-  return std::ranges::equal(before->layout.cells, after->layout.cells, {}, &SceneCell::id, &SceneCell::id);
-}
+struct PatchScene::Parts {
+  std::shared_ptr<const SceneContent> content;
+  SceneColors colors;
+  std::optional<CellId> picked_cell;
+  std::optional<std::pair<LinkEnd, LinkEnd>> picked_link;
+  PatchMoment moment;
+  PatchOverlays overlays;
+  bool text_visible = true;
+  ShownItems shown = kShownAtFirst;
 
-/// Fewer than half of the cells are the same: not a skin that lost or gained some cells.
-bool isOtherSkin(const SceneContent* before, const SceneContent* after) {
-  const std::size_t had = before ? before->layout.cells.size() : 0;
-  const std::size_t has = after ? after->layout.cells.size() : 0;
-  if (had == 0 || has == 0) return had != has;
-  const auto kept = std::ranges::count_if(
-      after->layout.cells, [&](const SceneCell& cell) { return before->layout.find(cell.id) != nullptr; });
-  return 2 * static_cast<std::size_t>(kept) < std::max(had, has);
-}
+  vtkNew<BlendingRenderer> renderer;
+  vtkWeakPointer<vtkRenderWindow> window;
+  unsigned long observer = 0;
+  SceneCamera camera{renderer};
+  SceneSkin skin{renderer};
+  SceneOverlays drawn_overlays{renderer};
+  SceneLabels labels{renderer};
+  vtkNew<vtkActor> selection_actor;
+  vtkNew<vtkPolyDataMapper> selection_mapper;
+  SceneCorners corners;
+  SceneGhost ghost;
 
-}  // namespace
+  Parts();
+  ~Parts();
+
+  [[nodiscard]] SceneCamera::Surroundings surroundings() const;
+  void beforeRender();
+  void recolor();
+  void updateItems();
+  void updateSelection();
+  void updateGravity();
+  void updateGhost();
+  void showGhostOfLargestPatch();
+  /// The present up, else that of the pose whose gravity is shown; none without either.
+  [[nodiscard]] std::optional<Eigen::Vector3d> upShown() const;
+  [[nodiscard]] const GravityDirection* gravity() const;
+};
 
 PatchScene::Parts::Parts() {
   selection_actor->SetMapper(selection_mapper);
@@ -49,10 +80,8 @@ PatchScene::Parts::Parts() {
   fill->SetIntensity(SceneLights::kHead);
   renderer->AddLight(fill);
   renderer->GradientBackgroundOn();
-  renderer->GetActiveCamera()->SetViewAngle(kViewAngle_deg);
 
   observer = renderer->AddObserver(vtkCommand::StartEvent, this, &Parts::beforeRender);
-  lookFrom(View::Oblique);
 }
 
 PatchScene::Parts::~Parts() {
@@ -64,25 +93,35 @@ PatchScene::Parts::~Parts() {
   }
 }
 
+SceneCamera::Surroundings PatchScene::Parts::surroundings() const {
+  SceneCamera::Surroundings around;
+  if (window) {
+    const int* pixels = window->GetSize();
+    around.window = {pixels[0], pixels[1]};
+    around.pixels_per_point = window->GetDPI() / 72.0;
+  }
+  around.ghost = ghost.isVisible();
+  around.arrow_of_gravity = upShown().has_value();
+  return around;
+}
+
 void PatchScene::Parts::beforeRender() {
-  centerInFreePart();
-  const bool outgrown = std::exchange(content_is_new, false) && content && isUntouched() && hasOutgrownTheFit();
-  if (fit_pending || outgrown || (isUntouched() && fitted->size != size())) fitNow();
-  extras.update();
+  const SceneCamera::Surroundings around = surroundings();
+  camera.prepare(around);
+  drawn_overlays.update();
   renderer->ResetCameraClippingRange();
   if (!window) return;
-  skin.update(size()[1]);
-  labels.update(size(), window->GetDPI());
+  skin.update(around.window[1]);
+  labels.update(around.window, window->GetDPI());
   corners.follow(renderer->GetActiveCamera(), window);
   ghost.follow(renderer->GetActiveCamera(), window);
 }
 
 void PatchScene::Parts::updateGhost() {
   const bool was_there = ghost.isVisible();
-  ghost.setTurn(upShown().value_or(Eigen::Vector3d::UnitZ()), upShown() ? next_up_o : std::nullopt);
-  if (ghost.isVisible() == was_there) return;
+  ghost.setTurn(upShown().value_or(Eigen::Vector3d::UnitZ()), upShown() ? moment.next_up_o : std::nullopt);
   // The skin makes room for it.
-  if (isUntouched()) fit_pending = true;
+  if (ghost.isVisible() != was_there) camera.fitIfUntouched();
 }
 
 void PatchScene::Parts::showGhostOfLargestPatch() {
@@ -99,7 +138,7 @@ void PatchScene::Parts::showGhostOfLargestPatch() {
 }
 
 std::optional<Eigen::Vector3d> PatchScene::Parts::upShown() const {
-  if (up_o) return up_o;
+  if (moment.up_o) return moment.up_o;
   const GravityDirection* direction = gravity();
   return direction == nullptr ? std::nullopt : std::optional<Eigen::Vector3d>(direction->g_o);
 }
@@ -132,7 +171,8 @@ void PatchScene::Parts::updateSelection() {
   }
 }
 
-/// Every patch has a frame of its own: the picked cell's patch counts, else the first with a gravity.
+/// Every patch has a frame of its own: this is the gravity of the picked cell's patch, or else of the first patch that
+/// has one.
 const GravityDirection* PatchScene::Parts::gravity() const {
   if (!content || content->layout.cells.empty() || !shown.at(indexOf(SceneItem::Gravity))) return nullptr;
   const Reconstruction* reconstruction = content->reconstruction.get();
@@ -144,8 +184,8 @@ const GravityDirection* PatchScene::Parts::gravity() const {
     patch = &*found;
   }
   if (patch->gravity.empty()) return nullptr;
-  if (!pose) return &patch->gravity.back();
-  const auto found = std::ranges::find(patch->gravity, *pose, &GravityDirection::pose);
+  if (!moment.pose) return &patch->gravity.back();
+  const auto found = std::ranges::find(patch->gravity, *moment.pose, &GravityDirection::pose);
   return found == patch->gravity.end() ? nullptr : &*found;
 }
 
@@ -167,19 +207,11 @@ void PatchScene::attachTo(vtkRenderWindow* window) {
 }
 
 void PatchScene::setContent(std::shared_ptr<const SceneContent> content) {
-  const std::shared_ptr<const SceneContent> before = std::exchange(parts_->content, std::move(content));
-  parts_->content_is_new = true;
-  const std::shared_ptr<const SceneContent>& after = parts_->content;
-  if (!sameCells(before.get(), after.get())) {
-    if (isOtherSkin(before.get(), after.get())) {
-      parts_->lookFrom(View::Oblique);
-    } else {
-      parts_->fit_pending = true;
-    }
-  }
-  parts_->skin.setContent(after);
-  parts_->extras.setContent(after);
-  parts_->labels.setContent(after);
+  parts_->content = std::move(content);
+  parts_->camera.setContent(parts_->content);
+  parts_->skin.setContent(parts_->content);
+  parts_->drawn_overlays.setContent(parts_->content);
+  parts_->labels.setContent(parts_->content);
   parts_->recolor();
   parts_->updateItems();
   parts_->updateSelection();
@@ -193,47 +225,53 @@ void PatchScene::setReconstruction(std::shared_ptr<const Reconstruction> reconst
 void PatchScene::setColors(const SceneColors& colors) {
   parts_->colors = colors;
   parts_->skin.setColors(colors);
-  parts_->extras.setColors(colors);
+  parts_->drawn_overlays.setColors(colors);
   parts_->recolor();
 }
 
-void PatchScene::setColoring(CellColoring coloring) {
+void PatchScene::setColoring(Coloring coloring) {
   parts_->skin.setColoring(coloring);
   parts_->recolor();
 }
 
-void PatchScene::setReadings(CellReadings readings) {
-  parts_->skin.setReadings(std::move(readings));
-  parts_->recolor();
-}
-
-void PatchScene::setTruth(std::shared_ptr<const GroundTruth> truth) { parts_->extras.setTruth(std::move(truth)); }
-
-void PatchScene::setSurface(std::optional<SurfaceEvaluation> surface) {
+void PatchScene::setOverlays(const PatchOverlays& overlays) {
+  const bool other_surface = overlays.surface != parts_->overlays.surface;
+  parts_->overlays = overlays;
+  parts_->drawn_overlays.setOverlays(overlays);
+  if (!other_surface) return;
   std::unordered_map<CellId, double> distance_m;
-  if (surface) {
+  if (const SurfaceEvaluation* surface = overlays.surface.get()) {
     for (std::size_t k = 0; k < surface->cells.size(); ++k) distance_m[surface->cells[k]] = surface->distance_m[k];
   }
   parts_->skin.setSurfaceDistances(std::move(distance_m));
-  parts_->extras.setSurface(std::move(surface));
   parts_->recolor();
 }
 
-void PatchScene::setLoop(std::optional<LoopEvaluation> loop) { parts_->extras.setLoop(loop); }
+const PatchOverlays& PatchScene::overlays() const { return parts_->overlays; }
 
-void PatchScene::setComparison(std::vector<Comparison> comparison) {
-  parts_->extras.setComparison(std::move(comparison));
+void PatchScene::setMoment(const PatchMoment& moment) {
+  const PatchMoment before = std::exchange(parts_->moment, moment);
+  if (moment.readings != before.readings) {
+    parts_->skin.setReadings(moment.readings ? *moment.readings : CellReadings{});
+    parts_->recolor();
+  }
+  const bool other_up = moment.up_o != before.up_o;
+  if (other_up) parts_->camera.follow(moment.up_o);
+  if (other_up || moment.pose != before.pose) parts_->updateGravity();
+  if (other_up || moment.pose != before.pose || moment.next_up_o != before.next_up_o) parts_->updateGhost();
 }
+
+const PatchMoment& PatchScene::moment() const { return parts_->moment; }
 
 void PatchScene::setShown(SceneItem item, bool shown) {
   parts_->shown.at(indexOf(item)) = shown;
-  parts_->extras.setShown(item, shown);
+  parts_->drawn_overlays.setShown(item, shown);
   parts_->updateItems();
 }
 
-Availability PatchScene::availability(SceneItem item) const { return parts_->extras.availability(item); }
+Availability PatchScene::availability(SceneItem item) const { return parts_->drawn_overlays.availability(item); }
 
-const SceneNotes& PatchScene::notes() { return parts_->extras.notes(); }
+const SceneNotes& PatchScene::notes() { return parts_->drawn_overlays.notes(); }
 
 void PatchScene::setSelection(std::optional<CellId> cell, std::optional<std::pair<LinkEnd, LinkEnd>> link) {
   parts_->picked_cell = cell;
@@ -244,20 +282,7 @@ void PatchScene::setSelection(std::optional<CellId> cell, std::optional<std::pai
 }
 
 void PatchScene::setMeasured(std::optional<CellId> first, std::optional<CellId> second) {
-  parts_->extras.setMeasured(first, second);
-}
-
-void PatchScene::setPose(std::optional<PoseId> pose) {
-  parts_->pose = pose;
-  parts_->updateGravity();
-  parts_->updateGhost();
-}
-
-void PatchScene::setUp(const std::optional<Eigen::Vector3d>& up_o) { parts_->follow(up_o); }
-
-void PatchScene::setNextUp(const std::optional<Eigen::Vector3d>& up_o) {
-  parts_->next_up_o = up_o;
-  parts_->updateGhost();
+  parts_->drawn_overlays.setMeasured(first, second);
 }
 
 void PatchScene::setGhostPhase(double phase) { parts_->ghost.setPhase(phase); }
@@ -278,15 +303,23 @@ void PatchScene::setSmoothed(bool smoothed) {
   parts_->ghost.setSmoothed(smoothed);
 }
 
-void PatchScene::setTopMargin(int pixels) {
-  if (std::exchange(parts_->top_margin, pixels) != pixels && parts_->isUntouched()) parts_->fit_pending = true;
-}
+void PatchScene::setTopMargin(int pixels) { parts_->camera.setTopMargin(pixels); }
 
-void PatchScene::fit() { parts_->fit_pending = true; }
+void PatchScene::fit() { parts_->camera.fit(); }
+
+void PatchScene::showStandardView(View view) { parts_->camera.lookFrom(view); }
+
+void PatchScene::keepView() { parts_->camera.keepView(); }
+
+void PatchScene::returnToKeptView() { parts_->camera.returnToKeptView(); }
+
+void PatchScene::setParallel(bool parallel) { parts_->camera.setParallel(parallel); }
+
+void PatchScene::spin(double angle_rad) { parts_->camera.spin(parts_->upShown(), angle_rad); }
 
 std::optional<CellId> PatchScene::pick(double x, double y) {
   if (!parts_->window) return std::nullopt;
-  if (parts_->fit_pending) parts_->fitNow();
+  parts_->camera.fitIfPending(parts_->surroundings());
   return parts_->skin.pick(x, y);
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 
-#include "widgets/coloring/cell_coloring.h"
+#include "widgets/coloring/coloring.h"
+#include "widgets/scene/patch_moment.h"
+#include "widgets/scene/patch_overlays.h"
+#include "widgets/scene/scene_camera.h"
 #include "widgets/scene/scene_content.h"
 #include "widgets/scene/scene_items.h"
 #include "widgets/scene/scene_overlays.h"
@@ -16,17 +19,15 @@ class vtkRenderWindow;
 
 namespace hexoderm {
 
-/// The patch in 3D without Qt: cells, ports, IDs, origin, axes, the direction of gravity, and what is drawn over them
-/// (SceneItem), with VTK into whatever render window it is attached to. Nothing is drawn until the window renders.
+/// The patch in 3D without Qt: cells, ports, IDs, origin, axes, the direction of gravity, and overlays (SceneItem). VTK
+/// draws it into the render window that it is attached to, and only when that window renders.
 ///
-/// Up to SceneContent::kMaxPrismCells cells are prisms; a larger skin is drawn as its front faces only. Making a large
-/// skin's content takes longer than a picture does, so it can be made elsewhere and handed over; every other setter is
-/// cheap enough to be called for each new result.
+/// A skin of up to SceneContent::kMaxPrismCells cells is drawn as prisms, a larger one as its front faces only. Making
+/// a large skin's content takes longer than drawing it, so it can be made on another thread and handed over; every
+/// other setter is cheap enough to be called for each new result.
 class PatchScene {
  public:
-  /// Where the camera looks from, in the patch frame: Front from +z (out of the origin cell's skin), Side from +x, Top
-  /// from +y.
-  enum class View { Oblique, Front, Side, Top };
+  using View = SceneCamera::View;
 
   PatchScene();
   ~PatchScene();
@@ -38,42 +39,30 @@ class PatchScene {
 
   /// Null empties the scene. The camera moves only when the set of cells has changed.
   void setContent(std::shared_ptr<const SceneContent> content);
-  /// The same, making the content here and now.
+  /// Makes the content here and now, and shows it.
   void setReconstruction(std::shared_ptr<const Reconstruction> reconstruction);
   void setColors(const SceneColors& colors);
-  void setColoring(CellColoring coloring);
-  /// The newest readings; cells without one are neutral. Without the distances to a fitted surface, which are the
-  /// scene's own.
-  void setReadings(CellReadings readings);
-  /// Known placements, drawn as outlines; null: none.
-  void setTruth(std::shared_ptr<const GroundTruth> truth);
-  /// A surface fitted to a patch of this reconstruction.
-  void setSurface(std::optional<SurfaceEvaluation> surface);
-  void setLoop(std::optional<LoopEvaluation> loop);
-  /// Of this reconstruction with a reference, per patch.
-  void setComparison(std::vector<Comparison> comparison);
+  void setColoring(Coloring coloring);
+  /// Draws anew only the overlays that are other ones than before.
+  void setOverlays(const PatchOverlays& overlays);
+  [[nodiscard]] const PatchOverlays& overlays() const;
+  /// Draws anew only what has changed since the moment before. Cells without a reading are neutral.
+  void setMoment(const PatchMoment& moment);
+  [[nodiscard]] const PatchMoment& moment() const;
   void setShown(SceneItem item, bool shown);
   [[nodiscard]] Availability availability(SceneItem item) const;
-  /// What is drawn over the cells, and how much enlarged.
+  /// Notes on the overlays that are drawn over the cells, with their enlargements.
   [[nodiscard]] const SceneNotes& notes();
-  /// An outline about the cell, a line along the link. What is not in the reconstruction is not shown.
+  /// Draws an outline about the cell or a line along the link, if the reconstruction has it.
   void setSelection(std::optional<CellId> cell, std::optional<std::pair<LinkEnd, LinkEnd>> link);
   /// The cells between which is measured: one is outlined, two are joined by a line.
   void setMeasured(std::optional<CellId> first, std::optional<CellId> second);
-  /// Whose gravity the arrow shows; none: the last pose of the patch.
-  void setPose(std::optional<PoseId> pose);
-  /// Where up is now, a unit vector in the frame of the largest patch: the picture follows, so that up stays upwards
-  /// while the part is turned, and the arrow of gravity with it. None: the picture stays, and the arrow is a pose's
-  /// again.
-  void setUp(const std::optional<Eigen::Vector3d>& up_o);
-  /// Where up is to be in the next pose: its ghost is shown beside the skin. None: no ghost.
-  void setNextUp(const std::optional<Eigen::Vector3d>& up_o);
-  /// How far the ghost has turned from the present orientation (0) to the next (1).
+  /// Turns the ghost from the present orientation (0) to the next (1).
   void setGhostPhase(double phase);
   [[nodiscard]] bool showsGhost() const;
   /// The present up, else that of the pose whose gravity is shown; none without either.
   [[nodiscard]] std::optional<Eigen::Vector3d> upShown() const;
-  /// The part seems to turn about gravity, counter-clockwise seen from above.
+  /// Makes the part seem to turn about gravity, counter-clockwise seen from above.
   void spin(double angle_rad);
   /// IDs and the letters of the axes; pictures that are compared go without.
   void setTextVisible(bool visible);
@@ -87,19 +76,20 @@ class PatchScene {
   /// Moves the camera along its direction until everything fits into the window.
   void fit();
   void showStandardView(View view);
-  /// From where is looked now; returnToKeptView() looks from there again and fits. Without a kept view it does nothing.
+  /// Remembers the present direction; returnToKeptView() looks from there again and fits. Without a kept view it does
+  /// nothing.
   void keepView();
   void returnToKeptView();
-  /// Parallel instead of perspective projection; what is looked at keeps its size.
+  /// Parallel instead of perspective projection; the point that is looked at keeps its size.
   void setParallel(bool parallel);
 
   /// The cell at a pixel of the window (origin lower left); none beside the skin.
   [[nodiscard]] std::optional<CellId> pick(double x, double y);
   [[nodiscard]] const SceneContent* content() const;
   [[nodiscard]] const CellReadings& readings() const;
-  /// What the cells are coloured by, in the unit that is shown; for the legend.
+  /// The values that the cells are coloured by, in the unit that is shown; for the legend.
   [[nodiscard]] std::vector<std::optional<double>> values() const;
-  /// Whether the arrow is there: not without a pose, nor while it is switched off.
+  /// True if the arrow of gravity is there: not without a pose, nor while it is switched off.
   [[nodiscard]] bool showsGravity() const;
 
   [[nodiscard]] vtkRenderer* renderer() const;

@@ -4,39 +4,41 @@
 
 namespace hexoderm {
 
-SceneBuilder::SceneBuilder(std::function<void(Content)> deliver)
-    : deliver_(std::move(deliver)), thread_([this](const std::stop_token& stop) { run(stop); }) {}
-
-SceneBuilder::~SceneBuilder() {
-  thread_.request_stop();
-  thread_.join();
-}
+SceneBuilder::SceneBuilder(std::function<void(Content)> deliver) : deliver_(std::move(deliver)) {}
 
 void SceneBuilder::submit(std::shared_ptr<const Reconstruction> reconstruction) {
+  std::uint64_t number = 0;
   {
     const std::lock_guard lock(mutex_);
-    waiting_ = std::move(reconstruction);
+    number = ++submitted_;
   }
-  changed_.notify_all();
+  worker_.submit([this, number, reconstruction = std::move(reconstruction)](const std::stop_token& stop) {
+    Content content = makeSceneContent(reconstruction);
+    {
+      const std::lock_guard lock(mutex_);
+      if (stop.stop_requested()) return;
+      result_ = std::move(content);
+      settled_ = number;
+    }
+    QMetaObject::invokeMethod(
+        &receiver_, [this] { deliverResult(); }, Qt::QueuedConnection);
+  });
 }
 
 void SceneBuilder::cancel() {
+  worker_.cancel();
   const std::lock_guard lock(mutex_);
-  waiting_.reset();
+  settled_ = submitted_;
   result_.reset();
-  cancelled_ = running_;
 }
 
 bool SceneBuilder::isBusy() const {
   const std::lock_guard lock(mutex_);
-  return waiting_ || (running_ && !cancelled_) || result_;
+  return settled_ < submitted_ || result_;
 }
 
 void SceneBuilder::finish() {
-  {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return !waiting_ && !running_; });
-  }
+  worker_.waitUntilIdle();
   deliverResult();
 }
 
@@ -47,29 +49,6 @@ void SceneBuilder::deliverResult() {
     result = std::exchange(result_, std::nullopt);
   }
   if (result) deliver_(std::move(*result));
-}
-
-void SceneBuilder::run(const std::stop_token& stop) {
-  for (;;) {
-    std::shared_ptr<const Reconstruction> reconstruction;
-    {
-      std::unique_lock lock(mutex_);
-      changed_.wait(lock, stop, [this] { return waiting_ != nullptr; });
-      if (stop.stop_requested()) return;
-      reconstruction = std::exchange(waiting_, nullptr);
-      running_ = true;
-      cancelled_ = false;
-    }
-    Content content = makeSceneContent(std::move(reconstruction));
-    {
-      const std::lock_guard lock(mutex_);
-      running_ = false;
-      if (!cancelled_) result_ = std::move(content);
-    }
-    changed_.notify_all();
-    QMetaObject::invokeMethod(
-        &receiver_, [this] { deliverResult(); }, Qt::QueuedConnection);
-  }
 }
 
 }  // namespace hexoderm

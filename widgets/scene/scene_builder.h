@@ -1,27 +1,26 @@
 #pragma once
 
+#include "hexoderm/util/latest_worker.h"
 #include "widgets/scene/scene_content.h"
 
 #include <QObject>
-#include <condition_variable>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <thread>
 
 namespace hexoderm {
 
-/// Makes the content of large skins on a thread of its own. One slot, the newest wins: what was not begun when a newer
-/// reconstruction comes is never made.
+/// Makes the content of large skins on a thread of its own. The newest reconstruction wins: one whose content was not
+/// begun when a newer one comes is dropped.
 class SceneBuilder {
  public:
   using Content = std::shared_ptr<const SceneContent>;
 
   /// `deliver` is called with each result, on the thread that made the builder (which needs an event loop), and never
-  /// after the destructor. That waits for the content being made.
+  /// after the destructor, which waits for the content being made.
   explicit SceneBuilder(std::function<void(Content)> deliver);
-  ~SceneBuilder();
   SceneBuilder(const SceneBuilder&) = delete;
   SceneBuilder& operator=(const SceneBuilder&) = delete;
 
@@ -34,18 +33,15 @@ class SceneBuilder {
   void finish();
 
  private:
-  void run(const std::stop_token& stop);
   void deliverResult();
 
   std::function<void(Content)> deliver_;
-  QObject receiver_;  ///< of the posted deliveries; they go with it
+  QObject receiver_;  ///< receiver of the posted deliveries, which go with it
   mutable std::mutex mutex_;
-  std::condition_variable_any changed_;
-  std::shared_ptr<const Reconstruction> waiting_;
-  bool running_ = false;
-  bool cancelled_ = false;  ///< what is running is not wanted any more
+  std::uint64_t submitted_ = 0;  ///< how many so far
+  std::uint64_t settled_ = 0;    ///< number of these that are made or cancelled; those before a made one count too
   std::optional<Content> result_;
-  std::jthread thread_;  // last: joined before what it uses goes
+  LatestWorker worker_;  // last: it has ended before anything that it uses is destroyed
 };
 
 }  // namespace hexoderm

@@ -1,18 +1,24 @@
+#include "widgets/scene/scene_camera.h"
+
 #include "hexoderm/util/units.h"
 #include "widgets/scene/part_camera.h"
-#include "widgets/scene/patch_scene_parts.h"
+#include "widgets/scene/scene_corners.h"
+#include "widgets/scene/scene_ghost.h"
 #include "widgets/scene/vtk_eigen.h"
 
 #include <vtkCamera.h>
+#include <vtkRenderer.h>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace hexoderm {
 namespace {
 
-constexpr double kEdge = 0.08;  // half the window: what a patch that grows may go beyond the fit
-// Parts of the window that a fitted skin fills: the legend below stays free, and what covers the top.
+constexpr double kViewAngle_deg = 30;
+constexpr double kEdge = 0.08;  // in half windows: a growing patch may exceed the fit by this much
+// Shares of the window that a fitted skin fills: the legend below stays free, and so does what covers the top.
 constexpr double kFitWidth = 0.88;
 constexpr double kFitHeight = 0.74;
 constexpr double kLeastFitHeight = 0.4;
@@ -23,76 +29,121 @@ struct ViewDirection {
   Eigen::Vector3d up;
 };
 
-ViewDirection directionOf(PatchScene::View view) {
+ViewDirection directionOf(SceneCamera::View view) {
   switch (view) {
-    case PatchScene::View::Front:
+    case SceneCamera::View::Front:
       return {Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY()};
-    case PatchScene::View::Side:
+    case SceneCamera::View::Side:
       return {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()};
-    case PatchScene::View::Top:
+    case SceneCamera::View::Top:
       return {Eigen::Vector3d::UnitY(), -Eigen::Vector3d::UnitZ()};
-    case PatchScene::View::Oblique:
+    case SceneCamera::View::Oblique:
       break;
   }
   return {Eigen::Vector3d(0.45, 0.42, 1.0).normalized(), Eigen::Vector3d::UnitY()};
 }
 
-}  // namespace
-
-std::array<int, 2> PatchScene::Parts::size() const {
-  if (!window) return {0, 0};
-  const int* pixels = window->GetSize();
-  return {pixels[0], pixels[1]};
+bool sameCells(const SceneContent* before, const SceneContent* after) {
+  if (before == nullptr || after == nullptr) return before == after;
+  return std::ranges::equal(before->layout.cells, after->layout.cells, {}, &SceneCell::id, &SceneCell::id);
 }
 
-double PatchScene::Parts::freeWidth() const { return ghost.isVisible() ? kFitWidth - SceneGhost::kShare : kFitWidth; }
+/// Fewer than half of the cells are the same: not a skin that lost or gained some cells.
+bool isOtherSkin(const SceneContent* before, const SceneContent* after) {
+  const std::size_t had = before ? before->layout.cells.size() : 0;
+  const std::size_t has = after ? after->layout.cells.size() : 0;
+  if (had == 0 || has == 0) return had != has;
+  const auto kept = std::ranges::count_if(
+      after->layout.cells, [&](const SceneCell& cell) { return before->layout.find(cell.id) != nullptr; });
+  return 2 * static_cast<std::size_t>(kept) < std::max(had, has);
+}
 
-double PatchScene::Parts::freeHeight() const {
-  const int height = size()[1];
+}  // namespace
+
+SceneCamera::SceneCamera(vtkRenderer* renderer) : renderer_(renderer) {
+  camera()->SetViewAngle(kViewAngle_deg);
+  lookFrom(View::Oblique);
+}
+
+vtkCamera* SceneCamera::camera() const { return renderer_->GetActiveCamera(); }
+
+void SceneCamera::setContent(std::shared_ptr<const SceneContent> content) {
+  const std::shared_ptr<const SceneContent> before = std::exchange(content_, std::move(content));
+  content_is_new_ = true;
+  if (sameCells(before.get(), content_.get())) return;
+  if (isOtherSkin(before.get(), content_.get())) {
+    lookFrom(View::Oblique);
+  } else {
+    fit();
+  }
+}
+
+void SceneCamera::setTopMargin(int pixels) {
+  if (std::exchange(top_margin_, pixels) != pixels) fitIfUntouched();
+}
+
+void SceneCamera::fitIfUntouched() {
+  if (isUntouched()) fit_pending_ = true;
+}
+
+void SceneCamera::prepare(const Surroundings& around) {
+  around_ = around;
+  centerInFreePart();
+  const bool outgrown = std::exchange(content_is_new_, false) && content_ && isUntouched() && hasOutgrownTheFit();
+  if (fit_pending_ || outgrown || (isUntouched() && fitted_->window != around_.window)) fitNow();
+}
+
+void SceneCamera::fitIfPending(const Surroundings& around) {
+  around_ = around;
+  if (fit_pending_) fitNow();
+}
+
+double SceneCamera::freeWidth() const { return around_.ghost ? kFitWidth - SceneGhost::kShare : kFitWidth; }
+
+double SceneCamera::freeHeight() const {
+  const int height = around_.window[1];
   if (height <= 0) return kFitHeight;
   const double below = 0.5 * (1 - kFitHeight);
-  const double above = static_cast<double>(top_margin) / height;
+  const double above = static_cast<double>(top_margin_) / height;
   return std::max(kLeastFitHeight, 1 - below - std::max(below, above + kBelowTop));
 }
 
-double PatchScene::Parts::slackAbove() const {
+double SceneCamera::slackAbove() const {
   const double fitted_top = 2 * freeHeight() - kFitHeight;
-  const double covered_from = 1 - 2.0 * top_margin / std::max(1, size()[1]);
+  const double covered_from = 1 - 2.0 * top_margin_ / std::max(1, around_.window[1]);
   return std::clamp(covered_from - fitted_top, 0.0, kEdge);
 }
 
-Eigen::Vector2d PatchScene::Parts::cornerFrom(int around_px) const {
-  const auto [width, height] = size();
-  const double scale = window ? window->GetDPI() / 72.0 : 1;
+Eigen::Vector2d SceneCamera::cornerFrom(int around_px) const {
+  const auto [width, height] = around_.window;
+  const double scale = around_.pixels_per_point;
   return {1 - 2 * scale * (SceneCorners::kRight + SceneCorners::kSize + around_px) / width,
           -1 + 2 * scale * (SceneCorners::kBottom + SceneCorners::kSize + SceneCorners::kWord + around_px) / height};
 }
 
-Eigen::Vector2d PatchScene::Parts::windowCenter() const {
-  return {ghost.isVisible() ? SceneGhost::kShare : 0, kFitHeight - freeHeight()};
+Eigen::Vector2d SceneCamera::windowCenter() const {
+  return {around_.ghost ? SceneGhost::kShare : 0, kFitHeight - freeHeight()};
 }
 
-void PatchScene::Parts::centerInFreePart() {
+void SceneCamera::centerInFreePart() {
   const Eigen::Vector2d center = windowCenter();
-  renderer->GetActiveCamera()->SetWindowCenter(center.x(), center.y());
+  camera()->SetWindowCenter(center.x(), center.y());
 }
 
-void PatchScene::Parts::lookFrom(View view) {
+void SceneCamera::lookFrom(View view) {
   const ViewDirection direction = directionOf(view);
-  vtkCamera* camera = renderer->GetActiveCamera();
-  const Eigen::Vector3d focus = toEigen(camera->GetFocalPoint());
-  const Eigen::Vector3d position = focus + std::max(camera->GetDistance(), 1e-3) * direction.from;
-  camera->SetPosition(position.x(), position.y(), position.z());
-  camera->SetViewUp(direction.up.x(), direction.up.y(), direction.up.z());
-  camera->OrthogonalizeViewUp();
-  fit_pending = true;
+  const Eigen::Vector3d focus = toEigen(camera()->GetFocalPoint());
+  const Eigen::Vector3d position = focus + std::max(camera()->GetDistance(), 1e-3) * direction.from;
+  camera()->SetPosition(position.x(), position.y(), position.z());
+  camera()->SetViewUp(direction.up.x(), direction.up.y(), direction.up.z());
+  camera()->OrthogonalizeViewUp();
+  fit_pending_ = true;
 }
 
-std::optional<double> PatchScene::Parts::shiftPastArrow(const std::vector<Eigen::Vector3d>& seen,
-                                                        double distance) const {
+std::optional<double> SceneCamera::shiftPastArrow(const std::vector<Eigen::Vector3d>& seen, double distance) const {
   constexpr int kAround_px = 8;
-  const auto [width, height] = size();
-  const bool parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
+  const auto [width, height] = around_.window;
+  const bool parallel = camera()->GetParallelProjection() != 0;
   const Eigen::Vector2d corner = cornerFrom(kAround_px) + windowCenter();
   const double tan_height = std::tan(0.5 * kViewAngle_deg * kDegree);
   double least = 0;
@@ -107,22 +158,21 @@ std::optional<double> PatchScene::Parts::shiftPastArrow(const std::vector<Eigen:
   return least;
 }
 
-void PatchScene::Parts::fitNow() {
-  const auto [width, height] = size();
-  if (!content || content->layout.points.empty() || width <= 0 || height <= 0) return;
-  fit_pending = false;
-  vtkCamera* camera = renderer->GetActiveCamera();
-  const Eigen::Vector3d back = -toEigen(camera->GetDirectionOfProjection());
+void SceneCamera::fitNow() {
+  const auto [width, height] = around_.window;
+  if (!content_ || content_->layout.points.empty() || width <= 0 || height <= 0) return;
+  fit_pending_ = false;
+  const Eigen::Vector3d back = -toEigen(camera()->GetDirectionOfProjection());
   const Eigen::Vector3d up =
-      (toEigen(camera->GetViewUp()) - toEigen(camera->GetViewUp()).dot(back) * back).normalized();
+      (toEigen(camera()->GetViewUp()) - toEigen(camera()->GetViewUp()).dot(back) * back).normalized();
   const Eigen::Vector3d right = up.cross(back);
   Eigen::AlignedBox3d box;
-  const std::vector<Eigen::Vector3d>& points = content->layout.points;
+  const std::vector<Eigen::Vector3d>& points = content_->layout.points;
   for (const Eigen::Vector3d& p : points) box.extend(Eigen::Vector3d(right.dot(p), up.dot(p), back.dot(p)));
   const Eigen::Vector3d center = box.center();
   const double tan_height = freeHeight() * std::tan(0.5 * kViewAngle_deg * kDegree);
   const double tan_width = freeWidth() * std::tan(0.5 * kViewAngle_deg * kDegree) * width / height;
-  const double least = 2 * content->reconstruction->model->side_m;
+  const double least = 2 * content_->reconstruction->model->side_m;
   double distance = least;
   double flat_distance = least;  // from where a skin without depth would fit
   std::vector<Eigen::Vector3d> seen;
@@ -131,19 +181,20 @@ void PatchScene::Parts::fitNow() {
     const Eigen::Vector3d v = Eigen::Vector3d(right.dot(p), up.dot(p), back.dot(p)) - center;
     seen.push_back(v);
     // A part that is turned has to stay in the picture.
-    if (up_o) distance = std::max(distance, v.norm() / std::sin(std::atan(std::min(tan_width, tan_height))));
-    const double flat = up_o ? v.norm() / std::min(tan_width, tan_height)
-                             : std::max(std::abs(v.x()) / tan_width, std::abs(v.y()) / tan_height);
+    if (up_o_) distance = std::max(distance, v.norm() / std::sin(std::atan(std::min(tan_width, tan_height))));
+    const double flat = up_o_ ? v.norm() / std::min(tan_width, tan_height)
+                              : std::max(std::abs(v.x()) / tan_width, std::abs(v.y()) / tan_height);
     flat_distance = std::max(flat_distance, flat);
     distance = std::max(distance, v.z() + flat);
   }
   double shift = 0;
   // A part that is turned has room on all sides.
-  if (upShown() && !up_o) {
+  if (around_.arrow_of_gravity && !up_o_) {
     constexpr double kFarther = 1.04;
     constexpr double kFarthest = 1.5;
     for (double away = 1; away < kFarthest; away *= kFarther) {
-      const auto found = shiftPastArrow(seen, away * (camera->GetParallelProjection() != 0 ? flat_distance : distance));
+      const auto found =
+          shiftPastArrow(seen, away * (camera()->GetParallelProjection() != 0 ? flat_distance : distance));
       if (!found) continue;
       shift = *found;
       distance *= away;
@@ -153,35 +204,34 @@ void PatchScene::Parts::fitNow() {
   }
   const Eigen::Vector3d focus = right * (center.x() + shift) + up * center.y() + back * center.z();
   const Eigen::Vector3d position = focus + distance * back;
-  camera->SetFocalPoint(focus.x(), focus.y(), focus.z());
-  camera->SetPosition(position.x(), position.y(), position.z());
-  camera->SetParallelScale(flat_distance * std::tan(0.5 * kViewAngle_deg * kDegree));
-  fitted = Fitted{position, focus, camera->GetParallelScale(), {width, height}, content->extent_m};
+  camera()->SetFocalPoint(focus.x(), focus.y(), focus.z());
+  camera()->SetPosition(position.x(), position.y(), position.z());
+  camera()->SetParallelScale(flat_distance * std::tan(0.5 * kViewAngle_deg * kDegree));
+  fitted_ = Fitted{position, focus, camera()->GetParallelScale(), {width, height}, content_->extent_m};
 }
 
-bool PatchScene::Parts::isUntouched() const {
-  vtkCamera* camera = renderer->GetActiveCamera();
-  return fitted && fitted->position == toEigen(camera->GetPosition()) &&
-         fitted->focus == toEigen(camera->GetFocalPoint()) && fitted->parallel_scale == camera->GetParallelScale();
+bool SceneCamera::isUntouched() const {
+  return fitted_ && fitted_->position == toEigen(camera()->GetPosition()) &&
+         fitted_->focus == toEigen(camera()->GetFocalPoint()) &&
+         fitted_->parallel_scale == camera()->GetParallelScale();
 }
 
-bool PatchScene::Parts::hasOutgrownTheFit() const {
+bool SceneCamera::hasOutgrownTheFit() const {
   // Small changes, as every new pose brings them, must not make the picture jump.
   constexpr double kOtherShape = 0.1;
-  if (std::abs(content->extent_m - fitted->extent_m) > kOtherShape * fitted->extent_m) return true;
-  const auto [width, height] = size();
-  vtkCamera* camera = renderer->GetActiveCamera();
-  const Eigen::Vector3d position = toEigen(camera->GetPosition());
-  const Eigen::Vector3d ahead = toEigen(camera->GetDirectionOfProjection());
-  const Eigen::Vector3d right = ahead.cross(toEigen(camera->GetViewUp())).normalized();
+  if (std::abs(content_->extent_m - fitted_->extent_m) > kOtherShape * fitted_->extent_m) return true;
+  const auto [width, height] = around_.window;
+  const Eigen::Vector3d position = toEigen(camera()->GetPosition());
+  const Eigen::Vector3d ahead = toEigen(camera()->GetDirectionOfProjection());
+  const Eigen::Vector3d right = ahead.cross(toEigen(camera()->GetViewUp())).normalized();
   const Eigen::Vector3d up = right.cross(ahead);
   const double tan_height = std::tan(0.5 * kViewAngle_deg * kDegree);
   const double tan_width = tan_height * width / height;
-  const bool has_arrow = upShown() && !up_o;
+  const bool has_arrow = around_.arrow_of_gravity && !up_o_;
   const Eigen::Vector2d corner = cornerFrom(0) + windowCenter();
-  return std::any_of(content->layout.points.begin(), content->layout.points.end(), [&](const Eigen::Vector3d& p) {
+  return std::any_of(content_->layout.points.begin(), content_->layout.points.end(), [&](const Eigen::Vector3d& p) {
     const Eigen::Vector3d v = p - position;
-    const double depth = camera->GetParallelProjection() ? camera->GetParallelScale() / tan_height : v.dot(ahead);
+    const double depth = camera()->GetParallelProjection() ? camera()->GetParallelScale() / tan_height : v.dot(ahead);
     return std::abs(v.dot(right)) > (freeWidth() + kEdge) * tan_width * depth ||
            v.dot(up) > (freeHeight() + slackAbove()) * tan_height * depth ||
            -v.dot(up) > (freeHeight() + kEdge) * tan_height * depth ||
@@ -189,63 +239,53 @@ bool PatchScene::Parts::hasOutgrownTheFit() const {
   });
 }
 
-void PatchScene::Parts::follow(const std::optional<Eigen::Vector3d>& up_o_now) {
+void SceneCamera::follow(const std::optional<Eigen::Vector3d>& up_o) {
   const bool untouched = isUntouched();
-  vtkCamera* camera = renderer->GetActiveCamera();
-  if (up_o_now && up_o) {
-    turnCameraWithPart(camera, *up_o, *up_o_now);
-  } else if (up_o_now) {
-    standCameraUpright(camera, *up_o_now);
+  if (up_o && up_o_) {
+    turnCameraWithPart(camera(), *up_o_, *up_o);
+  } else if (up_o) {
+    standCameraUpright(camera(), *up_o);
   }
-  // Following is not somebody's hand on the camera.
-  if (untouched) fitted->position = toEigen(camera->GetPosition());
-  if (up_o_now.has_value() != up_o.has_value() && (untouched || !fitted)) fit_pending = true;
-  up_o = up_o_now;
-  updateGravity();
-  updateGhost();
+  // Following does not count as a hand on the camera.
+  if (untouched) fitted_->position = toEigen(camera()->GetPosition());
+  if (up_o.has_value() != up_o_.has_value() && (untouched || !fitted_)) fit_pending_ = true;
+  up_o_ = up_o;
 }
 
-void PatchScene::spin(double angle_rad) {
-  vtkCamera* camera = parts_->renderer->GetActiveCamera();
-  const Eigen::Vector3d up = parts_->upShown().value_or(toEigen(camera->GetViewUp()));
-  const bool untouched = parts_->isUntouched();
-  spinPartInPicture(camera, up, angle_rad);
-  if (untouched) parts_->fitted->position = toEigen(camera->GetPosition());
+void SceneCamera::spin(const std::optional<Eigen::Vector3d>& up_o, double angle_rad) {
+  const bool untouched = isUntouched();
+  spinPartInPicture(camera(), up_o.value_or(toEigen(camera()->GetViewUp())), angle_rad);
+  if (untouched) fitted_->position = toEigen(camera()->GetPosition());
 }
 
-void PatchScene::keepView() {
-  vtkCamera* camera = parts_->renderer->GetActiveCamera();
-  parts_->kept_view = Parts::KeptView{-toEigen(camera->GetDirectionOfProjection()), toEigen(camera->GetViewUp())};
+void SceneCamera::keepView() {
+  kept_view_ = KeptView{-toEigen(camera()->GetDirectionOfProjection()), toEigen(camera()->GetViewUp())};
 }
 
-void PatchScene::returnToKeptView() {
-  if (!parts_->kept_view) return;
-  vtkCamera* camera = parts_->renderer->GetActiveCamera();
-  const Eigen::Vector3d& up = parts_->kept_view->up;
-  const Eigen::Vector3d position = toEigen(camera->GetFocalPoint()) + camera->GetDistance() * parts_->kept_view->back;
-  camera->SetPosition(position.x(), position.y(), position.z());
-  camera->SetViewUp(up.x(), up.y(), up.z());
-  parts_->kept_view.reset();
-  parts_->fit_pending = true;
+void SceneCamera::returnToKeptView() {
+  if (!kept_view_) return;
+  const Eigen::Vector3d& up = kept_view_->up;
+  const Eigen::Vector3d position = toEigen(camera()->GetFocalPoint()) + camera()->GetDistance() * kept_view_->back;
+  camera()->SetPosition(position.x(), position.y(), position.z());
+  camera()->SetViewUp(up.x(), up.y(), up.z());
+  kept_view_.reset();
+  fit_pending_ = true;
 }
 
-void PatchScene::showStandardView(View view) { parts_->lookFrom(view); }
-
-void PatchScene::setParallel(bool parallel) {
-  vtkCamera* camera = parts_->renderer->GetActiveCamera();
-  if ((camera->GetParallelProjection() != 0) == parallel) return;
-  const double half = std::tan(0.5 * Parts::kViewAngle_deg * kDegree);
-  if (parts_->isUntouched()) {
-    parts_->fit_pending = true;
+void SceneCamera::setParallel(bool parallel) {
+  if ((camera()->GetParallelProjection() != 0) == parallel) return;
+  const double half = std::tan(0.5 * kViewAngle_deg * kDegree);
+  if (isUntouched()) {
+    fit_pending_ = true;
   } else if (parallel) {
-    camera->SetParallelScale(camera->GetDistance() * half);
+    camera()->SetParallelScale(camera()->GetDistance() * half);
   } else {
-    const Eigen::Vector3d focus = toEigen(camera->GetFocalPoint());
-    const Eigen::Vector3d back = -toEigen(camera->GetDirectionOfProjection());
-    const Eigen::Vector3d position = focus + camera->GetParallelScale() / half * back;
-    camera->SetPosition(position.x(), position.y(), position.z());
+    const Eigen::Vector3d focus = toEigen(camera()->GetFocalPoint());
+    const Eigen::Vector3d back = -toEigen(camera()->GetDirectionOfProjection());
+    const Eigen::Vector3d position = focus + camera()->GetParallelScale() / half * back;
+    camera()->SetPosition(position.x(), position.y(), position.z());
   }
-  camera->SetParallelProjection(parallel);
+  camera()->SetParallelProjection(parallel);
 }
 
 }  // namespace hexoderm

@@ -24,7 +24,7 @@ struct SceneCell {
 struct SceneLayout {
   std::vector<SceneCell> cells;
   std::vector<Eigen::Vector3d> points;  ///< 12 a cell as in PatchMesh, or the first 6 of them
-  std::vector<Eigen::Vector3d> shifts;  ///< of each patch: from its own frame to the scene
+  std::vector<Eigen::Vector3d> shifts;  ///< shift of each patch from its own frame to the scene
   std::unordered_map<CellId, std::size_t> index;
 
   [[nodiscard]] const SceneCell* find(CellId id) const;

@@ -15,7 +15,7 @@ namespace hexoderm {
 /// direction of gravity on the right.
 class SceneCorners {
  public:
-  // In pixels at 72 dpi. Below the corners there is room for a legend, right of the arrow for its word.
+  // Size in pixels at 72 dpi. Below the corners there is room for a legend, right of the arrow for its word.
   static constexpr int kSize = 84;
   static constexpr int kBottom = 34;
   static constexpr int kLeft = 14;

@@ -26,7 +26,7 @@ namespace {
 constexpr vtkIdType kGhostSides = 6;
 constexpr int kDashesPerSide = 4;
 constexpr double kMargin = 1.06;        // around the patch
-constexpr double kMiddleHeight = 0.55;  // of the window
+constexpr double kMiddleHeight = 0.55;  // share of the window's height
 constexpr double kMostHeight = 0.56;
 constexpr double kBesideEdge = 0.02;
 

@@ -19,7 +19,7 @@ namespace hexoderm {
 class SceneGhost {
  public:
   static constexpr std::size_t kMaxCells = 2000;
-  static constexpr double kShare = 0.34;  ///< of the window's width
+  static constexpr double kShare = 0.34;  ///< share of the window's width
 
   SceneGhost();
   ~SceneGhost();
@@ -35,7 +35,7 @@ class SceneGhost {
   void setPatch(const SceneLayout& layout, std::size_t first, std::size_t count);
   /// Unit vectors in the patch frame: where up is now and where it is to be. Without the latter there is no ghost.
   void setTurn(const Eigen::Vector3d& from_up, const std::optional<Eigen::Vector3d>& to_up);
-  /// How much of the turn is done, 0 to 1.
+  /// Share of the turn that is done, 0 to 1.
   void setPhase(double phase);
 
   [[nodiscard]] bool isVisible() const;

@@ -5,7 +5,7 @@
 
 namespace hexoderm {
 
-/// What can be shown over the cells or left out, in the order of the menu.
+/// Things that can be shown over the cells or left out, in the order of the menu.
 enum class SceneItem { Ports, Ids, Axes, Gravity, Links, Tree, Ellipsoids, Truth, Surface, Loop, Comparison };
 
 inline constexpr std::array kSceneItems = {SceneItem::Ports,      SceneItem::Ids,       SceneItem::Axes,
@@ -13,7 +13,7 @@ inline constexpr std::array kSceneItems = {SceneItem::Ports,      SceneItem::Ids
                                            SceneItem::Ellipsoids, SceneItem::Truth,     SceneItem::Surface,
                                            SceneItem::Loop,       SceneItem::Comparison};
 
-/// Whether an item can be drawn now, and why not.
+/// Tells whether an item can be drawn now, and why not.
 enum class Availability { Available, NoSkin, NoData, TooManyCells };
 
 using ShownItems = std::array<bool, kSceneItems.size()>;

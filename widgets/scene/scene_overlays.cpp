@@ -17,8 +17,8 @@
 namespace hexoderm {
 namespace {
 
-/// One thing that is drawn.
-struct Drawn {
+/// One kind of overlay.
+struct DrawnOverlay {
   vtkNew<vtkActor> actor;
   vtkNew<vtkPolyDataMapper> mapper;
   bool stale = true;
@@ -39,14 +39,11 @@ struct SceneOverlays::Parts {
   std::shared_ptr<const SceneContent> content;
   SceneColors colors;
   ShownItems shown = kShownAtFirst;
-  std::shared_ptr<const GroundTruth> truth;
-  std::optional<SurfaceEvaluation> surface;
-  std::optional<SurfaceMesh> surface_mesh;  ///< its sheet and the distances are drawn from the same
-  std::optional<LoopEvaluation> loop;
-  std::vector<Comparison> comparison;
+  PatchOverlays overlays;
+  std::optional<SurfaceMesh> surface_mesh;  ///< the sheet and the distances are drawn from the same mesh
   std::optional<CellId> first;
   std::optional<CellId> second;
-  std::array<Drawn, kKinds> drawn;
+  std::array<DrawnOverlay, kKinds> drawn;
   SceneNotes notes;
 
   void setStyles();
@@ -54,7 +51,7 @@ struct SceneOverlays::Parts {
     for (const Kind kind : kinds) drawn.at(kind).stale = true;
   }
   void invalidateAll() {
-    for (Drawn& thing : drawn) thing.stale = true;
+    for (DrawnOverlay& thing : drawn) thing.stale = true;
   }
   [[nodiscard]] std::size_t cells() const { return content ? content->layout.cells.size() : 0; }
   [[nodiscard]] Availability availability(SceneItem item) const;
@@ -86,22 +83,22 @@ void SceneOverlays::Parts::setStyles() {
 }
 
 std::optional<std::size_t> SceneOverlays::Parts::surfacePatch() const {
-  if (!content || !surface) return std::nullopt;
+  if (!content || !overlays.surface) return std::nullopt;
   const auto& patches = content->reconstruction->patches;
-  const auto found = std::ranges::find(patches, surface->patch, &PatchReconstruction::id);
+  const auto found = std::ranges::find(patches, overlays.surface->patch, &PatchReconstruction::id);
   return found == patches.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - patches.begin()));
 }
 
 std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> SceneOverlays::Parts::loopPoints() const {
-  if (!content || !loop) return std::nullopt;
+  if (!content || !overlays.loop) return std::nullopt;
   const auto point = [&](const LinkEnd& end) -> std::optional<Eigen::Vector3d> {
     const SceneCell* cell = content->layout.find(end.cell);
     const Port* port = content->reconstruction->model->findPort(end.port);
     if (cell == nullptr || port == nullptr) return std::nullopt;
     return cell->T_s_u * port->vector_m;
   };
-  const auto to = point(loop->first);
-  const auto from = point(loop->second);
+  const auto to = point(overlays.loop->first);
+  const auto from = point(overlays.loop->second);
   if (!to || !from) return std::nullopt;
   return std::pair(*from, *to);
 }
@@ -120,9 +117,9 @@ Availability SceneOverlays::Parts::availability(SceneItem item) const {
       return !any ? Availability::NoData : cells() > kMaxEllipsoids ? Availability::TooManyCells : needs(true);
     }
     case SceneItem::Truth:
-      return truth ? limited : Availability::NoData;
+      return overlays.truth ? limited : Availability::NoData;
     case SceneItem::Comparison:
-      return !comparison.empty() ? limited : Availability::NoData;
+      return overlays.comparison && !overlays.comparison->empty() ? limited : Availability::NoData;
     case SceneItem::Surface:
       return needs(surfacePatch().has_value());
     case SceneItem::Loop:
@@ -161,14 +158,14 @@ vtkSmartPointer<vtkPolyData> SceneOverlays::Parts::make(Kind kind) {
       return draws(SceneItem::Ellipsoids) ? enlarged(makeEllipsoids(*content), notes.ellipsoid_factor) : nullptr;
     case kTruth:
       notes.truth = draws(SceneItem::Truth);
-      return notes.truth ? makeGhostOutlines(*content, alignTruth(*content->reconstruction, *truth)) : nullptr;
+      return notes.truth ? makeGhostOutlines(*content, alignTruth(*content->reconstruction, *overlays.truth)) : nullptr;
     case kSheet:
     case kDistances: {
       if (kind == kDistances) notes.distance_factor.reset();
       if (!draws(SceneItem::Surface)) return nullptr;
       const std::size_t patch = *surfacePatch();
       const Reconstruction& r = *content->reconstruction;
-      if (!surface_mesh) surface_mesh = meshSurface(*surface, r.patches[patch], 1.5 * r.model->side_m);
+      if (!surface_mesh) surface_mesh = meshSurface(*overlays.surface, r.patches[patch], 1.5 * r.model->side_m);
       const SurfaceMesh& mesh = *surface_mesh;
       if (mesh.points.empty()) return nullptr;
       if (kind == kSheet) return makeSurfaceSheet(*content, mesh, patch);
@@ -183,7 +180,7 @@ vtkSmartPointer<vtkPolyData> SceneOverlays::Parts::make(Kind kind) {
     case kShifts:
       notes.shift_factor.reset();
       return draws(SceneItem::Comparison)
-                 ? enlarged(makeShiftArrows(*content, shiftsOf(*content->reconstruction, comparison)),
+                 ? enlarged(makeShiftArrows(*content, shiftsOf(*content->reconstruction, *overlays.comparison)),
                             notes.shift_factor)
                  : nullptr;
     case kMeasure:
@@ -196,7 +193,7 @@ vtkSmartPointer<vtkPolyData> SceneOverlays::Parts::make(Kind kind) {
 
 SceneOverlays::SceneOverlays(vtkRenderer* renderer) : parts_(std::make_unique<Parts>()) {
   parts_->renderer = renderer;
-  for (Drawn& thing : parts_->drawn) {
+  for (DrawnOverlay& thing : parts_->drawn) {
     thing.actor->SetMapper(thing.mapper);
     thing.actor->PickableOff();
     thing.actor->VisibilityOff();
@@ -244,25 +241,15 @@ void SceneOverlays::setShown(SceneItem item, bool shown) {
   parts_->invalidateAll();
 }
 
-void SceneOverlays::setTruth(std::shared_ptr<const GroundTruth> truth) {
-  parts_->truth = std::move(truth);
-  parts_->invalidate({kTruth});
-}
-
-void SceneOverlays::setSurface(std::optional<SurfaceEvaluation> surface) {
-  parts_->surface = std::move(surface);
-  parts_->surface_mesh.reset();
-  parts_->invalidate({kSheet, kDistances});
-}
-
-void SceneOverlays::setLoop(std::optional<LoopEvaluation> loop) {
-  parts_->loop = loop;
-  parts_->invalidate({kLoop});
-}
-
-void SceneOverlays::setComparison(std::vector<Comparison> comparison) {
-  parts_->comparison = std::move(comparison);
-  parts_->invalidate({kShifts});
+void SceneOverlays::setOverlays(const PatchOverlays& overlays) {
+  const PatchOverlays before = std::exchange(parts_->overlays, overlays);
+  if (overlays.truth != before.truth) parts_->invalidate({kTruth});
+  if (overlays.surface != before.surface) {
+    parts_->surface_mesh.reset();
+    parts_->invalidate({kSheet, kDistances});
+  }
+  if (overlays.loop != before.loop) parts_->invalidate({kLoop});
+  if (overlays.comparison != before.comparison) parts_->invalidate({kShifts});
 }
 
 void SceneOverlays::setMeasured(std::optional<CellId> first, std::optional<CellId> second) {
@@ -280,7 +267,7 @@ const SceneNotes& SceneOverlays::notes() {
 
 void SceneOverlays::update() {
   for (std::size_t kind = 0; kind < kKinds; ++kind) {
-    Drawn& thing = parts_->drawn.at(kind);
+    DrawnOverlay& thing = parts_->drawn.at(kind);
     if (!thing.stale) continue;
     thing.stale = false;
     const vtkSmartPointer<vtkPolyData> data = parts_->make(static_cast<Kind>(kind));

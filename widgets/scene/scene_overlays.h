@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hexoderm/reconstruction/figures/overlays.h"
+#include "widgets/scene/patch_overlays.h"
 #include "widgets/scene/scene_content.h"
 #include "widgets/scene/scene_items.h"
 #include "widgets/style/scene_colors.h"
@@ -15,19 +16,19 @@ class vtkRenderer;
 
 namespace hexoderm {
 
-/// What was drawn, for the words beside it. Absent: not drawn.
+/// The overlays that were drawn, with their enlargements, for the words beside them. Absent: not drawn.
 struct SceneNotes {
   std::optional<double> ellipsoid_factor;
   std::optional<double> shift_factor;
   std::optional<double> loop_factor;
-  std::optional<double> distance_factor;  ///< of the lines from the fitted surface to the cells
+  std::optional<double> distance_factor;  ///< enlargement of the lines from the fitted surface to the cells
   bool truth = false;
   bool tree = false;
   bool links = false;
 };
 
-/// What is drawn over the cells: links, tree, uncertainty, truth, fitted surface, loop gap, differences, and the line
-/// of a measurement. Made anew only when drawn after a change, each kind for itself; setters cost nothing.
+/// The things that are drawn over the cells: links, tree, uncertainty, truth, fitted surface, loop gap, differences,
+/// and the line of a measurement. Each kind is made anew only when it is drawn after a change; setters cost nothing.
 class SceneOverlays {
  public:
   /// More would be neither told apart nor quick.
@@ -42,14 +43,11 @@ class SceneOverlays {
   void setContent(std::shared_ptr<const SceneContent> content);
   void setColors(const SceneColors& colors);
   void setShown(SceneItem item, bool shown);
-  void setTruth(std::shared_ptr<const GroundTruth> truth);
-  void setSurface(std::optional<SurfaceEvaluation> surface);
-  void setLoop(std::optional<LoopEvaluation> loop);
-  void setComparison(std::vector<Comparison> comparison);
+  void setOverlays(const PatchOverlays& overlays);
   /// A line between the centres of two cells, or an outline about the first alone.
   void setMeasured(std::optional<CellId> first, std::optional<CellId> second);
 
-  /// Of the items that are drawn here; the others are always available.
+  /// Availability of the items that are drawn here; the others are always available.
   [[nodiscard]] Availability availability(SceneItem item) const;
   [[nodiscard]] const SceneNotes& notes();
   /// Brings what is drawn up to date; called before each rendering.

@@ -2,6 +2,7 @@
 
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
+#include "widgets/coloring/cell_colors.h"
 #include "widgets/scene/cell_meshes.h"
 
 #include <vtkActor.h>
@@ -22,7 +23,7 @@
 namespace hexoderm {
 namespace {
 
-// What part of a cell's colour shows without light, and what part of the light it gives back.
+// The share of a cell's colour that shows without light, and the share of light that it gives back.
 constexpr double kAmbient = 0.58;
 constexpr double kDiffuse = 0.42;
 
@@ -46,7 +47,7 @@ void lightByCorner(vtkActor* actor) {
   shader->AddVertexShaderReplacement("//VTK::Color::Impl", true, code, false);
 }
 
-/// Where a pixel's line of sight crosses a plane of constant depth, 0 at the front.
+/// The point at which a pixel's line of sight crosses a plane of constant depth, 0 at the front.
 std::array<double, 3> onSight(vtkRenderer* renderer, double x, double y, double depth) {
   renderer->SetDisplayPoint(x, y, depth);
   renderer->DisplayToWorld();
@@ -59,7 +60,7 @@ std::array<double, 3> onSight(vtkRenderer* renderer, double x, double y, double 
 struct SceneSkin::Parts {
   vtkRenderer* renderer = nullptr;
   std::shared_ptr<const SceneContent> content;
-  CellColoring coloring = CellColoring::LinkQuality;
+  Coloring coloring = Coloring::LinkQuality;
   CellReadings readings;
   SceneColors colors;
   std::vector<Rgb> front_colors;
@@ -181,7 +182,7 @@ void SceneSkin::setContent(std::shared_ptr<const SceneContent> content) {
   parts_->recolor();
 }
 
-void SceneSkin::setColoring(CellColoring coloring) {
+void SceneSkin::setColoring(Coloring coloring) {
   parts_->coloring = coloring;
   parts_->recolor();
 }
@@ -194,7 +195,7 @@ void SceneSkin::setReadings(CellReadings readings) {
 
 void SceneSkin::setSurfaceDistances(std::unordered_map<CellId, double> distance_m) {
   parts_->readings.surface_distance_m = std::move(distance_m);
-  if (parts_->coloring == CellColoring::SurfaceDistance) parts_->recolor();
+  if (parts_->coloring == Coloring::SurfaceDistance) parts_->recolor();
 }
 
 void SceneSkin::setColors(const SceneColors& colors) {
@@ -209,7 +210,7 @@ void SceneSkin::setPortsVisible(bool visible) {
 
 const std::vector<Rgb>& SceneSkin::frontColors() const { return parts_->front_colors; }
 
-CellColoring SceneSkin::coloring() const { return parts_->coloring; }
+Coloring SceneSkin::coloring() const { return parts_->coloring; }
 
 const CellReadings& SceneSkin::readings() const { return parts_->readings; }
 
@@ -220,7 +221,7 @@ void SceneSkin::update(int window_height) {
   vtkCamera* camera = parts_->renderer->GetActiveCamera();
   double height_m = 2 * camera->GetParallelScale();
   if (camera->GetParallelProjection() == 0) {
-    // Where the skin comes closest.
+    // The point at which the skin comes closest.
     std::array<double, 3> middle{};
     parts_->content->surface->GetCenter(middle.data());
     const double distance = (Eigen::Vector3d(camera->GetPosition()) - Eigen::Vector3d(middle.data())).norm() -

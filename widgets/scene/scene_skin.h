@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/coloring/cell_coloring.h"
+#include "widgets/coloring/coloring.h"
 #include "widgets/scene/scene_content.h"
 #include "widgets/style/scene_colors.h"
 
@@ -34,17 +34,17 @@ class SceneSkin {
 
   /// Null shows nothing.
   void setContent(std::shared_ptr<const SceneContent> content);
-  void setColoring(CellColoring coloring);
+  void setColoring(Coloring coloring);
   void setReadings(CellReadings readings);
   void setSurfaceDistances(std::unordered_map<CellId, double> distance_m);
   void setColors(const SceneColors& colors);
   void setPortsVisible(bool visible);
-  /// Of every cell's front face, in the order of the layout.
+  /// Colour of every cell's front face, in the order of the layout.
   [[nodiscard]] const std::vector<Rgb>& frontColors() const;
-  [[nodiscard]] CellColoring coloring() const;
+  [[nodiscard]] Coloring coloring() const;
   [[nodiscard]] const CellReadings& readings() const;
 
-  /// To be called before each rendering: as the camera stands, cells are lit, and drawn in as much detail as shows.
+  /// Must be called before each rendering: cells are lit for the camera's position, and drawn in the visible detail.
   void update(int window_height);
 
   /// The cell at a pixel of the window (origin lower left); none beside the skin.

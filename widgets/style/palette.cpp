@@ -103,7 +103,7 @@ LinkStroke linkStroke(EdgeQuality quality, Theme theme) {
 
 QPen strokePen(const LinkStroke& stroke, double width) {
   QPen pen(stroke.color, width, Qt::SolidLine, Qt::FlatCap);
-  // In pen widths.
+  // The pattern is in pen widths.
   if (stroke.style == Qt::DashLine) pen.setDashPattern({2.6, 1.3});
   if (stroke.style == Qt::DotLine) pen.setDashPattern({1.0, 1.2});
   return pen;

@@ -25,8 +25,8 @@ struct LinkStroke {
 /// The one place where a theme becomes colours. Hexoderm draws with these and nothing else.
 struct Colors {
   QColor window;        ///< behind the panels
-  QColor panel;         ///< of cards, tables, docks
-  QColor panel_active;  ///< of the current step, hovered rows
+  QColor panel;         ///< background of cards, tables, docks
+  QColor panel_active;  ///< background of the current step, hovered rows
   QColor border;
   QColor text;
   QColor text_muted;
@@ -64,7 +64,7 @@ QColor viridis(double t);
 /// Dark or light, whichever is read better on `ground`.
 QColor textOn(const QColor& ground);
 
-/// What the system asks for: the desktop portal's setting where there is one, else the palette's lightness.
+/// The theme that the system asks for: the desktop portal's setting if there is one, else the palette's lightness.
 Theme systemTheme();
 
 }  // namespace hexoderm

@@ -39,7 +39,7 @@ Rgb categoryColor(const SceneColors& colors, std::size_t category, std::size_t c
 
 const Rgb& markOn(const Rgb& face, const SceneColors& colors) {
   // The light mark is calmer and gains where a face turns into the shade; the dark one is for bright faces.
-  constexpr double kEnoughContrast = 3.0;  // what the WCAG asks of large text
+  constexpr double kEnoughContrast = 3.0;  // the WCAG's requirement for large text
   return contrast(colors.light_mark, face) >= kEnoughContrast ? colors.light_mark : colors.dark_mark;
 }
 

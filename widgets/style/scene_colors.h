@@ -9,21 +9,15 @@ namespace hexoderm {
 /// Red, green and blue in [0, 1].
 using Rgb = std::array<double, 3>;
 
-// Where the scales of quantities end, in the scene and in the graph: absolute, so that two pictures can be compared.
-inline constexpr double kResidualScaleEnd_deg = 2.0;
-inline constexpr double kDeviationScaleEnd_deg = 6.0;  ///< two poses of an uncalibrated sensor lie near it
-inline constexpr double kPositionScaleEnd_mm = 6.0;
-inline constexpr double kOrientationScaleEnd_deg = 6.0;
-
 /// The colours of the 3D scene as plain numbers, so that the scene needs no Qt.
 struct SceneColors {
   Rgb background_top{};
   Rgb background_bottom{};
-  std::array<Rgb, 4> quality{};    ///< of a front face, by EdgeQuality
-  std::array<Rgb, 4> link_line{};  ///< of a link's line, by EdgeQuality
-  Rgb neutral{};                   ///< of a front face of which nothing is known, and of muted links
+  std::array<Rgb, 4> quality{};    ///< colour of a front face, by EdgeQuality
+  std::array<Rgb, 4> link_line{};  ///< colour of a link's line, by EdgeQuality
+  Rgb neutral{};                   ///< colour of a front face without data, and of muted links
   std::vector<Rgb> scale;          ///< from small to large, not empty
-  Rgb edge{};                      ///< of the prisms
+  Rgb edge{};                      ///< colour of the prisms' edges
   Rgb selection{};                 ///< outline of what is picked
   Rgb light_mark{};                ///< IDs, ports and the origin on dark faces
   Rgb dark_mark{};
@@ -43,7 +37,7 @@ Rgb categoryColor(const SceneColors& colors, std::size_t category, std::size_t c
 Rgb mixed(const Rgb& a, const Rgb& b, double share_of_b);
 /// Contrast ratio as the WCAG defines it: 1 to 21.
 double contrast(const Rgb& a, const Rgb& b);
-/// Which of the two marks is read better on this face.
+/// The mark, light or dark, that is read better on this face.
 const Rgb& markOn(const Rgb& face, const SceneColors& colors);
 
 }  // namespace hexoderm

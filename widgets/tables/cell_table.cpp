@@ -1,7 +1,8 @@
 #include "widgets/tables/cell_table.h"
 
 #include "hexoderm/util/units.h"
-#include "widgets/tables/table_actions.h"
+#include "widgets/tables/table_cells.h"
+#include "widgets/tables/table_roles.h"
 #include "widgets/words/formatting.h"
 
 #include <array>
@@ -77,9 +78,6 @@ QVariant CellTable::data(const QModelIndex& index, int role) const {
   const Row& row = rows_[static_cast<std::size_t>(index.row())];
   const CellSummary& cell = row.summary;
   const int column = index.column();
-  const auto degrees = [](std::optional<double> angle_rad) {
-    return angle_rad ? QVariant(toDegrees(*angle_rad)) : QVariant();
-  };
   const auto raw = [&]() -> QVariant {
     switch (column) {
       case kCell:
@@ -97,12 +95,12 @@ QVariant CellTable::data(const QModelIndex& index, int role) const {
       case kPosition95:
         return cell.stated ? QVariant(toMillimetres(cell.stated->position_m)) : QVariant();
       case kOrientation95:
-        return cell.stated ? degrees(cell.stated->orientation_rad) : QVariant();
+        return cell.stated ? rawDegrees(cell.stated->orientation_rad) : QVariant();
       case kPlacedBy:
         if (cell.origin) return tr("origin");
         return cell.placed_by == PlacedBy::Samples ? tr("readings") : tr("links");
       case kWorstResidual:
-        return degrees(cell.worst_residual_rad);
+        return rawDegrees(cell.worst_residual_rad);
       case kOffset:
         return cell.offset_g ? QVariant(1000 * cell.offset_g->norm()) : QVariant();
       case kScale:
@@ -123,7 +121,7 @@ QVariant CellTable::data(const QModelIndex& index, int role) const {
     case kRawRole:
       return raw();
     case Qt::TextAlignmentRole:
-      return static_cast<int>((isText(column) ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+      return alignment(!isText(column));
     case Qt::ToolTipRole:
       return cellToolTip(*reconstruction(), cell.cell);
     case Qt::AccessibleTextRole:
@@ -135,9 +133,7 @@ QVariant CellTable::data(const QModelIndex& index, int role) const {
 
 QVariant CellTable::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal || section < 0 || section >= kCellColumns) return {};
-  if (role == Qt::TextAlignmentRole) {
-    return static_cast<int>((isText(section) ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-  }
+  if (role == Qt::TextAlignmentRole) return alignment(!isText(section));
   struct Header {
     QString text;
     QString unit;

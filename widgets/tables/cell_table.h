@@ -1,15 +1,15 @@
 #pragma once
 
 #include "hexoderm/reconstruction/figures/review_summary.h"
-#include "widgets/tables/tables.h"
+#include "widgets/tables/reconstruction_table.h"
 
 #include <unordered_map>
 #include <vector>
 
 namespace hexoderm {
 
-/// Cell | Patch | X | Y | Z | Roll | Pitch | Yaw | ± mm | ± ° | Placed by | Worst residual | Offset | Scale, one row a
-/// cell, patch by patch; placements in the frame of the patch's origin.
+/// The columns Cell | Patch | X | Y | Z | Roll | Pitch | Yaw | ± mm | ± ° | Placed by | Worst residual | Offset |
+/// Scale; one row per cell, patch by patch, with placements in the frame of the patch's origin.
 class CellTable : public ReconstructionTable {
   Q_OBJECT
 

@@ -1,6 +1,7 @@
 #include "widgets/tables/result_table.h"
 
-#include "widgets/tables/table_actions.h"
+#include "widgets/tables/table_cells.h"
+#include "widgets/tables/table_roles.h"
 #include "widgets/words/formatting.h"
 
 #include <QApplication>
@@ -37,7 +38,7 @@ QVariant ResultTable::data(const QModelIndex& index, int role) const {
     case kRawRole:
       return value;
     case Qt::TextAlignmentRole:
-      return static_cast<int>((column.is_text ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+      return alignment(!column.is_text);
     case Qt::FontRole: {
       if (!row.remarkable) return {};
       QFont font = QApplication::font();
@@ -60,7 +61,7 @@ QVariant ResultTable::headerData(int section, Qt::Orientation orientation, int r
     case Qt::ToolTipRole:
       return column.explanation;
     case Qt::TextAlignmentRole:
-      return static_cast<int>((column.is_text ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+      return alignment(!column.is_text);
     default:
       return {};
   }

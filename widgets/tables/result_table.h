@@ -9,7 +9,7 @@
 
 namespace hexoderm {
 
-/// A small table of results: texts and figures with units, each row about a cell or a link that can be picked.
+/// A small table of results: texts and figures with units. A row may be about a cell or a link, which can be picked.
 class ResultTable : public QAbstractTableModel {
   Q_OBJECT
 
@@ -22,7 +22,7 @@ class ResultTable : public QAbstractTableModel {
     bool is_text = false;
   };
   struct Row {
-    std::vector<QVariant> values;  ///< one a column; invalid: not known
+    std::vector<QVariant> values;  ///< one per column; invalid: not known
     std::optional<CellId> cell{};
     std::optional<Selection::Link> link{};
     bool remarkable = false;  ///< set in bold

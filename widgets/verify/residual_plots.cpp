@@ -254,7 +254,7 @@ void ResidualPlots::showEvent(QShowEvent* event) {
 
 void ResidualPlots::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  // As many numbers as fit above each other: headings and the lower axis take about four lines.
+  // As many numbers as fit above each other; headings and the lower axis take about four lines.
   constexpr int kMost = 6;
   const int line = fontMetrics().height();
   const int steps = std::clamp((height() - 4 * line) / (2 * line), 1, kMost);

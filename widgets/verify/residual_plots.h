@@ -13,8 +13,8 @@ namespace hexoderm {
 class Selection;
 
 /// Three plots of the residuals: per pose (box: quartiles, whiskers: all links), per link (sorted, log scale, beside
-/// what was predicted), and how many links have how many times the residual that was predicted. A click picks the link
-/// or the pose. What is not seen is not gathered.
+/// the prediction), and the number of links by ratio of residual to prediction. A click picks the link or the pose.
+/// Data for a plot that is not seen is not gathered.
 class ResidualPlots : public QWidget {
   Q_OBJECT
 

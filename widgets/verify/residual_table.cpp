@@ -1,7 +1,8 @@
 #include "widgets/verify/residual_table.h"
 
 #include "hexoderm/util/units.h"
-#include "widgets/tables/table_actions.h"
+#include "widgets/tables/table_cells.h"
+#include "widgets/tables/table_roles.h"
 #include "widgets/words/formatting.h"
 #include "widgets/words/words.h"
 
@@ -57,12 +58,10 @@ QVariant ResidualTable::data(const QModelIndex& index, int role) const {
       const std::optional<double> residual = residualAt(index);
       return residual ? figureInWords(toDegrees(*residual), 2) : noValue();
     }
-    case kRawRole: {
-      const std::optional<double> residual = residualAt(index);
-      return residual ? QVariant(toDegrees(*residual)) : QVariant();
-    }
+    case kRawRole:
+      return rawDegrees(residualAt(index));
     case Qt::TextAlignmentRole:
-      return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
+      return alignment(true);
     case Qt::ToolTipRole:
       return linkToolTip(*reconstruction(), linkAt(index.row()));
     case Qt::AccessibleTextRole: {
@@ -89,7 +88,7 @@ QVariant ResidualTable::headerData(int section, Qt::Orientation orientation, int
       case Qt::ToolTipRole:
         return linkToolTip(*reconstruction(), linkAt(section));
       case Qt::TextAlignmentRole:
-        return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
+        return alignment(true);
       default:
         return {};
     }
@@ -107,7 +106,7 @@ QVariant ResidualTable::headerData(int section, Qt::Orientation orientation, int
       return tr("Pose %1 %2, degrees").arg(pose->value()).arg(words(summary.label)).simplified();
     }
     case Qt::TextAlignmentRole:
-      return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
+      return alignment(true);
     default:
       return {};
   }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "widgets/controls/selection.h"
-#include "widgets/tables/tables.h"
+#include "widgets/tables/reconstruction_table.h"
 
 #include <map>
 #include <optional>

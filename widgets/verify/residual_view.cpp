@@ -1,8 +1,8 @@
 #include "widgets/verify/residual_view.h"
 
+#include "widgets/coloring/coloring.h"
 #include "widgets/controls/selection.h"
-#include "widgets/style/scene_colors.h"
-#include "widgets/tables/table_actions.h"
+#include "widgets/tables/row_picking.h"
 #include "widgets/verify/residual_plots.h"
 #include "widgets/verify/residual_table.h"
 #include "widgets/words/formatting.h"
@@ -21,7 +21,10 @@
 
 namespace hexoderm {
 
-QColor residualColor(double residual_deg) { return viridis(residual_deg / kResidualScaleEnd_deg); }
+/// The end of the scale is the same as in the graph and in the 3D view.
+double scaleEnd_deg() { return coloringRow(Coloring::Residual).range->high; }
+
+QColor residualColor(double residual_deg) { return viridis(residual_deg / scaleEnd_deg()); }
 
 /// Paints the cells itself: a thousand columns leave no time for a style sheet.
 class ResidualMatrixDelegate : public QStyledItemDelegate {
@@ -62,7 +65,7 @@ namespace {
 class ResidualLegend : public QWidget {
  public:
   ResidualLegend() {
-    setAccessibleName(ResidualView::tr("Colours: residual from 0 to %1 degrees and more").arg(kResidualScaleEnd_deg));
+    setAccessibleName(ResidualView::tr("Colours: residual from 0 to %1 degrees and more").arg(scaleEnd_deg()));
     setToolTip(accessibleName());
   }
   [[nodiscard]] QSize sizeHint() const override {
@@ -88,7 +91,7 @@ class ResidualLegend : public QWidget {
  private:
   static constexpr int kBar = 96;
   static QString left() { return ResidualView::tr("Residual 0°"); }
-  static QString right() { return ResidualView::tr("≥ %1°").arg(kResidualScaleEnd_deg); }
+  static QString right() { return ResidualView::tr("≥ %1°").arg(scaleEnd_deg()); }
 };
 
 }  // namespace

@@ -22,7 +22,7 @@ class SortedTable;
 /// Viridis for a residual, on the scale that all views share, and what can be read on it.
 QColor residualColor(double residual_deg);
 
-/// How well each link fits each pose: as a matrix of numbers and colours, or as plots. Picking a cell of the matrix
+/// Residuals of each link in each pose, as a matrix of numbers and colours, or as plots. Picking a cell of the matrix
 /// picks the link, and its pose by posePicked(); a link that is picked elsewhere is picked here.
 class ResidualView : public QWidget {
   Q_OBJECT

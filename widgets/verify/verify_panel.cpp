@@ -2,6 +2,7 @@
 
 #include "hexoderm/util/units.h"
 #include "widgets/tables/table_actions.h"
+#include "widgets/words/surface_words.h"
 #include "widgets/words/words.h"
 
 #include <QButtonGroup>
@@ -81,7 +82,7 @@ VerifyPanel::VerifyPanel(Selection* selection, QWidget* parent)
   connect(surface_, &VerifySection::rowPicked, this, [this](int row) {
     if (row >= 0) emit surfaceShown(ofRow(surfaces_, row));
   });
-  setReconstruction(nullptr, false);
+  setReconstruction(nullptr);
 }
 
 void VerifyPanel::buildHoldOut() {
@@ -166,10 +167,14 @@ void VerifyPanel::dropComparison() {
   emit comparisonShown({});
 }
 
-void VerifyPanel::setReconstruction(std::shared_ptr<const Reconstruction> reconstruction, bool has_readings) {
+void VerifyPanel::setHasReadings(bool has_readings) {
+  has_readings_ = has_readings;
+  refreshControls();
+}
+
+void VerifyPanel::setReconstruction(std::shared_ptr<const Reconstruction> reconstruction) {
   const bool changed = reconstruction != reconstruction_;
   reconstruction_ = std::move(reconstruction);
-  has_readings_ = has_readings;
   if (changed && hold_out_result_) {
     hold_out_result_.reset();
     hold_out_outdated_ = true;
@@ -202,7 +207,7 @@ void VerifyPanel::setReconstruction(std::shared_ptr<const Reconstruction> recons
   refreshControls();
 }
 
-/// What is left to solve with when the chosen pose is held out.
+/// Number of poses left to solve with when the chosen pose is held out.
 std::size_t VerifyPanel::otherPoses() const {
   const PoseId chosen(pose_->currentData().toUInt());
   return static_cast<std::size_t>(std::ranges::count_if(
@@ -280,7 +285,7 @@ void VerifyPanel::showLoops(const std::vector<FoundLoop>& loops) {
   loops_ = loops;
   loop_->setSentence(loopsInWords(loops, reconstruction_ ? reconstruction_->patches.size() : 0));
   loop_->setFigures(loopFigures(loops));
-  // What is open is looked at first; nothing is drawn of a sheet with hundreds of closed ones until one is picked.
+  // Open loops are looked at first; nothing is drawn of a sheet with hundreds of closed ones until one is picked.
   const bool open = !loops.empty() && !loops.front().closed;
   emit loopShown(open ? std::optional(loops.front().closure) : std::nullopt);
 }
@@ -334,8 +339,8 @@ void VerifyPanel::showFailure(VerifyCheck check, const QString& message) {
   }
 }
 
-std::array<TableActions*, 4> VerifyPanel::tableActions() const {
-  return {hold_out_->tableActions(), loop_->tableActions(), surface_->tableActions(), comparison_->tableActions()};
+std::array<CsvActions*, 4> VerifyPanel::csvActions() const {
+  return {hold_out_->csvActions(), loop_->csvActions(), surface_->csvActions(), comparison_->csvActions()};
 }
 
 void VerifyPanel::requestSurface() {

@@ -27,9 +27,10 @@ class VerifyPanel : public QWidget {
   /// `selection` must outlive the panel.
   explicit VerifyPanel(Selection* selection, QWidget* parent = nullptr);
 
-  /// What is verified; results about an earlier state of it go. `has_readings`: there is a session to hold a pose out
-  /// of.
-  void setReconstruction(std::shared_ptr<const Reconstruction> reconstruction, bool has_readings);
+  /// Sets the calibration to verify; results about an earlier state of it go.
+  void setReconstruction(std::shared_ptr<const Reconstruction> reconstruction);
+  /// Whether there is a session that a pose can be held out of, as there is none for a calibration; there is at first.
+  void setHasReadings(bool has_readings);
   void setTheme(Theme theme);
   void setRunning(VerifyCheck check, bool running);
 
@@ -41,11 +42,11 @@ class VerifyPanel : public QWidget {
   /// With the file that was chosen, until dropComparison(), whether it can be read or not.
   void compareWith(const QString& path);
   void dropComparison();
-  /// What an earlier result showed goes, in the other views too.
+  /// Shows a failure in place of an earlier result, which goes from the other views too.
   void showFailure(VerifyCheck check, const QString& message);
 
   /// For the actions on its tables.
-  [[nodiscard]] std::array<TableActions*, 4> tableActions() const;
+  [[nodiscard]] std::array<CsvActions*, 4> csvActions() const;
 
  signals:
   void holdOutRequested(hexoderm::PoseId pose);
@@ -57,8 +58,8 @@ class VerifyPanel : public QWidget {
   void comparisonRequested(const QString& path);
   void comparisonDropped();
 
-  /// What the views draw; none: nothing any more. The surface is that of the largest patch, unless a row of another is
-  /// picked.
+  /// Emitted with the things that the views draw; none: nothing any more. The surface is that of the largest patch,
+  /// unless a row of another is picked.
   void surfaceShown(const std::optional<hexoderm::SurfaceEvaluation>& surface);
   void comparisonShown(const std::vector<hexoderm::Comparison>& comparisons);
   void loopShown(const std::optional<hexoderm::LoopEvaluation>& loop);
@@ -73,7 +74,7 @@ class VerifyPanel : public QWidget {
   void showHoldOutFigures();
 
   std::shared_ptr<const Reconstruction> reconstruction_;
-  bool has_readings_ = false;
+  bool has_readings_ = true;
   std::optional<HoldOutResult> hold_out_result_;
   bool hold_out_outdated_ = false;  ///< there was a result, of an earlier state
   std::vector<FoundLoop> loops_;

@@ -1,7 +1,10 @@
 #include "widgets/verify/verify_section.h"
 
 #include "widgets/controls/selection.h"
-#include "widgets/tables/table_actions.h"
+#include "widgets/tables/result_table.h"
+#include "widgets/tables/row_picking.h"
+#include "widgets/tables/sorted_table.h"
+#include "widgets/tables/table_csv.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -99,7 +102,7 @@ VerifySection::VerifySection(const QString& heading, const QString& question, co
   view_->horizontalHeader()->setResizeContentsPrecision(40);
   SortedTable::enableIn(view_);
   view_->hide();
-  table_actions_ = new TableActions(view_, name);
+  csv_actions_ = new CsvActions(view_, name);
   onPicked(view_, this, [this](const QModelIndex& picked) { pick(sorted_->mapToSource(picked).row()); });
   connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
     if (!view_->selectionModel()->hasSelection()) pick(-1);

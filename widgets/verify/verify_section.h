@@ -13,7 +13,7 @@ namespace hexoderm {
 
 class Selection;
 class SortedTable;
-class TableActions;
+class CsvActions;
 
 /// One check of a calibration: what it asks, its controls, its verdict in a sentence, and the figures behind it. A row
 /// that is picked picks its cell or link.
@@ -33,7 +33,7 @@ class VerifySection : public QFrame {
   void setRunning(bool running);
   [[nodiscard]] bool isRunning() const { return running_; }
   void setTheme(Theme theme);
-  [[nodiscard]] TableActions* tableActions() const { return table_actions_; }
+  [[nodiscard]] CsvActions* csvActions() const { return csv_actions_; }
 
  signals:
   void cancelled();
@@ -52,7 +52,7 @@ class VerifySection : public QFrame {
   QTableView* view_;
   ResultTable* table_;
   SortedTable* sorted_;
-  TableActions* table_actions_;
+  CsvActions* csv_actions_;
   VerifySentence said_;
   Theme theme_ = Theme::Light;
   bool running_ = false;

@@ -2,6 +2,7 @@
 
 #include "hexoderm/util/units.h"
 #include "widgets/words/formatting.h"
+#include "widgets/words/surface_words.h"
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -188,20 +189,6 @@ VerifyFigures loopFigures(const std::vector<FoundLoop>& loops) {
     figures.rows.push_back(std::move(row));
   }
   return figures;
-}
-
-QString surfaceKindWord(SurfaceKind kind) {
-  switch (kind) {
-    case SurfaceKind::Plane:
-      return VerifyTexts::tr("Plane");
-    case SurfaceKind::Sphere:
-      return VerifyTexts::tr("Sphere");
-    case SurfaceKind::Cylinder:
-      return VerifyTexts::tr("Cylinder");
-    case SurfaceKind::Cone:
-      return VerifyTexts::tr("Cone");
-  }
-  return {};
 }
 
 VerifySentence surfaceInWords(const SurfaceEvaluation& surface, std::optional<double> stated_m) {

@@ -10,7 +10,7 @@
 
 namespace hexoderm {
 
-// What the checks of a calibration found: a verdict as a sentence, and the figures behind it as a table.
+// Results of the checks of a calibration: a verdict as a sentence, and the figures behind it as a table.
 
 struct VerifySentence {
   Tone tone = Tone::Neutral;
@@ -29,7 +29,6 @@ VerifyFigures holdOutLinks(const HoldOutResult& result);
 VerifySentence loopsInWords(const std::vector<FoundLoop>& loops, std::size_t patches);
 VerifyFigures loopFigures(const std::vector<FoundLoop>& loops);
 
-QString surfaceKindWord(SurfaceKind kind);
 /// `stated_m`: what the calibration states for positions with 95 %.
 VerifySentence surfaceInWords(const SurfaceEvaluation& surface, std::optional<double> stated_m);
 VerifyFigures surfaceFigures(const std::vector<SurfaceEvaluation>& surfaces);

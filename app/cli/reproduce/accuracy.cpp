@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kRadius_m = 0.0501;
 
-/// What one reconstruction is worth against the truth. What it does not have stays empty.
+/// Errors of one reconstruction against the truth. Figures that it does not have stay empty.
 struct Errors {
   std::optional<double> orientation_deg;
   std::optional<double> position_mm;
@@ -76,7 +76,8 @@ Eigen::Vector3d gapOf(const SimulatedSkin& skin, const Placement& T) {
   return at(skin.loop()->first) - at(skin.loop()->second);
 }
 
-/// Where the neighbour lies if it is turned by R_c_n: eq. (2), or with a share of the arc's stretch (SPEC step 10).
+/// The neighbour's centre if it is turned by R_c_n: eq. (2), or the same with a share of the arc's stretch
+/// (core/hexoderm/reconstruction/README.md, gap share).
 Eigen::Vector3d neighborCentre(const Port& c, const Port& n, const Eigen::Matrix3d& R_c_n, LinkLaw law) {
   const Eigen::Vector3d pivot = c.vector_m - R_c_n * n.vector_m;
   if (law == LinkLaw::Bend) return pivot;
@@ -86,8 +87,8 @@ Eigen::Vector3d neighborCentre(const Port& c, const Port& n, const Eigen::Matrix
   return pivot + 2.0 / 3.0 * c.vector_m.norm() * half_bend * half_bend * (u_c - u_n).normalized();
 }
 
-/// How far the loop gap comes out wrong, mm, if all orientations are known exactly: cells askew in the mould still lead
-/// the chain astray.
+/// Error of the loop gap, mm, if all orientations are known exactly: cells askew in the mould still lead the chain
+/// astray.
 double chainedGapError(const SimulatedSkin& skin, const GroundTruth& truth) {
   std::map<CellId, SE3> placed;
   placed[skin.neighbors().front().id] = truePlacement(truth, skin.neighbors().front().id);
@@ -111,7 +112,7 @@ double chainedGapError(const SimulatedSkin& skin, const GroundTruth& truth) {
 
 Errors judge(const SimulatedSkin& skin, const GroundTruth& truth, const Reconstruction& result, double true_share) {
   Errors errors;
-  const PatchReconstruction& patch = largestPatch(result);
+  const PatchReconstruction& patch = *largestPatch(result);
   for (const Comparison& comparison : compareToTruth(result, truth)) {
     if (comparison.patch != patch.id) continue;
     errors.orientation_deg = toDegrees(comparison.orientation_rms_rad);

@@ -9,11 +9,11 @@ namespace hexoderm::cli {
 
 /// The paper's two experiments: its published single trials, its method and ours.
 nlohmann::ordered_json reproducePaper(const Trials& trials, bool prints);
-/// How accurate each method is on simulated skins, with the bars that Hexoderm set itself.
+/// Accuracy of each method on simulated skins, with the bars that Hexoderm set itself.
 nlohmann::ordered_json tabulateAccuracy(const Trials& trials, bool prints);
 /// Whether the stated uncertainties are as large as the errors.
 nlohmann::ordered_json checkUncertainty(const Trials& trials, bool prints);
-/// How often broken links and sensors are found, and sound ones blamed.
+/// Rates at which broken links and sensors are found, and sound ones blamed.
 nlohmann::ordered_json countDetections(const Trials& trials, bool prints);
 
 }  // namespace hexoderm::cli

@@ -14,7 +14,7 @@ constexpr std::array kOffsetSigmas_mg = {20.0, 60.0, 100.0};
 constexpr double kRadius_m = 0.0501;
 constexpr std::size_t kPoses = 2;
 
-/// What one figure of the paper came out as, over all seeds.
+/// One figure of the paper, measured over all seeds.
 struct Row {
   std::string figure;
   std::string unit;

@@ -47,18 +47,13 @@ GapModel matchingModel(LinkLaw law) { return law == LinkLaw::Bend ? GapModel::Pi
 GapModel otherModel(LinkLaw law) { return law == LinkLaw::Bend ? GapModel::Arc : GapModel::Pivot; }
 std::string_view lawName(LinkLaw law) { return law == LinkLaw::Bend ? "bend" : "surface"; }
 
-const PatchReconstruction& largestPatch(const Reconstruction& reconstruction) {
-  return *std::ranges::max_element(reconstruction.patches, {},
-                                   [](const PatchReconstruction& patch) { return patch.cells.size(); });
-}
-
 SE3 truePlacement(const GroundTruth& truth, CellId cell) {
   return std::ranges::find(truth.cells, cell, &TrueCellPlacement::id)->T_b_u;
 }
 
 std::optional<SurfaceEvaluation> fitCylinder(const Reconstruction& reconstruction, double true_radius_m) {
   try {
-    return evaluateSurface(largestPatch(reconstruction), SurfaceKind::Cylinder, true_radius_m);
+    return evaluateSurface(*largestPatch(reconstruction), SurfaceKind::Cylinder, true_radius_m);
   } catch (const InvalidArgument&) {
     return std::nullopt;
   }

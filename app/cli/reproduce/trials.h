@@ -30,7 +30,7 @@ struct SkinCase {
 };
 
 SimulatedSkin makeSkin(const SkinCase& skin_case, std::size_t seed);
-/// What a calibration of the skin delivers, and the truth.
+/// A calibration session of the skin, with the truth.
 Session measure(SimulatedSkin& skin, const SkinCase& skin_case);
 
 /// --solver tree --centre off, and as in the paper no link is judged and muted: every skin counts.
@@ -41,8 +41,6 @@ GapModel matchingModel(LinkLaw law);
 GapModel otherModel(LinkLaw law);
 std::string_view lawName(LinkLaw law);
 
-/// The patch with the most cells: the whole skin, unless links were taken for broken.
-const PatchReconstruction& largestPatch(const Reconstruction& reconstruction);
 SE3 truePlacement(const GroundTruth& truth, CellId cell);
 /// Nothing where links taken for broken left too little of the skin.
 std::optional<SurfaceEvaluation> fitCylinder(const Reconstruction& reconstruction, double true_radius_m);

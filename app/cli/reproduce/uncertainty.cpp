@@ -30,7 +30,7 @@ struct Nees {
 
 struct Row {
   SkinCase skin;
-  double prior_mg = 0;  ///< what the solver takes the offsets' sigma to be
+  double prior_mg = 0;  ///< the solver's prior for the offsets' sigma
   std::size_t skins = 0;
   Nees nees;
   Band band;
@@ -39,7 +39,7 @@ struct Row {
 
 /// The truth is moved so that the origin cells coincide, no best fit; mean over the other cells of e^T C^-1 e / 3.
 std::optional<Nees> neesOf(const Reconstruction& result, const GroundTruth& truth) {
-  const PatchReconstruction& patch = largestPatch(result);
+  const PatchReconstruction& patch = *largestPatch(result);
   const SE3 T_o_b = truePlacement(truth, patch.origin).inverse();
   Nees sum;
   double count = 0;
@@ -58,7 +58,7 @@ std::optional<Nees> neesOf(const Reconstruction& result, const GroundTruth& trut
   return Nees{sum.position / count, sum.orientation / count};
 }
 
-/// The same measurements with another opinion of how large offsets are.
+/// The same measurements with another prior for the size of offsets.
 Session withPrior(const Session& session, double prior_mg) {
   CellModel model = session.model();
   model.accelerometer.offset_sigma_g = prior_mg / 1000;

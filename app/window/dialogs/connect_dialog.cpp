@@ -28,7 +28,7 @@ namespace {
 const QString kExtension = QStringLiteral(".hexo");
 const QString kKindSetting = QStringLiteral("connect/kind");
 
-/// The kinds of sources that make sense in a window. What comes on standard input is for scripts.
+/// The kinds of sources that make sense in a window. Standard input is for scripts.
 struct Kind {
   const char* prefix;
   const char* name;
@@ -74,7 +74,7 @@ QStringList serialPorts() {
   return ports;
 }
 
-/// What is wrong with an address, in core's words; empty if nothing is.
+/// The fault of an address, in core's words; empty if there is none.
 QString problemWithAddress(const QString& address) {
   try {
     checkSkinAddress(address.toStdString());

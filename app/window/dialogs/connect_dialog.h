@@ -12,8 +12,8 @@ class QPushButton;
 
 namespace hexoderm {
 
-/// Asks which skin to connect to and where its poses are kept. Emits the request when it is accepted; whoever listens
-/// connects. Remembers what was chosen last.
+/// Asks which skin to connect to and where its poses are kept. Emits the request when it is accepted; the receiver
+/// connects. Remembers the last choice.
 class ConnectDialog : public QDialog {
   Q_OBJECT
 

@@ -13,7 +13,7 @@ class QStackedWidget;
 
 namespace hexoderm {
 
-/// Asks what to export, where to and how. Emits the request when it is accepted; whoever listens writes.
+/// Asks for contents, place and format of an export. Emits the request when it is accepted; the receiver writes.
 class ExportDialog : public QDialog {
   Q_OBJECT
 

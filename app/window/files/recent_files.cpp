@@ -27,7 +27,7 @@ namespace {
 
 const QString kSetting = QStringLiteral("recent/files");
 
-/// As the operator would see it in a shell.
+/// The folder, in the form in which the operator would see it in a shell.
 QString shortFolder(const QString& path) {
   const QString folder = QDir::toNativeSeparators(QFileInfo(path).absolutePath());
   const QString home = QDir::toNativeSeparators(QDir::homePath());
@@ -221,7 +221,7 @@ void RecentList::rebuild() {
   for (std::size_t k = 0; k < count; ++k) {
     QWidget* row = makeRow(files_.files()[k]);
     layout_->addWidget(row);
-    // At once, not when there is time: the focus goes on to it.
+    // The row is shown at once, not when there is time: the focus goes on to it.
     row->show();
   }
   if (focused.isEmpty()) return;
@@ -280,8 +280,8 @@ QWidget* RecentList::makeRow(const RecentFile& file) {
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(6);
-  // In a narrow place, the step's, one below the other: whoever has opened a file with a long name keeps a narrow
-  // column.
+  // In a narrow place, such as the step's, the words stand one below the other, so that a file with a long name keeps
+  // the column narrow.
   auto* words = new FlowLayout;
   words->setSpacing(6);
   words->addWidget(open);

@@ -48,7 +48,7 @@ class UnsavedSessions : public QObject {
 
   /// Looks what there is; changed() and found() follow.
   void search();
-  /// Those that were discarded since are still among them.
+  /// All sessions, including those that were discarded since.
   [[nodiscard]] const std::vector<UnsavedSession>& all() const { return sessions_; }
   [[nodiscard]] static bool isDiscarded(const UnsavedSession& session);
 

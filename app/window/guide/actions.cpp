@@ -7,7 +7,7 @@
 namespace hexoderm {
 namespace {
 
-/// What an action is for is kept apart from its tool tip, which says why not while the action can't be used.
+/// The purpose of an action is kept apart from its tool tip, which gives the reason while the action can't be used.
 constexpr const char* kPurpose = "purpose";
 
 void allow(QAction* action, const QString& why_not) {

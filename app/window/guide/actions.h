@@ -13,7 +13,7 @@
 
 namespace hexoderm {
 
-/// What an action is for, also while its tool tip says why it can't be used.
+/// The purpose of an action, also while its tool tip tells why it can't be used.
 QString purposeOf(const QAction& action);
 
 /// Everything the window can do, each with its key. An action that can't be used says why in its tool tip.
@@ -50,7 +50,7 @@ class WindowActions {
   QAction* robot;  ///< can be checked: the device turns itself from pose to pose
   QAction* live_mode;
   QAction* light_cell;
-  QAction* show_next_pose;  ///< where to look, for who holds the part
+  QAction* show_next_pose;  ///< shows where to look while holding the part
   QAction* show_finding;    ///< the one that matters most
   QAction* find_cell;
   QAction* fit;
@@ -75,9 +75,10 @@ class WindowActions {
   /// `panels`: the docks' own actions.
   void fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& panels) const;
 
-  /// Which can be used now, and why the others can't. `pose_row`: the row picked in the table of poses.
+  /// Enables the actions that can be used now, and gives the reasons of the others. `pose_row`: the row picked in the
+  /// table of poses.
   void refresh(const SessionController& controller, std::optional<int> pose_row, std::optional<CellId> cell);
-  /// The same of what can be done with a link. `picked`: of the selection.
+  /// The same for the actions on a link. `picked`: the selected link.
   void refreshLink(const SessionController& controller, const std::optional<Selection::Link>& picked);
 
  private:

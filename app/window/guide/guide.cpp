@@ -58,7 +58,7 @@ void say(Step& step, Readiness readiness, const QString& because) {
   step.because = because;
 }
 
-/// What comes by itself is waited for; the rest blocks.
+/// A result that comes by itself is waited for; everything else blocks.
 void sayNoResult(Step& step, const SessionController& controller) {
   if (controller.isEmpty()) {
     say(step, Readiness::Blocked, Guide::tr("There is no skin yet."));
@@ -67,7 +67,7 @@ void sayNoResult(Step& step, const SessionController& controller) {
   }
 }
 
-/// Of an action that the step is about: its own reason, or why it can't be used.
+/// Explains the step by its action: `because`, or the reason why the action can't be used.
 void sayOf(Step& step, const QAction& action, const QString& because) {
   if (action.isEnabled()) {
     say(step, Readiness::Ready, because);

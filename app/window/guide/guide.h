@@ -14,8 +14,8 @@ class WindowActions;
 /// The steps in their order.
 enum class GuideStep { Connect, Check, Capture, Review, Verify, Export };
 
-/// Where the operator stands and what is best done next, in words, from what the controller knows. Nothing is judged
-/// here: how good a result is, core's verdict says.
+/// The operator's present state and best next action, in words, from the controller's knowledge. Nothing is judged
+/// here: core's verdict tells how good a result is.
 Banner::Content describeStand(const SessionController& controller, const WindowActions& actions);
 /// `check`: of the skin that is shown. The actions know already which of them can be used.
 std::vector<Step> describeSteps(const SessionController& controller, const WindowActions& actions,

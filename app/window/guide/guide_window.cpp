@@ -78,7 +78,7 @@ class GuideBrowser : public QTextBrowser {
     return page.replace(QStringLiteral("@keys@\n"), keys).toUtf8();
   }
 
-  /// A page is laid out when it is complete; Qt would do so anew for every word of a table.
+  /// A page is laid out when it is complete; Qt would do so again for every word of a table.
   void layOut() {
     if (filling_.isNull()) return;
     filling_.endEditBlock();

@@ -28,10 +28,10 @@ class GuideWindow : public QWidget {
 
   /// The pages' names in the order of the list: "demo", "connect", ...
   static QStringList pages();
-  /// What the page says at its top, in the language of the guide; empty if there is no such page.
+  /// The heading of a page, in the language of the guide; empty if there is no such page.
   static QString titleOf(const QString& page);
 
-  /// What the page of keys lists.
+  /// Sets the list of the page of keys.
   void setKeys(const QMenuBar& menus);
 
   /// Nothing happens if there is no such page.

@@ -28,7 +28,7 @@ struct KeysDialog {
 
 QString plain(QString text) { return text.remove(QLatin1Char('&')).remove(QStringLiteral("…")); }
 
-/// What an action always does: the text of undo and redo says what it would do just now.
+/// The constant name of an action: the text of undo and redo tells what it would do just now.
 QString nameOf(const QAction& action) {
   const QVariant name = action.property(WindowActions::kAlways);
   return name.isValid() ? name.toString() : action.text();
@@ -110,7 +110,8 @@ void showKeysDialog(QWidget* parent, const QMenuBar& menus) {
   search->setAccessibleName(search->placeholderText());
   search->setClearButtonEnabled(true);
 
-  // In its place before it is filled: what gets another parent is dressed anew, with all that is inside.
+  // The area gets its parent before it is filled: a widget that gets another parent is styled again, with all its
+  // contents.
   auto* area = new QScrollArea(dialog);
   auto* content = new QWidget;
   area->setWidget(content);

@@ -9,7 +9,7 @@ class QWidget;
 namespace hexoderm {
 
 struct KeyLine {
-  QString keys;  ///< as the desktop writes them
+  QString keys;  ///< the keys, written as on this desktop
   QString what;
 };
 struct KeyGroup {
@@ -20,8 +20,8 @@ struct KeyGroup {
 /// The keys of all visible actions in the order of the menus, and those that work everywhere.
 std::vector<KeyGroup> keysOf(const QMenuBar& menus);
 
-/// Shows the list of keys beside the window: those of all actions in the menus, to be searched. Of several calls one
-/// list remains.
+/// Shows the list of keys beside the window: those of all actions in the menus, to be searched. Further calls show the
+/// same list.
 void showKeysDialog(QWidget* parent, const QMenuBar& menus);
 
 }  // namespace hexoderm

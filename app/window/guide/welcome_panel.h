@@ -11,8 +11,7 @@ namespace hexoderm {
 class RecentFiles;
 class UnsavedSessions;
 
-/// What the middle of the window shows as long as nothing is open: what to begin with, what was open lately, and what
-/// was not saved.
+/// The middle of the window as long as nothing is open: ways to begin, recent files, and sessions that were not saved.
 class WelcomePanel : public QScrollArea {
   Q_OBJECT
 

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t kLogLines = 200;
 
-/// Asked from the context that draws, so that nothing is made anew for it.
+/// Asked from the context that draws, so that nothing is made again for it.
 QString graphicsInWords(QWidget& window) {
   auto* view = window.findChild<SceneWidget*>();
   if (!view || !view->makeCurrent()) return QStringLiteral("none");

@@ -141,7 +141,7 @@ class EventLog::Writer : public std::enable_shared_from_this<Writer> {
   std::mutex mutex_;  ///< guards all but the folder
   std::condition_variable changed_;
   std::deque<QString> lines_;
-  std::size_t dropped_ = 0;  ///< that came after those, and are too many
+  std::size_t dropped_ = 0;  ///< later lines, which are too many
   bool said_ = false;
   bool busy_ = false;
   bool ending_ = false;

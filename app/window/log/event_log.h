@@ -20,12 +20,12 @@ struct LogLine {
   QString text;
 };
 
-/// What happened since the program was started, to be read in the window and to be sent with a report of a bug: the
-/// newest kCapacity lines in memory, and all of them in a file that begins anew at kFileBytes and keeps the one before.
-/// Where a line can't be in the file, because the disk refuses or is too slow, the file says how many are missing.
-/// add() may be called from any thread while the log lives, and never waits for the disk; everything else belongs to
-/// the thread of this object. While it lives it also takes what Qt and VTK complain about (qInstallMessageHandler); of
-/// several logs the newest does.
+/// The events since the program was started, to be read in the window and to be sent with a report of a bug: the newest
+/// kCapacity lines in memory, and all of them in a file that starts over at kFileBytes and keeps the one before. If
+/// lines can't be in the file, because the disk refuses or is too slow, the file tells how many are missing. add() may
+/// be called from any thread while the log lives, and never waits for the disk; everything else belongs to the thread
+/// of this object. While it lives it also takes the messages of Qt and VTK (qInstallMessageHandler); if there are
+/// several logs, the newest one does.
 class EventLog : public QObject {
   Q_OBJECT
 
@@ -40,18 +40,18 @@ class EventLog : public QObject {
 
   void add(Severity severity, const QString& text);
 
-  /// In memory, after the line of that number; 0: all. Oldest first.
+  /// The lines in memory after the line of that number; 0: all. Oldest first.
   [[nodiscard]] std::vector<LogLine> linesAfter(std::uint64_t number) const;
   [[nodiscard]] std::vector<LogLine> newest(std::size_t count) const;
 
   /// Empty without a file.
   [[nodiscard]] QString folder() const { return folder_; }
   [[nodiscard]] QString filePath() const;
-  /// Until everything added so far was written or could not be; false if that takes longer. For tests.
+  /// Waits until every line added so far was written or could not be; false if that takes longer. For tests.
   bool waitUntilWritten(int timeout_ms) const;
 
  signals:
-  /// At most once per turn of the event loop.
+  /// Emitted at most once per turn of the event loop.
   void grown();
   /// Said once: the file can't be written, and why.
   void fileFailed(const QString& why);
@@ -71,7 +71,7 @@ class EventLog : public QObject {
 
 /// "2026-11-21 19:23:47.123 WARNING The disk is full": local time, one line whatever the text holds.
 QString asFileLine(const LogLine& line);
-/// Where the program keeps its log.
+/// The folder of the program's log.
 QString logFolder();
 
 }  // namespace hexoderm

@@ -159,7 +159,7 @@ LogView::LogView(const EventLog& log, QWidget* parent)
   table_->horizontalHeader()->setStretchLastSection(true);
   fitColumns();
 
-  // In two rows where one is too narrow: this bar must not say how wide the window is.
+  // The bar has two rows where one is too narrow: it must not determine the width of the window.
   auto* bar = new FlowLayout;
   bar->setContentsMargins(12, 6, 12, 6);
   bar->setSpacing(8);

@@ -1,6 +1,9 @@
-// The part of MainWindow about capturing: the step's panel, the directions seen, the part in the hand, the tones.
-#include "app/window/main_window/main_window.h"
-#include "app/window/main_window/window_shell.h"
+#include "app/window/presenters/capture_presenter.h"
+
+#include "app/window/guide/actions.h"
+#include "app/window/guide/guide.h"
+#include "app/window/session/session_controller.h"
+#include "app/window/settings/preferences.h"
 #include "hexoderm/reconstruction/advice/pose_coverage.h"
 #include "widgets/capture/capture_panel.h"
 #include "widgets/capture/capture_tone.h"
@@ -8,6 +11,7 @@
 #include "widgets/capture/coverage_view.h"
 #include "widgets/capture/stillness_view.h"
 #include "widgets/controls/card_dock.h"
+#include "widgets/controls/selection.h"
 #include "widgets/controls/step_panel.h"
 #include "widgets/patch/patch_view.h"
 
@@ -15,88 +19,112 @@
 
 namespace hexoderm {
 
-void MainWindow::connectCapture() {
-  step_panel_->setBody(static_cast<int>(GuideStep::Capture), capture_panel_);
+CapturePresenter::CapturePresenter(const Views& views, SessionController& controller, const WindowActions& actions,
+                                   const Selection& selection, const Preferences& preferences)
+    : views_(views), controller_(controller) {
   const LiveSource& live = controller_.liveSession().source();
-  connect(&live, &LiveSource::previewChanged, this, &MainWindow::showMoment);
-  connect(&live, &LiveSource::statusChanged, this, [this] {
-    const LiveSource& source = controller_.liveSession().source();
-    capture_panel_->setSource(source.isRunning() ? std::optional(source.status()) : std::nullopt);
-    if (source.isRunning()) return;
-    stillness_view_->clear();
-    patch_view_->setReadings({});
-    patch_view_->setCurrentUp({});
-    coverage_view_->setCurrent({});
-  });
-  connect(&live, &LiveSource::holdChanged, this, [this] {
-    const HoldStatus& hold = controller_.liveSession().source().hold();
-    capture_panel_->setHold(hold);
-    if (hold.restarts > restarts_) tone_->playStartsOver();
-    restarts_ = hold.restarts;
-  });
-  connect(&controller_.liveSession(), &LiveSession::poseTaken, this,
-          [this](const CapturedPose& captured) { capture_panel_->showWriting(captured.pose->id); });
-  connect(&controller_.liveSession(), &LiveSession::poseKept, this, [this](const CapturedPose& captured) {
-    tone_->playCaptured();
-    stillness_view_->addCaptured(captured.pose->id, captured.end_s);
-    capture_panel_->showCaptured(
-        captured.pose->id, captured.repeats ? tr("It repeats pose %1.").arg(captured.repeats->value()) : QString());
-  });
-  connect(&controller_.liveSession(), &LiveSession::poseLost, capture_panel_, &CapturePanel::endWriting);
-  connect(&controller_.poseGuide(), &PoseGuide::nextPoseChanged, this, &MainWindow::showNextPose);
-  connect(&controller_, &SessionController::reconstructionChanged, this, &MainWindow::showCoverage);
-  connect(step_panel_, &StepPanel::opened, this, &MainWindow::followPart);
-  connect(step_panel_, &StepPanel::opened, this, &MainWindow::refreshLive);
-  connect(coverage_view_, &CoverageView::posePicked, this, &MainWindow::pickPose);
-  connect(patch_view_, &PatchView::turnRequested, &controller_.poseGuide(), &PoseGuide::turnTo);
-  connect(&selection_, &Selection::changed, stillness_view_, [this] { stillness_view_->setCell(selection_.cell()); });
-
-  const Preferences& preferences = shell_->preferences();
-  tone_->setEnabled(preferences.tone());
-  patch_view_->setAnimated(!preferences.reducedMotion());
-  connect(&preferences, &Preferences::toneChanged, tone_, &CaptureTone::setEnabled);
-  connect(&preferences, &Preferences::reducedMotionChanged, patch_view_,
-          [this](bool reduced) { patch_view_->setAnimated(!reduced); });
+  connect(&live, &LiveSource::previewChanged, this, &CapturePresenter::showMoment);
+  connect(&live, &LiveSource::statusChanged, this, &CapturePresenter::showSource);
+  connect(&live, &LiveSource::holdChanged, this, &CapturePresenter::showHold);
+  const LiveSession& live_session = controller_.liveSession();
+  connect(&live_session, &LiveSession::poseTaken, this,
+          [this](const CapturedPose& captured) { views_.panel.showWriting(captured.pose->id); });
+  connect(&live_session, &LiveSession::poseKept, this, &CapturePresenter::showCaptured);
+  connect(&live_session, &LiveSession::poseLost, &views_.panel, &CapturePanel::endWriting);
+  connect(&controller_.poseGuide(), &PoseGuide::nextPoseChanged, this, &CapturePresenter::showNextPose);
+  connect(&views_.steps, &StepPanel::opened, this, &CapturePresenter::followPart);
+  connect(&views_.patch, &PatchView::turnRequested, &controller_.poseGuide(), &PoseGuide::turnTo);
+  connect(&selection, &Selection::changed, this, [this, &selection] { views_.stillness.setCell(selection.cell()); });
+  connectCommands(actions);
+  connectPreferences(preferences);
 }
 
-void MainWindow::showCoverage(const std::shared_ptr<const Reconstruction>& reconstruction) {
+void CapturePresenter::connectCommands(const WindowActions& actions) {
+  connect(actions.turn, &QAction::triggered, &controller_.poseGuide(), &PoseGuide::turnToNextPose);
+  connect(actions.automatic, &QAction::triggered, &controller_.liveSession(), &LiveSession::setAutomatic);
+  connect(actions.capture, &QAction::triggered, &controller_.liveSession(), &LiveSession::captureNow);
+  connect(actions.skip_pose, &QAction::triggered, &controller_.poseGuide(), &PoseGuide::skipPose);
+  connect(actions.robot, &QAction::triggered, &controller_.poseGuide(), &PoseGuide::setRobot);
+  connect(actions.live_mode, &QAction::triggered, &controller_.liveMode(), &LiveMode::setOn);
+  connect(actions.show_next_pose, &QAction::triggered, this, [this] {
+    views_.steps.openStep(static_cast<int>(GuideStep::Capture));
+    views_.patch.fit();
+  });
+}
+
+void CapturePresenter::connectPreferences(const Preferences& preferences) {
+  views_.tone.setEnabled(preferences.tone());
+  views_.patch.setAnimated(!preferences.reducedMotion());
+  connect(&preferences, &Preferences::toneChanged, &views_.tone, &CaptureTone::setEnabled);
+  connect(&preferences, &Preferences::reducedMotionChanged, this,
+          [this](bool reduced) { views_.patch.setAnimated(!reduced); });
+}
+
+void CapturePresenter::showSource() {
+  const LiveSource& source = controller_.liveSession().source();
+  views_.panel.setSource(source.isRunning() ? std::optional(source.status()) : std::nullopt);
+  if (source.isRunning()) return;
+  views_.stillness.clear();
+  PatchMoment moment = views_.patch.moment();
+  moment.readings = nullptr;
+  moment.up_o.reset();
+  views_.patch.setMoment(moment);
+  views_.coverage.setCurrent({});
+}
+
+void CapturePresenter::showHold() {
+  const HoldStatus& hold = controller_.liveSession().source().hold();
+  views_.panel.setHold(hold);
+  if (hold.restarts > restarts_) views_.tone.playStartsOver();
+  restarts_ = hold.restarts;
+}
+
+void CapturePresenter::showCaptured(const CapturedPose& captured) {
+  views_.tone.playCaptured();
+  views_.stillness.addCaptured(captured.pose->id, captured.end_s);
+  views_.panel.showCaptured(captured.pose->id,
+                            captured.repeats ? tr("It repeats pose %1.").arg(captured.repeats->value()) : QString());
+}
+
+void CapturePresenter::setReconstruction(const std::shared_ptr<const Reconstruction>& reconstruction) {
   std::vector<std::shared_ptr<const PoseCapture>> captures;
   if (controller_.session()) {
     for (const SessionPose& pose : controller_.session()->poses()) captures.push_back(pose.capture);
   }
   const PoseCoverage coverage = reconstruction ? coverageOf(*reconstruction, captures) : PoseCoverage{};
-  coverage_view_->setCoverage(coverage);
-  coverage_dock_->setRemark(reconstruction ? poseCountInWords(coverage) : QString());
+  views_.coverage.setCoverage(coverage);
+  views_.coverage_dock.setRemark(reconstruction ? poseCountInWords(coverage) : QString());
 }
 
-void MainWindow::showNextPose() {
+void CapturePresenter::showNextPose() {
   const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
   const std::optional<PoseAdvice>& advice = controller_.poseGuide().nextPose();
   const bool known = advice && result;
-  coverage_view_->setNext(known && controller_.poseGuide().isNextPoseWanted() ? std::optional(advice->up)
+  views_.coverage.setNext(known && controller_.poseGuide().isNextPoseWanted() ? std::optional(advice->up)
                                                                               : std::nullopt);
   showAdvice();
   followPart();
 }
 
-void MainWindow::showAdvice() {
+void CapturePresenter::showAdvice() {
   const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
   const std::optional<PoseAdvice>& advice = controller_.poseGuide().nextPose();
   const std::optional<NextPose> next =
       advice && result ? describeNextPose(*advice, *result, current_up_) : std::nullopt;
-  capture_panel_->setAdvice(next);
-  patch_view_->setNextTurn(next ? turnAngleInWords(*next) : QString());
+  views_.panel.setAdvice(next);
+  PatchMoment moment = views_.patch.moment();
+  moment.next_turn = next ? turnAngleInWords(*next).toStdString() : std::string();
+  views_.patch.setMoment(moment);
 }
 
-void MainWindow::showMoment() {
+void CapturePresenter::showMoment() {
   const SkinPreview& preview = controller_.liveSession().source().preview();
   const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
   current_up_ = result ? currentUp(*result, preview.means) : std::nullopt;
-  stillness_view_->add(controller_.liveSession().source().hold(), preview);
-  patch_view_->setReadings(preview.means, preview.temperatures);
-  coverage_view_->setCurrent(current_up_);
+  views_.stillness.add(controller_.liveSession().source().hold(), preview);
+  views_.coverage.setCurrent(current_up_);
   followPart();
-  // How far it is to the next pose, a few times a second: sentences that flicker can't be read.
+  // The angle to the next pose changes with every reading, but sentences that flicker can't be read.
   constexpr qint64 kReadable_ms = 400;
   if (!advice_age_.isValid() || advice_age_.elapsed() > kReadable_ms) {
     advice_age_.start();
@@ -104,21 +132,25 @@ void MainWindow::showMoment() {
   }
 }
 
-void MainWindow::followPart() {
+void CapturePresenter::followPart() {
   // In the other steps the picture is the operator's own to turn.
   const bool capturing = controller_.liveSession().isLive() && !controller_.liveMode().isOn() &&
-                         step_panel_->openIndex() == static_cast<int>(GuideStep::Capture);
+                         views_.steps.openIndex() == static_cast<int>(GuideStep::Capture);
   if (std::exchange(follows_part_, capturing) != capturing) {
     if (capturing) {
-      patch_view_->keepView();
+      views_.patch.keepView();
     } else {
-      patch_view_->returnToKeptView();
+      views_.patch.returnToKeptView();
     }
   }
-  patch_view_->setTurnable(capturing && controller_.liveSession().canTurn());
-  patch_view_->setCurrentUp(capturing ? current_up_ : std::nullopt);
+  views_.patch.setTurnable(capturing && controller_.liveSession().canTurn());
+  PatchMoment moment = views_.patch.moment();
+  const SkinPreview& preview = controller_.liveSession().source().preview();
+  moment.readings = readingsOf(preview.means, preview.temperatures);
+  moment.up_o = capturing ? current_up_ : std::nullopt;
   const bool shows_next = capturing && controller_.poseGuide().isNextPoseWanted();
-  patch_view_->setNextUp(shows_next ? std::optional(controller_.poseGuide().nextPose()->up) : std::nullopt);
+  moment.next_up_o = shows_next ? std::optional(controller_.poseGuide().nextPose()->up) : std::nullopt;
+  views_.patch.setMoment(moment);
 }
 
 }  // namespace hexoderm

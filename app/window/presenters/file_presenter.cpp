@@ -1,27 +1,18 @@
-// The part of MainWindow that asks: which file, save first, close now.
+#include "app/window/presenters/file_presenter.h"
+
 #include "app/window/dialogs/export_dialog.h"
-#include "app/window/guide/guide_window.h"
-#include "app/window/main_window/main_window.h"
-#include "app/window/main_window/window_shell.h"
-#include "app/window/report/report_pictures.h"
+#include "app/window/guide/actions.h"
+#include "app/window/session/session_controller.h"
 #include "app/window/settings/preferences.h"
-#include "app/window/settings/theme.h"
 #include "app/window/toolkit/deferred_dialog.h"
 #include "app/window/toolkit/file_dialog.h"
 #include "widgets/controls/message_bar.h"
-#include "widgets/graph/graph_view.h"
-#include "widgets/patch/patch_view.h"
+#include "widgets/tables/table_csv.h"
 
-#include <QCloseEvent>
-#include <QCoreApplication>
-#include <QDateTime>
 #include <QDesktopServices>
 #include <QDir>
-#include <QLayout>
+#include <QFileInfo>
 #include <QMessageBox>
-#include <QMimeData>
-#include <QStandardPaths>
-#include <QTimer>
 #include <QUrl>
 #include <utility>
 
@@ -32,41 +23,66 @@ const QString kSessionExtension = QStringLiteral(".session.json");
 const QString kJournalExtension = QStringLiteral(".hexo");
 const QString kCalibrationExtension = QStringLiteral(".calibration.json");
 
-/// The one local file of a drag, if that is what is dragged.
-QString droppedFile(const QMimeData* data) {
-  return data->urls().size() == 1 && data->urls().front().isLocalFile() ? data->urls().front().toLocalFile()
-                                                                        : QString();
-}
-
-/// Layouts have not caught up with a text that has just changed, inner ones ask outer ones for room; and a theme that
-/// was just chosen may still wait for its turn.
-void settle() {
-  finishTheme();
-  constexpr int kNested = 4;
-  for (int k = 0; k < kNested; ++k) QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
-}
-
 }  // namespace
 
-void MainWindow::openFile(const QString& path) {
+FilePresenter::FilePresenter(QWidget& window, SessionController& controller, const WindowActions& actions,
+                             MessageBar& messages)
+    : window_(window), controller_(controller), messages_(messages) {
+  connect(actions.demo, &QAction::triggered, this, &FilePresenter::startDemo);
+  connect(actions.open, &QAction::triggered, this, &FilePresenter::askToOpen);
+  connect(actions.save, &QAction::triggered, this, [this] { saveSession(false); });
+  connect(actions.save_as, &QAction::triggered, this, [this] { saveSession(true); });
+  connect(actions.save_calibration, &QAction::triggered, this, &FilePresenter::saveCalibration);
+  connect(actions.export_to, &QAction::triggered, this, &FilePresenter::showExportDialog);
+  connect(actions.quit, &QAction::triggered, &window_, &QWidget::close);
+  connect(
+      &controller_, &SessionController::changed, this,
+      [this] {
+        if (close_when_written_ && !controller_.file().isWriting()) window_.close();
+      },
+      Qt::QueuedConnection);
+  connect(&controller_, &SessionController::opened, &messages_, &QWidget::hide);
+  connect(&controller_.file(), &SessionFile::sessionSaved, this, [this](const QString& path) {
+    showDone(tr("Saved to %1").arg(path), path);
+    if (const auto proceed = std::exchange(after_saving_, nullptr)) proceed();
+  });
+  connect(&controller_.resultFiles(), &ResultFiles::exported, this,
+          [this](const QString& path) { showDone(tr("Exported to %1").arg(path), path); });
+  connect(&controller_, &SessionController::failed, this, [this](const QString& message) {
+    forgetPlans();
+    messages_.showMessage(Tone::Bad, message);
+  });
+  connect(&controller_.file(), &SessionFile::journalStuck, this, [this](const QString& why) {
+    forgetPlans();
+    messages_.showMessage(Tone::Bad, tr("Not on disk yet; it waits in memory and the work can go on. %1").arg(why),
+                          tr("Try again"), [this] { controller_.file().retryWriting(); });
+  });
+}
+
+void FilePresenter::forgetPlans() {
+  after_saving_ = nullptr;
+  may_close_ = close_when_written_ = false;
+}
+
+void FilePresenter::openFile(const QString& path) {
   rememberFolder(path);
   afterAskingToSave([this, path] { controller_.file().openFile(path); });
 }
 
-void MainWindow::startDemo() {
+void FilePresenter::startDemo() {
   afterAskingToSave([this] { controller_.liveSession().startDemo(); });
 }
 
-void MainWindow::askToOpen() {
-  auto* dialog = new FileDialog(this, tr("Open a session or a calibration"), lastFolder());
+void FilePresenter::askToOpen() {
+  auto* dialog = new FileDialog(&window_, tr("Open a session or a calibration"), lastFolder());
   dialog->setObjectName(QStringLiteral("openDialog"));
   dialog->setFileMode(QFileDialog::ExistingFile);
   dialog->setNameFilters({tr("Sessions and calibrations (*.hexo *.json *.xml)"), tr("All files (*)")});
-  connect(dialog, &QFileDialog::fileSelected, this, &MainWindow::openFile);
+  connect(dialog, &QFileDialog::fileSelected, this, &FilePresenter::openFile);
   openInTurns(dialog);
 }
 
-QString MainWindow::suggestedName() const {
+QString FilePresenter::suggestedName() const {
   if (controller_.liveSession().isDemo() && controller_.file().sessionPath().isEmpty()) return QStringLiteral("demo");
   QString name = controller_.file().name();
   for (const QString& extension :
@@ -76,9 +92,9 @@ QString MainWindow::suggestedName() const {
   return name;
 }
 
-void MainWindow::askForPath(const QString& title, const QString& name, const QString& filter, const QString& extension,
-                            std::function<void(QString)> chosen) {
-  auto* dialog = new FileDialog(this, title, lastFolder(), filter);
+void FilePresenter::askForPath(const QString& title, const QString& name, const QString& filter,
+                               const QString& extension, std::function<void(QString)> chosen) {
+  auto* dialog = new FileDialog(&window_, title, lastFolder(), filter);
   dialog->setObjectName(QStringLiteral("saveDialog"));
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(extension.mid(1));
@@ -97,7 +113,14 @@ void MainWindow::askForPath(const QString& title, const QString& name, const QSt
   openInTurns(dialog);
 }
 
-void MainWindow::saveSession(bool always_ask) {
+void FilePresenter::saveTablesOf(CsvActions* actions) {
+  connect(actions, &CsvActions::saveRequested, this, [this](const QString& name, const QByteArray& csv) {
+    askForPath(tr("Save the table"), name, tr("Tables (*.csv)"), QStringLiteral(".csv"),
+               [this, csv](const QString& path) { controller_.resultFiles().saveTable(csv, path); });
+  });
+}
+
+void FilePresenter::saveSession(bool always_ask) {
   if (!controller_.session()) return;
   if (!always_ask && (controller_.file().isKept() || controller_.file().sessionPath().endsWith(kSessionExtension))) {
     controller_.file().saveSession(controller_.file().sessionPath());
@@ -108,15 +131,15 @@ void MainWindow::saveSession(bool always_ask) {
              [this](const QString& path) { controller_.file().saveSession(path); });
 }
 
-void MainWindow::saveCalibration() {
+void FilePresenter::saveCalibration() {
   askForPath(tr("Save the calibration"), suggestedName(), tr("Calibrations (*.calibration.json)"),
              kCalibrationExtension, [this](const QString& path) {
                controller_.resultFiles().exportTo({std::nullopt, path, {}});
              });
 }
 
-void MainWindow::showExportDialog() {
-  auto* dialog = new ExportDialog(QDir(lastFolder()).filePath(suggestedName()), this);
+void FilePresenter::showExportDialog() {
+  auto* dialog = new ExportDialog(QDir(lastFolder()).filePath(suggestedName()), &window_);
   connect(dialog, &ExportDialog::exportRequested, this, [this](const ExportRequest& request) {
     rememberFolder(request.path);
     controller_.resultFiles().exportTo(request);
@@ -124,67 +147,23 @@ void MainWindow::showExportDialog() {
   openInTurns(dialog);
 }
 
-void MainWindow::askForReport() {
-  askForPath(tr("Write a report"), suggestedName(), tr("Documents (*.pdf);;Pages for the browser (*.html)"),
-             QStringLiteral(".pdf"), [this](const QString& path) {
-               if (!controller_.reconstruction()) return;
-               controller_.resultFiles().writeReport(takeReportPictures(controller_.reconstruction()), path);
-             });
-}
-
-QImage MainWindow::picture() {
-  // The 3D view draws when there is time; until then a picture of the window would show its last state.
-  settle();
-  patch_view_->waitUntilUpToDate();
-  patch_view_->drawNow();
-  return pictureAsDrawn();
-}
-
-QImage MainWindow::pictureAsDrawn() {
-  settle();
-  return grab().toImage();
-}
-
-void MainWindow::savePicture() {
-  const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
-  const QDir folder(QDir(pictures).exists() ? pictures : lastFolder());
-  const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz"));
-  const QString path = folder.filePath(QStringLiteral("hexoderm-%1.png").arg(stamp));
-  patch_view_->whenUpToDate([this, path] {
-    // In two turns, because both take their time without a graphics card. A pause of 0 would be none: what is posted
-    // comes before everything that waits.
-    settle();
-    patch_view_->drawNow();
-    QTimer::singleShot(1, this, [this, path] { controller_.resultFiles().saveImage(pictureAsDrawn(), path); });
-  });
-}
-
-void MainWindow::saveGraph() {
-  askForPath(tr("Save a picture of the graph"), suggestedName() + tr("-graph"),
-             tr("Vector graphics (*.svg);;Pictures (*.png)"), QStringLiteral(".svg"), [this](const QString& path) {
-               controller_.resultFiles().savePicture(
-                   [picture = graph_view_->picture(), path] { return picture.save(path); }, path);
-             });
-}
-
-void MainWindow::showDone(const QString& text, const QString& path) {
-  message_bar_->showMessage(Tone::Good, text, tr("Open folder"), [this, path] {
+void FilePresenter::showDone(const QString& text, const QString& path) {
+  messages_.showMessage(Tone::Good, text, tr("Open folder"), [this, path] {
     const QString folder = QFileInfo(path).absolutePath();
     if (!QDesktopServices::openUrl(QUrl::fromLocalFile(folder))) {
-      message_bar_->showMessage(Tone::Caution,
-                                tr("No program to show folders was found. The folder is %1.").arg(folder));
+      messages_.showMessage(Tone::Caution, tr("No program to show folders was found. The folder is %1.").arg(folder));
     }
   });
 }
 
-void MainWindow::afterAskingToSave(std::function<void()> proceed) {
+void FilePresenter::afterAskingToSave(std::function<void()> proceed) {
   if (!controller_.file().hasUnsavedChanges()) {
     proceed();
     return;
   }
   auto* box = new QMessageBox(QMessageBox::Question, tr("Unsaved poses"),
                               tr("Save the session first? Its latest changes are not on disk yet."),
-                              QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+                              QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_);
   box->setObjectName(QStringLiteral("unsavedBox"));
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->setDefaultButton(QMessageBox::Save);
@@ -200,73 +179,18 @@ void MainWindow::afterAskingToSave(std::function<void()> proceed) {
   box->open();
 }
 
-void MainWindow::closeEvent(QCloseEvent* event) {
+bool FilePresenter::mayClose() {
   if (!may_close_ && controller_.file().hasUnsavedChanges()) {
-    event->ignore();
-    if (findChild<QMessageBox*>(QStringLiteral("unsavedBox"))) return;
+    if (window_.findChild<QMessageBox*>(QStringLiteral("unsavedBox"))) return false;
     afterAskingToSave([this] {
       may_close_ = true;
-      close();
+      window_.close();
     });
-    return;
+    return false;
   }
-  if (controller_.file().isWriting()) {
-    // A file that is being written is finished first; it takes moments, and nothing waits for it here.
-    event->ignore();
-    close_when_written_ = true;
-    return;
-  }
-  rememberLayout();
-  QMainWindow::closeEvent(event);
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (!droppedFile(event->mimeData()).isEmpty()) event->acceptProposedAction();
-}
-
-void MainWindow::dropEvent(QDropEvent* event) {
-  const QString path = droppedFile(event->mimeData());
-  if (path.isEmpty()) return;
-  event->acceptProposedAction();
-  openFile(path);
-}
-
-void MainWindow::buildShell() {
-  shell_ = std::make_unique<WindowShell>(WindowShell::Window{
-      *this, controller_, actions_, *message_bar_, [this](const QString& path) { openFile(path); },
-      [this](ThemeChoice choice) { setThemeChoice(choice, true); },
-      [this] {
-        return static_cast<ThemeChoice>(actions_.themes->actions().indexOf(actions_.themes->checkedAction()));
-      }});
-}
-
-void MainWindow::showGuide() {
-  const QString page = guidePageFor(controller_);
-  auto* guide = findChild<GuideWindow*>();
-  if (guide == nullptr) {
-    guide = new GuideWindow(this, page);
-    guide->setAttribute(Qt::WA_DeleteOnClose);
-    guide->setKeys(*findChild<QMenuBar*>());
-  }
-  guide->showPage(page);
-  guide->show();
-  guide->raise();
-  guide->activateWindow();
-}
-
-void MainWindow::showAbout() {
-  QMessageBox* box = new QMessageBox(QMessageBox::NoIcon, tr("About Hexoderm"),
-                                     tr("<b>Hexoderm %1</b><p>Finds out where every cell of a robot's artificial skin "
-                                        "is.</p><p>BSD 3-Clause licence.</p>")
-                                         .arg(QLatin1String(HEXODERM_VERSION)),
-                                     QMessageBox::Close, this);
-  // The text is indented for an icon; the same room on the other side.
-  constexpr int kIndent = 20;
-  QMargins margins = box->layout()->contentsMargins();
-  margins.setRight(margins.right() + kIndent);
-  box->layout()->setContentsMargins(margins);
-  box->setAttribute(Qt::WA_DeleteOnClose);
-  box->open();
+  // A file that is being written is finished first; it takes moments, and nothing waits for it here.
+  close_when_written_ = controller_.file().isWriting();
+  return !close_when_written_;
 }
 
 }  // namespace hexoderm

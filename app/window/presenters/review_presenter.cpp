@@ -1,107 +1,131 @@
-// The part of MainWindow about how good a calibration is: its tables, its residuals, and the checks of the step Verify.
-#include "app/window/main_window/main_window.h"
-#include "app/window/session/verification.h"
-#include "app/window/settings/preferences.h"
-#include "app/window/toolkit/deferred_dialog.h"
-#include "app/window/toolkit/file_dialog.h"
+#include "app/window/presenters/review_presenter.h"
+
+#include "app/window/guide/actions.h"
+#include "app/window/guide/guide.h"
+#include "app/window/presenters/file_presenter.h"
+#include "app/window/presenters/result_presenter.h"
+#include "app/window/session/session_controller.h"
+#include "app/window/toolkit/result_tables.h"
+#include "hexoderm/reconstruction/advice/verdict.h"
+#include "widgets/capture/coverage_view.h"
+#include "widgets/controls/check_list.h"
+#include "widgets/controls/selection.h"
 #include "widgets/controls/step_panel.h"
 #include "widgets/patch/patch_view.h"
 #include "widgets/tables/cell_table.h"
-#include "widgets/tables/table_actions.h"
+#include "widgets/tables/finding_table.h"
+#include "widgets/tables/link_table.h"
+#include "widgets/tables/pose_table.h"
+#include "widgets/tables/row_picking.h"
+#include "widgets/tables/table_csv.h"
 #include "widgets/verify/residual_view.h"
-#include "widgets/verify/verify_panel.h"
 
 #include <QTableView>
 
 namespace hexoderm {
 
-void MainWindow::connectVerify() {
-  step_panel_->setBody(static_cast<int>(GuideStep::Verify), verify_panel_);
-  for (QTableView* view : {pose_view_, link_view_, cell_view_}) SortedTable::enableIn(view);
-  const auto serve = [this](TableActions* actions) {
-    connect(actions, &TableActions::saveRequested, this, [this](const QString& name, const QByteArray& csv) {
-      askForPath(tr("Save the table"), name, tr("Tables (*.csv)"), QStringLiteral(".csv"),
-                 [this, csv](const QString& path) { controller_.resultFiles().saveTable(csv, path); });
-    });
-  };
-  serve(new TableActions(pose_view_, QStringLiteral("poses")));
-  serve(new TableActions(link_view_, QStringLiteral("links")));
-  serve(new TableActions(cell_view_, QStringLiteral("cells")));
-  serve(new TableActions(finding_view_, QStringLiteral("findings")));
-  serve(new TableActions(residual_view_->matrix(), QStringLiteral("residuals")));
-  for (TableActions* actions : verify_panel_->tableActions()) serve(actions);
-
-  onPicked(cell_view_, this,
-           [this](const QModelIndex& picked) { selection_.selectCell(cell_table_->cellAt(sourceRow(picked))); });
-  connect(&selection_, &Selection::changed, this, &MainWindow::showPickedCell);
-  connect(residual_view_, &ResidualView::posePicked, this, &MainWindow::pickPose);
-
-  connect(&controller_, &SessionController::reconstructionChanged, verification_, &Verification::setReconstruction);
-  connect(verify_panel_, &VerifyPanel::holdOutRequested, this, [this](PoseId pose) {
-    if (controller_.session()) verification_->runHoldOut(controller_.session()->snapshot(), pose);
+ReviewPresenter::ReviewPresenter(const Views& views, const SessionController& controller, const WindowActions& actions,
+                                 Selection& selection, FilePresenter& files, const ResultPresenter& results)
+    : views_(views), controller_(controller), selection_(selection) {
+  ResultTables& tables = views_.tables;
+  files.saveTablesOf(new CsvActions(tables.pose_view, QStringLiteral("poses")));
+  files.saveTablesOf(new CsvActions(tables.link_view, QStringLiteral("links")));
+  files.saveTablesOf(new CsvActions(tables.cell_view, QStringLiteral("cells")));
+  files.saveTablesOf(new CsvActions(tables.finding_view, QStringLiteral("findings")));
+  files.saveTablesOf(new CsvActions(views_.residuals.matrix(), QStringLiteral("residuals")));
+  connectTables();
+  connect(&results, &ResultPresenter::handedOut, this, &ReviewPresenter::showPicks);
+  connect(&controller_, &SessionController::opened, this, [this] {
+    selection_.clear();
+    picked_pose_.reset();
   });
-  connect(verify_panel_, &VerifyPanel::cancelRequested, verification_, &Verification::cancel);
-  connect(verify_panel_, &VerifyPanel::surfaceRequested, verification_, &Verification::setSurface);
-  connect(verify_panel_, &VerifyPanel::comparisonFileWanted, this, &MainWindow::askForComparison);
-  connect(verify_panel_, &VerifyPanel::comparisonRequested, verification_, &Verification::compareWith);
-  connect(verify_panel_, &VerifyPanel::comparisonDropped, verification_, &Verification::dropComparison);
-  connect(verification_, &Verification::runningChanged, verify_panel_, &VerifyPanel::setRunning);
-  connect(verification_, &Verification::heldOut, verify_panel_, &VerifyPanel::showHoldOut);
-  connect(verification_, &Verification::loopsFound, verify_panel_, &VerifyPanel::showLoops);
-  connect(verification_, &Verification::surfacesFitted, verify_panel_, &VerifyPanel::showSurfaces);
-  connect(verification_, &Verification::compared, verify_panel_, &VerifyPanel::showComparison);
-  connect(verification_, &Verification::failed, verify_panel_, &VerifyPanel::showFailure);
-  connect(verify_panel_, &VerifyPanel::surfaceShown, patch_view_, &PatchView::setSurface);
-  connect(verify_panel_, &VerifyPanel::loopShown, patch_view_, &PatchView::setLoop);
-  connect(verify_panel_, &VerifyPanel::comparisonShown, patch_view_, &PatchView::setComparison);
-  // What one skin was compared with says nothing about the next.
-  connect(&controller_, &SessionController::opened, verify_panel_, &VerifyPanel::dropComparison);
+  connect(&selection_, &Selection::changed, this, &ReviewPresenter::showPickedLink);
+  connect(&selection_, &Selection::changed, this, &ReviewPresenter::showPickedCell);
+  connect(&views_.check_list, &CheckList::cellPicked, &selection_, &Selection::selectCell);
+  connect(&views_.residuals, &ResidualView::posePicked, this, &ReviewPresenter::pickPose);
+  connect(&views_.coverage, &CoverageView::posePicked, this, &ReviewPresenter::pickPose);
+  connect(actions.show_finding, &QAction::triggered, this, &ReviewPresenter::showWorstFinding);
 }
 
-void MainWindow::askForComparison() {
-  auto* dialog = new FileDialog(this, tr("Compare with an earlier calibration"), lastFolder(),
-                                tr("Calibrations and sessions (*.calibration.json *.hexo *.session.json *.xml)"));
-  dialog->setObjectName(QStringLiteral("comparisonDialog"));
-  dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-    rememberFolder(path);
-    verify_panel_->compareWith(path);
+void ReviewPresenter::connectTables() {
+  ResultTables& tables = views_.tables;
+  connect(tables.finding_view, &QTableView::clicked, this,
+          [this](const QModelIndex& index) { pickFromFinding(index.row()); });
+  onPicked(tables.finding_view, this, [this](const QModelIndex& picked) { pickFromFinding(picked.row()); });
+  onPicked(tables.link_view, this, [this](const QModelIndex& picked) {
+    const LinkEstimate& link = views_.tables.links->linkAt(sourceRow(picked));
+    selection_.selectLink(link.source, link.target);
   });
-  openInTurns(dialog);
+  onPicked(tables.cell_view, this, [this](const QModelIndex& picked) {
+    selection_.selectCell(views_.tables.cells->cellAt(sourceRow(picked)));
+  });
+  connect(tables.pose_view->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+          &ReviewPresenter::showPickedPose);
+  onPicked(tables.pose_view, this, [this](const QModelIndex& /*picked*/) { showPickedPose(); });
 }
 
-int MainWindow::sourceRow(const QModelIndex& index) {
-  const auto* sorted = qobject_cast<const SortedTable*>(index.model());
-  return sorted ? sorted->mapToSource(index).row() : index.row();
-}
-
-QModelIndex MainWindow::shownRow(const QTableView* view, int row) {
-  const auto* sorted = qobject_cast<const SortedTable*>(view->model());
-  return sorted ? sorted->mapFromSource(sorted->sourceModel()->index(row, 0)) : view->model()->index(row, 0);
-}
-
-void MainWindow::showReview(const std::shared_ptr<const Reconstruction>& reconstruction) {
-  cell_table_->setReconstruction(reconstruction);
-  residual_view_->setReconstruction(reconstruction);
-  verify_panel_->setReconstruction(reconstruction, controller_.session() != nullptr);
+void ReviewPresenter::showPicks() {
+  PatchOverlays overlays = views_.patch.overlays();
+  overlays.truth = controller_.session() ? controller_.session()->truth() : nullptr;
+  views_.patch.setOverlays(overlays);
+  // The pose stays picked although the tables start anew. Qt's selection models tell nobody when they are reset, so
+  // that it is still known here.
+  if (const std::optional<PoseId> picked = picked_pose_) pickPose(*picked);
+  showPickedPose();
+  showPickedLink();
   showPickedCell();
 }
 
-void MainWindow::showPickedCell() {
-  const int row = selection_.cell() ? cell_table_->rowOf(*selection_.cell()) : -1;
-  if (row < 0) {
-    cell_view_->clearSelection();
-    cell_view_->selectionModel()->clearCurrentIndex();
-  } else if (const QModelIndex shown = shownRow(cell_view_, row);
-             !cell_view_->selectionModel()->isRowSelected(shown.row(), {})) {
-    cell_view_->selectRow(shown.row());
+void ReviewPresenter::showPickedPose() {
+  picked_pose_.reset();
+  if (const std::optional<int> row = pickedPoseRow()) {
+    picked_pose_ = views_.tables.poses->reconstruction()->poses[static_cast<std::size_t>(*row)].pose;
+  }
+  PatchMoment moment = views_.patch.moment();
+  moment.pose = picked_pose_;
+  views_.patch.setMoment(moment);
+  views_.coverage.setPickedPose(picked_pose_);
+  emit pickedPoseChanged();
+}
+
+std::optional<int> ReviewPresenter::pickedPoseRow() const {
+  const QModelIndexList rows = views_.tables.pose_view->selectionModel()->selectedRows();
+  return rows.isEmpty() ? std::nullopt : std::optional(sourceRow(rows.front()));
+}
+
+void ReviewPresenter::showPickedLink() {
+  const std::optional<Selection::Link> link = selection_.link();
+  selectSourceRow(views_.tables.link_view, link ? views_.tables.links->rowOf(link->first, link->second) : -1);
+}
+
+void ReviewPresenter::showPickedCell() {
+  const std::optional<CellId> cell = selection_.cell();
+  selectSourceRow(views_.tables.cell_view, cell ? views_.tables.cells->rowOf(*cell) : -1);
+}
+
+void ReviewPresenter::pickPose(PoseId pose) {
+  const Reconstruction* shown = controller_.reconstruction().get();
+  QTableView* view = views_.tables.pose_view;
+  for (std::size_t row = 0; shown && row < shown->poses.size(); ++row) {
+    if (shown->poses[row].pose == pose) view->selectRow(shownRow(view, static_cast<int>(row)).row());
   }
 }
 
-void MainWindow::pickPose(PoseId pose) {
-  const Reconstruction* shown = controller_.reconstruction().get();
-  for (std::size_t row = 0; shown && row < shown->poses.size(); ++row) {
-    if (shown->poses[row].pose == pose) pose_view_->selectRow(shownRow(pose_view_, static_cast<int>(row)).row());
+void ReviewPresenter::pickFromFinding(int row) {
+  const Finding& finding = views_.tables.findings->findingAt(row);
+  if (finding.cells.size() >= 2 && finding.ports.size() >= 2) {
+    selection_.selectLink({finding.cells[0], finding.ports[0]}, {finding.cells[1], finding.ports[1]});
+  } else if (!finding.cells.empty()) {
+    selection_.selectCell(finding.cells.front());
+  }
+}
+
+void ReviewPresenter::showWorstFinding() {
+  const Finding* worst = controller_.reconstruction() ? worstFinding(*controller_.reconstruction()) : nullptr;
+  if (!worst) return;
+  views_.steps.openStep(static_cast<int>(GuideStep::Review));
+  for (int row = 0; row < views_.tables.findings->rowCount(); ++row) {
+    if (&views_.tables.findings->findingAt(row) == worst) views_.tables.finding_view->selectRow(row);
   }
 }
 

@@ -19,7 +19,7 @@ struct ReportPicture {
 /// Everything that is in a report, so that it can be written on any thread.
 struct ReportContent {
   std::shared_ptr<const Reconstruction> reconstruction;  ///< not null
-  QString name;                                          ///< of the session or calibration
+  QString name;                                          ///< name of the session or calibration
   std::vector<ReportPicture> pictures;                   ///< null images are left out
   QDateTime made_at;
 };
@@ -29,7 +29,7 @@ struct ReportContent {
 /// is escaped. Only such HTML and CSS as QTextDocument shows, too. Precondition: there is a reconstruction.
 QString reportHtml(const ReportContent& content);
 
-/// The same on A4 pages with page numbers. May be called from any thread.
+/// The same report on A4 pages with page numbers. May be called from any thread.
 QByteArray reportPdf(const ReportContent& content);
 
 /// Writes the report as PDF or HTML, by the ending of `path`: whole or not at all. Throws InvalidArgument for another

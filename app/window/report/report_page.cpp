@@ -14,9 +14,9 @@ namespace hexoderm {
 namespace {
 
 constexpr std::size_t kWorstLinks = 10;
-// What a person still leafs through; the calibration file and the CSV tables have all.
+// As many rows as a person still leafs through; the calibration file and the CSV tables have all.
 constexpr std::size_t kMostRows = 400;
-// In the 96ths of an inch of CSS: a little less than the width between the margins of A4.
+// Width in the 96ths of an inch of CSS: a little less than the width between the margins of A4.
 constexpr int kPageWidth_px = 640;
 
 QString millimetres(double length_m) { return figureInWords(toMillimetres(length_m), 1); }

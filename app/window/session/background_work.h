@@ -16,8 +16,8 @@ class BackgroundWork : public QObject {
   using Continuation = std::function<void()>;
   using Work = std::function<Continuation()>;
 
-  /// Runs `work` on the thread, then `finally`, and what `work` returned, on the thread of this object. What `work`
-  /// throws becomes failed().
+  /// Runs `work` on the thread, then `finally` and the continuation that `work` returned on the thread of this object.
+  /// An exception from `work` becomes failed().
   void start(const QString& activity, Work work, Continuation finally = {});
   /// The same for a file: isWriting() until it is there.
   void startWriting(const QString& activity, Work work);

@@ -31,7 +31,7 @@ class LiveMode : public QObject {
   void setOn(bool on);
 
  signals:
-  /// Where it ends, the result that was not shown meanwhile is still the same.
+  /// After it ends, the result that was not shown meanwhile is still the same.
   void toggled(bool on);
   /// Every moment that was solved.
   void momentSolved(std::shared_ptr<const hexoderm::Reconstruction> reconstruction);

@@ -11,10 +11,10 @@ namespace hexoderm {
 
 class SessionController;
 
-/// What the dialog that connects asks for.
+/// The request of the dialog that connects.
 struct ConnectRequest {
-  QString address;  ///< as openSkinSource() takes it
-  QString path;     ///< of the new *.hexo that the poses are kept in; empty: until it is saved, a scratch file
+  QString address;  ///< in the form that openSkinSource() takes
+  QString path;     ///< the new *.hexo that the poses are kept in; empty: a scratch file, until it is saved
   bool continue_session = false;  ///< instead, the poses join the session that is open and kept in a file
   bool demo = false;              ///< the simulated skin that everything can be tried with
 };
@@ -56,7 +56,7 @@ class LiveSession : public QObject, private CaptureOwner {
   void startDemo();
   /// The session that is open stays until the skin has described itself.
   void connectTo(const hexoderm::ConnectRequest& request);
-  /// What was captured stays.
+  /// Disconnects; captured poses stay.
   void disconnectSource();
   /// The next readings become a pose, moved or not. Nothing happens where no skin is connected.
   void captureNow();
@@ -66,7 +66,7 @@ class LiveSession : public QObject, private CaptureOwner {
   void cancelRecapture();
   /// Lights a cell of the connected skin, and darkens the one before.
   void lightCell(std::optional<hexoderm::CellId> cell);
-  /// Of captures, from the next connection on.
+  /// Sets the options of captures, from the next connection on.
   void setRecorderOptions(const hexoderm::PoseRecorderOptions& options) { recorder_options_ = options; }
 
  signals:

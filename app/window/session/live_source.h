@@ -12,17 +12,17 @@
 
 namespace hexoderm {
 
-/// What a source is started with.
+/// The start parameters of a source.
 struct LiveOptions {
-  QString address;  ///< as openSkinSource() takes it
+  QString address;  ///< in the form that openSkinSource() takes
   PoseId next_pose{1};
   std::vector<std::shared_ptr<const PoseCapture>> earlier_poses;  ///< those that a capture can repeat
   PoseRecorderOptions recorder;
 };
 
-/// A skin that is connected: a source and the recorder of its poses, which run on the source's thread, as signals on
-/// the thread of this object. Of states that follow each other faster than they are looked at, the newest is signalled.
-/// Nothing here waits: opening, connecting and the end of a source happen elsewhere.
+/// A connected skin: a source and the recorder of its poses, which run on the source's thread, as signals on the thread
+/// of this object. If states follow each other faster than they are looked at, the newest is signalled. Nothing here
+/// waits: opening, connecting and the end of a source happen elsewhere.
 class LiveSource : public QObject {
   Q_OBJECT
 
@@ -30,7 +30,7 @@ class LiveSource : public QObject {
   explicit LiveSource(QObject* parent = nullptr);
   ~LiveSource() override;
 
-  /// Stops what runs, and starts. What goes wrong follows as failed() or as a state.
+  /// Stops the running source, and starts another. Failures follow as failed() or as a state.
   void start(const LiveOptions& options);
   /// Nothing of the source is signalled afterwards.
   void stop();
@@ -40,9 +40,9 @@ class LiveSource : public QObject {
   [[nodiscard]] QString address() const { return address_; }
   [[nodiscard]] const SourceStatus& status() const { return status_; }
   [[nodiscard]] const HoldStatus& hold() const { return hold_; }
-  /// What the cells read of late; empty before the first readings.
+  /// The latest readings of the cells; empty before the first ones.
   [[nodiscard]] const SkinPreview& preview() const { return preview_; }
-  /// What the device said of itself; nothing as long as it did not.
+  /// The device's description of itself; none before it has arrived.
   [[nodiscard]] const std::optional<SkinDescription>& skin() const { return skin_; }
   [[nodiscard]] bool isAutomatic() const { return automatic_; }
 
@@ -66,7 +66,7 @@ class LiveSource : public QObject {
  private:
   class Feed;
 
-  std::shared_ptr<Feed> feed_;  ///< of the source that runs; late words of others are dropped
+  std::shared_ptr<Feed> feed_;  ///< feed of the running source; late words of others are dropped
   QString address_;
   SourceStatus status_;
   HoldStatus hold_;

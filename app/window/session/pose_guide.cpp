@@ -38,7 +38,8 @@ void PoseGuide::hear(const CourseEvent& event) {
 }
 
 void PoseGuide::advise(const AdviceQuestion& question) {
-  jobs_.add([this, question] {
+  // The course takes the answer to its newest question alone.
+  worker_.submit([this, question](const std::stop_token&) {
     const AdviceAnswer answer = adviseOn(question);
     QMetaObject::invokeMethod(
         this, [this, answer] { live_session_.course().setAdvice(answer); }, Qt::QueuedConnection);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/window/files/job_queue.h"
 #include "hexoderm/course/capture_course.h"
+#include "hexoderm/util/latest_worker.h"
 
 #include <QObject>
 #include <optional>
@@ -47,7 +47,7 @@ class PoseGuide : public QObject {
   void advise(const AdviceQuestion& question);
 
   LiveSession& live_session_;
-  JobQueue jobs_;  // last: its thread has ended before what it reports to goes
+  LatestWorker worker_;  // last: its thread has ended before what it reports to goes
 };
 
 }  // namespace hexoderm

@@ -14,7 +14,7 @@ namespace hexoderm {
 class BackgroundWork;
 class SessionController;
 
-/// What an export dialog asks for. Without a format: Hexoderm's own calibration file.
+/// The request of an export dialog. Without a format: Hexoderm's own calibration file.
 struct ExportRequest {
   std::optional<ExportFormat> format;
   QString path;

@@ -43,7 +43,7 @@ Opened openToEdit(const std::filesystem::path& path) {
 SessionFile::SessionFile(SessionController& controller, BackgroundWork& work) : controller_(controller), work_(work) {}
 
 SessionFile::~SessionFile() {
-  // Whoever ends the window was asked first.
+  // The operator was asked before the window ended.
   dropJournal();
 }
 

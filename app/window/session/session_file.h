@@ -18,8 +18,8 @@ class SessionController;
 /// The file that the open session is kept in.
 ///
 /// A session *.hexo is kept: every edit is written to it as it happens. Any other session has a scratch file from its
-/// first edit on, so that a killed program loses nothing, and is saved when the operator says so. Where not even a
-/// scratch file can be written, the session is in memory only, and the operator is told.
+/// first edit on, so that a killed program loses nothing, and is saved on the operator's request. If not even a scratch
+/// file can be written, the session is in memory only, and the operator is told.
 class SessionFile : public QObject {
   Q_OBJECT
 
@@ -30,13 +30,13 @@ class SessionFile : public QObject {
 
   /// The name of what is open: its file's, or where it came from.
   [[nodiscard]] QString name() const { return name_; }
-  /// Where Save goes without asking; empty if it must ask.
+  /// The file to which Save writes without asking; empty if it must ask.
   [[nodiscard]] QString sessionPath() const { return session_path_; }
   /// The file that the open calibration was read from; empty if none is open.
   [[nodiscard]] QString calibrationPath() const { return calibration_path_; }
   /// Every change is written to sessionPath() as it happens.
   [[nodiscard]] bool isKept() const;
-  /// Of a session that is kept: only changes that could not be written.
+  /// For a session that is kept, only changes that could not be written count.
   [[nodiscard]] bool hasUnsavedChanges() const;
   [[nodiscard]] bool isWriting() const;
   /// When the session was last saved, or its file last written to; invalid if it never was.
@@ -69,7 +69,7 @@ class SessionFile : public QObject {
   void sessionSaved(const QString& path);
   /// The file can't be written; changes wait in memory. retryWriting() tries again.
   void journalStuck(const QString& why);
-  /// What became of a pose that was added.
+  /// The outcome of storing an added pose.
   void poseStored(hexoderm::PoseId pose, const hexoderm::StoreOutcome& outcome);
   /// No file keeps the session until it is saved; the operator was told.
   void keptInMemoryOnly();
@@ -93,7 +93,7 @@ class SessionFile : public QObject {
   QString session_path_;
   QString calibration_path_;
   QTime saved_at_;
-  QString scratch_path_;        ///< of the journal, where it is only kept until the session is saved
+  QString scratch_path_;        ///< path of the journal, if it is only kept until the session is saved
   bool scratch_fails_ = false;  ///< told once
   bool was_stuck_ = false;      ///< the operator was told that something is not on disk
   /// For each new file that the session is being copied into, the edits since then. They belong to the job that makes

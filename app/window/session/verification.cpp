@@ -8,7 +8,7 @@
 
 #include <QFileInfo>
 #include <QMetaObject>
-#include <algorithm>
+#include <exception>
 #include <utility>
 
 namespace hexoderm {
@@ -16,8 +16,7 @@ namespace {
 
 std::size_t slotOf(VerifyCheck check) { return static_cast<std::size_t>(check); }
 
-/// A session is solved with the options of what it is compared with.
-/// Null if it was stopped.
+/// A session is solved with the options of the result that it is compared with. Null if it was stopped.
 std::shared_ptr<const Reconstruction> readReference(const QString& path, const SolverOptions& options,
                                                     const std::stop_token& stop) {
   const OpenedFile file = openFile(toPath(path), builtInCellModel("hex-bma150"));
@@ -29,13 +28,7 @@ std::shared_ptr<const Reconstruction> readReference(const QString& path, const S
 
 }  // namespace
 
-Verification::Verification(QObject* parent)
-    : QObject(parent), thread_([this](const std::stop_token& stop) { run(stop); }) {}
-
-Verification::~Verification() {
-  const std::lock_guard lock(mutex_);
-  for (Slot& slot : slots_) slot.stop.request_stop();
-}
+Verification::Verification(QObject* parent) : QObject(parent), worker_(kChecks) {}
 
 void Verification::setReconstruction(std::shared_ptr<const Reconstruction> reconstruction) {
   reconstruction_ = std::move(reconstruction);
@@ -120,71 +113,40 @@ void Verification::compare() {
 }
 
 void Verification::cancel(VerifyCheck check) {
-  {
-    const std::lock_guard lock(mutex_);
-    Slot& slot = slots_.at(slotOf(check));
-    slot.waiting = nullptr;
-    slot.stop.request_stop();
-    ++slot.newest;
-  }
+  const std::size_t slot = slotOf(check);
+  worker_.cancel(slot);
+  ++newest_.at(slot);
   setRunning(check, false);
 }
 
 void Verification::request(VerifyCheck check, Work work) {
-  {
-    const std::lock_guard lock(mutex_);
-    Slot& slot = slots_.at(slotOf(check));
-    slot.stop.request_stop();
-    slot.stop = std::stop_source();
-    slot.waiting = std::move(work);
-    ++slot.newest;
-  }
-  arrived_.notify_one();
+  const std::size_t slot = slotOf(check);
+  worker_.cancel(slot);
+  const std::uint64_t number = ++newest_.at(slot);
+  worker_.submit(
+      [this, check, number, work = std::move(work)](const std::stop_token& stop) {
+        Announcement announce;
+        try {
+          announce = work(stop);
+        } catch (const std::exception& error) {
+          announce = [this, check, message = words(error)] { emit failed(check, message); };
+        }
+        QMetaObject::invokeMethod(
+            this, [this, check, number, announce = std::move(announce)] { finish(check, number, announce); },
+            Qt::QueuedConnection);
+      },
+      slot);
   setRunning(check, true);
 }
 
-void Verification::run(const std::stop_token& stop) {
-  for (;;) {
-    VerifyCheck check{};
-    Work work;
-    std::stop_token cancelled;
-    std::uint64_t number = 0;
-    {
-      std::unique_lock lock(mutex_);
-      const auto waiting = [this] {
-        return std::ranges::find_if(slots_, [](const Slot& slot) { return static_cast<bool>(slot.waiting); });
-      };
-      arrived_.wait(lock, stop, [&] { return waiting() != slots_.end(); });
-      if (stop.stop_requested()) return;
-      const auto slot = waiting();
-      check = static_cast<VerifyCheck>(slot - slots_.begin());
-      work = std::exchange(slot->waiting, nullptr);
-      cancelled = slot->stop.get_token();
-      number = slot->newest;
-    }
-    Announcement announce;
-    try {
-      announce = work(cancelled);
-    } catch (const std::exception& error) {
-      announce = [this, check, message = words(error)] { emit failed(check, message); };
-    }
-    QMetaObject::invokeMethod(
-        this, [this, check, number, announce = std::move(announce)] { finish(check, number, announce); },
-        Qt::QueuedConnection);
-  }
-}
-
 void Verification::finish(VerifyCheck check, std::uint64_t number, const Announcement& announce) {
-  {
-    const std::lock_guard lock(mutex_);
-    if (slots_.at(slotOf(check)).newest != number) return;
-  }
+  if (newest_.at(slotOf(check)) != number) return;
   setRunning(check, false);
   announce();
 }
 
 void Verification::setRunning(VerifyCheck check, bool running) {
-  bool& told = slots_.at(slotOf(check)).running;  // touched on this thread alone
+  bool& told = running_.at(slotOf(check));
   if (std::exchange(told, running) != running) emit runningChanged(check, running);
 }
 

@@ -3,31 +3,28 @@
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
 #include "hexoderm/reconstruction/evaluation/loop_search.h"
 #include "hexoderm/reconstruction/hold_out.h"
+#include "hexoderm/util/latest_worker.h"
 #include "widgets/verify/verify_panel.h"
 
 #include <QObject>
 #include <QStringList>
 #include <array>
-#include <condition_variable>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <stop_token>
-#include <thread>
 
 namespace hexoderm {
 
-/// Computes the checks of the step Verify on a thread of its own and keeps them up to date with the reconstruction.
-/// Each check has a mailbox for one request, and the newest wins; what is running for an older one is asked to stop,
-/// and its result dropped. What a check throws becomes a message.
+/// Computes the checks of the step Verify on a thread of its own and keeps them up to date with the reconstruction. The
+/// newest request for a check wins: one that waits is dropped, one that runs is stopped, and its result is not shown.
+/// An exception that a check throws becomes a message.
 class Verification : public QObject {
   Q_OBJECT
 
  public:
+  /// The destructor waits for the running check to stop.
   explicit Verification(QObject* parent = nullptr);
-  /// Waits for what is running to stop; a solve runs to its end.
-  ~Verification() override;
 
   /// What is verified from now on; null: nothing. Loops, surface and comparison are computed anew; a hold-out that is
   /// running is cancelled.
@@ -53,15 +50,7 @@ class Verification : public QObject {
  private:
   using Announcement = std::function<void()>;
   using Work = std::function<Announcement(const std::stop_token&)>;
-  struct Slot {
-    Work waiting;
-    std::stop_source stop;
-    std::uint64_t newest = 0;  ///< results of older requests are dropped
-    bool running = false;      ///< as it was told
-  };
-
   void request(VerifyCheck check, Work work);
-  void run(const std::stop_token& stop);
   void finish(VerifyCheck check, std::uint64_t number, const Announcement& announce);
   void fitSurface();
   void compare();
@@ -74,10 +63,10 @@ class Verification : public QObject {
   std::shared_ptr<const Reconstruction> reference_;  ///< of reference_path_, once it was read
   SolverOptions reference_options_;                  ///< that it was solved with, if it is a session
 
-  std::mutex mutex_;  ///< guards the slots
-  std::condition_variable_any arrived_;
-  std::array<Slot, 4> slots_;
-  std::jthread thread_;  // last: joined before what it uses goes
+  static constexpr std::size_t kChecks = 4;
+  std::array<std::uint64_t, kChecks> newest_{};  ///< request per check; results of older ones are dropped
+  std::array<bool, kChecks> running_{};          ///< as runningChanged() last said
+  LatestWorker worker_;  // a mailbox per check; last: it has ended before anything that it uses is destroyed
 };
 
 }  // namespace hexoderm

@@ -11,8 +11,8 @@ namespace hexoderm {
 
 inline constexpr double kMilliG = 1e-3;  ///< g in a thousandth of it
 
-/// What the operator chose once for all sessions, kept in the settings. Every change is kept and signalled at once;
-/// nothing has to be confirmed. A setting that makes no sense (edited by hand, of another version) is as by default.
+/// The operator's choices for all sessions, kept in the settings. Every change is kept and signalled at once; nothing
+/// has to be confirmed. A setting that makes no sense (edited by hand, of another version) is replaced by its default.
 class Preferences : public QObject {
   Q_OBJECT
 
@@ -34,13 +34,13 @@ class Preferences : public QObject {
   /// Looked at by prepareSoftwareOpenGl() at the next start.
   [[nodiscard]] bool softwareOpenGl() const;
   void setSoftwareOpenGl(bool on);
-  /// Where new sessions go; empty: the folder of the last file.
+  /// The folder for new sessions; empty: the folder of the last file.
   [[nodiscard]] QString sessionFolder() const;
   void setSessionFolder(const QString& folder);
 
   [[nodiscard]] SolverOptions solverOptions() const;
   void setSolverOptions(const SolverOptions& options);
-  /// Of the limits those that the dialog shows; the rest is as by default.
+  /// Recorder options with the limits that the dialog shows; the rest is by default.
   [[nodiscard]] PoseRecorderOptions recorderOptions() const;
   void setRecorderOptions(const PoseRecorderOptions& options);
 
@@ -53,14 +53,15 @@ class Preferences : public QObject {
   void textFactorChanged(double factor);
   void toneChanged(bool on);
   void reducedMotionChanged(bool on);
-  /// The defaults are restored, the theme's too; dialogs show everything anew.
+  /// The defaults are restored, the theme's too; dialogs show everything again.
   void restored();
 };
 
-/// Where dialogs begin to look for a file: where the last one was, as long as there is that folder; else the user's
+/// The folder in which dialogs begin to look for a file: that of the last one, as long as it exists; else the user's
 /// documents, else the home folder.
 QString lastFolder();
-/// For lastFolder(): `file` was chosen. Nobody chose the folder that unsaved sessions are recovered from.
+/// Notes the folder of a chosen file, for lastFolder(). The folder of unsaved sessions is not noted, as nobody chose
+/// it.
 void rememberFolder(const QString& file);
 
 /// Gives the application the system's text size times a factor; theme.h's applyTheme() must follow.

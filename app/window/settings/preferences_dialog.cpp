@@ -49,8 +49,8 @@ void addRow(QFormLayout* form, const QString& text, QWidget* control, const QStr
   addWhy(form, why);
 }
 
-/// A page scrolls where the screen is smaller than it. It has its place in the dialog before anything is put into it:
-/// what gets another parent is dressed anew by the style sheet, with all that is inside.
+/// A page scrolls where the screen is smaller than it. It has its place in the dialog before anything is put into it: a
+/// widget that gets another parent is styled again by the style sheet, with all its contents.
 QFormLayout* addPage(QTabWidget* tabs, const QString& title) {
   auto* area = new QScrollArea;
   tabs->addTab(area, title);

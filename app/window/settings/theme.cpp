@@ -28,7 +28,7 @@ class WindowStyle : public QProxyStyle {
     if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
     return QProxyStyle::styleHint(hint, option, widget, data);
   }
-  /// Kept, for Fusion reads and decodes its pictures anew each time, a dozen for each file dialog.
+  /// Kept, for Fusion reads and decodes its pictures again each time, a dozen for each file dialog.
   QIcon standardIcon(StandardPixmap kind, const QStyleOption* option, const QWidget* widget) const override {
     const bool mirrored = (option ? option->direction : QApplication::layoutDirection()) == Qt::RightToLeft;
     QIcon& icon = icons_[{kind, mirrored}];
@@ -40,7 +40,7 @@ class WindowStyle : public QProxyStyle {
   mutable std::map<std::pair<StandardPixmap, bool>, QIcon> icons_;
 };
 
-/// What the panels of the main window add to the application's sheet.
+/// The rules that the panels of the main window add to the application's sheet.
 QString panelSheet(const Colors& colors) {
   return QStringLiteral(
              "QFrame[cardHead=\"true\"] { background: %1; border: 1px solid %2; border-bottom: 0;"
@@ -67,8 +67,8 @@ QString panelSheet(const Colors& colors) {
            colors.text_muted.name(), colors.accent.name(), colors.accent_text.name());
 }
 
-/// Works out anew how widgets look: what is seen of the window in front at once, what is seen of each other window in a
-/// turn of the event loop of its own, and each is painted in the turn after; the rest, which is most, in turns that
+/// Styles all widgets again: the visible ones of the window in front at once, those of each other window in a turn of
+/// the event loop of their own, and each window is painted in the turn after; the rest, which is most, in turns that
 /// nobody notices, or when it is shown.
 class Wardrobe : public QObject {
  public:
@@ -198,7 +198,7 @@ class Wardrobe : public QObject {
   bool resizes_ = false;
 };
 
-/// What a sheet says of sizes: all but the colours and the pictures that have them.
+/// A sheet's rules about sizes: all but the colours and the pictures that have them.
 QString withoutColors(QString sheet) {
   static const QRegularExpression kColor(QStringLiteral("#[0-9a-fA-F]{6}|url\\([^)]*\\)"));
   return sheet.remove(kColor);

@@ -18,7 +18,8 @@ Theme resolveTheme(ThemeChoice choice);
 /// The system has another theme from now on.
 void setSystemTheme(Theme theme);
 
-/// How widgets are drawn, the same on every desktop. Before the first window.
+/// Sets the style in which widgets are drawn, the same on every desktop. Must be called before the first window is
+/// made.
 void installStyle();
 
 /// Gives the whole application the palette and style sheet of a theme. Windows that are shown are painted with it in

@@ -8,7 +8,7 @@ namespace hexoderm {
 
 FileDialog::FileDialog(QWidget* parent, const QString& title, const QString& folder, const QString& filter)
     : QFileDialog(parent, title, folder, filter) {
-  // None where the system's own dialog is shown.
+  // There is none if the system's own dialog is shown.
   for (const auto* files : findChildren<QTreeView*>()) {
     QHeaderView* header = files->header();
     header->ensurePolished();

@@ -16,7 +16,7 @@ bool isIn(const QWidget* widget, const QWidget* pane) { return widget == pane ||
 
 /// Tab stops there when it can be seen and used.
 bool isStop(const QWidget* widget) {
-  // What stands for another, as the line within a box does, is no stop of its own.
+  // A widget that stands for another, as the line within a box does, is no stop of its own.
   return (widget->focusPolicy() & Qt::TabFocus) != 0 && !widget->focusProxy();
 }
 bool takesFocus(const QWidget* widget) { return isStop(widget) && widget->isVisible() && widget->isEnabled(); }
@@ -29,7 +29,7 @@ void addOf(const QLayout& layout, Widgets& widgets) {
   }
 }
 
-/// As they are laid out; what no layout holds comes last.
+/// The children in the order of their layout; those that no layout holds come last.
 Widgets childrenInOrder(const QWidget& widget) {
   Widgets children;
   if (const auto* dock = qobject_cast<const QDockWidget*>(&widget)) {
@@ -107,7 +107,7 @@ void FocusOrder::noteFocus(QWidget* widget) {
 }
 
 void bringIntoView(QWidget* widget) {
-  // What has just come or gone has not moved the others yet; inner layouts ask outer ones for room.
+  // Widgets that have just come or gone have not moved the others yet; inner layouts ask outer ones for room.
   constexpr int kNested = 4;
   for (int k = 0; k < kNested; ++k) QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
   for (QWidget* outer = widget->parentWidget(); outer; outer = outer->parentWidget()) {

@@ -7,25 +7,25 @@ class QWidget;
 
 namespace hexoderm {
 
-/// The large parts of the window in the order in which it is read, for the keyboard: F6 goes from part to part, and Tab
-/// through all controls, part by part and within a part as they are laid out. Order and stops are looked up at every
-/// key, as controls come and go with what is done. What gets the focus is scrolled into view.
+/// The large parts of the window in reading order, for the keyboard: F6 goes from part to part, and Tab through all
+/// controls, part by part and within a part in the order of the layout. Order and stops are looked up at every key, as
+/// controls come and go with the operator's work. The widget that gets the focus is scrolled into view.
 class FocusOrder {
  public:
   /// No part lies in another.
   void add(QWidget* pane) { panes_.push_back({pane, nullptr}); }
-  /// To the next part that has something to stop at, or the one before: to where it was left, else to its beginning.
-  /// From outside all parts the first leads to the first one. False if there is nothing to stop at.
+  /// Moves to the next or previous part that has a stop: to the place where it was left, else to its beginning. From
+  /// outside all parts it moves to the first one. False if there is no stop.
   bool moveToPane(bool forward);
-  /// To the next control, or the one before; from outside all parts, and from the ends, round.
+  /// Moves to the next or previous control; from outside all parts, and from the ends, around.
   bool moveToControl(bool forward);
-  /// Something has got the focus, whoever gave it.
+  /// Notes that a widget has got the focus, by any means.
   void noteFocus(QWidget* widget);
 
  private:
   struct Pane {
     QPointer<QWidget> widget;
-    QPointer<QWidget> last;  ///< that had the focus in it
+    QPointer<QWidget> last;  ///< the widget of this part that had the focus last
   };
   std::vector<Pane> panes_;
 };

@@ -14,12 +14,12 @@ namespace hexoderm {
 
 class CaptureWindow {
  public:
-  /// Collects what comes after `start_s`: `wanted` samples of each cell. Those in `expected` are waited for; if it
-  /// is empty, all that send something.
+  /// Collects `wanted` samples of each cell from `start_s` on. It waits for the cells in `expected`, or, if that is
+  /// empty, for every cell that sends something.
   CaptureWindow(double start_s, std::uint32_t wanted, const std::vector<CellId>& expected, bool keep_frames);
 
-  /// Takes a frame, until it is complete. Of a cell's device-side means the first is left out: it may reach back beyond
-  /// the start.
+  /// Takes a frame, until the window is complete. The first device-side mean of each cell is left out, because it may
+  /// reach back beyond the start.
   void add(const SampleFrame& frame);
 
   /// Looks for cells that must not be waited for any longer; to be called now and then. Cells not in `heard` are given
@@ -30,7 +30,7 @@ class CaptureWindow {
   [[nodiscard]] double start_s() const { return start_s_; }
   [[nodiscard]] double end_s() const { return end_s_; }  ///< time of the last frame that was taken
   [[nodiscard]] std::uint32_t wanted() const { return wanted_; }
-  /// Of all samples that are waited for, 0 to 1.
+  /// The share of the awaited samples that have arrived, 0 to 1.
   [[nodiscard]] double progress() const;
 
   /// Samples in order of cell IDs, of cells that have any.
@@ -56,8 +56,8 @@ class CaptureWindow {
   bool expect_all_;
   CellIndex index_;
   std::vector<Cell> cells_;
-  std::size_t expected_ = 0;       ///< that are waited for
-  std::size_t expected_full_ = 0;  ///< of them, with all samples
+  std::size_t expected_ = 0;       ///< number of cells that are waited for
+  std::size_t expected_full_ = 0;  ///< number of those that have all their samples
   std::uint64_t collected_ = 0;    ///< samples of expected cells
   std::optional<double> deadline_s_;
   bool complete_ = false;

@@ -11,15 +11,15 @@
 
 namespace hexoderm {
 
-/// Number of a cell, made on first sight. A device names its cells in the same order in every frame, so that the next
-/// one is nearly always the one after the last.
+/// Numbers each cell when it is first seen. A device names its cells in the same order in every frame, so the next one
+/// is nearly always the one after the last.
 class CellIndex {
  public:
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-  /// More than any skin has (SPEC 7: 100,000). What a broken device invents beyond that has no number.
+  /// Larger than any supported skin (100,000 cells). Cells that a broken device invents beyond that get no number.
   static constexpr std::size_t kMaxCells = 200'000;
 
-  /// kNone for a new cell beyond kMaxCells.
+  /// Returns kNone for a new cell beyond kMaxCells.
   std::size_t of(CellId cell) {
     if (next_ >= ids_.size()) next_ = 0;
     if (next_ < ids_.size() && ids_[next_] == cell) return next_++;
@@ -35,7 +35,7 @@ class CellIndex {
     return place->second;
   }
 
-  /// kNone for a cell that was not seen yet.
+  /// Returns kNone for a cell that has not been seen yet.
   [[nodiscard]] std::size_t find(CellId cell) const {
     const auto place = numbers_.find(cell);
     return place == numbers_.end() ? kNone : place->second;

@@ -75,7 +75,7 @@ CellMotion motionOf(const CellSlots& slots, const SlotWindow& window, float stea
   const float spread = g2 - g1 * centre_s;
   const Eigen::Vector3f slope = (m1 - centre_s * m0) / spread;
   motion.slope_variance_s2 = std::max(0.0F, v2 - 2 * centre_s * v1 + centre_s * centre_s * v0) / (spread * spread);
-  // Only what is perpendicular to gravity turns it.
+  // Only the component perpendicular to gravity turns it.
   const float norm2 = motion.mean_g.squaredNorm();
   const float along = norm2 > 0 ? slope.dot(motion.mean_g) : 0;
   motion.turn_rad2_s2 = std::max(0.0F, slope.squaredNorm() - (norm2 > 0 ? along * along / norm2 : 0));

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to capture/: what one cell's readings of the last second say about its motion.
+// Private to capture/: the motion of one cell, judged by its readings of the last second.
 
 #include "hexoderm/capture/sample_slots.h"
 
@@ -21,7 +21,7 @@ struct SlotWindow {
   std::array<float, kSlots> weight{};
 };
 
-/// Of a cell with samples in at least 60 % of both windows' slots.
+/// The motion of a cell with samples in at least 60 % of the slots of both windows.
 struct CellMotion {
   bool enough = false;
   Eigen::Vector3f mean_g = Eigen::Vector3f::Zero();  ///< in the hold window
@@ -34,7 +34,7 @@ struct CellMotion {
   std::size_t steady_slots = 0;  ///< newest slots in a row that are near the newest ones
 };
 
-/// `steady_g`: how near.
+/// `steady_g` is the distance within which a slot counts as near the newest ones.
 CellMotion motionOf(const CellSlots& slots, const SlotWindow& window, float steady_g);
 
 }  // namespace hexoderm

@@ -31,7 +31,7 @@ class GravityAccumulator {
     for (int axis = 0; axis < 3; ++axis) scatter_g2_(axis, axis) += (added - 1) * mean.variance_g2(axis);
   }
 
-  /// At most what 32 bits hold, although means may claim to be of more samples.
+  /// Limited to 32 bits, although means may claim to be of more samples.
   [[nodiscard]] std::uint32_t count() const {
     return static_cast<std::uint32_t>(std::min<std::uint64_t>(count_, UINT32_MAX));
   }
@@ -60,9 +60,9 @@ class GravityAccumulator {
   Eigen::Matrix3d scatter_g2_ = Eigen::Matrix3d::Zero();  ///< upper triangle
 };
 
-/// Whether what a device sent can be used: finite, and no more than any accelerometer reads.
+/// Whether a sample can be used: it is finite and within the range of any accelerometer.
 inline bool isUsable(const CellSample& sample) { return isWithin(sample.acceleration_g, kMostAcceleration_g); }
-/// The same of its means, which must not be of nothing and have no negative variance.
+/// The same for a mean, which also needs at least one sample and no negative variance.
 inline bool isUsable(const CellMean& mean) {
   return mean.count > 0 && isWithin(mean.mean_g, kMostAcceleration_g) &&
          isWithin(mean.variance_g2, kMostAcceleration_g * kMostAcceleration_g) && mean.variance_g2.minCoeff() >= 0;

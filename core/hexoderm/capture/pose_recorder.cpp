@@ -16,7 +16,7 @@
 namespace hexoderm {
 namespace {
 
-constexpr std::uint32_t kUsualSamples = 100;  // SPEC, step 5
+constexpr std::uint32_t kUsualSamples = 100;  // as many as in the paper
 constexpr std::uint32_t kLeastSamples = 10;
 constexpr double kConfirm_s = 0.1;
 // Means of 100 ms in one hold differ by less, with default tremor: 3 sigma are 2.5 degrees.
@@ -57,7 +57,7 @@ void PoseRecorderOptions::validate() const {
 }
 
 struct PoseRecorder::State {
-  /// What other threads want.
+  /// Requests from other threads.
   struct Commands {
     std::optional<bool> automatic;
     std::optional<PoseId> next_id;
@@ -76,25 +76,25 @@ struct PoseRecorder::State {
   PoseRecorderListener& listener;
   const PoseRecorderOptions options;
   std::mutex mutex;
-  Commands commands;  // under the mutex; the rest belongs to the feeding thread
+  Commands commands;  // guarded by the mutex; all other members belong to the feeding thread
 
   Accelerometer accelerometer;
   std::vector<CellId> described;
   StillnessDetector detector;
   bool automatic;
-  bool asked = false;  ///< captureNow, and not captured yet
+  bool asked = false;  ///< captureNow() was called and nothing has been captured since
   PoseId next_id{1};
   std::vector<std::shared_ptr<const PoseCapture>> earlier;
   std::optional<CaptureWindow> window;
   bool forced = false;
   std::map<CellId, double> temperatures_c;
   std::optional<double> last_s;
-  std::optional<double> late_from_s, late_to_s;  ///< of late frames in a row, whose own time increases
+  std::optional<double> late_from_s, late_to_s;  ///< times of consecutive late frames; their own time increases
   std::uint64_t late_in_row = 0;
   std::uint64_t late_frames = 0;
-  std::uint64_t tick = 0;  ///< counts the times there were
+  std::uint64_t tick = 0;  ///< number of distinct times so far
   CellIndex cells_noted;
-  std::vector<std::uint64_t> samples_noted_in, means_noted_in;  ///< the tick, of each of them
+  std::vector<std::uint64_t> samples_noted_in, means_noted_in;  ///< the tick in which each cell was last noted
   std::uint64_t restarts = 0;
 
   void obey() {
@@ -156,7 +156,7 @@ struct PoseRecorder::State {
     ++late_in_row;
     late_to_s = time_s;
     if (*late_to_s - *late_from_s < kClockReset_s) return true;
-    // They were not late: the clock was another one.
+    // They were not late: the clock has changed.
     late_frames -= late_in_row;
     window.reset();
     detector.restart();
@@ -164,7 +164,7 @@ struct PoseRecorder::State {
     return false;
   }
 
-  /// False if a cell reads twice at one time.
+  /// Returns false if a cell reads twice at one time.
   bool noteReadings(const SampleFrame& frame) {
     bool is_new = true;
     const auto note = [&](CellId cell, std::vector<std::uint64_t>& noted_in) {

@@ -29,13 +29,13 @@ struct PoseRecorderOptions {
   void validate() const;
 };
 
-/// A pose with how it was captured.
+/// A pose, and the circumstances of its capture.
 struct CapturedPose {
   std::shared_ptr<const PoseCapture> pose;  ///< never null; has at least one sample
-  bool forced = false;                      ///< by captureNow(): nobody looked whether the part moved
-  /// The earlier pose that is nearest, if gravity turned by less than repeat_angle_rad from it (the median over the
-  /// cells that both poses have). Of a turn by 10 degrees the part that is new is sin(10 deg) = 17 %; a hand that
-  /// means to repeat a pose misses it by about 4 degrees.
+  bool forced = false;                      ///< taken by captureNow(), whether the part moved or not
+  /// The nearest earlier pose, if gravity has turned by less than repeat_angle_rad from it (the median over the cells
+  /// that both poses have). A turn by 10 degrees adds sin(10 deg) = 17 % of a new direction; a hand that means to
+  /// repeat a pose misses it by about 4 degrees.
   std::optional<PoseId> repeats;
   double repeat_angle_rad = 0;  ///< to that pose
   double start_s = 0;           ///< device time: samples are from after this ...
@@ -43,24 +43,24 @@ struct CapturedPose {
   /// Known cells without a single sample (absent from the pose), and cells with fewer than the others.
   std::vector<CellId> silent_cells;
   std::vector<CellId> short_cells;
-  std::vector<OddCell> odd_cells;   ///< as found while the part was still
-  std::vector<SampleFrame> frames;  ///< where keep_frames is set
+  std::vector<OddCell> odd_cells;   ///< found while the part was still
+  std::vector<SampleFrame> frames;  ///< empty unless keep_frames is set
 };
 
 enum class HoldPhase {
   Watching,    ///< waits until the part is still
   Collecting,  ///< takes samples; a motion starts it over
-  Confirming,  ///< has them all, and looks whether they were not the beginning of a motion
+  Confirming,  ///< has all samples, and checks that they were not the beginning of a motion
 };
 
-/// What the operator sees while holding.
+/// The state of a hold, for the operator.
 struct HoldStatus {
   Stillness stillness;
   HoldPhase phase = HoldPhase::Watching;
   bool automatic = true;
-  bool forced = false;            ///< the capture under way was asked for
-  double progress = 0;            ///< of the hold ring, 0 to 1; falls back to 0 by a motion
-  Message message;                ///< what blocks or goes on, one line
+  bool forced = false;            ///< the capture under way was requested by captureNow()
+  double progress = 0;            ///< fill of the hold ring, 0 to 1; a motion resets it to 0
+  Message message;                ///< the obstacle or the current activity, one line
   std::uint64_t late_frames = 0;  ///< ignored: older than the last one, or a repetition, or without a time
   std::uint64_t restarts = 0;     ///< collections that a motion discarded
 };
@@ -78,21 +78,22 @@ class PoseRecorderListener {
  public:
   virtual ~PoseRecorderListener() = default;
   virtual void onPoseCaptured(CapturedPose captured) = 0;
-  /// At most 20 times per second of device time each.
+  /// Each is called at most 20 times per second of device time.
   virtual void onHold(const HoldStatus& status) = 0;
   virtual void onPreview(SkinPreview preview) = 0;
 };
 
-/// Turns a stream of frames into poses (SPEC, steps 5 and 11): when the part is still and was moved since the last
-/// capture, it takes samples of every cell; if the part moves meanwhile, they are discarded.
+/// Turns a stream of frames into poses (step 8 of the paper's Algorithm 1): when the part is still and
+/// has been moved since the last capture, it takes samples of every cell; if the part moves meanwhile, they are
+/// discarded.
 ///
-/// A pose is handed over when all cells that were heard lately have their samples and the part stayed still for another
-/// 0.1 s, so that the beginning of a motion is not sampled. Cells that fall silent meanwhile are not waited for, and
-/// when more than half of the cells are complete, the others have as long again.
+/// A pose is handed over once every cell heard recently has its samples and the part has stayed still for another 0.1
+/// s, so that the beginning of a motion is not sampled. Cells that fall silent meanwhile are not waited for, and when
+/// more than half of the cells are complete, the others have as long again.
 ///
-/// Frames of the same time are one tick, as long as no cell reads twice in it. Others whose time does not increase are
-/// ignored and counted. If nothing else comes for 0.5 s of their own time, the device's clock was set back (it was
-/// reset), and recording starts over.
+/// Frames with the same time are one tick, as long as no cell reads twice in it. Other frames whose time does not
+/// increase are ignored and counted. If nothing else comes for 0.5 s of their own time, the device's clock was set back
+/// (the device was reset), and recording starts over.
 ///
 /// Threads: setSkin() and addFrame() belong to one thread, the source's; the listener is called there. The other
 /// functions may be called from any thread; they take effect with the next frame.
@@ -104,10 +105,10 @@ class PoseRecorder {
   PoseRecorder(const PoseRecorder&) = delete;
   PoseRecorder& operator=(const PoseRecorder&) = delete;
 
-  /// For SkinListener::onSkin: the accelerometers, and the cells that there should be. Without it, hex-bma150's noise
-  /// and rate are assumed, and only cells that were heard are known. A capture under way starts over.
+  /// Handles SkinListener::onSkin, which tells the accelerometer and the expected cells. Without it, the noise and rate
+  /// of hex-bma150 are assumed, and only cells that have sent something are known. A capture under way starts over.
   void setSkin(const SkinDescription& skin);
-  /// For SkinListener::onFrame.
+  /// Handles SkinListener::onFrame.
   void addFrame(const SampleFrame& frame);
 
   void setAutomatic(bool automatic);
@@ -115,9 +116,10 @@ class PoseRecorder {
   void captureNow();
   /// Gives up the capture under way, if any.
   void cancelCapture();
-  /// Of the next capture; they count up from there. Starts with 1.
+  /// The ID of the next capture; later ones count up from it. The first is 1 by default.
   void setNextPoseId(PoseId id);
-  /// The poses that a capture can repeat, instead of those known so far. Own captures are added by themselves.
+  /// Sets the poses that a capture may repeat, in place of those known so far. The recorder adds its own captures
+  /// itself.
   void setEarlierPoses(std::vector<std::shared_ptr<const PoseCapture>> poses);
 
  private:

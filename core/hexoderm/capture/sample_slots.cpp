@@ -10,7 +10,7 @@ namespace hexoderm {
 namespace {
 
 constexpr double kLongestSlot_s = 1;
-constexpr double kHeardInSlot = 0.8;  // of the cells, before a slot ends
+constexpr double kHeardInSlot = 0.8;  // share of the cells that must have been heard before a slot ends
 constexpr double kRecent_s = 0.1;
 constexpr double kGap_s = 0.5;
 constexpr double kGapInFrames = 5;
@@ -25,7 +25,7 @@ void SampleSlots::take(CellId cell, const Eigen::Vector3d& value_g, const AddTo&
   const std::size_t k = index_.of(cell);
   if (k == CellIndex::kNone) return;
   const Eigen::Vector3f value = value_g.cast<float>();
-  // What is not a number compares as false.
+  // A comparison with NaN is false.
   const bool is_sane = value.squaredNorm() < kAbsurd_g * kAbsurd_g;
   if (k >= sums_.size()) meet(is_sane ? value : Eigen::Vector3f::Zero());
   if (!is_sane) return;

@@ -27,35 +27,36 @@ using CellSlots = std::array<CellSlot, kSlots>;
 
 class SampleSlots {
  public:
-  /// A cell that was not heard for this long (or for two slots) is silent.
+  /// A cell that has not been heard for this long (or for two slots) is silent.
   explicit SampleSlots(double silent_after_s) : silent_after_s_(silent_after_s) {}
 
   enum class Event { None, SlotEnded, Gap };
-  /// As StillnessDetector::add. A frame that ends a slot belongs to the next one; after a gap there are no slots.
+  /// Adds a frame, with the rules of StillnessDetector::add. A frame that ends a slot belongs to the next one; after a
+  /// gap there are no slots.
   Event add(const SampleFrame& frame);
   /// Forgets all slots and the clock, but no cell.
   void restart();
 
   [[nodiscard]] std::size_t cellCount() const { return cells_.size(); }
   [[nodiscard]] CellId id(std::size_t cell) const { return index_.id(cell); }
-  /// CellIndex::kNone for a cell that was never heard.
+  /// Returns CellIndex::kNone for a cell that was never heard.
   [[nodiscard]] std::size_t find(CellId cell) const { return index_.find(cell); }
   [[nodiscard]] const CellSlots& slotsOf(std::size_t cell) const { return cells_[cell].slots; }
   [[nodiscard]] double heard_s(std::size_t cell) const { return cells_[cell].heard_s; }
-  /// When the cell's readings last differed from each other.
+  /// The time at which the cell's readings last differed from each other.
   [[nodiscard]] double changed_s(std::size_t cell) const { return cells_[cell].changed_s; }
   [[nodiscard]] bool isHeard(std::size_t cell) const;
   /// Number of cells that were heard when the last slot ended.
   [[nodiscard]] std::size_t heardCount() const { return live_; }
 
   [[nodiscard]] std::size_t newest() const { return newest_; }
-  [[nodiscard]] std::size_t count() const { return count_; }  ///< of slots since the last gap, at most kSlots
+  [[nodiscard]] std::size_t count() const { return count_; }  ///< number of slots since the last gap, at most kSlots
   /// The n-th newest slot: where it is in CellSlots, its start and the middle of its frames.
   [[nodiscard]] std::size_t at(std::size_t n) const { return (newest_ + kSlots - n) % kSlots; }
   [[nodiscard]] double start_s(std::size_t n) const { return start_s_[at(n)]; }
   [[nodiscard]] double middle_s(std::size_t n) const { return middle_s_[at(n)]; }
-  [[nodiscard]] double end_s() const { return open_s_; }         ///< of the newest slot
-  [[nodiscard]] double slotLength_s() const { return slot_s_; }  ///< of the last ones
+  [[nodiscard]] double end_s() const { return open_s_; }         ///< end of the newest slot
+  [[nodiscard]] double slotLength_s() const { return slot_s_; }  ///< length of the latest slots
   /// The number of newest slots that span `span_s`, at least `least`; 0 if there are too few.
   [[nodiscard]] std::size_t spanning(double span_s, std::size_t least) const;
   /// Mean of about the last 100 ms; nullopt if the cell sent nothing then.

@@ -9,10 +9,10 @@
 
 namespace hexoderm {
 
-/// A cell that turns by itself may do so at this many times the drift limit.
+/// A single cell may turn at this many times the drift limit.
 inline constexpr double kRestlessTimesLimit = 2;
 
-/// When a part counts as still (SPEC, step 11).
+/// Conditions under which a part counts as still.
 struct StillnessOptions {
   double drift_limit_rad_s = 0;   ///< the patch's direction turns slower than this; constructor: 1 deg/s
   double excess_limit_g = 0.030;  ///< rms per axis beyond a cell's noise floor
@@ -20,8 +20,8 @@ struct StillnessOptions {
   double drift_window_s = 0.75;   ///< the drift is that of the last so many seconds, at least hold_s, at most 1.5;
                                   ///< longer than hold_s, so that tremor of 4 Hz and more is not taken for a turn
   double rearm_angle_rad = 0;     ///< after a capture, a move by more than this; constructor: 5 degrees
-  double release_factor = 1.25;   ///< what was still stays so up to this many times the limits
-  double quiet_fraction = 0.1;    ///< of the cells must be below the excess limit, or ...
+  double release_factor = 1.25;   ///< a still part stays still up to this multiple of the limits
+  double quiet_fraction = 0.1;    ///< this share of the cells must be below the excess limit, or ...
   std::size_t quiet_cells = 20;   ///< ... so many, if that is less; see StillnessDetector
   double patience_s = 3;          ///< a cell that misbehaves for so long while the rest is still is set aside
   double silent_after_s = 1;      ///< a cell that was not heard for so long is silent
@@ -50,7 +50,7 @@ struct OddCell {
 /// "Cell 7 is noisy: it scatters by 220 mg rms while the rest is still".
 Message describe(const OddCell& odd);
 
-/// What keeps a capture from starting.
+/// The obstacle that keeps a capture from starting.
 enum class Blocker {
   None,
   Waiting,      ///< too few samples to judge
@@ -60,31 +60,32 @@ enum class Blocker {
   CellTurning,  ///< one cell turns against the rest
 };
 
-/// What the detector found, with the numbers behind it.
+/// The detector's judgement, with the numbers behind it.
 struct Stillness {
   bool still = false;
-  bool armed = true;  ///< moved enough since the last capture, or there was none
+  bool armed = true;  ///< true if the part has moved enough since the last capture, or there was none
   Blocker blocker = Blocker::Waiting;
-  Message message = hexoderm::message("Waiting for samples");  ///< what blocks, for people; empty if nothing does
+  Message message = hexoderm::message("Waiting for samples");  ///< the obstacle, for people; empty if there is none
 
-  double time_s = 0;        ///< device time of this judgement
-  double still_for_s = 0;   ///< 0 if not still
-  double steady_for_s = 0;  ///< how long the cells have been near where they are now; grows before `still` says yes
-  double window_s = 0;      ///< of samples that a judgement needs now
+  double time_s = 0;       ///< device time of this judgement
+  double still_for_s = 0;  ///< 0 if not still
+  double steady_for_s =
+      0;  ///< time for which the cells have stayed near their present readings; grows before `still` is true
+  double window_s = 0;  ///< length of the samples that a judgement needs now
 
   double drift_rad_s = 0;
   double drift_limit_rad_s = 0;
   double excess_g = 0;
   double excess_limit_g = 0;
   CellId excess_cell;        ///< the cell that decides about the excess
-  CellId turning_cell;       ///< where blocker is CellTurning
-  double turning_rad_s = 0;  ///< of that cell
+  CellId turning_cell;       ///< set if blocker is CellTurning
+  double turning_rad_s = 0;  ///< rate of that cell
   double moved_rad = 0;      ///< since the last capture
   double rearm_rad = 0;
 
   double rate_hz = 0;                ///< samples per second and cell, median over the cells
-  std::size_t cells = 0;             ///< heard lately
-  std::size_t cells_used = 0;        ///< that had a say in this judgement
+  std::size_t cells = 0;             ///< cells heard recently
+  std::size_t cells_used = 0;        ///< cells that counted in this judgement
   std::vector<OddCell> odd_cells{};  ///< in order of their IDs
 
   /// Whether an automatic capture may start.

@@ -87,7 +87,7 @@ struct StillnessDetector::State {
   SampleSlots slots;
   std::vector<CellState> cells;
 
-  double window_s = 0;  ///< of the drift
+  double window_s = 0;  ///< length of the drift window
   SlotWindow window;
   double still_since_s = 0;
   double moving_s = kLongAgo_s;  ///< when the patch last moved
@@ -327,7 +327,7 @@ struct StillnessDetector::State {
   }
 
   void sayWhatBlocks() {
-    // Who has just been captured is told to turn, not to hold still.
+    // After a capture the operator is told to turn the part, not to hold it still.
     if (!result.armed && result.blocker != Blocker::Waiting) result.blocker = Blocker::NotMoved;
     switch (result.blocker) {
       case Blocker::None:

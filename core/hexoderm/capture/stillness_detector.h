@@ -10,27 +10,28 @@
 
 namespace hexoderm {
 
-/// Decides from a stream of readings whether a body part is held still (SPEC, step 11).
+/// Decides from a stream of readings whether a body part is held still.
 ///
-/// What it looks at. Readings are summed up in slots of 50 ms (longer where cells send more rarely); at the end of each
-/// slot the part is judged anew:
-/// - drift: per cell, the slope of the direction over drift_window_s, its squared magnitude less what the cell's noise
-///   adds; over the cells, the median. All cells of a rigid part see gravity turn by the same angle per second,
-///   wherever they are. Where noise would drown the limit (one noisy cell at a low rate) the window grows, up to 1.5 s.
-///   A turn about gravity can't be seen, and adds nothing to a pose.
+/// Readings are summed up in slots of 50 ms (longer where cells send more rarely). At the end of each slot the part is
+/// judged again by:
+/// - drift: per cell, the slope of the direction over drift_window_s, its squared magnitude less the contribution of
+///   the cell's noise; over the cells, the median. All cells of a rigid part see gravity turn by the same angle per
+///   second, wherever they are. Where noise would drown the limit (one noisy cell at a low rate) the window grows, up
+///   to 1.5 s. A turn about gravity can't be seen, and adds nothing to a pose.
 /// - excess: per cell, sqrt(max(0, variance - floor^2)) per axis over hold_s; over the cells, the value that
 ///   quiet_fraction of them (quiet_cells, if that is less) stay below. Shaking and turning move all cells alike, and
-///   what moves one more than another is its distance from the hand: on a large part, tremor that does no harm is 100
-///   mg at the far end.
-/// - one cell that turns by more than twice the drift limit while the rest is still blocks too, for patience_s.
-/// Differences count for 1 g, whatever the norm of a reading is: offsets cancel, and the norm never blocks.
+///   one moves more than another only because it is further from the hand: on a large part, harmless tremor is 100 mg
+///   at the far end.
+/// - a single cell that turns by more than twice the drift limit while the rest is still, which blocks too, for
+///   patience_s.
+/// Differences are scaled to 1 g, whatever the norm of a reading: offsets cancel, and the norm never blocks.
 ///
 /// The noise floor of a cell starts from the model's accelerometer (white noise and step) and is learned while the part
 /// is still: quickly down, slowly up, and up only where scatter is white (slot means scatter as little as samples
 /// within slots predict), which motion is not. Where only scatter blocks, and it has been white for 10 s, it is taken
 /// for noise as well: those accelerometers are worse than their model says.
 ///
-/// Cells that misbehave (OddCell) are named; dead and stuck ones have no say as long as others do. A minority of bad
+/// Cells that misbehave (OddCell) are named; dead and stuck ones do not count as long as others do. A minority of bad
 /// cells blocks for patience_s at most.
 ///
 /// Cost: constant per reading, and about 20 times a second some hundred operations per cell. No allocation per sample.
@@ -43,7 +44,7 @@ class StillnessDetector {
   StillnessDetector(StillnessDetector&&) noexcept;
   StillnessDetector& operator=(StillnessDetector&&) noexcept;
 
-  /// Takes a frame; true if stillness() was judged anew. `time_s` must be finite and not before the last frame's: an
+  /// Takes a frame; true if stillness() was judged again. `time_s` must be finite and not before the last frame's: an
   /// assertion; frames of the same time have no cell in common. A gap in time (0.5 s, or five times the usual distance
   /// of frames) begins a new window. Readings that are not finite or beyond 100 g are ignored, and so are cells beyond
   /// the first 200,000.
@@ -53,7 +54,7 @@ class StillnessDetector {
 
   /// The pose was captured: the next one needs a move of more than rearm_angle_rad from these readings.
   void disarm(const PoseCapture& pose);
-  /// As at the start, but learned noise floors and known cells are kept; the clock may start anew.
+  /// Returns to the initial state, but keeps learned noise floors and known cells; the clock may start over.
   void restart();
 
   /// Means of about the last 100 ms of every cell that sent something in that time, in the order in which the cells

@@ -8,7 +8,7 @@
 
 namespace hexoderm {
 
-/// What the part did at one moment of a trace.
+/// The state of the part at one moment of a trace.
 enum class TraceState {
   Moving,      ///< turns, shakes, or is not judged yet
   Still,       ///< is still; a capture does not run
@@ -17,8 +17,8 @@ enum class TraceState {
 
 struct TracePoint {
   double time_s = 0;
-  /// Of the shown cell's reading from its mean over the last second, accelerometer's axes; absent where the cell sent
-  /// nothing.
+  /// Difference of the shown cell's reading from its mean over the last second, accelerometer's axes; absent where the
+  /// cell sent nothing.
   std::optional<Eigen::Vector3d> deviation_g;
   TraceState state = TraceState::Moving;
 };
@@ -31,26 +31,26 @@ enum class TraceEventKind {
 struct TraceEvent {
   double time_s = 0;
   TraceEventKind kind{};
-  PoseId pose;  ///< of Captured
+  PoseId pose;  ///< set if state is Captured
 };
 
-/// The last ten seconds of one cell's readings and of what the stillness detector made of them, for a strip chart.
+/// The last ten seconds of one cell's readings, with the stillness detector's judgements, for a strip chart.
 ///
-/// The cell is the one that decides whether the part is still, or one that was picked. Which one decides can change
-/// with every judgement; another one is shown only when it has been decisive for a second. Readings of all cells of up
-/// to kMaxKeptCells are kept, so that a cell that is shown from now on comes with its past; of larger skins only the
-/// shown one's. Belongs to one thread.
+/// The cell is the deciding one, or one that was picked. The deciding cell can change with every judgement; a new one
+/// is shown only after it has been decisive for a second. Readings of all cells of skins of up to kMaxKeptCells cells
+/// are kept, so that a newly shown cell comes with its past; for larger skins only the shown cell's. Belongs to one
+/// thread.
 class StillnessTrace {
  public:
   static constexpr double kSpan_s = 10;
   static constexpr std::size_t kMaxKeptCells = 1000;
 
-  /// What a PoseRecorder says and what it read, at most 20 times per second. Where device time goes back, the trace
-  /// starts anew. Times that are no number are ignored.
+  /// Adds a PoseRecorder's state and preview, at most 20 times per second. Where device time goes back, the trace
+  /// starts over. Times that are not finite are ignored.
   void add(const HoldStatus& hold, const SkinPreview& preview);
   /// `time_s`: device time, for example CapturedPose::end_s.
   void addCaptured(PoseId pose, double time_s);
-  /// None: the cell that decides.
+  /// Picks a cell; none: the cell that decides.
   void pick(std::optional<CellId> cell);
   void clear();
 
@@ -73,7 +73,7 @@ class StillnessTrace {
   std::deque<TracePoint> points_;
   std::deque<TraceEvent> events_;
   std::deque<std::vector<CellSample>> kept_;             ///< beside points_
-  std::deque<std::optional<Eigen::Vector3d>> readings_;  ///< of the shown cell, beside points_
+  std::deque<std::optional<Eigen::Vector3d>> readings_;  ///< readings of the shown cell, parallel to points_
   CellId decisive_;
   CellId candidate_;
   double candidate_since_s_ = 0;

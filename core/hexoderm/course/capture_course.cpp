@@ -118,7 +118,7 @@ void CaptureCourse::take(const CapturedPose& captured) {
   owner_.perform(edits);
   owner_.onCourseEvent(taken);
   if (kept_in_ != KeptIn::Memory) return;
-  // Whoever was told may have ended the course, or saved the session.
+  // The receiver may have ended the course, or saved the session.
   if (const auto waiting = waiting_.find(id); waiting != waiting_.end()) keep(waiting, KeptIn::Memory, {});
 }
 

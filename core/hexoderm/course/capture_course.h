@@ -71,20 +71,21 @@ using CourseEvent = std::variant<PoseTaken, PoseKept, PoseLost, FileRefused, Ski
                                  TurnRefused, CourseFinished>;
 
 struct AdviceAnswer {
-  std::uint64_t number = 0;  ///< of the question
+  std::uint64_t number = 0;  ///< number of the question
   PoseAdvice advice;
   bool is_wanted = false;  ///< NextPose::isWanted()
 };
 /// Takes a while for many poses. Can run on any thread.
 AdviceAnswer adviseOn(const AdviceQuestion& question);
 
-/// The surroundings of a course: the session, the file that keeps it, the connected skin and whoever shows all this.
+/// The surroundings of a course: the session, the file that keeps it, the connected skin and the display.
 /// Its functions are called on the owner's thread by functions of CaptureCourse.
 class CaptureOwner {
  public:
   virtual ~CaptureOwner() = default;
-  /// Applies the edits to the session as one step and gives them to the file, if there is one. What becomes of an
-  /// AddPose there must be told to CaptureCourse::setStored(), and the change itself to CaptureCourse::noteChange().
+  /// Applies the edits to the session as one step and gives them to the file, if there is one. The outcome of an
+  /// AddPose there must be reported to CaptureCourse::setStored(), and the change itself to
+  /// CaptureCourse::noteChange().
   virtual void perform(const std::vector<SessionEdit>& edits) = 0;
   /// SkinSource::send().
   virtual std::uint32_t send(const SkinCommand& command) = 0;

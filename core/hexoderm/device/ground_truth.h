@@ -8,7 +8,7 @@
 
 namespace hexoderm {
 
-/// Where the cells really are, as a simulator or a measurement knows it. Maps cell to body coordinates.
+/// True placement of a cell, from a simulator or a measurement. Maps cell to body coordinates.
 struct TrueCellPlacement {
   CellId id;
   SE3 T_b_u;

@@ -8,17 +8,17 @@
 
 namespace hexoderm {
 
-/// What one cell's accelerometer read at one moment, along its own axes (CellModel: accelerometer.T_u_a), g.
+/// One cell's accelerometer reading at one moment, along its own axes (CellModel: accelerometer.T_u_a), g.
 struct CellSample {
   CellId cell;
   Eigen::Vector3d acceleration_g;
 };
 
-/// What a cell averaged by itself, where the wire is too slow for every sample. Axes as in CellSample.
+/// A mean made by the cell itself, for wires too slow for every sample. Axes as in CellSample.
 struct CellMean {
   CellId cell;
   Eigen::Vector3d mean_g;
-  Eigen::Vector3d variance_g2;  ///< of one sample, per axis; not of the mean
+  Eigen::Vector3d variance_g2;  ///< variance of one sample, not of the mean, per axis
   std::uint32_t count = 0;      ///< samples averaged, at least 1
 };
 
@@ -27,12 +27,12 @@ struct CellTemperature {
   double temperature_c = 0;
 };
 
-/// What a skin delivers at one tick of the device's clock: samples of any subset of its cells.
+/// The delivery of a skin at one tick of the device's clock: samples of any subset of its cells.
 struct SampleFrame {
   double time_s = 0;                            ///< device time; of the last sample where there are means
   std::vector<CellSample> samples{};            ///< each at time_s
-  std::vector<CellMean> means{};                ///< of what was read since the cell's previous one, up to time_s
-  std::vector<CellTemperature> temperatures{};  ///< where the device measures them
+  std::vector<CellMean> means{};                ///< means of the readings since the cell's previous one, up to time_s
+  std::vector<CellTemperature> temperatures{};  ///< empty where the device does not measure them
 };
 
 }  // namespace hexoderm

@@ -13,17 +13,17 @@
 
 namespace hexoderm {
 
-/// What a device says of itself before it streams.
+/// A device's description of itself, given before it streams.
 struct SkinDescription {
   Message device;                              ///< for people, for example "emulated x17"
   std::shared_ptr<const CellModel> model;      ///< never null
-  NeighborList neighbors;                      ///< as explored; may contradict itself
+  NeighborList neighbors;                      ///< the explored neighbours; may contradict itself
   bool can_light_cells = false;                ///< answers SetLed
   bool can_turn = false;                       ///< answers TurnTo: a robot that moves itself
-  std::shared_ptr<const GroundTruth> truth{};  ///< of a simulated skin that can tell; else null
+  std::shared_ptr<const GroundTruth> truth{};  ///< known only for some simulated skins; else null
 };
 
-/// Where a source stands. Everything from Connecting on can change into everything else while the source runs.
+/// State of a source. From Connecting on, every state can follow every other while the source runs.
 enum class SourceState {
   Stopped,
   Connecting,  ///< also while it waits before the next try; the text says for how long
@@ -41,13 +41,13 @@ struct SourceStatus {
   std::uint64_t frames = 0;             ///< sample frames delivered
   std::uint64_t lost_samples = 0;       ///< the device's numbering says they were sent; they never came, or too late
   std::uint64_t late_frames = 0;        ///< older than what was delivered, or twice: not delivered
-  std::uint64_t unknown_samples = 0;    ///< of cells that the topology does not have: not delivered
+  std::uint64_t unknown_samples = 0;    ///< samples of cells that the topology does not have; not delivered
   std::uint64_t rejected_messages = 0;  ///< broken on the way (length, CRC, syntax) or without sense: not delivered
   std::uint64_t reconnects = 0;
   std::uint64_t dropped_by_device = 0;  ///< samples that it could not send, as it said last; since it started itself
 };
 
-/// What a device says of itself while it streams.
+/// A device's report about itself while it streams.
 struct DeviceStatus {
   std::string text;  ///< for people; empty: nothing remarkable
   bool exploring = false;
@@ -75,7 +75,7 @@ using SkinCommand = std::variant<SetRate, SetLed, TurnTo, ExploreAgain>;
 
 /// Answer to a command.
 struct CommandOutcome {
-  std::uint32_t command = 0;  ///< what send() returned
+  std::uint32_t command = 0;  ///< the number that send() returned
   bool done = false;
   Message message;  ///< why not, or empty
 };
@@ -85,11 +85,11 @@ struct CommandOutcome {
 class SkinListener {
  public:
   virtual ~SkinListener() = default;
-  /// Before the first frame, and again whenever topology or model changed.
+  /// Called before the first frame, and again whenever topology or model changed.
   virtual void onSkin(const SkinDescription& skin) = 0;
-  /// Only finite values, and only cells that onSkin named. Times don't go back, unless the device's clock started anew,
-  /// which the state before says (Connecting) or which happens without a word where a device restarts by itself. Frames
-  /// of the same time have no cell in common.
+  /// Delivers only finite values, and only of cells that onSkin named. Times don't go back, unless the device's clock
+  /// started over, which the state before it tells (Connecting) or which happens without notice if a device restarts on
+  /// its own. Frames of the same time have no cell in common.
   virtual void onFrame(const SampleFrame& frame) = 0;
   /// On every change of state, and about twice a second while counters change.
   virtual void onStatus(const SourceStatus& status) = 0;
@@ -99,7 +99,7 @@ class SkinListener {
 };
 
 /// A skin that delivers by itself: a device on a wire, a recording, a simulated skin. It runs on a thread of its own.
-/// What goes wrong on the way is a status, never an exception out of the thread.
+/// Errors on the way are reported in the status; no exception leaves the thread.
 class SkinSource {
  public:
   virtual ~SkinSource() = default;
@@ -111,7 +111,7 @@ class SkinSource {
   virtual void stop() noexcept = 0;
   /// Queues a command and returns its number; the outcome arrives by onCommandOutcome. From any thread.
   virtual std::uint32_t send(const SkinCommand& command) = 0;
-  /// As given to open it, for example "tcp://localhost:7700".
+  /// The address it was opened with, for example "tcp://localhost:7700".
   [[nodiscard]] virtual std::string address() const = 0;
 };
 

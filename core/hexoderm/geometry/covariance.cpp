@@ -7,7 +7,7 @@
 namespace hexoderm {
 
 double largestDeviation(const Eigen::Matrix3d& covariance) {
-  // In closed form: exact enough for a deviation, and several times as fast as iterating.
+  // The closed form is exact enough for a deviation, and several times as fast as iterating.
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(covariance, Eigen::EigenvaluesOnly);
   return std::sqrt(std::max(0.0, solver.eigenvalues().maxCoeff()));

@@ -7,7 +7,7 @@ namespace hexoderm {
 /// Solution of the constrained orthogonal Procrustes problem.
 struct ProcrustesSolution {
   Eigen::Matrix3d R_c_n = Eigen::Matrix3d::Identity();
-  Eigen::Vector3d singular_values = Eigen::Vector3d::Zero();  ///< of H, descending, not negative
+  Eigen::Vector3d singular_values = Eigen::Vector3d::Zero();  ///< singular values of H, descending, not negative
 };
 
 /// The rotation that best turns the columns of N onto those of C, eqs. (13) to (15) of the paper:

@@ -12,7 +12,7 @@
 namespace hexoderm {
 namespace {
 
-/// To (-pi, pi].
+/// Wraps an angle to (-pi, pi].
 double wrapAngle(double angle) { return std::remainder(angle, 2 * kPi); }
 
 /// Cylindrical coordinates' unit vectors at azimuth a.

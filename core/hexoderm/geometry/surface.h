@@ -7,7 +7,7 @@
 
 namespace hexoderm {
 
-/// Where a walk along a geodesic ends.
+/// The end of a walk along a geodesic.
 struct GeodesicPoint {
   Eigen::Vector3d position;
   Eigen::Vector3d direction;  ///< unit tangent, forwards

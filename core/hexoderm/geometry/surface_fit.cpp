@@ -292,7 +292,7 @@ std::vector<Eigen::Vector3d> spreadDirections(int count) {
   return directions;
 }
 
-/// In the principal frame the starts, and with them the result, turn with the points.
+/// The starting axes are those of the principal frame, so that they, and with them the result, turn with the points.
 std::vector<Eigen::Vector3d> startingAxes(const Cloud& cloud) {
   constexpr int kDirections = 60;
   std::vector<Eigen::Vector3d> axes;

@@ -36,17 +36,17 @@ struct ConeFit {
   std::vector<double> distance_m;
 };
 
-/// At least 3 points not on a line; throws InvalidArgument otherwise.
+/// Takes at least 3 points not on a line; throws InvalidArgument otherwise.
 PlaneFit fitPlane(std::span<const Eigen::Vector3d> points_m);
 
-/// At least 4 points not in a plane; throws InvalidArgument otherwise (a plane is no sphere of finite radius).
+/// Takes at least 4 points not in a plane; throws InvalidArgument otherwise (a plane is no sphere of finite radius).
 SphereFit fitSphere(std::span<const Eigen::Vector3d> points_m);
 
-/// At least 5 points that are not in a plane; throws InvalidArgument otherwise. Several starting axes are tried,
-/// because the problem has local minima; the best is returned.
+/// Takes at least 5 points that are not in a plane; throws InvalidArgument otherwise. Several starting axes are tried,
+/// because the problem has local minima; the best result is returned.
 CylinderFit fitCylinder(std::span<const Eigen::Vector3d> points_m);
 
-/// At least 6 points that are not in a plane; throws InvalidArgument otherwise. Starts as fitCylinder() does, from
+/// Takes at least 6 points that are not in a plane; throws InvalidArgument otherwise. Starts like fitCylinder(), from
 /// cones and cylinders along many axes. Points of a cylinder give a half angle near 0.
 ConeFit fitCone(std::span<const Eigen::Vector3d> points_m);
 

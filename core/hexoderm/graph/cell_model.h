@@ -37,7 +37,8 @@ struct CellSensor {
   SE3 T_u_s;
 };
 
-/// What is known of a kind of cell before anything is measured (SPEC 2.1).
+/// A kind of cell: all that is known of it before anything is measured. The built-in model is
+/// resources/cell_models/hex-bma150.json.
 ///
 /// Cell frame: origin at the centre of the hexagon's front face, z out of the skin, right-handed. Metres, radians, g.
 struct CellModel {
@@ -72,8 +73,8 @@ struct CellModel {
 /// The nominal alignment of a link: the rotation about z that turns p_n onto -p_c, from the model's vectors.
 Eigen::Matrix3d nominalAlignment(const Port& source, const Port& target);
 
-/// Twist, bend and yaw of a link (SPEC 2.3): with u_c the outward port direction of the source cell and
-/// R_c_n R_nom^T = exp(w), the parts of w along u_c, z x u_c and z. Radians.
+/// Twist, bend and yaw of a link: with u_c the outward port direction of the source cell and R_c_n R_nom^T = exp(w),
+/// the parts of w along u_c, z x u_c and z. Radians.
 struct LinkAngles {
   double twist_rad = 0;
   double bend_rad = 0;

@@ -11,13 +11,13 @@
 namespace hexoderm {
 namespace {
 
-// How the elastomer is believed to bend, twist and yaw where a model does not say (SPEC, step 10).
+// Standard deviations of the elastomer's bend, twist and yaw, for models that do not give them.
 constexpr double kBendSigma = 30 * kDegree;
 constexpr double kTwistSigma = 10 * kDegree;
 constexpr double kYawSigma = 2 * kDegree;
 
-/// Written beside a quaternion that, read back, differs from the matrix in the last digits: what is saved and opened
-/// again is the same.
+/// Written beside a quaternion that differs from the matrix in the last digits when it is read back, so that a saved
+/// model is exactly the same when it is opened again.
 const std::string kExactRotation = "R_u";
 
 SE3 readPlacement(const JsonReader& json, const std::string& t_key, const std::string& q_key) {
@@ -46,7 +46,8 @@ Accelerometer readAccelerometer(const JsonReader& json) {
   if (const auto sigma = json.find("cross_axis_sigma")) {
     a.cross_axis_sigma = sigma->nonNegativeNumber();
   } else {
-    // Who knows the scales has calibrated the axes too: the default keeps its ratio to an uncalibrated sensor's scale.
+    // A sensor whose scale is calibrated has calibrated axes too: the default keeps its ratio to an uncalibrated
+    // sensor's scale.
     constexpr double kLargestShareOfScale = 0.25;
     a.cross_axis_sigma = std::min(a.cross_axis_sigma, kLargestShareOfScale * a.scale_sigma);
   }

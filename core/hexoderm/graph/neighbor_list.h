@@ -8,7 +8,7 @@
 
 namespace hexoderm {
 
-/// What a cell says about one of its ports after exploring its neighbours.
+/// A cell's report about one of its ports after the exploration of its neighbours.
 struct NeighborReport {
   PortNumber port;
   CellId cell;                          ///< 0: nothing is connected

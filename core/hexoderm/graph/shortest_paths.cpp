@@ -35,8 +35,8 @@ class OriginSearch {
 
   std::size_t run() {
     spreadLandmarks();
-    // A skin on which all cells are alike (a closed torus) gives bounds nothing to bite on: there the search ends with
-    // the best cell found, after as many runs as still answer an operator at once.
+    // On a skin whose cells are all alike (a closed torus), the bounds exclude no cell: there the search ends with the
+    // best cell found, after as many runs as an operator still perceives as immediate.
     constexpr std::size_t kMostRuns = 500;
     while (landmarks_.size() < std::min(cells_.size(), kMostRuns)) {
       const std::size_t next = mostPromising();
@@ -140,7 +140,7 @@ ShortestPaths findShortestPaths(const SkinGraph& graph, std::span<const double> 
     return std::pair(paths.distance[a], a) < std::pair(paths.distance[b], b);
   });
 
-  // Dijkstra gives the distances; which of several equally short paths is taken follows SPEC's rule, not the heap's
+  // Dijkstra gives the distances. Among equally short paths the choice follows the documented rule, not the heap's
   // order: fewer links first, then the smallest predecessor (cells are in order of their IDs).
   std::vector<std::size_t> hops(count, 0);
   for (const std::size_t cell : paths.order) {

@@ -11,7 +11,7 @@
 namespace hexoderm {
 namespace {
 
-/// What one cell claims about one of its ports.
+/// A cell's claim about one of its ports.
 struct Claim {
   LinkEnd from;
   CellId to;
@@ -144,7 +144,7 @@ class ReportSorter {
     if (!claim.to_port) {
       const std::vector<LinkEnd> ends = answers(claim.to, claim.from);
       if (ends.size() == 1) {
-        // The other side may in turn fit several of our ports; then nobody can tell.
+        // The other side may fit several of our ports as well; then the link is ambiguous.
         if (answers(claim.from.cell, ends.front()).size() == 1) {
           keep(claim.from, ends.front());
         } else {

@@ -26,7 +26,7 @@ auto named(const JsonReader& json, FromName from_name, const Message& expected) 
   return *value;
 }
 
-/// For names that come with their own complaint.
+/// Reads a name, with the complaint of its own parser.
 template <class FromName>
 auto option(const JsonReader& json, FromName from_name) {
   const std::string name = json.string();
@@ -286,7 +286,7 @@ class PatchReader {
     return patch;
   }
 
-  /// What may name cells of patches that come later in the file.
+  /// Checks references to cells of patches that may come later in the file.
   void checkReferences(const JsonReader& json, PatchReconstruction& patch) const {
     const std::vector<JsonReader> links = json.at("links").items();
     for (std::size_t k = 0; k < links.size(); ++k) {

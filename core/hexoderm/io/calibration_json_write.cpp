@@ -147,13 +147,6 @@ Json patchJson(const PatchReconstruction& patch) {
   return json;
 }
 
-/// The first of those with the most cells; null for an empty skin.
-const PatchReconstruction* largestPatch(const Reconstruction& reconstruction) {
-  const auto largest = std::ranges::max_element(reconstruction.patches, {},
-                                                [](const PatchReconstruction& patch) { return patch.cells.size(); });
-  return largest == reconstruction.patches.end() ? nullptr : &*largest;
-}
-
 Json findingJson(const Finding& finding) {
   Json json = {{"code", codeName(finding.code)}, {"severity", severityName(finding.severity)}};
   writeMessage(json, "text", finding.message);

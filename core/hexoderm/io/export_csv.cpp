@@ -1,6 +1,7 @@
 #include "hexoderm/io/export_csv.h"
 
 #include "hexoderm/io/export_support.h"
+#include "hexoderm/util/csv.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
@@ -203,19 +204,6 @@ CsvTable residualTable(const Reconstruction& reconstruction) {
     }
   }
   return table;
-}
-
-std::string csvQuoted(std::string_view value) {
-  // A text that is only spaces, or has them at an end, would be trimmed by some readers.
-  const bool plain =
-      value.find_first_of("\",\r\n") == std::string_view::npos && !value.starts_with(' ') && !value.ends_with(' ');
-  if (plain) return std::string(value);
-  std::string result = "\"";
-  for (const char c : value) {
-    if (c == '"') result += '"';
-    result += c;
-  }
-  return result + '"';
 }
 
 std::string fieldText(const CsvField& field) {

@@ -3,6 +3,7 @@
 #include "hexoderm/io/export_support.h"
 #include "hexoderm/io/exporter.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/hex.h"
 #include "hexoderm/util/text.h"
 
 #include <algorithm>
@@ -17,10 +18,9 @@ constexpr double kInch_m = 0.0254;
 constexpr const char* kMutedColor = "#9A9A9A";
 
 std::string colorName(std::uint32_t rgb) {
-  static constexpr std::string_view kDigits = "0123456789ABCDEF";
-  std::string name = "#";
-  for (int shift = 20; shift >= 0; shift -= 4) name += kDigits[(rgb >> static_cast<unsigned>(shift)) & 15U];
-  return name;
+  const std::array<std::uint8_t, 3> bytes = {static_cast<std::uint8_t>(rgb >> 16U),
+                                             static_cast<std::uint8_t>(rgb >> 8U), static_cast<std::uint8_t>(rgb)};
+  return "#" + hexDigits(bytes, HexCase::Upper);
 }
 
 /// Other control characters than the line feed have no meaning in a label.

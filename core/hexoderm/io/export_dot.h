@@ -9,7 +9,7 @@
 
 namespace hexoderm {
 
-/// What is said in a DOT file: attributes by name, values unescaped.
+/// The content of a DOT file: attributes by name, values unescaped.
 using DotAttributes = std::map<std::string, std::string>;
 
 struct DotNode {

@@ -21,8 +21,8 @@ struct StagedFile {
 /// and what `verify` throws.
 void publishFile(const std::filesystem::path& path, std::string content, VerifyBytes verify);
 
-/// The same for the files of a folder, all or none. A folder that is not there is made; in one that is, other files are
-/// not touched. Returns the paths of the files, in their order.
+/// Publishes the files of a folder in the same way, all or none. A missing folder is made; other files in an existing
+/// one are not touched. Returns the paths of the files, in their order.
 std::vector<std::filesystem::path> publishFolder(const std::filesystem::path& folder,
                                                  const std::vector<StagedFile>& files);
 

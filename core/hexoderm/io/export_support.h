@@ -8,10 +8,10 @@
 
 namespace hexoderm {
 
-// What the exporters share. Each of them is a pair of functions: one makes the bytes of the file, the other reads bytes
-// back and throws FormatError unless they say what was meant.
+// Functions shared by the exporters. Each exporter is a pair of functions: one makes the bytes of the file, the other
+// reads bytes back and throws FormatError unless they hold the intended content.
 
-/// Of a cell without a used link, 0xRRGGBB.
+/// The colour of a cell without a used link, 0xRRGGBB.
 inline constexpr std::uint32_t kNoLinkColor = 0x9A9A9A;
 
 /// Class of each cell's worst used link; cells without a used link are not in the map.

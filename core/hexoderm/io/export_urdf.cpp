@@ -176,7 +176,7 @@ UrdfModel urdfModel(const Reconstruction& reconstruction, const ExportOptions& o
     return names.unique(name);
   };
   for (const PatchReconstruction& patch : reconstruction.patches) {
-    // Where a patch sits on the robot is not known here: its frame is the parent link's until the user moves it.
+    // The patch's place on the robot is not known here: its frame is the parent link's until the user moves it.
     const std::size_t patch_link = model.links.size();
     const std::string patch_name = nameOf("patch" + toString(patch.id));
     model.links.push_back({patch_name, options.urdf_parent_link, {}, {}, {}});

@@ -18,7 +18,7 @@ struct ExportOptions {
   LengthUnit stl_unit = LengthUnit::Millimetres;  ///< STL carries no unit of its own
   std::string urdf_robot = "skin";
   std::string urdf_parent_link = "base_link";  ///< created in the file, so that it can be loaded alone
-  std::string urdf_prefix = "skin_";           ///< of every link and joint name
+  std::string urdf_prefix = "skin_";           ///< prefix of every link and joint name
   bool urdf_link_per_cell = true;  ///< false: one link per patch, cells as visuals (RViz slows down with many links)
 
   /// Throws InvalidArgument naming the option.
@@ -27,7 +27,7 @@ struct ExportOptions {
 
 struct ExportFormatDescription {
   ExportFormat format;
-  std::string_view name;       ///< as on the command line
+  std::string_view name;       ///< the name on the command line
   std::string_view extension;  ///< with the dot; CSV writes a folder of tables and has none
   Message summary;             ///< one line for help and dialogs
 };
@@ -44,8 +44,7 @@ std::vector<std::filesystem::path> exportReconstruction(const Reconstruction& re
                                                         const std::filesystem::path& path,
                                                         const ExportOptions& options = {});
 
-/// Colours of the four classes, 0xRRGGBB, on a light and on a dark ground (SPEC 5.2): the one table for files and
-/// window.
+/// Colours of the four classes, 0xRRGGBB, on a light and on a dark background: the only table, for files and window.
 std::uint32_t qualityColor(EdgeQuality quality, bool dark);
 
 }  // namespace hexoderm

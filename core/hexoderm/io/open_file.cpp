@@ -59,7 +59,7 @@ OpenedFile openFile(const std::filesystem::path& path, const CellModel& model_fo
   const std::optional<std::string> format = findJsonFormat(text);
   if (format == "hexoderm-session") return parseSessionJson(text, file);
   if (format == "hexoderm-calibration") return parseCalibrationJson(text, file);
-  if (!format) static_cast<void>(parseJson(text, file));  // what is not even JSON is said first
+  if (!format) static_cast<void>(parseJson(text, file));  // a text that is not even JSON is reported first
   throw FormatError(located(file, located("format", format ? message("{}, found \"{}\"", expected(), *format)
                                                            : message("{}, but there is none", expected()))));
 }

@@ -9,7 +9,7 @@
 
 namespace hexoderm {
 
-/// What a file turned out to hold: a session to solve, or a finished calibration.
+/// The content of a file: a session to solve, or a finished calibration.
 using OpenedFile = std::variant<Session, std::shared_ptr<const Reconstruction>>;
 
 /// Opens any file Hexoderm reads, told apart by its content: session store, session JSON, calibration JSON, TUM

@@ -7,6 +7,7 @@
 #include "hexoderm/util/json_reader.h"
 #include "hexoderm/util/limits.h"
 #include "hexoderm/util/message_json.h"
+#include "hexoderm/util/sha256.h"
 
 #include <algorithm>
 #include <cmath>

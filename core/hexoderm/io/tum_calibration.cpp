@@ -50,7 +50,7 @@ class Importer {
     return cellAt(link.source).root == cellAt(link.target).root;
   }
 
-  /// Where two cells are placed in frames of different root cells, the file doesn't say how they lie to each other.
+  /// The file does not tell the relative placement of two cells that are placed in frames of different root cells.
   void muteLinksBetweenFrames() {
     std::vector<std::size_t> between;
     for (std::size_t k = 0; k < graph_.links().size(); ++k) {

@@ -2,6 +2,7 @@
 
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
+#include "hexoderm/util/sha256.h"
 #include "hexoderm/util/text.h"
 
 #include <pugixml.hpp>

@@ -19,7 +19,7 @@
 namespace hexoderm {
 namespace {
 
-/// How many times what is expected is still as stated, and what is beyond doubt.
+/// Multiples of the expected error that still count as stated, and that are beyond doubt.
 struct Limits {
   double worse;
   double far_worse;
@@ -28,7 +28,7 @@ constexpr Limits kRms{1.5, 3};
 constexpr Limits kCell{4, 8};
 constexpr Limits kTurning{2, 3};  // hands tremble differently
 constexpr double kCoarse_rad = 2.5 * kDegree;
-constexpr double kDetectable = 4;  // of the expected rms, as simulated skins of 17 and 100 cells show
+constexpr double kDetectable = 4;  // multiple of the expected rms, from simulated skins of 17 and 100 cells
 
 /// A corrected reading shorter than this shows no direction worth a comparison.
 constexpr double kShortest_g = 0.5;
@@ -56,9 +56,9 @@ Jacobian readingJacobian(const Eigen::Matrix3d& gain, const Eigen::Vector3d& v) 
 /// A cell's view of the left-out pose: the specific force there, patch frame.
 struct Seen {
   CellId cell;
-  Eigen::Vector3d at_o;  ///< where the cell is, m
+  Eigen::Vector3d at_o;  ///< position of the cell, m
   Eigen::Vector3d force_o_g;
-  Eigen::Matrix3d covariance_g2;  ///< of force_o_g
+  Eigen::Matrix3d covariance_g2;  ///< covariance of force_o_g
 };
 
 /// The motion that all cells share in a pose: the specific force at the patch's origin, then the swing (g/m).
@@ -185,8 +185,8 @@ class HoldOut {
     return Seen{cell.cell, cell.T_o_u.t, R_a_o.transpose() * v, to_o * covariance * to_o.transpose()};
   }
 
-  /// Where the skin as a whole scattered least: a hand's tremor is in what a cell scatters by as well as the sensor's
-  /// own noise, and this is the pose with the least of it.
+  /// The pose in which the skin as a whole scattered least: a cell's scatter holds a hand's tremor as well as the
+  /// sensor's own noise, and this is the pose with the least of it.
   [[nodiscard]] std::optional<std::size_t> stillestPose() const {
     std::optional<std::size_t> stillest;
     double least = 0;
@@ -206,7 +206,7 @@ class HoldOut {
     return stillest;
   }
 
-  /// What the sensor's own noise leaves in a mean of a cell, per axis, tremor apart.
+  /// Variance that the sensor's own noise leaves in a mean of a cell, per axis, without tremor.
   [[nodiscard]] double ownVariance(std::size_t cell) const {
     constexpr double kLeast_g2 = 1e-12;  // a model may have neither noise nor steps
     double least = table_.at(cell, left_out_).own_variance_g2;
@@ -249,8 +249,8 @@ class HoldOut {
     return covariance;
   }
 
-  /// What the links' elastomer says about a cell's attitude, accelerometer axes. A turn about an axis along which every
-  /// neighbour lets the cell go is still not free: it is known to a turn.
+  /// Information of the links' elastomer about a cell's attitude, accelerometer axes. A turn about an axis along which
+  /// every neighbour lets the cell go is still not free: it is known to within a turn.
   [[nodiscard]] Eigen::Matrix3d elastomerInformation(CellId id) const {
     Eigen::Matrix3d information = Eigen::Matrix3d::Identity();
     const std::size_t cell = *graph_.indexOf(id);

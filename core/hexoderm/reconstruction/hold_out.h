@@ -15,7 +15,7 @@ enum class HoldOutOutcome {
   Stopped,
 };
 
-/// What the errors say beside what was expected of them.
+/// Agreement of the errors with their expected size.
 enum class HoldOutAgreement { AsStated, Worse, FarWorse };
 
 /// Poses besides the one that is held out: offsets and attitudes can't be told apart with fewer.
@@ -55,14 +55,14 @@ struct HoldOutLink {
 struct HoldOutResult {
   HoldOutOutcome outcome = HoldOutOutcome::TooFewPoses;
   PoseId pose;
-  std::size_t other_poses = 0;  ///< that the reconstruction was made of
+  std::size_t other_poses = 0;  ///< number of poses that the reconstruction was made of
   std::vector<HoldOutCell> cells;
   std::vector<HoldOutLink> links;
   double rms_rad = 0;           ///< over cells
   double expected_rms_rad = 0;  ///< root of the mean of the cells' expected squares
   /// Half of the part that turned by this much against the other half would be found three times in four.
   double detectable_rad = 0;
-  bool coarse = false;  ///< that is more than 2.5 degrees: what is as stated may still be bent
+  bool coarse = false;  ///< true beyond 2.5 degrees: a result that agrees may still be bent
   /// The swing that fits best, as an angular acceleration; of the patch that turns most.
   double turning_rad_s2 = 0;
   /// Rms of what a tremor leaves, 0.05 degrees at 4 to 12 Hz averaged over 0.1 s, with what it did to the other poses.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/util/latest_worker.h"
 
 #include <cstdint>
 #include <functional>
@@ -10,16 +11,16 @@
 
 namespace hexoderm {
 
-/// What the worker has to say about one snapshot: a result, or the message of the error that prevented it.
+/// The outcome of solving one snapshot: a result, or the message of the error that prevented it.
 struct ReconstructionOutcome {
   std::uint64_t revision = 0;
   std::shared_ptr<const Reconstruction> reconstruction;  ///< null if it failed
   Message error;                                         ///< empty if it did not
 };
 
-/// A thread with a one-slot mailbox: the newest snapshot wins, one that is being solved is never cancelled (a quick
-/// operator would never see a result). `report` is called on the worker's thread, for every snapshot that was solved,
-/// in order of submission. The destructor stops the running solve, drops what waits and joins.
+/// Solves snapshots on a thread of its own. The newest snapshot wins; one that is being solved is never cancelled by
+/// another (a quick operator would never see a result). `report` is called on the worker's thread, for every snapshot
+/// that was solved, in order of submission. The destructor stops the running solve, drops what waits and joins.
 class ReconstructionWorker {
  public:
   using Report = std::function<void(ReconstructionOutcome)>;
@@ -30,19 +31,17 @@ class ReconstructionWorker {
   static Solve startingFromTheLast();
   /// `solve` is what the thread does with a snapshot; whatever it throws becomes the outcome's error.
   explicit ReconstructionWorker(Report report, Solve solve = startingFromTheLast());
-  ~ReconstructionWorker();
-  ReconstructionWorker(const ReconstructionWorker&) = delete;
-  ReconstructionWorker& operator=(const ReconstructionWorker&) = delete;
 
   /// Never waits for a solve.
   void submit(std::shared_ptr<const SessionSnapshot> snapshot, SolverOptions options);
-  /// For when nobody wants a result any more: stops the running solve, drops what waits. Never waits itself, so that
+  /// Stops the running solve and drops the waiting snapshot, when no result is wanted any more. It does not wait, so
   /// one more report may come.
   void cancel();
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  Report report_;
+  Solve solve_;
+  LatestWorker worker_;  // last: it has ended before anything that it calls is destroyed
 };
 
 }  // namespace hexoderm

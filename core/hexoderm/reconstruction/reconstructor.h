@@ -7,13 +7,13 @@
 
 namespace hexoderm {
 
-/// Algorithm 1 of the paper, steps 2 to 9 and 13 of SPEC section 2, on one snapshot: graph, patches, edge rotations,
-/// classes, origin, placements, every sensor, findings and verdict.
+/// The paper's Algorithm 1 on one snapshot: graph, patches, edge rotations, classes, origin, placements, every sensor,
+/// findings and verdict; with the global solver also the joint estimate (README.md beside this file).
 ///
 /// `earlier`: a result of the same skin with other poses or options, from which the global solver starts where a patch
 /// has the same cells and origin; it changes how long the solver takes, not where it ends. May be null.
 ///
-/// `stop`: looked at before every step that may take seconds; once it is requested, the result is null.
+/// `stop`: checked before every step that may take seconds; once it is requested, the result is null.
 ///
 /// Throws InvalidArgument for options out of range. Everything that can be wrong with a skin or its poses is a finding;
 /// no poses, one pose, an empty skin and a single cell give a result. No value in the result is NaN or infinite.

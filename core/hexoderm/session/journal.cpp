@@ -1,11 +1,12 @@
 #include "hexoderm/session/journal.h"
 
+#include <openssl/evp.h>
 #include "hexoderm/graph/cell_model_json.h"
 #include "hexoderm/session/session_parts_json.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/hex.h"
 #include "hexoderm/util/message_json.h"
-
-#include <openssl/evp.h>
+#include "hexoderm/util/sha256.h"
 
 #include <algorithm>
 
@@ -17,45 +18,17 @@ using Json = nlohmann::ordered_json;
 /// More than anybody takes, and few enough that a file of insertions and removals is read in a moment.
 constexpr std::size_t kMostPoses = 100'000;
 
-class Sha256 {
- public:
-  Sha256() : context_(EVP_MD_CTX_new()) {
-    if (context_ == nullptr || EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) != 1) {
-      throw Error(message("SHA-256 is not available in this OpenSSL"));
-    }
-  }
-  void add(const void* data, std::size_t size) { EVP_DigestUpdate(context_.get(), data, size); }
-  void addNumber(std::uint64_t value) {
-    std::array<std::uint8_t, 8> bytes{};
-    for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::uint8_t>(value >> (8 * i));
-    add(bytes.data(), bytes.size());
-  }
-  /// With its length in front, so that no two entries look alike.
-  void addPart(const void* data, std::size_t size) {
-    addNumber(size);
-    add(data, size);
-  }
-  Digest finish() {
-    Digest digest{};
-    EVP_DigestFinal_ex(context_.get(), digest.data(), nullptr);
-    return digest;
-  }
+/// Eight bytes, little-endian.
+void addNumber(std::uint64_t value, Sha256& sha) {
+  std::array<std::uint8_t, 8> bytes{};
+  for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::uint8_t>(value >> (8 * i));
+  sha.add(bytes.data(), bytes.size());
+}
 
- private:
-  struct Free {
-    void operator()(EVP_MD_CTX* context) const noexcept { EVP_MD_CTX_free(context); }
-  };
-  std::unique_ptr<EVP_MD_CTX, Free> context_;
-};
-
-std::string hexOf(const Digest& digest) {
-  static constexpr char kDigits[] = "0123456789abcdef";
-  std::string text;
-  for (const std::uint8_t byte : digest) {
-    text += kDigits[byte >> 4U];
-    text += kDigits[byte & 15U];
-  }
-  return text;
+/// With its length in front, so that no two entries look alike.
+void addPart(const void* data, std::size_t size, Sha256& sha) {
+  addNumber(size, sha);
+  sha.add(data, size);
 }
 
 std::int64_t captureOf(const JsonReader& json) { return json.at("capture").unsignedInteger(1); }
@@ -83,11 +56,11 @@ Json sayCapture(const SessionPose& pose, std::size_t place, JournalEntry& entry)
 Digest JournalEntry::expectedDigest(const Digest& previous) const {
   Sha256 sha;
   sha.add(previous.data(), previous.size());
-  sha.addNumber(static_cast<std::uint64_t>(entry));
-  sha.addNumber(static_cast<std::uint64_t>(at_ms));
-  sha.addPart(kind.data(), kind.size());
-  sha.addPart(detail.data(), detail.size());
-  if (samples) sha.addPart(samples->data(), samples->size());
+  addNumber(static_cast<std::uint64_t>(entry), sha);
+  addNumber(static_cast<std::uint64_t>(at_ms), sha);
+  addPart(kind.data(), kind.size(), sha);
+  addPart(detail.data(), detail.size(), sha);
+  if (samples) addPart(samples->data(), samples->size(), sha);
   return sha.finish();
 }
 
@@ -290,7 +263,7 @@ nlohmann::ordered_json JournalState::sayEdit(const SessionEdit& edit, const std:
 Session JournalState::session(const std::string& file) const {
   if (!session_) throw InvalidArgument(message("a session needs a skin first"));
   Session session = *session_;
-  session.setSource({session.source().text, file, hexOf(digest_)});
+  session.setSource({session.source().text, file, hexDigits(digest_)});
   return session;
 }
 

@@ -46,7 +46,7 @@ class JournalState {
   [[nodiscard]] std::int64_t editedAtMs() const { return edited_at_ms_; }
   [[nodiscard]] const std::string& options() const { return options_; }
   [[nodiscard]] bool hasSkin() const { return session_.has_value(); }
-  /// Of the skin's accelerometers; 0 without a skin.
+  /// The step of the skin's accelerometers; 0 without a skin.
   [[nodiscard]] double lsb_g() const { return session_ ? session_->model().accelerometer.lsb_g : 0; }
 
  private:

@@ -21,11 +21,11 @@ static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<floa
 /// cell, count, flags, nothing, mean (3), covariance (xx, xy, xz, yy, yz, zz), temperature
 constexpr std::size_t kSampleBytes = 4 * sizeof(std::uint32_t) + 10 * sizeof(double);
 constexpr std::uint32_t kHasTemperature = 1;
-/// In a count of samples: their cells are those of the frame before.
+/// Flag in a count of samples: their cells are those of the frame before.
 constexpr std::uint32_t kSameCells = 1U << 31U;
 constexpr int kMostSteps = std::numeric_limits<std::int16_t>::max();
 
-/// Of a size that is known before, or at most so large: millions of numbers a pose.
+/// Writes into memory of a size that is known beforehand, or bounded: a pose has millions of numbers.
 class Writer {
  public:
   explicit Writer(std::size_t size) : bytes_(size) {}
@@ -81,10 +81,10 @@ Eigen::Vector3d readVector(Reader& in, bool is_short) {
   return v;
 }
 
-/// What the samples of the next frame may refer to.
+/// The frame that the samples of the next one may refer to.
 struct FrameBefore {
   const std::vector<CellSample>* samples = nullptr;  ///< null: there is none
-  std::vector<int> steps;                            ///< where numbers are in steps: three a sample
+  std::vector<int> steps;                            ///< numbers in steps, three a sample, if the step is known
 };
 
 /// Takes the cells of the frame before where `count` says so, and returns whether it does.
@@ -132,7 +132,7 @@ void readSteps(Reader& in, std::uint32_t count, double step, FrameBefore& before
   }
 }
 
-/// The reason why a sample can't be stored; says nothing if it can.
+/// The fault of a sample; says nothing if there is none.
 Message problemOf(const GravitySample& sample) {
   if (!isWithin(sample.mean_g, kMostAcceleration_g)) return message("the mean must be finite and at most 1e6 g");
   if (!isWithin(sample.cov_g2, kMostVariance_g2)) return message("the covariance must be finite and at most 1e13 g^2");
@@ -168,7 +168,7 @@ std::uint32_t countOf(std::size_t size) {
   return static_cast<std::uint32_t>(size);
 }
 
-/// What is in a frame beside samples.
+/// The part of a frame that is not samples.
 template <class Put>
 void putRest(const SampleFrame& frame, Put put, Writer& out) {
   for (const CellMean& mean : frame.means) {

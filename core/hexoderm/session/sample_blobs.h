@@ -19,9 +19,9 @@ Bytes encodeSamples(std::span<const GravitySample> samples);
 /// Throws FormatError; `where` begins its message.
 std::vector<GravitySample> decodeSamples(std::span<const std::uint8_t> bytes, const std::string& where);
 
-/// Raw samples of one pose. Where all readings are whole multiples of `lsb_g`, as a device's are, numbers take a byte
-/// or two each; where all numbers are exact as such 4 bytes, else 8. 0: no such step is known. Throws InvalidArgument
-/// for numbers that are not finite.
+/// Encodes the raw samples of one pose. If all readings are whole multiples of `lsb_g`, as a device's are, numbers take
+/// a byte or two each; if all are exact as single-precision numbers, 4 bytes, else 8. `lsb_g` 0: no step is known.
+/// Throws InvalidArgument for numbers that are not finite.
 Bytes encodeFrames(std::span<const SampleFrame> frames, double lsb_g = 0);
 std::vector<SampleFrame> decodeFrames(std::span<const std::uint8_t> bytes, const std::string& where);
 

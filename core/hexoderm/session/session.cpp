@@ -8,7 +8,7 @@
 namespace hexoderm {
 namespace {
 
-/// Of the link's place among those that are set aside.
+/// The key of a muted link.
 std::pair<LinkEnd, LinkEnd> endsOf(const MutedLink& link) { return {link.source, link.target}; }
 
 }  // namespace

@@ -20,15 +20,15 @@ struct SessionPose {
   std::string why_disabled{};  ///< the operator's words; empty if none
 };
 
-/// Where a session came from: written into every calibration made of it.
+/// The origin of a session, written into every calibration made of it.
 struct SourceDescription {
   Message text;        ///< for people, for example "Simulated x17 on cylinder:r=0.0501, ..."
   std::string file;    ///< name of the file it was read from, without folders; empty if none
-  std::string sha256;  ///< of that file's bytes; of a session store the digest of its journal
+  std::string sha256;  ///< hash of that file's bytes; for a session store, the digest of its journal
 };
 
 /// A link that the operator set aside, because it is a cable for example: it stays known and is kept out of the
-/// solution. Named by its ends, so that it stays set aside when the skin is explored anew.
+/// solution. Named by its ends, so that it stays set aside when the skin is explored again.
 struct MutedLink {
   LinkEnd source;  ///< the smaller (ID, port)
   LinkEnd target;
@@ -36,8 +36,8 @@ struct MutedLink {
   friend bool operator==(const MutedLink&, const MutedLink&) = default;
 };
 
-/// Everything a reconstruction is computed from, as it was at one revision. Immutable: whoever holds the shared pointer
-/// can read it on any thread for as long as it likes.
+/// Everything a reconstruction is computed from, at one revision. Immutable: the holder of the shared pointer can read
+/// it on any thread for any time.
 struct SessionSnapshot {
   std::uint64_t revision = 0;
   std::shared_ptr<const CellModel> model;         ///< never null
@@ -58,13 +58,13 @@ class Session {
   [[nodiscard]] const std::vector<SessionPose>& poses() const { return poses_; }
   [[nodiscard]] const SourceDescription& source() const { return source_; }
   [[nodiscard]] const std::shared_ptr<const GroundTruth>& truth() const { return truth_; }
-  /// In ascending order of their ends.
+  /// The muted links, in ascending order of their ends.
   [[nodiscard]] const std::vector<MutedLink>& mutedLinks() const { return muted_links_; }
   /// Null if the link between these ports, in either order, is not set aside.
   [[nodiscard]] const MutedLink* findMutedLink(LinkEnd a, LinkEnd b) const;
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
-  /// The device describes itself anew: poses, source and truth stay.
+  /// The device describes itself again: poses, source and truth stay.
   void setSkin(CellModel model, NeighborList neighbors);
   void setTruth(GroundTruth truth);
   void setSource(SourceDescription source);

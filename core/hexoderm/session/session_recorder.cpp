@@ -16,7 +16,7 @@ namespace hexoderm {
 
 namespace {
 
-/// Of poses without raw samples; those of 10,000 cells are a megabyte.
+/// Room for poses without raw samples; those of 10,000 cells take a megabyte.
 constexpr std::uintmax_t kRoomForPoses = std::uintmax_t{4} << 20U;
 
 /// Why raw samples should not be tried at all; empty if they may be. They go into SQLite's journal and from there into
@@ -112,7 +112,7 @@ struct SessionRecorder::State {
     return outcome;
   }
 
-  /// The same without raw samples, where there are any.
+  /// The operations without raw samples, if there are any.
   static std::optional<std::vector<StoreOperation>> withoutRaw(std::vector<StoreOperation> operations) {
     bool had_some = false;
     for (StoreOperation& operation : operations) {

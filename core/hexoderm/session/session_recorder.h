@@ -11,18 +11,18 @@
 
 namespace hexoderm {
 
-/// What became of something that was given to a SessionRecorder.
+/// The fate of an operation that was given to a SessionRecorder.
 struct StoreOutcome {
-  std::uint64_t revision = 0;  ///< of the store, once it is on disk; 0 if it is not
+  std::uint64_t revision = 0;  ///< revision of the store once the operation is on disk; 0 if it is not
   Message error;               ///< why it is not on disk; empty if it is
   bool is_kept = false;        ///< with an error: it waits in memory, and retry() or the next append() tries again
   Message without_raw{};       ///< it is on disk, but without its raw samples: why they are not
 };
 
-/// A thread that owns a SessionStore, so that nobody waits for a disk. What is appended is written in order, each call
-/// in a transaction of its own; if one can't be written it waits, and all that comes after it too, so that nothing is
-/// lost and the order stays. Where the disk has room for a pose but not for the raw samples it was averaged from, the
-/// pose is written without them: it is what nobody can measure again.
+/// A thread that owns a SessionStore, so that nobody waits for a disk. Operations are written in order, each call in a
+/// transaction of its own; one that can't be written waits, with all that come after it, so that nothing is lost and
+/// the order stays. If the disk has room for a pose but not for the raw samples it was averaged from, the pose is
+/// written without them: it can't be measured again.
 ///
 /// Acknowledgements are called on the store's thread, must not throw and must not destroy the recorder: once with
 /// success or with an error that is final (an operation that makes no sense, or the recorder ends), and before that
@@ -35,8 +35,9 @@ class SessionRecorder {
   explicit SessionRecorder(SessionStore store);
   /// Opens the store on the recorder's thread; what is appended meanwhile waits for it.
   SessionRecorder(Open open, Acknowledge opened);
-  /// Tries once more to write what waits, closes the store and joins: may wait for the disk, so flush() and wait for
-  /// its acknowledgement first where that matters. What can't be written is acknowledged with a final error.
+  /// Tries once more to write the waiting operations, closes the store and joins the thread. This may wait for the
+  /// disk, so call flush() and wait for its acknowledgement first if that matters. Operations that can't be written are
+  /// acknowledged with a final error.
   ~SessionRecorder();
   SessionRecorder(const SessionRecorder&) = delete;
   SessionRecorder& operator=(const SessionRecorder&) = delete;
@@ -47,7 +48,7 @@ class SessionRecorder {
   void flush(Acknowledge done);
   /// Tries again to write what waits.
   void retry();
-  /// How many calls of append() and flush() are not acknowledged finally.
+  /// Number of calls of append() and flush() that are not acknowledged finally.
   [[nodiscard]] std::size_t waiting() const;
 
  private:

@@ -4,6 +4,7 @@
 #include "hexoderm/session/store_file.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
+#include "hexoderm/util/sha256.h"
 #include "hexoderm/util/system_reason.h"
 
 #include <fcntl.h>
@@ -82,7 +83,7 @@ void insert(Database& database, const JournalEntry& entry) {
   row.step();
 }
 
-/// Writes the entries of some operations; the journal is as after them. In a transaction of the caller's.
+/// Writes the entries of some operations, in a transaction of the caller's, and appends them to `journal`.
 void write(Database& database, std::span<const StoreOperation> operations, Journal& journal) {
   const std::int64_t at_ms = nowMs();
   for (const StoreOperation& operation : operations) {
@@ -203,7 +204,7 @@ void writeSessionStore(const Session& session, const std::filesystem::path& path
   NewFile file(path);
   {
     Database database(file.temporary(), path.string(), Database::Mode::Create);
-    // Nobody reads it before it is whole, and it is synced then.
+    // Nobody reads the file before it is whole, and it is synced then.
     database.run("PRAGMA journal_mode=MEMORY; PRAGMA synchronous=OFF");
     migrate(database, storeMigrations());
     Transaction transaction(database);

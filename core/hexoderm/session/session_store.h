@@ -13,7 +13,7 @@
 
 namespace hexoderm {
 
-/// Where the session came from.
+/// The origin of the session.
 struct SetSource {
   SourceDescription source;
 };
@@ -39,10 +39,10 @@ struct JournalLine {
 };
 
 /// A session file `*.hexo` (the layout is in README.md in this folder): an SQLite database with an append-only journal
-/// of everything that was done. What was captured is never changed and never removed.
+/// of everything that was done. A capture is never changed and never removed.
 ///
-/// Once append() has returned, its operations are on disk: killed at any moment, the session reopens with all of it,
-/// and without parts of anything. One writer at a time, across processes; any number of readers beside it. Where a file
+/// Once append() has returned, its operations are on disk: killed at any moment, the session reopens with all of them,
+/// and without parts of others. One writer at a time, across processes; any number of readers beside it. If a file
 /// can't be written (full disk, read-only folder), it stays as it was, and the call can be repeated.
 ///
 /// All functions throw StorageError (missing, not permitted, full, open elsewhere) or FormatError (not a session,
@@ -52,10 +52,11 @@ class SessionStore {
   /// Makes a file of the whole session and opens it for writing. It appears whole or not at all, and never replaces
   /// another: StorageError if there is something of that name.
   static SessionStore create(const std::filesystem::path& path, const Session& session);
-  /// To read and append. Finishes what a killed writer left, and brings older versions to the newest.
+  /// Opens a file for reading and appending. Finishes the work of a killed writer, and brings older versions to the
+  /// newest.
   static SessionStore open(const std::filesystem::path& path);
-  /// Never changes the file, and works where nothing can be written. Where nobody is writing, others can't begin to
-  /// while the store is open, so it should be short; where somebody is, it reads what was captured so far.
+  /// Never changes the file, and works where nothing can be written. If nobody is writing, nobody can begin to while
+  /// the store is open, so it should be closed soon; if somebody is, it reads what was captured so far.
   static SessionStore openReadOnly(const std::filesystem::path& path);
 
   ~SessionStore();

@@ -1,11 +1,12 @@
 #include "hexoderm/session/sqlite_database.h"
 
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/hex.h"
 #include "hexoderm/util/system_reason.h"
 
 #include <sqlite3.h>
 
-#include <cassert>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <new>
@@ -17,14 +18,11 @@ constexpr int kBusyMilliseconds = 2000;
 
 /// "file:" address of a path: what has a meaning in addresses is escaped.
 std::string immutableAddress(const std::string& path) {
-  static constexpr char kDigits[] = "0123456789ABCDEF";
   std::string address = "file://";
   for (const char c : path) {
     if (c == '%' || c == '?' || c == '#') {
-      const auto byte = static_cast<unsigned char>(c);
-      address += '%';
-      address += kDigits[byte >> 4U];
-      address += kDigits[byte & 15U];
+      const std::array<std::uint8_t, 1> byte = {static_cast<std::uint8_t>(c)};
+      address += '%' + hexDigits(byte, HexCase::Upper);
     } else {
       address += c;
     }

@@ -29,7 +29,7 @@ class Database {
   };
   /// `path` is opened; `name` is what errors call it.
   Database(const std::string& path, std::string name, Mode mode);
-  /// In memory.
+  /// Opens a database in memory.
   explicit Database(std::string name);
 
   void run(const char* sql);  ///< one or several statements without results

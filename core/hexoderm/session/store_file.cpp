@@ -167,8 +167,8 @@ StoreFile openUnchanged(const std::filesystem::path& path, const std::string& na
     requireWholePages(database, file);
     return {std::move(lock), nullptr, std::move(database)};
   }
-  // A journal: of somebody who is writing, or of somebody who was killed. SQLite reads through it, but wants to keep an
-  // index beside it. Where it can't, a copy is read.
+  // There is a journal, of a process that is writing or was killed. SQLite reads through it, but wants to keep an index
+  // beside it; where it can't, a copy is read.
   try {
     Database database = tried(file, name, Database::Mode::ReadOnly);
     return {std::move(lock), nullptr, std::move(database)};
@@ -252,7 +252,7 @@ StoreFile openStoreForWriting(const std::filesystem::path& path, Migrations migr
   if (!has_journal) requireWholePages(database, file);
   const std::size_t version = requireStoreVersion(database, migrations);
   requireSchema(database, migrations, version);
-  // What is appended to a damaged file may be lost with it.
+  // Entries appended to a damaged file might be lost with it.
   const std::string damage = database.text("PRAGMA quick_check(1)");
   if (damage != "ok") database.failFormat(message("the file is damaged, expected a whole database: {}", damage));
   if (database.text("PRAGMA journal_mode=WAL") != "wal") {

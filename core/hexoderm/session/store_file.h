@@ -44,7 +44,7 @@ struct StoreFile {
   };
 
   std::optional<StoreLock> lock;
-  std::unique_ptr<RemoveFolder> copy{};  ///< where the file was copied to be read
+  std::unique_ptr<RemoveFolder> copy{};  ///< the folder of a file that was copied to be read
   Database database;
 };
 

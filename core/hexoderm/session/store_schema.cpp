@@ -31,8 +31,8 @@ CREATE TRIGGER raw_samples_lose_nothing BEFORE DELETE ON raw_samples
   BEGIN SELECT RAISE(ABORT, 'the raw samples of a Hexoderm session are append-only'); END;
 )";
 
-// The same tables: only entries of the kinds "mute" and "unmute" are new, and a program that does not know them must
-// not take links for good that were set aside.
+// The tables are the same: only entries of the kinds "mute" and "unmute" are new, and a program that does not know them
+// must not take links for good that were set aside.
 constexpr const char* kVersion2 = "";
 
 constexpr std::array kMigrations = {kVersion1, kVersion2};

@@ -11,8 +11,8 @@ namespace hexoderm {
 /// "HEXO", at byte 68 of every session store.
 constexpr std::int64_t kStoreApplicationId = 0x4845584F;
 
-/// `migrations[v]` is the SQL that makes version v + 1 of version v; version 0 is an empty database. What was released
-/// is never changed, only added to.
+/// `migrations[v]` is the SQL that makes version v + 1 of version v; version 0 is an empty database. Released
+/// migrations are never changed; new ones are appended.
 using Migrations = std::span<const char* const>;
 Migrations storeMigrations();
 

@@ -3,8 +3,6 @@
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/system_reason.h"
 
-#include <openssl/evp.h>
-
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -87,21 +85,6 @@ void writeFileAtomically(const std::filesystem::path& path, std::string_view con
   if (::rename(temporary.c_str(), path.c_str()) != 0) fail(message("cannot be replaced: {}", reason()));
   const FileDescriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (directory.valid()) ::fsync(directory.get());  // some file systems can't sync a folder; the rename itself is done
-}
-
-std::string sha256Hex(std::string_view bytes) {
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-  unsigned size = 0;
-  if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr) != 1) {
-    throw Error(message("SHA-256 is not available in this OpenSSL"));
-  }
-  static constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string text;
-  for (unsigned i = 0; i < size; ++i) {
-    text += kDigits[digest[i] >> 4U];
-    text += kDigits[digest[i] & 15U];
-  }
-  return text;
 }
 
 }  // namespace hexoderm

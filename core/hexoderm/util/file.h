@@ -13,7 +13,4 @@ std::string readFile(const std::filesystem::path& path);
 /// the old or the new content is there, whole. Throws StorageError naming the file and the reason.
 void writeFileAtomically(const std::filesystem::path& path, std::string_view content);
 
-/// Lower-case hexadecimal SHA-256 of the bytes.
-std::string sha256Hex(std::string_view bytes);
-
 }  // namespace hexoderm

@@ -14,7 +14,7 @@ namespace hexoderm {
 enum class Severity { Info, Warning, Error };
 
 /// Everything the program can find wrong or worth knowing about a skin, its topology and its poses. The names in files
-/// are `codeName(code)`; `findingTable()` documents each of them and is the table in `core/util/README.md`.
+/// are `codeName(code)`; `findingTable()` documents each of them and is the table in `core/hexoderm/util/README.md`.
 enum class FindingCode {
   // topology
   DuplicateCell,

@@ -55,7 +55,7 @@ class PathTracker : public nlohmann::json_sax<nlohmann::json> {
   [[nodiscard]] const std::string& lastToken() const { return last_token_; }
   [[nodiscard]] const std::optional<std::string>& format() const { return format_; }
   [[nodiscard]] std::string path() const {
-    constexpr std::size_t kLongest = 200;  // of hostile nesting; nobody reads further
+    constexpr std::size_t kLongest = 200;  // hostile nesting makes longer ones, which nobody reads to the end
     std::string path;
     for (const Level& level : levels_) {
       if (path.size() > kLongest) return path + "...";
@@ -98,13 +98,13 @@ class PathTracker : public nlohmann::json_sax<nlohmann::json> {
   std::optional<std::string> format_;
 };
 
-/// Stops as soon as the document has said what it is.
+/// Stops as soon as the document's format has been read.
 class FormatFinder : public PathTracker {
  protected:
   bool valueDone() override { return PathTracker::valueDone() && !format(); }
 };
 
-/// The word of letters, digits, signs and points around a byte, to name what was found there.
+/// The word of letters, digits, signs and points around a byte, for error messages.
 std::string wordAround(std::string_view text, std::size_t position) {
   const auto isPart = [](char c) {
     return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '+' || c == '-' ||

@@ -31,7 +31,7 @@ class JsonReader {
 
   [[nodiscard]] JsonReader at(const std::string& key) const;                   ///< must be there
   [[nodiscard]] std::optional<JsonReader> find(const std::string& key) const;  ///< absent or null: nullopt
-  [[nodiscard]] std::vector<JsonReader> items() const;                         ///< of an array
+  [[nodiscard]] std::vector<JsonReader> items() const;                         ///< items of an array
   [[nodiscard]] bool isObject() const { return value_->is_object(); }
   [[nodiscard]] bool isArray() const { return value_->is_array(); }
   [[nodiscard]] bool isString() const { return value_->is_string(); }
@@ -42,7 +42,7 @@ class JsonReader {
   [[nodiscard]] double positiveNumber() const;
   [[nodiscard]] double nonNegativeNumber() const;
   [[nodiscard]] std::uint32_t unsignedInteger(std::uint32_t min = 0, std::uint32_t max = UINT32_MAX) const;
-  [[nodiscard]] std::int64_t integer() const;  ///< of 64 bits with sign
+  [[nodiscard]] std::int64_t integer() const;  ///< a signed integer of 64 bits
   [[nodiscard]] bool boolean() const;
   [[nodiscard]] std::string string() const;
   [[nodiscard]] std::vector<double> numbers(std::size_t count) const;               ///< exactly `count` finite numbers

@@ -15,7 +15,7 @@ std::string formatExact(double value);
 /// Parses a whole string as a finite number, independent of the locale. Throws InvalidArgument naming `what`.
 double parseNumber(std::string_view text, std::string_view what);
 
-/// The same for an unsigned integer of 32 bits.
+/// Parses an unsigned integer of 32 bits.
 unsigned parseUnsigned(std::string_view text, std::string_view what);
 
 std::vector<std::string> split(std::string_view text, char separator);

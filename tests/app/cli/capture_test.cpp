@@ -26,12 +26,12 @@ TEST_F(CliCapture, ASimulatedSkinCalibratesItselfWithoutHands) {
   EXPECT_THAT(capture.err,
               AllOf(HasSubstr("Pose 1 captured: 17 cells"), HasSubstr("Next: Turn the part so that cell")));
   ASSERT_EQ(run("solve arm.hexo -o arm.calibration.json").exit_code, 0);
-  // The same skin, whose truth is known.
+  // A simulation of the same skin has the truth.
   ASSERT_EQ(run("simulate --seed 5 --poses 0 -o truth.session.json").exit_code, 0);
   const Outcome evaluate = run("evaluate arm.calibration.json --against truth.session.json --json");
   ASSERT_EQ(evaluate.exit_code, 0) << evaluate.err;
   const auto against = nlohmann::json::parse(evaluate.out).at("against").at(0);
-  // Section 6 has 0.70 degrees and 1.05 mm in the median with three poses; one skin of many may be twice as bad.
+  // Medians with three poses are 0.70 degrees and 1.05 mm (ACCURACY.md); one skin of many may be twice as bad.
   EXPECT_LT(against.at("orientation_rms_deg").get<double>(), 1.4);
   EXPECT_LT(against.at("position_rms_mm").get<double>(), 2.1);
 }

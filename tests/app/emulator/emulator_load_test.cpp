@@ -105,7 +105,7 @@ class Bookkeeper final : public SkinListener {
   std::uint64_t received_ = 0;  ///< samples, or means
   std::uint64_t averaged_ = 0;  ///< samples in the means
   std::optional<std::int64_t> first_tick_;
-  std::optional<std::int64_t> first_turn_;  ///< of the tick that ends a turn: the remainder
+  std::optional<std::int64_t> first_turn_;  ///< remainder of the tick that ends a turn
   std::int64_t last_tick_ = 0;
   bool judges_clock_ = true;
   int judged_ = 0;

@@ -60,7 +60,7 @@ class Program {
     if (::write(input_, text.data(), text.size()) < 0) return "";
     return readLine();
   }
-  /// As a crash does, or a plug that is pulled.
+  /// Ends the program like a crash, or a plug that is pulled.
   void kill() {
     ::kill(process_, SIGKILL);
     wait();

@@ -37,7 +37,7 @@ using testing::SizeIs;
 using testing::StartsWith;
 using Delivered = CollectingListener::Delivered;
 
-/// As in real life, but never out of patience on a busy computer.
+/// The usual options, but with patience for a busy computer.
 WireOptions patient() {
   WireOptions options;
   options.first_retry = milliseconds(10);
@@ -74,7 +74,7 @@ struct Host {
   WireSource source;
 };
 
-/// What the emulator should say of its skin.
+/// The topology that the emulator should report of its skin.
 NeighborList trueTopology(const std::string& patch) {
   SimulatedSkinOptions options;
   options.patch = patch;
@@ -140,7 +140,7 @@ void talk(const Emulator& emulator, std::size_t cells) {
   host.source.stop();
   const Delivered all = host.listener.delivered();
   const SourceStatus status = all.status();
-  // What did not come is said to be missing, to the sample.
+  // The missing samples are reported, to the sample.
   const auto ticks = static_cast<std::size_t>(tickOf(all.frames.back()) - tickOf(all.frames.front()) + 1);
   EXPECT_EQ(cells * all.frames.size() + status.lost_samples, cells * ticks);
   EXPECT_EQ(status.rejected_messages, 0U);
@@ -202,7 +202,7 @@ TEST(Emulator, CellsBreakWhileItRuns) {
   EXPECT_TRUE(waitForSamples(16));
   EXPECT_THAT(host.listener.delivered().skins.back().neighbors, SizeIs(16));
 
-  // Another mould: the device begins anew.
+  // Another mould: the device starts over.
   EXPECT_THAT(emulator.type("mend 5"), HasSubstr("whole"));
   EXPECT_THAT(emulator.type("break wrong-port 3 1"), HasSubstr("starts again"));
   EXPECT_TRUE(waitForSamples(17));

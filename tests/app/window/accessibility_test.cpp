@@ -1,7 +1,6 @@
 // Everything that can be reached has a name, everything that can be done is in a menu and says what it is for, and
 // nothing is cut off.
 
-#include "app/window/main_window/window_shell.h"
 #include "tests/app/window/window_test.h"
 #include "tests/support/qt_wait.h"
 
@@ -110,7 +109,7 @@ class AccessibilityTest : public WindowTest {
 
 TEST_F(AccessibilityTest, EverythingThatTakesTheFocusHasAName) {
   EXPECT_EQ(nameless(window_.get()).join("\n").toStdString(), "") << "before anything is open";
-  window_->shell().recentFiles().note(pathTo("a.hexo"), 3);
+  window_->recentFiles().note(pathTo("a.hexo"), 3);
   EXPECT_EQ(nameless(window_.get()).join("\n").toStdString(), "") << "with a recent file";
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
   auto* tabs = find<QTabBar>("detailTabs");
@@ -155,7 +154,7 @@ TEST_F(AccessibilityTest, EveryActionIsInAMenuAndSaysWhatItIsFor) {
 }
 
 TEST_F(AccessibilityTest, TabGoesRoundThroughEverythingAtTheStart) {
-  window_->shell().recentFiles().note(writeFile("a.hexo", "x"), 3);
+  window_->recentFiles().note(writeFile("a.hexo", "x"), 3);
   activateWindow();
   QSet<QString> seen;
   QSet<QWidget*> reached;

@@ -96,7 +96,7 @@ class FakeDevice {
   void hold(double seconds, const Eigen::Vector3d& up) {
     send(seconds, [&](int cell, double /*time_s*/) { return seenBy(cell, up); });
   }
-  /// In the frame of a cell: the three lie on a cylinder.
+  /// The direction in the frame of a cell: the three lie on a cylinder.
   static Eigen::Vector3d seenBy(int cell, const Eigen::Vector3d& up) {
     const double bend = 0.25 * (cell - 2);
     return Eigen::AngleAxisd(bend, Eigen::Vector3d::UnitY()) * up.normalized();

@@ -11,7 +11,7 @@ namespace hexoderm {
 /// The window with nobody at the mouse: everything a test does here is a key, sent to where keys go.
 class KeyboardTest : public WindowTest {
  protected:
-  /// To the popup, dialog or window that has the keyboard, as the window system does it.
+  /// Sends a key to the popup, dialog or window that has the keyboard, like the window system.
   static void key(int code, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
     QTest::keyPress(static_cast<QWidget*>(nullptr), Qt::Key(code), modifiers);
     // The key may have closed what it was pressed in.
@@ -34,7 +34,7 @@ class KeyboardTest : public WindowTest {
     return std::any_of(parts.begin(), parts.end(),
                        [](const QWidget* part) { return !part->isWindow() && isSeen(part); });
   }
-  /// What has the keyboard is on the screen, not hidden or scrolled away.
+  /// The widget with the focus is on the screen, not hidden or scrolled away.
   static void expectFocusIsSeen() {
     const QWidget* focus = QApplication::focusWidget();
     ASSERT_NE(focus, nullptr);

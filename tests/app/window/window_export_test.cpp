@@ -39,7 +39,7 @@ class WindowExportTest : public WindowTest {
     window_->openFile(pathTo("arm.hexo"));
     ASSERT_TRUE(waitForPoses(4)) << message().toStdString();
   }
-  /// In the dialog as it is open: the row of a format, "CALIBRATION" for Hexoderm's own.
+  /// Chooses the row of a format in the open dialog, "CALIBRATION" for Hexoderm's own.
   static void choose(QDialog* dialog, const QString& format) {
     auto* formats = dialog->findChild<QListWidget*>("exportFormats");
     const QList<QListWidgetItem*> found = formats->findItems(format, Qt::MatchFixedString);

@@ -1,6 +1,6 @@
 #include "hexoderm/io/session_json.h"
 #include "tests/app/window/window_test.h"
-#include "widgets/tables/tables.h"
+#include "widgets/tables/finding_table.h"
 
 #include <QDragEnterEvent>
 #include <QDropEvent>

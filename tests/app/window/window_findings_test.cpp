@@ -1,5 +1,5 @@
-// What can be wrong with a skin and its poses (the table of faults), as the window says it: every finding is listed
-// with its words, picked by a key, and the rest of the skin is still there.
+// Faults of a skin and of its poses, as the window reports them: every finding is listed with its words, picked by a
+// key, and the rest of the skin is still there.
 
 #include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/geometry/se3.h"
@@ -8,7 +8,7 @@
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/units.h"
 #include "tests/app/window/window_test.h"
-#include "widgets/tables/tables.h"
+#include "widgets/tables/finding_table.h"
 #include "widgets/words/formatting.h"
 
 #include <QTabBar>
@@ -50,7 +50,7 @@ Session withFault(SkinFault kind, std::size_t poses = 4) {
   return simulated(options, poses);
 }
 
-/// Of the link at port 1 of a cell in an arm. With this seed a cable lets its far side lie where no mould would.
+/// Breaks the link at port 1 of a cell in an arm. With this seed a cable lets its far side lie as no mould would.
 Session withLinkFault(LinkFaultKind kind, std::uint32_t cell) {
   SimulatedSkinOptions options;
   options.seed = 4;

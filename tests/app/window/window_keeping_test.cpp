@@ -1,4 +1,5 @@
-// What is undone, saved and connected in any order is in the file, and nothing of one skin is left for the next.
+// Sessions that are undone, saved and connected in any order are whole in their files, and nothing of one skin is left
+// for the next.
 #include "app/window/files/session_paths.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/session/session_store.h"
@@ -239,10 +240,10 @@ TEST_F(WindowKeepingTest, TheNextSkinIsAskedNothingThatTheLastWasAsked) {
 TEST_F(WindowKeepingTest, ATurnByHandEndsTheRobotsRunForAllToSee) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
   controller().poseGuide().setRobot(true);
-  ASSERT_TRUE(action("actionRobot")->isChecked());
+  ASSERT_TRUE(waitUntil([this] { return action("actionRobot")->isChecked(); }));
   controller().poseGuide().turnTo(Eigen::Vector3d::UnitX());
   EXPECT_FALSE(controller().poseGuide().isRobotOn());
-  EXPECT_FALSE(action("actionRobot")->isChecked());
+  EXPECT_TRUE(waitUntil([this] { return !action("actionRobot")->isChecked(); }));
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ class DemoByKeys : public KeyboardTest {
   void verify();
   void exportIt();
 
-  /// Of the page of the panel below that is open, by its name.
+  /// Opens a page of the panel below, by its name.
   void openPage(const QString& name) {
     ASSERT_NO_FATAL_FAILURE(tabTo("detailTabs"));
     auto* tabs = find<QTabBar>("detailTabs");
@@ -46,7 +46,7 @@ class DemoByKeys : public KeyboardTest {
     for (int k = 0; k < tabs->count() && !tabs->tabText(tabs->currentIndex()).startsWith(name); ++k) key(Qt::Key_Right);
     ASSERT_TRUE(tabs->tabText(tabs->currentIndex()).startsWith(name)) << name.toStdString();
   }
-  /// In a table that has the focus.
+  /// Goes to a row of the table that has the focus.
   void goToRow(int row) {
     auto* table = qobject_cast<QTableView*>(QApplication::focusWidget());
     ASSERT_NE(table, nullptr) << focusName().toStdString();

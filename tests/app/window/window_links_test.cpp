@@ -3,7 +3,7 @@
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/session/session_store.h"
 #include "tests/app/window/window_test.h"
-#include "widgets/tables/tables.h"
+#include "widgets/tables/link_table.h"
 
 #include <QClipboard>
 #include <QContextMenuEvent>

@@ -33,7 +33,7 @@ class WindowLiveTest : public WindowTest {
     ASSERT_TRUE(waitForPoses(1)) << message().toStdString();
   }
   static Session read(const QString& path) { return readSessionStore(path.toStdString()); }
-  /// What is on disk, once nothing waits for it any more.
+  /// Waits until nothing waits to be written any more.
   bool waitUntilKept() {
     return waitUntil([this] {
       return controller().file().isKept() && !controller().file().isWriting() &&
@@ -75,9 +75,9 @@ TEST_F(WindowLiveTest, ASimulatedSkinIsConnectedAndEveryPoseIsInItsFile) {
   keepPicture(window_->picture(), "live-dark");
 
   action("actionDisconnect")->trigger();
+  EXPECT_TRUE(waitUntil([this] { return !action("actionCapture")->isEnabled(); }));
   EXPECT_FALSE(find<QWidget>("liveStrip")->isVisible());
   EXPECT_EQ(posesShown(), 2U);
-  EXPECT_FALSE(action("actionCapture")->isEnabled());
   EXPECT_EQ(action("actionCapture")->toolTip(), "No skin is connected");
   EXPECT_EQ(text("captureWhat"), "No skin is connected.");
   EXPECT_EQ(text("captureWait"), "No skin is connected, so no pose can be taken.");

@@ -99,7 +99,7 @@ TEST_F(WindowOpenTest, ARecordingThatIsOpenedAsAFileSaysWhereItBelongs) {
   EXPECT_TRUE(message().contains("connect", Qt::CaseInsensitive)) << message().toStdString();
 }
 
-/// How a file is broken, and what must be said of it beside its name.
+/// A way of breaking a file, and the words that its message must have beside the file's name.
 struct Broken {
   const char* name;
   const char* file;

@@ -13,9 +13,9 @@ namespace {
 
 constexpr std::uint64_t kCells = 17;
 constexpr qint64 kMagic = 8;
-constexpr qint64 kHead = 12;  // of a record
+constexpr qint64 kHead = 12;  // head of a record
 
-/// Where a record lies in the file, and how many frames are in it.
+/// Position of a record in the file, and the number of frames in it.
 struct Record {
   qint64 begin = 0;
   qint64 end = 0;

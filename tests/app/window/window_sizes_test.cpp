@@ -82,8 +82,8 @@ TEST_F(WindowSizesTest, AThousandPosesAreLeftForAnotherSessionAndForTheEndWhileT
 }
 
 TEST_F(WindowSizesTest, AHundredThousandCells) {
-  // Of a skin without errors the tree is the optimum: from any other the global solver is many steps away, which this
-  // many cells make minutes.
+  // For a skin without errors the tree is the optimum; for any other the global solver needs many steps, and with so
+  // many cells minutes.
   ASSERT_NO_FATAL_FAILURE(open(writeSkin("sheet:400x250", 6, 2, SimulatedSkinOptions::ideal())));
   ASSERT_TRUE(waitLong([this] { return posesShown() == 6; }));
   EXPECT_EQ(controller().reconstruction()->cellCount(), 100000U);

@@ -56,10 +56,12 @@ class WindowTest : public testing::Test {
   }
   QAction* action(const char* object_name) { return find<QAction>(object_name); }
 
-  /// Lets the event loop run until it is so; false if it never comes.
+  /// Lets the event loop run until it is so; false if it never comes. The window shows it then.
   template <class Condition>
-  static bool waitUntil(Condition condition) {
-    return test::waitUntil(condition);
+  bool waitUntil(Condition condition) {
+    const bool came = test::waitUntil(condition);
+    if (window_) window_->showChanges();
+    return came;
   }
   bool waitUntilIdle() {
     return waitUntil([this] {

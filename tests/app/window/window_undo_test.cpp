@@ -10,7 +10,7 @@
 namespace hexoderm {
 namespace {
 
-/// What can be changed of a session.
+/// The parts of a session that can be changed.
 struct State {
   std::vector<std::pair<PoseId, bool>> poses;  ///< with "disabled"
   std::vector<MutedLink> muted;

@@ -51,7 +51,7 @@ class WindowVerifyTest : public WindowTest {
 };
 
 TEST_F(WindowVerifyTest, HoldsAPoseOutAndSaysHowWellTheOthersForetellIt) {
-  // The same poses every time: how well one is foretold differs from capture to capture.
+  // The poses are the same every time: their predictability differs from capture to capture.
   const auto openSession = [this](std::size_t poses) {
     SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
     const QString path = pathTo(QStringLiteral("%1.session.json").arg(poses));
@@ -270,7 +270,7 @@ TEST_F(WindowVerifyTest, WhatIsVerifiedIsTheSolverThatWasUsed) {
   EXPECT_NE(held_out->rms_rad, evaluateHoldOut(*session.snapshot(), PoseId(3)).rms_rad);
   EXPECT_LT(comparisons[0].position_rms_m, 1e-12) << "the same session, solved in the same way";
 
-  // The session is solved anew when the solver is another.
+  // The session is solved again when the solver is another.
   comparisons.clear();
   verification.setReconstruction(reconstruct(*session.snapshot()));
   ASSERT_TRUE(waitUntil([&] { return !comparisons.empty(); }));

@@ -15,9 +15,9 @@ namespace {
 
 struct Wire {
   const char* name;
-  const char* kind;                 ///< as the dialog calls it
+  const char* kind;                 ///< its name in the dialog
   std::vector<std::string> spoken;  ///< options of the emulator
-  const char* gone;                 ///< what the operating system says where there is no device
+  const char* gone;                 ///< the operating system's message if there is no device
 };
 void PrintTo(const Wire& wire, std::ostream* out) { *out << wire.name; }
 
@@ -53,7 +53,7 @@ class Device {
     emulator_->kill();
     emulator_.reset();
   }
-  /// As it is typed behind the kind of connection.
+  /// The address, in the form in which it is typed after the kind of connection.
   [[nodiscard]] QString address() const {
     return isSerial() ? port_name_ : QStringLiteral("127.0.0.1:%1").arg(QString::fromStdString(port_));
   }
@@ -74,7 +74,7 @@ class WindowWiresTest : public WindowTest, public testing::WithParamInterface<Wi
     WindowTest::SetUp();
     device_ = std::make_unique<Device>(GetParam(), pathTo("usb-skin"));
   }
-  /// The first pose is captured by itself, where the part lies.
+  /// The first pose is captured automatically, where the part lies.
   void connectDevice() {
     ASSERT_NO_FATAL_FAILURE(connectByDialog(GetParam().kind, device_->address(), path()));
     ASSERT_TRUE(waitUntil([this] { return controller().liveSession().isLive(); }))
@@ -133,7 +133,7 @@ TEST_P(WindowWiresTest, ADeviceIsConnectedCheckedCapturedAndLeft) {
   EXPECT_TRUE(waitUntil([this] { return isSaidByTheCheck("17 cells, 16 links, 1 patch"); }));
   EXPECT_TRUE(waitUntil([this] { return isSaidByTheCheck("All 17 cells send"); }));
 
-  // What is asked of the device arrives there.
+  // Requests to the device arrive there.
   clickCellInGraph(CellId(3));
   ASSERT_TRUE(action("actionLightCell")->isEnabled()) << action("actionLightCell")->toolTip().toStdString();
   press(Qt::Key_L, Qt::ControlModifier);
@@ -149,7 +149,7 @@ TEST_P(WindowWiresTest, ADeviceIsConnectedCheckedCapturedAndLeft) {
   ASSERT_FALSE(controller().liveSession().isAutomatic());
   action("actionDisconnect")->trigger();
   EXPECT_FALSE(controller().liveSession().source().isRunning());
-  EXPECT_EQ(action("actionCapture")->toolTip(), "No skin is connected");
+  EXPECT_TRUE(waitUntil([this] { return action("actionCapture")->toolTip() == "No skin is connected"; }));
   EXPECT_EQ(posesShown(), 2U);
   ASSERT_TRUE(waitUntilKept());
   const Session kept = readSessionStore(path().toStdString());

@@ -1,6 +1,5 @@
 // A window on a machine that has no OpenGL, from its first message to a calibration.
 
-#include "app/window/main_window/window_shell.h"
 #include "tests/app/window/window_test.h"
 #include "widgets/patch/patch_view.h"
 #include "widgets/patch/scene_widget.h"
@@ -31,9 +30,9 @@ TEST_F(WindowWithoutOpenGlTest, OffersToDrawByTheProcessorFromTheNextStartOn) {
   ASSERT_TRUE(waitForMessage("There is no OpenGL 3.2 here"));
   auto* button = find<QPushButton>("messageButton");
   EXPECT_EQ(button->text(), "Draw without the graphics card");
-  EXPECT_FALSE(window_->shell().preferences().softwareOpenGl());
+  EXPECT_FALSE(window_->preferences().softwareOpenGl());
   click(button);
-  EXPECT_TRUE(window_->shell().preferences().softwareOpenGl());
+  EXPECT_TRUE(window_->preferences().softwareOpenGl());
   EXPECT_TRUE(waitForMessage("Start Hexoderm again"));
 }
 

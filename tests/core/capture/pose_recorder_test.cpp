@@ -326,7 +326,7 @@ TEST(PoseRecorder, IgnoresAndCountsLateFrames) {
   EXPECT_EQ(captures.holds.back().late_frames, stream.frames.size() / 10 + 1);
 }
 
-/// As a device sends it whose messages are too short for all its cells.
+/// Splits frames, like a device whose messages are too short for all its cells.
 std::vector<SampleFrame> inParts(const std::vector<SampleFrame>& frames, std::size_t cells_in_part) {
   std::vector<SampleFrame> parts;
   for (const SampleFrame& frame : frames) {
@@ -363,7 +363,7 @@ TEST(PoseRecorder, TakesATickThatComesInSeveralFramesAsOne) {
     EXPECT_LT((sample.mean_g - expected.mean_g).norm(), 1e-3) << "by a sample more or less at its ends";
   }
 
-  // What comes twice is not another part.
+  // A repetition is not another part.
   recorder.addFrame(parts.back());
   recorder.addFrame(parts[parts.size() - 3]);
   const SampleFrame later{stream.frames.back().time_s + 0.06, stream.frames.back().samples};
@@ -547,7 +547,7 @@ TEST(PoseRecorder, CapturesHoldsAndNothingElse) {
       feed(recorder, stream.frames);
       holds += static_cast<int>(truth.size());
       for (const CapturedPose& captured : captures.poses) {
-        // Where the speed is below 1 deg/s at the end of a move, the part counts as still a little earlier.
+        // At the end of a move the part counts as still a little early, once its speed is below 1 deg/s.
         const bool inside = std::ranges::any_of(truth, [&](const auto& hold) {
           return captured.start_s >= hold.first - 0.2 && captured.end_s <= hold.second;
         });

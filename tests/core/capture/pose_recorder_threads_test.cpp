@@ -29,7 +29,7 @@ TEST(PoseRecorderThreads, CommandsMayComeFromAnotherThread) {
   ended = true;
   operators.join();
 
-  // Whatever came before, this one is taken.
+  // This one is taken, whatever came before.
   captures.poses.clear();
   recorder.setNextPoseId(PoseId(9));
   recorder.captureNow();

@@ -29,8 +29,8 @@ std::vector<SampleFrame> recording() {
   return frames;
 }
 
-/// Where the standard deviation over 0.5 s (rms of the axes) stays below 6 mg for longer than 1.5 s; in between it is
-/// hundreds of mg. Found without the detector.
+/// The times in which the standard deviation over 0.5 s (rms of the axes) stays below 6 mg for longer than 1.5 s; in
+/// between it is hundreds of mg. Found without the detector.
 constexpr std::array<std::pair<double, double>, 13> kHeld_s = {{{0.03, 52.62},
                                                                 {54.72, 64.17},
                                                                 {66.97, 76.72},

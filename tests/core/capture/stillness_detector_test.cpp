@@ -219,7 +219,7 @@ TEST(StillnessDetector, StaysArmedWhenThePartReturns) {
   EXPECT_TRUE(detector.stillness().ready()) << detector.stillness().message.english();
 }
 
-/// What one bad cell of five is called while the part is held, moved and held again, and that it does not block.
+/// The kind that one bad cell of five is given while the part is held, moved and held again; it must not block.
 struct BadCell {
   std::string name;
   OddCellKind kind;

@@ -16,7 +16,7 @@ namespace hexoderm::test {
 struct StreamOptions {
   std::size_t cells = 1;
   double rate_hz = 1000;
-  double jitter = 0;       ///< of the time between frames, relative, uniform
+  double jitter = 0;       ///< jitter of the time between frames, relative, uniform
   double noise_g = 0.011;  ///< per axis
   double lsb_g = 0.004;
   double offset_g = 0;  ///< per axis, uniform up to this, drawn per cell

@@ -33,7 +33,7 @@ class CaptureCourseTest : public testing::Test, public CaptureOwner {
     course_->setResult(reconstruct(*session_.snapshot()), true);
   }
 
-  // What the course does.
+  // Actions of the course.
   void perform(const std::vector<SessionEdit>& edits) override {
     for (const SessionEdit& edit : edits) {
       apply(edit, session_);
@@ -61,7 +61,7 @@ class CaptureCourseTest : public testing::Test, public CaptureOwner {
     if (const auto* refused = std::get_if<TurnRefused>(&event)) turn_refusals_.push_back(*refused);
   }
 
-  // What happens to it.
+  // Events for the course.
   CapturedPose capture() {
     const auto ups = scriptedUpDirections(next_ + 1);
     const PoseId id(static_cast<std::uint32_t>(next_ + 1));

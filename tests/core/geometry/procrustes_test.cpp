@@ -99,7 +99,7 @@ TEST(Procrustes, AgreesWithAGeneralSvd) {
     const ProcrustesSolution solution = solveProcrustes(N, C);
     EXPECT_LT((solution.singular_values - s).norm(), 1e-12 * s.x());
     EXPECT_LT((solution.R_c_n * solution.R_c_n.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-12);
-    // Where two singular values nearly cancel each other, the rotation about the first axis is anybody's.
+    // If two singular values nearly cancel each other, the rotation about the first axis is undetermined.
     const double certain = s.y() + det * s.z();
     EXPECT_LT((solution.R_c_n - expected).norm(), 1e-13 * s.x() / certain) << "trial " << trial;
   }

@@ -51,7 +51,8 @@ inline std::string replaced(std::string text, const std::string& from, const std
   return at == std::string::npos ? text : text.replace(at, from.size(), to);
 }
 
-/// What the callable throws as an Error of the given kind; fails the test if it throws nothing or something else.
+/// The message that the callable throws as an Error of the given kind; fails the test if it throws nothing or something
+/// else.
 template <class Expected, class Callable>
 std::string messageOf(Callable&& callable) {
   try {

@@ -28,7 +28,7 @@ SE3 originOf(pugi::xml_node node) {
   return {rotationFromRpy(rpy), xyz};
 }
 
-/// Where every link is in the root, by following the joints.
+/// Placement of every link in the root, by following the joints.
 std::map<std::string, SE3> chained(const pugi::xml_document& document) {
   std::map<std::string, SE3> T_root;
   const pugi::xml_node robot = document.child("robot");

@@ -64,7 +64,7 @@ TEST_P(EveryExport, TakesWhatEverySolverFinds) {
     const auto paths = exportReconstruction(*result, GetParam(), target());
     ASSERT_FALSE(paths.empty());
     for (const auto& path : paths) EXPECT_FALSE(read(path).empty()) << path;
-    // What was written to a file and read again is exported just the same.
+    // A calibration that was written to a file and read again is exported just the same.
     const auto back = parseCalibrationJson(calibrationToJson(*result), "c.json");
     EXPECT_NO_THROW(exportReconstruction(*back, GetParam(), target()));
   }

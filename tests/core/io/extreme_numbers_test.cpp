@@ -43,7 +43,7 @@ json sessionDocument() {
   return document;
 }
 
-/// Where the document has numbers that measure something: no versions, counts and IDs.
+/// Pointers to the document's measuring numbers: no versions, counts and IDs.
 std::vector<json::json_pointer> measuresOf(const json& document) {
   std::vector<json::json_pointer> found;
   const json flat = document.flatten();

@@ -3,6 +3,7 @@
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
+#include "hexoderm/util/sha256.h"
 #include "tests/support/error_matchers.h"
 #include "tests/support/json_mutations.h"
 #include "tests/support/session_matchers.h"
@@ -23,7 +24,7 @@ const std::filesystem::path kThreeCells = std::filesystem::path(HEXODERM_TEST_DA
 
 nlohmann::json threeCells() { return nlohmann::json::parse(readFile(kThreeCells)); }
 
-/// What the reader says of the file with one value replaced.
+/// The reader's complaint about the file with one value replaced.
 std::string complaint(const std::string& pointer, const nlohmann::json& value) {
   nlohmann::json json = threeCells();
   json.at(nlohmann::json::json_pointer(pointer)) = value;

@@ -3,6 +3,7 @@
 #include "hexoderm/graph/skin_graph.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
+#include "hexoderm/util/sha256.h"
 #include "hexoderm/util/units.h"
 #include "tests/support/error_matchers.h"
 #include "tests/support/matchers.h"
@@ -20,7 +21,7 @@ const std::filesystem::path kTwoPatches = std::filesystem::path(HEXODERM_TEST_DA
 
 CellModel hex() { return builtInCellModel("hex-bma150"); }
 
-/// What the reader says of the file with the first occurrence of one text replaced by another.
+/// The reader's complaint about the file with the first occurrence of one text replaced by another.
 std::string complaint(const std::string& from, const std::string& to) {
   std::string text = readFile(kTwoPatches);
   const std::size_t at = text.find(from);

@@ -38,8 +38,8 @@ Session withLink(const Session& session, LinkEnd a, LinkEnd b) {
 }
 
 /// A free port like the source's (target's) of the sheet's first link, at the cell with the largest (smallest) ID that
-/// has one: far apart, and joined they are turned against each other like any neighbours. Of cells with two more links:
-/// of a cell that hangs by a single other one, nobody could tell which of the two is the cable.
+/// has one: the two are far apart, and joined they are turned against each other like any neighbours. Only cells with
+/// two more links count: for a cell that hangs by a single other one, nobody could tell which of the two is the cable.
 std::pair<LinkEnd, LinkEnd> farFreePorts(const NeighborList& neighbors) {
   const auto linked = [](const NeighborReport& n) { return n.cell.value() != 0; };
   const auto first = std::ranges::find_if(neighbors.front().neighbors, linked);

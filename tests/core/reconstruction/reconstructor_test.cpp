@@ -34,7 +34,7 @@ SolverOptions global() {
   return options;
 }
 
-/// What must hold whichever solver it is.
+/// Properties that hold for every solver.
 class EverySolver : public ::testing::TestWithParam<Solver> {
  protected:
   [[nodiscard]] SolverOptions options() const { return GetParam() == Solver::Tree ? tree() : global(); }
@@ -206,7 +206,7 @@ TEST_P(EverySolver, RotatedWorldChangesNothing) {
   const PinJointedSkin skin = bentX17();
   std::vector<Eigen::Vector3d> ups = {{0.2, 0.1, 1}, {1, 0.3, 0.1}, {0, -1, 0.4}};
   Session session = skin.session(ups);
-  // The same noise in cell coordinates: only the world is turned, so the readings are the same ones.
+  // The noise is the same in cell coordinates: only the world is turned, so the readings are the same ones.
   const Eigen::Matrix3d turn = expSO3({0.3, 0.9, -0.5});
   PinJointedSkin turned = skin;
   for (auto& [id, T] : turned.truth) T = SE3{turn, {0.1, 0.2, 0.3}} * T;

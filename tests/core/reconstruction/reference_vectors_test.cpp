@@ -55,7 +55,7 @@ Errors errorsOf(const Session& session, const SolverOptions& options) {
   return {toMillimetres(comparison.front().position_rms_m), toDegrees(comparison.front().orientation_rms_rad)};
 }
 
-/// To 1 % or 0.005, whichever is more.
+/// Figures agree to 1 % or 0.005, whichever is more.
 double tolerance(double expected) { return std::max(0.01 * expected, 0.005); }
 
 struct Row {

@@ -1,5 +1,5 @@
-// Is the stated uncertainty honest (SPEC section 6)? Normalised estimation errors squared of positions and orientations
-// on simulated skins, through the public interface: 1 where errors are as large as stated, more where they are larger.
+// Checks that the stated uncertainty is honest: normalised estimation errors squared of positions and orientations on
+// simulated skins, through the public interface; 1 if errors are as large as stated, more if they are larger.
 
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/session/simulated_session.h"
@@ -54,7 +54,7 @@ struct Case {
   LinkLaw law = LinkLaw::Bend;
   std::string surface{};
   double offset_sigma_g = 0.06;
-  double prior_factor = 1;  ///< what the model says of offsets, over what is true
+  double prior_factor = 1;  ///< the model's prior of offsets over the true one
 };
 
 std::string nameOf(const Case& c) {

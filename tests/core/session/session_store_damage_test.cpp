@@ -33,7 +33,7 @@ class DamagedStore : public testing::Test {
   void execute(const std::string& sql) const {
     Database(path_.string(), "test", Database::Mode::ReadWrite).run(sql.c_str());
   }
-  /// What a reader and a writer say.
+  /// The complaints of a reader and of a writer.
   [[nodiscard]] std::string complaint() const {
     const std::string reader = messageOf<FormatError>([&] { readSessionStore(path_); });
     const std::string writer = messageOf<FormatError>([&] { SessionStore::open(path_); });
@@ -41,7 +41,7 @@ class DamagedStore : public testing::Test {
     EXPECT_THAT(reader, testing::StartsWith(path_.string() + ": "));
     return reader;
   }
-  /// The same with an entry appended whose digest is right.
+  /// The complaint about a copy with an entry appended whose digest is right.
   [[nodiscard]] std::string complaintAbout(const std::string& kind, const std::string& detail,
                                            std::optional<Bytes> samples = std::nullopt) const {
     {

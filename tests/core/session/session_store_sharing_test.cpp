@@ -1,4 +1,4 @@
-// Who may open a session when, and what happens where nothing can be written.
+// Access to a session by several programs, and in places where nothing can be written.
 
 #include "hexoderm/session/session_store.h"
 
@@ -35,8 +35,8 @@ std::map<std::string, std::string> contentOf(const fs::path& folder) {
   return content;
 }
 
-/// What a killed writer leaves: the file and its journal with `removed` poses removed, not tidied. With the index too
-/// if asked for.
+/// Copies the remains of a killed writer: the file and its journal with `removed` poses removed, not tidied, and the
+/// index too if asked for.
 void leaveBehindAKilledWriter(const fs::path& from, const fs::path& to, std::size_t removed, bool with_index) {
   SessionStore store = SessionStore::open(from);
   for (std::size_t i = 0; i < removed; ++i) appendOne(store, RemovePose{0});

@@ -121,7 +121,7 @@ TEST_F(SessionStoreTest, RemovedPosesStayInTheFileAndComeBackAsTheyWere) {
   EXPECT_THAT(poseIds(store.readSession()), ElementsAre(1U));
   EXPECT_EQ(store.readSession().nextPoseId(), PoseId(4)) << "numbers of removed poses are not used again";
 
-  store = SessionStore(SessionStore::openReadOnly(path_));  // what another program sees
+  store = SessionStore(SessionStore::openReadOnly(path_));  // the view of another program
   EXPECT_THAT(poseIds(store.readSession()), ElementsAre(1U));
   EXPECT_EQ(store.readSession().nextPoseId(), PoseId(4));
 
@@ -278,7 +278,7 @@ TEST_F(SessionStoreTest, KeepsRawSamples) {
   frame.means.push_back({CellId(3), {0.25, 0.5, 1}, {1e-6, 1e-300, 0}, 31});
   auto exact = std::make_shared<std::vector<SampleFrame>>(3, frame);
   (*exact)[1] = {0.002, {}, {}, {}};
-  auto device = std::make_shared<std::vector<SampleFrame>>();  // as a device reads them: whole steps of 1/256 g
+  auto device = std::make_shared<std::vector<SampleFrame>>();  // whole steps of 1/256 g, as a device reads them
   device->push_back({1e9 + 0.001, {{CellId(1), {0.00390625, -1.5, 0.99609375}}}, {}, {}});
 
   SessionStore store = SessionStore::create(path_, Session(builtInCellModel("hex-bma150"), {}));

@@ -13,7 +13,7 @@ namespace {
 using test::messageOf;
 using test::saysAll;
 
-/// What a reader of the value at key "k" complains about.
+/// The complaint of a reader of the value at key "k".
 template <class Read>
 std::string complaint(const std::string& value, Read read) {
   const nlohmann::json json = parseJson("{\"k\": " + value + "}", "f.json");

@@ -18,7 +18,7 @@ std::vector<int> samplesOf(ToneKind kind) {
   return samples;
 }
 
-/// Of the first note: until silence of 10 ms.
+/// Frequency of the first note, which ends with silence of 10 ms.
 double frequencyOf(const std::vector<int>& samples) {
   int crossings = 0;
   std::size_t last = 0;

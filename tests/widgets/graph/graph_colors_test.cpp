@@ -1,8 +1,9 @@
-// What the graph's colours say, its legend and its tooltips, and what a right click offers.
+// The graph's colours, its legend, its tooltips and its context menu.
 
 #include "hexoderm/reconstruction/result/uncertainty.h"
 #include "tests/support/qt_wait.h"
 #include "tests/widgets/graph/graph_view_fixture.h"
+#include "widgets/coloring/coloring_words.h"
 
 #include <QAction>
 #include <QClipboard>
@@ -55,20 +56,20 @@ int markedPixels(const QImage& image, const QRect& area) {
 
 TEST_F(GraphColorsTest, LinksAreColouredByAFigureOnAnAbsoluteScale) {
   show(withFigures());
-  for (const GraphColoring coloring : {GraphColoring::Residual, GraphColoring::Bend}) {
+  for (const Coloring coloring : {Coloring::Residual, Coloring::Bend}) {
     view_.setColoring(coloring);
     EXPECT_GT(countColor(image(), linkTo9(), 5, viridis(1)), 8) << "beyond the end of the scale";
     EXPECT_EQ(countColor(image(), linkTo2(), 5, viridis(1)), 0);
   }
-  view_.setColoring(GraphColoring::Residual);  // 0.3 of 2 degrees
+  view_.setColoring(Coloring::Residual);  // 0.3 of 2 degrees
   EXPECT_GT(countColor(image(), linkTo2(), 5, viridis(0.15)), 4);
-  view_.setColoring(GraphColoring::Quality);
+  view_.setColoring(Coloring::LinkQuality);
   EXPECT_GT(countColor(image(), linkTo2(), 5, linkStroke(EdgeQuality::Fully, Theme::Light).color), 8);
 }
 
 TEST_F(GraphColorsTest, CellsAreColouredByTheirUncertaintyAndLinksGoGrey) {
   show(withFigures());
-  for (const GraphColoring coloring : {GraphColoring::Position, GraphColoring::Orientation}) {
+  for (const Coloring coloring : {Coloring::PositionUncertainty, Coloring::OrientationUncertainty}) {
     view_.setColoring(coloring);
     EXPECT_GT(countColor(image(), cell(9), 12, viridis(1)), 60);
     EXPECT_GT(countColor(image(), cell(13), 12, viridis(0)), 60);
@@ -80,10 +81,10 @@ TEST_F(GraphColorsTest, CellsAreColouredByTheirUncertaintyAndLinksGoGrey) {
 
 TEST_F(GraphColorsTest, CellsAreColouredByPatchAndByHowTheyWerePlaced) {
   show(sampleTwoPatches());
-  view_.setColoring(GraphColoring::Patch);
+  view_.setColoring(Coloring::Patch);
   EXPECT_GT(countColor(image(), cell(2), 12, viridis(0.25)), 60);
   EXPECT_GT(countColor(image(), cell(23), 12, viridis(0.75)), 60);
-  view_.setColoring(GraphColoring::PlacedBy);
+  view_.setColoring(Coloring::PlacedBy);
   EXPECT_GT(countColor(image(), cell(22), 12, viridis(0.25)), 60) << "placed by its links";
   EXPECT_GT(countColor(image(), cell(21), 12, viridis(0.75)), 60);
 }
@@ -99,7 +100,7 @@ TEST_F(GraphColorsTest, BodyPartsCanBeChosenWhereTheyAreKnown) {
   show(parts);
   EXPECT_TRUE(colorAction("body part")->isEnabled());
   colorAction("body part")->trigger();
-  EXPECT_EQ(view_.coloring(), GraphColoring::BodyPart);
+  EXPECT_EQ(view_.coloring(), Coloring::BodyPart);
   EXPECT_GT(countColor(image(), cell(2), 12, viridis(0.25)), 60);
   EXPECT_GT(countColor(image(), cell(23), 12, viridis(0.75)), 60);
 }
@@ -113,7 +114,7 @@ TEST_F(GraphColorsTest, TheButtonSaysWhatTheColoursShowAndItsMenuChangesIt) {
   colorAction("yaw")->trigger();
   EXPECT_EQ(button()->text(), "Colour: yaw ▾");
   EXPECT_FALSE(button()->accessibleName().isEmpty());
-  EXPECT_EQ(view_.coloring(), GraphColoring::Yaw);
+  EXPECT_EQ(view_.coloring(), Coloring::Yaw);
   EXPECT_TRUE(view_.rect().contains(button()->geometry()));
 }
 
@@ -123,7 +124,9 @@ TEST_F(GraphColorsTest, EveryColouringLooksDifferentAndHasALegend) {
   figures->patches[0].cells[5].placed_by = PlacedBy::Links;
   show(figures);
   std::vector<QImage> seen;
-  for (const GraphColoring coloring : graphColorings()) {
+  for (const ColoringRow& row : coloringTable()) {
+    if (row.graph_title == nullptr) continue;
+    const Coloring coloring = row.coloring;
     view_.setColoring(coloring);
     const QImage now = image();
     for (const QImage& other : seen) EXPECT_NE(now, other) << coloringName(coloring).toStdString();

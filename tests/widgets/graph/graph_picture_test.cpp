@@ -32,7 +32,7 @@ std::shared_ptr<Reconstruction> sample() {
   return result;
 }
 
-QImage draw(std::shared_ptr<const Reconstruction> reconstruction, GraphColoring coloring, Theme theme) {
+QImage draw(std::shared_ptr<const Reconstruction> reconstruction, Coloring coloring, Theme theme) {
   const auto scene = std::make_shared<const GraphScene>(std::move(reconstruction));
   const auto paint = std::make_shared<const GraphPaint>(paintOf(*scene, coloring, theme));
   GraphCamera camera;
@@ -74,40 +74,39 @@ double differenceToBaseline(const QImage& image, const QString& name) {
 }
 
 TEST(GraphPicture, LooksLikeTheBaselineInTheLight) {
-  EXPECT_LE(differenceToBaseline(draw(sample(), GraphColoring::Quality, Theme::Light), "graph_quality_light"),
+  EXPECT_LE(differenceToBaseline(draw(sample(), Coloring::LinkQuality, Theme::Light), "graph_quality_light"),
             kMaxDifferingShare);
 }
 
 TEST(GraphPicture, LooksLikeTheBaselineInTheDark) {
-  EXPECT_LE(differenceToBaseline(draw(sample(), GraphColoring::Quality, Theme::Dark), "graph_quality_dark"),
+  EXPECT_LE(differenceToBaseline(draw(sample(), Coloring::LinkQuality, Theme::Dark), "graph_quality_dark"),
             kMaxDifferingShare);
 }
 
 TEST(GraphPicture, LooksLikeTheBaselineColouredByPatch) {
-  EXPECT_LE(differenceToBaseline(draw(sample(), GraphColoring::Patch, Theme::Light), "graph_patches"),
-            kMaxDifferingShare);
+  EXPECT_LE(differenceToBaseline(draw(sample(), Coloring::Patch, Theme::Light), "graph_patches"), kMaxDifferingShare);
 }
 
 /// The negative controls: small changes must be seen.
 TEST(GraphPicture, TheBaselineComparisonSeesOneLinkOfAnotherClass) {
   auto changed = sample();
   changed->patches[0].links[0].quality = EdgeQuality::Partially;
-  const QImage before = draw(sample(), GraphColoring::Quality, Theme::Light);
-  EXPECT_GT(differingShare(before, draw(changed, GraphColoring::Quality, Theme::Light)), 1.5 * kMaxDifferingShare);
-  EXPECT_LE(differingShare(before, draw(sample(), GraphColoring::Quality, Theme::Light)), 0);
+  const QImage before = draw(sample(), Coloring::LinkQuality, Theme::Light);
+  EXPECT_GT(differingShare(before, draw(changed, Coloring::LinkQuality, Theme::Light)), 1.5 * kMaxDifferingShare);
+  EXPECT_LE(differingShare(before, draw(sample(), Coloring::LinkQuality, Theme::Light)), 0);
 }
 
 TEST(GraphPicture, TheBaselineComparisonSeesOneMovedCell) {
   auto changed = sample();
   changed->layout.cells.front().center.x() += 0.01;
-  const QImage before = draw(sample(), GraphColoring::Quality, Theme::Light);
-  EXPECT_GT(differingShare(before, draw(changed, GraphColoring::Quality, Theme::Light)), 1.5 * kMaxDifferingShare);
+  const QImage before = draw(sample(), Coloring::LinkQuality, Theme::Light);
+  EXPECT_GT(differingShare(before, draw(changed, Coloring::LinkQuality, Theme::Light)), 1.5 * kMaxDifferingShare);
 }
 
 TEST(GraphPicture, IsWrittenAsShapesOrAsPixels) {
   const QTemporaryDir folder;
   const auto scene = std::make_shared<const GraphScene>(sampleX17());
-  const auto paint = std::make_shared<const GraphPaint>(paintOf(*scene, GraphColoring::Quality, Theme::Light));
+  const auto paint = std::make_shared<const GraphPaint>(paintOf(*scene, Coloring::LinkQuality, Theme::Light));
   GraphCamera camera;
   camera.size = kSize;
   camera.center = scene->bounds().center();

@@ -5,6 +5,8 @@
 #include "widgets/controls/selection.h"
 #include "widgets/graph/graph_view.h"
 
+#include <gmock/gmock.h>
+#include <QApplication>
 #include <QHelpEvent>
 #include <QImage>
 #include <QTest>

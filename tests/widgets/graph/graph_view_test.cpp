@@ -30,7 +30,7 @@ TEST_F(GraphViewTest, ShowsAHintInsteadOfNothing) {
   EXPECT_EQ(image(), empty);
 }
 
-/// Whoever waits for the window to be painted does not wait for hundreds of hexagons too.
+/// Waiting for the window to be painted does not include waiting for hundreds of hexagons.
 TEST_F(GraphViewTest, ALargeSkinIsDrawnInATurnAfterTheOneThatPaintsTheWindow) {
   auto sheet = std::make_shared<Reconstruction>(cylinderSheet(20, 20));
   sheet->layout = computeFlatLayout(*sheet->model, sheet->patches);
@@ -44,7 +44,7 @@ TEST_F(GraphViewTest, ALargeSkinIsDrawnInATurnAfterTheOneThatPaintsTheWindow) {
   EXPECT_EQ(meanwhile.copy(middle), before.copy(middle));
   EXPECT_EQ(meanwhile.pixelColor(view_.width() - 5, view_.height() - 5), Colors::of(Theme::Light).panel);
   ASSERT_TRUE(test::waitUntil([&] { return image() != meanwhile; }));
-  // As it would be had the view been as large from the start.
+  // It looks as if the view had been as large from the start.
   const QImage after = image();
   GraphView other(&selection_);
   other.resize(view_.size());
@@ -58,7 +58,7 @@ TEST_F(GraphViewTest, FitsTheWholeSkinIntoTheWidgetInItsPlaces) {
   show(sampleX17());
   for (std::uint32_t id = 1; id <= 17; ++id)
     EXPECT_TRUE(view_.rect().adjusted(15, 15, -15, -15).contains(cell(id))) << id;
-  // As in the sheet: ports 1 and 2 lead to the right, 1 and 3 up.
+  // The directions are those of the sheet: ports 1 and 2 lead to the right, 1 and 3 up.
   EXPECT_GT(cell(2).x(), cell(1).x());
   EXPECT_LT(cell(2).y(), cell(1).y());
   EXPECT_LT(cell(5).x(), cell(1).x());

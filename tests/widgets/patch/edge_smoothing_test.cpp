@@ -24,7 +24,7 @@ QImage edge(double slope) {
   return picture;
 }
 
-/// How hard the steps between pixels one below the other are.
+/// Sum of the squared steps between pixels one below the other.
 double squaredSteps(const QImage& picture) {
   double sum = 0;
   for (int y = 1; y < picture.height(); ++y) {

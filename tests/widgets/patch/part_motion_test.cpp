@@ -102,11 +102,20 @@ class PartMotionTest : public testing::Test {
       return !asked.empty() && std::abs(toDegrees(angleBetween(asked.back(), up)) - angle_deg) < tolerance_deg;
     });
   }
+  void turnTo(const Eigen::Vector3d& up_o) {
+    moment.up_o = up_o;
+    view.setMoment(moment);
+  }
+  void showNext(const std::optional<Eigen::Vector3d>& up_o) {
+    moment.next_up_o = up_o;
+    view.setMoment(moment);
+  }
   QToolButton* turnButton() { return view.findChild<QToolButton*>(QStringLiteral("turnThePart")); }
 
   Selection selection;
   PatchView view{&selection};
   SceneWidget* canvas = nullptr;
+  PatchMoment moment;
   std::vector<Eigen::Vector3d> asked;
   QMetaObject::Connection kept =
       QObject::connect(&view, &PatchView::turnRequested, [this](const Eigen::Vector3d& up) { asked.push_back(up); });
@@ -115,31 +124,29 @@ class PartMotionTest : public testing::Test {
 TEST_F(PartMotionTest, ThePictureFollowsThePart) {
   show();
   const QImage still = view.screenshot();
-  view.setCurrentUp(Eigen::Vector3d::UnitY());
+  turnTo(Eigen::Vector3d::UnitY());
   const QImage standing = view.screenshot();
   EXPECT_NE(standing, still);
-  view.setCurrentUp(Eigen::Vector3d::UnitX());
+  turnTo(Eigen::Vector3d::UnitX());
   EXPECT_NE(view.screenshot(), standing);
 }
 
 TEST_F(PartMotionTest, TremorDoesNotMoveThePicture) {
   show();
-  view.setCurrentUp(Eigen::Vector3d::UnitY());
+  turnTo(Eigen::Vector3d::UnitY());
   const QImage before = view.screenshot();
-  view.setCurrentUp(Eigen::Vector3d(0.001, 1, 0.0005).normalized());
+  turnTo(Eigen::Vector3d(0.001, 1, 0.0005).normalized());
   EXPECT_EQ(view.screenshot(), before);
 }
 
 TEST_F(PartMotionTest, GoingRoundAndBackGivesTheSamePicture) {
   show();
-  view.setCurrentUp(Eigen::Vector3d::UnitY());
+  turnTo(Eigen::Vector3d::UnitY());
   const QImage before = view.screenshot();
   // There and back again along the same way, in steps that are followed at once.
-  for (int k = 1; k <= 12; ++k)
-    view.setCurrentUp(expSO3(5 * k * kDegree * Eigen::Vector3d::UnitX()) * Eigen::Vector3d::UnitY());
+  for (int k = 1; k <= 12; ++k) turnTo(expSO3(5 * k * kDegree * Eigen::Vector3d::UnitX()) * Eigen::Vector3d::UnitY());
   EXPECT_NE(view.screenshot(), before);
-  for (int k = 11; k >= 0; --k)
-    view.setCurrentUp(expSO3(5 * k * kDegree * Eigen::Vector3d::UnitX()) * Eigen::Vector3d::UnitY());
+  for (int k = 11; k >= 0; --k) turnTo(expSO3(5 * k * kDegree * Eigen::Vector3d::UnitX()) * Eigen::Vector3d::UnitY());
   const QImage after = view.screenshot();
   std::size_t other = 0;
   for (int y = 0; y < after.height(); ++y) {
@@ -151,27 +158,27 @@ TEST_F(PartMotionTest, GoingRoundAndBackGivesTheSamePicture) {
 
 TEST_F(PartMotionTest, TheGhostComesAndGoes) {
   show();
-  view.setCurrentUp(Eigen::Vector3d::UnitY());
+  turnTo(Eigen::Vector3d::UnitY());
   const QImage before = view.screenshot();
-  view.setNextUp(Eigen::Vector3d::UnitX());
+  showNext(Eigen::Vector3d::UnitX());
   const QImage ghost = view.screenshot();
   EXPECT_NE(ghost, before);
   const auto place = SceneGhost::placeIn(ghost.width(), ghost.height());
   const QRect there(static_cast<int>(place[0]), ghost.height() - static_cast<int>(place[3]),
                     static_cast<int>(place[2] - place[0]), static_cast<int>(place[3] - place[1]));
   EXPECT_NE(ghost.copy(there), before.copy(there));
-  view.setNextUp(std::nullopt);
+  showNext(std::nullopt);
   EXPECT_EQ(view.screenshot(), before);
 }
 
 TEST_F(PartMotionTest, TheGhostShowsTheAxisItTurnsAbout) {
   show();
-  view.setCurrentUp(Eigen::Vector3d::UnitY());
+  turnTo(Eigen::Vector3d::UnitY());
   view.showStandardView(PatchView::StandardView::Front);
   const QImage before = view.screenshot();
   // About the picture's horizontal, of which the patch itself leaves the left end free.
   const auto changedAtTheLeftEnd = [&](const Eigen::Vector3d& next) {
-    view.setNextUp(next);
+    showNext(next);
     const QImage ghost = view.screenshot();
     const auto place = SceneGhost::placeIn(ghost.width(), ghost.height());
     const int middle = ghost.height() - static_cast<int>((place[1] + place[3]) / 2);
@@ -191,8 +198,8 @@ TEST_F(PartMotionTest, TheGhostShowsTheAxisItTurnsAbout) {
 
 TEST_F(PartMotionTest, TheGhostTurnsAndThenRests) {
   show();
-  view.setCurrentUp(Eigen::Vector3d::UnitY());
-  view.setNextUp(Eigen::Vector3d::UnitX());
+  turnTo(Eigen::Vector3d::UnitY());
+  showNext(Eigen::Vector3d::UnitX());
   const QImage target = view.screenshot();
   view.setAnimated(true);
   EXPECT_TRUE(view.isAnimating());
@@ -203,7 +210,7 @@ TEST_F(PartMotionTest, TheGhostTurnsAndThenRests) {
 
 TEST_F(PartMotionTest, NothingMovesWhileTheViewIsHiddenOrMotionIsUnwanted) {
   show();
-  view.setNextUp(Eigen::Vector3d::UnitX());
+  showNext(Eigen::Vector3d::UnitX());
   EXPECT_FALSE(view.isAnimating()) << "switched off";
   view.setAnimated(true);
   EXPECT_TRUE(view.isAnimating());
@@ -217,13 +224,13 @@ TEST_F(PartMotionTest, ALargeSkinGetsAnArrowInstead) {
   show(std::make_shared<const Reconstruction>(sheetReconstruction(50, 41)));
   ASSERT_TRUE(test::waitUntil([&] { return view.isUpToDate(); }));
   const QImage before = view.screenshot();
-  view.setNextUp(Eigen::Vector3d::UnitX());
+  showNext(Eigen::Vector3d::UnitX());
   EXPECT_NE(view.screenshot(), before);
 }
 
 TEST_F(PartMotionTest, DraggingInTurnModeAsksForTheTurnAndLeavesTheCameraAlone) {
   show();
-  view.setCurrentUp(Eigen::Vector3d::UnitY());
+  turnTo(Eigen::Vector3d::UnitY());
   view.setTurnable(true);
   ASSERT_TRUE(turnButton()->isVisible());
   QTest::mouseClick(turnButton(), Qt::LeftButton);
@@ -236,7 +243,7 @@ TEST_F(PartMotionTest, DraggingInTurnModeAsksForTheTurnAndLeavesTheCameraAlone) 
 
 TEST_F(PartMotionTest, DraggingDownBringsTheUpperEdgeNearer) {
   show();
-  view.setCurrentUp(Eigen::Vector3d::UnitY());
+  turnTo(Eigen::Vector3d::UnitY());
   view.showStandardView(PatchView::StandardView::Front);
   ASSERT_FALSE(view.screenshot().isNull());
   view.setTurnable(true);
@@ -247,7 +254,7 @@ TEST_F(PartMotionTest, DraggingDownBringsTheUpperEdgeNearer) {
 
 TEST_F(PartMotionTest, ShiftTurnsThePartWithoutTheModeAndPlainDraggingTurnsTheCamera) {
   show();
-  view.setCurrentUp(Eigen::Vector3d::UnitY());
+  turnTo(Eigen::Vector3d::UnitY());
   view.setTurnable(true);
   const QImage before = view.screenshot();
   drag({0, 60});
@@ -259,7 +266,7 @@ TEST_F(PartMotionTest, ShiftTurnsThePartWithoutTheModeAndPlainDraggingTurnsTheCa
 
 TEST_F(PartMotionTest, RequestsComeAtMostTwentyTimesASecondAndTheLastIsNotLost) {
   show();
-  view.setCurrentUp(Eigen::Vector3d::UnitY());
+  turnTo(Eigen::Vector3d::UnitY());
   view.setTurnable(true);
   QElapsedTimer clock;
   clock.start();
@@ -272,7 +279,7 @@ TEST_F(PartMotionTest, ArrowKeysTurnThePartInTurnMode) {
   show();
   view.activateWindow();
   ASSERT_TRUE(test::waitUntilActive(view));
-  view.setCurrentUp(Eigen::Vector3d::UnitY());
+  turnTo(Eigen::Vector3d::UnitY());
   view.setTurnable(true);
   QTest::keyClick(&view, Qt::Key_Down);
   EXPECT_TRUE(asked.empty()) << "the mode is off";

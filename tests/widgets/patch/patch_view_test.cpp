@@ -63,7 +63,14 @@ class PatchViewTest : public testing::Test {
   Selection selection;
   PatchView view{&selection};
   SceneWidget* canvas = nullptr;
+  PatchOverlays overlays;
+  PatchMoment moment;
 };
+
+template <class Value>
+std::shared_ptr<const Value> shared(Value value) {
+  return std::make_shared<const Value>(std::move(value));
+}
 
 std::size_t coloursIn(const QImage& image) {
   std::set<QRgb> colours;
@@ -242,8 +249,10 @@ TEST_F(PatchViewTest, ColourModesChangeThePictureAndTheLegend) {
     cell.cov_t_r = Matrix6d::Identity() * 1e-6 * static_cast<double>(cell.path.size() - 1);
   }
   view.setReconstruction(std::make_shared<const Reconstruction>(skin));
-  view.setReadings({{CellId(1), {0.1, 0.2, 0.9}}, {CellId(2), {0.5, -0.6, 0.7}}}, {{CellId(2), 31.5}});
-  view.setSurface(evaluateSurface(skin.patches[0], SurfaceKind::Sphere));
+  moment.readings = readingsOf({{CellId(1), {0.1, 0.2, 0.9}}, {CellId(2), {0.5, -0.6, 0.7}}}, {{CellId(2), 31.5}});
+  view.setMoment(moment);
+  overlays.surface = shared(evaluateSurface(skin.patches[0], SurfaceKind::Sphere));
+  view.setOverlays(overlays);
   auto* modes = view.findChild<QMenu*>(QStringLiteral("coloringMenu"));
   ASSERT_NE(modes, nullptr);
   std::vector<QImage> pictures;
@@ -269,8 +278,8 @@ TEST_F(PatchViewTest, WhatCantBeShownSaysWhy) {
     EXPECT_FALSE(action->toolTip().isEmpty());
     EXPECT_NE(action->toolTip(), action->text());
   };
-  for (const CellColoring coloring : {CellColoring::PositionUncertainty, CellColoring::BodyPart, CellColoring::ReadingX,
-                                      CellColoring::Temperature, CellColoring::SurfaceDistance}) {
+  for (const Coloring coloring : {Coloring::PositionUncertainty, Coloring::BodyPart, Coloring::ReadingX,
+                                  Coloring::Temperature, Coloring::SurfaceDistance}) {
     expectReason(controls().action(coloring));
   }
   for (const SceneItem item :
@@ -278,23 +287,28 @@ TEST_F(PatchViewTest, WhatCantBeShownSaysWhy) {
     expectReason(controls().action(item));
   }
   EXPECT_TRUE(controls().action(SceneItem::Links)->isEnabled());
-  view.setReadings({{CellId(1), {0, 0, 1}}});
-  EXPECT_TRUE(controls().action(CellColoring::ReadingX)->isEnabled());
-  EXPECT_FALSE(controls().action(CellColoring::Temperature)->isEnabled());
-  view.setReadings({});
-  EXPECT_FALSE(controls().action(CellColoring::ReadingX)->isEnabled());
+  moment.readings = readingsOf({{CellId(1), {0, 0, 1}}});
+  view.setMoment(moment);
+  EXPECT_TRUE(controls().action(Coloring::ReadingX)->isEnabled());
+  EXPECT_FALSE(controls().action(Coloring::Temperature)->isEnabled());
+  moment.readings = readingsOf({});
+  view.setMoment(moment);
+  EXPECT_FALSE(controls().action(Coloring::ReadingX)->isEnabled());
 }
 
 TEST_F(PatchViewTest, ReadingsRecolourTheCellsAtOnce) {
   show();
   view.setReconstruction(demo());
-  view.setReadings({{CellId(1), {0, 0, 1}}});
-  controls().action(CellColoring::ReadingZ)->setChecked(true);
+  moment.readings = readingsOf({{CellId(1), {0, 0, 1}}});
+  view.setMoment(moment);
+  controls().action(Coloring::ReadingZ)->setChecked(true);
   const QImage up = view.screenshot();
   EXPECT_TRUE(words().contains(QStringLiteral("z, g"))) << words().toStdString();
-  view.setReadings({{CellId(1), {0, 0, -1}}});
+  moment.readings = readingsOf({{CellId(1), {0, 0, -1}}});
+  view.setMoment(moment);
   EXPECT_NE(view.screenshot(), up);
-  view.setReadings({{CellId(1), {0, 0, 1}}});
+  moment.readings = readingsOf({{CellId(1), {0, 0, 1}}});
+  view.setMoment(moment);
   EXPECT_EQ(view.screenshot(), up);
 }
 
@@ -304,15 +318,18 @@ TEST_F(PatchViewTest, OverlaysAreNamedWithTheirEnlargement) {
   view.setReconstruction(skin);
   GroundTruth truth;
   for (const CellPlacement& cell : skin->patches[0].cells) truth.cells.push_back({cell.cell, cell.T_o_u});
-  view.setTruth(std::make_shared<const GroundTruth>(truth));
+  overlays.truth = std::make_shared<const GroundTruth>(truth);
+  view.setOverlays(overlays);
   EXPECT_FALSE(words().contains(QStringLiteral("truth"))) << "only where it was asked for";
   controls().action(SceneItem::Truth)->trigger();
   EXPECT_TRUE(words().contains(QStringLiteral("truth")));
-  view.setLoop(evaluateLoop(*skin, {CellId(14), PortNumber(1)}, {CellId(17), PortNumber(4)}));
+  overlays.loop = shared(evaluateLoop(*skin, {CellId(14), PortNumber(1)}, {CellId(17), PortNumber(4)}));
+  view.setOverlays(overlays);
   EXPECT_TRUE(words().contains(QStringLiteral("loop gap: "))) << words().toStdString();
   Reconstruction before = *skin;
   before.patches[0].cells[3].T_o_u.t.z() += 0.001;
-  view.setComparison(compareToReconstruction(*skin, before));
+  overlays.comparison = shared(compareToReconstruction(*skin, before));
+  view.setOverlays(overlays);
   EXPECT_TRUE(words().contains(QStringLiteral("arrows: from before to now, drawn 10 times as large")))
       << words().toStdString();
   controls().action(SceneItem::Comparison)->trigger();
@@ -370,7 +387,7 @@ TEST_F(PatchViewTest, LargeSkinIsPreparedBesideTheWindowAndTheNewestWins) {
   view.setReconstruction(std::make_shared<const Reconstruction>(cylinderSheet(60, 50)));
   view.waitUntilUpToDate();
   EXPECT_EQ(view.screenshot(), newest);
-  // What is being prepared does not overwrite what came after it.
+  // A result in preparation does not overwrite a later one.
   view.setReconstruction(demo(0));
   const QImage single = view.screenshot();
   const auto large = std::make_shared<const Reconstruction>(cylinderSheet(100, 80));
@@ -382,11 +399,16 @@ TEST_F(PatchViewTest, LargeSkinIsPreparedBesideTheWindowAndTheNewestWins) {
   EXPECT_EQ(view.screenshot(), single);
 }
 
-TEST_F(PatchViewTest, IsClosedWhileALargeSkinIsPrepared) {
+TEST_F(PatchViewTest, IsClosedWhileALargeSkinIsPreparedAndLeavesNothingBehind) {
+  const auto widgets = QApplication::allWidgets().size();
+  const auto large = std::make_shared<const Reconstruction>(cylinderSheet(100, 80));
   auto other = std::make_unique<PatchView>(&selection);
-  other->setReconstruction(std::make_shared<const Reconstruction>(cylinderSheet(100, 80)));
+  other->setReconstruction(large);
+  EXPECT_FALSE(other->isUpToDate());
   other.reset();
   QCoreApplication::processEvents();
+  EXPECT_EQ(QApplication::allWidgets().size(), widgets);
+  EXPECT_EQ(large.use_count(), 1);
 }
 
 TEST_F(PatchViewTest, NoButtonIsCutOffInASmallView) {
@@ -431,9 +453,11 @@ TEST_F(PatchViewTest, PoseDecidesWhereGravityPoints) {
   show();
   view.setReconstruction(demo());
   const QImage last = view.screenshot();
-  view.setPose(PoseId(1));
+  moment.pose = PoseId(1);
+  view.setMoment(moment);
   EXPECT_NE(view.screenshot(), last);
-  view.setPose(std::nullopt);
+  moment.pose = std::nullopt;
+  view.setMoment(moment);
   EXPECT_EQ(view.screenshot(), last);
 }
 
@@ -456,7 +480,8 @@ TEST_F(PatchViewTest, NothingToShowIsSaidAndDoesNotCrash) {
   view.setReconstruction(nullptr);
   view.fit();
   view.showStandardView(PatchView::StandardView::Side);
-  view.setPose(PoseId(3));
+  moment.pose = PoseId(3);
+  view.setMoment(moment);
   selection.selectCell(CellId(4));
   click(canvas->rect().center());
   EXPECT_EQ(selection.cell(), std::nullopt);

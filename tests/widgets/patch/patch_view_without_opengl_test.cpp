@@ -25,12 +25,14 @@ TEST(PatchViewWithoutOpenGl, SaysSoAndStaysUsable) {
 
   view.setReconstruction(std::make_shared<const Reconstruction>(demoReconstruction()));
   view.setTheme(Theme::Dark);
-  view.setPose(PoseId(1));
-  view.setReadings({{CellId(1), {0, 0, 1}}}, {});
-  view.setTruth(std::make_shared<const GroundTruth>());
-  view.setSurface(std::nullopt);
-  view.setLoop(std::nullopt);
-  view.setComparison({});
+  PatchMoment moment;
+  moment.pose = PoseId(1);
+  moment.readings = readingsOf({{CellId(1), {0, 0, 1}}}, {});
+  view.setMoment(moment);
+  PatchOverlays overlays;
+  overlays.truth = std::make_shared<const GroundTruth>();
+  view.setOverlays(overlays);
+  view.setOverlays({});
   EXPECT_TRUE(view.isUpToDate());
   view.fit();
   view.showStandardView(PatchView::StandardView::Front);

@@ -1,4 +1,4 @@
-// How the scene looks: pictures that are kept, and that the comparison sees what it should.
+// Pictures of the scene, compared with kept ones, and checks that the comparison sees differences.
 #include "tests/widgets/scene/patch_scene_test.h"
 
 #include "tests/support/large_skin.h"
@@ -18,7 +18,7 @@ void writePng(vtkImageData* image, const std::string& path) {
   writer->Write();
 }
 
-/// Compares with tests/baselines/NAME.png. HEXODERM_UPDATE_BASELINES=1 writes it instead.
+/// Compares with the picture of this name in tests/baselines. HEXODERM_UPDATE_BASELINES=1 writes it instead.
 double differenceToBaseline(vtkImageData* image, const std::string& name) {
   const std::string path = std::string(HEXODERM_BASELINES) + "/" + name + ".png";
   if (std::getenv("HEXODERM_UPDATE_BASELINES") != nullptr) writePng(image, path);
@@ -45,7 +45,7 @@ TEST_F(PatchSceneTest, LooksLikeTheBaselineInTheLightWithAPickedCell) {
 
 TEST_F(PatchSceneTest, LooksLikeTheBaselineColouredByDeviation) {
   scene.setReconstruction(shared(demoReconstruction(mixedQualities())));
-  scene.setColoring(CellColoring::Deviation);
+  scene.setColoring(Coloring::Deviation);
   scene.showStandardView(PatchScene::View::Front);
   EXPECT_LE(differenceToBaseline(picture(), "patch_scene_deviation"), kMaxDifferingShare);
 }
@@ -74,7 +74,7 @@ TEST_F(PatchSceneTest, TheBaselineComparisonSeesOneChangedColour) {
 TEST_F(PatchSceneTest, LooksLikeTheBaselineColouredByPositionUncertainty) {
   scene.setColors(testColors(false));
   scene.setReconstruction(shared(withUncertainties()));
-  scene.setColoring(CellColoring::PositionUncertainty);
+  scene.setColoring(Coloring::PositionUncertainty);
   EXPECT_LE(differenceToBaseline(picture(), "patch_scene_uncertainty"), kMaxDifferingShare);
 }
 
@@ -89,8 +89,9 @@ TEST_F(PatchSceneTest, LooksLikeTheBaselineWithEllipsoids) {
 TEST_F(PatchSceneTest, LooksLikeTheBaselineWithAFittedCylinder) {
   const Reconstruction rough = roughened(0.0008);
   scene.setReconstruction(shared(rough));
-  scene.setSurface(evaluateSurface(rough.patches[0], SurfaceKind::Cylinder));
-  scene.setColoring(CellColoring::SurfaceDistance);
+  overlays.surface = shared(evaluateSurface(rough.patches[0], SurfaceKind::Cylinder));
+  scene.setOverlays(overlays);
+  scene.setColoring(Coloring::SurfaceDistance);
   EXPECT_LE(differenceToBaseline(picture(), "patch_scene_surface"), kMaxDifferingShare);
   EXPECT_TRUE(scene.notes().distance_factor.has_value());
 }
@@ -114,15 +115,15 @@ TEST_F(PatchSceneTest, LargeSkinLooksLikeTheBaseline) {
 /// The negative controls of these.
 TEST_F(PatchSceneTest, TheBaselineComparisonSeesLargerUncertainties) {
   scene.setReconstruction(shared(withUncertainties()));
-  scene.setColoring(CellColoring::PositionUncertainty);
+  scene.setColoring(Coloring::PositionUncertainty);
   const auto coloured = picture();
-  scene.setColoring(CellColoring::LinkQuality);
+  scene.setColoring(Coloring::LinkQuality);
   scene.setShown(SceneItem::Ellipsoids, true);
   const auto ellipsoids = picture();
   scene.setReconstruction(shared(withUncertainties(1.4)));
   EXPECT_GT(differingShare(ellipsoids, picture()), 1.5 * kMaxDifferingShare);
   scene.setShown(SceneItem::Ellipsoids, false);
-  scene.setColoring(CellColoring::PositionUncertainty);
+  scene.setColoring(Coloring::PositionUncertainty);
   scene.setReconstruction(shared(withUncertainties(2.5)));
   EXPECT_GT(differingShare(coloured, picture()), 1.5 * kMaxDifferingShare);
 }
@@ -131,11 +132,13 @@ TEST_F(PatchSceneTest, TheBaselineComparisonSeesAnotherSurface) {
   const Reconstruction rough = roughened(0.0008);
   scene.setReconstruction(shared(rough));
   SurfaceEvaluation surface = evaluateSurface(rough.patches[0], SurfaceKind::Cylinder);
-  scene.setSurface(surface);
+  overlays.surface = shared(surface);
+  scene.setOverlays(overlays);
   const auto before = picture();
   *surface.radius_m += 0.001;
   for (double& distance_m : surface.distance_m) distance_m -= 0.001;
-  scene.setSurface(surface);
+  overlays.surface = shared(surface);
+  scene.setOverlays(overlays);
   EXPECT_GT(differingShare(before, picture()), 1.5 * kMaxDifferingShare);
 }
 
@@ -143,7 +146,7 @@ TEST_F(PatchSceneTest, TheBaselineComparisonSeesChangedCellsOfALargeSkin) {
   Reconstruction sheet = cylinderSheet(60, 40);
   scene.setReconstruction(shared(sheet));
   const auto before = picture();
-  for (LinkEstimate& link : sheet.patches[0].links) {  // of two columns in the middle of the picture
+  for (LinkEstimate& link : sheet.patches[0].links) {  // links of two columns in the middle of the picture
     if (link.source.cell.value() > 28 * 40 && link.source.cell.value() <= 30 * 40) link.quality = EdgeQuality::Over;
   }
   scene.setReconstruction(shared(sheet));

@@ -1,4 +1,4 @@
-// What the scene shows, and that it goes again.
+// Objects of the scene, and their removal.
 #include "tests/widgets/scene/patch_scene_test.h"
 
 #include "hexoderm/reconstruction/figures/overlays.h"
@@ -25,7 +25,8 @@ GroundTruth truthOf(const Reconstruction& reconstruction) {
 TEST_F(PatchSceneTest, WhatIsSwitchedOffIsGone) {
   const Reconstruction demo = withUncertainties();
   scene.setReconstruction(shared(demo));
-  scene.setTruth(std::make_shared<const GroundTruth>(truthOf(roughened(0.003))));
+  overlays.truth = std::make_shared<const GroundTruth>(truthOf(roughened(0.003)));
+  scene.setOverlays(overlays);
   const auto plain = picture();
   for (const SceneItem item : {SceneItem::Links, SceneItem::Tree, SceneItem::Ellipsoids, SceneItem::Truth}) {
     EXPECT_EQ(scene.availability(item), Availability::Available);
@@ -47,16 +48,20 @@ TEST_F(PatchSceneTest, ResultsAreDrawnUntilTheyAreTakenBack) {
   scene.setReconstruction(shared(demo));
   const auto plain = picture();
   EXPECT_EQ(scene.availability(SceneItem::Loop), Availability::NoData);
-  scene.setLoop(evaluateLoop(demo, {CellId(14), PortNumber(1)}, {CellId(17), PortNumber(4)}));
+  overlays.loop = shared(evaluateLoop(demo, {CellId(14), PortNumber(1)}, {CellId(17), PortNumber(4)}));
+  scene.setOverlays(overlays);
   EXPECT_GT(differingShare(plain, picture()), 0.001);
   EXPECT_TRUE(scene.notes().loop_factor.has_value());
-  scene.setLoop(std::nullopt);
+  overlays.loop = nullptr;
+  scene.setOverlays(overlays);
   EXPECT_EQ(differingShare(plain, picture()), 0);
 
-  scene.setComparison(compareToReconstruction(demo, roughened(0.001)));
+  overlays.comparison = shared(compareToReconstruction(demo, roughened(0.001)));
+  scene.setOverlays(overlays);
   EXPECT_GT(differingShare(plain, picture()), 0.001);
   EXPECT_EQ(scene.notes().shift_factor, 10);
-  scene.setComparison({});
+  overlays.comparison = nullptr;
+  scene.setOverlays(overlays);
   EXPECT_EQ(differingShare(plain, picture()), 0);
   EXPECT_EQ(scene.notes().shift_factor, std::nullopt);
 
@@ -71,9 +76,10 @@ TEST_F(PatchSceneTest, ResultsAboutAnotherSkinAreNotDrawn) {
   other.first_id = 101;
   const Reconstruction before = demoReconstruction(other);
   scene.setReconstruction(shared(before));
-  scene.setSurface(evaluateSurface(before.patches[0], SurfaceKind::Sphere));
-  scene.setLoop(evaluateLoop(before, {CellId(114), PortNumber(1)}, {CellId(117), PortNumber(4)}));
-  scene.setComparison(compareToReconstruction(before, before));
+  overlays.surface = shared(evaluateSurface(before.patches[0], SurfaceKind::Sphere));
+  overlays.loop = shared(evaluateLoop(before, {CellId(114), PortNumber(1)}, {CellId(117), PortNumber(4)}));
+  overlays.comparison = shared(compareToReconstruction(before, before));
+  scene.setOverlays(overlays);
   picture();
   DemoOptions options;
   options.arm_cells = 0;
@@ -115,7 +121,7 @@ TEST_F(PatchSceneTest, SelectionIsOutlinedAndTakenBack) {
   EXPECT_GT(differingShare(plain, picture()), 0.001);
   scene.setSelection(std::nullopt, std::pair(LinkEnd{CellId(1), PortNumber(1)}, LinkEnd{CellId(2), PortNumber(4)}));
   EXPECT_GT(differingShare(plain, picture()), 0.0005);
-  scene.setSelection(CellId(999), std::nullopt);  // of another skin
+  scene.setSelection(CellId(999), std::nullopt);  // a cell of another skin
   EXPECT_EQ(differingShare(plain, picture()), 0);
   scene.setSelection(std::nullopt, std::nullopt);
   EXPECT_EQ(differingShare(plain, picture()), 0);
@@ -126,11 +132,14 @@ TEST_F(PatchSceneTest, GravityArrowFollowsThePose) {
   scene.setReconstruction(shared(demo));
   const auto last = picture();
   EXPECT_TRUE(scene.showsGravity());
-  scene.setPose(PoseId(2));
+  moment.pose = PoseId(2);
+  scene.setMoment(moment);
   EXPECT_EQ(differingShare(last, picture()), 0);  // the last pose is what is shown by default
-  scene.setPose(PoseId(1));
+  moment.pose = PoseId(1);
+  scene.setMoment(moment);
   EXPECT_GT(differingShare(last, picture()), 0.0005);
-  scene.setPose(PoseId(77));
+  moment.pose = PoseId(77);
+  scene.setMoment(moment);
   EXPECT_FALSE(scene.showsGravity());
 }
 

@@ -75,8 +75,9 @@ inline Reconstruction roughened(double by_m) {
   return demo;
 }
 
-inline std::shared_ptr<const Reconstruction> shared(Reconstruction reconstruction) {
-  return std::make_shared<const Reconstruction>(std::move(reconstruction));
+template <class Value>
+std::shared_ptr<const Value> shared(Value value) {
+  return std::make_shared<const Value>(std::move(value));
 }
 
 /// A scene in a window of its own that is never shown.
@@ -107,7 +108,7 @@ class PatchSceneTest : public testing::Test {
     return position;
   }
 
-  /// Where the centre of a cell's front face is drawn.
+  /// Pixel at which the centre of a cell's front face is drawn.
   std::array<double, 2> pixelOf(const Reconstruction& reconstruction, CellId id) {
     const Eigen::Vector3d center = reconstruction.find(id).cell->T_o_u.t;
     scene.renderer()->SetWorldPoint(center.x(), center.y(), center.z(), 1);
@@ -118,6 +119,8 @@ class PatchSceneTest : public testing::Test {
 
   vtkNew<vtkRenderWindow> window;
   PatchScene scene;
+  PatchOverlays overlays;
+  PatchMoment moment;
 };
 
 /// Share of the pixels that differ; 1 if the sizes do.

@@ -2,7 +2,7 @@
 
 #include "hexoderm/util/units.h"
 #include "tests/widgets/sample_reconstruction.h"
-#include "widgets/tables/table_actions.h"
+#include "widgets/tables/table_roles.h"
 
 #include <gmock/gmock.h>
 #include <QAbstractItemModelTester>

@@ -108,18 +108,20 @@ TEST_F(VerifyPanelTest, SaysWhyAPoseCannotBeHeldOut) {
   EXPECT_FALSE(run->isEnabled());
   EXPECT_EQ(sentence("holdOut"), "There is no skin yet.");
   EXPECT_EQ(run->toolTip().toStdString(), "There is no skin yet.");
-  panel_->setReconstruction(skin(), false);
+  panel_->setReconstruction(skin());
+  panel_->setHasReadings(false);
   EXPECT_FALSE(run->isEnabled());
   EXPECT_THAT(sentence("holdOut"), testing::HasSubstr("A calibration file holds no readings"));
   auto none = skin();
   none->poses.clear();
-  panel_->setReconstruction(none, true);
+  panel_->setHasReadings(true);
+  panel_->setReconstruction(none);
   EXPECT_FALSE(find<QComboBox>("holdOutPose")->isEnabled());
   EXPECT_EQ(sentence("holdOut"), "Takes 4 poses that are not disabled, and there is none yet.");
-  // Of four poses one is disabled: it can be foretold by the three others, and none of these by two.
+  // Of four poses one is disabled: it can be predicted from the three others, but none of these from two.
   auto four = skin();
   four->poses.pop_back();
-  panel_->setReconstruction(four, true);
+  panel_->setReconstruction(four);
   EXPECT_FALSE(run->isEnabled());
   EXPECT_THAT(sentence("holdOut"), testing::HasSubstr("besides this one there are 2"));
   auto* pose = find<QComboBox>("holdOutPose");
@@ -128,25 +130,25 @@ TEST_F(VerifyPanelTest, SaysWhyAPoseCannotBeHeldOut) {
   QTest::keyClick(pose, Qt::Key_Up);
   EXPECT_EQ(pose->currentData().toUInt(), 3U);
   EXPECT_TRUE(run->isEnabled());
-  panel_->setReconstruction(skin(), true);
+  panel_->setReconstruction(skin());
   EXPECT_TRUE(run->isEnabled());
 }
 
 TEST_F(VerifyPanelTest, AsksForThePoseThatIsChosenAndKeepsTheChoice) {
-  panel_->setReconstruction(skin(), true);
+  panel_->setReconstruction(skin());
   std::vector<PoseId> asked;
   QObject::connect(panel_, &VerifyPanel::holdOutRequested, [&](PoseId pose) { asked.push_back(pose); });
   auto* pose = find<QComboBox>("holdOutPose");
   EXPECT_EQ(pose->itemText(0).toStdString(), "Pose 1 · standing");
   EXPECT_EQ(pose->itemText(2).toStdString(), "Pose 3 · facing wall · disabled");
   pose->setCurrentIndex(1);
-  panel_->setReconstruction(skin(), true);
+  panel_->setReconstruction(skin());
   QTest::mouseClick(find<QPushButton>("holdOutRun"), Qt::LeftButton);
   EXPECT_THAT(asked, testing::ElementsAre(PoseId(2)));
 }
 
 TEST_F(VerifyPanelTest, HoldOutHasAVerdictAndFiguresThatPick) {
-  panel_->setReconstruction(skin(), true);
+  panel_->setReconstruction(skin());
   panel_->showHoldOut(heldOut(HoldOutAgreement::AsStated, 0.4));
   EXPECT_EQ(sentence("holdOut"),
             "As good as stated. The other 5 poses foretell pose 3 to 0.40° (rms over 17 cells); 0.50° were expected.");
@@ -176,13 +178,13 @@ TEST_F(VerifyPanelTest, HoldOutHasAVerdictAndFiguresThatPick) {
   table->selectRow(0);
   EXPECT_TRUE(selection_.link().has_value());
 
-  panel_->setReconstruction(skin(), true);
+  panel_->setReconstruction(skin());
   EXPECT_EQ(sentence("holdOut"), "The session has changed since: run it again.");
   EXPECT_FALSE(table->isVisible());
 }
 
 TEST_F(VerifyPanelTest, LongWorkShowsItselfAndCanBeCancelled) {
-  panel_->setReconstruction(skin(), true);
+  panel_->setReconstruction(skin());
   std::vector<VerifyCheck> cancelled;
   QObject::connect(panel_, &VerifyPanel::cancelRequested, [&](VerifyCheck check) { cancelled.push_back(check); });
   panel_->setRunning(VerifyCheck::HoldOut, true);
@@ -198,7 +200,7 @@ TEST_F(VerifyPanelTest, LongWorkShowsItselfAndCanBeCancelled) {
 }
 
 TEST_F(VerifyPanelTest, SaysThatThereIsNoLoopOrHowTheyClose) {
-  panel_->setReconstruction(skin(), true);
+  panel_->setReconstruction(skin());
   panel_->showLoops({});
   EXPECT_EQ(sentence("loops"), "No loop in this patch: nothing closes that could be checked.");
   EXPECT_FALSE(find<QTableView>("loopsTable")->isVisible());
@@ -221,7 +223,7 @@ TEST_F(VerifyPanelTest, SaysThatThereIsNoLoopOrHowTheyClose) {
 }
 
 TEST_F(VerifyPanelTest, AsksForTheSurfaceThatIsChosenWithItsRadius) {
-  panel_->setReconstruction(skin(), true);
+  panel_->setReconstruction(skin());
   std::vector<std::pair<std::optional<SurfaceKind>, std::optional<double>>> asked;
   QObject::connect(
       panel_, &VerifyPanel::surfaceRequested,
@@ -248,7 +250,7 @@ TEST_F(VerifyPanelTest, AsksForTheSurfaceThatIsChosenWithItsRadius) {
 }
 
 TEST_F(VerifyPanelTest, SurfacesAreJudgedByWhatIsStated) {
-  panel_->setReconstruction(skin(), true);
+  panel_->setReconstruction(skin());
   std::optional<SurfaceEvaluation> shown;
   QObject::connect(panel_, &VerifyPanel::surfaceShown, [&](const std::optional<SurfaceEvaluation>& s) { shown = s; });
   SurfaceEvaluation surface = cylinder();
@@ -266,7 +268,7 @@ TEST_F(VerifyPanelTest, SurfacesAreJudgedByWhatIsStated) {
 }
 
 TEST_F(VerifyPanelTest, ComparisonSaysWhetherItRepeatsAsStated) {
-  panel_->setReconstruction(skin(), true);
+  panel_->setReconstruction(skin());
   Comparison comparison;
   for (std::uint32_t id = 2; id <= 17; ++id) {
     CellDifference cell;
@@ -293,7 +295,7 @@ TEST_F(VerifyPanelTest, ComparisonSaysWhetherItRepeatsAsStated) {
 }
 
 TEST_F(VerifyPanelTest, AChosenFileCanBeRemovedAlthoughItCannotBeRead) {
-  panel_->setReconstruction(skin(), true);
+  panel_->setReconstruction(skin());
   auto* remove = find<QPushButton>("comparisonRemove");
   EXPECT_FALSE(remove->isVisible());
   panel_->compareWith("/no/such.hexo");
@@ -308,7 +310,7 @@ TEST_F(VerifyPanelTest, AChosenFileCanBeRemovedAlthoughItCannotBeRead) {
 }
 
 TEST_F(VerifyPanelTest, WhatFailsTakesItsEarlierResultOutOfTheOtherViews) {
-  panel_->setReconstruction(skin(), true);
+  panel_->setReconstruction(skin());
   std::optional<SurfaceEvaluation> surface;
   std::optional<LoopEvaluation> shown_loop;
   std::vector<Comparison> comparisons;
@@ -328,7 +330,7 @@ TEST_F(VerifyPanelTest, WhatFailsTakesItsEarlierResultOutOfTheOtherViews) {
 }
 
 TEST_F(VerifyPanelTest, FitsTheColumnOfStepsInBothThemes) {
-  panel_->setReconstruction(skin(), true);
+  panel_->setReconstruction(skin());
   panel_->showHoldOut(heldOut(HoldOutAgreement::Worse, 0.9));
   panel_->showLoops({loop(false, 0.0034), loop(true, 0.0012)});
   find<QComboBox>("surfaceKind")->setCurrentText("Cylinder");

@@ -107,7 +107,7 @@ void AutonomousCell::receive(std::size_t port, LocalMessage message, Outlet& out
       from.offer = message.hops;
       return consider(port, out);
     case Kind::Join:
-      // Whoever comes too late stays without an ID until the next exploration.
+      // A cell that answers too late stays without an ID until the next exploration.
       if (!called_) from.is_branch = true;
       return;
     case Kind::Leave:

@@ -10,7 +10,7 @@
 
 namespace hexoderm {
 
-/// What goes from port to port. Each kind uses some of the fields.
+/// A message from port to port. Each kind uses some of the fields.
 struct LocalMessage {
   enum class Kind {
     Hello,
@@ -62,7 +62,7 @@ class AutonomousCell {
   void receive(std::size_t port, LocalMessage message, Outlet& out);
   void wake(Alarm alarm, std::size_t tag, Outlet& out);
 
-  /// Of the interface: every branch has reported.
+  /// Whether every branch has reported; only the interface knows.
   [[nodiscard]] bool isFinished() const { return finished_; }
   [[nodiscard]] NeighborList takeReports() { return std::move(reports_); }
   [[nodiscard]] std::size_t hops() const { return hops_; }

@@ -12,7 +12,7 @@ namespace hexoderm {
 namespace {
 
 constexpr std::size_t kMostAnswered = 1000;
-// Of a message of samples in LSB, at most: its head, an ID, and three values of two bytes.
+// Largest size of a message of samples in LSB: its head, an ID, and three values of two bytes.
 constexpr std::size_t kHeadBytes = 80;
 constexpr std::size_t kCellIdBytes = 3;
 constexpr std::size_t kSampleBytes = 6;
@@ -80,7 +80,7 @@ void EmulatedDevice::exploreAgain(Messages& out) {
 }
 
 void EmulatedDevice::restart(SimulatedSkinOptions options, Messages& out) {
-  // Made first: it may throw. What is broken about the cells goes over.
+  // The new skin is made first, because that may throw. Faults of cells are carried over.
   options.faults.clear();
   SimulatedSkin skin(skin_->model(), std::move(options));
   firstFreePort(skin.neighbors(), skin.model());

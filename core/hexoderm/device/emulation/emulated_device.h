@@ -13,7 +13,7 @@
 namespace hexoderm {
 
 struct EmulatedDeviceOptions {
-  double rate_hz = 0;          ///< of the samples; 0: the cell model's
+  double rate_hz = 0;          ///< rate of the samples; 0: the cell model's
   std::uint32_t means_of = 0;  ///< samples that a cell averages by itself; 0: every sample is sent
   std::size_t max_body = skinwire::kMaxBody;
   double message_every_s = 0.01;  ///< ticks that are sent together, where they fit
@@ -40,16 +40,16 @@ class EmulatedDevice {
 
   /// A host has come: tells it everything. Until then ticks only pass the time.
   void greet(Messages& out);
-  /// It is gone. What it asked for and is not yet done is forgotten.
+  /// Forgets a host that has gone, and its requests that are not done yet.
   void forgetHost();
   /// A command that comes again (UDP) is answered again, not done again.
   void take(const skinwire::Command& command, Messages& out);
   /// The next tick of the sensors' clock; appends what is to be sent.
   void tick(Messages& out);
-  /// The same for ticks for which there is no time: their samples are counted as dropped. Means are then of fewer
-  /// samples, and dropped where there is none left.
+  /// Advances like tick(), but for ticks for which there is no time: their samples are counted as dropped. Means are
+  /// then of fewer samples, and dropped where there is none left.
   void skip(std::size_t ticks, Messages& out);
-  /// As many ticks as are best skipped at once, if every second one has to be.
+  /// The number of ticks to skip at once if every second one has to be skipped.
   [[nodiscard]] std::size_t ticksPerMessage() const;
   /// A message of samples could not be sent.
   void countDropped(const skinwire::Samples& samples);
@@ -70,11 +70,11 @@ class EmulatedDevice {
   // Faults and motions while it runs. All throw InvalidArgument for what is not there.
   void turnTo(const Eigen::Vector3d& up_b, Messages& out);
   void breakCell(const CellFault& fault);
-  /// Of the sensor, and of the network from the next exploration on.
+  /// Mends the cell's sensor at once, and its part in the network from the next exploration on.
   void mendCell(CellId cell);
-  /// The mould is another one: the device starts anew, with its clock and its numbering, and explores.
+  /// The mould is another one: the device starts over, with its clock and its numbering, and explores.
   void breakLink(const LinkFault& fault, Messages& out);
-  /// All faults of this link; false if there was none. As breakLink otherwise.
+  /// Mends all faults of this link; false if there was none. Otherwise like breakLink.
   bool mendLink(const LinkEnd& at, Messages& out);
   /// From the next exploration on.
   void breakPort(const PortFault& fault);

@@ -26,7 +26,7 @@ struct Socket {
   friend bool operator==(const Socket&, const Socket&) = default;
 };
 
-/// What the cells can't see: who is joined to whom, how long everything takes, and what is broken.
+/// The world outside the cells: who is joined to whom, how long everything takes, and what is broken.
 class Network {
  public:
   Network(const NeighborList& wiring, const CellModel& model, const LinkEnd& interface_at,
@@ -105,7 +105,7 @@ class Network {
   struct Plug {
     std::optional<Socket> other;
     bool is_deaf = false, is_mute = false;
-    double free_at_s = 0;  ///< what was sent before is out
+    double free_at_s = 0;  ///< earlier messages have been sent by then
   };
   /// Without message and alarm: power comes.
   struct Event {
@@ -190,7 +190,7 @@ class Network {
     if (plug.is_mute || !plug.other || dead_[plug.other->node]) return;
     if (plugs_[plug.other->node][plug.other->port].is_deaf) return;
     Event event;
-    // Who passes it on begins with the first packet; the interface needs all of it.
+    // A cell passes it on from the first packet; the interface needs all of it.
     const bool is_last = plug.other->node + 1 == cells_.size();
     event.time_s = begin_s + duration_s(is_last ? bytes : std::min(bytes, kPacketBytes)) + options_.processing_s;
     event.node = plug.other->node;

@@ -9,8 +9,8 @@
 
 namespace hexoderm {
 
-/// What of a port does not work. A link needs both directions: a route never runs over such a port. What is still heard
-/// in the one direction that works is reported by the side that hears it, as a real skin would.
+/// The broken part of a port. A link needs both directions: a route never runs over such a port. A message that still
+/// gets through in the working direction is reported by the side that hears it, as a real skin would.
 enum class PortFaultKind {
   Deaf,  ///< hears nothing
   Mute,  ///< sends nothing
@@ -33,7 +33,7 @@ struct ExplorationOptions {
   double discovery_wait_s = 0.010;  ///< the interface waits for the cells to find their ports
   double settle_s = 0.005;          ///< without a better route: it is the best
   double neighbor_wait_s = 0.005;   ///< a cell listens for its neighbours' IDs
-  double bits_per_s = 12e6;         ///< of a port, 10 bits a byte
+  double bits_per_s = 12e6;         ///< rate of a port, 10 bits a byte
   double processing_s = 20e-6;      ///< from the end of a message to what is said next
   std::uint64_t seed = 1;
   bool ids_remembered = true;      ///< cells know the ID that they had before
@@ -44,10 +44,10 @@ struct ExplorationOptions {
   void validate() const;
 };
 
-/// What the interface knows in the end.
+/// The interface's knowledge at the end.
 struct Exploration {
-  /// As the cells reported it, in the order of their IDs; of each cell the connected ports in the order of their
-  /// numbers. The interface is in it as a neighbour (its port is 1), not as a cell.
+  /// The cells' reports, in the order of their IDs; each lists its connected ports in the order of their numbers. The
+  /// interface appears as a neighbour (its port is 1), not as a cell.
   NeighborList cells;
   double duration_s = 0;
   double waiting_s = 0;           ///< static waits, which every exploration contains

@@ -8,7 +8,7 @@
 
 namespace hexoderm {
 
-/// What the simulator's faults are called where people type them, in the order in which they are listed.
+/// Names of the simulator's faults, for the command line, in the order in which they are listed.
 std::span<const std::pair<std::string_view, SkinFault>> skinFaultNames();
 std::span<const std::pair<std::string_view, LinkFaultKind>> linkFaultNames();
 

@@ -12,7 +12,7 @@ constexpr int kWavesPerAxis = 6;
 constexpr double kLowestTremor_hz = 4;
 constexpr double kHighestTremor_hz = 12;
 constexpr double kFastestTurn = 120 * kDegree;  // per second
-constexpr double kPeakOverMean = 1.875;         // of the rate of the smoothest way
+constexpr double kPeakOverMean = 1.875;         // ratio of the rates on the smoothest way
 constexpr double kDriftsOneWay_s = 3;           // before the person notices and comes back, as far beyond the middle
 
 /// Seconds of drift that are left after so long a time, and whether it goes forth (1) or back (-1).

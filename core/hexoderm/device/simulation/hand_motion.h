@@ -11,22 +11,22 @@
 
 namespace hexoderm {
 
-/// What an accelerometer fixed to the body at p_b reads at one moment, in the body's axes: up_b + field_b (p_b -
-/// hand_b), g.
+/// The specific force on a moving body at one moment, in the body's axes: an accelerometer fixed at p_b reads up_b +
+/// field_b (p_b - hand_b), g.
 struct BodyMotion {
   Eigen::Vector3d up_b;     ///< specific force at the hand: gravity's and the tremor's
   Eigen::Matrix3d field_b;  ///< angular and centripetal acceleration per lever arm, g/m
 };
 
 /// Orientation and motion of a part while one pose is held. On a table: `up_b` is up, and nothing moves. In a hand: up
-/// to a miss of a few degrees, with tremor of turn and position (every axis a sum of sinusoids of 4 to 12 Hz, whose rms
-/// over a long time is the option's value) and a slow drift about a random axis, which goes to and fro:
-/// whoever holds a part for long notices, and a pose that is held is never another one.
+/// to within a few degrees, with tremor of turn and position (every axis a sum of sinusoids of 4 to 12 Hz, whose rms
+/// over a long time is the option's value) and a slow drift about a random axis, which goes to and fro: people notice a
+/// drift after a while, and a held pose never becomes another one.
 class HandMotion {
  public:
   /// On a table.
   explicit HandMotion(const Eigen::Vector3d& up_b);
-  /// In a hand.
+  /// Holds the part in a hand.
   HandMotion(const Eigen::Vector3d& up_b, const SimulatedSkinOptions& options, std::mt19937_64& random);
 
   /// Begins elsewhere: from `R_w_b` the part is turned the shortest way to where it is to be held, smoothly and no
@@ -56,7 +56,7 @@ class HandMotion {
   using Axes = std::array<std::vector<Wave>, 3>;
   static Axes drawWaves(double rms, std::mt19937_64& random);
 
-  Eigen::Matrix3d R_w_b_;  ///< as held, before tremor and drift
+  Eigen::Matrix3d R_w_b_;  ///< the held orientation, before tremor and drift
   bool moves_ = false;
   Axes turn_;   ///< rad
   Axes shake_;  ///< g

@@ -22,7 +22,7 @@ double linkLength(const PlannedLink& link, LinkLaw law, const Surface& surface, 
   const auto curvatureAt = [&](const GeodesicPoint& point) {
     return point.direction.dot(surface.weingarten(point.position) * point.direction);
   };
-  // Where the curvature changes on the way (cone, torus) the mean of both ends counts.
+  // If the curvature changes on the way (cone, torus), the mean of both ends counts.
   for (int k = 0; k < 4; ++k) {
     const GeodesicPoint end = surface.walk(from, direction, length);
     const double curvature = (curvatureAt({from, direction}) + curvatureAt(end)) / 2;

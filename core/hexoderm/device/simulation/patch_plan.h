@@ -31,17 +31,17 @@ struct PatchPlan {
   bool has_loops = false;
   bool is_ring = false;
   std::optional<std::pair<LinkEnd, LinkEnd>> loop;  ///< free ports that would close a ring
-  std::optional<PlannedLink> closure;               ///< of a closed ring; not in `links`, as it places no cell
+  std::optional<PlannedLink> closure;  ///< the link that closes a ring; not in `links`, as it places no cell
 
   /// `links` and `closure`.
   [[nodiscard]] std::vector<PlannedLink> allLinks() const;
 };
 
 enum class PatchKind { X17, Ring, ClosedRing, Sheet };
-/// What the name of a patch says.
+/// The meaning of a patch's name.
 struct PatchShape {
   PatchKind kind = PatchKind::X17;
-  std::size_t rows = 0;  ///< of a sheet; of a ring all its cells
+  std::size_t rows = 0;  ///< rows of a sheet; all cells of a ring
   std::size_t cols = 0;
 };
 /// x17 | ringN | ringN:closed | sheet:ROWSxCOLS. Throws InvalidArgument for any other text, a ring of less than 3 cells

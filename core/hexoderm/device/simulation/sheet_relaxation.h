@@ -12,10 +12,10 @@
 
 namespace hexoderm {
 
-/// How badly a link's law is broken by two cells on the surface, metres, with derivatives by each cell's shift along
-/// its own x and y axis (metres) and its turn about z (times `lever_m`, so metres too). Bend: the vector between the
-/// ends of both extended port vectors, eq. (2), and the yaw times the rms half width of the side. Surface: at either
-/// end, the bearing of the other cell less the extended pitch along the port.
+/// Violation of a link's law by two cells on the surface, metres, with derivatives by each cell's shift along its own x
+/// and y axis (metres) and its turn about z (times `lever_m`, so metres too). Bend: the vector between the ends of both
+/// extended port vectors, eq. (2), and the yaw times the rms half width of the side. Surface: at either end, the
+/// bearing of the other cell less the extended pitch along the port.
 struct LinkMisfit {
   Eigen::Vector4d value;
   Eigen::Matrix<double, 4, 3> by_source;
@@ -35,8 +35,8 @@ class SheetRelaxation {
   void fitCell(std::size_t cell, std::span<const PlannedLink> links, std::vector<SE3>& cells) const;
 
   /// Fits all cells to all links: damped Gauss-Newton, each step by conjugate gradients, whose shortest solution keeps
-  /// the patch from wandering on a sphere. Where the curvature changes (torus, cone) it may slide to where it fits
-  /// better.
+  /// the patch from wandering on a sphere. On a surface of changing curvature (torus, cone) the patch may slide to a
+  /// place that fits better.
   void relax(std::vector<SE3>& cells) const;
 
  private:

@@ -56,7 +56,7 @@ LinksAt linksByCell(const std::vector<PlannedLink>& links, std::size_t without, 
   return at;
 }
 
-/// Where the cells that `links` lead to from `start` would lie if the patch were flat, in the first one's frame.
+/// Placements, in the first cell's frame, of the cells that `links` lead to from `start`, if the patch were flat.
 std::vector<std::optional<SE3>> layFlat(std::size_t start, const LinksAt& links) {
   std::vector<std::optional<SE3>> cells(links.size());
   cells[start] = SE3();
@@ -243,7 +243,7 @@ void LinkFaults::pullCables(std::vector<TrueCell>& cells) const {
   if (cables_.empty()) return;
   std::vector<SE3> motions;
   for (const Cut& cable : cables_) {
-    // The same cable from whichever end it was named.
+    // The cable is the same, whichever end names it.
     std::mt19937_64 random = randomStream(seed_, Stream::LinkFaults,
                                           {idOf(cable.link.source).value(), cable.link.source_port.number.value()});
     std::uniform_real_distribution<double> any_angle(kLeastCableTurn, kMostCableTurn);

@@ -11,17 +11,17 @@
 
 namespace hexoderm {
 
-/// What is broken about one cell's sensor.
+/// The defects of one cell's sensor.
 struct CellHealth {
   bool dead = false, stuck = false, saturated = false, noisy = false, wrong_gain = false, silent = false;
   int stuck_axis = -1;
   int dead_axis = -1;
-  std::optional<Eigen::Vector3d> first_reading_g;  ///< of a stuck cell
+  std::optional<Eigen::Vector3d> first_reading_g;  ///< set for a stuck cell
 
-  /// What the broken sensor makes of a reading before its noise is added.
+  /// Applies the defects to a reading before its noise is added.
   [[nodiscard]] Eigen::Vector3d sensed(const Eigen::Vector3d& reading_g) const;
   [[nodiscard]] double noiseFactor() const;
-  /// What it sends for a reading with noise, quantised.
+  /// Applies the defects to a reading with noise, quantised.
   Eigen::Vector3d sent(Eigen::Vector3d reading_g);
 };
 
@@ -57,7 +57,7 @@ class LinkFaults {
   [[nodiscard]] Cut cutAt(const PatchPlan& plan, std::size_t link) const;
   static std::vector<SE3> composed(const std::vector<Cut>& cuts, const std::vector<SE3>& motions, std::size_t cells);
 
-  std::vector<PlannedLink> links_;  ///< as they are
+  std::vector<PlannedLink> links_;  ///< the links of the real mould
   std::vector<PlannedLink> reported_;
   std::vector<Cut> joints_;
   std::vector<Cut> cables_;

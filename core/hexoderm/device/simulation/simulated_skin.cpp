@@ -20,11 +20,11 @@ namespace {
 constexpr double kPauseBetweenRecordings_s = 10;
 constexpr double kHandOffset_m = 0.02;
 
-/// What turns the body's motion into a cell's reading.
+/// Turns the body's motion into a cell's reading.
 struct SensorChain {
   Eigen::Matrix3d gain_R_a_b;
   Eigen::Vector3d offset_g;
-  Eigen::Vector3d position_b;  ///< of the accelerometer
+  Eigen::Vector3d position_b;  ///< position of the accelerometer
 };
 
 std::string_view lawName(LinkLaw law) { return law == LinkLaw::Bend ? "bend" : "surface"; }
@@ -79,7 +79,7 @@ struct SimulatedSkin::State {
   std::size_t recordings = 0;
   double clock_s = 0;
 
-  /// How the part is held: the motion since it began, and what the sensors' noise is drawn from.
+  /// A hold of the part: its motion since it began, and the source of the sensors' noise.
   struct Hold {
     HandMotion motion;
     Eigen::Vector3d hand_b;
@@ -231,7 +231,7 @@ void SimulatedSkin::State::holdLive(const Eigen::Vector3d& up_b) {
   live_noise = FastNormalSource(live->noise);
 }
 
-/// What all cells read at the hold's next tick.
+/// Readings of all cells at the hold's next tick.
 template <class Noise>
 void SimulatedSkin::State::sense(Hold& holding, Noise& noise, SampleFrame& frame) {
   const Accelerometer& accelerometer = model.accelerometer;

@@ -15,8 +15,8 @@
 
 namespace hexoderm {
 
-/// How the simulated mould lets neighbours lie on the surface. It is a law of the simulator, independent of any
-/// estimator's gap model.
+/// The law by which the simulated mould places neighbours on the surface. It is a law of the simulator, independent of
+/// any estimator's gap model.
 enum class LinkLaw {
   Bend,     ///< rigid cells; only the gap bends, as an arc of constant length: next centre (2/k) atan(k e) along
   Surface,  ///< neighbouring centres one pitch (2 e) apart along the surface
@@ -54,10 +54,10 @@ enum class LinkFaultKind {
   Cable,
 };
 
-/// The link at this end is broken in a known way. The far side of a joint or cable is the side without the patch's
-/// middle (the cell that was laid first). Where other links hold both sides together too, as in a sheet, it is all that
-/// lies behind the line through the link's middle and perpendicular to it when the sheet is laid flat, so that this
-/// line cuts them as well. A closed ring has neither.
+/// A link that is broken in a known way, named by one of its ends. The far side of a joint or cable is the side without
+/// the patch's middle (the cell that was laid first). If other links hold both sides together too, as in a sheet, the
+/// far side is everything behind the line through the link's middle and perpendicular to it when the sheet is laid
+/// flat, so that this line cuts those links as well. A closed ring has no far side.
 struct LinkFault {
   LinkFaultKind kind{};
   LinkEnd at;
@@ -119,9 +119,9 @@ class SimulatedSkin {
   SimulatedSkin(SimulatedSkin&&) noexcept;
   SimulatedSkin& operator=(SimulatedSkin&&) noexcept;
 
-  /// As given, but for interface_id, which is raised where the skin has more cells than IDs below it.
+  /// The given model, but with interface_id raised if the skin has more cells than IDs below it.
   [[nodiscard]] const CellModel& model() const;
-  /// As given, with the default surface filled in.
+  /// The given options, with the default surface filled in.
   [[nodiscard]] const SimulatedSkinOptions& options() const;
   [[nodiscard]] const NeighborList& neighbors() const;
   [[nodiscard]] const std::vector<TrueCell>& truth() const;

@@ -33,7 +33,7 @@ struct SimulatedSource::Impl {
   std::condition_variable_any changed;
   std::vector<Queued> queue;
   std::uint32_t last_number = 0;
-  std::uint32_t turn_number = 0;  ///< of the turn that is under way; 0: none
+  std::uint32_t turn_number = 0;  ///< number of the turn that is under way; 0: none
 
   std::jthread thread;  // last: it uses all of the above
 

@@ -17,8 +17,8 @@ class SimulatedSource final : public SkinSource {
   /// "sim:PATCH[?surface=...&seed=N&speed=X|max]", patch and surface as in SimulatedSkinOptions, of hex-bma150 cells.
   /// Throws InvalidArgument naming what was expected.
   static std::unique_ptr<SkinSource> open(const std::string& address);
-  /// Throws as open() for what the address itself says; builds nothing, however many cells there are. That a patch does
-  /// not fit its surface only building shows.
+  /// Throws like open() for faults of the address itself; builds nothing, however many cells there are. Only building
+  /// can tell that a patch does not fit its surface.
   static void check(const std::string& address);
   ~SimulatedSource() override;
   SimulatedSource(const SimulatedSource&) = delete;

@@ -248,7 +248,7 @@ void checkBeforeEncoding(const Message& message) {
   }
 }
 
-/// What a line that could not be read says of its major version; nullopt if it says nothing.
+/// The major version that an unreadable line claims; nullopt if it has none.
 std::optional<std::uint32_t> majorOfLine(std::string_view line) {
   const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
   if (!json.is_object()) return std::nullopt;

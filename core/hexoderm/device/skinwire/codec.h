@@ -22,9 +22,9 @@ enum class DecodeOutcome {
 
 struct Decoded {
   DecodeOutcome outcome = DecodeOutcome::Broken;
-  Message message{};        ///< where outcome is Understood
+  Message message{};        ///< valid if outcome is Understood
   std::uint32_t major = 0;  ///< 0: not known, because length or CRC are wrong
-  std::string reason{};     ///< where outcome is not Understood: what is wrong, for people
+  std::string reason{};     ///< the fault, for people, unless outcome is Understood
 };
 
 /// major, type, protobuf payload, CRC-32C: what every framing of bytes carries. Throws InvalidArgument if the message

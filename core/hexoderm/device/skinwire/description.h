@@ -9,7 +9,7 @@
 
 namespace hexoderm::skinwire {
 
-/// What a device says of itself, as messages. The cell model goes by name where it is a built-in one, else as JSON.
+/// The device's description of itself, as a message. A built-in cell model goes by name, others as JSON.
 Hello helloOf(const SkinDescription& skin, double rate_hz = 0, std::uint32_t stream = 0);
 
 /// A topology in as many parts as it takes for each body to be at most `max_body` bytes (kMaxDatagram for UDP). Throws

@@ -10,7 +10,7 @@ constexpr std::size_t kLengthBytes = 4;
 constexpr std::size_t kCobsBlock = 254;  // bytes without a zero that one code byte can announce
 constexpr std::size_t kMaxCobs = kMaxBody + kMaxBody / kCobsBlock + 1;
 
-/// Of lines.
+/// Whether a line is blank.
 bool isBlank(ByteView piece) {
   return std::ranges::all_of(piece, [](std::uint8_t c) { return c == ' ' || c == '\t' || c == '\r'; });
 }

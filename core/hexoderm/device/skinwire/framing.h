@@ -8,7 +8,7 @@
 
 namespace hexoderm::skinwire {
 
-/// How frames lie in a stream of bytes.
+/// The form of frames in a stream of bytes.
 enum class Framing {
   Length,  ///< TCP: little-endian length of 32 bits, then the body
   Cobs,    ///< serial: the body with its zeros coded away (Cheshire and Baker 1999), then 0x00
@@ -29,7 +29,7 @@ std::optional<Bytes> decodeCobs(ByteView bytes);
 ///
 /// It never holds more than one feed and kMaxBody bytes, whatever lengths are claimed. After garbage, Cobs goes on at
 /// the next 0x00 and Lines at the next line; Length can't be found again, so the decoder is then unusable (`stuck`),
-/// and the connection has to be made anew. A body with a wrong CRC means the same there, as it may be the length that
+/// and the connection has to be made again. A body with a wrong CRC means the same there, as it may be the length that
 /// broke.
 class FrameDecoder {
  public:
@@ -59,9 +59,9 @@ class FrameDecoder {
 
   std::optional<Framing> framing_;
   Bytes buffer_;
-  std::size_t begin_ = 0;     ///< of what was not yet returned
+  std::size_t begin_ = 0;     ///< start of the bytes that were not yet returned
   std::size_t searched_ = 0;  ///< bytes of rest() without a delimiter
-  bool skipping_ = false;     ///< what is too long, up to its delimiter
+  bool skipping_ = false;     ///< dropping an oversized frame, up to its delimiter
   std::string stuck_;
 };
 

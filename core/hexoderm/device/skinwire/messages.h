@@ -17,7 +17,7 @@ namespace hexoderm::skinwire {
 inline constexpr std::uint8_t kMajor = 1;
 inline constexpr std::uint32_t kMinor = 0;
 
-/// Longest body of a frame (and longest line), bytes. Whatever claims to be longer is broken.
+/// Longest body of a frame (and longest line), bytes. A frame that claims to be longer is broken.
 inline constexpr std::size_t kMaxBody = 1U << 20U;
 /// Longest UDP datagram, bytes: one body, not fragmented on common networks.
 inline constexpr std::size_t kMaxDatagram = 1200;
@@ -111,11 +111,12 @@ struct Ack {
   friend bool operator==(const Ack&, const Ack&) = default;
 };
 
-/// In the order of the type numbers on the wire, which begin with 1.
+/// The alternatives are in the order of the type numbers on the wire, which begin with 1.
 using Message = std::variant<Hello, Topology, Samples, Status, Command, Ack>;
 
-/// What is wrong with a message beyond its syntax: numbers that are not finite, lengths that don't fit together, times,
-/// counts, IDs and texts out of range. Empty: nothing. What can only be judged with the topology is not looked at.
+/// The fault of a message beyond its syntax: numbers that are not finite, lengths that don't fit together, times,
+/// counts, IDs and texts out of range. Empty if there is none. Faults that show only against the topology are not
+/// looked for.
 std::string complaint(const Message& message);
 
 }  // namespace hexoderm::skinwire

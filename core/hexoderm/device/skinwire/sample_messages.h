@@ -19,8 +19,8 @@ class SampleEncoder {
   /// Throws InvalidArgument if the time is negative or too large.
   void encode(const SampleFrame& frame, std::vector<Samples>& out);
 
-  /// The same for several consecutive frames: in a single message where they have samples of the same cells and nothing
-  /// else, lie equally far apart and fit; else one by one.
+  /// Encodes several consecutive frames: in a single message if they have samples of the same cells and nothing else,
+  /// are equally spaced and fit; else one by one.
   void encodeBatch(std::span<const SampleFrame> frames, std::vector<Samples>& out);
 
   /// Samples encoded so far: the next message's number.

@@ -15,7 +15,7 @@ struct SourceKind {
   std::string_view prefix;   ///< "tcp://"; an address that begins with it is of this kind
   std::string_view example;  ///< for people: "tcp://HOST:PORT"
   std::function<std::unique_ptr<SkinSource>(const std::string& address)> open;
-  std::function<void(const std::string& address)> check;  ///< as checkSkinAddress()
+  std::function<void(const std::string& address)> check;  ///< see checkSkinAddress()
 };
 
 /// All kinds there are, in the order in which they are listed to people. A new kind of source is a new entry.

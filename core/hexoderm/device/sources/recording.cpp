@@ -119,7 +119,7 @@ void StreamRecorder::onSkin(const SkinDescription& skin) {
     impl_->skin = skin;
     ++impl_->topology;
     if (new_model) {
-      // Its LSB may be another; the numbers begin anew, and so does the stream.
+      // Its LSB may be another; the numbers start over, and so does the stream.
       impl_->encoder = skinwire::SampleEncoder(skin.model->accelerometer.lsb_g);
       ++impl_->stream;
     }

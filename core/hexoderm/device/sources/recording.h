@@ -12,14 +12,14 @@
 
 namespace hexoderm {
 
-/// Writes what a source delivers into a file, as SkinWire's own frames, and passes everything on to another listener:
-/// put it between a source and whoever listens. Frames are passed on first. When the disk fails, recording ends with
-/// error(), and listening goes on. What the device says of itself is among the frames, and what was lost on the way is
-/// a gap in their numbering, so that a replay counts the same losses.
+/// Writes the stream of a source into a file, as SkinWire's own frames, and passes everything on to another listener:
+/// put it between a source and its listener. Frames are passed on first. If the disk fails, recording ends with
+/// error(), and listening goes on. The device's description of itself is among the frames, and losses on the way are
+/// gaps in their numbering, so that a replay counts the same losses.
 ///
 /// The file: "SKINREC1", then records of arrival time since the beginning (microseconds, 64 bits), length of the body
-/// (32 bits), both little-endian, and the body (major, type, protobuf, CRC-32C). What was written is flushed to the
-/// file once a second; a recording that was cut off is good up to its last whole record.
+/// (32 bits), both little-endian, and the body (major, type, protobuf, CRC-32C). Records are flushed to the file once a
+/// second; a recording that was cut off is good up to its last whole record.
 class StreamRecorder final : public SkinListener {
  public:
   /// Replaces a file that is there. Throws StorageError if it can't be written. `next` must outlive the recorder.
@@ -57,7 +57,7 @@ class RecordingReader {
   ~RecordingReader();
   /// nullopt at the end, also at the first record that is not whole or claims an impossible length.
   std::optional<RecordedBody> next();
-  /// Where and how the file ends before its time, for people; empty if it does not.
+  /// The place and kind of damage if the file ends before its time, for people; empty otherwise.
   [[nodiscard]] const Message& damage() const;
 
  private:
@@ -65,7 +65,7 @@ class RecordingReader {
   std::unique_ptr<Impl> impl_;
 };
 
-/// How fast a recording is played.
+/// The speed at which a recording is played.
 struct ReplayOptions {
   double speed = 1;       ///< times real time, above 0; infinity: as fast as the listener takes it
   bool stepwise = false;  ///< only by step()

@@ -214,7 +214,7 @@ SkinStream::Effect SkinStream::takeSamples(const skinwire::Samples& samples) {
   if (samples.sequence) {
     const std::uint64_t first = *samples.sequence;
     if (!next_sequence_ || first >= *next_sequence_) {
-      // What was sent before the first message of a connection is not lost: nobody listened.
+      // Messages sent before the first one of a connection are not lost: nobody listened.
       if (next_sequence_) status_.lost_samples += first - *next_sequence_;
       next_sequence_ = first + count;
     } else if (!late) {

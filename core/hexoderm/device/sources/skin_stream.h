@@ -35,17 +35,17 @@ class SkinStream {
   /// Hello and a whole topology are there, and the cell model makes sense.
   [[nodiscard]] bool isDescribed() const { return has_topology_ && model_ != nullptr; }
   [[nodiscard]] const skinwire::Hello& hello() const { return hello_; }
-  /// Of the last whole topology.
+  /// ID of the last whole topology.
   [[nodiscard]] std::optional<std::uint32_t> topologyId() const {
     return has_topology_ ? std::optional(topology_id_) : std::nullopt;
   }
-  /// What is still missing before isDescribed(), or what the device said last; for status lines.
+  /// The message that is still missing before isDescribed(), or the device's last report; for status lines.
   [[nodiscard]] Message whatIsMissing() const;
   [[nodiscard]] const Message& deviceText() const { return device_text_; }
   /// Why the last message that was rejected was.
   [[nodiscard]] const Message& lastRejection() const { return last_rejection_; }
   [[nodiscard]] std::uint64_t rejectedMessages() const { return status_.rejected_messages; }
-  /// For status lines.
+  /// The device's name, for status lines.
   [[nodiscard]] Message deviceName() const;
 
   /// Called for every Ack.

@@ -154,7 +154,7 @@ void WireConnection::onDecoded(skinwire::Decoded decoded) {
 void WireConnection::reportOpen(Clock::time_point now) {
   const Clock::duration quiet = now - alive_;
   if (quiet >= options_.silent_after) {
-    // What arrives and is broken is the better explanation.
+    // If something arrives and is broken, that is the better explanation.
     const bool garbage = stream_.rejectedMessages() > rejected_when_alive_;
     stream_.report(
         SourceState::Silent,

@@ -13,7 +13,7 @@
 
 namespace hexoderm {
 
-/// What a WireSource's thread does: connects, listens, asks, waits and connects again. Lives on the io_context's
+/// The work of a WireSource's thread: it connects, listens, asks, waits and connects again. Lives on the io_context's
 /// thread.
 class WireConnection {
  public:
@@ -64,7 +64,7 @@ class WireConnection {
   Phase phase_ = Phase::Idle;
   bool given_up_ = false;
   bool was_connected_ = false;
-  Clock::time_point since_;                ///< of the phase
+  Clock::time_point since_;                ///< start of the phase
   Clock::time_point alive_;                ///< when something that makes sense came last
   std::uint64_t rejected_when_alive_ = 0;  ///< messages, up to then
   Clock::time_point asked_;

@@ -20,9 +20,9 @@ struct WireOptions {
   void validate() const;
 };
 
-/// A skin that speaks SkinWire 1 (core/device/skinwire/README.md) on TCP, UDP, a serial port or a pseudo-terminal. It
-/// keeps trying for as long as it runs; only another major version of the protocol ends that (Incompatible). What is
-/// broken on the way is counted, named in the status and left out.
+/// A skin that speaks SkinWire 1 (core/hexoderm/device/skinwire/README.md) on TCP, UDP, a serial port or a
+/// pseudo-terminal. It keeps trying for as long as it runs; only another major version of the protocol ends that
+/// (Incompatible). Broken messages are counted, named in the status and left out.
 class WireSource final : public SkinSource {
  public:
   /// "tcp://HOST:PORT" (frames of bytes or lines of JSON, whichever the device begins with), "udp://HOST:PORT" or

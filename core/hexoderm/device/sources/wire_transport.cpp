@@ -1,5 +1,6 @@
 #include "hexoderm/device/sources/wire_transport.h"
 
+#include "hexoderm/device/sources/write_queue.h"
 #include "hexoderm/util/system_reason.h"
 
 #include <termios.h>
@@ -9,10 +10,8 @@
 #include <boost/asio/ip/udp.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/serial_port.hpp>
-#include <boost/asio/write.hpp>
 
 #include <array>
-#include <deque>
 #include <thread>
 #include <vector>
 
@@ -29,26 +28,25 @@ Message reasonOf(const error_code& error) {
   return systemReason(error);
 }
 
-/// What is common: callbacks that stop with close(), and a queue of what is to be written.
+/// Common to all wires: callbacks that stop with close(), and the queue of what is to be written.
 template <class Channel>
 class ChannelTransport : public WireTransport, public std::enable_shared_from_this<ChannelTransport<Channel>> {
  public:
-  ChannelTransport(asio::io_context& io, Callbacks callbacks) : channel_(io), callbacks_(std::move(callbacks)) {}
+  ChannelTransport(asio::io_context& io, Callbacks callbacks)
+      : channel_(io),
+        queue_(channel_, [this](const error_code& error) { end(reasonOf(error)); }),
+        callbacks_(std::move(callbacks)) {}
 
-  void write(Bytes bytes) final {
-    if (closed_) return;
-    queue_.push_back(std::move(bytes));
-    if (queue_.size() == 1) writeNext();
-  }
+  void write(Bytes bytes) final { queue_.push(std::move(bytes), this->shared_from_this()); }
 
   void close() final {
     if (closed_) return;
     closed_ = true;
+    queue_.close();
     closeChannel();
   }
 
  protected:
-  virtual void startWriting(const Bytes& bytes, std::function<void(const error_code&)> done) = 0;
   virtual void startReading() = 0;
   virtual void closeChannel() {
     error_code ignored;
@@ -79,17 +77,8 @@ class ChannelTransport : public WireTransport, public std::enable_shared_from_th
   std::vector<std::uint8_t> buffer_ = std::vector<std::uint8_t>(65'536);
 
  private:
-  void writeNext() {
-    startWriting(queue_.front(), [self = this->shared_from_this()](const error_code& error) {
-      if (self->closed_) return;
-      if (error) return self->end(reasonOf(error));
-      self->queue_.pop_front();
-      if (!self->queue_.empty()) self->writeNext();
-    });
-  }
-
+  WriteQueue<Channel> queue_;
   Callbacks callbacks_;
-  std::deque<Bytes> queue_;
   bool closed_ = false;
 };
 
@@ -99,10 +88,6 @@ class StreamTransport : public ChannelTransport<Channel> {
   using ChannelTransport<Channel>::ChannelTransport;
 
  protected:
-  void startWriting(const Bytes& bytes, std::function<void(const error_code&)> done) override {
-    asio::async_write(this->channel_, asio::buffer(bytes),
-                      [done = std::move(done)](const error_code& error, std::size_t) { done(error); });
-  }
   void startReading() override {
     this->channel_.async_read_some(asio::buffer(this->buffer_),
                                    [this, self = this->shared_from_this()](const error_code& error, std::size_t size) {
@@ -197,10 +182,6 @@ class UdpTransport final : public ChannelTransport<asio::ip::udp::socket> {
   }
 
  protected:
-  void startWriting(const Bytes& bytes, std::function<void(const error_code&)> done) override {
-    channel_.async_send(asio::buffer(bytes),
-                        [done = std::move(done)](const error_code& error, std::size_t) { done(error); });
-  }
   void startReading() override {
     channel_.async_receive(
         asio::buffer(buffer_),
@@ -236,7 +217,7 @@ class SerialTransport final : public StreamTransport<asio::serial_port> {
 
  protected:
   void closeChannel() override {
-    // What a device does not take would be waited for.
+    // Closing would wait for bytes that the device does not take.
     if (channel_.is_open()) ::tcflush(channel_.native_handle(), TCIOFLUSH);
     StreamTransport::closeChannel();
   }

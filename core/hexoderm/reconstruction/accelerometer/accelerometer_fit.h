@@ -18,8 +18,8 @@ struct HuberLoss {
   [[nodiscard]] double weight(double squared) const;
 };
 
-/// How an uncalibrated accelerometer reads a specific force v in its own axes: y = (I + D) v + b + noise, with b and
-/// the elements of D normal about 0 with the cell model's sigmas.
+/// Model of an uncalibrated accelerometer that reads a specific force v in its own axes: y = (I + D) v + b + noise,
+/// with b and the elements of D normal about 0 with the cell model's sigmas.
 class AccelerometerPrior {
  public:
   explicit AccelerometerPrior(const Accelerometer& accelerometer);

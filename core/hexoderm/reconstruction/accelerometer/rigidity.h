@@ -6,10 +6,10 @@
 
 namespace hexoderm {
 
-/// How badly readings fit what they should be, as a chi-squared.
+/// Deviation of readings from their expected values, as a chi-squared.
 struct Misfit {
   double chi_squared = 0;
-  double degrees = 0;  ///< of freedom
+  double degrees = 0;  ///< degrees of freedom
 
   /// The misfit as a standard normal deviate (Wilson and Hilferty's transformation): comparable between cells and links
   /// with different numbers of poses. 0 without degrees of freedom.
@@ -23,12 +23,12 @@ struct Misfit {
 Misfit testRigidity(const AccelerometerPrior& prior, std::span<const CellReading> readings,
                     std::span<const Eigen::Vector3d> v_g);
 
-/// What readings of the specific forces `v_g` (accelerometer axes), each as uncertain as `readings` has it, say about
-/// the attitude of a cell whose offset, gains and cross-axis sensitivity are not known: the information of a small turn
-/// in the accelerometer's axes, rad^-2. `fit` must belong to these readings.
+/// The information, rad^-2 in the accelerometer's axes, that readings of the specific forces `v_g` (accelerometer
+/// axes), each as uncertain as `readings` has it, hold about a small turn of a cell whose offset, gains and cross-axis
+/// sensitivity are not known. `fit` must belong to these readings.
 Eigen::Matrix3d attitudeInformation(const AccelerometerFit& fit, std::span<const Eigen::Vector3d> v_g);
 
-/// What two cells' accelerometers together differ by, as one accelerometer's prior: for testing a cell's readings
+/// The errors of two cells' accelerometers together, as one accelerometer's prior: for testing a cell's readings
 /// against its neighbour's, turned by their relative rotation.
 Accelerometer pairOf(const Accelerometer& accelerometer);
 

@@ -13,10 +13,10 @@
 namespace hexoderm {
 namespace {
 
-/// What an edge's rotation is known to with these up directions: rms over the three axes, radians. The elastomer prior
-/// is taken alike in all directions, because the cells of a patch face many ways.
+/// Predicted uncertainty of an edge's rotation with these up directions: rms over the three axes, radians. The
+/// elastomer prior is taken alike in all directions, because the cells of a patch face many ways.
 double predictedSigma(const CellModel& model, const Eigen::Matrix3Xd& directions) {
-  // Averaging does not take away a hand's tremor (SPEC, step 10).
+  // Averaging does not remove a hand's tremor, which is not white.
   constexpr double kTremor_g = 0.003;
   const double prior_sq = (model.bend_sigma_rad * model.bend_sigma_rad + model.twist_sigma_rad * model.twist_sigma_rad +
                            model.yaw_sigma_rad * model.yaw_sigma_rad) /
@@ -78,7 +78,7 @@ PoseAdvice adviseNextPose(const CellModel& model, const std::vector<Eigen::Vecto
     if (out_of_reach) continue;
     directions.col(count) = candidate;
     // To first order two poses 45 degrees apart suffer least from offsets, but leave the turn about their middle to a
-    // single small angle: while there is one line only, a second one comes first (SPEC, step 12).
+    // single small angle: as long as all directions lie on one line, one that leaves this line comes first.
     if (one_line && secondDirection(directions) < kClearlyDefined) continue;
     const double sigma = predictedSigma(model, directions);
     if (found && sigma >= advice.sigma_then_rad) continue;

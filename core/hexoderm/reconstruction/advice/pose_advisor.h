@@ -8,7 +8,7 @@
 
 namespace hexoderm {
 
-/// Which orientation would help most (SPEC step 12).
+/// The orientation that would help most, and by how much.
 struct PoseAdvice {
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< unit, in the frame of `seen`: the direction to point up
   double sigma_now_rad = 0;                       ///< predicted rms orientation error of an edge with the poses so far
@@ -25,11 +25,11 @@ struct PoseAdvice {
 PoseAdvice adviseNextPose(const CellModel& model, const std::vector<Eigen::Vector3d>& seen,
                           const std::vector<Eigen::Vector3d>& unreachable = {});
 
-/// The first set of directions that tells the sensors' offsets apart is a tetrahedron's.
+/// A tetrahedron's directions are the first set that tells the sensors' offsets apart.
 inline constexpr std::size_t kGoodPoseCount = 4;
 /// A result that is not good after so many poses does not lack poses.
 inline constexpr std::size_t kMostPosesByItself = 12;
-/// Whoever brings the part from one pose to the next.
+/// The one who brings the part from one pose to the next.
 enum class TurnedBy {
   Hand,    ///< a person, or a robot that somebody moves
   Device,  ///< the device, when it is asked to (TurnTo)

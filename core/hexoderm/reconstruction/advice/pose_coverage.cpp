@@ -108,15 +108,6 @@ const char* axisName(const Eigen::Vector3d& up_o) {
 
 }  // namespace
 
-const PatchReconstruction* largestPatch(const Reconstruction& reconstruction) {
-  const PatchReconstruction* largest = nullptr;
-  for (const PatchReconstruction& patch : reconstruction.patches) {
-    if (patch.cells.empty()) continue;
-    if (largest == nullptr || patch.cells.size() > largest->cells.size()) largest = &patch;
-  }
-  return largest;
-}
-
 DiscPoint onDisc(const Eigen::Vector3d& up_o) {
   DiscPoint point;
   point.side = up_o.z() < 0 ? Hemisphere::Back : Hemisphere::Front;

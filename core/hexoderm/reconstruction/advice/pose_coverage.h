@@ -13,12 +13,9 @@
 
 namespace hexoderm {
 
-// Which directions of gravity a session has seen, and what is missing, as whoever captures poses sees it. All
+// The directions of gravity that a session has seen, and the missing one, for the operator who captures poses. All
 // directions are up directions (where the accelerometers' specific force points), unit vectors in the frame of the
 // largest patch.
-
-/// The largest patch, which the poses are judged by; null if there is none. Of equally large ones the first.
-const PatchReconstruction* largestPatch(const Reconstruction& reconstruction);
 
 /// The half of the sphere around +z of the patch frame, where up is where the origin cell faces, and the other half.
 enum class Hemisphere { Front, Back };
@@ -35,7 +32,7 @@ DiscPoint onDisc(const Eigen::Vector3d& up_o);
 /// Radius of the circle at this angle from the disc's middle, up to 90 degrees.
 double discRadius(double angle_rad);
 
-/// What a cell's front face looks at.
+/// The direction that a cell's front faces.
 enum class Facing { Ceiling, Floor, Wall };
 struct CellFacing {
   CellId cell;
@@ -43,8 +40,8 @@ struct CellFacing {
 };
 /// Within 45 degrees of up or down, else a wall.
 Facing facingOf(const CellPlacement& cell, const Eigen::Vector3d& up_o);
-/// The cell whose front points most exactly up or down: the clearest one to say an orientation with. Of equal ones the
-/// smallest ID. The patch must have a cell.
+/// The cell whose front points most exactly up or down, and so describes an orientation most clearly; of equal ones the
+/// one with the smallest ID. The patch must have a cell.
 CellFacing clearestFacing(const PatchReconstruction& patch, const Eigen::Vector3d& up_o);
 
 /// One pose on the discs.
@@ -67,11 +64,11 @@ struct MissingDirection {
 struct PoseCoverage {
   std::vector<SeenDirection> seen;                            ///< in the order of the poses
   std::vector<PoseId> unplaced;                               ///< poses whose direction is not known
-  std::size_t enabled = 0;                                    ///< of `seen`
-  Eigen::Vector3d singular_values = Eigen::Vector3d::Zero();  ///< of sum g g^T over the enabled, descending (SPEC 2.2)
+  std::size_t enabled = 0;                                    ///< number of enabled poses in `seen`
+  Eigen::Vector3d singular_values = Eigen::Vector3d::Zero();  ///< of sum g g^T over the enabled, descending
   double threshold = 0.5;                                     ///< for a class, as the result's options have it
-  EdgeQuality quality = EdgeQuality::Undefined;               ///< of an edge whose cells were measured in all of them
-  std::optional<MissingDirection> missing;                    ///< none if all three values reach the threshold
+  EdgeQuality quality = EdgeQuality::Undefined;  ///< class of an edge whose cells were measured in all of them
+  std::optional<MissingDirection> missing;       ///< none if all three values reach the threshold
 };
 
 /// Whether one more pose with this direction up would bring the value that is missing to its threshold; false if none
@@ -83,16 +80,16 @@ bool fillsMissing(const PoseCoverage& coverage, const Eigen::Vector3d& up_o);
 PoseCoverage coverageOf(const Reconstruction& reconstruction,
                         std::span<const std::shared_ptr<const PoseCapture>> captures = {});
 
-/// Where up is now, from live readings (accelerometer's axes, g): the mean over the cells of the largest patch of R_o_u
-/// times the reading, freed from the estimated offset and scale, cells without readings of their own counting a
-/// quarter. Cells far from the rest lose their say. Nothing if there are none with a reading of 0.5 to 1.5 g, or if
-/// they contradict each other (a part that is shaken, a patch whose shape is not known yet): if the mean of their unit
-/// vectors is shorter than 0.7.
+/// The present up direction, from live readings (accelerometer's axes, g): the mean over the cells of the largest patch
+/// of R_o_u times the reading, freed from the estimated offset and scale; cells without readings of their own count a
+/// quarter, and cells far from the rest are left out. Nothing if no cell reads 0.5 to 1.5 g, or if the cells contradict
+/// each other (a part that is shaken, a patch whose shape is not known yet): if the mean of their unit vectors is
+/// shorter than 0.7.
 std::optional<Eigen::Vector3d> currentUp(const Reconstruction& reconstruction, std::span<const CellSample> readings);
-/// The same for a pose's means.
+/// The present up direction, from a pose's means.
 std::optional<Eigen::Vector3d> currentUp(const Reconstruction& reconstruction, std::span<const GravitySample> means);
 
-/// What the advised pose adds, depending on what there is.
+/// The contribution of the advised pose, depending on the poses so far.
 enum class PoseGain {
   First,            ///< there is none yet: any will do
   SecondDirection,  ///< tells how cells are turned about the one line of gravity that was seen
@@ -118,12 +115,12 @@ struct NextPose {
   std::optional<PartTurn> turn;  ///< from where the part is, or from the last pose; none if neither is known
   PoseGain gain = PoseGain::First;
   std::optional<PoseId> opposite_of;  ///< for Opposite
-  double sigma_now_rad = 0;           ///< as in PoseAdvice
+  double sigma_now_rad = 0;           ///< see PoseAdvice
   double sigma_then_rad = 0;
   /// There are not enough poses yet, see enoughPoses(), or this one lowers the predicted error by at least a twentieth.
   bool worthwhile = true;
 
-  /// Where it is matters: neither the first pose, which may be any, nor one beyond what is enough.
+  /// Whether the pose is needed: it is neither the first, which may be any, nor beyond the ones that are enough.
   [[nodiscard]] bool isWanted() const { return gain != PoseGain::First && worthwhile; }
 };
 /// A hand misses by some degrees: a part that is less than this from the next pose is there.
@@ -135,8 +132,8 @@ std::optional<NextPose> describeNextPose(const PoseAdvice& advice, const Reconst
 /// A short label of a pose by what the origin cell, in whose frame `up_o` is, faces: "facing ceiling", "facing floor",
 /// "facing wall, +y up", "tilted up, -x up", "tilted down, ...".
 Message poseLabel(const Eigen::Vector3d& up_o);
-/// The same for a capture, from the reading of the largest patch's origin alone: `reconstruction` may be one without
-/// any pose. Empty where there is no patch or the origin read no gravity.
+/// A label for a capture, from the reading of the largest patch's origin alone: `reconstruction` may be one without any
+/// pose. Empty if there is no patch or the origin read no gravity.
 Message poseLabel(const Reconstruction& reconstruction, const PoseCapture& capture);
 
 }  // namespace hexoderm

@@ -97,7 +97,7 @@ SkinCheck checkSkin(const Reconstruction& reconstruction, std::span<const CellSa
   if (cell_count > 0) check.items.push_back(checkLinks(reconstruction));
   if (!readings.empty()) checkReadings(*reconstruction.model, readings, silent, check.items);
   for (const OddCell& cell : odd) {
-    // Who is silent was named above.
+    // Silent cells were named above.
     if (cell.kind != OddCellKind::Silent) check.items.push_back({Severity::Warning, describe(cell), {cell.cell}});
   }
 

@@ -13,10 +13,10 @@ namespace hexoderm {
 struct SkinCheckItem {
   Severity severity = Severity::Info;
   Message message;
-  std::vector<CellId> cells;  ///< that it is about; empty: all
+  std::vector<CellId> cells;  ///< cells concerned; empty: all
 };
 
-/// What can be said of a skin before its poses are captured.
+/// The state of a skin before its poses are captured.
 struct SkinCheck {
   std::vector<SkinCheckItem> items;
   bool ready = false;  ///< poses can be captured

@@ -11,13 +11,13 @@
 namespace hexoderm {
 namespace {
 
-// What robot software can use without a second thought, and what it can use at all.
+// Limits of a result that robot software can use without a second thought, and of one that it can use at all.
 constexpr double kGoodOrientation = 2 * kDegree;
 constexpr double kGoodPosition_m = 3 * kMillimetre;
 constexpr double kUsableOrientation = 20 * kDegree;
 
-/// Of the cells that were measured; cells placed through their links are named by findings of their own. Where none was
-/// measured, of all.
+/// Taken over the measured cells; cells placed through their links are named by findings of their own. If none was
+/// measured, over all.
 Uncertainty95 worstSpread(const Reconstruction& r) {
   const auto measured = [](const CellPlacement& cell) { return cell.placed_by == PlacedBy::Samples; };
   const bool any_measured = std::ranges::any_of(
@@ -36,8 +36,8 @@ Uncertainty95 worstSpread(const Reconstruction& r) {
 
 std::vector<Eigen::Vector3d> directionsSeen(const Reconstruction& r) {
   std::vector<Eigen::Vector3d> seen;
-  if (r.patches.empty()) return seen;
-  const auto largest = std::ranges::max_element(r.patches, {}, [](const auto& patch) { return patch.cells.size(); });
+  const PatchReconstruction* largest = largestPatch(r);
+  if (largest == nullptr) return seen;
   for (const GravityDirection& gravity : largest->gravity) seen.push_back(gravity.g_o);
   return seen;
 }

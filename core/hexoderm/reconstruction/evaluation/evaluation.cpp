@@ -17,7 +17,7 @@ constexpr std::array<std::string_view, 4> kSurfaceNames = {"plane", "sphere", "c
 
 struct ReferenceCell {
   SE3 T_ref_u;
-  const CellPlacement* stated = nullptr;  ///< of the reference, where it is a reconstruction
+  const CellPlacement* stated = nullptr;  ///< the cell in the reference, if that is a reconstruction
 };
 using ReferenceCells = std::unordered_map<CellId, ReferenceCell>;
 

@@ -29,7 +29,7 @@ struct SurfaceEvaluation {
   std::optional<double> delta_m;
   std::optional<double> epsilon_m;
 
-  /// Of the cell that is furthest from the surface: its place in `cells`. There is one.
+  /// Index in `cells` of the cell that is furthest from the surface; there must be one.
   [[nodiscard]] std::size_t furthest() const;
   /// No cell is further from the surface than positions are stated to err (95 %, the worst cell's).
   [[nodiscard]] bool liesWithin(double position_95_m) const;
@@ -47,7 +47,7 @@ struct LoopEvaluation {
   Eigen::Vector3d gap_m = Eigen::Vector3d::Zero();  ///< first link point minus second, patch frame
   double length_m = 0;
   double loop_length_m = 0;  ///< accumulated length of the port vectors along the chain, both ends included
-  double percent = 0;        ///< of the loop length
+  double percent = 0;        ///< percentage of the loop's length
 };
 
 /// Throws InvalidArgument if a cell or port does not exist, the ports are joined to something, or the cells lie in
@@ -55,7 +55,7 @@ struct LoopEvaluation {
 LoopEvaluation evaluateLoop(const Reconstruction& reconstruction, LinkEnd first, LinkEnd second);
 
 /// Per-cell differences between two placements of the same cells, after alignment: positions after their best rigid
-/// fit, orientations after the one rotation that fits all of them best (chordal mean of R_ref R_est^T). SPEC step 14.
+/// fit, orientations after the one rotation that fits all of them best (chordal mean of R_ref R_est^T).
 struct CellDifference {
   CellId cell;
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  ///< reference frame: reference - aligned estimate
@@ -65,20 +65,20 @@ struct CellDifference {
 };
 struct Comparison {
   PatchId patch;
-  SE3 T_ref_o;  ///< of the positions' fit
+  SE3 T_ref_o;  ///< the positions' best fit
   std::vector<CellDifference> cells;
   double position_rms_m = 0;
   double orientation_rms_rad = 0;
 };
 
-/// How many cells lie where the stated uncertainty has them with 95 %. A difference counts as within if it is not
-/// longer than 1.96 times the root of its covariance's trace: at least 95 % of a normal error are, whatever its shape.
+/// Number of cells that lie within their stated 95 % uncertainty. A difference counts as within if it is not longer
+/// than 1.96 times the root of its covariance's trace: at least 95 % of a normal error are, whatever its shape.
 struct WithinStated {
   std::size_t stated = 0;  ///< cells that state an uncertainty; the origin, which is exact by definition, does not
   std::size_t position = 0;
   std::size_t orientation = 0;
 
-  /// As many as "95 %" promises, or more.
+  /// Whether at least 95 % of them, rounded down to a whole number, are within their stated bounds.
   [[nodiscard]] bool holds() const;
 };
 bool isWithinStated(double difference, std::optional<double> sigma);  ///< false where nothing is stated

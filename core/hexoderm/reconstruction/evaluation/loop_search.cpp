@@ -18,7 +18,7 @@ constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
 struct FreePort {
   LinkEnd end;
-  Eigen::Vector3d center;   ///< of its cell, patch frame
+  Eigen::Vector3d center;   ///< centre of its cell, patch frame
   Eigen::Vector3d point;    ///< its link point
   Eigen::Vector3d outward;  ///< unit
 
@@ -215,7 +215,7 @@ class PatchLoops {
   std::unordered_map<CellId, std::size_t> index_of_;
   std::vector<std::pair<std::size_t, std::size_t>> ends_;  ///< per link, as indices of cells; kNone: not used
   std::vector<std::vector<std::size_t>> links_at_;
-  std::vector<std::size_t> came_by_;  ///< of the last search, valid for the cells it saw
+  std::vector<std::size_t> came_by_;  ///< results of the last search, valid for the cells it saw
 };
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace hexoderm {
 namespace {
 
 constexpr double kDeadNorm_g = 0.5;             // no offset and no pose leaves less of 1 g than this
-constexpr double kLeastNormTolerance_g = 0.15;  // a good sensor may read 0.9 g (SPEC, step 11)
+constexpr double kLeastNormTolerance_g = 0.15;  // a good sensor with an uncalibrated scale may read 0.9 g
 constexpr double kStuckAngle = 2 * kDegree;     // a stuck sensor turns less than this ...
 constexpr double kMovedAngle = 15 * kDegree;    // ... while the other cells turned at least this
 constexpr double kNoisyTimesOthers = 4;

@@ -12,8 +12,8 @@
 namespace hexoderm {
 namespace {
 
-/// The same rotation as a yaw about z followed by a tilt about an axis in the surface, whose parts are twist and bend.
-/// Small angles stay what they are. Of large ones, the parts of one rotation vector no longer say what was turned how
+/// The same rotation as a yaw about z followed by a tilt about an axis in the surface, with twist and bend as its
+/// parts. Small angles stay the same. The parts of one large rotation vector no longer tell which angle was turned how
 /// far: cells folded by 84 degrees and yawed by -141 would come out as bent by 45 and twisted by 94.
 LinkAngles separated(const LinkAngles& angles) {
   // In the basis u_c, z x u_c, z.

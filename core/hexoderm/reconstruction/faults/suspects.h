@@ -8,9 +8,9 @@
 
 namespace hexoderm {
 
-/// What the links and cells of a skin look like next to each other: links that no skin link can be (their angles, or
-/// cells that moved against each other between poses) and cells whose readings fit none of their neighbours'. One bad
-/// cell makes good links look bad, so a cell with whose neighbours nearly none agrees is named instead of its links.
+/// Compares neighbouring cells and finds the links that no skin link can be (by their angles, or because their cells
+/// moved against each other between poses) and the cells whose readings fit none of their neighbours'. One bad cell
+/// makes good links look bad, so a cell that agrees with nearly none of its neighbours is named instead of its links.
 class SuspectSearch {
  public:
   SuspectSearch(const CellModel& model, const SkinGraph& graph, const GravityTable& table, const SkinReadings& readings,
@@ -39,7 +39,7 @@ class SuspectSearch {
     [[nodiscard]] bool bad() const { return !implausible.empty() || !rigid; }
   };
   [[nodiscard]] Verdict judge(std::size_t link) const;
-  /// In standard deviations; `without`: a pose that does not count.
+  /// Misfit of a link in standard deviations; `without`: a pose that does not count.
   [[nodiscard]] double misfitOf(std::size_t link, std::optional<std::size_t> without = std::nullopt) const;
 
   const CellModel& model_;
@@ -48,7 +48,7 @@ class SuspectSearch {
   const SkinReadings& readings_;
   const std::vector<EdgeRotation>& edges_;
   const SolverOptions& options_;
-  AccelerometerPrior pair_prior_;  ///< of two cells' errors, as one sees them from the other
+  AccelerometerPrior pair_prior_;  ///< errors of two cells, seen from one of them
   std::vector<Verdict> verdicts_;  ///< per link
 };
 

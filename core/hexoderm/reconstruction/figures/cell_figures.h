@@ -8,17 +8,17 @@
 
 namespace hexoderm {
 
-/// What a reconstruction says about each of its cells in one number, for colours and tables. Every vector has one entry
-/// a cell, in order of patch and ID. Metres and radians.
+/// Figures of each cell of a reconstruction, one number each, for colours and tables. Every vector has one entry per
+/// cell, in order of patch and ID. Metres and radians.
 struct CellFigures {
   std::vector<CellId> cells;
   std::vector<std::size_t> patch;  ///< index into Reconstruction::patches
-  /// Of the used links at the cell the worst: smallest class, largest residual, largest predicted deviation. Absent
+  /// The worst of the used links at the cell: smallest class, largest residual, largest predicted deviation. Absent
   /// without a used link, and for figures that were not computed (imported files, links that no pose measured).
   std::vector<std::optional<EdgeQuality>> quality;
   std::vector<std::optional<double>> residual_rad;
   std::vector<std::optional<double>> sigma_rad;
-  /// As uncertaintyOf() says.
+  /// See uncertaintyOf().
   std::vector<std::optional<double>> position_95_m;
   std::vector<std::optional<double>> orientation_95_rad;
   /// From the origin from centre to centre along CellPlacement::path; absent where that is empty.

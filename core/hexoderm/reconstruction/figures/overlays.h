@@ -8,7 +8,7 @@
 
 namespace hexoderm {
 
-// What is drawn over a patch beside the patch itself, in the patch's own frame. Metres and radians.
+// Figures drawn over a patch, in the patch's own frame. Metres and radians.
 
 /// The truth where it would lie on the reconstruction if that were perfect: moved, patch by patch, by the rigid
 /// transform that fits the centres best. Centres on a line or fewer than three leave a turn open; there the rotation
@@ -21,28 +21,29 @@ struct AlignedCell {
 };
 std::vector<AlignedCell> alignTruth(const Reconstruction& reconstruction, const GroundTruth& truth);
 
-/// Where a cell was in the reference of a comparison, and where it is now.
+/// The placement of a cell in the reference of a comparison, and its placement now.
 struct CellShift {
   std::size_t patch = 0;
   CellId cell;
   Eigen::Vector3d before_o;
   Eigen::Vector3d now_o;
 };
-/// Of comparisons of this reconstruction (compareToReconstruction, compareToTruth); cells and patches that it does not
-/// have are left out.
+/// Shifts from comparisons of this reconstruction (compareToReconstruction, compareToTruth); cells and patches that it
+/// does not have are left out.
 std::vector<CellShift> shiftsOf(const Reconstruction& reconstruction, std::span<const Comparison> comparisons);
 
-/// How much small figures are enlarged to be seen: the largest of 1, 2, 5, 10, 20, 50 ... 1,000 with which `largest`
-/// stays within `room`.
+/// Factor by which small figures are enlarged to be seen: the largest of 1, 2, 5, 10, 20, 50 ... 1,000 with which
+/// `largest` stays within `room`.
 double enlargement(double largest, double room);
 
 /// The way from one cell to another.
 struct CellDistance {
-  double length_m = 0;            ///< between the centres of the front faces
-  double angle_rad = 0;           ///< between the faces' normals, 0 to pi
-  std::optional<double> sigma_m;  ///< of the length; where the result holds the covariance of any two cells
+  double length_m = 0;   ///< between the centres of the front faces
+  double angle_rad = 0;  ///< between the faces' normals, 0 to pi
+  /// Standard deviation of the length, if the result holds the covariance of any two cells.
+  std::optional<double> sigma_m;
 };
-/// None if a cell is not there, or the two are in different patches: nothing is known of how these lie to each other.
+/// None if a cell is missing, or if the two are in different patches, whose relative placement is not known.
 std::optional<CellDistance> distanceBetween(const Reconstruction& reconstruction, CellId a, CellId b);
 
 }  // namespace hexoderm

@@ -12,11 +12,6 @@ namespace {
 // Two poses whose gravity lines are closer than this tell little more than one.
 constexpr double kRepeatedAngle = 10 * kDegree;
 
-const PatchReconstruction* largestOf(const std::vector<PatchReconstruction>& patches) {
-  const auto largest = std::ranges::max_element(patches, {}, [](const auto& patch) { return patch.cells.size(); });
-  return largest == patches.end() ? nullptr : &*largest;
-}
-
 /// Rms over all links of what they say about one pose.
 std::optional<double> residualOf(std::size_t pose, const std::vector<PatchReconstruction>& patches) {
   double sum = 0;
@@ -55,8 +50,8 @@ void judgeRepetitions(const std::vector<GravityDirection>& gravity, std::vector<
 }  // namespace
 
 std::vector<PoseSummary> summarisePoses(const SessionSnapshot& snapshot, const GravityTable& table,
-                                        const std::vector<PatchReconstruction>& patches) {
-  const PatchReconstruction* largest = largestOf(patches);
+                                        const Reconstruction& reconstruction) {
+  const PatchReconstruction* largest = largestPatch(reconstruction);
   std::vector<PoseSummary> summaries;
   std::vector<Eigen::Vector3d> earlier;
   std::size_t next_direction = 0;
@@ -83,18 +78,17 @@ std::vector<PoseSummary> summarisePoses(const SessionSnapshot& snapshot, const G
       }
       earlier.push_back(g);
     }
-    summary.residual_rad = residualOf(pose, patches);
+    summary.residual_rad = residualOf(pose, reconstruction.patches);
     summaries.push_back(std::move(summary));
   }
   return summaries;
 }
 
-void judgePoses(const std::vector<PoseSummary>& poses, const std::vector<PatchReconstruction>& patches,
-                std::vector<Finding>& findings) {
-  const PatchReconstruction* largest = largestOf(patches);
+void judgePoses(const Reconstruction& reconstruction, std::vector<Finding>& findings) {
+  const PatchReconstruction* largest = largestPatch(reconstruction);
   if (largest == nullptr) return;
   std::vector<PoseId> enabled;
-  for (const PoseSummary& pose : poses) {
+  for (const PoseSummary& pose : reconstruction.poses) {
     if (pose.enabled) enabled.push_back(pose.pose);
   }
   if (enabled.empty()) {
@@ -104,7 +98,7 @@ void judgePoses(const std::vector<PoseSummary>& poses, const std::vector<PatchRe
   }
   std::size_t open = 0;
   std::size_t used = 0;
-  for (const PatchReconstruction& patch : patches) {
+  for (const PatchReconstruction& patch : reconstruction.patches) {
     for (const LinkEstimate& link : patch.links) {
       const bool measured = std::ranges::any_of(link.pose_residual_rad, [](const auto& r) { return r.has_value(); });
       if (!link.used || !measured) continue;

@@ -11,10 +11,10 @@ namespace hexoderm {
 
 /// The table of poses of a reconstruction whose patches are in place: noise, how new each direction is, residuals.
 std::vector<PoseSummary> summarisePoses(const SessionSnapshot& snapshot, const GravityTable& table,
-                                        const std::vector<PatchReconstruction>& patches);
+                                        const Reconstruction& reconstruction);
 
-/// What the poses as a whole lack: none at all, a single line of gravity, repetitions.
-void judgePoses(const std::vector<PoseSummary>& poses, const std::vector<PatchReconstruction>& patches,
-                std::vector<Finding>& findings);
+/// Adds findings about the poses as a whole: there are none, all lie on a single line of gravity, some repeat others.
+/// Needs the patches and the table of poses to be in place.
+void judgePoses(const Reconstruction& reconstruction, std::vector<Finding>& findings);
 
 }  // namespace hexoderm

@@ -8,7 +8,7 @@
 
 namespace hexoderm {
 
-// What a person who reviews a reconstruction looks at first, gathered from all over it.
+// The figures that a reviewer of a reconstruction looks at first, gathered from all parts of it.
 
 /// A row of the table of cells.
 struct CellSummary {
@@ -27,7 +27,7 @@ struct CellSummary {
 /// All cells, patch by patch, ascending.
 std::vector<CellSummary> summariseCells(const Reconstruction& reconstruction);
 
-/// What the links say about one pose: five numbers for a box plot, quantiles interpolated linearly. Radians.
+/// Residuals of the links in one pose: five numbers for a box plot, quantiles interpolated linearly. Radians.
 struct PoseResiduals {
   std::size_t index = 0;  ///< into Reconstruction::poses
   PoseId pose;
@@ -45,7 +45,7 @@ struct RankedLink {
   double residual_rad = 0;
   std::optional<double> sigma_rad;
 };
-/// How many links have a residual of so many times their predicted deviation.
+/// Number of links whose residual is so many times their predicted deviation.
 struct RatioBin {
   double lower = 0;
   double upper = 0;

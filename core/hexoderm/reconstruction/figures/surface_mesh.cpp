@@ -38,7 +38,7 @@ Interval aroundAngles(std::vector<double> angles, double margin) {
   return interval.high - interval.low >= 2 * kPi ? Interval{interval.low, interval.low + 2 * kPi} : interval;
 }
 
-/// How many points make an arc look round.
+/// Number of points that makes an arc look round.
 std::size_t pointsForArc(double angle) {
   constexpr double kStep = 4 * kDegree;
   return 2 + static_cast<std::size_t>(std::ceil(angle / kStep));
@@ -127,7 +127,7 @@ void meshSphere(const SurfaceEvaluation& evaluation, double margin_m, SurfaceMes
   }
 }
 
-/// To the side where distances are positive.
+/// Normal towards the side of positive distances.
 Eigen::Vector3d normalAt(const SurfaceEvaluation& evaluation, const Eigen::Vector3d& x) {
   Eigen::Vector3d out = evaluation.axis;
   if (evaluation.kind != SurfaceKind::Plane) {

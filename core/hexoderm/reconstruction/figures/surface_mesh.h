@@ -13,7 +13,7 @@ struct SurfaceMesh {
   std::size_t columns = 0;
   std::vector<Eigen::Vector3d> points;
   std::vector<Eigen::Vector3d> normals;  ///< unit, to the side where distances are positive
-  /// Of each cell of the evaluation, in its order: its centre, and the point of the surface nearest to that.
+  /// For each cell of the evaluation, in its order: its centre, and the nearest point of the surface.
   std::vector<Eigen::Vector3d> centers;
   std::vector<Eigen::Vector3d> feet;
 };

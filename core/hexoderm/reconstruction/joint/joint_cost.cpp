@@ -134,7 +134,7 @@ class CellLinearizer {
     pending_.resize(12 * kBatch, layout_.size());
   }
 
-  /// To be called after the last cell: the border is complete then.
+  /// Must be called after the last cell: the border is complete then.
   void finish() {
     subtractPending();
     equations_.border.triangularView<Eigen::StrictlyUpper>() = equations_.border.transpose();

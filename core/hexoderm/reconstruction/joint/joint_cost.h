@@ -10,8 +10,8 @@
 
 namespace hexoderm {
 
-/// How much of the way from `pivot` (0) to `arc` (1) the mould goes when it is bent (SPEC step 10): a fixed share, or
-/// one to be estimated from a prior.
+/// Position between `pivot` (0) and `arc` (1) of the mould's behaviour when it is bent (gap share, in
+/// core/hexoderm/reconstruction/README.md): fixed, or to be estimated from a prior.
 struct GapShare {
   double mean = 0.5;
   std::optional<double> sigma;  ///< absent: fixed
@@ -48,7 +48,7 @@ struct JointState {
   std::vector<SE3> cells;
   std::vector<Eigen::Vector3d> force_o;                ///< specific force at the patch's middle, g; about 1 long
   std::vector<Eigen::Vector3d> acceleration_o;         ///< rad/s^2; zero where not estimated
-  Eigen::Vector3d middle_o = Eigen::Vector3d::Zero();  ///< where accelerations have no lever arm; a constant
+  Eigen::Vector3d middle_o = Eigen::Vector3d::Zero();  ///< point at which accelerations have no lever arm; a constant
   double gap_share = 0.5;
 };
 
@@ -83,7 +83,8 @@ struct BorderLayout {
 ///   1/2 sum over readings of rho(|y - (I + D)(R^T f) - b|^2 / V) + accelerometer priors,
 ///       f = f_p + a_p x (t - middle) / 9.80665, b and D eliminated (accelerometer_fit.h);
 ///   1/2 sum over links of rho(|t_n + R_n p_n - t_c - R_c p_c - s k|^2 / link_sigma^2),
-///       k = (2/3) e a^2 m, the arc's share (SPEC step 10);
+///       k = (2/3) e a^2 m, the arc's share: e is the length of the extended port vectors, a half the angle between
+///       u_c and -u_n, m = unit(u_c - u_n), with u the outward port directions in one frame;
 ///   1/2 sum over links of rho of twist, bend and yaw in their priors' sigmas;
 ///   1/2 of the squared deviations from their priors: the gap share, the accelerations, the forces' lengths from 1 g.
 double jointCost(const JointProblem& problem, const JointState& state);
@@ -91,10 +92,11 @@ double jointCost(const JointProblem& problem, const JointState& state);
 /// Squared distances of all links' end points in units of link_sigma, losses applied.
 double closureCost(const JointProblem& problem, const JointState& state);
 
-/// What the arc adds to a link's opening, k = (2/3) e a^2 m above, for outward directions in one frame (unit); metres.
+/// The arc's contribution to a link's opening, k = (2/3) e a^2 m above, for outward directions in one frame (unit);
+/// metres.
 Eigen::Vector3d arcOpening_m(const Eigen::Vector3d& U_c, const Eigen::Vector3d& U_n, double e_m);
 
-/// How far the end points of a link are apart, less the arc's share; metres.
+/// Distance between the end points of a link, less the arc's share; metres.
 double linkOpening_m(const JointProblem& problem, const JointState& state, std::size_t link);
 
 /// jointCost() with its gradient (exact) and its Gauss-Newton matrix (of the eliminated problem: Kaufman's).

@@ -17,7 +17,7 @@ constexpr std::size_t kPosesForAccelerations = 3;  // with two they do harm
 // With many poses tremor averages out (widenNoise), and the dense part of the equations is small enough without
 // them.
 constexpr std::size_t kMostPosesForAccelerations = 50;
-// What a hand's translation leaves in a mean; and on a large part, what its turning does at the middle of a patch.
+// Error that a hand's translation leaves in a mean; on a large part, also that of its turning at the middle of a patch.
 constexpr double kForceSigma_g = 0.003;
 constexpr double kForceSigmaOfLargePart_g = 0.03;
 
@@ -151,8 +151,8 @@ void JointRefinement::solve(const std::stop_token& stop) {
   }
 }
 
-/// Where links close loops, their end points show whether this mould keeps them together as well as the model has it:
-/// strongly curved surfaces do not. The estimate weighs that against what the model says, as if it had been seen on so
+/// In closed loops, the end points of links show whether this mould keeps them together as well as the model says:
+/// strongly curved surfaces do not. The estimate weighs that against the model, as if the model had been seen on so
 /// many axes. It never goes below the model: cells that sit askew in the mould err alike on all their links, which
 /// neighbouring loops don't show and distant cells feel.
 void JointRefinement::solveWithLinkSpread(const JointSolverOptions& options) {
@@ -178,7 +178,7 @@ bool JointRefinement::accelerationsShow() const {
   if (problem_->poses < kPosesForAccelerations || problem_->poses > kMostPosesForAccelerations || cells_.size() < 2) {
     return false;
   }
-  // What a first step with accelerations would gain, against what chance gains.
+  // The gain of a first step with accelerations, compared with the gain by chance.
   JointProblem with = *problem_;
   with.accelerations = true;
   JointSolverOptions one_step;
@@ -201,11 +201,11 @@ double JointRefinement::squaredLever(std::size_t cell) const {
   return (solution_.state.cells[cell].t - solution_.state.middle_o).squaredNorm();
 }
 
-/// Of more poses than angular accelerations are estimated for, these leave errors in the readings that grow with the
-/// distance from the middle, and with hundreds of poses any cell would look broken for them. They count as noise, as
-/// large as the readings show: a reading's variance V becomes f V + (2/3) (s l / g)^2, with its cell's lever l, for
-/// accelerations of s per axis; f (at least 1) is what the inner cells need, s what the outer ones need beyond that.
-/// Medians, because single cells may be broken. True if the variances have grown: the solution is to be found again.
+/// With more poses than angular accelerations are estimated for, accelerations leave errors in the readings that grow
+/// with the distance from the middle, and with hundreds of poses any cell would look broken for them. They count as
+/// noise, as large as the readings show: a reading's variance V becomes f V + (2/3) (s l / g)^2, with its cell's lever
+/// l, for accelerations of s per axis; f (at least 1) fits the inner cells, and s the rest of the outer ones. Medians,
+/// because single cells may be broken. True if the variances have grown: the solution is to be found again.
 bool JointRefinement::widenNoise() {
   if (problem_->accelerations || problem_->poses <= kMostPosesForAccelerations || noise_is_widened_) return false;
   struct Seen {

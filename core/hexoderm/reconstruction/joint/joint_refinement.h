@@ -12,7 +12,8 @@
 
 namespace hexoderm {
 
-/// The joint estimate of one patch (SPEC step 10), from the tree's placements, in the terms of the skin's graph.
+/// The joint estimate of one patch (the global solver in core/hexoderm/reconstruction/README.md), from the tree's
+/// placements, in the terms of the skin's graph.
 class JointRefinement {
  public:
   /// `cells`: of the patch, ascending; `placements`: per cell of the graph, in the origin's frame.
@@ -27,8 +28,8 @@ class JointRefinement {
   /// From now on the cell is placed by its links. Needs another solve().
   void leaveOut(std::size_t cell);
 
-  /// How badly a cell's readings fit the gravity that all others agree on, however the cell lies; nothing to say with
-  /// fewer than two readings.
+  /// Misfit of a cell's readings with the gravity that all others agree on, for the best attitude of the cell;
+  /// meaningless with fewer than two readings.
   [[nodiscard]] Misfit misfitOf(std::size_t cell) const;
   /// Rms over the cells of what one pose leaves unexplained, in standard deviations of its readings.
   [[nodiscard]] double poseMisfit(std::size_t pose) const;
@@ -41,7 +42,7 @@ class JointRefinement {
   [[nodiscard]] std::optional<OpenLink> widestOpen() const;
 
   [[nodiscard]] SE3 placementOf(std::size_t cell) const;
-  [[nodiscard]] const Matrix6d& covarianceOf(std::size_t cell) const;  ///< as CellPlacement::cov_t_r
+  [[nodiscard]] const Matrix6d& covarianceOf(std::size_t cell) const;  ///< see CellPlacement::cov_t_r
   /// A reading (cell frame) freed from the offset, gains and cross-axis sensitivity estimated for its sensor.
   [[nodiscard]] Eigen::Vector3d correctedReading(std::size_t cell, const Eigen::Vector3d& mean_g) const;
   [[nodiscard]] std::shared_ptr<const PlacementCovariance> placementCovariance(const SkinGraph& graph) const;
@@ -62,7 +63,7 @@ class JointRefinement {
   void solveWithLinkSpread(const JointSolverOptions& options);
   [[nodiscard]] bool accelerationsShow() const;
 
-  std::vector<std::size_t> cells_;  ///< of the graph, ascending; in the problem's order
+  std::vector<std::size_t> cells_;  ///< indices in the graph, ascending; in the problem's order
   std::vector<std::size_t> links_;  ///< the same for links
   std::vector<std::size_t> poses_;
   std::shared_ptr<JointProblem> problem_;

@@ -13,7 +13,7 @@
 namespace hexoderm {
 namespace {
 
-/// Which block of the sparse matrix a link adds to: two links may join the same two cells.
+/// The block of the sparse matrix that a link adds to: two links may join the same two cells.
 struct CouplePlan {
   std::vector<BlockCholesky::Couple> couples;
   struct Place {
@@ -259,8 +259,8 @@ JointSolution JointSolver::descend(const JointProblem& problem, const JointState
   return solution;
 }
 
-/// Where links are open by far more than they allow, as a tree leaves its loops, stiff links would have to be bent
-/// round to close them. Soft ones and the readings first turn the cells to where gravity wants them.
+/// If links are open by far more than they allow, as a tree leaves its loops, stiff links would have to be bent round
+/// to close them. Soft ones, with the readings, first turn the cells to agree with gravity.
 JointState JointSolver::startingPoint(const JointProblem& problem, const JointState& initial,
                                       const JointSolverOptions& options) {
   constexpr double kOpen = 6;  // mean square, in link sigmas; 3 is what closed links have

@@ -34,7 +34,7 @@ class JointCovariance {
   [[nodiscard]] const Matrix6d& link(std::size_t link) const;
   /// Cross-covariance of any two cells, rows a, columns b. Two triangular solves each.
   [[nodiscard]] Matrix6d between(std::size_t a, std::size_t b) const;
-  /// Of the specific force of a pose, patch frame, g^2.
+  /// Covariance of the specific force of a pose, patch frame, g^2.
   [[nodiscard]] Eigen::Matrix3d force(std::size_t pose) const;
   [[nodiscard]] double gapShareSigma() const;  ///< 0 if it is not estimated
 

@@ -12,9 +12,9 @@ namespace hexoderm {
 namespace {
 
 constexpr double kSupportScale = 0.1;                       // the paper's 10 %
-constexpr double kUniformSigma = kPi / 1.7320508075688772;  // of an angle nobody knows
+constexpr double kUniformSigma = kPi / 1.7320508075688772;  // sigma of an unknown angle
 constexpr double kShortestCentred_g = 0.05;                 // a shorter difference has no direction worth comparing
-// What keeps the normal equations invertible where no support axis does.
+// Keeps the normal equations invertible without support axes.
 constexpr double kUnsupportedInformation = 1e-9;
 
 /// The gap's axes in the source frame: outward, z x outward, z. Seen from the target the link comes in, hence the

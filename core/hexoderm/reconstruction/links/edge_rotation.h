@@ -14,18 +14,18 @@ struct EdgeReadings {
   std::vector<double> variance_g2;  ///< per pose: sum of both means' variances, per axis
 };
 
-/// A rotation and everything its data say about it (SPEC steps 6 to 8 and 2.3).
+/// A rotation estimated from gravity, eqs. (13) to (15), with its class, eq. (17), its residual and its uncertainty.
 struct EdgeRotation {
   Eigen::Matrix3d R_c_n = Eigen::Matrix3d::Identity();
-  Eigen::Vector3d singular_values = Eigen::Vector3d::Zero();  ///< of the unit vectors: neither centred nor supported
+  Eigen::Vector3d singular_values = Eigen::Vector3d::Zero();  ///< of the unit vectors, neither centred nor supported
   EdgeQuality quality = EdgeQuality::Undefined;
   bool centred = false;
   bool supported = false;
   Eigen::Matrix3d covariance =
-      Eigen::Matrix3d::Zero();  ///< of the left error d, R_true = exp(d) R, source frame, rad^2
+      Eigen::Matrix3d::Zero();  ///< covariance of the left error d, R_true = exp(d) R, source frame, rad^2
   Eigen::Matrix3d prior_part = Eigen::Matrix3d::Zero();  ///< share of `covariance` that the elastomer prior stands for
   double residual_rad = 0;
-  double expected_residual_rad = 0;  ///< what noise and the sensors' priors lead one to expect
+  double expected_residual_rad = 0;  ///< residual expected from noise and the sensors' priors
   std::vector<double> pose_residual_rad;
 };
 

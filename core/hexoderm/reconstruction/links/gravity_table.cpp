@@ -7,7 +7,7 @@
 namespace hexoderm {
 namespace {
 
-/// A hand's tremor is not white: averaging does not bring a mean below this (SPEC, step 10).
+/// A hand's tremor is not white: averaging does not bring a mean below this.
 constexpr double kTremorFloor_g = 0.003;
 /// The paper's K, where a file does not say how many samples were averaged.
 constexpr double kDefaultCount = 100;

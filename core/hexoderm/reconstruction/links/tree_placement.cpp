@@ -3,14 +3,14 @@
 namespace hexoderm {
 namespace {
 
-/// What is carried from a cell to its children, all in the patch frame. With e_k the attitude error of cell k and k_j
+/// Errors carried from a cell to its children, all in the patch frame. With e_k the attitude error of cell k and k_j
 /// the elastomer's part on link j, the position error of cell n is
 ///   u_n - e_n x b_n - e_o x (t_n - f_n) + tau_n + link errors,
 /// b_n: from n's centre to its incoming link point, f_n: the first port vector of its branch.
 struct Carried {
   Eigen::Vector3d b = Eigen::Vector3d::Zero();
   Eigen::Vector3d first = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d u_covariance = Eigen::Matrix3d::Zero();  ///< of u_n: cells strictly between origin and n
+  Eigen::Matrix3d u_covariance = Eigen::Matrix3d::Zero();  ///< of u_n, from the cells strictly between origin and n
   Matrix6d prior_covariance = Matrix6d::Zero();            ///< of (tau_n, kappa_n)
   double links = 0;
 };

@@ -11,7 +11,7 @@ namespace hexoderm {
 /// One cell's placement along the tree and its predicted error.
 struct TreePlacement {
   SE3 T_o_u;
-  Matrix6d covariance = Matrix6d::Zero();  ///< as CellPlacement::cov_t_r
+  Matrix6d covariance = Matrix6d::Zero();  ///< see CellPlacement::cov_t_r
 };
 
 /// Orientations and positions along the shortest-path tree, eqs. (3), (5), (6), with first-order covariances: every

@@ -18,7 +18,7 @@ struct FlatPort {
 
 FlatPort flatPort(const CellModel& model, PortNumber number) {
   const Port* port = model.findPort(number);
-  if (port == nullptr) return {};  // of an imported file; its links then start at the cell's centre
+  if (port == nullptr) return {};  // in an imported file; its links then start at the cell's centre
   const Eigen::Vector2d vector = port->vector_m.head<2>();
   return {vector, std::atan2(vector.y(), vector.x())};
 }
@@ -36,7 +36,7 @@ FlatCell placeNeighbor(const FlatCell& cell, const FlatPort& port, CellId neighb
   return placed;
 }
 
-/// Which places of a sheet are taken: a grid of squares of the least distance between two hexagons' centres.
+/// Occupied places of a sheet: a grid of squares of the least distance between two hexagons' centres.
 class TakenPlaces {
  public:
   explicit TakenPlaces(double least_distance_m) : least_distance_m_(least_distance_m) {}

@@ -5,8 +5,8 @@
 
 namespace hexoderm {
 
-/// How well any two cells of a patch are known relative to each other. Holds the factor of the information matrix, so
-/// it exists for a fresh joint reconstruction only, not for one read from a file.
+/// Relative covariance of any two cells of a patch. Holds the factor of the information matrix, so it exists for a
+/// fresh joint reconstruction only, not for one read from a file.
 class PlacementCovariance {
  public:
   PlacementCovariance() = default;

@@ -73,6 +73,12 @@ const LinkEstimate* Reconstruction::findLink(LinkEnd a, LinkEnd b) const {
   return nullptr;
 }
 
+const PatchReconstruction* largestPatch(const Reconstruction& reconstruction) {
+  const auto largest = std::ranges::max_element(reconstruction.patches, {},
+                                                [](const PatchReconstruction& patch) { return patch.cells.size(); });
+  return largest == reconstruction.patches.end() || largest->cells.empty() ? nullptr : &*largest;
+}
+
 Message sizeInWords(const Reconstruction& reconstruction) {
   const std::size_t cells = reconstruction.cellCount();
   const std::size_t links = reconstruction.linkCount();

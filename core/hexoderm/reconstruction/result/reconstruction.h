@@ -60,7 +60,7 @@ struct SensorPlacement {
   SE3 T_o_s;  ///< in the patch frame
 };
 
-/// Where a cell is, in its patch's frame (the origin cell's frame).
+/// Placement of a cell, in its patch's frame (the origin cell's frame).
 struct CellPlacement {
   CellId cell;
   std::string body_part;
@@ -70,8 +70,8 @@ struct CellPlacement {
   /// the cell frame: R_true = R exp(e)). Zero for the origin. Absent where a solver or an imported file does not state
   /// it.
   std::optional<Matrix6d> cov_t_r;
-  /// What the accelerometer reads is scale * force + offset along its axes, cross-axis sensitivity apart. Estimated by
-  /// the global solver where the cell was measured.
+  /// The accelerometer reads scale * force + offset along its axes, apart from cross-axis sensitivity. Estimated by the
+  /// global solver for measured cells.
   std::optional<Eigen::Vector3d> accel_offset_g;
   std::optional<Eigen::Vector3d> accel_scale;
   std::vector<CellId> path;  ///< from the origin to this cell, both included; empty if imported
@@ -84,9 +84,8 @@ struct GravityDirection {
   Eigen::Vector3d g_o = Eigen::Vector3d::UnitZ();  ///< unit, points up (specific force)
   /// Tree: scatter of the cells about it, divided by sqrt(cells). Global: predicted, worst axis.
   double sigma_rad = 0;
-  /// The specific force itself at a point t of the patch, at_origin_o_g + swing_o x t: a hand that turns the part while
-  /// it is sampled adds to gravity, the more the farther out. Of a fresh result of the global solver; files don't hold
-  /// it.
+  /// The specific force at a point t of the patch, at_origin_o_g + swing_o x t: a hand that turns the part while it is
+  /// sampled adds to gravity, the more the further out. Held by a fresh result of the global solver, not by files.
   struct Force {
     Eigen::Vector3d at_origin_o_g = Eigen::Vector3d::UnitZ();
     Eigen::Vector3d swing_o = Eigen::Vector3d::Zero();  ///< angular acceleration, g/m
@@ -94,7 +93,8 @@ struct GravityDirection {
   std::optional<Force> force{};
 };
 
-/// How much of the way from pivot (0) to arc (1) the gaps of a patch go (SPEC step 10), and how well that is known.
+/// Position of a patch's gaps between pivot (0) and arc (1), and its uncertainty (gap share, in
+/// core/hexoderm/reconstruction/README.md).
 struct GapShareEstimate {
   double share = 0;
   double sigma = 0;  ///< 0 where it was given
@@ -106,7 +106,7 @@ struct PatchReconstruction {
   std::vector<GravityDirection> gravity;
   std::vector<CellPlacement> cells;           ///< in ascending order of ID
   std::vector<LinkEstimate> links;            ///< muted links too; a link between two patches is listed with its source
-  std::optional<GapShareEstimate> gap_share;  ///< of the global solver
+  std::optional<GapShareEstimate> gap_share;  ///< set by the global solver
   std::shared_ptr<const PlacementCovariance> covariance;  ///< null but for a fresh result of the global solver
 
   [[nodiscard]] const CellPlacement* findCell(CellId cell_id) const;
@@ -157,7 +157,7 @@ struct FlatLayout {
 
 /// The result: everything views and exporters show. Immutable once made; also what a calibration file holds.
 struct Reconstruction {
-  std::uint64_t revision = 0;   ///< of the snapshot it was computed from
+  std::uint64_t revision = 0;   ///< revision of the snapshot it was computed from
   std::string solver = "tree";  ///< "global", "tree" or "imported"
   SolverOptions options;
   SourceDescription source;
@@ -179,6 +179,9 @@ struct Reconstruction {
   [[nodiscard]] Located find(CellId id) const;
   [[nodiscard]] const LinkEstimate* findLink(LinkEnd a, LinkEnd b) const;  ///< in either order
 };
+
+/// The patch with the most cells, of equally large ones the first; null for an empty skin.
+const PatchReconstruction* largestPatch(const Reconstruction& reconstruction);
 
 /// "17 cells, 16 links, 1 patch", the one way a skin's size is said.
 Message sizeInWords(const Reconstruction& reconstruction);

@@ -9,24 +9,26 @@
 namespace hexoderm {
 
 enum class Solver {
-  Global,  ///< all cells, poses and links together, with the sensors' errors (SPEC step 10)
-  Tree,    ///< the paper's way, along shortest paths (step 9)
+  Global,  ///< all cells, poses and links together, with the sensors' errors
+  Tree,    ///< the paper's way, along shortest paths
 };
-/// What a mould does when it is bent (step 10): nothing stretches and both extended port vectors end in one point; the
-/// pitch is kept along the arc; or the data say how much of the way from the one to the other.
+/// Behaviour of a mould when it is bent. Pivot: nothing stretches, and both extended port vectors end in one point.
+/// Arc: the pitch is kept along the arc. Fit: the data tell the position between the two.
 enum class GapModel { Fit, Arc, Pivot };
-enum class Centring { Auto, On, Off };       ///< subtract each cell's mean vector before the SVD (step 6)
-enum class SupportAxes { Auto, On, Off };    ///< append the gap's axes, scaled to 10 % (step 8)
-enum class LinkWeights { Paper, Residual };  ///< 3, 2, 1, 1 by class, or by predicted deviation and residual (2.2)
+enum class Centring { Auto, On, Off };  ///< subtract each cell's mean vector before the SVD
+/// Append the gap's axes, scaled to 10 %, to the data of edges that are not fully defined.
+enum class SupportAxes { Auto, On, Off };
+enum class LinkWeights { Paper, Residual };  ///< 3, 2, 1, 1 by class, or by predicted deviation and residual
 
 struct SolverOptions {
   Solver solver = Solver::Global;
-  GapModel gap_model = GapModel::Fit;  ///< of the global solver; the tree's is always Pivot
+  GapModel gap_model = GapModel::Fit;  ///< of the global solver; the tree always uses Pivot
   Centring centring = Centring::Auto;
   SupportAxes support_axes = SupportAxes::Auto;
   LinkWeights weights = LinkWeights::Paper;
-  /// A singular value of at least this much counts as a defined direction, eq. (17); the paper takes it as 1
-  /// (SPEC 2.2).
+  /// A singular value of at least this much counts as a defined direction, eq. (17). The paper's threshold of 1 calls
+  /// its own recipe "partially defined" as soon as the poses are a hair off orthogonal; with 0.5, two directions 60 to
+  /// 120 degrees apart are fully defined.
   double class_threshold = 0.5;
   /// Limits beyond which a link can't be a skin link (it is a cable, a joint or a wrong port), radians; three predicted
   /// standard deviations are added before a link is judged.

@@ -6,6 +6,9 @@
 #include <algorithm>
 
 namespace hexoderm {
+
+double rotationSigma(const Eigen::Matrix3d& covariance) { return std::min(kPi, largestDeviation(covariance)); }
+
 std::optional<Uncertainty95> uncertaintyOf(const CellPlacement& cell) {
   if (!cell.cov_t_r) return std::nullopt;
   return Uncertainty95{kSigmasFor95Percent * largestDeviation(cell.cov_t_r->topLeftCorner<3, 3>()),

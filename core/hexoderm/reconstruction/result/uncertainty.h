@@ -6,12 +6,16 @@
 
 namespace hexoderm {
 
-/// How well a cell's placement relative to its origin is known, in the way the verdict says it: 1.96 standard
-/// deviations (95 %) along the worst axis. The orientation's is at most pi.
+/// The uncertainty of a cell's placement relative to its origin, as the verdict states it: 1.96 standard deviations
+/// (95 %) along the worst axis. The orientation's is at most pi.
 struct Uncertainty95 {
   double position_m = 0;
   double orientation_rad = 0;
 };
+
+/// Standard deviation of an orientation about its worst axis, rad, from the covariance of its error, rad^2. At most pi:
+/// nothing can be turned further.
+double rotationSigma(const Eigen::Matrix3d& covariance);
 
 /// Absent where no covariance is stated; zero for the origin.
 std::optional<Uncertainty95> uncertaintyOf(const CellPlacement& cell);

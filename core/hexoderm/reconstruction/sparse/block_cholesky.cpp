@@ -117,7 +117,7 @@ bool BlockCholesky::factorize(std::span<const Matrix6d> diagonal, std::span<cons
 
     Eigen::Ref<MatrixXd> L_pp = L.topRows(pivots);
     const Eigen::LLT<Eigen::Ref<MatrixXd>> llt(L_pp);
-    // Whatever is not finite has reached the diagonal, here or further up the tree.
+    // A number that is not finite, here or further up the tree, has reached the diagonal.
     if (llt.info() != Eigen::Success || !L_pp.diagonal().allFinite()) return false;
     if (rows == 0) continue;
     auto L_rp = L.bottomRows(rows);

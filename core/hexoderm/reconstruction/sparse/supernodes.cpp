@@ -65,7 +65,7 @@ struct ColumnPattern {
   Indices order;
   Indices parent;
   Indices front;        // per column: blocks in it, the diagonal included
-  double products = 0;  // of blocks, to factorise
+  double products = 0;  // number of block products of the factorisation
 };
 
 ColumnPattern columnPattern(Indices order, const std::vector<BlockCouple>& couples) {
@@ -113,7 +113,7 @@ Indices postorder(const Indices& parent) {
   return order;
 }
 
-/// Where a row stands in a front that it is in.
+/// Index of a row in a front that contains it.
 std::size_t placeInFront(const Supernode& node, std::size_t row) {
   if (row < node.first + node.pivots) return row - node.first;
   const auto found = std::lower_bound(node.rows.begin(), node.rows.end(), row);

@@ -10,7 +10,7 @@ namespace hexoderm {
 /// Consecutive columns of a Cholesky factor that are stored as one dense panel. Its front is its pivots, then its rows;
 /// numbers of blocks throughout.
 struct Supernode {
-  /// Where a couple's block stands in the front, in the lower triangle.
+  /// Position of a couple's block in the front, in the lower triangle.
   struct Entry {
     std::size_t couple = 0;
     std::size_t row = 0;
@@ -20,7 +20,7 @@ struct Supernode {
 
   std::size_t first = 0;  ///< place of the first pivot in the elimination order
   std::size_t pivots = 0;
-  std::size_t parent = 0;              ///< of no meaning without rows
+  std::size_t parent = 0;              ///< meaningless without rows
   std::vector<std::size_t> rows;       ///< places in the elimination order below the pivots, ascending
   std::vector<std::size_t> in_parent;  ///< per row: where it stands in the parent's front
   std::vector<std::size_t> children;

@@ -94,11 +94,15 @@ TEST(UserGuide, ReadsItsPageOnceWhenTheThemeChangesAndStaysWhereItIs) {
   EXPECT_EQ(read.count(), 1);
   EXPECT_EQ(bar->value(), 50);
   EXPECT_EQ(guide.currentPage(), QStringLiteral("faults"));
-  // A guide that is closed is read again when it is opened, and not before.
+  // A guide that is closed is read again when it is opened, and not before; an open one is read meanwhile.
   guide.hide();
+  GuideWindow open;
+  open.show();
+  ASSERT_TRUE(test::waitUntilExposed(open));
+  QSignalSpy open_read(open.findChild<QTextBrowser*>(QStringLiteral("guidePage")), &QTextBrowser::sourceChanged);
   applyTheme(Theme::Light);
-  constexpr int kLong_ms = 200;  // for the parts that nobody sees to be dressed
-  QTest::qWait(kLong_ms);
+  ASSERT_TRUE(test::waitUntil([&] { return open_read.count() > 0; }));
+  QCoreApplication::processEvents();
   EXPECT_EQ(read.count(), 1);
   guide.show();
   EXPECT_TRUE(test::waitUntil([&] { return read.count() == 2; }));

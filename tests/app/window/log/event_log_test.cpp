@@ -1,4 +1,4 @@
-// What happened, in memory and in a file.
+// The log of events, in memory and in a file.
 #include "app/window/log/event_log.h"
 
 #include <gmock/gmock.h>

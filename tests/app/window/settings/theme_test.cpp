@@ -55,7 +55,7 @@ TEST(ThemeTest, AChangeDressesAWidgetOnceHoweverDeepItIsInOthers) {
   EXPECT_EQ(style->times[label], 1);
   EXPECT_EQ(style->times[&window], 1);
   EXPECT_EQ(label->palette().color(QPalette::WindowText), Colors::of(Theme::Dark).text_muted);
-  // The same once more is no change.
+  // The same theme again is no change.
   applyTheme(Theme::Dark);
   EXPECT_EQ(style->times[label], 1);
   installStyle();

@@ -75,7 +75,7 @@ TEST_F(WindowThemeTest, FollowsTheDesktopAsLongAsThatIsChosen) {
   ASSERT_TRUE(waitUntil([&] { return announced == 1; }));
   QCoreApplication::processEvents();
   EXPECT_TRUE(isShown(Theme::Light));
-  // What was announced meanwhile counts once the system is chosen again; other settings don't.
+  // Announcements made meanwhile count once the system is chosen again; other settings don't.
   action("actionThemeSystem")->trigger();
   EXPECT_TRUE(isShown(Theme::Dark));
   announce("org.freedesktop.appearance", "contrast", kLight);

@@ -22,7 +22,7 @@ struct Explored {
   Exploration result;
 };
 
-/// What a perfect exploration reports: the skin's own list, and the interface where it hangs.
+/// Report of a perfect exploration: the skin's own list, and the interface at its port.
 NeighborList withInterface(NeighborList cells, const LinkEnd& at, const CellModel& model) {
   for (CellReport& cell : cells) {
     if (cell.id == at.cell) cell.neighbors.push_back({at.port, model.interface_id, PortNumber(1)});
@@ -98,7 +98,7 @@ TEST(Exploration, CellsThatForgotTheirIdsGetNewOnes) {
     ASSERT_EQ(explored.result.cells.size(), truth.size());
     for (std::size_t k = 0; k < truth.size(); ++k) EXPECT_EQ(explored.result.cells[k].id.value(), k + 1);
 
-    // The same skin but for the numbers: walked along from the interface.
+    // The skin is the same but for the numbers: it is walked along from the interface.
     std::map<CellId, CellId> renamed;
     const auto start = std::ranges::find_if(explored.result.cells, [&](const CellReport& cell) {
       return std::ranges::any_of(cell.neighbors,
@@ -142,7 +142,7 @@ TEST(Exploration, ADeadCellIsMissingAndSoIsWhatLiesBehindIt) {
 }
 
 TEST(Exploration, APortThatWorksInOneDirectionGivesAOneSidedLink) {
-  // Of a closed ring, so that both cells are reached in any case.
+  // A closed ring, so that both cells are reached in any case.
   const Explored whole = explore("ring8:closed");
   const NeighborReport link = *std::ranges::find(find(whole.truth, 5)->neighbors, CellId(6), &NeighborReport::cell);
   const auto sees = [](const Explored& explored, std::uint32_t who, std::uint32_t whom) {

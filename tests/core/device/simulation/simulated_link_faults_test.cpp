@@ -1,4 +1,4 @@
-// What faults of links do to a simulated skin's reports, readings and truth.
+// Effects of faulty links on a simulated skin's reports, readings and truth.
 
 #include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/graph/skin_graph.h"
@@ -60,7 +60,7 @@ Hinge hingeBetween(const SimulatedSkin& skin, unsigned near, unsigned near_port,
   return hinge;
 }
 
-/// What each cell, placed as the truth has it, saw pointing up in the first frame.
+/// The up direction that each cell saw in the first frame, with the cell placed as in the truth.
 std::vector<Eigen::Vector3d> upSeen(const SimulatedSkin& skin, const std::vector<SampleFrame>& frames) {
   std::vector<Eigen::Vector3d> up;
   for (std::size_t k = 0; k < skin.truth().size(); ++k) {

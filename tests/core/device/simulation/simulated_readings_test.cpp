@@ -1,4 +1,4 @@
-// What the simulated skin's accelerometers read.
+// Readings of the simulated skin's accelerometers.
 
 #include "hexoderm/capture/pose_capture.h"
 #include "hexoderm/device/simulation/simulated_skin.h"

@@ -1,4 +1,4 @@
-// Where the simulated skin's cells lie and how they are joined.
+// Placements and links of the simulated skin's cells.
 
 #include "hexoderm/device/simulation/simulated_skin.h"
 
@@ -47,7 +47,7 @@ std::vector<TrueLink> linksOf(const SimulatedSkin& skin) {
   return links;
 }
 
-/// How far both ends of a link's port vectors are apart, eq. (2).
+/// Distance between the ends of a link's port vectors, eq. (2).
 double misfit(const SimulatedSkin& skin, const TrueLink& link) {
   return (link.T_b_c * skin.model().port(link.source.port).vector_m -
           link.T_b_n * skin.model().port(link.target.port).vector_m)

@@ -24,7 +24,7 @@ TEST(TopologyParts, FitDatagramsAndComeTogetherInAnyOrder) {
   std::vector<Topology> parts = topologyParts(cells, 9, kMaxDatagram);
   ASSERT_GT(parts.size(), 5U);
   for (const Topology& part : parts) EXPECT_LE(encodeBody(part).size(), kMaxDatagram);
-  // As full as they go: the next cell would not have fitted.
+  // The parts are full: the next cell would not have fitted.
   EXPECT_GT(encodeBody(parts[0]).size(), kMaxDatagram - 60);
 
   std::ranges::reverse(parts);

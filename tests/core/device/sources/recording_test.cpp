@@ -163,7 +163,7 @@ TEST(Recording, CutOffAnywhereItPlaysUpToTheLastWholeFrame) {
   const auto path = folder.path() / "a.skinrec";
   record(path);
   const std::string whole = readFile(path);
-  std::vector<std::size_t> ends = {8};  // of the magic and of each record
+  std::vector<std::size_t> ends = {8};  // ends of the magic and of each record
   for (RecordingReader reader(path); const auto record = reader.next();) {
     ends.push_back(ends.back() + 12 + record->body.size());
   }
@@ -226,7 +226,7 @@ TEST(Recording, IsPlayedInRealTimeOrFaster) {
   EXPECT_GE(std::chrono::steady_clock::now() - began, std::chrono::milliseconds(100));
   EXPECT_EQ(delivered.frames.size(), 2U);
 
-  // At its own pace it can be stopped long before its end.
+  // Played at its own pace, it can be stopped long before its end.
   CollectingListener listener;
   ReplaySource source(path);
   source.start(listener);

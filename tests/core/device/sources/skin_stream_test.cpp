@@ -173,7 +173,7 @@ TEST_F(SkinStreamTest, ACellTwiceInAMessageIsRefused) {
   Samples samples = skinwire::rawSamples(0, 1000);
   samples.cells = {1, 1};
   EXPECT_EQ(take(samples), Effect::Nothing);
-  // What was remembered of the refused message must not be used for one without cells.
+  // Nothing remembered of the refused message may be used for one without cells.
   Samples temperature;
   temperature.time_us = 2000;
   temperature.temperature_cells = {1};

@@ -24,8 +24,8 @@ WireOptions quick() {
           milliseconds(300), milliseconds(50),  milliseconds(300)};
 }
 
-/// Where something has to come in time, a computer that stands still for a moment looks like a device that does. Tries
-/// with more and more patience, until `passes(options)`; false if no patience helps.
+/// Runs a test of timing with more and more patience, until `passes(options)`; false if no patience helps. A computer
+/// that stands still for a moment looks like a device that does.
 template <class Test>
 bool passesWithPatience(const Test& passes) {
   for (const int times : {1, 5, 25}) {
@@ -38,7 +38,7 @@ bool passesWithPatience(const Test& passes) {
   return false;
 }
 
-/// For tests in which nothing may time out: what happens has another reason.
+/// Options for tests in which nothing may time out: every event has another reason.
 WireOptions patient() {
   WireOptions options;
   options.first_retry = milliseconds(10);
@@ -309,7 +309,7 @@ TEST(WireSource, AStatusNowAndThenIsNoSilence) {
     source.start(listener);
     DeviceConnection connection = device.accept();
     describe(connection);
-    // Longer than the time after which the connection would be made anew.
+    // Longer than the time after which the connection would be made again.
     const auto end = std::chrono::steady_clock::now() + 2 * options.reconnect_after;
     while (std::chrono::steady_clock::now() < end) {
       connection.send(skinwire::Status{"resting", false, 0, 0});

@@ -1,5 +1,4 @@
-// SPEC section 7, the rows that concern topology and poses: bad reports and bad sensors become findings, the rest is
-// solved, and nothing is NaN.
+// Faults of topology and poses: bad reports and bad sensors become findings, the rest is solved, and nothing is NaN.
 
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/util/units.h"
@@ -330,7 +329,7 @@ TEST_P(SkinFaults, AJointThatTurnedBetweenPosesIsFoundByItsResidualAndMuted) {
 }
 
 TEST_P(SkinFaults, APoseInWhichCellsContradictEachOtherIsLeftOutNotTheCells) {
-  // As if the part had been turned while its cells were read one after the other.
+  // Readings as of a part that is turned while its cells are read one after the other.
   const PinJointedSkin skin = bentX17();
   const Session session = changed(skin.session(orthogonalUps(6)), [](std::size_t pose, GravitySample& sample) {
     if (pose != 3) return;

@@ -25,7 +25,7 @@ Eigen::Vector3d onCylinder(double angle_deg, double z, double radius) {
   return {radius * std::cos(angle_deg * kDegree), radius * std::sin(angle_deg * kDegree), z};
 }
 
-/// Where the grid's points are in the frame in which the places were given.
+/// The grid's points in the frame in which the places were given.
 std::vector<Eigen::Vector3d> localPoints(const SurfaceMesh& mesh) {
   std::vector<Eigen::Vector3d> local;
   for (const Eigen::Vector3d& point : mesh.points) local.emplace_back(kElsewhere.inverse() * point);

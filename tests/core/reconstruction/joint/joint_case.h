@@ -83,7 +83,7 @@ inline void addExactReadings(JointCase& example, const std::vector<Eigen::Vector
   }
 }
 
-/// Where a link puts the cell n that is turned by R_c_n: the closure of JointProblem, met exactly.
+/// Placement of the cell n that is turned by R_c_n, by its link: the closure of JointProblem, met exactly.
 inline SE3 placeByLink(const SE3& T_o_c, const JointLink& link, const Eigen::Matrix3d& R_c_n, double share) {
   const Eigen::Vector3d u_c = link.p_c.normalized();
   const Eigen::Vector3d u_n = R_c_n * link.p_n.normalized();

@@ -23,7 +23,7 @@ SimulatedSkinOptions skin(const std::string& patch, const std::string& surface =
   return options;
 }
 
-/// Largest deviations from the truth, aligned as SPEC step 14 has it.
+/// Largest deviations from the truth, aligned as in compareToTruth().
 struct Deviation {
   double position_m = 0;
   double orientation_rad = 0;
@@ -354,7 +354,7 @@ TEST(JointSolver, ACellWithoutReadingsLiesWhereItsLinksPutIt) {
 }
 
 TEST(JointSolver, APoseThatNoCellReadsAnyMoreStaysUnknown) {
-  // As when the only cell that was measured in a pose is left out.
+  // This happens when the only cell that was measured in a pose is left out.
   JointCase example = simulatedCase(skin("x17"), 4, kFitGap);
   JointCase fewer = simulatedCase(skin("x17"), 3, kFitGap);
   for (auto& readings : example.problem.readings) readings.pop_back();
@@ -370,7 +370,7 @@ TEST(JointSolver, APoseThatNoCellReadsAnyMoreStaysUnknown) {
 TEST(JointSolver, TheStartDoesNotMatter) {
   JointCase example = simulatedCase(skin("sheet:5x5", "cylinder:r=0.06"), 3, kFitGap);
   const JointSolution near = solveJointly(example.problem, example.truth);
-  // Where most links are beyond the loss's threshold the way is long.
+  // The way is long if most links are beyond the loss's threshold.
   JointSolverOptions patient;
   patient.max_iterations = 300;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {

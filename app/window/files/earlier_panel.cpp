@@ -1,0 +1,25 @@
+#include "app/window/files/earlier_panel.h"
+
+#include "app/window/files/recent_files.h"
+#include "app/window/files/recovery.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace hexoderm {
+
+EarlierPanel::EarlierPanel(RecentFiles& recent, UnsavedSessions& unsaved, QWidget* parent) : QWidget(parent) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 8, 0, 0);
+  layout->addWidget(new RecoveryList(unsaved));
+  auto* title = new QLabel(tr("Recent").toUpper());
+  title->setProperty("caption", true);
+  layout->addWidget(title);
+  constexpr std::size_t kShown = 3;
+  constexpr int kTitleCharacters = 22;
+  auto* list = new RecentList(recent, kShown, kTitleCharacters);
+  connect(list, &RecentList::openWanted, this, &EarlierPanel::openWanted);
+  layout->addWidget(list);
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QMainWindow>
+#include <memory>
+#include <vector>
+
+class QSettings;
+
+namespace hexoderm {
+
+class CardDock;
+class ViewSwap;
+struct Views;
+
+/// Lays the views out: one in the middle, the others in panels around it that the operator can move.
+class Panels : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  /// Takes over the views that it shows.
+  explicit Panels(const Views& views, QWidget* parent = nullptr);
+  ~Panels() override;
+
+  [[nodiscard]] CardDock& steps() { return *steps_; }
+  [[nodiscard]] CardDock& graph() { return *graph_; }
+  [[nodiscard]] CardDock& coverage() { return *coverage_; }
+  [[nodiscard]] CardDock& poses() { return *poses_; }
+  [[nodiscard]] CardDock& details() { return *details_; }
+  [[nodiscard]] ViewSwap& swap() { return *swap_; }
+  /// One a panel: shows or hides it.
+  [[nodiscard]] std::vector<QAction*> toggleActions() const;
+
+  /// As the operator left them at the last start.
+  void restore(const QSettings& settings);
+  void remember(QSettings& settings) const;
+
+ private:
+  [[nodiscard]] QWidget* makeCentre(const Views& views);
+  [[nodiscard]] CardDock* makeDetails(const Views& views);
+  void arrange();
+
+  CardDock* steps_;
+  CardDock* graph_;
+  CardDock* poses_;
+  CardDock* coverage_;
+  std::unique_ptr<ViewSwap> swap_;
+  CardDock* details_;
+};
+
+}  // namespace hexoderm

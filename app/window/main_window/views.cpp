@@ -1,0 +1,59 @@
+#include "app/window/main_window/views.h"
+
+#include "app/window/files/earlier_panel.h"
+#include "app/window/guide/actions.h"
+#include "app/window/guide/guide.h"
+#include "app/window/guide/welcome_panel.h"
+#include "app/window/log/log_view.h"
+#include "app/window/toolkit/status_bar.h"
+#include "widgets/capture/capture_panel.h"
+#include "widgets/capture/capture_tone.h"
+#include "widgets/capture/coverage_view.h"
+#include "widgets/capture/live_strip.h"
+#include "widgets/capture/stillness_view.h"
+#include "widgets/controls/banner.h"
+#include "widgets/controls/check_list.h"
+#include "widgets/controls/message_bar.h"
+#include "widgets/controls/step_panel.h"
+#include "widgets/graph/graph_view.h"
+#include "widgets/patch/patch_view.h"
+#include "widgets/verify/residual_view.h"
+#include "widgets/verify/verify_panel.h"
+
+#include <QLabel>
+#include <QMenuBar>
+#include <QTabBar>
+
+namespace hexoderm {
+
+Views::Views(const Sources& sources, QObject* owner)
+    : banner(new Banner),
+      messages(new MessageBar),
+      live_strip(new LiveStrip(sources.actions.disconnect_skin)),
+      status(new StatusBar),
+      menus(new QMenuBar),
+      session_name(new QLabel),
+      steps(new StepPanel),
+      earlier(new EarlierPanel(sources.recent, sources.unsaved)),
+      check_list(new CheckList),
+      capture_panel(new CapturePanel(
+          {sources.actions.automatic, sources.actions.capture, sources.actions.skip_pose, sources.actions.turn})),
+      verify_panel(new VerifyPanel(&sources.selection)),
+      welcome(new WelcomePanel({sources.actions.demo, sources.actions.connect_skin, sources.actions.open},
+                               sources.recent, sources.unsaved)),
+      patch(new PatchView(&sources.selection)),
+      graph(new GraphView(&sources.selection)),
+      coverage(new CoverageView),
+      stillness(new StillnessView),
+      tone(new CaptureTone(owner)),
+      tables(owner),
+      residuals(new ResidualView(&sources.selection)),
+      log(new LogView(sources.log)),
+      detail_tabs(new QTabBar) {
+  steps->setBody(static_cast<int>(GuideStep::Connect), earlier);
+  steps->setBody(static_cast<int>(GuideStep::Check), check_list);
+  steps->setBody(static_cast<int>(GuideStep::Capture), capture_panel);
+  steps->setBody(static_cast<int>(GuideStep::Verify), verify_panel);
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "app/window/toolkit/result_tables.h"
+
+class QLabel;
+class QMenuBar;
+class QObject;
+class QTabBar;
+
+namespace hexoderm {
+
+class Banner;
+class CapturePanel;
+class CaptureTone;
+class CheckList;
+class CoverageView;
+class EarlierPanel;
+class EventLog;
+class GraphView;
+class LiveStrip;
+class LogView;
+class MessageBar;
+class PatchView;
+class RecentFiles;
+class ResidualView;
+class Selection;
+class StatusBar;
+class StepPanel;
+class StillnessView;
+class UnsavedSessions;
+class VerifyPanel;
+class WelcomePanel;
+class WindowActions;
+
+/// Every view of the window. Each belongs to the widget that it is laid out in.
+struct Views {
+  /// What the views show from their beginning; all outlive them.
+  struct Sources {
+    Selection& selection;
+    const WindowActions& actions;
+    const EventLog& log;
+    RecentFiles& recent;
+    UnsavedSessions& unsaved;
+  };
+  /// `owner`: of what is no widget.
+  Views(const Sources& sources, QObject* owner);
+
+  Banner* banner;
+  MessageBar* messages;
+  LiveStrip* live_strip;
+  StatusBar* status;
+  QMenuBar* menus;
+  QLabel* session_name;
+  StepPanel* steps;
+  EarlierPanel* earlier;
+  CheckList* check_list;
+  CapturePanel* capture_panel;
+  VerifyPanel* verify_panel;
+  WelcomePanel* welcome;
+  PatchView* patch;
+  GraphView* graph;
+  CoverageView* coverage;
+  StillnessView* stillness;
+  CaptureTone* tone;
+  ResultTables tables;
+  ResidualView* residuals;
+  LogView* log;
+  QTabBar* detail_tabs;
+};
+
+}  // namespace hexoderm

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <functional>
+
+class QWidget;
+
+namespace hexoderm {
+
+class MessageBar;
+class SessionController;
+class CsvActions;
+class WindowActions;
+
+/// Asks the operator for the files that are read or written. Before a session is replaced or the window closes, it asks
+/// whether unsaved changes are to be saved.
+class FilePresenter : public QObject {
+  Q_OBJECT
+
+ public:
+  /// All outlive the presenter; dialogs belong to `window`.
+  FilePresenter(QWidget& window, SessionController& controller, const WindowActions& actions, MessageBar& messages);
+
+  void openFile(const QString& path);
+  void startDemo();
+
+  /// Calls `proceed` at once where nothing would be lost, else after the operator has answered, unless they cancel.
+  void afterAskingToSave(std::function<void()> proceed);
+  /// Whether the window may close now. If it may not, the operator is asked, or a file is finished, and the window is
+  /// closed after that.
+  [[nodiscard]] bool mayClose();
+
+  /// Asks where to save. `name`: suggested, without folder; `filter` as QFileDialog has it; `extension`: ".png".
+  void askForPath(const QString& title, const QString& name, const QString& filter, const QString& extension,
+                  std::function<void(QString)> chosen);
+  /// The name of what is open, without folder and extension.
+  [[nodiscard]] QString suggestedName() const;
+  /// Serves "Save as CSV…" of a table.
+  void saveTablesOf(CsvActions* actions);
+
+ private:
+  void askToOpen();
+  void saveSession(bool always_ask);
+  void saveCalibration();
+  void showExportDialog();
+  void showDone(const QString& text, const QString& path);
+  /// What waits for the session to be saved does not happen.
+  void forgetPlans();
+
+  QWidget& window_;
+  SessionController& controller_;
+  MessageBar& messages_;
+  std::function<void()> after_saving_;  ///< what waits for the session to be on disk
+  bool may_close_ = false;
+  bool close_when_written_ = false;
+};
+
+}  // namespace hexoderm

@@ -1,0 +1,44 @@
+#include "app/window/presenters/guide_presenter.h"
+
+#include "app/window/guide/actions.h"
+#include "app/window/guide/guide.h"
+#include "app/window/session/session_controller.h"
+#include "widgets/controls/banner.h"
+#include "widgets/controls/check_list.h"
+#include "widgets/controls/step_panel.h"
+
+namespace hexoderm {
+
+GuidePresenter::GuidePresenter(const Views& views, const SessionController& controller, const WindowActions& actions)
+    : views_(views), controller_(controller), actions_(actions) {
+  connect(&controller_, &SessionController::opened, this, [this] {
+    const GuideStep step = controller_.liveSession().source().isRunning() ? GuideStep::Capture
+                           : controller_.session()                        ? GuideStep::Review
+                                                                          : GuideStep::Export;
+    views_.steps.openStep(static_cast<int>(step));
+  });
+}
+
+void GuidePresenter::refresh() {
+  views_.banner.setContent(describeStand(controller_, actions_));
+  const std::shared_ptr<const Reconstruction>& result = controller_.reconstruction();
+  const LiveSource& live = controller_.liveSession().source();
+  const SkinCheck check =
+      result ? checkSkin(*result, live.preview().means, live.hold().stillness.odd_cells) : SkinCheck{};
+  views_.check_list.setCheck(check);
+  const std::vector<Step> steps = describeSteps(controller_, actions_, check);
+  views_.steps.setSteps(steps);
+  nameStepActions(steps);
+}
+
+void GuidePresenter::nameStepActions(const std::vector<Step>& steps) const {
+  for (std::size_t k = 0; k < actions_.go_to_step.size(); ++k) {
+    QAction* action = actions_.go_to_step[k];
+    const bool is_there = k < steps.size();
+    action->setVisible(is_there);
+    action->setEnabled(is_there);
+    if (is_there) action->setText(tr("Step &%1: %2").arg(k + 1).arg(steps[k].title));
+  }
+}
+
+}  // namespace hexoderm

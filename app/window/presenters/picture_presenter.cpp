@@ -1,0 +1,92 @@
+#include "app/window/presenters/picture_presenter.h"
+
+#include "app/window/guide/actions.h"
+#include "app/window/presenters/file_presenter.h"
+#include "app/window/report/report_pictures.h"
+#include "app/window/session/session_controller.h"
+#include "app/window/settings/preferences.h"
+#include "app/window/settings/theme.h"
+#include "app/window/toolkit/once_per_turn.h"
+#include "widgets/graph/graph_view.h"
+#include "widgets/patch/patch_view.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QStandardPaths>
+#include <QTimer>
+
+namespace hexoderm {
+
+PicturePresenter::PicturePresenter(const Views& views, SessionController& controller, const WindowActions& actions,
+                                   FilePresenter& files, OncePerTurn& refresh)
+    : views_(views), controller_(controller), files_(files), refresh_(refresh) {
+  connect(actions.screenshot, &QAction::triggered, this, &PicturePresenter::savePicture);
+  connect(actions.report, &QAction::triggered, this, &PicturePresenter::askForReport);
+  connect(&views_.patch, &PatchView::pictureRequested, this, &PicturePresenter::savePatch);
+  connect(&views_.graph, &GraphView::pictureWanted, this, &PicturePresenter::saveGraph);
+}
+
+/// Layouts have not caught up with a text that has just changed, inner ones ask outer ones for room; and a theme that
+/// was just chosen may still wait for its turn.
+void PicturePresenter::settle() {
+  refresh_.finish();
+  finishTheme();
+  constexpr int kNested = 4;
+  for (int k = 0; k < kNested; ++k) QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+}
+
+QImage PicturePresenter::picture() {
+  // The 3D view draws when there is time; until then a picture of the window would show its last state.
+  settle();
+  views_.patch.waitUntilUpToDate();
+  views_.patch.drawNow();
+  return pictureAsDrawn();
+}
+
+QImage PicturePresenter::pictureAsDrawn() {
+  settle();
+  return views_.window.grab().toImage();
+}
+
+void PicturePresenter::savePicture() {
+  const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
+  const QDir folder(QDir(pictures).exists() ? pictures : lastFolder());
+  const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz"));
+  const QString path = folder.filePath(QStringLiteral("hexoderm-%1.png").arg(stamp));
+  views_.patch.whenUpToDate([this, path] {
+    // In two turns, because both take their time without a graphics card. A pause of 0 would be none: what is posted
+    // comes before everything that waits.
+    settle();
+    views_.patch.drawNow();
+    QTimer::singleShot(1, this, [this, path] { controller_.resultFiles().saveImage(pictureAsDrawn(), path); });
+  });
+}
+
+void PicturePresenter::savePatch() {
+  files_.askForPath(tr("Save a picture of the 3D view"), files_.suggestedName() + tr("-3d"), tr("Pictures (*.png)"),
+                    QStringLiteral(".png"), [this](const QString& path) {
+                      views_.patch.whenUpToDate(
+                          [this, path] { controller_.resultFiles().saveImage(views_.patch.screenshot(), path); });
+                    });
+}
+
+void PicturePresenter::saveGraph() {
+  files_.askForPath(tr("Save a picture of the graph"), files_.suggestedName() + tr("-graph"),
+                    tr("Vector graphics (*.svg);;Pictures (*.png)"), QStringLiteral(".svg"),
+                    [this](const QString& path) {
+                      controller_.resultFiles().savePicture(
+                          [picture = views_.graph.picture(), path] { return picture.save(path); }, path);
+                    });
+}
+
+void PicturePresenter::askForReport() {
+  files_.askForPath(tr("Write a report"), files_.suggestedName(),
+                    tr("Documents (*.pdf);;Pages for the browser (*.html)"), QStringLiteral(".pdf"),
+                    [this](const QString& path) {
+                      if (!controller_.reconstruction()) return;
+                      controller_.resultFiles().writeReport(takeReportPictures(controller_.reconstruction()), path);
+                    });
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QImage>
+#include <QObject>
+
+class QWidget;
+
+namespace hexoderm {
+
+class FilePresenter;
+class GraphView;
+class OncePerTurn;
+class PatchView;
+class SessionController;
+class WindowActions;
+
+/// Takes the pictures that the operator saves: of the window, of its views, and those of a report.
+class PicturePresenter : public QObject {
+  Q_OBJECT
+
+ public:
+  struct Views {
+    QWidget& window;
+    PatchView& patch;
+    GraphView& graph;
+  };
+  /// All outlive the presenter. `refresh`: of the window, which is finished before a picture is taken.
+  PicturePresenter(const Views& views, SessionController& controller, const WindowActions& actions,
+                   FilePresenter& files, OncePerTurn& refresh);
+
+  /// The whole window as it looks now. Waits for the 3D view to be up to date (PatchView::waitUntilUpToDate()).
+  [[nodiscard]] QImage picture();
+
+ private:
+  void settle();
+  QImage pictureAsDrawn();
+  void savePicture();
+  void savePatch();
+  void saveGraph();
+  void askForReport();
+
+  Views views_;
+  SessionController& controller_;
+  FilePresenter& files_;
+  OncePerTurn& refresh_;
+};
+
+}  // namespace hexoderm

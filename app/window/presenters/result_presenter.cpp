@@ -1,0 +1,30 @@
+#include "app/window/presenters/result_presenter.h"
+
+#include "app/window/session/session_controller.h"
+
+namespace hexoderm {
+
+ResultPresenter::ResultPresenter(SessionController& controller) : controller_(controller) {
+  connect(&controller_, &SessionController::reconstructionChanged, this, &ResultPresenter::handOut);
+  connect(&controller_.liveMode(), &LiveMode::momentSolved, this, [this](const Result& moment) {
+    if (controller_.liveMode().isOn()) handToPictures(moment);
+  });
+  connect(&controller_.liveMode(), &LiveMode::toggled, this, [this](bool on) {
+    if (!on) handToPictures(controller_.reconstruction());
+  });
+}
+
+void ResultPresenter::handOut(const Result& result) {
+  for (const Receiver& receiver : receivers_) {
+    if (!receiver.is_picture || !controller_.liveMode().isOn()) receiver.set(result);
+  }
+  emit handedOut();
+}
+
+void ResultPresenter::handToPictures(const Result& result) {
+  for (const Receiver& receiver : receivers_) {
+    if (receiver.is_picture) receiver.set(result);
+  }
+}
+
+}  // namespace hexoderm

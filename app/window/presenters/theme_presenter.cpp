@@ -1,0 +1,37 @@
+#include "app/window/presenters/theme_presenter.h"
+
+#include "app/window/guide/actions.h"
+#include "app/window/settings/preferences.h"
+#include "widgets/style/system_theme.h"
+
+#include <QTimer>
+
+namespace hexoderm {
+
+ThemePresenter::ThemePresenter(const WindowActions& actions, Preferences& preferences)
+    : actions_(actions), preferences_(preferences) {
+  connect(actions_.themes, &QActionGroup::triggered, this, [this] { setChoice(choice(), true); });
+  connect(&preferences_, &Preferences::textFactorChanged, this, [this](double factor) {
+    applyTextFactor(factor);
+    // The style sheet's sizes follow the application's; in a turn of the event loop of their own.
+    QTimer::singleShot(1, this, [this] { setChoice(choice(), true); });
+  });
+  connect(new SystemThemeWatch(this), &SystemThemeWatch::changed, this, [this](Theme theme) {
+    setSystemTheme(theme);
+    if (choice() == ThemeChoice::System) setChoice(ThemeChoice::System, false);
+  });
+}
+
+ThemeChoice ThemePresenter::choice() const {
+  return static_cast<ThemeChoice>(actions_.themes->actions().indexOf(actions_.themes->checkedAction()));
+}
+
+void ThemePresenter::setChoice(ThemeChoice choice, bool remember) {
+  theme_ = resolveTheme(choice);
+  applyTheme(theme_);
+  for (const auto& dress : dress_) dress(theme_);
+  actions_.theme[static_cast<std::size_t>(choice)]->setChecked(true);
+  if (remember) preferences_.setTheme(choice);
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QObject>
+
+class QWidget;
+
+namespace hexoderm {
+
+class FilePresenter;
+class PatchView;
+class SessionController;
+class Verification;
+class VerifyPanel;
+
+/// Runs the checks of the step Verify, as its panel asks for them.
+class VerifyPresenter : public QObject {
+  Q_OBJECT
+
+ public:
+  struct Views {
+    QWidget& window;  ///< dialogs belong to it
+    VerifyPanel& panel;
+    PatchView& patch;
+  };
+  /// All outlive the presenter.
+  VerifyPresenter(const Views& views, const SessionController& controller, Verification& verification,
+                  FilePresenter& files);
+
+ private:
+  void connectResults();
+  void askForComparison();
+
+  Views views_;
+  const SessionController& controller_;
+  Verification& verification_;
+};
+
+}  // namespace hexoderm

@@ -1,0 +1,113 @@
+#include "hexoderm/reconstruction/links/skin_links.h"
+
+#include "hexoderm/graph/shortest_paths.h"
+#include "hexoderm/reconstruction/result/uncertainty.h"
+#include "hexoderm/util/units.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hexoderm {
+namespace {
+
+SkinGraph makeGraph(const SessionSnapshot& snapshot, std::vector<Finding>& findings) {
+  SkinGraph graph(*snapshot.model, *snapshot.neighbors);
+  findings.insert(findings.end(), graph.findings().begin(), graph.findings().end());
+  return graph;
+}
+
+double weightOf(const EdgeRotation& edge, LinkWeights weights) {
+  if (weights == LinkWeights::Paper) return paperWeight(edge.quality);
+  // In degrees, so that it reads like the figures beside it; never so small that a path of many links costs nothing.
+  constexpr double kLeast = 0.1;
+  return std::max(kLeast, toDegrees(std::hypot(rotationSigma(edge.covariance), edge.residual_rad)));
+}
+
+}  // namespace
+
+SkinLinks::SkinLinks(const SessionSnapshot& snapshot, const SolverOptions& options, std::vector<Finding>& findings)
+    : snapshot_(snapshot),
+      options_(options),
+      model_(*snapshot.model),
+      graph_(makeGraph(snapshot, findings)),
+      table_(snapshot, graph_, findings),
+      readings_(model_, graph_, table_) {}
+
+PoseId SkinLinks::poseId(std::size_t pose) const { return snapshot_.poses[pose].capture->id; }
+
+void SkinLinks::dropCell(std::size_t cell) {
+  for (std::size_t pose = 0; pose < table_.poseCount(); ++pose) table_.at(cell, pose).usable = false;
+}
+
+void SkinLinks::dropPose(std::size_t pose) {
+  for (std::size_t cell = 0; cell < table_.cellCount(); ++cell) table_.at(cell, pose).usable = false;
+}
+
+void SkinLinks::estimateEdges() {
+  readings_ = SkinReadings(model_, graph_, table_);
+  edges_.clear();
+  pose_residuals_.clear();
+  for (const GraphLink& link : graph_.links()) {
+    const EdgeReadings readings = readings_.readingsOf(link);
+    EdgeRotation edge = estimateEdgeRotation(model_, sourcePort(link), targetPort(link), readings, options_);
+    std::vector<std::optional<double>> residuals(table_.poseCount());
+    if (readings_.measured(link)) {
+      std::size_t k = 0;
+      for (const std::size_t pose : readings_.posesOf(link)) residuals[pose] = edge.pose_residual_rad[k++];
+    } else if (readings.n_g.cols() > 0) {
+      markAsGuessed(edge, link);
+    }
+    edges_.push_back(std::move(edge));
+    pose_residuals_.push_back(std::move(residuals));
+  }
+}
+
+/// One end does not measure: the rotation is interpolated, and nothing but the elastomer prior speaks for it.
+void SkinLinks::markAsGuessed(EdgeRotation& edge, const GraphLink& link) const {
+  edge.quality = EdgeQuality::Undefined;
+  edge.singular_values.setZero();
+  edge.residual_rad = 0;
+  edge.expected_residual_rad = 0;
+  edge.prior_part.setZero();  // it is the blind cell that may lie otherwise, not what comes after it
+  edge.covariance = elastomerPrior(sourcePort(link));
+}
+
+/// How far a link may bend, twist and yaw, as a covariance in the frame of the cell that the port belongs to.
+Eigen::Matrix3d SkinLinks::elastomerPrior(const Port& port) const {
+  const Eigen::Vector3d u = port.vector_m.normalized();
+  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+  Eigen::Matrix3d axes;
+  axes << u, z.cross(u), z;
+  const Eigen::Vector3d prior(model_.twist_sigma_rad, model_.bend_sigma_rad, model_.yaw_sigma_rad);
+  return axes * prior.cwiseAbs2().asDiagonal() * axes.transpose();
+}
+
+Eigen::Matrix3d SkinLinks::attitudeCovariance(std::size_t cell, std::size_t link_index) const {
+  if (readings_.interpolated(cell) && link_index != kNoIndex) {
+    const GraphLink& link = graph_.links()[link_index];
+    const auto sides = std::ranges::count_if(graph_.linksAt(cell), [&](std::size_t k) {
+      return !graph_.links()[k].muted() && readings_.measured(graph_.links()[k].other(cell));
+    });
+    // Half way between two neighbours, half of each link's bend is what may be wrong.
+    return elastomerPrior(link.source == cell ? sourcePort(link) : targetPort(link)) / (sides >= 2 ? 2 : 1);
+  }
+  const EdgeRotation* edge = link_index == kNoIndex ? nullptr : &edges_[link_index];
+  const std::vector<std::size_t> poses = table_.usablePoses(cell);
+  Eigen::Matrix3Xd g(3, static_cast<Eigen::Index>(poses.size()));
+  std::vector<double> variance;
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    g.col(static_cast<Eigen::Index>(k)) = table_.at(cell, poses[k]).mean_g;
+    variance.push_back(table_.at(cell, poses[k]).variance_g2);
+  }
+  const bool centred = edge != nullptr && edge->centred && poses.size() >= 3;
+  const bool supported = edge == nullptr || edge->supported || poses.size() < 2;
+  return cellAttitudeCovariance(model_.accelerometer, g, variance, centred, supported);
+}
+
+std::vector<double> linkWeights(const SkinLinks& skin) {
+  std::vector<double> weights;
+  for (const EdgeRotation& edge : skin.edges()) weights.push_back(weightOf(edge, skin.options().weights));
+  return weights;
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,165 @@
+#include "hexoderm/reconstruction/patch/patch_description.h"
+
+#include "hexoderm/geometry/alignment.h"
+#include "hexoderm/reconstruction/result/uncertainty.h"
+#include "hexoderm/util/units.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hexoderm {
+namespace {
+
+std::vector<CellId> pathTo(const SkinGraph& graph, const ShortestPaths& paths, std::size_t cell) {
+  std::vector<CellId> path;
+  for (std::size_t step = cell; step != kNoIndex; step = paths.predecessor[step])
+    path.push_back(graph.cells()[step].id);
+  std::ranges::reverse(path);
+  return path;
+}
+
+CellPlacement describeCell(const SkinLinks& skin, const PatchSolver& patch, std::size_t cell) {
+  const GraphCell& graph_cell = skin.graph().cells()[cell];
+  const bool is_measured = skin.readings().measured(cell);
+  CellPlacement placement;
+  placement.cell = graph_cell.id;
+  placement.body_part = graph_cell.body_part;
+  placement.placed_by = is_measured ? PlacedBy::Samples : PlacedBy::Links;
+  if (const JointRefinement* joint = patch.joint()) {
+    placement.T_o_u = joint->placementOf(cell);
+    placement.cov_t_r = joint->covarianceOf(cell);
+    if (is_measured) {
+      placement.accel_offset_g = joint->sensorOf(cell).offset_g;
+      placement.accel_scale = joint->sensorOf(cell).gain.diagonal();
+    }
+  } else {
+    placement.T_o_u = patch.treePlacements()[cell].T_o_u;
+    placement.cov_t_r = patch.treePlacements()[cell].covariance;
+  }
+  placement.path = pathTo(skin.graph(), patch.paths(), cell);
+  for (const CellSensor& sensor : skin.model().sensors) {
+    placement.sensors.push_back({sensor.name, sensor.type, placement.T_o_u * sensor.T_u_s});
+  }
+  return placement;
+}
+
+/// Gravity in each pose as the joint estimate has it.
+std::vector<GravityDirection> jointGravity(const SkinLinks& skin, const JointRefinement& joint) {
+  const JointSolution& solution = joint.solution();
+  std::vector<GravityDirection> directions;
+  for (std::size_t k = 0; k < joint.poses().size(); ++k) {
+    const Eigen::Vector3d& force = solution.state.force_o[k];
+    const Eigen::Vector3d up = force.normalized();
+    // Across the direction: [up]x takes what lies along it away.
+    const Eigen::Matrix3d across = skew(up) * solution.covariance->force(k) * skew(up).transpose();
+    const Eigen::Vector3d swing = solution.state.acceleration_o[k] / kStandardGravity;
+    directions.push_back({skin.poseId(joint.poses()[k]), up, rotationSigma(across) / force.norm(),
+                          GravityDirection::Force{force - swing.cross(solution.state.middle_o), swing}});
+  }
+  return directions;
+}
+
+/// Gravity in each pose as the mean of what the cells, placed along the tree, read.
+std::vector<GravityDirection> treeGravity(const SkinLinks& skin, const PatchSolver& patch) {
+  std::vector<GravityDirection> directions;
+  for (const std::size_t pose : skin.table().enabledPoses()) {
+    std::vector<Eigen::Vector3d> seen;
+    for (const std::size_t cell : patch.cells()) {
+      const GravityTable::Entry& entry = skin.table().at(cell, pose);
+      if (entry.usable) seen.push_back(patch.treePlacements()[cell].T_o_u.R * entry.mean_g.normalized());
+    }
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& g : seen) sum += g;
+    if (sum.norm() < 1e-6) continue;
+    GravityDirection direction{skin.poseId(pose), sum.normalized(), 0};
+    double scatter = 0;
+    for (const Eigen::Vector3d& g : seen) scatter += std::pow(angleBetween(g, direction.g_o), 2);
+    direction.sigma_rad = std::sqrt(scatter) / static_cast<double>(seen.size());
+    directions.push_back(direction);
+  }
+  return directions;
+}
+
+/// A link's rotation and predicted deviation follow from the placements; its residuals are of readings freed from the
+/// estimated errors of their sensors.
+void estimateJointly(const SkinLinks& skin, const JointRefinement& joint, std::size_t index, LinkEstimate& estimate) {
+  const GraphLink& link = skin.graph().links()[index];
+  estimate.R_c_n = joint.placementOf(link.source).R.transpose() * joint.placementOf(link.target).R;
+  estimate.sigma_rad = rotationSigma(joint.linkCovariance(index));
+  estimate.centred = false;
+  estimate.supported = false;
+  if (!skin.readings().measured(link)) return;
+  double sum = 0;
+  std::size_t count = 0;
+  for (const std::size_t pose : skin.readings().posesOf(link)) {
+    const Eigen::Vector3d c = joint.correctedReading(link.source, skin.table().at(link.source, pose).mean_g);
+    const Eigen::Vector3d n = joint.correctedReading(link.target, skin.table().at(link.target, pose).mean_g);
+    const double angle = angleBetween(c, estimate.R_c_n * n);
+    estimate.pose_residual_rad[pose] = angle;
+    sum += angle * angle;
+    ++count;
+  }
+  if (count > 0) estimate.residual_rad = std::sqrt(sum / static_cast<double>(count));
+}
+
+bool isInTree(const ShortestPaths& paths, const GraphLink& link, std::size_t index) {
+  return paths.link[link.source] == index || paths.link[link.target] == index;
+}
+
+LinkEstimate describeLink(const SkinLinks& skin, const PatchSolver& patch, std::size_t index, double weight) {
+  const GraphLink& link = skin.graph().links()[index];
+  const EdgeRotation& edge = skin.edges()[index];
+  LinkEstimate estimate;
+  estimate.source = skin.graph().sourceEnd(link);
+  estimate.target = skin.graph().targetEnd(link);
+  estimate.R_c_n = edge.R_c_n;
+  estimate.quality = edge.quality;
+  estimate.singular_values = edge.singular_values;
+  estimate.weight = weight;
+  estimate.residual_rad = edge.residual_rad;
+  estimate.sigma_rad = rotationSigma(edge.covariance);
+  estimate.centred = edge.centred;
+  estimate.supported = edge.supported;
+  estimate.used = !link.muted();
+  estimate.in_tree = !link.muted() && isInTree(patch.paths(), link, index);
+  estimate.muted_by = link.muted_by;
+  estimate.pose_residual_rad = skin.poseResiduals(index);
+  if (patch.joint() != nullptr && !link.muted()) estimateJointly(skin, *patch.joint(), index, estimate);
+  const LinkAngles angles = linkAngles(estimate.R_c_n, skin.sourcePort(link), skin.targetPort(link));
+  estimate.bend_rad = angles.bend_rad;
+  estimate.twist_rad = angles.twist_rad;
+  estimate.yaw_rad = angles.yaw_rad;
+  return estimate;
+}
+
+/// All but the links.
+PatchReconstruction describePatch(const SkinLinks& skin, const PatchSolver& patch) {
+  PatchReconstruction result;
+  result.id = PatchId(static_cast<std::uint32_t>(patch.patch()));
+  result.origin = skin.graph().cells()[patch.origin()].id;
+  for (const std::size_t cell : patch.cells()) result.cells.push_back(describeCell(skin, patch, cell));
+  if (const JointRefinement* joint = patch.joint()) {
+    const JointSolution& solution = joint->solution();
+    result.gravity = jointGravity(skin, *joint);
+    result.gap_share = GapShareEstimate{solution.state.gap_share, solution.covariance->gapShareSigma()};
+    result.covariance = joint->placementCovariance(skin.graph());
+  } else {
+    result.gravity = treeGravity(skin, patch);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<PatchReconstruction> describePatches(const SkinLinks& skin, std::span<const PatchSolver> patches,
+                                                 std::span<const double> weights) {
+  std::vector<PatchReconstruction> result;
+  for (const PatchSolver& patch : patches) result.push_back(describePatch(skin, patch));
+  for (std::size_t k = 0; k < skin.edges().size(); ++k) {
+    const std::uint32_t patch = skin.graph().cells()[skin.graph().links()[k].source].patch.value();
+    result[patch].links.push_back(describeLink(skin, patches[patch], k, weights[k]));
+  }
+  return result;
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "hexoderm/reconstruction/patch/patch_solver.h"
+
+#include <span>
+#include <vector>
+
+namespace hexoderm {
+
+/// The patches of a result, each with its cells, sensors, gravity, gap share and covariances, from the joint estimate
+/// where there is one and from the tree elsewhere, and with every link of the skin in the patch of its source.
+///
+/// `patches`: all of the skin, in the graph's order. `weights`: per link, as the paths were found with.
+std::vector<PatchReconstruction> describePatches(const SkinLinks& skin, std::span<const PatchSolver> patches,
+                                                 std::span<const double> weights);
+
+}  // namespace hexoderm

@@ -1,0 +1,143 @@
+#include "hexoderm/reconstruction/patch/patch_solver.h"
+
+#include "hexoderm/reconstruction/faults/suspects.h"
+#include "hexoderm/util/text.h"
+#include "hexoderm/util/units.h"
+
+#include <algorithm>
+
+namespace hexoderm {
+namespace {
+
+/// The covariance of every cell's own attitude error; cells of other patches stay zero.
+std::vector<Eigen::Matrix3d> attitudeCovariances(const SkinLinks& skin, const ShortestPaths& paths) {
+  std::vector<Eigen::Matrix3d> attitude(skin.graph().cells().size(), Eigen::Matrix3d::Zero());
+  std::size_t first_link = kNoIndex;
+  for (const std::size_t cell : paths.order) {
+    if (cell == paths.root) continue;
+    if (first_link == kNoIndex) first_link = paths.link[cell];
+    attitude[cell] = skin.attitudeCovariance(cell, paths.link[cell]);
+  }
+  attitude[paths.root] = skin.attitudeCovariance(paths.root, first_link);
+  return attitude;
+}
+
+Finding describeOpenLink(const SkinGraph& graph, const JointRefinement::OpenLink& open, double limit_m) {
+  const LinkEnd source = graph.sourceEnd(graph.links()[open.link]);
+  const LinkEnd target = graph.targetEnd(graph.links()[open.link]);
+  return makeFinding(
+      FindingCode::LinkDoesNotClose,
+      message("With all other links the ends of the {} come to lie {} apart, and a skin link leaves no more than {}: "
+              "it is probably a cable, or another link of the loop is. The link is not used.",
+              linkInWords(source, target), Millimetres{open.opening_m, 0}, Millimetres{limit_m, 0}),
+      {source.cell, target.cell}, {source.port, target.port});
+}
+
+}  // namespace
+
+PatchSolver::PatchSolver(SkinLinks& skin, std::span<const double> weights, std::size_t patch)
+    : skin_(skin),
+      patch_(patch),
+      cells_(skin.graph().patches()[patch]),
+      paths_(findShortestPaths(skin.graph(), weights, findOrigin(skin.graph(), weights, patch))),
+      placements_(placeAlongTree(skin.graph(), skin.model(), paths_, skin.edges(), attitudeCovariances(skin, paths_))) {
+}
+
+Completion PatchSolver::refine(const Reconstruction* earlier, const std::stop_token& stop,
+                               std::vector<Finding>& findings) {
+  joint_ = std::make_unique<JointRefinement>(skin_.model(), skin_.graph(), skin_.table(), skin_.options(), cells_,
+                                             origin(), startingPlacements(earlier));
+  joint_->solve(stop);
+  if (stop.stop_requested()) return Completion::Stopped;
+  bool dropped = false;
+  while (const auto cell = worstSensor()) {
+    findings.push_back(describeBadSensor(skin_.graph(), skin_.table(), skin_.snapshot(), *cell, isLeaf(*cell)));
+    skin_.dropCell(*cell);
+    joint_->leaveOut(*cell);
+    joint_->solve(stop);
+    if (stop.stop_requested()) return Completion::Stopped;
+    dropped = true;
+  }
+  if (dropped) skin_.estimateEdges();
+  return Completion::Finished;
+}
+
+/// Placements of the earlier result, if it had exactly the cells of this patch and the same origin; else the tree's.
+std::vector<SE3> PatchSolver::startingPlacements(const Reconstruction* earlier) const {
+  const std::vector<GraphCell>& graph_cells = skin_.graph().cells();
+  std::vector<SE3> placements(graph_cells.size());
+  for (const std::size_t cell : cells_) placements[cell] = placements_[cell].T_o_u;
+  if (earlier == nullptr || earlier->solver != solverName(Solver::Global)) return placements;
+  const CellId origin_id = graph_cells[origin()].id;
+  const PatchReconstruction* known = earlier->find(origin_id).patch;
+  const bool is_same =
+      known != nullptr && known->origin == origin_id &&
+      std::ranges::equal(
+          cells_, known->cells, {}, [&](std::size_t cell) { return graph_cells[cell].id; }, &CellPlacement::cell);
+  for (std::size_t k = 0; is_same && k < cells_.size(); ++k) placements[cells_[k]] = known->cells[k].T_o_u;
+  return placements;
+}
+
+std::optional<std::size_t> PatchSolver::worstSensor() const {
+  // With two cells, neither is the odd one out.
+  constexpr std::size_t kFewestForAVote = 3;
+  if (cells_.size() < kFewestForAVote) return std::nullopt;
+  // With hundreds of poses the smallest misfit is significant; only one that also matters makes a sensor useless.
+  constexpr double kLeastTimes = 2;
+  std::optional<std::size_t> worst;
+  double worst_misfit = skin_.options().max_misfit;
+  for (const std::size_t cell : cells_) {
+    if (!skin_.readings().measured(cell) || skin_.table().usablePoses(cell).size() < 2) continue;
+    const Misfit found = joint_->misfitOf(cell);
+    const double misfit = found.deviate();
+    if (misfit <= worst_misfit || found.chi_squared < kLeastTimes * found.degrees) continue;
+    worst = cell;
+    worst_misfit = misfit;
+  }
+  return worst;
+}
+
+/// One link alone holds the cell.
+bool PatchSolver::isLeaf(std::size_t cell) const {
+  const SkinGraph& graph = skin_.graph();
+  return std::ranges::count_if(graph.linksAt(cell), [&](std::size_t k) { return !graph.links()[k].muted(); }) == 1;
+}
+
+bool muteOpenLinks(SkinLinks& skin, std::span<const PatchSolver> patches, std::vector<Finding>& findings) {
+  const double limit_m = skin.options().max_opening * skin.model().link_sigma_m;
+  std::vector<std::size_t> links;
+  for (const PatchSolver& patch : patches) {
+    const auto widest = patch.joint()->widestOpen();
+    if (!widest || widest->opening_m <= limit_m) continue;
+    links.push_back(widest->link);
+    findings.push_back(describeOpenLink(skin.graph(), *widest, limit_m));
+  }
+  if (links.empty()) return false;
+  skin.mute(links, FindingCode::LinkDoesNotClose);
+  return true;
+}
+
+void nameInconsistentPoses(const SkinLinks& skin, const PatchSolver& patch, std::vector<Finding>& findings) {
+  const JointRefinement& joint = *patch.joint();
+  // Tremor leaves a few standard deviations everywhere; one pose far beyond the others is the odd one out.
+  constexpr double kLargest = 8;
+  constexpr double kTimesOthers = 3;
+  if (joint.poses().size() < 3) return;
+  std::vector<double> misfits;
+  for (const std::size_t pose : joint.poses()) misfits.push_back(joint.poseMisfit(pose));
+  std::vector<double> sorted = misfits;
+  std::ranges::sort(sorted);
+  const double usual = sorted[sorted.size() / 2];
+  for (std::size_t k = 0; k < misfits.size(); ++k) {
+    if (misfits[k] < std::max(kLargest, kTimesOthers * usual)) continue;
+    const PoseId id = skin.poseId(joint.poses()[k]);
+    findings.push_back(
+        makeFinding(FindingCode::InconsistentPose,
+                    message("In pose {} the cells contradict each other by {} times their noise (other poses {}): the "
+                            "part probably moved while it was sampled. Take the pose again.",
+                            id, Number{misfits[k], 0}, Number{usual, 1}),
+                    {}, {}, {id}));
+  }
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "hexoderm/graph/shortest_paths.h"
+#include "hexoderm/reconstruction/joint/joint_refinement.h"
+#include "hexoderm/reconstruction/links/skin_links.h"
+#include "hexoderm/reconstruction/links/tree_placement.h"
+#include "hexoderm/reconstruction/result/completion.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+namespace hexoderm {
+
+/// Solves one patch of a skin: first its cells along the shortest-path tree, then, with refine(), all of them jointly.
+/// Valid until links are muted, which may change the patches. Cells and links are indices of the graph.
+class PatchSolver {
+ public:
+  /// Chooses the origin and places the cells along the tree. `weights`: per link (linkWeights()). The skin must outlive
+  /// the solver and have estimated edges.
+  PatchSolver(SkinLinks& skin, std::span<const double> weights, std::size_t patch);
+
+  /// The joint estimate. A cell whose readings fit the gravity of all others in no position is left out, with a
+  /// finding, and the rest solved again, the worst cell first; its readings are dropped from the skin too, and the
+  /// edges estimated again. `earlier`: a result to start from where it has the same cells and origin; may be null.
+  [[nodiscard]] Completion refine(const Reconstruction* earlier, const std::stop_token& stop,
+                                  std::vector<Finding>& findings);
+
+  [[nodiscard]] std::size_t patch() const { return patch_; }
+  [[nodiscard]] std::size_t origin() const { return paths_.root; }
+  [[nodiscard]] const std::vector<std::size_t>& cells() const { return cells_; }  ///< ascending
+  [[nodiscard]] const ShortestPaths& paths() const { return paths_; }
+  [[nodiscard]] const std::vector<TreePlacement>& treePlacements() const { return placements_; }  ///< per cell
+  [[nodiscard]] const JointRefinement* joint() const { return joint_.get(); }  ///< null before refine()
+
+ private:
+  [[nodiscard]] std::vector<SE3> startingPlacements(const Reconstruction* earlier) const;
+  [[nodiscard]] std::optional<std::size_t> worstSensor() const;
+  [[nodiscard]] bool isLeaf(std::size_t cell) const;
+
+  SkinLinks& skin_;
+  std::size_t patch_;
+  std::vector<std::size_t> cells_;
+  ShortestPaths paths_;
+  std::vector<TreePlacement> placements_;
+  std::unique_ptr<JointRefinement> joint_;
+};
+
+/// Mutes in every refined patch the link that leaves its loops open by more than askew cells can: a cable that looks
+/// like a skin link in its angles. One link a patch, because the others give way to it. True if there was any: then the
+/// patches have to be solved again.
+[[nodiscard]] bool muteOpenLinks(SkinLinks& skin, std::span<const PatchSolver> patches, std::vector<Finding>& findings);
+
+/// Names the poses in which the cells of a refined patch contradict each other far more than in the others: the part
+/// moved while it was sampled.
+void nameInconsistentPoses(const SkinLinks& skin, const PatchSolver& patch, std::vector<Finding>& findings);
+
+}  // namespace hexoderm

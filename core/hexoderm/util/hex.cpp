@@ -1,0 +1,18 @@
+#include "hexoderm/util/hex.h"
+
+#include <string_view>
+
+namespace hexoderm {
+
+std::string hexDigits(std::span<const std::uint8_t> bytes, HexCase letters) {
+  const std::string_view digits = letters == HexCase::Lower ? "0123456789abcdef" : "0123456789ABCDEF";
+  std::string text;
+  text.reserve(2 * bytes.size());
+  for (const std::uint8_t byte : bytes) {
+    text += digits[byte >> 4U];
+    text += digits[byte & 15U];
+  }
+  return text;
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+struct evp_md_ctx_st;  // OpenSSL's EVP_MD_CTX
+
+namespace hexoderm {
+
+/// SHA-256 (FIPS 180-4) of bytes that come in pieces. Throws Error where OpenSSL does not have it.
+class Sha256 {
+ public:
+  using Digest = std::array<std::uint8_t, 32>;
+
+  Sha256();
+  void add(const void* data, std::size_t size);
+  /// The digest of everything added; nothing may be added afterwards.
+  [[nodiscard]] Digest finish();
+
+ private:
+  struct Free {
+    void operator()(evp_md_ctx_st* context) const noexcept;
+  };
+  std::unique_ptr<evp_md_ctx_st, Free> context_;
+};
+
+/// The SHA-256 of the bytes as 64 lower-case hexadecimal digits.
+std::string sha256Hex(std::string_view bytes);
+
+}  // namespace hexoderm

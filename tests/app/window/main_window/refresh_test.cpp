@@ -1,0 +1,76 @@
+// How often the window is brought up to date, and painted.
+
+#include "app/window/main_window/main_window.h"
+#include "tests/app/window/window_test.h"
+
+namespace hexoderm {
+namespace {
+
+class RefreshTest : public WindowTest {};
+
+/// Counts how often a widget is painted.
+class PaintCounter : public QObject {
+ public:
+  explicit PaintCounter(QWidget* watched) { watched->installEventFilter(this); }
+  [[nodiscard]] int count() const { return count_; }
+
+ protected:
+  bool eventFilter(QObject* /*watched*/, QEvent* event) override {
+    if (event->type() == QEvent::Paint) ++count_;
+    return false;
+  }
+
+ private:
+  int count_ = 0;
+};
+
+TEST_F(RefreshTest, AWindowThatHasTheKeyboardIsNotPaintedAnewWhenADialogTakesIt) {
+  QTest::mouseClick(find<QWidget>("topBar"), Qt::LeftButton);
+  ASSERT_TRUE(waitUntil([this] { return QApplication::focusWidget() == window_.get(); }));
+  QTest::qWait(50);
+  auto* sentence = find<QLabel>("bannerSentence");
+  const PaintCounter painted(sentence);
+  QMessageBox box(window_.get());
+  box.show();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&box));
+  QTest::qWait(50);
+  EXPECT_EQ(painted.count(), 0);
+  sentence->update();
+  EXPECT_TRUE(waitUntil([&] { return painted.count() > 0; }));
+}
+
+/// The skin is disconnected, so that nothing but the test changes anything.
+TEST_F(RefreshTest, TheWindowIsRefreshedOnceHoweverMuchAnActionChanges) {
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
+  controller().liveSession().disconnectSource();
+  clickRow("poseView", 0);
+  ASSERT_TRUE(waitUntilIdle());
+  QTest::qWait(100);
+  ASSERT_TRUE(action("actionTogglePose")->isEnabled());
+
+  const QSignalSpy changed(&controller(), &SessionController::changed);
+  const QSignalSpy refreshed(window_.get(), &MainWindow::refreshed);
+  action("actionTogglePose")->trigger();
+  EXPECT_EQ(refreshed.count(), 0) << "the window waits for the next turn of the event loop";
+  ASSERT_TRUE(waitUntilIdle());
+  QTest::qWait(100);
+  // Once for the pose that is disabled, once for the result that comes later.
+  EXPECT_LE(refreshed.count(), 2);
+  EXPECT_GE(refreshed.count(), 1);
+  EXPECT_GE(changed.count(), 3) << "there was nothing to be brought together";
+}
+
+TEST_F(RefreshTest, APictureShowsWhatHasJustChanged) {
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
+  controller().liveSession().disconnectSource();
+  ASSERT_TRUE(waitUntilIdle());
+  QTest::qWait(100);
+  const QSignalSpy refreshed(window_.get(), &MainWindow::refreshed);
+  controller().setPoseDisabled(0, true);
+  ASSERT_EQ(refreshed.count(), 0);
+  EXPECT_FALSE(window_->picture().isNull());
+  EXPECT_EQ(refreshed.count(), 1);
+}
+
+}  // namespace
+}  // namespace hexoderm

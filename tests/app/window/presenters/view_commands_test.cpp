@@ -1,0 +1,77 @@
+#include "app/window/presenters/view_commands.h"
+#include "tests/app/window/presenters/presenter_test.h"
+#include "widgets/controls/card_dock.h"
+#include "widgets/controls/step_panel.h"
+#include "widgets/patch/patch_view.h"
+
+#include <QDockWidget>
+#include <QScrollBar>
+
+namespace hexoderm {
+namespace {
+
+class ViewCommandsTest : public PresenterTest {};
+
+TEST_F(ViewCommandsTest, GSwapsTheViewsAndTheNextStartRemembers) {
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
+  auto* dock = find<CardDock>("graphDock");
+  auto* patch = window_->findChild<PatchView*>();
+  auto* graph = window_->findChild<GraphView*>();
+  ASSERT_TRUE(dock->isAncestorOf(graph));
+  press(Qt::Key_G);
+  EXPECT_TRUE(dock->isAncestorOf(patch));
+  EXPECT_FALSE(dock->isAncestorOf(graph));
+  EXPECT_TRUE(graph->isVisible());
+  EXPECT_EQ(dock->windowTitle(), "Skin patch");
+  // Both still draw: what they show in their middle differs from their corner.
+  ASSERT_TRUE(waitUntil([&] { return patch->width() > 100 && graph->width() > 100; }));
+  ASSERT_TRUE(waitUntil([&] { return patch->isUpToDate(); }));
+  keepPicture(window_->picture(), "swapped-light");
+  const QImage scene = patch->screenshot();
+  std::set<QRgb> colors;
+  for (int x = 0; x < scene.width(); x += 3) {
+    for (int y = 0; y < scene.height(); y += 3) colors.insert(scene.pixel(x, y));
+  }
+  EXPECT_GT(colors.size(), 50U) << "the patch is not drawn";
+  ASSERT_NO_FATAL_FAILURE(clickCellInGraph(CellId(7)));
+  EXPECT_EQ(window_->selection().cell(), CellId(7));
+
+  reopenWindow();
+  EXPECT_TRUE(find<CardDock>("graphDock")->isAncestorOf(window_->findChild<PatchView*>()));
+  press(Qt::Key_G);
+  EXPECT_TRUE(find<CardDock>("graphDock")->isAncestorOf(window_->findChild<GraphView*>()));
+}
+
+TEST_F(ViewCommandsTest, StepsAboveGiveWayToOneThatDoesNotFitBelowThemUntilSomebodyScrolls) {
+  window_->resize(1280, 800);
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
+  auto* panel = find<StepPanel>("stepPanel");
+  const auto is_seen = [panel](const QWidget* part) {
+    return panel->viewport()->rect().contains(QRect(part->mapTo(panel->viewport(), QPoint()), part->size()));
+  };
+  panel->openStep(2);
+  const auto* skip = find<QAbstractButton>("captureSkip");
+  EXPECT_TRUE(waitUntil([&] { return is_seen(find<QAbstractButton>("stepHead3")) && is_seen(skip); }));
+  EXPECT_FALSE(is_seen(find<QAbstractButton>("stepHead1")));
+
+  panel->verticalScrollBar()->setValue(0);
+  const int height = panel->height();
+  window_->resize(1280, 740);
+  ASSERT_TRUE(waitUntil([&] { return panel->height() < height; }));
+  QCoreApplication::processEvents();
+  EXPECT_EQ(panel->verticalScrollBar()->value(), 0);
+  panel->openStep(0);
+  EXPECT_TRUE(waitUntil([&] { return is_seen(find<QAbstractButton>("stepHead1")); }));
+}
+
+TEST_F(ViewCommandsTest, KeysGoToTheSteps) {
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
+  press(Qt::Key_1, Qt::ControlModifier);
+  EXPECT_TRUE(find<QAbstractButton>("stepHead1")->hasFocus());
+  press(Qt::Key_4, Qt::ControlModifier);
+  EXPECT_TRUE(find<QAbstractButton>("stepHead4")->hasFocus());
+  EXPECT_TRUE(action("actionStep4")->text().contains("Review"));
+}
+
+}  // namespace
+}  // namespace hexoderm

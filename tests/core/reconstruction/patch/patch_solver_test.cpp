@@ -1,0 +1,90 @@
+#include "hexoderm/reconstruction/patch/patch_solver.h"
+
+#include "hexoderm/reconstruction/patch/patch_description.h"
+#include "hexoderm/util/units.h"
+#include "tests/support/matchers.h"
+#include "tests/support/pin_jointed_skin.h"
+
+#include <algorithm>
+
+namespace hexoderm {
+namespace {
+
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+class PatchSolverTest : public ::testing::Test {
+ protected:
+  PatchSolverTest() {
+    options_.gap_model = GapModel::Pivot;  // like the skin
+    links_.estimateEdges();
+    weights_ = linkWeights(links_);
+  }
+
+  /// True placement of a cell, in the frame of the patch.
+  [[nodiscard]] SE3 truthOf(const PatchReconstruction& patch, CellId cell) const {
+    return skin_.truth.at(patch.origin).inverse() * skin_.truth.at(cell);
+  }
+
+  PinJointedSkin skin_ = bentX17();
+  std::shared_ptr<const SessionSnapshot> snapshot_ = skin_.session(orthogonalUps(3)).snapshot();
+  SolverOptions options_;
+  std::vector<Finding> findings_;
+  SkinLinks links_{*snapshot_, options_, findings_};
+  std::vector<double> weights_;
+};
+
+TEST_F(PatchSolverTest, PlacesCellsAlongTheTreeAtOnce) {
+  std::vector<PatchSolver> patches;
+  patches.emplace_back(links_, weights_, 0);
+  EXPECT_EQ(patches[0].joint(), nullptr);
+  const std::vector<PatchReconstruction> described = describePatches(links_, patches, weights_);
+  ASSERT_THAT(described, SizeIs(1));
+  ASSERT_THAT(described[0].cells, SizeIs(17));
+  for (const CellPlacement& cell : described[0].cells) {
+    EXPECT_THAT(cell.T_o_u.R, RotationNear(truthOf(described[0], cell.cell).R, 1e-9)) << cell.cell;
+    EXPECT_LT((cell.T_o_u.t - truthOf(described[0], cell.cell).t).norm(), 1e-9) << cell.cell;
+    EXPECT_EQ(cell.path.front(), described[0].origin);
+    EXPECT_EQ(cell.path.back(), cell.cell);
+  }
+  EXPECT_THAT(described[0].gravity, SizeIs(3));
+  EXPECT_FALSE(described[0].gap_share);
+  // A tree uses every link of a skin without loops.
+  EXPECT_TRUE(std::ranges::all_of(described[0].links, &LinkEstimate::in_tree));
+  EXPECT_THAT(described[0].links, SizeIs(16));
+}
+
+TEST_F(PatchSolverTest, RefiningAddsTheJointEstimate) {
+  std::vector<PatchSolver> patches;
+  patches.emplace_back(links_, weights_, 0);
+  ASSERT_EQ(patches[0].refine(nullptr, {}, findings_), Completion::Finished);
+  EXPECT_THAT(findings_, IsEmpty());
+  ASSERT_NE(patches[0].joint(), nullptr);
+  const std::vector<PatchReconstruction> described = describePatches(links_, patches, weights_);
+  for (const CellPlacement& cell : described[0].cells) {
+    EXPECT_THAT(cell.T_o_u.R, RotationNear(truthOf(described[0], cell.cell).R, 0.1 * kDegree)) << cell.cell;
+    EXPECT_TRUE(cell.accel_offset_g) << cell.cell;
+  }
+  EXPECT_TRUE(described[0].gap_share);
+  EXPECT_NE(described[0].covariance, nullptr);
+  EXPECT_FALSE(muteOpenLinks(links_, patches, findings_)) << "there is no loop";
+}
+
+TEST_F(PatchSolverTest, SaysThatItWasStopped) {
+  PatchSolver patch(links_, weights_, 0);
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_EQ(patch.refine(nullptr, stop.get_token(), findings_), Completion::Stopped);
+}
+
+TEST_F(PatchSolverTest, SolvesOnlyItsOwnCells) {
+  const std::size_t link = links_.graph().linksAt(*links_.graph().indexOf(CellId(5))).front();
+  links_.mute(std::vector<std::size_t>{link}, FindingCode::LinkSetAside);
+  ASSERT_THAT(links_.graph().patches(), SizeIs(2));
+  const PatchSolver small(links_, weights_, 1);
+  EXPECT_THAT(small.cells(), ::testing::ElementsAre(*links_.graph().indexOf(CellId(5))));
+  EXPECT_EQ(small.origin(), small.cells().front());
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,77 @@
+// Pictures of the real window in every step and of its dialogs, see packaging/screenshots.sh. Fails if a text is cut
+// off.
+
+#include "app/window/main_window/main_window.h"
+#include "app/window/settings/preferences.h"
+#include "app/window/settings/translation.h"
+#include "tests/screenshots/screenshot_tour.h"
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTextStream>
+
+namespace {
+
+using namespace hexoderm;
+
+constexpr int kUsage = 2;
+
+int complain(const QString& message, int code) {
+  QTextStream(stderr) << "hexoderm-screenshots: " << message << '\n';
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // Settings of its own, so that pictures show what a newcomer sees.
+  const QTemporaryDir settings;
+  QSettings::setDefaultFormat(QSettings::IniFormat);
+  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
+  installStyle();
+  QCoreApplication::setOrganizationName(QStringLiteral("Hexoderm"));
+  QCoreApplication::setApplicationName(QStringLiteral("hexoderm"));
+  QApplication app(argc, argv);
+
+  QCommandLineParser parser;
+  parser.setApplicationDescription(QStringLiteral("Takes pictures of Hexoderm's window on a tour through the demo."));
+  parser.addHelpOption();
+  parser.addPositionalArgument(QStringLiteral("DIR"), QStringLiteral("The folder for the pictures."));
+  const QCommandLineOption size(QStringLiteral("size"), QStringLiteral("The window's size in pixels."),
+                                QStringLiteral("WxH"), QStringLiteral("1280x800"));
+  const QCommandLineOption width(QStringLiteral("width"),
+                                 QStringLiteral("Wider pictures are made smaller; 0: they are left as they are."),
+                                 QStringLiteral("PIXELS"), QStringLiteral("0"));
+  const QCommandLineOption language(QStringLiteral("language"), QStringLiteral("en or de."), QStringLiteral("LANGUAGE"),
+                                    QStringLiteral("en"));
+  const QCommandLineOption theme(QStringLiteral("theme"), QStringLiteral("light or dark."), QStringLiteral("THEME"),
+                                 QStringLiteral("light"));
+  parser.addOptions({size, width, language, theme});
+  parser.process(app);
+
+  if (parser.positionalArguments().size() != 1)
+    return complain(QStringLiteral("One folder, please; see --help."), kUsage);
+  const QStringList sides = parser.value(size).split(QLatin1Char('x'));
+  const QSize window_size = sides.size() == 2 ? QSize(sides[0].toInt(), sides[1].toInt()) : QSize();
+  if (window_size.isEmpty()) return complain(QStringLiteral("--size takes a size, for example 1280x800."), kUsage);
+  bool is_number = false;
+  const int largest_width_px = parser.value(width).toInt(&is_number);
+  if (!is_number || largest_width_px < 0) return complain(QStringLiteral("--width takes a number of pixels."), kUsage);
+  const std::optional<ThemeChoice> choice = themeChoiceFromName(parser.value(theme));
+  if (!choice) return complain(QStringLiteral("--theme takes light or dark."), kUsage);
+  if (!isLanguageChoice(parser.value(language))) return complain(QStringLiteral("--language takes en or de."), kUsage);
+
+  const QString texts_language = installTranslations(app, parser.value(language));
+  applyTextFactor(1);
+  MainWindow window;
+  window.setThemeChoice(*choice, false);
+  const QString prefix = texts_language + QLatin1Char('-') +
+                         (window.theme() == Theme::Dark ? QStringLiteral("dark-") : QStringLiteral("light-")) +
+                         parser.value(size);
+  const QStringList problems =
+      ScreenshotTour(window, QDir(parser.positionalArguments().front()), prefix, largest_width_px).run(window_size);
+  for (const QString& problem : problems) complain(problem, 0);
+  return problems.isEmpty() ? 0 : 1;
+}

@@ -1,0 +1,152 @@
+#include "tests/screenshots/text_fit.h"
+
+#include <QAbstractButton>
+#include <QAbstractScrollArea>
+#include <QAction>
+#include <QComboBox>
+#include <QGroupBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMenuBar>
+#include <QStringList>
+#include <QStyle>
+#include <QStyleOptionComboBox>
+#include <QTabBar>
+#include <QWidget>
+#include <algorithm>
+
+namespace hexoderm {
+namespace {
+
+constexpr int kSlack_px = 1;  // styles round
+
+class Finder {
+ public:
+  std::vector<CutText> found;
+
+  void look(const QWidget& widget) {
+    if (!widget.isVisible() || widget.size().isEmpty()) return;
+    if (const auto* label = qobject_cast<const QLabel*>(&widget)) lookAt(*label);
+    if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) lookAt(*button);
+    if (const auto* tabs = qobject_cast<const QTabBar*>(&widget)) lookAt(*tabs);
+    if (const auto* header = qobject_cast<const QHeaderView*>(&widget)) lookAt(*header);
+    if (const auto* menu = qobject_cast<const QMenuBar*>(&widget)) lookAt(*menu);
+    if (const auto* combo = qobject_cast<const QComboBox*>(&widget)) lookAt(*combo);
+    if (const auto* group = qobject_cast<const QGroupBox*>(&widget)) {
+      need(widget, group->title(), widget.fontMetrics().horizontalAdvance(group->title()), widget.width());
+    }
+    if (widget.property("textIsCut").toBool()) {
+      found.push_back({placeOf(widget), widget.accessibleName(), QStringLiteral("says so itself")});
+    }
+    for (const QObject* child : widget.children()) {
+      const auto* part = qobject_cast<const QWidget*>(child);
+      if (part != nullptr && !part->isWindow()) look(*part);
+    }
+  }
+
+ private:
+  static QString placeOf(const QWidget& widget) {
+    QStringList names{QLatin1String(widget.metaObject()->className())};
+    for (const QWidget* at = &widget; at != nullptr; at = at->parentWidget()) {
+      if (!at->objectName().isEmpty()) names.prepend(at->objectName());
+      if (at->isWindow()) break;
+    }
+    return names.join(QLatin1Char('/'));
+  }
+
+  void need(const QWidget& widget, const QString& text, int needed_px, int there_px, const char* side = "width") {
+    if (needed_px <= there_px + kSlack_px) return;
+    found.push_back(
+        {placeOf(widget), text,
+         QStringLiteral("needs %1 px, has %2 px in %3").arg(needed_px).arg(there_px).arg(QLatin1String(side))});
+  }
+
+  /// A part that lies beyond its parent is not seen, unless it can be scrolled to.
+  void lookForTheEdge(const QWidget& widget, const QString& text) {
+    QRect rect = widget.rect();
+    const QWidget* at = &widget;
+    while (!at->isWindow() && at->parentWidget() != nullptr) {
+      rect.translate(at->pos());
+      at = at->parentWidget();
+      const auto* area = qobject_cast<const QAbstractScrollArea*>(at->parentWidget());
+      if (area != nullptr && area->viewport() == at) return;
+      if (rect.right() > at->width() - 1 + kSlack_px || rect.bottom() > at->height() - 1 + kSlack_px ||
+          rect.left() < -kSlack_px || rect.top() < -kSlack_px) {
+        found.push_back({placeOf(widget), text, QStringLiteral("hangs over the edge of ") + placeOf(*at)});
+        return;
+      }
+    }
+  }
+
+  void lookAt(const QLabel& label) {
+    if (label.text().isEmpty()) return;
+    if (label.wordWrap()) {
+      need(label, label.text(), label.heightForWidth(label.width()), label.height(), "height");
+      need(label, label.text(), label.minimumSizeHint().width(), label.width());
+    } else {
+      need(label, label.text(), label.sizeHint().width(), label.width());
+      need(label, label.text(), label.sizeHint().height(), label.height(), "height");
+    }
+    lookForTheEdge(label, label.text());
+  }
+
+  void lookAt(const QAbstractButton& button) {
+    if (button.text().isEmpty()) return;
+    // The hint has room to spare at the sides; what counts is the text and the style's own margins.
+    const int text_px = button.fontMetrics().size(Qt::TextShowMnemonic, button.text()).width();
+    const int icon_px = button.icon().isNull() ? 0 : button.iconSize().width();
+    need(button, button.text(), std::min(button.sizeHint().width(), text_px + icon_px + 8), button.width());
+    need(button, button.text(), button.fontMetrics().height(), button.height(), "height");
+    lookForTheEdge(button, button.text());
+  }
+
+  void lookAt(const QTabBar& tabs) {
+    for (int k = 0; k < tabs.count(); ++k) {
+      if (!tabs.isTabVisible(k)) continue;
+      const QString text = tabs.tabText(k);
+      need(tabs, text, tabs.fontMetrics().size(Qt::TextShowMnemonic, text).width(), tabs.tabRect(k).width());
+      need(tabs, text, tabs.tabRect(k).right() + 1, tabs.width());
+    }
+  }
+
+  void lookAt(const QHeaderView& header) {
+    if (header.model() == nullptr || header.orientation() != Qt::Horizontal) return;
+    for (int k = 0; k < header.count(); ++k) {
+      const int left = header.sectionViewportPosition(k);
+      if (header.isSectionHidden(k) || left < 0 || left + header.sectionSize(k) > header.viewport()->width()) continue;
+      const QString text = header.model()->headerData(k, Qt::Horizontal).toString();
+      need(header, text, header.sectionSizeHint(k), header.sectionSize(k));
+    }
+  }
+
+  void lookAt(const QMenuBar& menu) {
+    for (const QAction* action : menu.actions()) {
+      if (!action->isVisible()) continue;
+      const QRect place = menu.actionGeometry(const_cast<QAction*>(action));
+      if (place.isEmpty() || place.right() >= menu.width()) {
+        found.push_back({placeOf(menu), action->text(), QStringLiteral("has no room in the menu bar")});
+      }
+    }
+  }
+
+  void lookAt(const QComboBox& combo) {
+    QStyleOptionComboBox option;
+    option.initFrom(&combo);
+    option.editable = combo.isEditable();
+    const QRect field =
+        combo.style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &combo);
+    if (!combo.isEditable()) {
+      need(combo, combo.currentText(), combo.fontMetrics().horizontalAdvance(combo.currentText()), field.width());
+    }
+  }
+};
+
+}  // namespace
+
+std::vector<CutText> findCutTexts(const QWidget& root) {
+  Finder finder;
+  finder.look(root);
+  return std::move(finder.found);
+}
+
+}  // namespace hexoderm

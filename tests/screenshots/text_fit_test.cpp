@@ -1,0 +1,154 @@
+#include "tests/screenshots/text_fit.h"
+#include "app/window/settings/translation.h"
+#include "tests/app/window/window_test.h"
+#include "tests/screenshots/screenshot_tour.h"
+
+#include <QHBoxLayout>
+#include <QProcess>
+#include <QScrollArea>
+#include <QStandardItemModel>
+#include <QTabBar>
+#include <QVBoxLayout>
+
+namespace hexoderm {
+namespace {
+
+const QString kText = QStringLiteral("A text that is long enough to be cut off");
+
+QStringList textsOf(const std::vector<CutText>& cut) {
+  QStringList texts;
+  for (const CutText& entry : cut) texts << entry.text;
+  return texts;
+}
+
+/// A window with one part, which is given its size.
+template <class Part>
+QStringList cutIn(Part* part, QSize size) {
+  QWidget window;
+  part->setParent(&window);
+  part->setGeometry(QRect(QPoint(4, 4), size));
+  window.resize(1000, 400);
+  window.show();
+  EXPECT_TRUE(test::waitUntilExposed(window));
+  const QStringList texts = textsOf(findCutTexts(window));
+  part->setParent(nullptr);
+  return texts;
+}
+
+template <class Part>
+void expectFound(Part* made) {
+  const std::unique_ptr<Part> part(made);
+  EXPECT_TRUE(cutIn(made, QSize(800, 300)).isEmpty());
+  EXPECT_TRUE(cutIn(made, QSize(60, 300)).contains(kText));
+}
+
+TEST(TextFit, FindsLabelsButtonsAndHeadersThatAreTooNarrow) {
+  expectFound(new QLabel(kText));
+  expectFound(new QPushButton(kText));
+  auto* tabs = new QTabBar;
+  tabs->addTab(kText);
+  tabs->setElideMode(Qt::ElideRight);
+  expectFound(tabs);
+  QStandardItemModel model(1, 1);
+  model.setHorizontalHeaderLabels({kText});
+  auto* view = new QTableView;
+  view->setModel(&model);
+  view->setColumnWidth(0, 700);
+  EXPECT_TRUE(cutIn(view, QSize(800, 300)).isEmpty());
+  view->setColumnWidth(0, 60);
+  EXPECT_TRUE(cutIn(view, QSize(800, 300)).contains(kText));
+  delete view;
+}
+
+TEST(TextFit, FindsAWrappedTextThatIsTooTall) {
+  QLabel label(kText);
+  label.setWordWrap(true);
+  EXPECT_TRUE(cutIn(&label, QSize(120, 300)).isEmpty());
+  EXPECT_TRUE(cutIn(&label, QSize(120, 10)).contains(kText));
+}
+
+TEST(TextFit, FindsWhatHangsOverAnEdgeUnlessItScrolls) {
+  QWidget window;
+  auto* part = new QWidget(&window);
+  auto* label = new QLabel(kText, part);
+  window.resize(900, 300);
+  part->setGeometry(0, 0, 500, 200);
+  label->move(450, 0);
+  label->adjustSize();
+  window.show();
+  ASSERT_TRUE(test::waitUntilExposed(window));
+  EXPECT_TRUE(textsOf(findCutTexts(window)).contains(kText));
+  label->move(0, 0);
+  EXPECT_TRUE(findCutTexts(window).empty());
+
+  QScrollArea area;
+  auto* inner = new QWidget;
+  inner->resize(2000, 100);
+  auto* far_out = new QLabel(kText, inner);
+  far_out->move(1500, 10);
+  area.setWidget(inner);
+  area.resize(300, 200);
+  area.show();
+  ASSERT_TRUE(test::waitUntilExposed(area));
+  EXPECT_TRUE(findCutTexts(area).empty());
+}
+
+TEST(TextFit, BelievesAPartThatDrawsItself) {
+  QWidget window;
+  window.resize(100, 100);
+  auto* part = new QWidget(&window);
+  part->resize(50, 50);
+  window.show();
+  ASSERT_TRUE(test::waitUntilExposed(window));
+  EXPECT_TRUE(findCutTexts(window).empty());
+  part->setProperty("textIsCut", true);
+  EXPECT_EQ(findCutTexts(window).size(), 1U);
+}
+
+/// The real window, in both languages, at the smallest size that it must be usable in.
+class NothingIsCutOff : public WindowTest, public testing::WithParamInterface<const char*> {
+ protected:
+  void SetUp() override {
+    installTranslations(*qobject_cast<QApplication*>(QCoreApplication::instance()), QLatin1String(GetParam()));
+    WindowTest::SetUp();
+  }
+  void TearDown() override {
+    window_.reset();
+    installTranslations(*qobject_cast<QApplication*>(QCoreApplication::instance()), QStringLiteral("en"));
+  }
+};
+
+TEST_P(NothingIsCutOff, AnywhereOnATourThroughTheDemo) {
+  const QDir folder(QStringLiteral(HEXODERM_SCREENSHOTS "/tour"));
+  // Only what this tour pictures is counted.
+  const QStringList kept{QString::fromLatin1(GetParam()) + QStringLiteral("-*.png")};
+  for (const QString& earlier : folder.entryList(kept)) ASSERT_TRUE(QFile::remove(folder.filePath(earlier)));
+  const QStringList problems = ScreenshotTour(*window_, folder, QString::fromLatin1(GetParam())).run(QSize(1280, 800));
+  for (const QString& problem : problems) ADD_FAILURE() << problem.toStdString();
+  EXPECT_GE(QDir(folder.path()).entryList(kept).size(), 12);
+}
+
+INSTANTIATE_TEST_SUITE_P(Languages, NothingIsCutOff, testing::Values("en", "de"),
+                         [](const auto& language) { return std::string(language.param); });
+
+int exitCodeOf(const char* path, const QStringList& arguments) {
+  QProcess program;
+  program.start(QString::fromLocal8Bit(path), arguments);
+  EXPECT_TRUE(program.waitForFinished(test::kPatience_ms)) << path;
+  return program.exitCode();
+}
+
+TEST(ScreenshotTour, IsAProgramThatRefusesArgumentsThatMakeNoSense) {
+  const QTemporaryDir folder;
+  EXPECT_EQ(exitCodeOf(HEXODERM_SCREENSHOTS_PROGRAM, {QStringLiteral("--size=nonsense"), folder.path()}), 2);
+  EXPECT_EQ(exitCodeOf(HEXODERM_SCREENSHOTS_PROGRAM, {QStringLiteral("--theme=pink"), folder.path()}), 2);
+  EXPECT_EQ(exitCodeOf(HEXODERM_SCREENSHOTS_PROGRAM, {}), 2);
+}
+
+TEST(ScreenshotTour, IsNoOptionOfTheShippedProgram) {
+  const QTemporaryDir folder;
+  EXPECT_EQ(exitCodeOf(HEXODERM_PROGRAM, {QStringLiteral("--screenshots"), folder.path()}), 1);
+}
+
+}  // namespace
+}  // namespace hexoderm

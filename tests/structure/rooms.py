@@ -1,0 +1,146 @@
+#!/usr/bin/env python3
+"""Checks that every source stands in a room that is known here and includes only what is before it.
+
+A hall is a folder whose subfolders, its rooms, have an order. `a < {b, c} < d` says that a file of d may include those of
+b, c and a; that one of b may include those of a, but none of c; and that rooms in one brace stay apart. An include is an
+arrow from room to room, however many files draw it.
+
+Every include in quotes is the path of a file in the tree: "hexoderm/..." lies under core/, all others under the root.
+
+Usage: rooms.py ROOT           fails, naming file and line, for each violation
+       rooms.py --table ROOT   prints the rooms, units (a header and its sources), arrows, and arrows back of each hall
+"""
+
+import pathlib
+import re
+import sys
+
+# The halls; a name such as main.cpp stands for the files with that stem at the root of the hall.
+HALLS = {
+    "": "core < widgets < app < tests",
+    "core/hexoderm": "util < geometry < graph < device < capture < session < reconstruction < io < course",
+    "core/hexoderm/device": "{sample_frame, ground_truth} < skin_source < {skinwire, simulation} < {emulation, sources}",
+    "core/hexoderm/reconstruction": "result < {links, sparse, accelerometer} < {joint, faults, advice} < {patch, evaluation}"
+                                    " < figures < reconstructor < {hold_out, reconstruction_worker}",
+    "widgets": "style < words < {controls, coloring} < {tables, capture, graph, scene} < {verify, patch}",
+    "app": "{cli, emulator, window}",
+    "app/window": "{files, toolkit} < {settings, report} < session < {guide, dialogs, log} < presenters < main_window"
+                  " < main",
+}
+
+# Arrows against the order that are being removed: (hall, from, to). One that is no longer drawn fails, too.
+TOLERATED = {
+}
+
+# Folders with sources that are no part of the program's own tree.
+SKIPPED = {"build", "out"}
+
+INCLUDE = re.compile(r'\s*#\s*include\s*"([^"]*)"')
+
+
+def levels(order):
+    """The level of each room in an order: 0 for those that include no other."""
+    result = {}
+    for level, names in enumerate(order.split("<")):
+        for name in names.strip(" {}").split(","):
+            result[name.strip()] = level
+    return result
+
+
+def sources(root):
+    """All sources, as paths from the root."""
+    for path in sorted(root.rglob("*")):
+        relative = path.relative_to(root)
+        if relative.parts[0] in SKIPPED or relative.parts[0].startswith("."):
+            continue
+        if path.name.endswith((".h", ".cpp", ".h.in", ".cpp.in")) and path.is_file():
+            yield relative
+
+
+def includes(path):
+    """The line number and the name of each include in quotes."""
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        match = INCLUDE.match(line)
+        if match:
+            yield number, match[1]
+
+
+def target_of(name):
+    """The path from the root of an included file."""
+    return pathlib.PurePosixPath("core", name) if name.startswith("hexoderm/") else pathlib.PurePosixPath(name)
+
+
+def is_in_tree(root, source, name):
+    """Whether an include names a file of the tree by its full path, or one that is generated."""
+    if name.startswith("core/") or any(part in ("", ".", "..") for part in name.split("/")):
+        return False
+    if name == source.stem + ".moc":
+        return True  # Qt's moc writes it, for a class that is defined in a source
+    path = root / target_of(name)
+    if name.endswith(".pb.h"):
+        path = path.with_name(path.name.replace(".pb.h", ".proto"))
+    return "/" in name and path.is_file()
+
+
+def room_of(hall, path):
+    """The room of a file in a hall, the stem of one that stands at the hall's root, and None outside the hall."""
+    rest = path.parts[len(pathlib.PurePosixPath(hall).parts):] if hall else path.parts
+    if hall and not str(path).startswith(hall + "/"):
+        return None
+    return rest[0] if len(rest) > 1 else rest[0].split(".")[0]
+
+
+def main():
+    arguments = sys.argv[1:]
+    table = arguments[:1] == ["--table"]
+    if len(arguments) != 1 + table:
+        sys.exit(__doc__)
+    root = pathlib.Path(arguments[-1])
+
+    violations = []
+    rooms = {hall: set() for hall in HALLS}
+    units = {hall: set() for hall in HALLS}
+    arrows = {hall: set() for hall in HALLS}
+    back = {hall: set() for hall in HALLS}
+    order = {hall: levels(text) for hall, text in HALLS.items()}
+
+    for source in sources(root):
+        for hall, level in order.items():
+            room = room_of(hall, source)
+            if room is None:
+                continue
+            rooms[hall].add(room)
+            units[hall].add(str(source).split(".")[0])
+            if room not in level:
+                violations.append(f"{source} stands in no room of {hall or 'the project'}: {HALLS[hall]}")
+        for number, name in includes(root / source):
+            if not is_in_tree(root, source, name):
+                violations.append(f'{source}:{number}:"{name}" -- no path in the tree; write "hexoderm/..." or'
+                                  ' the path from the root')
+            for hall, level in order.items():
+                room, target = room_of(hall, source), room_of(hall, target_of(name))
+                if room not in level or target not in level or room == target:
+                    continue
+                arrows[hall].add((room, target))
+                if level[target] >= level[room]:
+                    back[hall].add((room, target))
+                    if (hall, room, target) not in TOLERATED:
+                        violations.append(f'{source}:{number}:"{name}" -- {room} may not include {target} in'
+                                          f" {hall or 'the project'}: {HALLS[hall]}")
+
+    for hall, room, target in sorted(TOLERATED):
+        if {room, target} <= rooms[hall] and (room, target) not in back[hall]:
+            violations.append(f"{room} no longer includes {target} in {hall}: take it off TOLERATED")
+
+    if table:
+        print(f"{'hall':30} rooms units arrows back")
+        for hall in HALLS:
+            print(f"{hall or '(root)':30} {len(rooms[hall]):5} {len(units[hall]):5} {len(arrows[hall]):6}"
+                  f" {len(back[hall]):4}")
+        return
+    if violations:
+        sys.exit("\n".join(violations))
+
+
+if __name__ == "__main__":
+    main()

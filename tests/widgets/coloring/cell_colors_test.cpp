@@ -1,0 +1,70 @@
+#include "widgets/coloring/cell_colors.h"
+
+#include "hexoderm/util/units.h"
+#include "tests/support/demo_reconstruction.h"
+
+#include <gmock/gmock.h>
+
+namespace hexoderm {
+namespace {
+
+SceneColors threeSteps() {
+  SceneColors colors;
+  colors.quality = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}}};
+  colors.neutral = {0.5, 0.5, 0.5};
+  colors.scale = {{0, 0, 0}, {0.5, 0, 0}, {1, 0, 0}};
+  return colors;
+}
+
+TEST(CellColors, QuantitiesLieOnScalesWithFixedEnds) {
+  Reconstruction demo = demoReconstruction();
+  demo.patches[0].cells[0].cov_t_r = Matrix6d::Zero();
+  demo.patches[0].cells[1].cov_t_r = Matrix6d::Identity() * 1e-6;  // 1 mm, 0.06 deg
+  demo.patches[0].cells[2].cov_t_r = Matrix6d::Identity();
+  const CellFigures figures = makeCellFigures(demo);
+  const auto values = cellValues(Coloring::PositionUncertainty, figures, {});
+  EXPECT_EQ(values[0], 0);
+  EXPECT_NEAR(values[1].value_or(0), 1.96, 1e-6);
+  EXPECT_EQ(values[3], std::nullopt);
+  EXPECT_EQ(colorRange(Coloring::PositionUncertainty, values).high, 6) << "the same for every skin";
+  const std::vector<Rgb> colors = cellColors(Coloring::PositionUncertainty, figures, {}, threeSteps());
+  EXPECT_EQ(colors[0], (Rgb{0, 0, 0}));
+  EXPECT_NEAR(colors[1][0], 1.96 / 6, 1e-6);
+  EXPECT_EQ(colors[2], (Rgb{1, 0, 0})) << "beyond the end is the end";
+  EXPECT_EQ(colors[3], threeSteps().neutral) << "nothing is known";
+}
+
+TEST(CellColors, ReadingsAreThoseOfEachCell) {
+  const CellFigures figures = makeCellFigures(demoReconstruction());
+  CellReadings readings;
+  readings.acceleration_g[CellId(2)] = {0.6, 0, -0.8};
+  readings.temperature_c[CellId(2)] = 30;
+  EXPECT_TRUE(hasValues(Coloring::ReadingZ, figures, readings));
+  EXPECT_FALSE(hasValues(Coloring::ReadingZ, figures, {}));
+  EXPECT_FALSE(hasValues(Coloring::Temperature, figures, {}));
+  EXPECT_EQ(cellValues(Coloring::ReadingZ, figures, readings)[1], -0.8);
+  EXPECT_EQ(cellValues(Coloring::ReadingNorm, figures, readings)[1], 1.0);
+  EXPECT_EQ(cellValues(Coloring::ReadingNorm, figures, readings)[0], std::nullopt);
+  const std::vector<Rgb> colors = cellColors(Coloring::Temperature, figures, readings, threeSteps());
+  EXPECT_NEAR(colors[1][0], 0.5, 1e-9);
+  EXPECT_EQ(colors[0], threeSteps().neutral);
+}
+
+TEST(CellColors, CategoriesHaveColoursOfTheirOwn) {
+  Reconstruction demo = demoReconstruction();
+  demo.patches[0].cells[0].body_part = "hand";
+  demo.patches[0].cells[1].body_part = "arm";
+  demo.patches[0].links[0].quality = EdgeQuality::Undefined;
+  const CellFigures figures = makeCellFigures(demo);
+  const std::vector<Rgb> by_part = cellColors(Coloring::BodyPart, figures, {}, threeSteps());
+  EXPECT_NE(by_part[0], by_part[1]);
+  EXPECT_EQ(by_part[2], threeSteps().neutral);
+  const std::vector<Rgb> by_class = cellColors(Coloring::LinkQuality, figures, {}, threeSteps());
+  EXPECT_EQ(by_class[0], threeSteps().quality[0]);
+  EXPECT_EQ(by_class[2], threeSteps().quality[2]);
+  EXPECT_FALSE(isQuantity(Coloring::BodyPart));
+  EXPECT_TRUE(isQuantity(Coloring::SurfaceDistance));
+}
+
+}  // namespace
+}  // namespace hexoderm

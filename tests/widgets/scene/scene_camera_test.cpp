@@ -1,0 +1,347 @@
+// From where the scene is seen, and what lies under a pixel.
+#include "tests/widgets/scene/patch_scene_test.h"
+
+#include "widgets/scene/scene_corners.h"
+
+#include <vtkActor.h>
+#include <vtkActorCollection.h>
+#include <vtkDataSet.h>
+#include <vtkMapper.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hexoderm {
+namespace {
+
+TEST_F(PatchSceneTest, LargeSkinShowsShadedCellsFromBehindAndCanBePickedThere) {
+  const Reconstruction sheet = sheetReconstruction(60, 50);
+  scene.setReconstruction(shared(sheet));
+  scene.setShown(SceneItem::Gravity, false);
+  scene.setShown(SceneItem::Axes, false);
+  scene.setSmoothed(false);
+  scene.showStandardView(PatchScene::View::Front);
+  const CellId middle(30 + 60 * 25);
+  const auto colourOf = [&](vtkImageData* image) {
+    const auto [x, y] = pixelOf(sheet, middle);
+    const auto* p =
+        static_cast<const unsigned char*>(image->GetScalarPointer(static_cast<int>(x), static_cast<int>(y), 0));
+    return std::array<int, 3>{p[0], p[1], p[2]};
+  };
+  const auto front = colourOf(picture());
+  scene.renderer()->GetActiveCamera()->Azimuth(180);
+  const auto behind = colourOf(picture());
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(behind.at(k), 0.70 * front.at(k), 6) << k;
+  const auto [x, y] = pixelOf(sheet, middle);
+  EXPECT_EQ(scene.pick(x, y), middle);
+}
+
+TEST_F(PatchSceneTest, CellsOfAPixelAreDrawnAsBricksThatLookTheSame) {
+  const auto sheet = shared(sheetReconstruction(300, 220));
+  const auto content = makeSceneContent(sheet);
+  // The bricks are as large as the hexagons, in their places.
+  ASSERT_EQ(content->bricks->GetNumberOfPoints(), 4 * 300 * 220);
+  const double side_m = sheet->model->side_m;
+  for (const vtkIdType cell : {0, 12345, 65999}) {
+    std::array<Eigen::Vector3d, 4> corner;
+    for (vtkIdType k = 0; k < 4; ++k)
+      content->bricks->GetPoint(4 * cell + k, corner.at(static_cast<std::size_t>(k)).data());
+    EXPECT_NEAR((corner[1] - corner[0]).cross(corner[3] - corner[0]).norm() / (1.5 * std::sqrt(3) * side_m * side_m), 1,
+                0.02);
+    const Eigen::Vector3d middle = 0.25 * (corner[0] + corner[1] + corner[2] + corner[3]);
+    EXPECT_LT((middle - content->layout.cells[static_cast<std::size_t>(cell)].T_s_u.t).norm(), 0.05 * side_m);
+  }
+
+  const auto pointsDrawn = [&] {
+    vtkIdType most = 0;
+    vtkActorCollection* actors = scene.renderer()->GetActors();
+    actors->InitTraversal();
+    while (vtkActor* actor = actors->GetNextActor()) {
+      if (actor->GetVisibility() != 0) most = std::max(most, actor->GetMapper()->GetInput()->GetNumberOfPoints());
+    }
+    return most;
+  };
+  const auto middleOf = [](vtkImageData* image) {
+    double sum = 0;
+    for (int y = kHeight / 2 - 30; y < kHeight / 2 + 30; ++y) {
+      for (int x = kWidth / 2 - 30; x < kWidth / 2 + 30; ++x) {
+        sum += static_cast<const unsigned char*>(image->GetScalarPointer(x, y, 0))[1];
+      }
+    }
+    return sum / 3600;
+  };
+  scene.setContent(content);
+  scene.setSmoothed(false);
+  scene.showStandardView(PatchScene::View::Front);
+  const double far = middleOf(picture());
+  EXPECT_EQ(pointsDrawn(), 4 * 300 * 220);
+  vtkCamera* camera = scene.renderer()->GetActiveCamera();
+  camera->Dolly(40);
+  const double near = middleOf(picture());
+  EXPECT_EQ(pointsDrawn(), 6 * 300 * 220);
+  EXPECT_NEAR(far, near, 12);
+  // Colours reach what is drawn, whichever it is.
+  scene.setColoring(Coloring::Patch);
+  const double recoloured = middleOf(picture());
+  camera->Dolly(1.0 / 40);
+  EXPECT_NEAR(middleOf(picture()), recoloured, 12);
+  EXPECT_GT(std::abs(recoloured - near), 12);
+  scene.setParallel(true);
+  picture();
+  EXPECT_EQ(pointsDrawn(), 4 * 300 * 220);
+  camera->Zoom(40);
+  picture();
+  EXPECT_EQ(pointsDrawn(), 6 * 300 * 220);
+}
+
+TEST_F(PatchSceneTest, ParallelProjectionKeepsTheSizeAndFits) {
+  const Reconstruction demo = demoReconstruction();
+  scene.setReconstruction(shared(demo));
+  scene.showStandardView(PatchScene::View::Top);
+  const auto perspective = picture();
+  scene.setParallel(true);
+  EXPECT_GT(differingShare(perspective, picture()), kMaxDifferingShare);
+  for (const CellPlacement& cell : demo.patches[0].cells) {
+    const auto [x, y] = pixelOf(demo, cell.cell);
+    EXPECT_THAT(x, testing::AllOf(testing::Gt(0), testing::Lt(kWidth)));
+    EXPECT_THAT(y, testing::AllOf(testing::Gt(0), testing::Lt(kHeight)));
+  }
+  const auto [x, y] = pixelOf(demo, CellId(6));
+  EXPECT_EQ(scene.pick(x, y), CellId(6));
+  scene.setParallel(false);
+  EXPECT_EQ(differingShare(perspective, picture()), 0);
+
+  // A scene that is turned by hand keeps its scale.
+  vtkCamera* camera = scene.renderer()->GetActiveCamera();
+  camera->Azimuth(20);
+  camera->Dolly(1.5);
+  const double distance = camera->GetDistance();
+  scene.setParallel(true);
+  window->Render();
+  scene.setParallel(false);
+  window->Render();
+  EXPECT_NEAR(camera->GetDistance(), distance, 1e-9);
+}
+
+TEST_F(PatchSceneTest, PicksTheCellUnderThePixel) {
+  const Reconstruction demo = demoReconstruction();
+  scene.setReconstruction(shared(demo));
+  scene.showStandardView(PatchScene::View::Front);
+  window->Render();
+  for (const std::uint32_t id : {1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U, 9U}) {
+    const auto [x, y] = pixelOf(demo, CellId(id));
+    EXPECT_EQ(scene.pick(x, y), CellId(id));
+  }
+  EXPECT_EQ(scene.pick(2, kHeight - 2), std::nullopt);
+}
+
+TEST_F(PatchSceneTest, PicksTheNearestCellWhereTwoOverlap) {
+  Reconstruction demo = demoReconstruction();
+  demo.patches[0].cells[1].T_o_u = demo.patches[0].cells[0].T_o_u;
+  demo.patches[0].cells[1].T_o_u.t.z() -= 0.02;  // cell 2 hides behind cell 1
+  scene.setReconstruction(shared(demo));
+  scene.showStandardView(PatchScene::View::Front);
+  window->Render();
+  const auto [x, y] = pixelOf(demo, CellId(1));
+  EXPECT_EQ(scene.pick(x, y), CellId(1));
+}
+
+TEST_F(PatchSceneTest, KeepsTheCameraWhileTheCellsAreTheSame) {
+  Reconstruction demo = demoReconstruction();
+  scene.setReconstruction(shared(demo));
+  window->Render();
+  scene.renderer()->GetActiveCamera()->Azimuth(30);
+  const auto turned = cameraPosition();
+  demo.patches[0].cells[1].T_o_u.t.z() += 0.05;
+  demo.patches[0].links[0].quality = EdgeQuality::Over;
+  scene.setReconstruction(shared(demo));
+  window->Render();
+  EXPECT_EQ(cameraPosition(), turned);
+}
+
+TEST_F(PatchSceneTest, FollowsThePatchIntoAnotherShapeUntilTheCameraIsMoved) {
+  Reconstruction demo = demoReconstruction();
+  scene.setReconstruction(shared(demo));
+  window->Render();
+  const auto first = cameraPosition();
+  for (CellPlacement& cell : demo.patches[0].cells) cell.T_o_u.t *= 1.02;
+  scene.setReconstruction(shared(demo));
+  window->Render();
+  EXPECT_EQ(cameraPosition(), first) << "a new pose's small changes don't make the picture jump";
+  for (CellPlacement& cell : demo.patches[0].cells) cell.T_o_u.t *= 1.3;
+  scene.setReconstruction(shared(demo));
+  window->Render();
+  EXPECT_NE(cameraPosition(), first);
+}
+
+TEST_F(PatchSceneTest, FitsAgainWhenCellsComeOrGo) {
+  DemoOptions options;
+  scene.setReconstruction(shared(demoReconstruction(options)));
+  window->Render();
+  const auto before = cameraPosition();
+  options.arm_cells = 2;
+  scene.setReconstruction(shared(demoReconstruction(options)));
+  window->Render();
+  EXPECT_NE(cameraPosition(), before);
+}
+
+TEST_F(PatchSceneTest, FitsAgainWhenThePatchLeavesThePicture) {
+  const Reconstruction demo = demoReconstruction();
+  const auto movedBy = [&demo](double up_m) {
+    Reconstruction moved = demo;
+    for (CellPlacement& cell : moved.patches[0].cells) cell.T_o_u.t.y() += up_m;
+    return shared(std::move(moved));
+  };
+  for (const bool parallel : {false, true}) {
+    scene.setParallel(parallel);
+    scene.setReconstruction(movedBy(0));
+    scene.showStandardView(PatchScene::View::Front);
+    window->Render();
+    const auto fitted = cameraPosition();
+    scene.setReconstruction(movedBy(0.001));
+    window->Render();
+    EXPECT_EQ(cameraPosition(), fitted) << "it would jump with every pose";
+    scene.setReconstruction(movedBy(0.05));
+    window->Render();
+    EXPECT_NEAR(cameraPosition().at(1), fitted.at(1) + 0.05, 1e-9);
+  }
+}
+
+TEST_F(PatchSceneTest, FitsAgainInAResizedWindowUntilTheCameraIsMoved) {
+  scene.setReconstruction(shared(demoReconstruction()));
+  window->Render();
+  const auto wide = cameraPosition();
+  window->SetSize(kWidth / 3, kHeight);
+  window->Render();
+  const auto narrow = cameraPosition();
+  EXPECT_NE(narrow, wide);
+  scene.renderer()->GetActiveCamera()->Azimuth(10);
+  const auto moved = cameraPosition();
+  window->SetSize(kWidth, kHeight);
+  window->Render();
+  EXPECT_EQ(cameraPosition(), moved);
+}
+
+TEST_F(PatchSceneTest, FitShowsEveryCellFromEverySide) {
+  const Reconstruction demo = demoReconstruction();
+  scene.setReconstruction(shared(demo));
+  for (const auto view :
+       {PatchScene::View::Oblique, PatchScene::View::Front, PatchScene::View::Side, PatchScene::View::Top}) {
+    scene.showStandardView(view);
+    window->Render();
+    for (const CellPlacement& cell : demo.patches[0].cells) {
+      const auto [x, y] = pixelOf(demo, cell.cell);
+      EXPECT_THAT(x, testing::AllOf(testing::Gt(0), testing::Lt(kWidth))) << "cell " << cell.cell;
+      EXPECT_THAT(y, testing::AllOf(testing::Gt(0), testing::Lt(kHeight))) << "cell " << cell.cell;
+    }
+  }
+}
+
+TEST_F(PatchSceneTest, FitKeepsTheCellsOffTheArrowOfGravity) {
+  const Reconstruction sheet = sheetReconstruction(4, 20);  // from the upper left to the lower right
+  const auto cellsUnderTheArrow = [&] {
+    window->Render();
+    std::size_t cells = 0;
+    for (const CellPlacement& cell : sheet.patches[0].cells) {
+      const auto [x, y] = pixelOf(sheet, cell.cell);
+      EXPECT_THAT(x, testing::AllOf(testing::Gt(0), testing::Lt(kWidth))) << "cell " << cell.cell;
+      cells +=
+          x > kWidth - SceneCorners::kRight - SceneCorners::kSize && y < SceneCorners::kBottom + SceneCorners::kSize;
+    }
+    return cells;
+  };
+  for (const bool parallel : {false, true}) {
+    scene.setParallel(parallel);
+    scene.setReconstruction(shared(sheet));
+    scene.setShown(SceneItem::Gravity, false);
+    scene.showStandardView(PatchScene::View::Front);
+    EXPECT_GT(cellsUnderTheArrow(), 0U) << "where there is no arrow, they may be anywhere";
+    scene.setShown(SceneItem::Gravity, true);
+    scene.fit();
+    EXPECT_EQ(cellsUnderTheArrow(), 0U);
+  }
+}
+
+TEST_F(PatchSceneTest, APatchThatGrowsStaysBelowWhatCoversTheTop) {
+  constexpr int kCovered = 80;
+  const Reconstruction demo = demoReconstruction();
+  scene.setTopMargin(kCovered);
+  scene.setReconstruction(shared(demo));
+  scene.showStandardView(PatchScene::View::Front);
+  window->Render();
+  for (int step = 1; step <= 20; ++step) {
+    Reconstruction grown = demo;
+    for (CellPlacement& cell : grown.patches[0].cells) cell.T_o_u.t.y() += 0.001 * step;
+    scene.setReconstruction(shared(grown));
+    window->Render();
+    double highest = 0;
+    for (const Eigen::Vector3d& p : scene.content()->layout.points) {
+      scene.renderer()->SetWorldPoint(p.x(), p.y(), p.z(), 1);
+      scene.renderer()->WorldToDisplay();
+      highest = std::max(highest, scene.renderer()->GetDisplayPoint()[1]);
+    }
+    EXPECT_LE(highest, kHeight - kCovered + 0.5) << "moved by " << step << " mm";
+  }
+}
+
+TEST_F(PatchSceneTest, AfterThePartWasFollowedItIsSeenFromWhereItWasBefore) {
+  scene.setReconstruction(shared(demoReconstruction()));
+  scene.showStandardView(PatchScene::View::Top);
+  window->Render();
+  const auto before = picture();
+  scene.keepView();
+  moment.up_o = Eigen::Vector3d::UnitY();
+  scene.setMoment(moment);
+  moment.up_o = Eigen::Vector3d::UnitX();
+  scene.setMoment(moment);
+  EXPECT_GT(differingShare(before, picture()), kMaxDifferingShare);
+  moment.up_o = std::nullopt;
+  scene.setMoment(moment);
+  scene.returnToKeptView();
+  EXPECT_LE(differingShare(before, picture()), kMaxDifferingShare);
+  const auto again = cameraPosition();
+  scene.returnToKeptView();
+  window->Render();
+  EXPECT_EQ(cameraPosition(), again) << "nothing was kept";
+}
+
+TEST_F(PatchSceneTest, SingleCellFillsTheMiddleAndCanBePicked) {
+  DemoOptions options;
+  options.arm_cells = 0;
+  scene.setReconstruction(shared(demoReconstruction(options)));
+  window->Render();
+  EXPECT_EQ(scene.pick(0.5 * kWidth, 0.5 * kHeight), CellId(1));
+}
+
+TEST_F(PatchSceneTest, TenThousandCellsAreDrawnAndPicked) {
+  const Reconstruction sheet = sheetReconstruction(100, 100);
+  scene.setReconstruction(shared(sheet));
+  scene.showStandardView(PatchScene::View::Front);
+  window->Render();
+  const auto [x, y] = pixelOf(sheet, CellId(5050));
+  EXPECT_EQ(scene.pick(x, y), CellId(5050));
+}
+
+TEST_F(PatchSceneTest, PatchesStandSideBySide) {
+  const CellModel model = builtInCellModel("hex-bma150");
+  DemoOptions second;
+  second.first_id = 101;
+  const Reconstruction two = demoReconstruction({demoPatch(model), demoPatch(model, second)});
+  scene.setReconstruction(shared(two));
+  scene.showStandardView(PatchScene::View::Front);
+  window->Render();
+  std::optional<CellId> left;
+  std::optional<CellId> right;
+  for (int x = 0; x < kWidth; ++x) {
+    const auto cell = scene.pick(x, 0.5 * kHeight);
+    if (!cell) continue;
+    if (!left) left = cell;
+    right = cell;
+  }
+  ASSERT_TRUE(left && right);
+  EXPECT_LT(left->value(), 100U);
+  EXPECT_GT(right->value(), 100U);
+}
+
+}  // namespace
+}  // namespace hexoderm

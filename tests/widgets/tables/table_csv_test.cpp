@@ -1,0 +1,94 @@
+#include "widgets/tables/table_csv.h"
+
+#include "tests/support/qt_wait.h"
+#include "tests/widgets/sample_reconstruction.h"
+#include "widgets/tables/link_table.h"
+#include "widgets/tables/result_table.h"
+#include "widgets/tables/sorted_table.h"
+
+#include <gmock/gmock.h>
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QLocale>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTest>
+
+namespace hexoderm {
+namespace {
+
+class TableCsvTest : public testing::Test {
+ protected:
+  TableCsvTest() {
+    table_.setContent({{"Name", {}, {}, 0, true}, {"Length mm", "mm", {}, 2, false}, {"Angle °", "deg", {}, 1, false}},
+                      {{{QStringLiteral("a, b"), 1.0 / 3, QVariant()}},
+                       {{QStringLiteral("say \"x\"\nand go"), -2.5, 1e-7}},
+                       {{QStringLiteral("cell 10"), 10.0, 2.0}},
+                       {{QStringLiteral("cell 9"), 9.0, 3.0}}});
+  }
+  ~TableCsvTest() override { QLocale::setDefault(QLocale::c()); }
+
+  ResultTable table_;
+};
+
+TEST_F(TableCsvTest, CsvQuotesWhatMustBeAndKeepsAllDigits) {
+  EXPECT_EQ(tableAsCsv(table_).toStdString(),
+            "Name,Length mm,Angle (deg)\r\n"
+            "\"a, b\",0.3333333333333333,\r\n"
+            "\"say \"\"x\"\"\nand go\",-2.5,1e-07\r\n"
+            "cell 10,10,2\r\n"
+            "cell 9,9,3\r\n");
+}
+
+TEST_F(TableCsvTest, CsvHasADecimalPointWhateverTheLocale) {
+  const QByteArray before = tableAsCsv(table_);
+  QLocale::setDefault(QLocale(QLocale::German));
+  EXPECT_EQ(table_.index(1, 1).data().toString(), "−2,50") << "what is shown follows the locale";
+  EXPECT_EQ(tableAsCsv(table_), before);
+}
+
+TEST_F(TableCsvTest, CsvOfTheLinksHoldsWhatIsBehindTheTexts) {
+  LinkTable links;
+  links.setReconstruction(sampleTwoPatches());
+  const QList<QByteArray> lines = tableAsCsv(links).split('\n');
+  EXPECT_EQ(lines[0].trimmed().toStdString(),
+            "Link,Quality,Residual (deg),Predicted (deg),Bend (deg),Twist (deg),Yaw (deg),State");
+  const QList<QByteArray> fields = lines[1].trimmed().split(',');
+  EXPECT_NEAR(fields[2].toDouble(), 0.3, 1e-12);
+  EXPECT_NEAR(fields[6].toDouble(), -0.01, 1e-12) << "the table shows 0.0";
+  EXPECT_TRUE(lines[5].trimmed().endsWith(",,,,,,muted")) << lines[5].toStdString();
+}
+
+TEST_F(TableCsvTest, CopiesWhatIsShownInItsOrder) {
+  SortedTable sorted(&table_);
+  QTableView view;
+  view.setModel(&sorted);
+  new CsvActions(&view, "table");
+  sorted.sort(1, Qt::DescendingOrder);
+  view.show();
+  view.activateWindow();
+  ASSERT_TRUE(test::waitUntilActive(view));
+  view.setFocus();
+  QTest::keyClick(&view, Qt::Key_C, Qt::ControlModifier);
+  const QStringList lines = QApplication::clipboard()->text().split("\r\n");
+  ASSERT_EQ(lines.size(), 6) << "header, four rows, and the end of the last";
+  EXPECT_TRUE(lines[1].startsWith("cell 10,"));
+}
+
+TEST_F(TableCsvTest, HandsOverWhatIsToBeSavedAsItIsShownNow) {
+  SortedTable sorted(&table_);
+  QTableView view;
+  view.setModel(&sorted);
+  auto* actions = new CsvActions(&view, "table");
+  QSignalSpy asked(actions, &CsvActions::saveRequested);
+  sorted.sort(1, Qt::DescendingOrder);
+  view.findChild<QAction*>("actionSaveCsv")->trigger();
+  ASSERT_EQ(asked.count(), 1);
+  EXPECT_EQ(asked[0][0].toString(), "table");
+  EXPECT_EQ(asked[0][1].toByteArray(), tableAsCsv(sorted));
+  EXPECT_NE(tableAsCsv(sorted), tableAsCsv(table_));
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,98 @@
+#pragma once
+
+#include "hexoderm/reconstruction/figures/cell_figures.h"
+#include "hexoderm/reconstruction/result/reconstruction.h"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+namespace hexoderm {
+
+/// The meaning of the colours in the graph and in the 3D view, in the order of their menus.
+enum class Coloring {
+  LinkQuality,
+  Residual,   ///< residual of a link, or of a cell's worst link
+  Deviation,  ///< predicted, of a link; of a cell that of its worst link
+  Bend,
+  Twist,
+  Yaw,
+  PositionUncertainty,     ///< 95 %
+  OrientationUncertainty,  ///< 95 %
+  PathDistance,            ///< from the origin along the path
+  SurfaceDistance,         ///< from the fitted surface, signed
+  PlacedBy,
+  Patch,
+  BodyPart,
+  ReadingX,  ///< of the accelerometer, along its axes
+  ReadingY,
+  ReadingZ,
+  ReadingNorm,
+  Temperature,
+};
+
+/// Colourings that stand together in a menu.
+enum class ColoringGroup { Links, Uncertainty, Shape, Classes, Readings };
+
+/// The ends of a scale, in the unit that is shown.
+struct ColorRange {
+  double low = 0;
+  double high = 1;
+};
+
+/// Values of cells that are no part of a reconstruction.
+struct CellReadings {
+  std::unordered_map<CellId, Eigen::Vector3d> acceleration_g;
+  std::unordered_map<CellId, double> temperature_c;
+  std::unordered_map<CellId, double> surface_distance_m;
+};
+
+/// One row of the table of colourings: all that the views know about a Coloring. Texts are to be translated in the
+/// context hexoderm::Coloring (coloring_words.h does).
+struct ColoringRow {
+  using OfLink = std::optional<double> (*)(const LinkEstimate& link);
+  using OfCell = std::optional<double> (*)(const CellFigures& figures, const CellReadings& readings, std::size_t index);
+
+  Coloring coloring{};
+  ColoringGroup group{};
+  const char* name = nullptr;  ///< in menus
+  const char* unit = "";       ///< unit of the values; empty for classes
+
+  // Values in the unit, absent where they are not known. Classes have neither.
+  OfLink of_link = nullptr;
+  OfCell of_cell = nullptr;  ///< `index`: of the cell in the figures
+
+  /// The same for every skin and every result, so that two pictures can be compared. Absent for classes, and for the
+  /// distance along the path, whose scale ends at a round length beyond the largest value.
+  std::optional<ColorRange> range{};
+  bool open_below = false;  ///< values can lie below the range
+  bool open_above = false;
+  const char* sign = "";  ///< before the ends of the graph's scale
+
+  bool colors_links = false;          ///< in the graph, where the other colourings colour cells
+  const char* graph_title = nullptr;  ///< in the graph's legend; null: the graph does not offer the colouring
+  const char* patch_title =
+      nullptr;  ///< in the legend of the 3D view, without the unit; null: the 3D view does not offer it
+  const char* missing = nullptr;  ///< reason why the 3D view cannot offer it where no cell has a value
+};
+
+/// The rows, in the order of Coloring.
+std::span<const ColoringRow> coloringTable();
+const ColoringRow& coloringRow(Coloring coloring);
+
+/// Has a scale; the others are classes.
+bool isQuantity(Coloring coloring);
+/// Changes with the readings.
+bool isReading(Coloring coloring);
+
+/// The values of all cells in the order of the figures.
+std::vector<std::optional<double>> cellValues(Coloring coloring, const CellFigures& figures,
+                                              const CellReadings& readings);
+/// True if at least one cell has a value or a class.
+bool hasValues(Coloring coloring, const CellFigures& figures, const CellReadings& readings);
+/// `values`: of all cells.
+ColorRange colorRange(Coloring coloring, const std::vector<std::optional<double>>& values);
+
+}  // namespace hexoderm

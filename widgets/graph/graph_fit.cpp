@@ -1,0 +1,81 @@
+#include "widgets/graph/graph_fit.h"
+
+#include "widgets/graph/graph_legend.h"
+
+#include <algorithm>
+
+namespace hexoderm {
+namespace {
+
+constexpr int kButtonEdge_px = 8;
+/// A skin of one cell need not fill the window.
+constexpr double kLargestFittedRadius_px = 40;
+constexpr double kLargestRadius_px = 150;
+constexpr double kLeastForSkin_px = 180;  ///< height beside a legend
+constexpr double kMostForLegend = 0.18;   ///< share of the view's height
+
+/// Empty where there is no room for a legend.
+QRectF placeLegend(const GraphLegend* legend, QSize view) {
+  if (legend == nullptr) return {};
+  const double width = view.width() - 2 * GraphFit::kMargin_px;
+  const double height = legend->heightFor(width);
+  if (height <= 0 || height > kMostForLegend * view.height() || view.height() - height < kLeastForSkin_px) return {};
+  return {GraphFit::kMargin_px, view.height() - height - 0.5 * GraphFit::kMargin_px, width, height};
+}
+
+/// The camera of a view of this size that shows the whole skin within `room`.
+GraphCamera fittedInto(const QRectF& room, const GraphScene& scene, QSize view) {
+  GraphCamera fitted;
+  fitted.size = view;
+  const QRectF& bounds = scene.bounds();
+  if (!bounds.isEmpty()) {
+    fitted.scale =
+        std::min({std::max(1.0, room.width()) / bounds.width(), std::max(1.0, room.height()) / bounds.height(),
+                  kLargestFittedRadius_px / scene.radius_m()});
+  }
+  const QPointF off = room.center() - QPointF(0.5 * fitted.size.width(), 0.5 * fitted.size.height());
+  fitted.center = bounds.center() + QPointF(-off.x(), off.y()) / fitted.scale;
+  return fitted;
+}
+
+/// A place at the top where the button covers no cell and no caption: on the left, else on the right, else in the
+/// middle.
+std::optional<QPoint> freePlaceFor(QSize button, const GraphScene& scene, const GraphCamera& camera,
+                                   double caption_height_px) {
+  const double reach = 1.3 * scene.radius_m() * camera.scale;
+  const int view_width = static_cast<int>(camera.size.width());
+  const int right = view_width - button.width() - kButtonEdge_px;
+  for (const int x : {kButtonEdge_px, right, (view_width - button.width()) / 2}) {
+    const QPoint place(x, kButtonEdge_px);
+    const QRectF covered = QRectF(place, button).adjusted(-reach, -reach, reach, reach + caption_height_px);
+    const bool is_covering = std::ranges::any_of(
+        scene.cells(), [&](const GraphScene::Cell& cell) { return covered.contains(camera.toScreen(cell.center)); });
+    if (!is_covering) return place;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+GraphFit::GraphFit(const GraphScene& scene, QSize view, const Neighbors& neighbors)
+    : button_place_(kButtonEdge_px, kButtonEdge_px), legend_area_(placeLegend(neighbors.legend, view)) {
+  QRectF room(QPointF(0, 0), QSizeF(view));
+  room.adjust(kMargin_px, kMargin_px + neighbors.caption_height_px, -kMargin_px, -kMargin_px);
+  if (!legend_area_.isEmpty()) room.setBottom(legend_area_.top() - 0.5 * kMargin_px);
+  camera_ = fittedInto(room, scene, view);
+  if (!neighbors.button) return;
+  if (const auto place = freePlaceFor(*neighbors.button, scene, camera_, neighbors.caption_height_px)) {
+    button_place_ = *place;
+    return;
+  }
+  // Beside many a skin there is room for the button; where there is not, the skin goes below it.
+  constexpr double kBelowButton_px = 4;
+  room.setTop(QRect(button_place_, *neighbors.button).bottom() + kBelowButton_px + neighbors.caption_height_px);
+  camera_ = fittedInto(room, scene, view);
+}
+
+double GraphFit::largestScale(const GraphScene& scene) const {
+  return std::max(camera_.scale, kLargestRadius_px / scene.radius_m());
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "hexoderm/device/sample_frame.h"
+#include "widgets/coloring/coloring.h"
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hexoderm {
+
+/// The state of a patch that changes from moment to moment while a skin is connected, and with the picked pose. Cheap
+/// to copy. Up directions are unit vectors in the frame of the largest patch.
+struct PatchMoment {
+  std::optional<PoseId> pose;  ///< its gravity is what the arrow shows; none: the last pose's
+  /// The cells' present readings; null: none. The distances to a fitted surface are not taken from here but from
+  /// PatchOverlays.
+  std::shared_ptr<const CellReadings> readings;
+  /// Up at this moment: the picture turns so that it stays upwards while the part is turned, and the arrow of gravity
+  /// follows. None: the picture stays as it is, and the arrow is a pose's.
+  std::optional<Eigen::Vector3d> up_o;
+  /// Up in the next pose: shown as a ghost beside the skin. None: no ghost.
+  std::optional<Eigen::Vector3d> next_up_o;
+  /// The angle by which the part is to be turned to get there ("90°", UTF-8), written beside the ghost; may be empty.
+  std::string next_turn;
+};
+
+/// Null if there is neither a sample nor a temperature.
+inline std::shared_ptr<const CellReadings> readingsOf(const std::vector<CellSample>& samples,
+                                                      const std::vector<CellTemperature>& temperatures = {}) {
+  if (samples.empty() && temperatures.empty()) return nullptr;
+  auto readings = std::make_shared<CellReadings>();
+  for (const CellSample& sample : samples) readings->acceleration_g[sample.cell] = sample.acceleration_g;
+  for (const CellTemperature& reading : temperatures) readings->temperature_c[reading.cell] = reading.temperature_c;
+  return readings;
+}
+
+}  // namespace hexoderm

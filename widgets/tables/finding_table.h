@@ -1,0 +1,29 @@
+#pragma once
+
+#include "widgets/tables/reconstruction_table.h"
+
+#include <vector>
+
+namespace hexoderm {
+
+/// The columns Severity | What | Where; the worst findings come first.
+class FindingTable : public ReconstructionTable {
+  Q_OBJECT
+
+ public:
+  using ReconstructionTable::ReconstructionTable;
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+  [[nodiscard]] const Finding& findingAt(int row) const;
+
+ protected:
+  void rebuild() override;
+
+ private:
+  std::vector<std::size_t> rows_;  ///< indices into Reconstruction::findings
+};
+
+}  // namespace hexoderm

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "widgets/tables/reconstruction_table.h"
+
+namespace hexoderm {
+
+/// The columns Pose | Label | Cells | Noise mg | New by | Residual; row k is Reconstruction::poses[k]. Disabled poses
+/// are greyed and carry a dash instead of a tick.
+class PoseTable : public ReconstructionTable {
+  Q_OBJECT
+
+ public:
+  using ReconstructionTable::ReconstructionTable;
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ protected:
+  void rebuild() override {}
+};
+
+}  // namespace hexoderm

@@ -1,0 +1,80 @@
+#include "widgets/tables/table_csv.h"
+
+#include "hexoderm/util/csv.h"
+#include "hexoderm/util/text.h"
+#include "widgets/tables/table_roles.h"
+
+#include <QAbstractItemModel>
+#include <QAbstractItemView>
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+bool isReal(const QVariant& value) {
+  return value.userType() == QMetaType::Double || value.userType() == QMetaType::Float;
+}
+
+QByteArray quoted(const QString& field) { return QByteArray::fromStdString(csvQuoted(field.toStdString())); }
+
+QByteArray field(const QModelIndex& index) {
+  const QVariant raw = index.data(kRawRole);
+  if (isReal(raw)) return QByteArray::fromStdString(formatExact(raw.toDouble()));
+  if (raw.isValid()) return quoted(raw.toString());
+  // In tables that know the role an invalid value means "not known"; other tables have nothing but their texts.
+  const bool knows_role = index.model()->headerData(index.column(), Qt::Horizontal, kUnitRole).isValid();
+  return knows_role ? QByteArray() : quoted(index.data(Qt::DisplayRole).toString());
+}
+
+QByteArray heading(const QAbstractItemModel& model, int column) {
+  const QVariant plain = model.headerData(column, Qt::Horizontal, kNameRole);
+  QString name = (plain.isValid() ? plain : model.headerData(column, Qt::Horizontal, Qt::DisplayRole)).toString();
+  if (name.endsWith(QStringLiteral(" °"))) name.chop(2);  // the unit says it
+  const QString unit = model.headerData(column, Qt::Horizontal, kUnitRole).toString();
+  const bool named = unit.isEmpty() || name.endsWith(QLatin1Char(' ') + unit);
+  return quoted(named ? name : QStringLiteral("%1 (%2)").arg(name, unit));
+}
+
+}  // namespace
+
+QByteArray tableAsCsv(const QAbstractItemModel& model) {
+  const int columns = model.columnCount();
+  const int rows = model.rowCount();
+  // Tables without names for their rows leave it to Qt, which counts them.
+  const bool row_names = rows > 0 && model.headerData(0, Qt::Vertical, kRawRole).isValid();
+  QByteArray csv;
+  if (row_names) csv += quoted(model.headerData(0, Qt::Vertical, kUnitRole).toString());
+  for (int column = 0; column < columns; ++column) {
+    if (column > 0 || row_names) csv += ',';
+    csv += heading(model, column);
+  }
+  csv += "\r\n";
+  for (int row = 0; row < rows; ++row) {
+    if (row_names) csv += quoted(model.headerData(row, Qt::Vertical, kRawRole).toString());
+    for (int column = 0; column < columns; ++column) {
+      if (column > 0 || row_names) csv += ',';
+      csv += field(model.index(row, column));
+    }
+    csv += "\r\n";
+  }
+  return csv;
+}
+
+CsvActions::CsvActions(QAbstractItemView* view, QString name) : QObject(view), view_(view), name_(std::move(name)) {
+  auto* copy = new QAction(tr("Copy as CSV"), view);
+  copy->setObjectName(QStringLiteral("actionCopyCsv"));
+  copy->setShortcut(QKeySequence::Copy);
+  copy->setShortcutContext(Qt::WidgetShortcut);
+  auto* save = new QAction(tr("Save as CSV…"), view);
+  save->setObjectName(QStringLiteral("actionSaveCsv"));
+  connect(copy, &QAction::triggered, this,
+          [this] { QApplication::clipboard()->setText(QString::fromUtf8(tableAsCsv(*view_->model()))); });
+  connect(save, &QAction::triggered, this, [this] { emit saveRequested(name_, tableAsCsv(*view_->model())); });
+  view->addActions({copy, save});
+  view->setContextMenuPolicy(Qt::ActionsContextMenu);
+}
+
+}  // namespace hexoderm
