@@ -1,7 +1,6 @@
 #include "widgets/verify/verify_panel.h"
 
 #include "hexoderm/util/units.h"
-#include "widgets/tables/table_actions.h"
 #include "widgets/words/surface_words.h"
 #include "widgets/words/words.h"
 

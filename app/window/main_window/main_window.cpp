@@ -44,8 +44,6 @@
 #include "widgets/tables/pose_table.h"
 #include "widgets/verify/residual_view.h"
 #include "widgets/verify/verify_panel.h"
-#include "widgets/words/formatting.h"
-#include "widgets/words/words.h"
 
 #include <QCloseEvent>
 #include <QHBoxLayout>

@@ -10,8 +10,6 @@
 #include "app/window/toolkit/status_bar.h"
 #include "widgets/capture/live_strip.h"
 #include "widgets/controls/message_bar.h"
-#include "widgets/graph/graph_view.h"
-#include "widgets/patch/patch_view.h"
 #include "widgets/words/words.h"
 
 #include <QDir>
