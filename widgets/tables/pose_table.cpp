@@ -37,7 +37,7 @@ QVariant poseRaw(const PoseSummary& pose, int column) {
     case kPose:
       return pose.pose.value();
     case kLabel:
-      return QString::fromStdString(pose.label);
+      return words(pose.label);
     case kCells:
       return static_cast<qulonglong>(pose.cells_measured);
     case kNoise:

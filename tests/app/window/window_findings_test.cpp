@@ -338,7 +338,7 @@ TEST_F(WindowVerdictTest, AGoodSkinHasNothingToComplainAbout) {
   window_->openFile(pathTo("good.session.json"));
   ASSERT_TRUE(waitForPoses(6));
   EXPECT_EQ(worstFinding(*controller().reconstruction()), nullptr)
-      << worstFinding(*controller().reconstruction())->text;
+      << worstFinding(*controller().reconstruction())->message.english();
 }
 
 }  // namespace
