@@ -11,7 +11,6 @@ core_packages=(
   libceres-dev # test oracle; the library does not use it
   libcli11-dev
   libeigen3-dev
-  libfmt-dev
   libgmock-dev
   libgtest-dev
   libprotobuf-dev

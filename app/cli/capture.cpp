@@ -64,10 +64,10 @@ class Capture final : public CaptureOwner {
       if (std::exchange(made_progress_, false) || course_.isFileRefused()) last_progress = Clock::now();
       course_.tick();
       if (!event && status_.state == SourceState::Ended) break;
-      if (status_.state == SourceState::Incompatible) throw DeviceError(located(source_.address(), status_.message));
+      if (status_.state == SourceState::Incompatible) throw DeviceError(source_.address() + ": " + status_.text);
       if (Clock::now() - last_progress > patience && (!session_ || options_.automatic)) {
         throw DeviceError(source_.address() + ": nothing for " + formatFixed(options_.timeout_s, 0) + " s. " +
-                          (session_ ? hold_.message : status_.message).english());
+                          (session_ ? hold_.text : status_.text));
       }
     }
   }
@@ -120,7 +120,7 @@ class Capture final : public CaptureOwner {
       course_.describe(skin);
       return;
     }
-    device_ = skin.device.english();
+    device_ = skin.device;
     session_ = CaptureCourse::sessionOf(skin, source_.address());
     store_ = std::make_unique<SessionRecorder>(SessionStore::create(options_.output, *session_));
     common_.endProgress();
@@ -167,18 +167,18 @@ class Capture final : public CaptureOwner {
   }
 
   void handle(const SourceStatus& status) {
-    if (status.state != status_.state && !session_) common_.progress(status.message.english());
+    if (status.state != status_.state && !session_) common_.progress(status.text);
     if (status.state != status_.state && session_ && status.state != SourceState::Streaming &&
         status.state != SourceState::Stopped) {
       common_.endProgress();
-      common_.note(status.message.english());
+      common_.note(status.text);
     }
     status_ = status;
   }
 
   void handle(const HoldStatus& hold) {
     hold_ = hold;
-    common_.progress(hold.message.english());
+    common_.progress(hold.text);
   }
 
   void show(const PoseTaken& /*taken*/) {}
@@ -193,16 +193,15 @@ class Capture final : public CaptureOwner {
       text += "; it repeats pose " + toString(*captured.repeats) + " (" + degrees(captured.repeat_angle_rad, 1) + ")";
     }
     common_.note(text);
-    for (const OddCell& odd : captured.odd_cells) common_.note(describe(odd).english());
+    for (const OddCell& odd : captured.odd_cells) common_.note(describe(odd));
     if (!kept.without_raw.empty()) {
-      common_.note("Pose " + toString(captured.pose->id) +
-                   " is kept without its raw samples: " + kept.without_raw.english());
+      common_.note("Pose " + toString(captured.pose->id) + " is kept without its raw samples: " + kept.without_raw);
     }
   }
   void show(const PoseLost& pose) { lost_ = pose.why; }
   void show(const FileRefused& refused) {
     common_.endProgress();
-    common_.note(refused.why.english() + ". Trying again.");
+    common_.note(refused.why + ". Trying again.");
   }
   void show(const SkinChanged& /*changed*/) {
     nameTheSkin();
@@ -212,14 +211,14 @@ class Capture final : public CaptureOwner {
     if (wanted.question.seen == result_ && !course_.isFinished()) course_.setAdvice(adviseOn(wanted.question));
   }
   void show(const AdviceChanged& /*changed*/) {
-    if (course_.nextPose()) common_.note("Next: " + adviceInWords(*course_.nextPose(), *result_).english());
+    if (course_.nextPose()) common_.note("Next: " + adviceInWords(*course_.nextPose(), *result_));
   }
   void show(const TurnRefused& refused) {
     common_.endProgress();
-    common_.note("The device does not turn there: " + refused.why.english());
+    common_.note("The device does not turn there: " + refused.why);
     if (refused.gave_up) {
       throw DeviceError(source_.address() + ": refused to turn " + std::to_string(refused.times) +
-                        " times, the last time: " + refused.why.english());
+                        " times, the last time: " + refused.why);
     }
   }
   void show(const CourseFinished& /*finished*/) {}
@@ -232,7 +231,7 @@ class Capture final : public CaptureOwner {
   std::optional<Session> session_;
   std::unique_ptr<SessionRecorder> store_;
   CaptureCourse course_;
-  Message lost_;  ///< why something is not on disk and never will be
+  std::string lost_;  ///< why something is not on disk and never will be
   std::string device_;
   SourceStatus status_;
   HoldStatus hold_;

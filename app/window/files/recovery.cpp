@@ -5,9 +5,8 @@
 #include "app/window/files/session_paths.h"
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/util/error.h"
-#include "hexoderm/util/system_reason.h"
+#include "widgets/words/core_words.h"
 #include "widgets/words/formatting.h"
-#include "widgets/words/words.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -47,9 +46,9 @@ std::vector<UnsavedSession> findUnsavedSessions(const QString& folder) {
       unsaved.edited_at_ms = store.editedAtMs();
       unsaved.poses = session.poses().size();
       unsaved.cells = session.neighbors().size();
-      unsaved.source = words(session.source().text);
+      unsaved.source = coreWords(session.source().text);
     } catch (const Error& error) {
-      unsaved.problem = words(error);
+      unsaved.problem = coreWords(error.what());
     }
     found.push_back(std::move(unsaved));
   }
@@ -62,15 +61,13 @@ QString discardUnsaved(const QString& path) {
   const QFileInfo file(path);
   const QDir folder(file.dir().filePath(kDiscarded));
   if (!QDir().mkpath(folder.path())) {
-    throw StorageError(located(folder.path().toStdString(), message("the folder cannot be made")));
+    throw StorageError(folder.path().toStdString() + ": the folder cannot be made");
   }
   const QString to = freePath(folder, file.completeBaseName());
   // The week begins now, whenever the session was worked on; without that it might be gone at the next start.
   std::error_code error;
   std::filesystem::last_write_time(toPath(path), std::filesystem::file_time_type::clock::now(), error);
-  if (error) {
-    throw StorageError(located(path.toStdString(), message("cannot be put away for a while: {}", systemReason(error))));
-  }
+  if (error) throw StorageError(path.toStdString() + ": cannot be put away for a while: " + error.message());
   moveSessionStore(toPath(path), toPath(to));
   return to;
 }
@@ -150,7 +147,7 @@ void UnsavedSessions::move(const QString& path, QString (*how)(const QString&)) 
     try {
       now = how(path);
     } catch (const Error& error) {
-      problem = words(error);
+      problem = coreWords(error.what());
     }
     QMetaObject::invokeMethod(
         QCoreApplication::instance(),

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "hexoderm/util/ids.h"
-#include "hexoderm/util/message.h"
 
 #include <cstddef>
 #include <string>
@@ -48,7 +47,7 @@ struct OddCell {
 };
 
 /// "Cell 7 is noisy: it scatters by 220 mg rms while the rest is still".
-Message describe(const OddCell& odd);
+std::string describe(const OddCell& odd);
 
 /// The obstacle that keeps a capture from starting.
 enum class Blocker {
@@ -65,7 +64,7 @@ struct Stillness {
   bool still = false;
   bool armed = true;  ///< true if the part has moved enough since the last capture, or there was none
   Blocker blocker = Blocker::Waiting;
-  Message message = hexoderm::message("Waiting for samples");  ///< the obstacle, for people; empty if there is none
+  std::string text = "Waiting for samples";  ///< the obstacle, for people; empty if there is none
 
   double time_s = 0;       ///< device time of this judgement
   double still_for_s = 0;  ///< 0 if not still

@@ -14,11 +14,9 @@
 namespace hexoderm {
 namespace {
 
-Message expected() {
-  return message(
-      "expected a Hexoderm session (*.hexo, or format \"hexoderm-session\"), a calibration (format "
-      "\"hexoderm-calibration\") or a TUM SkinConfig XML");
-}
+constexpr std::string_view kExpected =
+    "expected a Hexoderm session (*.hexo, or format \"hexoderm-session\"), a calibration (format "
+    "\"hexoderm-calibration\") or a TUM SkinConfig XML";
 
 /// Told by its first bytes alone, as it may be very large.
 bool isRecording(const std::filesystem::path& path) {
@@ -41,8 +39,7 @@ char firstCharacter(std::string_view text) {
 OpenedFile openFile(const std::filesystem::path& path, const CellModel& model_for_tum) {
   if (isSessionStore(path)) return readSessionStore(path);
   if (isRecording(path)) {
-    throw FormatError(located(path.string(),
-                              message("is a recording, which is not opened but played: connect to it as replay:FILE")));
+    throw FormatError(path.string() + ": is a recording, which is not opened but played: connect to it as replay:FILE");
   }
   const std::string text = readFile(path);
   const std::string file = path.string();
@@ -52,16 +49,16 @@ OpenedFile openFile(const std::filesystem::path& path, const CellModel& model_fo
     case '{':
       break;
     case '\0':
-      throw FormatError(located(file, message("the file is empty, {}", expected())));
+      throw FormatError(file + ": the file is empty, " + std::string(kExpected));
     default:
-      throw FormatError(located(file, message("is none of the files that Hexoderm reads, {}", expected())));
+      throw FormatError(file + ": is none of the files that Hexoderm reads, " + std::string(kExpected));
   }
   const std::optional<std::string> format = findJsonFormat(text);
   if (format == "hexoderm-session") return parseSessionJson(text, file);
   if (format == "hexoderm-calibration") return parseCalibrationJson(text, file);
   if (!format) static_cast<void>(parseJson(text, file));  // a text that is not even JSON is reported first
-  throw FormatError(located(file, located("format", format ? message("{}, found \"{}\"", expected(), *format)
-                                                           : message("{}, but there is none", expected()))));
+  throw FormatError(file + ": format: " + std::string(kExpected) +
+                    (format ? ", found \"" + *format + "\"" : ", but there is none"));
 }
 
 bool isSessionFileName(const std::filesystem::path& path) {

@@ -1,7 +1,5 @@
 #include "hexoderm/reconstruction/reconstruction_worker.h"
 
-#include "hexoderm/util/error.h"
-
 #include <exception>
 #include <utility>
 
@@ -27,7 +25,7 @@ void ReconstructionWorker::submit(std::shared_ptr<const SessionSnapshot> snapsho
       outcome.reconstruction = solve_(*snapshot, options, stop);
       if (outcome.reconstruction == nullptr) return;
     } catch (const std::exception& error) {
-      outcome.error = messageOf(error);
+      outcome.error = error.what();
     }
     report_(std::move(outcome));
   });

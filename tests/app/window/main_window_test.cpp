@@ -56,8 +56,7 @@ TEST_F(MainWindowTest, GoesFromTheDemoSkinThroughTwoPosesToAnExportedFile) {
   ASSERT_TRUE(waitForPoses(2));
   EXPECT_EQ(find<QTableView>("poseView")->model()->rowCount(), 2);
   EXPECT_EQ(controller().reconstruction()->verdict.level, VerdictLevel::Usable);
-  EXPECT_EQ(find<QLabel>("bannerSentence")->text().toStdString(),
-            controller().reconstruction()->verdict.reason.english());
+  EXPECT_EQ(find<QLabel>("bannerSentence")->text().toStdString(), controller().reconstruction()->verdict.reason);
 
   press(Qt::Key_E, Qt::ControlModifier);
   auto* dialog = waitForDialog<QDialog>("exportDialog");

@@ -24,7 +24,7 @@ class WireConnection {
   void connect();
   void send(std::uint32_t number, const SkinCommand& command);
   /// Closes, and says so.
-  void finish(const Message& why);
+  void finish(const std::string& text);
 
  private:
   using Clock = SkinStream::Clock;
@@ -42,15 +42,15 @@ class WireConnection {
   void onAck(const skinwire::Ack& ack);
   void onTick();
   void scheduleTick();
-  void retryLater(const Message& why);
+  void retryLater(const std::string& why);
   void drop();
   void askIfNeeded(Clock::time_point now);
   void reportOpen(Clock::time_point now);
   void tendCommands(Clock::time_point now);
-  void fail(std::uint32_t number, Message why);
+  void fail(std::uint32_t number, std::string why);
   [[nodiscard]] std::optional<skinwire::Framing> framing() const;
   [[nodiscard]] skinwire::Bytes framed(const skinwire::Message& message) const;
-  [[nodiscard]] Message named(Message what) const { return located(address_text_, std::move(what)); }
+  [[nodiscard]] std::string named(const std::string& text) const { return address_text_ + ": " + text; }
 
   std::shared_ptr<boost::asio::io_context> io_;
   std::string address_text_;

@@ -97,18 +97,19 @@ bool enoughPoses(const Reconstruction& reconstruction, TurnedBy turned_by) {
   return enabled >= kGoodPoseCount && (is_usable || level == VerdictLevel::Good);
 }
 
-Message adviceInWords(const PoseAdvice& advice, const Reconstruction& reconstruction) {
+std::string adviceInWords(const PoseAdvice& advice, const Reconstruction& reconstruction) {
   const PatchReconstruction* patch = largestPatch(reconstruction);
   if (patch == nullptr) return {};
   const CellFacing target = clearestFacing(*patch, advice.up);
+  const std::string begin = "Turn the part so that cell " + toString(target.cell);
   switch (target.facing) {
     case Facing::Ceiling:
-      return message("Turn the part so that cell {} faces the ceiling.", target.cell);
+      return begin + " faces the ceiling.";
     case Facing::Floor:
-      return message("Turn the part so that cell {} faces the floor.", target.cell);
+      return begin + " faces the floor.";
     case Facing::Wall:
       // On a nearly flat patch no cell may face up or down: then its edge does, and the wall is what it faces.
-      return message("Turn the part so that cell {} faces a wall, its side towards the ceiling.", target.cell);
+      return begin + " faces a wall, its side towards the ceiling.";
   }
   return {};
 }
