@@ -11,6 +11,7 @@ core_packages=(
   libceres-dev # test oracle; the library does not use it
   libcli11-dev
   libeigen3-dev
+  libfmt-dev
   libgmock-dev
   libgtest-dev
   libprotobuf-dev

@@ -64,10 +64,10 @@ class Capture final : public CaptureOwner {
       if (std::exchange(made_progress_, false) || course_.isFileRefused()) last_progress = Clock::now();
       course_.tick();
       if (!event && status_.state == SourceState::Ended) break;
-      if (status_.state == SourceState::Incompatible) throw DeviceError(source_.address() + ": " + status_.text);
+      if (status_.state == SourceState::Incompatible) throw DeviceError(located(source_.address(), status_.message));
       if (Clock::now() - last_progress > patience && (!session_ || options_.automatic)) {
         throw DeviceError(source_.address() + ": nothing for " + formatFixed(options_.timeout_s, 0) + " s. " +
-                          (session_ ? hold_.text : status_.text));
+                          (session_ ? hold_.message : status_.message).english());
       }
     }
   }
@@ -120,7 +120,7 @@ class Capture final : public CaptureOwner {
       course_.describe(skin);
       return;
     }
-    device_ = skin.device;
+    device_ = skin.device.english();
     session_ = CaptureCourse::sessionOf(skin, source_.address());
     store_ = std::make_unique<SessionRecorder>(SessionStore::create(options_.output, *session_));
     common_.endProgress();
@@ -167,18 +167,18 @@ class Capture final : public CaptureOwner {
   }
 
   void handle(const SourceStatus& status) {
-    if (status.state != status_.state && !session_) common_.progress(status.text);
+    if (status.state != status_.state && !session_) common_.progress(status.message.english());
     if (status.state != status_.state && session_ && status.state != SourceState::Streaming &&
         status.state != SourceState::Stopped) {
       common_.endProgress();
-      common_.note(status.text);
+      common_.note(status.message.english());
     }
     status_ = status;
   }
 
   void handle(const HoldStatus& hold) {
     hold_ = hold;
-    common_.progress(hold.text);
+    common_.progress(hold.message.english());
   }
 
   void show(const PoseTaken& /*taken*/) {}
@@ -193,15 +193,16 @@ class Capture final : public CaptureOwner {
       text += "; it repeats pose " + toString(*captured.repeats) + " (" + degrees(captured.repeat_angle_rad, 1) + ")";
     }
     common_.note(text);
-    for (const OddCell& odd : captured.odd_cells) common_.note(describe(odd));
+    for (const OddCell& odd : captured.odd_cells) common_.note(describe(odd).english());
     if (!kept.without_raw.empty()) {
-      common_.note("Pose " + toString(captured.pose->id) + " is kept without its raw samples: " + kept.without_raw);
+      common_.note("Pose " + toString(captured.pose->id) +
+                   " is kept without its raw samples: " + kept.without_raw.english());
     }
   }
   void show(const PoseLost& pose) { lost_ = pose.why; }
   void show(const FileRefused& refused) {
     common_.endProgress();
-    common_.note(refused.why + ". Trying again.");
+    common_.note(refused.why.english() + ". Trying again.");
   }
   void show(const SkinChanged& /*changed*/) {
     nameTheSkin();
@@ -211,14 +212,14 @@ class Capture final : public CaptureOwner {
     if (wanted.question.seen == result_ && !course_.isFinished()) course_.setAdvice(adviseOn(wanted.question));
   }
   void show(const AdviceChanged& /*changed*/) {
-    if (course_.nextPose()) common_.note("Next: " + adviceInWords(*course_.nextPose(), *result_));
+    if (course_.nextPose()) common_.note("Next: " + adviceInWords(*course_.nextPose(), *result_).english());
   }
   void show(const TurnRefused& refused) {
     common_.endProgress();
-    common_.note("The device does not turn there: " + refused.why);
+    common_.note("The device does not turn there: " + refused.why.english());
     if (refused.gave_up) {
       throw DeviceError(source_.address() + ": refused to turn " + std::to_string(refused.times) +
-                        " times, the last time: " + refused.why);
+                        " times, the last time: " + refused.why.english());
     }
   }
   void show(const CourseFinished& /*finished*/) {}
@@ -231,7 +232,7 @@ class Capture final : public CaptureOwner {
   std::optional<Session> session_;
   std::unique_ptr<SessionRecorder> store_;
   CaptureCourse course_;
-  std::string lost_;  ///< why something is not on disk and never will be
+  Message lost_;  ///< why something is not on disk and never will be
   std::string device_;
   SourceStatus status_;
   HoldStatus hold_;

@@ -52,7 +52,7 @@ void printFindings(const std::vector<Finding>& findings) {
   }
   std::cout << "Findings: " << findings.size() << '\n';
   for (const Finding& finding : findings) {
-    std::cout << "  " << severityName(finding.severity) << "  " << codeName(finding.code) << ": " << finding.text
+    std::cout << "  " << severityName(finding.severity) << "  " << codeName(finding.code) << ": " << finding.message
               << '\n';
   }
 }
@@ -66,7 +66,7 @@ nlohmann::ordered_json toJson(const Finding& finding) {
   nlohmann::ordered_json json;
   json["code"] = codeName(finding.code);
   json["severity"] = severityName(finding.severity);
-  json["text"] = finding.text;
+  json["text"] = finding.message.english();
   const auto numbers = [](const auto& ids) {
     auto array = nlohmann::ordered_json::array();
     for (const auto& id : ids) array.push_back(id.value());
@@ -87,12 +87,12 @@ nlohmann::ordered_json toJson(const std::vector<Finding>& findings) {
 nlohmann::ordered_json toJson(const Verdict& verdict) {
   nlohmann::ordered_json json;
   json["level"] = verdictName(verdict.level);
-  json["reason"] = verdict.reason;
+  json["reason"] = verdict.reason.english();
   json["position_95_mm"] = nullptr;
   json["orientation_95_deg"] = nullptr;
   if (verdict.position_95_m) json["position_95_mm"] = toMillimetres(*verdict.position_95_m);
   if (verdict.orientation_95_rad) json["orientation_95_deg"] = toDegrees(*verdict.orientation_95_rad);
-  json["next_action"] = verdict.next_action;
+  json["next_action"] = verdict.next_action.english();
   return json;
 }
 

@@ -42,7 +42,7 @@ void addExport(CLI::App& app, Common& common) {
   CLI::App* command = app.add_subcommand("export", "Write a calibration in a form that other software reads");
   std::string formats;
   for (const ExportFormatDescription& format : exportFormats()) {
-    formats += "\n  " + std::string(format.name) + ": " + std::string(format.summary);
+    formats += "\n  " + std::string(format.name) + ": " + format.summary.english();
   }
   command->add_option("calibration", options->input, "Calibration (*.calibration.json, or TUM XML)")->required();
   command->add_option("--to", options->format, "Format, one of:" + formats)->required();

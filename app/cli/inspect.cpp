@@ -38,7 +38,7 @@ nlohmann::ordered_json describe(const Reconstruction& r, const std::string& kind
   json["poses"] = nlohmann::ordered_json::array();
   for (const PoseSummary& pose : r.poses) {
     nlohmann::ordered_json entry = {{"id", pose.pose.value()},
-                                    {"label", pose.label},
+                                    {"label", pose.label.english()},
                                     {"enabled", pose.enabled},
                                     {"cells_measured", pose.cells_measured},
                                     {"noise_mg", pose.noise_g * 1000}};
@@ -61,7 +61,7 @@ void print(const Reconstruction& r, const std::string& path, const std::string& 
   }
   std::cout << "Poses: " << r.poses.size() << '\n';
   for (const PoseSummary& pose : r.poses) {
-    std::cout << "  " << pose.pose << (pose.label.empty() ? "" : " \"" + pose.label + "\"")
+    std::cout << "  " << pose.pose << (pose.label.empty() ? "" : " \"" + pose.label.english() + "\"")
               << (pose.enabled ? "" : " (disabled)") << ": " << pose.cells_measured << " of " << r.cellCount()
               << " cells, noise " << formatFixed(pose.noise_g * 1000, 1) << " mg";
     if (pose.new_by_rad) std::cout << ", new by " << degrees(*pose.new_by_rad, 0);

@@ -75,7 +75,7 @@ int run(const SimulateOptions& options, const Common& common) {
   common.endProgress();
   if (common.json) {
     printJson({{"file", options.output},
-               {"description", skin.description()},
+               {"description", skin.description().english()},
                {"cells", skin.truth().size()},
                {"poses", session.poses().size()}});
   } else {

@@ -776,1138 +776,6 @@
     </message>
 </context>
 <context>
-    <name>hexoderm::CoreWords</name>
-    <message>
-        <source>link %1 port %2 - %3 port %4</source>
-        <translation>Verbindung %1 Port %2 – %3 Port %4</translation>
-    </message>
-    <message>
-        <source>cell %1 port %2</source>
-        <translation>Zelle %1 Port %2</translation>
-    </message>
-    <message>
-        <source>cell %1</source>
-        <translation>Zelle %1</translation>
-    </message>
-    <message>
-        <source>in pose %1</source>
-        <translation>in Pose %1</translation>
-    </message>
-    <message>
-        <source>in poses %1</source>
-        <translation>in den Posen %1</translation>
-    </message>
-    <message>
-        <source>1 pose</source>
-        <translation>1 Pose</translation>
-    </message>
-    <message>
-        <source>%1 poses</source>
-        <translation>%1 Posen</translation>
-    </message>
-    <message>
-        <source>1 cell</source>
-        <translation>1 Zelle</translation>
-    </message>
-    <message>
-        <source>%1 cells</source>
-        <translation>%1 Zellen</translation>
-    </message>
-    <message>
-        <source>1 link</source>
-        <translation>1 Verbindung</translation>
-    </message>
-    <message>
-        <source>%1 links</source>
-        <translation>%1 Verbindungen</translation>
-    </message>
-    <message>
-        <source>1 patch</source>
-        <translation>1 Hautstück</translation>
-    </message>
-    <message>
-        <source>%1 patches</source>
-        <translation>%1 Hautstücke</translation>
-    </message>
-    <message>
-        <source>±%1 mm, ±%2°</source>
-        <translation>±%1 mm und ±%2°</translation>
-    </message>
-    <message>
-        <source>A cell carries the ID 0, which means &quot;no neighbour&quot;; it is left out.</source>
-        <translation>Eine Zelle trägt die ID 0, die „kein Nachbar“ bedeutet; sie wird weggelassen.</translation>
-    </message>
-    <message>
-        <source>Cell %1 is listed more than once; only the first entry counts.</source>
-        <translation>Zelle %1 ist mehrfach aufgeführt; nur der erste Eintrag zählt.</translation>
-    </message>
-    <message>
-        <source>The neighbour at %1 is reported more than once; it counts once.</source>
-        <translation>Der Nachbar an %1 ist mehrfach gemeldet; er zählt einmal.</translation>
-    </message>
-    <message>
-        <source>Cell %1 reports two different neighbours at port %2: cells %3 and %4. Neither link is used.</source>
-        <translation>Zelle %1 meldet an Port %2 zwei verschiedene Nachbarn: die Zellen %3 und %4. Keine der beiden Verbindungen wird benutzt.</translation>
-    </message>
-    <message>
-        <source>Cell %1 reports a neighbour at port %2, but cell model %3 has no such port. The link is not used.</source>
-        <translation>Zelle %1 meldet einen Nachbarn an Port %2, aber das Zellmodell %3 hat diesen Port nicht. Die Verbindung wird nicht benutzt.</translation>
-    </message>
-    <message>
-        <source>A computer interface (ID %1) is connected at %2.</source>
-        <translation>Eine Rechnerschnittstelle (ID %1) ist an %2 angeschlossen.</translation>
-    </message>
-    <message>
-        <source>Cell %1 reports itself as its neighbour at port %2. The link is not used.</source>
-        <translation>Zelle %1 meldet sich an Port %2 selbst als Nachbarn. Die Verbindung wird nicht benutzt.</translation>
-    </message>
-    <message>
-        <source>Cell %1 reports cell %2 at port %3, but no such cell was found. The link is not used.</source>
-        <translation>Zelle %1 meldet Zelle %2 an Port %3, aber eine solche Zelle wurde nicht gefunden. Die Verbindung wird nicht benutzt.</translation>
-    </message>
-    <message>
-        <source>Cell %1 reports port %2 of cell %3, but cell model %4 has no such port. The link is not used.</source>
-        <translation>Zelle %1 meldet Port %2 von Zelle %3, aber das Zellmodell %4 hat diesen Port nicht. Die Verbindung wird nicht benutzt.</translation>
-    </message>
-    <message>
-        <source>Cell %1 reports cell %2 at port %3, but cell %4 does not report it back. The link is not used.</source>
-        <translation>Zelle %1 meldet Zelle %2 an Port %3, aber Zelle %4 meldet das nicht zurück. Die Verbindung wird nicht benutzt.</translation>
-    </message>
-    <message>
-        <source>Only cell %1 reports the %2; cell %3 does not report it back. The link is not used.</source>
-        <translation>Nur Zelle %1 meldet die %2; Zelle %3 meldet sie nicht zurück. Die Verbindung wird nicht benutzt.</translation>
-    </message>
-    <message>
-        <source>Cell %1 reports %2 at its port %3, but that port reports %4. Neither link is used.</source>
-        <translation>Zelle %1 meldet %2 an ihrem Port %3, aber dieser Port meldet %4. Keine der beiden Verbindungen wird benutzt.</translation>
-    </message>
-    <message>
-        <source>Cells %1 and %2 report each other at more than one port without naming the other side&apos;s; it can&apos;t be told which ports belong together. No link between them is used.</source>
-        <translation>Die Zellen %1 und %2 melden einander an mehr als einem Port, ohne den Port der Gegenseite zu nennen; welche Ports zusammengehören, lässt sich nicht sagen. Keine Verbindung zwischen ihnen wird benutzt.</translation>
-    </message>
-    <message>
-        <source>The %1 joins ports that cell model %2 forbids to join. It is not used.</source>
-        <translation>Die %1 verbindet Ports, die das Zellmodell %2 nicht zu verbinden erlaubt. Sie wird nicht benutzt.</translation>
-    </message>
-    <message>
-        <source>Cells %1 and %2 are joined %3 times, which two hexagons can&apos;t be. None of these links is used.</source>
-        <translation>Die Zellen %1 und %2 sind %3-mal verbunden, was zwei Sechsecke nicht sein können. Keine dieser Verbindungen wird benutzt.</translation>
-    </message>
-    <message>
-        <source>The %1 joins %2 and %3; the patch ends there.</source>
-        <translation>Die %1 verbindet %2 und %3; dort endet das Hautstück.</translation>
-    </message>
-    <message>
-        <source>The %1 joins cells that the file places in different frames (root cells %2 and %3); the patch ends there.</source>
-        <translation>Die %1 verbindet Zellen, die in der Datei in verschiedenen Koordinatensystemen liegen (Wurzelzellen %2 und %3); dort endet das Hautstück.</translation>
-    </message>
-    <message>
-        <source>The %1 bends by %2 degrees, and a skin link by no more than %3. It is probably a cable or crosses a joint.</source>
-        <translation>Die %1 biegt sich um %2 Grad, eine Hautverbindung um höchstens %3. Wahrscheinlich ist sie ein Kabel oder führt über ein Gelenk.</translation>
-    </message>
-    <message>
-        <source>The %1 is twisted by %2 degrees, and a skin link by no more than %3. It is probably a cable, or a port number is wrong.</source>
-        <translation>Die %1 ist um %2 Grad verwunden, eine Hautverbindung um höchstens %3. Wahrscheinlich ist sie ein Kabel, oder eine Portnummer ist falsch.</translation>
-    </message>
-    <message>
-        <source>The %1 is turned in the surface by %2 degrees, and a skin link by no more than %3. A port number is probably wrong, or it is a cable.</source>
-        <translation>Die %1 ist in der Fläche um %2 Grad gedreht, eine Hautverbindung um höchstens %3. Wahrscheinlich ist eine Portnummer falsch, oder sie ist ein Kabel.</translation>
-    </message>
-    <message>
-        <source>The cells of the %1 moved against each other between poses (misfit %2 standard deviations, limit %3): probably a joint or a cable, or one of the two sensors is bad. The link is not used.</source>
-        <translation>Die Zellen der %1 haben sich zwischen den Posen gegeneinander bewegt (Abweichung %2 Standardabweichungen, Grenze %3): wahrscheinlich ein Gelenk oder ein Kabel, oder einer der beiden Sensoren ist schlecht. Die Verbindung wird nicht benutzt.</translation>
-    </message>
-    <message>
-        <source>With all other links the ends of the %1 come to lie %2 mm apart, and a skin link leaves no more than %3 mm: it is probably a cable, or another link of the loop is. The link is not used.</source>
-        <translation>Mit allen anderen Verbindungen liegen die Enden der %1 %2 mm auseinander, bei einer Hautverbindung höchstens %3 mm: Wahrscheinlich ist sie oder eine andere Verbindung der Schleife ein Kabel. Die Verbindung wird nicht benutzt.</translation>
-    </message>
-    <message>
-        <source>Cell %1 delivered no reading in any pose; it is placed through its links.</source>
-        <translation>Zelle %1 hat in keiner Pose einen Messwert geliefert; sie wird über ihre Verbindungen verortet.</translation>
-    </message>
-    <message>
-        <source>Cell %1 delivered no reading %2; it is placed from the other poses.</source>
-        <translation>Zelle %1 hat %2 keinen Messwert geliefert; sie wird aus den anderen Posen verortet.</translation>
-    </message>
-    <message>
-        <source>Cell %1 reads %2 on its %3 axis in all poses, while what it reads in all ranges from %4 to %5: the axis is dead. The cell is placed through its links.</source>
-        <translation>Zelle %1 misst auf ihrer %3-Achse in allen Posen %2, insgesamt aber zwischen %4 und %5: Die Achse ist tot. Die Zelle wird über ihre Verbindungen verortet.</translation>
-    </message>
-    <message>
-        <source>Cell %1 reads the end of its range (%2 g) %3; these readings are not used.</source>
-        <translation>Zelle %1 misst %3 das Ende ihres Messbereichs (%2 g); diese Messwerte werden nicht benutzt.</translation>
-    </message>
-    <message>
-        <source>Cell %1 reads less than %2 mg %3: its accelerometer is dead. The cell is placed through its links.</source>
-        <translation>Zelle %1 misst %3 weniger als %2 mg: Ihr Beschleunigungssensor ist tot. Die Zelle wird über ihre Verbindungen verortet.</translation>
-    </message>
-    <message>
-        <source>Cell %1 reads less than %2 mg %3; these readings are not used.</source>
-        <translation>Zelle %1 misst %3 weniger als %2 mg; diese Messwerte werden nicht benutzt.</translation>
-    </message>
-    <message>
-        <source>Cell %1 reads up to %2 mg %3, expected 1000 mg +- %4 mg; these readings are not used.</source>
-        <translation>Zelle %1 misst %3 bis zu %2 mg, erwartet sind 1000 mg ± %4 mg; diese Messwerte werden nicht benutzt.</translation>
-    </message>
-    <message>
-        <source>Cell %1 scatters by %2 in pose %3 (other cells %4, limit %5); the reading is not used.</source>
-        <translation>Zelle %1 streut in Pose %3 um %2 (andere Zellen %4, Grenze %5); der Messwert wird nicht benutzt.</translation>
-    </message>
-    <message>
-        <source>Cell %1 reads the same direction in all poses (within %2 degrees) while the other cells turn by %3 degrees: its accelerometer is stuck. The cell is placed through its links.</source>
-        <translation>Zelle %1 misst in allen Posen dieselbe Richtung (auf %2 Grad genau), während sich die anderen Zellen um %3 Grad drehen: Ihr Beschleunigungssensor hängt. Die Zelle wird über ihre Verbindungen verortet.</translation>
-    </message>
-    <message>
-        <source>Cell %1 reads %2 g on average where there is 1 g, and does not fit its neighbours: its gain is wrong. The cell is placed through its links.</source>
-        <translation>Zelle %1 misst im Mittel %2 g, wo 1 g ist, und passt nicht zu ihren Nachbarn: Ihre Verstärkung ist falsch. Die Zelle wird über ihre Verbindungen verortet.</translation>
-    </message>
-    <message>
-        <source>Cell %1 reads what fits none of the other cells, however it lies: its accelerometer is wrongly wired or broken. The cell is placed through its links.</source>
-        <translation>Was Zelle %1 misst, passt zu keiner anderen Zelle, wie auch immer sie liegt: Ihr Beschleunigungssensor ist falsch verdrahtet oder defekt. Die Zelle wird über ihre Verbindungen verortet.</translation>
-    </message>
-    <message>
-        <source>Cell %1 reads what fits none of the other cells, however it lies: its accelerometer is wrongly wired or broken, or its one link is not rigid. The cell is placed through its links.</source>
-        <translation>Was Zelle %1 misst, passt zu keiner anderen Zelle, wie auch immer sie liegt: Ihr Beschleunigungssensor ist falsch verdrahtet oder defekt, oder ihre einzige Verbindung ist nicht starr. Die Zelle wird über ihre Verbindungen verortet.</translation>
-    </message>
-    <message>
-        <source>Cell %1 was left out; it is placed through its links.</source>
-        <translation>Zelle %1 wurde weggelassen; sie wird über ihre Verbindungen verortet.</translation>
-    </message>
-    <message>
-        <source>Two poses carry the number %1; both are used.</source>
-        <translation>Zwei Posen tragen die Nummer %1; beide werden benutzt.</translation>
-    </message>
-    <message>
-        <source>Pose %1 holds a reading of cell %2, which is not in the skin.</source>
-        <translation>Pose %1 enthält einen Messwert von Zelle %2, die nicht zur Haut gehört.</translation>
-    </message>
-    <message>
-        <source>Pose %1 holds two readings of cell %2; the first counts.</source>
-        <translation>Pose %1 enthält zwei Messwerte von Zelle %2; der erste zählt.</translation>
-    </message>
-    <message>
-        <source>Pose %1 is pose %2 upside down (within %3°), which adds no new direction.</source>
-        <translation>Pose %1 ist Pose %2 auf dem Kopf (auf %3° genau); das bringt keine neue Richtung.</translation>
-    </message>
-    <message>
-        <source>Pose %1 shows gravity where pose %2 does (within %3°), which adds no new direction.</source>
-        <translation>Pose %1 zeigt die Schwerkraft dort, wo Pose %2 sie zeigt (auf %3° genau); das bringt keine neue Richtung.</translation>
-    </message>
-    <message>
-        <source>Gravity was seen along one line only, so the turn about it is a guess: take a pose in which the part is turned by about 90 degrees about a horizontal axis.</source>
-        <translation>Die Schwerkraft wurde nur entlang einer Linie gesehen, die Drehung um diese Linie ist geraten: eine Pose aufnehmen, in der das Teil um etwa 90 Grad um eine waagrechte Achse gedreht ist.</translation>
-    </message>
-    <message>
-        <source>In pose %1 the readings of most cells scatter by %2: the part was probably moving. Take the pose again.</source>
-        <translation>In Pose %1 streuen die Messwerte der meisten Zellen um %2: Wahrscheinlich hat sich das Teil bewegt. Die Pose noch einmal aufnehmen.</translation>
-    </message>
-    <message>
-        <source>In pose %1 most neighbouring cells contradict each other, and without it they don&apos;t: the part probably moved while it was sampled. The pose is not used; take it again.</source>
-        <translation>In Pose %1 widersprechen sich die meisten Nachbarzellen, ohne sie nicht: Wahrscheinlich hat sich das Teil während der Messung bewegt. Die Pose wird nicht benutzt; noch einmal aufnehmen.</translation>
-    </message>
-    <message>
-        <source>In pose %1 the cells contradict each other by %2 times their noise (other poses %3): the part probably moved while it was sampled. Take the pose again.</source>
-        <translation>In Pose %1 widersprechen sich die Zellen um das %2-Fache ihres Rauschens (andere Posen %3): Wahrscheinlich hat sich das Teil während der Messung bewegt. Die Pose noch einmal aufnehmen.</translation>
-    </message>
-    <message>
-        <source>A cell ID is listed twice; the first entry counts.</source>
-        <translation>Eine Zell-ID ist zweimal aufgeführt; der erste Eintrag zählt.</translation>
-    </message>
-    <message>
-        <source>A cell carries ID 0 or an interface&apos;s ID; it is left out.</source>
-        <translation>Eine Zelle trägt die ID 0 oder die einer Schnittstelle; sie wird weggelassen.</translation>
-    </message>
-    <message>
-        <source>A link names a port that the cell model does not have; it is left out.</source>
-        <translation>Eine Verbindung nennt einen Port, den das Zellmodell nicht hat; sie wird weggelassen.</translation>
-    </message>
-    <message>
-        <source>A link names a neighbour that is not in the list of cells; it is left out.</source>
-        <translation>Eine Verbindung nennt einen Nachbarn, der nicht in der Liste der Zellen steht; sie wird weggelassen.</translation>
-    </message>
-    <message>
-        <source>A cell names itself as its neighbour; the link is left out.</source>
-        <translation>Eine Zelle nennt sich selbst als Nachbarn; die Verbindung wird weggelassen.</translation>
-    </message>
-    <message>
-        <source>Only one of two cells reports the link; it is muted.</source>
-        <translation>Nur eine von zwei Zellen meldet die Verbindung; sie ist ausgeschlossen.</translation>
-    </message>
-    <message>
-        <source>The reports of two cells about a link disagree; the links concerned are muted.</source>
-        <translation>Zwei Zellen melden eine Verbindung verschieden; die betroffenen Verbindungen sind ausgeschlossen.</translation>
-    </message>
-    <message>
-        <source>The same port is reported more than once, or two cells are joined twice.</source>
-        <translation>Derselbe Port ist mehrfach gemeldet, oder zwei Zellen sind doppelt verbunden.</translation>
-    </message>
-    <message>
-        <source>A link joins two ports that the cell model forbids to join; it is muted.</source>
-        <translation>Eine Verbindung verbindet zwei Ports, die das Zellmodell nicht zu verbinden erlaubt; sie ist ausgeschlossen.</translation>
-    </message>
-    <message>
-        <source>A cell is connected to a computer interface; the edge is not part of the skin.</source>
-        <translation>Eine Zelle ist an eine Rechnerschnittstelle angeschlossen; diese Kante gehört nicht zur Haut.</translation>
-    </message>
-    <message>
-        <source>A link joins cells of different body parts; it is muted, and the patch ends there.</source>
-        <translation>Eine Verbindung verbindet Zellen verschiedener Körperteile; sie ist ausgeschlossen, und das Hautstück endet dort.</translation>
-    </message>
-    <message>
-        <source>A link bends further than a skin link can; it is probably a cable or crosses a joint.</source>
-        <translation>Eine Verbindung biegt sich weiter, als eine Hautverbindung kann; wahrscheinlich ist sie ein Kabel oder führt über ein Gelenk.</translation>
-    </message>
-    <message>
-        <source>A link twists further than a skin link can; it is probably a cable or a wrong port.</source>
-        <translation>Eine Verbindung verwindet sich weiter, als eine Hautverbindung kann; wahrscheinlich ist sie ein Kabel, oder ein Port ist falsch.</translation>
-    </message>
-    <message>
-        <source>A link is turned in the surface further than a skin link can be; probably a wrong port or a cable.</source>
-        <translation>Eine Verbindung ist in der Fläche weiter gedreht, als eine Hautverbindung sein kann; wahrscheinlich ein falscher Port oder ein Kabel.</translation>
-    </message>
-    <message>
-        <source>The two cells of a link moved against each other between poses; it is probably a joint.</source>
-        <translation>Die beiden Zellen einer Verbindung haben sich zwischen den Posen gegeneinander bewegt; wahrscheinlich ist dort ein Gelenk.</translation>
-    </message>
-    <message>
-        <source>With all other links the ends of this link come to lie far apart: it is probably a cable, or another link of the loop is. Muted.</source>
-        <translation>Mit allen anderen Verbindungen liegen die Enden dieser Verbindung weit auseinander: Wahrscheinlich ist sie oder eine andere Verbindung der Schleife ein Kabel. Ausgeschlossen.</translation>
-    </message>
-    <message>
-        <source>A cell has no usable reading in any enabled pose; it is placed through its links.</source>
-        <translation>Eine Zelle hat in keiner benutzten Pose einen brauchbaren Messwert; sie wird über ihre Verbindungen verortet.</translation>
-    </message>
-    <message>
-        <source>A cell has no reading in some enabled poses; it is placed from the others.</source>
-        <translation>Eine Zelle hat in einigen benutzten Posen keinen Messwert; sie wird aus den anderen verortet.</translation>
-    </message>
-    <message>
-        <source>A cell&apos;s accelerometer reads nothing like gravity; the cell is placed through its links.</source>
-        <translation>Der Beschleunigungssensor einer Zelle misst nichts, was Schwerkraft sein könnte; die Zelle wird über ihre Verbindungen verortet.</translation>
-    </message>
-    <message>
-        <source>A cell&apos;s accelerometer does not change while the part moves; the cell is placed through its links.</source>
-        <translation>Der Beschleunigungssensor einer Zelle ändert sich nicht, während sich das Teil bewegt; die Zelle wird über ihre Verbindungen verortet.</translation>
-    </message>
-    <message>
-        <source>A reading lies at the end of the accelerometer&apos;s range; it is not used.</source>
-        <translation>Ein Messwert liegt am Ende des Messbereichs; er wird nicht benutzt.</translation>
-    </message>
-    <message>
-        <source>A cell&apos;s readings scatter far more than its sensor&apos;s noise and the other cells&apos;.</source>
-        <translation>Die Messwerte einer Zelle streuen weit mehr als das Rauschen ihres Sensors und das der anderen Zellen.</translation>
-    </message>
-    <message>
-        <source>A cell&apos;s readings are further from 1 g than its sensor&apos;s offset and scale allow.</source>
-        <translation>Die Messwerte einer Zelle liegen weiter von 1 g weg, als Nullpunkt und Skalierung ihres Sensors erlauben.</translation>
-    </message>
-    <message>
-        <source>One axis of a cell&apos;s accelerometer does not follow gravity; the cell is placed through its links.</source>
-        <translation>Eine Achse des Beschleunigungssensors einer Zelle folgt der Schwerkraft nicht; die Zelle wird über ihre Verbindungen verortet.</translation>
-    </message>
-    <message>
-        <source>A cell&apos;s accelerometer reads too much or too little in every pose; it is placed by its links.</source>
-        <translation>Der Beschleunigungssensor einer Zelle misst in jeder Pose zu viel oder zu wenig; sie wird über ihre Verbindungen verortet.</translation>
-    </message>
-    <message>
-        <source>A cell&apos;s readings fit no position of the cell in the patch; the cell is placed through its links.</source>
-        <translation>Die Messwerte einer Zelle passen zu keiner Lage der Zelle im Hautstück; die Zelle wird über ihre Verbindungen verortet.</translation>
-    </message>
-    <message>
-        <source>A cell was left out on request; it is placed through its links.</source>
-        <translation>Eine Zelle wurde auf Wunsch weggelassen; sie wird über ihre Verbindungen verortet.</translation>
-    </message>
-    <message>
-        <source>A pose holds a reading of a cell that is not in the skin; it is not used.</source>
-        <translation>Eine Pose enthält einen Messwert einer Zelle, die nicht zur Haut gehört; er wird nicht benutzt.</translation>
-    </message>
-    <message>
-        <source>A pose holds two readings of one cell; the first counts.</source>
-        <translation>Eine Pose enthält zwei Messwerte einer Zelle; der erste zählt.</translation>
-    </message>
-    <message>
-        <source>Two poses carry the same ID.</source>
-        <translation>Zwei Posen tragen dieselbe Nummer.</translation>
-    </message>
-    <message>
-        <source>The poses show gravity along too few directions to fix every rotation.</source>
-        <translation>Die Posen zeigen die Schwerkraft aus zu wenigen Richtungen, um jede Drehung festzulegen.</translation>
-    </message>
-    <message>
-        <source>Two poses show gravity along nearly the same line, which adds little.</source>
-        <translation>Zwei Posen zeigen die Schwerkraft fast entlang derselben Linie; das bringt wenig.</translation>
-    </message>
-    <message>
-        <source>Most cells scattered far beyond their noise in this pose: the part was probably moving.</source>
-        <translation>Die meisten Zellen streuten in dieser Pose weit über ihr Rauschen hinaus: Wahrscheinlich hat sich das Teil bewegt.</translation>
-    </message>
-    <message>
-        <source>The cells contradict each other in one pose far more than in the others; the part moved.</source>
-        <translation>Die Zellen widersprechen sich in einer Pose weit mehr als in den anderen; das Teil hat sich bewegt.</translation>
-    </message>
-    <message>
-        <source>The skin has no cells.</source>
-        <translation>Die Haut hat keine Zellen.</translation>
-    </message>
-    <message>
-        <source>Check the connection to the skin and explore it again.</source>
-        <translation>Die Verbindung zur Haut prüfen und sie neu erkunden.</translation>
-    </message>
-    <message>
-        <source>One cell: it is its own origin, there is nothing to estimate.</source>
-        <translation>Eine Zelle: Sie ist ihr eigener Ursprung, zu schätzen gibt es nichts.</translation>
-    </message>
-    <message>
-        <source>No cell is linked to another: each is its own origin.</source>
-        <translation>Keine Zelle ist mit einer anderen verbunden: Jede ist ihr eigener Ursprung.</translation>
-    </message>
-    <message>
-        <source>Export.</source>
-        <translation>Exportieren.</translation>
-    </message>
-    <message>
-        <source>Check the links between the cells.</source>
-        <translation>Die Verbindungen zwischen den Zellen prüfen.</translation>
-    </message>
-    <message>
-        <source>Look at the findings, then export.</source>
-        <translation>Die Befunde ansehen, dann exportieren.</translation>
-    </message>
-    <message>
-        <source>Hold the part still and take a first pose.</source>
-        <translation>Das Teil stillhalten und eine erste Pose aufnehmen.</translation>
-    </message>
-    <message>
-        <source>Not enough poses: one leaves the turn about gravity open (%1).</source>
-        <translation>Zu wenige Posen: Eine lässt die Drehung um die Schwerkraft offen (%1).</translation>
-    </message>
-    <message>
-        <source>Not enough poses: %1 along one line leave the turn about gravity open (%2).</source>
-        <translation>Zu wenige Posen: %1 entlang einer Linie lassen die Drehung um die Schwerkraft offen (%2).</translation>
-    </message>
-    <message>
-        <source>%1 are not enough: known to %2 only.</source>
-        <translation>%1 reichen nicht: nur auf %2 genau.</translation>
-    </message>
-    <message>
-        <source>1 pose are not enough: known to %1 only.</source>
-        <translation>1 Pose reicht nicht: nur auf %1 genau.</translation>
-    </message>
-    <message>
-        <source>Good: %1 at the worst cell (95 %), %2.</source>
-        <translation>Gut: %1 an der schlechtesten Zelle (95 %), %2.</translation>
-    </message>
-    <message>
-        <source>Usable: %1 at the worst cell (95 %), %2.</source>
-        <translation>Brauchbar: %1 an der schlechtesten Zelle (95 %), %2.</translation>
-    </message>
-    <message>
-        <source>Turn the part so that cell %1 faces a wall, its side towards the ceiling.</source>
-        <translation>Das Teil so drehen, dass Zelle %1 zur Wand zeigt, mit einer Kante zur Decke.</translation>
-    </message>
-    <message>
-        <source>Turn the part so that cell %1 faces the ceiling.</source>
-        <translation>Das Teil so drehen, dass Zelle %1 zur Decke zeigt.</translation>
-    </message>
-    <message>
-        <source>Turn the part so that cell %1 faces the floor.</source>
-        <translation>Das Teil so drehen, dass Zelle %1 zum Boden zeigt.</translation>
-    </message>
-    <message>
-        <source>That should bring ±%1° to about ±%2°.</source>
-        <translation>Das sollte aus ±%1° etwa ±%2° machen.</translation>
-    </message>
-    <message>
-        <source>Imported placements; nothing was measured here.</source>
-        <translation>Eingelesene Lagen; hier wurde nichts gemessen.</translation>
-    </message>
-    <message>
-        <source>Check the findings, then export, or take poses of this skin to measure it.</source>
-        <translation>Die Befunde prüfen, dann exportieren, oder Posen dieser Haut aufnehmen, um sie zu vermessen.</translation>
-    </message>
-    <message>
-        <source>Waiting for samples</source>
-        <translation>Wartet auf Messwerte</translation>
-    </message>
-    <message>
-        <source>Waiting for samples: all cells are silent</source>
-        <translation>Wartet auf Messwerte: Alle Zellen schweigen</translation>
-    </message>
-    <message>
-        <source>Waiting for samples: fewer than %1 s so far</source>
-        <translation>Wartet auf Messwerte: bisher weniger als %1 s</translation>
-    </message>
-    <message>
-        <source>Turn the part: it has moved %1 deg since the last capture, more than %2 are needed</source>
-        <translation>Teil drehen: seit der letzten Aufnahme um %1° bewegt, mehr als %2° sind nötig</translation>
-    </message>
-    <message>
-        <source>Hold still: the part turns by %1 deg/s, limit %2</source>
-        <translation>Stillhalten: Das Teil dreht sich mit %1°/s, Grenze %2</translation>
-    </message>
-    <message>
-        <source>Hold still: cell %1 moves %2 mg, limit %3</source>
-        <translation>Stillhalten: Zelle %1 bewegt sich um %2 mg, Grenze %3</translation>
-    </message>
-    <message>
-        <source>Hold still: cell %1 turns by %2 deg/s against the rest, limit %3</source>
-        <translation>Stillhalten: Zelle %1 dreht sich mit %2°/s gegen die anderen, Grenze %3</translation>
-    </message>
-    <message>
-        <source>Capturing what there is, moved or not</source>
-        <translation>Aufnahme läuft, bewegt oder nicht</translation>
-    </message>
-    <message>
-        <source>Keep still: taking samples</source>
-        <translation>Weiter stillhalten: Messung läuft</translation>
-    </message>
-    <message>
-        <source>Still</source>
-        <translation>Ruhig</translation>
-    </message>
-    <message>
-        <source>Still: ready to capture</source>
-        <translation>Ruhig: bereit zur Aufnahme</translation>
-    </message>
-    <message>
-        <source>connecting</source>
-        <translation>Verbindung wird aufgebaut</translation>
-    </message>
-    <message>
-        <source>connected to %1</source>
-        <translation>verbunden mit %1</translation>
-    </message>
-    <message>
-        <source>the device</source>
-        <translation>dem Gerät</translation>
-    </message>
-    <message>
-        <source>connected to the device, %1</source>
-        <translation>mit dem Gerät verbunden, %1</translation>
-    </message>
-    <message>
-        <source>waiting for the device, %1</source>
-        <translation>wartet auf das Gerät, %1</translation>
-    </message>
-    <message>
-        <source>it has not said what it is</source>
-        <translation>es hat noch nicht gesagt, was es ist</translation>
-    </message>
-    <message>
-        <source>its topology has not come</source>
-        <translation>seine Topologie ist noch nicht da</translation>
-    </message>
-    <message>
-        <source>its cell model can&apos;t be used: %1</source>
-        <translation>sein Zellmodell ist nicht verwendbar: %1</translation>
-    </message>
-    <message>
-        <source>%1; it says: %2</source>
-        <translation>%1; es sagt: %2</translation>
-    </message>
-    <message>
-        <source>%1; next try in %2</source>
-        <translation>%1; nächster Versuch in %2</translation>
-    </message>
-    <message>
-        <source>%1; not trying again</source>
-        <translation>%1; kein weiterer Versuch</translation>
-    </message>
-    <message>
-        <source>nothing came for %1; reconnecting after %2</source>
-        <translation>seit %1 kam nichts; neue Verbindung nach %2</translation>
-    </message>
-    <message>
-        <source>only broken messages (%1) for %2; reconnecting after %3</source>
-        <translation>seit %2 nur kaputte Nachrichten (%1); neue Verbindung nach %3</translation>
-    </message>
-    <message>
-        <source>what came is broken: %1</source>
-        <translation>was kam, ist kaputt: %1</translation>
-    </message>
-    <message>
-        <source>the device closed the connection</source>
-        <translation>das Gerät hat die Verbindung beendet</translation>
-    </message>
-    <message>
-        <source>the host is not known: %1</source>
-        <translation>der Rechner ist nicht bekannt: %1</translation>
-    </message>
-    <message>
-        <source>the connection was lost</source>
-        <translation>die Verbindung ging verloren</translation>
-    </message>
-    <message>
-        <source>the connection was closed</source>
-        <translation>die Verbindung wurde geschlossen</translation>
-    </message>
-    <message>
-        <source>the source was stopped</source>
-        <translation>die Quelle wurde angehalten</translation>
-    </message>
-    <message>
-        <source>the device did not answer within %1</source>
-        <translation>das Gerät hat innerhalb von %1 nicht geantwortet</translation>
-    </message>
-    <message>
-        <source>standard input takes no commands</source>
-        <translation>die Standardeingabe nimmt keine Befehle an</translation>
-    </message>
-    <message>
-        <source>playing</source>
-        <translation>wird abgespielt</translation>
-    </message>
-    <message>
-        <source>the recording is over</source>
-        <translation>die Aufzeichnung ist zu Ende</translation>
-    </message>
-    <message>
-        <source>is no recording of a skin, expected it to begin with &quot;%1&quot;</source>
-        <translation>ist keine Aufzeichnung einer Haut, erwartet wurde ein Anfang mit „%1“</translation>
-    </message>
-    <message>
-        <source>this recording has version %1, this program reads version %2</source>
-        <translation>diese Aufzeichnung hat Version %1, dieses Programm liest Version %2</translation>
-    </message>
-    <message>
-        <source>is a folder, expected a recording</source>
-        <translation>ist ein Ordner, erwartet wurde eine Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>can&apos;t be read: %1</source>
-        <translation>ist nicht lesbar: %1</translation>
-    </message>
-    <message>
-        <source>is cut off; all before byte %1 was played</source>
-        <translation>ist abgeschnitten; alles vor Byte %1 wurde abgespielt</translation>
-    </message>
-    <message>
-        <source>byte %1: a record says that it has %2 bytes, at most %3 were expected; the rest can&apos;t be read</source>
-        <translation>Byte %1: ein Eintrag gibt an, %2 Bytes zu haben, erwartet wurden höchstens %3; der Rest ist nicht lesbar</translation>
-    </message>
-    <message>
-        <source>the input is over</source>
-        <translation>die Eingabe ist zu Ende</translation>
-    </message>
-    <message>
-        <source>nothing comes</source>
-        <translation>es kommt nichts</translation>
-    </message>
-    <message>
-        <source>stopped</source>
-        <translation>angehalten</translation>
-    </message>
-    <message>
-        <source>Stopped</source>
-        <translation>Angehalten</translation>
-    </message>
-    <message>
-        <source>Streaming: %1</source>
-        <translation>Empfang: %1</translation>
-    </message>
-    <message>
-        <source>Connection refused</source>
-        <translation>Verbindung abgelehnt</translation>
-    </message>
-    <message>
-        <source>Connection reset by peer</source>
-        <translation>Verbindung von der Gegenseite getrennt</translation>
-    </message>
-    <message>
-        <source>Connection timed out</source>
-        <translation>Zeitüberschreitung beim Verbinden</translation>
-    </message>
-    <message>
-        <source>No route to host</source>
-        <translation>Kein Weg zum Rechner</translation>
-    </message>
-    <message>
-        <source>Network is unreachable</source>
-        <translation>Netz nicht erreichbar</translation>
-    </message>
-    <message>
-        <source>Host not found (authoritative)</source>
-        <translation>Rechner nicht gefunden</translation>
-    </message>
-    <message>
-        <source>No such device</source>
-        <translation>Kein solches Gerät</translation>
-    </message>
-    <message>
-        <source>Device or resource busy</source>
-        <translation>Gerät ist belegt</translation>
-    </message>
-    <message>
-        <source>source &quot;%1&quot;: expected one of %2</source>
-        <translation>Quelle „%1“: erwartet ist eines von %2</translation>
-    </message>
-    <message>
-        <source>source &quot;%1&quot;: expected %2</source>
-        <translation>Quelle „%1“: erwartet ist %2</translation>
-    </message>
-    <message>
-        <source>No such file or directory</source>
-        <translation>Datei oder Ordner nicht gefunden</translation>
-    </message>
-    <message>
-        <source>Permission denied</source>
-        <translation>Keine Berechtigung</translation>
-    </message>
-    <message>
-        <source>Read-only file system</source>
-        <translation>Dateisystem nur lesbar</translation>
-    </message>
-    <message>
-        <source>No space left on device</source>
-        <translation>Kein Platz mehr auf dem Datenträger</translation>
-    </message>
-    <message>
-        <source>Is a directory</source>
-        <translation>Ist ein Ordner</translation>
-    </message>
-    <message>
-        <source>Not a directory</source>
-        <translation>Ist kein Ordner</translation>
-    </message>
-    <message>
-        <source>Input/output error</source>
-        <translation>Ein-/Ausgabefehler</translation>
-    </message>
-    <message>
-        <source>cannot be opened: %1</source>
-        <translation>lässt sich nicht öffnen: %1</translation>
-    </message>
-    <message>
-        <source>cannot be read: %1</source>
-        <translation>lässt sich nicht lesen: %1</translation>
-    </message>
-    <message>
-        <source>cannot be written: %1</source>
-        <translation>lässt sich nicht schreiben: %1</translation>
-    </message>
-    <message>
-        <source>cannot be replaced: %1</source>
-        <translation>lässt sich nicht ersetzen: %1</translation>
-    </message>
-    <message>
-        <source>is a folder, expected a file</source>
-        <translation>ist ein Ordner, erwartet ist eine Datei</translation>
-    </message>
-    <message>
-        <source>is a file, expected a folder</source>
-        <translation>ist eine Datei, erwartet ist ein Ordner</translation>
-    </message>
-    <message>
-        <source>is a folder, cannot be written as a file</source>
-        <translation>ist ein Ordner und lässt sich nicht als Datei schreiben</translation>
-    </message>
-    <message>
-        <source>is not a file, expected one</source>
-        <translation>ist keine Datei, erwartet ist eine</translation>
-    </message>
-    <message>
-        <source>exists already, and what a session has captured is never replaced: take another name, or remove the file first</source>
-        <translation>gibt es schon, und was eine Sitzung aufgenommen hat, wird nie ersetzt: anderen Namen wählen oder die Datei vorher entfernen</translation>
-    </message>
-    <message>
-        <source>is open for reading only: save the session elsewhere to go on</source>
-        <translation>ist nur zum Lesen offen: die Sitzung woanders speichern, um weiterzuarbeiten</translation>
-    </message>
-    <message>
-        <source>the file is empty, expected a Hexoderm session</source>
-        <translation>die Datei ist leer, erwartet ist eine Hexoderm-Sitzung</translation>
-    </message>
-    <message>
-        <source>the file is empty, expected JSON</source>
-        <translation>die Datei ist leer, erwartet ist JSON</translation>
-    </message>
-    <message>
-        <source>the file is empty, %1</source>
-        <translation>die Datei ist leer, %1</translation>
-    </message>
-    <message>
-        <source>is none of the files that Hexoderm reads, %1</source>
-        <translation>ist keine der Dateien, die Hexoderm liest, %1</translation>
-    </message>
-    <message>
-        <source>is a recording, which is not opened but played: connect to it as replay:FILE</source>
-        <translation>ist eine Aufzeichnung, die nicht geöffnet, sondern abgespielt wird: als replay:DATEI verbinden</translation>
-    </message>
-    <message>
-        <source>expected a Hexoderm session (*.hexo, or format &quot;hexoderm-session&quot;), a calibration (format &quot;hexoderm-calibration&quot;) or a TUM SkinConfig XML</source>
-        <translation>erwartet ist eine Hexoderm-Sitzung (*.hexo oder Format „hexoderm-session“), eine Kalibrierung (Format „hexoderm-calibration“) oder ein TUM-SkinConfig-XML</translation>
-    </message>
-    <message>
-        <source>is not a Hexoderm session, expected an SQLite database (*.hexo)</source>
-        <translation>ist keine Hexoderm-Sitzung, erwartet ist eine SQLite-Datenbank (*.hexo)</translation>
-    </message>
-    <message>
-        <source>the file ends in the middle (truncated?), expected a whole Hexoderm session</source>
-        <translation>die Datei endet mittendrin (abgeschnitten?), erwartet ist eine vollständige Hexoderm-Sitzung</translation>
-    </message>
-    <message>
-        <source>the file ends in the middle (truncated?), expected complete JSON</source>
-        <translation>die Datei endet mittendrin (abgeschnitten?), erwartet ist vollständiges JSON</translation>
-    </message>
-    <message>
-        <source>this is not JSON, expected a JSON value here</source>
-        <translation>das ist kein JSON, erwartet ist hier ein JSON-Wert</translation>
-    </message>
-    <message>
-        <source>the file is damaged, expected the database of a Hexoderm session (%1)</source>
-        <translation>die Datei ist beschädigt, erwartet ist die Datenbank einer Hexoderm-Sitzung (%1)</translation>
-    </message>
-    <message>
-        <source>the file is damaged: what it holds does not match its digest</source>
-        <translation>die Datei ist beschädigt: Ihr Inhalt passt nicht zu ihrer Prüfsumme</translation>
-    </message>
-    <message>
-        <source>the file is damaged: expected entry %1</source>
-        <translation>die Datei ist beschädigt: erwartet ist Eintrag %1</translation>
-    </message>
-    <message>
-        <source>the file is damaged: they are missing</source>
-        <translation>die Datei ist beschädigt: sie fehlen</translation>
-    </message>
-    <message>
-        <source>the file is damaged: they do not match their digest</source>
-        <translation>die Datei ist beschädigt: sie passen nicht zu ihrer Prüfsumme</translation>
-    </message>
-    <message>
-        <source>is missing</source>
-        <translation>fehlt</translation>
-    </message>
-    <message>
-        <source>expected a finite number, found %1</source>
-        <translation>erwartet ist eine endliche Zahl, gefunden wurde %1</translation>
-    </message>
-    <message>
-        <source>another Hexoderm has it open for writing: close it there, or open it for reading</source>
-        <translation>ein anderes Hexoderm hat sie zum Schreiben offen: dort schließen oder zum Lesen öffnen</translation>
-    </message>
-    <message>
-        <source>another Hexoderm is reading it: wait until it has done and try again</source>
-        <translation>ein anderes Hexoderm liest sie: warten, bis es fertig ist, und noch einmal versuchen</translation>
-    </message>
-    <message>
-        <source>another program is writing to it: close that program and try again</source>
-        <translation>ein anderes Programm schreibt darin: das Programm schließen und noch einmal versuchen</translation>
-    </message>
-    <message>
-        <source>the disk is full: free some space and try again; what was stored before is intact</source>
-        <translation>der Datenträger ist voll: Platz schaffen und noch einmal versuchen; was vorher gespeichert war, ist unversehrt</translation>
-    </message>
-    <message>
-        <source>cannot be written (%1): make the file and its folder writable, or save the session elsewhere</source>
-        <translation>lässt sich nicht schreiben (%1): Datei und Ordner beschreibbar machen oder die Sitzung woanders speichern</translation>
-    </message>
-    <message>
-        <source>cannot be written: %1; make the file writable, or open it for reading and save it elsewhere</source>
-        <translation>lässt sich nicht schreiben: %1; die Datei beschreibbar machen, oder sie zum Lesen öffnen und woanders speichern</translation>
-    </message>
-    <message>
-        <source>cannot be locked against a second writer: %1; keep sessions on a disk of this machine</source>
-        <translation>lässt sich nicht gegen einen zweiten Schreiber sperren: %1; Sitzungen auf einem Datenträger dieses Rechners halten</translation>
-    </message>
-    <message>
-        <source>its file system can&apos;t keep a journal (WAL): keep sessions on a disk of this machine</source>
-        <translation>ihr Dateisystem kann kein Journal (WAL) führen: Sitzungen auf einem Datenträger dieses Rechners halten</translation>
-    </message>
-    <message>
-        <source>the disk does not read or write it (%1): check the disk and try again; what was stored before is kept as far as the disk has it</source>
-        <translation>der Datenträger liest oder schreibt sie nicht (%1): den Datenträger prüfen und noch einmal versuchen; was vorher gespeichert war, bleibt, soweit der Datenträger es hat</translation>
-    </message>
-    <message>
-        <source>no copy can be made to read it: %1</source>
-        <translation>zum Lesen lässt sich keine Kopie anlegen: %1</translation>
-    </message>
-    <message>
-        <source>read back after writing, it does not hold what was meant: %1</source>
-        <translation>nach dem Schreiben zurückgelesen, enthält sie nicht, was geschrieben werden sollte: %1</translation>
-    </message>
-    <message>
-        <source>The picture %1 could not be written: is the folder writable?</source>
-        <translation>Das Bild %1 ließ sich nicht schreiben: Ist der Ordner beschreibbar?</translation>
-    </message>
-    <message>
-        <source>there are no cells, and so nothing to draw in a %1 file: export csv, dot, vtp or urdf instead</source>
-        <translation>es gibt keine Zellen und damit in einer %1-Datei nichts zu zeichnen: stattdessen csv, dot, vtp oder urdf exportieren</translation>
-    </message>
-    <message>
-        <source>%1: expected letters, digits and _ - . /, found &quot;%2&quot;</source>
-        <translation>%1: erwartet sind Buchstaben, Ziffern und _ - . /, gefunden wurde „%2“</translation>
-    </message>
-    <message>
-        <source>a session holds at most %1 poses</source>
-        <translation>eine Sitzung fasst höchstens %1 Posen</translation>
-    </message>
-    <message>
-        <source>%1 and %2</source>
-        <comment>the end of a list</comment>
-        <translation>%1 und %2</translation>
-    </message>
-    <message>
-        <source>Cell %1 is dead: it reads %2 mg, no gravity</source>
-        <translation>Zelle %1 ist tot: Sie misst %2 mg, keine Schwerkraft</translation>
-    </message>
-    <message>
-        <source>Cell %1 is stuck: it repeated one reading while the part moved</source>
-        <translation>Zelle %1 hängt: Sie wiederholte einen Messwert, während sich das Teil bewegte</translation>
-    </message>
-    <message>
-        <source>Cell %1 is noisy: it scatters by %2 mg rms while the rest is still</source>
-        <translation>Zelle %1 rauscht: Sie streut um %2 mg (Effektivwert), während der Rest ruht</translation>
-    </message>
-    <message>
-        <source>Cell %1 is restless: it turns by %2 deg/s while the rest is still</source>
-        <translation>Zelle %1 ist unruhig: Sie dreht sich mit %2°/s, während der Rest ruht</translation>
-    </message>
-    <message>
-        <source>Cell %1 is silent: nothing came from it for %2 s</source>
-        <translation>Zelle %1 ist stumm: Seit %2 s kam nichts von ihr</translation>
-    </message>
-    <message>
-        <source>Simulated %1 on %2, link law %3, seed %4</source>
-        <translation>Simulierte Haut %1 auf %2, Verbindungsgesetz %3, Startwert %4</translation>
-    </message>
-    <message>
-        <source>line %1, column %2, at %3: %4</source>
-        <translation>Zeile %1, Spalte %2, bei %3: %4</translation>
-    </message>
-    <message>
-        <source>line %1, column %2: %3</source>
-        <translation>Zeile %1, Spalte %2: %3</translation>
-    </message>
-    <message>
-        <source>cells %1</source>
-        <translation>Zellen %1</translation>
-    </message>
-    <message>
-        <source>Found: %1</source>
-        <translation>Gefunden: %1</translation>
-    </message>
-    <message>
-        <source>Every link joins two ports that fit</source>
-        <translation>An jeder Verbindung passen beide Ports zusammen</translation>
-    </message>
-    <message>
-        <source>%1 of %2 links are kept out: see the findings</source>
-        <translation>%1 von %2 Verbindungen bleiben außen vor: siehe Befunde</translation>
-    </message>
-    <message>
-        <source>Cell %1 reads %2 g: gravity is 1 g, give or take %3 g</source>
-        <translation>Zelle %1 misst %2 g: Schwerkraft ist 1 g, auf %3 g genau</translation>
-    </message>
-    <message>
-        <source>The cell sends and reads %1 g</source>
-        <translation>Die Zelle sendet und misst %1 g</translation>
-    </message>
-    <message>
-        <source>All %1 cells send and read %2 to %3 g</source>
-        <translation>Alle %1 Zellen senden und messen %2 bis %3 g</translation>
-    </message>
-    <message>
-        <source>Nothing comes from %1</source>
-        <translation>Nichts kommt von %1</translation>
-    </message>
-    <message>
-        <source>The skin has no cells</source>
-        <translation>Die Haut hat keine Zellen</translation>
-    </message>
-    <message>
-        <source>No readings have come yet</source>
-        <translation>Noch sind keine Messwerte da</translation>
-    </message>
-    <message>
-        <source>Every cell sends</source>
-        <translation>Jede Zelle sendet</translation>
-    </message>
-    <message>
-        <source>%1 of %2 cells send</source>
-        <translation>%1 von %2 Zellen senden</translation>
-    </message>
-    <message>
-        <source>The %1 was set aside by hand; it is not used.</source>
-        <translation>Die %1 wurde von Hand ausgeschlossen; sie wird nicht benutzt.</translation>
-    </message>
-    <message>
-        <source>The %1 was set aside by hand (%2); it is not used.</source>
-        <translation>Die %1 wurde von Hand ausgeschlossen (%2); sie wird nicht benutzt.</translation>
-    </message>
-    <message>
-        <source>The %1 was set aside by hand, but the skin reports no such link.</source>
-        <translation>Die %1 wurde von Hand ausgeschlossen, aber die Haut meldet keine solche Verbindung.</translation>
-    </message>
-    <message>
-        <source>The %1 was set aside by hand (%2), but the skin reports no such link.</source>
-        <translation>Die %1 wurde von Hand ausgeschlossen (%2), aber die Haut meldet keine solche Verbindung.</translation>
-    </message>
-    <message>
-        <source>The operator set a link aside, as a cable for example; it is muted.</source>
-        <translation>Eine Verbindung wurde von Hand ausgeschlossen, als Kabel zum Beispiel; sie wird nicht benutzt.</translation>
-    </message>
-    <message>
-        <source>plane fit: at least %1 points are needed, there are %2</source>
-        <translation>Ebene: mindestens %1 Punkte sind nötig, vorhanden sind %2</translation>
-    </message>
-    <message>
-        <source>plane fit: all points are the same</source>
-        <translation>Ebene: Alle Punkte sind gleich</translation>
-    </message>
-    <message>
-        <source>plane fit: the points lie on a line</source>
-        <translation>Ebene: Die Punkte liegen auf einer Linie</translation>
-    </message>
-    <message>
-        <source>sphere fit: at least %1 points are needed, there are %2</source>
-        <translation>Kugel: mindestens %1 Punkte sind nötig, vorhanden sind %2</translation>
-    </message>
-    <message>
-        <source>sphere fit: all points are the same</source>
-        <translation>Kugel: Alle Punkte sind gleich</translation>
-    </message>
-    <message>
-        <source>sphere fit: the points lie on a line</source>
-        <translation>Kugel: Die Punkte liegen auf einer Linie</translation>
-    </message>
-    <message>
-        <source>sphere fit: the points lie in a plane</source>
-        <translation>Kugel: Die Punkte liegen in einer Ebene</translation>
-    </message>
-    <message>
-        <source>cylinder fit: at least %1 points are needed, there are %2</source>
-        <translation>Zylinder: mindestens %1 Punkte sind nötig, vorhanden sind %2</translation>
-    </message>
-    <message>
-        <source>cylinder fit: all points are the same</source>
-        <translation>Zylinder: Alle Punkte sind gleich</translation>
-    </message>
-    <message>
-        <source>cylinder fit: the points lie on a line</source>
-        <translation>Zylinder: Die Punkte liegen auf einer Linie</translation>
-    </message>
-    <message>
-        <source>cylinder fit: the points lie in a plane</source>
-        <translation>Zylinder: Die Punkte liegen in einer Ebene</translation>
-    </message>
-    <message>
-        <source>cone fit: at least %1 points are needed, there are %2</source>
-        <translation>Kegel: mindestens %1 Punkte sind nötig, vorhanden sind %2</translation>
-    </message>
-    <message>
-        <source>cone fit: all points are the same</source>
-        <translation>Kegel: Alle Punkte sind gleich</translation>
-    </message>
-    <message>
-        <source>cone fit: the points lie on a line</source>
-        <translation>Kegel: Die Punkte liegen auf einer Linie</translation>
-    </message>
-    <message>
-        <source>cone fit: the points lie in a plane</source>
-        <translation>Kegel: Die Punkte liegen in einer Ebene</translation>
-    </message>
-    <message>
-        <source>%1, the port from 1 to 65535 (for example %2)</source>
-        <translation>%1, Port von 1 bis 65535 (zum Beispiel %2)</translation>
-    </message>
-    <message>
-        <source>%1 or %2 (for example %3)</source>
-        <translation>%1 oder %2 (zum Beispiel %3)</translation>
-    </message>
-    <message>
-        <source>expected a Hexoderm session (*.hexo, or format &quot;hexoderm-session&quot;), a calibration (format &quot;hexoderm-calibration&quot;) or a TUM SkinConfig XML, found &quot;%1&quot;</source>
-        <translation>erwartet ist eine Hexoderm-Sitzung (*.hexo oder Format „hexoderm-session“), eine Kalibrierung (Format „hexoderm-calibration“) oder ein TUM-SkinConfig-XML, gefunden wurde „%1“</translation>
-    </message>
-    <message>
-        <source>expected a Hexoderm session (*.hexo, or format &quot;hexoderm-session&quot;), a calibration (format &quot;hexoderm-calibration&quot;) or a TUM SkinConfig XML, but there is none</source>
-        <translation>erwartet ist eine Hexoderm-Sitzung (*.hexo oder Format „hexoderm-session“), eine Kalibrierung (Format „hexoderm-calibration“) oder ein TUM-SkinConfig-XML, angegeben ist keines</translation>
-    </message>
-    <message>
-        <source>%1 cells read %2 to %3 g: gravity is 1 g, give or take %4 g</source>
-        <translation>%1 Zellen messen %2 bis %3 g: Die Schwerkraft ist 1 g, plus oder minus %4 g</translation>
-    </message>
-    <message>
-        <source>The cell sends</source>
-        <translation>Die Zelle sendet</translation>
-    </message>
-    <message>
-        <source>All %1 cells send</source>
-        <translation>Alle %1 Zellen senden</translation>
-    </message>
-    <message>
-        <source>facing ceiling</source>
-        <translation>zur Decke</translation>
-    </message>
-    <message>
-        <source>facing floor</source>
-        <translation>zum Boden</translation>
-    </message>
-    <message>
-        <source>facing wall, %1 up</source>
-        <translation>zur Wand, %1 oben</translation>
-    </message>
-    <message>
-        <source>tilted up, %1 up</source>
-        <translation>aufwärts, %1 oben</translation>
-    </message>
-    <message>
-        <source>tilted down, %1 up</source>
-        <translation>abwärts, %1 oben</translation>
-    </message>
-    <message>
-        <source>folder of tables: cells, sensors, links, poses, residuals</source>
-        <translation>Ordner mit Tabellen: Zellen, Sensoren, Verbindungen, Posen, Restfehler</translation>
-    </message>
-    <message>
-        <source>skin graph for Graphviz, with ports and quality</source>
-        <translation>Hautgraph für Graphviz, mit Ports und Güte</translation>
-    </message>
-    <message>
-        <source>mesh of the cells in metres, coloured by quality</source>
-        <translation>Netz der Zellen in Metern, nach Güte gefärbt</translation>
-    </message>
-    <message>
-        <source>mesh of the cells for CAD, in millimetres or metres</source>
-        <translation>Netz der Zellen für CAD, in Millimetern oder Metern</translation>
-    </message>
-    <message>
-        <source>everything about the cells and sensors for ParaView and VTK, lossless</source>
-        <translation>alles über Zellen und Sensoren für ParaView und VTK, verlustfrei</translation>
-    </message>
-    <message>
-        <source>links for every cell and sensor, or for every patch, for ROS</source>
-        <translation>Glieder für jede Zelle und jeden Sensor oder für jedes Hautstück, für ROS</translation>
-    </message>
-    <message>
-        <source>%1: is open in another window, close it there first</source>
-        <translation>%1: ist in einem anderen Fenster offen und muss dort zuerst geschlossen werden</translation>
-    </message>
-    <message>
-        <source>%1: cannot be moved to %2: %3</source>
-        <translation>%1: lässt sich nicht nach %2 verschieben: %3</translation>
-    </message>
-    <message>
-        <source>%1: the folder cannot be made</source>
-        <translation>%1: Der Ordner lässt sich nicht anlegen</translation>
-    </message>
-    <message>
-        <source>%1: expected a name that ends in .pdf or .html</source>
-        <translation>%1: Erwartet wird ein Name, der auf .pdf oder .html endet</translation>
-    </message>
-    <message>
-        <source>There is no pose yet: the shape shown follows from the ports alone.</source>
-        <translation>Es gibt noch keine Pose: Die gezeigte Form folgt allein aus den Ports.</translation>
-    </message>
-    <message>
-        <source>There is no enabled pose: the placement follows from the ports alone.</source>
-        <translation>Es gibt keine benutzte Pose: Die Anordnung folgt allein aus den Ports.</translation>
-    </message>
-    <message>
-        <source>Not enough poses: none yet. The shape shown follows from the ports alone.</source>
-        <translation>Zu wenige Posen: noch keine. Die gezeigte Form folgt allein aus den Ports.</translation>
-    </message>
-</context>
-<context>
     <name>hexoderm::CoverageView</name>
     <message>
         <source>front</source>
@@ -2798,10 +1666,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
 <context>
     <name>hexoderm::LiveMode</name>
     <message>
-        <source>now</source>
-        <translation>jetzt</translation>
-    </message>
-    <message>
         <source>What is shown stands still: the skin as it is now can&apos;t be solved. %1</source>
         <translation>Das Gezeigte steht still: Die Haut, wie sie jetzt ist, lässt sich nicht lösen. %1</translation>
     </message>
@@ -2855,13 +1719,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>It repeats pose %1, which is only %2° away.</source>
         <translation>Sie wiederholt Pose %1, die nur %2° entfernt ist.</translation>
-    </message>
-</context>
-<context>
-    <name>hexoderm::LiveSource</name>
-    <message>
-        <source>Connecting to %1</source>
-        <translation>Verbindung mit %1</translation>
     </message>
 </context>
 <context>
@@ -3040,6 +1897,2018 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Measure from cell %1: pick the second cell (Esc ends)</source>
         <translation>Messen ab Zelle %1: die zweite Zelle wählen (Esc beendet)</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::Message</name>
+    <message>
+        <source>Capturing what there is, moved or not</source>
+        <translation>Aufnahme läuft, bewegt oder nicht</translation>
+    </message>
+    <message>
+        <source>Keep still: taking samples</source>
+        <translation>Weiter stillhalten: Messung läuft</translation>
+    </message>
+    <message>
+        <source>Still</source>
+        <translation>Ruhig</translation>
+    </message>
+    <message>
+        <source>Still: ready to capture</source>
+        <translation>Ruhig: bereit zur Aufnahme</translation>
+    </message>
+    <message>
+        <source>Cell {} is dead: it reads {}, no gravity</source>
+        <translation>Zelle {} ist tot: Sie misst {}, keine Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Cell {} is stuck: it repeated one reading while the part moved</source>
+        <translation>Zelle {} hängt: Sie wiederholte einen Messwert, während sich das Teil bewegte</translation>
+    </message>
+    <message>
+        <source>Cell {} is noisy: it scatters by {} rms while the rest is still</source>
+        <translation>Zelle {} rauscht: Sie streut um {} (Effektivwert), während der Rest ruht</translation>
+    </message>
+    <message>
+        <source>Cell {} is restless: it turns by {} deg/s while the rest is still</source>
+        <translation>Zelle {} ist unruhig: Sie dreht sich mit {}°/s, während der Rest ruht</translation>
+    </message>
+    <message>
+        <source>Waiting for samples</source>
+        <translation>Wartet auf Messwerte</translation>
+    </message>
+    <message>
+        <source>Waiting for samples: all cells are silent</source>
+        <translation>Wartet auf Messwerte: Alle Zellen schweigen</translation>
+    </message>
+    <message>
+        <source>Waiting for samples: fewer than {} s so far</source>
+        <translation>Wartet auf Messwerte: bisher weniger als {} s</translation>
+    </message>
+    <message>
+        <source>Turn the part: it has moved {} deg since the last capture, more than {} are needed</source>
+        <translation>Teil drehen: seit der letzten Aufnahme um {}° bewegt, mehr als {}° sind nötig</translation>
+    </message>
+    <message>
+        <source>Hold still: the part turns by {} deg/s, limit {}</source>
+        <translation>Stillhalten: Das Teil dreht sich mit {}°/s, Grenze {}</translation>
+    </message>
+    <message>
+        <source>Hold still: cell {} moves {} mg, limit {}</source>
+        <translation>Stillhalten: Zelle {} bewegt sich um {} mg, Grenze {}</translation>
+    </message>
+    <message>
+        <source>Hold still: cell {} turns by {} deg/s against the rest, limit {}</source>
+        <translation>Stillhalten: Zelle {} dreht sich mit {}°/s gegen die anderen, Grenze {}</translation>
+    </message>
+    <message>
+        <source>Simulated {} on {}, link law {}, seed {}</source>
+        <translation>Simulierte Haut {} auf {}, Verbindungsgesetz {}, Startwert {}</translation>
+    </message>
+    <message>
+        <source>Streaming: {}</source>
+        <translation>Empfang: {}</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Angehalten</translation>
+    </message>
+    <message>
+        <source>source &quot;{}&quot;: expected one of {}</source>
+        <translation>Quelle „{}“: erwartet ist eines von {}</translation>
+    </message>
+    <message>
+        <source>is cut off; all before byte {} was played</source>
+        <translation>ist abgeschnitten; alles vor Byte {} wurde abgespielt</translation>
+    </message>
+    <message>
+        <source>is a folder, expected a recording</source>
+        <translation>ist ein Ordner, erwartet wurde eine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>can&apos;t be read: {}</source>
+        <translation>ist nicht lesbar: {}</translation>
+    </message>
+    <message>
+        <source>this recording has version {}, this program reads version {}</source>
+        <translation>diese Aufzeichnung hat Version {}, dieses Programm liest Version {}</translation>
+    </message>
+    <message>
+        <source>byte {}: a record says that it has {} bytes, at most {} were expected; the rest can&apos;t be read</source>
+        <translation>Byte {}: ein Eintrag gibt an, {} Bytes zu haben, erwartet wurden höchstens {}; der Rest ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>playing</source>
+        <translation>wird abgespielt</translation>
+    </message>
+    <message>
+        <source>the recording is over</source>
+        <translation>die Aufzeichnung ist zu Ende</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>its cell model can&apos;t be used: {}</source>
+        <translation>sein Zellmodell ist nicht verwendbar: {}</translation>
+    </message>
+    <message>
+        <source>it has not said what it is</source>
+        <translation>es hat noch nicht gesagt, was es ist</translation>
+    </message>
+    <message>
+        <source>its topology has not come</source>
+        <translation>seine Topologie ist noch nicht da</translation>
+    </message>
+    <message>
+        <source>the device</source>
+        <translation>dem Gerät</translation>
+    </message>
+    <message>
+        <source>what came is broken: {}</source>
+        <translation>was kam, ist kaputt: {}</translation>
+    </message>
+    <message>
+        <source>the input is over</source>
+        <translation>die Eingabe ist zu Ende</translation>
+    </message>
+    <message>
+        <source>nothing comes</source>
+        <translation>es kommt nichts</translation>
+    </message>
+    <message>
+        <source>waiting for the device, {}</source>
+        <translation>wartet auf das Gerät, {}</translation>
+    </message>
+    <message>
+        <source>connected to {}</source>
+        <translation>verbunden mit {}</translation>
+    </message>
+    <message>
+        <source>standard input takes no commands</source>
+        <translation>die Standardeingabe nimmt keine Befehle an</translation>
+    </message>
+    <message>
+        <source>source &quot;{}&quot;: expected {}</source>
+        <translation>Quelle „{}“: erwartet ist {}</translation>
+    </message>
+    <message>
+        <source>{}, the port from 1 to 65535 (for example {})</source>
+        <translation>{}, Port von 1 bis 65535 (zum Beispiel {})</translation>
+    </message>
+    <message>
+        <source>{} or {} (for example {})</source>
+        <translation>{} oder {} (zum Beispiel {})</translation>
+    </message>
+    <message>
+        <source>connecting</source>
+        <translation>Verbindung wird aufgebaut</translation>
+    </message>
+    <message>
+        <source>{}; not trying again</source>
+        <translation>{}; kein weiterer Versuch</translation>
+    </message>
+    <message>
+        <source>the connection was closed</source>
+        <translation>die Verbindung wurde geschlossen</translation>
+    </message>
+    <message>
+        <source>only broken messages ({}) for {}; reconnecting after {}</source>
+        <translation>seit {1} nur kaputte Nachrichten ({0}); neue Verbindung nach {2}</translation>
+    </message>
+    <message>
+        <source>nothing came for {}; reconnecting after {}</source>
+        <translation>seit {} kam nichts; neue Verbindung nach {}</translation>
+    </message>
+    <message>
+        <source>connected to the device, {}</source>
+        <translation>mit dem Gerät verbunden, {}</translation>
+    </message>
+    <message>
+        <source>{}; it says: {}</source>
+        <translation>{}; es sagt: {}</translation>
+    </message>
+    <message>
+        <source>{}; next try in {}</source>
+        <translation>{}; nächster Versuch in {}</translation>
+    </message>
+    <message>
+        <source>the connection was lost</source>
+        <translation>die Verbindung ging verloren</translation>
+    </message>
+    <message>
+        <source>the device did not answer within {}</source>
+        <translation>das Gerät hat innerhalb von {} nicht geantwortet</translation>
+    </message>
+    <message>
+        <source>the source was stopped</source>
+        <translation>die Quelle wurde angehalten</translation>
+    </message>
+    <message>
+        <source>Host not found (authoritative)</source>
+        <translation>Rechner nicht gefunden</translation>
+    </message>
+    <message>
+        <source>the device closed the connection</source>
+        <translation>das Gerät hat die Verbindung beendet</translation>
+    </message>
+    <message>
+        <source>the host is not known: {}</source>
+        <translation>der Rechner ist nicht bekannt: {}</translation>
+    </message>
+    <message>
+        <source>cell {} port {}</source>
+        <translation>Zelle {} Port {}</translation>
+    </message>
+    <message>
+        <source>A cell carries the ID 0, which means &quot;no neighbour&quot;; it is left out.</source>
+        <translation>Eine Zelle trägt die ID 0, die „kein Nachbar“ bedeutet; sie wird weggelassen.</translation>
+    </message>
+    <message>
+        <source>Cell {} is listed more than once; only the first entry counts.</source>
+        <translation>Zelle {} ist mehrfach aufgeführt; nur der erste Eintrag zählt.</translation>
+    </message>
+    <message>
+        <source>The neighbour at {} is reported more than once; it counts once.</source>
+        <translation>Der Nachbar an {} ist mehrfach gemeldet; er zählt einmal.</translation>
+    </message>
+    <message>
+        <source>Cell {} reports two different neighbours at port {}: cells {} and {}. Neither link is used.</source>
+        <translation>Zelle {} meldet an Port {} zwei verschiedene Nachbarn: die Zellen {} und {}. Keine der beiden Verbindungen wird benutzt.</translation>
+    </message>
+    <message>
+        <source>Cell {} reports a neighbour at port {}, but cell model {} has no such port. The link is not used.</source>
+        <translation>Zelle {} meldet einen Nachbarn an Port {}, aber das Zellmodell {} hat diesen Port nicht. Die Verbindung wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>A computer interface (ID {}) is connected at {}.</source>
+        <translation>Eine Rechnerschnittstelle (ID {}) ist an {} angeschlossen.</translation>
+    </message>
+    <message>
+        <source>Cell {} reports itself as its neighbour at port {}. The link is not used.</source>
+        <translation>Zelle {} meldet sich an Port {} selbst als Nachbarn. Die Verbindung wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Cell {} reports cell {} at port {}, but no such cell was found. The link is not used.</source>
+        <translation>Zelle {} meldet Zelle {} an Port {}, aber eine solche Zelle wurde nicht gefunden. Die Verbindung wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Cell {} reports port {} of cell {}, but cell model {} has no such port. The link is not used.</source>
+        <translation>Zelle {} meldet Port {} von Zelle {}, aber das Zellmodell {} hat diesen Port nicht. Die Verbindung wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Cell {} reports cell {} at port {}, but cell {} does not report it back. The link is not used.</source>
+        <translation>Zelle {} meldet Zelle {} an Port {}, aber Zelle {} meldet das nicht zurück. Die Verbindung wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Only cell {} reports the {}; cell {} does not report it back. The link is not used.</source>
+        <translation>Nur Zelle {} meldet die {}; Zelle {} meldet sie nicht zurück. Die Verbindung wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Cell {} reports {} at its port {}, but that port reports {}. Neither link is used.</source>
+        <translation>Zelle {} meldet {} an ihrem Port {}, aber dieser Port meldet {}. Keine der beiden Verbindungen wird benutzt.</translation>
+    </message>
+    <message>
+        <source>cell {}</source>
+        <translation>Zelle {}</translation>
+    </message>
+    <message>
+        <source>Cells {} and {} report each other at more than one port without naming the other side&apos;s; it can&apos;t be told which ports belong together. No link between them is used.</source>
+        <translation>Die Zellen {} und {} melden einander an mehr als einem Port, ohne den Port der Gegenseite zu nennen; welche Ports zusammengehören, lässt sich nicht sagen. Keine Verbindung zwischen ihnen wird benutzt.</translation>
+    </message>
+    <message>
+        <source>The {} joins ports that cell model {} forbids to join. It is not used.</source>
+        <translation>Die {} verbindet Ports, die das Zellmodell {} nicht zu verbinden erlaubt. Sie wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Cells {} and {} are joined {} times, which two hexagons can&apos;t be. None of these links is used.</source>
+        <translation>Die Zellen {} und {} sind {}-mal verbunden, was zwei Sechsecke nicht sein können. Keine dieser Verbindungen wird benutzt.</translation>
+    </message>
+    <message>
+        <source>The {} joins {} and {}; the patch ends there.</source>
+        <translation>Die {} verbindet {} und {}; dort endet das Hautstück.</translation>
+    </message>
+    <message>
+        <source>link {} port {} - {} port {}</source>
+        <translation>Verbindung {} Port {} – {} Port {}</translation>
+    </message>
+    <message>
+        <source>cannot be written: {}</source>
+        <translation>lässt sich nicht schreiben: {}</translation>
+    </message>
+    <message>
+        <source>cannot be replaced: {}</source>
+        <translation>lässt sich nicht ersetzen: {}</translation>
+    </message>
+    <message>
+        <source>is a folder, cannot be written as a file</source>
+        <translation>ist ein Ordner und lässt sich nicht als Datei schreiben</translation>
+    </message>
+    <message>
+        <source>is a file, expected a folder</source>
+        <translation>ist eine Datei, erwartet ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>read back after writing, it does not hold what was meant: {}</source>
+        <translation>nach dem Schreiben zurückgelesen, enthält sie nicht, was geschrieben werden sollte: {}</translation>
+    </message>
+    <message>
+        <source>folder of tables: cells, sensors, links, poses, residuals</source>
+        <translation>Ordner mit Tabellen: Zellen, Sensoren, Verbindungen, Posen, Restfehler</translation>
+    </message>
+    <message>
+        <source>skin graph for Graphviz, with ports and quality</source>
+        <translation>Hautgraph für Graphviz, mit Ports und Güte</translation>
+    </message>
+    <message>
+        <source>mesh of the cells in metres, coloured by quality</source>
+        <translation>Netz der Zellen in Metern, nach Güte gefärbt</translation>
+    </message>
+    <message>
+        <source>mesh of the cells for CAD, in millimetres or metres</source>
+        <translation>Netz der Zellen für CAD, in Millimetern oder Metern</translation>
+    </message>
+    <message>
+        <source>everything about the cells and sensors for ParaView and VTK, lossless</source>
+        <translation>alles über Zellen und Sensoren für ParaView und VTK, verlustfrei</translation>
+    </message>
+    <message>
+        <source>links for every cell and sensor, or for every patch, for ROS</source>
+        <translation>Glieder für jede Zelle und jeden Sensor oder für jedes Hautstück, für ROS</translation>
+    </message>
+    <message>
+        <source>there are no cells, and so nothing to draw in a {} file: export csv, dot, vtp or urdf instead</source>
+        <translation>es gibt keine Zellen und damit in einer {}-Datei nichts zu zeichnen: stattdessen csv, dot, vtp oder urdf exportieren</translation>
+    </message>
+    <message>
+        <source>expected a Hexoderm session (*.hexo, or format &quot;hexoderm-session&quot;), a calibration (format &quot;hexoderm-calibration&quot;) or a TUM SkinConfig XML</source>
+        <translation>erwartet ist eine Hexoderm-Sitzung (*.hexo oder Format „hexoderm-session“), eine Kalibrierung (Format „hexoderm-calibration“) oder ein TUM-SkinConfig-XML</translation>
+    </message>
+    <message>
+        <source>is a recording, which is not opened but played: connect to it as replay:FILE</source>
+        <translation>ist eine Aufzeichnung, die nicht geöffnet, sondern abgespielt wird: als replay:DATEI verbinden</translation>
+    </message>
+    <message>
+        <source>the file is empty, {}</source>
+        <translation>die Datei ist leer, {}</translation>
+    </message>
+    <message>
+        <source>is none of the files that Hexoderm reads, {}</source>
+        <translation>ist keine der Dateien, die Hexoderm liest, {}</translation>
+    </message>
+    <message>
+        <source>The {} joins cells that the file places in different frames (root cells {} and {}); the patch ends there.</source>
+        <translation>Die {} verbindet Zellen, die in der Datei in verschiedenen Koordinatensystemen liegen (Wurzelzellen {} und {}); dort endet das Hautstück.</translation>
+    </message>
+    <message>
+        <source>Imported placements; nothing was measured here.</source>
+        <translation>Eingelesene Lagen; hier wurde nichts gemessen.</translation>
+    </message>
+    <message>
+        <source>Check the findings, then export, or take poses of this skin to measure it.</source>
+        <translation>Die Befunde prüfen, dann exportieren, oder Posen dieser Haut aufnehmen, um sie zu vermessen.</translation>
+    </message>
+    <message>
+        <source>Turn the part so that cell {} faces the ceiling.</source>
+        <translation>Das Teil so drehen, dass Zelle {} zur Decke zeigt.</translation>
+    </message>
+    <message>
+        <source>Turn the part so that cell {} faces the floor.</source>
+        <translation>Das Teil so drehen, dass Zelle {} zum Boden zeigt.</translation>
+    </message>
+    <message>
+        <source>Turn the part so that cell {} faces a wall, its side towards the ceiling.</source>
+        <translation>Das Teil so drehen, dass Zelle {} zur Wand zeigt, mit einer Kante zur Decke.</translation>
+    </message>
+    <message>
+        <source>facing ceiling</source>
+        <translation>zur Decke</translation>
+    </message>
+    <message>
+        <source>facing floor</source>
+        <translation>zum Boden</translation>
+    </message>
+    <message>
+        <source>facing wall, {} up</source>
+        <translation>zur Wand, {} oben</translation>
+    </message>
+    <message>
+        <source>tilted up, {} up</source>
+        <translation>aufwärts, {} oben</translation>
+    </message>
+    <message>
+        <source>tilted down, {} up</source>
+        <translation>abwärts, {} oben</translation>
+    </message>
+    <message>
+        <source>cells {}</source>
+        <translation>Zellen {}</translation>
+    </message>
+    <message>
+        <source>{} cells</source>
+        <translation>{} Zellen</translation>
+    </message>
+    <message>
+        <source>Every link joins two ports that fit</source>
+        <translation>An jeder Verbindung passen beide Ports zusammen</translation>
+    </message>
+    <message>
+        <source>{} of {} links are kept out: see the findings</source>
+        <translation>{} von {} Verbindungen bleiben außen vor: siehe Befunde</translation>
+    </message>
+    <message>
+        <source>Nothing comes from {}</source>
+        <translation>Nichts kommt von {}</translation>
+    </message>
+    <message>
+        <source>The cell sends</source>
+        <translation>Die Zelle sendet</translation>
+    </message>
+    <message>
+        <source>All {} cells send</source>
+        <translation>Alle {} Zellen senden</translation>
+    </message>
+    <message>
+        <source>Found: {}</source>
+        <translation>Gefunden: {}</translation>
+    </message>
+    <message>
+        <source>The skin has no cells</source>
+        <translation>Die Haut hat keine Zellen</translation>
+    </message>
+    <message>
+        <source>No readings have come yet</source>
+        <translation>Noch sind keine Messwerte da</translation>
+    </message>
+    <message>
+        <source>Every cell sends</source>
+        <translation>Jede Zelle sendet</translation>
+    </message>
+    <message>
+        <source>{} of {} cells send</source>
+        <translation>{} von {} Zellen senden</translation>
+    </message>
+    <message>
+        <source>±{}, ±{}</source>
+        <translation>±{} und ±{}</translation>
+    </message>
+    <message>
+        <source>The skin has no cells.</source>
+        <translation>Die Haut hat keine Zellen.</translation>
+    </message>
+    <message>
+        <source>Check the connection to the skin and explore it again.</source>
+        <translation>Die Verbindung zur Haut prüfen und sie neu erkunden.</translation>
+    </message>
+    <message>
+        <source>One cell: it is its own origin, there is nothing to estimate.</source>
+        <translation>Eine Zelle: Sie ist ihr eigener Ursprung, zu schätzen gibt es nichts.</translation>
+    </message>
+    <message>
+        <source>No cell is linked to another: each is its own origin.</source>
+        <translation>Keine Zelle ist mit einer anderen verbunden: Jede ist ihr eigener Ursprung.</translation>
+    </message>
+    <message>
+        <source>Export.</source>
+        <translation>Exportieren.</translation>
+    </message>
+    <message>
+        <source>Check the links between the cells.</source>
+        <translation>Die Verbindungen zwischen den Zellen prüfen.</translation>
+    </message>
+    <message>
+        <source>That should bring ±{} to about ±{}.</source>
+        <translation>Das sollte aus ±{} etwa ±{} machen.</translation>
+    </message>
+    <message>
+        <source>1 pose</source>
+        <translation>1 Pose</translation>
+    </message>
+    <message>
+        <source>{} poses</source>
+        <translation>{} Posen</translation>
+    </message>
+    <message>
+        <source>Not enough poses: none yet. The shape shown follows from the ports alone.</source>
+        <translation>Zu wenige Posen: noch keine. Die gezeigte Form folgt allein aus den Ports.</translation>
+    </message>
+    <message>
+        <source>Hold the part still and take a first pose.</source>
+        <translation>Das Teil stillhalten und eine erste Pose aufnehmen.</translation>
+    </message>
+    <message>
+        <source>Not enough poses: {} along one line leave the turn about gravity open ({}).</source>
+        <translation>Zu wenige Posen: {} entlang einer Linie lassen die Drehung um die Schwerkraft offen ({}).</translation>
+    </message>
+    <message>
+        <source>Not enough poses: one leaves the turn about gravity open ({}).</source>
+        <translation>Zu wenige Posen: Eine lässt die Drehung um die Schwerkraft offen ({}).</translation>
+    </message>
+    <message>
+        <source>{} are not enough: known to {} only.</source>
+        <translation>{} reichen nicht: nur auf {} genau.</translation>
+    </message>
+    <message>
+        <source>Good: {} at the worst cell (95 %), {}.</source>
+        <translation>Gut: {} an der schlechtesten Zelle (95 %), {}.</translation>
+    </message>
+    <message>
+        <source>Usable: {} at the worst cell (95 %), {}.</source>
+        <translation>Brauchbar: {} an der schlechtesten Zelle (95 %), {}.</translation>
+    </message>
+    <message>
+        <source>Look at the findings, then export.</source>
+        <translation>Die Befunde ansehen, dann exportieren.</translation>
+    </message>
+    <message>
+        <source>in pose {}</source>
+        <translation>in Pose {}</translation>
+    </message>
+    <message>
+        <source>in poses {}</source>
+        <translation>in den Posen {}</translation>
+    </message>
+    <message>
+        <source>Cell {} delivered no reading in any pose; it is placed through its links.</source>
+        <translation>Zelle {} hat in keiner Pose einen Messwert geliefert; sie wird über ihre Verbindungen verortet.</translation>
+    </message>
+    <message>
+        <source>Cell {} delivered no reading {}; it is placed from the other poses.</source>
+        <translation>Zelle {} hat {} keinen Messwert geliefert; sie wird aus den anderen Posen verortet.</translation>
+    </message>
+    <message>
+        <source>Cell {} reads {} on its {} axis in all poses, while what it reads in all ranges from {} to {}: the axis is dead. The cell is placed through its links.</source>
+        <translation>Zelle {0} misst auf ihrer {2}-Achse in allen Posen {1}, insgesamt aber zwischen {3} und {4}: Die Achse ist tot. Die Zelle wird über ihre Verbindungen verortet.</translation>
+    </message>
+    <message>
+        <source>Cell {} reads the end of its range ({} g) {}; these readings are not used.</source>
+        <translation>Zelle {0} misst {2} das Ende ihres Messbereichs ({1} g); diese Messwerte werden nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Cell {} reads less than {} {}: its accelerometer is dead. The cell is placed through its links.</source>
+        <translation>Zelle {0} misst {2} weniger als {1}: Ihr Beschleunigungssensor ist tot. Die Zelle wird über ihre Verbindungen verortet.</translation>
+    </message>
+    <message>
+        <source>Cell {} reads less than {} {}; these readings are not used.</source>
+        <translation>Zelle {0} misst {2} weniger als {1}; diese Messwerte werden nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Cell {} reads up to {} {}, expected 1000 mg +- {}; these readings are not used.</source>
+        <translation>Zelle {0} misst {2} bis zu {1}, erwartet sind 1000 mg ± {3}; diese Messwerte werden nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>In pose {} the readings of most cells scatter by {}: the part was probably moving. Take the pose again.</source>
+        <translation>In Pose {} streuen die Messwerte der meisten Zellen um {}: Wahrscheinlich hat sich das Teil bewegt. Die Pose noch einmal aufnehmen.</translation>
+    </message>
+    <message>
+        <source>Cell {} scatters by {} in pose {} (other cells {}, limit {}); the reading is not used.</source>
+        <translation>Zelle {0} streut in Pose {2} um {1} (andere Zellen {3}, Grenze {4}); der Messwert wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Cell {} reads the same direction in all poses (within {} degrees) while the other cells turn by {} degrees: its accelerometer is stuck. The cell is placed through its links.</source>
+        <translation>Zelle {} misst in allen Posen dieselbe Richtung (auf {} Grad genau), während sich die anderen Zellen um {} Grad drehen: Ihr Beschleunigungssensor hängt. Die Zelle wird über ihre Verbindungen verortet.</translation>
+    </message>
+    <message>
+        <source>In pose {} most neighbouring cells contradict each other, and without it they don&apos;t: the part probably moved while it was sampled. The pose is not used; take it again.</source>
+        <translation>In Pose {} widersprechen sich die meisten Nachbarzellen, ohne sie nicht: Wahrscheinlich hat sich das Teil während der Messung bewegt. Die Pose wird nicht benutzt; noch einmal aufnehmen.</translation>
+    </message>
+    <message>
+        <source>The {} was set aside by hand; it is not used.</source>
+        <translation>Die {} wurde von Hand ausgeschlossen; sie wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>The {} was set aside by hand, but the skin reports no such link.</source>
+        <translation>Die {} wurde von Hand ausgeschlossen, aber die Haut meldet keine solche Verbindung.</translation>
+    </message>
+    <message>
+        <source>The {} was set aside by hand ({}); it is not used.</source>
+        <translation>Die {} wurde von Hand ausgeschlossen ({}); sie wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>The {} was set aside by hand ({}), but the skin reports no such link.</source>
+        <translation>Die {} wurde von Hand ausgeschlossen ({}), aber die Haut meldet keine solche Verbindung.</translation>
+    </message>
+    <message>
+        <source>Cell {} was left out; it is placed through its links.</source>
+        <translation>Zelle {} wurde weggelassen; sie wird über ihre Verbindungen verortet.</translation>
+    </message>
+    <message>
+        <source>The {} bends by {} degrees, and a skin link by no more than {}. It is probably a cable or crosses a joint.</source>
+        <translation>Die {} biegt sich um {} Grad, eine Hautverbindung um höchstens {}. Wahrscheinlich ist sie ein Kabel oder führt über ein Gelenk.</translation>
+    </message>
+    <message>
+        <source>The {} is twisted by {} degrees, and a skin link by no more than {}. It is probably a cable, or a port number is wrong.</source>
+        <translation>Die {} ist um {} Grad verwunden, eine Hautverbindung um höchstens {}. Wahrscheinlich ist sie ein Kabel, oder eine Portnummer ist falsch.</translation>
+    </message>
+    <message>
+        <source>The {} is turned in the surface by {} degrees, and a skin link by no more than {}. A port number is probably wrong, or it is a cable.</source>
+        <translation>Die {} ist in der Fläche um {} Grad gedreht, eine Hautverbindung um höchstens {}. Wahrscheinlich ist eine Portnummer falsch, oder sie ist ein Kabel.</translation>
+    </message>
+    <message>
+        <source>The cells of the {} moved against each other between poses (misfit {} standard deviations, limit {}): probably a joint or a cable, or one of the two sensors is bad. The link is not used.</source>
+        <translation>Die Zellen der {} haben sich zwischen den Posen gegeneinander bewegt (Abweichung {} Standardabweichungen, Grenze {}): wahrscheinlich ein Gelenk oder ein Kabel, oder einer der beiden Sensoren ist schlecht. Die Verbindung wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>Cell {} reads {} g on average where there is 1 g, and does not fit its neighbours: its gain is wrong. The cell is placed through its links.</source>
+        <translation>Zelle {} misst im Mittel {} g, wo 1 g ist, und passt nicht zu ihren Nachbarn: Ihre Verstärkung ist falsch. Die Zelle wird über ihre Verbindungen verortet.</translation>
+    </message>
+    <message>
+        <source>Cell {} reads what fits none of the other cells, however it lies: its accelerometer is wrongly wired or broken, or its one link is not rigid. The cell is placed through its links.</source>
+        <translation>Was Zelle {} misst, passt zu keiner anderen Zelle, wie auch immer sie liegt: Ihr Beschleunigungssensor ist falsch verdrahtet oder defekt, oder ihre einzige Verbindung ist nicht starr. Die Zelle wird über ihre Verbindungen verortet.</translation>
+    </message>
+    <message>
+        <source>Cell {} reads what fits none of the other cells, however it lies: its accelerometer is wrongly wired or broken. The cell is placed through its links.</source>
+        <translation>Was Zelle {} misst, passt zu keiner anderen Zelle, wie auch immer sie liegt: Ihr Beschleunigungssensor ist falsch verdrahtet oder defekt. Die Zelle wird über ihre Verbindungen verortet.</translation>
+    </message>
+    <message>
+        <source>Pose {} is pose {} upside down (within {}), which adds no new direction.</source>
+        <translation>Pose {} ist Pose {} auf dem Kopf (auf {} genau); das bringt keine neue Richtung.</translation>
+    </message>
+    <message>
+        <source>Pose {} shows gravity where pose {} does (within {}), which adds no new direction.</source>
+        <translation>Pose {} zeigt die Schwerkraft dort, wo Pose {} sie zeigt (auf {} genau); das bringt keine neue Richtung.</translation>
+    </message>
+    <message>
+        <source>There is no pose yet: the shape shown follows from the ports alone.</source>
+        <translation>Es gibt noch keine Pose: Die gezeigte Form folgt allein aus den Ports.</translation>
+    </message>
+    <message>
+        <source>Gravity was seen along one line only, so the turn about it is a guess: take a pose in which the part is turned by about 90 degrees about a horizontal axis.</source>
+        <translation>Die Schwerkraft wurde nur entlang einer Linie gesehen, die Drehung um diese Linie ist geraten: eine Pose aufnehmen, in der das Teil um etwa 90 Grad um eine waagrechte Achse gedreht ist.</translation>
+    </message>
+    <message>
+        <source>Two poses carry the number {}; both are used.</source>
+        <translation>Zwei Posen tragen die Nummer {}; beide werden benutzt.</translation>
+    </message>
+    <message>
+        <source>Pose {} holds a reading of cell {}, which is not in the skin.</source>
+        <translation>Pose {} enthält einen Messwert von Zelle {}, die nicht zur Haut gehört.</translation>
+    </message>
+    <message>
+        <source>Pose {} holds two readings of cell {}; the first counts.</source>
+        <translation>Pose {} enthält zwei Messwerte von Zelle {}; der erste zählt.</translation>
+    </message>
+    <message>
+        <source>With all other links the ends of the {} come to lie {} apart, and a skin link leaves no more than {}: it is probably a cable, or another link of the loop is. The link is not used.</source>
+        <translation>Mit allen anderen Verbindungen liegen die Enden der {} {} auseinander, bei einer Hautverbindung höchstens {}: Wahrscheinlich ist sie oder eine andere Verbindung der Schleife ein Kabel. Die Verbindung wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>In pose {} the cells contradict each other by {} times their noise (other poses {}): the part probably moved while it was sampled. Take the pose again.</source>
+        <translation>In Pose {} widersprechen sich die Zellen um das {}-Fache ihres Rauschens (andere Posen {}): Wahrscheinlich hat sich das Teil während der Messung bewegt. Die Pose noch einmal aufnehmen.</translation>
+    </message>
+    <message>
+        <source>1 cell</source>
+        <translation>1 Zelle</translation>
+    </message>
+    <message>
+        <source>1 link</source>
+        <translation>1 Verbindung</translation>
+    </message>
+    <message>
+        <source>{} links</source>
+        <translation>{} Verbindungen</translation>
+    </message>
+    <message>
+        <source>1 patch</source>
+        <translation>1 Hautstück</translation>
+    </message>
+    <message>
+        <source>{} patches</source>
+        <translation>{} Hautstücke</translation>
+    </message>
+    <message>
+        <source>the file is damaged: expected entry {}</source>
+        <translation>die Datei ist beschädigt: erwartet ist Eintrag {}</translation>
+    </message>
+    <message>
+        <source>the file is damaged: what it holds does not match its digest</source>
+        <translation>die Datei ist beschädigt: Ihr Inhalt passt nicht zu ihrer Prüfsumme</translation>
+    </message>
+    <message>
+        <source>a session holds at most {} poses</source>
+        <translation>eine Sitzung fasst höchstens {} Posen</translation>
+    </message>
+    <message>
+        <source>exists already, and what a session has captured is never replaced: take another name, or remove the file first</source>
+        <translation>gibt es schon, und was eine Sitzung aufgenommen hat, wird nie ersetzt: anderen Namen wählen oder die Datei vorher entfernen</translation>
+    </message>
+    <message>
+        <source>the file is damaged: they are missing</source>
+        <translation>die Datei ist beschädigt: sie fehlen</translation>
+    </message>
+    <message>
+        <source>the file is damaged: they do not match their digest</source>
+        <translation>die Datei ist beschädigt: sie passen nicht zu ihrer Prüfsumme</translation>
+    </message>
+    <message>
+        <source>is open for reading only: save the session elsewhere to go on</source>
+        <translation>ist nur zum Lesen offen: die Sitzung woanders speichern, um weiterzuarbeiten</translation>
+    </message>
+    <message>
+        <source>the disk is full: free some space and try again; what was stored before is intact</source>
+        <translation>der Datenträger ist voll: Platz schaffen und noch einmal versuchen; was vorher gespeichert war, ist unversehrt</translation>
+    </message>
+    <message>
+        <source>cannot be written ({}): make the file and its folder writable, or save the session elsewhere</source>
+        <translation>lässt sich nicht schreiben ({}): Datei und Ordner beschreibbar machen oder die Sitzung woanders speichern</translation>
+    </message>
+    <message>
+        <source>cannot be opened: {}</source>
+        <translation>lässt sich nicht öffnen: {}</translation>
+    </message>
+    <message>
+        <source>another program is writing to it: close that program and try again</source>
+        <translation>ein anderes Programm schreibt darin: das Programm schließen und noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>the file ends in the middle (truncated?), expected a whole Hexoderm session</source>
+        <translation>die Datei endet mittendrin (abgeschnitten?), erwartet ist eine vollständige Hexoderm-Sitzung</translation>
+    </message>
+    <message>
+        <source>the disk does not read or write it ({}): check the disk and try again; what was stored before is kept as far as the disk has it</source>
+        <translation>der Datenträger liest oder schreibt sie nicht ({}): den Datenträger prüfen und noch einmal versuchen; was vorher gespeichert war, bleibt, soweit der Datenträger es hat</translation>
+    </message>
+    <message>
+        <source>is not a Hexoderm session, expected an SQLite database (*.hexo)</source>
+        <translation>ist keine Hexoderm-Sitzung, erwartet ist eine SQLite-Datenbank (*.hexo)</translation>
+    </message>
+    <message>
+        <source>the file is damaged, expected the database of a Hexoderm session ({})</source>
+        <translation>die Datei ist beschädigt, erwartet ist die Datenbank einer Hexoderm-Sitzung ({})</translation>
+    </message>
+    <message>
+        <source>is a folder, expected a file</source>
+        <translation>ist ein Ordner, erwartet ist eine Datei</translation>
+    </message>
+    <message>
+        <source>is not a file, expected one</source>
+        <translation>ist keine Datei, erwartet ist eine</translation>
+    </message>
+    <message>
+        <source>the file is empty, expected a Hexoderm session</source>
+        <translation>die Datei ist leer, erwartet ist eine Hexoderm-Sitzung</translation>
+    </message>
+    <message>
+        <source>no copy can be made to read it: {}</source>
+        <translation>zum Lesen lässt sich keine Kopie anlegen: {}</translation>
+    </message>
+    <message>
+        <source>cannot be written: {}; make the file writable, or open it for reading and save it elsewhere</source>
+        <translation>lässt sich nicht schreiben: {}; die Datei beschreibbar machen, oder sie zum Lesen öffnen und woanders speichern</translation>
+    </message>
+    <message>
+        <source>another Hexoderm has it open for writing: close it there, or open it for reading</source>
+        <translation>ein anderes Hexoderm hat sie zum Schreiben offen: dort schließen oder zum Lesen öffnen</translation>
+    </message>
+    <message>
+        <source>another Hexoderm is reading it: wait until it has done and try again</source>
+        <translation>ein anderes Hexoderm liest sie: warten, bis es fertig ist, und noch einmal versuchen</translation>
+    </message>
+    <message>
+        <source>cannot be locked against a second writer: {}; keep sessions on a disk of this machine</source>
+        <translation>lässt sich nicht gegen einen zweiten Schreiber sperren: {}; Sitzungen auf einem Datenträger dieses Rechners halten</translation>
+    </message>
+    <message>
+        <source>cannot be read: {}</source>
+        <translation>lässt sich nicht lesen: {}</translation>
+    </message>
+    <message>
+        <source>its file system can&apos;t keep a journal (WAL): keep sessions on a disk of this machine</source>
+        <translation>ihr Dateisystem kann kein Journal (WAL) führen: Sitzungen auf einem Datenträger dieses Rechners halten</translation>
+    </message>
+    <message>
+        <source>A cell ID is listed twice; the first entry counts.</source>
+        <translation>Eine Zell-ID ist zweimal aufgeführt; der erste Eintrag zählt.</translation>
+    </message>
+    <message>
+        <source>A cell carries ID 0 or an interface&apos;s ID; it is left out.</source>
+        <translation>Eine Zelle trägt die ID 0 oder die einer Schnittstelle; sie wird weggelassen.</translation>
+    </message>
+    <message>
+        <source>A link names a port that the cell model does not have; it is left out.</source>
+        <translation>Eine Verbindung nennt einen Port, den das Zellmodell nicht hat; sie wird weggelassen.</translation>
+    </message>
+    <message>
+        <source>A link names a neighbour that is not in the list of cells; it is left out.</source>
+        <translation>Eine Verbindung nennt einen Nachbarn, der nicht in der Liste der Zellen steht; sie wird weggelassen.</translation>
+    </message>
+    <message>
+        <source>A cell names itself as its neighbour; the link is left out.</source>
+        <translation>Eine Zelle nennt sich selbst als Nachbarn; die Verbindung wird weggelassen.</translation>
+    </message>
+    <message>
+        <source>Only one of two cells reports the link; it is muted.</source>
+        <translation>Nur eine von zwei Zellen meldet die Verbindung; sie ist ausgeschlossen.</translation>
+    </message>
+    <message>
+        <source>The reports of two cells about a link disagree; the links concerned are muted.</source>
+        <translation>Zwei Zellen melden eine Verbindung verschieden; die betroffenen Verbindungen sind ausgeschlossen.</translation>
+    </message>
+    <message>
+        <source>The same port is reported more than once, or two cells are joined twice.</source>
+        <translation>Derselbe Port ist mehrfach gemeldet, oder zwei Zellen sind doppelt verbunden.</translation>
+    </message>
+    <message>
+        <source>A link joins two ports that the cell model forbids to join; it is muted.</source>
+        <translation>Eine Verbindung verbindet zwei Ports, die das Zellmodell nicht zu verbinden erlaubt; sie ist ausgeschlossen.</translation>
+    </message>
+    <message>
+        <source>A cell is connected to a computer interface; the edge is not part of the skin.</source>
+        <translation>Eine Zelle ist an eine Rechnerschnittstelle angeschlossen; diese Kante gehört nicht zur Haut.</translation>
+    </message>
+    <message>
+        <source>A link joins cells of different body parts; it is muted, and the patch ends there.</source>
+        <translation>Eine Verbindung verbindet Zellen verschiedener Körperteile; sie ist ausgeschlossen, und das Hautstück endet dort.</translation>
+    </message>
+    <message>
+        <source>A link bends further than a skin link can; it is probably a cable or crosses a joint.</source>
+        <translation>Eine Verbindung biegt sich weiter, als eine Hautverbindung kann; wahrscheinlich ist sie ein Kabel oder führt über ein Gelenk.</translation>
+    </message>
+    <message>
+        <source>A link twists further than a skin link can; it is probably a cable or a wrong port.</source>
+        <translation>Eine Verbindung verwindet sich weiter, als eine Hautverbindung kann; wahrscheinlich ist sie ein Kabel, oder ein Port ist falsch.</translation>
+    </message>
+    <message>
+        <source>A link is turned in the surface further than a skin link can be; probably a wrong port or a cable.</source>
+        <translation>Eine Verbindung ist in der Fläche weiter gedreht, als eine Hautverbindung sein kann; wahrscheinlich ein falscher Port oder ein Kabel.</translation>
+    </message>
+    <message>
+        <source>The two cells of a link moved against each other between poses; it is probably a joint.</source>
+        <translation>Die beiden Zellen einer Verbindung haben sich zwischen den Posen gegeneinander bewegt; wahrscheinlich ist dort ein Gelenk.</translation>
+    </message>
+    <message>
+        <source>With all other links the ends of this link come to lie far apart: it is probably a cable, or another link of the loop is. Muted.</source>
+        <translation>Mit allen anderen Verbindungen liegen die Enden dieser Verbindung weit auseinander: Wahrscheinlich ist sie oder eine andere Verbindung der Schleife ein Kabel. Ausgeschlossen.</translation>
+    </message>
+    <message>
+        <source>The operator set a link aside, as a cable for example; it is muted.</source>
+        <translation>Eine Verbindung wurde von Hand ausgeschlossen, als Kabel zum Beispiel; sie wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>A cell has no usable reading in any enabled pose; it is placed through its links.</source>
+        <translation>Eine Zelle hat in keiner benutzten Pose einen brauchbaren Messwert; sie wird über ihre Verbindungen verortet.</translation>
+    </message>
+    <message>
+        <source>A cell has no reading in some enabled poses; it is placed from the others.</source>
+        <translation>Eine Zelle hat in einigen benutzten Posen keinen Messwert; sie wird aus den anderen verortet.</translation>
+    </message>
+    <message>
+        <source>A cell&apos;s accelerometer reads nothing like gravity; the cell is placed through its links.</source>
+        <translation>Der Beschleunigungssensor einer Zelle misst nichts, was Schwerkraft sein könnte; die Zelle wird über ihre Verbindungen verortet.</translation>
+    </message>
+    <message>
+        <source>A cell&apos;s accelerometer does not change while the part moves; the cell is placed through its links.</source>
+        <translation>Der Beschleunigungssensor einer Zelle ändert sich nicht, während sich das Teil bewegt; die Zelle wird über ihre Verbindungen verortet.</translation>
+    </message>
+    <message>
+        <source>A reading lies at the end of the accelerometer&apos;s range; it is not used.</source>
+        <translation>Ein Messwert liegt am Ende des Messbereichs; er wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>A cell&apos;s readings scatter far more than its sensor&apos;s noise and the other cells&apos;.</source>
+        <translation>Die Messwerte einer Zelle streuen weit mehr als das Rauschen ihres Sensors und das der anderen Zellen.</translation>
+    </message>
+    <message>
+        <source>A cell&apos;s readings are further from 1 g than its sensor&apos;s offset and scale allow.</source>
+        <translation>Die Messwerte einer Zelle liegen weiter von 1 g weg, als Nullpunkt und Skalierung ihres Sensors erlauben.</translation>
+    </message>
+    <message>
+        <source>One axis of a cell&apos;s accelerometer does not follow gravity; the cell is placed through its links.</source>
+        <translation>Eine Achse des Beschleunigungssensors einer Zelle folgt der Schwerkraft nicht; die Zelle wird über ihre Verbindungen verortet.</translation>
+    </message>
+    <message>
+        <source>A cell&apos;s accelerometer reads too much or too little in every pose; it is placed by its links.</source>
+        <translation>Der Beschleunigungssensor einer Zelle misst in jeder Pose zu viel oder zu wenig; sie wird über ihre Verbindungen verortet.</translation>
+    </message>
+    <message>
+        <source>A cell&apos;s readings fit no position of the cell in the patch; the cell is placed through its links.</source>
+        <translation>Die Messwerte einer Zelle passen zu keiner Lage der Zelle im Hautstück; die Zelle wird über ihre Verbindungen verortet.</translation>
+    </message>
+    <message>
+        <source>A cell was left out on request; it is placed through its links.</source>
+        <translation>Eine Zelle wurde auf Wunsch weggelassen; sie wird über ihre Verbindungen verortet.</translation>
+    </message>
+    <message>
+        <source>A pose holds a reading of a cell that is not in the skin; it is not used.</source>
+        <translation>Eine Pose enthält einen Messwert einer Zelle, die nicht zur Haut gehört; er wird nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>A pose holds two readings of one cell; the first counts.</source>
+        <translation>Eine Pose enthält zwei Messwerte einer Zelle; der erste zählt.</translation>
+    </message>
+    <message>
+        <source>Two poses carry the same ID.</source>
+        <translation>Zwei Posen tragen dieselbe Nummer.</translation>
+    </message>
+    <message>
+        <source>There is no enabled pose: the placement follows from the ports alone.</source>
+        <translation>Es gibt keine benutzte Pose: Die Anordnung folgt allein aus den Ports.</translation>
+    </message>
+    <message>
+        <source>The poses show gravity along too few directions to fix every rotation.</source>
+        <translation>Die Posen zeigen die Schwerkraft aus zu wenigen Richtungen, um jede Drehung festzulegen.</translation>
+    </message>
+    <message>
+        <source>Two poses show gravity along nearly the same line, which adds little.</source>
+        <translation>Zwei Posen zeigen die Schwerkraft fast entlang derselben Linie; das bringt wenig.</translation>
+    </message>
+    <message>
+        <source>Most cells scattered far beyond their noise in this pose: the part was probably moving.</source>
+        <translation>Die meisten Zellen streuten in dieser Pose weit über ihr Rauschen hinaus: Wahrscheinlich hat sich das Teil bewegt.</translation>
+    </message>
+    <message>
+        <source>The cells contradict each other in one pose far more than in the others; the part moved.</source>
+        <translation>Die Zellen widersprechen sich in einer Pose weit mehr als in den anderen; das Teil hat sich bewegt.</translation>
+    </message>
+    <message>
+        <source>the file is empty, expected JSON</source>
+        <translation>die Datei ist leer, erwartet ist JSON</translation>
+    </message>
+    <message>
+        <source>expected a finite number, found {}</source>
+        <translation>erwartet ist eine endliche Zahl, gefunden wurde {}</translation>
+    </message>
+    <message>
+        <source>the file ends in the middle (truncated?), expected complete JSON</source>
+        <translation>die Datei endet mittendrin (abgeschnitten?), erwartet ist vollständiges JSON</translation>
+    </message>
+    <message>
+        <source>this is not JSON, expected a JSON value here</source>
+        <translation>das ist kein JSON, erwartet ist hier ein JSON-Wert</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Ordner nicht gefunden</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>Keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>Dateisystem nur lesbar</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>Kein Platz mehr auf dem Datenträger</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>Ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>Ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Ein-/Ausgabefehler</translation>
+    </message>
+    <message>
+        <source>No such device</source>
+        <translation>Kein solches Gerät</translation>
+    </message>
+    <message>
+        <source>Device or resource busy</source>
+        <translation>Gerät ist belegt</translation>
+    </message>
+    <message>
+        <source>Connection refused</source>
+        <translation>Verbindung abgelehnt</translation>
+    </message>
+    <message>
+        <source>Connection reset by peer</source>
+        <translation>Verbindung von der Gegenseite getrennt</translation>
+    </message>
+    <message>
+        <source>Connection timed out</source>
+        <translation>Zeitüberschreitung beim Verbinden</translation>
+    </message>
+    <message>
+        <source>No route to host</source>
+        <translation>Kein Weg zum Rechner</translation>
+    </message>
+    <message>
+        <source>Network is unreachable</source>
+        <translation>Netz nicht erreichbar</translation>
+    </message>
+    <message>
+        <source>The picture {} could not be written: is the folder writable?</source>
+        <translation>Das Bild {} ließ sich nicht schreiben: Ist der Ordner beschreibbar?</translation>
+    </message>
+    <message>
+        <source>pose recorder: collect_s must be within 0 and 60</source>
+        <translation>Aufnahme der Posen: collect_s muss zwischen 0 und 60 liegen</translation>
+    </message>
+    <message>
+        <source>pose recorder: repeat_angle_rad must be between 0 and pi</source>
+        <translation>Aufnahme der Posen: repeat_angle_rad muss zwischen 0 und pi liegen</translation>
+    </message>
+    <message>
+        <source>stillness: {} must be between {} and {}, found {}</source>
+        <translation>Stillhalten: {} muss zwischen {} und {} liegen, gefunden wurde {}</translation>
+    </message>
+    <message>
+        <source>Cell {} is silent: nothing came from it for {}</source>
+        <translation>Zelle {} ist stumm: Seit {} kam nichts von ihr</translation>
+    </message>
+    <message>
+        <source>Cell {}</source>
+        <translation>Zelle {}</translation>
+    </message>
+    <message>
+        <source>exploration: cell {} of the wiring is there twice, or its ID is not one of a cell</source>
+        <translation>Erkundung: Zelle {} der Verdrahtung ist doppelt vorhanden, oder ihre ID ist keine einer Zelle</translation>
+    </message>
+    <message>
+        <source>exploration: a link of the wiring has an unknown port</source>
+        <translation>Erkundung: Eine Verbindung der Verdrahtung hat einen unbekannten Port</translation>
+    </message>
+    <message>
+        <source>exploration: there is no cell {}</source>
+        <translation>Erkundung: Es gibt keine Zelle {}</translation>
+    </message>
+    <message>
+        <source>exploration: {}: the model has no such port</source>
+        <translation>Erkundung: {}: Das Modell hat keinen solchen Port</translation>
+    </message>
+    <message>
+        <source>exploration: port {} of the wiring&apos;s cell {} is joined twice</source>
+        <translation>Erkundung: Port {} der Zelle {} der Verdrahtung ist zweimal verbunden</translation>
+    </message>
+    <message>
+        <source>exploration: {} must not be negative</source>
+        <translation>Erkundung: {} darf nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>exploration: {} must be above 0, not less</source>
+        <translation>Erkundung: {} muss über 0 liegen</translation>
+    </message>
+    <message>
+        <source>exploration: hellos must be at least 1</source>
+        <translation>Erkundung: hellos muss mindestens 1 sein</translation>
+    </message>
+    <message>
+        <source>no port of the skin is free for a computer interface</source>
+        <translation>kein Port der Haut ist für eine Rechnerschnittstelle frei</translation>
+    </message>
+    <message>
+        <source>the surface is too small for these cells: where one is laid it is curved more sharply than the cell is wide</source>
+        <translation>die Fläche ist für diese Zellen zu klein: Wo eine liegt, ist sie enger gekrümmt, als die Zelle breit ist</translation>
+    </message>
+    <message>
+        <source>the surface is too small for this patch: cells {} and {} would lie on top of each other</source>
+        <translation>die Fläche ist für dieses Hautstück zu klein: Die Zellen {} und {} lägen aufeinander</translation>
+    </message>
+    <message>
+        <source>the surface does not close this ring: its two ends would be {} mm apart; leave the surface out for a cylinder that closes it</source>
+        <translation>die Fläche schließt diesen Ring nicht: Seine beiden Enden lägen {} mm auseinander; ohne Angabe einer Fläche wird ein Zylinder genommen, der ihn schließt</translation>
+    </message>
+    <message>
+        <source>patch {} needs a cell model with 1 pair of opposite ports that may be joined; {} has {}</source>
+        <translation>Hautstück {} braucht ein Zellmodell mit 1 Paar gegenüberliegender Ports, die verbunden werden dürfen; {} hat {}</translation>
+    </message>
+    <message>
+        <source>patch {} needs a cell model with {} pairs of opposite ports that may be joined; {} has {}</source>
+        <translation>Hautstück {} braucht ein Zellmodell mit {} Paaren gegenüberliegender Ports, die verbunden werden dürfen; {} hat {}</translation>
+    </message>
+    <message>
+        <source>patch &quot;{}&quot;: a ring has 3 to 100000 cells</source>
+        <translation>Hautstück „{}“: Ein Ring hat 3 bis 100000 Zellen</translation>
+    </message>
+    <message>
+        <source>patch &quot;{}&quot;: expected sheet:ROWSxCOLS</source>
+        <translation>Hautstück „{}“: erwartet ist sheet:ZEILENxSPALTEN</translation>
+    </message>
+    <message>
+        <source>patch &quot;{}&quot;: a sheet has 1 to 100000 cells</source>
+        <translation>Hautstück „{}“: Eine Matte hat 1 bis 100000 Zellen</translation>
+    </message>
+    <message>
+        <source>patch &quot;{}&quot; is not known; expected x17, ringN, ringN:closed or sheet:ROWSxCOLS</source>
+        <translation>Hautstück „{}“ ist unbekannt; erwartet ist x17, ringN, ringN:closed oder sheet:ZEILENxSPALTEN</translation>
+    </message>
+    <message>
+        <source>simulated skin: there is no cell {} to break; cells are 1 to {}</source>
+        <translation>simulierte Haut: Es gibt keine Zelle {}, die defekt sein könnte; die Zellen sind 1 bis {}</translation>
+    </message>
+    <message>
+        <source>simulated skin: {} has no link to break; the cell has links at no port</source>
+        <translation>simulierte Haut: {} hat keine Verbindung, die defekt sein könnte; die Zelle hat an keinem Port Verbindungen</translation>
+    </message>
+    <message>
+        <source>simulated skin: {} has no link to break; the cell has links at the ports {}</source>
+        <translation>simulierte Haut: {} hat keine Verbindung, die defekt sein könnte; die Zelle hat Verbindungen an den Ports {}</translation>
+    </message>
+    <message>
+        <source>simulated skin: the link at {} is broken already</source>
+        <translation>simulierte Haut: Die Verbindung an {} ist schon defekt</translation>
+    </message>
+    <message>
+        <source>simulated skin: the link at {} can&apos;t be reported at a wrong port: no other port of the cell is free for it</source>
+        <translation>simulierte Haut: Die Verbindung an {} kann nicht an einem falschen Port gemeldet werden: Kein anderer Port der Zelle ist dafür frei</translation>
+    </message>
+    <message>
+        <source>simulated skin: the link at {} can&apos;t be a joint or a cable: the rest of the closed ring holds both its sides together</source>
+        <translation>simulierte Haut: Die Verbindung an {} kann kein Gelenk oder Kabel sein: Der Rest des geschlossenen Rings hält ihre beiden Seiten zusammen</translation>
+    </message>
+    <message>
+        <source>simulated skin: {} must not be negative</source>
+        <translation>simulierte Haut: {} darf nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>simulated skin: joint_angle_rad must be finite</source>
+        <translation>simulierte Haut: joint_angle_rad muss endlich sein</translation>
+    </message>
+    <message>
+        <source>simulated skin: the direction that points up must be a finite vector other than zero</source>
+        <translation>simulierte Haut: Die Richtung nach oben muss ein endlicher Vektor ungleich null sein</translation>
+    </message>
+    <message>
+        <source>simulated skin: there is no cell {}</source>
+        <translation>simulierte Haut: Es gibt keine Zelle {}</translation>
+    </message>
+    <message>
+        <source>source &quot;{}&quot;: speed must be above 0</source>
+        <translation>Quelle „{}“: speed muss über 0 liegen</translation>
+    </message>
+    <message>
+        <source>there is no cell {}</source>
+        <translation>es gibt keine Zelle {}</translation>
+    </message>
+    <message>
+        <source>up must be a finite vector other than zero</source>
+        <translation>die Richtung nach oben muss ein endlicher Vektor ungleich null sein</translation>
+    </message>
+    <message>
+        <source>another turn came before it was there</source>
+        <translation>eine andere Drehung kam, bevor diese beendet war</translation>
+    </message>
+    <message>
+        <source>a simulated skin has the rate of its cell model</source>
+        <translation>eine simulierte Haut hat die Abtastrate ihres Zellmodells</translation>
+    </message>
+    <message>
+        <source>source &quot;{}&quot;: expected sim:PATCH[?surface=...&amp;seed=N&amp;speed=X|max], found &quot;{}&quot;</source>
+        <translation>Quelle „{}“: erwartet ist sim:PATCH[?surface=...&amp;seed=N&amp;speed=X|max], gefunden wurde „{}“</translation>
+    </message>
+    <message>
+        <source>source &quot;{}&quot;: expected stdin, without anything behind</source>
+        <translation>Quelle „{}“: erwartet ist stdin ohne etwas dahinter</translation>
+    </message>
+    <message>
+        <source>source &quot;{}&quot;: expected replay:FILE[?speed=X|max|step]</source>
+        <translation>Quelle „{}“: erwartet ist replay:FILE[?speed=X|max|step]</translation>
+    </message>
+    <message>
+        <source>the recording ended: {}</source>
+        <translation>die Aufzeichnung ist beendet: {}</translation>
+    </message>
+    <message>
+        <source>a recording can&apos;t be written there: {}</source>
+        <translation>dort lässt sich keine Aufzeichnung schreiben: {}</translation>
+    </message>
+    <message>
+        <source>is no recording of a skin, expected it to begin with &quot;SKINREC1&quot;</source>
+        <translation>ist keine Aufzeichnung einer Haut, erwartet wurde ein Anfang mit „SKINREC1“</translation>
+    </message>
+    <message>
+        <source>replay: speed: expected a number above 0</source>
+        <translation>replay: speed: erwartet ist eine Zahl über 0</translation>
+    </message>
+    <message>
+        <source>a recording takes no commands</source>
+        <translation>eine Aufzeichnung nimmt keine Befehle an</translation>
+    </message>
+    <message>
+        <source>playing; the device said: {}</source>
+        <translation>wird abgespielt; das Gerät meldete: {}</translation>
+    </message>
+    <message>
+        <source>a source can be started only once</source>
+        <translation>eine Quelle kann nur einmal gestartet werden</translation>
+    </message>
+    <message>
+        <source>exploring its cells</source>
+        <translation>erkundet seine Zellen</translation>
+    </message>
+    <message>
+        <source>samples in LSB need a cell model whose accelerometer.lsb_g is above 0</source>
+        <translation>Messwerte in LSB brauchen ein Zellmodell, dessen accelerometer.lsb_g über 0 liegt</translation>
+    </message>
+    <message>
+        <source>a cell is twice in one message of samples</source>
+        <translation>eine Zelle steht zweimal in einer Nachricht mit Messwerten</translation>
+    </message>
+    <message>
+        <source>tcp://HOST:PORT, udp://HOST:PORT or serial:/dev/DEVICE</source>
+        <translation>tcp://HOST:PORT, udp://HOST:PORT oder serial:/dev/DEVICE</translation>
+    </message>
+    <message>
+        <source>a datagram of {} bytes, the limit is {}</source>
+        <translation>ein Datagramm mit {} Bytes, die Grenze ist {}</translation>
+    </message>
+    <message>
+        <source>no answer for {}</source>
+        <translation>keine Antwort seit {}</translation>
+    </message>
+    <message>
+        <source>nothing came for {}</source>
+        <translation>seit {} kam nichts</translation>
+    </message>
+    <message>
+        <source>the device is not connected</source>
+        <translation>das Gerät ist nicht verbunden</translation>
+    </message>
+    <message>
+        <source>too many commands wait for an answer</source>
+        <translation>zu viele Befehle warten auf eine Antwort</translation>
+    </message>
+    <message>
+        <source>the device can&apos;t light its cells</source>
+        <translation>das Gerät kann seine Zellen nicht leuchten lassen</translation>
+    </message>
+    <message>
+        <source>the device can&apos;t turn by itself</source>
+        <translation>das Gerät kann sich nicht selbst drehen</translation>
+    </message>
+    <message>
+        <source>surface &quot;{}&quot;: {}; expected plane, cylinder:r=M, sphere:r=M, cone:r=M,angle=RAD or torus:R=M,r=M</source>
+        <translation>Fläche „{}“: {}; erwartet ist plane, cylinder:r=M, sphere:r=M, cone:r=M,angle=RAD oder torus:R=M,r=M</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is not name=value</source>
+        <translation>„{}“ ist nicht Name=Wert</translation>
+    </message>
+    <message>
+        <source>there is no &quot;{}&quot; here</source>
+        <translation>„{}“ gibt es hier nicht</translation>
+    </message>
+    <message>
+        <source>{} must be above 0</source>
+        <translation>{} muss über 0 liegen</translation>
+    </message>
+    <message>
+        <source>{} is given twice</source>
+        <translation>{} ist zweimal angegeben</translation>
+    </message>
+    <message>
+        <source>{} is missing</source>
+        <translation>{} fehlt</translation>
+    </message>
+    <message>
+        <source>surface &quot;{}&quot;: angle must be below pi/2 rad (it is between axis and surface)</source>
+        <translation>Fläche „{}“: angle muss unter pi/2 rad liegen (es ist der Winkel zwischen Achse und Fläche)</translation>
+    </message>
+    <message>
+        <source>surface &quot;{}&quot;: R must be larger than r, or the torus meets itself</source>
+        <translation>Fläche „{}“: R muss größer als r sein, sonst durchdringt der Torus sich selbst</translation>
+    </message>
+    <message>
+        <source>surface &quot;{}&quot; is not known; expected plane, cylinder:r=M, sphere:r=M, cone:r=M,angle=RAD or torus:R=M,r=M</source>
+        <translation>Fläche „{}“ ist unbekannt; erwartet ist plane, cylinder:r=M, sphere:r=M, cone:r=M,angle=RAD oder torus:R=M,r=M</translation>
+    </message>
+    <message>
+        <source>at least {} points are needed, there are {}</source>
+        <translation>mindestens {} Punkte sind nötig, vorhanden sind {}</translation>
+    </message>
+    <message>
+        <source>the points must be finite</source>
+        <translation>die Punkte müssen endlich sein</translation>
+    </message>
+    <message>
+        <source>all points are the same</source>
+        <translation>alle Punkte sind gleich</translation>
+    </message>
+    <message>
+        <source>the points lie on a line</source>
+        <translation>die Punkte liegen auf einer Linie</translation>
+    </message>
+    <message>
+        <source>the points lie in a plane</source>
+        <translation>die Punkte liegen in einer Ebene</translation>
+    </message>
+    <message>
+        <source>plane fit</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>sphere fit</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>cylinder fit</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>cone fit</source>
+        <translation>Kegel</translation>
+    </message>
+    <message>
+        <source>cell model {} has no port {}</source>
+        <translation>Zellmodell {} hat keinen Port {}</translation>
+    </message>
+    <message>
+        <source>cell model {}</source>
+        <translation>Zellmodell {}</translation>
+    </message>
+    <message>
+        <source>{} must be from {} to {}</source>
+        <translation>{} muss zwischen {} und {} liegen</translation>
+    </message>
+    <message>
+        <source>{} must not be negative</source>
+        <translation>{} darf nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>{} must be within {} m</source>
+        <translation>{} muss innerhalb von {} m liegen</translation>
+    </message>
+    <message>
+        <source>name must not be empty</source>
+        <translation>name darf nicht leer sein</translation>
+    </message>
+    <message>
+        <source>there must be at least one port</source>
+        <translation>es muss mindestens einen Port geben</translation>
+    </message>
+    <message>
+        <source>port {} is listed twice</source>
+        <translation>Port {} ist zweimal aufgeführt</translation>
+    </message>
+    <message>
+        <source>port {}: vector_m must point out of the cell&apos;s side, by at most {} m</source>
+        <translation>Port {}: vector_m muss aus der Seite der Zelle zeigen, um höchstens {} m</translation>
+    </message>
+    <message>
+        <source>forbidden_port_pairs names an unknown port</source>
+        <translation>forbidden_port_pairs nennt einen unbekannten Port</translation>
+    </message>
+    <message>
+        <source>interface_id must be above 0</source>
+        <translation>interface_id muss über 0 liegen</translation>
+    </message>
+    <message>
+        <source>side_angle_rad must be within {}</source>
+        <translation>side_angle_rad darf höchstens {} betragen</translation>
+    </message>
+    <message>
+        <source>two port numbers</source>
+        <translation>zwei Portnummern</translation>
+    </message>
+    <message>
+        <source>a cell model that makes sense ({})</source>
+        <translation>ein sinnvolles Zellmodell ({})</translation>
+    </message>
+    <message>
+        <source>there is no built-in cell model &quot;{}&quot;; there are:{}</source>
+        <translation>es gibt kein eingebautes Zellmodell „{}“; vorhanden sind:{}</translation>
+    </message>
+    <message>
+        <source>one of the solver&apos;s settings ({})</source>
+        <translation>eine der Einstellungen des Lösers ({})</translation>
+    </message>
+    <message>
+        <source>three numbers of at least 0</source>
+        <translation>drei Zahlen von mindestens 0</translation>
+    </message>
+    <message>
+        <source>settings that make sense ({})</source>
+        <translation>sinnvolle Einstellungen ({})</translation>
+    </message>
+    <message>
+        <source>&quot;global&quot;, &quot;tree&quot; or &quot;imported&quot;</source>
+        <translation>„global“, „tree“ oder „imported“</translation>
+    </message>
+    <message>
+        <source>&quot;pivot&quot;, which is what the tree solver has</source>
+        <translation>„pivot“, wie es der Baumlöser hat</translation>
+    </message>
+    <message>
+        <source>a unit vector (to 1e-6)</source>
+        <translation>ein Einheitsvektor (auf 1e-6 genau)</translation>
+    </message>
+    <message>
+        <source>an upper triangle with variances of at least 0 on its diagonal</source>
+        <translation>ein oberes Dreieck mit Varianzen von mindestens 0 auf der Diagonale</translation>
+    </message>
+    <message>
+        <source>&quot;samples&quot; or &quot;links&quot;</source>
+        <translation>„samples“ oder „links“</translation>
+    </message>
+    <message>
+        <source>the same rotation as R_o_u</source>
+        <translation>dieselbe Drehung wie R_o_u</translation>
+    </message>
+    <message>
+        <source>a port of cell model {}</source>
+        <translation>ein Port des Zellmodells {}</translation>
+    </message>
+    <message>
+        <source>two cells, the smaller (ID, port) as source (target is {})</source>
+        <translation>zwei Zellen, die mit kleinerem (ID, Port) als source (target ist {})</translation>
+    </message>
+    <message>
+        <source>&quot;un&quot;, &quot;partially&quot;, &quot;fully&quot; or &quot;over&quot;</source>
+        <translation>„un“, „partially“, „fully“ oder „over“</translation>
+    </message>
+    <message>
+        <source>the code of a finding</source>
+        <translation>der Code eines Befunds</translation>
+    </message>
+    <message>
+        <source>one entry for each of the {} poses</source>
+        <translation>ein Eintrag für jede der {} Posen</translation>
+    </message>
+    <message>
+        <source>&quot;info&quot;, &quot;warning&quot; or &quot;error&quot;</source>
+        <translation>„info“, „warning“ oder „error“</translation>
+    </message>
+    <message>
+        <source>&quot;good&quot;, &quot;usable&quot;, &quot;not_enough&quot; or &quot;failed&quot;</source>
+        <translation>„good“, „usable“, „not_enough“ oder „failed“</translation>
+    </message>
+    <message>
+        <source>each patch once</source>
+        <translation>jedes Hautstück einmal</translation>
+    </message>
+    <message>
+        <source>each cell once</source>
+        <translation>jede Zelle einmal</translation>
+    </message>
+    <message>
+        <source>a cell of this patch</source>
+        <translation>eine Zelle dieses Hautstücks</translation>
+    </message>
+    <message>
+        <source>each link once</source>
+        <translation>jede Verbindung einmal</translation>
+    </message>
+    <message>
+        <source>a cell of this calibration</source>
+        <translation>eine Zelle dieser Kalibrierung</translation>
+    </message>
+    <message>
+        <source>cells of this patch, from its origin to this cell</source>
+        <translation>Zellen dieses Hautstücks, von seinem Ursprung bis zu dieser Zelle</translation>
+    </message>
+    <message>
+        <source>expected letters, digits and _ - . /, found &quot;{}&quot;</source>
+        <translation>erwartet sind Buchstaben, Ziffern und _ - . /, gefunden wurde „{}“</translation>
+    </message>
+    <message>
+        <source>cell {}: {} is not a finite number, nothing written</source>
+        <translation>Zelle {}: {} ist keine endliche Zahl, nichts wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>its placement</source>
+        <translation>ihre Lage</translation>
+    </message>
+    <message>
+        <source>its covariance</source>
+        <translation>ihre Kovarianz</translation>
+    </message>
+    <message>
+        <source>its accelerometer&apos;s offset or scale</source>
+        <translation>Offset oder Skalierung ihres Beschleunigungssensors</translation>
+    </message>
+    <message>
+        <source>the placement of its sensor {}</source>
+        <translation>die Lage ihres Sensors {}</translation>
+    </message>
+    <message>
+        <source>its place in the layout</source>
+        <translation>ihr Platz in der Zeichnung</translation>
+    </message>
+    <message>
+        <source>export format &quot;{}&quot; is not known, expected one of {}</source>
+        <translation>Exportformat „{}“ ist unbekannt, erwartet ist eines von {}</translation>
+    </message>
+    <message>
+        <source>expected the name of a file or folder to export to</source>
+        <translation>erwartet ist der Name einer Datei oder eines Ordners für den Export</translation>
+    </message>
+    <message>
+        <source>{}, found &quot;{}&quot;</source>
+        <translation>{}, gefunden wurde „{}“</translation>
+    </message>
+    <message>
+        <source>{}, but there is none</source>
+        <translation>{}, angegeben ist keines</translation>
+    </message>
+    <message>
+        <source>the name of a built-in cell model, or a cell model as an object</source>
+        <translation>der Name eines eingebauten Zellmodells oder ein Zellmodell als Objekt</translation>
+    </message>
+    <message>
+        <source>a built-in cell model (there are:{}) or a cell model as an object</source>
+        <translation>ein eingebautes Zellmodell (vorhanden sind:{}) oder ein Zellmodell als Objekt</translation>
+    </message>
+    <message>
+        <source>variances (xx, yy, zz) of at least 0</source>
+        <translation>Varianzen (xx, yy, zz) von mindestens 0</translation>
+    </message>
+    <message>
+        <source>Placements of the TUM skin configuration {}</source>
+        <translation>Lagen aus der TUM-Hautkonfiguration {}</translation>
+    </message>
+    <message>
+        <source>Topology of the TUM skin configuration {}</source>
+        <translation>Topologie aus der TUM-Hautkonfiguration {}</translation>
+    </message>
+    <message>
+        <source>line {}</source>
+        <translation>Zeile {}</translation>
+    </message>
+    <message>
+        <source>this is not well-formed XML ({}; truncated?), expected a TUM SkinConfig</source>
+        <translation>das ist kein wohlgeformtes XML ({}; abgeschnitten?), erwartet ist eine TUM-SkinConfig</translation>
+    </message>
+    <message>
+        <source>expected the root element SkinConfig, found {}</source>
+        <translation>erwartet ist das Wurzelelement SkinConfig, gefunden wurde {}</translation>
+    </message>
+    <message>
+        <source>expected each cell once, found this ID again</source>
+        <translation>erwartet ist jede Zelle einmal, diese ID kommt noch einmal vor</translation>
+    </message>
+    <message>
+        <source>expected numberOfCells=&quot;{}&quot; cells, found {}</source>
+        <translation>erwartet sind numberOfCells=&quot;{}&quot; Zellen, gefunden wurden {}</translation>
+    </message>
+    <message>
+        <source>expected an element &lt;{}&gt;, but there is none</source>
+        <translation>erwartet ist ein Element &lt;{}&gt;, vorhanden ist keines</translation>
+    </message>
+    <message>
+        <source>expected only one &lt;{}&gt;</source>
+        <translation>erwartet ist nur ein &lt;{}&gt;</translation>
+    </message>
+    <message>
+        <source>expected an attribute {}, but there is none</source>
+        <translation>erwartet ist ein Attribut {}, vorhanden ist keines</translation>
+    </message>
+    <message>
+        <source>expected metres from the root cell, at most {}</source>
+        <translation>erwartet sind Meter von der Wurzelzelle, höchstens {}</translation>
+    </message>
+    <message>
+        <source>expected a rotation matrix (orthogonal to 1e-6, determinant +1)</source>
+        <translation>erwartet ist eine Drehmatrix (auf 1e-6 orthogonal, Determinante +1)</translation>
+    </message>
+    <message>
+        <source>expected id=&quot;{}&quot;, found {}</source>
+        <translation>erwartet ist id=&quot;{}&quot;, gefunden wurde {}</translation>
+    </message>
+    <message>
+        <source>expected each port once, found it again</source>
+        <translation>erwartet ist jeder Port einmal, dieser kommt noch einmal vor</translation>
+    </message>
+    <message>
+        <source>expected size=&quot;{}&quot; neighbors, found {}</source>
+        <translation>erwartet sind size=&quot;{}&quot; Nachbarn, gefunden wurden {}</translation>
+    </message>
+    <message>
+        <source>expected a matrix of {} x {}, found {} x {}</source>
+        <translation>erwartet ist eine Matrix von {} x {}, gefunden wurde {} x {}</translation>
+    </message>
+    <message>
+        <source>lies outside the matrix of {} x {}</source>
+        <translation>liegt außerhalb der Matrix von {} x {}</translation>
+    </message>
+    <message>
+        <source>expected each element once, found it again</source>
+        <translation>erwartet ist jedes Element einmal, dieses kommt noch einmal vor</translation>
+    </message>
+    <message>
+        <source>expected {} elements, but some are missing</source>
+        <translation>erwartet sind {} Elemente, aber einige fehlen</translation>
+    </message>
+    <message>
+        <source>{} g</source>
+        <translation>{} g</translation>
+    </message>
+    <message>
+        <source>{} to {} g</source>
+        <translation>{} bis {} g</translation>
+    </message>
+    <message>
+        <source>Cell {} reads {}: gravity is 1 g, give or take {} g</source>
+        <translation>Zelle {} misst {}: Die Schwerkraft ist 1 g, plus oder minus {} g</translation>
+    </message>
+    <message>
+        <source>{} cells read {}: gravity is 1 g, give or take {} g</source>
+        <translation>{} Zellen messen {}: Die Schwerkraft ist 1 g, plus oder minus {} g</translation>
+    </message>
+    <message>
+        <source>The cell sends and reads {}</source>
+        <translation>Die Zelle sendet und misst {}</translation>
+    </message>
+    <message>
+        <source>All {} cells send and read {}</source>
+        <translation>Alle {} Zellen senden und messen {}</translation>
+    </message>
+    <message>
+        <source>surface: expected plane, sphere, cylinder or cone, found &quot;{}&quot;</source>
+        <translation>Fläche: erwartet ist plane, sphere, cylinder oder cone, gefunden wurde „{}“</translation>
+    </message>
+    <message>
+        <source>a {} has no one radius to compare with</source>
+        <translation>zur Form {} gehört kein einzelner Radius zum Vergleichen</translation>
+    </message>
+    <message>
+        <source>true radius: expected metres above 0</source>
+        <translation>wahrer Radius: erwartet sind Meter über 0</translation>
+    </message>
+    <message>
+        <source>loop: there is no cell {}</source>
+        <translation>Schleife: Es gibt keine Zelle {}</translation>
+    </message>
+    <message>
+        <source>loop: cell model {} has no port {}</source>
+        <translation>Schleife: Zellmodell {} hat keinen Port {}</translation>
+    </message>
+    <message>
+        <source>loop: {} is joined to a neighbour, expected a free port</source>
+        <translation>Schleife: {} ist mit einem Nachbarn verbunden, erwartet ist ein freier Port</translation>
+    </message>
+    <message>
+        <source>loop: cells {} and {} lie in different patches</source>
+        <translation>Schleife: Die Zellen {} und {} liegen in verschiedenen Hautstücken</translation>
+    </message>
+    <message>
+        <source>loop: expected two different ports</source>
+        <translation>Schleife: erwartet sind zwei verschiedene Ports</translation>
+    </message>
+    <message>
+        <source>the truth holds no cell {}</source>
+        <translation>die Wahrheit enthält keine Zelle {}</translation>
+    </message>
+    <message>
+        <source>loop search: the largest gap must be metres of 0 or more</source>
+        <translation>Schleifensuche: Der größte Abstand muss 0 Meter oder mehr betragen</translation>
+    </message>
+    <message>
+        <source>loop search: the largest angle must be radians of 0 or more</source>
+        <translation>Schleifensuche: Der größte Winkel muss 0 Radiant oder mehr betragen</translation>
+    </message>
+    <message>
+        <source>there is no cell {} to be left out</source>
+        <translation>es gibt keine Zelle {}, die ausgelassen werden könnte</translation>
+    </message>
+    <message>
+        <source>hold-out: there is no pose {}</source>
+        <translation>zurückgehaltene Pose: Es gibt keine Pose {}</translation>
+    </message>
+    <message>
+        <source>a pose must hold a capture</source>
+        <translation>eine Pose muss eine Aufnahme enthalten</translation>
+    </message>
+    <message>
+        <source>there is no pose at place {}</source>
+        <translation>an Platz {} ist keine Pose</translation>
+    </message>
+    <message>
+        <source>entry {} is no pose of the session</source>
+        <translation>Eintrag {} ist keine Pose der Sitzung</translation>
+    </message>
+    <message>
+        <source>a pose can be restored that was removed</source>
+        <translation>wiederhergestellt werden kann nur eine Pose, die entfernt wurde</translation>
+    </message>
+    <message>
+        <source>expected samples in captures and nowhere else</source>
+        <translation>erwartet sind Messwerte in Aufnahmen und nirgends sonst</translation>
+    </message>
+    <message>
+        <source>expected the skin first, found &quot;{}&quot;</source>
+        <translation>erwartet ist zuerst die Haut, gefunden wurde „{}“</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>kind: expected capture, remove, restore, disable, enable, mute, unmute, skin, source, truth or options, found &quot;{}&quot;</source>
+        <translation>kind: erwartet ist capture, remove, restore, disable, enable, mute, unmute, skin, source, truth oder options, gefunden wurde „{}“</translation>
+    </message>
+    <message>
+        <source>a skin must have a cell model</source>
+        <translation>eine Haut muss ein Zellmodell haben</translation>
+    </message>
+    <message>
+        <source>a session needs a skin first</source>
+        <translation>eine Sitzung braucht zuerst eine Haut</translation>
+    </message>
+    <message>
+        <source>the data end in the middle</source>
+        <translation>die Daten enden mittendrin</translation>
+    </message>
+    <message>
+        <source>expected finite numbers</source>
+        <translation>erwartet sind endliche Zahlen</translation>
+    </message>
+    <message>
+        <source>raw samples: expected cells</source>
+        <translation>Rohmesswerte: erwartet sind Zellen</translation>
+    </message>
+    <message>
+        <source>expected readings of at most 32767 steps</source>
+        <translation>erwartet sind Messwerte von höchstens 32767 Stufen</translation>
+    </message>
+    <message>
+        <source>the mean must be finite and at most 1e6 g</source>
+        <translation>der Mittelwert muss endlich und höchstens 1e6 g sein</translation>
+    </message>
+    <message>
+        <source>the covariance must be finite and at most 1e13 g^2</source>
+        <translation>die Kovarianz muss endlich und höchstens 1e13 g^2 sein</translation>
+    </message>
+    <message>
+        <source>variances must be at least 0</source>
+        <translation>Varianzen müssen mindestens 0 sein</translation>
+    </message>
+    <message>
+        <source>the temperature must be finite</source>
+        <translation>die Temperatur muss endlich sein</translation>
+    </message>
+    <message>
+        <source>raw samples: too many for one pose</source>
+        <translation>Rohmesswerte: zu viele für eine Pose</translation>
+    </message>
+    <message>
+        <source>cell {}: {} to be stored</source>
+        <translation>Zelle {} lässt sich nicht speichern: {}</translation>
+    </message>
+    <message>
+        <source>samples: expected {} bytes for each cell, found {} bytes</source>
+        <translation>Messwerte: erwartet sind {} Bytes für jede Zelle, gefunden wurden {} Bytes</translation>
+    </message>
+    <message>
+        <source>samples: cell {}: expected no other flags than 1 (has a temperature)</source>
+        <translation>Messwerte: Zelle {}: erwartet ist kein anderes Kennzeichen als 1 (hat eine Temperatur)</translation>
+    </message>
+    <message>
+        <source>samples: cell {}: {}</source>
+        <translation>Messwerte: Zelle {}: {}</translation>
+    </message>
+    <message>
+        <source>raw samples: must be finite to be stored</source>
+        <translation>Rohmesswerte: müssen endlich sein, um gespeichert zu werden</translation>
+    </message>
+    <message>
+        <source>raw samples: times must be finite to be stored</source>
+        <translation>Rohmesswerte: Zeiten müssen endlich sein, um gespeichert zu werden</translation>
+    </message>
+    <message>
+        <source>raw samples: expected numbers of 2, 4 or 8 bytes</source>
+        <translation>Rohmesswerte: erwartet sind Zahlen mit 2, 4 oder 8 Bytes</translation>
+    </message>
+    <message>
+        <source>raw samples: expected the end, found more data</source>
+        <translation>Rohmesswerte: erwartet ist das Ende, gefunden wurden weitere Daten</translation>
+    </message>
+    <message>
+        <source>there is no place {} among the poses</source>
+        <translation>unter den Posen gibt es keinen Platz {}</translation>
+    </message>
+    <message>
+        <source>a link joins two ports, and both ends are port {} of cell {}</source>
+        <translation>eine Verbindung verbindet zwei Ports, und beide Enden sind Port {} der Zelle {}</translation>
+    </message>
+    <message>
+        <source>another port than the source&apos;s: a link has two ends</source>
+        <translation>ein anderer Port als der von source: Eine Verbindung hat zwei Enden</translation>
+    </message>
+    <message>
+        <source>the disk has only {} MiB left; for raw samples {} MiB have to be free</source>
+        <translation>auf der Platte sind nur noch {} MiB frei; für Rohmesswerte müssen {} MiB frei sein</translation>
+    </message>
+    <message>
+        <source>the session was closed before this could be written to its file</source>
+        <translation>die Sitzung wurde geschlossen, bevor dies in ihre Datei geschrieben werden konnte</translation>
+    </message>
+    <message>
+        <source>the file is damaged: expected digests of 32 bytes</source>
+        <translation>die Datei ist beschädigt: erwartet sind Prüfsummen mit 32 Bytes</translation>
+    </message>
+    <message>
+        <source>the journal is empty, expected a skin as its first entry</source>
+        <translation>das Journal ist leer, erwartet ist eine Haut als erster Eintrag</translation>
+    </message>
+    <message>
+        <source>cannot be moved to {}: {}</source>
+        <translation>lässt sich nicht nach {} verschieben: {}</translation>
+    </message>
+    <message>
+        <source>is open in another window, close it there first</source>
+        <translation>ist in einem anderen Fenster offen und muss dort zuerst geschlossen werden</translation>
+    </message>
+    <message>
+        <source>something of that name is there</source>
+        <translation>dort gibt es schon etwas mit diesem Namen</translation>
+    </message>
+    <message>
+        <source>standing</source>
+        <translation>stehend</translation>
+    </message>
+    <message>
+        <source>on its side</source>
+        <translation>auf der Seite</translation>
+    </message>
+    <message>
+        <source>pose {}</source>
+        <translation>Pose {}</translation>
+    </message>
+    <message>
+        <source>expected a number</source>
+        <translation>erwartet ist eine Zahl</translation>
+    </message>
+    <message>
+        <source>expected a text</source>
+        <translation>erwartet ist ein Text</translation>
+    </message>
+    <message>
+        <source>the file is damaged: column {}: expected {}</source>
+        <translation>die Datei ist beschädigt: Spalte {}: erwartet ist {}</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>binary data</source>
+        <translation>Binärdaten</translation>
+    </message>
+    <message>
+        <source>the file ends in the middle (truncated?): expected {} bytes, found {}</source>
+        <translation>die Datei endet mittendrin (abgeschnitten?): erwartet sind {} Bytes, gefunden wurden {}</translation>
+    </message>
+    <message>
+        <source>is already open for writing in this Hexoderm: close it there first</source>
+        <translation>ist in diesem Hexoderm schon zum Schreiben offen und muss dort zuerst geschlossen werden</translation>
+    </message>
+    <message>
+        <source>the file is damaged, expected a whole database: {}</source>
+        <translation>die Datei ist beschädigt, erwartet ist eine ganze Datenbank: {}</translation>
+    </message>
+    <message>
+        <source>is an SQLite database, but not a Hexoderm session (*.hexo): expected application_id {}</source>
+        <translation>ist eine SQLite-Datenbank, aber keine Hexoderm-Sitzung (*.hexo): erwartet ist application_id {}</translation>
+    </message>
+    <message>
+        <source>user_version: this file has version {}, this program reads up to version {}</source>
+        <translation>user_version: Diese Datei hat Version {}, dieses Programm liest bis Version {}</translation>
+    </message>
+    <message>
+        <source>the file is damaged or changed: expected the tables of a Hexoderm session of version {} and nothing else</source>
+        <translation>die Datei ist beschädigt oder verändert: erwartet sind die Tabellen einer Hexoderm-Sitzung der Version {} und nichts sonst</translation>
+    </message>
+    <message>
+        <source>an array of {}</source>
+        <translation>ein Array mit {}</translation>
+    </message>
+    <message>
+        <source>top level</source>
+        <translation>oberste Ebene</translation>
+    </message>
+    <message>
+        <source>line {}, column {}</source>
+        <translation>Zeile {}, Spalte {}</translation>
+    </message>
+    <message>
+        <source>line {}, column {}, at {}</source>
+        <translation>Zeile {}, Spalte {}, bei {}</translation>
+    </message>
+    <message>
+        <source>a value that is not a finite number can&apos;t be written to a file</source>
+        <translation>ein Wert, der keine endliche Zahl ist, lässt sich nicht in eine Datei schreiben</translation>
+    </message>
+    <message>
+        <source>expected {}, found {}</source>
+        <translation>erwartet ist {}, gefunden wurde {}</translation>
+    </message>
+    <message>
+        <source>an array</source>
+        <translation>ein Array</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a finite number</source>
+        <translation>eine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>a number from {} to {}</source>
+        <translation>eine Zahl von {} bis {}</translation>
+    </message>
+    <message>
+        <source>a number above 0</source>
+        <translation>eine Zahl über 0</translation>
+    </message>
+    <message>
+        <source>a number of at least 0</source>
+        <translation>eine Zahl von mindestens 0</translation>
+    </message>
+    <message>
+        <source>a whole number from {} to {}</source>
+        <translation>eine ganze Zahl von {} bis {}</translation>
+    </message>
+    <message>
+        <source>a whole number of 64 bits</source>
+        <translation>eine ganze Zahl mit 64 Bit</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>an array of {} numbers</source>
+        <translation>ein Array mit {} Zahlen</translation>
+    </message>
+    <message>
+        <source>a rotation matrix (row-major, orthogonal to 1e-6, determinant +1)</source>
+        <translation>eine Drehmatrix (zeilenweise, auf 1e-6 orthogonal, Determinante +1)</translation>
+    </message>
+    <message>
+        <source>a unit quaternion (w, x, y, z)</source>
+        <translation>ein Einheitsquaternion (w, x, y, z)</translation>
+    </message>
+    <message>
+        <source>expected &quot;{}&quot;, found {}</source>
+        <translation>erwartet ist „{}“, gefunden wurde {}</translation>
+    </message>
+    <message>
+        <source>expected &quot;{}&quot;, but there is none</source>
+        <translation>erwartet ist „{}“, angegeben ist keines</translation>
+    </message>
+    <message>
+        <source>this file has version {}, this program reads up to version {}</source>
+        <translation>diese Datei hat Version {}, dieses Programm liest bis Version {}</translation>
+    </message>
+    <message>
+        <source>cell {}, port {}</source>
+        <translation>Zelle {}, Port {}</translation>
+    </message>
+    <message>
+        <source>&quot;deg&quot;, &quot;mm&quot;, &quot;mg&quot; or &quot;s&quot;</source>
+        <translation>„deg“, „mm“, „mg“ oder „s“</translation>
+    </message>
+    <message>
+        <source>messages within messages to a depth of {}</source>
+        <translation>ineinander geschachtelte Meldungen bis zur Tiefe {}</translation>
+    </message>
+    <message>
+        <source>a text with a {{}} for each of the {} arguments</source>
+        <translation>ein Text mit einem {{}} für jedes der {} Argumente</translation>
+    </message>
+    <message>
+        <source>SHA-256 is not available in this OpenSSL</source>
+        <translation>SHA-256 ist in diesem OpenSSL nicht verfügbar</translation>
+    </message>
+    <message>
+        <source>expected {}, found &quot;{}&quot;</source>
+        <translation>erwartet ist {}, gefunden wurde „{}“</translation>
+    </message>
+    <message>
+        <source>expected a finite number</source>
+        <translation>erwartet ist eine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>der Ordner lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>cannot be put away for a while: {}</source>
+        <translation>lässt sich nicht vorübergehend beiseitelegen: {}</translation>
+    </message>
+    <message>
+        <source>expected a name that ends in .pdf or .html</source>
+        <translation>erwartet wird ein Name, der auf .pdf oder .html endet</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>Connecting to {}</source>
+        <translation>Verbindung mit {}</translation>
+    </message>
+    <message>
+        <source>{} and {}</source>
+        <comment>the end of a list</comment>
+        <translation>{} und {}</translation>
     </message>
 </context>
 <context>

@@ -49,7 +49,7 @@ void storeRawSamples(benchmark::State& state) {
   const Session session(model, cells);
   const auto frames =
       std::make_shared<const std::vector<SampleFrame>>(record(kFrames, static_cast<Readings>(state.range(0))));
-  const auto pose = std::make_shared<const PoseCapture>(averageFrames(*frames, PoseId(1), ""));
+  const auto pose = std::make_shared<const PoseCapture>(averageFrames(*frames, PoseId(1), {}));
   const std::filesystem::path path = folder.path() / "arm.hexo";
   std::optional<SessionStore> store = SessionStore::create(path, session);
   constexpr std::size_t kPosesPerFile = 20;

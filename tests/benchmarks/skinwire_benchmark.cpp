@@ -31,8 +31,11 @@ class Averager final : public SkinListener {
 /// `ticks` a message.
 void receive(benchmark::State& state) {
   const auto ticks = static_cast<std::size_t>(state.range(0));
-  SkinDescription skin{
-      "benchmark", std::make_shared<const CellModel>(builtInCellModel("hex-bma150")), {}, false, false};
+  SkinDescription skin{hexoderm::Message::verbatim("benchmark"),
+                       std::make_shared<const CellModel>(builtInCellModel("hex-bma150")),
+                       {},
+                       false,
+                       false};
   for (std::uint32_t id = 1; id <= kCells; ++id) skin.neighbors.push_back({CellId(id), "", {}});
 
   std::mt19937 random(1);

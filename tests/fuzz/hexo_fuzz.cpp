@@ -47,7 +47,7 @@ Bytes makeGoodFile(bool with_session) {
   if (with_session) {
     NeighborList cells = {{CellId(1), "arm", {{PortNumber(2), CellId(2), PortNumber(3)}}},
                           {CellId(2), "arm", {{PortNumber(3), CellId(1), std::nullopt}}}};
-    Session session(builtInCellModel("hex-bma150"), std::move(cells), {"two cells", "", ""});
+    Session session(builtInCellModel("hex-bma150"), std::move(cells), {Message::verbatim("two cells"), "", ""});
     for (const std::uint32_t id : {1U, 2U}) {
       PoseCapture pose;
       pose.id = PoseId(id);

@@ -71,7 +71,8 @@ std::string inWords(const SessionPose& pose) {
 }
 
 Session sessionOf(std::uint32_t poses, std::uint32_t cells) {
-  Session session(builtInCellModel("hex-bma150"), {{CellId(1), "", {}}}, {"Made to be killed", "", ""});
+  Session session(builtInCellModel("hex-bma150"), {{CellId(1), "", {}}},
+                  {Message::verbatim("Made to be killed"), "", ""});
   for (std::uint32_t id = 1; id <= poses; ++id) session.addPose(poseOf(id, cells));
   return session;
 }
@@ -89,7 +90,7 @@ Session sessionOf(std::uint32_t poses, std::uint32_t cells) {
     operations.emplace_back(AddPose{pose});
     recorder.append(std::move(operations), [acknowledged, pose](const StoreOutcome& outcome) {
       if (!outcome.error.empty()) {
-        say("failed " + outcome.error);
+        say("failed " + outcome.error.english());
         ::_exit(1);
       }
       say("captured " + inWords(pose));

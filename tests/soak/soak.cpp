@@ -77,7 +77,7 @@ class Operator final : public SkinListener, public PoseRecorderListener {
   }
   void onStatus(const SourceStatus& /*status*/) override {}
   void onCommandOutcome(const CommandOutcome& outcome) override {
-    if (!outcome.done) end("a turn was refused: " + outcome.text);
+    if (!outcome.done) end("a turn was refused: " + outcome.message.english());
   }
 
   void onPoseCaptured(CapturedPose captured) override {

@@ -69,9 +69,11 @@ inline Reconstruction demoReconstruction(std::vector<PatchReconstruction> patche
   for (std::size_t k = 0; k < reconstruction.patches.size(); ++k) {
     reconstruction.patches[k].id = PatchId(static_cast<std::uint32_t>(k));
   }
-  reconstruction.poses = {{PoseId(1), "standing", true, reconstruction.cellCount(), 0.0014, std::nullopt, 0.007},
-                          {PoseId(2), "on its side", true, reconstruction.cellCount(), 0.0022, 1.5, 0.009}};
-  reconstruction.verdict = {VerdictLevel::Usable, "Made by hand for a test.", 0.002, 0.08, "Take a third pose."};
+  reconstruction.poses = {
+      {PoseId(1), Message::verbatim("standing"), true, reconstruction.cellCount(), 0.0014, std::nullopt, 0.007},
+      {PoseId(2), Message::verbatim("on its side"), true, reconstruction.cellCount(), 0.0022, 1.5, 0.009}};
+  reconstruction.verdict = {VerdictLevel::Usable, Message::verbatim("Made by hand for a test."), 0.002, 0.08,
+                            Message::verbatim("Take a third pose.")};
   return reconstruction;
 }
 

@@ -53,7 +53,7 @@ class PinJointedSkin {
     }
     Session session(model, list);
     for (const Eigen::Vector3d& up : up_directions) {
-      PoseCapture pose{session.nextPoseId(), "", {}};
+      PoseCapture pose{session.nextPoseId(), {}, {}};
       for (const auto& [id, T] : truth) {
         pose.samples.push_back({id, T.R.transpose() * up.normalized(), Eigen::Matrix3d::Zero(), 0});
       }

@@ -19,7 +19,7 @@ inline Reconstruction makeTestReconstruction() {
   auto model = std::make_shared<CellModel>(builtInCellModel("hex-bma150"));
   result.model = model;
   result.solver = "tree";
-  result.source.text = "made by hand";
+  result.source.text = Message::verbatim("made by hand");
   result.source.file = "hand \"made\".session.json";
 
   const auto cell = [](std::uint32_t id, const SE3& T_o_u) {
@@ -91,9 +91,9 @@ inline Reconstruction makeTestReconstruction() {
 
   result.patches = {patch0, patch1};
   result.poses.resize(3);
-  result.poses[0] = {PoseId(1), "standing, \"arm\"\nhanging", true, 4, 0.001, std::nullopt, 0.011};
-  result.poses[1] = {PoseId(2), "", true, 3, 0.0015, 0.6435011087932844, 0.02};
-  result.poses[2] = {PoseId(4), " größer", false, 4, 0.002, std::nullopt, std::nullopt};
+  result.poses[0] = {PoseId(1), Message::verbatim("standing, \"arm\"\nhanging"), true, 4, 0.001, std::nullopt, 0.011};
+  result.poses[1] = {PoseId(2), {}, true, 3, 0.0015, 0.6435011087932844, 0.02};
+  result.poses[2] = {PoseId(4), Message::verbatim(" größer"), false, 4, 0.002, std::nullopt, std::nullopt};
   result.layout.cells = {{CellId(3), {-0.024, 0.001}, 0.1},
                          {CellId(7), {0, 0}, 0},
                          {CellId(12), {0.024, -0.001}, 0},

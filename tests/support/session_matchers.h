@@ -76,7 +76,7 @@ inline Session sessionWithEverything() {
   Session session(std::move(model),
                   {{CellId(1), "forearm", {{PortNumber(2), CellId(2), PortNumber(3)}}},
                    {CellId(2), "", {{PortNumber(3), CellId(1), std::nullopt}, {PortNumber(1), CellId(16383), {}}}}},
-                  {"A \"test\" of ümläut", "", ""});
+                  {Message::verbatim("A \"test\" of ümläut"), "", ""});
   GroundTruth truth;
   truth.frame = "arm";
   truth.cells.push_back({CellId(1), {expSO3({0.1, -0.2, 0.3}), {1.0 / 7, -0.0, 5e-324}}});
@@ -85,7 +85,7 @@ inline Session sessionWithEverything() {
   for (std::uint32_t id = 1; id <= 3; ++id) {
     PoseCapture capture;
     capture.id = PoseId(id);
-    capture.label = id == 2 ? "" : "pose\n" + std::to_string(id);
+    if (id != 2) capture.label = Message::verbatim("pose\n" + std::to_string(id));
     if (id != 2) capture.taken_at_ms = 1'700'000'000'123 + id;
     GravitySample a{CellId(1), {0.1 * id, -0.0, 1.0 / 3}, Eigen::Matrix3d::Zero(), 100 * id};
     a.cov_g2 << 1e-6, 1e-8 / 3, -0.0, 1e-8 / 3, 2e-300, -5e-324, -0.0, -5e-324, 0;

@@ -74,10 +74,10 @@ inline std::shared_ptr<Reconstruction> sampleX17() {
   links[7].quality = EdgeQuality::Partially;  // 5 to 9
   auto reconstruction = sampleReconstruction({samplePatch(0, ids, links)});
   reconstruction->poses = {
-      {PoseId(1), "standing", true, 17, 0.0014, std::nullopt, 0.4 * kDegree},
-      {PoseId(2), "on its side", true, 17, 0.0022, 86 * kDegree, 0.5 * kDegree},
-      {PoseId(3), "facing wall", false, 16, 0.0020, 71 * kDegree, std::nullopt},
-      {PoseId(4), "", true, 17, 0, 64 * kDegree, 0.4 * kDegree},
+      {PoseId(1), Message::verbatim("standing"), true, 17, 0.0014, std::nullopt, 0.4 * kDegree},
+      {PoseId(2), Message::verbatim("on its side"), true, 17, 0.0022, 86 * kDegree, 0.5 * kDegree},
+      {PoseId(3), Message::verbatim("facing wall"), false, 16, 0.0020, 71 * kDegree, std::nullopt},
+      {PoseId(4), {}, true, 17, 0, 64 * kDegree, 0.4 * kDegree},
   };
   return reconstruction;
 }
@@ -103,7 +103,7 @@ inline std::shared_ptr<Reconstruction> sampleSheet(std::uint32_t rows, std::uint
 inline std::shared_ptr<Reconstruction> sheetWithPoses(std::uint32_t rows, std::uint32_t columns, std::uint32_t poses) {
   auto reconstruction = sampleSheet(rows, columns);
   for (std::uint32_t k = 1; k <= poses; ++k) {
-    reconstruction->poses.push_back({PoseId(k), "", k % 7 != 3, rows * columns, 0.001, 60 * kDegree, 0.5 * kDegree});
+    reconstruction->poses.push_back({PoseId(k), {}, k % 7 != 3, rows * columns, 0.001, 60 * kDegree, 0.5 * kDegree});
   }
   double phase = 0;
   for (LinkEstimate& link : reconstruction->patches[0].links) {
@@ -132,12 +132,13 @@ inline std::shared_ptr<Reconstruction> sampleTwoPatches() {
       sampleReconstruction({samplePatch(0, {1, 2, 3, 4}, first), samplePatch(1, {21, 22, 23}, second)});
   reconstruction->patches[1].cells[1].placed_by = PlacedBy::Links;
   reconstruction->findings = {
-      makeFinding(FindingCode::InterfaceLink, "A computer interface (ID 16383) is connected at cell 1 port 4.",
-                  {CellId(1)}),
-      makeFinding(FindingCode::OneSidedLink, "Only cell 3 reports the link 3 port 1 - 21 port 4.",
+      makeFinding(FindingCode::InterfaceLink,
+                  Message::verbatim("A computer interface (ID 16383) is connected at cell 1 port 4."), {CellId(1)}),
+      makeFinding(FindingCode::OneSidedLink, Message::verbatim("Only cell 3 reports the link 3 port 1 - 21 port 4."),
                   {CellId(3), CellId(21)}),
-      makeFinding(FindingCode::DeadSensor, "Cell 22 reads nothing like gravity.", {CellId(22)}, {}, {PoseId(1)}),
-      makeFinding(FindingCode::NoPoses, "No pose has been captured yet."),
+      makeFinding(FindingCode::DeadSensor, Message::verbatim("Cell 22 reads nothing like gravity."), {CellId(22)}, {},
+                  {PoseId(1)}),
+      makeFinding(FindingCode::NoPoses, Message::verbatim("No pose has been captured yet.")),
   };
   return reconstruction;
 }

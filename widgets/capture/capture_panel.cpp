@@ -6,8 +6,8 @@
 #include "widgets/capture/live_strip.h"
 #include "widgets/controls/action_button.h"
 #include "widgets/controls/toggle_switch.h"
-#include "widgets/words/core_words.h"
 #include "widgets/words/formatting.h"
+#include "widgets/words/words.h"
 
 #include <QAction>
 #include <QEvent>
@@ -190,7 +190,7 @@ void CapturePanel::refresh() {
   if (source_->state != SourceState::Streaming) {
     // Statements about the last reading are no longer true when no readings come.
     ring_->setContent({sourceStateWord(source_->state), tr("no readings"), 0, false});
-    showIfAny(wait_, coreWords(source_->text));
+    showIfAny(wait_, words(source_->message));
     showIfAny(odd_, {});
     return;
   }

@@ -2,7 +2,7 @@
 
 #include "hexoderm/util/units.h"
 #include "widgets/capture/capture_words.h"
-#include "widgets/words/core_words.h"
+#include "widgets/words/words.h"
 
 #include <QHelpEvent>
 #include <QKeyEvent>
@@ -439,7 +439,7 @@ bool CoverageView::event(QEvent* event) {
          "well the poses hold the cells' turn along three axes.");
   if (seen != nullptr) {
     text = tr("Pose %1").arg(seen->pose.value());
-    if (!seen->label.empty()) text += QStringLiteral(" · ") + coreWords(seen->label);
+    if (!seen->label.empty()) text += QStringLiteral(" · ") + words(seen->label);
     if (!seen->enabled) text += QStringLiteral(" · ") + tr("disabled");
   }
   QToolTip::showText(help->globalPos(), text, this);

@@ -1,7 +1,7 @@
 #include "widgets/capture/live_strip.h"
 
 #include "widgets/controls/action_button.h"
-#include "widgets/words/core_words.h"
+#include "widgets/words/words.h"
 
 #include <QAction>
 #include <QCoreApplication>
@@ -157,7 +157,7 @@ void LiveStrip::setStatus(const SourceStatus& status, const HoldStatus& hold) {
   setIfChanged(sign_, sourceStateSign(state_));
   setIfChanged(word_, sourceStateWord(state_));
   // "Streaming: my skin" would say it twice.
-  QString text = coreWords(status.text);
+  QString text = words(status.message);
   const QString again = word_->text() + QStringLiteral(": ");
   if (text.startsWith(again)) text.remove(0, again.size());
   setIfChanged(text_, text);

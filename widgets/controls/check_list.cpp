@@ -1,6 +1,6 @@
 #include "widgets/controls/check_list.h"
 
-#include "widgets/words/core_words.h"
+#include "widgets/words/words.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -29,7 +29,7 @@ class CheckList::Row : public QWidget {
 
   void set(const SkinCheckItem& item) {
     item_ = item;
-    text_->setText(coreWords(item.text));
+    text_->setText(words(item.message));
     const bool wrong = item.severity != Severity::Info;
     sign_->setText(wrong ? QStringLiteral("!") : QStringLiteral("✓"));
     sign_->setAccessibleName(wrong ? CheckList::tr("needs a look") : CheckList::tr("in order"));

@@ -2,8 +2,8 @@
 
 #include "widgets/controls/selection.h"
 #include "widgets/style/palette.h"
-#include "widgets/words/core_words.h"
 #include "widgets/words/formatting.h"
+#include "widgets/words/words.h"
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -73,7 +73,7 @@ QString toolTipOf(const GraphScene& scene, const GraphHit& hit) {
 
 QString describeGraph(const GraphScene& scene, const GraphHit& picked) {
   if (!scene.reconstruction()) return GraphPointing::tr("No skin is open.");
-  QString text = coreWords(sizeInWords(*scene.reconstruction()));
+  QString text = words(sizeInWords(*scene.reconstruction()));
   if (picked.cell) {
     text += QStringLiteral(". ") + GraphPointing::tr("Picked: cell %1").arg(scene.cells()[*picked.cell].id.value());
   }

@@ -1,8 +1,8 @@
 #include "widgets/tables/finding_table.h"
 
 #include "widgets/tables/table_cells.h"
-#include "widgets/words/core_words.h"
 #include "widgets/words/formatting.h"
+#include "widgets/words/words.h"
 
 #include <algorithm>
 #include <array>
@@ -42,7 +42,7 @@ QVariant FindingTable::data(const QModelIndex& index, int role) const {
     case Qt::DisplayRole:
     case Qt::AccessibleTextRole:
       if (index.column() == kSeverity) return severityWord(finding.severity);
-      return index.column() == kWhat ? coreWords(finding.text) : placeInWords(finding);
+      return index.column() == kWhat ? words(finding.message) : placeInWords(finding);
     case Qt::DecorationRole:
       return index.column() == kSeverity ? QVariant(severityMark(finding.severity)) : QVariant();
     case Qt::TextAlignmentRole:

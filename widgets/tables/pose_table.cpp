@@ -2,8 +2,8 @@
 
 #include "widgets/tables/table_cells.h"
 #include "widgets/tables/table_roles.h"
-#include "widgets/words/core_words.h"
 #include "widgets/words/formatting.h"
+#include "widgets/words/words.h"
 
 #include <array>
 #include <utility>
@@ -18,7 +18,7 @@ QString poseText(const Reconstruction& reconstruction, const PoseSummary& pose, 
     case kPose:
       return QString::number(pose.pose.value());
     case kLabel:
-      return pose.label.empty() ? noValue() : coreWords(pose.label);
+      return pose.label.empty() ? noValue() : words(pose.label);
     case kCells:
       return QStringLiteral("%1/%2").arg(pose.cells_measured).arg(reconstruction.cellCount());
     case kNoise:
@@ -37,7 +37,7 @@ QVariant poseRaw(const PoseSummary& pose, int column) {
     case kPose:
       return pose.pose.value();
     case kLabel:
-      return QString::fromStdString(pose.label);
+      return words(pose.label);
     case kCells:
       return static_cast<qulonglong>(pose.cells_measured);
     case kNoise:
@@ -76,7 +76,7 @@ QVariant PoseTable::data(const QModelIndex& index, int role) const {
       return pose.enabled ? QVariant() : mutedForeground();
     case Qt::ToolTipRole:
       if (!pose.enabled) return tr("Pose %1 is disabled: it is kept, but not used.").arg(pose.pose.value());
-      if (column == kLabel) return coreWords(pose.label);
+      if (column == kLabel) return words(pose.label);
       if (column == kCells && pose.cells_measured < reconstruction()->cellCount()) {
         return tr("%1 cells gave no reading in this pose.").arg(reconstruction()->cellCount() - pose.cells_measured);
       }

@@ -4,6 +4,7 @@
 #include "widgets/tables/table_cells.h"
 #include "widgets/tables/table_roles.h"
 #include "widgets/words/formatting.h"
+#include "widgets/words/words.h"
 
 namespace hexoderm {
 
@@ -102,7 +103,7 @@ QVariant ResidualTable::headerData(int section, Qt::Orientation orientation, int
       if (!pose) return tr("Rms over the poses, degrees");
       const PoseSummary& summary = reconstruction()->poses[static_cast<std::size_t>(section - 1)];
       if (!summary.enabled) return tr("Pose %1 is disabled: it is kept, but not used.").arg(pose->value());
-      return tr("Pose %1 %2, degrees").arg(pose->value()).arg(QString::fromStdString(summary.label)).simplified();
+      return tr("Pose %1 %2, degrees").arg(pose->value()).arg(words(summary.label)).simplified();
     }
     case Qt::TextAlignmentRole:
       return alignment(true);

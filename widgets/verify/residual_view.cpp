@@ -3,6 +3,8 @@
 #include "widgets/coloring/coloring.h"
 #include "widgets/controls/selection.h"
 #include "widgets/tables/row_picking.h"
+#include "widgets/tables/sorted_table.h"
+#include "widgets/tables/table_roles.h"
 #include "widgets/verify/residual_plots.h"
 #include "widgets/verify/residual_table.h"
 #include "widgets/words/formatting.h"

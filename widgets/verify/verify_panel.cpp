@@ -1,8 +1,8 @@
 #include "widgets/verify/verify_panel.h"
 
 #include "hexoderm/util/units.h"
-#include "widgets/words/core_words.h"
 #include "widgets/words/surface_words.h"
+#include "widgets/words/words.h"
 
 #include <QButtonGroup>
 #include <QComboBox>
@@ -185,7 +185,7 @@ void VerifyPanel::setReconstruction(std::shared_ptr<const Reconstruction> recons
   if (reconstruction_) {
     for (const PoseSummary& pose : reconstruction_->poses) {
       QString text = tr("Pose %1").arg(pose.pose.value());
-      if (!pose.label.empty()) text += QStringLiteral(" · ") + coreWords(pose.label);
+      if (!pose.label.empty()) text += QStringLiteral(" · ") + words(pose.label);
       if (!pose.enabled) text += QStringLiteral(" · ") + tr("disabled");
       pose_->addItem(text, pose.pose.value());
     }

@@ -3,7 +3,7 @@
 #include "hexoderm/reconstruction/result/uncertainty.h"
 #include "hexoderm/util/units.h"
 #include "widgets/style/palette.h"
-#include "widgets/words/core_words.h"
+#include "widgets/words/words.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -137,7 +137,7 @@ QString mutedBecause(const LinkEstimate& link) {
   const auto table = findingTable();
   const auto entry = std::ranges::find(table, *link.muted_by, &FindingDescription::code);
   if (entry == table.end()) return Words::tr("It is not used.");
-  return coreWords(std::string(entry->meaning));
+  return words(entry->meaning);
 }
 
 QString severityWord(Severity severity) {
@@ -164,10 +164,10 @@ QString findingToolTip(const Finding& finding) {
   const auto entry = std::ranges::find(table, finding.code, &FindingDescription::code);
   QStringList lines;
   if (entry != table.end()) {
-    lines << coreWords(std::string(entry->meaning));
+    lines << words(entry->meaning);
     lines << QString::fromUtf8(entry->name.data(), static_cast<int>(entry->name.size()));
   }
-  return asToolTip(coreWords(finding.text), lines);
+  return asToolTip(words(finding.message), lines);
 }
 
 QString mutedBecause(const Reconstruction& reconstruction, const LinkEstimate& link) {
@@ -178,7 +178,7 @@ QString mutedBecause(const Reconstruction& reconstruction, const LinkEstimate& l
              LinkEnd{finding.cells[1], finding.ports[1]} == link.target;
     };
     const auto found = std::ranges::find_if(reconstruction.findings, isAboutIt);
-    if (found != reconstruction.findings.end()) return coreWords(found->text);
+    if (found != reconstruction.findings.end()) return words(found->message);
   }
   return mutedBecause(link);
 }
@@ -237,7 +237,7 @@ QString cellToolTip(const Reconstruction& reconstruction, CellId cell) {
   for (const Finding& finding : reconstruction.findings) {
     constexpr std::size_t kMostCells = 4;  // one that names half of the skin is not about this cell
     if (finding.severity == Severity::Info || finding.cells.size() > kMostCells) continue;
-    if (std::ranges::find(finding.cells, cell) != finding.cells.end()) lines << coreWords(finding.text);
+    if (std::ranges::find(finding.cells, cell) != finding.cells.end()) lines << words(finding.message);
   }
   return asToolTip(Words::tr("Cell %1").arg(cell.value()), lines);
 }

@@ -5,7 +5,7 @@
 #include "app/window/toolkit/file_dialog.h"
 #include "hexoderm/device/sources/open_source.h"
 #include "hexoderm/util/error.h"
-#include "widgets/words/core_words.h"
+#include "widgets/words/words.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -79,7 +79,7 @@ QString problemWithAddress(const QString& address) {
   try {
     checkSkinAddress(address.toStdString());
   } catch (const Error& error) {
-    return coreWords(error.what());
+    return words(error);
   }
   return {};
 }

@@ -3,7 +3,7 @@
 #include "app/window/toolkit/deferred_dialog.h"
 #include "app/window/toolkit/file_dialog.h"
 #include "hexoderm/util/error.h"
-#include "widgets/words/core_words.h"
+#include "widgets/words/words.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -155,7 +155,7 @@ QString ExportDialog::extension() const {
 void ExportDialog::chooseFormat() {
   const std::optional<ExportFormatDescription> format = formatOfRow(formats_->currentRow());
   summary_->setText(format
-                        ? coreWords(std::string(format->summary))
+                        ? words(format->summary)
                         : tr("Hexoderm's own file: everything that is known, to be opened again, compared and exported "
                              "from later."));
   options_->setCurrentIndex(!format                                ? 0
@@ -198,7 +198,7 @@ void ExportDialog::check() {
     try {
       request().options.validate();
     } catch (const InvalidArgument& error) {
-      problem = coreWords(error.what());
+      problem = words(error);
     }
   }
   const bool replaces =

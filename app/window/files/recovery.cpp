@@ -5,8 +5,9 @@
 #include "app/window/files/session_paths.h"
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/util/error.h"
-#include "widgets/words/core_words.h"
+#include "hexoderm/util/system_reason.h"
 #include "widgets/words/formatting.h"
+#include "widgets/words/words.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -46,9 +47,9 @@ std::vector<UnsavedSession> findUnsavedSessions(const QString& folder) {
       unsaved.edited_at_ms = store.editedAtMs();
       unsaved.poses = session.poses().size();
       unsaved.cells = session.neighbors().size();
-      unsaved.source = coreWords(session.source().text);
+      unsaved.source = words(session.source().text);
     } catch (const Error& error) {
-      unsaved.problem = coreWords(error.what());
+      unsaved.problem = words(error);
     }
     found.push_back(std::move(unsaved));
   }
@@ -61,13 +62,15 @@ QString discardUnsaved(const QString& path) {
   const QFileInfo file(path);
   const QDir folder(file.dir().filePath(kDiscarded));
   if (!QDir().mkpath(folder.path())) {
-    throw StorageError(folder.path().toStdString() + ": the folder cannot be made");
+    throw StorageError(located(folder.path().toStdString(), message("the folder cannot be made")));
   }
   const QString to = freePath(folder, file.completeBaseName());
   // The week begins now, whenever the session was worked on; without that it might be gone at the next start.
   std::error_code error;
   std::filesystem::last_write_time(toPath(path), std::filesystem::file_time_type::clock::now(), error);
-  if (error) throw StorageError(path.toStdString() + ": cannot be put away for a while: " + error.message());
+  if (error) {
+    throw StorageError(located(path.toStdString(), message("cannot be put away for a while: {}", systemReason(error))));
+  }
   moveSessionStore(toPath(path), toPath(to));
   return to;
 }
@@ -147,7 +150,7 @@ void UnsavedSessions::move(const QString& path, QString (*how)(const QString&)) 
     try {
       now = how(path);
     } catch (const Error& error) {
-      problem = coreWords(error.what());
+      problem = words(error);
     }
     QMetaObject::invokeMethod(
         QCoreApplication::instance(),

@@ -1,6 +1,6 @@
 #include "app/window/guide/actions.h"
 
-#include "widgets/words/core_words.h"
+#include "widgets/words/words.h"
 
 #include <QMenu>
 
@@ -196,7 +196,7 @@ void WindowActions::refreshCapture(const SessionController& controller, const QS
   QString no_skin = no_session;
   if (no_skin.isEmpty() && !live) no_skin = tr("No skin is connected");
   if (live && controller.liveSession().source().status().state != SourceState::Streaming) {
-    no_skin = tr("The skin does not send: %1").arg(coreWords(controller.liveSession().source().status().text));
+    no_skin = tr("The skin does not send: %1").arg(words(controller.liveSession().source().status().message));
   }
   allow(capture, no_skin);
   QString no_advice = no_skin;

@@ -3,8 +3,8 @@
 #include "app/window/guide/actions.h"
 #include "app/window/session/session_controller.h"
 #include "hexoderm/reconstruction/advice/verdict.h"
-#include "widgets/words/core_words.h"
 #include "widgets/words/formatting.h"
+#include "widgets/words/words.h"
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -91,7 +91,7 @@ Step connectStep(const SessionController& controller, const WindowActions& actio
       step.why = Guide::tr("Nothing more will come from this one.");
     }
     say(step, isOver(controller.liveSession().source()) ? Readiness::Blocked : Readiness::Waiting,
-        coreWords(controller.liveSession().source().status().text));
+        words(controller.liveSession().source().status().message));
     return step;
   }
   if (controller.isEmpty()) {
@@ -108,12 +108,12 @@ Step connectStep(const SessionController& controller, const WindowActions& actio
   if (controller.liveSession().isDemo()) {
     step.why = Guide::tr("A simulated skin in a simulated hand. Its readings err as those of a real skin do.");
   } else {
-    step.why = controller.session() ? coreWords(controller.session()->source().text)
-                                    : coreWords(controller.reconstruction()->source.text);
+    step.why = controller.session() ? words(controller.session()->source().text)
+                                    : words(controller.reconstruction()->source.text);
   }
   if (controller.liveSession().isLive()) {
     if (controller.liveSession().source().status().state != SourceState::Streaming) {
-      say(step, Readiness::Blocked, coreWords(controller.liveSession().source().status().text));
+      say(step, Readiness::Blocked, words(controller.liveSession().source().status().message));
     } else if (hasReadings(controller)) {
       say(step, Readiness::Ready, Guide::tr("The skin has said which cells it has, and sends."));
     } else {
@@ -135,11 +135,11 @@ Step checkStep(const SessionController& controller, const WindowActions& actions
     say(step, Readiness::Blocked, Guide::tr("There is no skin yet."));
     return step;
   }
-  step.note = coreWords(sizeInWords(*result));
+  step.note = words(sizeInWords(*result));
   if (controller.liveSession().isLive()) {
     step.state = check.ready ? StepState::Done : StepState::Current;
     const Readiness not_yet = isAwaited(controller) ? Readiness::Waiting : Readiness::Blocked;
-    say(step, check.ready ? Readiness::Ready : not_yet, coreWords(check.because) + QLatin1Char('.'));
+    say(step, check.ready ? Readiness::Ready : not_yet, words(check.because) + QLatin1Char('.'));
   } else {
     step.state = StepState::Done;
     say(step, Readiness::Ready, Guide::tr("The cells and links are those of the file."));
@@ -184,7 +184,7 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
     sayOf(step, *actions.capture, Guide::tr("The skin sends."));
   }
   if (controller.liveSession().isLive()) return step;
-  if (result && step.state == StepState::Current) step.what = coreWords(result->verdict.next_action);
+  if (result && step.state == StepState::Current) step.what = words(result->verdict.next_action);
   step.why = Guide::tr(
       "Gravity seen from several directions tells how every cell is turned against its neighbours. No skin is "
       "connected to take more.");
@@ -210,7 +210,7 @@ Step reviewStep(const SessionController& controller, const WindowActions& action
   }
   const Finding* finding = worstFinding(*result);
   if (captured) step.state = finding ? StepState::Current : StepState::Done;
-  step.what = coreWords(finding ? finding->text : result->verdict.reason);
+  step.what = words(finding ? finding->message : result->verdict.reason);
   if (controller.session()) {
     step.why = Guide::tr(
         "A pose that does not fit can be disabled or deleted in the table of poses, and taken back with "
@@ -290,7 +290,7 @@ Banner::Content describeStand(const SessionController& controller, const WindowA
             : Guide::tr("%1 is taking pose %2.").arg(robotInWords(controller)).arg(next);
   } else if (const Reconstruction* result = controller.reconstruction().get()) {
     content.tone = toneOf(result->verdict.level);
-    content.sentence = coreWords(result->verdict.reason);
+    content.sentence = words(result->verdict.reason);
   } else if (!controller.isEmpty()) {
     content.sentence = Guide::tr("The placements are being worked out…");
   } else if (!controller.work().activity().isEmpty()) {

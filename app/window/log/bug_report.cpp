@@ -56,7 +56,7 @@ QString sessionInWords(const SessionController& controller) {
   if (controller.liveSession().source().isRunning()) {
     words << QStringLiteral("connected to %1: %2")
                  .arg(controller.liveSession().source().address(),
-                      QString::fromStdString(controller.liveSession().source().status().text));
+                      QString::fromStdString(controller.liveSession().source().status().message.english()));
   }
   if (controller.session()) words << QStringLiteral("%1 poses").arg(controller.session()->poses().size());
   if (const Reconstruction* result = controller.reconstruction().get()) {
@@ -66,7 +66,7 @@ QString sessionInWords(const SessionController& controller) {
                  .arg(result->patches.size())
                  .arg(result->findings.size())
           << QStringLiteral("solver %1").arg(QString::fromStdString(result->solver))
-          << QString::fromStdString(result->verdict.reason);
+          << QString::fromStdString(result->verdict.reason.english());
   }
   return words.join(QStringLiteral("; "));
 }

@@ -4,8 +4,8 @@
 #include "app/window/session/session_controller.h"
 #include "widgets/capture/live_strip.h"
 #include "widgets/controls/message_bar.h"
-#include "widgets/words/core_words.h"
 #include "widgets/words/formatting.h"
+#include "widgets/words/words.h"
 
 #include <QAction>
 
@@ -28,8 +28,8 @@ Severity severityOf(Tone tone) {
 /// A result in one line: its size, its solver, the time it took, its verdict.
 QString lineOf(const Reconstruction& result) {
   return EventRecorder::tr("Solved: %1, %2, %3, %4 ms. %5")
-      .arg(coreWords(sizeInWords(result)), posesInWords(result.poses.size()), QString::fromStdString(result.solver),
-           figureInWords(1e3 * result.solve_seconds, 1), coreWords(result.verdict.reason));
+      .arg(words(sizeInWords(result)), posesInWords(result.poses.size()), QString::fromStdString(result.solver),
+           figureInWords(1e3 * result.solve_seconds, 1), words(result.verdict.reason));
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ void EventRecorder::recordConnection() {
   connection_state_ = state;
   const bool is_bad = live.status().state == SourceState::Silent || live.status().state == SourceState::Incompatible;
   log_.add(is_bad ? Severity::Warning : Severity::Info,
-           tr("Skin at %1: %2. %3").arg(live.address(), state, coreWords(live.status().text)));
+           tr("Skin at %1: %2. %3").arg(live.address(), state, words(live.status().message)));
 }
 
 }  // namespace hexoderm

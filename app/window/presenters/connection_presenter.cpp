@@ -10,7 +10,7 @@
 #include "app/window/toolkit/status_bar.h"
 #include "widgets/capture/live_strip.h"
 #include "widgets/controls/message_bar.h"
-#include "widgets/words/core_words.h"
+#include "widgets/words/words.h"
 
 #include <QDir>
 
@@ -59,11 +59,11 @@ void ConnectionPresenter::refresh() {
           .arg(countersInWords(status, live.hold())));
   if (!live.isRunning()) return;
   views_.strip.setStatus(status, live.hold());
-  const QString device = live.skin() ? coreWords(live.skin()->device) + QStringLiteral(" · ") : QString();
+  const QString device = live.skin() ? words(live.skin()->device) + QStringLiteral(" · ") : QString();
   const QString where = controller_.liveSession().isDemo() ? tr("Demo skin") : device + live.address();
   views_.status.setSource(
       QStringLiteral("%1 %2 · %3").arg(sourceStateSign(status.state), sourceStateWord(status.state), where),
-      device + live.address() + QStringLiteral("\n") + coreWords(status.text));
+      device + live.address() + QStringLiteral("\n") + words(status.message));
 }
 
 void ConnectionPresenter::showDialog() {

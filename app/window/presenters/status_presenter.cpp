@@ -3,8 +3,8 @@
 #include "app/window/session/session_controller.h"
 #include "app/window/toolkit/status_bar.h"
 #include "widgets/controls/card_dock.h"
-#include "widgets/words/core_words.h"
 #include "widgets/words/formatting.h"
+#include "widgets/words/words.h"
 
 #include <QLabel>
 #include <QTabBar>
@@ -63,7 +63,7 @@ QString StatusPresenter::savedInWords() const {
 
 void StatusPresenter::refreshPanels() const {
   const Reconstruction* result = controller_.reconstruction().get();
-  views_.graph_dock.setRemark(result ? coreWords(sizeInWords(*result)) : QString());
+  views_.graph_dock.setRemark(result ? words(sizeInWords(*result)) : QString());
   const bool has_poses = controller_.session() && !controller_.session()->poses().empty();
   const QString keys = controller_.liveSession().isLive() ? tr("R recapture · Del disable · Ctrl+Z undo")
                                                           : tr("Del disable · Ctrl+Z undo");

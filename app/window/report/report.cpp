@@ -109,7 +109,7 @@ void writeReport(const ReportContent& content, const QString& path) {
   } else if (ending == QStringLiteral("html") || ending == QStringLiteral("htm")) {
     bytes = reportHtml(content).toUtf8();
   } else {
-    throw InvalidArgument(path.toStdString() + ": expected a name that ends in .pdf or .html");
+    throw InvalidArgument(located(path.toStdString(), message("expected a name that ends in .pdf or .html")));
   }
   writeFileAtomically(toPath(path), {bytes.constData(), static_cast<std::size_t>(bytes.size())});
 }

@@ -4,8 +4,8 @@
 #include "hexoderm/util/units.h"
 #include "widgets/controls/banner.h"
 #include "widgets/style/palette.h"
-#include "widgets/words/core_words.h"
 #include "widgets/words/formatting.h"
+#include "widgets/words/words.h"
 
 #include <QLocale>
 #include <algorithm>
@@ -112,21 +112,19 @@ void ReportPage::pairs(const std::vector<std::pair<QString, QString>>& rows) {
 void ReportPage::addHead() {
   paragraph(tr("Hexoderm calibration report"), "label");
   html_ += QStringLiteral("<h1>%1</h1>\n").arg(content_.name.toHtmlEscaped());
-  paragraph(
-      tr("%1 · %2").arg(coreWords(sizeInWords(result_)), QLocale().toString(content_.made_at, QLocale::LongFormat)));
+  paragraph(tr("%1 · %2").arg(words(sizeInWords(result_)), QLocale().toString(content_.made_at, QLocale::LongFormat)));
 }
 
 void ReportPage::addVerdict() {
   const Verdict& verdict = result_.verdict;
   const QColor color = toneColor(toneOf(verdict.level), Theme::Light);
   // A bar of the verdict's colour beside its words; QTextDocument has no border on the left alone.
-  html_ +=
-      QStringLiteral(
-          "<br/><table class=\"plain\" width=\"100%\" cellspacing=\"0\" cellpadding=\"8\"><tr>"
-          "<td width=\"4\" style=\"background-color: %1; padding: 0\"></td><td>%2%3</td></tr></table>\n")
-          .arg(color.name(), paragraphOf(coreWords(verdict.reason), "verdict"),
-               verdict.next_action.empty() ? QString()
-                                           : paragraphOf(tr("Next: %1").arg(coreWords(verdict.next_action)), "text"));
+  html_ += QStringLiteral(
+               "<br/><table class=\"plain\" width=\"100%\" cellspacing=\"0\" cellpadding=\"8\"><tr>"
+               "<td width=\"4\" style=\"background-color: %1; padding: 0\"></td><td>%2%3</td></tr></table>\n")
+               .arg(color.name(), paragraphOf(words(verdict.reason), "verdict"),
+                    verdict.next_action.empty() ? QString()
+                                                : paragraphOf(tr("Next: %1").arg(words(verdict.next_action)), "text"));
 }
 
 void ReportPage::addKeyFigures() {
@@ -204,7 +202,7 @@ void ReportPage::addFindings() {
                    [](const Finding* a, const Finding* b) { return a->severity > b->severity; });
   std::vector<QStringList> rows;
   for (const Finding* finding : worst_first) {
-    rows.push_back({severityWord(finding->severity), coreWords(finding->text), placeInWords(*finding)});
+    rows.push_back({severityWord(finding->severity), words(finding->message), placeInWords(*finding)});
   }
   table({{tr("Severity")}, {tr("What")}, {tr("Where")}}, rows);
 }
@@ -217,7 +215,7 @@ void ReportPage::addPoses() {
   }
   std::vector<QStringList> rows;
   for (const PoseSummary& pose : result_.poses) {
-    rows.push_back({QString::number(pose.pose.value()), pose.label.empty() ? noValue() : coreWords(pose.label),
+    rows.push_back({QString::number(pose.pose.value()), pose.label.empty() ? noValue() : words(pose.label),
                     pose.enabled ? tr("used") : tr("disabled"),
                     QStringLiteral("%1/%2").arg(pose.cells_measured).arg(result_.cellCount()),
                     pose.noise_g > 0 ? QLocale().toString(1000 * pose.noise_g, 'f', 1) : noValue(),
@@ -352,7 +350,7 @@ void ReportPage::addOptions() {
 
 void ReportPage::addOrigins() {
   heading(tr("Where it comes from"));
-  std::vector<std::pair<QString, QString>> rows = {{tr("Source"), coreWords(result_.source.text)}};
+  std::vector<std::pair<QString, QString>> rows = {{tr("Source"), words(result_.source.text)}};
   if (!result_.source.file.empty()) rows.emplace_back(tr("File"), utf8(result_.source.file));
   if (!result_.source.sha256.empty()) rows.emplace_back(tr("SHA-256"), utf8(result_.source.sha256));
   rows.emplace_back(tr("Cell model"), utf8(result_.model->name));

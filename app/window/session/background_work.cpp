@@ -1,6 +1,6 @@
 #include "app/window/session/background_work.h"
 
-#include "widgets/words/core_words.h"
+#include "widgets/words/words.h"
 
 #include <QMetaObject>
 #include <exception>
@@ -16,7 +16,7 @@ void BackgroundWork::start(const QString& activity, Work work, Continuation fina
     try {
       then = work();
     } catch (const std::exception& error) {
-      then = [this, message = coreWords(error.what())] { emit failed(message); };
+      then = [this, message = words(error)] { emit failed(message); };
     }
     QMetaObject::invokeMethod(
         this,

@@ -1,7 +1,7 @@
 #include "app/window/session/live_mode.h"
 
 #include "app/window/session/session_controller.h"
-#include "widgets/words/core_words.h"
+#include "widgets/words/words.h"
 
 #include <QMetaObject>
 #include <utility>
@@ -28,7 +28,7 @@ void LiveMode::solve() {
   auto moment = std::make_shared<SessionSnapshot>(*controller_.session()->snapshot());
   auto capture = std::make_shared<PoseCapture>();
   capture->id = PoseId(1);
-  capture->label = tr("now").toStdString();
+  capture->label = message("now");
   for (const CellSample& mean : means) {
     GravitySample sample;
     sample.cell = mean.cell;
@@ -47,8 +47,7 @@ void LiveMode::receive(const ReconstructionOutcome& outcome) {
     fails_ = false;
     emit momentSolved(outcome.reconstruction);
   } else if (!std::exchange(fails_, true)) {
-    emit noticed(
-        tr("What is shown stands still: the skin as it is now can't be solved. %1").arg(coreWords(outcome.error)));
+    emit noticed(tr("What is shown stands still: the skin as it is now can't be solved. %1").arg(words(outcome.error)));
   }
 }
 

@@ -3,8 +3,8 @@
 #include "app/window/session/session_controller.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
-#include "widgets/words/core_words.h"
 #include "widgets/words/formatting.h"
+#include "widgets/words/words.h"
 
 #include <QFileInfo>
 #include <QSettings>
@@ -86,7 +86,7 @@ bool LiveSession::join(const SkinDescription& skin) {
   if (!course_.join(*controller_.session(), skin)) {
     emit failed(
         tr("%1 has other cells than the session %2, so nothing was added. Connect it with a session of its own.")
-            .arg(QString::fromStdString(skin.device), controller_.file().name()));
+            .arg(words(skin.device), controller_.file().name()));
     return false;
   }
   demo_ = false;
@@ -154,7 +154,7 @@ void LiveSession::announce(const PoseKept& kept) {
   QString text = kept.where == KeptIn::Memory ? tr("Pose %1 captured, in memory only: %2.").arg(id, cells)
                                               : tr("Pose %1 captured: %2.").arg(id, cells);
   if (!kept.captured.silent_cells.empty()) {
-    text += QLatin1Char(' ') + tr("Nothing came from %1.").arg(coreWords(listInWords(kept.captured.silent_cells)));
+    text += QLatin1Char(' ') + tr("Nothing came from %1.").arg(words(Message("{}", {kept.captured.silent_cells})));
   }
   if (kept.captured.repeats) {
     text += QLatin1Char(' ') + tr("It repeats pose %1, which is only %2° away.")

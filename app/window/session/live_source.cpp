@@ -1,7 +1,7 @@
 #include "app/window/session/live_source.h"
 
 #include "hexoderm/device/sources/open_source.h"
-#include "widgets/words/core_words.h"
+#include "widgets/words/words.h"
 
 #include <QMetaObject>
 #include <mutex>
@@ -126,12 +126,12 @@ void LiveSource::start(const LiveOptions& options) {
   address_ = options.address;
   automatic_ = options.recorder.automatic;
   status_.state = SourceState::Connecting;
-  status_.text = tr("Connecting to %1").arg(address_).toStdString();
+  status_.message = message("Connecting to {}", address_.toStdString());
   jobs_.add([feed = feed_, address = address_.toStdString()] {
     try {
       feed->open(address);
     } catch (const std::exception& error) {
-      feed->post([message = coreWords(error.what())](LiveSource& live) {
+      feed->post([message = words(error)](LiveSource& live) {
         live.stop();
         emit live.failed(message);
       });

@@ -1,7 +1,7 @@
 #include "app/window/session/pose_guide.h"
 
 #include "app/window/session/live_session.h"
-#include "widgets/words/core_words.h"
+#include "widgets/words/words.h"
 
 #include <QMetaObject>
 
@@ -26,7 +26,7 @@ void PoseGuide::hear(const CourseEvent& event) {
   } else if (std::holds_alternative<AdviceChanged>(event)) {
     emit nextPoseChanged();
   } else if (const auto* refused = std::get_if<TurnRefused>(&event)) {
-    const QString why = coreWords(refused->why);
+    const QString why = words(refused->why);
     emit noticed(refused->gave_up
                      ? tr("The device refused to turn %1 times, so it is not asked any more. The last time: %2")
                            .arg(QString::number(refused->times), why)

@@ -32,14 +32,14 @@ void ResultFiles::saveImage(const QImage& image, const QString& path) {
 }
 
 void ResultFiles::savePicture(std::function<bool()> write, const QString& path) {
-  work_.startWriting(
-      tr("Saving %1").arg(QFileInfo(path).fileName()),
-      [this, write = std::move(write), path]() -> BackgroundWork::Continuation {
-        if (!write()) {
-          throw StorageError("The picture " + path.toStdString() + " could not be written: is the folder writable?");
-        }
-        return [this, path] { emit exported(path); };
-      });
+  work_.startWriting(tr("Saving %1").arg(QFileInfo(path).fileName()),
+                     [this, write = std::move(write), path]() -> BackgroundWork::Continuation {
+                       if (!write()) {
+                         throw StorageError(message("The picture {} could not be written: is the folder writable?",
+                                                    path.toStdString()));
+                       }
+                       return [this, path] { emit exported(path); };
+                     });
 }
 
 void ResultFiles::saveTable(const QByteArray& csv, const QString& path) {

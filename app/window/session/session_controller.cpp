@@ -1,6 +1,6 @@
 #include "app/window/session/session_controller.h"
 
-#include "widgets/words/core_words.h"
+#include "widgets/words/words.h"
 
 #include <QMetaObject>
 #include <algorithm>
@@ -159,7 +159,7 @@ void SessionController::receive(const ReconstructionOutcome& outcome) {
     live_session_.noteResult();
     emit reconstructionChanged(reconstruction_);
   } else {
-    emit failed(coreWords(outcome.error));
+    emit failed(words(outcome.error));
   }
   emit changed();
 }

@@ -7,7 +7,7 @@
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/util/error.h"
-#include "widgets/words/core_words.h"
+#include "widgets/words/words.h"
 
 #include <QFileInfo>
 #include <QRegularExpression>
@@ -22,18 +22,18 @@ namespace {
 struct Opened {
   OpenedFile file;
   std::optional<SessionStore> store;
-  std::string remark;  ///< why it is not open for writing although it could be
+  Message remark;  ///< why it is not open for writing although it could be
 };
 
 Opened openToEdit(const std::filesystem::path& path) {
   if (!isSessionStore(path)) return {openFile(path, builtInCellModel("hex-bma150")), std::nullopt, {}};
-  std::string remark;
+  Message remark;
   try {
     SessionStore store = SessionStore::open(path);
     Session session = store.readSession();
     return {std::move(session), std::move(store), {}};
   } catch (const StorageError& error) {
-    remark = error.what();
+    remark = messageOf(error);
   }
   return {readSessionStore(path), std::nullopt, remark};
 }
@@ -109,7 +109,7 @@ void SessionFile::openFile(const QString& path) {
         emit changed();
       } else if (!opened_file->remark.empty()) {
         emit noticed(tr("Changes will not be kept in this file; save the session under another name. %1")
-                         .arg(coreWords(opened_file->remark)));
+                         .arg(words(opened_file->remark)));
       }
     };
   });

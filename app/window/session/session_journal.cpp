@@ -1,7 +1,7 @@
 #include "app/window/session/session_journal.h"
 
 #include "app/window/files/job_queue.h"
-#include "widgets/words/core_words.h"
+#include "widgets/words/words.h"
 
 #include <QMetaObject>
 #include <utility>
@@ -45,7 +45,7 @@ SessionRecorder::Acknowledge SessionJournal::acknowledgement(Written written) {
             [weak, written, outcome] {
               const std::shared_ptr<State> state = weak.lock();
               if (!state) return;
-              state->problem = coreWords(outcome.error);
+              state->problem = words(outcome.error);
               if (!outcome.is_kept) --state->waiting;
               if (written) written(outcome);
               // `changed` may replace the journal, and with it the function that runs.

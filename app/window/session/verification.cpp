@@ -4,7 +4,7 @@
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/util/error.h"
-#include "widgets/words/core_words.h"
+#include "widgets/words/words.h"
 
 #include <QFileInfo>
 #include <QMetaObject>
@@ -75,7 +75,7 @@ void Verification::fitSurface() {
               try {
                 surfaces.push_back(evaluateSurface(patch, kind, radius));
               } catch (const InvalidArgument& error) {
-                remarks << tr("Patch %1: %2").arg(patch.id.value() + 1).arg(coreWords(error.what()));
+                remarks << tr("Patch %1: %2").arg(patch.id.value() + 1).arg(words(error));
               }
             }
             return [this, surfaces = std::move(surfaces), remarks] { emit surfacesFitted(surfaces, remarks); };
@@ -129,7 +129,7 @@ void Verification::request(VerifyCheck check, Work work) {
         try {
           announce = work(stop);
         } catch (const std::exception& error) {
-          announce = [this, check, message = coreWords(error.what())] { emit failed(check, message); };
+          announce = [this, check, message = words(error)] { emit failed(check, message); };
         }
         QMetaObject::invokeMethod(
             this, [this, check, number, announce = std::move(announce)] { finish(check, number, announce); },

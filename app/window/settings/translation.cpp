@@ -1,6 +1,6 @@
 #include "app/window/settings/translation.h"
 
-#include "widgets/words/core_words.h"
+#include "widgets/words/words.h"
 
 #include <QApplication>
 #include <QLibraryInfo>
@@ -84,7 +84,6 @@ QString installTranslations(QApplication& application, const QString& language) 
     install(application, folderOfQtsTexts() + QStringLiteral("/qtbase_") + code + QStringLiteral(".qm"));
     install(application, QStringLiteral(":/hexoderm/translations/hexoderm_") + code + QStringLiteral(".qm"));
   }
-  forgetCoreWords();
   return code;
 }
 

@@ -6,7 +6,7 @@
 
 namespace hexoderm {
 
-PoseCapture averageFrames(std::span<const SampleFrame> frames, PoseId id, std::string label) {
+PoseCapture averageFrames(std::span<const SampleFrame> frames, PoseId id, Message label) {
   std::map<CellId, GravityAccumulator> cells;
   for (const SampleFrame& frame : frames) {
     for (const CellSample& sample : frame.samples) {

@@ -2,12 +2,12 @@
 
 #include "hexoderm/device/sample_frame.h"
 #include "hexoderm/util/ids.h"
+#include "hexoderm/util/message.h"
 
 #include <Eigen/Core>
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 namespace hexoderm {
@@ -24,7 +24,7 @@ struct GravitySample {
 /// One captured pose: gravity as every cell saw it while the part was held still. Immutable once captured.
 struct PoseCapture {
   PoseId id;
-  std::string label{};
+  Message label{};
   std::vector<GravitySample> samples{};
   std::optional<std::int64_t> taken_at_ms{};  ///< milliseconds since 1970, UTC; absent where it is not known
 };
@@ -32,6 +32,6 @@ struct PoseCapture {
 /// Averages frames into a pose, per cell: mean, covariance of the mean (sample covariance / count) and count.
 /// Means that a device made are pooled by their counts. Cells without a sample do not appear. Samples and means that
 /// are not finite, or beyond kMostAcceleration_g, are left out.
-PoseCapture averageFrames(std::span<const SampleFrame> frames, PoseId id, std::string label);
+PoseCapture averageFrames(std::span<const SampleFrame> frames, PoseId id, Message label);
 
 }  // namespace hexoderm

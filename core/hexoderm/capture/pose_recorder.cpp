@@ -49,9 +49,10 @@ PoseRecorderOptions::PoseRecorderOptions() : repeat_angle_rad(10 * kDegree) {}
 
 void PoseRecorderOptions::validate() const {
   stillness.validate();
-  if (!(collect_s > 0 && collect_s <= 60)) throw InvalidArgument("pose recorder: collect_s must be within 0 and 60");
+  if (!(collect_s > 0 && collect_s <= 60))
+    throw InvalidArgument(message("pose recorder: collect_s must be within 0 and 60"));
   if (!(repeat_angle_rad >= 0 && repeat_angle_rad <= kPi)) {
-    throw InvalidArgument("pose recorder: repeat_angle_rad must be between 0 and pi");
+    throw InvalidArgument(message("pose recorder: repeat_angle_rad must be between 0 and pi"));
   }
 }
 
@@ -325,13 +326,13 @@ struct PoseRecorder::State {
     }
     status.progress = std::clamp(done_s / (wait_s + collect_s + confirm_s), 0.0, 1.0);
     if (window && forced) {
-      status.text = "Capturing what there is, moved or not";
+      status.message = message("Capturing what there is, moved or not");
     } else if (window) {
-      status.text = "Keep still: taking samples";
-    } else if (!stillness.text.empty()) {
-      status.text = stillness.text;
+      status.message = message("Keep still: taking samples");
+    } else if (!stillness.message.empty()) {
+      status.message = stillness.message;
     } else {
-      status.text = automatic ? "Still" : "Still: ready to capture";
+      status.message = automatic ? message("Still") : message("Still: ready to capture");
     }
     return status;
   }

@@ -60,7 +60,7 @@ struct HoldStatus {
   bool automatic = true;
   bool forced = false;            ///< the capture under way was requested by captureNow()
   double progress = 0;            ///< fill of the hold ring, 0 to 1; a motion resets it to 0
-  std::string text;               ///< the obstacle or the current activity, one line
+  Message message;                ///< the obstacle or the current activity, one line
   std::uint64_t late_frames = 0;  ///< ignored: older than the last one, or a repetition, or without a time
   std::uint64_t restarts = 0;     ///< collections that a motion discarded
 };

@@ -13,8 +13,8 @@ StillnessOptions::StillnessOptions() : drift_limit_rad_s(1 * kDegree), rearm_ang
 void StillnessOptions::validate() const {
   const auto within = [](double value, double low, double high, const std::string& name) {
     if (!(value >= low && value <= high)) {
-      throw InvalidArgument("stillness: " + name + " must be between " + formatExact(low) + " and " +
-                            formatExact(high) + ", found " + formatExact(value));
+      throw InvalidArgument(
+          message("stillness: {} must be between {} and {}, found {}", name, Number{low}, Number{high}, Number{value}));
     }
   };
   within(drift_limit_rad_s, 1e-4, 10, "drift_limit_rad_s");
@@ -28,22 +28,21 @@ void StillnessOptions::validate() const {
   within(silent_after_s, 0.1, 3600, "silent_after_s");
 }
 
-std::string describe(const OddCell& odd) {
-  const std::string cell = "Cell " + toString(odd.cell);
+Message describe(const OddCell& odd) {
   switch (odd.kind) {
     case OddCellKind::Dead:
-      return cell + " is dead: it reads " + formatFixed(odd.value * 1000, 0) + " mg, no gravity";
+      return message("Cell {} is dead: it reads {}, no gravity", odd.cell, MilliG{odd.value});
     case OddCellKind::Stuck:
-      return cell + " is stuck: it repeated one reading while the part moved";
+      return message("Cell {} is stuck: it repeated one reading while the part moved", odd.cell);
     case OddCellKind::Noisy:
-      return cell + " is noisy: it scatters by " + formatFixed(odd.value * 1000, 0) + " mg rms while the rest is still";
+      return message("Cell {} is noisy: it scatters by {} rms while the rest is still", odd.cell, MilliG{odd.value});
     case OddCellKind::Restless:
-      return cell + " is restless: it turns by " + formatFixed(toDegrees(odd.value), 1) +
-             " deg/s while the rest is still";
+      return message("Cell {} is restless: it turns by {} deg/s while the rest is still", odd.cell,
+                     Number{toDegrees(odd.value), 1});
     case OddCellKind::Silent:
-      return cell + " is silent: nothing came from it for " + formatFixed(odd.value, 1) + " s";
+      return message("Cell {} is silent: nothing came from it for {}", odd.cell, Seconds{odd.value, 1});
   }
-  return cell;
+  return message("Cell {}", odd.cell);
 }
 
 }  // namespace hexoderm

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hexoderm/util/ids.h"
+#include "hexoderm/util/message.h"
 
 #include <cstddef>
 #include <string>
@@ -47,7 +48,7 @@ struct OddCell {
 };
 
 /// "Cell 7 is noisy: it scatters by 220 mg rms while the rest is still".
-std::string describe(const OddCell& odd);
+Message describe(const OddCell& odd);
 
 /// The obstacle that keeps a capture from starting.
 enum class Blocker {
@@ -64,7 +65,7 @@ struct Stillness {
   bool still = false;
   bool armed = true;  ///< true if the part has moved enough since the last capture, or there was none
   Blocker blocker = Blocker::Waiting;
-  std::string text = "Waiting for samples";  ///< the obstacle, for people; empty if there is none
+  Message message = hexoderm::message("Waiting for samples");  ///< the obstacle, for people; empty if there is none
 
   double time_s = 0;       ///< device time of this judgement
   double still_for_s = 0;  ///< 0 if not still

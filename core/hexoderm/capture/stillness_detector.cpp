@@ -55,13 +55,8 @@ const StillnessOptions& validated(const StillnessOptions& options) {
 }
 
 /// A limit: one decimal, and none where it says nothing.
-std::string limitInWords(double value) {
-  std::string text = formatFixed(value, 1);
-  if (text.ends_with(".0")) text.resize(text.size() - 2);
-  return text;
-}
-
-std::string inMilliG(double value_g) { return formatFixed(value_g * 1000, 0); }
+/// With one decimal, or none where it would be a zero.
+Number limitInWords(double value) { return {value, formatFixed(value, 1).ends_with(".0") ? 0 : 1}; }
 
 /// Counts `step_s` up while `misbehaves`, else down; whether it is (still) set aside.
 bool setAside(bool misbehaves, double step_s, double patience_s, bool was, double& misbehaved_s) {
@@ -336,31 +331,32 @@ struct StillnessDetector::State {
     if (!result.armed && result.blocker != Blocker::Waiting) result.blocker = Blocker::NotMoved;
     switch (result.blocker) {
       case Blocker::None:
-        result.text.clear();
+        result.message = {};
         break;
       case Blocker::Waiting:
-        result.text = slots.count() == 0 || cells.empty() ? "Waiting for samples"
-                      : slots.heardCount() == 0
-                          ? "Waiting for samples: all cells are silent"
-                          : "Waiting for samples: fewer than " + limitInWords(window_s) + " s so far";
+        result.message = slots.count() == 0 || cells.empty() ? message("Waiting for samples")
+                         : slots.heardCount() == 0
+                             ? message("Waiting for samples: all cells are silent")
+                             : message("Waiting for samples: fewer than {} s so far", limitInWords(window_s));
         break;
       case Blocker::NotMoved:
-        result.text = "Turn the part: it has moved " + formatFixed(toDegrees(result.moved_rad), 1) +
-                      " deg since the last capture, more than " + limitInWords(toDegrees(options.rearm_angle_rad)) +
-                      " are needed";
+        result.message =
+            message("Turn the part: it has moved {} deg since the last capture, more than {} are needed",
+                    Number{toDegrees(result.moved_rad), 1}, limitInWords(toDegrees(options.rearm_angle_rad)));
         break;
       case Blocker::Turning:
-        result.text = "Hold still: the part turns by " + formatFixed(toDegrees(result.drift_rad_s), 1) +
-                      " deg/s, limit " + limitInWords(toDegrees(options.drift_limit_rad_s));
+        result.message =
+            message("Hold still: the part turns by {} deg/s, limit {}", Number{toDegrees(result.drift_rad_s), 1},
+                    limitInWords(toDegrees(options.drift_limit_rad_s)));
         break;
       case Blocker::Shaking:
-        result.text = "Hold still: cell " + toString(result.excess_cell) + " moves " + inMilliG(result.excess_g) +
-                      " mg, limit " + inMilliG(options.excess_limit_g);
+        result.message = message("Hold still: cell {} moves {} mg, limit {}", result.excess_cell,
+                                 Number{1000 * result.excess_g, 0}, Number{1000 * options.excess_limit_g, 0});
         break;
       case Blocker::CellTurning:
-        result.text = "Hold still: cell " + toString(result.turning_cell) + " turns by " +
-                      formatFixed(toDegrees(result.turning_rad_s), 1) + " deg/s against the rest, limit " +
-                      limitInWords(toDegrees(kRestlessTimesLimit * options.drift_limit_rad_s));
+        result.message = message("Hold still: cell {} turns by {} deg/s against the rest, limit {}",
+                                 result.turning_cell, Number{toDegrees(result.turning_rad_s), 1},
+                                 limitInWords(toDegrees(kRestlessTimesLimit * options.drift_limit_rad_s)));
         break;
     }
   }

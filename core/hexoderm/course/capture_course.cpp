@@ -31,7 +31,8 @@ AdviceAnswer adviseOn(const AdviceQuestion& question) {
 CaptureCourse::CaptureCourse(CaptureOwner& owner, CaptureCourseOptions options) : owner_(owner), options_(options) {}
 
 Session CaptureCourse::sessionOf(const SkinDescription& skin, const std::string& address) {
-  Session session(*skin.model, skin.neighbors, SourceDescription{skin.device + ", " + address, "", ""});
+  Session session(*skin.model, skin.neighbors,
+                  SourceDescription{inRow({skin.device, Message::verbatim(address)}, ", "), "", ""});
   if (skin.truth) session.setTruth(*skin.truth);
   return session;
 }
@@ -121,8 +122,7 @@ void CaptureCourse::take(const CapturedPose& captured) {
   if (const auto waiting = waiting_.find(id); waiting != waiting_.end()) keep(waiting, KeptIn::Memory, {});
 }
 
-void CaptureCourse::keep(std::map<PoseId, CapturedPose>::iterator waiting, KeptIn where,
-                         const std::string& without_raw) {
+void CaptureCourse::keep(std::map<PoseId, CapturedPose>::iterator waiting, KeptIn where, const Message& without_raw) {
   const CapturedPose captured = std::move(waiting->second);
   waiting_.erase(waiting);
   owner_.onCourseEvent(PoseKept{captured, where, without_raw});
@@ -236,7 +236,7 @@ void CaptureCourse::setOutcome(const CommandOutcome& outcome) {
   unreachable_.push_back(asked_up_);
   const bool gives_up = ++refusals_ > kMostRefusals;
   if (gives_up) robot_ = false;
-  owner_.onCourseEvent(TurnRefused{outcome.text, refusals_, gives_up});
+  owner_.onCourseEvent(TurnRefused{outcome.message, refusals_, gives_up});
   askForAdvice();
 }
 

@@ -31,16 +31,16 @@ struct PoseTaken {
 struct PoseKept {
   CapturedPose captured;  ///< without its frames
   KeptIn where = KeptIn::File;
-  std::string without_raw{};  ///< why its raw samples are not in the file; empty if they are, or were not wanted
+  Message without_raw{};  ///< why its raw samples are not in the file; empty if they are, or were not wanted
 };
 /// The pose is not in the file, and nobody will try again.
 struct PoseLost {
   PoseId pose;
-  std::string why;
+  Message why;
 };
 /// The file can't be written, because its disk is full for example. Told once, until something was written again.
 struct FileRefused {
-  std::string why;
+  Message why;
 };
 /// The device describes itself with other links; the session has them now, and its poses stay.
 struct SkinChanged {
@@ -60,7 +60,7 @@ struct AdviceWanted {
 struct AdviceChanged {};
 /// The device does not turn to where it was asked to; another pose is advised.
 struct TurnRefused {
-  std::string why;
+  Message why;
   std::size_t times = 0;  ///< since the robot was switched on, this one included
   bool gave_up = false;   ///< so often that it is not asked again by itself
 };
@@ -193,7 +193,7 @@ class CaptureCourse {
   [[nodiscard]] bool isFinished() const { return finished_; }
 
  private:
-  void keep(std::map<PoseId, CapturedPose>::iterator waiting, KeptIn where, const std::string& without_raw);
+  void keep(std::map<PoseId, CapturedPose>::iterator waiting, KeptIn where, const Message& without_raw);
   void replaceSkin(const SkinDescription& skin, bool on_joining);
   [[nodiscard]] std::shared_ptr<const PoseCapture> labelled(const std::shared_ptr<const PoseCapture>& pose) const;
   [[nodiscard]] std::optional<std::size_t> indexOf(PoseId pose) const;

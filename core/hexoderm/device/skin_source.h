@@ -4,6 +4,7 @@
 #include "hexoderm/device/sample_frame.h"
 #include "hexoderm/graph/cell_model.h"
 #include "hexoderm/graph/neighbor_list.h"
+#include "hexoderm/util/message.h"
 
 #include <cstdint>
 #include <memory>
@@ -14,7 +15,7 @@ namespace hexoderm {
 
 /// A device's description of itself, given before it streams.
 struct SkinDescription {
-  std::string device;                          ///< for people, for example "emulated x17"
+  Message device;                              ///< for people, for example "emulated x17"
   std::shared_ptr<const CellModel> model;      ///< never null
   NeighborList neighbors;                      ///< the explored neighbours; may contradict itself
   bool can_light_cells = false;                ///< answers SetLed
@@ -36,7 +37,7 @@ enum class SourceState {
 /// Counters are since start().
 struct SourceStatus {
   SourceState state = SourceState::Stopped;
-  std::string text;                     ///< one line for people: what, where, and what happens next
+  Message message;                      ///< one line for people: what, where, and what happens next
   std::uint64_t frames = 0;             ///< sample frames delivered
   std::uint64_t lost_samples = 0;       ///< the device's numbering says they were sent; they never came, or too late
   std::uint64_t late_frames = 0;        ///< older than what was delivered, or twice: not delivered
@@ -76,7 +77,7 @@ using SkinCommand = std::variant<SetRate, SetLed, TurnTo, ExploreAgain>;
 struct CommandOutcome {
   std::uint32_t command = 0;  ///< the number that send() returned
   bool done = false;
-  std::string text;  ///< why not, or empty
+  Message message;  ///< why not, or empty
 };
 
 /// Receives what a source delivers, on the source's own thread. Must not block for long and must not call start() or

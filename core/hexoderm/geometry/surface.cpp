@@ -226,26 +226,27 @@ class Torus final : public Surface {
 /// The numbers of "kind:name=value,name=value", all of them given, positive, and no others.
 std::map<std::string, double> readParameters(const std::string& description, std::string_view text,
                                              const std::vector<std::string>& names) {
-  const auto fail = [&](const std::string& what) {
-    throw InvalidArgument("surface \"" + description + "\": " + what +
-                          "; expected plane, cylinder:r=M, sphere:r=M, cone:r=M,angle=RAD or torus:R=M,r=M");
+  const auto fail = [&](const Message& what) {
+    throw InvalidArgument(
+        message("surface \"{}\": {}; expected plane, cylinder:r=M, sphere:r=M, cone:r=M,angle=RAD or torus:R=M,r=M",
+                description, what));
   };
   std::map<std::string, double> values;
   if (!text.empty()) {
     for (const std::string& item : split(text, ',')) {
       const std::size_t equals = item.find('=');
-      if (equals == std::string::npos) fail("\"" + item + "\" is not name=value");
+      if (equals == std::string::npos) fail(message("\"{}\" is not name=value", item));
       const std::string name = item.substr(0, equals);
-      if (std::ranges::find(names, name) == names.end()) fail("there is no \"" + name + "\" here");
+      if (std::ranges::find(names, name) == names.end()) fail(message("there is no \"{}\" here", name));
       std::string what = "surface \"" + description + "\", ";
       what += name;
       const double value = parseNumber(std::string_view(item).substr(equals + 1), what);
-      if (value <= 0) fail(name + " must be above 0");
-      if (!values.emplace(name, value).second) fail(name + " is given twice");
+      if (value <= 0) fail(message("{} must be above 0", name));
+      if (!values.emplace(name, value).second) fail(message("{} is given twice", name));
     }
   }
   for (const std::string& name : names) {
-    if (!values.contains(name)) fail(name + " is missing");
+    if (!values.contains(name)) fail(message("{} is missing", name));
   }
   return values;
 }
@@ -267,20 +268,21 @@ std::unique_ptr<Surface> makeSurface(std::string_view description) {
   if (kind == "cone") {
     const auto values = read({"r", "angle"});
     if (values.at("angle") >= kPi / 2) {
-      throw InvalidArgument("surface \"" + text + "\": angle must be below pi/2 rad (it is between axis and surface)");
+      throw InvalidArgument(
+          message("surface \"{}\": angle must be below pi/2 rad (it is between axis and surface)", text));
     }
     return std::make_unique<Cone>(values.at("r"), values.at("angle"));
   }
   if (kind == "torus") {
     const auto values = read({"R", "r"});
     if (values.at("R") <= values.at("r")) {
-      throw InvalidArgument("surface \"" + text + "\": R must be larger than r, or the torus meets itself");
+      throw InvalidArgument(message("surface \"{}\": R must be larger than r, or the torus meets itself", text));
     }
     return std::make_unique<Torus>(values.at("R"), values.at("r"));
   }
-  throw InvalidArgument(
-      "surface \"" + text +
-      "\" is not known; expected plane, cylinder:r=M, sphere:r=M, cone:r=M,angle=RAD or torus:R=M,r=M");
+  throw InvalidArgument(message(
+      "surface \"{}\" is not known; expected plane, cylinder:r=M, sphere:r=M, cone:r=M,angle=RAD or torus:R=M,r=M",
+      text));
 }
 
 }  // namespace hexoderm

@@ -25,20 +25,19 @@ struct Cloud {
   Eigen::Vector3d spread = Eigen::Vector3d::Zero();    ///< singular values, descending
 };
 
-Cloud normalise(std::span<const Eigen::Vector3d> points, std::size_t least, const std::string& what) {
+Cloud normalise(std::span<const Eigen::Vector3d> points, std::size_t least, const Message& what) {
   if (points.size() < least) {
-    throw InvalidArgument(what + ": at least " + std::to_string(least) + " points are needed, there are " +
-                          std::to_string(points.size()));
+    throw InvalidArgument(located(what, message("at least {} points are needed, there are {}", least, points.size())));
   }
   Cloud cloud;
   cloud.points.resize(3, static_cast<Eigen::Index>(points.size()));
   Eigen::Index column = 0;
   for (const Eigen::Vector3d& point : points) cloud.points.col(column++) = point;
-  if (!cloud.points.allFinite()) throw InvalidArgument(what + ": the points must be finite");
+  if (!cloud.points.allFinite()) throw InvalidArgument(located(what, message("the points must be finite")));
   cloud.centroid = cloud.points.rowwise().mean();
   cloud.points.colwise() -= cloud.centroid;
   cloud.scale = cloud.points.norm() / std::sqrt(static_cast<double>(points.size()));
-  if (!(cloud.scale > 0)) throw InvalidArgument(what + ": all points are the same");
+  if (!(cloud.scale > 0)) throw InvalidArgument(located(what, message("all points are the same")));
   cloud.points /= cloud.scale;
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(cloud.points.transpose(), Eigen::ComputeThinU | Eigen::ComputeThinV);
   cloud.axes = svd.matrixV();
@@ -46,15 +45,15 @@ Cloud normalise(std::span<const Eigen::Vector3d> points, std::size_t least, cons
   // Coordinates far from zero carry rounding errors that no spread below them can beat.
   const double rounding = 1e-15 * cloud.centroid.norm() / cloud.scale;
   if (cloud.spread.y() <= std::max(kFlat, rounding) * cloud.spread.x()) {
-    throw InvalidArgument(what + ": the points lie on a line");
+    throw InvalidArgument(located(what, message("the points lie on a line")));
   }
   return cloud;
 }
 
-void requireSolid(const Cloud& cloud, const std::string& what) {
+void requireSolid(const Cloud& cloud, const Message& what) {
   const double rounding = 1e-15 * cloud.centroid.norm() / cloud.scale;
   if (cloud.spread.z() <= std::max(kFlat, rounding) * cloud.spread.x()) {
-    throw InvalidArgument(what + ": the points lie in a plane");
+    throw InvalidArgument(located(what, message("the points lie in a plane")));
   }
 }
 
@@ -337,7 +336,7 @@ std::vector<double> distances(const Surface& surface, const Cloud& cloud) {
 }  // namespace
 
 PlaneFit fitPlane(std::span<const Eigen::Vector3d> points_m) {
-  const Cloud cloud = normalise(points_m, 3, "plane fit");
+  const Cloud cloud = normalise(points_m, 3, message("plane fit"));
   PlaneFit fit;
   fit.point = cloud.centroid;
   fit.normal = canonicalSign(cloud.axes.col(2));
@@ -346,8 +345,8 @@ PlaneFit fitPlane(std::span<const Eigen::Vector3d> points_m) {
 }
 
 SphereFit fitSphere(std::span<const Eigen::Vector3d> points_m) {
-  const Cloud cloud = normalise(points_m, 4, "sphere fit");
-  requireSolid(cloud, "sphere fit");
+  const Cloud cloud = normalise(points_m, 4, message("sphere fit"));
+  requireSolid(cloud, message("sphere fit"));
   // Algebraic start: |x|^2 = 2 c.x + (r^2 - |c|^2).
   Eigen::MatrixX4d A(cloud.points.cols(), 4);
   A.leftCols<3>() = 2 * cloud.points.transpose();
@@ -362,8 +361,8 @@ SphereFit fitSphere(std::span<const Eigen::Vector3d> points_m) {
 }
 
 CylinderFit fitCylinder(std::span<const Eigen::Vector3d> points_m) {
-  const Cloud cloud = normalise(points_m, 5, "cylinder fit");
-  requireSolid(cloud, "cylinder fit");
+  const Cloud cloud = normalise(points_m, 5, message("cylinder fit"));
+  requireSolid(cloud, message("cylinder fit"));
   std::vector<CylinderEstimate> starts;
   for (const Eigen::Vector3d& axis : startingAxes(cloud)) starts.push_back(cylinderAlong(axis, cloud.points));
   const CylinderEstimate best = bestFrom(starts, cloud);
@@ -376,8 +375,8 @@ CylinderFit fitCylinder(std::span<const Eigen::Vector3d> points_m) {
 }
 
 ConeFit fitCone(std::span<const Eigen::Vector3d> points_m) {
-  const Cloud cloud = normalise(points_m, 6, "cone fit");
-  requireSolid(cloud, "cone fit");
+  const Cloud cloud = normalise(points_m, 6, message("cone fit"));
+  requireSolid(cloud, message("cone fit"));
   std::vector<ConeEstimate> starts;
   for (const Eigen::Vector3d& axis : startingAxes(cloud)) {
     starts.push_back(coneAlong(axis, cloud.points));

@@ -31,7 +31,7 @@ const Port* CellModel::findPort(PortNumber number) const {
 
 const Port& CellModel::port(PortNumber number) const {
   const Port* found = findPort(number);
-  if (found == nullptr) throw InvalidArgument("cell model " + name + " has no port " + toString(number));
+  if (found == nullptr) throw InvalidArgument(message("cell model {} has no port {}", name, number));
   return *found;
 }
 
@@ -56,37 +56,36 @@ std::array<Eigen::Vector3d, 6> CellModel::outline() const {
 }
 
 void CellModel::validate() const {
-  const auto require = [&](bool holds, const std::string& what) {
-    if (!holds) throw InvalidArgument("cell model " + name + ": " + what);
+  const auto require = [&](bool holds, const Message& what) {
+    if (!holds) throw InvalidArgument(located(message("cell model {}", name), what));
   };
   const auto positive = [&](double value, const std::string& what, double most = kMost) {
-    require(value > 0, what + " must be above 0");
-    require(value >= kLeast && value <= most,
-            what + " must be from " + formatExact(kLeast) + " to " + formatExact(most));
+    require(value > 0, message("{} must be above 0", what));
+    require(value >= kLeast && value <= most, message("{} must be from {} to {}", what, Number{kLeast}, Number{most}));
   };
   const auto notNegative = [&](double value, const std::string& what, double most = kMost) {
-    require(value >= 0, what + " must not be negative");
+    require(value >= 0, message("{} must not be negative", what));
     if (value != 0) positive(value, what, most);
   };
   const auto placed = [&](const SE3& T, const std::string& what) {
-    require(isWithin(T.t, kMostCellLength_m), what + " must be within " + formatExact(kMostCellLength_m) + " m");
+    require(isWithin(T.t, kMostCellLength_m), message("{} must be within {} m", what, Number{kMostCellLength_m}));
   };
-  require(!name.empty(), "name must not be empty");
+  require(!name.empty(), message("name must not be empty"));
   positive(side_m, "side_m", kMostCellLength_m);
   notNegative(thickness_m, "thickness_m", kMostCellLength_m);
   notNegative(gap_m, "gap_m", kMostCellLength_m);
-  require(!ports.empty(), "there must be at least one port");
+  require(!ports.empty(), message("there must be at least one port"));
   std::set<PortNumber> numbers;
   for (const Port& port : ports) {
-    require(numbers.insert(port.number).second, "port " + toString(port.number) + " is listed twice");
+    require(numbers.insert(port.number).second, message("port {} is listed twice", port.number));
     require(isWithin(port.vector_m, kMostCellLength_m) && port.vector_m.head<2>().norm() > 1e-9,
-            "port " + toString(port.number) + ": vector_m must point out of the cell's side, by at most " +
-                formatExact(kMostCellLength_m) + " m");
+            message("port {}: vector_m must point out of the cell's side, by at most {} m", port.number,
+                    Number{kMostCellLength_m}));
   }
   for (const auto& [a, b] : forbidden_port_pairs) {
-    require(findPort(a) != nullptr && findPort(b) != nullptr, "forbidden_port_pairs names an unknown port");
+    require(findPort(a) != nullptr && findPort(b) != nullptr, message("forbidden_port_pairs names an unknown port"));
   }
-  require(interface_id.value() > 0, "interface_id must be above 0");
+  require(interface_id.value() > 0, message("interface_id must be above 0"));
   positive(accelerometer.range_g, "accelerometer.range_g", kMostAcceleration_g);
   notNegative(accelerometer.lsb_g, "accelerometer.lsb_g", kMostAcceleration_g);
   positive(accelerometer.rate_hz, "accelerometer.rate_hz");
@@ -96,7 +95,7 @@ void CellModel::validate() const {
   notNegative(accelerometer.cross_axis_sigma, "accelerometer.cross_axis_sigma");
   placed(accelerometer.T_u_a, "accelerometer.t_u_m");
   for (const CellSensor& sensor : sensors) placed(sensor.T_u_s, "sensor " + sensor.name + ": t_u_m");
-  require(std::abs(side_angle_rad) <= kMost, "side_angle_rad must be within " + formatExact(kMost));
+  require(std::abs(side_angle_rad) <= kMost, message("side_angle_rad must be within {}", Number{kMost}));
   positive(link_sigma_m, "link_sigma_m");
   positive(bend_sigma_rad, "bend_sigma_rad");
   positive(twist_sigma_rad, "twist_sigma_rad");

@@ -77,7 +77,7 @@ CellModel readCellModel(const JsonReader& json) {
   if (const auto pairs = json.find("forbidden_port_pairs")) {
     for (const JsonReader& pair : pairs->items()) {
       const std::vector<JsonReader> ports = pair.items();
-      if (ports.size() != 2) pair.fail("two port numbers");
+      if (ports.size() != 2) pair.fail(message("two port numbers"));
       model.forbidden_port_pairs.emplace_back(ports[0].unsignedInteger(1), ports[1].unsignedInteger(1));
     }
   }
@@ -93,7 +93,7 @@ CellModel readCellModel(const JsonReader& json) {
   try {
     model.validate();
   } catch (const InvalidArgument& error) {
-    json.fail(std::string("a cell model that makes sense (") + error.what() + ")");
+    json.fail(message("a cell model that makes sense ({})", error.message()));
   }
   return model;
 }
@@ -151,7 +151,7 @@ CellModel builtInCellModel(std::string_view name) {
   }
   std::string known;
   for (const std::string& other : builtInCellModelNames()) known += " " + other;
-  throw InvalidArgument("there is no built-in cell model \"" + std::string(name) + "\"; there are:" + known);
+  throw InvalidArgument(message("there is no built-in cell model \"{}\"; there are:{}", name, known));
 }
 
 std::vector<std::string> builtInCellModelNames() {

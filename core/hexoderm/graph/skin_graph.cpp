@@ -18,7 +18,7 @@ struct Claim {
   std::optional<PortNumber> to_port;
 };
 
-std::string endInWords(LinkEnd end) { return "cell " + toString(end.cell) + " port " + toString(end.port); }
+Message endInWords(LinkEnd end) { return message("cell {} port {}", end.cell, end.port); }
 
 /// Sorts the reports into links and findings.
 class ReportSorter {
@@ -29,13 +29,13 @@ class ReportSorter {
     std::vector<GraphCell> cells;
     for (const CellReport& report : neighbors) {
       if (report.id.value() == 0) {
-        add(FindingCode::ReservedCellId, "A cell carries the ID 0, which means \"no neighbour\"; it is left out.",
-            {report.id});
+        add(FindingCode::ReservedCellId,
+            message("A cell carries the ID 0, which means \"no neighbour\"; it is left out."), {report.id});
       } else if (report.id >= model_.interface_id) {
         continue;  // an interface: part of the network, not of the skin
       } else if (!known_.insert(report.id).second) {
         add(FindingCode::DuplicateCell,
-            "Cell " + toString(report.id) + " is listed more than once; only the first entry counts.", {report.id});
+            message("Cell {} is listed more than once; only the first entry counts.", report.id), {report.id});
       } else {
         cells.push_back({report.id, report.body_part, PatchId()});
         reports_.push_back(&report);
@@ -61,8 +61,8 @@ class ReportSorter {
   }
 
  private:
-  void add(FindingCode code, std::string text, std::vector<CellId> cells, std::vector<PortNumber> ports = {}) {
-    findings_.push_back(makeFinding(code, std::move(text), std::move(cells), std::move(ports)));
+  void add(FindingCode code, Message words, std::vector<CellId> cells, std::vector<PortNumber> ports = {}) {
+    findings_.push_back(makeFinding(code, std::move(words), std::move(cells), std::move(ports)));
   }
 
   void collectClaims() {
@@ -77,13 +77,12 @@ class ReportSorter {
         const Claim& first = known->second;
         if (first.to == claim.to && (first.to_port == claim.to_port || !claim.to_port)) {
           add(FindingCode::DuplicateLink,
-              "The neighbour at " + endInWords(claim.from) + " is reported more than once; it counts once.",
+              message("The neighbour at {} is reported more than once; it counts once.", endInWords(claim.from)),
               {claim.from.cell, claim.to}, {claim.from.port});
         } else {
           add(FindingCode::ContradictoryLink,
-              "Cell " + toString(claim.from.cell) + " reports two different neighbours at port " +
-                  toString(claim.from.port) + ": cells " + toString(first.to) + " and " + toString(claim.to) +
-                  ". Neither link is used.",
+              message("Cell {} reports two different neighbours at port {}: cells {} and {}. Neither link is used.",
+                      claim.from.cell, claim.from.port, first.to, claim.to),
               {claim.from.cell, first.to, claim.to}, {claim.from.port});
           disputed.insert(claim.from);
         }
@@ -96,35 +95,35 @@ class ReportSorter {
   bool acceptable(const Claim& claim) {
     if (model_.findPort(claim.from.port) == nullptr) {
       add(FindingCode::UnknownPort,
-          "Cell " + toString(claim.from.cell) + " reports a neighbour at port " + toString(claim.from.port) +
-              ", but cell model " + model_.name + " has no such port. The link is not used.",
+          message("Cell {} reports a neighbour at port {}, but cell model {} has no such port. The link is not used.",
+                  claim.from.cell, claim.from.port, model_.name),
           {claim.from.cell}, {claim.from.port});
       return false;
     }
     if (claim.to >= model_.interface_id) {
       add(FindingCode::InterfaceLink,
-          "A computer interface (ID " + toString(claim.to) + ") is connected at " + endInWords(claim.from) + ".",
+          message("A computer interface (ID {}) is connected at {}.", claim.to, endInWords(claim.from)),
           {claim.from.cell}, {claim.from.port});
       return false;
     }
     if (claim.to == claim.from.cell) {
       add(FindingCode::SelfLink,
-          "Cell " + toString(claim.from.cell) + " reports itself as its neighbour at port " +
-              toString(claim.from.port) + ". The link is not used.",
+          message("Cell {} reports itself as its neighbour at port {}. The link is not used.", claim.from.cell,
+                  claim.from.port),
           {claim.from.cell}, {claim.from.port});
       return false;
     }
     if (!known_.contains(claim.to)) {
       add(FindingCode::UnknownCell,
-          "Cell " + toString(claim.from.cell) + " reports cell " + toString(claim.to) + " at port " +
-              toString(claim.from.port) + ", but no such cell was found. The link is not used.",
+          message("Cell {} reports cell {} at port {}, but no such cell was found. The link is not used.",
+                  claim.from.cell, claim.to, claim.from.port),
           {claim.from.cell, claim.to}, {claim.from.port});
       return false;
     }
     if (claim.to_port && model_.findPort(*claim.to_port) == nullptr) {
       add(FindingCode::UnknownPort,
-          "Cell " + toString(claim.from.cell) + " reports port " + toString(*claim.to_port) + " of cell " +
-              toString(claim.to) + ", but cell model " + model_.name + " has no such port. The link is not used.",
+          message("Cell {} reports port {} of cell {}, but cell model {} has no such port. The link is not used.",
+                  claim.from.cell, *claim.to_port, claim.to, model_.name),
           {claim.to}, {*claim.to_port});
       return false;
     }
@@ -153,9 +152,8 @@ class ReportSorter {
         }
       } else if (ends.empty()) {
         add(FindingCode::OneSidedLink,
-            "Cell " + toString(claim.from.cell) + " reports cell " + toString(claim.to) + " at port " +
-                toString(claim.from.port) + ", but cell " + toString(claim.to) +
-                " does not report it back. The link is not used.",
+            message("Cell {} reports cell {} at port {}, but cell {} does not report it back. The link is not used.",
+                    claim.from.cell, claim.to, claim.from.port, claim.to),
             {claim.from.cell, claim.to}, {claim.from.port});
       } else {
         ambiguous(claim);
@@ -168,8 +166,8 @@ class ReportSorter {
       mute(claim.from, to, disputed_.contains(to) ? FindingCode::ContradictoryLink : FindingCode::OneSidedLink);
       if (!disputed_.contains(to)) {
         add(FindingCode::OneSidedLink,
-            "Only cell " + toString(claim.from.cell) + " reports the " + linkInWords(claim.from, to) + "; cell " +
-                toString(to.cell) + " does not report it back. The link is not used.",
+            message("Only cell {} reports the {}; cell {} does not report it back. The link is not used.",
+                    claim.from.cell, linkInWords(claim.from, to), to.cell),
             {claim.from.cell, to.cell}, {claim.from.port, to.port});
       }
       return;
@@ -181,18 +179,17 @@ class ReportSorter {
     }
     mute(claim.from, to, FindingCode::ContradictoryLink);
     add(FindingCode::ContradictoryLink,
-        "Cell " + toString(claim.from.cell) + " reports " + endInWords(to) + " at its port " +
-            toString(claim.from.port) + ", but that port reports " +
-            (back.to_port ? endInWords({back.to, *back.to_port}) : "cell " + toString(back.to)) +
-            ". Neither link is used.",
+        message("Cell {} reports {} at its port {}, but that port reports {}. Neither link is used.", claim.from.cell,
+                endInWords(to), claim.from.port,
+                back.to_port ? endInWords({back.to, *back.to_port}) : message("cell {}", back.to)),
         {claim.from.cell, to.cell, back.to}, {claim.from.port, to.port});
   }
 
   void ambiguous(const Claim& claim) {
     add(FindingCode::ContradictoryLink,
-        "Cells " + toString(claim.from.cell) + " and " + toString(claim.to) +
-            " report each other at more than one port without naming the other side's; it can't be told which ports "
-            "belong together. No link between them is used.",
+        message("Cells {} and {} report each other at more than one port without naming the other side's; it can't be "
+                "told which ports belong together. No link between them is used.",
+                claim.from.cell, claim.to),
         {claim.from.cell, claim.to}, {claim.from.port});
   }
 
@@ -203,8 +200,8 @@ class ReportSorter {
     if (is_new && model_.isForbidden(a.port, b.port)) {
       entry->second = FindingCode::ForbiddenPortPair;
       add(FindingCode::ForbiddenPortPair,
-          "The " + linkInWords(entry->first.first, entry->first.second) + " joins ports that cell model " +
-              model_.name + " forbids to join. It is not used.",
+          message("The {} joins ports that cell model {} forbids to join. It is not used.",
+                  linkInWords(entry->first.first, entry->first.second), model_.name),
           {entry->first.first.cell, entry->first.second.cell}, {entry->first.first.port, entry->first.second.port});
     }
   }
@@ -221,8 +218,8 @@ class ReportSorter {
       if (doubled.size() < 2) continue;
       for (const auto& ends : doubled) links_[ends] = FindingCode::DuplicateLink;
       add(FindingCode::DuplicateLink,
-          "Cells " + toString(cells.first) + " and " + toString(cells.second) + " are joined " +
-              std::to_string(doubled.size()) + " times, which two hexagons can't be. None of these links is used.",
+          message("Cells {} and {} are joined {} times, which two hexagons can't be. None of these links is used.",
+                  cells.first, cells.second, doubled.size()),
           {cells.first, cells.second}, {doubled.front().first.port, doubled.front().second.port});
     }
   }
@@ -250,10 +247,10 @@ SkinGraph::SkinGraph(const CellModel& model, const NeighborList& neighbors) {
     const std::string& part_b = cells_[link.target].body_part;
     if (!link.muted() && part_a != part_b && !part_a.empty() && !part_b.empty()) {
       link.muted_by = FindingCode::BodyPartBoundary;
-      std::string text = "The " + linkInWords(a, b);
-      text.append(" joins ").append(part_a).append(" and ").append(part_b).append("; the patch ends there.");
       findings_.push_back(
-          makeFinding(FindingCode::BodyPartBoundary, std::move(text), {a.cell, b.cell}, {a.port, b.port}));
+          makeFinding(FindingCode::BodyPartBoundary,
+                      message("The {} joins {} and {}; the patch ends there.", linkInWords(a, b), part_a, part_b),
+                      {a.cell, b.cell}, {a.port, b.port}));
     }
     links_.push_back(link);
   }
@@ -299,9 +296,8 @@ void SkinGraph::findPatches() {
   }
 }
 
-std::string linkInWords(LinkEnd source, LinkEnd target) {
-  return "link " + toString(source.cell) + " port " + toString(source.port) + " - " + toString(target.cell) + " port " +
-         toString(target.port);
+Message linkInWords(LinkEnd source, LinkEnd target) {
+  return message("link {} port {} - {} port {}", source.cell, source.port, target.cell, target.port);
 }
 
 }  // namespace hexoderm

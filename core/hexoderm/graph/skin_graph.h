@@ -69,6 +69,6 @@ class SkinGraph {
 };
 
 /// "link 5 port 2 - 9 port 3", the one way a link is named in texts.
-std::string linkInWords(LinkEnd source, LinkEnd target);
+Message linkInWords(LinkEnd source, LinkEnd target);
 
 }  // namespace hexoderm

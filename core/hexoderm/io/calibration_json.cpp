@@ -4,6 +4,7 @@
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/limits.h"
+#include "hexoderm/util/message_json.h"
 #include "hexoderm/util/units.h"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ constexpr std::uint32_t kVersion = 1;
 
 /// The value of an enumeration by its name in files.
 template <class FromName>
-auto named(const JsonReader& json, FromName from_name, const std::string& expected) {
+auto named(const JsonReader& json, FromName from_name, const Message& expected) {
   const auto value = from_name(json.string());
   if (!value) json.fail(expected);
   return *value;
@@ -32,7 +33,7 @@ auto option(const JsonReader& json, FromName from_name) {
   try {
     return from_name(name);
   } catch (const InvalidArgument& error) {
-    json.fail(std::string("one of the solver's settings (") + error.what() + ")");
+    json.fail(message("one of the solver's settings ({})", error.message()));
   }
 }
 
@@ -41,7 +42,7 @@ double nonNegativeAngle(const JsonReader& json) { return json.nonNegativeNumber(
 
 Eigen::Vector3d nonNegativeVector(const JsonReader& json) {
   const Eigen::Vector3d v = json.vector3();
-  if ((v.array() < 0).any()) json.fail("three numbers of at least 0");
+  if ((v.array() < 0).any()) json.fail(message("three numbers of at least 0"));
   return v;
 }
 
@@ -67,7 +68,7 @@ SolverOptions readOptions(const JsonReader& json) {
   try {
     options.validate();
   } catch (const InvalidArgument& error) {
-    json.fail(std::string("settings that make sense (") + error.what() + ")");
+    json.fail(message("settings that make sense ({})", error.message()));
   }
   return options;
 }
@@ -81,14 +82,14 @@ void readSolver(const JsonReader& json, Reconstruction& result) {
     if (gap_model) static_cast<void>(gap_model->string());
     return;
   }
-  if (result.solver != "global" && result.solver != "tree") name.fail("\"global\", \"tree\" or \"imported\"");
+  if (result.solver != "global" && result.solver != "tree") name.fail(message("\"global\", \"tree\" or \"imported\""));
   result.options.solver = option(name, solverFromName);
   if (!gap_model) return;
   const GapModel model = option(*gap_model, gapModelFromName);
   if (result.options.solver == Solver::Global) {
     result.options.gap_model = model;
   } else if (model != GapModel::Pivot) {
-    gap_model->fail("\"pivot\", which is what the tree solver has");
+    gap_model->fail(message("\"pivot\", which is what the tree solver has"));
   }
 }
 
@@ -104,14 +105,14 @@ SourceDescription readSource(const JsonReader& json) {
   SourceDescription source;
   if (const auto file = json.find("file")) source.file = file->string();
   if (const auto hash = json.find("sha256")) source.sha256 = hash->string();
-  if (const auto text = json.find("description")) source.text = text->string();
+  if (json.find("description")) source.text = readMessage(json, "description");
   return source;
 }
 
 PoseSummary readPose(const JsonReader& json) {
   PoseSummary pose;
   pose.pose = PoseId(json.at("id").unsignedInteger());
-  if (const auto label = json.find("label")) pose.label = label->string();
+  if (json.find("label")) pose.label = readMessage(json, "label");
   if (const auto enabled = json.find("enabled")) pose.enabled = enabled->boolean();
   if (const auto cells = json.find("cells_measured")) pose.cells_measured = cells->unsignedInteger();
   if (const auto noise = json.find("noise_g")) pose.noise_g = noise->nonNegativeNumber();
@@ -138,7 +139,7 @@ GravityDirection readGravity(const JsonReader& json) {
   GravityDirection gravity;
   gravity.pose = PoseId(json.at("pose").unsignedInteger());
   gravity.g_o = json.at("g_o").vector3();
-  if (std::abs(gravity.g_o.norm() - 1) > 1e-6) json.at("g_o").fail("a unit vector (to 1e-6)");
+  if (std::abs(gravity.g_o.norm() - 1) > 1e-6) json.at("g_o").fail(message("a unit vector (to 1e-6)"));
   gravity.sigma_rad = nonNegativeAngle(json.at("sigma_deg"));
   return gravity;
 }
@@ -148,7 +149,7 @@ Matrix6d readCovariance(const JsonReader& json) {
   Matrix6d cov_t_r;
   std::size_t next = 0;
   for (int row = 0; row < 6; ++row) {
-    if (values[next] < 0) json.fail("an upper triangle with variances of at least 0 on its diagonal");
+    if (values[next] < 0) json.fail(message("an upper triangle with variances of at least 0 on its diagonal"));
     for (int col = row; col < 6; ++col) cov_t_r(row, col) = cov_t_r(col, row) = values[next++];
   }
   return cov_t_r;
@@ -167,12 +168,12 @@ CellPlacement readCell(const JsonReader& json) {
   cell.cell = CellId(json.at("id").unsignedInteger());
   if (const auto part = json.find("body_part")) cell.body_part = part->string();
   const std::string placed_by = json.at("placed_by").string();
-  if (placed_by != "samples" && placed_by != "links") json.at("placed_by").fail("\"samples\" or \"links\"");
+  if (placed_by != "samples" && placed_by != "links") json.at("placed_by").fail(message("\"samples\" or \"links\""));
   cell.placed_by = placed_by == "samples" ? PlacedBy::Samples : PlacedBy::Links;
   cell.T_o_u = {json.at("R_o_u").rotation(), json.at("t_o_u_m").vector3(kMostLength_m)};
   if (const auto q = json.find("q_o_u_wxyz")) {
     if (rotationAngle(q->unitQuaternion().toRotationMatrix().transpose() * cell.T_o_u.R) > 1e-5) {
-      q->fail("the same rotation as R_o_u");
+      q->fail(message("the same rotation as R_o_u"));
     }
   }
   if (const auto cov = json.find("cov_t_r")) cell.cov_t_r = readCovariance(*cov);
@@ -187,7 +188,7 @@ CellPlacement readCell(const JsonReader& json) {
 
 LinkEnd readEnd(const JsonReader& json, const std::string& key, const CellModel& model) {
   const LinkEnd end{CellId(json.at(key).unsignedInteger()), PortNumber(json.at(key + "_port").unsignedInteger())};
-  if (model.findPort(end.port) == nullptr) json.at(key + "_port").fail("a port of cell model " + model.name);
+  if (model.findPort(end.port) == nullptr) json.at(key + "_port").fail(message("a port of cell model {}", model.name));
   return end;
 }
 
@@ -196,11 +197,10 @@ LinkEstimate readLink(const JsonReader& json, const CellModel& model) {
   link.source = readEnd(json, "source", model);
   link.target = readEnd(json, "target", model);
   if (!(link.source < link.target) || link.source.cell == link.target.cell) {
-    json.at("source").fail("two cells, the smaller (ID, port) as source (target is " + toString(link.target.cell) +
-                           ")");
+    json.at("source").fail(message("two cells, the smaller (ID, port) as source (target is {})", link.target.cell));
   }
   link.R_c_n = json.at("R_c_n").rotation();
-  link.quality = named(json.at("quality"), qualityFromName, "\"un\", \"partially\", \"fully\" or \"over\"");
+  link.quality = named(json.at("quality"), qualityFromName, message("\"un\", \"partially\", \"fully\" or \"over\""));
   link.singular_values = nonNegativeVector(json.at("singular_values"));
   link.weight = json.at("weight").positiveNumber();
   link.residual_rad = nonNegativeAngle(json.at("residual_deg"));
@@ -209,7 +209,8 @@ LinkEstimate readLink(const JsonReader& json, const CellModel& model) {
   link.twist_rad = angle(json.at("twist_deg"));
   link.yaw_rad = angle(json.at("yaw_deg"));
   link.used = json.at("used").boolean();
-  if (const auto code = json.find("muted_by")) link.muted_by = named(*code, codeFromName, "the code of a finding");
+  if (const auto code = json.find("muted_by"))
+    link.muted_by = named(*code, codeFromName, message("the code of a finding"));
   if (const auto value = json.find("centred")) link.centred = value->boolean();
   if (const auto value = json.find("supported")) link.supported = value->boolean();
   if (const auto value = json.find("in_tree")) link.in_tree = value->boolean();
@@ -223,7 +224,7 @@ void readPoseResiduals(const JsonReader& json, std::size_t pose_count, LinkEstim
     return;
   }
   const std::vector<JsonReader> items = residuals->items();
-  if (items.size() != pose_count) residuals->fail("one entry for each of the " + std::to_string(pose_count) + " poses");
+  if (items.size() != pose_count) residuals->fail(message("one entry for each of the {} poses", pose_count));
   for (const JsonReader& item : items) {
     link.pose_residual_rad.push_back(item.isNull() ? std::nullopt : std::optional(nonNegativeAngle(item)));
   }
@@ -231,9 +232,9 @@ void readPoseResiduals(const JsonReader& json, std::size_t pose_count, LinkEstim
 
 Finding readFinding(const JsonReader& json) {
   Finding finding;
-  finding.code = named(json.at("code"), codeFromName, "the code of a finding");
-  finding.severity = named(json.at("severity"), severityFromName, "\"info\", \"warning\" or \"error\"");
-  finding.text = json.at("text").string();
+  finding.code = named(json.at("code"), codeFromName, message("the code of a finding"));
+  finding.severity = named(json.at("severity"), severityFromName, message("\"info\", \"warning\" or \"error\""));
+  finding.message = readMessage(json, "text");
   finding.cells = readIds<CellId>(json.at("cells"));
   finding.ports = readIds<PortNumber>(json.at("ports"));
   finding.poses = readIds<PoseId>(json.at("poses"));
@@ -242,11 +243,12 @@ Finding readFinding(const JsonReader& json) {
 
 Verdict readVerdict(const JsonReader& json) {
   Verdict verdict;
-  verdict.level = named(json.at("level"), verdictFromName, "\"good\", \"usable\", \"not_enough\" or \"failed\"");
-  verdict.reason = json.at("reason").string();
+  verdict.level =
+      named(json.at("level"), verdictFromName, message("\"good\", \"usable\", \"not_enough\" or \"failed\""));
+  verdict.reason = readMessage(json, "reason");
   if (const auto value = json.find("position_95_mm")) verdict.position_95_m = value->nonNegativeNumber() * kMillimetre;
   if (const auto value = json.find("orientation_95_deg")) verdict.orientation_95_rad = nonNegativeAngle(*value);
-  verdict.next_action = json.at("next_action").string();
+  verdict.next_action = readMessage(json, "next_action");
   return verdict;
 }
 
@@ -265,20 +267,21 @@ class PatchReader {
   PatchReconstruction readPatch(const JsonReader& json) {
     PatchReconstruction patch;
     patch.id = PatchId(json.at("id").unsignedInteger());
-    if (!patch_ids_.insert(patch.id).second) json.at("id").fail("each patch once");
+    if (!patch_ids_.insert(patch.id).second) json.at("id").fail(message("each patch once"));
     patch.origin = CellId(json.at("origin").unsignedInteger());
     patch.gap_share = readGapShare(json);
     for (const JsonReader& item : json.at("gravity").items()) patch.gravity.push_back(readGravity(item));
     for (const JsonReader& item : json.at("cells").items()) {
       patch.cells.push_back(readCell(item));
-      if (!patch_of_.try_emplace(patch.cells.back().cell, patch.id).second) item.at("id").fail("each cell once");
+      if (!patch_of_.try_emplace(patch.cells.back().cell, patch.id).second)
+        item.at("id").fail(message("each cell once"));
     }
-    if (!isIn(patch.origin, patch)) json.at("origin").fail("a cell of this patch");
+    if (!isIn(patch.origin, patch)) json.at("origin").fail(message("a cell of this patch"));
     for (const JsonReader& item : json.at("links").items()) {
       patch.links.push_back(readLink(item, model_));
       const LinkEstimate& link = patch.links.back();
-      if (!isIn(link.source.cell, patch)) item.at("source").fail("a cell of this patch");
-      if (!link_ends_.insert({link.source, link.target}).second) item.fail("each link once");
+      if (!isIn(link.source.cell, patch)) item.at("source").fail(message("a cell of this patch"));
+      if (!link_ends_.insert({link.source, link.target}).second) item.fail(message("each link once"));
     }
     return patch;
   }
@@ -287,14 +290,15 @@ class PatchReader {
   void checkReferences(const JsonReader& json, PatchReconstruction& patch) const {
     const std::vector<JsonReader> links = json.at("links").items();
     for (std::size_t k = 0; k < links.size(); ++k) {
-      if (!patch_of_.contains(patch.links[k].target.cell)) links[k].at("target").fail("a cell of this calibration");
+      if (!patch_of_.contains(patch.links[k].target.cell))
+        links[k].at("target").fail(message("a cell of this calibration"));
     }
     const std::vector<JsonReader> cells = json.at("cells").items();
     for (std::size_t k = 0; k < cells.size(); ++k) {
       const std::vector<CellId>& path = patch.cells[k].path;
       const bool holds = std::ranges::all_of(path, [&](CellId id) { return isIn(id, patch); });
       if (!holds || (!path.empty() && (path.front() != patch.origin || path.back() != patch.cells[k].cell))) {
-        cells[k].at("path").fail("cells of this patch, from its origin to this cell");
+        cells[k].at("path").fail(message("cells of this patch, from its origin to this cell"));
       }
     }
     std::ranges::sort(patch.cells, {}, &CellPlacement::cell);

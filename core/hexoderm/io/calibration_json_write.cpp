@@ -1,6 +1,7 @@
 #include "hexoderm/graph/cell_model_json.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/util/file.h"
+#include "hexoderm/util/message_json.h"
 #include "hexoderm/util/units.h"
 
 #include <algorithm>
@@ -48,14 +49,14 @@ Json optionsJson(const SolverOptions& options) {
 
 Json sourceJson(const SourceDescription& source) {
   Json json = {{"file", source.file}, {"sha256", source.sha256}};
-  if (!source.text.empty()) json["description"] = source.text;
+  if (!source.text.empty()) writeMessage(json, "description", source.text);
   return json;
 }
 
 Json poseJson(const PoseSummary& pose) {
   Json json;
   json["id"] = pose.pose.value();
-  if (!pose.label.empty()) json["label"] = pose.label;
+  if (!pose.label.empty()) writeMessage(json, "label", pose.label);
   json["enabled"] = pose.enabled;
   json["cells_measured"] = pose.cells_measured;
   json["noise_g"] = pose.noise_g;
@@ -147,23 +148,24 @@ Json patchJson(const PatchReconstruction& patch) {
 }
 
 Json findingJson(const Finding& finding) {
-  return {{"code", codeName(finding.code)},
-          {"severity", severityName(finding.severity)},
-          {"text", finding.text},
-          {"cells", idsJson(finding.cells)},
-          {"ports", idsJson(finding.ports)},
-          {"poses", idsJson(finding.poses)}};
+  Json json = {{"code", codeName(finding.code)}, {"severity", severityName(finding.severity)}};
+  writeMessage(json, "text", finding.message);
+  json["cells"] = idsJson(finding.cells);
+  json["ports"] = idsJson(finding.ports);
+  json["poses"] = idsJson(finding.poses);
+  return json;
 }
 
 Json verdictJson(const Verdict& verdict) {
   const auto orNull = [](const std::optional<double>& value, double unit) {
     return value ? Json(inUnit(*value, unit)) : Json(nullptr);
   };
-  return {{"level", verdictName(verdict.level)},
-          {"reason", verdict.reason},
-          {"position_95_mm", orNull(verdict.position_95_m, kMillimetre)},
-          {"orientation_95_deg", orNull(verdict.orientation_95_rad, kDegree)},
-          {"next_action", verdict.next_action}};
+  Json json = {{"level", verdictName(verdict.level)}};
+  writeMessage(json, "reason", verdict.reason);
+  json["position_95_mm"] = orNull(verdict.position_95_m, kMillimetre);
+  json["orientation_95_deg"] = orNull(verdict.orientation_95_rad, kDegree);
+  writeMessage(json, "next_action", verdict.next_action);
+  return json;
 }
 
 }  // namespace

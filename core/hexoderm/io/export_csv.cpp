@@ -174,8 +174,9 @@ CsvTable poseTable(const Reconstruction& reconstruction) {
     for (const char* name : {"x", "y", "z", "sigma_deg"}) table.header.push_back(prefix + name);
   }
   for (const PoseSummary& pose : reconstruction.poses) {
-    Row row{number(pose.pose), text(pose.label),         flag(pose.enabled),        std::uint64_t{pose.cells_measured},
-            pose.noise_g,      degrees(pose.new_by_rad), degrees(pose.residual_rad)};
+    Row row{
+        number(pose.pose), text(pose.label.english()), flag(pose.enabled),        std::uint64_t{pose.cells_measured},
+        pose.noise_g,      degrees(pose.new_by_rad),   degrees(pose.residual_rad)};
     for (const PatchReconstruction& patch : reconstruction.patches) {
       const auto gravity = std::ranges::find(patch.gravity, pose.pose, &GravityDirection::pose);
       if (gravity == patch.gravity.end() || !pose.enabled) {

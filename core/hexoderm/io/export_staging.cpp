@@ -2,6 +2,7 @@
 
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
+#include "hexoderm/util/system_reason.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -25,7 +26,7 @@ class TemporaryFolder {
   TemporaryFolder(const fs::path& parent, const fs::path& target) {
     std::string name = (parent / ("." + target.filename().string() + ".XXXXXX")).string();
     if (::mkdtemp(name.data()) == nullptr) {
-      throw StorageError(target.string() + ": cannot be written: " + std::strerror(errno));
+      throw StorageError(located(target.string(), message("cannot be written: {}", systemReason(errno))));
     }
     path_ = name;
   }
@@ -44,7 +45,7 @@ class TemporaryFolder {
 void renameOver(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::rename(from, to, error);
-  if (error) throw StorageError(to.string() + ": cannot be replaced: " + error.message());
+  if (error) throw StorageError(located(to.string(), message("cannot be replaced: {}", systemReason(error))));
 }
 
 /// Makes a rename last through a power cut; some file systems can't sync a folder, and the rename itself is done.
@@ -84,7 +85,7 @@ class Replacements {
     if (had_earlier) {
       std::error_code error;
       fs::copy_file(target, backups_ / target.filename(), error);
-      if (error) throw StorageError(target.string() + ": cannot be replaced: " + error.message());
+      if (error) throw StorageError(located(target.string(), message("cannot be replaced: {}", systemReason(error))));
     }
     renameOver(staged, target);
     done_.push_back({target, had_earlier});
@@ -104,7 +105,8 @@ class Replacements {
 }  // namespace
 
 void publishFile(const fs::path& path, std::string content, VerifyBytes verify) {
-  if (fs::is_directory(path)) throw StorageError(path.string() + ": is a folder, cannot be written as a file");
+  if (fs::is_directory(path))
+    throw StorageError(located(path.string(), message("is a folder, cannot be written as a file")));
   const TemporaryFolder temporary(folderOf(path), path);
   const StagedFile file{path.filename().string(), std::move(content), std::move(verify)};
   writeAndVerify(file, temporary.path());
@@ -115,7 +117,8 @@ void publishFile(const fs::path& path, std::string content, VerifyBytes verify) 
 std::vector<fs::path> publishFolder(const fs::path& folder, const std::vector<StagedFile>& files) {
   const fs::path target = folder.has_filename() ? folder : folder.parent_path();  // "out/" means "out"
   const bool there = fs::exists(target);
-  if (there && !fs::is_directory(target)) throw StorageError(target.string() + ": is a file, expected a folder");
+  if (there && !fs::is_directory(target))
+    throw StorageError(located(target.string(), message("is a file, expected a folder")));
 
   const TemporaryFolder temporary(there ? target : folderOf(target), target);
   // The temporary folder is private; these become the user's and follow the umask.

@@ -23,7 +23,8 @@ std::unordered_map<CellId, EdgeQuality> worstUsedQuality(const Reconstruction& r
 SE3 rigid(const SE3& T) { return {projectToSO3(T.R), T.t}; }
 
 void requireMeant(bool holds, const std::string& file, const std::string& what) {
-  if (!holds) throw FormatError(file + ": read back after writing, it does not hold what was meant: " + what);
+  if (!holds)
+    throw FormatError(located(file, message("read back after writing, it does not hold what was meant: {}", what)));
 }
 
 }  // namespace hexoderm

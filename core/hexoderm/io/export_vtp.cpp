@@ -234,7 +234,7 @@ VtpData vtpData(const Reconstruction& reconstruction) {
                      textArray("cell_model", reconstruction.model->name),
                      textArray("solver", reconstruction.solver),
                      textArray("verdict", std::string(verdictName(reconstruction.verdict.level))),
-                     textArray("source", reconstruction.source.text),
+                     textArray("source", reconstruction.source.text.english()),
                      textArray("source_file", reconstruction.source.file),
                      textArray("source_sha256", reconstruction.source.sha256),
                      {"cells", 1, std::move(ids)},

@@ -15,49 +15,53 @@
 namespace hexoderm {
 namespace {
 
-constexpr std::array<ExportFormatDescription, 6> kFormats = {{
-    {ExportFormat::Csv, "csv", "", "folder of tables: cells, sensors, links, poses, residuals"},
-    {ExportFormat::Dot, "dot", ".dot", "skin graph for Graphviz, with ports and quality"},
-    {ExportFormat::Ply, "ply", ".ply", "mesh of the cells in metres, coloured by quality"},
-    {ExportFormat::Stl, "stl", ".stl", "mesh of the cells for CAD, in millimetres or metres"},
-    {ExportFormat::Vtp, "vtp", ".vtp", "everything about the cells and sensors for ParaView and VTK, lossless"},
-    {ExportFormat::Urdf, "urdf", ".urdf", "links for every cell and sensor, or for every patch, for ROS"},
-}};
+/// Built at its first use, for a message is no constant expression.
+const std::array<ExportFormatDescription, 6>& formats() {
+  static const std::array<ExportFormatDescription, 6> the_formats = {{
+      {ExportFormat::Csv, "csv", "", message("folder of tables: cells, sensors, links, poses, residuals")},
+      {ExportFormat::Dot, "dot", ".dot", message("skin graph for Graphviz, with ports and quality")},
+      {ExportFormat::Ply, "ply", ".ply", message("mesh of the cells in metres, coloured by quality")},
+      {ExportFormat::Stl, "stl", ".stl", message("mesh of the cells for CAD, in millimetres or metres")},
+      {ExportFormat::Vtp, "vtp", ".vtp",
+       message("everything about the cells and sensors for ParaView and VTK, lossless")},
+      {ExportFormat::Urdf, "urdf", ".urdf", message("links for every cell and sensor, or for every patch, for ROS")},
+  }};
+  return the_formats;
+}
 
 void requireName(const char* option, const std::string& name) {
   if (!isUrdfName(name)) {
-    throw InvalidArgument(std::string(option) + ": expected letters, digits and _ - . /, found \"" + name + "\"");
+    throw InvalidArgument(located(option, message("expected letters, digits and _ - . /, found \"{}\"", name)));
   }
 }
 
 /// A file could hold such numbers, but no reader could use them.
 void requireFinite(const Reconstruction& reconstruction) {
-  const auto require = [](bool finite, CellId cell, const std::string& what) {
-    if (!finite)
-      throw InvalidArgument("cell " + toString(cell) + ": " + what + " is not a finite number, nothing written");
+  const auto require = [](bool finite, CellId cell, const auto& inWords) {
+    if (!finite) throw InvalidArgument(message("cell {}: {} is not a finite number, nothing written", cell, inWords()));
   };
   for (const PatchReconstruction& patch : reconstruction.patches) {
     for (const CellPlacement& cell : patch.cells) {
-      require(cell.T_o_u.R.allFinite() && cell.T_o_u.t.allFinite(), cell.cell, "its placement");
-      require(!cell.cov_t_r || cell.cov_t_r->allFinite(), cell.cell, "its covariance");
+      require(cell.T_o_u.R.allFinite() && cell.T_o_u.t.allFinite(), cell.cell, [] { return message("its placement"); });
+      require(!cell.cov_t_r || cell.cov_t_r->allFinite(), cell.cell, [] { return message("its covariance"); });
       require((!cell.accel_offset_g || cell.accel_offset_g->allFinite()) &&
                   (!cell.accel_scale || cell.accel_scale->allFinite()),
-              cell.cell, "its accelerometer's offset or scale");
+              cell.cell, [] { return message("its accelerometer's offset or scale"); });
       for (const SensorPlacement& sensor : cell.sensors) {
         require(sensor.T_o_s.R.allFinite() && sensor.T_o_s.t.allFinite(), cell.cell,
-                "the placement of its sensor " + sensor.name);
+                [&] { return message("the placement of its sensor {}", sensor.name); });
       }
     }
   }
   for (const FlatCell& cell : reconstruction.layout.cells) {
-    require(cell.center.allFinite(), cell.cell, "its place in the layout");
+    require(cell.center.allFinite(), cell.cell, [] { return message("its place in the layout"); });
   }
 }
 
 void requireCells(const Reconstruction& reconstruction, std::string_view format) {
   if (reconstruction.cellCount() == 0) {
-    throw InvalidArgument("there are no cells, and so nothing to draw in a " + std::string(format) +
-                          " file: export csv, dot, vtp or urdf instead");
+    throw InvalidArgument(message(
+        "there are no cells, and so nothing to draw in a {} file: export csv, dot, vtp or urdf instead", format));
   }
 }
 
@@ -77,23 +81,23 @@ void ExportOptions::validate() const {
   if (!urdf_prefix.empty()) requireName("urdf_prefix", urdf_prefix);
 }
 
-std::span<const ExportFormatDescription> exportFormats() { return kFormats; }
+std::span<const ExportFormatDescription> exportFormats() { return formats(); }
 
 ExportFormat exportFormatFromName(std::string_view name) {
-  const auto* const found = std::ranges::find(kFormats, name, &ExportFormatDescription::name);
-  if (found != kFormats.end()) return found->format;
+  const auto* const found = std::ranges::find(formats(), name, &ExportFormatDescription::name);
+  if (found != formats().end()) return found->format;
   std::string names;
-  for (const ExportFormatDescription& format : kFormats) {
+  for (const ExportFormatDescription& format : formats()) {
     names += (names.empty() ? "" : ", ") + std::string(format.name);
   }
-  throw InvalidArgument("export format \"" + std::string(name) + "\" is not known, expected one of " + names);
+  throw InvalidArgument(message("export format \"{}\" is not known, expected one of {}", name, names));
 }
 
 std::vector<std::filesystem::path> exportReconstruction(const Reconstruction& reconstruction, ExportFormat format,
                                                         const std::filesystem::path& path,
                                                         const ExportOptions& options) {
   options.validate();
-  if (path.empty()) throw InvalidArgument("expected the name of a file or folder to export to");
+  if (path.empty()) throw InvalidArgument(message("expected the name of a file or folder to export to"));
   requireFinite(reconstruction);
   const std::string file = path.string();
   switch (format) {

@@ -29,7 +29,7 @@ struct ExportFormatDescription {
   ExportFormat format;
   std::string_view name;       ///< the name on the command line
   std::string_view extension;  ///< with the dot; CSV writes a folder of tables and has none
-  std::string_view summary;    ///< one line for help and dialogs
+  Message summary;             ///< one line for help and dialogs
 };
 std::span<const ExportFormatDescription> exportFormats();
 /// Throws InvalidArgument listing the formats there are.

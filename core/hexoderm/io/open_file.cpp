@@ -14,9 +14,11 @@
 namespace hexoderm {
 namespace {
 
-constexpr std::string_view kExpected =
-    "expected a Hexoderm session (*.hexo, or format \"hexoderm-session\"), a calibration (format "
-    "\"hexoderm-calibration\") or a TUM SkinConfig XML";
+Message expected() {
+  return message(
+      "expected a Hexoderm session (*.hexo, or format \"hexoderm-session\"), a calibration (format "
+      "\"hexoderm-calibration\") or a TUM SkinConfig XML");
+}
 
 /// Told by its first bytes alone, as it may be very large.
 bool isRecording(const std::filesystem::path& path) {
@@ -39,7 +41,8 @@ char firstCharacter(std::string_view text) {
 OpenedFile openFile(const std::filesystem::path& path, const CellModel& model_for_tum) {
   if (isSessionStore(path)) return readSessionStore(path);
   if (isRecording(path)) {
-    throw FormatError(path.string() + ": is a recording, which is not opened but played: connect to it as replay:FILE");
+    throw FormatError(located(path.string(),
+                              message("is a recording, which is not opened but played: connect to it as replay:FILE")));
   }
   const std::string text = readFile(path);
   const std::string file = path.string();
@@ -49,16 +52,16 @@ OpenedFile openFile(const std::filesystem::path& path, const CellModel& model_fo
     case '{':
       break;
     case '\0':
-      throw FormatError(file + ": the file is empty, " + std::string(kExpected));
+      throw FormatError(located(file, message("the file is empty, {}", expected())));
     default:
-      throw FormatError(file + ": is none of the files that Hexoderm reads, " + std::string(kExpected));
+      throw FormatError(located(file, message("is none of the files that Hexoderm reads, {}", expected())));
   }
   const std::optional<std::string> format = findJsonFormat(text);
   if (format == "hexoderm-session") return parseSessionJson(text, file);
   if (format == "hexoderm-calibration") return parseCalibrationJson(text, file);
   if (!format) static_cast<void>(parseJson(text, file));  // a text that is not even JSON is reported first
-  throw FormatError(file + ": format: " + std::string(kExpected) +
-                    (format ? ", found \"" + *format + "\"" : ", but there is none"));
+  throw FormatError(located(file, located("format", format ? message("{}, found \"{}\"", expected(), *format)
+                                                           : message("{}, but there is none", expected()))));
 }
 
 bool isSessionFileName(const std::filesystem::path& path) {

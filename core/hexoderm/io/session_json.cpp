@@ -6,6 +6,7 @@
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/json_reader.h"
 #include "hexoderm/util/limits.h"
+#include "hexoderm/util/message_json.h"
 #include "hexoderm/util/sha256.h"
 
 #include <algorithm>
@@ -21,20 +22,20 @@ constexpr std::uint32_t kVersion = 1;
 
 CellModel readModel(const JsonReader& json) {
   if (json.isObject()) return readCellModel(json);
-  if (!json.isString()) json.fail("the name of a built-in cell model, or a cell model as an object");
+  if (!json.isString()) json.fail(message("the name of a built-in cell model, or a cell model as an object"));
   const std::string name = json.string();
   const std::vector<std::string> known = builtInCellModelNames();
   if (std::ranges::find(known, name) == known.end()) {
     std::string names;
     for (const std::string& other : known) names += " " + other;
-    json.fail("a built-in cell model (there are:" + names + ") or a cell model as an object");
+    json.fail(message("a built-in cell model (there are:{}) or a cell model as an object", names));
   }
   return builtInCellModel(name);
 }
 
 Eigen::Matrix3d readCovariance(const JsonReader& json) {
   const std::vector<double> v = json.numbers(6, kMostVariance_g2);
-  if (v[0] < 0 || v[3] < 0 || v[5] < 0) json.fail("variances (xx, yy, zz) of at least 0");
+  if (v[0] < 0 || v[3] < 0 || v[5] < 0) json.fail(message("variances (xx, yy, zz) of at least 0"));
   Eigen::Matrix3d cov_g2;
   cov_g2 << v[0], v[1], v[2], v[1], v[3], v[4], v[2], v[4], v[5];
   return cov_g2;
@@ -44,7 +45,7 @@ SessionPose readPose(const JsonReader& json) {
   PoseCapture capture;
   // One below the largest number, so that there is always an ID for the next pose.
   capture.id = PoseId(json.at("id").unsignedInteger(0, UINT32_MAX - 1));
-  if (const auto label = json.find("label")) capture.label = label->string();
+  if (json.find("label")) capture.label = readMessage(json, "label");
   if (const auto taken = json.find("taken_at_ms")) capture.taken_at_ms = taken->integer();
   for (const JsonReader& item : json.at("samples").items()) {
     GravitySample sample;
@@ -79,7 +80,7 @@ bool isUnknown(const Eigen::Matrix3d& cov_g2) {
 Json poseJson(const SessionPose& pose) {
   Json json;
   json["id"] = pose.capture->id.value();
-  if (!pose.capture->label.empty()) json["label"] = pose.capture->label;
+  if (!pose.capture->label.empty()) writeMessage(json, "label", pose.capture->label);
   if (pose.capture->taken_at_ms) json["taken_at_ms"] = *pose.capture->taken_at_ms;
   if (pose.disabled) json["disabled"] = true;
   if (!pose.why_disabled.empty()) json["why_disabled"] = pose.why_disabled;
@@ -104,8 +105,8 @@ Session parseSessionJson(std::string_view text, const std::string& file) {
   const JsonReader json(document, file);
   json.requireFormat(kFormat, kVersion);
 
-  SourceDescription source{"", std::filesystem::path(file).filename().string(), sha256Hex(text)};
-  if (const auto description = json.find("description")) source.text = description->string();
+  SourceDescription source{{}, std::filesystem::path(file).filename().string(), sha256Hex(text)};
+  if (json.find("description")) source.text = readMessage(json, "description");
   CellModel model = readModel(json.at("cell_model"));
   NeighborList neighbors = readNeighbors(json.at("cells"));
   Session session(std::move(model), std::move(neighbors), std::move(source));
@@ -113,7 +114,7 @@ Session parseSessionJson(std::string_view text, const std::string& file) {
   if (const auto muted = json.find("muted_links")) {
     for (const JsonReader& item : muted->items()) {
       const MutedLink link = readMutedLink(item);
-      if (session.findMutedLink(link.source, link.target) != nullptr) item.fail("each link once");
+      if (session.findMutedLink(link.source, link.target) != nullptr) item.fail(message("each link once"));
       session.setLinkMuted(link.source, link.target, true, link.why);
     }
   }
@@ -127,7 +128,7 @@ std::string sessionToJson(const Session& session) {
   Json json;
   json["format"] = kFormat;
   json["version"] = kVersion;
-  if (!session.source().text.empty()) json["description"] = session.source().text;
+  if (!session.source().text.empty()) writeMessage(json, "description", session.source().text);
   json["cell_model"] = modelJson(session.model());
   json["cells"] = neighborsJson(session.neighbors());
   json["poses"] = Json::array();

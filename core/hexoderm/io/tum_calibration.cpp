@@ -15,9 +15,11 @@ NeighborList neighborList(const TumSkinConfig& config) {
   return neighbors;
 }
 
-SourceDescription sourceDescription(const TumSkinConfig& config, const std::string& file, const std::string& what) {
+SourceDescription sourceDescription(const TumSkinConfig& config, const std::string& file, bool with_placements) {
   const std::string name = std::filesystem::path(file).filename().string();
-  return {what + " of the TUM skin configuration " + name, name, config.sha256};
+  return {with_placements ? message("Placements of the TUM skin configuration {}", name)
+                          : message("Topology of the TUM skin configuration {}", name),
+          name, config.sha256};
 }
 
 /// The placements of a configuration as a calibration.
@@ -57,12 +59,12 @@ class Importer {
       between.push_back(k);
       const LinkEnd source = graph_.sourceEnd(link);
       const LinkEnd target = graph_.targetEnd(link);
-      findings_.push_back(makeFinding(FindingCode::BodyPartBoundary,
-                                      "The " + linkInWords(source, target) +
-                                          " joins cells that the file places in different frames (root cells " +
-                                          toString(cellAt(link.source).root) + " and " +
-                                          toString(cellAt(link.target).root) + "); the patch ends there.",
-                                      {source.cell, target.cell}, {source.port, target.port}));
+      findings_.push_back(
+          makeFinding(FindingCode::BodyPartBoundary,
+                      message("The {} joins cells that the file places in different frames (root cells {} and {}); the "
+                              "patch ends there.",
+                              linkInWords(source, target), cellAt(link.source).root, cellAt(link.target).root),
+                      {source.cell, target.cell}, {source.port, target.port}));
     }
     if (!between.empty()) graph_.mute(between, FindingCode::BodyPartBoundary);
   }
@@ -121,21 +123,21 @@ class Importer {
 }  // namespace
 
 Session sessionFromTum(const TumSkinConfig& config, const CellModel& model, const std::string& file) {
-  return {model, neighborList(config), sourceDescription(config, file, "Topology")};
+  return {model, neighborList(config), sourceDescription(config, file, false)};
 }
 
 std::shared_ptr<const Reconstruction> calibrationFromTum(const TumSkinConfig& config, const CellModel& model,
                                                          const std::string& file) {
   Reconstruction result;
   result.solver = "imported";
-  result.source = sourceDescription(config, file, "Placements");
+  result.source = sourceDescription(config, file, true);
   result.model = std::make_shared<const CellModel>(model);
   Importer importer(config, *result.model);
   result.patches = importer.patches();
   result.findings = importer.takeFindings();
   result.verdict.level = VerdictLevel::Usable;
-  result.verdict.reason = "Imported placements; nothing was measured here.";
-  result.verdict.next_action = "Check the findings, then export, or take poses of this skin to measure it.";
+  result.verdict.reason = message("Imported placements; nothing was measured here.");
+  result.verdict.next_action = message("Check the findings, then export, or take poses of this skin to measure it.");
   result.layout = computeFlatLayout(*result.model, result.patches);
   return std::make_shared<const Reconstruction>(std::move(result));
 }

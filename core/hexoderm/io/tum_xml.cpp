@@ -35,45 +35,46 @@ class TumReader {
   TumSkinConfig read() {
     const pugi::xml_parse_result parsed = document_.load_buffer(text_.data(), text_.size());
     if (!parsed) {
-      throw FormatError(file_ + ": line " + lineAt(parsed.offset) + ": this is not well-formed XML (" +
-                        parsed.description() + "; truncated?), expected a TUM SkinConfig");
+      throw FormatError(
+          located(file_, located(message("line {}", lineAt(parsed.offset)),
+                                 message("this is not well-formed XML ({}; truncated?), expected a TUM SkinConfig",
+                                         parsed.description()))));
     }
     const pugi::xml_node root = document_.document_element();
     if (std::strcmp(root.name(), "SkinConfig") != 0) {
-      fail(root, "", "expected the root element SkinConfig, found " + std::string(root.name()));
+      fail(root, "", message("expected the root element SkinConfig, found {}", root.name()));
     }
     TumSkinConfig config;
     std::set<CellId> known;
     for (const pugi::xml_node node : root.children("cell")) {
       config.cells.push_back(readCell(node));
       const CellId id = config.cells.back().report.id;
-      if (!known.insert(id).second) fail(node, "cell " + toString(id), "expected each cell once, found this ID again");
+      if (!known.insert(id).second)
+        fail(node, "cell " + toString(id), message("expected each cell once, found this ID again"));
     }
     const unsigned count = wholeAttribute(root, "numberOfCells", "SkinConfig");
     if (count != config.cells.size()) {
-      fail(root, "SkinConfig",
-           "expected numberOfCells=\"" + std::to_string(count) + "\" cells, found " +
-               std::to_string(config.cells.size()));
+      fail(root, "SkinConfig", message("expected numberOfCells=\"{}\" cells, found {}", count, config.cells.size()));
     }
     config.sha256 = sha256Hex(text_);
     return config;
   }
 
  private:
-  [[nodiscard]] std::string lineAt(std::ptrdiff_t offset) const {
+  [[nodiscard]] std::ptrdiff_t lineAt(std::ptrdiff_t offset) const {
     const auto end = std::min(static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0)), text_.size());
-    return std::to_string(std::ranges::count(text_.substr(0, end), '\n') + 1);
+    return std::ranges::count(text_.substr(0, end), '\n') + 1;
   }
 
-  [[noreturn]] void fail(const pugi::xml_node& node, const std::string& where, const std::string& what) const {
-    throw FormatError(file_ + ": line " + lineAt(node.offset_debug()) + ": " + (where.empty() ? "" : where + ": ") +
-                      what);
+  [[noreturn]] void fail(const pugi::xml_node& node, const std::string& where, Message what) const {
+    if (!where.empty()) what = located(where, std::move(what));
+    throw FormatError(located(file_, located(message("line {}", lineAt(node.offset_debug())), std::move(what))));
   }
 
   [[nodiscard]] pugi::xml_node child(const pugi::xml_node& parent, const char* name, const std::string& where) const {
     const pugi::xml_node node = parent.child(name);
-    if (!node) fail(parent, where, "expected an element <" + std::string(name) + ">, but there is none");
-    if (node.next_sibling(name)) fail(node.next_sibling(name), where, "expected only one <" + std::string(name) + ">");
+    if (!node) fail(parent, where, message("expected an element <{}>, but there is none", name));
+    if (node.next_sibling(name)) fail(node.next_sibling(name), where, message("expected only one <{}>", name));
     return node;
   }
 
@@ -84,13 +85,13 @@ class TumReader {
     try {
       return parse_text(trimmed(text), what);
     } catch (const InvalidArgument& error) {
-      fail(node, where, error.what());
+      fail(node, where, error.message());
     }
   }
 
   [[nodiscard]] unsigned wholeAttribute(const pugi::xml_node& node, const char* name, const std::string& where) const {
     const pugi::xml_attribute attribute = node.attribute(name);
-    if (!attribute) fail(node, where, "expected an attribute " + std::string(name) + ", but there is none");
+    if (!attribute) fail(node, where, message("expected an attribute {}, but there is none", name));
     return parse(node, where, name, attribute.value(), parseUnsigned);
   }
 
@@ -106,13 +107,13 @@ class TumReader {
     const pugi::xml_node pos = child(node, "pos", where);
     cell.T_root_u.t = readMatrix<3, 1>(pos, where + ", pos");
     if (cell.T_root_u.t.cwiseAbs().maxCoeff() > kFarthest_m) {
-      fail(pos, where + ", pos", "expected metres from the root cell, at most " + formatFixed(kFarthest_m, 0));
+      fail(pos, where + ", pos", message("expected metres from the root cell, at most {}", Number{kFarthest_m, 0}));
     }
     const pugi::xml_node rot = child(node, "rot", where);
     cell.T_root_u.R = readMatrix<3, 3>(rot, where + ", rot");
     const Eigen::Matrix3d& R = cell.T_root_u.R;
     if (!(R * R.transpose()).isIdentity(kRotationTolerance) || R.determinant() < 0) {
-      fail(rot, where + ", rot", "expected a rotation matrix (orthogonal to 1e-6, determinant +1)");
+      fail(rot, where + ", rot", message("expected a rotation matrix (orthogonal to 1e-6, determinant +1)"));
     }
     return cell;
   }
@@ -120,20 +121,19 @@ class TumReader {
   std::vector<NeighborReport> readNeighbors(const pugi::xml_node& node, CellId cell, const std::string& where) const {
     const unsigned id = wholeAttribute(node, "id", where + ", neighbors");
     if (id != cell.value()) {
-      fail(node, where + ", neighbors", "expected id=\"" + toString(cell) + "\", found " + std::to_string(id));
+      fail(node, where + ", neighbors", message("expected id=\"{}\", found {}", cell, id));
     }
     std::vector<NeighborReport> neighbors;
     std::set<PortNumber> ports;
     for (const pugi::xml_node item : node.children("neighbor")) {
       const PortNumber port(wholeAttribute(item, "port", where + ", neighbor"));
       const std::string at = where + ", neighbor at port " + toString(port);
-      if (!ports.insert(port).second) fail(item, at, "expected each port once, found it again");
+      if (!ports.insert(port).second) fail(item, at, message("expected each port once, found it again"));
       neighbors.push_back({port, CellId(wholeAttribute(item, "id", at)), std::nullopt});
     }
     const unsigned size = wholeAttribute(node, "size", where + ", neighbors");
     if (size != neighbors.size()) {
-      fail(node, where + ", neighbors",
-           "expected size=\"" + std::to_string(size) + "\" neighbors, found " + std::to_string(neighbors.size()));
+      fail(node, where + ", neighbors", message("expected size=\"{}\" neighbors, found {}", size, neighbors.size()));
     }
     return neighbors;
   }
@@ -144,9 +144,7 @@ class TumReader {
     const unsigned rows = wholeAttribute(node, "rows", where);
     const unsigned cols = wholeAttribute(node, "cols", where);
     if (rows != Rows || cols != Cols) {
-      fail(node, where,
-           "expected a matrix of " + std::to_string(Rows) + " x " + std::to_string(Cols) + ", found " +
-               std::to_string(rows) + " x " + std::to_string(cols));
+      fail(node, where, message("expected a matrix of {} x {}, found {} x {}", Rows, Cols, rows, cols));
     }
     Eigen::Matrix<double, Rows, Cols> matrix;
     std::array<bool, static_cast<std::size_t>(Rows * Cols)> is_set{};
@@ -155,17 +153,16 @@ class TumReader {
       const unsigned col = wholeAttribute(element, "col", where);
       const std::string name = "element row " + std::to_string(row) + " col " + std::to_string(col);
       if (row >= Rows || col >= Cols) {
-        fail(element, where,
-             name + ": lies outside the matrix of " + std::to_string(Rows) + " x " + std::to_string(Cols));
+        fail(element, where, located(name, message("lies outside the matrix of {} x {}", Rows, Cols)));
       }
       bool& seen = is_set.at(row * Cols + col);
-      if (seen) fail(element, where, name + ": expected each element once, found it again");
+      if (seen) fail(element, where, located(name, message("expected each element once, found it again")));
       seen = true;
       matrix(static_cast<int>(row), static_cast<int>(col)) =
           parse(element, where, name, element.child_value(), parseNumber);
     }
     if (!std::ranges::all_of(is_set, [](bool set) { return set; })) {
-      fail(node, where, "expected " + std::to_string(Rows * Cols) + " elements, but some are missing");
+      fail(node, where, message("expected {} elements, but some are missing", Rows * Cols));
     }
     return matrix;
   }

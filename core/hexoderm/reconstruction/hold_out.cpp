@@ -312,7 +312,7 @@ HoldOutResult evaluateHoldOut(const SessionSnapshot& snapshot, PoseId pose, cons
   options.validate();
   SessionSnapshot others = snapshot;
   if (std::erase_if(others.poses, [pose](const SessionPose& p) { return p.capture->id == pose; }) == 0) {
-    throw InvalidArgument("hold-out: there is no pose " + toString(pose));
+    throw InvalidArgument(message("hold-out: there is no pose {}", pose));
   }
   HoldOutResult result;
   result.pose = pose;

@@ -1,5 +1,7 @@
 #include "hexoderm/reconstruction/reconstruction_worker.h"
 
+#include "hexoderm/util/error.h"
+
 #include <exception>
 #include <utility>
 
@@ -25,7 +27,7 @@ void ReconstructionWorker::submit(std::shared_ptr<const SessionSnapshot> snapsho
       outcome.reconstruction = solve_(*snapshot, options, stop);
       if (outcome.reconstruction == nullptr) return;
     } catch (const std::exception& error) {
-      outcome.error = error.what();
+      outcome.error = messageOf(error);
     }
     report_(std::move(outcome));
   });

@@ -15,7 +15,7 @@ namespace hexoderm {
 struct ReconstructionOutcome {
   std::uint64_t revision = 0;
   std::shared_ptr<const Reconstruction> reconstruction;  ///< null if it failed
-  std::string error;                                     ///< empty if it did not
+  Message error;                                         ///< empty if it did not
 };
 
 /// Solves snapshots on a thread of its own. The newest snapshot wins; one that is being solved is never cancelled by

@@ -1,9 +1,11 @@
 #include "hexoderm/session/journal.h"
 
+#include <openssl/evp.h>
 #include "hexoderm/graph/cell_model_json.h"
 #include "hexoderm/session/session_parts_json.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/hex.h"
+#include "hexoderm/util/message_json.h"
 #include "hexoderm/util/sha256.h"
 
 #include <algorithm>
@@ -33,7 +35,7 @@ std::int64_t captureOf(const JsonReader& json) { return json.at("capture").unsig
 std::size_t placeIn(const JsonReader& json) { return json.at("place").unsignedInteger(); }
 
 void requireCapture(const SessionPose& pose) {
-  if (!pose.capture) throw InvalidArgument("a pose must hold a capture");
+  if (!pose.capture) throw InvalidArgument(message("a pose must hold a capture"));
 }
 
 /// Makes the entry a capture; its detail is returned.
@@ -42,7 +44,7 @@ Json sayCapture(const SessionPose& pose, std::size_t place, JournalEntry& entry)
   entry.kind = "capture";
   entry.samples = encodeSamples(capture.samples);
   Json detail = {{"pose", capture.id.value()}, {"place", place}, {"cells", capture.samples.size()}};
-  if (!capture.label.empty()) detail["label"] = capture.label;
+  if (!capture.label.empty()) writeMessage(detail, "label", capture.label);
   if (capture.taken_at_ms) detail["taken_at_ms"] = *capture.taken_at_ms;
   if (pose.disabled) detail["disabled"] = true;
   if (!pose.why_disabled.empty()) detail["why_disabled"] = pose.why_disabled;
@@ -63,14 +65,14 @@ Digest JournalEntry::expectedDigest(const Digest& previous) const {
 }
 
 std::int64_t JournalState::captureAt(std::size_t index) const {
-  if (index >= captures_.size()) throw InvalidArgument("there is no pose at place " + std::to_string(index));
+  if (index >= captures_.size()) throw InvalidArgument(message("there is no pose at place {}", index));
   return captures_[index];
 }
 
 std::size_t JournalState::placeOf(std::int64_t capture) const {
   const auto found = std::ranges::find(captures_, capture);
   if (found == captures_.end()) {
-    throw InvalidArgument("entry " + std::to_string(capture) + " is no pose of the session");
+    throw InvalidArgument(message("entry {} is no pose of the session", capture));
   }
   return static_cast<std::size_t>(found - captures_.begin());
 }
@@ -83,7 +85,7 @@ const JournalState::RemovedPose* JournalState::lastRemoved(PoseId id) const {
 
 const JournalState::RemovedPose& JournalState::removedBy(std::int64_t capture) const {
   const auto found = std::ranges::find(removed_, capture, &RemovedPose::capture);
-  if (found == removed_.end()) throw InvalidArgument("a pose can be restored that was removed");
+  if (found == removed_.end()) throw InvalidArgument(message("a pose can be restored that was removed"));
   return *found;
 }
 
@@ -95,21 +97,21 @@ std::string JournalState::rawSha256(std::int64_t capture) const {
 void JournalState::read(const JournalEntry& entry, const std::string& file) {
   const std::string where = file + ": journal entry " + std::to_string(entry.entry);
   if (entry.entry != last_entry_ + 1) {
-    throw FormatError(where + ": the file is damaged: expected entry " + std::to_string(last_entry_ + 1));
+    throw FormatError(located(where, message("the file is damaged: expected entry {}", last_entry_ + 1)));
   }
   if (entry.digest != entry.expectedDigest(digest_)) {
-    throw FormatError(where + ": the file is damaged: what it holds does not match its digest");
+    throw FormatError(located(where, message("the file is damaged: what it holds does not match its digest")));
   }
   if (entry.samples.has_value() != (entry.kind == "capture")) {
-    throw FormatError(where + ": expected samples in captures and nowhere else");
+    throw FormatError(located(where, message("expected samples in captures and nowhere else")));
   }
   if (!hasSkin() && entry.kind != "skin") {
-    throw FormatError(where + ": expected the skin first, found \"" + entry.kind + "\"");
+    throw FormatError(located(where, message("expected the skin first, found \"{}\"", entry.kind)));
   }
   try {
     apply(entry, where);
   } catch (const InvalidArgument& error) {
-    throw FormatError(where + ": " + error.what());
+    throw FormatError(located(where, error.message()));
   }
   last_entry_ = entry.entry;
   edited_at_ms_ = entry.at_ms;
@@ -119,23 +121,22 @@ void JournalState::read(const JournalEntry& entry, const std::string& file) {
 void JournalState::apply(const JournalEntry& entry, const std::string& where) {
   const nlohmann::json document = parseJson(entry.detail, where);
   const JsonReader json(document, where);
-  if (!json.isObject()) json.fail("an object");
+  if (!json.isObject()) json.fail(message("an object"));
   if (const std::optional<SessionEdit> edit = editIn(entry, json, where)) {
     const bool is_restored = std::holds_alternative<RestorePose>(*edit);
     apply(*edit, is_restored ? captureOf(json) : entry.entry);
     if (entry.kind != "capture") return;
     if (const auto raw = json.find("raw_sha256")) raw_sha256_[entry.entry] = raw->string();
   } else if (entry.kind == "source") {
-    session_->setSource({json.at("text").string(), json.at("file").string(), json.at("sha256").string()});
+    session_->setSource({readMessage(json, "text"), json.at("file").string(), json.at("sha256").string()});
   } else if (entry.kind == "truth") {
     session_->setTruth(readTruth(json));
   } else if (entry.kind == "options") {
     options_ = entry.detail;
   } else {
-    throw FormatError(where +
-                      ": kind: expected capture, remove, restore, disable, enable, mute, unmute, skin, source, truth "
-                      "or options, found \"" +
-                      entry.kind.substr(0, 40) + "\"");
+    throw FormatError(located(where, message("kind: expected capture, remove, restore, disable, enable, mute, unmute, "
+                                             "skin, source, truth or options, found \"{}\"",
+                                             entry.kind.substr(0, 40))));
   }
 }
 
@@ -150,7 +151,7 @@ std::optional<SessionEdit> JournalState::editIn(const JournalEntry& entry, const
     PoseCapture capture;
     // One below the largest number, so that there is always an ID for the next pose.
     capture.id = PoseId(json.at("pose").unsignedInteger(0, UINT32_MAX - 1));
-    if (const auto label = json.find("label")) capture.label = label->string();
+    if (json.find("label")) capture.label = readMessage(json, "label");
     if (const auto taken = json.find("taken_at_ms")) capture.taken_at_ms = taken->integer();
     capture.samples = decodeSamples(*entry.samples, where);
     const auto disabled = json.find("disabled");
@@ -180,7 +181,7 @@ void JournalState::apply(const SessionEdit& edit, std::int64_t capture) {
   const auto at = [this](std::size_t place) { return captures_.begin() + static_cast<std::ptrdiff_t>(place); };
   if (const auto* add = std::get_if<AddPose>(&edit)) {
     if (captures_.size() + removed_.size() >= kMostPoses) {
-      throw InvalidArgument("a session holds at most " + std::to_string(kMostPoses) + " poses");
+      throw InvalidArgument(message("a session holds at most {} poses", kMostPoses));
     }
     hexoderm::apply(edit, *session_);
     captures_.insert(at(add->index.value_or(captures_.size())), capture);
@@ -208,7 +209,9 @@ JournalEntry JournalState::entryFor(const StoreOperation& operation, std::int64_
     detail = sayEdit(*edit, raw_sha256, entry);
   } else if (const auto* source = std::get_if<SetSource>(&operation)) {
     entry.kind = "source";
-    detail = {{"text", source->source.text}, {"file", source->source.file}, {"sha256", source->source.sha256}};
+    writeMessage(detail, "text", source->source.text);
+    detail["file"] = source->source.file;
+    detail["sha256"] = source->source.sha256;
   } else if (const auto* truth = std::get_if<SetTruth>(&operation)) {
     entry.kind = "truth";
     detail = truthJson(truth->truth);
@@ -249,7 +252,7 @@ nlohmann::ordered_json JournalState::sayEdit(const SessionEdit& edit, const std:
     detail = mutedLinkJson(
         {std::min(mute->a, mute->b), std::max(mute->a, mute->b), mute->muted ? mute->why : std::string()});
   } else if (const auto* skin = std::get_if<SetSkin>(&edit)) {
-    if (!skin->model) throw InvalidArgument("a skin must have a cell model");
+    if (!skin->model) throw InvalidArgument(message("a skin must have a cell model"));
     entry.kind = "skin";
     detail["cell_model"] = cellModelJson(*skin->model);
     detail["cells"] = neighborsJson(skin->neighbors);
@@ -258,7 +261,7 @@ nlohmann::ordered_json JournalState::sayEdit(const SessionEdit& edit, const std:
 }
 
 Session JournalState::session(const std::string& file) const {
-  if (!session_) throw InvalidArgument("a session needs a skin first");
+  if (!session_) throw InvalidArgument(message("a session needs a skin first"));
   Session session = *session_;
   session.setSource({session.source().text, file, hexDigits(digest_)});
   return session;

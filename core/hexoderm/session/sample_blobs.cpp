@@ -50,7 +50,7 @@ class Reader {
   Reader(std::span<const std::uint8_t> bytes, const std::string& where) : rest_(bytes), where_(where) {}
   template <class T>
   T get() {
-    if (rest_.size() < sizeof(T)) fail("the data end in the middle");
+    if (rest_.size() < sizeof(T)) fail(message("the data end in the middle"));
     T value;
     std::memcpy(&value, rest_.data(), sizeof(T));
     rest_ = rest_.subspan(sizeof(T));
@@ -59,16 +59,16 @@ class Reader {
   /// A count of items that take at least so many bytes each: no more than there can be.
   std::uint32_t count(std::size_t bytes_each) {
     const auto count = get<std::uint32_t>();
-    if (count > rest_.size() / bytes_each) fail("the data end in the middle");
+    if (count > rest_.size() / bytes_each) fail(message("the data end in the middle"));
     return count;
   }
   double finite(bool is_short) {
     const double value = is_short ? static_cast<double>(get<float>()) : get<double>();
-    if (!std::isfinite(value)) fail("expected finite numbers");
+    if (!std::isfinite(value)) fail(message("expected finite numbers"));
     return value;
   }
   [[nodiscard]] bool atEnd() const { return rest_.empty(); }
-  [[noreturn]] void fail(const std::string& what) const { throw FormatError(where_ + ": " + what); }
+  [[noreturn]] void fail(const Message& what) const { throw FormatError(located(where_, what)); }
 
  private:
   std::span<const std::uint8_t> rest_;
@@ -91,7 +91,7 @@ struct FrameBefore {
 bool takeCells(const Reader& in, std::uint32_t count, const FrameBefore& before, std::vector<CellSample>& samples) {
   if ((count & kSameCells) == 0) return false;
   if (before.samples == nullptr || before.samples->size() != (count & ~kSameCells)) {
-    in.fail("raw samples: expected cells");
+    in.fail(message("raw samples: expected cells"));
   }
   samples = *before.samples;
   return true;
@@ -125,20 +125,20 @@ void readSteps(Reader& in, std::uint32_t count, double step, FrameBefore& before
     for (double& value : sample.acceleration_g) {
       int& steps = before.steps[k++];
       steps += are_differences ? int{in.get<std::int8_t>()} : int{in.get<std::int16_t>()};
-      if (std::abs(steps) > kMostSteps) in.fail("expected readings of at most 32767 steps");
+      if (std::abs(steps) > kMostSteps) in.fail(message("expected readings of at most 32767 steps"));
       value = steps * step;
-      if (!std::isfinite(value)) in.fail("expected finite numbers");
+      if (!std::isfinite(value)) in.fail(message("expected finite numbers"));
     }
   }
 }
 
-/// The fault of a sample, or null.
-const char* problemOf(const GravitySample& sample) {
-  if (!isWithin(sample.mean_g, kMostAcceleration_g)) return "the mean must be finite and at most 1e6 g";
-  if (!isWithin(sample.cov_g2, kMostVariance_g2)) return "the covariance must be finite and at most 1e13 g^2";
-  if ((sample.cov_g2.diagonal().array() < 0).any()) return "variances must be at least 0";
-  if (sample.temperature_c && !std::isfinite(*sample.temperature_c)) return "the temperature must be finite";
-  return nullptr;
+/// The fault of a sample; says nothing if there is none.
+Message problemOf(const GravitySample& sample) {
+  if (!isWithin(sample.mean_g, kMostAcceleration_g)) return message("the mean must be finite and at most 1e6 g");
+  if (!isWithin(sample.cov_g2, kMostVariance_g2)) return message("the covariance must be finite and at most 1e13 g^2");
+  if ((sample.cov_g2.diagonal().array() < 0).any()) return message("variances must be at least 0");
+  if (sample.temperature_c && !std::isfinite(*sample.temperature_c)) return message("the temperature must be finite");
+  return {};
 }
 
 /// Calls `visit` with every number of the frames except the times.
@@ -164,7 +164,7 @@ bool isExactAsFloat(double value) {
 }
 
 std::uint32_t countOf(std::size_t size) {
-  if (size >= kSameCells) throw InvalidArgument("raw samples: too many for one pose");
+  if (size >= kSameCells) throw InvalidArgument(message("raw samples: too many for one pose"));
   return static_cast<std::uint32_t>(size);
 }
 
@@ -247,8 +247,8 @@ std::optional<Bytes> encodeSteps(std::span<const SampleFrame> frames, double ste
 Bytes encodeSamples(std::span<const GravitySample> samples) {
   Writer out(samples.size() * kSampleBytes);
   for (const GravitySample& sample : samples) {
-    if (const char* problem = problemOf(sample)) {
-      throw InvalidArgument("cell " + toString(sample.cell) + ": " + problem + " to be stored");
+    if (const Message problem = problemOf(sample); !problem.empty()) {
+      throw InvalidArgument(message("cell {}: {} to be stored", sample.cell, problem));
     }
     out.put(sample.cell.value());
     out.put(sample.count);
@@ -266,8 +266,7 @@ Bytes encodeSamples(std::span<const GravitySample> samples) {
 std::vector<GravitySample> decodeSamples(std::span<const std::uint8_t> bytes, const std::string& where) {
   Reader in(bytes, where);
   if (bytes.size() % kSampleBytes != 0) {
-    in.fail("samples: expected " + std::to_string(kSampleBytes) + " bytes for each cell, found " +
-            std::to_string(bytes.size()) + " bytes");
+    in.fail(message("samples: expected {} bytes for each cell, found {} bytes", kSampleBytes, bytes.size()));
   }
   std::vector<GravitySample> samples(bytes.size() / kSampleBytes);
   for (GravitySample& sample : samples) {
@@ -275,7 +274,7 @@ std::vector<GravitySample> decodeSamples(std::span<const std::uint8_t> bytes, co
     sample.count = in.get<std::uint32_t>();
     const auto flags = in.get<std::uint32_t>();
     if ((flags & ~kHasTemperature) != 0 || in.get<std::uint32_t>() != 0) {
-      in.fail("samples: cell " + toString(sample.cell) + ": expected no other flags than 1 (has a temperature)");
+      in.fail(message("samples: cell {}: expected no other flags than 1 (has a temperature)", sample.cell));
     }
     for (double& value : sample.mean_g) value = in.get<double>();
     for (int row = 0; row < 3; ++row) {
@@ -285,8 +284,8 @@ std::vector<GravitySample> decodeSamples(std::span<const std::uint8_t> bytes, co
     }
     const auto temperature_c = in.get<double>();
     if (flags == kHasTemperature) sample.temperature_c = temperature_c;
-    if (const char* problem = problemOf(sample)) {
-      in.fail("samples: cell " + toString(sample.cell) + ": " + problem);
+    if (const Message problem = problemOf(sample); !problem.empty()) {
+      in.fail(message("samples: cell {}: {}", sample.cell, problem));
     }
   }
   return samples;
@@ -295,11 +294,11 @@ std::vector<GravitySample> decodeSamples(std::span<const std::uint8_t> bytes, co
 Bytes encodeFrames(std::span<const SampleFrame> frames, double lsb_g) {
   bool is_short = true;
   forEachNumber(frames, [&](double value) {
-    if (!std::isfinite(value)) throw InvalidArgument("raw samples: must be finite to be stored");
+    if (!std::isfinite(value)) throw InvalidArgument(message("raw samples: must be finite to be stored"));
     is_short = is_short && isExactAsFloat(value);
   });
   for (const SampleFrame& frame : frames) {
-    if (!std::isfinite(frame.time_s)) throw InvalidArgument("raw samples: times must be finite to be stored");
+    if (!std::isfinite(frame.time_s)) throw InvalidArgument(message("raw samples: times must be finite to be stored"));
   }
   if (lsb_g > 0) {
     if (std::optional<Bytes> bytes = encodeSteps(frames, lsb_g)) return std::move(*bytes);
@@ -330,7 +329,7 @@ Bytes encodeFrames(std::span<const SampleFrame> frames, double lsb_g) {
 std::vector<SampleFrame> decodeFrames(std::span<const std::uint8_t> bytes, const std::string& where) {
   Reader in(bytes, where);
   const auto width = in.get<std::uint32_t>();
-  if (width != 2 && width != 4 && width != 8) in.fail("raw samples: expected numbers of 2, 4 or 8 bytes");
+  if (width != 2 && width != 4 && width != 8) in.fail(message("raw samples: expected numbers of 2, 4 or 8 bytes"));
   const bool is_short = width == 4;
   constexpr std::size_t kFrameBytes = 20;
   const std::uint32_t count = in.count(kFrameBytes);
@@ -362,7 +361,7 @@ std::vector<SampleFrame> decodeFrames(std::span<const std::uint8_t> bytes, const
       frame.temperatures.push_back({cell, in.finite(is_short)});
     }
   }
-  if (!in.atEnd()) in.fail("raw samples: expected the end, found more data");
+  if (!in.atEnd()) in.fail(message("raw samples: expected the end, found more data"));
   return frames;
 }
 

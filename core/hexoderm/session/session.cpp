@@ -37,16 +37,16 @@ void Session::setSource(SourceDescription source) {
 PoseId Session::nextPoseId() const { return PoseId(largest_pose_id_ + 1); }
 
 void Session::addPose(SessionPose pose, std::optional<std::size_t> index) {
-  if (!pose.capture) throw InvalidArgument("a pose must hold a capture");
+  if (!pose.capture) throw InvalidArgument(message("a pose must hold a capture"));
   const std::size_t at = index.value_or(poses_.size());
-  if (at > poses_.size()) throw InvalidArgument("there is no place " + std::to_string(at) + " among the poses");
+  if (at > poses_.size()) throw InvalidArgument(message("there is no place {} among the poses", at));
   largest_pose_id_ = std::max(largest_pose_id_, pose.capture->id.value());
   poses_.insert(poses_.begin() + static_cast<std::ptrdiff_t>(at), std::move(pose));
   ++revision_;
 }
 
 SessionPose Session::removePose(std::size_t index) {
-  if (index >= poses_.size()) throw InvalidArgument("there is no pose at place " + std::to_string(index));
+  if (index >= poses_.size()) throw InvalidArgument(message("there is no pose at place {}", index));
   SessionPose pose = std::move(poses_[index]);
   poses_.erase(poses_.begin() + static_cast<std::ptrdiff_t>(index));
   ++revision_;
@@ -54,7 +54,7 @@ SessionPose Session::removePose(std::size_t index) {
 }
 
 void Session::setPoseDisabled(std::size_t index, bool disabled, std::string why) {
-  if (index >= poses_.size()) throw InvalidArgument("there is no pose at place " + std::to_string(index));
+  if (index >= poses_.size()) throw InvalidArgument(message("there is no pose at place {}", index));
   poses_[index].disabled = disabled;
   poses_[index].why_disabled = disabled ? std::move(why) : std::string();
   ++revision_;
@@ -68,8 +68,7 @@ const MutedLink* Session::findMutedLink(LinkEnd a, LinkEnd b) const {
 
 void Session::setLinkMuted(LinkEnd a, LinkEnd b, bool muted, std::string why) {
   if (a == b) {
-    throw InvalidArgument("a link joins two ports, and both ends are port " + toString(a.port) + " of cell " +
-                          toString(a.cell));
+    throw InvalidArgument(message("a link joins two ports, and both ends are port {} of cell {}", a.port, a.cell));
   }
   const std::pair ends(std::min(a, b), std::max(a, b));
   const auto [first, last] = std::ranges::equal_range(muted_links_, ends, {}, endsOf);

@@ -22,7 +22,7 @@ struct SessionPose {
 
 /// The origin of a session, written into every calibration made of it.
 struct SourceDescription {
-  std::string text;    ///< for people, for example "Simulated x17 on cylinder:r=0.0501, ..."
+  Message text;        ///< for people, for example "Simulated x17 on cylinder:r=0.0501, ..."
   std::string file;    ///< name of the file it was read from, without folders; empty if none
   std::string sha256;  ///< hash of that file's bytes; for a session store, the digest of its journal
 };

@@ -7,7 +7,7 @@ namespace {
 
 const SessionPose& poseAt(const Session& session, std::size_t index) {
   if (index >= session.poses().size()) {
-    throw InvalidArgument("there is no pose at place " + std::to_string(index));
+    throw InvalidArgument(message("there is no pose at place {}", index));
   }
   return session.poses()[index];
 }
@@ -21,7 +21,7 @@ struct Apply {
   void operator()(const SetPoseDisabled& set) const { session.setPoseDisabled(set.index, set.disabled, set.why); }
   void operator()(const SetLinkMuted& set) const { session.setLinkMuted(set.a, set.b, set.muted, set.why); }
   void operator()(const SetSkin& skin) const {
-    if (!skin.model) throw InvalidArgument("a skin must have a cell model");
+    if (!skin.model) throw InvalidArgument(message("a skin must have a cell model"));
     session.setSkin(*skin.model, skin.neighbors);
   }
 };

@@ -58,7 +58,7 @@ MutedLink readMutedLink(const JsonReader& json) {
   };
   const LinkEnd a = end("source", "source_port");
   const LinkEnd b = end("target", "target_port");
-  if (a == b) json.at("target_port").fail("another port than the source's: a link has two ends");
+  if (a == b) json.at("target_port").fail(message("another port than the source's: a link has two ends"));
   const auto why = json.find("why");
   return {std::min(a, b), std::max(a, b), why ? why->string() : std::string()};
 }
@@ -79,7 +79,7 @@ GroundTruth readTruth(const JsonReader& json) {
   std::set<CellId> known;
   for (const JsonReader& cell : json.at("cells").items()) {
     const CellId id(cell.at("id").unsignedInteger());
-    if (!known.insert(id).second) cell.at("id").fail("each cell once");
+    if (!known.insert(id).second) cell.at("id").fail(message("each cell once"));
     truth.cells.push_back({id, {cell.at("R").rotation(), cell.at("t_m").vector3(kMostLength_m)}});
   }
   return truth;

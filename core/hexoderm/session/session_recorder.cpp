@@ -21,7 +21,7 @@ constexpr std::uintmax_t kRoomForPoses = std::uintmax_t{4} << 20U;
 
 /// Why raw samples should not be tried at all; empty if they may be. They go into SQLite's journal and from there into
 /// the file, and poses must still find room behind them: a disk that is full to the last byte takes none.
-std::string whyNoRawSamples(const std::vector<StoreOperation>& operations, const std::filesystem::path& path) {
+Message whyNoRawSamples(const std::vector<StoreOperation>& operations, const std::filesystem::path& path) {
   std::uintmax_t most_bytes = 0;
   for (const StoreOperation& operation : operations) {
     const AddPose* add = addedPose(operation);
@@ -35,9 +35,8 @@ std::string whyNoRawSamples(const std::vector<StoreOperation>& operations, const
   const std::filesystem::space_info space = std::filesystem::space(path, unknown);
   const std::uintmax_t needed = 2 * most_bytes + kRoomForPoses;
   if (unknown || space.available >= needed) return {};
-  const auto mib = [](std::uintmax_t bytes) { return std::to_string(bytes >> 20U) + " MiB"; };
-  return path.string() + ": the disk has only " + mib(space.available) + " left; for raw samples " + mib(needed) +
-         " have to be free";
+  return located(path.string(), message("the disk has only {} MiB left; for raw samples {} MiB have to be free",
+                                        space.available >> 20U, needed >> 20U));
 }
 
 }  // namespace
@@ -105,9 +104,9 @@ struct SessionRecorder::State {
       if (!store && open) store.emplace(open());
       outcome.revision = operations.empty() ? store->revision() : store->append(operations);
     } catch (const InvalidArgument& error) {
-      outcome.error = error.what();
+      outcome.error = error.message();
     } catch (const std::exception& error) {
-      outcome.error = error.what();
+      outcome.error = messageOf(error);
       outcome.is_kept = true;
     }
     return outcome;
@@ -126,7 +125,7 @@ struct SessionRecorder::State {
 
   StoreOutcome writeAllOrWithoutRaw(const std::vector<StoreOperation>& operations) {
     StoreOutcome outcome;
-    std::string why = store ? whyNoRawSamples(operations, store->path()) : std::string();
+    Message why = store ? whyNoRawSamples(operations, store->path()) : Message();
     if (why.empty()) {
       outcome = write(operations);
       if (!outcome.is_kept || !store) return outcome;
@@ -165,7 +164,8 @@ struct SessionRecorder::State {
 
   void giveUp() {
     while (firstJob() != nullptr) {
-      takeFirstJob().acknowledge({0, "the session was closed before this could be written to its file", false});
+      takeFirstJob().acknowledge(
+          {0, message("the session was closed before this could be written to its file"), false, {}});
     }
   }
 };

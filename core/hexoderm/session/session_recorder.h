@@ -14,9 +14,9 @@ namespace hexoderm {
 /// The fate of an operation that was given to a SessionRecorder.
 struct StoreOutcome {
   std::uint64_t revision = 0;  ///< revision of the store once the operation is on disk; 0 if it is not
-  std::string error;           ///< why it is not on disk; empty if it is
+  Message error;               ///< why it is not on disk; empty if it is
   bool is_kept = false;        ///< with an error: it waits in memory, and retry() or the next append() tries again
-  std::string without_raw{};   ///< it is on disk, but without its raw samples: why they are not
+  Message without_raw{};       ///< it is on disk, but without its raw samples: why they are not
 };
 
 /// A thread that owns a SessionStore, so that nobody waits for a disk. Operations are written in order, each call in a

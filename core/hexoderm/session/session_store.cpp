@@ -5,6 +5,7 @@
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/sha256.h"
+#include "hexoderm/util/system_reason.h"
 
 #include <fcntl.h>
 #include <sqlite3.h>
@@ -64,11 +65,13 @@ Journal readJournal(Database& database) {
       entry.samples.emplace(samples.begin(), samples.end());
     }
     const auto digest = rows.blob(5);
-    if (digest.size() != entry.digest.size()) database.failFormat("the file is damaged: expected digests of 32 bytes");
+    if (digest.size() != entry.digest.size())
+      database.failFormat(message("the file is damaged: expected digests of 32 bytes"));
     std::ranges::copy(digest, entry.digest.begin());
     journal.read(entry, database.name());
   }
-  if (!journal.state.hasSkin()) database.failFormat("the journal is empty, expected a skin as its first entry");
+  if (!journal.state.hasSkin())
+    database.failFormat(message("the journal is empty, expected a skin as its first entry"));
   return journal;
 }
 
@@ -91,7 +94,7 @@ void write(Database& database, std::span<const StoreOperation> operations, Journ
     try {
       journal.read(entry, "what is to be stored");  // so that nothing is written that can't be read again
     } catch (const FormatError& error) {
-      throw InvalidArgument(error.what());
+      throw InvalidArgument(error.message());
     }
     insert(database, entry);
     if (raw.empty()) continue;
@@ -125,7 +128,7 @@ class NewFile {
     const int descriptor = ::mkostemp(temporary_.data(), O_CLOEXEC);
     if (descriptor < 0) {
       temporary_.clear();
-      fail("cannot be written");
+      fail(message("cannot be written: {}", systemReason(errno)));
     }
     // mkostemp makes a private file; a saved document follows the user's umask like any other.
     const mode_t mask = ::umask(0);
@@ -145,17 +148,18 @@ class NewFile {
   /// Syncs it and gives it its name, if nothing has that name by now.
   void putInPlace() {
     const int descriptor = ::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0) fail("cannot be written");
+    if (descriptor < 0) fail(message("cannot be written: {}", systemReason(errno)));
     const bool synced = ::fsync(descriptor) == 0;
     const int error = errno;
     ::close(descriptor);
     errno = error;
-    if (!synced) fail("cannot be written");
+    if (!synced) fail(message("cannot be written: {}", systemReason(errno)));
     if (::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE) != 0) {
       if (errno == EEXIST) failExists();
       // File systems without that promise have links, as a rule.
-      if (errno != EINVAL && errno != ENOSYS) fail("cannot be written");
-      if (::link(temporary_.c_str(), path_.c_str()) != 0) errno == EEXIST ? failExists() : fail("cannot be written");
+      if (errno != EINVAL && errno != ENOSYS) fail(message("cannot be written: {}", systemReason(errno)));
+      if (::link(temporary_.c_str(), path_.c_str()) != 0)
+        errno == EEXIST ? failExists() : fail(message("cannot be written: {}", systemReason(errno)));
       ::unlink(temporary_.c_str());
     }
     temporary_.clear();
@@ -166,13 +170,10 @@ class NewFile {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& what) const {
-    throw StorageError(path_.string() + ": " + what + ": " + std::strerror(errno));
-  }
+  [[noreturn]] void fail(const Message& what) const { throw StorageError(located(path_.string(), what)); }
   [[noreturn]] void failExists() const {
-    throw StorageError(path_.string() +
-                       ": exists already, and what a session has captured is never replaced: take another name, or "
-                       "remove the file first");
+    throw StorageError(located(path_.string(), message("exists already, and what a session has captured is never "
+                                                       "replaced: take another name, or remove the file first")));
   }
 
   std::filesystem::path path_;
@@ -242,17 +243,18 @@ std::vector<SampleFrame> SessionStore::readRawSamples(std::size_t index) const {
   const std::string where = database.name() + ": raw samples of journal entry " + std::to_string(capture);
   Statement row(database, "SELECT frames FROM raw_samples WHERE entry = ?1");
   row.bind(1, capture);
-  if (!row.step()) throw FormatError(where + ": the file is damaged: they are missing");
+  if (!row.step()) throw FormatError(located(where, message("the file is damaged: they are missing")));
   const auto frames = row.blob(0);
   if (sha256Hex({reinterpret_cast<const char*>(frames.data()), frames.size()}) != sha256) {
-    throw FormatError(where + ": the file is damaged: they do not match their digest");
+    throw FormatError(located(where, message("the file is damaged: they do not match their digest")));
   }
   return decodeFrames(frames, where);
 }
 
 std::uint64_t SessionStore::append(std::span<const StoreOperation> operations) {
   if (state_->is_read_only) {
-    throw StorageError(state_->path.string() + ": is open for reading only: save the session elsewhere to go on");
+    throw StorageError(
+        located(state_->path.string(), message("is open for reading only: save the session elsewhere to go on")));
   }
   if (operations.empty()) return revision();
   Database& database = state_->file.database;
@@ -284,14 +286,14 @@ bool isSessionStoreInUse(const std::filesystem::path& path) {
 }
 
 void moveSessionStore(const std::filesystem::path& from, const std::filesystem::path& to) {
-  const auto fail = [&](const std::string& why) {
-    throw StorageError(from.string() + ": cannot be moved to " + to.string() + ": " + why);
+  const auto fail = [&](const Message& why) {
+    throw StorageError(located(from.string(), message("cannot be moved to {}: {}", to.string(), why)));
   };
   if (isSessionStoreInUse(from))
-    throw StorageError(from.string() + ": is open in another window, close it there first");
+    throw StorageError(located(from.string(), message("is open in another window, close it there first")));
   std::error_code error;
   for (const char* part : kParts) {
-    if (std::filesystem::exists(with(to, part), error)) fail("something of that name is there");
+    if (std::filesystem::exists(with(to, part), error)) fail(message("something of that name is there"));
   }
   // The journal first: a session without its newest part must never be mistaken for a whole one.
   std::vector<const char*> moved;
@@ -301,7 +303,7 @@ void moveSessionStore(const std::filesystem::path& from, const std::filesystem::
     if (error) {
       std::error_code ignored;
       for (const char* before : moved) std::filesystem::rename(with(to, before), with(from, before), ignored);
-      fail(error.message());
+      fail(systemReason(error));
     }
     moved.push_back(*part);
   }

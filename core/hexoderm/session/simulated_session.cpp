@@ -12,7 +12,9 @@ Session simulateSession(SimulatedSkin& skin, std::size_t pose_count, std::size_t
   Session session = beginSimulatedSession(skin);
   for (const Eigen::Vector3d& up : scriptedUpDirections(pose_count)) {
     const PoseId id = session.nextPoseId();
-    const std::string label = id.value() == 1 ? "standing" : id.value() == 2 ? "on its side" : "pose " + toString(id);
+    const Message label = id.value() == 1   ? message("standing")
+                          : id.value() == 2 ? message("on its side")
+                                            : message("pose {}", id);
     session.addPose(
         {std::make_shared<const PoseCapture>(averageFrames(skin.record(up, frame_count), id, label)), false});
   }

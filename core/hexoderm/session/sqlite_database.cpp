@@ -2,6 +2,7 @@
 
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/hex.h"
+#include "hexoderm/util/system_reason.h"
 
 #include <sqlite3.h>
 
@@ -30,13 +31,15 @@ std::string immutableAddress(const std::string& path) {
 }
 
 [[noreturn]] void throwError(int code, const std::string& name, const std::string& detail, int system_error) {
-  const std::string reason = system_error != 0 ? std::strerror(system_error) : detail;
+  const Message reason = system_error != 0 ? systemReason(system_error) : Message::verbatim(detail);
   const auto full = [&] {
-    return StorageError(name + ": the disk is full: free some space and try again; what was stored before is intact");
+    return StorageError(
+        located(name, message("the disk is full: free some space and try again; what was stored before is intact")));
   };
   const auto read_only = [&] {
-    return StorageError(name + ": cannot be written (" + reason +
-                        "): make the file and its folder writable, or save the session elsewhere");
+    return StorageError(located(
+        name, message("cannot be written ({}): make the file and its folder writable, or save the session elsewhere",
+                      reason)));
   };
   switch (code & 0xFF) {
     case SQLITE_NOMEM:
@@ -48,23 +51,26 @@ std::string immutableAddress(const std::string& path) {
     case SQLITE_AUTH:
       throw read_only();
     case SQLITE_CANTOPEN:
-      throw StorageError(name + ": cannot be opened: " + reason);
+      throw StorageError(located(name, message("cannot be opened: {}", reason)));
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
     case SQLITE_PROTOCOL:
-      throw StorageError(name + ": another program is writing to it: close that program and try again");
+      throw StorageError(located(name, message("another program is writing to it: close that program and try again")));
     case SQLITE_IOERR:
       if (system_error == ENOSPC || system_error == EDQUOT) throw full();
       if (system_error == EROFS || system_error == EACCES) throw read_only();
       if (code == SQLITE_IOERR_SHORT_READ) {
-        throw FormatError(name + ": the file ends in the middle (truncated?), expected a whole Hexoderm session");
+        throw FormatError(
+            located(name, message("the file ends in the middle (truncated?), expected a whole Hexoderm session")));
       }
-      throw StorageError(name + ": the disk does not read or write it (" + reason +
-                         "): check the disk and try again; what was stored before is kept as far as the disk has it");
+      throw StorageError(located(name, message("the disk does not read or write it ({}): check the disk and try again; "
+                                               "what was stored before is kept as far as the disk has it",
+                                               reason)));
     case SQLITE_NOTADB:
-      throw FormatError(name + ": is not a Hexoderm session, expected an SQLite database (*.hexo)");
+      throw FormatError(located(name, message("is not a Hexoderm session, expected an SQLite database (*.hexo)")));
     default:
-      throw FormatError(name + ": the file is damaged, expected the database of a Hexoderm session (" + detail + ")");
+      throw FormatError(
+          located(name, message("the file is damaged, expected the database of a Hexoderm session ({})", detail)));
   }
 }
 
@@ -113,13 +119,13 @@ void Database::run(const char* sql) {
 
 std::int64_t Database::number(const char* sql) {
   Statement statement(*this, sql);
-  if (!statement.step()) failFormat("expected a number");
+  if (!statement.step()) failFormat(message("expected a number"));
   return statement.integer(0);
 }
 
 std::string Database::text(const char* sql) {
   Statement statement(*this, sql);
-  if (!statement.step()) failFormat("expected a text");
+  if (!statement.step()) failFormat(message("expected a text"));
   return std::string(statement.text(0));
 }
 
@@ -148,7 +154,7 @@ void Database::fail(int code) const {
   throwError(code, name_, sqlite3_errmsg(handle()), from_system ? system_error : 0);
 }
 
-void Database::failFormat(const std::string& what) const { throw FormatError(name_ + ": " + what); }
+void Database::failFormat(const Message& what) const { throw FormatError(located(name_, what)); }
 
 void Statement::Finalize::operator()(sqlite3_stmt* statement) const noexcept { sqlite3_finalize(statement); }
 
@@ -187,19 +193,19 @@ bool Statement::step() {
   database_->fail(code);
 }
 
-void Statement::requireType(int column, int type, const char* expected) const {
+void Statement::requireType(int column, int type, const Message& expected) const {
   if (sqlite3_column_type(statement_.get(), column) == type) return;
-  database_->failFormat(std::string("the file is damaged: column ") + sqlite3_column_name(statement_.get(), column) +
-                        ": expected " + expected);
+  database_->failFormat(
+      message("the file is damaged: column {}: expected {}", sqlite3_column_name(statement_.get(), column), expected));
 }
 
 std::int64_t Statement::integer(int column) const {
-  requireType(column, SQLITE_INTEGER, "a whole number");
+  requireType(column, SQLITE_INTEGER, message("a whole number"));
   return sqlite3_column_int64(statement_.get(), column);
 }
 
 std::string_view Statement::text(int column) const {
-  requireType(column, SQLITE_TEXT, "a text");
+  requireType(column, SQLITE_TEXT, message("a text"));
   const unsigned char* text = sqlite3_column_text(statement_.get(), column);
   if (text == nullptr) database_->fail(SQLITE_NOMEM);
   return {reinterpret_cast<const char*>(text),
@@ -207,7 +213,7 @@ std::string_view Statement::text(int column) const {
 }
 
 std::span<const std::uint8_t> Statement::blob(int column) const {
-  requireType(column, SQLITE_BLOB, "binary data");
+  requireType(column, SQLITE_BLOB, message("binary data"));
   const void* blob = sqlite3_column_blob(statement_.get(), column);
   const int size = sqlite3_column_bytes(statement_.get(), column);
   if (blob == nullptr && size > 0) database_->fail(SQLITE_NOMEM);

@@ -2,6 +2,8 @@
 
 // Private to session/: SQLite with Hexoderm's errors.
 
+#include "hexoderm/util/message.h"
+
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -43,7 +45,7 @@ class Database {
   [[nodiscard]] sqlite3* handle() const { return handle_.get(); }
   /// Throws what `code` and the connection's last error mean.
   [[noreturn]] void fail(int code) const;
-  [[noreturn]] void failFormat(const std::string& what) const;
+  [[noreturn]] void failFormat(const Message& what) const;
 
  private:
   struct Close {
@@ -74,7 +76,7 @@ class Statement {
   struct Finalize {
     void operator()(sqlite3_stmt* statement) const noexcept;
   };
-  void requireType(int column, int type, const char* expected) const;
+  void requireType(int column, int type, const Message& expected) const;
 
   Database* database_;
   std::unique_ptr<sqlite3_stmt, Finalize> statement_;

@@ -1,6 +1,7 @@
 #include "hexoderm/session/store_file.h"
 
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/system_reason.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -93,17 +94,15 @@ Locked tryLock(int descriptor, short type) {
   }
 }
 
-std::string inWords(const std::string& name, const std::string& what) {
-  return name + ": " + what + ": " + std::strerror(errno);
-}
-
 /// The file itself where `path` is a link to it: SQLite's journal lies beside the file.
 std::filesystem::path fileBehind(const std::filesystem::path& path, const std::string& name) {
   std::error_code error;
   std::filesystem::path real = std::filesystem::canonical(path, error);
-  if (error) throw StorageError(name + ": cannot be opened: " + error.message());
-  if (std::filesystem::is_directory(real, error)) throw StorageError(name + ": is a folder, expected a file");
-  if (!std::filesystem::is_regular_file(real, error)) throw StorageError(name + ": is not a file, expected one");
+  if (error) throw StorageError(located(name, message("cannot be opened: {}", systemReason(error))));
+  if (std::filesystem::is_directory(real, error))
+    throw StorageError(located(name, message("is a folder, expected a file")));
+  if (!std::filesystem::is_regular_file(real, error))
+    throw StorageError(located(name, message("is not a file, expected one")));
   return real;
 }
 
@@ -117,7 +116,7 @@ bool hasJournal(const std::filesystem::path& file) {
 void requireContent(const std::filesystem::path& file, const std::string& name) {
   std::error_code error;
   if (std::filesystem::file_size(file, error) == 0 && !error && !hasJournal(file)) {
-    throw FormatError(name + ": the file is empty, expected a Hexoderm session");
+    throw FormatError(located(name, message("the file is empty, expected a Hexoderm session")));
   }
 }
 
@@ -125,7 +124,8 @@ std::unique_ptr<StoreFile::RemoveFolder> copyToTemporaryFolder(const std::filesy
                                                                const std::string& name) {
   try {
     std::string folder = (std::filesystem::temp_directory_path() / "hexoderm-read-XXXXXX").string();
-    if (::mkdtemp(folder.data()) == nullptr) throw StorageError(inWords(name, "no copy can be made to read it"));
+    if (::mkdtemp(folder.data()) == nullptr)
+      throw StorageError(located(name, message("no copy can be made to read it: {}", systemReason(errno))));
     auto copy = std::make_unique<StoreFile::RemoveFolder>(folder);
     std::filesystem::copy_file(file, copy->path / "session.hexo");
     if (hasJournal(file)) std::filesystem::copy_file(file.string() + "-wal", copy->path / "session.hexo-wal");
@@ -135,7 +135,7 @@ std::unique_ptr<StoreFile::RemoveFolder> copyToTemporaryFolder(const std::filesy
     }
     return copy;
   } catch (const std::filesystem::filesystem_error& error) {
-    throw StorageError(name + ": no copy can be made to read it: " + error.what());
+    throw StorageError(located(name, message("no copy can be made to read it: {}", error.what())));
   }
 }
 
@@ -153,8 +153,8 @@ void requireWholePages(Database& database, const std::filesystem::path& file) {
   std::error_code error;
   const auto size = std::filesystem::file_size(file, error);
   if (!error && size < static_cast<std::uintmax_t>(expected)) {
-    database.failFormat("the file ends in the middle (truncated?): expected " + std::to_string(expected) +
-                        " bytes, found " + std::to_string(size));
+    database.failFormat(
+        message("the file ends in the middle (truncated?): expected {} bytes, found {}", expected, size));
   }
 }
 
@@ -183,13 +183,14 @@ StoreFile openUnchanged(const std::filesystem::path& path, const std::string& na
 
 StoreLock StoreLock::forWriting(const std::filesystem::path& path, const std::string& name) {
   const auto open_here = [&] {
-    return StorageError(name + ": is already open for writing in this Hexoderm: close it there first");
+    return StorageError(located(name, message("is already open for writing in this Hexoderm: close it there first")));
   };
   if (isOpenForWritingHere(path)) throw open_here();
   StoreLock lock(::open(path.c_str(), O_RDWR | O_CLOEXEC));
   if (lock.descriptor_ < 0) {
-    throw StorageError(inWords(name, "cannot be written") +
-                       "; make the file writable, or open it for reading and save it elsewhere");
+    throw StorageError(located(
+        name, message("cannot be written: {}; make the file writable, or open it for reading and save it elsewhere",
+                      systemReason(errno))));
   }
   const auto deadline = std::chrono::steady_clock::now() + kPatienceWithReaders;
   Locked locked = tryLock(lock.descriptor_, F_WRLCK);
@@ -202,15 +203,19 @@ StoreLock StoreLock::forWriting(const std::filesystem::path& path, const std::st
       break;
     case Locked::ByWriter:
       if (isOpenForWritingHere(path)) throw open_here();
-      throw StorageError(name + ": another Hexoderm has it open for writing: close it there, or open it for reading");
+      throw StorageError(
+          located(name, message("another Hexoderm has it open for writing: close it there, or open it for reading")));
     case Locked::ByReader:
-      throw StorageError(name + ": another Hexoderm is reading it: wait until it has done and try again");
+      throw StorageError(
+          located(name, message("another Hexoderm is reading it: wait until it has done and try again")));
     case Locked::NotPossible:
-      throw StorageError(inWords(name, "cannot be locked against a second writer") +
-                         "; keep sessions on a disk of this machine");
+      throw StorageError(
+          located(name, message("cannot be locked against a second writer: {}; keep sessions on a disk of this machine",
+                                systemReason(errno))));
   }
   struct stat status {};
-  if (::fstat(lock.descriptor_, &status) != 0) throw StorageError(inWords(name, "cannot be written"));
+  if (::fstat(lock.descriptor_, &status) != 0)
+    throw StorageError(located(name, message("cannot be written: {}", systemReason(errno))));
   const std::lock_guard guard(registry().mutex);
   registry().writing[{status.st_dev, status.st_ino}];
   lock.is_writer_ = true;
@@ -220,7 +225,7 @@ StoreLock StoreLock::forWriting(const std::filesystem::path& path, const std::st
 std::optional<StoreLock> StoreLock::forReading(const std::filesystem::path& path, const std::string& name) {
   if (isOpenForWritingHere(path)) return std::nullopt;
   StoreLock lock(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (lock.descriptor_ < 0) throw StorageError(inWords(name, "cannot be read"));
+  if (lock.descriptor_ < 0) throw StorageError(located(name, message("cannot be read: {}", systemReason(errno))));
   // A file system without locks has no second reader to be careful of either.
   if (tryLock(lock.descriptor_, F_RDLCK) == Locked::ByWriter) return std::nullopt;
   return lock;
@@ -249,9 +254,10 @@ StoreFile openStoreForWriting(const std::filesystem::path& path, Migrations migr
   requireSchema(database, migrations, version);
   // Entries appended to a damaged file might be lost with it.
   const std::string damage = database.text("PRAGMA quick_check(1)");
-  if (damage != "ok") database.failFormat("the file is damaged, expected a whole database: " + damage);
+  if (damage != "ok") database.failFormat(message("the file is damaged, expected a whole database: {}", damage));
   if (database.text("PRAGMA journal_mode=WAL") != "wal") {
-    throw StorageError(name + ": its file system can't keep a journal (WAL): keep sessions on a disk of this machine");
+    throw StorageError(
+        located(name, message("its file system can't keep a journal (WAL): keep sessions on a disk of this machine")));
   }
   database.run("PRAGMA synchronous=FULL");
   migrate(database, migrations);
@@ -273,7 +279,7 @@ bool looksLikeStore(const std::filesystem::path& path) {
   if (!std::filesystem::is_regular_file(path, error)) return false;
   if (isOpenForWritingHere(path)) return true;
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) throw StorageError(inWords(path.string(), "cannot be read"));
+  if (descriptor < 0) throw StorageError(located(path.string(), message("cannot be read: {}", systemReason(errno))));
   std::array<char, kSqliteHeader.size()> begin{};
   const ssize_t count = ::pread(descriptor, begin.data(), begin.size(), 0);
   closeWhenHarmless(descriptor, false);

@@ -57,13 +57,13 @@ Migrations storeMigrations() { return kMigrations; }
 
 std::size_t requireStoreVersion(Database& database, Migrations migrations) {
   if (database.number("PRAGMA application_id") != kStoreApplicationId) {
-    database.failFormat("is an SQLite database, but not a Hexoderm session (*.hexo): expected application_id " +
-                        std::to_string(kStoreApplicationId));
+    database.failFormat(message(
+        "is an SQLite database, but not a Hexoderm session (*.hexo): expected application_id {}", kStoreApplicationId));
   }
   const std::int64_t version = database.number("PRAGMA user_version");
   if (version < 1 || static_cast<std::size_t>(version) > migrations.size()) {
-    database.failFormat("user_version: this file has version " + std::to_string(version) +
-                        ", this program reads up to version " + std::to_string(migrations.size()));
+    database.failFormat(message("user_version: this file has version {}, this program reads up to version {}", version,
+                                migrations.size()));
   }
   return static_cast<std::size_t>(version);
 }
@@ -83,8 +83,9 @@ void requireSchema(Database& database, Migrations migrations, std::size_t versio
   Database expected(database.name());
   migrate(expected, migrations.first(version));
   if (schemaOf(database) != schemaOf(expected)) {
-    database.failFormat("the file is damaged or changed: expected the tables of a Hexoderm session of version " +
-                        std::to_string(version) + " and nothing else");
+    database.failFormat(message(
+        "the file is damaged or changed: expected the tables of a Hexoderm session of version {} and nothing else",
+        version));
   }
 }
 

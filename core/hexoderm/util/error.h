@@ -1,15 +1,26 @@
 #pragma once
 
+#include "hexoderm/util/message.h"
+
+#include <exception>
+#include <memory>
 #include <stdexcept>
 #include <string>
 
 namespace hexoderm {
 
 /// Base of everything Hexoderm throws. The message says what is wrong, where (file, key, cell, port) and what was
-/// expected, so that a person can act on it. Outcomes that are expected in the field are values (`Finding`), not
-/// errors.
+/// expected, so that a person can act on it; `what()` is its English. Outcomes that are expected in the field are
+/// values (`Finding`), not errors.
 class Error : public std::runtime_error {
-  using std::runtime_error::runtime_error;
+ public:
+  explicit Error(Message message);
+  /// A text that is not translated: for mistakes of a caller, and for the words of others.
+  explicit Error(const std::string& verbatim) : Error(Message::verbatim(verbatim)) {}
+  [[nodiscard]] const Message& message() const noexcept { return *message_; }
+
+ private:
+  std::shared_ptr<const Message> message_;  ///< shared, because the copy of an exception must not throw
 };
 
 /// A caller's argument or option is out of its documented range.
@@ -31,5 +42,8 @@ class StorageError : public Error {
 class DeviceError : public Error {
   using Error::Error;
 };
+
+/// The message of an Error; of any other exception its text, verbatim.
+Message messageOf(const std::exception& error);
 
 }  // namespace hexoderm

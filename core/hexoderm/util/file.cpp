@@ -1,6 +1,7 @@
 #include "hexoderm/util/file.h"
 
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/system_reason.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -8,14 +9,13 @@
 
 #include <array>
 #include <cerrno>
-#include <cstring>
 #include <memory>
 #include <system_error>
 
 namespace hexoderm {
 namespace {
 
-std::string reason() { return std::strerror(errno); }
+Message reason() { return systemReason(errno); }
 
 class FileDescriptor {
  public:
@@ -42,16 +42,16 @@ class FileDescriptor {
 std::string readFile(const std::filesystem::path& path) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) {
-    throw StorageError(path.string() + ": is a folder, expected a file");
+    throw StorageError(located(path.string(), message("is a folder, expected a file")));
   }
   const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (!file.valid()) throw StorageError(path.string() + ": cannot be read: " + reason());
+  if (!file.valid()) throw StorageError(located(path.string(), message("cannot be read: {}", reason())));
   std::string content;
   std::array<char, 65536> buffer{};
   while (true) {
     const ssize_t count = ::read(file.get(), buffer.data(), buffer.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) throw StorageError(path.string() + ": cannot be read: " + reason());
+    if (count < 0) throw StorageError(located(path.string(), message("cannot be read: {}", reason())));
     if (count == 0) return content;
     content.append(buffer.data(), static_cast<std::size_t>(count));
   }
@@ -60,30 +60,29 @@ std::string readFile(const std::filesystem::path& path) {
 void writeFileAtomically(const std::filesystem::path& path, std::string_view content) {
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
   std::string temporary = (folder / ("." + path.filename().string() + ".XXXXXX")).string();
-  const auto fail = [&](const std::string& what) {
-    const std::string why = reason();
+  const auto fail = [&](const Message& what) {
     ::unlink(temporary.c_str());
-    throw StorageError(path.string() + ": " + what + ": " + why);
+    throw StorageError(located(path.string(), what));
   };
 
   if (std::filesystem::is_directory(path))
-    throw StorageError(path.string() + ": is a folder, cannot be written as a file");
+    throw StorageError(located(path.string(), message("is a folder, cannot be written as a file")));
   FileDescriptor file(::mkostemp(temporary.data(), O_CLOEXEC));
-  if (!file.valid()) throw StorageError(path.string() + ": cannot be written: " + reason());
+  if (!file.valid()) throw StorageError(located(path.string(), message("cannot be written: {}", reason())));
   // mkostemp makes a private file; a saved document follows the user's umask like any other.
   const mode_t mask = ::umask(0);
   ::umask(mask);
-  if (::fchmod(file.get(), 0666 & ~mask) != 0) fail("cannot be written");
+  if (::fchmod(file.get(), 0666 & ~mask) != 0) fail(message("cannot be written: {}", reason()));
 
   std::string_view rest = content;
   while (!rest.empty()) {
     const ssize_t count = ::write(file.get(), rest.data(), rest.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail("cannot be written");
+    if (count < 0) fail(message("cannot be written: {}", reason()));
     rest.remove_prefix(static_cast<std::size_t>(count));
   }
-  if (::fsync(file.get()) != 0 || file.close() != 0) fail("cannot be written");
-  if (::rename(temporary.c_str(), path.c_str()) != 0) fail("cannot be replaced");
+  if (::fsync(file.get()) != 0 || file.close() != 0) fail(message("cannot be written: {}", reason()));
+  if (::rename(temporary.c_str(), path.c_str()) != 0) fail(message("cannot be replaced: {}", reason()));
   const FileDescriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (directory.valid()) ::fsync(directory.get());  // some file systems can't sync a folder; the rename itself is done
 }

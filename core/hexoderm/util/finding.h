@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hexoderm/util/ids.h"
+#include "hexoderm/util/message.h"
 
 #include <optional>
 #include <span>
@@ -61,7 +62,7 @@ struct FindingDescription {
   FindingCode code;
   std::string_view name;  ///< as written in files, for example "one-sided-link"
   Severity severity;
-  std::string_view meaning;  ///< one sentence
+  Message meaning;  ///< one sentence
 };
 
 /// One entry per code, in the order of the enumeration.
@@ -76,7 +77,7 @@ std::optional<Severity> severityFromName(std::string_view name);
 struct Finding {
   FindingCode code{};
   Severity severity = Severity::Info;
-  std::string text;
+  Message message;
   std::vector<CellId> cells;
   std::vector<PortNumber> ports;
   std::vector<PoseId> poses;
@@ -84,7 +85,7 @@ struct Finding {
 };
 
 /// A finding with its code's own severity.
-Finding makeFinding(FindingCode code, std::string text, std::vector<CellId> cells = {},
+Finding makeFinding(FindingCode code, Message message, std::vector<CellId> cells = {},
                     std::vector<PortNumber> ports = {}, std::vector<PoseId> poses = {});
 
 }  // namespace hexoderm

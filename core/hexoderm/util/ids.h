@@ -40,8 +40,6 @@ struct LinkEnd {
   friend constexpr auto operator<=>(const LinkEnd&, const LinkEnd&) = default;
 };
 
-inline std::string inWords(const LinkEnd& end) { return "cell " + toString(end.cell) + ", port " + toString(end.port); }
-
 }  // namespace hexoderm
 
 template <class Tag>

@@ -11,13 +11,18 @@
 namespace hexoderm {
 namespace {
 
-std::string shortened(const nlohmann::json& value) {
-  if (value.is_array()) return "an array of " + std::to_string(value.size());
-  if (value.is_object()) return "an object";
+Message shortened(const nlohmann::json& value) {
+  if (value.is_array()) return message("an array of {}", value.size());
+  if (value.is_object()) return message("an object");
   constexpr std::size_t kMost = 40;
   std::string text = value.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
   if (text.size() > kMost) text = text.substr(0, kMost) + "...";
-  return text;
+  return Message::verbatim(std::move(text));
+}
+
+/// The place of a complaint within a file.
+MessageArgument placeOf(const std::string& path) {
+  return path.empty() ? MessageArgument(message("top level")) : MessageArgument(path);
 }
 
 /// Follows the parser through a text and remembers the key path of the value it was at when it stopped.
@@ -124,29 +129,31 @@ bool isNotFinite(std::string_view word) {
 [[noreturn]] void throwParseError(std::string_view text, const std::string& file,
                                   const nlohmann::json::exception& error) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-    throw FormatError(file + ": the file is empty, expected JSON");
+    throw FormatError(located(file, message("the file is empty, expected JSON")));
   }
   PathTracker tracker;
   nlohmann::json::sax_parse(text, &tracker);
   const std::string path = tracker.path();
   const auto* syntax = dynamic_cast<const nlohmann::json::parse_error*>(&error);
   if (syntax == nullptr) {
-    throw FormatError(file + ": " + (path.empty() ? "top level" : path) + ": expected a finite number, found " +
-                      tracker.lastToken().substr(0, 40));
+    throw FormatError(located(file, located(placeOf(path), message("expected a finite number, found {}",
+                                                                   tracker.lastToken().substr(0, 40)))));
   }
   const std::size_t position = std::min(syntax->byte == 0 ? 0 : syntax->byte - 1, text.size());
   const std::string word = wordAround(text, position);
   if (isNotFinite(word)) {
-    throw FormatError(file + ": " + (path.empty() ? "top level" : path) + ": expected a finite number, found " + word);
+    throw FormatError(located(file, located(placeOf(path), message("expected a finite number, found {}", word))));
   }
   const std::string_view before = text.substr(0, position);
   const auto line = std::ranges::count(before, '\n') + 1;
   const std::size_t line_start = before.rfind('\n');
   const std::size_t column = before.size() - (line_start == std::string_view::npos ? 0 : line_start + 1) + 1;
-  throw FormatError(file + ": line " + std::to_string(line) + ", column " + std::to_string(column) +
-                    (path.empty() ? "" : ", at " + path) +
-                    (syntax->byte > text.size() ? ": the file ends in the middle (truncated?), expected complete JSON"
-                                                : ": this is not JSON, expected a JSON value here"));
+  Message place = path.empty() ? message("line {}, column {}", line, column)
+                               : message("line {}, column {}, at {}", line, column, path);
+  throw FormatError(located(
+      file, located(std::move(place), syntax->byte > text.size()
+                                          ? message("the file ends in the middle (truncated?), expected complete JSON")
+                                          : message("this is not JSON, expected a JSON value here"))));
 }
 
 bool isFlatArray(const nlohmann::ordered_json& json) {
@@ -165,7 +172,7 @@ std::string scalarText(const nlohmann::ordered_json& json) {
   if (json.is_number_float()) {
     const double value = json.get<double>();
     if (!std::isfinite(value)) {
-      throw InvalidArgument("a value that is not a finite number can't be written to a file");
+      throw InvalidArgument(message("a value that is not a finite number can't be written to a file"));
     }
     std::string text = formatExact(value);
     if (text.find_first_of(".e") == std::string::npos) text += ".0";
@@ -233,28 +240,29 @@ std::optional<std::string> findJsonFormat(std::string_view text) {
   return finder.format();
 }
 
-void JsonReader::fail(const std::string& expected) const {
-  throw FormatError(*file_ + ": " + (path_.empty() ? "top level" : path_) + ": expected " + expected + ", found " +
-                    shortened(*value_));
+Message JsonReader::here(Message what) const { return located(*file_, located(placeOf(path_), std::move(what))); }
+
+void JsonReader::fail(const Message& expected) const {
+  throw FormatError(here(message("expected {}, found {}", expected, shortened(*value_))));
 }
 
 JsonReader JsonReader::at(const std::string& key) const {
-  if (!value_->is_object()) fail("an object");
+  if (!value_->is_object()) fail(message("an object"));
   const auto found = value_->find(key);
   const std::string path = path_.empty() ? key : path_ + "." + key;
-  if (found == value_->end()) throw FormatError(*file_ + ": " + path + ": is missing");
+  if (found == value_->end()) throw FormatError(located(*file_, located(path, message("is missing"))));
   return {*found, file_, path};
 }
 
 std::optional<JsonReader> JsonReader::find(const std::string& key) const {
-  if (!value_->is_object()) fail("an object");
+  if (!value_->is_object()) fail(message("an object"));
   const auto found = value_->find(key);
   if (found == value_->end() || found->is_null()) return std::nullopt;
   return JsonReader(*found, file_, path_.empty() ? key : path_ + "." + key);
 }
 
 std::vector<JsonReader> JsonReader::items() const {
-  if (!value_->is_array()) fail("an array");
+  if (!value_->is_array()) fail(message("an array"));
   std::vector<JsonReader> items;
   items.reserve(value_->size());
   for (std::size_t i = 0; i < value_->size(); ++i) {
@@ -264,65 +272,65 @@ std::vector<JsonReader> JsonReader::items() const {
 }
 
 double JsonReader::number() const {
-  if (!value_->is_number()) fail("a number");
+  if (!value_->is_number()) fail(message("a number"));
   const auto value = value_->get<double>();
-  if (!std::isfinite(value)) fail("a finite number");
+  if (!std::isfinite(value)) fail(message("a finite number"));
   return value;
 }
 
 double JsonReader::number(double most) const {
   const double value = number();
-  if (!(std::abs(value) <= most)) fail("a number from " + formatExact(-most) + " to " + formatExact(most));
+  if (!(std::abs(value) <= most)) fail(message("a number from {} to {}", Number{-most}, Number{most}));
   return value;
 }
 
 double JsonReader::positiveNumber() const {
   const double value = number();
-  if (!(value > 0)) fail("a number above 0");
+  if (!(value > 0)) fail(message("a number above 0"));
   return value;
 }
 
 double JsonReader::nonNegativeNumber() const {
   const double value = number();
-  if (!(value >= 0)) fail("a number of at least 0");
+  if (!(value >= 0)) fail(message("a number of at least 0"));
   return value;
 }
 
 std::uint32_t JsonReader::unsignedInteger(std::uint32_t min, std::uint32_t max) const {
-  const std::string expected = "a whole number from " + std::to_string(min) + " to " + std::to_string(max);
-  if (!value_->is_number_integer()) fail(expected);
-  if (!value_->is_number_unsigned() && value_->get<std::int64_t>() < 0) fail(expected);
+  const auto refuse = [&] { fail(message("a whole number from {} to {}", min, max)); };
+  if (!value_->is_number_integer()) refuse();
+  if (!value_->is_number_unsigned() && value_->get<std::int64_t>() < 0) refuse();
   const auto value = value_->get<std::uint64_t>();
-  if (value < min || value > max) fail(expected);
+  if (value < min || value > max) refuse();
   return static_cast<std::uint32_t>(value);
 }
 
 std::int64_t JsonReader::integer() const {
   const bool fits =
       value_->is_number_integer() && (!value_->is_number_unsigned() || value_->get<std::uint64_t>() <= INT64_MAX);
-  if (!fits) fail("a whole number of 64 bits");
+  if (!fits) fail(message("a whole number of 64 bits"));
   return value_->get<std::int64_t>();
 }
 
 bool JsonReader::boolean() const {
-  if (!value_->is_boolean()) fail("true or false");
+  if (!value_->is_boolean()) fail(message("true or false"));
   return value_->get<bool>();
 }
 
 std::string JsonReader::string() const {
-  if (!value_->is_string()) fail("a text");
+  if (!value_->is_string()) fail(message("a text"));
   return value_->get<std::string>();
 }
 
 std::vector<double> JsonReader::numbers(std::size_t count) const {
-  if (!value_->is_array() || value_->size() != count) fail("an array of " + std::to_string(count) + " numbers");
+  if (!value_->is_array() || value_->size() != count) fail(message("an array of {} numbers", count));
   std::vector<double> values;
   values.reserve(count);
   for (const nlohmann::json& item : *value_) {
     // A reader for each item would cost a path for each number; only a bad one needs it.
     const double value = item.is_number() ? item.get<double>() : std::numeric_limits<double>::quiet_NaN();
     if (!std::isfinite(value)) {
-      JsonReader(item, file_, path_ + "[" + std::to_string(values.size()) + "]").fail("a finite number");
+      JsonReader(item, file_, path_ + "[" + std::to_string(values.size()) + "]").fail(message("a finite number"));
     }
     values.push_back(value);
   }
@@ -357,7 +365,7 @@ Eigen::Matrix3d JsonReader::rotation() const {
   constexpr double kTolerance = 1e-6;
   Eigen::Matrix3d R = matrix3();
   if (!(R * R.transpose()).isIdentity(kTolerance) || std::abs(R.determinant() - 1) > kTolerance) {
-    fail("a rotation matrix (row-major, orthogonal to 1e-6, determinant +1)");
+    fail(message("a rotation matrix (row-major, orthogonal to 1e-6, determinant +1)"));
   }
   return R;
 }
@@ -366,20 +374,22 @@ Eigen::Quaterniond JsonReader::unitQuaternion() const {
   constexpr double kTolerance = 1e-6;
   const std::vector<double> v = numbers(4);
   const Eigen::Quaterniond q(v[0], v[1], v[2], v[3]);
-  if (!(std::abs(q.norm() - 1) <= kTolerance)) fail("a unit quaternion (w, x, y, z)");
+  if (!(std::abs(q.norm() - 1) <= kTolerance)) fail(message("a unit quaternion (w, x, y, z)"));
   return q.normalized();
 }
 
 void JsonReader::requireFormat(std::string_view format, std::uint32_t newest) const {
   const auto name = find("format");
   if (!name || !name->isString() || name->string() != format) {
-    throw FormatError(*file_ + ": format: expected \"" + std::string(format) + "\"" +
-                      (name ? ", found " + shortened(*name->value_) : ", but there is none"));
+    throw FormatError(
+        located(*file_, located("format", name ? message("expected \"{}\", found {}", format, shortened(*name->value_))
+                                               : message("expected \"{}\", but there is none", format))));
   }
   const std::uint32_t version = at("version").unsignedInteger(1);
   if (version > newest) {
-    throw FormatError(*file_ + ": version: this file has version " + std::to_string(version) +
-                      ", this program reads up to version " + std::to_string(newest));
+    throw FormatError(located(
+        *file_,
+        located("version", message("this file has version {}, this program reads up to version {}", version, newest))));
   }
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "hexoderm/util/message.h"
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cstdint>
@@ -31,6 +33,7 @@ class JsonReader {
   [[nodiscard]] std::optional<JsonReader> find(const std::string& key) const;  ///< absent or null: nullopt
   [[nodiscard]] std::vector<JsonReader> items() const;                         ///< items of an array
   [[nodiscard]] bool isObject() const { return value_->is_object(); }
+  [[nodiscard]] bool isArray() const { return value_->is_array(); }
   [[nodiscard]] bool isString() const { return value_->is_string(); }
   [[nodiscard]] bool isNull() const { return value_->is_null(); }
 
@@ -55,9 +58,12 @@ class JsonReader {
   void requireFormat(std::string_view format, std::uint32_t newest) const;
 
   /// Throws FormatError: file, key path and what was expected.
-  [[noreturn]] void fail(const std::string& expected) const;
+  [[noreturn]] void fail(const Message& expected) const;
 
  private:
+  /// "FILE: PATH: what is wrong there".
+  [[nodiscard]] Message here(Message what) const;
+
   JsonReader(const nlohmann::json& value, std::shared_ptr<const std::string> file, std::string path)
       : value_(&value), file_(std::move(file)), path_(std::move(path)) {}
 

@@ -11,7 +11,7 @@ void Sha256::Free::operator()(evp_md_ctx_st* context) const noexcept { EVP_MD_CT
 
 Sha256::Sha256() : context_(EVP_MD_CTX_new()) {
   if (context_ == nullptr || EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr) != 1) {
-    throw Error("SHA-256 is not available in this OpenSSL");
+    throw Error(message("SHA-256 is not available in this OpenSSL"));
   }
 }
 

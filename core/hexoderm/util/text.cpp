@@ -10,12 +10,11 @@ namespace hexoderm {
 namespace {
 
 template <class Number>
-Number parseWhole(std::string_view text, std::string_view what, std::string_view expected) {
+Number parseWhole(std::string_view text, std::string_view what, const Message& expected) {
   Number value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || text.empty()) {
-    throw InvalidArgument(std::string(what) + ": expected " + std::string(expected) + ", found \"" + std::string(text) +
-                          "\"");
+    throw InvalidArgument(located(what, message("expected {}, found \"{}\"", expected, text)));
   }
   return value;
 }
@@ -39,13 +38,13 @@ std::string formatExact(double value) {
 }
 
 double parseNumber(std::string_view text, std::string_view what) {
-  const auto value = parseWhole<double>(text, what, "a number");
-  if (!std::isfinite(value)) throw InvalidArgument(std::string(what) + ": expected a finite number");
+  const auto value = parseWhole<double>(text, what, message("a number"));
+  if (!std::isfinite(value)) throw InvalidArgument(located(what, message("expected a finite number")));
   return value;
 }
 
 unsigned parseUnsigned(std::string_view text, std::string_view what) {
-  return parseWhole<unsigned>(text, what, "a whole number");
+  return parseWhole<unsigned>(text, what, message("a whole number"));
 }
 
 std::vector<std::string> split(std::string_view text, char separator) {

@@ -62,7 +62,7 @@ class Bookkeeper final : public SkinListener {
     changed_.notify_all();
   }
   void onCommandOutcome(const CommandOutcome& outcome) override {
-    EXPECT_TRUE(outcome.done) << outcome.text;
+    EXPECT_TRUE(outcome.done) << outcome.message.english();
     const std::lock_guard lock(mutex_);
     is_answered_ = true;
     changed_.notify_all();

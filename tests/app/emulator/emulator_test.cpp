@@ -119,7 +119,7 @@ void talk(const Emulator& emulator, std::size_t cells) {
     ASSERT_THAT(delivered.skins, SizeIs(1));
     EXPECT_EQ(delivered.skins[0].neighbors, trueTopology("ring8"));
     EXPECT_TRUE(delivered.skins[0].can_turn && delivered.skins[0].can_light_cells);
-    EXPECT_THAT(delivered.skins[0].device, HasSubstr("emulated"));
+    EXPECT_THAT(delivered.skins[0].device.english(), HasSubstr("emulated"));
     for (std::size_t k = 1; k < delivered.frames.size(); ++k) {
       EXPECT_THAT(delivered.frames[k].samples, SizeIs(cells));
       const double step_s = delivered.frames[k].time_s - delivered.frames[k - 1].time_s;
@@ -136,7 +136,7 @@ void talk(const Emulator& emulator, std::size_t cells) {
 
   EXPECT_TRUE(host.ask(SetLed{CellId(7), 255, 0, 16}).done);
   EXPECT_EQ(emulator.type("led 7"), "cell 7 #ff0010");
-  EXPECT_THAT(host.ask(SetLed{CellId(70), 1, 1, 1}).text, HasSubstr("no cell 70"));
+  EXPECT_THAT(host.ask(SetLed{CellId(70), 1, 1, 1}).message.english(), HasSubstr("no cell 70"));
   host.source.stop();
   const Delivered all = host.listener.delivered();
   const SourceStatus status = all.status();

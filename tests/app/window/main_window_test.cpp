@@ -56,7 +56,8 @@ TEST_F(MainWindowTest, GoesFromTheDemoSkinThroughTwoPosesToAnExportedFile) {
   ASSERT_TRUE(waitForPoses(2));
   EXPECT_EQ(find<QTableView>("poseView")->model()->rowCount(), 2);
   EXPECT_EQ(controller().reconstruction()->verdict.level, VerdictLevel::Usable);
-  EXPECT_EQ(find<QLabel>("bannerSentence")->text().toStdString(), controller().reconstruction()->verdict.reason);
+  EXPECT_EQ(find<QLabel>("bannerSentence")->text().toStdString(),
+            controller().reconstruction()->verdict.reason.english());
 
   press(Qt::Key_E, Qt::ControlModifier);
   auto* dialog = waitForDialog<QDialog>("exportDialog");

@@ -58,7 +58,7 @@ TEST_F(WindowFilesTest, AClickOnAFindingPicksWhatItIsAbout) {
       const Selection::Link link{{CellId(2), PortNumber(1)}, {CellId(3), PortNumber(4)}};
       EXPECT_TRUE(window_->selection().link() == link || window_->selection().cell() == CellId(2));
     } else {
-      EXPECT_TRUE(window_->selection().cell() || window_->selection().link()) << finding.text;
+      EXPECT_TRUE(window_->selection().cell() || window_->selection().link()) << finding.message.english();
     }
   }
   EXPECT_TRUE(seen_one_sided);

@@ -264,7 +264,7 @@ TEST_P(WindowFindingsTest, IsNamedPickedAndTheRestIsStillReconstructed) {
   std::string listed;
   for (int k = 0; k < table->rowCount(); ++k) {
     const Finding& finding = table->findingAt(k);
-    listed += std::string(codeName(finding.code)) + ": " + finding.text + '\n';
+    listed += std::string(codeName(finding.code)) + ": " + finding.message.english() + '\n';
     if (std::count(GetParam().codes.begin(), GetParam().codes.end(), finding.code) > 0 && row < 0) row = k;
   }
   ASSERT_GE(row, 0) << "found only\n" << listed;
@@ -300,11 +300,12 @@ TEST_P(WindowFindingsTest, IsNamedPickedAndTheRestIsStillReconstructed) {
   press(Qt::Key_4, Qt::ControlModifier);
   const Finding* worst = worstFinding(result);
   const auto labels = find<QWidget>("step4")->findChildren<QLabel*>();
-  const QString said = unbroken(QString::fromStdString(worst ? worst->text : result.verdict.reason));
+  const QString said =
+      unbroken(QString::fromStdString(worst ? worst->message.english() : result.verdict.reason.english()));
   EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
     return label->isVisible() && label->text() == said;
   })) << listed;
-  EXPECT_EQ(find<QLabel>("bannerSentence")->text().toStdString(), result.verdict.reason);
+  EXPECT_EQ(find<QLabel>("bannerSentence")->text().toStdString(), result.verdict.reason.english());
 }
 
 INSTANTIATE_TEST_SUITE_P(Faults, WindowFindingsTest, testing::ValuesIn(kCases),
@@ -325,7 +326,7 @@ TEST_F(WindowVerdictTest, TooFewPosesAreSaidWithWhatToDoNext) {
     press(Qt::Key_3, Qt::ControlModifier);
     const auto labels = find<QWidget>("step3")->findChildren<QLabel*>();
     EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
-      return label->isVisible() && label->text().toStdString() == verdict.next_action;
+      return label->isVisible() && label->text().toStdString() == verdict.next_action.english();
     })) << verdict.next_action;
     EXPECT_FALSE(find<QPushButton>("bannerButton")->text().contains("Export")) << "not good enough to offer it";
   }
@@ -337,7 +338,7 @@ TEST_F(WindowVerdictTest, AGoodSkinHasNothingToComplainAbout) {
   window_->openFile(pathTo("good.session.json"));
   ASSERT_TRUE(waitForPoses(6));
   EXPECT_EQ(worstFinding(*controller().reconstruction()), nullptr)
-      << worstFinding(*controller().reconstruction())->text;
+      << worstFinding(*controller().reconstruction())->message.english();
 }
 
 }  // namespace

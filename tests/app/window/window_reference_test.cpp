@@ -44,7 +44,7 @@ TEST_F(WindowReferenceTest, ADeadSensorIsTheFirstFindingAndIsShownByTheBanner) {
   ASSERT_NO_FATAL_FAILURE(open("/vectors/x17_dead_sensor_p6.session.json"));
   const Finding* worst = worstFinding(*controller().reconstruction());
   ASSERT_NE(worst, nullptr);
-  EXPECT_THAT(worst->cells, testing::Contains(CellId(7))) << worst->text;
+  EXPECT_THAT(worst->cells, testing::Contains(CellId(7))) << worst->message.english();
   EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Show what does not fit");
   clickBanner();
   EXPECT_EQ(window_->selection().cell(), CellId(7));

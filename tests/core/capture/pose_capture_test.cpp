@@ -13,9 +13,9 @@ TEST(AverageFrames, GivesMeanCovarianceOfTheMeanAndCount) {
       {0.001, {{CellId(7), {2, 0, 1.0}}}},
       {0.002, {{CellId(7), {1, 3, 1.0}}}},
   };
-  const PoseCapture pose = averageFrames(frames, PoseId(4), "standing");
+  const PoseCapture pose = averageFrames(frames, PoseId(4), Message::verbatim("standing"));
   EXPECT_EQ(pose.id, PoseId(4));
-  EXPECT_EQ(pose.label, "standing");
+  EXPECT_EQ(pose.label.english(), "standing");
   ASSERT_EQ(pose.samples.size(), 1U);
   const GravitySample& sample = pose.samples.front();
   EXPECT_EQ(sample.cell, CellId(7));
@@ -35,7 +35,7 @@ TEST(AverageFrames, CovarianceIsSymmetricAndShrinksWithTheCount) {
     const double x = normal(random);
     frame.samples.push_back({CellId(1), {x, 0.5 * x + normal(random), 1e3 + normal(random)}});
   }
-  const Eigen::Matrix3d cov = averageFrames(frames, PoseId(1), "").samples.front().cov_g2;
+  const Eigen::Matrix3d cov = averageFrames(frames, PoseId(1), {}).samples.front().cov_g2;
   EXPECT_EQ(cov, cov.transpose());
   EXPECT_NEAR(cov(0, 0) / (1e-4 / 10000), 1, 0.05);
   EXPECT_NEAR(cov(0, 1) / (0.5e-4 / 10000), 1, 0.1);
@@ -47,7 +47,7 @@ TEST(AverageFrames, CellsMayBeMissingFromFrames) {
       {0, {{CellId(2), {0, 0, 1}}, {CellId(1), {1, 0, 0}}}},
       {0, {{CellId(2), {0, 0, 1}}}},
   };
-  const PoseCapture pose = averageFrames(frames, PoseId(1), "");
+  const PoseCapture pose = averageFrames(frames, PoseId(1), {});
   ASSERT_EQ(pose.samples.size(), 2U);
   EXPECT_EQ(pose.samples[0].cell, CellId(1));
   EXPECT_EQ(pose.samples[0].count, 1U);
@@ -63,7 +63,7 @@ TEST(AverageFrames, LeavesOutSamplesThatAreNotFinite) {
       {0, {{CellId(1), {nan, 0, 0}}, {CellId(2), {0, infinite, 0}}}},
       {0, {{CellId(1), {0, 0, 1}}}},
   };
-  const PoseCapture pose = averageFrames(frames, PoseId(1), "");
+  const PoseCapture pose = averageFrames(frames, PoseId(1), {});
   ASSERT_EQ(pose.samples.size(), 1U);
   EXPECT_EQ(pose.samples[0].mean_g, Eigen::Vector3d(0, 0, 1));
   EXPECT_EQ(pose.samples[0].count, 1U);
@@ -74,7 +74,7 @@ TEST(AverageFrames, PoolsMeansThatTheDeviceMadeWithSamples) {
   std::vector<SampleFrame> frames(2);
   frames[0].means.push_back({CellId(1), {2, 0, 1}, {4, 0, 0}, 3});
   frames[1].samples.push_back({CellId(1), {6, 0, 1}});
-  const GravitySample sample = averageFrames(frames, PoseId(1), "").samples.front();
+  const GravitySample sample = averageFrames(frames, PoseId(1), {}).samples.front();
   EXPECT_EQ(sample.count, 4U);
   EXPECT_LT((sample.mean_g - Eigen::Vector3d(3, 0, 1)).norm(), 1e-15);
   EXPECT_NEAR(sample.cov_g2(0, 0), 20.0 / 3 / 4, 1e-15);
@@ -85,10 +85,10 @@ TEST(AverageFrames, LeavesOutMeansOfNothingAndNegativeVariances) {
   std::vector<SampleFrame> frames(1);
   frames[0].means.push_back({CellId(1), {2, 0, 1}, {4, 0, 0}, 0});
   frames[0].means.push_back({CellId(2), {2, 0, 1}, {-4, 0, 0}, 5});
-  EXPECT_TRUE(averageFrames(frames, PoseId(1), "").samples.empty());
+  EXPECT_TRUE(averageFrames(frames, PoseId(1), {}).samples.empty());
 }
 
-TEST(AverageFrames, OfNothingIsAPoseWithoutSamples) { EXPECT_TRUE(averageFrames({}, PoseId(1), "").samples.empty()); }
+TEST(AverageFrames, OfNothingIsAPoseWithoutSamples) { EXPECT_TRUE(averageFrames({}, PoseId(1), {}).samples.empty()); }
 
 }  // namespace
 }  // namespace hexoderm

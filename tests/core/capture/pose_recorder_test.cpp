@@ -75,7 +75,7 @@ TEST(PoseRecorder, CapturesTheMeanOfEveryCellWithCovarianceAndCount) {
   EXPECT_THAT(captured.short_cells, IsEmpty());
   EXPECT_NEAR(captured.end_s - captured.start_s, 0.1, 1e-6);
   EXPECT_THAT(captured.frames, SizeIs(100));
-  const PoseCapture expected = averageFrames(between(stream.frames, captured.start_s, captured.end_s), PoseId(7), "");
+  const PoseCapture expected = averageFrames(between(stream.frames, captured.start_s, captured.end_s), PoseId(7), {});
   ASSERT_THAT(captured.pose->samples, SizeIs(3));
   for (std::size_t k = 0; k < 3; ++k) {
     const GravitySample& sample = captured.pose->samples[k];
@@ -143,15 +143,16 @@ TEST(PoseRecorder, CapturesEveryHoldOfASimulatedSkinOnce) {
     SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
     Captures captures;
     PoseRecorder recorder(captures);
-    recorder.setSkin({"simulated", std::make_shared<CellModel>(skin.model()), skin.neighbors()});
+    recorder.setSkin({Message::verbatim("simulated"), std::make_shared<CellModel>(skin.model()), skin.neighbors()});
     std::size_t held = 0;
     feedHolds(
         skin, recorder, 4, 1500, [&] { EXPECT_THAT(captures.poses, SizeIs(held)) << "captured on the way"; },
         [&](const std::vector<SampleFrame>& hold) {
           ++held;
-          ASSERT_THAT(captures.poses, SizeIs(held)) << "seed " << seed << ": " << captures.holds.back().text;
+          ASSERT_THAT(captures.poses, SizeIs(held))
+              << "seed " << seed << ": " << captures.holds.back().message.english();
           const PoseCapture& pose = *captures.poses.back().pose;
-          const PoseCapture expected = averageFrames(hold, PoseId(1), "");
+          const PoseCapture expected = averageFrames(hold, PoseId(1), {});
           EXPECT_EQ(pose.id, PoseId(static_cast<std::uint32_t>(held)));
           ASSERT_THAT(pose.samples, SizeIs(17));
           for (std::size_t c = 0; c < 17; ++c) {
@@ -169,14 +170,14 @@ TEST(PoseRecorder, ABrokenCellKeepsNothingFromBeingCaptured) {
     SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
     Captures captures;
     PoseRecorder recorder(captures);
-    recorder.setSkin({"simulated", std::make_shared<CellModel>(skin.model()), skin.neighbors()});
+    recorder.setSkin({Message::verbatim("simulated"), std::make_shared<CellModel>(skin.model()), skin.neighbors()});
     std::size_t held = 0;
     feedHolds(
         skin, recorder, 3, 4500, [&] { EXPECT_THAT(captures.poses, SizeIs(held)); },
         [&](const std::vector<SampleFrame>&) {
           ++held;
           EXPECT_THAT(captures.poses, SizeIs(held))
-              << "fault " << static_cast<int>(fault) << ": " << captures.holds.back().text;
+              << "fault " << static_cast<int>(fault) << ": " << captures.holds.back().message.english();
         });
     if (fault == SkinFault::NoSamples) {
       EXPECT_THAT(captures.poses.back().silent_cells, ElementsAre(CellId(1), CellId(9), CellId(14)));
@@ -223,7 +224,7 @@ TEST(PoseRecorder, WaitsForTheOperatorUnlessItIsAutomatic) {
   PoseRecorder recorder(captures, options);
   feed(recorder, stream.frames);
   EXPECT_THAT(captures.poses, IsEmpty());
-  EXPECT_EQ(captures.holds.back().text, "Still: ready to capture");
+  EXPECT_EQ(captures.holds.back().message.english(), "Still: ready to capture");
 
   recorder.setAutomatic(true);
   stream.frames.clear();
@@ -248,7 +249,7 @@ TEST(PoseRecorder, CapturesAnywayWhenAsked) {
   EXPECT_EQ(captures.poses.front().start_s, stream.frames.front().time_s);
   EXPECT_EQ(captures.poses.front().pose->samples.front().count, 100U);
   // The next samples, from the first on.
-  const PoseCapture expected = averageFrames(std::span(stream.frames).first(100), PoseId(1), "");
+  const PoseCapture expected = averageFrames(std::span(stream.frames).first(100), PoseId(1), {});
   EXPECT_EQ(captures.poses.front().pose->samples.front().mean_g, expected.samples.front().mean_g);
 }
 
@@ -459,7 +460,7 @@ TEST(PoseRecorder, PoolsMeansThatTheDeviceMadeByTheirCounts) {
     const auto batch = std::span(stream.frames).subspan(k, size);
     SampleFrame frame;
     frame.time_s = batch.back().time_s;
-    for (const GravitySample& sample : averageFrames(batch, PoseId(1), "").samples) {
+    for (const GravitySample& sample : averageFrames(batch, PoseId(1), {}).samples) {
       frame.means.push_back({sample.cell, sample.mean_g, sample.count * sample.cov_g2.diagonal(), sample.count});
     }
     means.push_back(frame);
@@ -471,7 +472,7 @@ TEST(PoseRecorder, PoolsMeansThatTheDeviceMadeByTheirCounts) {
   const CapturedPose& captured = captures.poses.front();
   // The first mean after the start may reach back beyond it and is left out.
   const auto first = std::ranges::find_if(means, [&](const SampleFrame& f) { return f.time_s > captured.start_s; });
-  const PoseCapture expected = averageFrames(between(stream.frames, first->time_s, captured.end_s), PoseId(1), "");
+  const PoseCapture expected = averageFrames(between(stream.frames, first->time_s, captured.end_s), PoseId(1), {});
   for (std::size_t k = 0; k < 2; ++k) {
     EXPECT_EQ(captured.pose->samples[k].count, expected.samples[k].count);
     EXPECT_GE(captured.pose->samples[k].count, 100U);
@@ -496,7 +497,7 @@ TEST(PoseRecorder, ShowsThePresentReadingsAtMostTwentyTimesASecond) {
   EXPECT_EQ(preview.temperatures[0].cell, CellId(2));
   EXPECT_EQ(preview.temperatures[0].temperature_c, 32.5) << "the last one said";
   const PoseCapture recent =
-      averageFrames(between(stream.frames, preview.time_s - 0.1005, preview.time_s - 0.0005), PoseId(1), "");
+      averageFrames(between(stream.frames, preview.time_s - 0.1005, preview.time_s - 0.0005), PoseId(1), {});
   ASSERT_THAT(preview.means, SizeIs(3));
   for (std::size_t k = 0; k < 3; ++k) {
     EXPECT_EQ(preview.means[k].cell, recent.samples[k].cell);

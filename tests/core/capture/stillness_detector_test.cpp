@@ -62,19 +62,19 @@ SyntheticStream held(double duration_s, StreamOptions options = {}) {
 TEST(StillnessDetector, WaitsUntilItHasAWindowOfSamples) {
   StillnessDetector detector(accelerometer());
   EXPECT_EQ(detector.stillness().blocker, Blocker::Waiting);
-  EXPECT_EQ(detector.stillness().text, "Waiting for samples");
+  EXPECT_EQ(detector.stillness().message.english(), "Waiting for samples");
   feed(detector, held(0.5).frames);
   EXPECT_FALSE(detector.stillness().still);
-  EXPECT_EQ(detector.stillness().text, "Waiting for samples: fewer than 0.8 s so far");
+  EXPECT_EQ(detector.stillness().message.english(), "Waiting for samples: fewer than 0.8 s so far");
 }
 
 TEST(StillnessDetector, FindsATableStillAndSaysForHowLong) {
   StillnessDetector detector(accelerometer());
   feed(detector, held(3).frames);
   const Stillness& stillness = detector.stillness();
-  EXPECT_TRUE(stillness.ready()) << stillness.text;
+  EXPECT_TRUE(stillness.ready()) << stillness.message.english();
   EXPECT_EQ(stillness.blocker, Blocker::None);
-  EXPECT_EQ(stillness.text, "");
+  EXPECT_EQ(stillness.message.english(), "");
   EXPECT_NEAR(stillness.still_for_s, 2.75, 0.11);
   EXPECT_NEAR(stillness.rate_hz, 1000, 25);
   EXPECT_EQ(stillness.cells, 1U);
@@ -86,7 +86,7 @@ TEST(StillnessDetector, TakesReadingsThatNeverChangeForStill) {
   StreamOptions exact;
   exact.noise_g = 0;
   feed(detector, held(2, exact).frames);
-  EXPECT_TRUE(detector.stillness().still) << detector.stillness().text;
+  EXPECT_TRUE(detector.stillness().still) << detector.stillness().message.english();
 }
 
 TEST(StillnessDetector, AcceptsTheTremorOfTheSimulatedHand) {
@@ -107,7 +107,7 @@ TEST(StillnessDetector, AcceptsItOnAPartWhoseEndsAreFarFromTheHand) {
   SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
   skin.record({0, 0, 1}, 1);
   StillnessDetector detector(skin.model().accelerometer);
-  EXPECT_GE(stillShare(detector, skin.record({0, 1, 0}, 3000)), 0.95) << detector.stillness().text;
+  EXPECT_GE(stillShare(detector, skin.record({0, 1, 0}, 3000)), 0.95) << detector.stillness().message.english();
 }
 
 TEST(StillnessDetector, SaysHowFastThePartTurns) {
@@ -122,7 +122,7 @@ TEST(StillnessDetector, SaysHowFastThePartTurns) {
     const Stillness& stillness = detector.stillness();
     EXPECT_EQ(stillness.blocker, Blocker::Turning);
     EXPECT_NEAR(toDegrees(stillness.drift_rad_s), 3, 0.6) << rate_hz;
-    EXPECT_EQ(stillness.text,
+    EXPECT_EQ(stillness.message.english(),
               "Hold still: the part turns by " + formatFixed(toDegrees(stillness.drift_rad_s), 1) + " deg/s, limit 1");
   }
 }
@@ -152,8 +152,8 @@ TEST(StillnessDetector, NamesTheCellThatMoves) {
     if (stillness.blocker != Blocker::Shaking) continue;
     ++shakes;
     EXPECT_GT(stillness.excess_g, stillness.excess_limit_g);
-    EXPECT_EQ(stillness.text, "Hold still: cell " + toString(stillness.excess_cell) + " moves " +
-                                  formatFixed(1000 * stillness.excess_g, 0) + " mg, limit 30");
+    EXPECT_EQ(stillness.message.english(), "Hold still: cell " + toString(stillness.excess_cell) + " moves " +
+                                               formatFixed(1000 * stillness.excess_g, 0) + " mg, limit 30");
   }
   EXPECT_GT(shakes, judged / 4);
   EXPECT_FALSE(detector.stillness().still);
@@ -178,7 +178,7 @@ TEST(StillnessDetector, IsArmedAgainByAMoveOfMoreThanFiveDegrees) {
   StillnessDetector detector(accelerometer());
   feed(detector, stream.frames);
   ASSERT_TRUE(detector.stillness().ready());
-  detector.disarm(averageFrames(stream.frames, PoseId(1), ""));
+  detector.disarm(averageFrames(stream.frames, PoseId(1), {}));
   EXPECT_FALSE(detector.stillness().armed);
 
   stream.frames.clear();
@@ -189,7 +189,7 @@ TEST(StillnessDetector, IsArmedAgainByAMoveOfMoreThanFiveDegrees) {
   EXPECT_FALSE(detector.stillness().ready());
   EXPECT_EQ(detector.stillness().blocker, Blocker::NotMoved);
   EXPECT_NEAR(toDegrees(detector.stillness().moved_rad), 3, 0.3);
-  EXPECT_THAT(detector.stillness().text,
+  EXPECT_THAT(detector.stillness().message.english(),
               MatchesRegex("Turn the part: it has moved [23]\\.[0-9] deg since the last capture, "
                            "more than 5 are needed"));
 
@@ -200,7 +200,7 @@ TEST(StillnessDetector, IsArmedAgainByAMoveOfMoreThanFiveDegrees) {
   ASSERT_GT(angleBetween(up, stream.up()), 15 * kDegree);
   stream.hold(2);
   feed(detector, stream.frames);
-  EXPECT_TRUE(detector.stillness().ready()) << detector.stillness().text;
+  EXPECT_TRUE(detector.stillness().ready()) << detector.stillness().message.english();
 }
 
 TEST(StillnessDetector, StaysArmedWhenThePartReturns) {
@@ -208,7 +208,7 @@ TEST(StillnessDetector, StaysArmedWhenThePartReturns) {
   SyntheticStream first(StreamOptions{});
   first.hold(1.5);
   feed(detector, first.frames);
-  detector.disarm(averageFrames(first.frames, PoseId(1), ""));
+  detector.disarm(averageFrames(first.frames, PoseId(1), {}));
   first.frames.clear();
   const Eigen::Vector3d axis = first.someAxis();
   first.turnAbout(axis, 20 * kDegree, 1);
@@ -216,7 +216,7 @@ TEST(StillnessDetector, StaysArmedWhenThePartReturns) {
   first.hold(2);
   feed(detector, first.frames);
   EXPECT_LT(toDegrees(detector.stillness().moved_rad), 2);
-  EXPECT_TRUE(detector.stillness().ready()) << detector.stillness().text;
+  EXPECT_TRUE(detector.stillness().ready()) << detector.stillness().message.english();
 }
 
 /// The kind that one bad cell of five is given while the part is held, moved and held again; it must not block.
@@ -245,11 +245,11 @@ TEST_P(StillnessDetectorWith, OneBadCellDoesNotBlockAndIsNamed) {
     for (const SampleFrame& frame : stream.frames) {
       if (detector.add(frame) && !detector.stillness().still) last_blocked_s = frame.time_s;
     }
-    EXPECT_LT(last_blocked_s, still_from_s + StillnessOptions().patience_s) << detector.stillness().text;
+    EXPECT_LT(last_blocked_s, still_from_s + StillnessOptions().patience_s) << detector.stillness().message.english();
     const OddCell* odd = oddOne(detector.stillness(), 3);
     ASSERT_NE(odd, nullptr);
     EXPECT_EQ(odd->kind, GetParam().kind);
-    EXPECT_THAT(describe(*odd), StartsWith("Cell 3 is "));
+    EXPECT_THAT(describe(*odd).english(), StartsWith("Cell 3 is "));
     EXPECT_EQ(detector.stillness().odd_cells.size(), 1U);
   }
 }
@@ -277,7 +277,7 @@ std::string nameOf(const ::testing::TestParamInfo<BadCell>& cell) { return cell.
 INSTANTIATE_TEST_SUITE_P(Kinds, StillnessDetectorWith, ::testing::ValuesIn(badCells()), nameOf);
 
 TEST(StillnessDetector, SaysWhatADeadCellReads) {
-  EXPECT_EQ(describe({CellId(4), OddCellKind::Dead, 0.012}), "Cell 4 is dead: it reads 12 mg, no gravity");
+  EXPECT_EQ(describe({CellId(4), OddCellKind::Dead, 0.012}).english(), "Cell 4 is dead: it reads 12 mg, no gravity");
 }
 
 TEST(StillnessDetector, ACellThatTurnsAloneBlocksForAWhile) {
@@ -294,7 +294,7 @@ TEST(StillnessDetector, ACellThatTurnsAloneBlocksForAWhile) {
     const Stillness& stillness = detector.stillness();
     if (stillness.blocker == Blocker::CellTurning) {
       EXPECT_EQ(stillness.turning_cell, CellId(2));
-      EXPECT_THAT(stillness.text,
+      EXPECT_THAT(stillness.message.english(),
                   MatchesRegex("Hold still: cell 2 turns by 11\\.[3-6] deg/s against the rest, limit 2"));
     }
     if (stillness.still && first_still_s == 0) first_still_s = frame.time_s - stream.frames.front().time_s;
@@ -368,7 +368,7 @@ TEST(StillnessDetector, IgnoresReadingsThatAreNoNumbers) {
   for (std::size_t k = 0; k < stream.frames.size(); k += 7) stream.frames[k].samples[1].acceleration_g.x() = 1e300;
   StillnessDetector detector(accelerometer());
   feed(detector, stream.frames);
-  EXPECT_TRUE(detector.stillness().still) << detector.stillness().text;
+  EXPECT_TRUE(detector.stillness().still) << detector.stillness().message.english();
   EXPECT_EQ(detector.stillness().cells_used, 2U);
   EXPECT_TRUE(std::isfinite(detector.stillness().excess_g));
   ASSERT_NE(oddOne(detector.stillness(), 1), nullptr);
@@ -390,7 +390,7 @@ TEST(StillnessDetector, CellsMaySendInTurnOrFailToSend) {
       }
     }
     StillnessDetector detector(accelerometer());
-    EXPECT_GE(stillShare(detector, stream.frames), 0.95) << detector.stillness().text;
+    EXPECT_GE(stillShare(detector, stream.frames), 0.95) << detector.stillness().message.english();
     EXPECT_EQ(detector.stillness().cells_used, 12U);
   }
 }
@@ -410,7 +410,7 @@ TEST(StillnessDetector, JudgesMeansThatTheDeviceMade) {
       if (frame.time_s < batch.front().time_s + mean_s) continue;
       SampleFrame means;
       means.time_s = frame.time_s;
-      for (const GravitySample& sample : averageFrames(batch, PoseId(1), "").samples) {
+      for (const GravitySample& sample : averageFrames(batch, PoseId(1), {}).samples) {
         means.means.push_back({sample.cell, sample.mean_g, sample.count * sample.cov_g2.diagonal(), sample.count});
       }
       batch.clear();

@@ -19,7 +19,7 @@ using testing::SizeIs;
 class CaptureCourseTest : public testing::Test, public CaptureOwner {
  protected:
   CaptureCourseTest() {
-    description_.device = "test skin";
+    description_.device = Message::verbatim("test skin");
     description_.model = std::make_shared<const CellModel>(skin_.model());
     description_.neighbors = skin_.neighbors();
     description_.can_turn = true;
@@ -67,7 +67,7 @@ class CaptureCourseTest : public testing::Test, public CaptureOwner {
     const PoseId id(static_cast<std::uint32_t>(next_ + 1));
     CapturedPose captured;
     captured.frames = skin_.record(ups[next_], 20);
-    captured.pose = std::make_shared<const PoseCapture>(averageFrames(captured.frames, id, ""));
+    captured.pose = std::make_shared<const PoseCapture>(averageFrames(captured.frames, id, {}));
     ++next_;
     return captured;
   }
@@ -76,9 +76,9 @@ class CaptureCourseTest : public testing::Test, public CaptureOwner {
     course_->take(captured);
     return captured.pose->id;
   }
-  void store(PoseId pose) { course_->setStored(pose, {1, "", false}); }
+  void store(PoseId pose) { course_->setStored(pose, {1, {}, false}); }
   void refuse(PoseId pose, CaptureCourse::Clock::time_point now = {}) {
-    course_->setStored(pose, {0, "the disk is full", true}, now);
+    course_->setStored(pose, {0, Message::verbatim("the disk is full"), true}, now);
   }
   void solve() { course_->setResult(reconstruct(*session_.snapshot()), true); }
   void advise() {
@@ -90,7 +90,8 @@ class CaptureCourseTest : public testing::Test, public CaptureOwner {
     advise();
   }
   void answerTurn(bool done) {
-    course_->setOutcome({static_cast<std::uint32_t>(turns_.size()), done, done ? "" : "out of reach"});
+    course_->setOutcome(
+        {static_cast<std::uint32_t>(turns_.size()), done, done ? Message() : Message::verbatim("out of reach")});
   }
 
   SimulatedSkin skin_{builtInCellModel("hex-bma150"), {}};
@@ -105,7 +106,7 @@ class CaptureCourseTest : public testing::Test, public CaptureOwner {
   int retries_ = 0;
   std::vector<PoseId> taken_, kept_;
   std::vector<KeptIn> kept_in_;
-  std::vector<std::string> lost_;
+  std::vector<Message> lost_;
   int refusals_ = 0, skin_changes_ = 0, finishes_ = 0;
   std::optional<AdviceQuestion> question_;
   std::vector<TurnRefused> turn_refusals_;
@@ -144,8 +145,8 @@ TEST_F(CaptureCourseTest, WithoutAFileItCountsAtOnceAndIsSaidToBeInMemory) {
 }
 
 TEST_F(CaptureCourseTest, APoseThatCanNotBeWrittenForGoodIsLost) {
-  course_->setStored(take(), {0, "the session was closed", false});
-  EXPECT_THAT(lost_, ElementsAre("the session was closed"));
+  course_->setStored(take(), {0, Message::verbatim("the session was closed"), false});
+  EXPECT_THAT(lost_, ElementsAre(Message::verbatim("the session was closed")));
   EXPECT_THAT(kept_, IsEmpty());
   EXPECT_EQ(course_->waiting(), 0U);
 }
@@ -340,7 +341,7 @@ TEST_F(CaptureCourseTest, ARefusedTurnIsNotAdvisedAgainAndARobotGivesUp) {
   answerTurn(false);
   advise();
   ASSERT_THAT(turn_refusals_, SizeIs(1));
-  EXPECT_EQ(turn_refusals_[0].why, "out of reach");
+  EXPECT_EQ(turn_refusals_[0].why.english(), "out of reach");
   ASSERT_THAT(turns_, SizeIs(2));
   EXPECT_LT(turns_[1].up_u.dot(turns_[0].up_u), std::cos(30 * kDegree));
   for (std::size_t k = 1; k <= CaptureCourse::kMostRefusals; ++k) {

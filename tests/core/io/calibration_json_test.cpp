@@ -60,10 +60,11 @@ Reconstruction richCalibration() {
   result.layout = computeFlatLayout(*result.model, result.patches);
   result.poses.at(0).new_by_rad = 0.9;
   result.poses.at(0).residual_rad = 0.01;
-  result.findings.push_back(makeFinding(FindingCode::LinkNotRigid, "Odd.", {CellId(2), CellId(5)},
+  result.findings.push_back(makeFinding(FindingCode::LinkNotRigid, Message::verbatim("Odd."), {CellId(2), CellId(5)},
                                         {PortNumber(2), PortNumber(3)}, {PoseId(5)}));
   result.findings.back().severity = Severity::Error;
-  result.verdict = {VerdictLevel::NotEnough, "Because.", 0.00123456789, 0.0333, "Do this."};
+  result.verdict = {VerdictLevel::NotEnough, Message::verbatim("Because."), 0.00123456789, 0.0333,
+                    Message::verbatim("Do this.")};
   return result;
 }
 
@@ -182,8 +183,8 @@ TEST(CalibrationJson, ComesBackAsItWas) {
   }
   EXPECT_EQ(back->findings, result.findings);
   EXPECT_EQ(back->verdict.level, VerdictLevel::NotEnough);
-  EXPECT_EQ(back->verdict.reason, "Because.");
-  EXPECT_EQ(back->verdict.next_action, "Do this.");
+  EXPECT_EQ(back->verdict.reason.english(), "Because.");
+  EXPECT_EQ(back->verdict.next_action.english(), "Do this.");
   EXPECT_DOUBLE_EQ(back->verdict.position_95_m.value_or(0), 0.00123456789);
   EXPECT_DOUBLE_EQ(back->verdict.orientation_95_rad.value_or(0), 0.0333);
 }

@@ -217,7 +217,7 @@ TEST(ExtremeNumbers, AMeanOfAbsurdReadingsIsNotTaken) {
                  {CellId(5), {0, 1, 0}, {0, 0, 0}, UINT32_MAX},
                  {CellId(5), {0, 1, 0}, {0, 0, 0}, UINT32_MAX}};
   const std::array frames = {frame};
-  const PoseCapture pose = averageFrames(frames, PoseId(1), "");
+  const PoseCapture pose = averageFrames(frames, PoseId(1), {});
   ASSERT_EQ(pose.samples.size(), 2U);
   EXPECT_EQ(pose.samples[0].cell, CellId(2));
   EXPECT_EQ(pose.samples[1].cell, CellId(5));

@@ -40,7 +40,7 @@ std::string complaintWithout(const std::string& parent, const std::string& key) 
 TEST(SessionJson, ReadsAFileWrittenByHand) {
   const Session session = readSessionJson(kThreeCells);
   EXPECT_EQ(session.model().name, "hex-bma150");
-  EXPECT_EQ(session.source().text, "Three cells in a row, bent by 20 degrees at each link");
+  EXPECT_EQ(session.source().text.english(), "Three cells in a row, bent by 20 degrees at each link");
 
   ASSERT_EQ(session.neighbors().size(), 3U);
   const CellReport& second = session.neighbors()[1];
@@ -53,7 +53,7 @@ TEST(SessionJson, ReadsAFileWrittenByHand) {
   ASSERT_EQ(session.poses().size(), 3U);
   const PoseCapture& first = *session.poses()[0].capture;
   EXPECT_EQ(first.id, PoseId(1));
-  EXPECT_EQ(first.label, "lying on the table");
+  EXPECT_EQ(first.label.english(), "lying on the table");
   EXPECT_FALSE(session.poses()[0].disabled);
   ASSERT_EQ(first.samples.size(), 3U);
   EXPECT_EQ(first.samples[0].mean_g, Eigen::Vector3d(0.1, 0.2, 0.9746794344808963));
@@ -83,7 +83,7 @@ TEST(SessionJson, ComesBackAsItWas) {
   Session session = readSessionJson(kThreeCells);
   PoseCapture capture;
   capture.id = PoseId(9);
-  capture.label = "\"quoted\" and ümläut\n";
+  capture.label = Message::verbatim("\"quoted\" and ümläut\n");
   GravitySample sample;
   sample.cell = CellId(4'294'967'295);
   sample.mean_g = {0.1 + 0.2, -5e-324, 1.0 / 3.0};
@@ -179,7 +179,7 @@ TEST(SessionJson, TakesAnEmptySkin) {
   EXPECT_TRUE(session.neighbors().empty());
   EXPECT_TRUE(session.poses().empty());
   EXPECT_EQ(session.truth(), nullptr);
-  EXPECT_EQ(session.source().text, "");
+  EXPECT_EQ(session.source().text.english(), "");
 }
 
 TEST(SessionJson, LeavesContradictionsOfTheSkinToTheGraph) {

@@ -76,7 +76,7 @@ TEST(TumXml, GivesItsPlacementsAsACalibration) {
   EXPECT_EQ(result->solver, "imported");
   EXPECT_EQ(result->source.file, "two_patches.tum.xml");
   EXPECT_EQ(result->verdict.level, VerdictLevel::Usable);
-  EXPECT_THAT(result->verdict.reason, saysAll("Imported", "nothing was measured"));
+  EXPECT_THAT(result->verdict.reason.english(), saysAll("Imported", "nothing was measured"));
   ASSERT_EQ(result->patches.size(), 2U);
   EXPECT_EQ(result->patches[0].origin, CellId(2));
   EXPECT_EQ(result->patches[1].origin, CellId(7));

@@ -92,7 +92,7 @@ TEST(ReconstructionWorker, SolvesASnapshotAndSaysWhichRevisionItWas) {
   const std::vector<ReconstructionOutcome> seen = outcomes.waitFor(1);
   ASSERT_EQ(seen.size(), 1U);
   EXPECT_EQ(seen[0].revision, 7U);
-  EXPECT_EQ(seen[0].error, "");
+  EXPECT_EQ(seen[0].error.english(), "");
   ASSERT_NE(seen[0].reconstruction, nullptr);
   EXPECT_EQ(seen[0].reconstruction->revision, 7U);
 }
@@ -139,8 +139,8 @@ TEST(ReconstructionWorker, AnErrorBecomesAnOutcomeAndTheWorkerGoesOn) {
   const std::vector<ReconstructionOutcome> seen = outcomes.waitFor(2);
   EXPECT_EQ(seen[0].revision, 1U);
   EXPECT_EQ(seen[0].reconstruction, nullptr);
-  EXPECT_THAT(seen[0].error, testing::HasSubstr("threshold"));
-  EXPECT_EQ(seen[1].error, "");
+  EXPECT_THAT(seen[0].error.english(), testing::HasSubstr("threshold"));
+  EXPECT_EQ(seen[1].error.english(), "");
   EXPECT_NE(seen[1].reconstruction, nullptr);
 }
 

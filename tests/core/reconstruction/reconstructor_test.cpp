@@ -175,7 +175,7 @@ TEST_P(EverySolver, NoPosesGiveAFlatSheetAndSayWhatIsMissing) {
 TEST_P(EverySolver, OnePoseIsNotEnoughAndSaysSo) {
   const auto result = solve(bentX17().session(orthogonalUps(1)));
   EXPECT_EQ(result->verdict.level, VerdictLevel::NotEnough);
-  EXPECT_NE(result->verdict.reason.find("Not enough poses"), std::string::npos);
+  EXPECT_NE(result->verdict.reason.english().find("Not enough poses"), std::string::npos);
   EXPECT_TRUE(hasFinding(*result, FindingCode::TooFewDirections));
   EXPECT_THAT(*result, IsFinite());
 }

@@ -9,7 +9,7 @@ namespace hexoderm {
 namespace {
 
 SessionPose pose(std::uint32_t id) {
-  return {std::make_shared<const PoseCapture>(PoseCapture{PoseId(id), "pose " + std::to_string(id), {}}), false};
+  return {std::make_shared<const PoseCapture>(PoseCapture{PoseId(id), message("pose {}", id), {}}), false};
 }
 
 const LinkEnd kA{CellId(1), PortNumber(2)};

@@ -81,7 +81,7 @@ TEST_F(SessionRecorderTest, AcknowledgesInOrderWhatIsOnDisk) {
   ASSERT_EQ(all.size(), 21U);
   for (std::size_t k = 0; k < 20; ++k) {
     EXPECT_EQ(all[k].call, static_cast<int>(k + 1));
-    EXPECT_EQ(all[k].outcome.error, "");
+    EXPECT_EQ(all[k].outcome.error.english(), "");
     EXPECT_EQ(all[k].outcome.revision, all[0].outcome.revision + k);
   }
   EXPECT_EQ(all[20].call, 100);
@@ -111,20 +111,20 @@ TEST_F(SessionRecorderTest, OpensOnItsOwnThreadAndKeepsWhatComesMeanwhile) {
   may_open.set_value();
   const auto all = outcomes_.waitFor(2);
   EXPECT_EQ(all[0].call, 0);
-  EXPECT_EQ(all[0].outcome.error, "");
+  EXPECT_EQ(all[0].outcome.error.english(), "");
   EXPECT_EQ(all[1].call, 1);
-  EXPECT_EQ(all[1].outcome.error, "");
+  EXPECT_EQ(all[1].outcome.error.english(), "");
 }
 
 TEST_F(SessionRecorderTest, AStoreThatCanNotBeOpenedIsTriedAgain) {
   std::optional<SessionStore> other = SessionStore::open(path_);
   SessionRecorder recorder([this] { return SessionStore::open(path_); }, outcomes_.acknowledge(0));
   const StoreOutcome refused = outcomes_.waitFor(1)[0].outcome;
-  EXPECT_THAT(refused.error, HasSubstr("already open"));
+  EXPECT_THAT(refused.error.english(), HasSubstr("already open"));
   EXPECT_TRUE(refused.is_kept);
   other.reset();
   recorder.retry();
-  EXPECT_EQ(outcomes_.waitFor(2)[1].outcome.error, "");
+  EXPECT_EQ(outcomes_.waitFor(2)[1].outcome.error.english(), "");
 }
 
 TEST_F(SessionRecorderTest, WhatCanNotBeWrittenIsKeptInOrderAndWrittenLater) {
@@ -135,7 +135,7 @@ TEST_F(SessionRecorderTest, WhatCanNotBeWrittenIsKeptInOrderAndWrittenLater) {
     recorder.append(capture(1), outcomes_.acknowledge(1));
     const auto first = outcomes_.waitFor(1);
     EXPECT_EQ(first[0].call, 1);
-    EXPECT_THAT(first[0].outcome.error, HasSubstr("arm.hexo"));
+    EXPECT_THAT(first[0].outcome.error.english(), HasSubstr("arm.hexo"));
     EXPECT_TRUE(first[0].outcome.is_kept);
     EXPECT_EQ(first[0].outcome.revision, 0U);
 
@@ -150,9 +150,9 @@ TEST_F(SessionRecorderTest, WhatCanNotBeWrittenIsKeptInOrderAndWrittenLater) {
   recorder.retry();
   const auto all = outcomes_.waitFor(acknowledged + 2);
   EXPECT_EQ(all[acknowledged].call, 1);
-  EXPECT_EQ(all[acknowledged].outcome.error, "");
+  EXPECT_EQ(all[acknowledged].outcome.error.english(), "");
   EXPECT_EQ(all[acknowledged + 1].call, 2);
-  EXPECT_EQ(all[acknowledged + 1].outcome.error, "");
+  EXPECT_EQ(all[acknowledged + 1].outcome.error.english(), "");
   EXPECT_THAT(stored(), ElementsAre(1U, 2U));
 }
 
@@ -173,18 +173,18 @@ TEST_F(SessionRecorderTest, APoseWhoseRawSamplesDoNotFitIsKeptWithoutThem) {
   {
     SessionRecorder recorder(SessionStore::open(path_));
     recorder.append(captureWithRaw(1), outcomes_.acknowledge(1));
-    EXPECT_EQ(outcomes_.waitFor(1)[0].outcome.without_raw, "");
+    EXPECT_EQ(outcomes_.waitFor(1)[0].outcome.without_raw.english(), "");
     {
       const test::NoFileGrows nearly_full(3 << 20);
       for (std::uint32_t id = 2; id <= 4; ++id) {
         recorder.append(captureWithRaw(id), outcomes_.acknowledge(static_cast<int>(id)));
       }
       const auto all = outcomes_.waitFor(4);
-      EXPECT_EQ(all.back().outcome.error, "");
-      EXPECT_THAT(all.back().outcome.without_raw, HasSubstr("arm.hexo"));
+      EXPECT_EQ(all.back().outcome.error.english(), "");
+      EXPECT_THAT(all.back().outcome.without_raw.english(), HasSubstr("arm.hexo"));
     }
     recorder.append(captureWithRaw(5), outcomes_.acknowledge(5));
-    EXPECT_EQ(outcomes_.waitFor(5).back().outcome.without_raw, "") << "the disk has room again";
+    EXPECT_EQ(outcomes_.waitFor(5).back().outcome.without_raw.english(), "") << "the disk has room again";
   }
   EXPECT_THAT(stored(), ElementsAre(1U, 2U, 3U, 4U, 5U));
   const SessionStore store = SessionStore::openReadOnly(path_);
@@ -202,8 +202,8 @@ TEST_F(SessionRecorderTest, APoseThatDoesNotFitEvenWithoutRawSamplesWaitsWithThe
   }
   recorder.retry();
   const StoreOutcome outcome = outcomes_.waitFor(2)[1].outcome;
-  EXPECT_EQ(outcome.error, "");
-  EXPECT_EQ(outcome.without_raw, "");
+  EXPECT_EQ(outcome.error.english(), "");
+  EXPECT_EQ(outcome.without_raw.english(), "");
   EXPECT_EQ(SessionStore::openReadOnly(path_).readRawSamples(0).size(), 100U);
 }
 
@@ -222,7 +222,8 @@ int fillTheDiskWithRawSamples(const std::filesystem::path& folder) {
       std::cerr << "pose " << named.call << ": " << named.outcome.error << '\n';
       return 1;
     }
-    if (outcomes.waitFor(kPoses).back().outcome.without_raw.find("the disk has only") == std::string::npos) return 2;
+    if (outcomes.waitFor(kPoses).back().outcome.without_raw.english().find("the disk has only") == std::string::npos)
+      return 2;
   }
   const SessionStore store = SessionStore::openReadOnly(file);
   if (store.readSession().poses().size() != kPoses) return 3;
@@ -245,9 +246,9 @@ TEST_F(SessionRecorderTest, WhatMakesNoSenseIsRefusedAndTheRestWritten) {
   recorder.append({RemovePose{3}}, outcomes_.acknowledge(1));
   recorder.append(capture(1), outcomes_.acknowledge(2));
   const auto all = outcomes_.waitFor(2);
-  EXPECT_THAT(all[0].outcome.error, HasSubstr("no pose at place 3"));
+  EXPECT_THAT(all[0].outcome.error.english(), HasSubstr("no pose at place 3"));
   EXPECT_FALSE(all[0].outcome.is_kept);
-  EXPECT_EQ(all[1].outcome.error, "");
+  EXPECT_EQ(all[1].outcome.error.english(), "");
 }
 
 TEST_F(SessionRecorderTest, EndingWritesWhatWaitsAndClosesTheFile) {
@@ -279,7 +280,7 @@ TEST_F(SessionRecorderTest, EndingSaysWhatCouldNotBeWritten) {
   }
   const auto all = outcomes_.waitFor(1);
   EXPECT_EQ(all.back().call, 3);
-  EXPECT_THAT(all.back().outcome.error, HasSubstr("closed before"));
+  EXPECT_THAT(all.back().outcome.error.english(), HasSubstr("closed before"));
   EXPECT_FALSE(all.back().outcome.is_kept);
 }
 
@@ -297,7 +298,7 @@ TEST_F(SessionRecorderTest, TakesWorkFromSeveralThreads) {
       });
     }
   }
-  for (const auto& named : outcomes_.waitFor(20)) EXPECT_EQ(named.outcome.error, "");
+  for (const auto& named : outcomes_.waitFor(20)) EXPECT_EQ(named.outcome.error.english(), "");
   EXPECT_EQ(stored().size(), 20U);
 }
 

@@ -279,7 +279,7 @@ TEST_F(DamagedStore, RawSamplesAreCheckedWhenTheyAreRead) {
   fs::remove(path_);
   {
     SessionStore store = SessionStore::create(path_, Session(builtInCellModel("hex-bma150"), {}));
-    AddPose add{{std::make_shared<const PoseCapture>(PoseCapture{PoseId(1), "", {}})}};
+    AddPose add{{std::make_shared<const PoseCapture>(PoseCapture{PoseId(1), {}, {}})}};
     add.raw = std::make_shared<std::vector<SampleFrame>>(1, SampleFrame{0.5, {{CellId(1), {0.1, 0.2, 0.3}}}});
     const StoreOperation operation = add;
     store.append({&operation, 1});

@@ -25,7 +25,7 @@ using testing::ElementsAre;
 std::uint64_t appendOne(SessionStore& store, StoreOperation operation) { return store.append({&operation, 1}); }
 
 AddPose capture(std::uint32_t id, double value) {
-  PoseCapture capture{PoseId(id), "pose " + std::to_string(id), {}, 1'700'000'000'000};
+  PoseCapture capture{PoseId(id), message("pose {}", id), {}, 1'700'000'000'000};
   capture.samples = {{CellId(1), {value, -value, 1}, Eigen::Matrix3d::Identity() * 1e-6, 100, 25.5}};
   return {{std::make_shared<const PoseCapture>(std::move(capture))}};
 }
@@ -200,15 +200,16 @@ TEST_F(SessionStoreTest, KeepsSourceSkinTruthAndOptionsAsLastSet) {
   GroundTruth truth;
   truth.frame = "elbow";
   const std::vector<StoreOperation> operations = {
-      SetSkin{std::make_shared<const CellModel>(model), {{CellId(9), "hand", {}}}}, SetSource{{"a new source", "", ""}},
-      SetTruth{truth}, SetOptions{R"({"solver": "tree", "class_threshold": 1.0})"}};
+      SetSkin{std::make_shared<const CellModel>(model), {{CellId(9), "hand", {}}}},
+      SetSource{{Message::verbatim("a new source"), "", ""}}, SetTruth{truth},
+      SetOptions{R"({"solver": "tree", "class_threshold": 1.0})"}};
   store.append(operations);
   const SessionStore reader = SessionStore::openReadOnly(path_);
   const Session session = reader.readSession();
   EXPECT_EQ(session.model().name, "other");
   ASSERT_EQ(session.neighbors().size(), 1U);
   EXPECT_EQ(session.neighbors()[0].body_part, "hand");
-  EXPECT_EQ(session.source().text, "a new source");
+  EXPECT_EQ(session.source().text.english(), "a new source");
   EXPECT_EQ(session.truth()->frame, "elbow");
   EXPECT_EQ(session.poses().size(), 3U);
   EXPECT_EQ(reader.options(), R"({"solver": "tree", "class_threshold": 1.0})");
@@ -241,7 +242,7 @@ TEST_F(SessionStoreTest, RefusesWhatMakesNoSenseAndStaysAsItWas) {
   const std::uint64_t revision = store.revision();
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const auto with = [](auto change) {
-    auto capture = std::make_shared<PoseCapture>(PoseCapture{PoseId(9), "", {}});
+    auto capture = std::make_shared<PoseCapture>(PoseCapture{PoseId(9), {}, {}});
     capture->samples = {{CellId(5), {0, 0, 1}, Eigen::Matrix3d::Identity(), 1}};
     change(*capture);
     return AddPose{{capture}};

@@ -9,7 +9,7 @@ namespace hexoderm {
 namespace {
 
 SessionPose pose(std::uint32_t id) {
-  return {std::make_shared<const PoseCapture>(PoseCapture{PoseId(id), "", {}}), false};
+  return {std::make_shared<const PoseCapture>(PoseCapture{PoseId(id), {}, {}}), false};
 }
 
 Session emptySession() { return {builtInCellModel("hex-bma150"), {{CellId(1), "", {}}}}; }
@@ -58,7 +58,8 @@ TEST(Session, ALinkIsSetAsideInEitherOrderOfItsEndsAndTakenBack) {
 }
 
 TEST(Session, ANewSkinLeavesEverythingElse) {
-  Session session(builtInCellModel("hex-bma150"), {{CellId(1), "", {}}}, {"an arm", "arm.hexo", "abc"});
+  Session session(builtInCellModel("hex-bma150"), {{CellId(1), "", {}}},
+                  {Message::verbatim("an arm"), "arm.hexo", "abc"});
   GroundTruth truth;
   truth.frame = "arm";
   session.setTruth(truth);
@@ -80,7 +81,7 @@ TEST(Session, ANewSkinLeavesEverythingElse) {
   EXPECT_EQ(session.poses()[0].capture, before->poses[0].capture);
   EXPECT_EQ(session.poses()[0].why_disabled, "the arm moved");
   EXPECT_EQ(session.truth(), before->truth);
-  EXPECT_EQ(session.source().text, "an arm");
+  EXPECT_EQ(session.source().text.english(), "an arm");
   EXPECT_EQ(session.nextPoseId(), PoseId(4)) << "the number of a pose that was removed is not used again";
 }
 
@@ -116,7 +117,7 @@ TEST(SimulatedSession, HoldsSkinPosesAndTruth) {
   EXPECT_EQ(session.poses()[0].capture->samples[0].count, 100);
   ASSERT_NE(session.truth(), nullptr);
   EXPECT_EQ(session.truth()->cells.size(), 17);
-  EXPECT_THAT(session.source().text, ::testing::HasSubstr("imulated")) << "simulation is called simulation";
+  EXPECT_THAT(session.source().text.english(), ::testing::HasSubstr("imulated")) << "simulation is called simulation";
 }
 
 }  // namespace

@@ -34,14 +34,14 @@ TEST(Severity, NamesLeadBack) {
 }
 
 TEST(MakeFinding, TakesTheSeverityOfItsCode) {
-  const Finding finding =
-      makeFinding(FindingCode::StuckSensor, "Cell 7 is stuck.", {CellId(7)}, {PortNumber(2)}, {PoseId(3)});
+  const Finding finding = makeFinding(FindingCode::StuckSensor, Message::verbatim("Cell 7 is stuck."), {CellId(7)},
+                                      {PortNumber(2)}, {PoseId(3)});
   EXPECT_EQ(finding.severity, Severity::Error);
-  EXPECT_EQ(finding.text, "Cell 7 is stuck.");
+  EXPECT_EQ(finding.message.english(), "Cell 7 is stuck.");
   EXPECT_EQ(finding.cells, std::vector{CellId(7)});
   EXPECT_EQ(finding.ports, std::vector{PortNumber(2)});
   EXPECT_EQ(finding.poses, std::vector{PoseId(3)});
-  EXPECT_EQ(makeFinding(FindingCode::InterfaceLink, "").severity, Severity::Info);
+  EXPECT_EQ(makeFinding(FindingCode::InterfaceLink, Message()).severity, Severity::Info);
 }
 
 }  // namespace

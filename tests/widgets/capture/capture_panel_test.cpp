@@ -212,7 +212,7 @@ TEST_F(CapturePanelTest, ASilentSourceIsSaidInsteadOfOldReadings) {
   panel.setHold(shaking());
   SourceStatus silent;
   silent.state = SourceState::Silent;
-  silent.text = "Nothing came for 1 s";
+  silent.message = Message::verbatim("Nothing came for 1 s");
   panel.setSource(silent);
   EXPECT_EQ(ring()->content().word, QStringLiteral("Silent"));
   EXPECT_EQ(text("captureWait"), QStringLiteral("Nothing came for 1 s"));

@@ -18,7 +18,7 @@ PoseCoverage coverageWith(const std::vector<Eigen::Vector3d>& ups, std::size_t d
     result->patches[0].gravity.push_back({id, ups[k].normalized(), 0.01});
     PoseSummary pose;
     pose.pose = id;
-    pose.label = "label " + toString(id);
+    pose.label = Message::verbatim("label " + toString(id));
     result->poses.push_back(pose);
   }
   PoseCoverage coverage = coverageOf(*result);

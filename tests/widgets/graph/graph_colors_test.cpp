@@ -191,7 +191,7 @@ TEST_F(GraphColorsTest, TheToolTipOfALinkHasAllItsFigures) {
   link.pose_residual_rad.clear();
   for (int k = 0; k < 40; ++k) {
     link.pose_residual_rad.emplace_back(k * kDegree);
-    result->poses.push_back({PoseId(100 + static_cast<std::uint32_t>(k)), "", true, 17, 0, {}, {}});
+    result->poses.push_back({PoseId(100 + static_cast<std::uint32_t>(k)), {}, true, 17, 0, {}, {}});
   }
   result->poses.erase(result->poses.begin(), result->poses.begin() + 4);
   EXPECT_THAT(toolTipAt(linkTo9()), testing::HasSubstr("worst poses 139: 39.0°, 138: 38.0°"));
@@ -202,9 +202,10 @@ TEST_F(GraphColorsTest, TheToolTipOfAMutedLinkSaysWhyInTheFindingsWords) {
   auto result = sampleTwoPatches();
   LinkEstimate& link = result->patches[0].links[3];
   link.muted_by = FindingCode::LinkSetAside;
-  result->findings.push_back(makeFinding(
-      FindingCode::LinkSetAside, "The link 3 port 4 - 4 port 1 was set aside by hand (a cable); it is not used.",
-      {CellId(3), CellId(4)}, {PortNumber(4), PortNumber(1)}));
+  result->findings.push_back(
+      makeFinding(FindingCode::LinkSetAside,
+                  Message::verbatim("The link 3 port 4 - 4 port 1 was set aside by hand (a cable); it is not used."),
+                  {CellId(3), CellId(4)}, {PortNumber(4), PortNumber(1)}));
   show(result);
   const QPoint at = view_.positionOf({CellId(3), PortNumber(4)}, {CellId(4), PortNumber(1)}).value();
   EXPECT_THAT(toolTipAt(at), testing::HasSubstr("Muted: The link 3 port 4 - 4 port 1 was set aside by hand (a cable)"));

@@ -35,7 +35,7 @@ TEST_F(FindingTableTest, FindingsAreSortedWorstFirstAndKeepTheirOrderOtherwise) 
 
 TEST_F(FindingTableTest, ToolTipsDoNotTakeTextsFromFilesForMarkup) {
   auto reconstruction = sampleTwoPatches();
-  reconstruction->findings[0].text = "<img src=x> & more";
+  reconstruction->findings[0].message = Message::verbatim("<img src=x> & more");
   FindingTable table;
   table.setReconstruction(reconstruction);
   EXPECT_THAT(text(table, 3, 1, Qt::ToolTipRole), testing::HasSubstr("&lt;img src=x&gt; &amp; more"));

@@ -115,8 +115,11 @@ void EmulatedDevice::requireCell(CellId cell) const {
 // ---- the host
 
 skinwire::Hello EmulatedDevice::hello() const {
-  const SkinDescription description{
-      "emulated skin: " + skin_->description(), std::make_shared<const CellModel>(skin_->model()), {}, true, true};
+  const SkinDescription description{located("emulated skin", skin_->description()),
+                                    std::make_shared<const CellModel>(skin_->model()),
+                                    {},
+                                    true,
+                                    true};
   return skinwire::helloOf(description, rate_hz(), stream_);
 }
 

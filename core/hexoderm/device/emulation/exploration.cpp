@@ -37,8 +37,8 @@ class Network {
     for (std::size_t k = 0; k < wiring.size(); ++k) {
       const CellId id = wiring[k].id;
       if (id.value() == 0 || id >= model.interface_id || !index_.emplace(id, k).second) {
-        throw InvalidArgument("exploration: cell " + toString(id) +
-                              " of the wiring is there twice, or its ID is not one of a cell");
+        throw InvalidArgument(
+            message("exploration: cell {} of the wiring is there twice, or its ID is not one of a cell", id));
       }
       cells_.emplace_back(ports_, options.ids_remembered ? id : CellId(), std::nullopt, options_);
       plugs_.emplace_back(ports_.size());
@@ -49,7 +49,7 @@ class Network {
     for (std::size_t k = 0; k < wiring.size(); ++k) {
       for (const NeighborReport& link : wiring[k].neighbors) {
         if (link.cell.value() == 0 || link.cell >= model.interface_id) continue;
-        if (!link.cell_port) throw InvalidArgument("exploration: a link of the wiring has an unknown port");
+        if (!link.cell_port) throw InvalidArgument(message("exploration: a link of the wiring has an unknown port"));
         join({k, portIndex({wiring[k].id, link.port})}, socketAt({link.cell, *link.cell_port}));
       }
     }
@@ -149,12 +149,13 @@ class Network {
 
   std::size_t nodeOf(CellId cell) const {
     const auto found = index_.find(cell);
-    if (found == index_.end()) throw InvalidArgument("exploration: there is no cell " + toString(cell));
+    if (found == index_.end()) throw InvalidArgument(message("exploration: there is no cell {}", cell));
     return found->second;
   }
   std::size_t portIndex(const LinkEnd& end) const {
     const auto found = std::ranges::find(ports_, end.port);
-    if (found == ports_.end()) throw InvalidArgument("exploration: " + inWords(end) + ": the model has no such port");
+    if (found == ports_.end())
+      throw InvalidArgument(message("exploration: {}: the model has no such port", inWords(end)));
     return static_cast<std::size_t>(found - ports_.begin());
   }
   Socket socketAt(const LinkEnd& end) const { return {nodeOf(end.cell), portIndex(end)}; }
@@ -163,8 +164,8 @@ class Network {
     for (const auto& [here, there] : {std::pair(a, b), std::pair(b, a)}) {
       std::optional<Socket>& other = plugs_[here.node][here.port].other;
       if (other && *other != there) {
-        throw InvalidArgument("exploration: port " + toString(ports_[here.port]) + " of the wiring's cell " +
-                              std::to_string(here.node + 1) + " is joined twice");
+        throw InvalidArgument(
+            message("exploration: port {} of the wiring's cell {} is joined twice", ports_[here.port], here.node + 1));
       }
       other = there;
     }
@@ -215,9 +216,8 @@ class Network {
 void ExplorationOptions::validate() const {
   const auto check = [](double value, const char* name, bool may_be_zero) {
     if (std::isfinite(value) && (value > 0 || (may_be_zero && value == 0))) return;
-    throw InvalidArgument(std::string("exploration: ") + name +
-                          (may_be_zero ? " must not be" : " must be above 0, not") +
-                          (may_be_zero ? " negative" : " less"));
+    throw InvalidArgument(may_be_zero ? message("exploration: {} must not be negative", name)
+                                      : message("exploration: {} must be above 0, not less", name));
   };
   check(power_up_s, "power_up_s", true);
   check(power_up_spread_s, "power_up_spread_s", true);
@@ -227,7 +227,7 @@ void ExplorationOptions::validate() const {
   check(neighbor_wait_s, "neighbor_wait_s", false);
   check(bits_per_s, "bits_per_s", false);
   check(processing_s, "processing_s", true);
-  if (hellos == 0) throw InvalidArgument("exploration: hellos must be at least 1");
+  if (hellos == 0) throw InvalidArgument(message("exploration: hellos must be at least 1"));
 }
 
 Exploration exploreNetwork(const NeighborList& wiring, const CellModel& model, const LinkEnd& interface_at,
@@ -247,7 +247,7 @@ LinkEnd firstFreePort(const NeighborList& wiring, const CellModel& model) {
       if (is_free && (!first || end < *first)) first = end;
     }
   }
-  if (!first) throw InvalidArgument("no port of the skin is free for a computer interface");
+  if (!first) throw InvalidArgument(message("no port of the skin is free for a computer interface"));
   return *first;
 }
 

@@ -36,9 +36,8 @@ void requireRoom(const Surface& surface, const Eigen::Vector3d& position, double
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(surface.weingarten(position), Eigen::EigenvaluesOnly);
   const double sharpest = solver.eigenvalues().cwiseAbs().maxCoeff();
   if (!position.allFinite() || !(sharpest * reach_m < 1)) {
-    throw InvalidArgument(
-        "the surface is too small for these cells: where one is laid it is curved more sharply than "
-        "the cell is wide");
+    throw InvalidArgument(message(
+        "the surface is too small for these cells: where one is laid it is curved more sharply than the cell is wide"));
   }
 }
 
@@ -79,9 +78,9 @@ void requireNoOverlap(const std::vector<SE3>& cells, double closest_m) {
           const auto [first, last] = boxes.equal_range(Key{box.x + dx, box.y + dy, box.z + dz});
           for (auto other = first; other != last; ++other) {
             if ((cells[k].t - cells[other->second].t).norm() < closest_m) {
-              throw InvalidArgument("the surface is too small for this patch: cells " +
-                                    std::to_string(other->second + 1) + " and " + std::to_string(k + 1) +
-                                    " would lie on top of each other");
+              throw InvalidArgument(
+                  message("the surface is too small for this patch: cells {} and {} would lie on top of each other",
+                          other->second + 1, k + 1));
             }
           }
         }
@@ -98,8 +97,10 @@ void requireClosed(const PatchPlan& plan, const std::vector<SE3>& cells) {
   };
   const double gap = gapOf(*plan.closure);
   if (std::abs(gap - gapOf(plan.links.front())) > 0.1 * reachOf(plan.closure->source_port)) {
-    throw InvalidArgument("the surface does not close this ring: its two ends would be " + formatFixed(gap * 1000, 1) +
-                          " mm apart; leave the surface out for a cylinder that closes it");
+    throw InvalidArgument(
+        message("the surface does not close this ring: its two ends would be {} mm apart; leave the surface out for a "
+                "cylinder that closes it",
+                Number{gap * 1000, 1}));
   }
 }
 

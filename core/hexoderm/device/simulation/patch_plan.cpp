@@ -39,9 +39,12 @@ std::vector<Line> straightLines(const CellModel& model, std::size_t needed, cons
     }
   }
   if (lines.size() < needed) {
-    throw InvalidArgument("patch " + patch + " needs a cell model with " + std::to_string(needed) +
-                          (needed == 1 ? " pair" : " pairs") + " of opposite ports that may be joined; " + model.name +
-                          " has " + std::to_string(lines.size()));
+    throw InvalidArgument(
+        needed == 1
+            ? message("patch {} needs a cell model with 1 pair of opposite ports that may be joined; {} has {}", patch,
+                      model.name, lines.size())
+            : message("patch {} needs a cell model with {} pairs of opposite ports that may be joined; {} has {}",
+                      patch, needed, model.name, lines.size()));
   }
   return lines;
 }
@@ -136,21 +139,23 @@ PatchShape parsePatch(const std::string& patch) {
     const bool closed = count.ends_with(kClosed);
     if (closed) count.remove_suffix(kClosed.size());
     const std::size_t cells = parseUnsigned(count, "patch \"" + patch + "\", cells");
-    if (cells < 3 || cells > kMaxCells) throw InvalidArgument("patch \"" + patch + "\": a ring has 3 to 100000 cells");
+    if (cells < 3 || cells > kMaxCells)
+      throw InvalidArgument(message("patch \"{}\": a ring has 3 to 100000 cells", patch));
     return {closed ? PatchKind::ClosedRing : PatchKind::Ring, cells, 1};
   }
   const std::string sheet = "sheet:";
   if (patch.starts_with(sheet)) {
     const std::vector<std::string> sizes = split(std::string_view(patch).substr(sheet.size()), 'x');
-    if (sizes.size() != 2) throw InvalidArgument("patch \"" + patch + "\": expected sheet:ROWSxCOLS");
+    if (sizes.size() != 2) throw InvalidArgument(message("patch \"{}\": expected sheet:ROWSxCOLS", patch));
     const std::size_t rows = parseUnsigned(sizes[0], "patch \"" + patch + "\", rows");
     const std::size_t cols = parseUnsigned(sizes[1], "patch \"" + patch + "\", columns");
     if (rows == 0 || cols == 0 || rows > kMaxCells || cols > kMaxCells || rows * cols > kMaxCells) {
-      throw InvalidArgument("patch \"" + patch + "\": a sheet has 1 to 100000 cells");
+      throw InvalidArgument(message("patch \"{}\": a sheet has 1 to 100000 cells", patch));
     }
     return {PatchKind::Sheet, rows, cols};
   }
-  throw InvalidArgument("patch \"" + patch + "\" is not known; expected x17, ringN, ringN:closed or sheet:ROWSxCOLS");
+  throw InvalidArgument(
+      message("patch \"{}\" is not known; expected x17, ringN, ringN:closed or sheet:ROWSxCOLS", patch));
 }
 
 PatchPlan planPatch(const std::string& patch, const CellModel& model) {

@@ -23,8 +23,7 @@ CellId idOf(std::size_t cell) { return CellId(static_cast<std::uint32_t>(cell + 
 
 void requireCell(CellId cell, std::size_t cell_count) {
   if (cell.value() != 0 && cell.value() <= cell_count) return;
-  throw InvalidArgument("simulated skin: there is no cell " + toString(cell) + " to break; cells are 1 to " +
-                        std::to_string(cell_count));
+  throw InvalidArgument(message("simulated skin: there is no cell {} to break; cells are 1 to {}", cell, cell_count));
 }
 
 /// Index of the link at this end.
@@ -39,8 +38,10 @@ std::size_t findLink(const LinkEnd& at, const std::vector<PlannedLink>& links, s
       if (end.cell == at.cell) joined.insert(end.port);
     }
   }
-  throw InvalidArgument("simulated skin: " + inWords(at) + " has no link to break; the cell has links at " +
-                        (joined.empty() ? "no port" : "the ports " + listInWords(joined)));
+  throw InvalidArgument(
+      joined.empty() ? message("simulated skin: {} has no link to break; the cell has links at no port", inWords(at))
+                     : message("simulated skin: {} has no link to break; the cell has links at the ports {}",
+                               inWords(at), std::vector(joined.begin(), joined.end())));
 }
 
 using LinksAt = std::vector<std::vector<PlannedLink>>;  // leading away from each cell
@@ -156,7 +157,7 @@ LinkFaults::LinkFaults(const PatchPlan& plan, const CellModel& model, const Simu
     const std::size_t link = findLink(fault.at, links_, plan.cell_count);
     const bool is_new =
         fault.kind == LinkFaultKind::WrongPort ? renamed.insert(fault.at).second : cut.insert(link).second;
-    if (!is_new) throw InvalidArgument("simulated skin: the link at " + inWords(fault.at) + " is broken already");
+    if (!is_new) throw InvalidArgument(message("simulated skin: the link at {} is broken already", inWords(fault.at)));
     switch (fault.kind) {
       case LinkFaultKind::WrongPort:
         reportWrongPort(fault.at, link, model, options.seed);
@@ -185,8 +186,9 @@ void LinkFaults::reportWrongPort(const LinkEnd& at, std::size_t link, const Cell
     if (!taken.contains(port.number) && !model.isForbidden(port.number, far_port)) free.push_back(port);
   }
   if (free.empty()) {
-    throw InvalidArgument("simulated skin: the link at " + inWords(at) +
-                          " can't be reported at a wrong port: no other port of the cell is free for it");
+    throw InvalidArgument(message(
+        "simulated skin: the link at {} can't be reported at a wrong port: no other port of the cell is free for it",
+        inWords(at)));
   }
   std::mt19937_64 random = randomStream(seed, Stream::LinkFaults, {at.cell.value(), at.port.value()});
   std::uniform_int_distribution<std::size_t> any(0, free.size() - 1);
@@ -207,8 +209,10 @@ LinkFaults::Cut LinkFaults::cutAt(const PatchPlan& plan, std::size_t link) const
   }
   if (plan.closure) {
     const LinkEnd at{idOf(links_[link].source), links_[link].source_port.number};
-    throw InvalidArgument("simulated skin: the link at " + inWords(at) +
-                          " can't be a joint or a cable: the rest of the closed ring holds both its sides together");
+    throw InvalidArgument(
+        message("simulated skin: the link at {} can't be a joint or a cable: the rest of the closed ring holds both "
+                "its sides together",
+                inWords(at)));
   }
   // The link is not all that holds the sides together: both are cut apart along a line through it.
   const PlannedLink& through = links_[link];

@@ -41,7 +41,8 @@ SimulatedSkinOptions::SimulatedSkinOptions()
 
 void SimulatedSkinOptions::validate() const {
   const auto notNegative = [](double value, const std::string& name) {
-    if (!std::isfinite(value) || value < 0) throw InvalidArgument("simulated skin: " + name + " must not be negative");
+    if (!std::isfinite(value) || value < 0)
+      throw InvalidArgument(message("simulated skin: {} must not be negative", name));
   };
   notNegative(position_jitter_m, "position_jitter_m");
   notNegative(yaw_jitter_rad, "yaw_jitter_rad");
@@ -50,7 +51,7 @@ void SimulatedSkinOptions::validate() const {
   notNegative(tremor_angle_sigma_rad, "tremor_angle_sigma_rad");
   notNegative(tremor_acceleration_g, "tremor_acceleration_g");
   notNegative(drift_rad_per_s, "drift_rad_per_s");
-  if (!std::isfinite(joint_angle_rad)) throw InvalidArgument("simulated skin: joint_angle_rad must be finite");
+  if (!std::isfinite(joint_angle_rad)) throw InvalidArgument(message("simulated skin: joint_angle_rad must be finite"));
 }
 
 SimulatedSkinOptions SimulatedSkinOptions::ideal() {
@@ -203,15 +204,16 @@ GroundTruth SimulatedSkin::groundTruth() const {
 }
 std::optional<std::pair<LinkEnd, LinkEnd>> SimulatedSkin::loop() const { return state_->loop; }
 
-std::string SimulatedSkin::description() const {
-  return "Simulated " + state_->options.patch + " on " + state_->surface_text + ", link law " +
-         std::string(lawName(state_->options.link_law)) + ", seed " + std::to_string(state_->options.seed);
+Message SimulatedSkin::description() const {
+  return message("Simulated {} on {}, link law {}, seed {}", state_->options.patch, state_->surface_text,
+                 lawName(state_->options.link_law), state_->options.seed);
 }
 
 /// A new hold, by hand unless it is the skin's first.
 SimulatedSkin::State::Hold SimulatedSkin::State::hold(const Eigen::Vector3d& up_b) {
   if (!up_b.allFinite() || up_b.norm() < 1e-9) {
-    throw InvalidArgument("simulated skin: the direction that points up must be a finite vector other than zero");
+    throw InvalidArgument(
+        message("simulated skin: the direction that points up must be a finite vector other than zero"));
   }
   const std::size_t recording = recordings++;
   std::mt19937_64 hand_random = randomStream(options.seed, Stream::Hand, recording);
@@ -307,7 +309,7 @@ void SimulatedSkin::skip(std::size_t ticks) {
 
 void SimulatedSkin::State::requireCell(CellId cell) const {
   if (cell.value() == 0 || cell.value() > truth.size()) {
-    throw InvalidArgument("simulated skin: there is no cell " + toString(cell));
+    throw InvalidArgument(message("simulated skin: there is no cell {}", cell));
   }
 }
 

@@ -5,6 +5,7 @@
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/graph/cell_model.h"
 #include "hexoderm/graph/neighbor_list.h"
+#include "hexoderm/util/message.h"
 
 #include <cstdint>
 #include <memory>
@@ -127,7 +128,7 @@ class SimulatedSkin {
   /// The part of the truth that is about places.
   [[nodiscard]] GroundTruth groundTruth() const;
   /// "Simulated x17 on cylinder:r=0.0501, link law bend, seed 1".
-  [[nodiscard]] std::string description() const;
+  [[nodiscard]] Message description() const;
   /// The two free ports whose distance is the loop gap of an open ring (ringN); nullopt for other patches.
   [[nodiscard]] std::optional<std::pair<LinkEnd, LinkEnd>> loop() const;
 

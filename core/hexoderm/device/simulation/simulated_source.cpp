@@ -39,17 +39,17 @@ struct SimulatedSource::Impl {
 
   Impl(SimulatedSkin simulated, double times, std::string text)
       : skin(std::move(simulated)), speed(times), address(std::move(text)) {
-    if (!(speed > 0)) throw InvalidArgument("source \"" + address + "\": speed must be above 0");
+    if (!(speed > 0)) throw InvalidArgument(message("source \"{}\": speed must be above 0", address));
   }
 
-  void say(SourceState state, const std::string& text) {
+  void say(SourceState state, Message words) {
     status.state = state;
-    status.text = text;
+    status.message = std::move(words);
     listener->onStatus(status);
   }
 
-  void answer(std::uint32_t number, bool done, const std::string& why = "") {
-    listener->onCommandOutcome({number, done, why});
+  void answer(std::uint32_t number, bool done, Message why = {}) {
+    listener->onCommandOutcome({number, done, std::move(why)});
   }
 
   [[nodiscard]] const TrueCell* find(CellId id) const {
@@ -59,18 +59,18 @@ struct SimulatedSource::Impl {
   void obey(const Queued& queued) {
     if (const auto* turn = std::get_if<TurnTo>(&queued.command)) {
       const TrueCell* cell = find(turn->cell);
-      if (cell == nullptr) return answer(queued.number, false, "there is no cell " + toString(turn->cell));
+      if (cell == nullptr) return answer(queued.number, false, message("there is no cell {}", turn->cell));
       if (!turn->up_u.allFinite() || turn->up_u.norm() < 1e-9) {
-        return answer(queued.number, false, "up must be a finite vector other than zero");
+        return answer(queued.number, false, message("up must be a finite vector other than zero"));
       }
-      if (turn_number != 0) answer(turn_number, false, "another turn came before it was there");
+      if (turn_number != 0) answer(turn_number, false, message("another turn came before it was there"));
       skin.turnTo(cell->T_b_u.R * turn->up_u);
       turn_number = queued.number;
     } else if (const auto* led = std::get_if<SetLed>(&queued.command)) {
       const bool known = find(led->cell) != nullptr;
-      answer(queued.number, known, known ? "" : "there is no cell " + toString(led->cell));
+      answer(queued.number, known, known ? Message() : message("there is no cell {}", led->cell));
     } else {
-      answer(queued.number, false, "a simulated skin has the rate of its cell model");
+      answer(queued.number, false, message("a simulated skin has the rate of its cell model"));
     }
   }
 
@@ -95,7 +95,7 @@ struct SimulatedSource::Impl {
     description.can_turn = true;
     description.truth = std::make_shared<const GroundTruth>(skin.groundTruth());
     listener->onSkin(description);
-    say(SourceState::Streaming, "Streaming: " + description.device);
+    say(SourceState::Streaming, message("Streaming: {}", description.device));
     const Clock::time_point start = Clock::now();
     const double tick_s = 1 / (skin.model().accelerometer.rate_hz * speed);
     while (!stop.stop_requested()) {
@@ -110,7 +110,7 @@ struct SimulatedSource::Impl {
       std::unique_lock lock(mutex);
       changed.wait_until(lock, stop, due, [] { return false; });
     }
-    say(SourceState::Stopped, "Stopped");
+    say(SourceState::Stopped, message("Stopped"));
   }
 };
 
@@ -145,11 +145,12 @@ SimulatedAddress parseAddress(const std::string& address) {
       } else if (name == "speed") {
         speed = value == "max" ? std::numeric_limits<double>::infinity() : parseNumber(value, what + "speed");
       } else {
-        throw InvalidArgument(what + "expected sim:PATCH[?surface=...&seed=N&speed=X|max], found \"" + part + "\"");
+        throw InvalidArgument(
+            message("source \"{}\": expected sim:PATCH[?surface=...&seed=N&speed=X|max], found \"{}\"", address, part));
       }
     }
   }
-  if (!(speed > 0)) throw InvalidArgument(what + "speed must be above 0");
+  if (!(speed > 0)) throw InvalidArgument(message("source \"{}\": speed must be above 0", address));
   return parsed;
 }
 

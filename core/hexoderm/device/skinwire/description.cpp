@@ -13,8 +13,13 @@ Hello helloOf(const SkinDescription& skin, double rate_hz, std::uint32_t stream)
   const std::string json = cellModelToJson(*skin.model);
   const bool is_built_in = std::ranges::find(names, skin.model->name) != names.end() &&
                            cellModelToJson(builtInCellModel(skin.model->name)) == json;
-  return {kMinor,  skin.device, is_built_in ? skin.model->name : json, skin.can_light_cells, skin.can_turn,
-          rate_hz, stream};
+  return {kMinor,
+          skin.device.english(),
+          is_built_in ? skin.model->name : json,
+          skin.can_light_cells,
+          skin.can_turn,
+          rate_hz,
+          stream};
 }
 
 CellModel cellModelOf(const Hello& hello) {

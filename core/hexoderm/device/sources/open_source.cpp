@@ -16,7 +16,8 @@ namespace {
 std::unique_ptr<SkinSource> openWire(const std::string& address) { return std::make_unique<WireSource>(address); }
 
 std::unique_ptr<SkinSource> openStdin(const std::string& address) {
-  if (address != "stdin") throw InvalidArgument("source \"" + address + "\": expected stdin, without anything behind");
+  if (address != "stdin")
+    throw InvalidArgument(message("source \"{}\": expected stdin, without anything behind", address));
   return std::make_unique<StdinSource>();
 }
 
@@ -37,7 +38,7 @@ std::unique_ptr<SkinSource> openReplay(const std::string& address) {
       options.speed = parseNumber(speed, "source \"" + address + "\": speed (above 0, max or step)");
     }
   }
-  if (file.empty()) throw InvalidArgument("source \"" + address + "\": expected replay:FILE[?speed=X|max|step]");
+  if (file.empty()) throw InvalidArgument(message("source \"{}\": expected replay:FILE[?speed=X|max|step]", address));
   return std::make_unique<ReplaySource>(file, options);
 }
 
@@ -47,7 +48,7 @@ const SourceKind& kindOf(const std::string& address) {
     if (address.starts_with(kind.prefix)) return kind;
     known += (known.empty() ? "" : ", ") + std::string(kind.example);
   }
-  throw InvalidArgument("source \"" + address + "\": expected one of " + known);
+  throw InvalidArgument(message("source \"{}\": expected one of {}", address, known));
 }
 
 }  // namespace

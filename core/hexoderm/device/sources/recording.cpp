@@ -4,6 +4,7 @@
 #include "hexoderm/device/skinwire/description.h"
 #include "hexoderm/device/skinwire/sample_messages.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/system_reason.h"
 
 #include <algorithm>
 #include <array>
@@ -44,7 +45,7 @@ struct StreamRecorder::Impl {
   Clock::time_point began = Clock::now();
   Clock::time_point flushed = began;
   mutable std::mutex mutex;
-  std::string failure;  ///< guarded
+  Message failure;  ///< guarded
 
   SkinDescription skin;
   std::uint32_t stream = 1;
@@ -56,10 +57,10 @@ struct StreamRecorder::Impl {
 
   Impl(std::filesystem::path where, SkinListener& listener) : path(std::move(where)), next(listener) {}
 
-  void fail(const std::string& why) {
+  void fail(const Message& why) {
     file.close();
     const std::lock_guard lock(mutex);
-    if (failure.empty()) failure = path.string() + ": the recording ended: " + why;
+    if (failure.empty()) failure = located(path.string(), message("the recording ended: {}", why));
   }
 
   void write(const skinwire::Message& message) {
@@ -92,9 +93,9 @@ struct StreamRecorder::Impl {
         file.flush();
         flushed = now;
       }
-      if (!file) fail(std::strerror(errno));
+      if (!file) fail(systemReason(errno));
     } catch (const std::exception& error) {
-      fail(error.what());
+      fail(messageOf(error));
     }
   }
 };
@@ -104,7 +105,8 @@ StreamRecorder::StreamRecorder(std::filesystem::path path, SkinListener& next)
   impl_->file.open(impl_->path, std::ios::binary | std::ios::trunc);
   impl_->file << kMagic << kVersion << std::flush;
   if (!impl_->file) {
-    throw StorageError(impl_->path.string() + ": a recording can't be written there: " + std::strerror(errno));
+    throw StorageError(
+        located(impl_->path.string(), message("a recording can't be written there: {}", systemReason(errno))));
   }
 }
 
@@ -161,12 +163,12 @@ void StreamRecorder::onCommandOutcome(const CommandOutcome& outcome) { impl_->ne
 void StreamRecorder::finish() {
   if (impl_->file.is_open()) {
     impl_->file.close();
-    if (!impl_->file) impl_->fail(std::strerror(errno));
+    if (!impl_->file) impl_->fail(systemReason(errno));
   }
-  if (const std::string why = error(); !why.empty()) throw StorageError(why);
+  if (const Message why = error(); !why.empty()) throw StorageError(why);
 }
 
-std::string StreamRecorder::error() const {
+Message StreamRecorder::error() const {
   const std::lock_guard lock(impl_->mutex);
   return impl_->failure;
 }
@@ -176,7 +178,7 @@ struct RecordingReader::Impl {
   std::ifstream file;
   std::uint64_t position = 0;
   std::chrono::microseconds last{};
-  std::string damage;
+  Message damage;
 
   /// False, with `damage`, if there are fewer bytes; an end before the first byte is none where that is allowed.
   bool read(std::uint8_t* bytes, std::size_t size, bool may_end) {
@@ -184,7 +186,7 @@ struct RecordingReader::Impl {
     const auto count = static_cast<std::size_t>(file.gcount());
     if (count == size) return true;
     if (count > 0 || !may_end) {
-      damage = path + ": is cut off; all before byte " + std::to_string(position) + " was played";
+      damage = located(path, message("is cut off; all before byte {} was played", position));
     }
     return false;
   }
@@ -194,19 +196,20 @@ RecordingReader::RecordingReader(const std::filesystem::path& path) : impl_(std:
   impl_->path = path.string();
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
-    throw StorageError(impl_->path + ": is a folder, expected a recording");
+    throw StorageError(located(impl_->path, message("is a folder, expected a recording")));
   }
   impl_->file.open(path, std::ios::binary);
-  if (!impl_->file) throw StorageError(impl_->path + ": can't be read: " + std::strerror(errno));
+  if (!impl_->file) throw StorageError(located(impl_->path, message("can't be read: {}", systemReason(errno))));
   std::array<std::uint8_t, kMagic.size() + 1> magic{};
   const bool whole = impl_->read(magic.data(), magic.size(), false);
   const char version = static_cast<char>(magic.back());
   if (!whole || !std::equal(kMagic.begin(), kMagic.end(), magic.begin()) || version < kVersion || version > '9') {
-    throw FormatError(impl_->path + ": is no recording of a skin, expected it to begin with \"SKINREC1\"");
+    throw FormatError(
+        located(impl_->path, message("is no recording of a skin, expected it to begin with \"SKINREC1\"")));
   }
   if (version > kVersion) {
-    throw FormatError(impl_->path + ": this recording has version " + version + ", this program reads version " +
-                      kVersion);
+    throw FormatError(located(impl_->path, message("this recording has version {}, this program reads version {}",
+                                                   std::string(1, version), std::string(1, kVersion))));
   }
   impl_->position = magic.size();
 }
@@ -220,9 +223,10 @@ std::optional<RecordedBody> RecordingReader::next() {
   const auto arrived_us = getLittleEndian<std::uint64_t>(head.data());
   const auto length = getLittleEndian<std::uint32_t>(head.data() + 8);
   if (length > skinwire::kMaxBody || arrived_us > skinwire::kMaxTime_us) {
-    impl_->damage = impl_->path + ": byte " + std::to_string(impl_->position) + ": a record says that it has " +
-                    std::to_string(length) + " bytes, at most " + std::to_string(skinwire::kMaxBody) +
-                    " were expected; the rest can't be read";
+    impl_->damage =
+        located(impl_->path,
+                message("byte {}: a record says that it has {} bytes, at most {} were expected; the rest can't be read",
+                        impl_->position, length, skinwire::kMaxBody));
     return std::nullopt;
   }
   RecordedBody record;
@@ -234,6 +238,6 @@ std::optional<RecordedBody> RecordingReader::next() {
   return record;
 }
 
-const std::string& RecordingReader::damage() const { return impl_->damage; }
+const Message& RecordingReader::damage() const { return impl_->damage; }
 
 }  // namespace hexoderm

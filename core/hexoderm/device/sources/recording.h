@@ -37,7 +37,7 @@ class StreamRecorder final : public SkinListener {
   /// Ends the recording. After the source was stopped, or on its thread. Throws StorageError if not all was written.
   void finish();
   /// Why recording ended early; empty if it did not. From any thread.
-  [[nodiscard]] std::string error() const;
+  [[nodiscard]] Message error() const;
 
  private:
   struct Impl;
@@ -58,7 +58,7 @@ class RecordingReader {
   /// nullopt at the end, also at the first record that is not whole or claims an impossible length.
   std::optional<RecordedBody> next();
   /// The place and kind of damage if the file ends before its time, for people; empty otherwise.
-  [[nodiscard]] const std::string& damage() const;
+  [[nodiscard]] const Message& damage() const;
 
  private:
   struct Impl;

@@ -12,7 +12,7 @@
 namespace hexoderm {
 
 void ReplayOptions::validate() const {
-  if (!(speed > 0)) throw InvalidArgument("replay: speed: expected a number above 0");
+  if (!(speed > 0)) throw InvalidArgument(message("replay: speed: expected a number above 0"));
 }
 
 struct ReplaySource::Impl {
@@ -56,7 +56,7 @@ struct ReplaySource::Impl {
         numbers.swap(commands);
         lock.unlock();
         for (const std::uint32_t number : numbers) {
-          listener->onCommandOutcome({number, false, "a recording takes no commands"});
+          listener->onCommandOutcome({number, false, message("a recording takes no commands")});
         }
         lock.lock();
         continue;
@@ -83,7 +83,7 @@ struct ReplaySource::Impl {
     using Clock = SkinStream::Clock;
     const Clock::time_point began = Clock::now();
     const std::string name = "replay:" + path.string();
-    stream->report(SourceState::Waiting, name + ": playing", began);
+    stream->report(SourceState::Waiting, located(name, message("playing")), began);
     const auto never = [] { return false; };
     while (const std::optional<RecordedBody> record = reader->next()) {
       Clock::time_point due = Clock::now();
@@ -96,21 +96,25 @@ struct ReplaySource::Impl {
       }
       if (!wait(never, due)) break;
       if (stream->take(skinwire::decodeBody(record->body)) == SkinStream::Effect::Incompatible) {
-        stream->report(SourceState::Incompatible, name + ": " + stream->lastRejection(), Clock::now());
+        stream->report(SourceState::Incompatible, located(name, stream->lastRejection()), Clock::now());
         break;
       }
       if (stream->isDescribed()) {
-        const std::string device = stream->deviceText().empty() ? "" : "; the device said: " + stream->deviceText();
-        stream->report(SourceState::Streaming, name + ": playing" + device, Clock::now());
+        const Message& device = stream->deviceText();
+        stream->report(
+            SourceState::Streaming,
+            located(name, device.empty() ? message("playing") : message("playing; the device said: {}", device)),
+            Clock::now());
       }
       stream->reportCounters(Clock::now());
     }
     if (stream->state() != SourceState::Incompatible && !stop.stop_requested()) {
-      stream->report(SourceState::Ended, reader->damage().empty() ? name + ": the recording is over" : reader->damage(),
+      stream->report(SourceState::Ended,
+                     reader->damage().empty() ? located(name, message("the recording is over")) : reader->damage(),
                      Clock::now());
     }
     wait(never);
-    stream->report(SourceState::Stopped, name + ": stopped", Clock::now());
+    stream->report(SourceState::Stopped, located(name, message("stopped")), Clock::now());
   }
 };
 
@@ -123,7 +127,8 @@ ReplaySource::ReplaySource(std::filesystem::path path, ReplayOptions options) : 
 ReplaySource::~ReplaySource() { stop(); }
 
 void ReplaySource::start(SkinListener& listener) {
-  if (impl_->listener != nullptr) throw InvalidArgument(address() + ": a source can be started only once");
+  if (impl_->listener != nullptr)
+    throw InvalidArgument(located(address(), message("a source can be started only once")));
   impl_->reader.emplace(impl_->path);
   impl_->listener = &listener;
   impl_->gate.emplace(*impl_, listener);

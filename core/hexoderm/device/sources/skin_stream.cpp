@@ -19,6 +19,19 @@ bool sameDescription(const SkinDescription& a, const SkinDescription& b) {
          a.neighbors == b.neighbors && (a.model == b.model || cellModelToJson(*a.model) == cellModelToJson(*b.model));
 }
 
+MessageArgument printable(MessageArgument argument) {
+  if (auto* text = std::get_if<std::string>(&argument.value)) *text = hexoderm::printable(std::move(*text));
+  if (auto* items = std::get_if<MessageArgument::List>(&argument.value)) {
+    for (MessageArgument& item : *items) item = printable(std::move(item));
+  }
+  if (const auto* words = std::get_if<Message>(&argument.value)) {
+    MessageArgument::List parts = words->arguments();
+    for (MessageArgument& part : parts) part = printable(std::move(part));
+    argument.value = Message(words->englishTemplate(), std::move(parts));
+  }
+  return argument;
+}
+
 }  // namespace
 
 std::string printable(std::string text) {
@@ -27,16 +40,18 @@ std::string printable(std::string text) {
   return text;
 }
 
+Message printable(const Message& message) { return std::get<Message>(printable(MessageArgument(message)).value); }
+
 void SkinStream::restart() {
   has_hello_ = false;
   model_ = nullptr;
-  model_complaint_.clear();
+  model_complaint_ = {};
   assembler_.clear();
   has_topology_ = false;
   neighbors_.clear();
   index_of_.clear();
   forgetLookUp();
-  device_text_.clear();
+  device_text_ = {};
   startCounting();
 }
 
@@ -55,10 +70,10 @@ void SkinStream::forgetLookUp() {
 SkinStream::Effect SkinStream::take(Decoded decoded) {
   switch (decoded.outcome) {
     case DecodeOutcome::Broken:
-      countRejected(std::move(decoded.reason));
+      countRejected(Message::verbatim(decoded.reason));
       return Effect::Nothing;
     case DecodeOutcome::OtherMajor:
-      last_rejection_ = std::move(decoded.reason);
+      last_rejection_ = Message::verbatim(printable(decoded.reason));
       return Effect::Incompatible;
     case DecodeOutcome::UnknownType:
       return Effect::Alive;
@@ -77,15 +92,15 @@ SkinStream::Effect SkinStream::take(Decoded decoded) {
 }
 
 void SkinStream::takeStatus(const skinwire::Status& status) {
-  device_text_ = printable(status.text);
-  if (device_text_.empty() && status.exploring) device_text_ = "exploring its cells";
+  device_text_ = Message::verbatim(printable(status.text));
+  if (device_text_.empty() && status.exploring) device_text_ = message("exploring its cells");
   if (status_.dropped_by_device != status.samples_dropped) counters_changed_ = true;
   status_.dropped_by_device = status.samples_dropped;
   listener_.onDeviceStatus({printable(status.text), status.exploring, status.samples_sent, status.samples_dropped});
 }
 
-void SkinStream::countRejected(std::string why) {
-  last_rejection_ = printable(std::move(why));
+void SkinStream::countRejected(const Message& why) {
+  last_rejection_ = printable(why);
   ++status_.rejected_messages;
   counters_changed_ = true;
 }
@@ -98,11 +113,11 @@ SkinStream::Effect SkinStream::takeHello(const skinwire::Hello& hello) {
   hello_ = hello;
   if (!same_model) {
     model_ = nullptr;
-    model_complaint_.clear();
+    model_complaint_ = {};
     try {
       model_ = std::make_shared<const CellModel>(skinwire::cellModelOf(hello));
     } catch (const Error& error) {
-      model_complaint_ = printable(error.what());
+      model_complaint_ = printable(error.message());
       countRejected(model_complaint_);
     }
   }
@@ -132,20 +147,23 @@ SkinStream::Effect SkinStream::takeTopology(skinwire::Topology part) {
 
 void SkinStream::announce() {
   if (!isDescribed()) return;
-  SkinDescription skin{printable(hello_.device), model_, neighbors_, hello_.can_light_cells, hello_.can_turn};
+  SkinDescription skin{Message::verbatim(printable(hello_.device)), model_, neighbors_, hello_.can_light_cells,
+                       hello_.can_turn};
   if (announced_ && sameDescription(*announced_, skin)) return;
   announced_ = std::move(skin);
   listener_.onSkin(*announced_);
 }
 
-std::string SkinStream::whatIsMissing() const {
-  if (!model_complaint_.empty()) return "its cell model can't be used: " + model_complaint_;
-  if (!has_hello_) return "it has not said what it is";
-  if (!has_topology_) return "its topology has not come";
+Message SkinStream::whatIsMissing() const {
+  if (!model_complaint_.empty()) return message("its cell model can't be used: {}", model_complaint_);
+  if (!has_hello_) return message("it has not said what it is");
+  if (!has_topology_) return message("its topology has not come");
   return {};
 }
 
-std::string SkinStream::deviceName() const { return hello_.device.empty() ? "the device" : printable(hello_.device); }
+Message SkinStream::deviceName() const {
+  return hello_.device.empty() ? message("the device") : Message::verbatim(printable(hello_.device));
+}
 
 bool SkinStream::lookUpCells(const std::vector<std::uint32_t>& cells) {
   if (cells == looked_up_cells_) return true;
@@ -185,11 +203,11 @@ SkinStream::Effect SkinStream::takeSamples(const skinwire::Samples& samples) {
     return Effect::Alive;
   }
   if (!samples.raw_lsb.empty() && !(model_->accelerometer.lsb_g > 0)) {
-    countRejected("samples in LSB need a cell model whose accelerometer.lsb_g is above 0");
+    countRejected(message("samples in LSB need a cell model whose accelerometer.lsb_g is above 0"));
     return Effect::Nothing;
   }
   if (!lookUpCells(samples.cells)) {
-    countRejected("a cell is twice in one message of samples");
+    countRejected(message("a cell is twice in one message of samples"));
     return Effect::Nothing;
   }
   const bool late = isLate(samples);
@@ -234,10 +252,10 @@ void SkinStream::deliver(const skinwire::Samples& samples) {
   }
 }
 
-void SkinStream::report(SourceState state, std::string text, Clock::time_point now) {
-  if (state == status_.state && text == status_.text) return;
+void SkinStream::report(SourceState state, Message message, Clock::time_point now) {
+  if (state == status_.state && message == status_.message) return;
   status_.state = state;
-  status_.text = std::move(text);
+  status_.message = std::move(message);
   tell(now);
 }
 

@@ -40,23 +40,23 @@ class SkinStream {
     return has_topology_ ? std::optional(topology_id_) : std::nullopt;
   }
   /// The message that is still missing before isDescribed(), or the device's last report; for status lines.
-  [[nodiscard]] std::string whatIsMissing() const;
-  [[nodiscard]] const std::string& deviceText() const { return device_text_; }
+  [[nodiscard]] Message whatIsMissing() const;
+  [[nodiscard]] const Message& deviceText() const { return device_text_; }
   /// Why the last message that was rejected was.
-  [[nodiscard]] const std::string& lastRejection() const { return last_rejection_; }
+  [[nodiscard]] const Message& lastRejection() const { return last_rejection_; }
   [[nodiscard]] std::uint64_t rejectedMessages() const { return status_.rejected_messages; }
   /// The device's name, for status lines.
-  [[nodiscard]] std::string deviceName() const;
+  [[nodiscard]] Message deviceName() const;
 
   /// Called for every Ack.
   std::function<void(const skinwire::Ack&)> on_ack;
 
   /// Tells the listener if state or text changed.
-  void report(SourceState state, std::string text, Clock::time_point now);
+  void report(SourceState state, Message message, Clock::time_point now);
   /// Tells the listener if counters changed and it was not told for half a second.
   void reportCounters(Clock::time_point now);
   void countReconnect() { ++status_.reconnects; }
-  void countRejected(std::string why);
+  void countRejected(const Message& why);
   [[nodiscard]] SourceState state() const { return status_.state; }
 
  private:
@@ -77,13 +77,13 @@ class SkinStream {
   SourceStatus status_;
   Clock::time_point told_at_{};
   bool counters_changed_ = false;
-  std::string device_text_;
-  std::string last_rejection_;
+  Message device_text_;
+  Message last_rejection_;
 
   bool has_hello_ = false;
   skinwire::Hello hello_;
   std::shared_ptr<const CellModel> model_;  ///< null: none, or one that makes no sense
-  std::string model_complaint_;
+  Message model_complaint_;
   skinwire::TopologyAssembler assembler_;
   bool has_topology_ = false;
   std::uint32_t topology_id_ = 0;
@@ -105,5 +105,7 @@ class SkinStream {
 
 /// Control characters become spaces: what a device says appears on terminals.
 std::string printable(std::string text);
+/// The same for all texts of a message.
+Message printable(const Message& message);
 
 }  // namespace hexoderm

@@ -3,6 +3,7 @@
 #include "hexoderm/device/skinwire/framing.h"
 #include "hexoderm/device/sources/skin_stream.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/system_reason.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -10,7 +11,6 @@
 
 #include <array>
 #include <cerrno>
-#include <cstring>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -52,9 +52,9 @@ struct StdinSource::Impl {
     [[maybe_unused]] const ssize_t written = ::write(wake[1], &byte, 1);
   }
 
-  void end(const std::string& why) {
+  void end(const Message& why) {
     ended = true;
-    stream->report(SourceState::Ended, "stdin: " + why, SkinStream::Clock::now());
+    stream->report(SourceState::Ended, located("stdin", why), SkinStream::Clock::now());
   }
 
   void decode() {
@@ -63,17 +63,18 @@ struct StdinSource::Impl {
       if (effect == SkinStream::Effect::Alive) alive = SkinStream::Clock::now();
       if (effect == SkinStream::Effect::Incompatible) {
         ended = true;
-        return stream->report(SourceState::Incompatible, "stdin: " + stream->lastRejection(), SkinStream::Clock::now());
+        return stream->report(SourceState::Incompatible, located("stdin", stream->lastRejection()),
+                              SkinStream::Clock::now());
       }
     }
-    if (!decoder.stuck().empty()) end("what came is broken: " + decoder.stuck());
+    if (!decoder.stuck().empty()) end(message("what came is broken: {}", decoder.stuck()));
   }
 
   void read() {
     std::array<std::uint8_t, 65'536> buffer;
     const ssize_t count = ::read(descriptor, buffer.data(), buffer.size());
     if (count < 0 && (errno == EINTR || errno == EAGAIN)) return;
-    if (count < 0) return end(std::strerror(errno));
+    if (count < 0) return end(systemReason(errno));
     if (count > 0) {
       decoder.feed(skinwire::ByteView(buffer.data(), static_cast<std::size_t>(count)));
       return decode();
@@ -82,18 +83,23 @@ struct StdinSource::Impl {
     const std::uint8_t line_feed = '\n';
     if (decoder.framing() == skinwire::Framing::Lines) decoder.feed({&line_feed, 1});
     decode();
-    if (!ended) end("the input is over");
+    if (!ended) end(message("the input is over"));
   }
 
   void reportState() {
     const auto now = SkinStream::Clock::now();
-    const std::string device = stream->deviceText().empty() ? "" : ": " + stream->deviceText();
     if (now - alive >= silent_after) {
-      stream->report(SourceState::Silent, "stdin: nothing comes", now);
+      stream->report(SourceState::Silent, located("stdin", message("nothing comes")), now);
     } else if (!stream->isDescribed()) {
-      stream->report(SourceState::Waiting, "stdin: waiting for the device, " + stream->whatIsMissing() + device, now);
+      stream->report(
+          SourceState::Waiting,
+          located("stdin",
+                  inRow({message("waiting for the device, {}", stream->whatIsMissing()), stream->deviceText()}, ": ")),
+          now);
     } else {
-      stream->report(SourceState::Streaming, "stdin: connected to " + stream->deviceName() + device, now);
+      stream->report(
+          SourceState::Streaming,
+          located("stdin", inRow({message("connected to {}", stream->deviceName()), stream->deviceText()}, ": ")), now);
     }
     stream->reportCounters(now);
   }
@@ -108,7 +114,7 @@ struct StdinSource::Impl {
       go_on = !stopping;
     }
     for (const std::uint32_t number : numbers) {
-      listener->onCommandOutcome({number, false, "standard input takes no commands"});
+      listener->onCommandOutcome({number, false, message("standard input takes no commands")});
     }
     return go_on;
   }
@@ -125,7 +131,7 @@ struct StdinSource::Impl {
       }
       if (waited[1].revents != 0) read();
     }
-    stream->report(SourceState::Stopped, "stdin: stopped", SkinStream::Clock::now());
+    stream->report(SourceState::Stopped, located("stdin", message("stopped")), SkinStream::Clock::now());
   }
 };
 
@@ -137,9 +143,9 @@ StdinSource::StdinSource(int descriptor, std::chrono::milliseconds silent_after)
 StdinSource::~StdinSource() { stop(); }
 
 void StdinSource::start(SkinListener& listener) {
-  if (impl_->stream) throw InvalidArgument("stdin: a source can be started only once");
+  if (impl_->stream) throw InvalidArgument(located("stdin", message("a source can be started only once")));
   if (::pipe2(impl_->wake.data(), O_CLOEXEC | O_NONBLOCK) != 0) {
-    throw DeviceError(std::string("stdin: can't be read: ") + std::strerror(errno));
+    throw DeviceError(located("stdin", message("can't be read: {}", systemReason(errno))));
   }
   impl_->listener = &listener;
   impl_->stream.emplace(listener);

@@ -6,13 +6,14 @@
 namespace hexoderm {
 namespace {
 
-[[noreturn]] void fail(std::string_view address, const std::string& expected) {
-  throw InvalidArgument("source \"" + std::string(address) + "\": expected " + expected);
+[[noreturn]] void fail(std::string_view address, const Message& expected) {
+  throw InvalidArgument(message("source \"{}\": expected {}", address, expected));
 }
 
 WireAddress parseNetwork(std::string_view address, std::string_view rest, WireAddress::Kind kind) {
-  const std::string expected = std::string(kind == WireAddress::Kind::Tcp ? "tcp" : "udp") +
-                               "://HOST:PORT, the port from 1 to 65535 (for example tcp://localhost:7700)";
+  const Message expected =
+      message("{}, the port from 1 to 65535 (for example {})",
+              kind == WireAddress::Kind::Tcp ? "tcp://HOST:PORT" : "udp://HOST:PORT", "tcp://localhost:7700");
   const std::size_t colon = rest.rfind(':');
   if (colon == std::string_view::npos) fail(address, expected);
   std::string_view host = rest.substr(0, colon);
@@ -37,7 +38,8 @@ WireAddress parseNetwork(std::string_view address, std::string_view rest, WireAd
 }
 
 WireAddress parseSerial(std::string_view address, std::string_view rest) {
-  const std::string expected = "serial:/dev/DEVICE or serial:/dev/DEVICE?baud=N (for example serial:/dev/ttyUSB0)";
+  const Message expected =
+      message("{} or {} (for example {})", "serial:/dev/DEVICE", "serial:/dev/DEVICE?baud=N", "serial:/dev/ttyUSB0");
   constexpr unsigned kMostBaud = 100'000'000;
   const std::size_t query = rest.find('?');
   WireAddress parsed;
@@ -67,7 +69,7 @@ WireAddress parseWireAddress(std::string_view address) {
   if (address.starts_with(kTcp)) return parseNetwork(address, address.substr(kTcp.size()), WireAddress::Kind::Tcp);
   if (address.starts_with(kUdp)) return parseNetwork(address, address.substr(kUdp.size()), WireAddress::Kind::Udp);
   if (address.starts_with(kSerial)) return parseSerial(address, address.substr(kSerial.size()));
-  fail(address, "tcp://HOST:PORT, udp://HOST:PORT or serial:/dev/DEVICE");
+  fail(address, message("tcp://HOST:PORT, udp://HOST:PORT or serial:/dev/DEVICE"));
 }
 
 }  // namespace hexoderm

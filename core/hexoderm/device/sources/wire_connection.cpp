@@ -14,9 +14,9 @@ constexpr std::chrono::milliseconds kTick(50);
 constexpr std::chrono::milliseconds kRepeatCommand(400);
 constexpr std::size_t kMaxPending = 256;
 
-std::string seconds(std::chrono::steady_clock::duration duration) {
+Seconds seconds(std::chrono::steady_clock::duration duration) {
   const double value_s = std::chrono::duration<double>(duration).count();
-  return formatFixed(value_s, value_s < 1 ? 2 : 1) + " s";
+  return {value_s, value_s < 1 ? 2 : 1};
 }
 
 skinwire::Request requestOf(const SkinCommand& command) {
@@ -54,7 +54,7 @@ void WireConnection::connect() {
   since_ = Clock::now();
   stream_.restart();
   if (stream_.state() == SourceState::Stopped) {
-    stream_.report(SourceState::Connecting, named("connecting"), since_);
+    stream_.report(SourceState::Connecting, named(message("connecting")), since_);
     scheduleTick();
   }
   switch (address_.kind) {
@@ -68,7 +68,7 @@ void WireConnection::connect() {
   }
   transport_ = makeWireTransport(io_, address_,
                                  {[this] { onOpened(); }, [this](skinwire::ByteView bytes) { onReceived(bytes); },
-                                  [this](const std::string& why) { retryLater(why); }});
+                                  [this](const Message& why) { retryLater(why); }});
   transport_->open();
 }
 
@@ -113,8 +113,8 @@ void WireConnection::askIfNeeded(Clock::time_point now) {
 void WireConnection::onReceived(skinwire::ByteView bytes) {
   if (address_.kind == WireAddress::Kind::Udp) {
     if (bytes.size() > skinwire::kMaxDatagram) {
-      return stream_.countRejected("a datagram of " + std::to_string(bytes.size()) + " bytes, the limit is " +
-                                   std::to_string(skinwire::kMaxDatagram));
+      return stream_.countRejected(
+          message("a datagram of {} bytes, the limit is {}", bytes.size(), skinwire::kMaxDatagram));
     }
     return onDecoded(skinwire::decodeBody(bytes));
   }
@@ -124,7 +124,8 @@ void WireConnection::onReceived(skinwire::ByteView bytes) {
     if (!decoded) break;
     onDecoded(std::move(*decoded));
   }
-  if (phase_ == Phase::Open && !decoder_.stuck().empty()) retryLater("what came is broken: " + decoder_.stuck());
+  if (phase_ == Phase::Open && !decoder_.stuck().empty())
+    retryLater(message("what came is broken: {}", decoder_.stuck()));
 }
 
 void WireConnection::onDecoded(skinwire::Decoded decoded) {
@@ -135,8 +136,9 @@ void WireConnection::onDecoded(skinwire::Decoded decoded) {
     case SkinStream::Effect::Incompatible:
       given_up_ = true;
       drop();
-      stream_.report(SourceState::Incompatible, named(stream_.lastRejection() + "; not trying again"), Clock::now());
-      for (; !pending_.empty();) fail(pending_.begin()->first, "the connection was closed");
+      stream_.report(SourceState::Incompatible, named(message("{}; not trying again", stream_.lastRejection())),
+                     Clock::now());
+      for (; !pending_.empty();) fail(pending_.begin()->first, message("the connection was closed"));
       return;
     case SkinStream::Effect::Alive:
       break;
@@ -156,25 +158,28 @@ void WireConnection::reportOpen(Clock::time_point now) {
     const bool garbage = stream_.rejectedMessages() > rejected_when_alive_;
     stream_.report(
         SourceState::Silent,
-        named((garbage ? "only broken messages (" + stream_.lastRejection() + ")" : "nothing came") + " for " +
-              seconds(options_.silent_after) + "; reconnecting after " + seconds(options_.reconnect_after)),
+        named(garbage ? message("only broken messages ({}) for {}; reconnecting after {}", stream_.lastRejection(),
+                                seconds(options_.silent_after), seconds(options_.reconnect_after))
+                      : message("nothing came for {}; reconnecting after {}", seconds(options_.silent_after),
+                                seconds(options_.reconnect_after))),
         now);
   } else if (!stream_.isDescribed()) {
-    const std::string device = stream_.deviceText().empty() ? "" : "; it says: " + stream_.deviceText();
-    stream_.report(SourceState::Waiting, named("connected to the device, " + stream_.whatIsMissing() + device), now);
+    Message waiting = message("connected to the device, {}", stream_.whatIsMissing());
+    if (!stream_.deviceText().empty()) waiting = message("{}; it says: {}", waiting, stream_.deviceText());
+    stream_.report(SourceState::Waiting, named(std::move(waiting)), now);
   } else {
-    const std::string device = stream_.deviceText().empty() ? "" : ": " + stream_.deviceText();
-    stream_.report(SourceState::Streaming, named("connected to " + stream_.deviceName() + device), now);
+    stream_.report(SourceState::Streaming,
+                   named(inRow({message("connected to {}", stream_.deviceName()), stream_.deviceText()}, ": ")), now);
   }
 }
 
-void WireConnection::retryLater(const std::string& why) {
+void WireConnection::retryLater(const Message& why) {
   drop();
   const Clock::time_point now = Clock::now();
   retry_at_ = now + retry_;
-  stream_.report(SourceState::Connecting, named(why + "; next try in " + seconds(retry_)), now);
+  stream_.report(SourceState::Connecting, named(message("{}; next try in {}", why, seconds(retry_))), now);
   retry_ = std::min<Clock::duration>(2 * retry_, options_.longest_retry);
-  for (; !pending_.empty();) fail(pending_.begin()->first, "the connection was lost");
+  for (; !pending_.empty();) fail(pending_.begin()->first, message("the connection was lost"));
   // A short wait must not be lengthened by the tick.
   scheduleTick();
 }
@@ -194,10 +199,10 @@ void WireConnection::onTick() {
     if (phase_ == Phase::Idle && now >= retry_at_) {
       connect();
     } else if (phase_ == Phase::Opening && now - since_ >= options_.reconnect_after) {
-      retryLater("no answer for " + seconds(options_.reconnect_after));
+      retryLater(message("no answer for {}", seconds(options_.reconnect_after)));
     } else if (phase_ == Phase::Open && now - alive_ >= options_.reconnect_after) {
       reportOpen(now);
-      retryLater("nothing came for " + seconds(options_.reconnect_after));
+      retryLater(message("nothing came for {}", seconds(options_.reconnect_after)));
     } else if (phase_ == Phase::Open) {
       askIfNeeded(now);
       reportOpen(now);
@@ -210,16 +215,16 @@ void WireConnection::onTick() {
 
 void WireConnection::send(std::uint32_t number, const SkinCommand& command) {
   const Clock::time_point now = Clock::now();
-  if (phase_ != Phase::Open || !stream_.isDescribed()) return fail(number, "the device is not connected");
-  if (pending_.size() >= kMaxPending) return fail(number, "too many commands wait for an answer");
+  if (phase_ != Phase::Open || !stream_.isDescribed()) return fail(number, message("the device is not connected"));
+  if (pending_.size() >= kMaxPending) return fail(number, message("too many commands wait for an answer"));
   if (std::holds_alternative<SetLed>(command) && !stream_.hello().can_light_cells) {
-    return fail(number, "the device can't light its cells");
+    return fail(number, message("the device can't light its cells"));
   }
   if (std::holds_alternative<TurnTo>(command) && !stream_.hello().can_turn) {
-    return fail(number, "the device can't turn by itself");
+    return fail(number, message("the device can't turn by itself"));
   }
   const skinwire::Command message{number, requestOf(command)};
-  if (const std::string why = skinwire::complaint(message); !why.empty()) return fail(number, why);
+  if (const std::string why = skinwire::complaint(message); !why.empty()) return fail(number, Message::verbatim(why));
   Bytes frame = framed(message);
   transport_->write(frame);
   pending_[number] = {std::move(frame), now + options_.command_timeout, now};
@@ -233,7 +238,7 @@ void WireConnection::onAck(const skinwire::Ack& ack) {
     return;
   }
   pending_.erase(found);
-  listener_.onCommandOutcome({ack.command, ack.done, printable(ack.text)});
+  listener_.onCommandOutcome({ack.command, ack.done, Message::verbatim(printable(ack.text))});
 }
 
 void WireConnection::tendCommands(Clock::time_point now) {
@@ -247,20 +252,20 @@ void WireConnection::tendCommands(Clock::time_point now) {
     }
   }
   for (const std::uint32_t number : expired) {
-    fail(number, "the device did not answer within " + seconds(options_.command_timeout));
+    fail(number, message("the device did not answer within {}", seconds(options_.command_timeout)));
   }
 }
 
-void WireConnection::fail(std::uint32_t number, std::string why) {
+void WireConnection::fail(std::uint32_t number, Message why) {
   pending_.erase(number);
   listener_.onCommandOutcome({number, false, std::move(why)});
 }
 
-void WireConnection::finish(const std::string& text) {
+void WireConnection::finish(const Message& why) {
   given_up_ = true;
   drop();
-  for (; !pending_.empty();) fail(pending_.begin()->first, "the source was stopped");
-  stream_.report(SourceState::Stopped, named(text), Clock::now());
+  for (; !pending_.empty();) fail(pending_.begin()->first, message("the source was stopped"));
+  stream_.report(SourceState::Stopped, named(why), Clock::now());
 }
 
 }  // namespace hexoderm

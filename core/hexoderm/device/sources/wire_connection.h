@@ -24,7 +24,7 @@ class WireConnection {
   void connect();
   void send(std::uint32_t number, const SkinCommand& command);
   /// Closes, and says so.
-  void finish(const std::string& text);
+  void finish(const Message& why);
 
  private:
   using Clock = SkinStream::Clock;
@@ -42,15 +42,15 @@ class WireConnection {
   void onAck(const skinwire::Ack& ack);
   void onTick();
   void scheduleTick();
-  void retryLater(const std::string& why);
+  void retryLater(const Message& why);
   void drop();
   void askIfNeeded(Clock::time_point now);
   void reportOpen(Clock::time_point now);
   void tendCommands(Clock::time_point now);
-  void fail(std::uint32_t number, std::string why);
+  void fail(std::uint32_t number, Message why);
   [[nodiscard]] std::optional<skinwire::Framing> framing() const;
   [[nodiscard]] skinwire::Bytes framed(const skinwire::Message& message) const;
-  [[nodiscard]] std::string named(const std::string& text) const { return address_text_ + ": " + text; }
+  [[nodiscard]] Message named(Message what) const { return located(address_text_, std::move(what)); }
 
   std::shared_ptr<boost::asio::io_context> io_;
   std::string address_text_;

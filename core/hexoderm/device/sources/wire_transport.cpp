@@ -1,6 +1,7 @@
 #include "hexoderm/device/sources/wire_transport.h"
 
 #include "hexoderm/device/sources/write_queue.h"
+#include "hexoderm/util/system_reason.h"
 
 #include <termios.h>
 
@@ -22,13 +23,18 @@ using boost::system::error_code;
 using skinwire::Bytes;
 using skinwire::ByteView;
 
+Message reasonOf(const error_code& error) {
+  if (error == asio::error::host_not_found) return message("Host not found (authoritative)");
+  return systemReason(error);
+}
+
 /// Common to all wires: callbacks that stop with close(), and the queue of what is to be written.
 template <class Channel>
 class ChannelTransport : public WireTransport, public std::enable_shared_from_this<ChannelTransport<Channel>> {
  public:
   ChannelTransport(asio::io_context& io, Callbacks callbacks)
       : channel_(io),
-        queue_(channel_, [this](const error_code& error) { end(error.message()); }),
+        queue_(channel_, [this](const error_code& error) { end(reasonOf(error)); }),
         callbacks_(std::move(callbacks)) {}
 
   void write(Bytes bytes) final { queue_.push(std::move(bytes), this->shared_from_this()); }
@@ -52,7 +58,7 @@ class ChannelTransport : public WireTransport, public std::enable_shared_from_th
     if (!closed_) startReading();
   }
 
-  void end(const std::string& why) {
+  void end(const Message& why) {
     if (closed_) return;
     close();
     callbacks_.ended(why);
@@ -60,7 +66,7 @@ class ChannelTransport : public WireTransport, public std::enable_shared_from_th
 
   void received(const error_code& error, std::size_t size) {
     if (closed_) return;
-    if (error) return end(error == asio::error::eof ? "the device closed the connection" : error.message());
+    if (error) return end(error == asio::error::eof ? message("the device closed the connection") : reasonOf(error));
     callbacks_.received(ByteView(buffer_.data(), size));
     if (!closed_) startReading();
   }
@@ -129,11 +135,11 @@ class TcpTransport final : public StreamTransport<asio::ip::tcp::socket> {
     resolve<asio::ip::tcp>(io, address_, [weak = weak_from_this(), this](error_code error, auto endpoints) {
       const auto self = weak.lock();
       if (!self || isClosed()) return;
-      if (error) return end("the host is not known: " + error.message());
+      if (error) return end(message("the host is not known: {}", reasonOf(error)));
       endpoints_ = std::move(endpoints);
       asio::async_connect(channel_, endpoints_, [this, self](const error_code& failure, const auto&) {
         if (isClosed()) return;
-        if (failure) return end(failure.message());
+        if (failure) return end(reasonOf(failure));
         error_code ignored;
         channel_.set_option(asio::ip::tcp::no_delay(true), ignored);
         opened();
@@ -158,7 +164,7 @@ class UdpTransport final : public ChannelTransport<asio::ip::udp::socket> {
     resolve<asio::ip::udp>(io, address_, [weak = weak_from_this(), this](error_code error, const auto& endpoints) {
       const auto self = weak.lock();
       if (!self || isClosed()) return;
-      if (error) return end("the host is not known: " + error.message());
+      if (error) return end(message("the host is not known: {}", reasonOf(error)));
       // Connected, so that datagrams of others are not received and a port where nobody listens is an error.
       error_code failure = asio::error::host_not_found;
       for (const auto& endpoint : endpoints) {
@@ -167,7 +173,7 @@ class UdpTransport final : public ChannelTransport<asio::ip::udp::socket> {
         if (!failure) channel_.connect(endpoint, failure);
         if (!failure) break;
       }
-      if (failure) return end(failure.message());
+      if (failure) return end(reasonOf(failure));
       constexpr int kReceiveBuffer = 4 << 20;  // some ten milliseconds of a large skin
       error_code ignored;
       channel_.set_option(asio::socket_base::receive_buffer_size(kReceiveBuffer), ignored);
@@ -204,7 +210,7 @@ class SerialTransport final : public StreamTransport<asio::serial_port> {
     // Not from within open(): the caller is still at it.
     asio::post(channel_.get_executor(), [this, self = shared_from_this(), error] {
       if (isClosed()) return;
-      if (error) return end(error.message());
+      if (error) return end(reasonOf(error));
       opened();
     });
   }

@@ -5,6 +5,8 @@
 #include "hexoderm/device/skinwire/codec.h"
 #include "hexoderm/device/sources/wire_address.h"
 
+#include "hexoderm/util/message.h"
+
 #include <boost/asio/io_context.hpp>
 
 #include <functional>
@@ -20,7 +22,7 @@ class WireTransport {
   struct Callbacks {
     std::function<void()> opened;
     std::function<void(skinwire::ByteView)> received;  ///< a piece of the stream, or a whole datagram
-    std::function<void(std::string why)> ended;        ///< could not be opened, or is over; comes once, then nothing
+    std::function<void(const Message& why)> ended;     ///< could not be opened, or is over; comes once, then nothing
   };
 
   virtual ~WireTransport() = default;

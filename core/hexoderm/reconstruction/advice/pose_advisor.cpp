@@ -97,19 +97,18 @@ bool enoughPoses(const Reconstruction& reconstruction, TurnedBy turned_by) {
   return enabled >= kGoodPoseCount && (is_usable || level == VerdictLevel::Good);
 }
 
-std::string adviceInWords(const PoseAdvice& advice, const Reconstruction& reconstruction) {
+Message adviceInWords(const PoseAdvice& advice, const Reconstruction& reconstruction) {
   const PatchReconstruction* patch = largestPatch(reconstruction);
   if (patch == nullptr) return {};
   const CellFacing target = clearestFacing(*patch, advice.up);
-  const std::string begin = "Turn the part so that cell " + toString(target.cell);
   switch (target.facing) {
     case Facing::Ceiling:
-      return begin + " faces the ceiling.";
+      return message("Turn the part so that cell {} faces the ceiling.", target.cell);
     case Facing::Floor:
-      return begin + " faces the floor.";
+      return message("Turn the part so that cell {} faces the floor.", target.cell);
     case Facing::Wall:
       // On a nearly flat patch no cell may face up or down: then its edge does, and the wall is what it faces.
-      return begin + " faces a wall, its side towards the ceiling.";
+      return message("Turn the part so that cell {} faces a wall, its side towards the ceiling.", target.cell);
   }
   return {};
 }

@@ -42,6 +42,6 @@ bool enoughPoses(const Reconstruction& reconstruction, TurnedBy turned_by = Turn
 
 /// "Turn the part so that cell 7 faces the floor": the cell of the largest patch whose front points most exactly up or
 /// down when `advice` is followed. Empty if there is no patch.
-std::string adviceInWords(const PoseAdvice& advice, const Reconstruction& reconstruction);
+Message adviceInWords(const PoseAdvice& advice, const Reconstruction& reconstruction);
 
 }  // namespace hexoderm

@@ -102,8 +102,8 @@ MissingDirection missingDirection(const Spread& spread, double threshold, const 
 }
 
 const char* axisName(const Eigen::Vector3d& up_o) {
-  if (std::abs(up_o.x()) > std::abs(up_o.y())) return up_o.x() > 0 ? "+x up" : "-x up";
-  return up_o.y() > 0 ? "+y up" : "-y up";
+  if (std::abs(up_o.x()) > std::abs(up_o.y())) return up_o.x() > 0 ? "+x" : "-x";
+  return up_o.y() > 0 ? "+y" : "-y";
 }
 
 }  // namespace
@@ -236,20 +236,19 @@ std::optional<NextPose> describeNextPose(const PoseAdvice& advice, const Reconst
   return next;
 }
 
-std::string poseLabel(const Eigen::Vector3d& up_o) {
+Message poseLabel(const Eigen::Vector3d& up_o) {
   // Up in the origin's frame: its z is how much the origin's front points up.
   const double elevation_rad = std::asin(std::clamp(up_o.z(), -1.0, 1.0));
   constexpr double kLevel = 30 * kDegree;
   constexpr double kUpright = 60 * kDegree;
-  if (elevation_rad >= kUpright) return "facing ceiling";
-  if (elevation_rad <= -kUpright) return "facing floor";
-  const char* way = std::abs(elevation_rad) <= kLevel ? "facing wall, "
-                    : elevation_rad > 0               ? "tilted up, "
-                                                      : "tilted down, ";
-  return std::string(way) + axisName(up_o);
+  if (elevation_rad >= kUpright) return message("facing ceiling");
+  if (elevation_rad <= -kUpright) return message("facing floor");
+  const std::string axis = axisName(up_o);
+  if (std::abs(elevation_rad) <= kLevel) return message("facing wall, {} up", axis);
+  return elevation_rad > 0 ? message("tilted up, {} up", axis) : message("tilted down, {} up", axis);
 }
 
-std::string poseLabel(const Reconstruction& reconstruction, const PoseCapture& capture) {
+Message poseLabel(const Reconstruction& reconstruction, const PoseCapture& capture) {
   constexpr double kLeast_g = 0.5;
   const PatchReconstruction* patch = largestPatch(reconstruction);
   if (patch == nullptr) return {};

@@ -47,7 +47,7 @@ CellFacing clearestFacing(const PatchReconstruction& patch, const Eigen::Vector3
 /// One pose on the discs.
 struct SeenDirection {
   PoseId pose;
-  std::string label;
+  Message label;
   bool enabled = true;
   Eigen::Vector3d up_o = Eigen::Vector3d::UnitZ();
   DiscPoint at;
@@ -131,9 +131,9 @@ std::optional<NextPose> describeNextPose(const PoseAdvice& advice, const Reconst
 
 /// A short label of a pose by what the origin cell, in whose frame `up_o` is, faces: "facing ceiling", "facing floor",
 /// "facing wall, +y up", "tilted up, -x up", "tilted down, ...".
-std::string poseLabel(const Eigen::Vector3d& up_o);
+Message poseLabel(const Eigen::Vector3d& up_o);
 /// A label for a capture, from the reading of the largest patch's origin alone: `reconstruction` may be one without any
 /// pose. Empty if there is no patch or the origin read no gravity.
-std::string poseLabel(const Reconstruction& reconstruction, const PoseCapture& capture);
+Message poseLabel(const Reconstruction& reconstruction, const PoseCapture& capture);
 
 }  // namespace hexoderm

@@ -12,11 +12,11 @@ namespace hexoderm {
 namespace {
 
 /// Few are named, many are counted.
-std::string cellsInWords(const std::vector<CellId>& cells) {
+Message cellsInWords(const std::vector<CellId>& cells) {
   constexpr std::size_t kNamed = 6;
-  if (cells.size() == 1) return "cell " + toString(cells.front());
-  if (cells.size() <= kNamed) return "cells " + listInWords(cells);
-  return std::to_string(cells.size()) + " cells";
+  if (cells.size() == 1) return message("cell {}", cells.front());
+  if (cells.size() <= kNamed) return message("cells {}", cells);
+  return message("{} cells", cells.size());
 }
 
 SkinCheckItem checkLinks(const Reconstruction& reconstruction) {
@@ -31,22 +31,21 @@ SkinCheckItem checkLinks(const Reconstruction& reconstruction) {
     }
   }
   if (muted == 0) {
-    item.text = "Every link joins two ports that fit";
+    item.message = message("Every link joins two ports that fit");
   } else {
     item.severity = Severity::Warning;
-    item.text = std::to_string(muted) + " of " + std::to_string(reconstruction.linkCount()) +
-                " links are kept out: see the findings";
+    item.message = message("{} of {} links are kept out: see the findings", muted, reconstruction.linkCount());
   }
   return item;
 }
 
-std::string rangeInWords(std::span<const CellSample> readings) {
+Message rangeInWords(std::span<const CellSample> readings) {
   const auto [least, most] = std::minmax_element(
       readings.begin(), readings.end(),
       [](const CellSample& a, const CellSample& b) { return a.acceleration_g.norm() < b.acceleration_g.norm(); });
-  const std::string least_g = formatFixed(least->acceleration_g.norm(), 2);
-  if (readings.size() == 1) return least_g + " g";
-  return least_g + " to " + formatFixed(most->acceleration_g.norm(), 2) + " g";
+  const Number least_g{least->acceleration_g.norm(), 2};
+  if (readings.size() == 1) return message("{} g", least_g);
+  return message("{} to {} g", least_g, Number{most->acceleration_g.norm(), 2});
 }
 
 void checkReadings(const CellModel& model, std::span<const CellSample> readings, const std::set<CellId>& silent,
@@ -60,23 +59,24 @@ void checkReadings(const CellModel& model, std::span<const CellSample> readings,
   if (!odd.empty()) {
     SkinCheckItem item{Severity::Warning, {}, {}};
     for (const CellSample& reading : odd) item.cells.push_back(reading.cell);
-    item.text = (odd.size() == 1 ? "Cell " + toString(odd.front().cell) + " reads "
-                                 : std::to_string(odd.size()) + " cells read ") +
-                rangeInWords(odd) + ": gravity is 1 g, give or take " + formatFixed(tolerance_g, 2) + " g";
+    item.message = odd.size() == 1 ? message("Cell {} reads {}: gravity is 1 g, give or take {} g", odd.front().cell,
+                                             rangeInWords(odd), Number{tolerance_g, 2})
+                                   : message("{} cells read {}: gravity is 1 g, give or take {} g", odd.size(),
+                                             rangeInWords(odd), Number{tolerance_g, 2});
     items.push_back(std::move(item));
   }
   if (!silent.empty()) {
     const std::vector<CellId> cells(silent.begin(), silent.end());
-    items.push_back({Severity::Warning, "Nothing comes from " + cellsInWords(cells), cells});
+    items.push_back({Severity::Warning, message("Nothing comes from {}", cellsInWords(cells)), cells});
   } else if (odd.empty()) {
     items.push_back({Severity::Info,
                      readings.size() == 1
-                         ? "The cell sends and reads " + rangeInWords(readings)
-                         : "All " + std::to_string(readings.size()) + " cells send and read " + rangeInWords(readings),
+                         ? message("The cell sends and reads {}", rangeInWords(readings))
+                         : message("All {} cells send and read {}", readings.size(), rangeInWords(readings)),
                      {}});
   } else {
     items.push_back({Severity::Info,
-                     readings.size() == 1 ? "The cell sends" : "All " + std::to_string(readings.size()) + " cells send",
+                     readings.size() == 1 ? message("The cell sends") : message("All {} cells send", readings.size()),
                      {}});
   }
 }
@@ -93,7 +93,7 @@ SkinCheck checkSkin(const Reconstruction& reconstruction, std::span<const CellSa
   const std::size_t cell_count = silent.size();
   for (const CellSample& reading : readings) silent.erase(reading.cell);
 
-  check.items.push_back({Severity::Info, "Found: " + sizeInWords(reconstruction), {}});
+  check.items.push_back({Severity::Info, message("Found: {}", sizeInWords(reconstruction)), {}});
   if (cell_count > 0) check.items.push_back(checkLinks(reconstruction));
   if (!readings.empty()) checkReadings(*reconstruction.model, readings, silent, check.items);
   for (const OddCell& cell : odd) {
@@ -103,13 +103,13 @@ SkinCheck checkSkin(const Reconstruction& reconstruction, std::span<const CellSa
 
   check.ready = cell_count > 0 && !readings.empty();
   if (cell_count == 0) {
-    check.because = "The skin has no cells";
+    check.because = message("The skin has no cells");
   } else if (readings.empty()) {
-    check.because = "No readings have come yet";
+    check.because = message("No readings have come yet");
   } else if (silent.empty()) {
-    check.because = "Every cell sends";
+    check.because = message("Every cell sends");
   } else {
-    check.because = std::to_string(cell_count - silent.size()) + " of " + std::to_string(cell_count) + " cells send";
+    check.because = message("{} of {} cells send", cell_count - silent.size(), cell_count);
   }
   return check;
 }

@@ -5,7 +5,6 @@
 #include "hexoderm/reconstruction/result/reconstruction.h"
 
 #include <span>
-#include <string>
 #include <vector>
 
 namespace hexoderm {
@@ -13,15 +12,15 @@ namespace hexoderm {
 /// One thing that was looked at, as one sentence for the operator. Info: it is as it should be.
 struct SkinCheckItem {
   Severity severity = Severity::Info;
-  std::string text;
+  Message message;
   std::vector<CellId> cells;  ///< cells concerned; empty: all
 };
 
 /// The state of a skin before its poses are captured.
 struct SkinCheck {
   std::vector<SkinCheckItem> items;
-  bool ready = false;   ///< poses can be captured
-  std::string because;  ///< why they can or can't
+  bool ready = false;  ///< poses can be captured
+  Message because;     ///< why they can or can't
 };
 
 /// Looks at what was found (cells, links, patches), and at what the cells read just now: whether all of them send, and

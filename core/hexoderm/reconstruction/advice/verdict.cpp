@@ -62,9 +62,8 @@ bool nothingToEstimate(const Reconstruction& r) {
   return std::ranges::all_of(r.patches, [](const auto& patch) { return patch.cells.size() == 1; });
 }
 
-std::string plusMinus(const Uncertainty95& spread) {
-  return "±" + formatFixed(toMillimetres(spread.position_m), 1) + " mm, ±" +
-         formatFixed(toDegrees(spread.orientation_rad), 1) + "°";
+Message plusMinus(const Uncertainty95& spread) {
+  return message("±{}, ±{}", Millimetres{spread.position_m, 1}, Degrees{spread.orientation_rad, 1});
 }
 
 }  // namespace
@@ -82,21 +81,21 @@ Verdict judge(const Reconstruction& r) {
   Verdict verdict;
   if (r.cellCount() == 0) {
     verdict.level = VerdictLevel::Failed;
-    verdict.reason = "The skin has no cells.";
-    verdict.next_action = "Check the connection to the skin and explore it again.";
+    verdict.reason = message("The skin has no cells.");
+    verdict.next_action = message("Check the connection to the skin and explore it again.");
     return verdict;
   }
   const std::size_t poses = enabledPoses(r);
   const PoseAdvice advice = adviseNextPose(*r.model, directionsSeen(r));
-  std::string turn = adviceInWords(advice, r);
+  Message turn = adviceInWords(advice, r);
 
   if (nothingToEstimate(r)) {
     verdict.level = VerdictLevel::Usable;
-    verdict.reason = r.cellCount() == 1 ? "One cell: it is its own origin, there is nothing to estimate."
-                                        : "No cell is linked to another: each is its own origin.";
+    verdict.reason = r.cellCount() == 1 ? message("One cell: it is its own origin, there is nothing to estimate.")
+                                        : message("No cell is linked to another: each is its own origin.");
     verdict.position_95_m = 0;
     verdict.orientation_95_rad = 0;
-    verdict.next_action = r.cellCount() == 1 ? "Export." : "Check the links between the cells.";
+    verdict.next_action = r.cellCount() == 1 ? message("Export.") : message("Check the links between the cells.");
     return verdict;
   }
 
@@ -104,8 +103,8 @@ Verdict judge(const Reconstruction& r) {
   verdict.position_95_m = spread.position_m;
   verdict.orientation_95_rad = spread.orientation_rad;
   if (poses > 0 && advice.sigma_now_rad > 0) {
-    turn += " That should bring ±" + formatFixed(toDegrees(spread.orientation_rad), 1) + "° to about ±" +
-            formatFixed(toDegrees(spread.orientation_rad * advice.sigma_then_rad / advice.sigma_now_rad), 1) + "°.";
+    turn = inRow({turn, message("That should bring ±{} to about ±{}.", Degrees{spread.orientation_rad, 1},
+                                Degrees{spread.orientation_rad * advice.sigma_then_rad / advice.sigma_now_rad, 1})});
   }
   const std::size_t undetermined = undeterminedLinks(r);
   const std::size_t used = [&] {
@@ -115,34 +114,35 @@ Verdict judge(const Reconstruction& r) {
     }
     return count;
   }();
-  const std::string pose_count = std::to_string(poses) + (poses == 1 ? " pose" : " poses");
+  const Message pose_count = poses == 1 ? message("1 pose") : message("{} poses", poses);
 
   if (poses == 0) {
     verdict.level = VerdictLevel::NotEnough;
-    verdict.reason = "Not enough poses: none yet. The shape shown follows from the ports alone.";
-    verdict.next_action = "Hold the part still and take a first pose.";
+    verdict.reason = message("Not enough poses: none yet. The shape shown follows from the ports alone.");
+    verdict.next_action = message("Hold the part still and take a first pose.");
   } else if (2 * undetermined > used) {
     verdict.level = VerdictLevel::NotEnough;
-    verdict.reason = "Not enough poses: " + pose_count + " along one line leave the turn about gravity open (" +
-                     plusMinus(spread) + ").";
+    verdict.reason = message("Not enough poses: {} along one line leave the turn about gravity open ({}).", pose_count,
+                             plusMinus(spread));
     if (poses == 1)
-      verdict.reason = "Not enough poses: one leaves the turn about gravity open (" + plusMinus(spread) + ").";
+      verdict.reason = message("Not enough poses: one leaves the turn about gravity open ({}).", plusMinus(spread));
     verdict.next_action = turn;
   } else if (spread.orientation_rad > kUsableOrientation) {
     verdict.level = VerdictLevel::NotEnough;
-    verdict.reason = pose_count + " are not enough: known to " + plusMinus(spread) + " only.";
+    verdict.reason = message("{} are not enough: known to {} only.", pose_count, plusMinus(spread));
     verdict.next_action = turn;
   } else {
     const bool precise = spread.orientation_rad <= kGoodOrientation && spread.position_m <= kGoodPosition_m;
     const Finding* finding = worstFinding(r);
     verdict.level = precise && finding == nullptr ? VerdictLevel::Good : VerdictLevel::Usable;
-    verdict.reason = (verdict.level == VerdictLevel::Good ? "Good: " : "Usable: ") + plusMinus(spread) +
-                     " at the worst cell (95 %), " + pose_count + ".";
-    if (finding != nullptr) verdict.reason += " " + finding->text;
+    verdict.reason = verdict.level == VerdictLevel::Good
+                         ? message("Good: {} at the worst cell (95 %), {}.", plusMinus(spread), pose_count)
+                         : message("Usable: {} at the worst cell (95 %), {}.", plusMinus(spread), pose_count);
+    if (finding != nullptr) verdict.reason = inRow({verdict.reason, finding->message});
     const bool worth_it = advice.sigma_then_rad < 0.9 * advice.sigma_now_rad;
     verdict.next_action = !precise && worth_it ? turn
-                          : finding != nullptr ? "Look at the findings, then export."
-                                               : "Export.";
+                          : finding != nullptr ? message("Look at the findings, then export.")
+                                               : message("Export.");
   }
   return verdict;
 }

@@ -82,7 +82,7 @@ std::vector<Comparison> compareAll(const Reconstruction& reconstruction, const R
   return comparisons;
 }
 
-std::string endInWords(LinkEnd end) { return "cell " + toString(end.cell) + " port " + toString(end.port); }
+Message endInWords(LinkEnd end) { return message("cell {} port {}", end.cell, end.port); }
 
 /// Sum of the port vectors' lengths along the shortest chain of links from one cell to the other, with the two free
 /// ports at its ends: the paper's L.
@@ -115,7 +115,7 @@ double chainLength(const Reconstruction& r, const PatchReconstruction& patch, Li
 SurfaceKind surfaceKindFromName(std::string_view name) {
   const auto found = std::ranges::find(kSurfaceNames, name);
   if (found == kSurfaceNames.end()) {
-    throw InvalidArgument("surface: expected plane, sphere, cylinder or cone, found \"" + std::string(name) + "\"");
+    throw InvalidArgument(message("surface: expected plane, sphere, cylinder or cone, found \"{}\"", name));
   }
   return static_cast<SurfaceKind>(found - kSurfaceNames.begin());
 }
@@ -125,10 +125,10 @@ std::string_view surfaceKindName(SurfaceKind kind) { return kSurfaceNames.at(sta
 SurfaceEvaluation evaluateSurface(const PatchReconstruction& patch, SurfaceKind kind,
                                   std::optional<double> true_radius_m) {
   if ((kind == SurfaceKind::Plane || kind == SurfaceKind::Cone) && true_radius_m) {
-    throw InvalidArgument("a " + std::string(surfaceKindName(kind)) + " has no one radius to compare with");
+    throw InvalidArgument(message("a {} has no one radius to compare with", surfaceKindName(kind)));
   }
   if (true_radius_m && !(*true_radius_m > 0 && std::isfinite(*true_radius_m))) {
-    throw InvalidArgument("true radius: expected metres above 0");
+    throw InvalidArgument(message("true radius: expected metres above 0"));
   }
   SurfaceEvaluation evaluation;
   evaluation.kind = kind;
@@ -184,13 +184,13 @@ SurfaceEvaluation evaluateSurface(const PatchReconstruction& patch, SurfaceKind 
 LoopEvaluation evaluateLoop(const Reconstruction& reconstruction, LinkEnd first, LinkEnd second) {
   const auto located = [&](LinkEnd end) {
     const Reconstruction::Located found = reconstruction.find(end.cell);
-    if (found.cell == nullptr) throw InvalidArgument("loop: there is no cell " + toString(end.cell));
+    if (found.cell == nullptr) throw InvalidArgument(message("loop: there is no cell {}", end.cell));
     if (reconstruction.model->findPort(end.port) == nullptr) {
-      throw InvalidArgument("loop: cell model " + reconstruction.model->name + " has no port " + toString(end.port));
+      throw InvalidArgument(message("loop: cell model {} has no port {}", reconstruction.model->name, end.port));
     }
     for (const LinkEstimate& link : found.patch->links) {
       if (link.used && (link.source == end || link.target == end)) {
-        throw InvalidArgument("loop: " + endInWords(end) + " is joined to a neighbour, expected a free port");
+        throw InvalidArgument(message("loop: {} is joined to a neighbour, expected a free port", endInWords(end)));
       }
     }
     return found;
@@ -198,10 +198,9 @@ LoopEvaluation evaluateLoop(const Reconstruction& reconstruction, LinkEnd first,
   const Reconstruction::Located a = located(first);
   const Reconstruction::Located b = located(second);
   if (a.patch != b.patch) {
-    throw InvalidArgument("loop: cells " + toString(first.cell) + " and " + toString(second.cell) +
-                          " lie in different patches");
+    throw InvalidArgument(message("loop: cells {} and {} lie in different patches", first.cell, second.cell));
   }
-  if (first == second) throw InvalidArgument("loop: expected two different ports");
+  if (first == second) throw InvalidArgument(message("loop: expected two different ports"));
   LoopEvaluation loop;
   loop.first = first;
   loop.second = second;
@@ -286,7 +285,7 @@ std::vector<Comparison> compareToReconstruction(const Reconstruction& reconstruc
 double trueLoopGap(const CellModel& model, const GroundTruth& truth, LinkEnd first, LinkEnd second) {
   const auto linkPoint = [&](LinkEnd end) -> Eigen::Vector3d {
     const auto found = std::ranges::find(truth.cells, end.cell, &TrueCellPlacement::id);
-    if (found == truth.cells.end()) throw InvalidArgument("the truth holds no cell " + toString(end.cell));
+    if (found == truth.cells.end()) throw InvalidArgument(message("the truth holds no cell {}", end.cell));
     return found->T_b_u * model.port(end.port).vector_m;
   };
   return (linkPoint(first) - linkPoint(second)).norm();

@@ -222,10 +222,10 @@ class PatchLoops {
 
 void LoopSearchOptions::validate() const {
   if (max_gap_m && !(*max_gap_m >= 0 && std::isfinite(*max_gap_m))) {
-    throw InvalidArgument("loop search: the largest gap must be metres of 0 or more");
+    throw InvalidArgument(message("loop search: the largest gap must be metres of 0 or more"));
   }
   if (!(max_angle_rad >= 0 && std::isfinite(max_angle_rad))) {
-    throw InvalidArgument("loop search: the largest angle must be radians of 0 or more");
+    throw InvalidArgument(message("loop search: the largest angle must be radians of 0 or more"));
   }
 }
 

@@ -20,8 +20,6 @@ constexpr double kNoisyTimesOthers = 4;
 constexpr double kMovingSigma_g =
     0.25;  // tremor is 10 mg, at the end of an arm's length 100 mg; a moving part far above
 
-std::string inMilliG(double value_g) { return formatFixed(value_g * 1000, 0) + " mg"; }
-
 class Judge {
  public:
   Judge(const SessionSnapshot& snapshot, const SkinGraph& graph, GravityTable& table, std::vector<Finding>& findings)
@@ -43,8 +41,8 @@ class Judge {
     for (const std::size_t pose : poses) ids.push_back(poseId(pose));
     return ids;
   }
-  static std::string inPoses(const std::vector<PoseId>& poses) {
-    return (poses.size() == 1 ? " in pose " : " in poses ") + listInWords(poses);
+  static Message inPoses(const std::vector<PoseId>& poses) {
+    return poses.size() == 1 ? message("in pose {}", poses.front()) : message("in poses {}", poses);
   }
 
   void findMissing() {
@@ -55,16 +53,16 @@ class Judge {
         if (!table_.at(cell, pose).measured) missing.push_back(pose);
       }
       if (missing.size() == enabled.size()) {
-        findings_.push_back(makeFinding(
-            FindingCode::NoSamples,
-            "Cell " + toString(id(cell)) + " delivered no reading in any pose; it is placed through its links.",
-            {id(cell)}));
+        findings_.push_back(
+            makeFinding(FindingCode::NoSamples,
+                        message("Cell {} delivered no reading in any pose; it is placed through its links.", id(cell)),
+                        {id(cell)}));
       } else if (!missing.empty()) {
         const std::vector<PoseId> poses = poseIds(missing);
-        findings_.push_back(makeFinding(FindingCode::MissingSamples,
-                                        "Cell " + toString(id(cell)) + " delivered no reading" + inPoses(poses) +
-                                            "; it is placed from the other poses.",
-                                        {id(cell)}, {}, poses));
+        findings_.push_back(makeFinding(
+            FindingCode::MissingSamples,
+            message("Cell {} delivered no reading {}; it is placed from the other poses.", id(cell), inPoses(poses)),
+            {id(cell)}, {}, poses));
       }
     }
   }
@@ -96,9 +94,9 @@ class Judge {
       for (const std::size_t pose : poses) table_.at(cell, pose).usable = false;
       findings_.push_back(makeFinding(
           FindingCode::DeadAxis,
-          "Cell " + toString(id(cell)) + " reads " + inMilliG(lowest[axis]) + " on its " + std::string(1, "xyz"[axis]) +
-              " axis in all poses, while what it reads in all ranges from " + inMilliG(shortest_g) + " to " +
-              inMilliG(longest_g) + ": the axis is dead. The cell is placed through its links.",
+          message("Cell {} reads {} on its {} axis in all poses, while what it reads in all ranges from {} to {}: the "
+                  "axis is dead. The cell is placed through its links.",
+                  id(cell), MilliG{lowest[axis]}, std::string(1, "xyz"[axis]), MilliG{shortest_g}, MilliG{longest_g}),
           {id(cell)}, {}, poseIds(poses)));
       return;
     }
@@ -130,30 +128,33 @@ class Judge {
       }
       entry.usable = false;
     }
-    const std::string name = "Cell " + toString(id(cell));
     if (!saturated.empty()) {
       const std::vector<PoseId> poses = poseIds(saturated);
-      findings_.push_back(makeFinding(FindingCode::SaturatedSensor,
-                                      name + " reads the end of its range (" + formatFixed(a.range_g, 1) + " g)" +
-                                          inPoses(poses) + "; these readings are not used.",
-                                      {id(cell)}, {}, poses));
+      findings_.push_back(
+          makeFinding(FindingCode::SaturatedSensor,
+                      message("Cell {} reads the end of its range ({} g) {}; these readings are not used.", id(cell),
+                              Number{a.range_g, 1}, inPoses(poses)),
+                      {id(cell)}, {}, poses));
     }
     if (!dead.empty()) {
       const std::vector<PoseId> poses = poseIds(dead);
       const bool always = dead.size() == measured;
-      findings_.push_back(makeFinding(FindingCode::DeadSensor,
-                                      name + " reads less than " + inMilliG(kDeadNorm_g) + inPoses(poses) +
-                                          (always ? ": its accelerometer is dead. The cell is placed through its links."
-                                                  : "; these readings are not used."),
-                                      {id(cell)}, {}, poses));
+      findings_.push_back(
+          makeFinding(FindingCode::DeadSensor,
+                      always ? message("Cell {} reads less than {} {}: its accelerometer is dead. The cell is placed "
+                                       "through its links.",
+                                       id(cell), MilliG{kDeadNorm_g}, inPoses(poses))
+                             : message("Cell {} reads less than {} {}; these readings are not used.", id(cell),
+                                       MilliG{kDeadNorm_g}, inPoses(poses)),
+                      {id(cell)}, {}, poses));
     }
     if (!off_norm.empty()) {
       const std::vector<PoseId> poses = poseIds(off_norm);
-      findings_.push_back(makeFinding(FindingCode::WrongNorm,
-                                      name + " reads up to " + inMilliG(worst_norm) + inPoses(poses) +
-                                          ", expected 1000 mg +- " + inMilliG(tolerance) +
-                                          "; these readings are not used.",
-                                      {id(cell)}, {}, poses));
+      findings_.push_back(
+          makeFinding(FindingCode::WrongNorm,
+                      message("Cell {} reads up to {} {}, expected 1000 mg +- {}; these readings are not used.",
+                              id(cell), MilliG{worst_norm}, inPoses(poses), MilliG{tolerance}),
+                      {id(cell)}, {}, poses));
     }
   }
 
@@ -168,10 +169,12 @@ class Judge {
     }
     const double usual_g = median(sigmas);
     if (usual_g > std::max(kMovingSigma_g, kNoisyTimesOthers * white_g)) {
-      findings_.push_back(makeFinding(FindingCode::PartMoved,
-                                      "In pose " + toString(poseId(pose)) + " the readings of most cells scatter by " +
-                                          inMilliG(usual_g) + ": the part was probably moving. Take the pose again.",
-                                      {}, {}, {poseId(pose)}));
+      findings_.push_back(makeFinding(
+          FindingCode::PartMoved,
+          message(
+              "In pose {} the readings of most cells scatter by {}: the part was probably moving. Take the pose again.",
+              poseId(pose), MilliG{usual_g}),
+          {}, {}, {poseId(pose)}));
       return;
     }
     // Two cells can't outvote each other.
@@ -181,11 +184,11 @@ class Judge {
       GravityTable::Entry& entry = table_.at(cell, pose);
       if (!entry.usable || entry.sample_sigma_g <= limit_g) continue;
       entry.usable = false;
-      findings_.push_back(makeFinding(FindingCode::NoisySensor,
-                                      "Cell " + toString(id(cell)) + " scatters by " + inMilliG(entry.sample_sigma_g) +
-                                          " in pose " + toString(poseId(pose)) + " (other cells " + inMilliG(usual_g) +
-                                          ", limit " + inMilliG(limit_g) + "); the reading is not used.",
-                                      {id(cell)}, {}, {poseId(pose)}));
+      findings_.push_back(
+          makeFinding(FindingCode::NoisySensor,
+                      message("Cell {} scatters by {} in pose {} (other cells {}, limit {}); the reading is not used.",
+                              id(cell), MilliG{entry.sample_sigma_g}, poseId(pose), MilliG{usual_g}, MilliG{limit_g}),
+                      {id(cell)}, {}, {poseId(pose)}));
     }
   }
 
@@ -211,13 +214,12 @@ class Judge {
         const std::vector<std::size_t> poses = table_.usablePoses(cell);
         if (poses.size() < 2 || turned(cell) >= kStuckAngle) continue;
         for (const std::size_t pose : poses) table_.at(cell, pose).usable = false;
-        findings_.push_back(
-            makeFinding(FindingCode::StuckSensor,
-                        "Cell " + toString(id(cell)) + " reads the same direction in all poses (within " +
-                            formatFixed(toDegrees(turned(cell)), 1) + " degrees) while the other cells turn by " +
-                            formatFixed(toDegrees(usual), 0) +
-                            " degrees: its accelerometer is stuck. The cell is placed through its links.",
-                        {id(cell)}, {}, poseIds(poses)));
+        findings_.push_back(makeFinding(
+            FindingCode::StuckSensor,
+            message("Cell {} reads the same direction in all poses (within {} degrees) while the other cells turn by "
+                    "{} degrees: its accelerometer is stuck. The cell is placed through its links.",
+                    id(cell), Number{toDegrees(turned(cell)), 1}, Number{toDegrees(usual), 0}),
+            {id(cell)}, {}, poseIds(poses)));
       }
     }
   }

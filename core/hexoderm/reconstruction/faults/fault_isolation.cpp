@@ -12,12 +12,11 @@ namespace hexoderm {
 namespace {
 
 Finding describeInconsistentPose(PoseId pose) {
-  return makeFinding(
-      FindingCode::InconsistentPose,
-      "In pose " + toString(pose) +
-          " most neighbouring cells contradict each other, and without it they don't: the part probably moved "
-          "while it was sampled. The pose is not used; take it again.",
-      {}, {}, {pose});
+  return makeFinding(FindingCode::InconsistentPose,
+                     message("In pose {} most neighbouring cells contradict each other, and without it they don't: the "
+                             "part probably moved while it was sampled. The pose is not used; take it again.",
+                             pose),
+                     {}, {}, {pose});
 }
 
 void muteLinks(SkinLinks& skin, const std::vector<SuspectSearch::BadLink>& bad_links, std::vector<Finding>& findings) {
@@ -29,17 +28,25 @@ void muteLinks(SkinLinks& skin, const std::vector<SuspectSearch::BadLink>& bad_l
   for (const auto& [code, links] : links_by_code) skin.mute(links, code);
 }
 
+Message setAsideInWords(const MutedLink& muted, bool is_reported) {
+  const Message link = linkInWords(muted.source, muted.target);
+  if (muted.why.empty()) {
+    return is_reported ? message("The {} was set aside by hand; it is not used.", link)
+                       : message("The {} was set aside by hand, but the skin reports no such link.", link);
+  }
+  return is_reported
+             ? message("The {} was set aside by hand ({}); it is not used.", link, muted.why)
+             : message("The {} was set aside by hand ({}), but the skin reports no such link.", link, muted.why);
+}
+
 }  // namespace
 
 void setLinksAside(SkinLinks& skin, std::vector<Finding>& findings) {
   std::vector<std::size_t> links;
   for (const MutedLink& muted : skin.snapshot().muted_links) {
     const std::optional<std::size_t> link = skin.graph().indexOf(muted.source, muted.target);
-    std::string text = "The " + linkInWords(muted.source, muted.target) + " was set aside by hand";
-    if (!muted.why.empty()) text += " (" + muted.why + ")";
-    text += link ? "; it is not used." : ", but the skin reports no such link.";
-    findings.push_back(makeFinding(FindingCode::LinkSetAside, std::move(text), {muted.source.cell, muted.target.cell},
-                                   {muted.source.port, muted.target.port}));
+    findings.push_back(makeFinding(FindingCode::LinkSetAside, setAsideInWords(muted, link.has_value()),
+                                   {muted.source.cell, muted.target.cell}, {muted.source.port, muted.target.port}));
     if (link) links.push_back(*link);
   }
   if (!links.empty()) skin.mute(links, FindingCode::LinkSetAside);
@@ -48,10 +55,10 @@ void setLinksAside(SkinLinks& skin, std::vector<Finding>& findings) {
 void leaveOutCells(SkinLinks& skin, std::vector<Finding>& findings) {
   for (const CellId id : skin.options().left_out) {
     const std::optional<std::size_t> cell = skin.graph().indexOf(id);
-    if (!cell) throw InvalidArgument("there is no cell " + toString(id) + " to be left out");
+    if (!cell) throw InvalidArgument(message("there is no cell {} to be left out", id));
     skin.dropCell(*cell);
-    findings.push_back(makeFinding(FindingCode::LeftOut,
-                                   "Cell " + toString(id) + " was left out; it is placed through its links.", {id}));
+    findings.push_back(
+        makeFinding(FindingCode::LeftOut, message("Cell {} was left out; it is placed through its links.", id), {id}));
   }
 }
 

@@ -34,21 +34,29 @@ std::vector<Finding> judgeLinkAngles(const LinkAngles& angles, LinkEnd source, L
   if (whole <= std::min({options.max_bend_rad, options.max_twist_rad, options.max_yaw_rad})) return {};
   const LinkAngles judged = separated(angles);
   std::vector<Finding> findings;
-  const auto judge = [&](double angle_rad, double limit_rad, FindingCode code, const std::string& does,
-                         const std::string& cause) {
+  const Message link = linkInWords(source, target);
+  const auto judge = [&](double angle_rad, double limit_rad, FindingCode code, const auto& inWords) {
     if (std::abs(angle_rad) <= limit_rad + kSigmas * sigma_rad) return;
-    findings.push_back(makeFinding(
-        code,
-        "The " + linkInWords(source, target) + " " + does + " by " + formatFixed(toDegrees(std::abs(angle_rad)), 0) +
-            " degrees, and a skin link by no more than " + formatFixed(toDegrees(limit_rad), 0) + ". " + cause,
-        {source.cell, target.cell}, {source.port, target.port}));
+    Message words = inWords(Number{toDegrees(std::abs(angle_rad)), 0}, Number{toDegrees(limit_rad), 0});
+    findings.push_back(makeFinding(code, std::move(words), {source.cell, target.cell}, {source.port, target.port}));
   };
-  judge(judged.bend_rad, options.max_bend_rad, FindingCode::ImplausibleBend, "bends",
-        "It is probably a cable or crosses a joint.");
-  judge(judged.twist_rad, options.max_twist_rad, FindingCode::ImplausibleTwist, "is twisted",
-        "It is probably a cable, or a port number is wrong.");
-  judge(judged.yaw_rad, options.max_yaw_rad, FindingCode::ImplausibleYaw, "is turned in the surface",
-        "A port number is probably wrong, or it is a cable.");
+  judge(judged.bend_rad, options.max_bend_rad, FindingCode::ImplausibleBend, [&](Number angle, Number limit) {
+    return message(
+        "The {} bends by {} degrees, and a skin link by no more than {}. It is probably a cable or crosses a joint.",
+        link, angle, limit);
+  });
+  judge(judged.twist_rad, options.max_twist_rad, FindingCode::ImplausibleTwist, [&](Number angle, Number limit) {
+    return message(
+        "The {} is twisted by {} degrees, and a skin link by no more than {}. It is probably a cable, or a port number "
+        "is wrong.",
+        link, angle, limit);
+  });
+  judge(judged.yaw_rad, options.max_yaw_rad, FindingCode::ImplausibleYaw, [&](Number angle, Number limit) {
+    return message(
+        "The {} is turned in the surface by {} degrees, and a skin link by no more than {}. A port number is probably "
+        "wrong, or it is a cable.",
+        link, angle, limit);
+  });
   return findings;
 }
 

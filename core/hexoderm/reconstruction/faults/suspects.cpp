@@ -139,12 +139,12 @@ std::vector<SuspectSearch::BadLink> SuspectSearch::badLinks() const {
     const LinkEnd target = graph_.targetEnd(link);
     bad.push_back(
         {index,
-         {makeFinding(FindingCode::LinkNotRigid,
-                      "The cells of the " + linkInWords(source, target) +
-                          " moved against each other between poses (misfit " + formatFixed(verdict.misfit, 1) +
-                          " standard deviations, limit " + formatFixed(options_.max_misfit, 1) +
-                          "): probably a joint or a cable, or one of the two sensors is bad. The link is not used.",
-                      {source.cell, target.cell}, {source.port, target.port})}});
+         {makeFinding(
+             FindingCode::LinkNotRigid,
+             message("The cells of the {} moved against each other between poses (misfit {} standard deviations, limit "
+                     "{}): probably a joint or a cable, or one of the two sensors is bad. The link is not used.",
+                     linkInWords(source, target), Number{verdict.misfit, 1}, Number{options_.max_misfit, 1}),
+             {source.cell, target.cell}, {source.port, target.port})}});
   }
   return bad;
 }
@@ -164,21 +164,25 @@ Finding describeBadSensor(const SkinGraph& graph, const GravityTable& table, con
   const auto count = static_cast<double>(std::max<std::size_t>(1, poses.size()));
   mean /= count;
   const double scatter = std::sqrt(std::max(0.0, mean_sq / count - mean * mean));
-  const std::string name = "Cell " + toString(id);
   // Offsets make the norm rise and fall with the pose; a gain moves it alike in all of them.
   constexpr double kClearlyOff = 0.1;
   if (std::abs(mean - 1) > kClearlyOff && scatter < std::abs(mean - 1) / 2) {
-    return makeFinding(FindingCode::WrongGain,
-                       name + " reads " + formatFixed(mean, 2) +
-                           " g on average where there is 1 g, and does not fit its neighbours: its gain is wrong. The "
-                           "cell is placed through its links.",
-                       {id}, {}, poses);
+    return makeFinding(
+        FindingCode::WrongGain,
+        message("Cell {} reads {} g on average where there is 1 g, and does not fit its neighbours: its gain "
+                "is wrong. The cell is placed through its links.",
+                id, Number{mean, 2}),
+        {id}, {}, poses);
   }
   return makeFinding(FindingCode::InconsistentSensor,
-                     name +
-                         " reads what fits none of the other cells, however it lies: its accelerometer is wrongly "
-                         "wired or broken" +
-                         (is_leaf ? ", or its one link is not rigid" : "") + ". The cell is placed through its links.",
+                     is_leaf
+                         ? message("Cell {} reads what fits none of the other cells, however it lies: its "
+                                   "accelerometer is wrongly wired or broken, or its one link is not rigid. The "
+                                   "cell is placed through its links.",
+                                   id)
+                         : message("Cell {} reads what fits none of the other cells, however it lies: its "
+                                   "accelerometer is wrongly wired or broken. The cell is placed through its links.",
+                                   id),
                      {id}, {}, poses);
 }
 

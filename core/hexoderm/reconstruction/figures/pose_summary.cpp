@@ -36,11 +36,11 @@ void judgeRepetitions(const std::vector<GravityDirection>& gravity, std::vector<
       if (angle >= kRepeatedAngle && !opposite) continue;
       findings.push_back(
           makeFinding(FindingCode::RepeatedPose,
-                      "Pose " + toString(gravity[later].pose) +
-                          (opposite ? " is pose " + toString(gravity[earlier].pose) + " upside down"
-                                    : " shows gravity where pose " + toString(gravity[earlier].pose) + " does") +
-                          " (within " + formatFixed(toDegrees(opposite ? kPi - angle : angle), 0) +
-                          "°), which adds no new direction.",
+                      opposite ? message("Pose {} is pose {} upside down (within {}), which adds no new direction.",
+                                         gravity[later].pose, gravity[earlier].pose, Degrees{kPi - angle, 0})
+                               : message("Pose {} shows gravity where pose {} does (within {}), which adds no new "
+                                         "direction.",
+                                         gravity[later].pose, gravity[earlier].pose, Degrees{angle, 0}),
                       {}, {}, {gravity[earlier].pose, gravity[later].pose}));
       break;
     }
@@ -92,8 +92,8 @@ void judgePoses(const Reconstruction& reconstruction, std::vector<Finding>& find
     if (pose.enabled) enabled.push_back(pose.pose);
   }
   if (enabled.empty()) {
-    findings.push_back(
-        makeFinding(FindingCode::NoPoses, "There is no pose yet: the shape shown follows from the ports alone."));
+    findings.push_back(makeFinding(FindingCode::NoPoses,
+                                   message("There is no pose yet: the shape shown follows from the ports alone.")));
     return;
   }
   std::size_t open = 0;
@@ -107,10 +107,11 @@ void judgePoses(const Reconstruction& reconstruction, std::vector<Finding>& find
     }
   }
   if (2 * open > used) {
-    findings.push_back(makeFinding(FindingCode::TooFewDirections,
-                                   "Gravity was seen along one line only, so the turn about it is a guess: take a "
-                                   "pose in which the part is turned by about 90 degrees about a horizontal axis.",
-                                   {}, {}, enabled));
+    findings.push_back(
+        makeFinding(FindingCode::TooFewDirections,
+                    message("Gravity was seen along one line only, so the turn about it is a guess: take a pose in "
+                            "which the part is turned by about 90 degrees about a horizontal axis."),
+                    {}, {}, enabled));
   }
   judgeRepetitions(largest->gravity, findings);
 }

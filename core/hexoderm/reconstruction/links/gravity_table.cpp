@@ -26,24 +26,24 @@ GravityTable::GravityTable(const SessionSnapshot& snapshot, const SkinGraph& gra
     if (!snapshot.poses[p].disabled) enabled_.push_back(p);
     if (!first_of.emplace(capture.id, p).second) {
       findings.push_back(makeFinding(FindingCode::DuplicatePose,
-                                     "Two poses carry the number " + toString(capture.id) + "; both are used.", {}, {},
+                                     message("Two poses carry the number {}; both are used.", capture.id), {}, {},
                                      {capture.id}));
     }
     for (const GravitySample& sample : capture.samples) {
       const auto cell = graph.indexOf(sample.cell);
       if (!cell) {
-        findings.push_back(makeFinding(FindingCode::SampleOfUnknownCell,
-                                       "Pose " + toString(capture.id) + " holds a reading of cell " +
-                                           toString(sample.cell) + ", which is not in the skin.",
-                                       {sample.cell}, {}, {capture.id}));
+        findings.push_back(makeFinding(
+            FindingCode::SampleOfUnknownCell,
+            message("Pose {} holds a reading of cell {}, which is not in the skin.", capture.id, sample.cell),
+            {sample.cell}, {}, {capture.id}));
         continue;
       }
       Entry& entry = at(*cell, p);
       if (entry.measured) {
-        findings.push_back(makeFinding(FindingCode::DuplicateSample,
-                                       "Pose " + toString(capture.id) + " holds two readings of cell " +
-                                           toString(sample.cell) + "; the first counts.",
-                                       {sample.cell}, {}, {capture.id}));
+        findings.push_back(
+            makeFinding(FindingCode::DuplicateSample,
+                        message("Pose {} holds two readings of cell {}; the first counts.", capture.id, sample.cell),
+                        {sample.cell}, {}, {capture.id}));
         continue;
       }
       if (!sample.mean_g.allFinite() || !sample.cov_g2.allFinite()) continue;

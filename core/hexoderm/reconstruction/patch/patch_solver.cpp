@@ -25,12 +25,12 @@ std::vector<Eigen::Matrix3d> attitudeCovariances(const SkinLinks& skin, const Sh
 Finding describeOpenLink(const SkinGraph& graph, const JointRefinement::OpenLink& open, double limit_m) {
   const LinkEnd source = graph.sourceEnd(graph.links()[open.link]);
   const LinkEnd target = graph.targetEnd(graph.links()[open.link]);
-  return makeFinding(FindingCode::LinkDoesNotClose,
-                     "With all other links the ends of the " + linkInWords(source, target) + " come to lie " +
-                         formatFixed(toMillimetres(open.opening_m), 0) +
-                         " mm apart, and a skin link leaves no more than " + formatFixed(toMillimetres(limit_m), 0) +
-                         " mm: it is probably a cable, or another link of the loop is. The link is not used.",
-                     {source.cell, target.cell}, {source.port, target.port});
+  return makeFinding(
+      FindingCode::LinkDoesNotClose,
+      message("With all other links the ends of the {} come to lie {} apart, and a skin link leaves no more than {}: "
+              "it is probably a cable, or another link of the loop is. The link is not used.",
+              linkInWords(source, target), Millimetres{open.opening_m, 0}, Millimetres{limit_m, 0}),
+      {source.cell, target.cell}, {source.port, target.port});
 }
 
 }  // namespace
@@ -131,12 +131,12 @@ void nameInconsistentPoses(const SkinLinks& skin, const PatchSolver& patch, std:
   for (std::size_t k = 0; k < misfits.size(); ++k) {
     if (misfits[k] < std::max(kLargest, kTimesOthers * usual)) continue;
     const PoseId id = skin.poseId(joint.poses()[k]);
-    findings.push_back(makeFinding(FindingCode::InconsistentPose,
-                                   "In pose " + toString(id) + " the cells contradict each other by " +
-                                       formatFixed(misfits[k], 0) + " times their noise (other poses " +
-                                       formatFixed(usual, 1) +
-                                       "): the part probably moved while it was sampled. Take the pose again.",
-                                   {}, {}, {id}));
+    findings.push_back(
+        makeFinding(FindingCode::InconsistentPose,
+                    message("In pose {} the cells contradict each other by {} times their noise (other poses {}): the "
+                            "part probably moved while it was sampled. Take the pose again.",
+                            id, Number{misfits[k], 0}, Number{usual, 1}),
+                    {}, {}, {id}));
   }
 }
 

@@ -16,10 +16,6 @@ std::optional<Enum> fromName(const std::array<std::string_view, 4>& names, std::
   return static_cast<Enum>(found - names.begin());
 }
 
-std::string counted(std::size_t count, const std::string& singular, const std::string& plural) {
-  return std::to_string(count) + " " + (count == 1 ? singular : plural);
-}
-
 }  // namespace
 
 std::optional<double> LinkEstimate::knownResidual() const {
@@ -83,10 +79,14 @@ const PatchReconstruction* largestPatch(const Reconstruction& reconstruction) {
   return largest == reconstruction.patches.end() || largest->cells.empty() ? nullptr : &*largest;
 }
 
-std::string sizeInWords(const Reconstruction& reconstruction) {
-  return counted(reconstruction.cellCount(), "cell", "cells") + ", " +
-         counted(reconstruction.linkCount(), "link", "links") + ", " +
-         counted(reconstruction.patches.size(), "patch", "patches");
+Message sizeInWords(const Reconstruction& reconstruction) {
+  const std::size_t cells = reconstruction.cellCount();
+  const std::size_t links = reconstruction.linkCount();
+  const std::size_t patches = reconstruction.patches.size();
+  return inRow({cells == 1 ? message("1 cell") : message("{} cells", cells),
+                links == 1 ? message("1 link") : message("{} links", links),
+                patches == 1 ? message("1 patch") : message("{} patches", patches)},
+               ", ");
 }
 
 }  // namespace hexoderm

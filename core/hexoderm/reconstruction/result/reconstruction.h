@@ -115,7 +115,7 @@ struct PatchReconstruction {
 /// A row of the table of poses.
 struct PoseSummary {
   PoseId pose;
-  std::string label;
+  Message label;
   bool enabled = true;
   std::size_t cells_measured = 0;
   double noise_g = 0;                  ///< rms over cells of the mean's standard deviation, worst axis
@@ -130,10 +130,10 @@ std::optional<VerdictLevel> verdictFromName(std::string_view name);
 /// The answer to "is this good enough?", with what to do next, each as one sentence for the operator.
 struct Verdict {
   VerdictLevel level = VerdictLevel::Failed;
-  std::string reason;
+  Message reason;
   std::optional<double> position_95_m;  ///< at the worst cell, relative to the origin; absent if not known
   std::optional<double> orientation_95_rad;
-  std::string next_action;
+  Message next_action;
 };
 
 /// A cell in the flat honeycomb drawing of the graph.
@@ -184,7 +184,7 @@ struct Reconstruction {
 const PatchReconstruction* largestPatch(const Reconstruction& reconstruction);
 
 /// "17 cells, 16 links, 1 patch", the one way a skin's size is said.
-std::string sizeInWords(const Reconstruction& reconstruction);
+Message sizeInWords(const Reconstruction& reconstruction);
 
 /// Flat honeycomb of all patches side by side, from the port geometry alone.
 FlatLayout computeFlatLayout(const CellModel& model, const std::vector<PatchReconstruction>& patches);

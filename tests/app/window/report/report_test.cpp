@@ -1,10 +1,11 @@
 #include "app/window/report/report.h"
 #include "app/window/report/report_pictures.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/units.h"
 #include "tests/app/window/window_test.h"
 #include "tests/support/reconstruction_builder.h"
 #include "tests/support/temporary_folder.h"
-#include "widgets/words/core_words.h"
+#include "widgets/words/words.h"
 
 #include <QPainter>
 #include <QRegularExpression>
@@ -29,15 +30,18 @@ ReportContent contentOf(const Reconstruction& result) {
 
 Reconstruction awkwardResult() {
   Reconstruction result = makeTestReconstruction();
-  result.poses[0].label = "<script>alert('pose')</script>";
-  result.source.text = "<img src=x onerror=alert(1)>";
+  result.poses[0].label = Message::verbatim("<script>alert('pose')</script>");
+  result.source.text = Message::verbatim("<img src=x onerror=alert(1)>");
   result.source.sha256 = std::string(64, 'a');
-  result.findings = {
-      makeFinding(FindingCode::BodyPartBoundary, "The part <script> & \"hand\" ends here.", {CellId(3)}),
-      makeFinding(FindingCode::NoPoses, "There is no pose yet: the shape shown follows from the ports alone.")};
+  result.findings = {makeFinding(FindingCode::BodyPartBoundary,
+                                 Message::verbatim("The part <script> & \"hand\" ends here."), {CellId(3)}),
+                     makeFinding(FindingCode::NoPoses,
+                                 message("There is no pose yet: the shape shown follows from the ports alone."))};
   result.verdict.level = VerdictLevel::Usable;
-  result.verdict.reason = "Usable: ±1.2 mm, ±0.4° at the worst cell (95 %), 3 poses.";
-  result.verdict.next_action = "Look at the findings, then export.";
+  result.verdict.reason =
+      message("Usable: {} at the worst cell (95 %), {}.",
+              message("±{}, ±{}", Millimetres{1.2e-3}, Degrees{0.4 * kDegree}), message("{} poses", 3));
+  result.verdict.next_action = message("Look at the findings, then export.");
   result.verdict.position_95_m = 0.0012;
   result.verdict.orientation_95_rad = 0.007;
   return result;
@@ -64,7 +68,7 @@ TEST(Report, IsWellFormedAndSaysAllThatMatters) {
   const Reconstruction result = awkwardResult();
   const QString text = textOf(reportHtml(contentOf(result)));
   for (const Finding& finding : result.findings) {
-    EXPECT_TRUE(text.contains(QString::fromStdString(finding.text))) << finding.text;
+    EXPECT_TRUE(text.contains(QString::fromStdString(finding.message.english()))) << finding.message.english();
   }
   for (const char* part : {"arm <b>left</b> & hand.hexo", "Usable: ±1.2 mm", "Look at the findings, then export.",
                            "<script>alert('pose')</script>", "<img src=x onerror=alert(1)>", "aaaaaaaaaaaaaaaa",
@@ -162,7 +166,7 @@ TEST_F(ReportWindow, WritesAReportWithPicturesFromTheMenu) {
   page.drawContents(&painter);
   painter.end();
   keepPicture(picture, QStringLiteral("report"));
-  EXPECT_TRUE(textOf(html).contains(coreWords(controller().reconstruction()->verdict.reason)));
+  EXPECT_TRUE(textOf(html).contains(words(controller().reconstruction()->verdict.reason)));
 }
 
 TEST_F(ReportWindow, SaysWhyAReportCanNotBeWritten) {

@@ -287,14 +287,16 @@ TEST(SimulatedSkin, JitterHasItsSpread) {
 
 TEST(SimulatedSkin, SaysWhatItIs) {
   SimulatedSkinOptions options;
-  EXPECT_EQ(SimulatedSkin(kModel, options).description(), "Simulated x17 on cylinder:r=0.0501, link law bend, seed 1");
+  EXPECT_EQ(SimulatedSkin(kModel, options).description().english(),
+            "Simulated x17 on cylinder:r=0.0501, link law bend, seed 1");
   options.patch = "ring8";
   options.link_law = LinkLaw::Surface;
   options.seed = 7;
-  EXPECT_EQ(SimulatedSkin(kModel, options).description(),
+  EXPECT_EQ(SimulatedSkin(kModel, options).description().english(),
             "Simulated ring8 on cylinder:r=0.0354, link law surface, seed 7");
   options.patch = "sheet:2x3";
-  EXPECT_EQ(SimulatedSkin(kModel, options).description(), "Simulated sheet:2x3 on plane, link law surface, seed 7");
+  EXPECT_EQ(SimulatedSkin(kModel, options).description().english(),
+            "Simulated sheet:2x3 on plane, link law surface, seed 7");
 }
 
 class ImpossibleSkin : public testing::TestWithParam<std::tuple<const char*, const char*, const char*>> {};

@@ -29,7 +29,7 @@ class CollectingListener : public SkinListener {
     }
     [[nodiscard]] bool saw(SourceState state, const std::string& text) const {
       for (const SourceStatus& status : statuses) {
-        if (status.state == state && status.text.find(text) != std::string::npos) return true;
+        if (status.state == state && status.message.english().find(text) != std::string::npos) return true;
       }
       return false;
     }

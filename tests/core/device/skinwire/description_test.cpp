@@ -77,7 +77,11 @@ TEST(TopologyAssembler, DoesNotGrowBeyondItsLimit) {
 }
 
 TEST(Hello, CarriesBuiltInModelsByNameAndOthersWhole) {
-  SkinDescription skin{"arm", std::make_shared<const CellModel>(builtInCellModel("hex-bma150")), {}, true, false};
+  SkinDescription skin{hexoderm::Message::verbatim("arm"),
+                       std::make_shared<const CellModel>(builtInCellModel("hex-bma150")),
+                       {},
+                       true,
+                       false};
   EXPECT_EQ(helloOf(skin).cell_model, "hex-bma150");
   EXPECT_EQ(cellModelToJson(cellModelOf(helloOf(skin))), cellModelToJson(*skin.model));
   CellModel own = *skin.model;

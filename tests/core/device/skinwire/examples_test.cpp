@@ -88,7 +88,7 @@ void expectDeviceOnTcp(std::vector<std::string> command, std::size_t cells) {
       [&](const Delivered& d) { return d.outcomeOf(led) != nullptr && d.outcomeOf(rate) != nullptr; }));
   EXPECT_TRUE(listener.delivered().outcomeOf(led)->done);
   EXPECT_FALSE(listener.delivered().outcomeOf(rate)->done);
-  EXPECT_NE(listener.delivered().outcomeOf(rate)->text.find("only light"), std::string::npos);
+  EXPECT_NE(listener.delivered().outcomeOf(rate)->message.english().find("only light"), std::string::npos);
   source.stop();
   expectRest(listener.delivered(), cells);
   const SourceStatus status = listener.delivered().status();

@@ -22,7 +22,7 @@ using testing::HasSubstr;
 constexpr double kLsb_g = 0.00390625;
 
 SkinDescription twoCells() {
-  return {"two cells", std::make_shared<const CellModel>(builtInCellModel("hex-bma150")),
+  return {Message::verbatim("two cells"), std::make_shared<const CellModel>(builtInCellModel("hex-bma150")),
           skinwire::topologyMessage().cells, true, false};
 }
 
@@ -89,7 +89,7 @@ TEST(Recording, PlaysWhatWasRecordedBitByBit) {
   record(folder.path() / "a.skinrec");
   const auto delivered = play(folder.path() / "a.skinrec", kAtOnce);
   ASSERT_EQ(delivered.skins.size(), 1U);
-  EXPECT_EQ(delivered.skins[0].device, "two cells");
+  EXPECT_EQ(delivered.skins[0].device.english(), "two cells");
   EXPECT_EQ(delivered.skins[0].neighbors, twoCells().neighbors);
   EXPECT_EQ(delivered.skins[0].model->name, "hex-bma150");
   ASSERT_EQ(delivered.frames.size(), 10U);
@@ -105,12 +105,12 @@ TEST(Recording, PassesEverythingOnWhileItRecords) {
   StreamRecorder recorder(folder.path() / "a.skinrec", listener);
   recorder.onSkin(twoCells());
   recorder.onFrame(frameAt(1));
-  recorder.onStatus({SourceState::Streaming, "well"});
-  recorder.onCommandOutcome({7, true, ""});
+  recorder.onStatus({SourceState::Streaming, Message::verbatim("well")});
+  recorder.onCommandOutcome({7, true, {}});
   const auto delivered = listener.delivered();
   EXPECT_EQ(delivered.skins.size(), 1U);
   EXPECT_EQ(delivered.frames.size(), 1U);
-  EXPECT_EQ(delivered.status().text, "well");
+  EXPECT_EQ(delivered.status().message.english(), "well");
   EXPECT_NE(delivered.outcomeOf(7), nullptr);
 }
 
@@ -210,7 +210,7 @@ TEST(Recording, ImpossibleLengthsEndItWithoutAllocation) {
   RecordingReader reader(path);
   EXPECT_TRUE(reader.next().has_value());
   EXPECT_FALSE(reader.next().has_value());
-  EXPECT_THAT(reader.damage(), HasSubstr("4294967295"));
+  EXPECT_THAT(reader.damage().english(), HasSubstr("4294967295"));
 }
 
 TEST(Recording, IsPlayedInRealTimeOrFaster) {
@@ -314,7 +314,7 @@ TEST(Recording, AFullDiskEndsRecordingButNotListening) {
     recorder.onFrame(frameAt(2));
     EXPECT_THROW(recorder.finish(), StorageError);
   }
-  EXPECT_THAT(recorder.error(), HasSubstr("a.skinrec"));
+  EXPECT_THAT(recorder.error().english(), HasSubstr("a.skinrec"));
   recorder.onFrame(frameAt(3));
   EXPECT_EQ(listener.delivered().frames.size(), 3U);
 }
@@ -335,7 +335,7 @@ TEST(Recording, AFrameThatCantBeWrittenEndsRecordingButNotListening) {
   recorder.onFrame(frameAt(1e300));
   recorder.onFrame(frameAt(1e300));
   EXPECT_EQ(listener.delivered().frames.size(), 3U);
-  EXPECT_THAT(recorder.error(), HasSubstr("the recording ended"));
+  EXPECT_THAT(recorder.error().english(), HasSubstr("the recording ended"));
   EXPECT_THROW(recorder.finish(), StorageError);
 }
 

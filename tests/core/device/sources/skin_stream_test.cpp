@@ -24,7 +24,7 @@ class SkinStreamTest : public testing::Test {
     take(skinwire::topologyMessage());
   }
   SourceStatus status() {
-    stream.report(SourceState::Streaming, std::to_string(++reports), SkinStream::Clock::now());
+    stream.report(SourceState::Streaming, Message::verbatim(std::to_string(++reports)), SkinStream::Clock::now());
     return listener.delivered().status();
   }
   std::size_t frames() { return listener.delivered().frames.size(); }
@@ -49,13 +49,13 @@ TEST_F(SkinStreamTest, DescribesBeforeItDelivers) {
   EXPECT_EQ(frames(), 0U);
   take(skinwire::helloMessage());
   EXPECT_FALSE(stream.isDescribed());
-  EXPECT_THAT(stream.whatIsMissing(), HasSubstr("topology"));
+  EXPECT_THAT(stream.whatIsMissing().english(), HasSubstr("topology"));
   take(skinwire::topologyMessage());
   EXPECT_TRUE(stream.isDescribed());
   take(skinwire::rawSamples(4, 3000));
   const auto delivered = listener.delivered();
   ASSERT_EQ(delivered.skins.size(), 1U);
-  EXPECT_EQ(delivered.skins[0].device, "two cells");
+  EXPECT_EQ(delivered.skins[0].device.english(), "two cells");
   EXPECT_EQ(delivered.skins[0].neighbors, skinwire::topologyMessage().cells);
   EXPECT_TRUE(delivered.skins[0].can_light_cells && delivered.skins[0].can_turn);
   ASSERT_EQ(delivered.frames.size(), 2U);
@@ -89,7 +89,7 @@ TEST_F(SkinStreamTest, ACellModelWithoutSenseIsNamedAndLeavesTheSkinUndescribed)
   take(hello);
   take(skinwire::topologyMessage());
   EXPECT_FALSE(stream.isDescribed());
-  EXPECT_THAT(stream.whatIsMissing(), HasSubstr("side_m"));
+  EXPECT_THAT(stream.whatIsMissing().english(), HasSubstr("side_m"));
   take(skinwire::helloMessage());
   EXPECT_TRUE(stream.isDescribed());
   EXPECT_EQ(status().rejected_messages, 1U);
@@ -206,7 +206,7 @@ TEST_F(SkinStreamTest, LsbWithoutAScaleAreRefused) {
   take(hello);
   take(skinwire::topologyMessage());
   EXPECT_EQ(take(skinwire::rawSamples(0, 1000)), Effect::Nothing);
-  EXPECT_THAT(stream.lastRejection(), HasSubstr("lsb_g"));
+  EXPECT_THAT(stream.lastRejection().english(), HasSubstr("lsb_g"));
   EXPECT_EQ(take(skinwire::floatSamples()), Effect::Alive);
   EXPECT_EQ(frames(), 1U);
 }
@@ -231,7 +231,7 @@ TEST_F(SkinStreamTest, BrokenMessagesAreCountedAndOtherMajorsStop) {
   EXPECT_EQ(stream.take(skinwire::decodeBody(body)), Effect::Nothing);
   EXPECT_EQ(status().rejected_messages, 1U);
   EXPECT_EQ(stream.take(skinwire::decodeLine(R"({"major": 3})")), Effect::Incompatible);
-  EXPECT_THAT(stream.lastRejection(), HasSubstr("SkinWire 3, this program SkinWire 1"));
+  EXPECT_THAT(stream.lastRejection().english(), HasSubstr("SkinWire 3, this program SkinWire 1"));
 }
 
 TEST_F(SkinStreamTest, WhatADeviceSaysCantMoveATerminalsCursor) {
@@ -239,7 +239,7 @@ TEST_F(SkinStreamTest, WhatADeviceSaysCantMoveATerminalsCursor) {
   hello.device = "red\x1b[31m";
   take(hello);
   take(skinwire::topologyMessage());
-  EXPECT_EQ(listener.delivered().skins[0].device, "red [31m");
+  EXPECT_EQ(listener.delivered().skins[0].device.english(), "red [31m");
 }
 
 }  // namespace

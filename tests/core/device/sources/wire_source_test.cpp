@@ -115,7 +115,7 @@ TEST(WireSource, CommandsAreAnsweredByNumberInTheDevicesDialect) {
     connection.send(skinwire::Ack{led, false, "there is no cell 7", false});
     ASSERT_TRUE(listener.waitFor(outcome(led)));
     EXPECT_FALSE(listener.delivered().outcomeOf(led)->done);
-    EXPECT_EQ(listener.delivered().outcomeOf(led)->text, "there is no cell 7");
+    EXPECT_EQ(listener.delivered().outcomeOf(led)->message.english(), "there is no cell 7");
 
     const std::uint32_t turn = source.send(TurnTo{CellId(1), Eigen::Vector3d::UnitX()});
     const std::uint32_t rate = source.send(SetRate{500});
@@ -142,7 +142,7 @@ TEST(WireSource, CommandsThatCantBeAnsweredFailAndSayWhy) {
   const std::uint32_t early = source.send(SetRate{100});
   source.start(listener);
   ASSERT_TRUE(listener.waitFor(outcome(early)));
-  EXPECT_THAT(listener.delivered().outcomeOf(early)->text, HasSubstr("not connected"));
+  EXPECT_THAT(listener.delivered().outcomeOf(early)->message.english(), HasSubstr("not connected"));
 
   DeviceConnection connection = device.accept();
   skinwire::Hello hello = skinwire::helloMessage();
@@ -155,13 +155,13 @@ TEST(WireSource, CommandsThatCantBeAnsweredFailAndSayWhy) {
   const std::uint32_t senseless = source.send(SetRate{-1});
   const std::uint32_t unanswered = source.send(ExploreAgain{});
   ASSERT_TRUE(listener.waitFor(outcome(senseless)));
-  EXPECT_THAT(listener.delivered().outcomeOf(led)->text, HasSubstr("can't light"));
-  EXPECT_THAT(listener.delivered().outcomeOf(turn)->text, HasSubstr("can't turn"));
-  EXPECT_THAT(listener.delivered().outcomeOf(senseless)->text, HasSubstr("rate_hz"));
+  EXPECT_THAT(listener.delivered().outcomeOf(led)->message.english(), HasSubstr("can't light"));
+  EXPECT_THAT(listener.delivered().outcomeOf(turn)->message.english(), HasSubstr("can't turn"));
+  EXPECT_THAT(listener.delivered().outcomeOf(senseless)->message.english(), HasSubstr("rate_hz"));
   EXPECT_EQ(listener.delivered().outcomeOf(unanswered), nullptr);
   connection.close();
   ASSERT_TRUE(listener.waitFor(outcome(unanswered)));
-  EXPECT_THAT(listener.delivered().outcomeOf(unanswered)->text, HasSubstr("connection was lost"));
+  EXPECT_THAT(listener.delivered().outcomeOf(unanswered)->message.english(), HasSubstr("connection was lost"));
 }
 
 TEST(WireSource, ADeviceThatSaysThatItIsAtItIsWaitedForLongerThanOneThatSaysNothing) {
@@ -181,7 +181,7 @@ TEST(WireSource, ADeviceThatSaysThatItIsAtItIsWaitedForLongerThanOneThatSaysNoth
       DeviceConnection::pause(milliseconds(1));
     }
     const Delivered delivered = listener.delivered();
-    EXPECT_THAT(delivered.outcomeOf(unanswered)->text, HasSubstr("did not answer"));
+    EXPECT_THAT(delivered.outcomeOf(unanswered)->message.english(), HasSubstr("did not answer"));
     return delivered.outcomeOf(slow) == nullptr;
   }));
 }

@@ -194,7 +194,7 @@ TEST(CurrentUp, FollowsASimulatedSkinWithSensorErrors) {
   Session session = beginSimulatedSession(skin);
   for (const Eigen::Vector3d& up_b : orthogonalUps(4)) {
     session.addPose(
-        {std::make_shared<const PoseCapture>(averageFrames(skin.record(up_b), session.nextPoseId(), "")), false});
+        {std::make_shared<const PoseCapture>(averageFrames(skin.record(up_b), session.nextPoseId(), {})), false});
   }
   const auto result = reconstruct(*session.snapshot());
   for (std::size_t pose = 0; pose < 4; ++pose) {
@@ -297,26 +297,26 @@ TEST(NextPose, TurnsFromWhereThePartIsNow) {
 }
 
 TEST(PoseLabel, SaysWhatTheOriginCellFaces) {
-  EXPECT_EQ(poseLabel({0, 0, 1}), "facing ceiling");
-  EXPECT_EQ(poseLabel({0, 0, -1}), "facing floor");
-  EXPECT_EQ(poseLabel({0, 1, 0}), "facing wall, +y up");
-  EXPECT_EQ(poseLabel({-1, 0, 0}), "facing wall, -x up");
-  EXPECT_EQ(poseLabel(Eigen::Vector3d(1, 0, 1).normalized()), "tilted up, +x up");
-  EXPECT_EQ(poseLabel(Eigen::Vector3d(0, -1, -1).normalized()), "tilted down, -y up");
+  EXPECT_EQ(poseLabel({0, 0, 1}).english(), "facing ceiling");
+  EXPECT_EQ(poseLabel({0, 0, -1}).english(), "facing floor");
+  EXPECT_EQ(poseLabel({0, 1, 0}).english(), "facing wall, +y up");
+  EXPECT_EQ(poseLabel({-1, 0, 0}).english(), "facing wall, -x up");
+  EXPECT_EQ(poseLabel(Eigen::Vector3d(1, 0, 1).normalized()).english(), "tilted up, +x up");
+  EXPECT_EQ(poseLabel(Eigen::Vector3d(0, -1, -1).normalized()).english(), "tilted down, -y up");
 }
 
 TEST(PoseLabel, OfACaptureIsWhatItsOriginReads) {
   const Reconstruction result = withGravity({});
   const CellId origin = largestPatch(result)->origin;
   PoseCapture capture;
-  EXPECT_EQ(poseLabel(result, capture), "") << "the origin was not heard";
+  EXPECT_EQ(poseLabel(result, capture).english(), "") << "the origin was not heard";
   const Eigen::Matrix3d R_a_u = result.model->accelerometer.T_u_a.R.transpose();
   capture.samples = {{CellId(999), {0, 0, 1}, {}, 1}, {origin, R_a_u * Eigen::Vector3d(0, 0, -1.05), {}, 1}};
-  EXPECT_EQ(poseLabel(result, capture), "facing floor");
+  EXPECT_EQ(poseLabel(result, capture).english(), "facing floor");
   capture.samples[1].mean_g *= 0.01;
-  EXPECT_EQ(poseLabel(result, capture), "") << "no gravity";
+  EXPECT_EQ(poseLabel(result, capture).english(), "") << "no gravity";
   Reconstruction none;
-  EXPECT_EQ(poseLabel(none, capture), "");
+  EXPECT_EQ(poseLabel(none, capture).english(), "");
 }
 
 }  // namespace

@@ -32,10 +32,12 @@ TEST(SkinCheck, AHealthySkinIsReadyAndSaysWhatItReads) {
   const auto skin = x17();
   const SkinCheck check = checkSkin(*skin, readingsOf(*skin), {});
   EXPECT_TRUE(check.ready);
-  EXPECT_EQ(check.because, "Every cell sends");
+  EXPECT_EQ(check.because.english(), "Every cell sends");
   EXPECT_THAT(check.items, SizeIs(3));
-  EXPECT_THAT(check.items, Contains(Field(&SkinCheckItem::text, "All 17 cells send and read 1.00 to 1.00 g")));
-  for (const SkinCheckItem& item : check.items) EXPECT_EQ(item.severity, Severity::Info) << item.text;
+  EXPECT_THAT(check.items,
+              Contains(Field(&SkinCheckItem::message,
+                             testing::Property(&Message::english, "All 17 cells send and read 1.00 to 1.00 g"))));
+  for (const SkinCheckItem& item : check.items) EXPECT_EQ(item.severity, Severity::Info) << item.message.english();
 }
 
 TEST(SkinCheck, NamesCellsThatReadNoGravityOrSendNothing) {
@@ -45,9 +47,11 @@ TEST(SkinCheck, NamesCellsThatReadNoGravityOrSendNothing) {
   readings.pop_back();
   const SkinCheck check = checkSkin(*skin, readings, {});
   EXPECT_TRUE(check.ready) << "one pose more or less of a cell is no reason to stop";
-  EXPECT_EQ(check.because, "16 of 17 cells send");
-  EXPECT_THAT(check.items, Contains(Field(&SkinCheckItem::text, HasSubstr("Cell 7 reads 0.50 g"))));
-  EXPECT_THAT(check.items, Contains(Field(&SkinCheckItem::text, "Nothing comes from cell 17")));
+  EXPECT_EQ(check.because.english(), "16 of 17 cells send");
+  EXPECT_THAT(check.items, Contains(Field(&SkinCheckItem::message,
+                                          testing::Property(&Message::english, HasSubstr("Cell 7 reads 0.50 g")))));
+  EXPECT_THAT(check.items, Contains(Field(&SkinCheckItem::message,
+                                          testing::Property(&Message::english, "Nothing comes from cell 17"))));
 }
 
 TEST(SkinCheck, ADeviceThatSendsAnotherUnitIsOneSentenceAndNotOneForEachCell) {
@@ -56,27 +60,27 @@ TEST(SkinCheck, ADeviceThatSendsAnotherUnitIsOneSentenceAndNotOneForEachCell) {
   for (CellSample& reading : readings) reading.acceleration_g *= 9.81;
   const SkinCheck check = checkSkin(*skin, readings, {});
   ASSERT_THAT(check.items, SizeIs(4));
-  EXPECT_THAT(check.items[2].text, HasSubstr("17 cells read 9.81 to 9.81 g: gravity is 1 g"));
+  EXPECT_THAT(check.items[2].message.english(), HasSubstr("17 cells read 9.81 to 9.81 g: gravity is 1 g"));
   EXPECT_EQ(check.items[2].severity, Severity::Warning);
   EXPECT_THAT(check.items[2].cells, SizeIs(17));
-  EXPECT_EQ(check.items[3].text, "All 17 cells send");
+  EXPECT_EQ(check.items[3].message.english(), "All 17 cells send");
 }
 
 TEST(SkinCheck, RepeatsWhatTheDetectorComplainsAbout) {
   const auto skin = x17();
   const std::vector<OddCell> odd = {{CellId(3), OddCellKind::Noisy, 0.22}, {CellId(4), OddCellKind::Silent, 2}};
   const SkinCheck check = checkSkin(*skin, readingsOf(*skin), odd);
-  EXPECT_THAT(check.items, Contains(Field(&SkinCheckItem::text, describe(odd[0]))));
+  EXPECT_THAT(check.items, Contains(Field(&SkinCheckItem::message, describe(odd[0]))));
   EXPECT_THAT(check.items, SizeIs(4));
 }
 
 TEST(SkinCheck, WithoutReadingsOrCellsItIsNotReadyAndSaysWhy) {
   const auto skin = x17();
   EXPECT_FALSE(checkSkin(*skin, {}, {}).ready);
-  EXPECT_EQ(checkSkin(*skin, {}, {}).because, "No readings have come yet");
+  EXPECT_EQ(checkSkin(*skin, {}, {}).because.english(), "No readings have come yet");
   const auto empty = reconstruct(*Session(builtInCellModel("hex-bma150"), {}).snapshot());
   EXPECT_FALSE(checkSkin(*empty, {}, {}).ready);
-  EXPECT_EQ(checkSkin(*empty, {}, {}).because, "The skin has no cells");
+  EXPECT_EQ(checkSkin(*empty, {}, {}).because.english(), "The skin has no cells");
 }
 
 }  // namespace

@@ -48,9 +48,9 @@ TEST(LinkPlausibility, AddsThreePredictedDeviationsToTheLimit) {
 TEST(LinkPlausibility, SaysWhichLinkAndHowFar) {
   const std::vector<Finding> findings = judge(0, 0, 118);
   ASSERT_EQ(findings.size(), 1U);
-  EXPECT_THAT(findings[0].text, HasSubstr("link 5 port 2 - 9 port 3"));
-  EXPECT_THAT(findings[0].text, HasSubstr("118 degrees"));
-  EXPECT_THAT(findings[0].text, HasSubstr("40"));
+  EXPECT_THAT(findings[0].message.english(), HasSubstr("link 5 port 2 - 9 port 3"));
+  EXPECT_THAT(findings[0].message.english(), HasSubstr("118 degrees"));
+  EXPECT_THAT(findings[0].message.english(), HasSubstr("40"));
   EXPECT_EQ(findings[0].cells, (std::vector{CellId(5), CellId(9)}));
   EXPECT_EQ(findings[0].ports, (std::vector{PortNumber(2), PortNumber(3)}));
 }
@@ -59,8 +59,8 @@ TEST(LinkPlausibility, TellsALargeYawFromALargeBend) {
   // The rotation vector of cells that are folded by 84 degrees and yawed by -141.
   const std::vector<Finding> findings = judge(44.775, -94.203, -109.067);
   EXPECT_THAT(codes(findings), ElementsAre(FindingCode::ImplausibleBend, FindingCode::ImplausibleYaw));
-  EXPECT_THAT(findings[0].text, HasSubstr("84 degrees"));
-  EXPECT_THAT(findings[1].text, HasSubstr("141 degrees"));
+  EXPECT_THAT(findings[0].message.english(), HasSubstr("84 degrees"));
+  EXPECT_THAT(findings[1].message.english(), HasSubstr("141 degrees"));
 }
 
 }  // namespace

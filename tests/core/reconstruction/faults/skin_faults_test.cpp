@@ -285,8 +285,8 @@ TEST_P(SkinFaults, ALinkSetAsideByHandIsNotUsedAndSplitsThePatch) {
   ASSERT_NE(finding, nullptr);
   EXPECT_THAT(finding->cells, ElementsAre(CellId(3), CellId(4)));
   EXPECT_THAT(finding->ports, ElementsAre(PortNumber(1), PortNumber(4)));
-  EXPECT_THAT(finding->text, ::testing::AllOf(::testing::HasSubstr("link 3 port 1 - 4 port 4"),
-                                              ::testing::HasSubstr("by hand (a cable)")));
+  EXPECT_THAT(finding->message.english(), ::testing::AllOf(::testing::HasSubstr("link 3 port 1 - 4 port 4"),
+                                                           ::testing::HasSubstr("by hand (a cable)")));
   session.setLinkMuted(a, b, false);
   EXPECT_THAT(solve(session)->patches, SizeIs(1));
 }
@@ -298,7 +298,7 @@ TEST_P(SkinFaults, ALinkSetAsideThatIsNotThereIsSaidAndChangesNothing) {
   EXPECT_THAT(result->patches, SizeIs(1));
   const Finding* finding = findFinding(*result, FindingCode::LinkSetAside);
   ASSERT_NE(finding, nullptr);
-  EXPECT_THAT(finding->text, ::testing::HasSubstr("no such link"));
+  EXPECT_THAT(finding->message.english(), ::testing::HasSubstr("no such link"));
 }
 
 TEST_P(SkinFaults, ACableIsMutedByItsBendAndSplitsThePatch) {
@@ -389,7 +389,7 @@ TEST_P(SkinFaults, HundredThousandCellsWithSixPosesWork) {
   }
   Session session(model, neighbors);
   for (const Eigen::Vector3d& up : orthogonalUps(6)) {
-    PoseCapture pose{session.nextPoseId(), "", {}};
+    PoseCapture pose{session.nextPoseId(), {}, {}};
     for (const CellReport& report : neighbors) pose.samples.push_back({report.id, up, Eigen::Matrix3d::Zero(), 0});
     session.addPose({std::make_shared<const PoseCapture>(std::move(pose)), false});
   }

@@ -1,0 +1,99 @@
+#include "hexoderm/util/message_json.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+// Messages within messages and lists within lists: core makes four levels of them.
+constexpr int kDeepest = 8;
+constexpr std::uint32_t kMostDecimals = 17;
+
+constexpr std::array<std::pair<Unit, std::string_view>, 4> kUnits = {
+    {{Unit::Degrees, "deg"}, {Unit::Millimetres, "mm"}, {Unit::MilliG, "mg"}, {Unit::Seconds, "s"}}};
+
+nlohmann::ordered_json jsonOf(std::int64_t count) { return count; }
+nlohmann::ordered_json jsonOf(const std::string& text) { return text; }
+nlohmann::ordered_json jsonOf(const Message& message) { return toJson(message); }
+nlohmann::ordered_json jsonOf(const Quantity& quantity) {
+  // JSON has no infinity.
+  if (!std::isfinite(quantity.value)) return MessageArgument(quantity).english();
+  nlohmann::ordered_json json = {{"value", quantity.value}};
+  if (quantity.decimals >= 0) json["decimals"] = quantity.decimals;
+  const auto unit = std::ranges::find(kUnits, quantity.unit, &std::pair<Unit, std::string_view>::first);
+  if (unit != kUnits.end()) json["unit"] = unit->second;
+  return json;
+}
+nlohmann::ordered_json jsonOf(const MessageArgument::List& items) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const MessageArgument& item : items) {
+    json.push_back(std::visit([](const auto& held) { return jsonOf(held); }, item.value));
+  }
+  return json;
+}
+
+Message readWhole(const JsonReader& json, int depth);
+
+Quantity readQuantity(const JsonReader& json) {
+  Quantity quantity;
+  quantity.value = json.at("value").number();
+  if (const auto decimals = json.find("decimals")) {
+    quantity.decimals = static_cast<int>(decimals->unsignedInteger(0, kMostDecimals));
+  }
+  if (const auto unit = json.find("unit")) {
+    const auto known = std::ranges::find(kUnits, unit->string(), &std::pair<Unit, std::string_view>::second);
+    if (known == kUnits.end()) unit->fail(message("\"deg\", \"mm\", \"mg\" or \"s\""));
+    quantity.unit = known->first;
+  }
+  return quantity;
+}
+
+MessageArgument readArgument(const JsonReader& json, int depth) {
+  if (depth > kDeepest) json.fail(message("messages within messages to a depth of {}", kDeepest));
+  if (json.isString()) return json.string();
+  if (json.isObject()) {
+    if (json.find("template")) return readWhole(json, depth);
+    return readQuantity(json);
+  }
+  if (json.isArray()) {
+    MessageArgument::List items;
+    for (const JsonReader& item : json.items()) items.push_back(readArgument(item, depth + 1));
+    return items;
+  }
+  return json.integer();
+}
+
+Message readWhole(const JsonReader& json, int depth) {
+  std::vector<MessageArgument> arguments;
+  for (const JsonReader& item : json.at("arguments").items()) arguments.push_back(readArgument(item, depth + 1));
+  const JsonReader text = json.at("template");
+  if (!isTemplate(text.string(), arguments.size())) {
+    text.fail(message("a text with a {{}} for each of the {} arguments", arguments.size()));
+  }
+  return {text.string(), std::move(arguments)};
+}
+
+}  // namespace
+
+nlohmann::ordered_json toJson(const Message& message) {
+  return {{"template", message.englishTemplate()}, {"arguments", jsonOf(message.arguments())}};
+}
+
+void writeMessage(nlohmann::ordered_json& json, const std::string& key, const Message& message) {
+  json[key] = message.english();
+  if (!message.empty() && !message.isVerbatim()) json[key + "_message"] = toJson(message);
+}
+
+Message readMessage(const JsonReader& json, const std::string& key) {
+  const std::string english = json.at(key).string();
+  if (const auto whole = json.find(key + "_message")) {
+    Message read = readWhole(*whole, 0);
+    if (read.english() == english) return read;
+  }
+  return Message::verbatim(english);
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,54 @@
+#include "widgets/words/words.h"
+
+#include "hexoderm/util/error.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <string>
+#include <vector>
+
+namespace hexoderm {
+namespace {
+
+QString wordsOf(std::int64_t count) { return QString::number(count); }
+QString wordsOf(const std::string& text) { return QString::fromStdString(text); }
+QString wordsOf(const Message& message) { return words(message); }
+QString wordsOf(const Quantity& quantity) {
+  return QString::fromStdString(MessageArgument(quantity).english())
+      .replace(QLatin1Char('.'), QString(QLocale().decimalPoint()));
+}
+QString wordsOf(const MessageArgument::List& items) {
+  QString text;
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    const QString item = std::visit([](const auto& held) { return wordsOf(held); }, items[k].value);
+    if (k == 0) {
+      text = item;
+    } else if (k + 1 < items.size()) {
+      text += QStringLiteral(", ") + item;
+    } else {
+      // Its context as a literal, because lupdate reads it here.
+      const QString last = QCoreApplication::translate("hexoderm::Message", "{} and {}", "the end of a list");
+      const std::vector<std::string> both = {text.toStdString(), item.toStdString()};
+      text = QString::fromStdString(fillTemplate(last.toStdString(), both));
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+QString words(const Message& message) {
+  if (message.empty()) return {};
+  std::vector<std::string> arguments;
+  arguments.reserve(message.arguments().size());
+  for (const MessageArgument& argument : message.arguments()) {
+    arguments.push_back(std::visit([](const auto& held) { return wordsOf(held); }, argument.value).toStdString());
+  }
+  const std::string translated =
+      QCoreApplication::translate(kMessageContext, message.englishTemplate().c_str()).toStdString();
+  return QString::fromStdString(fillTemplate(translated, arguments));
+}
+
+QString words(const std::exception& error) { return words(messageOf(error)); }
+
+}  // namespace hexoderm
