@@ -179,6 +179,24 @@ class Capture final : public CaptureOwner {
   void handle(const HoldStatus& hold) {
     hold_ = hold;
     common_.progress(hold.message.english());
+    sayWhatBlocksForLong();
+  }
+
+  /// For logs, which have no line that is replaced: one remark for every obstacle that lasts, then ever more rarely.
+  void sayWhatBlocksForLong() {
+    const Stillness& stillness = hold_.stillness;
+    const bool is_blocked = hold_.phase == HoldPhase::Watching && stillness.blocker != Blocker::None &&
+                            stillness.blocker != Blocker::NotMoved;
+    if (!is_blocked || stillness.blocker != blocker_ || stillness.time_s < blocked_since_s_) {
+      blocker_ = stillness.blocker;
+      blocked_since_s_ = stillness.time_s;
+      say_after_s_ = kSayAfter_s;
+      return;
+    }
+    const double blocked_s = stillness.time_s - blocked_since_s_;
+    if (blocked_s < say_after_s_) return;
+    say_after_s_ = 2 * blocked_s;
+    common_.logNote("No pose for " + formatFixed(blocked_s, 0) + " s. " + stillness.message.english());
   }
 
   void show(const PoseTaken& /*taken*/) {}
@@ -236,12 +254,58 @@ class Capture final : public CaptureOwner {
   std::string device_;
   SourceStatus status_;
   HoldStatus hold_;
+  static constexpr double kSayAfter_s = 5;
+  Blocker blocker_ = Blocker::None;
+  double blocked_since_s_ = 0;  ///< device time
+  double say_after_s_ = kSayAfter_s;
   std::shared_ptr<const Reconstruction> result_;
   bool has_news_ = false;  ///< poses that are not in the result
   bool made_progress_ = false;
 };
 
-void print(const Capture& capture, const CaptureOptions& options, const Common& common) {
+nlohmann::ordered_json toJson(const HoldLedger& ledger) {
+  nlohmann::ordered_json json = {{"watched_s", ledger.watched_s()}, {"still_s", ledger.still_s()}};
+  auto blocked = nlohmann::ordered_json::array();
+  for (const BlockedTime& time : ledger.blocked()) {
+    nlohmann::ordered_json entry = {{"by", blockerName(time.blocker)}, {"for_s", time.duration_s}};
+    if (time.cell != CellId()) {
+      entry["cell"] = time.cell.value();
+      entry["cell_for_s"] = time.cell_s;
+    }
+    entry["message"] = time.message.english();
+    blocked.push_back(std::move(entry));
+  }
+  json["blocked"] = std::move(blocked);
+  auto odd_cells = nlohmann::ordered_json::array();
+  if (ledger.last()) {
+    for (const OddCell& odd : ledger.last()->stillness.odd_cells) {
+      odd_cells.push_back(
+          {{"cell", odd.cell.value()}, {"is", oddCellName(odd.kind)}, {"message", describe(odd).english()}});
+    }
+    json["restarts"] = ledger.last()->restarts;
+  }
+  json["odd_cells"] = std::move(odd_cells);
+  return json;
+}
+
+/// Why there is no pose.
+void printWhatBlocked(const HoldLedger& ledger) {
+  if (!ledger.last()) {
+    std::cout << "No pose was captured: no readings came.\n";
+    return;
+  }
+  const auto seconds = [](double duration_s) { return formatFixed(duration_s, 1) + " s"; };
+  std::cout << "No pose was captured in " << seconds(ledger.watched_s()) << " of readings; the part was still for "
+            << seconds(ledger.still_s()) << ".\n";
+  for (const BlockedTime& time : ledger.blocked()) {
+    std::cout << "  " << seconds(time.duration_s) << "  " << blockerName(time.blocker) << ": " << time.message;
+    if (time.cell != CellId()) std::cout << " (cell " << time.cell << " decided for " << seconds(time.cell_s) << ")";
+    std::cout << '\n';
+  }
+  for (const OddCell& odd : ledger.last()->stillness.odd_cells) std::cout << "  " << describe(odd) << '\n';
+}
+
+void print(const Capture& capture, const HoldLedger& ledger, const CaptureOptions& options, const Common& common) {
   const Session& session = *capture.session();
   const SourceStatus& status = capture.status();
   if (common.json) {
@@ -255,7 +319,8 @@ void print(const Capture& capture, const CaptureOptions& options, const Common& 
                                    {"late_frames", status.late_frames},
                                    {"rejected_messages", status.rejected_messages},
                                    {"reconnects", status.reconnects}};
-    json["verdict"] = capture.result() ? toJson(capture.result()->verdict) : nlohmann::ordered_json();
+    json["hold"] = toJson(ledger);
+    json["verdict"] = capture.result() ? cli::toJson(capture.result()->verdict) : nlohmann::ordered_json();
     printJson(json);
     return;
   }
@@ -268,6 +333,7 @@ void print(const Capture& capture, const CaptureOptions& options, const Common& 
   if (status.dropped_by_device > 0) {
     std::cout << "The device could not send " << status.dropped_by_device << " samples.\n";
   }
+  if (session.poses().empty()) printWhatBlocked(ledger);
   if (capture.result()) printVerdict(capture.result()->verdict);
 }
 
@@ -300,7 +366,7 @@ int run(const CaptureOptions& options, const Common& common) {
   capture.finish();
   if (recording) recording->finish();
   if (!capture.session()) throw DeviceError(options.source + ": ended before a skin described itself");
-  print(capture, options, common);
+  print(capture, events.ledger(), options, common);
   return capture.result() ? exitCodeOf(capture.result()->verdict) : kNotGoodEnough;
 }
 

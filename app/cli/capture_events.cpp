@@ -25,6 +25,19 @@ void CaptureEvents::push(CaptureEvent event) {
   arrived_.notify_one();
 }
 
+HoldLedger CaptureEvents::ledger() const {
+  const std::lock_guard lock(mutex_);
+  return ledger_;
+}
+
+void CaptureEvents::onHold(const HoldStatus& status) {
+  {
+    const std::lock_guard lock(mutex_);
+    ledger_.add(status);
+  }
+  push(status);
+}
+
 void CaptureEvents::onSkin(const SkinDescription& skin) {
   recorder_.setSkin(skin);
   push(skin);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "hexoderm/capture/hold_ledger.h"
 #include "hexoderm/capture/pose_recorder.h"
 #include "hexoderm/device/skin_source.h"
 #include "hexoderm/session/session_recorder.h"
@@ -30,19 +31,22 @@ class CaptureEvents final : public SkinListener, public PoseRecorderListener {
   std::optional<CaptureEvent> next(std::chrono::milliseconds patience);
   /// From any thread.
   void push(CaptureEvent event);
+  /// Where the time went so far, whatever was dropped on the way. From any thread.
+  [[nodiscard]] HoldLedger ledger() const;
 
   void onSkin(const SkinDescription& skin) override;
   void onFrame(const SampleFrame& frame) override { recorder_.addFrame(frame); }
   void onStatus(const SourceStatus& status) override { push(status); }
   void onCommandOutcome(const CommandOutcome& outcome) override { push(outcome); }
   void onPoseCaptured(CapturedPose captured) override { push(std::move(captured)); }
-  void onHold(const HoldStatus& status) override { push(status); }
+  void onHold(const HoldStatus& status) override;
   void onPreview(SkinPreview /*preview*/) override {}
 
  private:
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::condition_variable arrived_;
   std::deque<CaptureEvent> events_;
+  HoldLedger ledger_;
   PoseRecorder recorder_;
 };
 

@@ -50,6 +50,9 @@ class StillnessDetector {
   /// the first 200,000.
   bool add(const SampleFrame& frame);
 
+  /// What was new in the frame that was added last: without the readings that the device had sent before.
+  [[nodiscard]] const SampleFrame& newIn(const SampleFrame& frame) const;
+
   [[nodiscard]] const Stillness& stillness() const;
 
   /// The pose was captured: the next one needs a move of more than rearm_angle_rad from these readings.
