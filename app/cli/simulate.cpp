@@ -119,8 +119,7 @@ void addSimulate(CLI::App& app, Common& common) {
                        "readings a second, and a single joint")
           ->check(CLI::IsMember({"hand", "robot"}))
           ->capture_default_str();
-  command->add_flag("--ideal", options->ideal, "No jitter, no sensor errors, no noise, no hand")
-      ->excludes(motion);
+  command->add_flag("--ideal", options->ideal, "No jitter, no sensor errors, no noise, no hand")->excludes(motion);
   command
       ->add_option("-o,--output", options->output,
                    "Session to write (*.session.json, or *.hexo, which must not exist yet)")

@@ -101,8 +101,8 @@ CellMotion motionOf(const CellSlots& slots, const SlotWindow& window, float stea
   motion.mean_g = base + mean;
   const float between = std::max(0.0F, sum_squares - n * mean.squaredNorm());
   motion.variance_g2 = (scatter + between) / (3 * (n - 1));
-  motion.white_g2 = several > 0 && n_of_several - several >= 3 ? scatter / (3 * (n_of_several - several))
-                                                               : differences / (3 * pairs);
+  motion.white_g2 =
+      several > 0 && n_of_several - several >= 3 ? scatter / (3 * (n_of_several - several)) : differences / (3 * pairs);
   // White noise of variance s2 leaves s2 (slots - 1) per axis in the counted scatter between slots.
   const float expected = 3 * motion.white_g2 * static_cast<float>(filled_in_hold - 1);
   motion.whiteness = expected > 0 ? between / expected : (between > 0 ? 1e6F : 1.0F);

@@ -32,11 +32,11 @@ struct CellMotion {
   float white_g2 = 0;
   float whiteness = 0;     ///< variance between slots over what white noise gives: near 1 for noise, more for motion
   float turn_rad2_s2 = 0;  ///< squared drift of the direction, noise included, for 1 g
-  float slope_variance_s2 = 0;   ///< variance of the slope along one axis for white noise of variance 1
+  float slope_variance_s2 = 0;  ///< variance of the slope along one axis for white noise of variance 1
   /// Variance of the slots' means about the straight line, across gravity, mean of the two axes, as that of a sample.
   float residual_g2 = 0;
-  /// The same of the means of kBatches parts of the window, over residual_g2: 1 for white noise, more if it is slow, less
-  /// if it is a quick tremor. Negative: slots are too few to tell.
+  /// The same of the means of kBatches parts of the window, over residual_g2: 1 for white noise, more if it is slow,
+  /// less if it is a quick tremor. Negative: slots are too few to tell.
   float colour = -1;
   std::size_t steady_slots = 0;  ///< newest slots in a row that are near the newest ones
 };

@@ -12,8 +12,8 @@ namespace hexoderm {
 struct BlockedTime {
   Blocker blocker{};
   double duration_s = 0;
-  CellId cell;         ///< the cell that decided for longest; ID 0 where none decides alone
-  double cell_s = 0;   ///< ... for so long
+  CellId cell;        ///< the cell that decided for longest; ID 0 where none decides alone
+  double cell_s = 0;  ///< ... for so long
   Message message{};  ///< the obstacle in words, as it was last
 };
 

@@ -60,24 +60,22 @@ void SampleSlots::takeAll(const SampleFrame& frame) {
     new_.means.clear();
   }
   for (const CellSample& sample : frame.samples) {
-    const bool is_new =
-        take(sample.cell, sample.acceleration_g, [](Sums& sums, const Eigen::Vector3f& difference) {
-          sums.sum_g += difference;
-          sums.squares_g2 += difference.squaredNorm();
-          sums.count += 1;
-        });
+    const bool is_new = take(sample.cell, sample.acceleration_g, [](Sums& sums, const Eigen::Vector3f& difference) {
+      sums.sum_g += difference;
+      sums.squares_g2 += difference.squaredNorm();
+      sums.count += 1;
+    });
     if (keeps_new && is_new) new_.samples.push_back(sample);
   }
   for (const CellMean& mean : frame.means) {
     if (!isUsable(mean)) continue;
     const float n = static_cast<float>(mean.count);
     const float variance_g2 = static_cast<float>(mean.variance_g2.sum());
-    const bool is_new =
-        take(mean.cell, mean.mean_g, [n, variance_g2](Sums& sums, const Eigen::Vector3f& difference) {
-          sums.sum_g += n * difference;
-          sums.squares_g2 += n * difference.squaredNorm() + (n - 1) * variance_g2;
-          sums.count += n;
-        });
+    const bool is_new = take(mean.cell, mean.mean_g, [n, variance_g2](Sums& sums, const Eigen::Vector3f& difference) {
+      sums.sum_g += n * difference;
+      sums.squares_g2 += n * difference.squaredNorm() + (n - 1) * variance_g2;
+      sums.count += n;
+    });
     if (keeps_new && is_new) new_.means.push_back(mean);
   }
 }

@@ -81,7 +81,7 @@ class SampleSlots {
     float squares_g2 = 0;
     float count = 0;
     Eigen::Vector3f last_g = Eigen::Vector3f::Zero();
-    std::uint32_t equal = 0;     ///< how often last_g has come in a row
+    std::uint32_t equal = 0;    ///< how often last_g has come in a row
     bool run_is_whole = false;  ///< its beginning was seen
   };
   struct Cell {

@@ -19,9 +19,9 @@ constexpr double kLongestWindow_s = 5;
 constexpr double kLongerWindow = 1.1;
 constexpr float kDead_g = 0.1F;
 constexpr double kCoarsestStep_g = 4.0 / 256;  // 8 bits for 2 g to either side
-constexpr double kMovingTimesLimit = 3;  // a patch that drifts faster than this many times the limit is moved
-constexpr double kNoisyTimesOthers = 4;  // rms of a noisy cell over the median
-constexpr float kRestlessSigma2 = 36;    // six sigma of its own noise
+constexpr double kMovingTimesLimit = 3;        // a patch that drifts faster than this many times the limit is moved
+constexpr double kNoisyTimesOthers = 4;        // rms of a noisy cell over the median
+constexpr float kRestlessSigma2 = 36;          // six sigma of its own noise
 constexpr double kLongAgo_s = -1e300;
 constexpr double kWhiteScatter_s = 10;
 constexpr double kWhite = 2;  // whiteness of noise is below, of motion above
@@ -31,10 +31,10 @@ constexpr double kLearnUp_s = 2;
 // part that stands still is then taken for one that turns once in some thousand judgements, and one that turns at three
 // times the limit never for a still one.
 constexpr double kBearableSlopeNoise = 0.31;
-constexpr double kBearableAtLast = 1.5;         // times as much in the longest window
-constexpr double kBearableOnceStill = 2;        // times as much for a part that was found still
-constexpr double kSureSlope2 = 18;              // squared slope over its variance that no noise explains
-constexpr double kChanceSlope2 = 4;             // of a squared slope over its variance, by which a limit may be exceeded
+constexpr double kBearableAtLast = 1.5;   // times as much in the longest window
+constexpr double kBearableOnceStill = 2;  // times as much for a part that was found still
+constexpr double kSureSlope2 = 18;        // squared slope over its variance that no noise explains
+constexpr double kChanceSlope2 = 4;       // of a squared slope over its variance, by which a limit may be exceeded
 constexpr double kLeastColour = 0.05, kMostColour = 10;
 // The mean that shows whether the part has moved is of so many samples that their noise is this share of the angle.
 constexpr double kMoveNoiseShare = 0.15;
@@ -107,10 +107,10 @@ struct StillnessDetector::State {
   SampleSlots slots;
   std::vector<CellState> cells;
 
-  double window_s = 0;  ///< length of the drift window
-  bool is_longest = false;  ///< whether it can't be longer
+  double window_s = 0;                    ///< length of the drift window
+  bool is_longest = false;                ///< whether it can't be longer
   double looked_back_s = kUsualWindow_s;  ///< length of the last judgement's window, kUsualWindow_s at least
-  double colour = 1;  ///< of the noise, see CellMotion
+  double colour = 1;                      ///< of the noise, see CellMotion
   SlotWindow window;
   double still_since_s = 0;
   double moving_s = kLongAgo_s;  ///< when the patch last moved
@@ -190,12 +190,15 @@ struct StillnessDetector::State {
   Direction judgeDirection(bool was_still) {
     used.clear();
     is_longest = false;
+    bool has_colour = false;
     for (window_s = options.drift_window_s;;) {
       if (!layWindow() || !measureCells()) break;
       measurePatch();
-      if (squared_turn > options.drift_limit_rad_s * options.drift_limit_rad_s + kSureSlope2 * slope_noise2) {
-        return Direction::Turns;
+      if (!has_colour && !isSurelyTurning()) {
+        has_colour = learnColour();
+        measurePatch();
       }
+      if (isSurelyTurning()) return Direction::Turns;
       is_longest = window_s >= kLongestWindow_s || window.drift_slots == kSlots;
       const double bearable =
           kBearableSlopeNoise * options.drift_limit_rad_s * std::pow(static_cast<double>(used.size()), 0.25);
@@ -212,6 +215,24 @@ struct StillnessDetector::State {
       window_s = std::clamp(wanted_s, kLongerWindow * window_s, kLongestWindow_s);
     }
     return Direction::Unknown;
+  }
+
+  /// By more than any noise explains that the window shows.
+  [[nodiscard]] bool isSurelyTurning() const {
+    return squared_turn > options.drift_limit_rad_s * options.drift_limit_rad_s + kSureSlope2 * slope_noise2;
+  }
+
+  /// Learns from the shortest window that tells; returns false if this one does not.
+  bool learnColour() {
+    scratch.clear();
+    for (const std::size_t k : used) {
+      if (cells[k].motion.colour >= 0) scratch.push_back(cells[k].motion.colour);
+    }
+    if (scratch.empty()) return false;
+    const double weight = slots.slotLength_s() / window_s * std::sqrt(static_cast<double>(scratch.size()));
+    const double seen = std::clamp(static_cast<double>(median(scratch)), kLeastColour, kMostColour);
+    colour += std::min(0.5, weight) * (seen - colour);
+    return true;
   }
 
   void nameSilentCells() {
@@ -293,8 +314,9 @@ struct StillnessDetector::State {
   void measurePatch() {
     squared_turn = medianOf([](const CellState& cell) { return cell.motion.turn_rad2_s2; });
     slope_noise2 = medianOf([this](const CellState& cell) { return slopeNoise2(cell.motion); });
-    const double drift2 =
-        medianOf([this](const CellState& cell) { return static_cast<double>(cell.motion.turn_rad2_s2) - 2 * slopeNoise2(cell.motion); });
+    const double drift2 = medianOf([this](const CellState& cell) {
+      return static_cast<double>(cell.motion.turn_rad2_s2) - 2 * slopeNoise2(cell.motion);
+    });
     result.drift_rad_s = std::sqrt(std::max(0.0, drift2));
     excesses.clear();
     for (const std::size_t k : used) excesses.emplace_back(cells[k].motion.variance_g2 - cells[k].floor_g2, k);
@@ -318,15 +340,14 @@ struct StillnessDetector::State {
     const double samples = medianOf([](const CellState& cell) { return cell.motion.count; });
     const bool shakes = result.excess_g > factor * options.excess_limit_g * std::sqrt(chanceIn(samples));
     if (result.drift_rad_s > kMovingTimesLimit * options.drift_limit_rad_s) moving_s = slots.end_s();
-    if (!turns) learnColour();
     const double whiteness = medianOf([](const CellState& cell) { return cell.motion.whiteness; });
     white_for_s = !turns && shakes && whiteness < kWhite ? white_for_s + slots.slotLength_s() : 0;
     if (direction == Direction::Held && (!shakes || white_for_s >= kWhiteScatter_s)) learnFloors();
 
-    result.blocker = turns                              ? Blocker::Turning
-                     : shakes                           ? Blocker::Shaking
+    result.blocker = turns                             ? Blocker::Turning
+                     : shakes                          ? Blocker::Shaking
                      : direction == Direction::Unknown ? Blocker::Waiting
-                                                        : Blocker::None;
+                                                       : Blocker::None;
     if (result.blocker == Blocker::None) watchEachCell();
     nameMisbehaving();
     result.still = result.blocker == Blocker::None;
@@ -338,17 +359,6 @@ struct StillnessDetector::State {
         if (cell.motion.enough) cell.still_g2 = cell.motion.residual_g2;
       }
     }
-  }
-
-  void learnColour() {
-    scratch.clear();
-    for (const std::size_t k : used) {
-      if (cells[k].motion.colour >= 0) scratch.push_back(cells[k].motion.colour);
-    }
-    if (scratch.empty()) return;
-    const double weight = slots.slotLength_s() / window_s * std::sqrt(static_cast<double>(scratch.size()));
-    const double seen = std::clamp(static_cast<double>(median(scratch)), kLeastColour, kMostColour);
-    colour += std::min(0.5, weight) * (seen - colour);
   }
 
   void learnFloors() {
@@ -375,8 +385,8 @@ struct StillnessDetector::State {
       const CellMotion& motion = cell.motion;
       cell.is_noisy = setAside(static_cast<double>(motion.variance_g2) > noisy_g2, slots.slotLength_s(),
                                options.patience_s, cell.is_noisy, cell.noisy_s);
-      const double noise2 = std::max(1.0, colour) *
-                            static_cast<double>(kRestlessSigma2 * motion.variance_g2 * motion.slope_variance_s2);
+      const double noise2 =
+          std::max(1.0, colour) * static_cast<double>(kRestlessSigma2 * motion.variance_g2 * motion.slope_variance_s2);
       const bool turns = static_cast<double>(motion.turn_rad2_s2) > limit_rad_s * limit_rad_s + noise2;
       cell.is_restless = setAside(turns, slots.slotLength_s(), options.patience_s, cell.is_restless, cell.restless_s);
       const double turn_rad_s = std::sqrt(static_cast<double>(motion.turn_rad2_s2));
@@ -439,8 +449,7 @@ struct StillnessDetector::State {
         break;
       case Blocker::Waiting:
         result.message = slots.count() == 0 || cells.empty() ? message("Waiting for samples")
-                         : slots.heardCount() == 0
-                             ? message("Waiting for samples: all cells are silent")
+                         : slots.heardCount() == 0           ? message("Waiting for samples: all cells are silent")
                          : is_longest
                              ? message("Hold still: the readings scatter too much to tell whether the part turns")
                              : message("Waiting for samples: fewer than {} s so far", limitInWords(window_s));

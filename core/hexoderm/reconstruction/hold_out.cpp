@@ -209,8 +209,8 @@ class HoldOut {
     return poses;
   }
 
-  /// Variance of one sample per cell in the poses in which the skin as a whole scattered least: a cell's scatter holds a
-  /// hand's tremor as well as the sensor's own noise, and these are the poses with the least of it. Poses that differ
+  /// Variance of one sample per cell in the poses in which the skin as a whole scattered least: a cell's scatter holds
+  /// a hand's tremor as well as the sensor's own noise, and these are the poses with the least of it. Poses that differ
   /// from the stillest one only by chance count too: a short one alone would say little. 0 for a cell without readings
   /// there.
   [[nodiscard]] std::vector<double> noiseOfCells() const {
@@ -236,8 +236,8 @@ class HoldOut {
     return noise_g2;
   }
 
-  /// Variance that the sensor's own noise leaves in a mean of a cell, per axis, without tremor: it falls with the length
-  /// of the window.
+  /// Variance that the sensor's own noise leaves in a mean of a cell, per axis, without tremor: it falls with the
+  /// length of the window.
   [[nodiscard]] double ownVariance(std::size_t cell, std::size_t pose) const {
     constexpr double kLeast_g2 = 1e-12;  // a model may have neither noise nor steps
     const GravityTable::Entry& entry = table_.at(cell, pose);

@@ -13,8 +13,8 @@
 
 namespace hexoderm {
 
-/// A single joint about the body's x axis, which is level, and vibration. Where it goes and for how long it stays follow
-/// from the number of the hold.
+/// A single joint about the body's x axis, which is level, and vibration. Where it goes and for how long it stays
+/// follow from the number of the hold.
 class RobotMotion {
  public:
   RobotMotion(const SimulatedSkinOptions& options, std::size_t cells);

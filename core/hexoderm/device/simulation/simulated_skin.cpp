@@ -330,7 +330,8 @@ bool SimulatedSkin::turning() const {
 SampleFrame SimulatedSkin::next() {
   State& state = *state_;
   if (!state.live) state.holdLive(Eigen::Vector3d::UnitZ());
-  if (state.robot && state.liveTime_s() >= state.live->motion.arrival_s() + RobotMotion::staysFor_s(state.robot_holds)) {
+  if (state.robot &&
+      state.liveTime_s() >= state.live->motion.arrival_s() + RobotMotion::staysFor_s(state.robot_holds)) {
     turnTo(RobotMotion::upOf(++state.robot_holds));
   }
   SampleFrame frame;

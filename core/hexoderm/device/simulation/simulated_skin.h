@@ -141,8 +141,8 @@ class SimulatedSkin {
   [[nodiscard]] std::optional<std::pair<LinkEnd, LinkEnd>> loop() const;
   /// Readings a second and cell: the device's ticks.
   [[nodiscard]] double rate_hz() const;
-  /// The directions of a scripted calibration (scriptedUpDirections), or those that a robot goes to one after the other:
-  /// up to 60 degrees to either side.
+  /// The directions of a scripted calibration (scriptedUpDirections), or those that a robot goes to one after the
+  /// other: up to 60 degrees to either side.
   [[nodiscard]] std::vector<Eigen::Vector3d> upDirections(std::size_t pose_count) const;
 
   /// Holds the part so that `up_b` (unit, body frame) points up, and records `frame_count` frames at the model's rate.

@@ -138,8 +138,7 @@ SimulatedAddress parseAddress(const std::string& address) {
   SimulatedAddress parsed;
   SimulatedSkinOptions& options = parsed.options;
   double& speed = parsed.speed;
-  const std::string patch =
-      address.substr(kPrefix.size(), query == std::string::npos ? query : query - kPrefix.size());
+  const std::string patch = address.substr(kPrefix.size(), query == std::string::npos ? query : query - kPrefix.size());
   std::vector<std::string> parts;
   if (query != std::string::npos) parts = split(address.substr(query + 1), '&');
   // Whoever moves the part comes first: it is a whole set of options.

@@ -9,8 +9,8 @@
 namespace hexoderm {
 
 /// A simulated skin that streams: what a newcomer sees, and what programs are tried with. It lies on a table until
-/// TurnTo turns it, by a simulated hand; or a robot turns it by itself (SimulatedSkinOptions::robot) and refuses TurnTo.
-/// SetLed is taken, SetRate is not.
+/// TurnTo turns it, by a simulated hand; or a robot turns it by itself (SimulatedSkinOptions::robot) and refuses
+/// TurnTo. SetLed is taken, SetRate is not.
 class SimulatedSource final : public SkinSource {
  public:
   /// `speed`: times real time, above 0; infinity: as fast as the listener takes it. Throws InvalidArgument.

@@ -18,7 +18,7 @@ class GravityTable {
  public:
   struct Entry {
     Eigen::Vector3d mean_g = Eigen::Vector3d::Zero();  ///< cell frame, not normalised
-    double count = 0;            ///< samples averaged; the paper's K where the file doesn't say
+    double count = 0;                                  ///< samples averaged; the paper's K where the file doesn't say
     double variance_g2 = 0;      ///< of the mean, per axis: the worst axis, never below the floor of tremor and steps
     double own_variance_g2 = 0;  ///< of the mean, per axis: from the scatter of the samples, mean of the axes, no floor
     double sample_sigma_g = 0;   ///< scatter of single samples, worst axis; 0 if the file doesn't say
