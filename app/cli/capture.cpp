@@ -179,24 +179,10 @@ class Capture final : public CaptureOwner {
   void handle(const HoldStatus& hold) {
     hold_ = hold;
     common_.progress(hold.message.english());
-    sayWhatBlocksForLong();
   }
 
-  /// For logs, which have no line that is replaced: one remark for every obstacle that lasts, then ever more rarely.
-  void sayWhatBlocksForLong() {
-    const Stillness& stillness = hold_.stillness;
-    const bool is_blocked = hold_.phase == HoldPhase::Watching && stillness.blocker != Blocker::None &&
-                            stillness.blocker != Blocker::NotMoved;
-    if (!is_blocked || stillness.blocker != blocker_ || stillness.time_s < blocked_since_s_) {
-      blocker_ = stillness.blocker;
-      blocked_since_s_ = stillness.time_s;
-      say_after_s_ = kSayAfter_s;
-      return;
-    }
-    const double blocked_s = stillness.time_s - blocked_since_s_;
-    if (blocked_s < say_after_s_) return;
-    say_after_s_ = 2 * blocked_s;
-    common_.logNote("No pose for " + formatFixed(blocked_s, 0) + " s. " + stillness.message.english());
+  void handle(const LongWait& wait) {
+    common_.logNote("No pose for " + formatFixed(wait.duration_s, 0) + " s. " + wait.why.english());
   }
 
   void show(const PoseTaken& /*taken*/) {}
@@ -254,10 +240,6 @@ class Capture final : public CaptureOwner {
   std::string device_;
   SourceStatus status_;
   HoldStatus hold_;
-  static constexpr double kSayAfter_s = 5;
-  Blocker blocker_ = Blocker::None;
-  double blocked_since_s_ = 0;  ///< device time
-  double say_after_s_ = kSayAfter_s;
   std::shared_ptr<const Reconstruction> result_;
   bool has_news_ = false;  ///< poses that are not in the result
   bool made_progress_ = false;
