@@ -35,8 +35,10 @@ RobotMotion::RobotMotion(const SimulatedSkinOptions& options, std::size_t cells)
 }
 
 Eigen::Vector3d RobotMotion::upOf(std::size_t hold) {
-  // Upright first, then from one end to the other and in between.
-  return hold == 0 ? upAt(0) : upAt(kReach_rad * (1 - 2 * spread(hold - 1)));
+  // Upright, at one end, at the other, and then in between.
+  if (hold == 0) return upAt(0);
+  if (hold <= 2) return upAt(hold == 1 ? kReach_rad : -kReach_rad);
+  return upAt(kReach_rad * (1 - 2 * spread(hold - 1)));
 }
 
 Eigen::Vector3d RobotMotion::nearestTo(const Eigen::Vector3d& up_b) {
