@@ -62,18 +62,22 @@ inline void addDemoPatch(test::ResultBuilder& builder, const CellModel& model, c
   for (CellPlacement& cell : cells) builder.cell(std::move(cell));
 }
 
-/// A skin of X-shaped patches with two poses.
-inline Reconstruction demoPatches(const std::vector<DemoOptions>& patches) {
-  const CellModel model = builtInCellModel("hex-bma150");
-  test::ResultBuilder builder(model);
-  for (const DemoOptions& options : patches) addDemoPatch(builder, model, options);
-  Reconstruction result = builder.build();
+/// The same skin as the first result of two poses.
+inline Reconstruction ofTwoPoses(Reconstruction result) {
   result.revision = 1;
   result.poses = {{PoseId(1), Message::verbatim("standing"), true, result.cellCount(), 0.0014, std::nullopt, 0.007},
                   {PoseId(2), Message::verbatim("on its side"), true, result.cellCount(), 0.0022, 1.5, 0.009}};
   result.verdict = {VerdictLevel::Usable, Message::verbatim("Made by hand for a test."), 0.002, 0.08,
                     Message::verbatim("Take a third pose.")};
   return result;
+}
+
+/// A skin of X-shaped patches.
+inline Reconstruction demoPatches(const std::vector<DemoOptions>& patches) {
+  const CellModel model = builtInCellModel("hex-bma150");
+  test::ResultBuilder builder(model);
+  for (const DemoOptions& options : patches) addDemoPatch(builder, model, options);
+  return ofTwoPoses(builder.build());
 }
 
 /// The X17 on a cylinder, all links fully defined unless told otherwise.
@@ -87,7 +91,7 @@ inline Reconstruction sheetReconstruction(std::uint32_t columns, std::uint32_t r
     link.quality = EdgeQuality::Fully;
     return link;
   };
-  return test::ResultBuilder().sheet(rows, columns, options).gravity(Eigen::Vector3d::UnitZ()).build();
+  return ofTwoPoses(test::ResultBuilder().sheet(rows, columns, options).gravity(Eigen::Vector3d::UnitZ()).build());
 }
 
 /// A sheet laid directly around nine tenths of a cylinder, cells in staggered columns along its axis, every port

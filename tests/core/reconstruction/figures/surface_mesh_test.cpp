@@ -1,5 +1,6 @@
 #include "hexoderm/reconstruction/figures/surface_mesh.h"
 
+#include "hexoderm/util/units.h"
 #include "tests/support/matchers.h"
 #include "tests/support/result_builder.h"
 
