@@ -4,6 +4,8 @@
 
 #include "tests/support/hand_made_skins.h"
 
+#include <gtest/gtest.h>
+
 #include <QDir>
 #include <QFile>
 #include <QImage>
