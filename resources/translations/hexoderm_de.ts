@@ -2242,8 +2242,8 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>es gibt keine Zellen und damit in einer {}-Datei nichts zu zeichnen: stattdessen csv, dot, vtp oder urdf exportieren</translation>
     </message>
     <message>
-        <source>expected a Hexoderm session (*.hexo, or format &quot;hexoderm-session&quot;), a calibration (format &quot;hexoderm-calibration&quot;) or a TUM SkinConfig XML</source>
-        <translation>erwartet ist eine Hexoderm-Sitzung (*.hexo oder Format „hexoderm-session“), eine Kalibrierung (Format „hexoderm-calibration“) oder ein TUM-SkinConfig-XML</translation>
+        <source>expected a Hexoderm session (*.hexo, or format &quot;{}&quot;), a calibration (format &quot;{}&quot;) or a TUM SkinConfig XML</source>
+        <translation>erwartet ist eine Hexoderm-Sitzung (*.hexo oder Format „{}“), eine Kalibrierung (Format „{}“) oder ein TUM-SkinConfig-XML</translation>
     </message>
     <message>
         <source>is a recording, which is not opened but played: connect to it as replay:FILE</source>
