@@ -134,18 +134,4 @@ std::vector<std::filesystem::path> exportReconstruction(const Reconstruction& re
   return {path};
 }
 
-std::uint32_t qualityColor(EdgeQuality quality, bool dark) {
-  switch (quality) {
-    case EdgeQuality::Undefined:
-      return dark ? 0xD64A45 : 0x7F0D14;
-    case EdgeQuality::Partially:
-      return dark ? 0xFFDE3E : 0xE66F15;
-    case EdgeQuality::Fully:
-      return dark ? 0x87F5FA : 0x17A1CA;
-    case EdgeQuality::Over:
-      return dark ? 0x7A6BE8 : 0x3A1FB0;
-  }
-  throw InvalidArgument("qualityColor: no such quality");
-}
-
 }  // namespace hexoderm

@@ -44,7 +44,4 @@ std::vector<std::filesystem::path> exportReconstruction(const Reconstruction& re
                                                         const std::filesystem::path& path,
                                                         const ExportOptions& options = {});
 
-/// Colours of the four classes, 0xRRGGBB, on a light and on a dark background: the only table, for files and window.
-std::uint32_t qualityColor(EdgeQuality quality, bool dark);
-
 }  // namespace hexoderm
