@@ -1348,6 +1348,14 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Von %1 kam keine Haut.</translation>
     </message>
     <message>
+        <source>The skin does not send any more. Check its power and its connection: once it sends again, this goes on by itself.</source>
+        <translation>Die Haut sendet nicht mehr. Stromversorgung und Verbindung prüfen: Sobald sie wieder sendet, geht es von selbst weiter.</translation>
+    </message>
+    <message>
+        <source>Nothing more will come from this skin. The poses stay; connect to a skin to take more.</source>
+        <translation>Von dieser Haut kommt nichts mehr. Die Posen bleiben; für weitere mit einer Haut verbinden.</translation>
+    </message>
+    <message>
         <source>The placements are being worked out…</source>
         <translation>Die Lagen werden berechnet…</translation>
     </message>
