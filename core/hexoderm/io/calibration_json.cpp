@@ -1,7 +1,7 @@
 #include "hexoderm/io/calibration_json.h"
 
+#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/graph/cell_model_json.h"
-#include "hexoderm/util/covariance.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/limits.h"

@@ -1,8 +1,8 @@
 #include "hexoderm/io/session_json.h"
 
+#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/graph/cell_model_json.h"
 #include "hexoderm/session/session_parts_json.h"
-#include "hexoderm/util/covariance.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/json_reader.h"

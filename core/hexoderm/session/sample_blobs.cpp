@@ -1,6 +1,6 @@
 #include "hexoderm/session/sample_blobs.h"
 
-#include "hexoderm/util/covariance.h"
+#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/limits.h"
 #include "hexoderm/util/rounding.h"

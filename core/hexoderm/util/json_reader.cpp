@@ -112,6 +112,8 @@ class PathTracker : public nlohmann::json_sax<nlohmann::json> {
 /// twice, of which readers would take one or the other, and more levels or values than are read.
 class DocumentBuilder final : public PathTracker {
  public:
+  explicit DocumentBuilder(std::size_t most_values) : most_values_(most_values) {}
+
   bool null() override { return add(nullptr) && PathTracker::null(); }
   bool boolean(bool value) override { return add(value) && PathTracker::boolean(value); }
   bool number_integer(number_integer_t value) override { return add(value) && PathTracker::number_integer(value); }
@@ -152,6 +154,11 @@ class DocumentBuilder final : public PathTracker {
     return false;
   }
 
+  bool count() {
+    return ++values_ <= most_values_ ||
+           refuse(message("the file has too many values, at most {} are read", most_values_));
+  }
+
   /// The place of the next value, with the value in it.
   template <class Value>
   nlohmann::json& put(Value&& value) {
@@ -163,9 +170,7 @@ class DocumentBuilder final : public PathTracker {
 
   template <class Value>
   bool add(Value&& value) {
-    if (++values_ > kMostJsonValues) {
-      return refuse(message("the file has too many values, at most {} are read", kMostJsonValues));
-    }
+    if (!count()) return false;
     put(std::forward<Value>(value));
     return true;
   }
@@ -174,9 +179,7 @@ class DocumentBuilder final : public PathTracker {
     if (open_.size() >= kMostJsonLevels) {
       return refuse(message("is nested too deeply, at most {} levels are read", kMostJsonLevels));
     }
-    if (++values_ > kMostJsonValues) {
-      return refuse(message("the file has too many values, at most {} are read", kMostJsonValues));
-    }
+    if (!count()) return false;
     open_.push_back(&put(nlohmann::json(kind)));
     return true;
   }
@@ -184,6 +187,7 @@ class DocumentBuilder final : public PathTracker {
   nlohmann::json root_;
   std::vector<nlohmann::json*> open_;  ///< what is not closed yet, from outside to inside
   nlohmann::json* member_ = nullptr;   ///< of the innermost object, whose value comes next
+  std::size_t most_values_;
   std::size_t values_ = 0;
   Message refusal_;
 };
@@ -314,8 +318,8 @@ void appendReadable(const nlohmann::ordered_json& json, std::size_t indent, std:
 
 }  // namespace
 
-nlohmann::json parseJson(std::string_view text, const std::string& file) {
-  DocumentBuilder builder;
+nlohmann::json parseJson(std::string_view text, const std::string& file, std::size_t most_values) {
+  DocumentBuilder builder(most_values);
   if (nlohmann::json::sax_parse(text, &builder)) return builder.take();
   if (builder.refusal().empty()) throwParseError(text, file, builder);
   throw FormatError(located(file, located(placeOf(builder.path()), builder.refusal())));

@@ -49,7 +49,7 @@ bool isStillAt(const fs::path& path, int descriptor) {
 }
 
 /// A file system without locks has nobody who removes what is locked either.
-void lock(int descriptor) {
+void lockAlone(int descriptor) {
   while (::flock(descriptor, LOCK_EX) != 0 && errno == EINTR) continue;
 }
 
@@ -103,7 +103,7 @@ TemporaryFile::TemporaryFile(const fs::path& target, std::string name, Naming na
   if (!file_.valid()) {
     makeHidden();
   } else {
-    lock(file_.get());
+    lockAlone(file_.get());
   }
 }
 
@@ -120,7 +120,7 @@ void TemporaryFile::makeHidden() {
     if (!file_.valid() && errno == EEXIST) continue;
     if (!file_.valid()) fail();
     path_ = hidden;
-    lock(file_.get());
+    lockAlone(file_.get());
     if (isStillAt(path_, file_.get())) return;
     // Somebody took it for left behind before it was locked.
   }
@@ -218,7 +218,7 @@ TemporaryFolder::TemporaryFolder(const fs::path& parent, const std::string& name
       errno = error;
       throwCannotBeWritten(name);
     }
-    lock(lock_.get());
+    lockAlone(lock_.get());
     if (isStillAt(path_, lock_.get())) return;
     // Somebody took it for left behind before it was locked.
   }

@@ -53,7 +53,7 @@ bool steersTerminal(std::uint32_t code) {
   return is_control || breaks_line || turns_writing;
 }
 
-std::string escaped(std::uint32_t code) {
+std::string escapeOf(std::uint32_t code) {
   switch (code) {
     case '\n':
       return "\\n";
@@ -125,7 +125,7 @@ std::string forTerminal(std::string_view text) {
     if (!first) {
       line += fmt::format("\\x{:02x}", static_cast<unsigned char>(text.front()));
     } else if (steersTerminal(first->code)) {
-      line += escaped(first->code);
+      line += escapeOf(first->code);
     } else {
       line += text.substr(0, size);
     }
