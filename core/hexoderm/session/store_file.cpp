@@ -135,7 +135,7 @@ std::unique_ptr<StoreFile::RemoveFolder> copyToTemporaryFolder(const std::filesy
     }
     return copy;
   } catch (const std::filesystem::filesystem_error& error) {
-    throw StorageError(located(name, message("no copy can be made to read it: {}", error.what())));
+    throw StorageError(located(name, message("no copy can be made to read it: {}", systemReason(error.code()))));
   }
 }
 
