@@ -288,7 +288,8 @@ int run(const CaptureOptions& options, const Common& common) {
   if (there != std::filesystem::file_type::not_found) {
     throw StorageError(options.output + ": exists already; a capture never replaces a session");
   }
-  const std::unique_ptr<SkinSource> source = openSkinSource(options.source);
+  // A recording is an input file; devices complain in their own way.
+  const std::unique_ptr<SkinSource> source = asInput([&] { return openSkinSource(options.source); });
   PoseRecorderOptions recorder;
   recorder.keep_frames = options.keep_raw;
   CaptureEvents events(recorder);

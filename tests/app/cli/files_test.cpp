@@ -62,7 +62,8 @@ TEST_F(CliFiles, DashIsStandardOutput) {
   EXPECT_THAT(solve.err, AllOf(HasSubstr("Verdict: "), HasSubstr("standard output")));
   EXPECT_EQ(run("solve arm.session.json --quiet -o -").err, "");
   EXPECT_EQ(run("convert arm.hexo -o -").out, readFile(path("arm.session.json")));
-  EXPECT_EQ(run("convert arm.calibration.json -o -").out, readFile(path("arm.calibration.json")));
+  ASSERT_EQ(run("convert arm.calibration.json -o again.calibration.json").exit_code, 0);
+  EXPECT_EQ(run("convert arm.calibration.json -o -").out, readFile(path("again.calibration.json")));
   for (const std::string format : {"dot", "ply", "stl", "vtp", "urdf"}) {
     EXPECT_EQ(run("export arm.calibration.json --to " + format + " -o arm." + format).exit_code, 0);
     EXPECT_EQ(run("export arm.calibration.json --to " + format + " -o -").out, readFile(path("arm." + format)));
@@ -185,10 +186,11 @@ TEST_F(CliFiles, NamesInFilesReachTheTerminalWithoutWhatSteersIt) {
 
 TEST_F(CliFiles, OutputsAreWrittenIntoWhatIsNoFile) {
   ASSERT_EQ(::mkfifo(path("fifo").c_str(), 0600), 0);
-  const Outcome solve = run("solve arm.session.json --quiet -o fifo >/dev/null; wait", "cat fifo & ");
+  const Outcome solve = run("solve arm.session.json --quiet -o fifo >/dev/null; wait", "{ timeout 60 cat fifo & } && ");
   EXPECT_EQ(solve.out, readFile(path("arm.calibration.json"))) << solve.err;
   EXPECT_TRUE(std::filesystem::is_fifo(path("fifo")));
-  const Outcome exported = run("export arm.calibration.json --to stl -o fifo >/dev/null; wait", "cat fifo & ");
+  const Outcome exported =
+      run("export arm.calibration.json --to stl -o fifo >/dev/null; wait", "{ timeout 60 cat fifo & } && ");
   EXPECT_EQ(exported.out, run("export arm.calibration.json --to stl -o -").out);
   EXPECT_TRUE(std::filesystem::is_fifo(path("fifo")));
   if (::mknod(path("null").c_str(), S_IFCHR | 0666, makedev(1, 3)) == 0) {
@@ -203,12 +205,13 @@ TEST_F(CliFiles, OutputsThatCannotBeAreOneLineAndFive) {
   std::filesystem::create_symlink("gone", path("dangling"));
   const std::vector<std::string> before = names();
   const std::string long_name(256, 'n');
-  for (const std::string output : {std::string("loop"), std::string("dangling"), std::string("loop/x"), long_name,
-                                   std::string("nowhere/x"), std::string("arm.hexo/x"), std::string(".")}) {
+  for (const std::string& output : {std::string("loop"), std::string("dangling"), std::string("loop/x"), long_name,
+                                    std::string("nowhere/x"), std::string("arm.hexo/x"), std::string(".")}) {
     expectOneLine(run("solve arm.session.json -o " + output), 5);
     expectOneLine(run("export arm.calibration.json --to urdf -o " + output), 5);
   }
-  for (const std::string output : {std::string("loop"), long_name, std::string("nowhere/x"), std::string("arm.hexo")}) {
+  for (const std::string& output :
+       {std::string("loop"), long_name, std::string("nowhere/x"), std::string("arm.hexo")}) {
     expectOneLine(run("export arm.calibration.json --to csv -o " + output), 5);
   }
   for (const std::string& output : {std::string("loop/x"), long_name, std::string("nowhere/x")}) {
