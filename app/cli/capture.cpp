@@ -288,8 +288,7 @@ int run(const CaptureOptions& options, const Common& common) {
   if (there != std::filesystem::file_type::not_found) {
     throw StorageError(options.output + ": exists already; a capture never replaces a session");
   }
-  // A recording is an input file; devices complain in their own way.
-  const std::unique_ptr<SkinSource> source = asInput([&] { return openSkinSource(options.source); });
+  const std::unique_ptr<SkinSource> source = openSkinSource(options.source);
   PoseRecorderOptions recorder;
   recorder.keep_frames = options.keep_raw;
   CaptureEvents events(recorder);
@@ -299,7 +298,8 @@ int run(const CaptureOptions& options, const Common& common) {
   const InterruptGuard guard;
   Capture capture(options, common, *source, events);
   common.progress("Connecting to " + options.source + " ...");
-  source->start(recording ? static_cast<SkinListener&>(*recording) : events);
+  // A recording is an input file; devices complain in their own way.
+  asInput([&] { source->start(recording ? static_cast<SkinListener&>(*recording) : events); });
   try {
     capture.run();
   } catch (...) {

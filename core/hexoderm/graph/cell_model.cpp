@@ -16,7 +16,7 @@ namespace {
 constexpr double kLeast = 1e-12;
 constexpr double kMost = 1e9;
 /// Of any skin for a robot, in metres: whoever writes millimetres is told.
-constexpr double kLeastCellSide_m = 1e-4;
+constexpr double kLeastCellSide_m = 1e-3;
 constexpr double kMostCellLength_m = 1;
 
 /// Direction of a port in the surface: ports lie in the cell's plane but for what a model's vector says.

@@ -92,7 +92,7 @@ TEST_F(ExportStaging, KeepsTheRightsOfFilesThatItReplaces) {
 TEST_F(ExportStaging, NamesAFolderThatCannotBe) {
   write(in("file"), "");
   std::filesystem::create_symlink("loop", in("loop"));
-  for (const std::string name :
+  for (const std::string& name :
        {std::string(256, 'n'), std::string("loop"), std::string("file/out"), std::string("missing/out")}) {
     EXPECT_THAT(messageOf<StorageError>([&] {
                   publishFolder(in(name), {{"a.csv", "1", accept}});

@@ -87,7 +87,7 @@ TEST(SessionJson, ComesBackAsItWas) {
   GravitySample sample;
   sample.cell = CellId(4'294'967'295);
   sample.mean_g = {0.1 + 0.2, -5e-324, 1.0 / 3.0};
-  sample.cov_g2 << 1e-300, 2e-17, 1.1, 2e-17, 3e-9, -7.7, 1.1, -7.7, 0.3;
+  sample.cov_g2 << 2.5, 2e-17, 1.1 / 3, 2e-17, 3e-9, -5e-324, 1.1 / 3, -5e-324, 0.3;
   sample.count = 4'294'967'295;
   capture.samples = {sample};
   session.addPose({std::make_shared<const PoseCapture>(capture), true});
