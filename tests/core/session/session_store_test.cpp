@@ -331,7 +331,7 @@ TEST_F(SessionStoreTest, IsReadFromItsBytesAlone) {
   EXPECT_TRUE(beginsAsSessionStore(bytes));
   EXPECT_FALSE(beginsAsSessionStore("{}"));
   const Session session = parseSessionStore(bytes, "folder/pipe.hexo");
-  expectSame(session, readSessionStore(path_));
+  expectSameSession(session, readSessionStore(path_));
   EXPECT_EQ(session.source().file, "pipe.hexo");
   EXPECT_EQ(session.source().sha256, readSessionStore(path_).source().sha256);
   for (const std::size_t size : {std::size_t{16}, std::size_t{100}, bytes.size() / 2, bytes.size() - 1}) {
