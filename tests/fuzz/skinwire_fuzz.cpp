@@ -113,13 +113,15 @@ class Host {
     } else {
       fuzz::require(!decoded.reason.empty() || decoded.outcome == DecodeOutcome::UnknownType, "a reason");
     }
-    stream_.take(decoded);
-    stream_.reportCounters({});
+    now_ += std::chrono::milliseconds(100);
+    stream_.take(decoded, now_);
+    stream_.reportCounters(now_);
   }
 
  private:
   StrictListener listener_;
   SkinStream stream_;
+  SkinStream::Clock::time_point now_{};
 };
 
 std::vector<Decoded> decodeInPieces(std::optional<Framing> framing, ByteView bytes, std::size_t piece) {

@@ -17,8 +17,9 @@ using Effect = SkinStream::Effect;
 class SkinStreamTest : public testing::Test {
  protected:
   Effect take(const skinwire::Message& message) {
-    return stream.take(skinwire::decodeBody(skinwire::encodeBody(message)));
+    return take(skinwire::decodeBody(skinwire::encodeBody(message)));
   }
+  Effect take(const skinwire::Decoded& decoded) { return stream.take(decoded, now); }
   void describe() {
     take(skinwire::helloMessage());
     take(skinwire::topologyMessage());
@@ -31,6 +32,7 @@ class SkinStreamTest : public testing::Test {
 
   CollectingListener listener;
   SkinStream stream{listener};
+  SkinStream::Clock::time_point now{};
   int reports = 0;
 };
 
@@ -228,9 +230,9 @@ TEST_F(SkinStreamTest, SamplesAndMeansOfOneMomentAreBothDelivered) {
 TEST_F(SkinStreamTest, BrokenMessagesAreCountedAndOtherMajorsStop) {
   skinwire::Bytes body = skinwire::encodeBody(skinwire::helloMessage());
   body.back() ^= 1U;
-  EXPECT_EQ(stream.take(skinwire::decodeBody(body)), Effect::Nothing);
+  EXPECT_EQ(take(skinwire::decodeBody(body)), Effect::Nothing);
   EXPECT_EQ(status().rejected_messages, 1U);
-  EXPECT_EQ(stream.take(skinwire::decodeLine(R"({"major": 3})")), Effect::Incompatible);
+  EXPECT_EQ(take(skinwire::decodeLine(R"({"major": 3})")), Effect::Incompatible);
   EXPECT_THAT(stream.lastRejection().english(), HasSubstr("SkinWire 3, this program SkinWire 1"));
 }
 
