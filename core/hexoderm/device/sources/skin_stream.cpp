@@ -56,6 +56,8 @@ void SkinStream::restart() {
   assembler_.clear();
   has_topology_ = false;
   neighbors_.clear();
+  held_.reset();
+  is_model_held_ = false;
   device_text_ = {};
   startCounting();
 }

@@ -72,6 +72,7 @@ class SkinStream {
   /// Why the last message that was rejected was.
   [[nodiscard]] const Message& lastRejection() const { return last_rejection_; }
   [[nodiscard]] std::uint64_t rejectedMessages() const { return status_.rejected_messages; }
+  [[nodiscard]] std::uint64_t clockRestarts() const { return status_.clock_restarts; }
   /// The device's name, for status lines.
   [[nodiscard]] Message deviceName() const;
 
