@@ -93,6 +93,11 @@ class Started {
     if (::write(in_.ends[1], text.data(), text.size()) < 0) throw std::runtime_error("nothing is read");
   }
   /// Reads until the text has come.
+  std::string readLine() {
+    std::string line;
+    for (char c = 0; ::read(out_.ends[0], &c, 1) == 1 && c != '\n';) line += c;
+    return line;
+  }
   void waitForOutput(const std::string& text) { waitFor(text, out_.ends[0]); }
   void waitForError(const std::string& text) { waitFor(text, err_.ends[0]); }
   /// As a terminal does for Ctrl+C.
@@ -166,6 +171,18 @@ class SilentServer {
   int socket_ = -1;
   unsigned port_ = 0;
 };
+
+int connectTo(std::uint16_t port) {
+  const int host = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  sockaddr_in to{};
+  to.sin_family = AF_INET;
+  to.sin_port = htons(port);
+  to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  if (::connect(host, static_cast<const sockaddr*>(static_cast<const void*>(&to)), sizeof(to)) != 0) {
+    throw std::runtime_error("no connection");
+  }
+  return host;
+}
 
 constexpr int kByForce = 130;
 
@@ -322,9 +339,15 @@ std::vector<Case> cases() {
       {"EmulatorWithAHostThatDoesNotRead", {0},
        [](const std::string& folder) {
          Started program(emulator({"--tcp", "0", "--patch", "sheet:15x20", "--speed", "50"}), folder);
-         program.waitForOutput("exploring takes");
+         const std::string line = program.readLine();
+         const int host = connectTo(static_cast<std::uint16_t>(std::stoul(line.substr(line.rfind(':') + 1))));
+         program.waitForOutput("messages\n");
+         char byte = 0;
+         EXPECT_EQ(::recv(host, &byte, 1, 0), 1) << "it is served";
          program.interrupt();
-         return program.wait();
+         const Started::End end = program.wait();
+         ::close(host);
+         return end;
        }},
       {"EmulatorWhoseAnswersNobodyReads", {kByForce},
        [](const std::string& folder) {
