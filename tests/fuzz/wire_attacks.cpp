@@ -63,7 +63,12 @@ class Attacker {
 
   skinwire::Hello hello() {
     static constexpr std::array<const char*, 3> kModels = {"hex-bma150", "hex-bma150", "{\"name\": 1}"};
-    return {skinwire::kMinor, chance(50) ? "a" : "b\x1b[2J", oneOf(kModels), chance(50), chance(50), 1000,
+    return {skinwire::kMinor,
+            chance(50) ? "a" : "b\x1b[2J",
+            oneOf(kModels),
+            chance(50),
+            chance(50),
+            1000,
             static_cast<std::uint32_t>(upTo(2))};
   }
   skinwire::Topology topology() {
@@ -111,7 +116,8 @@ void append(const Bytes& bytes, Bytes& out) { out.insert(out.end(), bytes.begin(
 void append(std::string_view text, Bytes& out) { out.insert(out.end(), text.begin(), text.end()); }
 
 Bytes described(Framing framing) {
-  Bytes bytes = skinwire::encodeFrame(framing, skinwire::Hello{skinwire::kMinor, "skin", "hex-bma150", false, false, 0, 0});
+  Bytes bytes =
+      skinwire::encodeFrame(framing, skinwire::Hello{skinwire::kMinor, "skin", "hex-bma150", false, false, 0, 0});
   append(skinwire::encodeFrame(
              framing, skinwire::Topology{1, 0, 1, {{CellId(1), "", {}}, {CellId(2), "", {}}, {CellId(3), "", {}}}}),
          bytes);
@@ -122,10 +128,8 @@ struct Stream {
   Head head;
   Framing framing;
 };
-constexpr std::array<Stream, 4> kStreams = {{{kLength, Framing::Length},
-                                             {kCobs, Framing::Cobs},
-                                             {kLines, Framing::Lines},
-                                             {kDetected, Framing::Length}}};
+constexpr std::array<Stream, 4> kStreams = {
+    {{kLength, Framing::Length}, {kCobs, Framing::Cobs}, {kLines, Framing::Lines}, {kDetected, Framing::Length}}};
 
 Bytes begin(Attacker& attacker, const Stream& stream) {
   Bytes input = {stream.head, attacker.byte()};
@@ -137,12 +141,12 @@ Bytes begin(Attacker& attacker, const Stream& stream) {
 Bytes lengthLies(Attacker& attacker) {
   const Stream stream = attacker.chance(50) ? kStreams[0] : kStreams[3];
   Bytes input = begin(attacker, stream);
-  static constexpr std::array<std::uint32_t, 9> kLies = {0,         1,         5,          6,         7,
-                                                         1U << 20U, 1U << 24U, UINT32_MAX, 0x7B7B7B7B};
+  static constexpr std::array<std::uint32_t, 9> kLies = {0, 1, 5, 6, 7, 1U << 20U, 1U << 24U, UINT32_MAX, 0x7B7B7B7B};
   for (int k = 0; k < 20; ++k) {
     Bytes frame = skinwire::encodeFrame(stream.framing, attacker.anything());
     if (attacker.chance(20)) {
-      const std::uint32_t lie = attacker.chance(50) ? attacker.oneOf(kLies) : static_cast<std::uint32_t>(frame.size() + attacker.upTo(4)) - 6;
+      const std::uint32_t lie =
+          attacker.chance(50) ? attacker.oneOf(kLies) : static_cast<std::uint32_t>(frame.size() + attacker.upTo(4)) - 6;
       for (std::size_t b = 0; b < 4; ++b) frame.at(b) = static_cast<std::uint8_t>(lie >> (8 * b));
     }
     append(frame, input);
@@ -170,7 +174,8 @@ Bytes babble(Attacker& attacker) {
     Bytes frame = skinwire::encodeFrame(stream.framing, attacker.anything());
     if (attacker.chance(20)) {
       const Bytes inside = attacker.garbage(8);
-      frame.insert(frame.begin() + static_cast<std::ptrdiff_t>(attacker.upTo(frame.size())), inside.begin(), inside.end());
+      frame.insert(frame.begin() + static_cast<std::ptrdiff_t>(attacker.upTo(frame.size())), inside.begin(),
+                   inside.end());
     }
     if (attacker.chance(20)) frame.at(attacker.upTo(frame.size() - 1)) ^= attacker.byte();
     if (attacker.chance(20)) append(attacker.garbage(300), input);
@@ -235,11 +240,16 @@ std::vector<Bytes> largest() {
   const Stream lines = kStreams[2];
   for (const std::string_view nested : {"[", "{\"hello\":", "{\"samples\":{\"cells\":[", "\"", "1", "-", "\\u"}) {
     add(lines, [&](Bytes& input) {
-      for (std::size_t size = 0; size + nested.size() < skinwire::kMaxBody; size += nested.size()) append(nested, input);
+      for (std::size_t size = 0; size + nested.size() < skinwire::kMaxBody; size += nested.size())
+        append(nested, input);
       append("\n", input);
     });
   }
-  add(lines, [](Bytes& input) { append(R"({"samples":{"time_us":1e999,"cells":[-1,1e99,4294967296],"raw_lsb":[1e308]}})" "\n", input); });
+  add(lines, [](Bytes& input) {
+    append(R"({"samples":{"time_us":1e999,"cells":[-1,1e99,4294967296],"raw_lsb":[1e308]}})"
+           "\n",
+           input);
+  });
   // Cells without a word: two bytes each, in ten parts, more than there may be.
   add(kStreams[0], [](Bytes& input) {
     for (std::uint8_t part = 0; part < 10; ++part) {
@@ -275,7 +285,8 @@ int main() {
       const Bytes input = kind.make(attacker);
       LLVMFuzzerTestOneInput(input.data(), input.size());
     }
-    std::cout << kEach << " of " << kind.name << std::endl;  // the kind behind the last one named is the one that crashes
+    std::cout << kEach << " of " << kind.name
+              << std::endl;  // the kind behind the last one named is the one that crashes
   }
   const std::vector<Bytes> large = largest();
   for (const Bytes& input : large) LLVMFuzzerTestOneInput(input.data(), input.size());

@@ -219,8 +219,9 @@ std::string rowOfCells(int count) {
   for (int k = 1; k <= count; ++k) {
     lines += (k > 1 ? "," : "") + std::string(R"({"id": )") + std::to_string(k) + R"(, "ports": [)";
     if (k < count) lines += R"({"port": 1, "cell": )" + std::to_string(k + 1) + R"(, "cell_port": 3})";
-    if (k > 1) lines += (k < count ? "," : "") + std::string(R"({"port": 3, "cell": )") + std::to_string(k - 1) +
-                        R"(, "cell_port": 1})";
+    if (k > 1)
+      lines += (k < count ? "," : "") + std::string(R"({"port": 3, "cell": )") + std::to_string(k - 1) +
+               R"(, "cell_port": 1})";
     lines += "]}";
   }
   return lines + "]}}\n";
@@ -238,7 +239,8 @@ std::vector<std::string> emulator(std::vector<std::string> words) {
 std::vector<Case> cases() {
   using Read = Started::Read;
   return {
-      {"CaptureFromADeviceThatSaysNothing", {4},
+      {"CaptureFromADeviceThatSaysNothing",
+       {4},
        [](const std::string& folder) {
          const SilentServer device;
          Started program(cli({"capture", "--source", device.address(), "-o", "a.hexo"}), folder);
@@ -246,15 +248,18 @@ std::vector<Case> cases() {
          program.interrupt();
          return program.wait();
        }},
-      {"CaptureFromANameThatIsLookedUp", {4},
+      {"CaptureFromANameThatIsLookedUp",
+       {4},
        [](const std::string& folder) {
          return interruptWhenIdle(cli({"capture", "--source", "tcp://nobody.invalid:7700", "-o", "a.hexo"}), folder);
        }},
-      {"CaptureFromStandardInputWithoutAWord", {4},
+      {"CaptureFromStandardInputWithoutAWord",
+       {4},
        [](const std::string& folder) {
          return interruptWhenIdle(cli({"capture", "--source", "stdin", "-o", "a.hexo"}), folder);
        }},
-      {"CaptureFromASerialPortWithoutAWord", {4},
+      {"CaptureFromASerialPortWithoutAWord",
+       {4},
        [](const std::string& folder) {
          const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
          if (terminal < 0 || ::grantpt(terminal) != 0 || ::unlockpt(terminal) != 0) throw std::runtime_error("no pty");
@@ -263,24 +268,28 @@ std::vector<Case> cases() {
          ::close(terminal);
          return end;
        }},
-      {"CaptureFromARecordingThatNobodyWrites", {kByForce},
+      {"CaptureFromARecordingThatNobodyWrites",
+       {kByForce},
        [](const std::string& folder) {
          const std::string fifo = fifoIn(folder, "in.skinrec");
          return interruptWhenIdle(cli({"capture", "--source", "replay:" + fifo, "-o", "a.hexo"}), folder);
        }},
-      {"CaptureIntoARecordingThatNobodyReads", {kByForce},
+      {"CaptureIntoARecordingThatNobodyReads",
+       {kByForce},
        [](const std::string& folder) {
          const std::string fifo = fifoIn(folder, "out.skinrec");
          return interruptWhenIdle(cli({"capture", "--source", "sim:x17", "--record", fifo, "-o", "a.hexo"}), folder);
        }},
-      {"CaptureWhileTheStreamRunsAtFullSpeed", {0, 1},
+      {"CaptureWhileTheStreamRunsAtFullSpeed",
+       {0, 1},
        [](const std::string& folder) {
          Started program(cli({"capture", "--source", "sim:x17?speed=max", "--keep-raw", "-o", "a.hexo"}), folder);
          program.waitForError("Pose 1 captured");
          program.interrupt();
          return program.wait();
        }},
-      {"CaptureWhoseResultNobodyReads", {kByForce},
+      {"CaptureWhoseResultNobodyReads",
+       {kByForce},
        [](const std::string& folder) {
          Started program(cli({"capture", "--source", "sim:x17?speed=max", "--auto", "--poses", "2", "-o", "a.hexo"}),
                          folder, Read::Never);
@@ -288,14 +297,16 @@ std::vector<Case> cases() {
          program.interrupt();
          return program.wait();
        }},
-      {"CaptureWhoseRemarksNobodyReads", {kByForce},
+      {"CaptureWhoseRemarksNobodyReads",
+       {kByForce},
        [](const std::string& folder) {
          Started program(cli({"capture", "--source", "sim:x17", "-o", "a.hexo"}), folder, Read::Yes, Read::Never);
          program.waitUntilIdle();
          program.interrupt();
          return program.wait();
        }},
-      {"CaptureThatIsSolvingAHugeSkin", {0, 1, kByForce},
+      {"CaptureThatIsSolvingAHugeSkin",
+       {0, 1, kByForce},
        [](const std::string& folder) {
          Started program(cli({"capture", "--source", "stdin", "-o", "a.hexo"}), folder);
          program.write(rowOfCells(20'000));
@@ -303,40 +314,47 @@ std::vector<Case> cases() {
          program.interrupt();
          return program.wait();
        }},
-      {"SolveOfAFileThatNobodyWrites", {kByForce},
+      {"SolveOfAFileThatNobodyWrites",
+       {kByForce},
        [](const std::string& folder) {
          const std::string fifo = fifoIn(folder, "in.session.json");
          return interruptWhenIdle(cli({"solve", fifo}), folder);
        }},
-      {"SolveWhoseResultNobodyReads", {kByForce},
+      {"SolveWhoseResultNobodyReads",
+       {kByForce},
        [](const std::string& folder) {
          prepare("simulate -o a.session.json", folder);
          return interruptWhenIdle(cli({"solve", "a.session.json", "--json"}), folder, Read::Never);
        }},
-      {"SolveInTheMiddleOfIt", {kByForce},
+      {"SolveInTheMiddleOfIt",
+       {kByForce},
        [](const std::string& folder) {
          prepare("simulate --patch sheet:30x30 --poses 4 -o a.session.json", folder);
          Started program(cli({"solve", "a.session.json"}), folder);
          program.interrupt();
          return program.wait();
        }},
-      {"ConvertOfAFileThatNobodyWrites", {kByForce},
+      {"ConvertOfAFileThatNobodyWrites",
+       {kByForce},
        [](const std::string& folder) {
          const std::string fifo = fifoIn(folder, "in.session.json");
          return interruptWhenIdle(cli({"convert", fifo, "-o", "a.hexo"}), folder);
        }},
-      {"ExportOfAFileThatNobodyWrites", {kByForce},
+      {"ExportOfAFileThatNobodyWrites",
+       {kByForce},
        [](const std::string& folder) {
          const std::string fifo = fifoIn(folder, "in.calibration.json");
          return interruptWhenIdle(cli({"export", fifo, "--to", "urdf", "-o", "a.urdf"}), folder);
        }},
-      {"ReproduceInTheMiddleOfIt", {kByForce},
+      {"ReproduceInTheMiddleOfIt",
+       {kByForce},
        [](const std::string& folder) {
          Started program(cli({"reproduce"}), folder);
          program.interrupt();
          return program.wait();
        }},
-      {"EmulatorWithAHostThatDoesNotRead", {0},
+      {"EmulatorWithAHostThatDoesNotRead",
+       {0},
        [](const std::string& folder) {
          Started program(emulator({"--tcp", "0", "--patch", "sheet:15x20", "--speed", "50"}), folder);
          const std::string line = program.readLine();
@@ -349,7 +367,8 @@ std::vector<Case> cases() {
          ::close(host);
          return end;
        }},
-      {"EmulatorWhoseAnswersNobodyReads", {kByForce},
+      {"EmulatorWhoseAnswersNobodyReads",
+       {kByForce},
        [](const std::string& folder) {
          Started program(emulator({"--tcp", "0"}), folder);
          program.waitForOutput("messages\n");

@@ -91,7 +91,8 @@ SkinStream::Effect SkinStream::take(Decoded decoded, Clock::time_point now) {
   }
   if (const auto* samples = std::get_if<skinwire::Samples>(&decoded.message)) return takeSamples(*samples);
   if (const auto* hello = std::get_if<skinwire::Hello>(&decoded.message)) return takeHello(*hello, now);
-  if (auto* topology = std::get_if<skinwire::Topology>(&decoded.message)) return takeTopology(std::move(*topology), now);
+  if (auto* topology = std::get_if<skinwire::Topology>(&decoded.message))
+    return takeTopology(std::move(*topology), now);
   if (const auto* status = std::get_if<skinwire::Status>(&decoded.message)) {
     takeStatus(*status);
   } else if (const auto* ack = std::get_if<skinwire::Ack>(&decoded.message)) {
