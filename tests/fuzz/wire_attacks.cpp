@@ -10,6 +10,7 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <functional>
@@ -88,6 +89,8 @@ class Attacker {
     samples.period_us = static_cast<std::uint32_t>(chance(90) ? 1000 : upTo(UINT32_MAX));
     for (std::uint32_t id = 1; id <= 1 + upTo(3); ++id) samples.cells.push_back(id);
     const std::size_t ticks = 1 + upTo(2);
+    // What would be too late can't be encoded.
+    samples.time_us = std::min(samples.time_us, skinwire::kMaxTime_us - (ticks - 1) * std::uint64_t{samples.period_us});
     for (std::size_t k = 0; k < 3 * ticks * samples.cells.size(); ++k) {
       samples.raw_lsb.push_back(static_cast<std::int32_t>(upTo(1000)) - 500);
     }

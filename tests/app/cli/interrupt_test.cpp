@@ -309,8 +309,8 @@ std::vector<Case> cases() {
        {0, 1, kByForce},
        [](const std::string& folder) {
          Started program(cli({"capture", "--source", "stdin", "-o", "a.hexo"}), folder);
-         program.write(rowOfCells(20'000));
-         program.waitForError("20000 cells");
+         program.write(rowOfCells(8'000));
+         program.waitForError("8000 cells");
          program.interrupt();
          return program.wait();
        }},
@@ -390,7 +390,7 @@ TEST_P(Interrupt, EndsTheProgram) {
 }
 
 INSTANTIATE_TEST_SUITE_P(WhateverHoldsItUp, Interrupt, testing::ValuesIn(cases()),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& row) { return row.param.name; });
 
 TEST(InterruptTwice, EndsAtOnceAndSaysWhatIsKept) {
   const test::TemporaryFolder folder;
