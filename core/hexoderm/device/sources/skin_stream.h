@@ -2,6 +2,8 @@
 
 // Private to device/: what every source of SkinWire messages does with them.
 
+#include "hexoderm/device/diagnosis/offence_log.h"
+#include "hexoderm/device/diagnosis/plausibility.h"
 #include "hexoderm/device/skin_source.h"
 #include "hexoderm/device/skinwire/codec.h"
 #include "hexoderm/device/skinwire/description.h"
@@ -16,7 +18,8 @@
 namespace hexoderm {
 
 /// The host's end of SkinWire above the framing: puts the description together, checks samples against it, numbers and
-/// times, calls the listener, counts and reports. It knows no socket, no file and no clock.
+/// times, calls the listener, counts and reports, and names what the device does wrong. It knows no socket, no file and
+/// no clock.
 class SkinStream {
  public:
   using Clock = std::chrono::steady_clock;
@@ -56,10 +59,15 @@ class SkinStream {
   /// Tells the listener if counters changed and it was not told for half a second.
   void reportCounters(Clock::time_point now);
   void countReconnect() { ++status_.reconnects; }
-  void countRejected(const Message& why);
+  void countRejected(const Message& why, OffenceKind kind = OffenceKind::BrokenFrame);
+  /// Something that stays as it is while it is looked at: counted once.
+  void noteOnce(const std::optional<Offence>& offence);
+  /// False for what may come faster than the device's clock runs, such as a file.
+  void setPaced(bool is_paced) { is_paced_ = is_paced; }
   [[nodiscard]] SourceState state() const { return status_.state; }
 
  private:
+  void reject(const Message& why);
   Effect takeHello(const skinwire::Hello& hello);
   Effect takeTopology(skinwire::Topology part);
   Effect takeSamples(const skinwire::Samples& samples);
@@ -71,6 +79,19 @@ class SkinStream {
   static std::size_t kindOf(const skinwire::Samples& samples) { return samples.mean_g.empty() ? 0 : 1; }
   bool isLate(const skinwire::Samples& samples) const;
   void deliver(const skinwire::Samples& samples);
+  /// Counts an offence; the reason is made for the first one of its kind only.
+  template <class MakeReason>
+  void note(OffenceKind kind, std::uint64_t count, const MakeReason& reason);
+  void note(const std::optional<Offence>& offence);
+  void noteAllOf(const skinwire::Decoded& decoded);
+  void noteNewModel(const CellModel& before);
+  void noteUnknownCells(const skinwire::Samples& samples);
+  void noteLate(const skinwire::Samples& samples);
+  void noteSequence(const skinwire::Samples& samples);
+  void noteMissingDescription();
+  void judgeTopology();
+  void judgeFrame(const skinwire::Samples& samples, std::uint64_t time_us);
+  void judgeClock(Clock::time_point now);
   void tell(Clock::time_point now);
 
   SkinListener& listener_;
@@ -101,6 +122,15 @@ class SkinStream {
   std::vector<std::uint32_t> looked_up_indices_;  ///< kUnknown for cells that are not in the topology
   std::size_t looked_up_unknown_ = 0;
   SampleFrame frame_;
+
+  OffenceLog log_;
+  ReadingCheck reading_check_;
+  ClockCheck clock_check_;
+  bool is_paced_ = true;
+  bool is_exploring_ = false;
+  bool is_topology_judged_ = true;
+  bool was_heard_ = false;  ///< a message came on this connection
+  std::optional<Clock::time_point> undescribed_since_;
 };
 
 /// Control characters become spaces: what a device says appears on terminals.
