@@ -153,6 +153,10 @@ void Listening::judge(ListeningReport& report) const {
   } else if (const Message* unit = reasonOf(report.offences, {OffenceKind::AccelerationUnit, OffenceKind::NotGravity,
                                                               OffenceKind::TimeUnit, OffenceKind::NoTime})) {
     report.obstacle = *unit;
+  } else if (const Message* late = report.status.late_frames > report.status.frames
+                                       ? reasonOf(report.offences, {OffenceKind::TimeBackwards})
+                                       : nullptr) {
+    report.obstacle = *late;
   } else if (report.links_agreed == 0) {
     report.obstacle = message("There is no link that both of its cells report; a calibration needs joined cells.");
   } else if (!is_joined) {

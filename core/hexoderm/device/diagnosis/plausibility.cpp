@@ -55,7 +55,7 @@ std::optional<Offence> offenceOfNorm(double median_norm, const Accelerometer& ac
   }
   if (accelerometer.lsb_g > 0 && isNear(median_norm, 1 / accelerometer.lsb_g)) {
     return unitOffence(field, message("the norm of the readings is {} in the median: are these LSB, of which the cell "
-                                      "model has {} in 1 g? Expected g, and 1 g at rest; LSB go as raw_lsb",
+                                      "model has {} in 1 g? Expected g, and 1 g at rest",
                                       norm, Number{1 / accelerometer.lsb_g, 0}));
   }
   return Offence{OffenceKind::NotGravity,
@@ -68,10 +68,10 @@ void ReadingCheck::restart() { *this = {}; }
 
 std::optional<Offence> ReadingCheck::add(const SampleFrame& frame, const Accelerometer& accelerometer,
                                          const char* field) {
-  constexpr std::uint64_t kEvery = 8;
+  constexpr std::uint64_t kEvery = 4;
   constexpr std::uint32_t kFirst = 20;  // frames, which are looked at without a gap
   constexpr std::size_t kMostCells = 64;
-  constexpr std::uint32_t kJudgements = 3;  // a fall or a shock ends sooner
+  constexpr std::uint32_t kJudgements = 4;  // a fall or a shock ends sooner
   const std::uint64_t number = frames_++;
   if (number >= kFirst && number % kEvery != 0) return std::nullopt;
   for (const CellSample& sample : frame.samples) {
@@ -127,9 +127,10 @@ double ClockCheck::hostPerDevice(const Moment& from, const Moment& to) {
          static_cast<double>(to.device_us - from.device_us);
 }
 
-std::optional<Offence> ClockCheck::compare(std::uint64_t last_us, Clock::time_point now, bool is_paced) {
+std::optional<Offence> ClockCheck::compare(std::uint64_t last_us, Clock::time_point now, Pace pace) {
   constexpr std::uint32_t kLeastChanges = 10;
   constexpr auto kLeastTime = std::chrono::seconds(1);
+  if (pace == Pace::Free) return std::nullopt;
   if (!began_) {
     began_ = last_ = {last_us, now};
     return std::nullopt;
@@ -139,7 +140,7 @@ std::optional<Offence> ClockCheck::compare(std::uint64_t last_us, Clock::time_po
   const Moment moment{last_us, now};
   const double step = hostPerDevice(last_, moment);
   last_ = moment;
-  if ((step < 1 && !is_paced) || unitOfStep(step).empty()) {
+  if ((step < 1 && pace == Pace::Faster) || unitOfStep(step).empty()) {
     // One step alone may be the clock that was set.
     began_ = moment;
     changes_ = 0;

@@ -16,7 +16,7 @@ namespace hexoderm {
 /// 0.5 or above 2; nullopt if it may be g. `field` is where the readings were found.
 std::optional<Offence> offenceOfNorm(double median_norm, const Accelerometer& accelerometer, const char* field);
 
-/// Judges the norms of the readings that come, of up to 64 cells of every eighth frame.
+/// Judges the norms of the readings that come, of up to 64 cells of every fourth frame.
 class ReadingCheck {
  public:
   void restart();
@@ -40,9 +40,14 @@ class ClockCheck {
   /// The time of a cell's sample (no mean), which came after its last one. `stated_hz`: the rate by the device, 0: not
   /// known; `sensor_hz`: that of the cell model's accelerometer, which delivers no quicker.
   std::optional<Offence> addSample(CellId cell, std::uint64_t time_us, double stated_hz, double sensor_hz);
-  /// The last time that came, and the host's time now. `is_paced`: the device sends as fast as its clock runs; else, as
-  /// a file that is read, it may be faster.
-  std::optional<Offence> compare(std::uint64_t last_us, Clock::time_point now, bool is_paced);
+  /// How fast a device's times come.
+  enum class Pace {
+    Live,    ///< as its clock runs
+    Faster,  ///< so, or faster: a file in a pipe
+    Free,    ///< as somebody plays them
+  };
+  /// The last time that came, and the host's time now.
+  std::optional<Offence> compare(std::uint64_t last_us, Clock::time_point now, Pace pace);
 
  private:
   std::optional<CellId> cell_;  ///< whose steps are looked at

@@ -1,5 +1,6 @@
 #include "hexoderm/device/skinwire/framing.h"
 
+#include "hexoderm/device/skinwire/line_diagnosis.h"
 #include "hexoderm/util/text.h"
 
 #include <algorithm>
@@ -23,19 +24,6 @@ std::uint32_t littleEndian(ByteView bytes) {
   std::uint32_t value = 0;
   for (std::size_t k = 0; k < kLengthBytes; ++k) value |= std::uint32_t{bytes[k]} << (8 * k);
   return value;
-}
-
-/// Two messages of the line dialect with something else than a line feed in between.
-bool haveNoLineFeed(std::string_view text) {
-  constexpr std::string_view kFillings("\r \t;,\0", 6);
-  for (std::size_t end = text.find('}'); end != std::string_view::npos; end = text.find('}', end + 1)) {
-    const std::size_t next = text.find_first_not_of(kFillings, end + 1);
-    if (next == std::string_view::npos || text.substr(next, 2) != "{\"") continue;
-    for (const std::string_view name : {"hello", "topology", "samples", "status"}) {
-      if (text.substr(next + 2).starts_with(name)) return true;
-    }
-  }
-  return false;
 }
 
 /// Bytes that no terminal sends or takes, unlike those of its escape sequences.
@@ -186,8 +174,9 @@ std::optional<Offence> FrameDecoder::complaintOfWaiting() const {
         message("this looks like lines of JSON; on a serial port frames of bytes in COBS, each before a 0x00, are expected"),
         excerptOf(text)};
   }
-  if (*framing_ == Framing::Lines && haveNoLineFeed(text)) {
-    return Offence{OffenceKind::NoLineFeed, message("expected a line feed (0x0A) after every message"), excerptOf(text)};
+  if (*framing_ == Framing::Lines && lacksLineFeeds(text)) {
+    return Offence{OffenceKind::NoLineFeed, message("expected a line feed (0x0A) after every message"),
+                   excerptOf(text)};
   }
   return std::nullopt;
 }

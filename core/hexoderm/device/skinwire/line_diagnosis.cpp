@@ -199,6 +199,9 @@ std::string notFiniteWordAt(std::string_view line, std::size_t at) {
 }
 
 Offence notJson(std::string_view line, std::size_t byte) {
+  if (lacksLineFeeds(line)) {
+    return {OffenceKind::NoLineFeed, message("expected a line feed (0x0A) after every message")};
+  }
   const std::size_t at = byte == 0 ? 0 : byte - 1;
   if (const std::string word = notFiniteWordAt(line, at); !word.empty()) {
     return {OffenceKind::WrongValue,
@@ -214,6 +217,18 @@ Offence notJson(std::string_view line, std::size_t byte) {
 }
 
 }  // namespace
+
+bool lacksLineFeeds(std::string_view text) {
+  constexpr std::string_view kFillings("\r \t;,\0", 6);
+  for (std::size_t end = text.find('}'); end != std::string_view::npos; end = text.find('}', end + 1)) {
+    const std::size_t next = text.find_first_not_of(kFillings, end + 1);
+    if (next == std::string_view::npos || text.substr(next, 2) != "{\"") continue;
+    for (const std::string_view name : {"hello", "topology", "samples", "status"}) {
+      if (text.substr(next + 2).starts_with(name)) return true;
+    }
+  }
+  return false;
+}
 
 std::vector<Offence> offencesOfLine(std::string_view line) {
   try {

@@ -90,8 +90,10 @@ class SkinStream {
   void countRejected(const Message& why, OffenceKind kind = OffenceKind::BrokenFrame);
   /// Something that stays as it is while it is looked at: counted once.
   void noteOnce(const std::optional<Offence>& offence);
-  /// False for what may come faster than the device's clock runs, such as a file.
-  void setPaced(bool is_paced) { is_paced_ = is_paced; }
+  /// The connection begins in the middle of a frame: that is no offence.
+  void forgiveFirstPiece() { is_first_piece_forgiven_ = true; }
+  /// Live unless told otherwise.
+  void setPace(ClockCheck::Pace pace) { pace_ = pace; }
   [[nodiscard]] SourceState state() const { return status_.state; }
 
  private:
@@ -162,9 +164,10 @@ class SkinStream {
   OffenceLog log_;
   ReadingCheck reading_check_;
   ClockCheck clock_check_;
-  bool is_paced_ = true;
+  ClockCheck::Pace pace_ = ClockCheck::Pace::Live;
   bool is_exploring_ = false;
   bool is_topology_judged_ = true;
+  bool is_first_piece_forgiven_ = false;
   bool was_heard_ = false;  ///< a message came on this connection
   std::optional<Clock::time_point> undescribed_since_;
 };

@@ -5,6 +5,8 @@
 #include "hexoderm/util/text.h"
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
 namespace hexoderm {
 namespace {
@@ -38,6 +40,9 @@ void SkinStream::noteOnce(const std::optional<Offence>& offence) {
 }
 
 void SkinStream::noteAllOf(const skinwire::Decoded& decoded) {
+  const bool is_rest_of_a_frame = std::exchange(is_first_piece_forgiven_, false) &&
+                                  decoded.outcome == skinwire::DecodeOutcome::Broken && decoded.major == 0;
+  if (is_rest_of_a_frame) return;
   was_heard_ = true;
   // A later minor version has fields and messages that this one does not know.
   const bool is_newer = has_hello_ && hello_.minor > skinwire::kMinor;
@@ -112,7 +117,7 @@ void SkinStream::judgeClock(Clock::time_point now) {
   constexpr auto kPatience = std::chrono::seconds(2);
   if (isDescribed()) {
     undescribed_since_.reset();
-    if (last_us_ > 0) note(clock_check_.compare(last_us_, now, is_paced_));
+    if (last_us_ > 0) note(clock_check_.compare(last_us_, now, pace_));
     return;
   }
   if (!was_heard_ || is_exploring_) return undescribed_since_.reset();

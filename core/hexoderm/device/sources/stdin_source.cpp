@@ -152,7 +152,7 @@ void StdinSource::start(SkinListener& listener) {
   }
   impl_->listener = &listener;
   impl_->stream.emplace(listener);
-  impl_->stream->setPaced(false);  // it may be a file
+  impl_->stream->setPace(ClockCheck::Pace::Faster);
   impl_->thread = std::thread([impl = impl_.get()] { impl->run(); });
 }
 

@@ -60,6 +60,7 @@ void WireConnection::connect() {
   switch (address_.kind) {
     case WireAddress::Kind::Serial:
       decoder_ = skinwire::FrameDecoder(Framing::Cobs);
+      stream_.forgiveFirstPiece();
       break;
     case WireAddress::Kind::Tcp:
     case WireAddress::Kind::Udp:  // which does not use it
