@@ -2,6 +2,7 @@
 
 #include "hexoderm/device/skinwire/crc32c.h"
 #include "hexoderm/device/skinwire/line_diagnosis.h"
+#include "hexoderm/device/skinwire/little_endian.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
 
@@ -266,12 +267,6 @@ void checkBeforeEncoding(const Message& message) {
   if (const Complaint why = complaint(message); !why.empty()) {
     throw InvalidArgument(hexoderm::message("a message can't be sent: {}", why.reason));
   }
-}
-
-std::uint32_t littleEndian(ByteView bytes) {
-  std::uint32_t value = 0;
-  for (std::size_t k = 0; k < sizeof(value); ++k) value |= std::uint32_t{bytes[k]} << (8 * k);
-  return value;
 }
 
 std::uint32_t byteSwapped(std::uint32_t value) {

@@ -1,6 +1,7 @@
 #include "hexoderm/device/skinwire/framing.h"
 
 #include "hexoderm/device/skinwire/line_diagnosis.h"
+#include "hexoderm/device/skinwire/little_endian.h"
 #include "hexoderm/util/text.h"
 
 #include <algorithm>
@@ -18,12 +19,6 @@ constexpr std::size_t kMaxCobs = kMaxBody + kMaxBody / kCobsBlock + 1;
 /// Whether a line is blank.
 bool isBlank(ByteView piece) {
   return std::ranges::all_of(piece, [](std::uint8_t c) { return c == ' ' || c == '\t' || c == '\r'; });
-}
-
-std::uint32_t littleEndian(ByteView bytes) {
-  std::uint32_t value = 0;
-  for (std::size_t k = 0; k < kLengthBytes; ++k) value |= std::uint32_t{bytes[k]} << (8 * k);
-  return value;
 }
 
 /// Bytes that no terminal sends or takes, unlike those of its escape sequences.

@@ -157,7 +157,7 @@ class LineInspector {
       case FieldDescriptor::CPPTYPE_UINT64:
         return inspectWhole(value, place, 0, std::numeric_limits<std::int64_t>::max());
       default:
-        return inspectNumber(value, place);
+        inspectNumber(value, place);
     }
   }
 
