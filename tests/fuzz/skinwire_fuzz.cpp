@@ -39,6 +39,10 @@ class StrictListener final : public SkinListener {
     skin.model->validate();
     known_.clear();
     for (const CellReport& cell : skin.neighbors) known_.insert(cell.id);
+    // A cell that was away begins anew.
+    for (std::set<CellId>* cells : {&sampled_, &averaged_}) {
+      std::erase_if(*cells, [this](CellId cell) { return !known_.contains(cell); });
+    }
     described_ = true;
   }
   void onFrame(const SampleFrame& frame) override {

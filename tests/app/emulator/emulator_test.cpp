@@ -1,6 +1,7 @@
 // The emulator as a user would start it, and the library's own source as its host.
 
 #include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/device/skinwire/framing.h"
 #include "hexoderm/device/sources/wire_source.h"
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/util/units.h"

@@ -97,7 +97,8 @@ SkinStream::Effect SkinStream::take(Decoded decoded, Clock::time_point now) {
   }
   if (const auto* samples = std::get_if<skinwire::Samples>(&decoded.message)) return takeSamples(*samples);
   if (const auto* hello = std::get_if<skinwire::Hello>(&decoded.message)) return takeHello(*hello, now);
-  if (auto* topology = std::get_if<skinwire::Topology>(&decoded.message)) return takeTopology(std::move(*topology), now);
+  if (auto* topology = std::get_if<skinwire::Topology>(&decoded.message))
+    return takeTopology(std::move(*topology), now);
   if (const auto* status = std::get_if<skinwire::Status>(&decoded.message)) {
     takeStatus(*status);
   } else if (const auto* ack = std::get_if<skinwire::Ack>(&decoded.message)) {
@@ -193,11 +194,18 @@ void SkinStream::tend(Clock::time_point now) {
 }
 
 void SkinStream::indexCells() {
-  index_of_.clear();
+  const auto before = std::exchange(index_of_, {});
   for (const CellReport& cell : announced_->neighbors) {
     index_of_.try_emplace(cell.id.value(), static_cast<std::uint32_t>(index_of_.size()));
   }
-  for (auto& last_us : cell_last_us_) last_us.assign(index_of_.size(), 0);
+  // What came of a cell that stays must not come again.
+  for (auto& last_us : cell_last_us_) {
+    std::vector<std::uint64_t> of_before(index_of_.size(), 0);
+    of_before.swap(last_us);
+    for (const auto& [cell, index] : index_of_) {
+      if (const auto known = before.find(cell); known != before.end()) last_us[index] = of_before[known->second];
+    }
+  }
   forgetLookUp();
 }
 

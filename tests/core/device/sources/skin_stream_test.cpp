@@ -16,9 +16,7 @@ using Effect = SkinStream::Effect;
 
 class SkinStreamTest : public testing::Test {
  protected:
-  Effect take(const skinwire::Message& message) {
-    return take(skinwire::decodeBody(skinwire::encodeBody(message)));
-  }
+  Effect take(const skinwire::Message& message) { return take(skinwire::decodeBody(skinwire::encodeBody(message))); }
   Effect take(const skinwire::Decoded& decoded) { return stream.take(decoded, now); }
   void describe() {
     take(skinwire::helloMessage());
