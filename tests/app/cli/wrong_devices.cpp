@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <regex>
 #include <stdexcept>
 
@@ -17,6 +18,7 @@ using Kind = OffenceKind;
 
 constexpr int kMessages = 300;
 constexpr int kStep_us = 10'000;
+constexpr double kNoise_g = 0.004;
 
 /// The built-in model's JSON text with one text replaced.
 std::string modelWith(const std::string& from, const std::string& to) {
@@ -109,12 +111,12 @@ Device Device::right() {
                       Json::array({{{"id", 1}, {"ports", Json::array({port(1, 2, 3)})}},
                                    {{"id", 2}, {"ports", Json::array({port(3, 1, 1), port(1, 3, 3)})}},
                                    {{"id", 3}, {"ports", Json::array({port(3, 2, 1)})}}})}};
+  std::mt19937 random(1);  // the same noise in every run
+  const auto noise_g = [&random] { return kNoise_g * std::sqrt(12.0) * (static_cast<double>(random()) / 4294967296.0 - 0.5); };
   for (int k = 0; k < kMessages; ++k) {
     Json readings = Json::array();
     for (int c = 0; c < 3; ++c) {
-      // Noise that is the same in every run.
-      const double noise = 0.005 * std::sin(37.0 * k + 11.0 * c);
-      readings.insert(readings.end(), {0.6 + noise, -noise, 0.8 + 0.5 * noise});
+      for (const double value_g : {0.6, 0.0, 0.8}) readings.push_back(value_g + noise_g());
     }
     device.samples.push_back({{"sequence", 3 * k},
                               {"time_us", 5'000'000 + kStep_us * k},
@@ -160,7 +162,7 @@ const std::vector<WrongDevice>& wrongDevices() {
   static const std::vector<WrongDevice> devices = {
       // what came is no message
       {"not JSON", asSent([](auto) { return "12.5;0.1;0.2;0.9\n12.6;0.1;0.2;0.9\n"; }), Kind::NotJson, "character 5 is not JSON any more"},
-      {"text of Python", asSent([](auto t) { return replaced(t, "\"", "'"); }), Kind::NotJson, "character 2 is not JSON any more"},
+      {"text of Python", asSent([](auto t) { return replaced(replaced(t, "\"", "'"), "100\\}", "100, 'can_turn': True}"); }), Kind::NotJson, "character 2 is not JSON any more"},
       {"JSON in several lines", asSent([](auto t) { return replaced(t, "\\{", "{\n"); }), Kind::NotJson, "ends in the middle of its JSON"},
       {"lines in a list", asSent([](auto t) { return "[" + replaced(t.substr(0, t.size() - 1), "\n", ",") + "]\n"; }), Kind::NotAMessage, "found an array of 302"},
       {"a list of numbers", asSent([](auto) { return "[1, 0.1, 0.2, 0.9]\n[2, 0.1, 0.2, 0.9]\n"; }), Kind::NotAMessage, "found an array of 4"},
@@ -182,7 +184,7 @@ const std::vector<WrongDevice>& wrongDevices() {
       {"misspelt cell model", [](Device& d) { rename(d.hello, "cell_model", "model"); }, Kind::UnknownField, "hello.model: there is no such field; did you mean cell_model?"},
       {"misspelt port", [](Device& d) { rename(cell(d, 0)["ports"][0], "cell_port", "cellport"); }, Kind::UnknownField, "topology.cells[0].ports[0].cellport: there is no such field; did you mean cell_port?", true},
       {"texts with units", eachSamples([](Json& s) { s["acceleration_g"][1] = "0.1 g"; }), Kind::WrongType, "samples.acceleration_g[1]: expected a number, found \"0.1 g\""},
-      {"nested readings", eachSamples([](Json& s) { s["acceleration_g"] = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}; }), Kind::WrongType, "samples.acceleration_g[0]: expected a number, found an array of 3"},
+      {"axes by name", eachSamples([](Json& s) { s["acceleration_g"] = Json::array({{{"x", 0}, {"y", 0}, {"z", 1}}}); }), Kind::WrongType, "samples.acceleration_g[0]: expected a number, found an object"},
       {"readings in an object", eachSamples([](Json& s) { s["acceleration_g"] = {{"1", {0, 0, 1}}}; }), Kind::WrongType, "samples.acceleration_g: expected an array, found an object"},
       {"a cell model that is no text", [](Device& d) { d.hello["cell_model"] = Json::parse(modelWith("", "")); }, Kind::WrongType, "a cell model goes as the text of its JSON"},
       {"a list of cells by name", eachSamples([](Json& s) { s["cells"] = {"a", "b", "c"}; }), Kind::WrongType, "samples.cells[0]: expected a number, found \"a\""},

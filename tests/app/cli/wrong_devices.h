@@ -22,7 +22,7 @@ struct Device {
   std::vector<Json> more;                              ///< whole lines, sent after the samples
   std::function<std::string(std::string)> as_sent{};   ///< of all lines, in place of the lines themselves
 
-  /// Three seconds of three cells at 100 Hz, at rest with a noise of about 4 mg.
+  /// Three seconds of three cells at 100 Hz, at rest with a noise of 4 mg.
   static Device right();
   [[nodiscard]] std::string lines() const;
   /// `change` of every message of samples.

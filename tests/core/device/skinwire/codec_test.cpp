@@ -177,6 +177,45 @@ TEST(SkinWireCodec, RefusesLinesThatAreNoMessages) {
   }
 }
 
+TEST(SkinWireCodec, NamesFieldsThatItDoesNotKnowInMessagesThatItUnderstands) {
+  const Decoded line = decodeLine(R"({"status": {"text": "x", "explorng": true}})");
+  ASSERT_EQ(line.outcome, DecodeOutcome::Understood);
+  ASSERT_EQ(line.offences.size(), 1U);
+  EXPECT_EQ(line.offences[0].kind, OffenceKind::UnknownField);
+  EXPECT_THAT(line.reason().english(), HasSubstr("status.explorng: there is no such field; did you mean exploring?"));
+  EXPECT_THAT(line.offences[0].excerpt, HasSubstr(R"({"status": {"text")"));
+  const Decoded body = decodeBody(bodyOf(kMajor, 4, {0x0A, 0x01, 'x', 0xC2, 0x3E, 0x02, 'h', 'i'}));
+  ASSERT_EQ(body.offences.size(), 1U);
+  EXPECT_EQ(body.reason().english(), "Status has no field with the number 1000");
+  EXPECT_TRUE(decodeLine(R"({"status": {"text": "x", "exploring": true}})").offences.empty());
+}
+
+TEST(SkinWireCodec, TellsOtherDialectsAndChecksumsFromNoise) {
+  const auto kindOf = [](const Bytes& body) { return decodeBody(body).offences.at(0).kind; };
+  const std::string line = encodeLine(helloMessage());
+  EXPECT_EQ(kindOf(Bytes(line.begin(), line.end())), OffenceKind::WrongDialect);
+  const Bytes good = encodeBody(helloMessage());
+  Bytes with_length = {static_cast<std::uint8_t>(good.size()), 0, 0, 0};
+  with_length.insert(with_length.end(), good.begin(), good.end());
+  EXPECT_EQ(kindOf(with_length), OffenceKind::WrongDialect);
+  Bytes swapped = good;
+  std::reverse(swapped.end() - 4, swapped.end());
+  EXPECT_THAT(decodeBody(swapped).reason().english(), HasSubstr("big-endian"));
+  Bytes noise = good;
+  noise[5] ^= 1U;
+  EXPECT_EQ(decodeBody(noise).reason().english(), "the CRC is wrong");
+}
+
+TEST(SkinWireCodec, ExcerptsAreShortAndPrintable) {
+  const Decoded decoded = decodeLine("\x1b[31m" + std::string(100'000, '\x07'));
+  ASSERT_FALSE(decoded.offences.empty());
+  for (const Offence& offence : decoded.offences) {
+    EXPECT_LE(offence.excerpt.size(), 83U);
+    EXPECT_EQ(offence.excerpt.substr(0, 12), "\\x1b[31m\\x07");
+  }
+  EXPECT_LT(decodeLine("{\"" + std::string(100'000, 'k') + "\": 1}").reason().english().size(), 300U);
+}
+
 TEST(SkinWireCodec, RefusesToSendWhatDoesNotFitAFrame) {
   Samples samples;
   samples.cells = {1};
