@@ -59,7 +59,12 @@ class Capture final : public CaptureOwner {
 
  public:
   Capture(const CaptureOptions& options, const Common& common, SkinSource& source, CaptureEvents& events)
-      : options_(options), common_(common), source_(source), events_(events), course_(*this, courseOptions(options)), offences_(common) {}
+      : options_(options),
+        common_(common),
+        source_(source),
+        events_(events),
+        course_(*this, courseOptions(options)),
+        offences_(common) {}
 
   /// Returns when there are enough poses, the stream is over, or the user ends it.
   void run() {

@@ -31,7 +31,8 @@ class Ear final : public SkinListener {
     listening_.onStatus(status);
     const std::lock_guard lock(mutex_);
     status_ = status;
-    was_connected_ = was_connected_ || (status.state != SourceState::Stopped && status.state != SourceState::Connecting);
+    was_connected_ =
+        was_connected_ || (status.state != SourceState::Stopped && status.state != SourceState::Connecting);
   }
   void onCommandOutcome(const CommandOutcome& /*outcome*/) override {}
 
@@ -94,28 +95,28 @@ Json toJson(const ListeningReport& report, const ListenOptions& options) {
   }
   auto silent = Json::array();
   for (const CellId cell : report.silent_cells) silent.push_back(cell.value());
-  return {{"source", options.source},
-          {"ready", report.obstacle.empty()},
-          {"obstacle", report.obstacle.english()},
-          {"status", status.message.english()},
-          {"device", report.device},
-          {"cell_model", report.cell_model},
-          {"rate_hz", spreadJson(report.rate_hz)},
-          {"norm_g", spreadJson(report.norm_g)},
-          {"noise_mg", spreadJson(report.noise_g, kMilli)},
-          {"links", {{"agreed", report.links_agreed},
-                     {"one_sided", report.links_one_sided},
-                     {"unusable", report.links_unusable}}},
-          {"frames", status.frames},
-          {"lost_samples", status.lost_samples},
-          {"dropped_by_device", status.dropped_by_device},
-          {"late_frames", status.late_frames},
-          {"unknown_samples", status.unknown_samples},
-          {"rejected_messages", status.rejected_messages},
-          {"reconnects", status.reconnects},
-          {"silent_cells", std::move(silent)},
-          {"cells", std::move(cells)},
-          {"offences", cli::toJson(report.offences)}};
+  return {
+      {"source", options.source},
+      {"ready", report.obstacle.empty()},
+      {"obstacle", report.obstacle.english()},
+      {"status", status.message.english()},
+      {"device", report.device},
+      {"cell_model", report.cell_model},
+      {"rate_hz", spreadJson(report.rate_hz)},
+      {"norm_g", spreadJson(report.norm_g)},
+      {"noise_mg", spreadJson(report.noise_g, kMilli)},
+      {"links",
+       {{"agreed", report.links_agreed}, {"one_sided", report.links_one_sided}, {"unusable", report.links_unusable}}},
+      {"frames", status.frames},
+      {"lost_samples", status.lost_samples},
+      {"dropped_by_device", status.dropped_by_device},
+      {"late_frames", status.late_frames},
+      {"unknown_samples", status.unknown_samples},
+      {"rejected_messages", status.rejected_messages},
+      {"reconnects", status.reconnects},
+      {"silent_cells", std::move(silent)},
+      {"cells", std::move(cells)},
+      {"offences", cli::toJson(report.offences)}};
 }
 
 void printSpread(const std::string& name, const std::optional<Spread>& spread, const std::string& unit, int decimals,
@@ -130,8 +131,19 @@ void printSpread(const std::string& name, const std::optional<Spread>& spread, c
             << figure(spread->most) << '\n';
 }
 
+constexpr std::size_t kMost = 32;  // cells that are listed
+
+void printSilent(const std::vector<CellId>& cells) {
+  if (cells.empty()) return;
+  std::cout << "Silent: ";
+  if (cells.size() > kMost) {
+    std::cout << cells.size() << " cells\n";
+  } else {
+    std::cout << (cells.size() == 1 ? "cell " : "cells ") << listInWords(cells) << '\n';
+  }
+}
+
 void printCells(const std::vector<CellHeard>& cells) {
-  constexpr std::size_t kMost = 32;
   std::cout << "Cell  readings  rate (Hz)  norm (g)  noise (mg)\n";
   const auto column = [](const std::string& text, std::size_t width) {
     return std::string(width > text.size() ? width - text.size() : 0, ' ') + text;
@@ -159,10 +171,7 @@ void print(const ListeningReport& report) {
     printSpread("Rate of a cell", report.rate_hz, "Hz", 1);
     printSpread("Norm of the readings", report.norm_g, "g", 3);
     printSpread("Noise of a cell", report.noise_g, "mg", 1, kMilli);
-    if (!report.silent_cells.empty()) {
-      std::cout << "Silent: " << (report.silent_cells.size() == 1 ? "cell " : "cells ")
-                << listInWords(report.silent_cells) << '\n';
-    }
+    printSilent(report.silent_cells);
   }
   std::cout << "On the way: " << status.frames << " frames, " << status.lost_samples << " samples lost, "
             << status.late_frames << " frames late, " << status.unknown_samples << " samples of unknown cells, "

@@ -183,10 +183,14 @@ INSTANTIATE_TEST_SUITE_P(Wires, EmulatorOnAWire,
 
 TEST_F(CliListen, AnEmulatorWithABrokenPortIsToldWhichLinkIsOneSided) {
   const Emulator emulator({"--tcp", "0", "--patch", "sheet:3x3"});
+  expectNothingWrong(run("listen " + emulator.address + " --for 1 --json"));  // it has explored once
   ASSERT_THAT(emulator.type("break deaf 5 1"), Not(IsEmpty()));
   ASSERT_THAT(emulator.type("explore"), Not(IsEmpty()));
   const Outcome outcome = run("listen " + emulator.address + " --for 2 --json");
-  EXPECT_NE(findOffence(json::parse(outcome.out), OffenceKind::OneSidedLink), nullptr) << outcome.out << outcome.err;
+  const json report = json::parse(outcome.out);
+  const json* offence = findOffence(report, OffenceKind::OneSidedLink);
+  ASSERT_NE(offence, nullptr) << outcome.out << outcome.err;
+  EXPECT_THAT(offence->at("reason").get<std::string>(), HasSubstr("link 9 port 4 - 5 port 1"));
 }
 
 // ---- capture

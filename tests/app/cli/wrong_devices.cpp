@@ -107,12 +107,13 @@ Device Device::right() {
     return Json{{"port", number}, {"cell", cell}, {"cell_port", cell_port}};
   };
   device.topology = {{"id", 1},
-                     {"cells",
-                      Json::array({{{"id", 1}, {"ports", Json::array({port(1, 2, 3)})}},
-                                   {{"id", 2}, {"ports", Json::array({port(3, 1, 1), port(1, 3, 3)})}},
-                                   {{"id", 3}, {"ports", Json::array({port(3, 2, 1)})}}})}};
+                     {"cells", Json::array({{{"id", 1}, {"ports", Json::array({port(1, 2, 3)})}},
+                                            {{"id", 2}, {"ports", Json::array({port(3, 1, 1), port(1, 3, 3)})}},
+                                            {{"id", 3}, {"ports", Json::array({port(3, 2, 1)})}}})}};
   std::mt19937 random(1);  // the same noise in every run
-  const auto noise_g = [&random] { return kNoise_g * std::sqrt(12.0) * (static_cast<double>(random()) / 4294967296.0 - 0.5); };
+  const auto noise_g = [&random] {
+    return kNoise_g * std::sqrt(12.0) * (static_cast<double>(random()) / 4294967296.0 - 0.5);
+  };
   for (int k = 0; k < kMessages; ++k) {
     Json readings = Json::array();
     for (int c = 0; c < 3; ++c) {

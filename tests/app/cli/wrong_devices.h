@@ -19,8 +19,8 @@ struct Device {
   Json hello;
   Json topology;
   std::vector<Json> samples;
-  std::vector<Json> more;                              ///< whole lines, sent after the samples
-  std::function<std::string(std::string)> as_sent{};   ///< of all lines, in place of the lines themselves
+  std::vector<Json> more;                             ///< whole lines, sent after the samples
+  std::function<std::string(std::string)> as_sent{};  ///< of all lines, in place of the lines themselves
 
   /// Three seconds of three cells at 100 Hz, at rest with a noise of 4 mg.
   static Device right();

@@ -154,7 +154,8 @@ TEST(CellModelJson, NamesTheKeyPathOfWhatIsWrong) {
 TEST(CellModelJson, RefusesKeysThatItDoesNotKnowAndNamesWhatWasMeant) {
   EXPECT_THAT(complaintWith("\"side_m\"", "\"sidem\""),
               saysAll("m.json: sidem: there is no such key; did you mean side_m?"));
-  EXPECT_THAT(complaintWith("\"yaw_sigma_rad\"", "\"yaw_sigma\""), saysAll("m.json: yaw_sigma:", "mean yaw_sigma_rad?"));
+  EXPECT_THAT(complaintWith("\"yaw_sigma_rad\"", "\"yaw_sigma\""),
+              saysAll("m.json: yaw_sigma:", "mean yaw_sigma_rad?"));
   EXPECT_THAT(complaintWith("\"lsb_g\"", "\"LSB_g\""), saysAll("m.json: accelerometer.LSB_g:", "mean lsb_g?"));
   EXPECT_THAT(complaintWith("\"vector_m\"", "\"vector\""), saysAll("m.json: ports[0].vector:", "mean vector_m?"));
   EXPECT_THAT(complaintWith("\"type\"", "\"kind\""),

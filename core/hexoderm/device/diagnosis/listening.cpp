@@ -119,8 +119,8 @@ ListeningReport Listening::report() const {
     }
   }
   // Links whose other end is not known are findings alone.
-  report.links_one_sided = static_cast<std::size_t>(
-      std::ranges::count(graph.findings(), FindingCode::OneSidedLink, &Finding::code));
+  report.links_one_sided =
+      static_cast<std::size_t>(std::ranges::count(graph.findings(), FindingCode::OneSidedLink, &Finding::code));
   judge(report);
   return report;
 }
@@ -145,10 +145,10 @@ void Listening::judge(ListeningReport& report) const {
   });
   const bool any_heard = report.silent_cells.size() < report.cells.size();
   if (!any_heard) {
-    const Message* why = reasonOf(report.offences, {OffenceKind::UnknownCell, OffenceKind::WrongLength,
-                                                    OffenceKind::WrongType, OffenceKind::WrongValue,
-                                                    OffenceKind::UnknownField, OffenceKind::NoScale,
-                                                    OffenceKind::RepeatedCell, OffenceKind::NoCells});
+    const Message* why =
+        reasonOf(report.offences,
+                 {OffenceKind::UnknownCell, OffenceKind::WrongLength, OffenceKind::WrongType, OffenceKind::WrongValue,
+                  OffenceKind::UnknownField, OffenceKind::NoScale, OffenceKind::RepeatedCell, OffenceKind::NoCells});
     report.obstacle = why != nullptr ? message("No readings came: {}", *why) : message("No readings came.");
   } else if (const Message* unit = reasonOf(report.offences, {OffenceKind::AccelerationUnit, OffenceKind::NotGravity,
                                                               OffenceKind::TimeUnit, OffenceKind::NoTime})) {
@@ -163,7 +163,8 @@ void Listening::judge(ListeningReport& report) const {
     report.obstacle = message("No two joined cells send readings.");
   } else if (!report.rate_hz) {
     const Message* why = reasonOf(report.offences, {OffenceKind::TimeBackwards});
-    report.obstacle = why != nullptr ? *why : message("No cell sent two readings; a pose needs at least 10 of each cell.");
+    report.obstacle =
+        why != nullptr ? *why : message("No cell sent two readings; a pose needs at least 10 of each cell.");
   }
 }
 

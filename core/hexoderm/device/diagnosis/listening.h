@@ -20,11 +20,11 @@ struct Spread {
 /// What was heard of one cell.
 struct CellHeard {
   CellId cell;
-  std::uint64_t readings = 0;         ///< samples and means
-  std::optional<double> rate_hz{};    ///< readings per second of the device's time; from two on
-  std::optional<Spread> norm_g{};     ///< of the readings
-  /// Standard deviation of one sample per axis, g: of the steps between consecutive samples, so that a slow turn does not
-  /// count, or of what the device says beside its means. From ten readings on.
+  std::uint64_t readings = 0;       ///< samples and means
+  std::optional<double> rate_hz{};  ///< readings per second of the device's time; from two on
+  std::optional<Spread> norm_g{};   ///< of the readings
+  /// Standard deviation of one sample per axis, g: of the steps between consecutive samples, so that a slow turn does
+  /// not count, or of what the device says beside its means. From ten readings on.
   std::optional<double> noise_g{};
 };
 
@@ -33,17 +33,18 @@ struct ListeningReport {
   bool is_described = false;
   std::string device;
   std::string cell_model;
-  std::vector<CellHeard> cells;       ///< those of the topology, in its order, without interfaces
-  std::vector<CellId> silent_cells;   ///< without a reading
-  std::optional<Spread> rate_hz;      ///< over the cells
-  std::optional<Spread> norm_g;       ///< over all readings
-  std::optional<Spread> noise_g;      ///< over the cells
-  std::size_t links_agreed = 0;       ///< which both ends report
-  std::size_t links_one_sided = 0;    ///< which only one end reports
-  std::size_t links_unusable = 0;     ///< left out for another reason
-  std::vector<Offence> offences;      ///< the first of each kind
-  SourceStatus status;                ///< counters at the end
-  /// Why no calibration could begin; empty if one could: two joined cells send readings in g with times in microseconds.
+  std::vector<CellHeard> cells;      ///< those of the topology, in its order, without interfaces
+  std::vector<CellId> silent_cells;  ///< without a reading
+  std::optional<Spread> rate_hz;     ///< over the cells
+  std::optional<Spread> norm_g;      ///< over all readings
+  std::optional<Spread> noise_g;     ///< over the cells
+  std::size_t links_agreed = 0;      ///< which both ends report
+  std::size_t links_one_sided = 0;   ///< which only one end reports
+  std::size_t links_unusable = 0;    ///< left out for another reason
+  std::vector<Offence> offences;     ///< the first of each kind
+  SourceStatus status;               ///< counters at the end
+  /// Why no calibration could begin; empty if one could: two joined cells send readings in g with times in
+  /// microseconds.
   Message obstacle;
 };
 

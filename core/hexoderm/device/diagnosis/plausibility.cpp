@@ -18,7 +18,9 @@ constexpr double kMostGravity_g = 2;
 
 bool isNear(double norm, double unit) { return std::abs(norm / unit - 1) <= kNearGravity; }
 
-Offence unitOffence(const char* field, Message what) { return {OffenceKind::AccelerationUnit, located(field, std::move(what))}; }
+Offence unitOffence(const char* field, Message what) {
+  return {OffenceKind::AccelerationUnit, located(field, std::move(what))};
+}
 
 /// A factor of a thousand in words of time.
 struct TimeUnitGuess {
@@ -45,13 +47,15 @@ std::optional<Offence> offenceOfNorm(double median_norm, const Accelerometer& ac
   const Number norm{median_norm, median_norm < 10 ? 2 : 0};
   if (median_norm >= kLeastGravity_g && median_norm <= kMostGravity_g) return std::nullopt;
   if (isNear(median_norm, kStandardGravity)) {
-    return unitOffence(field, message("the norm of the readings is {} in the median: are these m/s2? Expected g, and 1 g "
-                                      "at rest (1 g is 9.80665 m/s2)",
-                                      norm));
+    return unitOffence(field,
+                       message("the norm of the readings is {} in the median: are these m/s2? Expected g, and 1 g "
+                               "at rest (1 g is 9.80665 m/s2)",
+                               norm));
   }
   if (isNear(median_norm, 1000)) {
     return unitOffence(
-        field, message("the norm of the readings is {} in the median: are these mg? Expected g, and 1 g at rest", norm));
+        field,
+        message("the norm of the readings is {} in the median: are these mg? Expected g, and 1 g at rest", norm));
   }
   if (accelerometer.lsb_g > 0 && isNear(median_norm, 1 / accelerometer.lsb_g)) {
     return unitOffence(field, message("the norm of the readings is {} in the median: are these LSB, of which the cell "
@@ -108,17 +112,19 @@ std::optional<Offence> ClockCheck::addSample(CellId cell, std::uint64_t time_us,
   if (stated_hz > 0) {
     const Message unit = unitOfStep(1e6 / stated_hz / step_us);
     if (unit.empty()) return std::nullopt;
-    return Offence{OffenceKind::TimeUnit,
-                   located(kTimeField, message("a cell's samples are {} us apart, but hello.rate_hz says {} Hz: are these "
-                                               "{}? Expected microseconds",
-                                               Number{step_us, 0}, Number{stated_hz}, unit))};
+    return Offence{
+        OffenceKind::TimeUnit,
+        located(kTimeField, message("a cell's samples are {} us apart, but hello.rate_hz says {} Hz: are these "
+                                    "{}? Expected microseconds",
+                                    Number{step_us, 0}, Number{stated_hz}, unit))};
   }
   constexpr double kTooQuick = 20;  // times as quick as the sensor itself
   if (1e6 / sensor_hz / step_us < kTooQuick) return std::nullopt;
-  return Offence{OffenceKind::TimeUnit,
-                 located(kTimeField, message("a cell's samples are {} us apart, but the cell model's accelerometer has {} "
-                                             "Hz: are these milliseconds? Expected microseconds",
-                                             Number{step_us, 0}, Number{sensor_hz}))};
+  return Offence{
+      OffenceKind::TimeUnit,
+      located(kTimeField, message("a cell's samples are {} us apart, but the cell model's accelerometer has {} "
+                                  "Hz: are these milliseconds? Expected microseconds",
+                                  Number{step_us, 0}, Number{sensor_hz}))};
 }
 
 double ClockCheck::hostPerDevice(const Moment& from, const Moment& to) {
@@ -150,10 +156,11 @@ std::optional<Offence> ClockCheck::compare(std::uint64_t last_us, Clock::time_po
   const Message unit = unitOfStep(hostPerDevice(*began_, moment));
   if (unit.empty()) return std::nullopt;
   const double host_s = std::chrono::duration<double>(now - began_->host).count();
-  return Offence{OffenceKind::TimeUnit,
-                 located(kTimeField, message("in {} of this computer the times went on by {} us: are these {}? Expected "
-                                             "microseconds",
-                                             Seconds{host_s}, last_us - began_->device_us, unit))};
+  return Offence{
+      OffenceKind::TimeUnit,
+      located(kTimeField, message("in {} of this computer the times went on by {} us: are these {}? Expected "
+                                  "microseconds",
+                                  Seconds{host_s}, last_us - began_->device_us, unit))};
 }
 
 }  // namespace hexoderm

@@ -12,8 +12,8 @@
 namespace hexoderm {
 
 /// What is wrong with readings whose norm is `median_norm` in the median, of cells that feel gravity (1 g) and a hand's
-/// motion at most. AccelerationUnit if it is that of gravity in another unit (m/s^2, mg, LSB), NotGravity if it is below
-/// 0.5 or above 2; nullopt if it may be g. `field` is where the readings were found.
+/// motion at most. AccelerationUnit if it is that of gravity in another unit (m/s^2, mg, LSB), NotGravity if it is
+/// below 0.5 or above 2; nullopt if it may be g. `field` is where the readings were found.
 std::optional<Offence> offenceOfNorm(double median_norm, const Accelerometer& accelerometer, const char* field);
 
 /// Judges the norms of the readings that come, of up to 64 cells of every fourth frame.
@@ -30,8 +30,8 @@ class ReadingCheck {
   std::vector<double> norms_g_;
 };
 
-/// Compares a device's clock with the rate that it states and with the host's clock: a step that is a thousand times too
-/// small or too large is of another unit.
+/// Compares a device's clock with the rate that it states and with the host's clock: a step that is a thousand times
+/// too small or too large is of another unit.
 class ClockCheck {
  public:
   using Clock = std::chrono::steady_clock;

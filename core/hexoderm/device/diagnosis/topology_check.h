@@ -8,8 +8,8 @@
 
 namespace hexoderm {
 
-/// What is wrong with a topology as a device sent it, one offence a cell or link; none for one that SkinGraph takes as it
-/// is. Links to interfaces and between body parts are as they should be.
+/// What is wrong with a topology as a device sent it, one offence a cell or link; none for one that SkinGraph takes as
+/// it is. Links to interfaces and between body parts are as they should be.
 std::vector<Offence> offencesOf(const CellModel& model, const NeighborList& neighbors);
 
 }  // namespace hexoderm

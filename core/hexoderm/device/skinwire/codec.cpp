@@ -218,17 +218,17 @@ Decoded checked(std::optional<Message> message) {
 template <class Proto>
 Decoded parsePayload(ByteView payload, Proto& proto) {
   if (!proto.ParseFromArray(payload.data(), static_cast<int>(payload.size()))) {
-    return failed(
-        DecodeOutcome::Broken,
-        {OffenceKind::WrongType,
-         message("the payload is not the protobuf message {} that its type says", proto.GetDescriptor()->name())});
+    return failed(DecodeOutcome::Broken,
+                  {OffenceKind::WrongType, message("the payload is not the protobuf message {} that its type says",
+                                                   proto.GetDescriptor()->name())});
   }
   Decoded decoded = checked(plain(proto));
   const auto& unknown = proto.GetReflection()->GetUnknownFields(proto);
   if (!unknown.empty()) {
-    decoded.offences.insert(decoded.offences.begin(),
-                            {OffenceKind::UnknownField, message("{} has no field with the number {}",
-                                                                proto.GetDescriptor()->name(), unknown.field(0).number())});
+    decoded.offences.insert(
+        decoded.offences.begin(),
+        {OffenceKind::UnknownField,
+         message("{} has no field with the number {}", proto.GetDescriptor()->name(), unknown.field(0).number())});
   }
   return decoded;
 }
@@ -258,8 +258,8 @@ Decoded parsePayload(std::uint8_t type, ByteView payload) {
       return parsePayload<v1::Ack>(payload);
     default:
       return failed(DecodeOutcome::UnknownType,
-                    {OffenceKind::UnknownMessage, message("there is no message of type {}; expected 1 to 6",
-                                                          std::uint32_t{type})});
+                    {OffenceKind::UnknownMessage,
+                     message("there is no message of type {}; expected 1 to 6", std::uint32_t{type})});
   }
 }
 
@@ -302,8 +302,8 @@ Decoded wrongCrc(ByteView body) {
     return brokenPiece(OffenceKind::BrokenFrame, message("the CRC is big-endian, expected little-endian"), body);
   }
   if (found == crc32(content) || found == byteSwapped(crc32(content))) {
-    return brokenPiece(OffenceKind::BrokenFrame,
-                       message("the CRC is CRC-32, expected CRC-32C (polynomial 0x1EDC6F41)"), body);
+    return brokenPiece(OffenceKind::BrokenFrame, message("the CRC is CRC-32, expected CRC-32C (polynomial 0x1EDC6F41)"),
+                       body);
   }
   return brokenPiece(OffenceKind::BrokenFrame, message("the CRC is wrong"), body);
 }
@@ -392,7 +392,8 @@ Bytes encodeBody(const Message& message) {
 
 Decoded decodeBody(ByteView body) {
   if (body.size() < kHead + kTail || body.size() > kMaxBody) {
-    return brokenPiece(OffenceKind::BrokenFrame, message("expected 6 to {} bytes, found {}", kMaxBody, body.size()), body);
+    return brokenPiece(OffenceKind::BrokenFrame, message("expected 6 to {} bytes, found {}", kMaxBody, body.size()),
+                       body);
   }
   const ByteView content = body.first(body.size() - kTail);
   if (littleEndian(body.last(kTail)) != crc32c(content)) return wrongCrc(body);
@@ -451,7 +452,8 @@ Decoded decodeLine(std::string_view line) {
     // The library's message may quote the whole line.
     constexpr std::size_t kMost = 160;
     broken.offences.push_back({OffenceKind::NotAMessage,
-                               message("this is no message: {}", excerptOf(status.ToString(), kMost)), excerptOf(line)});
+                               message("this is no message: {}", excerptOf(status.ToString(), kMost)),
+                               excerptOf(line)});
   }
   broken.major = kMajor;
   return broken;

@@ -47,7 +47,8 @@ Decoded decodeBody(ByteView body);
 /// One line of the line dialect without the line feed. Throws as encodeBody does.
 std::string encodeLine(const Message& message);
 
-/// Accepts a line with or without "\r"; fields that are not known are ignored, and are among the offences. Never throws for what is in the line.
+/// Accepts a line with or without "\r"; fields that are not known are ignored, and are among the offences. Never throws
+/// for what is in the line.
 Decoded decodeLine(std::string_view line);
 
 }  // namespace hexoderm::skinwire

@@ -12,7 +12,7 @@ namespace hexoderm::skinwire {
 namespace {
 
 constexpr std::size_t kLengthBytes = 4;
-constexpr std::size_t kBeginning = 100;    // bytes of a piece that are shown
+constexpr std::size_t kBeginning = 100;  // bytes of a piece that are shown
 constexpr std::size_t kCobsBlock = 254;  // bytes without a zero that one code byte can announce
 constexpr std::size_t kMaxCobs = kMaxBody + kMaxBody / kCobsBlock + 1;
 
@@ -113,12 +113,12 @@ std::optional<Decoded> FrameDecoder::detect() {
   framing_ = first.back() == 0 ? Framing::Length : Framing::Lines;
   if (*framing_ == Framing::Length || std::ranges::none_of(first, isNoText)) return std::nullopt;
   const ByteView beginning = rest().first(std::min(rest().size(), kBeginning));
-  return getStuck(
-      first.front() == 0
-          ? brokenPiece(OffenceKind::BrokenFrame, message("the length of a frame is big-endian, expected little-endian"),
-                        beginning)
-          : brokenPiece(OffenceKind::WrongDialect,
-                        message("this is neither a line of JSON nor a frame that begins with its length"), beginning));
+  return getStuck(first.front() == 0
+                      ? brokenPiece(OffenceKind::BrokenFrame,
+                                    message("the length of a frame is big-endian, expected little-endian"), beginning)
+                      : brokenPiece(OffenceKind::WrongDialect,
+                                    message("this is neither a line of JSON nor a frame that begins with its length"),
+                                    beginning));
 }
 
 Decoded FrameDecoder::getStuck(Decoded broken) {
@@ -164,10 +164,10 @@ std::optional<Offence> FrameDecoder::complaintOfWaiting() const {
   const ByteView waiting = rest().first(std::min(rest().size(), kMostSearched));
   const std::string_view text(reinterpret_cast<const char*>(waiting.data()), waiting.size());
   if (*framing_ == Framing::Cobs && text.starts_with('{') && text.find('\n') != std::string_view::npos) {
-    return Offence{
-        OffenceKind::WrongDialect,
-        message("this looks like lines of JSON; on a serial port frames of bytes in COBS, each before a 0x00, are expected"),
-        excerptOf(text)};
+    return Offence{OffenceKind::WrongDialect,
+                   message("this looks like lines of JSON; on a serial port frames of bytes in COBS, each before a "
+                           "0x00, are expected"),
+                   excerptOf(text)};
   }
   if (*framing_ == Framing::Lines && lacksLineFeeds(text)) {
     return Offence{OffenceKind::NoLineFeed, message("expected a line feed (0x0A) after every message"),

@@ -26,7 +26,8 @@ constexpr std::size_t kMostOfAValue = 40;
 hexoderm::Message valueInWords(const Json& value) {
   if (value.is_array()) return message("an array of {}", value.size());
   if (value.is_object()) return message("an object");
-  return hexoderm::Message::verbatim(excerptOf(value.dump(-1, ' ', true, Json::error_handler_t::replace), kMostOfAValue));
+  return hexoderm::Message::verbatim(
+      excerptOf(value.dump(-1, ' ', true, Json::error_handler_t::replace), kMostOfAValue));
 }
 
 const FieldDescriptor* findField(const Descriptor& type, const std::string& key) {
@@ -98,9 +99,8 @@ class LineInspector {
     const std::vector<std::string> names = messageNames();
     const std::string found = excerptOf(key, kMostOfAValue);
     const std::optional<std::string> meant = nearMatch(key, names);
-    add(OffenceKind::UnknownMessage,
-        meant ? message("there is no message \"{}\"; did you mean \"{}\"?", found, *meant)
-              : message("there is no message \"{}\"; expected one of {}", found, names));
+    add(OffenceKind::UnknownMessage, meant ? message("there is no message \"{}\"; did you mean \"{}\"?", found, *meant)
+                                           : message("there is no message \"{}\"; expected one of {}", found, names));
   }
 
   void inspectMessage(const Descriptor& type, const Json& value, const std::string& place) {
@@ -204,8 +204,9 @@ Offence notJson(std::string_view line, std::size_t byte) {
   }
   const std::size_t at = byte == 0 ? 0 : byte - 1;
   if (const std::string word = notFiniteWordAt(line, at); !word.empty()) {
-    return {OffenceKind::WrongValue,
-            message("character {}: expected finite numbers, found {}; leave out a cell that has no reading", at + 1, word)};
+    return {
+        OffenceKind::WrongValue,
+        message("character {}: expected finite numbers, found {}; leave out a cell that has no reading", at + 1, word)};
   }
   if (at >= line.size() && line.find_first_of("{[") != std::string_view::npos) {
     return {OffenceKind::NotJson,

@@ -54,8 +54,8 @@ Complaint complain(const Hello& hello) {
   if (!(hello.rate_hz >= 0 && hello.rate_hz <= kMaxRate_hz)) {
     return wrongValue("hello.rate_hz", message("expected 0 to {}", kMaxRate));
   }
-  return firstOf({tooLong("hello.device", hello.device, kMaxText),
-                  tooLong("hello.cell_model", hello.cell_model, kMaxModelText)});
+  return firstOf(
+      {tooLong("hello.device", hello.device, kMaxText), tooLong("hello.cell_model", hello.cell_model, kMaxModelText)});
 }
 
 Complaint complain(const Topology& topology) {
@@ -63,7 +63,8 @@ Complaint complain(const Topology& topology) {
     return wrongValue("topology.parts", message("expected 1 to {}", kMaxCells));
   }
   if (topology.part >= topology.parts) {
-    return wrongValue("topology.part", message("expected less than parts ({}), found {}", topology.parts, topology.part));
+    return wrongValue("topology.part",
+                      message("expected less than parts ({}), found {}", topology.parts, topology.part));
   }
   if (topology.cells.size() > kMaxCells) {
     return wrongLength("topology.cells", message("expected at most {} cells", kMaxCells));
@@ -75,11 +76,11 @@ Complaint complain(const Topology& topology) {
 }
 
 Complaint complainOfMeans(const Samples& samples, std::size_t per_tick) {
-  const Complaint why = firstOf({wrongSize("samples.mean_g", per_tick, samples.mean_g.size()),
-                                 wrongSize("samples.variance_g2", per_tick, samples.variance_g2.size()),
-                                 wrongSize("samples.count", samples.cells.size(), samples.count.size()),
-                                 notFinite("samples.mean_g", samples.mean_g),
-                                 notFinite("samples.variance_g2", samples.variance_g2)});
+  const Complaint why =
+      firstOf({wrongSize("samples.mean_g", per_tick, samples.mean_g.size()),
+               wrongSize("samples.variance_g2", per_tick, samples.variance_g2.size()),
+               wrongSize("samples.count", samples.cells.size(), samples.count.size()),
+               notFinite("samples.mean_g", samples.mean_g), notFinite("samples.variance_g2", samples.variance_g2)});
   if (!why.empty()) return why;
   if (std::ranges::any_of(samples.variance_g2, [](float v) { return v < 0; })) {
     return wrongValue("samples.variance_g2", message("expected numbers of at least 0"));
@@ -98,8 +99,8 @@ Complaint complainOfValues(const Samples& samples) {
     return wrongLength("samples.cells", message("expected the IDs of the cells that the readings are of, found none"));
   }
   if (!samples.cells.empty() && kinds != 1) {
-    return wrongLength("samples",
-                       message("expected exactly one of raw_lsb, acceleration_g and mean_g with cells, found {}", kinds));
+    return wrongLength(
+        "samples", message("expected exactly one of raw_lsb, acceleration_g and mean_g with cells, found {}", kinds));
   }
   if (!samples.mean_g.empty()) return complainOfMeans(samples, per_tick);
   if (!samples.variance_g2.empty() || !samples.count.empty()) {
@@ -107,18 +108,18 @@ Complaint complainOfValues(const Samples& samples) {
   }
   const std::size_t values = samples.raw_lsb.size() + samples.acceleration_g.size();
   if (per_tick != 0 && values % per_tick != 0) {
-    return wrongLength(samples.raw_lsb.empty() ? "samples.acceleration_g" : "samples.raw_lsb",
-                       message("expected a multiple of 3 numbers for each of {} cells, found {}", samples.cells.size(),
-                               values));
+    return wrongLength(
+        samples.raw_lsb.empty() ? "samples.acceleration_g" : "samples.raw_lsb",
+        message("expected a multiple of 3 numbers for each of {} cells, found {}", samples.cells.size(), values));
   }
   return notFinite("samples.acceleration_g", samples.acceleration_g);
 }
 
 Complaint complain(const Samples& samples) {
-  const Complaint why = firstOf(
-      {complainOfValues(samples),
-       wrongSize("samples.temperature_c", samples.temperature_cells.size(), samples.temperature_c.size()),
-       notFinite("samples.temperature_c", samples.temperature_c)});
+  const Complaint why =
+      firstOf({complainOfValues(samples),
+               wrongSize("samples.temperature_c", samples.temperature_cells.size(), samples.temperature_c.size()),
+               notFinite("samples.temperature_c", samples.temperature_c)});
   if (!why.empty()) return why;
   const std::size_t ticks = samples.ticks();
   if (ticks > 1 && samples.period_us == 0) {

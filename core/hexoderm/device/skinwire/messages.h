@@ -117,8 +117,8 @@ using Message = std::variant<Hello, Topology, Samples, Status, Command, Ack>;
 
 /// The fault of a message beyond its syntax; empty if there is none.
 struct Complaint {
-  OffenceKind kind{};           ///< WrongLength or WrongValue
-  hexoderm::Message reason{};   ///< the field and what is expected there
+  OffenceKind kind{};          ///< WrongLength or WrongValue
+  hexoderm::Message reason{};  ///< the field and what is expected there
   [[nodiscard]] bool empty() const { return reason.empty(); }
 };
 

@@ -47,8 +47,7 @@ void SkinStream::noteAllOf(const skinwire::Decoded& decoded) {
   // A later minor version has fields and messages that this one does not know.
   const bool is_newer = has_hello_ && hello_.minor > skinwire::kMinor;
   for (const Offence& offence : decoded.offences) {
-    const bool is_unknown =
-        offence.kind == OffenceKind::UnknownField || offence.kind == OffenceKind::UnknownMessage;
+    const bool is_unknown = offence.kind == OffenceKind::UnknownField || offence.kind == OffenceKind::UnknownMessage;
     if (!(is_newer && is_unknown)) note(offence);
   }
 }
@@ -65,16 +64,14 @@ void SkinStream::noteNewModel(const CellModel& before) {
 }
 
 void SkinStream::noteUnknownCells(const skinwire::Samples& samples) {
-  const std::size_t first = static_cast<std::size_t>(std::ranges::find_if(samples.cells,
-                                                                          [this](std::uint32_t cell) {
-                                                                            return !index_of_.contains(cell);
-                                                                          }) -
-                                                     samples.cells.begin());
+  const std::size_t first = static_cast<std::size_t>(
+      std::ranges::find_if(samples.cells, [this](std::uint32_t cell) { return !index_of_.contains(cell); }) -
+      samples.cells.begin());
   if (first == samples.cells.size()) return;
   note(OffenceKind::UnknownCell, looked_up_unknown_ * std::max<std::size_t>(samples.ticks(), 1), [&] {
-    return located("samples.cells[" + std::to_string(first) + "]",
-                   message("the topology has no cell {}; expected one of its {} cells", samples.cells[first],
-                           neighbors_.size()));
+    return located(
+        "samples.cells[" + std::to_string(first) + "]",
+        message("the topology has no cell {}; expected one of its {} cells", samples.cells[first], neighbors_.size()));
   });
 }
 
@@ -87,12 +84,13 @@ void SkinStream::noteLate(const skinwire::Samples& samples) {
     });
   }
   note(OffenceKind::TimeBackwards, 1, [&] {
-    return located(kTime, samples.time_us < last_us_
-                              ? message("went back from {} to {}; expected microseconds that never go back", last_us_,
-                                        samples.time_us)
-                              : message("is {} again, at which a cell of the message already was; expected microseconds "
-                                        "(milliseconds stand still between samples)",
-                                        samples.time_us));
+    return located(
+        kTime,
+        samples.time_us < last_us_
+            ? message("went back from {} to {}; expected microseconds that never go back", last_us_, samples.time_us)
+            : message("is {} again, at which a cell of the message already was; expected microseconds "
+                      "(milliseconds stand still between samples)",
+                      samples.time_us));
   });
 }
 
@@ -101,9 +99,10 @@ void SkinStream::noteSequence(const skinwire::Samples& samples) {
   // What the network delivers late has an earlier time, too.
   if (samples.time_us <= last_us_) return;
   note(OffenceKind::Sequence, 1, [&] {
-    return located("samples.sequence",
-                   message("expected {}, found {}; it counts the samples sent before (one cell at one tick), not messages",
-                           *next_sequence_, *samples.sequence));
+    return located(
+        "samples.sequence",
+        message("expected {}, found {}; it counts the samples sent before (one cell at one tick), not messages",
+                *next_sequence_, *samples.sequence));
   });
 }
 

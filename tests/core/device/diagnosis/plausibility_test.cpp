@@ -24,7 +24,8 @@ TEST(OffenceOfNorm, TellsUnitsByGravity) {
   for (const double norm : {9.0, 9.81, 11.0, 900.0, 1000.0, 1200.0, 256.0}) {
     EXPECT_EQ(kindOf(norm), OffenceKind::AccelerationUnit) << norm;
   }
-  for (const double norm : {0.0, 0.1, 2.5, 5.0, 64.0, 16'384.0}) EXPECT_EQ(kindOf(norm), OffenceKind::NotGravity) << norm;
+  for (const double norm : {0.0, 0.1, 2.5, 5.0, 64.0, 16'384.0})
+    EXPECT_EQ(kindOf(norm), OffenceKind::NotGravity) << norm;
   EXPECT_THAT(offenceOfNorm(9.7, kSensor, "samples.mean_g")->reason.english(),
               HasSubstr("samples.mean_g: the norm of the readings is 9.70 in the median: are these m/s2?"));
 }
@@ -92,7 +93,9 @@ TEST(ClockCheck, ComparesWithTheHostsClock) {
 
 TEST(ClockCheck, ASilenceAndAClockThatIsSetAreNoUnit) {
   ClockCheck silent;
-  for (int k = 0; k < 1000; ++k) EXPECT_FALSE(silent.compare(1'000'000 + (k < 5 ? 1000 * k : 5000), ClockCheck::Clock::time_point(milliseconds(50 * k)), Pace::Live));
+  for (int k = 0; k < 1000; ++k)
+    EXPECT_FALSE(silent.compare(1'000'000 + (k < 5 ? 1000 * k : 5000),
+                                ClockCheck::Clock::time_point(milliseconds(50 * k)), Pace::Live));
   ClockCheck jumped;
   EXPECT_FALSE(run(jumped, 1, Pace::Live, 60));
   EXPECT_FALSE(run(jumped, 1, Pace::Live, 60, 3.6e9, ClockCheck::Clock::time_point(milliseconds(3000))));

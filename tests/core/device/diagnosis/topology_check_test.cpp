@@ -22,7 +22,8 @@ TEST(TopologyCheck, TakesAWholeTopologyWithItsInterface) {
 }
 
 TEST(TopologyCheck, NamesEachFaultAndWhatIsExpected) {
-  const NeighborList neighbors = {{CellId(0), "", {}}, {CellId(1), "", {toCell(1, 2, 3), toCell(9, 2, 4)}}, {CellId(2), "", {}}};
+  const NeighborList neighbors = {
+      {CellId(0), "", {}}, {CellId(1), "", {toCell(1, 2, 3), toCell(9, 2, 4)}}, {CellId(2), "", {}}};
   const std::vector<Offence> offences = offencesOf(kModel, neighbors);
   ASSERT_EQ(offences.size(), 3U);
   EXPECT_EQ(offences[0].kind, OffenceKind::CellIdZero);

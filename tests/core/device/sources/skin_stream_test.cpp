@@ -343,7 +343,7 @@ TEST_F(SkinStreamTest, BrokenMessagesAreCountedAndOtherMajorsStop) {
 TEST_F(SkinStreamTest, WhatIsRightOrTheNetworksDoingIsNoOffence) {
   stream.forgiveFirstPiece();
   take(skinwire::decodeBody(skinwire::Bytes(20, 7)));  // a serial port was opened within a frame
-  take(oneSample(1, 1000, 0));                                    // it was already sending
+  take(oneSample(1, 1000, 0));                         // it was already sending
   describe();
   take(oneSample(1, 2000, 1));
   take(oneSample(1, 4000, 3));
