@@ -2,6 +2,7 @@
 
 #include "hexoderm/device/diagnosis/plausibility.h"
 #include "hexoderm/graph/skin_graph.h"
+#include "hexoderm/util/limits.h"
 #include "hexoderm/util/median.h"
 
 #include <algorithm>
@@ -35,10 +36,14 @@ void Listening::onSkin(const SkinDescription& skin) { skin_ = skin; }
 
 void Listening::addReading(Cell& cell, const Eigen::Vector3d& acceleration_g, double time_s) {
   constexpr std::size_t kMostNorms = 512;
-  if (cell.readings == 0) cell.first_s = time_s;
+  // A device that starts again begins with an earlier time.
+  if (cell.readings > 0 && time_s > cell.last_s) {
+    cell.elapsed_s += time_s - cell.last_s;
+    ++cell.intervals;
+  }
   cell.last_s = time_s;
   if (cell.readings++ % cell.stride != 0) return;
-  cell.norms_g.push_back(static_cast<float>(acceleration_g.norm()));
+  cell.norms_g.push_back(static_cast<float>(std::min(acceleration_g.norm(), kMostAcceleration_g)));
   if (cell.norms_g.size() < kMostNorms) return;
   // Every second one from now on, and of those that are there.
   for (std::size_t k = 0; 2 * k < cell.norms_g.size(); ++k) cell.norms_g[k] = cell.norms_g[2 * k];
@@ -93,8 +98,8 @@ ListeningReport Listening::report() const {
     }
     const Cell& cell = found->second;
     heard.readings = cell.readings;
-    if (cell.readings > 1 && cell.last_s > cell.first_s) {
-      heard.rate_hz = static_cast<double>(cell.readings - 1) / (cell.last_s - cell.first_s);
+    if (cell.intervals > 0) {
+      heard.rate_hz = static_cast<double>(cell.intervals) / cell.elapsed_s;
       rates_hz.push_back(*heard.rate_hz);
     }
     const std::vector<double> norms(cell.norms_g.begin(), cell.norms_g.end());

@@ -61,8 +61,9 @@ class Listening final : public SkinListener {
  private:
   struct Cell {
     std::uint64_t readings = 0;
-    double first_s = 0;
     double last_s = 0;
+    double elapsed_s = 0;  ///< over the intervals
+    std::uint64_t intervals = 0;
     std::optional<Eigen::Vector3d> last_g;
     double step_sum_g2 = 0;  ///< of squared steps over the axes
     std::uint64_t steps = 0;

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <random>
 
 namespace hexoderm {
@@ -53,6 +54,20 @@ TEST(Listening, MeasuresRatesNormsAndNoise) {
   EXPECT_THAT(report.silent_cells, ElementsAre(CellId(3)));
   EXPECT_EQ(report.links_agreed, 1U);
   EXPECT_EQ(report.links_one_sided, 1U);
+}
+
+TEST(Listening, AClockThatStartsAgainAndAbsurdReadingsLeaveFiguresFinite) {
+  Listening listening = heard(0.02, 200);
+  SampleFrame frame;
+  frame.time_s = 0;
+  frame.samples = {{CellId(1), Eigen::Vector3d::Constant(3e38)}};
+  listening.onFrame(frame);
+  frame.time_s = 0.005;
+  listening.onFrame(frame);
+  const ListeningReport report = listening.report();
+  EXPECT_NEAR(*report.cells[0].rate_hz, 200, 1e-6);
+  EXPECT_EQ(report.cells[0].norm_g->most, 1e6);
+  EXPECT_TRUE(std::isfinite(*report.cells[0].noise_g));
 }
 
 TEST(Listening, SaysWhyNoCalibrationCouldBegin) {
