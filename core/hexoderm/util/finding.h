@@ -35,6 +35,7 @@ enum class FindingCode {
   LinkNotRigid,
   LinkDoesNotClose,
   LinkSetAside,
+  ContradictsModel,
   // cells, judged by their readings
   NoSamples,
   MissingSamples,
@@ -46,6 +47,11 @@ enum class FindingCode {
   DeadAxis,
   WrongGain,
   InconsistentSensor,
+  IdenticalReadings,
+  SwappedReadings,
+  TurnedSensor,
+  MovedCell,
+  SuspiciousSensor,
   LeftOut,
   // poses
   SampleOfUnknownCell,

@@ -16,6 +16,13 @@ namespace {
 // A link is judged by its angles only where the poses fix them.
 constexpr double kJudgeableSigma = 15 * kDegree;
 
+/// Deviations of a link's angles. `covariance`: of its rotation, in the source's frame.
+LinkAngles anglesSigma(const Eigen::Matrix3d& covariance, const Port& source) {
+  const Eigen::Vector3d u = source.vector_m.normalized();
+  const auto along = [&](const Eigen::Vector3d& axis) { return std::sqrt(axis.dot(covariance * axis)); };
+  return {along(u), along(Eigen::Vector3d::UnitZ().cross(u).normalized()), along(Eigen::Vector3d::UnitZ())};
+}
+
 }  // namespace
 
 SuspectSearch::SuspectSearch(const CellModel& model, const SkinGraph& graph, const GravityTable& table,
@@ -39,10 +46,11 @@ SuspectSearch::Verdict SuspectSearch::judge(std::size_t link_index) const {
   if (link.muted() || !readings_.measured(link)) return verdict;
   verdict.tested = true;
   const double sigma = largestDeviation(edge.covariance);
-  if (sigma < kJudgeableSigma && !edge.supported) {
+  if (sigma < kJudgeableSigma) {
     verdict.implausible =
         judgeLinkAngles(linkAngles(edge.R_c_n, model_.port(link.source_port), model_.port(link.target_port)),
-                        graph_.sourceEnd(link), graph_.targetEnd(link), options_, sigma);
+                        graph_.sourceEnd(link), graph_.targetEnd(link), model_, options_,
+                        anglesSigma(edge.covariance, model_.port(link.source_port)));
   }
   verdict.misfit = misfitOf(link_index);
   verdict.rigid = verdict.misfit <= options_.max_misfit;
@@ -147,6 +155,31 @@ std::vector<SuspectSearch::BadLink> SuspectSearch::badLinks() const {
              {source.cell, target.cell}, {source.port, target.port})}});
   }
   return bad;
+}
+
+bool hasTooFewPoses(const GravityTable& table, std::size_t cell) {
+  constexpr std::size_t kFewestToAccuse = 3;
+  return table.usablePoses(cell).size() < kFewestToAccuse;
+}
+
+Finding describeSuspiciousSensor(const SkinGraph& graph, const GravityTable& table, std::size_t cell) {
+  const CellId id = graph.cells()[cell].id;
+  return makeFinding(FindingCode::SuspiciousSensor,
+                     message("Cell {} does not fit its neighbours well, and {} poses don't tell why. It is used; take "
+                             "another pose.",
+                             id, table.usablePoses(cell).size()),
+                     {id});
+}
+
+Finding describeMovedCell(const SkinGraph& graph, const SessionSnapshot& snapshot, std::size_t cell,
+                          std::size_t first_pose_after, double angle_rad) {
+  const CellId id = graph.cells()[cell].id;
+  const PoseId pose = snapshot.poses[first_pose_after].capture->id;
+  return makeFinding(FindingCode::MovedCell,
+                     message("Cell {} turned by {} degrees or more against the others before pose {}: it came loose or "
+                             "was fixed anew. It is placed through its links; take the poses before pose {} again.",
+                             id, Number{toDegrees(angle_rad), 0}, pose, pose),
+                     {id}, {}, {pose});
 }
 
 Finding describeBadSensor(const SkinGraph& graph, const GravityTable& table, const SessionSnapshot& snapshot,

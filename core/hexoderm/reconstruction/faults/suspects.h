@@ -52,6 +52,15 @@ class SuspectSearch {
   std::vector<Verdict> verdicts_;  ///< per link
 };
 
+/// Two poses fix a cell's attitude by the priors of its sensor, and what contradicts them may be chance: a cell with no
+/// more is called suspicious and stays.
+bool hasTooFewPoses(const GravityTable& table, std::size_t cell);
+Finding describeSuspiciousSensor(const SkinGraph& graph, const GravityTable& table, std::size_t cell);
+
+/// A cell that turned against the others; its readings before and after belong to two attitudes.
+Finding describeMovedCell(const SkinGraph& graph, const SessionSnapshot& snapshot, std::size_t cell,
+                          std::size_t first_pose_after, double angle_rad);
+
 /// Why a cell's readings are not used, in words: a gain that is wrong in all poses, or else readings that fit nothing.
 Finding describeBadSensor(const SkinGraph& graph, const GravityTable& table, const SessionSnapshot& snapshot,
                           std::size_t cell, bool is_leaf);

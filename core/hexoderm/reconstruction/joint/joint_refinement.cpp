@@ -253,6 +253,11 @@ Misfit JointRefinement::misfitOf(std::size_t cell) const {
   return testRigidity(AccelerometerPrior(problem_->model->accelerometer), problem_->readings[at], sensors_[at].v_g);
 }
 
+TurnBetweenPoses JointRefinement::turnOf(std::size_t cell) const {
+  const std::size_t at = localOf(cell);
+  return findTurn(AccelerometerPrior(problem_->model->accelerometer), problem_->readings[at], sensors_[at].v_g);
+}
+
 double JointRefinement::poseMisfit(std::size_t pose) const {
   double sum = 0;
   std::size_t count = 0;

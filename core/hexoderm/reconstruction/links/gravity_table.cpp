@@ -50,6 +50,7 @@ GravityTable::GravityTable(const SessionSnapshot& snapshot, const SkinGraph& gra
       const double count = sample.count > 0 ? sample.count : kDefaultCount;
       const double stated_variance = std::max(0.0, sample.cov_g2.diagonal().maxCoeff());
       entry.mean_g = accelerometer.T_u_a.R * sample.mean_g;
+      entry.count = count;
       entry.sample_sigma_g = std::sqrt(stated_variance * count);
       entry.variance_g2 = std::max(stated_variance > 0 ? stated_variance : white_variance / count,
                                    step_variance / count + kTremorFloor_g * kTremorFloor_g);

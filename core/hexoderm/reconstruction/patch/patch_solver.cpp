@@ -50,10 +50,16 @@ Completion PatchSolver::refine(const Reconstruction* earlier, const std::stop_to
   joint_->solve(stop);
   if (stop.stop_requested()) return Completion::Stopped;
   bool dropped = false;
-  while (const auto cell = worstSensor()) {
-    findings.push_back(describeBadSensor(skin_.graph(), skin_.table(), skin_.snapshot(), *cell, isLeaf(*cell)));
-    skin_.dropCell(*cell);
-    joint_->leaveOut(*cell);
+  std::vector<std::size_t> suspicious;
+  while (const auto bad = worstSensor(suspicious)) {
+    if (hasTooFewPoses(skin_.table(), bad->cell)) {
+      findings.push_back(describeSuspiciousSensor(skin_.graph(), skin_.table(), bad->cell));
+      suspicious.push_back(bad->cell);
+      continue;
+    }
+    findings.push_back(describe(*bad));
+    skin_.dropCell(bad->cell);
+    joint_->leaveOut(bad->cell);
     joint_->solve(stop);
     if (stop.stop_requested()) return Completion::Stopped;
     dropped = true;
@@ -78,23 +84,48 @@ std::vector<SE3> PatchSolver::startingPlacements(const Reconstruction* earlier) 
   return placements;
 }
 
-std::optional<std::size_t> PatchSolver::worstSensor() const {
-  // With two cells, neither is the odd one out.
-  constexpr std::size_t kFewestForAVote = 3;
-  if (cells_.size() < kFewestForAVote) return std::nullopt;
+/// The cell, none of `but`, whose readings fit the gravity of all others worst, or that turned between two poses.
+std::optional<PatchSolver::BadSensor> PatchSolver::worstSensor(const std::vector<std::size_t>& but) const {
   // With hundreds of poses the smallest misfit is significant; only one that also matters makes a sensor useless.
   constexpr double kLeastTimes = 2;
-  std::optional<std::size_t> worst;
+  std::optional<BadSensor> worst;
   double worst_misfit = skin_.options().max_misfit;
   for (const std::size_t cell : cells_) {
     if (!skin_.readings().measured(cell) || skin_.table().usablePoses(cell).size() < 2) continue;
+    if (std::ranges::count(but, cell) > 0) continue;
     const Misfit found = joint_->misfitOf(cell);
     const double misfit = found.deviate();
     if (misfit <= worst_misfit || found.chi_squared < kLeastTimes * found.degrees) continue;
-    worst = cell;
+    worst = BadSensor{cell, std::nullopt};
     worst_misfit = misfit;
   }
+  const std::optional<BadSensor> moved = movedSensor();
+  if (!worst || (moved && moved->cell == worst->cell)) return moved ? moved : worst;
   return worst;
+}
+
+/// The cell that most clearly turned against the others between two poses, if there is one.
+std::optional<PatchSolver::BadSensor> PatchSolver::movedSensor() const {
+  constexpr std::size_t kFewestPoses = 3;
+  constexpr double kLeastTurn = 2 * kDegree;  // what a cell does in a soft mould
+  std::optional<BadSensor> worst;
+  double worst_deviate = skin_.options().max_misfit;
+  for (const std::size_t cell : cells_) {
+    if (!skin_.readings().measured(cell) || skin_.table().usablePoses(cell).size() < kFewestPoses) continue;
+    const TurnBetweenPoses turn = joint_->turnOf(cell);
+    if (turn.gain.deviate() <= worst_deviate || turn.angle_rad < kLeastTurn) continue;
+    worst = BadSensor{cell, turn};
+    worst_deviate = turn.gain.deviate();
+  }
+  return worst;
+}
+
+Finding PatchSolver::describe(const BadSensor& bad) const {
+  if (!bad.turn) {
+    return describeBadSensor(skin_.graph(), skin_.table(), skin_.snapshot(), bad.cell, isLeaf(bad.cell));
+  }
+  const std::size_t pose = skin_.table().usablePoses(bad.cell)[bad.turn->first_after];
+  return describeMovedCell(skin_.graph(), skin_.snapshot(), bad.cell, pose, bad.turn->angle_rad);
 }
 
 /// One link alone holds the cell.

@@ -1,0 +1,362 @@
+#include "hexoderm/reconstruction/faults/attitude_search.h"
+
+#include "hexoderm/util/median.h"
+#include "hexoderm/util/units.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <functional>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+/// The weight of the cell model's scatter against what a patch's links show, in links.
+constexpr double kWeightOfModel = 4;
+/// Prior deviation of a patch's curvature, as the bend of one link.
+constexpr double kCurvatureSigma = 30 * kDegree;
+/// Median of the absolute value of a normal deviate.
+constexpr double kMedianOfNormal = 0.6745;
+/// Variance of an angle of which nothing is known.
+constexpr double kUnknownVariance = kPi * kPi / 3;
+/// Three free angles are a costlier explanation than none: the logarithm of how much narrower readings fix them.
+constexpr double kCostOfTurn = 9;
+
+/// The deviation that a standard normal deviate exceeds once in `times`.
+double deviateExceededOnceIn(double times) {
+  // Inverse of the tail by its asymptotic series, twice refined; within 0.01 from 100 on.
+  double z = std::sqrt(2 * std::log(times));
+  for (int k = 0; k < 5; ++k) z = std::sqrt(2 * std::log(times / (z * std::sqrt(2 * kPi))) - 2 * std::log1p(1 / (z * z)));
+  return z;
+}
+
+/// Rows of bend and twist of a link with the given heading for (S_xx, S_yy, S_xy, antisymmetric part).
+Eigen::Vector4d bendRow(double heading) {
+  const double c = std::cos(heading);
+  const double s = std::sin(heading);
+  return {c * c, s * s, 2 * c * s, 0};
+}
+Eigen::Vector4d twistRow(double heading) {
+  const double c = std::cos(heading);
+  const double s = std::sin(heading);
+  return {c * s, -c * s, -(c * c - s * s), -1};
+}
+
+double huberWeight(double deviations) {
+  constexpr double kThreshold = 1.5;
+  return std::abs(deviations) <= kThreshold ? 1 : kThreshold / std::abs(deviations);
+}
+
+}  // namespace
+
+AttitudeSearch::AttitudeSearch(const SkinLinks& skin, std::span<const std::size_t> cells,
+                               std::span<const PatchForce> forces, std::span<const SE3> placements)
+    : skin_(skin), own_(skin.graph().cells().size()), at_(own_.size()), cells_(cells.begin(), cells.end()) {
+  findOwnAttitudes(cells, forces, placements);
+  findJoints(cells);
+  sigma_ = {skin.model().twist_sigma_rad, skin.model().bend_sigma_rad, skin.model().yaw_sigma_rad};
+}
+
+void AttitudeSearch::findOwnAttitudes(std::span<const std::size_t> cells, std::span<const PatchForce> forces,
+                                      std::span<const SE3> placements) {
+  const AccelerometerPrior prior(skin_.model().accelerometer);
+  const Eigen::Matrix3d& R_u_a = skin_.model().accelerometer.T_u_a.R;
+  for (const std::size_t cell : cells) {
+    std::vector<CellReading> readings;
+    std::vector<Eigen::Vector3d> f_o;
+    for (const PatchForce& force : forces) {
+      const GravityTable::Entry& entry = skin_.table().at(cell, force.pose);
+      if (!entry.usable) continue;
+      readings.push_back({readings.size(), R_u_a.transpose() * entry.mean_g, entry.variance_g2});
+      f_o.emplace_back(force.at_origin_o + force.swing_o.cross(placements[cell].t));
+    }
+    if (readings.empty()) continue;
+    const OwnAttitude own = findAttitude(prior, readings, f_o, placements[cell].R * R_u_a);
+    const Eigen::Matrix3d information = own.information + Eigen::Matrix3d::Identity() / kUnknownVariance;
+    own_[cell] = {true, own.R * R_u_a.transpose(), R_u_a * information.inverse() * R_u_a.transpose()};
+  }
+}
+
+void AttitudeSearch::findJoints(std::span<const std::size_t> cells) {
+  const SkinGraph& graph = skin_.graph();
+  std::vector<std::optional<double>> heading(graph.cells().size());  // of a cell's x axis in the sheet laid flat
+  const auto headingOf = [](const Port& port) { return std::atan2(port.vector_m.y(), port.vector_m.x()); };
+  for (const std::size_t start : cells) {
+    if (heading[start]) continue;
+    heading[start] = 0;
+    std::deque<std::size_t> queue = {start};
+    while (!queue.empty()) {
+      const std::size_t cell = queue.front();
+      queue.pop_front();
+      for (const std::size_t k : graph.linksAt(cell)) {
+        const GraphLink& link = graph.links()[k];
+        if (link.muted() || heading[link.other(cell)]) continue;
+        const double yaw = headingOf(skin_.sourcePort(link)) + kPi - headingOf(skin_.targetPort(link));
+        heading[link.other(cell)] = *heading[cell] + (link.source == cell ? yaw : -yaw);
+        queue.push_back(link.other(cell));
+      }
+    }
+  }
+  for (const std::size_t cell : cells) {
+    for (const std::size_t k : graph.linksAt(cell)) {
+      const GraphLink& link = graph.links()[k];
+      if (link.muted() || link.source != cell || !own_[link.source].known || !own_[link.target].known) continue;
+      Joint joint{k, link.source, link.target};
+      joint.R_nom = nominalAlignment(skin_.sourcePort(link), skin_.targetPort(link));
+      const Eigen::Vector3d u = skin_.sourcePort(link).vector_m.normalized();
+      joint.axes << u, Eigen::Vector3d::UnitZ().cross(u), Eigen::Vector3d::UnitZ();
+      joint.heading_rad = *heading[cell] + headingOf(skin_.sourcePort(link));
+      at_[link.source].push_back(joints_.size());
+      at_[link.target].push_back(joints_.size());
+      joints_.push_back(joint);
+    }
+  }
+}
+
+bool AttitudeSearch::tested(const Joint& joint) const {
+  return joint.open && own_[joint.source].known && own_[joint.target].known;
+}
+
+/// Twist, bend and yaw.
+Eigen::Vector3d AttitudeSearch::anglesOf(const Joint& joint, const Own& source, const Own& target) const {
+  return joint.axes.transpose() * logSO3(source.R_o_u.transpose() * target.R_o_u * joint.R_nom.transpose());
+}
+
+/// Covariance that the readings leave in a link's angles.
+Eigen::Matrix3d AttitudeSearch::measured(const Joint& joint, const Own& source, const Own& target) const {
+  const Eigen::Matrix3d R_c_n = source.R_o_u.transpose() * target.R_o_u;
+  return joint.axes.transpose() * (source.covariance + R_c_n * target.covariance * R_c_n.transpose()) * joint.axes;
+}
+
+Eigen::Vector3d AttitudeSearch::expectedOf(const Joint& joint) const {
+  return {twistRow(joint.heading_rad).dot(shape_.parameters), bendRow(joint.heading_rad).dot(shape_.parameters), 0};
+}
+
+Eigen::Matrix3d AttitudeSearch::scatter() const { return sigma_.cwiseAbs2().asDiagonal(); }
+
+double AttitudeSearch::squaredMisfit(const Joint& joint, const Own& source, const Own& target) const {
+  const Eigen::Vector3d off = anglesOf(joint, source, target) - expectedOf(joint);
+  const Eigen::Matrix3d covariance = scatter() + measured(joint, source, target);
+  return off.dot(covariance.ldlt().solve(off));
+}
+
+/// The shape operator that fits most links, and the scatter about it.
+AttitudeSearch::Shape AttitudeSearch::fitShape(bool with_antisymmetric) {
+  constexpr int kRounds = 8;
+  const CellModel& model = skin_.model();
+  const Eigen::Vector3d model_sigma(model.twist_sigma_rad, model.bend_sigma_rad, model.yaw_sigma_rad);
+  sigma_ = model_sigma;
+  Shape shape;
+  std::vector<Eigen::Vector3d> angles;
+  std::vector<Eigen::Vector3d> variances;
+  std::vector<double> headings;
+  for (const Joint& joint : joints_) {
+    if (!tested(joint)) continue;
+    angles.push_back(anglesOf(joint, own_[joint.source], own_[joint.target]));
+    variances.emplace_back(measured(joint, own_[joint.source], own_[joint.target]).diagonal());
+    headings.push_back(joint.heading_rad);
+  }
+  const auto links = static_cast<double>(angles.size());
+  for (int round = 0; round < kRounds; ++round) {
+    Eigen::Matrix4d normal = Eigen::Matrix4d::Identity() / (kCurvatureSigma * kCurvatureSigma);
+    if (!with_antisymmetric) normal(3, 3) = 1e12;
+    Eigen::Vector4d right = Eigen::Vector4d::Zero();
+    for (std::size_t k = 0; k < angles.size(); ++k) {
+      for (int axis = 0; axis < 2; ++axis) {
+        const Eigen::Vector4d row = axis == 0 ? twistRow(headings[k]) : bendRow(headings[k]);
+        const double variance = sigma_[axis] * sigma_[axis] + variances[k][axis];
+        const double off = angles[k][axis] - row.dot(shape.parameters);
+        const double weight = (round == 0 ? 1 : huberWeight(off / std::sqrt(variance))) / variance;
+        normal += weight * row * row.transpose();
+        right += weight * angles[k][axis] * row;
+      }
+    }
+    const Eigen::LDLT<Eigen::Matrix4d> factor(normal);
+    shape.parameters = factor.solve(right);
+    shape.antisymmetric_sigma = std::sqrt(factor.solve(Eigen::Vector4d::UnitW()).w());
+    for (int axis = 0; axis < 3; ++axis) {
+      std::vector<double> off;
+      std::vector<double> of_readings;
+      for (std::size_t k = 0; k < angles.size(); ++k) {
+        const double expected = axis == 0   ? twistRow(headings[k]).dot(shape.parameters)
+                                : axis == 1 ? bendRow(headings[k]).dot(shape.parameters)
+                                            : 0;
+        off.push_back(std::abs(angles[k][axis] - expected));
+        of_readings.push_back(variances[k][axis]);
+      }
+      const double seen = median(off) / kMedianOfNormal;
+      const double own_sq = std::max(0.0, seen * seen - median(of_readings));
+      const double model_sq = model_sigma[axis] * model_sigma[axis];
+      double both_sq = (kWeightOfModel * model_sq + links * own_sq) / (kWeightOfModel + links);
+      if (axis == 2) both_sq = std::max(both_sq, model_sq);
+      sigma_[axis] = std::sqrt(both_sq);
+    }
+  }
+  return shape;
+}
+
+/// A surface's normal turns towards the way that it bends: links twist one way along one direction as much as they twist
+/// the other way across it. A twist that is the same in all directions belongs to no surface.
+std::optional<AttitudeSuspect> AttitudeSearch::judgePatch() {
+  constexpr double kLimit = 5;
+  constexpr double kLeast = 4 * kDegree;
+  const Shape shape = fitShape(true);
+  if (shape.antisymmetric_sigma <= 0) return std::nullopt;
+  const double deviate = std::abs(shape.parameters.w()) / shape.antisymmetric_sigma;
+  if (deviate < kLimit || std::abs(shape.parameters.w()) < kLeast) return std::nullopt;
+  AttitudeSuspect suspect{AttitudeSuspect::Kind::Patch};
+  suspect.angle_rad = std::abs(shape.parameters.w());
+  return suspect;
+}
+
+/// The angle of a link that is further off than the limit, in deviations.
+std::optional<AttitudeSuspect> AttitudeSearch::judgeLink(const Joint& joint, double limit) const {
+  constexpr std::array kCodes = {FindingCode::ImplausibleTwist, FindingCode::ImplausibleBend,
+                                 FindingCode::ImplausibleYaw};
+  const Own& source = own_[joint.source];
+  const Own& target = own_[joint.target];
+  const Eigen::Vector3d angles = anglesOf(joint, source, target);
+  const Eigen::Vector3d expected = expectedOf(joint);
+  const Eigen::Vector3d sigma = (scatter() + measured(joint, source, target)).diagonal().cwiseSqrt();
+  Eigen::Index worst = 0;
+  const double deviate = (angles - expected).cwiseQuotient(sigma).cwiseAbs().maxCoeff(&worst);
+  if (deviate <= limit) return std::nullopt;
+  AttitudeSuspect suspect{AttitudeSuspect::Kind::Link};
+  suspect.link = joint.link;
+  suspect.angle = kCodes.at(static_cast<std::size_t>(worst));
+  suspect.angle_rad = angles[worst];
+  suspect.lowest_rad = expected[worst] - limit * sigma[worst];
+  suspect.highest_rad = expected[worst] + limit * sigma[worst];
+  suspect.evidence = squaredMisfit(joint, source, target) / 2 - kCostOfTurn;
+  return suspect;
+}
+
+/// A cell whose own attitude is not what all its links say together. Nothing for one with fewer than two links to say
+/// so.
+std::optional<AttitudeSuspect> AttitudeSearch::judgeCell(std::size_t cell, double limit) const {
+  Eigen::Matrix3d precision = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d weighted = Eigen::Vector3d::Zero();
+  std::size_t witnesses = 0;
+  for (const std::size_t k : at_[cell]) {
+    const Joint& joint = joints_[k];
+    if (!tested(joint)) continue;
+    ++witnesses;
+    // The error e of this cell's attitude as the link has it, R = R_expected exp(e), in the cell's frame.
+    const bool is_source = joint.source == cell;
+    const Own& other = own_[is_source ? joint.target : joint.source];
+    const Eigen::Matrix3d R_link = expSO3(joint.axes * expectedOf(joint)) * joint.R_nom;
+    const Eigen::Matrix3d R_expected =
+        other.R_o_u * (is_source ? Eigen::Matrix3d(R_link.transpose()) : R_link);
+    const Eigen::Matrix3d of_link = joint.axes * scatter() * joint.axes.transpose();
+    const Eigen::Matrix3d covariance =
+        is_source ? Eigen::Matrix3d(of_link + R_link * other.covariance * R_link.transpose())
+                  : Eigen::Matrix3d(R_link.transpose() * (of_link + other.covariance) * R_link);
+    const Eigen::Matrix3d inverse = covariance.inverse();
+    precision += inverse;
+    weighted += inverse * logSO3(R_expected.transpose() * own_[cell].R_o_u);
+  }
+  if (witnesses < 2) return std::nullopt;
+  const Eigen::Matrix3d of_links = precision.inverse();
+  const Eigen::Vector3d turn = of_links * weighted;
+  const double squared = turn.dot((of_links + own_[cell].covariance).ldlt().solve(turn));
+  if (Misfit{squared, 3}.deviate() <= limit) return std::nullopt;
+  AttitudeSuspect suspect{AttitudeSuspect::Kind::Cell};
+  suspect.cell = cell;
+  suspect.angle_rad = turn.norm();
+  suspect.evidence = squared / 2 - kCostOfTurn;
+  return suspect;
+}
+
+/// By how much the links of two neighbours fit better with each other's readings: the logarithm of the likelihood ratio.
+double AttitudeSearch::gainOfSwap(const Joint& joint) const {
+  const auto swapped = [&](std::size_t cell) -> const Own& {
+    return own_[cell == joint.source ? joint.target : cell == joint.target ? joint.source : cell];
+  };
+  double gain = 0;
+  for (const std::size_t cell : {joint.source, joint.target}) {
+    for (const std::size_t k : at_[cell]) {
+      const Joint& beside = joints_[k];
+      if (!tested(beside) || (beside.link == joint.link && cell == joint.target)) continue;
+      gain += squaredMisfit(beside, own_[beside.source], own_[beside.target]) -
+              squaredMisfit(beside, swapped(beside.source), swapped(beside.target));
+    }
+  }
+  return gain / 2;
+}
+
+std::vector<AttitudeSuspect> AttitudeSearch::candidates() const {
+  const auto links = static_cast<double>(joints_.size());
+  const double limit =
+      deviateExceededOnceIn(kSessionsPerFalseAlarm * (3 * links + static_cast<double>(cells_.size())));
+  const double swap_limit = std::log(kSessionsPerFalseAlarm * links);
+  std::vector<AttitudeSuspect> found;
+  for (const Joint& joint : joints_) {
+    if (!tested(joint)) continue;
+    if (const auto suspect = judgeLink(joint, limit)) found.push_back(*suspect);
+    if (const double gain = gainOfSwap(joint); gain > swap_limit) {
+      AttitudeSuspect suspect{AttitudeSuspect::Kind::Swapped};
+      suspect.cell = joint.source;
+      suspect.other = joint.target;
+      suspect.evidence = gain;
+      found.push_back(suspect);
+    }
+  }
+  for (const std::size_t cell : cells_) {
+    if (!own_[cell].known) continue;
+    if (const auto suspect = judgeCell(cell, limit)) found.push_back(*suspect);
+  }
+  std::ranges::sort(found, std::greater<>(), &AttitudeSuspect::evidence);
+  return found;
+}
+
+/// The cells that the suspicion is about.
+std::vector<std::size_t> AttitudeSearch::cellsOf(const AttitudeSuspect& suspect) const {
+  if (suspect.kind == AttitudeSuspect::Kind::Cell) return {suspect.cell};
+  if (suspect.kind == AttitudeSuspect::Kind::Swapped) return {suspect.cell, suspect.other};
+  const GraphLink& link = skin_.graph().links()[suspect.link];
+  return {link.source, link.target};
+}
+
+void AttitudeSearch::explain(const AttitudeSuspect& suspect) {
+  switch (suspect.kind) {
+    case AttitudeSuspect::Kind::Link:
+      for (Joint& joint : joints_) joint.open = joint.open && joint.link != suspect.link;
+      break;
+    case AttitudeSuspect::Kind::Swapped:
+      std::swap(own_[suspect.cell], own_[suspect.other]);
+      break;
+    case AttitudeSuspect::Kind::Cell:
+      own_[suspect.cell].known = false;
+      break;
+    case AttitudeSuspect::Kind::Patch:
+      break;
+  }
+}
+
+std::vector<AttitudeSuspect> AttitudeSearch::suspects() {
+  if (joints_.empty()) return {};
+  if (const auto patch = judgePatch()) return {*patch};
+  shape_ = fitShape(false);
+  std::vector<AttitudeSuspect> named;
+  for (;;) {
+    // What is beside a clearer fault may be its work and waits for the next round.
+    std::vector<bool> waits(own_.size(), false);
+    const std::size_t before = named.size();
+    for (const AttitudeSuspect& suspect : candidates()) {
+      const std::vector<std::size_t> cells = cellsOf(suspect);
+      if (std::ranges::any_of(cells, [&](std::size_t cell) { return waits[cell]; })) continue;
+      for (const std::size_t cell : cells) {
+        waits[cell] = true;
+        for (const std::size_t k : at_[cell]) waits[joints_[k].source] = waits[joints_[k].target] = true;
+      }
+      named.push_back(suspect);
+      explain(suspect);
+    }
+    if (named.size() == before) return named;
+  }
+}
+
+}  // namespace hexoderm
