@@ -1,5 +1,6 @@
 #include "hexoderm/util/finding.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -154,6 +155,14 @@ Finding makeFinding(FindingCode code, Message message, std::vector<CellId> cells
           std::move(cells),
           std::move(ports),
           std::move(poses)};
+}
+
+void addOnce(std::vector<Finding>& findings, Finding finding) {
+  const bool is_known = std::ranges::any_of(findings, [&](const Finding& known) {
+    return known.code == finding.code && known.cells == finding.cells && known.ports == finding.ports &&
+           known.poses == finding.poses;
+  });
+  if (!is_known) findings.push_back(std::move(finding));
 }
 
 }  // namespace hexoderm

@@ -94,4 +94,8 @@ struct Finding {
 Finding makeFinding(FindingCode code, Message message, std::vector<CellId> cells = {},
                     std::vector<PortNumber> ports = {}, std::vector<PoseId> poses = {});
 
+/// Adds a finding unless there is one of the same code about the same cells, ports and poses: what is looked for again
+/// after something was taken out is said once.
+void addOnce(std::vector<Finding>& findings, Finding finding);
+
 }  // namespace hexoderm

@@ -332,6 +332,11 @@ void SimulatedSkin::mendCell(CellId cell) {
   state_->health[cell.value() - 1] = CellHealth{};
 }
 
+Eigen::Matrix3d SimulatedSkin::turnOf(CellId cell) const {
+  state_->requireCell(cell);
+  return state_->health[cell.value() - 1].turn.value_or(Eigen::Matrix3d::Identity());
+}
+
 std::vector<Eigen::Vector3d> scriptedUpDirections(std::size_t pose_count) {
   // Three orthogonal ones first, then their opposites (which separate offsets), then the corners of the cube.
   std::vector<Eigen::Vector3d> directions = {

@@ -169,6 +169,9 @@ class SimulatedSkin {
   /// Throws InvalidArgument if there is no such cell.
   void breakCell(const CellFault& fault);
   void mendCell(CellId cell);
+  /// How far a Yawed or Reglued cell is turned, from the cell as it lies to the cell as it is said to lie; the identity
+  /// for others. Throws InvalidArgument if there is no such cell.
+  [[nodiscard]] Eigen::Matrix3d turnOf(CellId cell) const;
 
  private:
   struct State;

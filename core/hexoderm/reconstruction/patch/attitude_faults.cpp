@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace hexoderm {
 namespace {
@@ -60,15 +61,21 @@ class Isolation {
  private:
   [[nodiscard]] CellId id(std::size_t cell) const { return skin_.graph().cells()[cell].id; }
 
+  [[nodiscard]] Finding describeContradiction(const PatchSolver& patch, double twist_rad) const {
+    std::vector<CellId> cells;
+    for (const std::size_t cell : patch.cells()) cells.push_back(id(cell));
+    return makeFinding(
+        FindingCode::ContradictsModel,
+        message("All links of the patch of cell {} are twisted one way, by {} degrees on the average, as on no surface: "
+                "the axes of the accelerometers or the numbers of the ports are not as in the cell model {}.",
+                id(patch.origin()), Number{toDegrees(twist_rad), 0}, skin_.model().name),
+        std::move(cells));
+  }
+
   bool takeOut(const PatchSolver& patch, const AttitudeSuspect& suspect) {
     switch (suspect.kind) {
       case AttitudeSuspect::Kind::Patch:
-        findings_.push_back(makeFinding(
-            FindingCode::ContradictsModel,
-            message("All links of the patch of cell {} are twisted one way, by {} degrees on the average, as on no "
-                    "surface: the axes of the accelerometers or the numbers of the ports are not as in the cell model "
-                    "{}.",
-                    id(patch.origin()), Number{toDegrees(suspect.angle_rad), 0}, skin_.model().name)));
+        addOnce(findings_, describeContradiction(patch, suspect.angle_rad));
         return false;
       case AttitudeSuspect::Kind::Link: {
         const GraphLink& link = skin_.graph().links()[suspect.link];
@@ -92,7 +99,7 @@ class Isolation {
         break;
     }
     if (hasTooFewPoses(skin_.table(), suspect.cell)) {
-      findings_.push_back(describeSuspiciousSensor(skin_.graph(), skin_.table(), suspect.cell));
+      addOnce(findings_, describeSuspiciousSensor(skin_.graph(), skin_.table(), suspect.cell));
       return false;
     }
     findings_.push_back(

@@ -53,7 +53,7 @@ Completion PatchSolver::refine(const Reconstruction* earlier, const std::stop_to
   std::vector<std::size_t> suspicious;
   while (const auto bad = worstSensor(suspicious)) {
     if (hasTooFewPoses(skin_.table(), bad->cell)) {
-      findings.push_back(describeSuspiciousSensor(skin_.graph(), skin_.table(), bad->cell));
+      addOnce(findings, describeSuspiciousSensor(skin_.graph(), skin_.table(), bad->cell));
       suspicious.push_back(bad->cell);
       continue;
     }
