@@ -45,6 +45,8 @@ Eigen::Vector4d twistRow(double heading) {
   return {c * s, -c * s, -(c * c - s * s), -1};
 }
 
+double headingOf(const Port& port) { return std::atan2(port.vector_m.y(), port.vector_m.x()); }
+
 double huberWeight(double deviations) {
   constexpr double kThreshold = 1.5;
   return std::abs(deviations) <= kThreshold ? 1 : kThreshold / std::abs(deviations);
@@ -54,63 +56,72 @@ double huberWeight(double deviations) {
 
 AttitudeSearch::AttitudeSearch(const SkinLinks& skin, std::span<const std::size_t> cells,
                                std::span<const PatchForce> forces, std::span<const SE3> placements)
-    : skin_(skin), own_(skin.graph().cells().size()), at_(own_.size()), cells_(cells.begin(), cells.end()) {
-  findOwnAttitudes(cells, forces, placements);
-  findJoints(cells);
+    : skin_(skin), cells_(cells.begin(), cells.end()), own_(cells_.size()), at_(cells_.size()) {
+  findOwnAttitudes(forces, placements);
+  findJoints();
   sigma_ = {skin.model().twist_sigma_rad, skin.model().bend_sigma_rad, skin.model().yaw_sigma_rad};
 }
 
-void AttitudeSearch::findOwnAttitudes(std::span<const std::size_t> cells, std::span<const PatchForce> forces,
-                                      std::span<const SE3> placements) {
+std::size_t AttitudeSearch::placeOf(std::size_t cell) const {
+  return static_cast<std::size_t>(std::ranges::lower_bound(cells_, cell) - cells_.begin());
+}
+
+void AttitudeSearch::findOwnAttitudes(std::span<const PatchForce> forces, std::span<const SE3> placements) {
   const AccelerometerPrior prior(skin_.model().accelerometer);
   const Eigen::Matrix3d& R_u_a = skin_.model().accelerometer.T_u_a.R;
-  for (const std::size_t cell : cells) {
+  for (std::size_t place = 0; place < cells_.size(); ++place) {
     std::vector<CellReading> readings;
     std::vector<Eigen::Vector3d> f_o;
     for (const PatchForce& force : forces) {
-      const GravityTable::Entry& entry = skin_.table().at(cell, force.pose);
+      const GravityTable::Entry& entry = skin_.table().at(cells_[place], force.pose);
       if (!entry.usable) continue;
       readings.push_back({readings.size(), R_u_a.transpose() * entry.mean_g, entry.variance_g2});
-      f_o.emplace_back(force.at_origin_o + force.swing_o.cross(placements[cell].t));
+      f_o.emplace_back(force.at_origin_o + force.swing_o.cross(placements[place].t));
     }
     if (readings.empty()) continue;
-    const OwnAttitude own = findAttitude(prior, readings, f_o, placements[cell].R * R_u_a);
+    const OwnAttitude own = findAttitude(prior, readings, f_o, placements[place].R * R_u_a);
     const Eigen::Matrix3d information = own.information + Eigen::Matrix3d::Identity() / kUnknownVariance;
-    own_[cell] = {true, own.R * R_u_a.transpose(), R_u_a * information.inverse() * R_u_a.transpose()};
+    own_[place] = {true, own.R * R_u_a.transpose(), R_u_a * information.inverse() * R_u_a.transpose()};
   }
 }
 
-void AttitudeSearch::findJoints(std::span<const std::size_t> cells) {
+/// Headings of the cells' x axes in the sheet laid flat, from one of them.
+std::vector<double> AttitudeSearch::headings() const {
   const SkinGraph& graph = skin_.graph();
-  std::vector<std::optional<double>> heading(graph.cells().size());  // of a cell's x axis in the sheet laid flat
-  const auto headingOf = [](const Port& port) { return std::atan2(port.vector_m.y(), port.vector_m.x()); };
-  for (const std::size_t start : cells) {
-    if (heading[start]) continue;
-    heading[start] = 0;
-    std::deque<std::size_t> queue = {start};
-    while (!queue.empty()) {
-      const std::size_t cell = queue.front();
-      queue.pop_front();
-      for (const std::size_t k : graph.linksAt(cell)) {
-        const GraphLink& link = graph.links()[k];
-        if (link.muted() || heading[link.other(cell)]) continue;
-        const double yaw = headingOf(skin_.sourcePort(link)) + kPi - headingOf(skin_.targetPort(link));
-        heading[link.other(cell)] = *heading[cell] + (link.source == cell ? yaw : -yaw);
-        queue.push_back(link.other(cell));
-      }
-    }
-  }
-  for (const std::size_t cell : cells) {
+  std::vector<std::optional<double>> heading(cells_.size());
+  heading.front() = 0;
+  std::deque<std::size_t> queue = {cells_.front()};
+  while (!queue.empty()) {
+    const std::size_t cell = queue.front();
+    queue.pop_front();
     for (const std::size_t k : graph.linksAt(cell)) {
       const GraphLink& link = graph.links()[k];
-      if (link.muted() || link.source != cell || !own_[link.source].known || !own_[link.target].known) continue;
-      Joint joint{k, link.source, link.target};
+      if (link.muted() || heading[placeOf(link.other(cell))]) continue;
+      const double yaw = headingOf(skin_.sourcePort(link)) + kPi - headingOf(skin_.targetPort(link));
+      heading[placeOf(link.other(cell))] = *heading[placeOf(cell)] + (link.source == cell ? yaw : -yaw);
+      queue.push_back(link.other(cell));
+    }
+  }
+  std::vector<double> all;
+  for (const std::optional<double>& of_cell : heading) all.push_back(of_cell.value_or(0));
+  return all;
+}
+
+void AttitudeSearch::findJoints() {
+  const SkinGraph& graph = skin_.graph();
+  const std::vector<double> heading = headings();
+  for (std::size_t place = 0; place < cells_.size(); ++place) {
+    for (const std::size_t k : graph.linksAt(cells_[place])) {
+      const GraphLink& link = graph.links()[k];
+      if (link.muted() || link.source != cells_[place]) continue;
+      Joint joint{k, place, placeOf(link.target)};
+      if (!own_[joint.source].known || !own_[joint.target].known) continue;
       joint.R_nom = nominalAlignment(skin_.sourcePort(link), skin_.targetPort(link));
       const Eigen::Vector3d u = skin_.sourcePort(link).vector_m.normalized();
       joint.axes << u, Eigen::Vector3d::UnitZ().cross(u), Eigen::Vector3d::UnitZ();
-      joint.heading_rad = *heading[cell] + headingOf(skin_.sourcePort(link));
-      at_[link.source].push_back(joints_.size());
-      at_[link.target].push_back(joints_.size());
+      joint.heading_rad = heading[place] + headingOf(skin_.sourcePort(link));
+      at_[joint.source].push_back(joints_.size());
+      at_[joint.target].push_back(joints_.size());
       joints_.push_back(joint);
     }
   }
@@ -236,16 +247,16 @@ std::optional<AttitudeSuspect> AttitudeSearch::judgeLink(const Joint& joint, dou
 
 /// A cell whose own attitude is not what all its links say together. Nothing for one with fewer than two links to say
 /// so.
-std::optional<AttitudeSuspect> AttitudeSearch::judgeCell(std::size_t cell, double limit) const {
+std::optional<AttitudeSuspect> AttitudeSearch::judgeCell(std::size_t place, double limit) const {
   Eigen::Matrix3d precision = Eigen::Matrix3d::Zero();
   Eigen::Vector3d weighted = Eigen::Vector3d::Zero();
   std::size_t witnesses = 0;
-  for (const std::size_t k : at_[cell]) {
+  for (const std::size_t k : at_[place]) {
     const Joint& joint = joints_[k];
     if (!tested(joint)) continue;
     ++witnesses;
     // The error e of this cell's attitude as the link has it, R = R_expected exp(e), in the cell's frame.
-    const bool is_source = joint.source == cell;
+    const bool is_source = joint.source == place;
     const Own& other = own_[is_source ? joint.target : joint.source];
     const Eigen::Matrix3d R_link = expSO3(joint.axes * expectedOf(joint)) * joint.R_nom;
     const Eigen::Matrix3d R_expected =
@@ -256,15 +267,15 @@ std::optional<AttitudeSuspect> AttitudeSearch::judgeCell(std::size_t cell, doubl
                   : Eigen::Matrix3d(R_link.transpose() * (of_link + other.covariance) * R_link);
     const Eigen::Matrix3d inverse = covariance.inverse();
     precision += inverse;
-    weighted += inverse * logSO3(R_expected.transpose() * own_[cell].R_o_u);
+    weighted += inverse * logSO3(R_expected.transpose() * own_[place].R_o_u);
   }
   if (witnesses < 2) return std::nullopt;
   const Eigen::Matrix3d of_links = precision.inverse();
   const Eigen::Vector3d turn = of_links * weighted;
-  const double squared = turn.dot((of_links + own_[cell].covariance).ldlt().solve(turn));
+  const double squared = turn.dot((of_links + own_[place].covariance).ldlt().solve(turn));
   if (Misfit{squared, 3}.deviate() <= limit) return std::nullopt;
   AttitudeSuspect suspect{AttitudeSuspect::Kind::Cell};
-  suspect.cell = cell;
+  suspect.cell = cells_[place];
   suspect.angle_rad = turn.norm();
   suspect.evidence = squared / 2 - kCostOfTurn;
   return suspect;
@@ -298,26 +309,25 @@ std::vector<AttitudeSuspect> AttitudeSearch::candidates() const {
     if (const auto suspect = judgeLink(joint, limit)) found.push_back(*suspect);
     if (const double gain = gainOfSwap(joint); gain > swap_limit) {
       AttitudeSuspect suspect{AttitudeSuspect::Kind::Swapped};
-      suspect.cell = joint.source;
-      suspect.other = joint.target;
+      suspect.cell = cells_[joint.source];
+      suspect.other = cells_[joint.target];
       suspect.evidence = gain;
       found.push_back(suspect);
     }
   }
-  for (const std::size_t cell : cells_) {
-    if (!own_[cell].known) continue;
-    if (const auto suspect = judgeCell(cell, limit)) found.push_back(*suspect);
+  for (std::size_t place = 0; place < cells_.size(); ++place) {
+    if (!own_[place].known) continue;
+    if (const auto suspect = judgeCell(place, limit)) found.push_back(*suspect);
   }
   std::ranges::sort(found, std::greater<>(), &AttitudeSuspect::evidence);
   return found;
 }
 
-/// The cells that the suspicion is about.
-std::vector<std::size_t> AttitudeSearch::cellsOf(const AttitudeSuspect& suspect) const {
-  if (suspect.kind == AttitudeSuspect::Kind::Cell) return {suspect.cell};
-  if (suspect.kind == AttitudeSuspect::Kind::Swapped) return {suspect.cell, suspect.other};
+std::vector<std::size_t> AttitudeSearch::placesOf(const AttitudeSuspect& suspect) const {
+  if (suspect.kind == AttitudeSuspect::Kind::Cell) return {placeOf(suspect.cell)};
+  if (suspect.kind == AttitudeSuspect::Kind::Swapped) return {placeOf(suspect.cell), placeOf(suspect.other)};
   const GraphLink& link = skin_.graph().links()[suspect.link];
-  return {link.source, link.target};
+  return {placeOf(link.source), placeOf(link.target)};
 }
 
 void AttitudeSearch::explain(const AttitudeSuspect& suspect) {
@@ -326,10 +336,10 @@ void AttitudeSearch::explain(const AttitudeSuspect& suspect) {
       for (Joint& joint : joints_) joint.open = joint.open && joint.link != suspect.link;
       break;
     case AttitudeSuspect::Kind::Swapped:
-      std::swap(own_[suspect.cell], own_[suspect.other]);
+      std::swap(own_[placeOf(suspect.cell)], own_[placeOf(suspect.other)]);
       break;
     case AttitudeSuspect::Kind::Cell:
-      own_[suspect.cell].known = false;
+      own_[placeOf(suspect.cell)].known = false;
       break;
     case AttitudeSuspect::Kind::Patch:
       break;
@@ -346,11 +356,11 @@ std::vector<AttitudeSuspect> AttitudeSearch::suspects() {
     std::vector<bool> waits(own_.size(), false);
     const std::size_t before = named.size();
     for (const AttitudeSuspect& suspect : candidates()) {
-      const std::vector<std::size_t> cells = cellsOf(suspect);
-      if (std::ranges::any_of(cells, [&](std::size_t cell) { return waits[cell]; })) continue;
-      for (const std::size_t cell : cells) {
-        waits[cell] = true;
-        for (const std::size_t k : at_[cell]) waits[joints_[k].source] = waits[joints_[k].target] = true;
+      const std::vector<std::size_t> places = placesOf(suspect);
+      if (std::ranges::any_of(places, [&](std::size_t place) { return waits[place]; })) continue;
+      for (const std::size_t place : places) {
+        waits[place] = true;
+        for (const std::size_t k : at_[place]) waits[joints_[k].source] = waits[joints_[k].target] = true;
       }
       named.push_back(suspect);
       explain(suspect);

@@ -51,7 +51,7 @@ struct AttitudeSuspect {
 /// one: a constant twist.
 class AttitudeSearch {
  public:
-  /// `cells`: of the patch. `R_o_u`: per cell of the graph, where the search for its own attitude starts.
+  /// `cells`: of the patch, ascending. `placements`: per entry of `cells`, where the search for its own attitude starts.
   AttitudeSearch(const SkinLinks& skin, std::span<const std::size_t> cells, std::span<const PatchForce> forces,
                  std::span<const SE3> placements);
 
@@ -64,8 +64,9 @@ class AttitudeSearch {
     Eigen::Matrix3d R_o_u = Eigen::Matrix3d::Identity();
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< cell frame
   };
+  /// A link between two cells with readings; cells by their place in the patch.
   struct Joint {
-    std::size_t link = 0;
+    std::size_t link = 0;  ///< of the graph
     std::size_t source = 0;
     std::size_t target = 0;
     Eigen::Matrix3d R_nom = Eigen::Matrix3d::Identity();
@@ -78,9 +79,10 @@ class AttitudeSearch {
     double antisymmetric_sigma = 0;
   };
 
-  void findOwnAttitudes(std::span<const std::size_t> cells, std::span<const PatchForce> forces,
-                        std::span<const SE3> placements);
-  void findJoints(std::span<const std::size_t> cells);
+  [[nodiscard]] std::size_t placeOf(std::size_t cell) const;
+  void findOwnAttitudes(std::span<const PatchForce> forces, std::span<const SE3> placements);
+  [[nodiscard]] std::vector<double> headings() const;
+  void findJoints();
   [[nodiscard]] Shape fitShape(bool with_antisymmetric);
   [[nodiscard]] Eigen::Vector3d anglesOf(const Joint& joint, const Own& source, const Own& target) const;
   [[nodiscard]] Eigen::Matrix3d measured(const Joint& joint, const Own& source, const Own& target) const;
@@ -90,17 +92,18 @@ class AttitudeSearch {
   [[nodiscard]] std::optional<AttitudeSuspect> judgePatch();
   [[nodiscard]] std::vector<AttitudeSuspect> candidates() const;
   [[nodiscard]] std::optional<AttitudeSuspect> judgeLink(const Joint& joint, double limit) const;
-  [[nodiscard]] std::optional<AttitudeSuspect> judgeCell(std::size_t cell, double limit) const;
+  [[nodiscard]] std::optional<AttitudeSuspect> judgeCell(std::size_t place, double limit) const;
   [[nodiscard]] double gainOfSwap(const Joint& joint) const;
-  [[nodiscard]] std::vector<std::size_t> cellsOf(const AttitudeSuspect& suspect) const;
+  /// Places in the patch of the cells that a suspicion is about.
+  [[nodiscard]] std::vector<std::size_t> placesOf(const AttitudeSuspect& suspect) const;
   void explain(const AttitudeSuspect& suspect);
   [[nodiscard]] bool tested(const Joint& joint) const;
 
   const SkinLinks& skin_;
-  std::vector<Own> own_;                         ///< per cell of the graph
+  std::vector<std::size_t> cells_;               ///< of the graph
+  std::vector<Own> own_;                         ///< per cell of the patch
   std::vector<Joint> joints_;
-  std::vector<std::vector<std::size_t>> at_;     ///< per cell of the graph, indices into joints_
-  std::vector<std::size_t> cells_;
+  std::vector<std::vector<std::size_t>> at_;     ///< per cell of the patch, indices into joints_
   Shape shape_;
   Eigen::Vector3d sigma_ = Eigen::Vector3d::Zero();  ///< scatter of twist, bend and yaw beyond the shape
 };

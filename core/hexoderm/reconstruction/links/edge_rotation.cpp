@@ -7,6 +7,8 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 namespace hexoderm {
 namespace {
@@ -144,9 +146,27 @@ class EdgeSolver {
   const EdgeReadings& readings_;
 };
 
-bool applies(SupportAxes axes, EdgeQuality quality) {
-  if (axes == SupportAxes::Auto) return quality == EdgeQuality::Undefined || quality == EdgeQuality::Partially;
-  return axes == SupportAxes::On;
+/// Both ways of a choice, or the one that the options name.
+std::vector<bool> waysOf(bool may_be_off, bool may_be_on) {
+  std::vector<bool> ways;
+  if (may_be_off) ways.push_back(false);
+  if (may_be_on) ways.push_back(true);
+  return ways;
+}
+
+std::vector<bool> waysToCentre(Centring centring, Eigen::Index poses) {
+  // Two vectors less their mean are one difference and its opposite: a single direction.
+  constexpr Eigen::Index kFewestToCentre = 3;
+  if (poses < kFewestToCentre) return {false};
+  return waysOf(centring != Centring::On, centring != Centring::Off);
+}
+
+/// Support axes pull towards the nominal alignment, also where the poses know better: they are worth trying where the
+/// poses leave a direction open.
+std::vector<bool> waysToSupport(SupportAxes axes, EdgeQuality quality) {
+  const bool leaves_open = quality == EdgeQuality::Undefined || quality == EdgeQuality::Partially;
+  return waysOf(axes == SupportAxes::Off || axes == SupportAxes::Auto,
+                axes == SupportAxes::On || (axes == SupportAxes::Auto && leaves_open));
 }
 
 }  // namespace
@@ -176,17 +196,15 @@ EdgeRotation estimateEdgeRotation(const CellModel& model, const Port& source, co
   const Eigen::Index poses = readings.n_g.cols();
   const ProcrustesSolution plain = solveProcrustes(unitColumns(readings.n_g), unitColumns(readings.c_g));
   const EdgeQuality quality = classifyEdge(plain.singular_values, options.class_threshold);
-  const bool supported = applies(options.support_axes, quality);
   const EdgeSolver solver(model, source, target, readings);
-
-  // Two vectors less their mean are one difference and its opposite: a single direction.
-  constexpr Eigen::Index kFewestToCentre = 3;
-  const bool may_centre = options.centring != Centring::Off && poses >= kFewestToCentre;
-  EdgeRotation edge = solver.solve(may_centre && options.centring == Centring::On, supported, plain);
-  if (may_centre && options.centring == Centring::Auto) {
-    EdgeRotation centred = solver.solve(true, supported, plain);
-    if (centred.covariance.trace() < edge.covariance.trace()) edge = std::move(centred);
+  std::optional<EdgeRotation> best;
+  for (const bool supported : waysToSupport(options.support_axes, quality)) {
+    for (const bool centred : waysToCentre(options.centring, poses)) {
+      EdgeRotation way = solver.solve(centred, supported, plain);
+      if (!best || way.covariance.trace() < best->covariance.trace()) best = std::move(way);
+    }
   }
+  EdgeRotation edge = std::move(*best);
   edge.singular_values = plain.singular_values;
   edge.quality = quality;
   solver.addResiduals(edge);

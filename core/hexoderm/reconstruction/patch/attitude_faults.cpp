@@ -13,10 +13,12 @@
 namespace hexoderm {
 namespace {
 
-std::vector<SE3> placementsOf(const SkinLinks& skin, const PatchSolver& patch) {
-  std::vector<SE3> placements(skin.graph().cells().size());
+/// Per cell of the patch.
+std::vector<SE3> placementsOf(const PatchSolver& patch) {
+  std::vector<SE3> placements;
   for (const std::size_t cell : patch.cells()) {
-    placements[cell] = patch.joint() != nullptr ? patch.joint()->placementOf(cell) : patch.treePlacements()[cell].T_o_u;
+    const JointRefinement* joint = patch.joint();
+    placements.push_back(joint != nullptr ? joint->placementOf(cell) : patch.treePlacements()[cell].T_o_u);
   }
   return placements;
 }
@@ -34,9 +36,9 @@ std::vector<PatchForce> forcesOn(const SkinLinks& skin, const PatchSolver& patch
   }
   for (const std::size_t pose : skin.table().enabledPoses()) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const std::size_t cell : patch.cells()) {
-      const GravityTable::Entry& entry = skin.table().at(cell, pose);
-      if (entry.usable) sum += placements[cell].R * entry.mean_g.normalized();
+    for (std::size_t place = 0; place < placements.size(); ++place) {
+      const GravityTable::Entry& entry = skin.table().at(patch.cells()[place], pose);
+      if (entry.usable) sum += placements[place].R * entry.mean_g.normalized();
     }
     constexpr double kNoDirection = 1e-6;
     if (sum.norm() > kNoDirection) forces.push_back({pose, sum.normalized()});
@@ -49,7 +51,8 @@ class Isolation {
   Isolation(SkinLinks& skin, std::vector<Finding>& findings) : skin_(skin), findings_(findings) {}
 
   bool isolate(const PatchSolver& patch) {
-    const std::vector<SE3> placements = placementsOf(skin_, patch);
+    if (patch.cells().size() < 2) return false;
+    const std::vector<SE3> placements = placementsOf(patch);
     AttitudeSearch search(skin_, patch.cells(), forcesOn(skin_, patch, placements), placements);
     bool changed = false;
     for (const AttitudeSuspect& suspect : search.suspects()) changed = takeOut(patch, suspect) || changed;
