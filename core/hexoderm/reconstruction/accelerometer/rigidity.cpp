@@ -70,7 +70,7 @@ void linearizeTurns(const AccelerometerFit& fit, std::span<const Eigen::Vector3d
 }  // namespace
 
 TurnBetweenPoses findTurn(const AccelerometerPrior& prior, std::span<const CellReading> readings,
-                          std::span<const Eigen::Vector3d> v_g) {
+                          std::span<const Eigen::Vector3d> v_g, const AttitudePrior& attitude) {
   TurnBetweenPoses best;
   AccelerometerFit fit;
   fitAccelerometer(prior, readings, v_g, HuberLoss{std::numeric_limits<double>::infinity()}, fit);
@@ -78,6 +78,8 @@ TurnBetweenPoses findTurn(const AccelerometerPrior& prior, std::span<const CellR
     Vector6 gradient;
     Matrix6 information;
     linearizeTurns(fit, v_g, split, gradient, information);
+    gradient.head<3>() -= attitude.weighted;
+    information.topLeftCorner<3, 3>() += attitude.information;
     const Eigen::Vector3d rigid = gradient.head<3>();
     const Vector6 step = -information.ldlt().solve(gradient);
     const double with = -gradient.dot(step);

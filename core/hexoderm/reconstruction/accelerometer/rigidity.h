@@ -30,10 +30,18 @@ struct TurnBetweenPoses {
   Misfit gain;                  ///< by how much the turn lowers the misfit, for so many parameters
 };
 
-/// The turn between two poses that explains the readings best, with all that testRigidity() grants as well. Readings are
-/// in the order in which they were taken; two at least. To first order in the turn.
+/// What others say about a cell's attitude: the information of the error e in R_true = R exp(e), accelerometer axes,
+/// rad^-2, and that times the most probable e. Nothing by default.
+struct AttitudePrior {
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d weighted = Eigen::Vector3d::Zero();
+};
+
+/// The turn between two poses that explains the readings best, with all that testRigidity() grants as well and the
+/// attitude before the turn as likely as `attitude` has it. Readings are in the order in which they were taken; two at
+/// least. To first order in the turn.
 TurnBetweenPoses findTurn(const AccelerometerPrior& prior, std::span<const CellReading> readings,
-                          std::span<const Eigen::Vector3d> v_g);
+                          std::span<const Eigen::Vector3d> v_g, const AttitudePrior& attitude = {});
 
 /// A cell's attitude as its own readings have it.
 struct OwnAttitude {

@@ -22,8 +22,8 @@ constexpr double kCurvatureSigma = 30 * kDegree;
 constexpr double kMedianOfNormal = 0.6745;
 /// Variance of an angle of which nothing is known.
 constexpr double kUnknownVariance = kPi * kPi / 3;
-/// Three free angles are a costlier explanation than none: the logarithm of how much narrower readings fix them.
-constexpr double kCostOfTurn = 9;
+/// A free angle is a costlier explanation than none: the logarithm of how much narrower readings fix it.
+constexpr double kCostOfAngle = 3;
 
 /// The deviation that a standard normal deviate exceeds once in `times`.
 double deviateExceededOnceIn(double times) {
@@ -70,18 +70,21 @@ void AttitudeSearch::findOwnAttitudes(std::span<const PatchForce> forces, std::s
   const AccelerometerPrior prior(skin_.model().accelerometer);
   const Eigen::Matrix3d& R_u_a = skin_.model().accelerometer.T_u_a.R;
   for (std::size_t place = 0; place < cells_.size(); ++place) {
-    std::vector<CellReading> readings;
-    std::vector<Eigen::Vector3d> f_o;
+    Own& own = own_[place];
+    own.R_o_u = placements[place].R;
     for (const PatchForce& force : forces) {
       const GravityTable::Entry& entry = skin_.table().at(cells_[place], force.pose);
       if (!entry.usable) continue;
-      readings.push_back({readings.size(), R_u_a.transpose() * entry.mean_g, entry.variance_g2});
-      f_o.emplace_back(force.at_origin_o + force.swing_o.cross(placements[place].t));
+      own.readings.push_back({own.readings.size(), R_u_a.transpose() * entry.mean_g, entry.variance_g2});
+      own.f_o.emplace_back(force.at_origin_o + force.swing_o.cross(placements[place].t));
+      own.poses.push_back(force.pose);
     }
-    if (readings.empty()) continue;
-    const OwnAttitude own = findAttitude(prior, readings, f_o, placements[place].R * R_u_a);
-    const Eigen::Matrix3d information = own.information + Eigen::Matrix3d::Identity() / kUnknownVariance;
-    own_[place] = {true, own.R * R_u_a.transpose(), R_u_a * information.inverse() * R_u_a.transpose()};
+    if (own.readings.empty()) continue;
+    const OwnAttitude found = findAttitude(prior, own.readings, own.f_o, own.R_o_u * R_u_a);
+    const Eigen::Matrix3d information = found.information + Eigen::Matrix3d::Identity() / kUnknownVariance;
+    own.known = true;
+    own.R_o_u = found.R * R_u_a.transpose();
+    own.covariance = R_u_a * information.inverse() * R_u_a.transpose();
   }
 }
 
@@ -115,7 +118,6 @@ void AttitudeSearch::findJoints() {
       const GraphLink& link = graph.links()[k];
       if (link.muted() || link.source != cells_[place]) continue;
       Joint joint{k, place, placeOf(link.target)};
-      if (!own_[joint.source].known || !own_[joint.target].known) continue;
       joint.R_nom = nominalAlignment(skin_.sourcePort(link), skin_.targetPort(link));
       const Eigen::Vector3d u = skin_.sourcePort(link).vector_m.normalized();
       joint.axes << u, Eigen::Vector3d::UnitZ().cross(u), Eigen::Vector3d::UnitZ();
@@ -223,12 +225,79 @@ std::optional<AttitudeSuspect> AttitudeSearch::judgePatch() {
   return suspect;
 }
 
+Eigen::Matrix3d AttitudeSearch::Belief::covariance() const {
+  return (information + Eigen::Matrix3d::Identity() / kUnknownVariance).inverse();
+}
+
+void AttitudeSearch::Belief::operator+=(const Belief& other) {
+  information += other.information;
+  weighted += other.weighted;
+}
+
+AttitudeSearch::Belief AttitudeSearch::ownBelief(std::size_t place) const {
+  Belief own;
+  if (own_[place].known) own.information = own_[place].covariance.inverse();
+  return own;
+}
+
+/// What all links of a cell but one say about it.
+AttitudeSearch::Belief AttitudeSearch::beliefBeside(std::size_t place, const Joint* but) const {
+  Belief belief;
+  for (const std::size_t k : at_[place]) {
+    const Joint& joint = joints_[k];
+    if (!joint.open || &joint == but) continue;
+    belief += joint.source == place ? joint.to_source : joint.to_target;
+  }
+  return belief;
+}
+
+/// What the far side of a link says about the cell at the near one.
+AttitudeSearch::Belief AttitudeSearch::along(const Joint& joint, bool to_source) const {
+  const std::size_t near = to_source ? joint.source : joint.target;
+  const std::size_t far = to_source ? joint.target : joint.source;
+  Belief of_far = ownBelief(far);
+  of_far += beliefBeside(far, &joint);
+  const Eigen::Matrix3d covariance_far = of_far.covariance();
+  const Eigen::Matrix3d R_c_n = expSO3(joint.axes * expectedOf(joint)) * joint.R_nom;
+  const Eigen::Matrix3d R_far_near = to_source ? Eigen::Matrix3d(R_c_n.transpose()) : R_c_n;
+  const Eigen::Matrix3d elastomer = joint.axes * scatter() * joint.axes.transpose();
+  const Eigen::Matrix3d of_link = to_source ? elastomer : Eigen::Matrix3d(R_c_n.transpose() * elastomer * R_c_n);
+  const Eigen::Vector3d mean = logSO3(own_[near].R_o_u.transpose() * own_[far].R_o_u * R_far_near) +
+                               R_far_near.transpose() * covariance_far * of_far.weighted;
+  Belief belief;
+  belief.information = (of_link + R_far_near.transpose() * covariance_far * R_far_near).inverse();
+  belief.weighted = belief.information * mean;
+  return belief;
+}
+
+void AttitudeSearch::passBeliefs() {
+  constexpr int kReach = 4;  // links
+  for (Joint& joint : joints_) joint.to_source = joint.to_target = Belief{};
+  for (int k = 0; k < kReach; ++k) {
+    std::vector<std::pair<Belief, Belief>> next;
+    for (const Joint& joint : joints_) next.emplace_back(along(joint, true), along(joint, false));
+    for (std::size_t link = 0; link < joints_.size(); ++link) {
+      joints_[link].to_source = next[link].first;
+      joints_[link].to_target = next[link].second;
+    }
+  }
+}
+
 /// The angle of a link that is further off than the limit, in deviations.
 std::optional<AttitudeSuspect> AttitudeSearch::judgeLink(const Joint& joint, double limit) const {
   constexpr std::array kCodes = {FindingCode::ImplausibleTwist, FindingCode::ImplausibleBend,
                                  FindingCode::ImplausibleYaw};
-  const Own& source = own_[joint.source];
-  const Own& target = own_[joint.target];
+  // Both cells as all but this link have them.
+  const auto withoutThis = [&](std::size_t place) {
+    Belief belief = ownBelief(place);
+    belief += beliefBeside(place, &joint);
+    Own all;
+    all.covariance = belief.covariance();
+    all.R_o_u = own_[place].R_o_u * expSO3(all.covariance * belief.weighted);
+    return all;
+  };
+  const Own source = withoutThis(joint.source);
+  const Own target = withoutThis(joint.target);
   const Eigen::Vector3d angles = anglesOf(joint, source, target);
   const Eigen::Vector3d expected = expectedOf(joint);
   const Eigen::Vector3d sigma = (scatter() + measured(joint, source, target)).diagonal().cwiseSqrt();
@@ -241,43 +310,48 @@ std::optional<AttitudeSuspect> AttitudeSearch::judgeLink(const Joint& joint, dou
   suspect.angle_rad = angles[worst];
   suspect.lowest_rad = expected[worst] - limit * sigma[worst];
   suspect.highest_rad = expected[worst] + limit * sigma[worst];
-  suspect.evidence = squaredMisfit(joint, source, target) / 2 - kCostOfTurn;
+  suspect.evidence = squaredMisfit(joint, source, target) / 2 - kCostOfAngle * 3;
   return suspect;
 }
 
 /// A cell whose own attitude is not what all its links say together. Nothing for one with fewer than two links to say
 /// so.
 std::optional<AttitudeSuspect> AttitudeSearch::judgeCell(std::size_t place, double limit) const {
-  Eigen::Matrix3d precision = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d weighted = Eigen::Vector3d::Zero();
-  std::size_t witnesses = 0;
-  for (const std::size_t k : at_[place]) {
-    const Joint& joint = joints_[k];
-    if (!tested(joint)) continue;
-    ++witnesses;
-    // The error e of this cell's attitude as the link has it, R = R_expected exp(e), in the cell's frame.
-    const bool is_source = joint.source == place;
-    const Own& other = own_[is_source ? joint.target : joint.source];
-    const Eigen::Matrix3d R_link = expSO3(joint.axes * expectedOf(joint)) * joint.R_nom;
-    const Eigen::Matrix3d R_expected =
-        other.R_o_u * (is_source ? Eigen::Matrix3d(R_link.transpose()) : R_link);
-    const Eigen::Matrix3d of_link = joint.axes * scatter() * joint.axes.transpose();
-    const Eigen::Matrix3d covariance =
-        is_source ? Eigen::Matrix3d(of_link + R_link * other.covariance * R_link.transpose())
-                  : Eigen::Matrix3d(R_link.transpose() * (of_link + other.covariance) * R_link);
-    const Eigen::Matrix3d inverse = covariance.inverse();
-    precision += inverse;
-    weighted += inverse * logSO3(R_expected.transpose() * own_[place].R_o_u);
-  }
+  const auto witnesses = std::ranges::count_if(at_[place], [&](std::size_t k) { return tested(joints_[k]); });
   if (witnesses < 2) return std::nullopt;
-  const Eigen::Matrix3d of_links = precision.inverse();
-  const Eigen::Vector3d turn = of_links * weighted;
+  const Belief links = beliefBeside(place, nullptr);
+  const Eigen::Matrix3d of_links = links.covariance();
+  const Eigen::Vector3d turn = of_links * links.weighted;
   const double squared = turn.dot((of_links + own_[place].covariance).ldlt().solve(turn));
   if (Misfit{squared, 3}.deviate() <= limit) return std::nullopt;
   AttitudeSuspect suspect{AttitudeSuspect::Kind::Cell};
   suspect.cell = cells_[place];
   suspect.angle_rad = turn.norm();
-  suspect.evidence = squared / 2 - kCostOfTurn;
+  suspect.evidence = squared / 2 - kCostOfAngle * 3;
+  return suspect;
+}
+
+/// A cell whose readings before and after a pose belong to two attitudes.
+std::optional<AttitudeSuspect> AttitudeSearch::judgeMotion(std::size_t place) const {
+  constexpr double kLeastTurn = 2 * kDegree;  // what a cell does in a soft mould
+  const Own& own = own_[place];
+  if (own.readings.size() < 2) return std::nullopt;
+  const Eigen::Matrix3d& R_u_a = skin_.model().accelerometer.T_u_a.R;
+  std::vector<Eigen::Vector3d> v_g;
+  for (const Eigen::Vector3d& f_o : own.f_o) v_g.emplace_back(R_u_a.transpose() * own.R_o_u.transpose() * f_o);
+  const Belief links = beliefBeside(place, nullptr);
+  const AttitudePrior attitude{R_u_a.transpose() * links.information * R_u_a, R_u_a.transpose() * links.weighted};
+  const TurnBetweenPoses turn =
+      findTurn(AccelerometerPrior(skin_.model().accelerometer), own.readings, v_g, attitude);
+  const auto tests = static_cast<double>(cells_.size() * (own.readings.size() - 1));
+  if (turn.angle_rad < kLeastTurn || turn.gain.deviate() <= deviateExceededOnceIn(kPatchesPerFalseAlarm * tests)) {
+    return std::nullopt;
+  }
+  AttitudeSuspect suspect{AttitudeSuspect::Kind::Moved};
+  suspect.cell = cells_[place];
+  suspect.angle_rad = turn.angle_rad;
+  suspect.pose = own.poses[turn.first_after];
+  suspect.evidence = turn.gain.chi_squared / 2 - kCostOfAngle * turn.gain.degrees;
   return suspect;
 }
 
@@ -298,11 +372,12 @@ double AttitudeSearch::gainOfSwap(const Joint& joint) const {
   return gain / 2;
 }
 
-std::vector<AttitudeSuspect> AttitudeSearch::candidates() const {
+std::vector<AttitudeSuspect> AttitudeSearch::candidates() {
+  passBeliefs();
   const auto links = static_cast<double>(joints_.size());
   const double limit =
-      deviateExceededOnceIn(kSessionsPerFalseAlarm * (3 * links + static_cast<double>(cells_.size())));
-  const double swap_limit = std::log(kSessionsPerFalseAlarm * links);
+      deviateExceededOnceIn(kPatchesPerFalseAlarm * (3 * links + static_cast<double>(cells_.size())));
+  const double swap_limit = std::log(kPatchesPerFalseAlarm * links);
   std::vector<AttitudeSuspect> found;
   for (const Joint& joint : joints_) {
     if (!tested(joint)) continue;
@@ -318,13 +393,14 @@ std::vector<AttitudeSuspect> AttitudeSearch::candidates() const {
   for (std::size_t place = 0; place < cells_.size(); ++place) {
     if (!own_[place].known) continue;
     if (const auto suspect = judgeCell(place, limit)) found.push_back(*suspect);
+    if (const auto suspect = judgeMotion(place)) found.push_back(*suspect);
   }
   std::ranges::sort(found, std::greater<>(), &AttitudeSuspect::evidence);
   return found;
 }
 
 std::vector<std::size_t> AttitudeSearch::placesOf(const AttitudeSuspect& suspect) const {
-  if (suspect.kind == AttitudeSuspect::Kind::Cell) return {placeOf(suspect.cell)};
+  if (suspect.kind == AttitudeSuspect::Kind::Cell || suspect.kind == AttitudeSuspect::Kind::Moved) return {placeOf(suspect.cell)};
   if (suspect.kind == AttitudeSuspect::Kind::Swapped) return {placeOf(suspect.cell), placeOf(suspect.other)};
   const GraphLink& link = skin_.graph().links()[suspect.link];
   return {placeOf(link.source), placeOf(link.target)};
@@ -339,6 +415,7 @@ void AttitudeSearch::explain(const AttitudeSuspect& suspect) {
       std::swap(own_[placeOf(suspect.cell)], own_[placeOf(suspect.other)]);
       break;
     case AttitudeSuspect::Kind::Cell:
+    case AttitudeSuspect::Kind::Moved:
       own_[placeOf(suspect.cell)].known = false;
       break;
     case AttitudeSuspect::Kind::Patch:
@@ -347,7 +424,7 @@ void AttitudeSearch::explain(const AttitudeSuspect& suspect) {
 }
 
 std::vector<AttitudeSuspect> AttitudeSearch::suspects() {
-  if (joints_.empty()) return {};
+  if (std::ranges::none_of(joints_, [this](const Joint& joint) { return tested(joint); })) return {};
   if (const auto patch = judgePatch()) return {*patch};
   shape_ = fitShape(false);
   std::vector<AttitudeSuspect> named;

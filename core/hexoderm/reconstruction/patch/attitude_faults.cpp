@@ -99,11 +99,18 @@ class Isolation {
         skin_.dropCell(suspect.other);
         return true;
       case AttitudeSuspect::Kind::Cell:
+      case AttitudeSuspect::Kind::Moved:
         break;
     }
     if (hasTooFewPoses(skin_.table(), suspect.cell)) {
       addOnce(findings_, describeSuspiciousSensor(skin_.graph(), skin_.table(), suspect.cell));
       return false;
+    }
+    if (suspect.kind == AttitudeSuspect::Kind::Moved) {
+      findings_.push_back(
+          describeMovedCell(skin_.graph(), skin_.snapshot(), suspect.cell, suspect.pose, suspect.angle_rad));
+      skin_.dropCell(suspect.cell);
+      return true;
     }
     findings_.push_back(
         makeFinding(FindingCode::TurnedSensor,

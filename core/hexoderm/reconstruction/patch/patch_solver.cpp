@@ -84,7 +84,7 @@ std::vector<SE3> PatchSolver::startingPlacements(const Reconstruction* earlier) 
   return placements;
 }
 
-/// The cell, none of `but`, whose readings fit the gravity of all others worst, or that turned between two poses.
+/// The cell, none of `but`, whose readings fit the gravity of all others worst.
 std::optional<PatchSolver::BadSensor> PatchSolver::worstSensor(const std::vector<std::size_t>& but) const {
   // With hundreds of poses the smallest misfit is significant; only one that also matters makes a sensor useless.
   constexpr double kLeastTimes = 2;
@@ -99,25 +99,17 @@ std::optional<PatchSolver::BadSensor> PatchSolver::worstSensor(const std::vector
     worst = BadSensor{cell, std::nullopt};
     worst_misfit = misfit;
   }
-  const std::optional<BadSensor> moved = movedSensor();
-  if (!worst || (moved && moved->cell == worst->cell)) return moved ? moved : worst;
+  if (worst) worst->turn = turnOf(worst->cell);
   return worst;
 }
 
-/// The cell that most clearly turned against the others between two poses, if there is one.
-std::optional<PatchSolver::BadSensor> PatchSolver::movedSensor() const {
-  constexpr std::size_t kFewestPoses = 3;
-  constexpr double kLeastTurn = 2 * kDegree;  // what a cell does in a soft mould
-  std::optional<BadSensor> worst;
-  double worst_deviate = skin_.options().max_misfit;
-  for (const std::size_t cell : cells_) {
-    if (!skin_.readings().measured(cell) || skin_.table().usablePoses(cell).size() < kFewestPoses) continue;
-    const TurnBetweenPoses turn = joint_->turnOf(cell);
-    if (turn.gain.deviate() <= worst_deviate || turn.angle_rad < kLeastTurn) continue;
-    worst = BadSensor{cell, turn};
-    worst_deviate = turn.gain.deviate();
-  }
-  return worst;
+/// The turn against the others between two poses that explains what a cell reads, if one does.
+std::optional<TurnBetweenPoses> PatchSolver::turnOf(std::size_t cell) const {
+  const TurnBetweenPoses turn = joint_->turnOf(cell);
+  const Misfit misfit = joint_->misfitOf(cell);
+  const Misfit left{misfit.chi_squared - turn.gain.chi_squared, misfit.degrees - turn.gain.degrees};
+  const bool explains = left.degrees > 0 && left.deviate() <= skin_.options().max_misfit;
+  return explains ? std::optional(turn) : std::nullopt;
 }
 
 Finding PatchSolver::describe(const BadSensor& bad) const {

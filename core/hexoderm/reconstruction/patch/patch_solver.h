@@ -42,7 +42,7 @@ class PatchSolver {
     std::optional<TurnBetweenPoses> turn;  ///< that is what is wrong with it
   };
   [[nodiscard]] std::optional<BadSensor> worstSensor(const std::vector<std::size_t>& but) const;
-  [[nodiscard]] std::optional<BadSensor> movedSensor() const;
+  [[nodiscard]] std::optional<TurnBetweenPoses> turnOf(std::size_t cell) const;
   [[nodiscard]] Finding describe(const BadSensor& bad) const;
   [[nodiscard]] bool isLeaf(std::size_t cell) const;
 
