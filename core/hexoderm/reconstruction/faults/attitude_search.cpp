@@ -25,6 +25,13 @@ constexpr double kUnknownVariance = kPi * kPi / 3;
 /// A free angle is a costlier explanation than none: the logarithm of how much narrower readings fix it.
 constexpr double kCostOfAngle = 3;
 
+/// Patches to one false alarm: of the yaw of links and cells, of cells that moved, and of everything else. A mould lets
+/// nothing turn in the surface, so that yaw shows a sensor that is mounted otherwise best; bend and twist scatter as the
+/// part is curved.
+constexpr double kPatchesPerFalseYaw = 500;
+constexpr double kPatchesPerFalseMotion = 500;
+constexpr double kPatchesPerOtherAlarm = 2000;
+
 /// The deviation that a standard normal deviate exceeds once in `times`.
 double deviateExceededOnceIn(double times) {
   // Inverse of the tail by its asymptotic series, twice refined; within 0.01 from 100 on.
@@ -117,7 +124,10 @@ void AttitudeSearch::findJoints() {
     for (const std::size_t k : graph.linksAt(cells_[place])) {
       const GraphLink& link = graph.links()[k];
       if (link.muted() || link.source != cells_[place]) continue;
-      Joint joint{k, place, placeOf(link.target)};
+      Joint joint;
+      joint.link = k;
+      joint.source = place;
+      joint.target = placeOf(link.target);
       joint.R_nom = nominalAlignment(skin_.sourcePort(link), skin_.targetPort(link));
       const Eigen::Vector3d u = skin_.sourcePort(link).vector_m.normalized();
       joint.axes << u, Eigen::Vector3d::UnitZ().cross(u), Eigen::Vector3d::UnitZ();
@@ -283,8 +293,16 @@ void AttitudeSearch::passBeliefs() {
   }
 }
 
-/// The angle of a link that is further off than the limit, in deviations.
-std::optional<AttitudeSuspect> AttitudeSearch::judgeLink(const Joint& joint, double limit) const {
+/// Deviations that a yaw, of whichever sign, and any other test may reach by chance.
+double AttitudeSearch::yawLimit() const {
+  return deviateExceededOnceIn(2 * kPatchesPerFalseYaw * static_cast<double>(joints_.size() + cells_.size()));
+}
+double AttitudeSearch::otherLimit() const {
+  return deviateExceededOnceIn(2 * kPatchesPerOtherAlarm * static_cast<double>(2 * joints_.size() + cells_.size()));
+}
+
+/// The angle of a link that is furthest beyond its limit.
+std::optional<AttitudeSuspect> AttitudeSearch::judgeLink(const Joint& joint) const {
   constexpr std::array kCodes = {FindingCode::ImplausibleTwist, FindingCode::ImplausibleBend,
                                  FindingCode::ImplausibleYaw};
   // Both cells as all but this link have them.
@@ -301,29 +319,32 @@ std::optional<AttitudeSuspect> AttitudeSearch::judgeLink(const Joint& joint, dou
   const Eigen::Vector3d angles = anglesOf(joint, source, target);
   const Eigen::Vector3d expected = expectedOf(joint);
   const Eigen::Vector3d sigma = (scatter() + measured(joint, source, target)).diagonal().cwiseSqrt();
+  const Eigen::Vector3d limits = sigma.cwiseProduct(Eigen::Vector3d(otherLimit(), otherLimit(), yawLimit()));
   Eigen::Index worst = 0;
-  const double deviate = (angles - expected).cwiseQuotient(sigma).cwiseAbs().maxCoeff(&worst);
-  if (deviate <= limit) return std::nullopt;
+  if ((angles - expected).cwiseQuotient(limits).cwiseAbs().maxCoeff(&worst) <= 1) return std::nullopt;
   AttitudeSuspect suspect{AttitudeSuspect::Kind::Link};
   suspect.link = joint.link;
   suspect.angle = kCodes.at(static_cast<std::size_t>(worst));
   suspect.angle_rad = angles[worst];
-  suspect.lowest_rad = expected[worst] - limit * sigma[worst];
-  suspect.highest_rad = expected[worst] + limit * sigma[worst];
+  suspect.lowest_rad = expected[worst] - limits[worst];
+  suspect.highest_rad = expected[worst] + limits[worst];
   suspect.evidence = squaredMisfit(joint, source, target) / 2 - kCostOfAngle * 3;
   return suspect;
 }
 
 /// A cell whose own attitude is not what all its links say together. Nothing for one with fewer than two links to say
 /// so.
-std::optional<AttitudeSuspect> AttitudeSearch::judgeCell(std::size_t place, double limit) const {
+std::optional<AttitudeSuspect> AttitudeSearch::judgeCell(std::size_t place) const {
   const auto witnesses = std::ranges::count_if(at_[place], [&](std::size_t k) { return tested(joints_[k]); });
   if (witnesses < 2) return std::nullopt;
   const Belief links = beliefBeside(place, nullptr);
   const Eigen::Matrix3d of_links = links.covariance();
   const Eigen::Vector3d turn = of_links * links.weighted;
-  const double squared = turn.dot((of_links + own_[place].covariance).ldlt().solve(turn));
-  if (Misfit{squared, 3}.deviate() <= limit) return std::nullopt;
+  const Eigen::Matrix3d covariance = of_links + own_[place].covariance;
+  const double squared = turn.dot(covariance.ldlt().solve(turn));
+  const bool is_turned = Misfit{squared, 3}.deviate() > otherLimit();
+  const bool is_yawed = std::abs(turn.z()) > yawLimit() * std::sqrt(covariance(2, 2));
+  if (!is_turned && !is_yawed) return std::nullopt;
   AttitudeSuspect suspect{AttitudeSuspect::Kind::Cell};
   suspect.cell = cells_[place];
   suspect.angle_rad = turn.norm();
@@ -344,7 +365,7 @@ std::optional<AttitudeSuspect> AttitudeSearch::judgeMotion(std::size_t place) co
   const TurnBetweenPoses turn =
       findTurn(AccelerometerPrior(skin_.model().accelerometer), own.readings, v_g, attitude);
   const auto tests = static_cast<double>(cells_.size() * (own.readings.size() - 1));
-  if (turn.angle_rad < kLeastTurn || turn.gain.deviate() <= deviateExceededOnceIn(kPatchesPerFalseAlarm * tests)) {
+  if (turn.angle_rad < kLeastTurn || turn.gain.deviate() <= deviateExceededOnceIn(kPatchesPerFalseMotion * tests)) {
     return std::nullopt;
   }
   AttitudeSuspect suspect{AttitudeSuspect::Kind::Moved};
@@ -374,14 +395,11 @@ double AttitudeSearch::gainOfSwap(const Joint& joint) const {
 
 std::vector<AttitudeSuspect> AttitudeSearch::candidates() {
   passBeliefs();
-  const auto links = static_cast<double>(joints_.size());
-  const double limit =
-      deviateExceededOnceIn(kPatchesPerFalseAlarm * (3 * links + static_cast<double>(cells_.size())));
-  const double swap_limit = std::log(kPatchesPerFalseAlarm * links);
+  const double swap_limit = std::log(kPatchesPerOtherAlarm * static_cast<double>(joints_.size()));
   std::vector<AttitudeSuspect> found;
   for (const Joint& joint : joints_) {
     if (!tested(joint)) continue;
-    if (const auto suspect = judgeLink(joint, limit)) found.push_back(*suspect);
+    if (const auto suspect = judgeLink(joint)) found.push_back(*suspect);
     if (const double gain = gainOfSwap(joint); gain > swap_limit) {
       AttitudeSuspect suspect{AttitudeSuspect::Kind::Swapped};
       suspect.cell = cells_[joint.source];
@@ -392,7 +410,7 @@ std::vector<AttitudeSuspect> AttitudeSearch::candidates() {
   }
   for (std::size_t place = 0; place < cells_.size(); ++place) {
     if (!own_[place].known) continue;
-    if (const auto suspect = judgeCell(place, limit)) found.push_back(*suspect);
+    if (const auto suspect = judgeCell(place)) found.push_back(*suspect);
     if (const auto suspect = judgeMotion(place)) found.push_back(*suspect);
   }
   std::ranges::sort(found, std::greater<>(), &AttitudeSuspect::evidence);

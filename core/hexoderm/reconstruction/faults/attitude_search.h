@@ -50,8 +50,8 @@ struct AttitudeSuspect {
 ///
 /// A link's angles are compared with that scatter and what both sides say about its cells; a cell's misfit with all its
 /// links is a chi-squared with three degrees of freedom, and so is what is gained if it may have turned between two
-/// poses; the swap of two neighbours' readings is a likelihood ratio. Each has the limit that gives one false alarm in
-/// kPatchesPerFalseAlarm patches. The patch as a whole is tested by the part of S that no surface has, its antisymmetric
+/// poses; the swap of two neighbours' readings is a likelihood ratio. The limits follow from the number of tests and from
+/// how many patches there may be to a false alarm, were all deviations exactly the stated ones. The patch as a whole is tested by the part of S that no surface has, its antisymmetric
 /// one: a constant twist.
 class AttitudeSearch {
  public:
@@ -111,9 +111,11 @@ class AttitudeSearch {
   [[nodiscard]] double squaredMisfit(const Joint& joint, const Own& source, const Own& target) const;
   [[nodiscard]] std::optional<AttitudeSuspect> judgePatch();
   [[nodiscard]] std::vector<AttitudeSuspect> candidates();
-  [[nodiscard]] std::optional<AttitudeSuspect> judgeLink(const Joint& joint, double limit) const;
-  [[nodiscard]] std::optional<AttitudeSuspect> judgeCell(std::size_t place, double limit) const;
+  [[nodiscard]] std::optional<AttitudeSuspect> judgeLink(const Joint& joint) const;
+  [[nodiscard]] std::optional<AttitudeSuspect> judgeCell(std::size_t place) const;
   [[nodiscard]] std::optional<AttitudeSuspect> judgeMotion(std::size_t place) const;
+  [[nodiscard]] double yawLimit() const;
+  [[nodiscard]] double otherLimit() const;
   [[nodiscard]] double gainOfSwap(const Joint& joint) const;
   /// Places in the patch of the cells that a suspicion is about.
   [[nodiscard]] std::vector<std::size_t> placesOf(const AttitudeSuspect& suspect) const;
@@ -128,8 +130,5 @@ class AttitudeSearch {
   Shape shape_;
   Eigen::Vector3d sigma_ = Eigen::Vector3d::Zero();  ///< scatter of twist, bend and yaw beyond the shape
 };
-
-/// Patches in which the search may name something that is not there, on the average.
-inline constexpr double kPatchesPerFalseAlarm = 1000;
 
 }  // namespace hexoderm
