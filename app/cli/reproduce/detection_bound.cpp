@@ -153,13 +153,30 @@ double percentBeyond(double e, double probability) {
   return 50 * std::erfc(-(e - low) / std::sqrt(2.0));
 }
 
+/// The probability, in percent, that a plane normal vector about (e, 0) is longer than one about 0 is with the given
+/// probability.
+double percentBeyondInPlane(double e, double probability) {
+  const double limit = std::sqrt(-2 * std::log(probability));
+  constexpr double kReach = 6;
+  constexpr double kStep = 0.01;
+  double sum = 0;
+  for (double x = -kReach; x < kReach; x += kStep) {
+    const double rest = limit * limit - (e + x) * (e + x);
+    const double beyond = rest <= 0 ? 1 : std::erfc(std::sqrt(rest / 2));
+    sum += kStep * std::exp(-x * x / 2) / std::sqrt(2 * kPi) * beyond;
+  }
+  return 100 * sum;
+}
+
 }  // namespace
 
 BestDetection bestDetection(const SimulatedSkin& skin, const CellFault& fault, std::size_t poses) {
   const Readings readings(skin, poses);
   const Eigen::VectorXd change = readings.change(fault);
   const double e = std::sqrt(change.dot(readings.covariance().ldlt().solve(change)));
-  return {percentBeyond(e, kFalseAlarms), percentBeyond(e, kFalseAlarms / static_cast<double>(skin.truth().size()))};
+  const double each = kFalseAlarms / static_cast<double>(skin.truth().size());
+  return {percentBeyond(e, kFalseAlarms),
+          fault.kind == SkinFault::Reglued ? percentBeyondInPlane(e, each) : percentBeyond(e, each)};
 }
 
 }  // namespace hexoderm::cli

@@ -52,6 +52,18 @@ Eigen::Vector4d twistRow(double heading) {
   return {c * s, -c * s, -(c * c - s * s), -1};
 }
 
+/// Turns about each axis alone that explain a misfit best, and their deviations: with few poses the errors of different
+/// axes go together, and a turn about one of them is known better than each angle by itself.
+struct Turns {
+  Eigen::Vector3d angle;
+  Eigen::Vector3d sigma;
+};
+Turns likeliestTurns(const Eigen::Vector3d& off, const Eigen::Matrix3d& covariance) {
+  const Eigen::Matrix3d information = covariance.inverse();
+  const Eigen::Vector3d diagonal = information.diagonal();
+  return {(information * off).cwiseQuotient(diagonal), diagonal.cwiseSqrt().cwiseInverse()};
+}
+
 double headingOf(const Port& port) { return std::atan2(port.vector_m.y(), port.vector_m.x()); }
 
 double huberWeight(double deviations) {
@@ -316,16 +328,16 @@ std::optional<AttitudeSuspect> AttitudeSearch::judgeLink(const Joint& joint) con
   };
   const Own source = withoutThis(joint.source);
   const Own target = withoutThis(joint.target);
-  const Eigen::Vector3d angles = anglesOf(joint, source, target);
   const Eigen::Vector3d expected = expectedOf(joint);
-  const Eigen::Vector3d sigma = (scatter() + measured(joint, source, target)).diagonal().cwiseSqrt();
-  const Eigen::Vector3d limits = sigma.cwiseProduct(Eigen::Vector3d(otherLimit(), otherLimit(), yawLimit()));
+  const Turns turns = likeliestTurns(anglesOf(joint, source, target) - expected,
+                                     scatter() + measured(joint, source, target));
+  const Eigen::Vector3d limits = turns.sigma.cwiseProduct(Eigen::Vector3d(otherLimit(), otherLimit(), yawLimit()));
   Eigen::Index worst = 0;
-  if ((angles - expected).cwiseQuotient(limits).cwiseAbs().maxCoeff(&worst) <= 1) return std::nullopt;
+  if (turns.angle.cwiseQuotient(limits).cwiseAbs().maxCoeff(&worst) <= 1) return std::nullopt;
   AttitudeSuspect suspect{AttitudeSuspect::Kind::Link};
   suspect.link = joint.link;
   suspect.angle = kCodes.at(static_cast<std::size_t>(worst));
-  suspect.angle_rad = angles[worst];
+  suspect.angle_rad = expected[worst] + turns.angle[worst];
   suspect.lowest_rad = expected[worst] - limits[worst];
   suspect.highest_rad = expected[worst] + limits[worst];
   suspect.evidence = squaredMisfit(joint, source, target) / 2 - kCostOfAngle * 3;
@@ -343,7 +355,8 @@ std::optional<AttitudeSuspect> AttitudeSearch::judgeCell(std::size_t place) cons
   const Eigen::Matrix3d covariance = of_links + own_[place].covariance;
   const double squared = turn.dot(covariance.ldlt().solve(turn));
   const bool is_turned = Misfit{squared, 3}.deviate() > otherLimit();
-  const bool is_yawed = std::abs(turn.z()) > yawLimit() * std::sqrt(covariance(2, 2));
+  const Turns turns = likeliestTurns(turn, covariance);
+  const bool is_yawed = std::abs(turns.angle.z()) > yawLimit() * turns.sigma.z();
   if (!is_turned && !is_yawed) return std::nullopt;
   AttitudeSuspect suspect{AttitudeSuspect::Kind::Cell};
   suspect.cell = cells_[place];
@@ -376,21 +389,42 @@ std::optional<AttitudeSuspect> AttitudeSearch::judgeMotion(std::size_t place) co
   return suspect;
 }
 
-/// By how much the links of two neighbours fit better with each other's readings: the logarithm of the likelihood ratio.
-double AttitudeSearch::gainOfSwap(const Joint& joint) const {
-  const auto swapped = [&](std::size_t cell) -> const Own& {
-    return own_[cell == joint.source ? joint.target : cell == joint.target ? joint.source : cell];
+/// Squared misfit of the own attitudes of two neighbours, together, with what all their links say. `source`, `target`: whose
+/// readings count at the ends of the link.
+double AttitudeSearch::pairMisfit(const Joint& joint, const Own& source, const Own& target) const {
+  using Matrix6 = Eigen::Matrix<double, 6, 6>;
+  using Vector6 = Eigen::Matrix<double, 6, 1>;
+  // The errors (e_source, e_target) of both attitudes as the links have them.
+  Matrix6 information = Matrix6::Identity() / kUnknownVariance;
+  Vector6 weighted = Vector6::Zero();
+  const auto addBeside = [&](std::size_t place, const Own& own, Eigen::Index at) {
+    const Belief beside = beliefBeside(place, &joint);
+    const Eigen::Matrix3d R_believed = own_[place].R_o_u * expSO3(beside.covariance() * beside.weighted);
+    information.block<3, 3>(at, at) += beside.information;
+    weighted.segment<3>(at) += beside.information * logSO3(own.R_o_u.transpose() * R_believed);
   };
-  double gain = 0;
-  for (const std::size_t cell : {joint.source, joint.target}) {
-    for (const std::size_t k : at_[cell]) {
-      const Joint& beside = joints_[k];
-      if (!tested(beside) || (beside.link == joint.link && cell == joint.target)) continue;
-      gain += squaredMisfit(beside, own_[beside.source], own_[beside.target]) -
-              squaredMisfit(beside, swapped(beside.source), swapped(beside.target));
-    }
-  }
-  return gain / 2;
+  addBeside(joint.source, source, 0);
+  addBeside(joint.target, target, 3);
+  const Eigen::Matrix3d R_c_n = expSO3(joint.axes * expectedOf(joint)) * joint.R_nom;
+  const Eigen::Vector3d off = logSO3(source.R_o_u.transpose() * target.R_o_u * R_c_n.transpose());
+  Eigen::Matrix<double, 3, 6> J;  // of the link's angle, off - e_source + R_c_n e_target
+  J << -Eigen::Matrix3d::Identity(), R_c_n;
+  const Eigen::Matrix3d precision = joint.axes * scatter().inverse() * joint.axes.transpose();
+  information += J.transpose() * precision * J;
+  weighted -= J.transpose() * precision * off;
+
+  Matrix6 covariance = information.inverse();
+  const Vector6 mean = covariance * weighted;
+  covariance.topLeftCorner<3, 3>() += source.covariance;
+  covariance.bottomRightCorner<3, 3>() += target.covariance;
+  return mean.dot(covariance.ldlt().solve(mean));
+}
+
+/// By how much two neighbours fit their links better with each other's readings: the logarithm of the likelihood ratio.
+double AttitudeSearch::gainOfSwap(const Joint& joint) const {
+  const Own& source = own_[joint.source];
+  const Own& target = own_[joint.target];
+  return (pairMisfit(joint, source, target) - pairMisfit(joint, target, source)) / 2;
 }
 
 std::vector<AttitudeSuspect> AttitudeSearch::candidates() {

@@ -117,6 +117,7 @@ class AttitudeSearch {
   [[nodiscard]] double yawLimit() const;
   [[nodiscard]] double otherLimit() const;
   [[nodiscard]] double gainOfSwap(const Joint& joint) const;
+  [[nodiscard]] double pairMisfit(const Joint& joint, const Own& source, const Own& target) const;
   /// Places in the patch of the cells that a suspicion is about.
   [[nodiscard]] std::vector<std::size_t> placesOf(const AttitudeSuspect& suspect) const;
   void explain(const AttitudeSuspect& suspect);
