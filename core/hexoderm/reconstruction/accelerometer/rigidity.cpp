@@ -98,8 +98,9 @@ OwnAttitude findAttitude(const AccelerometerPrior& prior, std::span<const CellRe
   constexpr int kSteps = 15;
   constexpr double kConverged = 1e-7;
   constexpr double kLargestStep = 0.5;
-  OwnAttitude own{R_start, Eigen::Matrix3d::Zero()};
-  AccelerometerFit fit;
+  OwnAttitude own;
+  own.R = R_start;
+  AccelerometerFit& fit = own.sensor;
   std::vector<Eigen::Vector3d> v_g(readings.size());
   for (int k = 0; k < kSteps; ++k) {
     for (std::size_t reading = 0; reading < readings.size(); ++reading) v_g[reading] = own.R.transpose() * f_o[reading];

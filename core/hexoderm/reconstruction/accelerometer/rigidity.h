@@ -45,8 +45,9 @@ TurnBetweenPoses findTurn(const AccelerometerPrior& prior, std::span<const CellR
 
 /// A cell's attitude as its own readings have it.
 struct OwnAttitude {
-  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();           ///< accelerometer to patch
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();     ///< of the error e in R_true = R exp(e), rad^-2
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();        ///< accelerometer to patch
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of the error e in R_true = R exp(e), rad^-2
+  AccelerometerFit sensor;
 };
 
 /// The attitude at which the readings of the specific forces `f_o` (patch frame, per reading) are most probable, offset,

@@ -28,8 +28,8 @@ constexpr double kCostOfAngle = 3;
 /// Patches to one false alarm: of the yaw of links and cells, of cells that moved, and of everything else. A mould lets
 /// nothing turn in the surface, so that yaw shows a sensor that is mounted otherwise best; bend and twist scatter as the
 /// part is curved.
-constexpr double kPatchesPerFalseYaw = 500;
-constexpr double kPatchesPerFalseMotion = 500;
+constexpr double kPatchesPerFalseYaw = 300;
+constexpr double kPatchesPerFalseMotion = 300;
 constexpr double kPatchesPerOtherAlarm = 2000;
 
 /// The deviation that a standard normal deviate exceeds once in `times`.
@@ -74,8 +74,14 @@ double huberWeight(double deviations) {
 }  // namespace
 
 AttitudeSearch::AttitudeSearch(const SkinLinks& skin, std::span<const std::size_t> cells,
-                               std::span<const PatchForce> forces, std::span<const SE3> placements)
+                               std::vector<PatchForce> forces, std::span<const SE3> placements, bool forces_are_rough)
     : skin_(skin), cells_(cells.begin(), cells.end()), own_(cells_.size()), at_(cells_.size()) {
+  constexpr int kRounds = 10;
+  for (std::size_t place = 0; place < cells_.size(); ++place) own_[place].R_o_u = placements[place].R;
+  for (int round = 0; forces_are_rough && round < kRounds; ++round) {
+    findOwnAttitudes(forces, placements);
+    refine(forces);
+  }
   findOwnAttitudes(forces, placements);
   findJoints();
   sigma_ = {skin.model().twist_sigma_rad, skin.model().bend_sigma_rad, skin.model().yaw_sigma_rad};
@@ -90,7 +96,9 @@ void AttitudeSearch::findOwnAttitudes(std::span<const PatchForce> forces, std::s
   const Eigen::Matrix3d& R_u_a = skin_.model().accelerometer.T_u_a.R;
   for (std::size_t place = 0; place < cells_.size(); ++place) {
     Own& own = own_[place];
-    own.R_o_u = placements[place].R;
+    own.readings.clear();
+    own.f_o.clear();
+    own.poses.clear();
     for (const PatchForce& force : forces) {
       const GravityTable::Entry& entry = skin_.table().at(cells_[place], force.pose);
       if (!entry.usable) continue;
@@ -104,6 +112,22 @@ void AttitudeSearch::findOwnAttitudes(std::span<const PatchForce> forces, std::s
     own.known = true;
     own.R_o_u = found.R * R_u_a.transpose();
     own.covariance = R_u_a * information.inverse() * R_u_a.transpose();
+    own.sensor = found.sensor;
+  }
+}
+
+/// Every force as the mean of what the cells, freed from the errors of their sensors, read.
+void AttitudeSearch::refine(std::vector<PatchForce>& forces) const {
+  const Eigen::Matrix3d& R_u_a = skin_.model().accelerometer.T_u_a.R;
+  for (PatchForce& force : forces) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const Own& own : own_) {
+      const auto at = std::ranges::find(own.poses, force.pose);
+      if (!own.known || at == own.poses.end()) continue;
+      const Eigen::Vector3d& y_g = own.readings[static_cast<std::size_t>(at - own.poses.begin())].y_g;
+      sum += own.R_o_u * R_u_a * own.sensor.gain.inverse() * (y_g - own.sensor.offset_g);
+    }
+    if (sum.norm() > 0.5) force.at_origin_o = sum.normalized();
   }
 }
 
@@ -241,7 +265,7 @@ std::optional<AttitudeSuspect> AttitudeSearch::judgePatch() {
   const Shape shape = fitShape(true);
   if (shape.antisymmetric_sigma <= 0) return std::nullopt;
   const double deviate = std::abs(shape.parameters.w()) / shape.antisymmetric_sigma;
-  if (deviate < kLimit || std::abs(shape.parameters.w()) < kLeast) return std::nullopt;
+  if (deviate < strictness() * kLimit || std::abs(shape.parameters.w()) < kLeast) return std::nullopt;
   AttitudeSuspect suspect{AttitudeSuspect::Kind::Patch};
   suspect.angle_rad = std::abs(shape.parameters.w());
   return suspect;
@@ -293,9 +317,11 @@ AttitudeSearch::Belief AttitudeSearch::along(const Joint& joint, bool to_source)
 }
 
 void AttitudeSearch::passBeliefs() {
-  constexpr int kReach = 4;  // links
+  // Round a loop what a cell says would come back to it as another's word.
+  const bool has_loops = joints_.size() >= cells_.size();
+  const int reach = has_loops ? 1 : 4;  // links
   for (Joint& joint : joints_) joint.to_source = joint.to_target = Belief{};
-  for (int k = 0; k < kReach; ++k) {
+  for (int k = 0; k < reach; ++k) {
     std::vector<std::pair<Belief, Belief>> next;
     for (const Joint& joint : joints_) next.emplace_back(along(joint, true), along(joint, false));
     for (std::size_t link = 0; link < joints_.size(); ++link) {
@@ -305,12 +331,15 @@ void AttitudeSearch::passBeliefs() {
   }
 }
 
+/// The options' misfit stands for all limits here: 1 for its default.
+double AttitudeSearch::strictness() const { return skin_.options().max_misfit / SolverOptions{}.max_misfit; }
+
 /// Deviations that a yaw, of whichever sign, and any other test may reach by chance.
 double AttitudeSearch::yawLimit() const {
-  return deviateExceededOnceIn(2 * kPatchesPerFalseYaw * static_cast<double>(joints_.size() + cells_.size()));
+  return strictness() * deviateExceededOnceIn(2 * kPatchesPerFalseYaw * static_cast<double>(joints_.size() + cells_.size()));
 }
 double AttitudeSearch::otherLimit() const {
-  return deviateExceededOnceIn(2 * kPatchesPerOtherAlarm * static_cast<double>(2 * joints_.size() + cells_.size()));
+  return strictness() * deviateExceededOnceIn(2 * kPatchesPerOtherAlarm * static_cast<double>(2 * joints_.size() + cells_.size()));
 }
 
 /// The angle of a link that is furthest beyond its limit.
@@ -378,7 +407,7 @@ std::optional<AttitudeSuspect> AttitudeSearch::judgeMotion(std::size_t place) co
   const TurnBetweenPoses turn =
       findTurn(AccelerometerPrior(skin_.model().accelerometer), own.readings, v_g, attitude);
   const auto tests = static_cast<double>(cells_.size() * (own.readings.size() - 1));
-  if (turn.angle_rad < kLeastTurn || turn.gain.deviate() <= deviateExceededOnceIn(kPatchesPerFalseMotion * tests)) {
+  if (turn.angle_rad < kLeastTurn || turn.gain.deviate() <= strictness() * deviateExceededOnceIn(kPatchesPerFalseMotion * tests)) {
     return std::nullopt;
   }
   AttitudeSuspect suspect{AttitudeSuspect::Kind::Moved};
@@ -429,7 +458,7 @@ double AttitudeSearch::gainOfSwap(const Joint& joint) const {
 
 std::vector<AttitudeSuspect> AttitudeSearch::candidates() {
   passBeliefs();
-  const double swap_limit = std::log(kPatchesPerOtherAlarm * static_cast<double>(joints_.size()));
+  const double swap_limit = strictness() * strictness() * std::log(kPatchesPerOtherAlarm * static_cast<double>(joints_.size()));
   std::vector<AttitudeSuspect> found;
   for (const Joint& joint : joints_) {
     if (!tested(joint)) continue;

@@ -56,8 +56,9 @@ struct AttitudeSuspect {
 class AttitudeSearch {
  public:
   /// `cells`: of the patch, ascending. `placements`: per entry of `cells`, where the search for its own attitude starts.
-  AttitudeSearch(const SkinLinks& skin, std::span<const std::size_t> cells, std::span<const PatchForce> forces,
-                 std::span<const SE3> placements);
+  /// `forces_are_rough`: they are of sensors as they read, and are estimated again with the sensors' errors.
+  AttitudeSearch(const SkinLinks& skin, std::span<const std::size_t> cells, std::vector<PatchForce> forces,
+                 std::span<const SE3> placements, bool forces_are_rough);
 
   /// The most probable faults, the clearest first; what one explains isn't reported again.
   [[nodiscard]] std::vector<AttitudeSuspect> suspects();
@@ -70,6 +71,7 @@ class AttitudeSearch {
     std::vector<CellReading> readings;
     std::vector<Eigen::Vector3d> f_o;  ///< per reading
     std::vector<std::size_t> poses;    ///< per reading
+    AccelerometerFit sensor;
   };
   /// What is known of the error e of a cell's own attitude, R_true = R exp(e): information and information times mean.
   struct Belief {
@@ -97,7 +99,9 @@ class AttitudeSearch {
 
   [[nodiscard]] std::size_t placeOf(std::size_t cell) const;
   void findOwnAttitudes(std::span<const PatchForce> forces, std::span<const SE3> placements);
+  void refine(std::vector<PatchForce>& forces) const;
   [[nodiscard]] std::vector<double> headings() const;
+  [[nodiscard]] double strictness() const;
   void findJoints();
   [[nodiscard]] Shape fitShape(bool with_antisymmetric);
   [[nodiscard]] Eigen::Vector3d anglesOf(const Joint& joint, const Own& source, const Own& target) const;

@@ -29,9 +29,10 @@ LinkAngles separated(const LinkAngles& angles) {
 std::vector<Finding> judgeLinkAngles(const LinkAngles& angles, LinkEnd source, LinkEnd target, const CellModel& model,
                                      const SolverOptions& options, const LinkAngles& sigma_rad) {
   constexpr double kSigmas = 3;
-  constexpr double kSigmasOfModel = 5;
-  const auto limitOf = [](double elastomer_rad, double largest_rad, double of_rotation_rad) {
-    return std::min(largest_rad + kSigmas * of_rotation_rad, kSigmasOfModel * std::hypot(elastomer_rad, of_rotation_rad));
+  constexpr double kSigmasOfModel = 6;  // real skins twist by 50 degrees where the model has 10
+  const double worst_rad = std::max({sigma_rad.twist_rad, sigma_rad.bend_rad, sigma_rad.yaw_rad});
+  const auto limitOf = [&](double elastomer_rad, double largest_rad, double of_rotation_rad) {
+    return std::min(largest_rad + kSigmas * worst_rad, kSigmasOfModel * std::hypot(elastomer_rad, of_rotation_rad));
   };
   const LinkAngles limits = {limitOf(model.twist_sigma_rad, options.max_twist_rad, sigma_rad.twist_rad),
                              limitOf(model.bend_sigma_rad, options.max_bend_rad, sigma_rad.bend_rad),

@@ -8,7 +8,7 @@
 
 namespace hexoderm {
 
-/// A finding for each of bend, twist and yaw that no skin link has: beyond five deviations of the cell model's
+/// A finding for each of bend, twist and yaw that no skin link has: beyond six deviations of the cell model's
 /// elastomer and of the link's own rotation (`sigma_rad`: about the link's direction, across it in the surface, and about
 /// z; 0 where the rotation is taken as exact), and in any case beyond the options' limit by more than three deviations
 /// of the rotation.

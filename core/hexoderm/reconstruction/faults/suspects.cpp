@@ -138,7 +138,8 @@ std::vector<SuspectSearch::BadLink> SuspectSearch::badLinks() const {
   for (std::size_t index = 0; index < verdicts_.size(); ++index) {
     const Verdict& verdict = verdicts_[index];
     if (!verdict.bad()) continue;
-    if (!verdict.implausible.empty()) {
+    // Of cells that moved against each other the angles mean nothing.
+    if (verdict.rigid) {
       bad.push_back({index, verdict.implausible});
       continue;
     }

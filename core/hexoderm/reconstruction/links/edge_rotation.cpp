@@ -1,14 +1,14 @@
 #include "hexoderm/reconstruction/links/edge_rotation.h"
 
+#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/geometry/procrustes.h"
 #include "hexoderm/util/units.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <optional>
-#include <utility>
 
 namespace hexoderm {
 namespace {
@@ -146,27 +146,13 @@ class EdgeSolver {
   const EdgeReadings& readings_;
 };
 
-/// Both ways of a choice, or the one that the options name.
-std::vector<bool> waysOf(bool may_be_off, bool may_be_on) {
-  std::vector<bool> ways;
-  if (may_be_off) ways.push_back(false);
-  if (may_be_on) ways.push_back(true);
-  return ways;
-}
-
-std::vector<bool> waysToCentre(Centring centring, Eigen::Index poses) {
-  // Two vectors less their mean are one difference and its opposite: a single direction.
-  constexpr Eigen::Index kFewestToCentre = 3;
-  if (poses < kFewestToCentre) return {false};
-  return waysOf(centring != Centring::On, centring != Centring::Off);
-}
-
-/// Support axes pull towards the nominal alignment, also where the poses know better: they are worth trying where the
-/// poses leave a direction open.
-std::vector<bool> waysToSupport(SupportAxes axes, EdgeQuality quality) {
+/// Support axes pull towards the nominal alignment, also where the poses know better: they are for links of which the
+/// poses tell less than the elastomer does.
+bool needsSupport(const EdgeRotation& unsupported, SupportAxes axes, EdgeQuality quality, const CellModel& model) {
+  if (axes != SupportAxes::Auto) return axes == SupportAxes::On;
   const bool leaves_open = quality == EdgeQuality::Undefined || quality == EdgeQuality::Partially;
-  return waysOf(axes == SupportAxes::Off || axes == SupportAxes::Auto,
-                axes == SupportAxes::On || (axes == SupportAxes::Auto && leaves_open));
+  return leaves_open && largestDeviation(unsupported.covariance) >
+                            std::max({model.twist_sigma_rad, model.bend_sigma_rad, model.yaw_sigma_rad});
 }
 
 }  // namespace
@@ -197,14 +183,17 @@ EdgeRotation estimateEdgeRotation(const CellModel& model, const Port& source, co
   const ProcrustesSolution plain = solveProcrustes(unitColumns(readings.n_g), unitColumns(readings.c_g));
   const EdgeQuality quality = classifyEdge(plain.singular_values, options.class_threshold);
   const EdgeSolver solver(model, source, target, readings);
-  std::optional<EdgeRotation> best;
-  for (const bool supported : waysToSupport(options.support_axes, quality)) {
-    for (const bool centred : waysToCentre(options.centring, poses)) {
-      EdgeRotation way = solver.solve(centred, supported, plain);
-      if (!best || way.covariance.trace() < best->covariance.trace()) best = std::move(way);
-    }
-  }
-  EdgeRotation edge = std::move(*best);
+  // Two vectors less their mean are one difference and its opposite: a single direction.
+  constexpr Eigen::Index kFewestToCentre = 3;
+  const bool may_centre = options.centring != Centring::Off && poses >= kFewestToCentre;
+  const auto solve = [&](bool supported) {
+    EdgeRotation edge = solver.solve(may_centre && options.centring == Centring::On, supported, plain);
+    if (!may_centre || options.centring == Centring::On) return edge;
+    EdgeRotation centred = solver.solve(true, supported, plain);
+    return centred.covariance.trace() < edge.covariance.trace() ? centred : edge;
+  };
+  EdgeRotation edge = solve(false);
+  if (needsSupport(edge, options.support_axes, quality, model)) edge = solve(true);
   edge.singular_values = plain.singular_values;
   edge.quality = quality;
   solver.addResiduals(edge);

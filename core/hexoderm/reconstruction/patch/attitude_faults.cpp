@@ -53,7 +53,8 @@ class Isolation {
   bool isolate(const PatchSolver& patch) {
     if (patch.cells().size() < 2) return false;
     const std::vector<SE3> placements = placementsOf(patch);
-    AttitudeSearch search(skin_, patch.cells(), forcesOn(skin_, patch, placements), placements);
+    AttitudeSearch search(skin_, patch.cells(), forcesOn(skin_, patch, placements), placements,
+                          patch.joint() == nullptr);
     bool changed = false;
     for (const AttitudeSuspect& suspect : search.suspects()) changed = takeOut(patch, suspect) || changed;
     for (const auto& [code, links] : links_) skin_.mute(links, code);
