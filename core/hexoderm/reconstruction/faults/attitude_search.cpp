@@ -28,8 +28,8 @@ constexpr double kCostOfAngle = 3;
 /// Patches to one false alarm: of the yaw of links and cells, of cells that moved, and of everything else. A mould lets
 /// nothing turn in the surface, so that yaw shows a sensor that is mounted otherwise best; bend and twist scatter as the
 /// part is curved.
-constexpr double kPatchesPerFalseYaw = 300;
-constexpr double kPatchesPerFalseMotion = 300;
+constexpr double kPatchesPerFalseYaw = 200;
+constexpr double kPatchesPerFalseMotion = 200;
 constexpr double kPatchesPerOtherAlarm = 2000;
 
 /// The deviation that a standard normal deviate exceeds once in `times`.
@@ -373,6 +373,22 @@ std::optional<AttitudeSuspect> AttitudeSearch::judgeLink(const Joint& joint) con
   return suspect;
 }
 
+/// What the covariance of a cell by its links lacks: half of each link's scatter is how askew this very cell sits in the
+/// mould, which is the same for all of them and does not average out.
+Eigen::Matrix3d AttitudeSearch::ownScatter(std::size_t place) const {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  double links = 0;
+  for (const std::size_t k : at_[place]) {
+    const Joint& joint = joints_[k];
+    if (!tested(joint)) continue;
+    Eigen::Matrix3d axes = joint.axes;
+    if (joint.target == place) axes = (joint.R_nom.transpose() * axes).eval();
+    sum += axes * scatter() * axes.transpose();
+    ++links;
+  }
+  return links == 0 ? sum : Eigen::Matrix3d((1 - 1 / links) / 2 * sum / links);
+}
+
 /// A cell whose own attitude is not what all its links say together. Nothing for one with fewer than two links to say
 /// so.
 std::optional<AttitudeSuspect> AttitudeSearch::judgeCell(std::size_t place) const {
@@ -381,7 +397,7 @@ std::optional<AttitudeSuspect> AttitudeSearch::judgeCell(std::size_t place) cons
   const Belief links = beliefBeside(place, nullptr);
   const Eigen::Matrix3d of_links = links.covariance();
   const Eigen::Vector3d turn = of_links * links.weighted;
-  const Eigen::Matrix3d covariance = of_links + own_[place].covariance;
+  const Eigen::Matrix3d covariance = of_links + ownScatter(place) + own_[place].covariance;
   const double squared = turn.dot(covariance.ldlt().solve(turn));
   const bool is_turned = Misfit{squared, 3}.deviate() > otherLimit();
   const Turns turns = likeliestTurns(turn, covariance);

@@ -120,6 +120,7 @@ class AttitudeSearch {
   [[nodiscard]] std::optional<AttitudeSuspect> judgeMotion(std::size_t place) const;
   [[nodiscard]] double yawLimit() const;
   [[nodiscard]] double otherLimit() const;
+  [[nodiscard]] Eigen::Matrix3d ownScatter(std::size_t place) const;
   [[nodiscard]] double gainOfSwap(const Joint& joint) const;
   [[nodiscard]] double pairMisfit(const Joint& joint, const Own& source, const Own& target) const;
   /// Places in the patch of the cells that a suspicion is about.

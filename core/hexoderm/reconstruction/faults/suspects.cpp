@@ -102,7 +102,13 @@ std::optional<std::size_t> SuspectSearch::worstPose() const {
   return worst;
 }
 
-std::optional<std::size_t> SuspectSearch::worstCell() const {
+bool SuspectSearch::isClearlyWrong(std::size_t cell) const {
+  return std::ranges::any_of(graph_.linksAt(cell), [&](std::size_t link) {
+    return verdicts_[link].tested && verdicts_[link].misfit > kClearly * options_.max_misfit;
+  });
+}
+
+std::optional<std::size_t> SuspectSearch::worstCell(std::span<const std::size_t> but) const {
   constexpr double kNearlyAll = 0.74;
   constexpr std::size_t kFewestWitnesses = 2;
   std::vector<std::size_t> tested(graph_.cells().size(), 0);
@@ -116,6 +122,7 @@ std::optional<std::size_t> SuspectSearch::worstCell() const {
   std::optional<std::size_t> worst;
   double worst_misfit = 0;
   for (std::size_t cell = 0; cell < graph_.cells().size(); ++cell) {
+    if (std::ranges::count(but, cell) > 0) continue;
     if (bad[cell] < kFewestWitnesses || static_cast<double>(bad[cell]) < kNearlyAll * static_cast<double>(tested[cell]))
       continue;
     double misfit = 0;
@@ -133,19 +140,21 @@ std::optional<std::size_t> SuspectSearch::worstCell() const {
   return worst;
 }
 
-std::vector<SuspectSearch::BadLink> SuspectSearch::badLinks() const {
+std::vector<SuspectSearch::BadLink> SuspectSearch::badLinks(std::span<const std::size_t> spared) const {
   std::vector<BadLink> bad;
   for (std::size_t index = 0; index < verdicts_.size(); ++index) {
     const Verdict& verdict = verdicts_[index];
-    if (!verdict.bad()) continue;
+    const GraphLink& graph_link = graph_.links()[index];
+    const bool is_spared = std::ranges::any_of(
+        spared, [&](std::size_t cell) { return cell == graph_link.source || cell == graph_link.target; });
+    if (!verdict.bad() || is_spared) continue;
     // Of cells that moved against each other the angles mean nothing.
     if (verdict.rigid) {
       bad.push_back({index, verdict.implausible});
       continue;
     }
-    const GraphLink& link = graph_.links()[index];
-    const LinkEnd source = graph_.sourceEnd(link);
-    const LinkEnd target = graph_.targetEnd(link);
+    const LinkEnd source = graph_.sourceEnd(graph_link);
+    const LinkEnd target = graph_.targetEnd(graph_link);
     bad.push_back(
         {index,
          {makeFinding(

@@ -4,6 +4,7 @@
 #include "hexoderm/reconstruction/links/edge_rotation.h"
 #include "hexoderm/reconstruction/links/skin_readings.h"
 
+#include <span>
 #include <vector>
 
 namespace hexoderm {
@@ -20,15 +21,18 @@ class SuspectSearch {
   /// sampled.
   [[nodiscard]] std::optional<std::size_t> worstPose() const;
 
-  /// The cell that contradicts its neighbours most, if there is one: its readings should not be used. Ask again after
-  /// that, with new readings and edges.
-  [[nodiscard]] std::optional<std::size_t> worstCell() const;
+  /// The cell, none of `but`, that contradicts its neighbours most, if there is one: its readings should not be used. Ask
+  /// again after that, with new readings and edges.
+  [[nodiscard]] std::optional<std::size_t> worstCell(std::span<const std::size_t> but = {}) const;
+  /// The cell's readings contradict a neighbour's so clearly that two poses suffice to say so.
+  [[nodiscard]] bool isClearlyWrong(std::size_t cell) const;
 
   struct BadLink {
     std::size_t link = 0;
     std::vector<Finding> findings;  ///< at least one
   };
-  [[nodiscard]] std::vector<BadLink> badLinks() const;
+  /// `spared`: cells whose links are left as they are.
+  [[nodiscard]] std::vector<BadLink> badLinks(std::span<const std::size_t> spared = {}) const;
 
  private:
   struct Verdict {
@@ -52,8 +56,11 @@ class SuspectSearch {
   std::vector<Verdict> verdicts_;  ///< per link
 };
 
+/// By so many times the limit must a cell with too few poses be beyond it to be called wrong.
+inline constexpr double kClearly = 2;
+
 /// Two poses fix a cell's attitude by the priors of its sensor, and what contradicts them may be chance: a cell with no
-/// more is called suspicious and stays.
+/// more, and not clearly wrong, is called suspicious and stays.
 bool hasTooFewPoses(const GravityTable& table, std::size_t cell);
 Finding describeSuspiciousSensor(const SkinGraph& graph, const GravityTable& table, std::size_t cell);
 

@@ -52,7 +52,8 @@ Completion PatchSolver::refine(const Reconstruction* earlier, const std::stop_to
   bool dropped = false;
   std::vector<std::size_t> suspicious;
   while (const auto bad = worstSensor(suspicious)) {
-    if (hasTooFewPoses(skin_.table(), bad->cell)) {
+    const bool is_clear = joint_->misfitOf(bad->cell).deviate() > kClearly * skin_.options().max_misfit;
+    if (hasTooFewPoses(skin_.table(), bad->cell) && !is_clear) {
       addOnce(findings, describeSuspiciousSensor(skin_.graph(), skin_.table(), bad->cell));
       suspicious.push_back(bad->cell);
       continue;
