@@ -81,10 +81,8 @@ JointRefinement::JointRefinement(const CellModel& model, const SkinGraph& graph,
   problem_->gap = gapShareOf(options.gap_model);
   problem_->link_sigma_m = model.link_sigma_m;
   JointState& state = solution_.state;
-  for (const std::size_t cell : cells_) {
-    state.cells.push_back(placements[cell]);
-    state.middle_o += placements[cell].t / static_cast<double>(cells_.size());
-  }
+  state.cells = placements;
+  for (const SE3& placement : placements) state.middle_o += placement.t / static_cast<double>(cells_.size());
   problem_->origin = localOf(origin);
   state.gap_share = problem_->gap.mean;
 
@@ -98,7 +96,7 @@ JointRefinement::JointRefinement(const CellModel& model, const SkinGraph& graph,
       const GravityTable::Entry& entry = table.at(cell, pose);
       if (!entry.usable) continue;
       problem_->readings[local].push_back({poses_.size(), R_a_u * entry.mean_g, entry.variance_g2});
-      sum += placements[cell].R * entry.mean_g.normalized();
+      sum += placements[local].R * entry.mean_g.normalized();
       any = true;
     }
     if (!any) continue;

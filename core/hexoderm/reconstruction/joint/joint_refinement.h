@@ -16,7 +16,7 @@ namespace hexoderm {
 /// placements, in the terms of the skin's graph.
 class JointRefinement {
  public:
-  /// `cells`: of the patch, ascending; `placements`: per cell of the graph, in the origin's frame.
+  /// `cells`: of the patch, ascending; `placements`: of these, in the origin's frame.
   JointRefinement(const CellModel& model, const SkinGraph& graph, const GravityTable& table,
                   const SolverOptions& options, const std::vector<std::size_t>& cells, std::size_t origin,
                   const std::vector<SE3>& placements);

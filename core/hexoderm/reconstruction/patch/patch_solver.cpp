@@ -9,16 +9,18 @@
 namespace hexoderm {
 namespace {
 
-/// The covariance of every cell's own attitude error; cells of other patches stay zero.
+/// The covariance of every cell's own attitude error, per cell of the patch.
 std::vector<Eigen::Matrix3d> attitudeCovariances(const SkinLinks& skin, const ShortestPaths& paths) {
-  std::vector<Eigen::Matrix3d> attitude(skin.graph().cells().size(), Eigen::Matrix3d::Zero());
+  const auto place = [&skin](std::size_t cell) { return skin.graph().cells()[cell].place; };
+  std::vector<Eigen::Matrix3d> attitude(paths.order.size());
   std::size_t first_link = kNoIndex;
   for (const std::size_t cell : paths.order) {
     if (cell == paths.root) continue;
-    if (first_link == kNoIndex) first_link = paths.link[cell];
-    attitude[cell] = skin.attitudeCovariance(cell, paths.link[cell]);
+    const std::size_t link = paths.link[place(cell)];
+    if (first_link == kNoIndex) first_link = link;
+    attitude[place(cell)] = skin.attitudeCovariance(cell, link);
   }
-  attitude[paths.root] = skin.attitudeCovariance(paths.root, first_link);
+  attitude[place(paths.root)] = skin.attitudeCovariance(paths.root, first_link);
   return attitude;
 }
 
@@ -65,8 +67,8 @@ Completion PatchSolver::refine(const Reconstruction* earlier, const std::stop_to
 /// Placements of the earlier result, if it had exactly the cells of this patch and the same origin; else the tree's.
 std::vector<SE3> PatchSolver::startingPlacements(const Reconstruction* earlier) const {
   const std::vector<GraphCell>& graph_cells = skin_.graph().cells();
-  std::vector<SE3> placements(graph_cells.size());
-  for (const std::size_t cell : cells_) placements[cell] = placements_[cell].T_o_u;
+  std::vector<SE3> placements;
+  for (const TreePlacement& placement : placements_) placements.push_back(placement.T_o_u);
   if (earlier == nullptr || earlier->solver != solverName(Solver::Global)) return placements;
   const CellId origin_id = graph_cells[origin()].id;
   const PatchReconstruction* known = earlier->find(origin_id).patch;
@@ -74,7 +76,7 @@ std::vector<SE3> PatchSolver::startingPlacements(const Reconstruction* earlier) 
       known != nullptr && known->origin == origin_id &&
       std::ranges::equal(
           cells_, known->cells, {}, [&](std::size_t cell) { return graph_cells[cell].id; }, &CellPlacement::cell);
-  for (std::size_t k = 0; is_same && k < cells_.size(); ++k) placements[cells_[k]] = known->cells[k].T_o_u;
+  for (std::size_t k = 0; is_same && k < cells_.size(); ++k) placements[k] = known->cells[k].T_o_u;
   return placements;
 }
 

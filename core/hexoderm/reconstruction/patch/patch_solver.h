@@ -32,7 +32,8 @@ class PatchSolver {
   [[nodiscard]] std::size_t origin() const { return paths_.root; }
   [[nodiscard]] const std::vector<std::size_t>& cells() const { return cells_; }  ///< ascending
   [[nodiscard]] const ShortestPaths& paths() const { return paths_; }
-  [[nodiscard]] const std::vector<TreePlacement>& treePlacements() const { return placements_; }  ///< per cell
+  /// Per cell of cells().
+  [[nodiscard]] const std::vector<TreePlacement>& treePlacements() const { return placements_; }
   [[nodiscard]] const JointRefinement* joint() const { return joint_.get(); }  ///< null before refine()
 
  private:
