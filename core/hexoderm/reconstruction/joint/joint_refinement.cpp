@@ -251,18 +251,18 @@ Misfit JointRefinement::misfitOf(std::size_t cell) const {
   return testRigidity(AccelerometerPrior(problem_->model->accelerometer), problem_->readings[at], sensors_[at].v_g);
 }
 
-double JointRefinement::poseMisfit(std::size_t pose) const {
-  double sum = 0;
-  std::size_t count = 0;
+std::vector<double> JointRefinement::poseMisfits() const {
+  std::vector<double> sums(poses_.size(), 0);
+  std::vector<double> counts(poses_.size(), 0);
   for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
     const std::vector<CellReading>& readings = problem_->readings[cell];
     for (std::size_t k = 0; k < readings.size(); ++k) {
-      if (poses_[readings[k].pose] != pose) continue;
-      sum += sensors_[cell].fit.residual_g[k].squaredNorm() / (3 * readings[k].variance_g2);
-      ++count;
+      sums[readings[k].pose] += sensors_[cell].fit.residual_g[k].squaredNorm() / (3 * readings[k].variance_g2);
+      counts[readings[k].pose] += 1;
     }
   }
-  return count == 0 ? 0 : std::sqrt(sum / static_cast<double>(count));
+  for (std::size_t k = 0; k < sums.size(); ++k) sums[k] = counts[k] == 0 ? 0 : std::sqrt(sums[k] / counts[k]);
+  return sums;
 }
 
 std::optional<JointRefinement::OpenLink> JointRefinement::widestOpen() const {

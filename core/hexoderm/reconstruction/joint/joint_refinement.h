@@ -31,8 +31,8 @@ class JointRefinement {
   /// Misfit of a cell's readings with the gravity that all others agree on, for the best attitude of the cell;
   /// meaningless with fewer than two readings.
   [[nodiscard]] Misfit misfitOf(std::size_t cell) const;
-  /// Rms over the cells of what one pose leaves unexplained, in standard deviations of its readings.
-  [[nodiscard]] double poseMisfit(std::size_t pose) const;
+  /// Per pose of poses(): rms over the cells of what it leaves unexplained, in standard deviations of its readings.
+  [[nodiscard]] std::vector<double> poseMisfits() const;
 
   /// The link (of the graph) that misses its loops by the most, and by how much.
   struct OpenLink {

@@ -125,8 +125,7 @@ void nameInconsistentPoses(const SkinLinks& skin, const PatchSolver& patch, std:
   constexpr double kLargest = 8;
   constexpr double kTimesOthers = 3;
   if (joint.poses().size() < 3) return;
-  std::vector<double> misfits;
-  for (const std::size_t pose : joint.poses()) misfits.push_back(joint.poseMisfit(pose));
+  const std::vector<double> misfits = joint.poseMisfits();
   std::vector<double> sorted = misfits;
   std::ranges::sort(sorted);
   const double usual = sorted[sorted.size() / 2];
