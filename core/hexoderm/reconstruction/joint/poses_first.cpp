@@ -1,7 +1,6 @@
 #include "hexoderm/reconstruction/joint/poses_first.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cassert>
 #include <mutex>
@@ -25,6 +24,13 @@ using SensorByShared = Eigen::Matrix<double, kSensor, kShared>;
 struct Deviation {
   std::size_t part = 0;
   double excess = 0;  ///< precision less the usual one
+};
+
+struct PoseReadings {
+  /// Most cells read with their usual precision. Where few do, differences from it would lose their digits: nothing is
+  /// usual then.
+  bool usual = true;
+  std::vector<Deviation> deviating;
 };
 
 /// A cell with readings.
@@ -51,7 +57,7 @@ struct PosesFirstEquations {
   NormalEquations rest;                         ///< of the border nothing but the gap share; its gradients are complete
   std::vector<MeasuredCell> measured;
   std::vector<Eigen::Vector4d> phi;             ///< per pose
-  std::vector<std::vector<Deviation>> deviating;  ///< per pose
+  std::vector<PoseReadings> readings;             ///< per pose
   std::vector<Eigen::Matrix3d> pose_information;  ///< H_p
   VectorXd gradient_poses;
   // Diagonals of the matrix after the sensors' elimination, of which damping adds a share.
@@ -73,7 +79,6 @@ class PosesFirstLinearizer {
     equations_.phi.resize(problem_.poses);
     equations_.pose_information.assign(problem_.poses, Eigen::Matrix3d::Zero());
     equations_.gradient_poses.setZero(static_cast<Index>(3 * problem_.poses));
-    equations_.deviating.assign(problem_.poses, {});
     for (std::size_t pose = 0; pose < problem_.poses; ++pose) {
       equations_.phi[pose] << 1, state_.force_o[pose];
       addForcePrior(problem_, state_.force_o[pose], equations_.pose_information[pose],
@@ -83,6 +88,7 @@ class PosesFirstLinearizer {
     equations_.diagonal_cells.setZero(equations_.rest.gradient_cells.size());
     equations_.measured.clear();
     for (std::size_t cell = 0; cell < problem_.cellCount(); ++cell) add(cell);
+    findDeviating();
     for (std::size_t pose = 0; pose < problem_.poses; ++pose) {
       equations_.diagonal_poses.segment<3>(static_cast<Index>(3 * pose)) += equations_.pose_information[pose].diagonal();
     }
@@ -114,7 +120,6 @@ class PosesFirstLinearizer {
     const AccelerometerFit& fit = sensor_.fit;
     equations_.rest.cost += fit.cost;
 
-    const std::size_t part = equations_.measured.size();
     MeasuredCell& measured = equations_.measured.emplace_back();
     const Eigen::Matrix3d R_a_o = R_a_u_ * state_.cells[cell].R.transpose();
     measured.cell = cell;
@@ -157,18 +162,23 @@ class PosesFirstLinearizer {
             (K.cwiseProduct(mixed) - root.cwiseProduct(root)).colwise().sum().transpose();
       }
     }
-    findDeviating(part);
-  }
-
-  void findDeviating(std::size_t part) {
-    MeasuredCell& measured = equations_.measured[part];
     sorted_ = measured.precision;
     const auto middle = sorted_.begin() + static_cast<std::ptrdiff_t>(sorted_.size() / 2);
     std::ranges::nth_element(sorted_, middle);
     measured.usual_precision = *middle;
+  }
+
+  void findDeviating() {
+    const std::vector<MeasuredCell>& measured = equations_.measured;
+    equations_.readings.assign(problem_.poses, {});
     for (std::size_t pose = 0; pose < problem_.poses; ++pose) {
-      const double excess = measured.precision[pose] - measured.usual_precision;
-      if (excess != 0) equations_.deviating[pose].push_back({part, excess});
+      PoseReadings& readings = equations_.readings[pose];
+      const auto deviates = [pose](const MeasuredCell& cell) { return cell.precision[pose] != cell.usual_precision; };
+      readings.usual = 2 * std::ranges::count_if(measured, deviates) < std::ssize(measured);
+      for (std::size_t part = 0; part < measured.size(); ++part) {
+        const double excess = measured[part].precision[pose] - (readings.usual ? measured[part].usual_precision : 0);
+        if (excess != 0) readings.deviating.push_back({part, excess});
+      }
     }
   }
 
@@ -301,7 +311,7 @@ class PosesFirstFactor {
     for (std::size_t pose = 0; pose < equations_->phi.size(); ++pose) {
       const Eigen::Matrix<double, kShared, 3> phi = sharedOf(pose);
       Eigen::Matrix3d seen = phi.transpose() * BCB * phi;
-      const std::vector<Deviation>& deviating = equations_->deviating[pose];
+      const std::vector<Deviation>& deviating = equations_->readings[pose].deviating;
       for (const Deviation& a : deviating) {
         const SensorByForce D_a = deviationOf(a, pose);
         const Index at_a = kSensor * static_cast<Index>(a.part);
@@ -337,10 +347,10 @@ class PosesFirstFactor {
   [[nodiscard]] SensorByForce deviationOf(const Deviation& deviation, std::size_t pose) const {
     return -deviation.excess * couplingOf(static_cast<Index>(deviation.part), pose);
   }
-  /// phi x I
+  /// phi x I; zero for a pose in which nothing is usual.
   [[nodiscard]] Eigen::Matrix<double, kShared, 3> sharedOf(std::size_t pose) const {
-    Eigen::Matrix<double, kShared, 3> product;
-    for (int k = 0; k < 4; ++k) {
+    Eigen::Matrix<double, kShared, 3> product = Eigen::Matrix<double, kShared, 3>::Zero();
+    for (int k = 0; k < 4 && equations_->readings[pose].usual; ++k) {
       product.middleRows<3>(3 * k) = equations_->phi[pose][k] * Eigen::Matrix3d::Identity();
     }
     return product;
@@ -358,7 +368,8 @@ class PosesFirstFactor {
     for (std::size_t pose = 0; pose < equations_->phi.size(); ++pose) {
       Eigen::Matrix3d H = equations_->pose_information[pose];
       H.diagonal() += damping * equations_->diagonal_poses.segment<3>(static_cast<Index>(3 * pose));
-      pose_inverse_.emplace_back(H.inverse());
+      // A pose that nothing but priors speaks of is nearly singular; cofactors would lose all digits.
+      pose_inverse_.emplace_back(H.llt().solve(Eigen::Matrix3d::Identity()));
     }
   }
 
@@ -383,7 +394,7 @@ class PosesFirstFactor {
       const Eigen::Matrix<double, kShared, 3> phi = sharedOf(pose);
       const Eigen::Matrix<double, kShared, 3> phi_H = phi * pose_inverse_[pose];
       middle.noalias() += phi_H * phi.transpose();
-      const std::vector<Deviation>& deviating = equations_->deviating[pose];
+      const std::vector<Deviation>& deviating = equations_->readings[pose].deviating;
       for (std::size_t b = 0; b < deviating.size(); ++b) {
         const SensorByForce D_b = deviationOf(deviating[b], pose);
         const SensorByForce D_H = D_b * pose_inverse_[pose];

@@ -45,38 +45,33 @@ PatchSolver::PatchSolver(SkinLinks& skin, std::span<const double> weights, std::
       placements_(placeAlongTree(skin.graph(), skin.model(), paths_, skin.edges(), attitudeCovariances(skin, paths_))) {
 }
 
-Completion PatchSolver::refine(const Reconstruction* earlier, const std::stop_token& stop,
+Completion PatchSolver::refine(const PatchReconstruction* earlier, const std::stop_token& stop,
                                std::vector<Finding>& findings) {
   joint_ = std::make_unique<JointRefinement>(skin_.model(), skin_.graph(), skin_.table(), skin_.options(), cells_,
                                              origin(), startingPlacements(earlier));
   joint_->solve(stop);
   if (stop.stop_requested()) return Completion::Stopped;
-  bool dropped = false;
   while (const auto cell = worstSensor()) {
     findings.push_back(describeBadSensor(skin_.graph(), skin_.table(), skin_.snapshot(), *cell, isLeaf(*cell)));
     skin_.dropCell(*cell);
     joint_->leaveOut(*cell);
     joint_->solve(stop);
     if (stop.stop_requested()) return Completion::Stopped;
-    dropped = true;
+    dropped_cells_ = true;
   }
-  if (dropped) skin_.estimateEdges();
   return Completion::Finished;
 }
 
 /// Placements of the earlier result, if it had exactly the cells of this patch and the same origin; else the tree's.
-std::vector<SE3> PatchSolver::startingPlacements(const Reconstruction* earlier) const {
+std::vector<SE3> PatchSolver::startingPlacements(const PatchReconstruction* earlier) const {
   const std::vector<GraphCell>& graph_cells = skin_.graph().cells();
   std::vector<SE3> placements;
   for (const TreePlacement& placement : placements_) placements.push_back(placement.T_o_u);
-  if (earlier == nullptr || earlier->solver != solverName(Solver::Global)) return placements;
-  const CellId origin_id = graph_cells[origin()].id;
-  const PatchReconstruction* known = earlier->find(origin_id).patch;
   const bool is_same =
-      known != nullptr && known->origin == origin_id &&
+      earlier != nullptr && earlier->origin == graph_cells[origin()].id &&
       std::ranges::equal(
-          cells_, known->cells, {}, [&](std::size_t cell) { return graph_cells[cell].id; }, &CellPlacement::cell);
-  for (std::size_t k = 0; is_same && k < cells_.size(); ++k) placements[k] = known->cells[k].T_o_u;
+          cells_, earlier->cells, {}, [&](std::size_t cell) { return graph_cells[cell].id; }, &CellPlacement::cell);
+  for (std::size_t k = 0; is_same && k < cells_.size(); ++k) placements[k] = earlier->cells[k].T_o_u;
   return placements;
 }
 

@@ -257,7 +257,7 @@ void expectSane(const JointProblem& problem, const JointSolution& solution, cons
     const Matrix6d& C = solution.covariance->cell(cell);
     ASSERT_TRUE(C.allFinite()) << what << ", cell " << cell;
     EXPECT_LE((C - C.transpose()).norm(), 1e-12 * C.norm());
-    const Eigen::SelfAdjointEigenSolver<Matrix6d> solver(C, Eigen::EigenvaluesOnly);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(C, Eigen::EigenvaluesOnly);
     EXPECT_GE(solver.eigenvalues().minCoeff(), -1e-12 * C.norm()) << what << ", cell " << cell;
   }
   for (std::size_t k = 0; k < problem.links.size(); ++k) EXPECT_TRUE(solution.covariance->link(k).allFinite()) << what;
