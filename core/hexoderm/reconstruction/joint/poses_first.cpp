@@ -18,7 +18,6 @@ constexpr Index kShared = 12;  // phi x I
 
 using SensorVector = Eigen::Matrix<double, kSensor, 1>;
 using SensorByForce = Eigen::Matrix<double, kSensor, 3>;
-using SensorByShared = Eigen::Matrix<double, kSensor, kShared>;
 
 /// A reading whose precision is not its cell's usual one; absent readings have a precision of 0.
 struct Deviation {
@@ -222,7 +221,7 @@ class PosesFirstFactor {
     lower_ = SK;
     sensors_.matrixL().solveInPlace(lower_);
     MatrixXd left = KSK;
-    left.triangularView<Eigen::Lower>() -= lower_.transpose() * lower_;
+    left.selfadjointView<Eigen::Lower>().rankUpdate(lower_.transpose(), -1);
 
     MatrixXd X = matrixOfRest(damping);
     for (std::size_t b = 0; b < moving_.size(); ++b) {
@@ -301,26 +300,32 @@ class PosesFirstFactor {
       across.middleRows<3>(turnOf(moving_[k])) -= of_turns.middleRows<3>(static_cast<Index>(3 * k));
     }
     rest_.matrixL().solveInPlace(across);
-    MatrixXd C(root.cols(), root.cols());
-    C.noalias() = root.transpose() * root;
-    C.noalias() += across.transpose() * across;
+    MatrixXd C = MatrixXd::Zero(root.cols(), root.cols());
+    C.selfadjointView<Eigen::Lower>().rankUpdate(root.transpose());
+    C.selfadjointView<Eigen::Lower>().rankUpdate(across.transpose());
+    C.triangularView<Eigen::StrictlyUpper>() = C.transpose();
 
     const MatrixXd CB = C * shared_;
     const Eigen::Matrix<double, kShared, kShared> BCB = shared_.transpose() * CB;
     std::vector<Eigen::Matrix3d> covariances;
+    std::vector<SensorByForce> D;
     for (std::size_t pose = 0; pose < equations_->phi.size(); ++pose) {
       const Eigen::Matrix<double, kShared, 3> phi = sharedOf(pose);
       Eigen::Matrix3d seen = phi.transpose() * BCB * phi;
       const std::vector<Deviation>& deviating = equations_->readings[pose].deviating;
-      for (const Deviation& a : deviating) {
-        const SensorByForce D_a = deviationOf(a, pose);
-        const Index at_a = kSensor * static_cast<Index>(a.part);
+      D.clear();
+      for (const Deviation& deviation : deviating) D.push_back(deviationOf(deviation, pose));
+      for (std::size_t a = 0; a < deviating.size(); ++a) {
+        const SensorByForce& D_a = D[a];
+        const Index at_a = kSensor * static_cast<Index>(deviating[a].part);
         const Eigen::Matrix3d mixed = D_a.transpose() * CB.middleRows<kSensor>(at_a) * phi;
         seen += mixed + mixed.transpose();
-        for (const Deviation& b : deviating) {
-          const Index at_b = kSensor * static_cast<Index>(b.part);
-          seen += D_a.transpose() * C.block<kSensor, kSensor>(at_a, at_b) * deviationOf(b, pose);
+        SensorByForce CD = SensorByForce::Zero();  // row of a
+        for (std::size_t b = 0; b < deviating.size(); ++b) {
+          const Index at_b = kSensor * static_cast<Index>(deviating[b].part);
+          CD.noalias() += C.block<kSensor, kSensor>(at_a, at_b) * D[b];
         }
+        seen += D_a.transpose() * CD;
       }
       const Eigen::Matrix3d covariance = pose_inverse_[pose] + pose_inverse_[pose] * seen * pose_inverse_[pose];
       covariances.emplace_back((covariance + covariance.transpose()) / 2);
@@ -390,19 +395,21 @@ class PosesFirstFactor {
     Eigen::Matrix<double, kShared, kShared> middle = Eigen::Matrix<double, kShared, kShared>::Zero();
     MatrixXd mixed = MatrixXd::Zero(kSensor * parts(), kShared);
     MatrixXd S = MatrixXd::Zero(kSensor * parts(), kSensor * parts());
+    std::vector<SensorByForce> D;
     for (std::size_t pose = 0; pose < equations_->phi.size(); ++pose) {
       const Eigen::Matrix<double, kShared, 3> phi = sharedOf(pose);
       const Eigen::Matrix<double, kShared, 3> phi_H = phi * pose_inverse_[pose];
       middle.noalias() += phi_H * phi.transpose();
       const std::vector<Deviation>& deviating = equations_->readings[pose].deviating;
+      D.clear();
+      for (const Deviation& deviation : deviating) D.push_back(deviationOf(deviation, pose));
       for (std::size_t b = 0; b < deviating.size(); ++b) {
-        const SensorByForce D_b = deviationOf(deviating[b], pose);
-        const SensorByForce D_H = D_b * pose_inverse_[pose];
+        const SensorByForce D_H = D[b] * pose_inverse_[pose];
         const Index at_b = kSensor * static_cast<Index>(deviating[b].part);
-        mixed.middleRows<kSensor>(at_b).noalias() += D_b * phi_H.transpose();
+        mixed.middleRows<kSensor>(at_b).noalias() += D[b] * phi_H.transpose();
         for (std::size_t a = b; a < deviating.size(); ++a) {
           const Index at_a = kSensor * static_cast<Index>(deviating[a].part);
-          S.block<kSensor, kSensor>(at_a, at_b).noalias() -= deviationOf(deviating[a], pose) * D_H.transpose();
+          S.block<kSensor, kSensor>(at_a, at_b).noalias() -= D[a] * D_H.transpose();
         }
       }
     }
