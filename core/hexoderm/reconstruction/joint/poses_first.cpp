@@ -323,7 +323,7 @@ class PosesFirstFactor {
         SensorByForce CD = SensorByForce::Zero();  // row of a
         for (std::size_t b = 0; b < deviating.size(); ++b) {
           const Index at_b = kSensor * static_cast<Index>(deviating[b].part);
-          CD.noalias() += C.block<kSensor, kSensor>(at_a, at_b) * D[b];
+          CD.noalias() += C.block<kSensor, kSensor>(at_a, at_b).lazyProduct(D[b]);
         }
         seen += D_a.transpose() * CD;
       }
@@ -395,21 +395,29 @@ class PosesFirstFactor {
     Eigen::Matrix<double, kShared, kShared> middle = Eigen::Matrix<double, kShared, kShared>::Zero();
     MatrixXd mixed = MatrixXd::Zero(kSensor * parts(), kShared);
     MatrixXd S = MatrixXd::Zero(kSensor * parts(), kSensor * parts());
-    std::vector<SensorByForce> D;
+    std::vector<Eigen::Vector4d> r;  // of the deviating readings, times their excess
     for (std::size_t pose = 0; pose < equations_->phi.size(); ++pose) {
       const Eigen::Matrix<double, kShared, 3> phi = sharedOf(pose);
-      const Eigen::Matrix<double, kShared, 3> phi_H = phi * pose_inverse_[pose];
-      middle.noalias() += phi_H * phi.transpose();
+      const Eigen::Matrix<double, kShared, 3> phi_H = phi.lazyProduct(pose_inverse_[pose]);
+      middle.noalias() += phi_H.lazyProduct(phi.transpose());
       const std::vector<Deviation>& deviating = equations_->readings[pose].deviating;
-      D.clear();
-      for (const Deviation& deviation : deviating) D.push_back(deviationOf(deviation, pose));
+      r.clear();
+      for (const Deviation& deviation : deviating) {
+        r.emplace_back(deviation.excess * (equations_->measured[deviation.part].T * equations_->phi[pose]));
+        mixed.middleRows<kSensor>(kSensor * static_cast<Index>(deviation.part)).noalias() +=
+            deviationOf(deviation, pose).lazyProduct(phi_H.transpose());
+      }
+      // D_a H^-1 D_b^T = (r_a r_b^T) x (G_a H^-1 G_b^T)
       for (std::size_t b = 0; b < deviating.size(); ++b) {
-        const SensorByForce D_H = D[b] * pose_inverse_[pose];
-        const Index at_b = kSensor * static_cast<Index>(deviating[b].part);
-        mixed.middleRows<kSensor>(at_b).noalias() += D[b] * phi_H.transpose();
+        const Eigen::Matrix3d H_G = pose_inverse_[pose] * equations_->measured[deviating[b].part].G.transpose();
         for (std::size_t a = b; a < deviating.size(); ++a) {
-          const Index at_a = kSensor * static_cast<Index>(deviating[a].part);
-          S.block<kSensor, kSensor>(at_a, at_b).noalias() -= D[a] * D_H.transpose();
+          const Eigen::Matrix3d forces = equations_->measured[deviating[a].part].G * H_G;
+          const Eigen::Matrix4d rows = r[a] * r[b].transpose();
+          auto block = S.block<kSensor, kSensor>(kSensor * static_cast<Index>(deviating[a].part),
+                                                 kSensor * static_cast<Index>(deviating[b].part));
+          for (int j = 0; j < 3; ++j) {
+            for (int i = 0; i < 3; ++i) block.block<4, 4>(4 * i, 4 * j) -= forces(i, j) * rows;
+          }
         }
       }
     }
