@@ -71,7 +71,8 @@ void printResult(const SessionSnapshot& snapshot, const SolverOptions& options) 
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(6, 6);
   if (patch.covariance) covariance = patch.covariance->relative(patch.cells.front().cell, patch.cells.back().cell);
   print("relative", covariance);
-  const Eigen::MatrixXd large = covariance.replicate(30, 30) + Eigen::MatrixXd(covariance.replicate(30, 30).transpose());
+  const Eigen::MatrixXd large =
+      covariance.replicate(30, 30) + Eigen::MatrixXd(covariance.replicate(30, 30).transpose());
   print("own algebra", ownAlgebra(large * large.transpose() + Eigen::MatrixXd::Identity(180, 180)));
   const PoseCoverage coverage = coverageOf(*result, {});
   for (const auto& seen : coverage.seen) print("disc", seen.at.at);
@@ -84,7 +85,8 @@ int main() {
   SimulatedSkin skin(loadCellModel(CELL_MODELS "/hex-bma150.json"), SimulatedSkinOptions());
   Session session(skin.model(), skin.neighbors());
   for (const Eigen::Vector3d& up : scriptedUpDirections(5)) {
-    session.addPose({std::make_shared<const PoseCapture>(averageFrames(skin.record(up), session.nextPoseId(), {})), false});
+    session.addPose(
+        {std::make_shared<const PoseCapture>(averageFrames(skin.record(up), session.nextPoseId(), {})), false});
   }
   print("own algebra", ownAlgebra(Eigen::MatrixXd::Identity(100, 100)));
   for (const Solver solver : {Solver::Tree, Solver::Global}) {

@@ -5,8 +5,8 @@
 
 namespace hexoderm {
 
-// Fixed-size matrices that Eigen would align for vector instructions are held without alignment: how strict it is depends
-// on the compiler's flags, and a program's need not be those of this library.
+// Fixed-size matrices that Eigen would align for vector instructions are held without alignment: how strict it is
+// depends on the compiler's flags, and a program's need not be those of this library.
 using Vector2d = Eigen::Matrix<double, 2, 1, Eigen::DontAlign>;
 using Matrix6d = Eigen::Matrix<double, 6, 6, Eigen::DontAlign>;
 

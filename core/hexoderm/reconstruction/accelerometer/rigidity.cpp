@@ -70,8 +70,8 @@ Misfit RigidityTest::misfit() const {
     Eigen::Matrix<double, 4, 3> J = Eigen::Matrix<double, 4, 3>::Zero();
     J.bottomRows<3>() = skew(gain.row(axis).transpose());
     const Eigen::Matrix<double, 4, 3> weighted = rows_ * J;
-    information += J.transpose() * weighted -
-                   weighted.transpose() * factors[static_cast<std::size_t>(axis)].solve(weighted);
+    information +=
+        J.transpose() * weighted - weighted.transpose() * factors[static_cast<std::size_t>(axis)].solve(weighted);
   }
   // A turn that no reading shows takes nothing away; the smallest information keeps the algebra finite.
   information.diagonal().array() += 1e-6;

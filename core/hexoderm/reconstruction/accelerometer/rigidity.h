@@ -32,9 +32,9 @@ class RigidityTest {
 
   AccelerometerPrior prior_;
   double readings_ = 0;
-  Eigen::Matrix4d rows_ = Eigen::Matrix4d::Zero();                                   ///< sum of r r^T / V, r = (1, v)
-  Eigen::Matrix<double, 4, 3> mixed_ = Eigen::Matrix<double, 4, 3>::Zero();          ///< sum of r (y - v)^T / V
-  double errors_ = 0;                                                                ///< sum of |y - v|^2 / V
+  Eigen::Matrix4d rows_ = Eigen::Matrix4d::Zero();                           ///< sum of r r^T / V, r = (1, v)
+  Eigen::Matrix<double, 4, 3> mixed_ = Eigen::Matrix<double, 4, 3>::Zero();  ///< sum of r (y - v)^T / V
+  double errors_ = 0;                                                        ///< sum of |y - v|^2 / V
 };
 
 /// The same for all readings at once.

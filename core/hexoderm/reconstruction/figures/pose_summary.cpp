@@ -72,7 +72,8 @@ std::vector<PoseSummary> summarisePoses(const SessionSnapshot& snapshot, const G
         largest->gravity[next_direction].pose == summary.pose) {
       const Eigen::Vector3d& g = largest->gravity[next_direction++].g_o;
       // Opposite directions are the same line: no new rank.
-      const auto nearest = std::ranges::max_element(earlier, {}, [&g](const auto& other) { return std::abs(g.dot(other)); });
+      const auto nearest =
+          std::ranges::max_element(earlier, {}, [&g](const auto& other) { return std::abs(g.dot(other)); });
       if (nearest != earlier.end()) {
         summary.new_by_rad = std::min(angleBetween(g, *nearest), angleBetween(g, -*nearest));
       }

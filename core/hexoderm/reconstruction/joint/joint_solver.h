@@ -20,9 +20,9 @@ struct JointSolverOptions {
   int max_iterations = 100;
   /// A step that promises to lower the cost by less than this share of it is the last.
   double cost_tolerance = 1e-8;
-  bool covariance = true;  ///< compute JointSolution::covariance
+  bool covariance = true;           ///< compute JointSolution::covariance
   std::optional<JointOrder> order;  ///< absent: cheaperOrder()
-  std::stop_token stop;    ///< checked before every step; the state so far is the result, without covariance
+  std::stop_token stop;             ///< checked before every step; the state so far is the result, without covariance
 };
 
 class JointInverse;  // joint_system.h
@@ -30,8 +30,8 @@ class JointInverse;  // joint_system.h
 enum class JointTermination { Converged, Stopped, StepLimit };
 
 /// The inverse of the information matrix at the optimum: how uncertain every unknown is, and how they depend on each
-/// other. Keeps the factor, so that the covariance of any two cells can still be asked for. The rest is computed when it
-/// is first asked for.
+/// other. Keeps the factor, so that the covariance of any two cells can still be asked for. The rest is computed when
+/// it is first asked for.
 class JointCovariance {
  public:
   /// `equations` at the optimum. Throws std::runtime_error if they are not positive definite, which priors prevent.

@@ -35,13 +35,13 @@ struct PoseReadings {
 /// A cell with readings.
 struct MeasuredCell {
   std::size_t cell = 0;
-  bool moves = true;             ///< false for the origin
-  Eigen::Matrix3d G;             ///< d residual / d force
-  Eigen::Matrix4d T;             ///< r = T (1, f)
-  SensorByForce K;               ///< change of (b, D) that makes up for a turn of the cell
-  Eigen::Matrix4d information;   ///< sum of w r r^T
-  double usual_precision = 0;    ///< the median over all poses
-  std::vector<double> precision; ///< per pose, 0 without a reading
+  bool moves = true;              ///< false for the origin
+  Eigen::Matrix3d G;              ///< d residual / d force
+  Eigen::Matrix4d T;              ///< r = T (1, f)
+  SensorByForce K;                ///< change of (b, D) that makes up for a turn of the cell
+  Eigen::Matrix4d information;    ///< sum of w r r^T
+  double usual_precision = 0;     ///< the median over all poses
+  std::vector<double> precision;  ///< per pose, 0 without a reading
 };
 
 /// (r x G) of one reading.
@@ -53,9 +53,9 @@ SensorByForce coupling(const Eigen::Vector4d& r, const Eigen::Matrix3d& G) {
 
 /// The second-order model: links and the gap share as in NormalEquations, readings by their parts.
 struct PosesFirstEquations {
-  NormalEquations rest;                         ///< of the border nothing but the gap share; its gradients are complete
+  NormalEquations rest;  ///< of the border nothing but the gap share; its gradients are complete
   std::vector<MeasuredCell> measured;
-  std::vector<Eigen::Vector4d> phi;             ///< per pose
+  std::vector<Eigen::Vector4d> phi;               ///< per pose
   std::vector<PoseReadings> readings;             ///< per pose
   std::vector<Eigen::Matrix3d> pose_information;  ///< H_p
   VectorXd gradient_poses;
@@ -89,7 +89,8 @@ class PosesFirstLinearizer {
     for (std::size_t cell = 0; cell < problem_.cellCount(); ++cell) add(cell);
     findDeviating();
     for (std::size_t pose = 0; pose < problem_.poses; ++pose) {
-      equations_.diagonal_poses.segment<3>(static_cast<Index>(3 * pose)) += equations_.pose_information[pose].diagonal();
+      equations_.diagonal_poses.segment<3>(static_cast<Index>(3 * pose)) +=
+          equations_.pose_information[pose].diagonal();
     }
     addLinks(problem_, state_, 0, equations_.rest);
     for (std::size_t cell = 0; cell < problem_.cellCount(); ++cell) {

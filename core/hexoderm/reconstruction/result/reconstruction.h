@@ -140,7 +140,7 @@ struct Verdict {
 struct FlatCell {
   CellId cell;
   Vector2d center = Vector2d::Zero();  ///< metres on the sheet
-  double angle_rad = 0;                              ///< rotation of the cell frame in the sheet
+  double angle_rad = 0;                ///< rotation of the cell frame in the sheet
 };
 /// A link in the drawing, from port to port; `cut` where a closed surface was cut open there.
 struct FlatLink {
