@@ -255,7 +255,7 @@ void print(const Capture& capture, const CaptureOptions& options, const Common& 
                                    {"late_frames", status.late_frames},
                                    {"rejected_messages", status.rejected_messages},
                                    {"reconnects", status.reconnects}};
-    json["verdict"] = capture.result() ? toJson(capture.result()->verdict) : nlohmann::ordered_json();
+    json["verdict"] = capture.result() ? toJson(capture.result()->assessment) : nlohmann::ordered_json();
     printJson(json);
     return;
   }
@@ -268,7 +268,7 @@ void print(const Capture& capture, const CaptureOptions& options, const Common& 
   if (status.dropped_by_device > 0) {
     std::cout << "The device could not send " << status.dropped_by_device << " samples.\n";
   }
-  if (capture.result()) printVerdict(capture.result()->verdict);
+  if (capture.result()) printVerdict(capture.result()->assessment);
 }
 
 int run(const CaptureOptions& options, const Common& common) {
@@ -301,7 +301,7 @@ int run(const CaptureOptions& options, const Common& common) {
   if (recording) recording->finish();
   if (!capture.session()) throw DeviceError(options.source + ": ended before a skin described itself");
   print(capture, options, common);
-  return capture.result() ? exitCodeOf(capture.result()->verdict) : kNotGoodEnough;
+  return capture.result() ? exitCodeOf(capture.result()->assessment) : kNotGoodEnough;
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ inline Reconstruction demoReconstruction(std::vector<PatchReconstruction> patche
   reconstruction.poses = {
       {PoseId(1), Message::verbatim("standing"), true, reconstruction.cellCount(), 0.0014, std::nullopt, 0.007},
       {PoseId(2), Message::verbatim("on its side"), true, reconstruction.cellCount(), 0.0022, 1.5, 0.009}};
-  reconstruction.verdict = {VerdictLevel::Usable, Message::verbatim("Made by hand for a test."), 0.002, 0.08,
+  reconstruction.assessment = {VerdictLevel::Usable, Message::verbatim("Made by hand for a test."), 0.002, 0.08,
                             Message::verbatim("Take a third pose.")};
   return reconstruction;
 }

@@ -98,7 +98,7 @@ inline Reconstruction makeTestReconstruction() {
                          {CellId(7), {0, 0}, 0},
                          {CellId(12), {0.024, -0.001}, 0},
                          {CellId(20), {0.0931, 0}, 0}};
-  result.verdict.level = VerdictLevel::Usable;
+  result.assessment.level = VerdictLevel::Usable;
   return result;
 }
 

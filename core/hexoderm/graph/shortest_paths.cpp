@@ -30,8 +30,13 @@ std::vector<double> distancesFrom(const BoostGraph& graph, std::size_t root) {
 /// Single-source distances from a few cells, and what they prove about the sums of all others.
 class OriginSearch {
  public:
-  OriginSearch(const BoostGraph& graph, std::span<const std::size_t> cells)
-      : graph_(graph), cells_(cells), bound_(cells.size(), 0), exact_(cells.size(), false) {}
+  /// `eligible`: per cell of the patch; at least one is.
+  OriginSearch(const BoostGraph& graph, std::span<const std::size_t> cells, std::vector<bool> eligible)
+      : graph_(graph),
+        cells_(cells),
+        eligible_(std::move(eligible)),
+        bound_(cells.size(), 0),
+        exact_(cells.size(), false) {}
 
   std::size_t run() {
     spreadLandmarks();
@@ -56,6 +61,7 @@ class OriginSearch {
     const double sum = std::accumulate(local.begin(), local.end(), 0.0);
     landmarks_.push_back(std::move(local));
     exact_[k] = true;
+    if (!eligible_[k]) return;
     const bool tie = same(sum, best_sum_);
     if (best_ == kNoIndex || (tie ? k < best_ : sum < best_sum_)) {
       best_ = k;
@@ -73,7 +79,7 @@ class OriginSearch {
       for (std::size_t v = 0; v < cells_.size(); ++v) nearest[v] = std::min(nearest[v], landmarks_.back()[v]);
       next = static_cast<std::size_t>(std::ranges::max_element(nearest) - nearest.begin());
     }
-    cutAt(best_);
+    if (best_ != kNoIndex) cutAt(best_);
   }
 
   /// With sigma_u = +-1 and landmark L(u) chosen so that sigma_u (d_L(k) - d_L(u)) is largest, the triangle inequality
@@ -108,7 +114,7 @@ class OriginSearch {
   [[nodiscard]] std::size_t mostPromising() const {
     std::size_t found = kNoIndex;
     for (std::size_t v = 0; v < cells_.size(); ++v) {
-      if (exact_[v]) continue;
+      if (exact_[v] || !eligible_[v]) continue;
       const bool may_win = same(bound_[v], best_sum_) ? v < best_ : bound_[v] < best_sum_;
       if (may_win && (found == kNoIndex || bound_[v] < bound_[found])) found = v;
     }
@@ -117,6 +123,7 @@ class OriginSearch {
 
   const BoostGraph& graph_;
   std::span<const std::size_t> cells_;
+  std::vector<bool> eligible_;
   std::vector<std::vector<double>> landmarks_;
   std::vector<double> bound_;
   std::vector<bool> exact_;
@@ -164,11 +171,15 @@ ShortestPaths findShortestPaths(const SkinGraph& graph, std::span<const double> 
   return paths;
 }
 
-std::size_t findOrigin(const SkinGraph& graph, std::span<const double> link_weights, std::size_t patch) {
+std::size_t findOrigin(const SkinGraph& graph, std::span<const double> link_weights, std::size_t patch,
+                       const std::vector<bool>& eligible) {
   const std::vector<std::size_t>& cells = graph.patches()[patch];
   if (cells.size() == 1) return cells.front();
+  std::vector<bool> of_patch(cells.size(), true);
+  for (std::size_t k = 0; k < cells.size() && !eligible.empty(); ++k) of_patch[k] = eligible[cells[k]];
+  if (std::ranges::find(of_patch, true) == of_patch.end()) of_patch.assign(cells.size(), true);
   const BoostGraph boost_graph = makeBoostGraph(graph.cells(), graph.links(), link_weights);
-  return OriginSearch(boost_graph, cells).run();
+  return OriginSearch(boost_graph, cells, std::move(of_patch)).run();
 }
 
 }  // namespace hexoderm

@@ -183,6 +183,11 @@ Eigen::Matrix3d JointCovariance::force(std::size_t pose) const {
   return state_->border_covariance.block<3, 3>(at, at);
 }
 
+Eigen::Matrix3d JointCovariance::acceleration(std::size_t pose) const {
+  const Eigen::Index at = state_->layout.acceleration(pose);
+  return state_->border_covariance.block<3, 3>(at, at);
+}
+
 double JointCovariance::gapShareSigma() const {
   if (!state_->estimates_gap_share) return 0;
   const Eigen::Index at = state_->layout.gapShare();

@@ -62,7 +62,7 @@ TEST(EnoughPoses, AreFourThatAreEnabledAndOfUse) {
   for (std::size_t k = 0; k < result.poses.size(); ++k) result.poses[k].enabled = k != 2;
   for (const auto& [level, enough] : {std::pair(VerdictLevel::Failed, false), std::pair(VerdictLevel::NotEnough, false),
                                       std::pair(VerdictLevel::Usable, true), std::pair(VerdictLevel::Good, true)}) {
-    result.verdict.level = level;
+    result.assessment.level = level;
     EXPECT_EQ(enoughPoses(result), enough);
   }
   result.poses[0].enabled = false;
@@ -72,15 +72,15 @@ TEST(EnoughPoses, AreFourThatAreEnabledAndOfUse) {
 TEST(EnoughPoses, OfADeviceThatTurnsItselfAreGoodOrTwelve) {
   Reconstruction result;
   result.poses.resize(kGoodPoseCount);
-  result.verdict.level = VerdictLevel::Usable;
+  result.assessment.level = VerdictLevel::Usable;
   EXPECT_TRUE(enoughPoses(result, TurnedBy::Hand));
   EXPECT_FALSE(enoughPoses(result, TurnedBy::Device)) << "another pose costs it nothing";
-  result.verdict.level = VerdictLevel::Good;
+  result.assessment.level = VerdictLevel::Good;
   EXPECT_TRUE(enoughPoses(result, TurnedBy::Device));
   result.poses.pop_back();
   EXPECT_FALSE(enoughPoses(result, TurnedBy::Device));
 
-  result.verdict.level = VerdictLevel::Failed;
+  result.assessment.level = VerdictLevel::Failed;
   result.poses.resize(kMostPosesByItself);
   EXPECT_TRUE(enoughPoses(result, TurnedBy::Device));
   EXPECT_FALSE(enoughPoses(result, TurnedBy::Hand));

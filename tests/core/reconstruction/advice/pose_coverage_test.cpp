@@ -280,9 +280,9 @@ TEST(NextPose, AfterManyPosesAnotherOneIsNotWorthwhile) {
   Ups ups = {{0, 0, 1}};
   while (ups.size() < 30) ups.push_back(adviseNextPose(model, ups).up);
   Reconstruction many = withGravity(ups);
-  many.verdict.level = VerdictLevel::Usable;
+  many.assessment.level = VerdictLevel::Usable;
   EXPECT_FALSE(describeNextPose(adviseNextPose(model, ups), many)->worthwhile);
-  many.verdict.level = VerdictLevel::NotEnough;
+  many.assessment.level = VerdictLevel::NotEnough;
   EXPECT_TRUE(describeNextPose(adviseNextPose(model, ups), many)->worthwhile)
       << "nobody is told that there are enough as long as the verdict says that there are not";
 }
