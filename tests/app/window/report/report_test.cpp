@@ -166,7 +166,7 @@ TEST_F(ReportWindow, WritesAReportWithPicturesFromTheMenu) {
   page.drawContents(&painter);
   painter.end();
   keepPicture(picture, QStringLiteral("report"));
-  EXPECT_TRUE(textOf(html).contains(words(controller().reconstruction()->verdict.reason)));
+  EXPECT_TRUE(textOf(html).contains(words(controller().reconstruction()->assessment.reason)));
 }
 
 TEST_F(ReportWindow, SaysWhyAReportCanNotBeWritten) {
