@@ -308,6 +308,10 @@
         <source>The part is still. Automatic capture is off</source>
         <translation>Das Teil ist ruhig. Die Automatik ist aus</translation>
     </message>
+    <message>
+        <source>The directions seen are enough: another one would hardly help.</source>
+        <translation>Die gesehenen Richtungen genügen: Eine weitere würde kaum helfen.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::CardDock</name>
@@ -1304,10 +1308,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Eine Kalibrierung ist offen. Sie enthält das Ergebnis; die Posen stehen in ihrer Sitzung.</translation>
     </message>
     <message>
-        <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
-    </message>
-    <message>
         <source>Review</source>
         <translation>Durchsehen</translation>
     </message>
@@ -1434,10 +1434,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>The robot</source>
         <translation>Der Roboter</translation>
-    </message>
-    <message>
-        <source>%1 is taking pose %2 of %3.</source>
-        <translation>%1 nimmt Pose %2 von %3 auf.</translation>
     </message>
     <message>
         <source>%1 is taking pose %2.</source>
@@ -2366,16 +2362,8 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Eine Zelle: Sie ist ihr eigener Ursprung, zu schätzen gibt es nichts.</translation>
     </message>
     <message>
-        <source>No cell is linked to another: each is its own origin.</source>
-        <translation>Keine Zelle ist mit einer anderen verbunden: Jede ist ihr eigener Ursprung.</translation>
-    </message>
-    <message>
         <source>Export.</source>
         <translation>Exportieren.</translation>
-    </message>
-    <message>
-        <source>Check the links between the cells.</source>
-        <translation>Die Verbindungen zwischen den Zellen prüfen.</translation>
     </message>
     <message>
         <source>That should bring ±{} to about ±{}.</source>
@@ -2390,24 +2378,8 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>{} Posen</translation>
     </message>
     <message>
-        <source>Not enough poses: none yet. The shape shown follows from the ports alone.</source>
-        <translation>Zu wenige Posen: noch keine. Die gezeigte Form folgt allein aus den Ports.</translation>
-    </message>
-    <message>
         <source>Hold the part still and take a first pose.</source>
         <translation>Das Teil stillhalten und eine erste Pose aufnehmen.</translation>
-    </message>
-    <message>
-        <source>Not enough poses: {} along one line leave the turn about gravity open ({}).</source>
-        <translation>Zu wenige Posen: {} entlang einer Linie lassen die Drehung um die Schwerkraft offen ({}).</translation>
-    </message>
-    <message>
-        <source>Not enough poses: one leaves the turn about gravity open ({}).</source>
-        <translation>Zu wenige Posen: Eine lässt die Drehung um die Schwerkraft offen ({}).</translation>
-    </message>
-    <message>
-        <source>{} are not enough: known to {} only.</source>
-        <translation>{} reichen nicht: nur auf {} genau.</translation>
     </message>
     <message>
         <source>Good: {} at the worst cell (95 %), {}.</source>
@@ -2532,10 +2504,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>There is no pose yet: the shape shown follows from the ports alone.</source>
         <translation>Es gibt noch keine Pose: Die gezeigte Form folgt allein aus den Ports.</translation>
-    </message>
-    <message>
-        <source>Gravity was seen along one line only, so the turn about it is a guess: take a pose in which the part is turned by about 90 degrees about a horizontal axis.</source>
-        <translation>Die Schwerkraft wurde nur entlang einer Linie gesehen, die Drehung um diese Linie ist geraten: eine Pose aufnehmen, in der das Teil um etwa 90 Grad um eine waagrechte Achse gedreht ist.</translation>
     </message>
     <message>
         <source>Two poses carry the number {}; both are used.</source>
@@ -3909,6 +3877,62 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>{} and {}</source>
         <comment>the end of a list</comment>
         <translation>{} und {}</translation>
+    </message>
+    <message>
+        <source>what limits a result</source>
+        <translation>was ein Ergebnis begrenzt</translation>
+    </message>
+    <message>
+        <source>what helps a result</source>
+        <translation>was einem Ergebnis hilft</translation>
+    </message>
+    <message>
+        <source>No cell is linked to another: nothing says how the {} cells lie.</source>
+        <translation>Keine Zelle ist mit einer anderen verbunden: Nichts verrät, wie die {} Zellen liegen.</translation>
+    </message>
+    <message>
+        <source>{} of {} cells are linked to no other: nothing says how they lie.</source>
+        <translation>{} von {} Zellen sind mit keiner anderen verbunden: Nichts verrät, wie sie liegen.</translation>
+    </message>
+    <message>
+        <source>Check the links between the cells, then the findings.</source>
+        <translation>Erst die Verbindungen zwischen den Zellen prüfen, dann die Befunde.</translation>
+    </message>
+    <message>
+        <source>Not enough: no pose yet. The shape shown follows from the ports alone.</source>
+        <translation>Nicht genug: noch keine Pose. Die gezeigte Form folgt allein aus den Ports.</translation>
+    </message>
+    <message>
+        <source>Not enough: {} at the worst cell (95 %), {}.</source>
+        <translation>Nicht genug: {} an der schlechtesten Zelle (95 %), {}.</translation>
+    </message>
+    <message>
+        <source>What limits it is that {} can&apos;t be used in {}: the readings are missing or no good.</source>
+        <translation>Es begrenzt, dass {} in {} nicht zu brauchen ist: Die Messwerte fehlen oder taugen nichts.</translation>
+    </message>
+    <message>
+        <source>What limits it is how the cells lie in the mould: another pose would hardly help.</source>
+        <translation>Es begrenzt, wie die Zellen in der Form liegen: Eine weitere Pose würde kaum helfen.</translation>
+    </message>
+    <message>
+        <source>No link joins the {} patches: each lies in the frame of its own origin.</source>
+        <translation>Keine Verbindung verbindet die {} Hautstücke: Jedes liegt im Koordinatensystem seines eigenen Ursprungs.</translation>
+    </message>
+    <message>
+        <source>poses {}</source>
+        <translation>Posen {}</translation>
+    </message>
+    <message>
+        <source>Take {} again. That should bring ±{} to about ±{}.</source>
+        <translation>{} noch einmal aufnehmen. Das sollte ±{} auf etwa ±{} bringen.</translation>
+    </message>
+    <message>
+        <source>Look at the findings and check the links between the cells.</source>
+        <translation>Die Befunde ansehen und die Verbindungen zwischen den Zellen prüfen.</translation>
+    </message>
+    <message>
+        <source>The directions of gravity that were seen leave open how the cells are turned: take a pose in which the part is turned by about 90 degrees about a horizontal axis.</source>
+        <translation>Die gesehenen Richtungen der Schwerkraft lassen offen, wie die Zellen gedreht sind: eine Pose aufnehmen, in der das Teil um etwa 90 Grad um eine waagrechte Achse gedreht ist.</translation>
     </message>
 </context>
 <context>
