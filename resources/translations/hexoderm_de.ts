@@ -3908,11 +3908,11 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>What limits it is that {} can&apos;t be used in {}: the readings are missing or no good.</source>
-        <translation>Es begrenzt, dass {} in {} nicht zu brauchen ist: Die Messwerte fehlen oder taugen nichts.</translation>
+        <translation>Begrenzt wird das Ergebnis dadurch, dass {} in {} nicht zu brauchen ist: Die Messwerte fehlen oder taugen nichts.</translation>
     </message>
     <message>
         <source>What limits it is how the cells lie in the mould: another pose would hardly help.</source>
-        <translation>Es begrenzt, wie die Zellen in der Form liegen: Eine weitere Pose würde kaum helfen.</translation>
+        <translation>Begrenzt wird das Ergebnis dadurch, wie die Zellen in der Form liegen: Eine weitere Pose würde kaum helfen.</translation>
     </message>
     <message>
         <source>No link joins the {} patches: each lies in the frame of its own origin.</source>
