@@ -4,6 +4,8 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <algorithm>
+#include <cctype>
 #include <string>
 #include <vector>
 
@@ -35,6 +37,11 @@ QString wordsOf(const MessageArgument::List& items) {
   return text;
 }
 
+/// Messages in a row ("{}, {}") have nothing to translate but themselves.
+bool hasWords(const std::string& text) {
+  return std::any_of(text.begin(), text.end(), [](unsigned char c) { return c >= 0x80 || std::isalpha(c) != 0; });
+}
+
 }  // namespace
 
 QString words(const Message& message) {
@@ -44,8 +51,9 @@ QString words(const Message& message) {
   for (const MessageArgument& argument : message.arguments()) {
     arguments.push_back(std::visit([](const auto& held) { return wordsOf(held); }, argument.value).toStdString());
   }
+  const std::string& english = message.englishTemplate();
   const std::string translated =
-      QCoreApplication::translate(kMessageContext, message.englishTemplate().c_str()).toStdString();
+      hasWords(english) ? QCoreApplication::translate(kMessageContext, english.c_str()).toStdString() : english;
   return QString::fromStdString(fillTemplate(translated, arguments));
 }
 

@@ -282,13 +282,18 @@ TEST_F(GraphColorsTest, PointingDrawsNoMoreThanWhatItTouches) {
       return false;
     }
   } painted;
-  moveMouse(cell(30));
-  QApplication::processEvents();
   view_.installEventFilter(&painted);
-  moveMouse(cell(31));
-  ASSERT_TRUE(test::waitUntil([&] { return !painted.area.isEmpty(); }));
-  EXPECT_LT(painted.area.width(), view_.width() / 2);
-  EXPECT_TRUE(painted.area.contains(cell(31)));
+  // On a busy machine the last paint events of showing the view come while the mouse moves already, so that one move
+  // proves nothing; if pointing drew too much, every move would.
+  const auto drawsLittle = [&] {
+    moveMouse(cell(30));
+    QApplication::processEvents();
+    painted.area = {};
+    moveMouse(cell(31));
+    QApplication::processEvents();
+    return painted.area.contains(cell(31)) && painted.area.width() < view_.width() / 2;
+  };
+  EXPECT_TRUE(test::waitUntil(drawsLittle)) << painted.area.width() << " of " << view_.width() << " pixels";
 }
 
 TEST_F(GraphColorsTest, ThePictureIsCopiedAsItIsSeen) {
