@@ -250,7 +250,7 @@ DotGraph dotGraph(const Reconstruction& reconstruction) {
       if (cell.cell == patch.origin) node.attributes["peripheries"] = "2";
       const auto place = flat.find(cell.cell);
       if (place != flat.end()) {
-        const Eigen::Vector2d& center = place->second->center;
+        const Vector2d& center = place->second->center;
         node.attributes["pos"] = formatExact(center.x() / kInch_m) + "," + formatExact(center.y() / kInch_m) + "!";
       }
       cluster.nodes.push_back(std::move(node));

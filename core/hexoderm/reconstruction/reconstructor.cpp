@@ -7,8 +7,10 @@
 #include "hexoderm/reconstruction/patch/patch_description.h"
 #include "hexoderm/reconstruction/patch/patch_solver.h"
 
+#include <algorithm>
 #include <chrono>
 #include <span>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -32,22 +34,34 @@ std::vector<PatchSolver> placePatches(SkinLinks& skin, std::span<const double> w
   return patches;
 }
 
-Completion refinePatches(std::vector<PatchSolver>& patches, const Reconstruction* earlier, const std::stop_token& stop,
-                         std::vector<Finding>& findings) {
+/// The patches of an earlier result by their origins, to start from; none if it is not the global solver's.
+using EarlierPatches = std::unordered_map<CellId, const PatchReconstruction*>;
+EarlierPatches earlierPatches(const Reconstruction* earlier) {
+  EarlierPatches patches;
+  if (earlier == nullptr || earlier->solver != solverName(Solver::Global)) return patches;
+  for (const PatchReconstruction& patch : earlier->patches) patches.emplace(patch.origin, &patch);
+  return patches;
+}
+
+Completion refinePatches(SkinLinks& skin, std::vector<PatchSolver>& patches, const EarlierPatches& earlier,
+                         const std::stop_token& stop, std::vector<Finding>& findings) {
   for (PatchSolver& patch : patches) {
-    if (patch.refine(earlier, stop, findings) == Completion::Stopped) return Completion::Stopped;
+    const auto known = earlier.find(skin.graph().cells()[patch.origin()].id);
+    const PatchReconstruction* start = known == earlier.end() ? nullptr : known->second;
+    if (patch.refine(start, stop, findings) == Completion::Stopped) return Completion::Stopped;
   }
+  if (std::ranges::any_of(patches, &PatchSolver::droppedCells)) skin.estimateEdges();
   return Completion::Finished;
 }
 
 /// The joint estimate of every patch, again from the tree as long as it shows links that are none.
-Completion solveGlobally(SkinLinks& skin, std::span<const double> weights, const Reconstruction* earlier,
+Completion solveGlobally(SkinLinks& skin, std::span<const double> weights, const EarlierPatches& earlier,
                          const std::stop_token& stop, std::vector<PatchSolver>& patches,
                          std::vector<Finding>& findings) {
-  if (refinePatches(patches, earlier, stop, findings) == Completion::Stopped) return Completion::Stopped;
+  if (refinePatches(skin, patches, earlier, stop, findings) == Completion::Stopped) return Completion::Stopped;
   while (muteOpenLinks(skin, patches, findings)) {
     patches = placePatches(skin, weights);
-    if (refinePatches(patches, earlier, stop, findings) == Completion::Stopped) return Completion::Stopped;
+    if (refinePatches(skin, patches, earlier, stop, findings) == Completion::Stopped) return Completion::Stopped;
   }
   for (const PatchSolver& patch : patches) nameInconsistentPoses(skin, patch, findings);
   return Completion::Finished;
@@ -84,7 +98,7 @@ std::shared_ptr<const Reconstruction> reconstruct(const SessionSnapshot& snapsho
   const std::vector<double> weights = linkWeights(skin);
   std::vector<PatchSolver> patches = placePatches(skin, weights);
   if (options.solver == Solver::Global &&
-      solveGlobally(skin, weights, earlier, stop, patches, findings) == Completion::Stopped) {
+      solveGlobally(skin, weights, earlierPatches(earlier), stop, patches, findings) == Completion::Stopped) {
     return nullptr;
   }
   if (stop.stop_requested()) return nullptr;

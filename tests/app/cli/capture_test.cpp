@@ -103,6 +103,17 @@ TEST_F(CliCapture, InterruptedItKeepsWhatThereIs) {
   EXPECT_EQ(readSessionStore(path("arm.hexo")).poses().size(), 1U);
 }
 
+TEST_F(CliCapture, TwentyThousandCellsWithoutNeighboursAreTakenAndSolved) {
+  const Outcome capture = run("capture --source stdin --poses 3 --timeout 300 --json -o cells.hexo",
+                              "python3 '" HEXODERM_UNLINKED_SENDER "' 20000 '" HEXODERM_CELL_MODEL "' | ");
+  ASSERT_EQ(capture.exit_code, 0) << capture.err;
+  const auto json = nlohmann::json::parse(capture.out);
+  EXPECT_EQ(json.at("cells"), 20'000);
+  EXPECT_EQ(json.at("poses"), 3);
+  const Outcome solve = run("solve cells.hexo -o cells.calibration.json");
+  EXPECT_EQ(solve.exit_code, 0) << solve.err;
+}
+
 TEST_F(CliCapture, SaysWhatIsWrongWithASource) {
   EXPECT_EQ(run("capture --source nowhere -o a.hexo").exit_code, 2);
   EXPECT_EQ(run("capture --source sim:x16 -o a.hexo").exit_code, 2);

@@ -5,7 +5,6 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace hexoderm {
 
@@ -34,23 +33,58 @@ Eigen::Matrix3d attitudeInformation(const AccelerometerFit& fit, std::span<const
   return information;
 }
 
-Misfit testRigidity(const AccelerometerPrior& prior, std::span<const CellReading> readings,
-                    std::span<const Eigen::Vector3d> v_g) {
-  Misfit misfit;
-  if (readings.size() < 2) return misfit;
-  AccelerometerFit fit;
-  fitAccelerometer(prior, readings, v_g, HuberLoss{std::numeric_limits<double>::infinity()}, fit);
+void RigidityTest::add(const CellReading& reading, const Eigen::Vector3d& v_g) { count(reading, v_g, 1); }
+void RigidityTest::remove(const CellReading& reading, const Eigen::Vector3d& v_g) { count(reading, v_g, -1); }
 
-  Eigen::Matrix3d information = attitudeInformation(fit, v_g);
-  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
-  for (std::size_t k = 0; k < readings.size(); ++k) {
-    gradient.noalias() += fit.precision[k] * (fit.gain * skew(v_g[k])).transpose() * fit.residual_g[k];
+void RigidityTest::count(const CellReading& reading, const Eigen::Vector3d& v_g, double sign) {
+  const double precision = sign / reading.variance_g2;
+  const Eigen::Vector4d row(1, v_g.x(), v_g.y(), v_g.z());
+  const Eigen::Vector3d error = reading.y_g - v_g;
+  readings_ += sign;
+  rows_.noalias() += precision * row * row.transpose();
+  mixed_.noalias() += precision * row * error.transpose();
+  errors_ += precision * error.squaredNorm();
+}
+
+Misfit RigidityTest::misfit() const {
+  Misfit misfit;
+  if (readings_ < 2) return misfit;
+  // The sensor's errors (b_i, D_i), one axis in a column, and what a turn of the cell changes beyond them.
+  Eigen::Matrix<double, 4, 3> errors;
+  std::array<Eigen::LLT<Eigen::Matrix4d>, 3> factors;
+  for (int axis = 0; axis < 3; ++axis) {
+    Eigen::LLT<Eigen::Matrix4d>& factor = factors[static_cast<std::size_t>(axis)];
+    Eigen::Matrix4d with_prior = rows_;
+    with_prior.diagonal() += prior_.precision(axis);
+    factor.compute(with_prior);
+    errors.col(axis) = factor.solve(mixed_.col(axis));
+  }
+  const double twice_cost = errors_ - errors.cwiseProduct(mixed_).sum();
+  const Eigen::Matrix3d gain = Eigen::Matrix3d::Identity() + errors.bottomRows<3>().transpose();
+  const Eigen::Matrix<double, 4, 3> left = mixed_ - rows_ * errors;  // sum of w r e^T, e: residuals
+  const Eigen::Matrix3d pull = left.bottomRows<3>() * gain;
+  const Eigen::Vector3d gradient(pull(2, 1) - pull(1, 2), pull(0, 2) - pull(2, 0), pull(1, 0) - pull(0, 1));
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  for (int axis = 0; axis < 3; ++axis) {
+    // d residual / d turn = r^T J.
+    Eigen::Matrix<double, 4, 3> J = Eigen::Matrix<double, 4, 3>::Zero();
+    J.bottomRows<3>() = skew(gain.row(axis).transpose());
+    const Eigen::Matrix<double, 4, 3> weighted = rows_ * J;
+    information +=
+        J.transpose() * weighted - weighted.transpose() * factors[static_cast<std::size_t>(axis)].solve(weighted);
   }
   // A turn that no reading shows takes nothing away; the smallest information keeps the algebra finite.
   information.diagonal().array() += 1e-6;
-  misfit.chi_squared = std::max(0.0, 2 * fit.cost - gradient.dot(information.ldlt().solve(gradient)));
-  misfit.degrees = 3 * static_cast<double>(readings.size()) - 3;
+  misfit.chi_squared = std::max(0.0, twice_cost - gradient.dot(information.ldlt().solve(gradient)));
+  misfit.degrees = 3 * readings_ - 3;
   return misfit;
+}
+
+Misfit testRigidity(const AccelerometerPrior& prior, std::span<const CellReading> readings,
+                    std::span<const Eigen::Vector3d> v_g) {
+  RigidityTest test(prior);
+  for (std::size_t k = 0; k < readings.size(); ++k) test.add(readings[k], v_g[k]);
+  return test.misfit();
 }
 
 Accelerometer pairOf(const Accelerometer& accelerometer) {

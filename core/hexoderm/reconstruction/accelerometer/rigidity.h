@@ -16,10 +16,28 @@ struct Misfit {
   [[nodiscard]] double deviate() const;
 };
 
-/// Do a cell's readings move as one rigid body with the specific forces `v_g` (accelerometer axes, per reading)? The
-/// misfit that is left when the cell may turn freely, and its offset, gains and cross-axis sensitivity are whatever
-/// fits best under their priors. Losses are quadratic. One Gauss-Newton step from the given attitude: good to a few
-/// degrees from the best one.
+/// Do a cell's readings move as one rigid body with the specific forces `v_g` (accelerometer axes)? The misfit that is
+/// left when the cell may turn freely, and its offset, gains and cross-axis sensitivity are whatever fits best under
+/// their priors. Losses are quadratic. One Gauss-Newton step from the given attitude: good to a few degrees from the
+/// best one. Keeps sums, so that readings can be taken away one by one without going through all again.
+class RigidityTest {
+ public:
+  explicit RigidityTest(const AccelerometerPrior& prior) : prior_(prior) {}
+  void add(const CellReading& reading, const Eigen::Vector3d& v_g);
+  void remove(const CellReading& reading, const Eigen::Vector3d& v_g);
+  [[nodiscard]] Misfit misfit() const;  ///< none of fewer than two readings
+
+ private:
+  void count(const CellReading& reading, const Eigen::Vector3d& v_g, double sign);
+
+  AccelerometerPrior prior_;
+  double readings_ = 0;
+  Eigen::Matrix4d rows_ = Eigen::Matrix4d::Zero();                           ///< sum of r r^T / V, r = (1, v)
+  Eigen::Matrix<double, 4, 3> mixed_ = Eigen::Matrix<double, 4, 3>::Zero();  ///< sum of r (y - v)^T / V
+  double errors_ = 0;                                                        ///< sum of |y - v|^2 / V
+};
+
+/// The same for all readings at once.
 Misfit testRigidity(const AccelerometerPrior& prior, std::span<const CellReading> readings,
                     std::span<const Eigen::Vector3d> v_g);
 

@@ -115,7 +115,7 @@ DiscPoint onDisc(const Eigen::Vector3d& up_o) {
   if (across == 0) return point;
   const double radius = std::sqrt(std::max(0.0, 1 - std::abs(up_o.z())));
   const double mirror = point.side == Hemisphere::Back ? -1 : 1;
-  point.at = radius / across * Eigen::Vector2d(mirror * up_o.x(), up_o.y());
+  point.at = radius / across * Vector2d(mirror * up_o.x(), up_o.y());
   return point;
 }
 

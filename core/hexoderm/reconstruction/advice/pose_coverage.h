@@ -25,7 +25,7 @@ enum class Hemisphere { Front, Back };
 /// is drawn as seen from behind: what leaves the front disc on its right enters the back disc on its left.
 struct DiscPoint {
   Hemisphere side = Hemisphere::Front;
-  Eigen::Vector2d at = Eigen::Vector2d::Zero();
+  Vector2d at = Vector2d::Zero();
 };
 /// `up_o` is a unit vector. On the rim it is Front.
 DiscPoint onDisc(const Eigen::Vector3d& up_o);

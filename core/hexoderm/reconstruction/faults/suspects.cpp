@@ -5,8 +5,6 @@
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
-#include "hexoderm/reconstruction/accelerometer/rigidity.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -44,28 +42,24 @@ SuspectSearch::Verdict SuspectSearch::judge(std::size_t link_index) const {
         judgeLinkAngles(linkAngles(edge.R_c_n, model_.port(link.source_port), model_.port(link.target_port)),
                         graph_.sourceEnd(link), graph_.targetEnd(link), options_, sigma);
   }
-  verdict.misfit = misfitOf(link_index);
+  verdict.misfit = readingsOf(link_index).test.misfit().deviate();
   verdict.rigid = verdict.misfit <= options_.max_misfit;
   return verdict;
 }
 
-double SuspectSearch::misfitOf(std::size_t link_index, std::optional<std::size_t> without) const {
+SuspectSearch::PairReadings SuspectSearch::readingsOf(std::size_t link_index) const {
   const GraphLink& link = graph_.links()[link_index];
   const Eigen::Matrix3d R_a_u = model_.accelerometer.T_u_a.R.transpose();
   const Eigen::Matrix3d R_a_n = R_a_u * edges_[link_index].R_c_n;
-  std::vector<CellReading> c;
-  std::vector<Eigen::Vector3d> n;
-  const std::vector<std::size_t> poses = readings_.posesOf(link);
-  c.reserve(poses.size());
-  n.reserve(poses.size());
-  for (const std::size_t pose : poses) {
-    if (pose == without) continue;
+  PairReadings pair{{}, {}, RigidityTest(pair_prior_)};
+  for (const std::size_t pose : readings_.posesOf(link)) {
     const GravityTable::Entry& at_c = table_.at(link.source, pose);
     const GravityTable::Entry& at_n = table_.at(link.target, pose);
-    c.push_back({pose, R_a_u * at_c.mean_g, at_c.variance_g2 + at_n.variance_g2});
-    n.push_back(R_a_n * at_n.mean_g);
+    pair.source.push_back({pose, R_a_u * at_c.mean_g, at_c.variance_g2 + at_n.variance_g2});
+    pair.target_g.push_back(R_a_n * at_n.mean_g);
+    pair.test.add(pair.source.back(), pair.target_g.back());
   }
-  return testRigidity(pair_prior_, c, n).deviate();
+  return pair;
 }
 
 std::optional<std::size_t> SuspectSearch::worstPose() const {
@@ -82,11 +76,22 @@ std::optional<std::size_t> SuspectSearch::worstPose() const {
   if (table_.enabledPoses().size() < kFewestPoses || tested.size() < kFewestLinks || 2 * moving <= tested.size()) {
     return std::nullopt;
   }
+  std::vector<std::size_t> moving_without(table_.poseCount(), moving);
+  for (const std::size_t link : tested) {
+    const PairReadings pair = readingsOf(link);
+    for (std::size_t k = 0; k < pair.source.size(); ++k) {
+      RigidityTest without = pair.test;
+      without.remove(pair.source[k], pair.target_g[k]);
+      const bool is_rigid = without.misfit().deviate() <= options_.max_misfit;
+      std::size_t& still_moving = moving_without[pair.source[k].pose];
+      if (is_rigid && !verdicts_[link].rigid) --still_moving;
+      if (!is_rigid && verdicts_[link].rigid) ++still_moving;
+    }
+  }
   std::optional<std::size_t> worst;
   auto fewest = static_cast<std::size_t>(kNearlyNone * static_cast<double>(tested.size()));
   for (const std::size_t pose : table_.enabledPoses()) {
-    const auto still_moving = static_cast<std::size_t>(
-        std::ranges::count_if(tested, [&](std::size_t link) { return misfitOf(link, pose) > options_.max_misfit; }));
+    const std::size_t still_moving = moving_without[pose];
     if (still_moving > fewest || (worst && still_moving == fewest)) continue;
     worst = pose;
     fewest = still_moving;

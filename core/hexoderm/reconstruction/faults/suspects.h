@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/reconstruction/accelerometer/accelerometer_fit.h"
+#include "hexoderm/reconstruction/accelerometer/rigidity.h"
 #include "hexoderm/reconstruction/links/edge_rotation.h"
 #include "hexoderm/reconstruction/links/skin_readings.h"
 
@@ -39,8 +39,13 @@ class SuspectSearch {
     [[nodiscard]] bool bad() const { return !implausible.empty() || !rigid; }
   };
   [[nodiscard]] Verdict judge(std::size_t link) const;
-  /// Misfit of a link in standard deviations; `without`: a pose that does not count.
-  [[nodiscard]] double misfitOf(std::size_t link, std::optional<std::size_t> without = std::nullopt) const;
+  /// What the source reads beside what it would if it turned with the target, in all poses of both.
+  struct PairReadings {
+    std::vector<CellReading> source;
+    std::vector<Eigen::Vector3d> target_g;
+    RigidityTest test;
+  };
+  [[nodiscard]] PairReadings readingsOf(std::size_t link) const;
 
   const CellModel& model_;
   const SkinGraph& graph_;

@@ -71,10 +71,11 @@ std::vector<PoseSummary> summarisePoses(const SessionSnapshot& snapshot, const G
     if (summary.enabled && largest != nullptr && next_direction < largest->gravity.size() &&
         largest->gravity[next_direction].pose == summary.pose) {
       const Eigen::Vector3d& g = largest->gravity[next_direction++].g_o;
-      for (const Eigen::Vector3d& other : earlier) {
-        // Opposite directions are the same line: no new rank.
-        const double angle = std::min(angleBetween(g, other), angleBetween(g, -other));
-        summary.new_by_rad = std::min(angle, summary.new_by_rad.value_or(angle));
+      // Opposite directions are the same line: no new rank.
+      const auto nearest =
+          std::ranges::max_element(earlier, {}, [&g](const auto& other) { return std::abs(g.dot(other)); });
+      if (nearest != earlier.end()) {
+        summary.new_by_rad = std::min(angleBetween(g, *nearest), angleBetween(g, -*nearest));
       }
       earlier.push_back(g);
     }

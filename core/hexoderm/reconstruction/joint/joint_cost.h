@@ -102,6 +102,17 @@ double linkOpening_m(const JointProblem& problem, const JointState& state, std::
 /// jointCost() with its gradient (exact) and its Gauss-Newton matrix (of the eliminated problem: Kaufman's).
 void linearize(const JointProblem& problem, const JointState& state, NormalEquations& equations);
 
+// The parts of linearize() that the readings have no share in, for those who treat the readings in another way.
+
+/// Of the jointCost(), what priors of forces, accelerations and the gap share cost.
+double priorCost(const JointProblem& problem, const JointState& state);
+/// Adds the cost of all links, their blocks and gradients, and the prior of the gap share, which stands at `share` in
+/// the border; without its cost, which priorCost() has.
+void addLinks(const JointProblem& problem, const JointState& state, Eigen::Index share, NormalEquations& equations);
+/// Adds the prior of one pose's force.
+void addForcePrior(const JointProblem& problem, const Eigen::Vector3d& force_o, Eigen::Ref<Eigen::Matrix3d> matrix,
+                   Eigen::Ref<Eigen::Vector3d> gradient);
+
 /// state (+) step: R exp(dr), the rest added.
 JointState moved(const JointProblem& problem, const JointState& state, const Eigen::VectorXd& cells,
                  const Eigen::VectorXd& border);

@@ -81,10 +81,8 @@ JointRefinement::JointRefinement(const CellModel& model, const SkinGraph& graph,
   problem_->gap = gapShareOf(options.gap_model);
   problem_->link_sigma_m = model.link_sigma_m;
   JointState& state = solution_.state;
-  for (const std::size_t cell : cells_) {
-    state.cells.push_back(placements[cell]);
-    state.middle_o += placements[cell].t / static_cast<double>(cells_.size());
-  }
+  state.cells = placements;
+  for (const SE3& placement : placements) state.middle_o += placement.t / static_cast<double>(cells_.size());
   problem_->origin = localOf(origin);
   state.gap_share = problem_->gap.mean;
 
@@ -98,7 +96,7 @@ JointRefinement::JointRefinement(const CellModel& model, const SkinGraph& graph,
       const GravityTable::Entry& entry = table.at(cell, pose);
       if (!entry.usable) continue;
       problem_->readings[local].push_back({poses_.size(), R_a_u * entry.mean_g, entry.variance_g2});
-      sum += placements[cell].R * entry.mean_g.normalized();
+      sum += placements[local].R * entry.mean_g.normalized();
       any = true;
     }
     if (!any) continue;
@@ -253,18 +251,18 @@ Misfit JointRefinement::misfitOf(std::size_t cell) const {
   return testRigidity(AccelerometerPrior(problem_->model->accelerometer), problem_->readings[at], sensors_[at].v_g);
 }
 
-double JointRefinement::poseMisfit(std::size_t pose) const {
-  double sum = 0;
-  std::size_t count = 0;
+std::vector<double> JointRefinement::poseMisfits() const {
+  std::vector<double> sums(poses_.size(), 0);
+  std::vector<double> counts(poses_.size(), 0);
   for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
     const std::vector<CellReading>& readings = problem_->readings[cell];
     for (std::size_t k = 0; k < readings.size(); ++k) {
-      if (poses_[readings[k].pose] != pose) continue;
-      sum += sensors_[cell].fit.residual_g[k].squaredNorm() / (3 * readings[k].variance_g2);
-      ++count;
+      sums[readings[k].pose] += sensors_[cell].fit.residual_g[k].squaredNorm() / (3 * readings[k].variance_g2);
+      counts[readings[k].pose] += 1;
     }
   }
-  return count == 0 ? 0 : std::sqrt(sum / static_cast<double>(count));
+  for (std::size_t k = 0; k < sums.size(); ++k) sums[k] = counts[k] == 0 ? 0 : std::sqrt(sums[k] / counts[k]);
+  return sums;
 }
 
 std::optional<JointRefinement::OpenLink> JointRefinement::widestOpen() const {

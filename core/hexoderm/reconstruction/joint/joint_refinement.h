@@ -16,7 +16,7 @@ namespace hexoderm {
 /// placements, in the terms of the skin's graph.
 class JointRefinement {
  public:
-  /// `cells`: of the patch, ascending; `placements`: per cell of the graph, in the origin's frame.
+  /// `cells`: of the patch, ascending; `placements`: of these, in the origin's frame.
   JointRefinement(const CellModel& model, const SkinGraph& graph, const GravityTable& table,
                   const SolverOptions& options, const std::vector<std::size_t>& cells, std::size_t origin,
                   const std::vector<SE3>& placements);
@@ -31,8 +31,8 @@ class JointRefinement {
   /// Misfit of a cell's readings with the gravity that all others agree on, for the best attitude of the cell;
   /// meaningless with fewer than two readings.
   [[nodiscard]] Misfit misfitOf(std::size_t cell) const;
-  /// Rms over the cells of what one pose leaves unexplained, in standard deviations of its readings.
-  [[nodiscard]] double poseMisfit(std::size_t pose) const;
+  /// Per pose of poses(): rms over the cells of what it leaves unexplained, in standard deviations of its readings.
+  [[nodiscard]] std::vector<double> poseMisfits() const;
 
   /// The link (of the graph) that misses its loops by the most, and by how much.
   struct OpenLink {

@@ -9,16 +9,18 @@
 namespace hexoderm {
 namespace {
 
-/// The covariance of every cell's own attitude error; cells of other patches stay zero.
+/// The covariance of every cell's own attitude error, per cell of the patch.
 std::vector<Eigen::Matrix3d> attitudeCovariances(const SkinLinks& skin, const ShortestPaths& paths) {
-  std::vector<Eigen::Matrix3d> attitude(skin.graph().cells().size(), Eigen::Matrix3d::Zero());
+  const auto place = [&skin](std::size_t cell) { return skin.graph().cells()[cell].place; };
+  std::vector<Eigen::Matrix3d> attitude(paths.order.size());
   std::size_t first_link = kNoIndex;
   for (const std::size_t cell : paths.order) {
     if (cell == paths.root) continue;
-    if (first_link == kNoIndex) first_link = paths.link[cell];
-    attitude[cell] = skin.attitudeCovariance(cell, paths.link[cell]);
+    const std::size_t link = paths.link[place(cell)];
+    if (first_link == kNoIndex) first_link = link;
+    attitude[place(cell)] = skin.attitudeCovariance(cell, link);
   }
-  attitude[paths.root] = skin.attitudeCovariance(paths.root, first_link);
+  attitude[place(paths.root)] = skin.attitudeCovariance(paths.root, first_link);
   return attitude;
 }
 
@@ -43,38 +45,33 @@ PatchSolver::PatchSolver(SkinLinks& skin, std::span<const double> weights, std::
       placements_(placeAlongTree(skin.graph(), skin.model(), paths_, skin.edges(), attitudeCovariances(skin, paths_))) {
 }
 
-Completion PatchSolver::refine(const Reconstruction* earlier, const std::stop_token& stop,
+Completion PatchSolver::refine(const PatchReconstruction* earlier, const std::stop_token& stop,
                                std::vector<Finding>& findings) {
   joint_ = std::make_unique<JointRefinement>(skin_.model(), skin_.graph(), skin_.table(), skin_.options(), cells_,
                                              origin(), startingPlacements(earlier));
   joint_->solve(stop);
   if (stop.stop_requested()) return Completion::Stopped;
-  bool dropped = false;
   while (const auto cell = worstSensor()) {
     findings.push_back(describeBadSensor(skin_.graph(), skin_.table(), skin_.snapshot(), *cell, isLeaf(*cell)));
     skin_.dropCell(*cell);
     joint_->leaveOut(*cell);
     joint_->solve(stop);
     if (stop.stop_requested()) return Completion::Stopped;
-    dropped = true;
+    dropped_cells_ = true;
   }
-  if (dropped) skin_.estimateEdges();
   return Completion::Finished;
 }
 
 /// Placements of the earlier result, if it had exactly the cells of this patch and the same origin; else the tree's.
-std::vector<SE3> PatchSolver::startingPlacements(const Reconstruction* earlier) const {
+std::vector<SE3> PatchSolver::startingPlacements(const PatchReconstruction* earlier) const {
   const std::vector<GraphCell>& graph_cells = skin_.graph().cells();
-  std::vector<SE3> placements(graph_cells.size());
-  for (const std::size_t cell : cells_) placements[cell] = placements_[cell].T_o_u;
-  if (earlier == nullptr || earlier->solver != solverName(Solver::Global)) return placements;
-  const CellId origin_id = graph_cells[origin()].id;
-  const PatchReconstruction* known = earlier->find(origin_id).patch;
+  std::vector<SE3> placements;
+  for (const TreePlacement& placement : placements_) placements.push_back(placement.T_o_u);
   const bool is_same =
-      known != nullptr && known->origin == origin_id &&
+      earlier != nullptr && earlier->origin == graph_cells[origin()].id &&
       std::ranges::equal(
-          cells_, known->cells, {}, [&](std::size_t cell) { return graph_cells[cell].id; }, &CellPlacement::cell);
-  for (std::size_t k = 0; is_same && k < cells_.size(); ++k) placements[cells_[k]] = known->cells[k].T_o_u;
+          cells_, earlier->cells, {}, [&](std::size_t cell) { return graph_cells[cell].id; }, &CellPlacement::cell);
+  for (std::size_t k = 0; is_same && k < cells_.size(); ++k) placements[k] = earlier->cells[k].T_o_u;
   return placements;
 }
 
@@ -123,8 +120,7 @@ void nameInconsistentPoses(const SkinLinks& skin, const PatchSolver& patch, std:
   constexpr double kLargest = 8;
   constexpr double kTimesOthers = 3;
   if (joint.poses().size() < 3) return;
-  std::vector<double> misfits;
-  for (const std::size_t pose : joint.poses()) misfits.push_back(joint.poseMisfit(pose));
+  const std::vector<double> misfits = joint.poseMisfits();
   std::vector<double> sorted = misfits;
   std::ranges::sort(sorted);
   const double usual = sorted[sorted.size() / 2];

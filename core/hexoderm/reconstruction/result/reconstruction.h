@@ -139,15 +139,15 @@ struct Verdict {
 /// A cell in the flat honeycomb drawing of the graph.
 struct FlatCell {
   CellId cell;
-  Eigen::Vector2d center = Eigen::Vector2d::Zero();  ///< metres on the sheet
-  double angle_rad = 0;                              ///< rotation of the cell frame in the sheet
+  Vector2d center = Vector2d::Zero();  ///< metres on the sheet
+  double angle_rad = 0;                ///< rotation of the cell frame in the sheet
 };
 /// A link in the drawing, from port to port; `cut` where a closed surface was cut open there.
 struct FlatLink {
   PatchId patch;
   std::size_t link = 0;  ///< index into that patch's links
-  Eigen::Vector2d from = Eigen::Vector2d::Zero();
-  Eigen::Vector2d to = Eigen::Vector2d::Zero();
+  Vector2d from = Vector2d::Zero();
+  Vector2d to = Vector2d::Zero();
   bool cut = false;
 };
 struct FlatLayout {
