@@ -181,6 +181,10 @@ class Capture final : public CaptureOwner {
     common_.progress(hold.message.english());
   }
 
+  void handle(const LongWait& wait) {
+    common_.logNote("No pose for " + formatFixed(wait.duration_s, 0) + " s. " + wait.why.english());
+  }
+
   void show(const PoseTaken& /*taken*/) {}
   void show(const PoseKept& kept) {
     has_news_ = true;
@@ -241,7 +245,49 @@ class Capture final : public CaptureOwner {
   bool made_progress_ = false;
 };
 
-void print(const Capture& capture, const CaptureOptions& options, const Common& common) {
+nlohmann::ordered_json toJson(const HoldLedger& ledger) {
+  nlohmann::ordered_json json = {{"watched_s", ledger.watched_s()}, {"still_s", ledger.still_s()}};
+  auto blocked = nlohmann::ordered_json::array();
+  for (const BlockedTime& time : ledger.blocked()) {
+    nlohmann::ordered_json entry = {{"by", blockerName(time.blocker)}, {"for_s", time.duration_s}};
+    if (time.cell != CellId()) {
+      entry["cell"] = time.cell.value();
+      entry["cell_for_s"] = time.cell_s;
+    }
+    entry["message"] = time.message.english();
+    blocked.push_back(std::move(entry));
+  }
+  json["blocked"] = std::move(blocked);
+  auto odd_cells = nlohmann::ordered_json::array();
+  if (ledger.last()) {
+    for (const OddCell& odd : ledger.last()->stillness.odd_cells) {
+      odd_cells.push_back(
+          {{"cell", odd.cell.value()}, {"is", oddCellName(odd.kind)}, {"message", describe(odd).english()}});
+    }
+    json["restarts"] = ledger.last()->restarts;
+  }
+  json["odd_cells"] = std::move(odd_cells);
+  return json;
+}
+
+/// Why there is no pose.
+void printWhatBlocked(const HoldLedger& ledger) {
+  if (!ledger.last()) {
+    std::cout << "No pose was captured: no readings came.\n";
+    return;
+  }
+  const auto seconds = [](double duration_s) { return formatFixed(duration_s, 1) + " s"; };
+  std::cout << "No pose was captured in " << seconds(ledger.watched_s()) << " of readings; the part was still for "
+            << seconds(ledger.still_s()) << ".\n";
+  for (const BlockedTime& time : ledger.blocked()) {
+    std::cout << "  " << seconds(time.duration_s) << "  " << blockerName(time.blocker) << ": " << time.message;
+    if (time.cell != CellId()) std::cout << " (cell " << time.cell << " decided for " << seconds(time.cell_s) << ")";
+    std::cout << '\n';
+  }
+  for (const OddCell& odd : ledger.last()->stillness.odd_cells) std::cout << "  " << describe(odd) << '\n';
+}
+
+void print(const Capture& capture, const HoldLedger& ledger, const CaptureOptions& options, const Common& common) {
   const Session& session = *capture.session();
   const SourceStatus& status = capture.status();
   if (common.json) {
@@ -255,7 +301,8 @@ void print(const Capture& capture, const CaptureOptions& options, const Common& 
                                    {"late_frames", status.late_frames},
                                    {"rejected_messages", status.rejected_messages},
                                    {"reconnects", status.reconnects}};
-    json["verdict"] = capture.result() ? toJson(capture.result()->verdict) : nlohmann::ordered_json();
+    json["hold"] = toJson(ledger);
+    json["verdict"] = capture.result() ? cli::toJson(capture.result()->verdict) : nlohmann::ordered_json();
     printJson(json);
     return;
   }
@@ -268,6 +315,7 @@ void print(const Capture& capture, const CaptureOptions& options, const Common& 
   if (status.dropped_by_device > 0) {
     std::cout << "The device could not send " << status.dropped_by_device << " samples.\n";
   }
+  if (session.poses().empty()) printWhatBlocked(ledger);
   if (capture.result()) printVerdict(capture.result()->verdict);
 }
 
@@ -300,7 +348,7 @@ int run(const CaptureOptions& options, const Common& common) {
   capture.finish();
   if (recording) recording->finish();
   if (!capture.session()) throw DeviceError(options.source + ": ended before a skin described itself");
-  print(capture, options, common);
+  print(capture, events.ledger(), options, common);
   return capture.result() ? exitCodeOf(capture.result()->verdict) : kNotGoodEnough;
 }
 

@@ -24,6 +24,10 @@ void Common::note(const std::string& text) const {
   if (!quiet) std::cerr << text << '\n';
 }
 
+void Common::logNote(const std::string& text) const {
+  if (::isatty(STDERR_FILENO) == 0) note(text);
+}
+
 OpenedFile openInput(const std::string& path, const std::string& cell_model) {
   const CellModel model = asInput([&] { return loadCellModel(cell_model); });
   return asInput([&] { return openFile(path, model); });

@@ -41,6 +41,8 @@ struct Common {
   void endProgress() const;
   /// A remark on stderr, unless --quiet.
   void note(const std::string& text) const;
+  /// A remark where stderr is no terminal, which would show progress().
+  void logNote(const std::string& text) const;
 };
 
 void addSimulate(CLI::App& app, Common& common);

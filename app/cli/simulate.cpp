@@ -15,6 +15,7 @@ struct SimulateOptions {
   SimulatedSkinOptions skin;
   std::string cell_model = "hex-bma150";
   std::string link_law = "bend";
+  std::string motion = "hand";
   std::size_t poses = 2;
   std::size_t samples = 100;
   double offset_sigma_mg = -1;
@@ -59,7 +60,9 @@ int run(const SimulateOptions& options, const Common& common) {
   }
   CellModel model = asInput([&] { return loadCellModel(options.cell_model); });
   if (options.offset_sigma_mg >= 0) model.accelerometer.offset_sigma_g = options.offset_sigma_mg / 1000;
-  SimulatedSkinOptions skin_options = options.ideal ? SimulatedSkinOptions::ideal() : SimulatedSkinOptions();
+  SimulatedSkinOptions skin_options = options.ideal               ? SimulatedSkinOptions::ideal()
+                                      : options.motion == "robot" ? SimulatedSkinOptions::robot()
+                                                                  : SimulatedSkinOptions();
   skin_options.patch = options.skin.patch;
   skin_options.surface = options.skin.surface;
   skin_options.seed = options.skin.seed;
@@ -109,7 +112,14 @@ void addSimulate(CLI::App& app, Common& common) {
                    "Accelerometer offsets, 1 sigma, in mg (default: the cell model's)")
       ->check(CLI::NonNegativeNumber);
   command->add_option("--fault", options->faults, faultSyntax() + "; may be repeated");
-  command->add_flag("--ideal", options->ideal, "No jitter, no sensor errors, no noise, no hand");
+  CLI::Option* motion =
+      command
+          ->add_option("--motion", options->motion,
+                       "What holds and turns the part: hand; or robot, with its motors on: 8 to 35 mg of vibration, 20 "
+                       "readings a second, and a single joint")
+          ->check(CLI::IsMember({"hand", "robot"}))
+          ->capture_default_str();
+  command->add_flag("--ideal", options->ideal, "No jitter, no sensor errors, no noise, no hand")->excludes(motion);
   command
       ->add_option("-o,--output", options->output,
                    "Session to write (*.session.json, or *.hexo, which must not exist yet)")

@@ -1942,6 +1942,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Wartet auf Messwerte: Alle Zellen schweigen</translation>
     </message>
     <message>
+        <source>Hold still: the readings scatter too much to tell whether the part turns</source>
+        <translation>Stillhalten: Die Messwerte streuen zu stark, um zu erkennen, ob sich das Teil dreht</translation>
+    </message>
+    <message>
         <source>Waiting for samples: fewer than {} s so far</source>
         <translation>Wartet auf Messwerte: bisher weniger als {} s</translation>
     </message>
@@ -1960,6 +1964,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Hold still: cell {} turns by {} deg/s against the rest, limit {}</source>
         <translation>Stillhalten: Zelle {} dreht sich mit {}°/s gegen die anderen, Grenze {}</translation>
+    </message>
+    <message>
+        <source>Simulated {} on {}, link law {}, seed {}, on a robot with its motors on</source>
+        <translation>Simulierte Haut {} auf {}, Verbindungsgesetz {}, Startwert {}, an einem Roboter mit laufenden Motoren</translation>
     </message>
     <message>
         <source>Simulated {} on {}, link law {}, seed {}</source>
@@ -3022,6 +3030,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>simulierte Haut: {} darf nicht negativ sein</translation>
     </message>
     <message>
+        <source>simulated skin: least_vibration_g must not be above most_vibration_g</source>
+        <translation>simulierte Haut: least_vibration_g darf nicht über most_vibration_g liegen</translation>
+    </message>
+    <message>
         <source>simulated skin: joint_angle_rad must be finite</source>
         <translation>simulierte Haut: joint_angle_rad muss endlich sein</translation>
     </message>
@@ -3036,6 +3048,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>source &quot;{}&quot;: speed must be above 0</source>
         <translation>Quelle „{}“: speed muss über 0 liegen</translation>
+    </message>
+    <message>
+        <source>the simulated robot turns by itself</source>
+        <translation>der simulierte Roboter dreht sich von selbst</translation>
     </message>
     <message>
         <source>there is no cell {}</source>
@@ -3054,8 +3070,8 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>eine simulierte Haut hat die Abtastrate ihres Zellmodells</translation>
     </message>
     <message>
-        <source>source &quot;{}&quot;: expected sim:PATCH[?surface=...&amp;seed=N&amp;speed=X|max], found &quot;{}&quot;</source>
-        <translation>Quelle „{}“: erwartet ist sim:PATCH[?surface=...&amp;seed=N&amp;speed=X|max], gefunden wurde „{}“</translation>
+        <source>source &quot;{}&quot;: expected sim:PATCH[?surface=...&amp;seed=N&amp;speed=X|max&amp;motion=hand|robot], found &quot;{}&quot;</source>
+        <translation>Quelle „{}“: erwartet ist sim:PATCH[?surface=...&amp;seed=N&amp;speed=X|max&amp;motion=hand|robot], gefunden wurde „{}“</translation>
     </message>
     <message>
         <source>source &quot;{}&quot;: expected stdin, without anything behind</source>

@@ -4,6 +4,7 @@
 #include "hexoderm/device/simulation/patch_layout.h"
 #include "hexoderm/device/simulation/patch_plan.h"
 #include "hexoderm/device/simulation/random_streams.h"
+#include "hexoderm/device/simulation/robot_motion.h"
 #include "hexoderm/device/simulation/simulated_faults.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/rounding.h"
@@ -51,6 +52,12 @@ void SimulatedSkinOptions::validate() const {
   notNegative(tremor_angle_sigma_rad, "tremor_angle_sigma_rad");
   notNegative(tremor_acceleration_g, "tremor_acceleration_g");
   notNegative(drift_rad_per_s, "drift_rad_per_s");
+  notNegative(reading_rate_hz, "reading_rate_hz");
+  notNegative(least_vibration_g, "least_vibration_g");
+  notNegative(most_vibration_g, "most_vibration_g");
+  if (least_vibration_g > most_vibration_g) {
+    throw InvalidArgument(message("simulated skin: least_vibration_g must not be above most_vibration_g"));
+  }
   if (!std::isfinite(joint_angle_rad)) throw InvalidArgument(message("simulated skin: joint_angle_rad must be finite"));
 }
 
@@ -62,6 +69,14 @@ SimulatedSkinOptions SimulatedSkinOptions::ideal() {
   options.sensor_errors = false;
   options.sensor_noise = false;
   options.hand_held = false;
+  return options;
+}
+
+SimulatedSkinOptions SimulatedSkinOptions::robot() {
+  SimulatedSkinOptions options;
+  options.hand_held = false;
+  options.on_robot = true;
+  options.reading_rate_hz = 20;
   return options;
 }
 
@@ -87,9 +102,16 @@ struct SimulatedSkin::State {
     bool is_bent = false;
     std::size_t tick = 0;
   };
+  std::optional<RobotMotion> robot;  ///< absent unless it holds the part
   std::optional<Hold> live;
   FastNormalSource live_noise{std::mt19937_64()};
   double live_clock_s = 0;
+  std::size_t robot_holds = 0;  ///< those that the robot has gone to
+
+  [[nodiscard]] double rate_hz() const {
+    return options.reading_rate_hz > 0 ? options.reading_rate_hz : model.accelerometer.rate_hz;
+  }
+  [[nodiscard]] double liveTime_s() const { return static_cast<double>(live->tick) / rate_hz(); }
 
   Hold hold(const Eigen::Vector3d& up_b);
   void holdLive(const Eigen::Vector3d& up_b);
@@ -135,6 +157,7 @@ SimulatedSkin::State::State(CellModel cell_model, SimulatedSkinOptions skin_opti
     bent_sensors = sensorsOf(bending);
   }
   health = breakCells(options, truth.size());
+  if (options.on_robot) robot.emplace(options, truth.size());
 }
 
 void SimulatedSkin::State::reportNeighbors(const std::vector<PlannedLink>& links) {
@@ -203,8 +226,20 @@ GroundTruth SimulatedSkin::groundTruth() const {
   return truth;
 }
 std::optional<std::pair<LinkEnd, LinkEnd>> SimulatedSkin::loop() const { return state_->loop; }
+double SimulatedSkin::rate_hz() const { return state_->rate_hz(); }
+
+std::vector<Eigen::Vector3d> SimulatedSkin::upDirections(std::size_t pose_count) const {
+  if (!state_->robot) return scriptedUpDirections(pose_count);
+  std::vector<Eigen::Vector3d> directions;
+  for (std::size_t k = 0; k < pose_count; ++k) directions.push_back(RobotMotion::upOf(k));
+  return directions;
+}
 
 Message SimulatedSkin::description() const {
+  if (state_->robot) {
+    return message("Simulated {} on {}, link law {}, seed {}, on a robot with its motors on", state_->options.patch,
+                   state_->surface_text, lawName(state_->options.link_law), state_->options.seed);
+  }
   return message("Simulated {} on {}, link law {}, seed {}", state_->options.patch, state_->surface_text,
                  lawName(state_->options.link_law), state_->options.seed);
 }
@@ -217,7 +252,7 @@ SimulatedSkin::State::Hold SimulatedSkin::State::hold(const Eigen::Vector3d& up_
   }
   const std::size_t recording = recordings++;
   std::mt19937_64 hand_random = randomStream(options.seed, Stream::Hand, recording);
-  const Eigen::Vector3d up = up_b.normalized();
+  const Eigen::Vector3d up = robot ? RobotMotion::nearestTo(up_b) : up_b.normalized();
   const bool in_hand = options.hand_held && recording > 0;
   HandMotion motion = in_hand ? HandMotion(up, options, hand_random) : HandMotion(up);
   // A hand holds the part near its middle, not in it.
@@ -245,7 +280,7 @@ void SimulatedSkin::State::sense(Hold& holding, Noise& noise, SampleFrame& frame
     return Eigen::Vector3d(output.cwiseMin(accelerometer.range_g).cwiseMax(-accelerometer.range_g));
   };
   const std::vector<SensorChain>& chains = holding.is_bent ? bent_sensors : sensors;
-  const BodyMotion body = holding.motion.at(static_cast<double>(holding.tick++) / accelerometer.rate_hz);
+  const BodyMotion body = holding.motion.at(static_cast<double>(holding.tick++) / rate_hz());
   frame.samples.reserve(truth.size());
   for (std::size_t c = 0; c < truth.size(); ++c) {
     const SensorChain& sensor = chains[c];
@@ -253,9 +288,12 @@ void SimulatedSkin::State::sense(Hold& holding, Noise& noise, SampleFrame& frame
     // Drawn also where it is not used: a fault of one cell leaves the others' noise as it was.
     const Eigen::Vector3d unit_noise =
         options.sensor_noise || cell.noisy ? noise.nextVector() : Eigen::Vector3d::Zero();
+    const Eigen::Vector3d vibration =
+        robot ? robot->vibration(c, 1 / rate_hz(), noise.nextVector()) : Eigen::Vector3d::Zero();
     if (cell.silent) continue;
     Eigen::Vector3d reading =
         sensor.gain_R_a_b * (body.up_b + body.field_b * (sensor.position_b - holding.hand_b)) + sensor.offset_g;
+    reading += vibration;
     reading = cell.sensed(reading) + cell.noiseFactor() * white_g * unit_noise;
     reading = cell.sent(asOutput(reading));
     frame.samples.push_back({truth[c].id, reading});
@@ -268,34 +306,37 @@ std::vector<SampleFrame> SimulatedSkin::record(const Eigen::Vector3d& up_b, std:
   NormalSource noise(holding.noise);
   std::vector<SampleFrame> frames(frame_count);
   for (std::size_t k = 0; k < frame_count; ++k) {
-    frames[k].time_s = state.clock_s + static_cast<double>(k) / state.model.accelerometer.rate_hz;
+    frames[k].time_s = state.clock_s + static_cast<double>(k) / state.rate_hz();
     state.sense(holding, noise, frames[k]);
   }
-  state.clock_s += static_cast<double>(frame_count) / state.model.accelerometer.rate_hz + kPauseBetweenRecordings_s;
+  state.clock_s += static_cast<double>(frame_count) / state.rate_hz() + kPauseBetweenRecordings_s;
   return frames;
 }
 
 void SimulatedSkin::turnTo(const Eigen::Vector3d& up_b) {
   State& state = *state_;
   if (!state.live) state.holdLive(Eigen::Vector3d::UnitZ());
-  const double rate_hz = state.model.accelerometer.rate_hz;
-  const Eigen::Matrix3d R_w_b = state.live->motion.orientationAt(static_cast<double>(state.live->tick) / rate_hz);
+  const Eigen::Matrix3d R_w_b = state.live->motion.orientationAt(state.liveTime_s());
   state.holdLive(up_b);
-  state.live->motion.arriveFrom(R_w_b);
+  state.live->motion.arriveFrom(R_w_b, state.robot ? RobotMotion::kFastest_rad_s : kFastestTurn_rad_s);
 }
 
 bool SimulatedSkin::turning() const {
   const State& state = *state_;
   if (!state.live) return false;
-  return static_cast<double>(state.live->tick) / state.model.accelerometer.rate_hz < state.live->motion.arrival_s();
+  return state.liveTime_s() < state.live->motion.arrival_s();
 }
 
 SampleFrame SimulatedSkin::next() {
   State& state = *state_;
   if (!state.live) state.holdLive(Eigen::Vector3d::UnitZ());
+  if (state.robot &&
+      state.liveTime_s() >= state.live->motion.arrival_s() + RobotMotion::staysFor_s(state.robot_holds)) {
+    turnTo(RobotMotion::upOf(++state.robot_holds));
+  }
   SampleFrame frame;
   frame.time_s = state.live_clock_s;
-  state.live_clock_s += 1 / state.model.accelerometer.rate_hz;
+  state.live_clock_s += 1 / state.rate_hz();
   state.sense(*state.live, state.live_noise, frame);
   return frame;
 }
@@ -304,7 +345,7 @@ void SimulatedSkin::skip(std::size_t ticks) {
   State& state = *state_;
   if (!state.live) state.holdLive(Eigen::Vector3d::UnitZ());
   state.live->tick += ticks;
-  state.live_clock_s += static_cast<double>(ticks) / state.model.accelerometer.rate_hz;
+  state.live_clock_s += static_cast<double>(ticks) / state.rate_hz();
 }
 
 void SimulatedSkin::State::requireCell(CellId cell) const {

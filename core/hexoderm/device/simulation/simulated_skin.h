@@ -75,10 +75,14 @@ struct SimulatedSkinOptions {
   bool sensor_errors = true;              ///< offset, scale and cross-axis drawn with the model's sigmas
   bool sensor_noise = true;               ///< white noise and quantisation
   bool hand_held = true;                  ///< orientation error, tremor and drift from the second pose on
+  bool on_robot = false;                  ///< a robot with its motors on instead of a hand, see robot()
   double hand_orientation_sigma_rad = 0;  ///< 3 degrees
   double tremor_angle_sigma_rad = 0;      ///< 0.05 degrees, 4 to 12 Hz
   double tremor_acceleration_g = 0.010;   ///< translational, rms, 4 to 12 Hz
   double drift_rad_per_s = 0;             ///< 0.5 degrees per second
+  double reading_rate_hz = 0;             ///< readings a second and cell; 0: the cell model's rate
+  double least_vibration_g = 0.008;       ///< on a robot: rms of an axis, drawn per cell and axis from this ...
+  double most_vibration_g = 0.035;        ///< ... to this
   std::vector<CellFault> faults;
   std::vector<LinkFault> link_faults;
   double joint_angle_rad = 0;  ///< 20 degrees; positive bends the part's front outwards, as around a cylinder
@@ -88,6 +92,10 @@ struct SimulatedSkinOptions {
   void validate() const;
   /// No jitter, no sensor errors, no noise, no hand.
   static SimulatedSkinOptions ideal();
+  /// A robot with its motors on, like the leg of an iCub whose recording is public: 20 readings a second, each cell
+  /// shaken by 8 to 35 mg rms an axis (noise with a correlation time of 40 ms), and a single joint about the body's x
+  /// axis. Directions that the joint does not reach are replaced by the nearest one that it does (SimulatedSkin::up).
+  static SimulatedSkinOptions robot();
 };
 
 struct TrueCell {
@@ -131,6 +139,11 @@ class SimulatedSkin {
   [[nodiscard]] Message description() const;
   /// The two free ports whose distance is the loop gap of an open ring (ringN); nullopt for other patches.
   [[nodiscard]] std::optional<std::pair<LinkEnd, LinkEnd>> loop() const;
+  /// Readings a second and cell: the device's ticks.
+  [[nodiscard]] double rate_hz() const;
+  /// The directions of a scripted calibration (scriptedUpDirections), or those that a robot goes to one after the
+  /// other: up to 60 degrees to either side.
+  [[nodiscard]] std::vector<Eigen::Vector3d> upDirections(std::size_t pose_count) const;
 
   /// Holds the part so that `up_b` (unit, body frame) points up, and records `frame_count` frames at the model's rate.
   /// A real hand misses by a few degrees and trembles; the first recording of a skin stands on a table and does not.
@@ -139,7 +152,8 @@ class SimulatedSkin {
   std::vector<SampleFrame> record(const Eigen::Vector3d& up_b, std::size_t frame_count = 100);
 
   /// Live: begins to turn the part from where it is until `up_b` points up, and to hold it there as record() does.
-  /// Before the first call it lies on a table with +z up, as cells with no motion of their own see it.
+  /// Before the first call it lies on a table with +z up, as cells with no motion of their own see it. A robot turns it
+  /// by itself to and fro, at 20 degrees a second at most, and holds it for 3 to 8 s in between.
   /// Throws InvalidArgument if `up_b` is zero or not finite.
   void turnTo(const Eigen::Vector3d& up_b);
   /// Live: has the last turnTo() not yet arrived?

@@ -16,6 +16,7 @@ constexpr double kUniformSigma = kPi / 1.7320508075688772;  // sigma of an unkno
 constexpr double kShortestCentred_g = 0.05;                 // a shorter difference has no direction worth comparing
 // Keeps the normal equations invertible without support axes.
 constexpr double kUnsupportedInformation = 1e-9;
+constexpr double kLeastVariance_g2 = 1e-18;  // readings without noise weigh alike
 
 /// The gap's axes in the source frame: outward, z x outward, z. Seen from the target the link comes in, hence the
 /// nominal alignment: its columns in the target frame are R_nom^T times these.
@@ -96,7 +97,7 @@ class EdgeSolver {
     const Eigen::Matrix3Xd C = edge.centred ? lessMean(readings_.c_g) : readings_.c_g;
     double sum = 0;
     double expected = 0;
-    std::size_t counted = 0;
+    double weights = 0;
     edge.pose_residual_rad.reserve(static_cast<std::size_t>(N.cols()));
     const Accelerometer& a = model_.accelerometer;
     for (Eigen::Index p = 0; p < N.cols(); ++p) {
@@ -109,15 +110,17 @@ class EdgeSolver {
         const double per_axis =
             readings_.variance_g2[static_cast<std::size_t>(p)] +
             2 * (offset * offset + a.scale_sigma * a.scale_sigma + a.cross_axis_sigma * a.cross_axis_sigma);
-        sum += angle * angle;
-        expected += 2 * per_axis / (length * length);
-        ++counted;
+        // A short window says less than a long one.
+        const double weight = 1 / std::max(per_axis, kLeastVariance_g2);
+        sum += weight * angle * angle;
+        expected += weight * 2 * per_axis / (length * length);
+        weights += weight;
       }
       edge.pose_residual_rad.push_back(angle);
     }
-    if (counted == 0) return;
-    edge.residual_rad = std::sqrt(sum / static_cast<double>(counted));
-    edge.expected_residual_rad = std::sqrt(expected / static_cast<double>(counted));
+    if (weights == 0) return;
+    edge.residual_rad = std::sqrt(sum / weights);
+    edge.expected_residual_rad = std::sqrt(expected / weights);
   }
 
  private:

@@ -92,16 +92,20 @@ void estimateJointly(const SkinLinks& skin, const JointRefinement& joint, std::s
   estimate.supported = false;
   if (!skin.readings().measured(link)) return;
   double sum = 0;
-  std::size_t count = 0;
+  double weights = 0;
   for (const std::size_t pose : skin.readings().posesOf(link)) {
-    const Eigen::Vector3d c = joint.correctedReading(link.source, skin.table().at(link.source, pose).mean_g);
-    const Eigen::Vector3d n = joint.correctedReading(link.target, skin.table().at(link.target, pose).mean_g);
+    const GravityTable::Entry& at_source = skin.table().at(link.source, pose);
+    const GravityTable::Entry& at_target = skin.table().at(link.target, pose);
+    const Eigen::Vector3d c = joint.correctedReading(link.source, at_source.mean_g);
+    const Eigen::Vector3d n = joint.correctedReading(link.target, at_target.mean_g);
     const double angle = angleBetween(c, estimate.R_c_n * n);
     estimate.pose_residual_rad[pose] = angle;
-    sum += angle * angle;
-    ++count;
+    // A short window says less than a long one.
+    const double weight = 1 / (at_source.variance_g2 + at_target.variance_g2);
+    sum += weight * angle * angle;
+    weights += weight;
   }
-  if (count > 0) estimate.residual_rad = std::sqrt(sum / static_cast<double>(count));
+  if (weights > 0) estimate.residual_rad = std::sqrt(sum / weights);
 }
 
 bool isInTree(const SkinGraph& graph, const ShortestPaths& paths, std::size_t index) {
