@@ -5,6 +5,7 @@
 #include "hexoderm/device/sources/open_source.h"
 #include "hexoderm/device/sources/recording.h"
 #include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/util/system_reason.h"
 #include "hexoderm/util/text.h"
 
 #include <atomic>
@@ -12,6 +13,7 @@
 #include <csignal>
 #include <filesystem>
 #include <iostream>
+#include <system_error>
 #include <utility>
 
 namespace hexoderm::cli {
@@ -307,7 +309,7 @@ void print(const Capture& capture, const HoldLedger& ledger, const CaptureOption
     return;
   }
   std::cout << session.poses().size() << (session.poses().size() == 1 ? " pose" : " poses") << " of "
-            << cellsInWords(session.neighbors().size()) << " in " << options.output << '\n';
+            << cellsInWords(session.neighbors().size()) << " in " << forTerminal(options.output) << '\n';
   if (status.lost_samples + status.late_frames + status.rejected_messages + status.reconnects > 0) {
     std::cout << "On the way: " << status.lost_samples << " samples lost, " << status.late_frames << " frames late, "
               << status.rejected_messages << " messages broken, " << status.reconnects << " reconnects\n";
@@ -320,10 +322,18 @@ void print(const Capture& capture, const HoldLedger& ledger, const CaptureOption
 }
 
 int run(const CaptureOptions& options, const Common& common) {
+  if (options.output == kStandardOutput) {
+    throw InvalidArgument("-o -: a capture is kept in a file (*.hexo) while it goes on: give the name of one");
+  }
   if (!options.output.ends_with(".hexo")) {
     throw InvalidArgument("-o: expected a name that ends in .hexo, found \"" + options.output + "\"");
   }
-  if (std::filesystem::exists(options.output)) {
+  std::error_code error;
+  const auto there = std::filesystem::symlink_status(options.output, error).type();
+  if (there == std::filesystem::file_type::none) {
+    throw StorageError(located(options.output, message("cannot be written: {}", systemReason(error))));
+  }
+  if (there != std::filesystem::file_type::not_found) {
     throw StorageError(options.output + ": exists already; a capture never replaces a session");
   }
   const std::unique_ptr<SkinSource> source = openSkinSource(options.source);
@@ -336,7 +346,8 @@ int run(const CaptureOptions& options, const Common& common) {
   const InterruptGuard guard;
   Capture capture(options, common, *source, events);
   common.progress("Connecting to " + options.source + " ...");
-  source->start(recording ? static_cast<SkinListener&>(*recording) : events);
+  // A recording is an input file; devices complain in their own way.
+  asInput([&] { source->start(recording ? static_cast<SkinListener&>(*recording) : events); });
   try {
     capture.run();
   } catch (...) {

@@ -1,11 +1,13 @@
 #include "app/cli/command.h"
 
+#include "hexoderm/util/file.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
 #include <unistd.h>
 
 #include <iostream>
+#include <utility>
 
 namespace hexoderm::cli {
 
@@ -15,28 +17,51 @@ void Common::addTo(CLI::App& command) {
 }
 
 void Common::progress(const std::string& text) const {
-  if (!quiet && ::isatty(STDERR_FILENO) != 0) std::cerr << "\r\033[K" << text << std::flush;
+  if (!quiet && ::isatty(STDERR_FILENO) != 0) std::cerr << "\r\033[K" << forTerminal(text) << std::flush;
 }
 
 void Common::endProgress() const { progress(""); }
 
 void Common::note(const std::string& text) const {
-  if (!quiet) std::cerr << text << '\n';
+  if (!quiet) std::cerr << forTerminal(text) << '\n';
 }
 
 void Common::logNote(const std::string& text) const {
   if (::isatty(STDERR_FILENO) == 0) note(text);
 }
 
-OpenedFile openInput(const std::string& path, const std::string& cell_model) {
+Output::Output(std::string name, const Common& common) : name_(std::move(name)) {
+  if (!isStandard()) return;
+  if (common.json) throw InvalidArgument("-o - and --json both want standard output: give -o a file, or leave one out");
+  standard_ = std::cout.rdbuf(common.quiet ? nowhere_.rdbuf() : std::cerr.rdbuf());
+}
+
+Output::~Output() {
+  if (standard_ != nullptr) std::cout.rdbuf(standard_);
+}
+
+std::string Output::inWords() const { return isStandard() ? "standard output" : name_; }
+
+void Output::write(std::string_view content) const {
+  if (!isStandard()) return writeFileAtomically(name_, content);
+  std::ostream out(standard_);
+  out << content << std::flush;
+  if (!out) throw StorageError("standard output: cannot be written");
+}
+
+OpenedFile openInput(const std::string& path, const std::string& cell_model, TumAs tum) {
   const CellModel model = asInput([&] { return loadCellModel(cell_model); });
-  return asInput([&] { return openFile(path, model); });
+  return asInput([&] { return openFile(path, model, tum); });
 }
 
 Session openSession(const std::string& path) {
   OpenedFile opened = openInput(path);
   if (auto* session = std::get_if<Session>(&opened)) return std::move(*session);
-  throw BadInput(path + ": this is a calibration, expected a session (*.hexo or *.session.json)");
+  throw noSession(path);
+}
+
+BadInput noSession(const std::string& path) {
+  return BadInput(path + ": this is a calibration, expected a session (*.hexo or *.session.json)");
 }
 
 std::shared_ptr<const Reconstruction> openCalibration(const std::string& path, const std::string& cell_model) {
@@ -56,14 +81,14 @@ void printFindings(const std::vector<Finding>& findings) {
   }
   std::cout << "Findings: " << findings.size() << '\n';
   for (const Finding& finding : findings) {
-    std::cout << "  " << severityName(finding.severity) << "  " << codeName(finding.code) << ": " << finding.message
-              << '\n';
+    std::cout << "  " << severityName(finding.severity) << "  " << codeName(finding.code) << ": "
+              << forTerminal(finding.message.english()) << '\n';
   }
 }
 
 void printVerdict(const Verdict& verdict) {
-  std::cout << "Verdict: " << verdictName(verdict.level) << ". " << verdict.reason << '\n';
-  if (!verdict.next_action.empty()) std::cout << "Next: " << verdict.next_action << '\n';
+  std::cout << "Verdict: " << verdictName(verdict.level) << ". " << forTerminal(verdict.reason.english()) << '\n';
+  if (!verdict.next_action.empty()) std::cout << "Next: " << forTerminal(verdict.next_action.english()) << '\n';
 }
 
 nlohmann::ordered_json toJson(const Finding& finding) {
@@ -100,7 +125,14 @@ nlohmann::ordered_json toJson(const Verdict& verdict) {
   return json;
 }
 
-void printJson(const nlohmann::ordered_json& json) { std::cout << json.dump(1) << '\n'; }
+void printJson(const nlohmann::ordered_json& json) {
+  printJsonText(json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+}
+
+void printJsonText(std::string_view text) {
+  // The escapes of forTerminal() are JSON's, too.
+  for (const std::string& line : split(text, '\n')) std::cout << forTerminal(line) << '\n';
+}
 
 std::string millimetres(double length_m, int decimals) {
   return formatFixed(toMillimetres(length_m), decimals) + " mm";

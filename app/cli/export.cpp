@@ -1,6 +1,7 @@
 #include "app/cli/command.h"
 
 #include "hexoderm/io/exporter.h"
+#include "hexoderm/util/text.h"
 
 #include <iostream>
 
@@ -21,8 +22,17 @@ int run(ExportCommandOptions command, const Common& common) {
   command.options.stl_unit = command.stl_unit == "m" ? LengthUnit::Metres : LengthUnit::Millimetres;
   command.options.urdf_link_per_cell = command.urdf_links == "cell";
   command.options.validate();
+  const Output output(command.output, common);
+  if (output.isStandard() && format == ExportFormat::Csv) {
+    throw InvalidArgument("-o -: csv is a folder of several files, which standard output can't be: give a folder");
+  }
   const auto calibration = openCalibration(command.input);
-  common.progress("Writing " + command.output + " ...");
+  common.progress("Writing " + output.inWords() + " ...");
+  if (output.isStandard()) {
+    output.write(exportBytes(*calibration, format, command.options, output.inWords()));
+    common.endProgress();
+    return kDone;
+  }
   const auto files = exportReconstruction(*calibration, format, command.output, command.options);
   common.endProgress();
   if (common.json) {
@@ -30,7 +40,7 @@ int run(ExportCommandOptions command, const Common& common) {
     for (const auto& file : files) names.push_back(file.string());
     printJson({{"format", command.format}, {"files", names}});
   } else {
-    for (const auto& file : files) std::cout << "Written and read back: " << file.string() << '\n';
+    for (const auto& file : files) std::cout << "Written and read back: " << forTerminal(file.string()) << '\n';
   }
   return kDone;
 }
@@ -46,7 +56,8 @@ void addExport(CLI::App& app, Common& common) {
   }
   command->add_option("calibration", options->input, "Calibration (*.calibration.json, or TUM XML)")->required();
   command->add_option("--to", options->format, "Format, one of:" + formats)->required();
-  command->add_option("-o,--output", options->output, "File to write; for csv a folder")->required();
+  command->add_option("-o,--output", options->output, "File to write; for csv a folder; - is standard output")
+      ->required();
   command->add_option("--stl-unit", options->stl_unit, "mm or m; STL itself has no unit")
       ->check(CLI::IsMember({"mm", "m"}))
       ->capture_default_str();

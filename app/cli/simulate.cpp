@@ -3,6 +3,7 @@
 #include "hexoderm/device/simulation/fault_names.h"
 #include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/io/open_file.h"
+#include "hexoderm/io/session_json.h"
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/text.h"
 
@@ -55,8 +56,10 @@ void addFault(const std::string& text, SimulatedSkinOptions& skin) {
 }
 
 int run(const SimulateOptions& options, const Common& common) {
-  if (!options.output.ends_with(".json") && !isSessionFileName(options.output)) {
-    throw InvalidArgument("-o: expected a name that ends in .session.json or .hexo, found \"" + options.output + "\"");
+  const Output output(options.output, common);
+  if (!output.isStandard() && !options.output.ends_with(".json") && !isSessionFileName(options.output)) {
+    throw InvalidArgument("-o: expected a name that ends in .session.json or .hexo, or -, found \"" + options.output +
+                          "\"");
   }
   CellModel model = asInput([&] { return loadCellModel(options.cell_model); });
   if (options.offset_sigma_mg >= 0) model.accelerometer.offset_sigma_g = options.offset_sigma_mg / 1000;
@@ -74,7 +77,11 @@ int run(const SimulateOptions& options, const Common& common) {
   common.progress("Taking poses ...");
   const Session session = simulateSession(skin, options.poses, options.samples);
   common.progress("Writing ...");
-  saveSession(session, options.output);
+  if (output.isStandard()) {
+    output.write(sessionToJson(session));
+  } else {
+    saveSession(session, options.output);
+  }
   common.endProgress();
   if (common.json) {
     printJson({{"file", options.output},
@@ -83,7 +90,7 @@ int run(const SimulateOptions& options, const Common& common) {
                {"poses", session.poses().size()}});
   } else {
     std::cout << skin.description() << ": " << skin.truth().size() << " cells, " << session.poses().size()
-              << " poses, with truth. Written to " << options.output << '\n';
+              << " poses, with truth. Written to " << forTerminal(output.inWords()) << '\n';
   }
   return kDone;
 }
@@ -122,7 +129,7 @@ void addSimulate(CLI::App& app, Common& common) {
   command->add_flag("--ideal", options->ideal, "No jitter, no sensor errors, no noise, no hand")->excludes(motion);
   command
       ->add_option("-o,--output", options->output,
-                   "Session to write (*.session.json, or *.hexo, which must not exist yet)")
+                   "Session to write (*.session.json, or *.hexo, which must not exist yet; - is standard output)")
       ->required();
   common.addTo(*command);
   command->footer(

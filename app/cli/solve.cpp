@@ -55,21 +55,22 @@ int run(const SolveOptions& options, const Common& common) {
   for (const std::uint32_t id : options.without) solver.left_out.emplace_back(id);
   solver.class_threshold = options.class_threshold;
   solver.validate();
+  const Output output(options.output, common);
 
   common.progress("Reading " + options.input + " ...");
   const Session session = openSession(options.input);
   common.progress("Solving ...");
   const auto result = reconstruct(*session.snapshot(), solver);
   if (!options.output.empty()) {
-    common.progress("Writing " + options.output + " ...");
-    writeCalibrationJson(*result, options.output);
+    common.progress("Writing " + output.inWords() + " ...");
+    output.write(calibrationToJson(*result));
   }
   common.endProgress();
   if (common.json) {
-    std::cout << calibrationToJson(*result) << '\n';
+    printJsonText(calibrationToJson(*result));
   } else {
     printSummary(*result, session);
-    if (!options.output.empty()) std::cout << "Written to " << options.output << '\n';
+    if (!options.output.empty()) std::cout << "Written to " << forTerminal(output.inWords()) << '\n';
   }
   return exitCodeOf(result->verdict);
 }
@@ -80,7 +81,8 @@ void addSolve(CLI::App& app, Common& common) {
   const auto options = std::make_shared<SolveOptions>();
   CLI::App* command = app.add_subcommand("solve", "Find the placement of every cell of a session");
   command->add_option("input", options->input, "Session (*.hexo or *.session.json)")->required();
-  command->add_option("-o,--output", options->output, "Calibration to write (*.calibration.json)");
+  command->add_option("-o,--output", options->output,
+                      "Calibration to write (*.calibration.json; - is standard output)");
   command
       ->add_option("--solver", options->solver,
                    "global: all cells, poses and links together; tree: the paper's way, along shortest paths")

@@ -1,5 +1,6 @@
 #include "app/emulator/console.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/text.h"
 
 #include <boost/asio/post.hpp>
 #include <boost/asio/signal_set.hpp>
@@ -120,7 +121,7 @@ void run(Options options) {
         const std::string text = runLine(line, emulator);
         if (!text.empty()) std::cout << text << std::endl;
       } catch (const Error& error) {
-        std::cout << "error: " << error.what() << std::endl;
+        std::cout << "error: " << forTerminal(error.what()) << std::endl;
       }
     });
   });
@@ -129,7 +130,7 @@ void run(Options options) {
 }
 
 int fail(const std::exception& error, int code) {
-  std::cerr << "hexoderm-emulator: " << error.what() << '\n';
+  std::cerr << "hexoderm-emulator: " << forTerminal(error.what()) << '\n';
   return code;
 }
 

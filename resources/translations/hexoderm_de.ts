@@ -3234,10 +3234,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Zellmodell {}</translation>
     </message>
     <message>
-        <source>{} must be from {} to {}</source>
-        <translation>{} muss zwischen {} und {} liegen</translation>
-    </message>
-    <message>
         <source>{} must not be negative</source>
         <translation>{} darf nicht negativ sein</translation>
     </message>
@@ -3925,6 +3921,54 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>{} and {}</source>
         <comment>the end of a list</comment>
         <translation>{} und {}</translation>
+    </message>
+    <message>
+        <source>{} must be from {} to {}, found {}</source>
+        <translation>{} muss zwischen {} und {} liegen, gefunden: {}</translation>
+    </message>
+    <message>
+        <source>a covariance (positive semidefinite)</source>
+        <translation>eine Kovarianz (positiv semidefinit)</translation>
+    </message>
+    <message>
+        <source>is not a file, and is not replaced by one</source>
+        <translation>ist keine Datei und wird nicht durch eine ersetzt</translation>
+    </message>
+    <message>
+        <source>csv is a folder of several files and can&apos;t be written as one: give a folder</source>
+        <translation>csv ist ein Ordner mit mehreren Dateien und lässt sich nicht als eine schreiben: einen Ordner angeben</translation>
+    </message>
+    <message>
+        <source>is too large: at most {} MB of XML are read</source>
+        <translation>ist zu groß: Von XML werden höchstens {} MB gelesen</translation>
+    </message>
+    <message>
+        <source>the covariance must be positive semidefinite</source>
+        <translation>die Kovarianz muss positiv semidefinit sein</translation>
+    </message>
+    <message>
+        <source>is a link to {}, where there is nothing: make that file or remove the link first</source>
+        <translation>ist eine Verknüpfung auf {}, wo nichts ist: zuerst diese Datei anlegen oder die Verknüpfung entfernen</translation>
+    </message>
+    <message>
+        <source>is too large or does not end: at most {} MB are read</source>
+        <translation>ist zu groß oder endet nicht: Höchstens {} MB werden gelesen</translation>
+    </message>
+    <message>
+        <source>is a disk or a socket, nothing is written to it</source>
+        <translation>ist ein Datenträger oder ein Socket, es wird nichts darauf geschrieben</translation>
+    </message>
+    <message>
+        <source>is there twice, expected each key once</source>
+        <translation>steht zweimal da, jeder Schlüssel darf nur einmal vorkommen</translation>
+    </message>
+    <message>
+        <source>the file has too many values, at most {} are read</source>
+        <translation>die Datei hat zu viele Werte, höchstens {} werden gelesen</translation>
+    </message>
+    <message>
+        <source>is nested too deeply, at most {} levels are read</source>
+        <translation>ist zu tief verschachtelt, höchstens {} Ebenen werden gelesen</translation>
     </message>
 </context>
 <context>
@@ -6743,6 +6787,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Draw in 3D without the graphics card, for this time.</source>
         <translation>3D ohne Grafikkarte zeichnen, für dieses Mal.</translation>
+    </message>
+    <message>
+        <source>The window needs a display, and none can be reached: set DISPLAY, or use hexoderm-cli.</source>
+        <translation>Das Fenster braucht einen Bildschirm, und keiner ist zu erreichen: DISPLAY setzen oder hexoderm-cli verwenden.</translation>
     </message>
 </context>
 </TS>

@@ -1,5 +1,6 @@
 #include "hexoderm/io/calibration_json.h"
 
+#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/graph/cell_model_json.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
@@ -152,6 +153,7 @@ Matrix6d readCovariance(const JsonReader& json) {
     if (values[next] < 0) json.fail(message("an upper triangle with variances of at least 0 on its diagonal"));
     for (int col = row; col < 6; ++col) cov_t_r(row, col) = cov_t_r(col, row) = values[next++];
   }
+  if (!isCovariance(cov_t_r)) json.fail(message("a covariance (positive semidefinite)"));
   return cov_t_r;
 }
 

@@ -223,7 +223,7 @@ std::string mismatch(const CsvField& field, const std::string& found) {
     return formatExact(*value);
   }
   const auto* text_value = std::get_if<std::string>(&field);
-  const std::string expected = text_value != nullptr ? *text_value : fieldText(field);
+  const std::string expected = text_value != nullptr ? csvHarmless(*text_value) : fieldText(field);
   return found == expected ? std::string() : "\"" + expected + "\"";
 }
 

@@ -8,9 +8,11 @@
 #include "hexoderm/io/export_urdf.h"
 #include "hexoderm/io/export_vtp.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/file.h"
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace hexoderm {
 namespace {
@@ -73,6 +75,53 @@ std::vector<std::filesystem::path> exportCsv(const Reconstruction& reconstructio
   return publishFolder(path, files);
 }
 
+/// The bytes of a file, and what checks them.
+struct ExportedFile {
+  std::string bytes;
+  VerifyBytes verify;
+};
+
+ExportedFile exportedFile(const Reconstruction& reconstruction, ExportFormat format, const ExportOptions& options,
+                          const std::string& file) {
+  const auto exported = [&file](auto content, std::string bytes, auto verify) {
+    return ExportedFile{std::move(bytes), [content = std::move(content), file, verify](const std::string& found) {
+                          verify(found, content, file);
+                        }};
+  };
+  switch (format) {
+    case ExportFormat::Csv:
+      break;
+    case ExportFormat::Dot: {
+      DotGraph graph = dotGraph(reconstruction);
+      std::string bytes = dotText(graph);
+      return exported(std::move(graph), std::move(bytes), verifyDot);
+    }
+    case ExportFormat::Ply: {
+      requireCells(reconstruction, "PLY");
+      ExportMesh mesh = plyMesh(reconstruction);
+      std::string bytes = plyBytes(mesh, file);
+      return exported(std::move(mesh), std::move(bytes), verifyPly);
+    }
+    case ExportFormat::Stl: {
+      requireCells(reconstruction, "STL");
+      ExportMesh mesh = stlMesh(reconstruction, options.stl_unit);
+      std::string bytes = stlBytes(mesh, file);
+      return exported(std::move(mesh), std::move(bytes), verifyStl);
+    }
+    case ExportFormat::Vtp: {
+      VtpData data = vtpData(reconstruction);
+      std::string bytes = vtpBytes(data);
+      return exported(std::move(data), std::move(bytes), verifyVtp);
+    }
+    case ExportFormat::Urdf: {
+      UrdfModel model = urdfModel(reconstruction, options);
+      std::string bytes = urdfBytes(model);
+      return exported(std::move(model), std::move(bytes), verifyUrdf);
+    }
+  }
+  throw InvalidArgument(message("csv is a folder of several files and can't be written as one: give a folder"));
+}
+
 }  // namespace
 
 void ExportOptions::validate() const {
@@ -99,39 +148,19 @@ std::vector<std::filesystem::path> exportReconstruction(const Reconstruction& re
   options.validate();
   if (path.empty()) throw InvalidArgument(message("expected the name of a file or folder to export to"));
   requireFinite(reconstruction);
-  const std::string file = path.string();
-  switch (format) {
-    case ExportFormat::Csv:
-      return exportCsv(reconstruction, path);
-    case ExportFormat::Dot: {
-      const DotGraph graph = dotGraph(reconstruction);
-      publishFile(path, dotText(graph), [&](const std::string& bytes) { verifyDot(bytes, graph, file); });
-      break;
-    }
-    case ExportFormat::Ply: {
-      requireCells(reconstruction, "PLY");
-      const ExportMesh mesh = plyMesh(reconstruction);
-      publishFile(path, plyBytes(mesh, file), [&](const std::string& bytes) { verifyPly(bytes, mesh, file); });
-      break;
-    }
-    case ExportFormat::Stl: {
-      requireCells(reconstruction, "STL");
-      const ExportMesh mesh = stlMesh(reconstruction, options.stl_unit);
-      publishFile(path, stlBytes(mesh, file), [&](const std::string& bytes) { verifyStl(bytes, mesh, file); });
-      break;
-    }
-    case ExportFormat::Vtp: {
-      const VtpData data = vtpData(reconstruction);
-      publishFile(path, vtpBytes(data), [&](const std::string& bytes) { verifyVtp(bytes, data, file); });
-      break;
-    }
-    case ExportFormat::Urdf: {
-      const UrdfModel model = urdfModel(reconstruction, options);
-      publishFile(path, urdfBytes(model), [&](const std::string& bytes) { verifyUrdf(bytes, model, file); });
-      break;
-    }
-  }
+  if (format == ExportFormat::Csv) return exportCsv(reconstruction, path);
+  const ExportedFile file = exportedFile(reconstruction, format, options, path.string());
+  writeFileAtomically(path, file.bytes, file.verify);
   return {path};
+}
+
+std::string exportBytes(const Reconstruction& reconstruction, ExportFormat format, const ExportOptions& options,
+                        const std::string& file) {
+  options.validate();
+  requireFinite(reconstruction);
+  ExportedFile exported = exportedFile(reconstruction, format, options, file);
+  exported.verify(exported.bytes);
+  return std::move(exported.bytes);
 }
 
 std::uint32_t qualityColor(EdgeQuality quality, bool dark) {

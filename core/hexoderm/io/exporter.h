@@ -38,11 +38,17 @@ ExportFormat exportFormatFromName(std::string_view name);
 /// Writes the reconstruction in one format, reads the file back and compares it with what was meant. Returns the files
 /// written (one; for CSV the tables of export_csv.h in the folder `path`).
 /// All-or-nothing: a failed comparison throws FormatError and leaves no file, an earlier one stays as it was; storage
-/// problems throw StorageError. Atomic. InvalidArgument: an option or number makes no sense, or a mesh format (PLY,
-/// STL) is asked for without any cells; the other formats then hold none.
+/// problems throw StorageError. Links and what is no file are treated as by writeFileAtomically(). InvalidArgument: an
+/// option or number makes no sense, or a mesh format (PLY, STL) is asked for without any cells; the other formats then
+/// hold none.
 std::vector<std::filesystem::path> exportReconstruction(const Reconstruction& reconstruction, ExportFormat format,
                                                         const std::filesystem::path& path,
                                                         const ExportOptions& options = {});
+
+/// The bytes of a format that is one file, checked in the same way; `file` is named in errors. InvalidArgument for CSV,
+/// which is a folder of files.
+std::string exportBytes(const Reconstruction& reconstruction, ExportFormat format, const ExportOptions& options,
+                        const std::string& file);
 
 /// Colours of the four classes, 0xRRGGBB, on a light and on a dark background: the only table, for files and window.
 std::uint32_t qualityColor(EdgeQuality quality, bool dark);

@@ -1,5 +1,6 @@
 #include "hexoderm/io/session_json.h"
 
+#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/graph/cell_model_json.h"
 #include "hexoderm/session/session_parts_json.h"
 #include "hexoderm/util/error.h"
@@ -38,6 +39,7 @@ Eigen::Matrix3d readCovariance(const JsonReader& json) {
   if (v[0] < 0 || v[3] < 0 || v[5] < 0) json.fail(message("variances (xx, yy, zz) of at least 0"));
   Eigen::Matrix3d cov_g2;
   cov_g2 << v[0], v[1], v[2], v[1], v[3], v[4], v[2], v[4], v[5];
+  if (!isCovariance(cov_g2)) json.fail(message("a covariance (positive semidefinite)"));
   return cov_g2;
 }
 

@@ -14,8 +14,14 @@
 
 namespace hexoderm {
 
-/// Parses JSON text; `file` is named in errors. Throws FormatError with line, column and key path.
-nlohmann::json parseJson(std::string_view text, const std::string& file);
+/// What is read of a document at most. With the bytes of readFile() it bounds the memory of what is read: a value takes
+/// less than 100 bytes beside its text.
+inline constexpr std::size_t kMostJsonLevels = 100;
+inline constexpr std::size_t kMostJsonValues = 20'000'000;
+
+/// Parses JSON text; `file` is named in errors. Throws FormatError with line, column and key path for what is not JSON,
+/// and with the key path for a key that is there twice and for what is larger than the limits above.
+nlohmann::json parseJson(std::string_view text, const std::string& file, std::size_t most_values = kMostJsonValues);
 
 /// The text's top-level "format" without parsing the rest; nullopt if there is none before the text ends or stops being
 /// JSON.

@@ -20,6 +20,15 @@ unsigned parseUnsigned(std::string_view text, std::string_view what);
 
 std::vector<std::string> split(std::string_view text, char separator);
 
+/// A text of at most `most` bytes: its beginning and its end around "..." if it is longer. Never cuts a UTF-8
+/// character.
+std::string shortened(std::string_view text, std::size_t most);
+
+/// A text of others, a name or a file's content, as part of one line on a terminal: control characters, which could
+/// move the cursor or hide what was said, marks that turn the direction of writing, and bytes that are not UTF-8 become
+/// escapes (\n, \u001b, \xff).
+std::string forTerminal(std::string_view text);
+
 /// "1, 2 and 3" of items that have a `toString`.
 template <class Items>
 std::string listInWords(const Items& items) {

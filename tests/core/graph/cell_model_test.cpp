@@ -151,6 +151,14 @@ TEST(CellModelJson, NamesTheKeyPathOfWhatIsWrong) {
   EXPECT_THAT(complaintWith("\"interface_id\": 16383", "\"interface_id\": 0"), saysAll("m.json: interface_id"));
 }
 
+TEST(CellModelJson, RefusesLengthsThatNoCellHas) {
+  EXPECT_THAT(complaintWith("\"side_m\": 0.01502", "\"side_m\": 15"),
+              saysAll("m.json", "side_m must be from 0.001 to 1, found 15"));
+  EXPECT_THAT(complaintWith("\"side_m\": 0.01502", "\"side_m\": 1e-9"), saysAll("side_m must be from 0.001 to 1"));
+  EXPECT_THAT(complaintWith("\"gap_m\": ", "\"gap_m\": 2"), saysAll("gap_m must be from", "to 1, found 2"));
+  EXPECT_THAT(complaintWith("[0.012, -0.007, 0.0]", "[12, -7, 0]"), saysAll("port 2: vector_m", "at most 1 m"));
+}
+
 TEST(NominalAlignment, TurnsTheTargetsPortOntoTheSources) {
   const CellModel model = ownModel();
   for (const Port& source : model.ports) {

@@ -371,6 +371,7 @@ TEST(CalibrationJson, NamesTheKeyPathOfWhatIsWrong) {
   EXPECT_THAT(complaint("/patches/0/cells/1/t_o_u_m", {0, 1}), saysAll("patches[0].cells[1].t_o_u_m", "array of 2"));
   EXPECT_THAT(complaint("/patches/0/cells/1/cov_t_r", {1, 2}), saysAll("patches[0].cells[1].cov_t_r", "21"));
   EXPECT_THAT(complaint("/patches/0/cells/1/cov_t_r/20", -1), saysAll("patches[0].cells[1].cov_t_r", "at least 0"));
+  EXPECT_THAT(complaint("/patches/0/cells/1/cov_t_r/1", 1), saysAll("patches[0].cells[1].cov_t_r", "semidefinite"));
   EXPECT_THAT(complaint("/patches/0/cells/1/sigma_t_m/0", -1), saysAll("patches[0].cells[1].sigma_t_m"));
   EXPECT_THAT(complaint("/patches/0/cells/1/id", 1), saysAll("patches[0].cells[1].id: expected each cell once"));
   EXPECT_THAT(complaint("/patches/0/cells/1/id", -1), saysAll("patches[0].cells[1].id: expected a whole number"));

@@ -36,6 +36,16 @@ TEST_P(EveryExport, ReturnsTheFilesItWroteAndNoOthersAreLeft) {
   EXPECT_EQ(written, std::set<std::filesystem::path>(paths.begin(), paths.end()));
 }
 
+TEST_P(EveryExport, GivesTheBytesOfItsFileWithoutAFile) {
+  if (GetParam() == ExportFormat::Csv) {
+    EXPECT_THAT(messageOf<InvalidArgument>([] { exportBytes(makeTestReconstruction(), ExportFormat::Csv, {}, "x"); }),
+                HasSubstr("folder of several files"));
+    return;
+  }
+  const auto paths = exportReconstruction(makeTestReconstruction(), GetParam(), target());
+  EXPECT_EQ(exportBytes(makeTestReconstruction(), GetParam(), {}, "standard output"), read(paths.at(0)));
+}
+
 TEST_P(EveryExport, GivesTheSameBytesAgainOverAnEarlierExport) {
   const auto paths = exportReconstruction(makeTestReconstruction(), GetParam(), target());
   std::vector<std::string> first;

@@ -259,6 +259,10 @@ TEST_F(SessionStoreTest, RefusesWhatMakesNoSenseAndStaysAsItWas) {
       {with([](PoseCapture& c) { c.samples[0].mean_g.x() = kInfinity; }), "cell 5: the mean must be finite"},
       {with([](PoseCapture& c) { c.samples[0].cov_g2(0, 1) = kInfinity; }), "cell 5: the covariance must be finite"},
       {with([](PoseCapture& c) { c.samples[0].cov_g2(1, 1) = -1e-9; }), "cell 5: variances must be at least 0"},
+      {with([](PoseCapture& c) {
+         c.samples[0].cov_g2 = Eigen::Matrix3d::Constant(-1) + 2 * Eigen::Matrix3d::Identity();
+       }),
+       "cell 5: the covariance must be positive semidefinite"},
       {with([](PoseCapture& c) { c.samples[0].temperature_c = kInfinity; }), "cell 5: the temperature must be finite"},
       {SetOptions{"[1]"}, "object"},
       {SetOptions{"{"}, "what is to be stored"},
@@ -319,6 +323,20 @@ TEST_F(SessionStoreTest, KeepsRawSamples) {
   };
   same(reader.readRawSamples(0), *device);
   same(reader.readRawSamples(2), *exact);
+}
+
+TEST_F(SessionStoreTest, IsReadFromItsBytesAlone) {
+  writeSessionStore(sessionWithEverything(), path_);
+  const std::string bytes = readFile(path_);
+  EXPECT_TRUE(beginsAsSessionStore(bytes));
+  EXPECT_FALSE(beginsAsSessionStore("{}"));
+  const Session session = parseSessionStore(bytes, "folder/pipe.hexo");
+  expectSameSession(session, readSessionStore(path_));
+  EXPECT_EQ(session.source().file, "pipe.hexo");
+  EXPECT_EQ(session.source().sha256, readSessionStore(path_).source().sha256);
+  for (const std::size_t size : {std::size_t{16}, std::size_t{100}, bytes.size() / 2, bytes.size() - 1}) {
+    EXPECT_THROW(parseSessionStore(std::string_view(bytes).substr(0, size), "pipe.hexo"), FormatError) << size;
+  }
 }
 
 TEST_F(SessionStoreTest, AnotherDigestForAnotherSession) {

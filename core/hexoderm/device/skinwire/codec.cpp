@@ -3,6 +3,8 @@
 #include "hexoderm/device/skinwire/crc32c.h"
 #include "hexoderm/util/error.h"
 
+#include <google/protobuf/stubs/common.h>
+#include <google/protobuf/stubs/logging.h>
 #include <google/protobuf/util/json_util.h>
 
 #include <skinwire.pb.h>
@@ -14,6 +16,9 @@ namespace {
 
 constexpr std::size_t kHead = 2;  // major, type
 constexpr std::size_t kTail = 4;  // CRC
+
+/// What protobuf thinks of a message is in what it returns: it is not to say it on standard error as well.
+using NoWordsOfProtobuf = google::protobuf::LogSilencer;
 
 // ---- plain types to protobuf
 
@@ -208,6 +213,7 @@ Decoded checked(std::optional<Message> message) {
 
 template <class Proto>
 Decoded parsePayload(ByteView payload, Proto& proto) {
+  const NoWordsOfProtobuf quiet;
   if (!proto.ParseFromArray(payload.data(), static_cast<int>(payload.size()))) {
     return failed(DecodeOutcome::Broken, "the payload is not the protobuf message that its type says");
   }
@@ -262,6 +268,7 @@ std::optional<std::uint32_t> majorOfLine(std::string_view line) {
 
 Bytes encodeBody(const Message& message) {
   checkBeforeEncoding(message);
+  const NoWordsOfProtobuf quiet;
   return std::visit(
       [&](const auto& m) {
         auto proto = [&] {
@@ -307,6 +314,7 @@ Decoded decodeBody(ByteView body) {
 
 std::string encodeLine(const Message& message) {
   checkBeforeEncoding(message);
+  const NoWordsOfProtobuf quiet;
   v1::Line line;
   std::visit(
       [&](const auto& m) {
@@ -333,6 +341,7 @@ Decoded decodeLine(std::string_view line) {
   if (line.size() > kMaxBody) {
     return failed(DecodeOutcome::Broken, "expected a line of at most " + std::to_string(kMaxBody) + " bytes");
   }
+  const NoWordsOfProtobuf quiet;
   google::protobuf::util::JsonParseOptions options;
   options.ignore_unknown_fields = true;
   v1::Line proto;

@@ -258,5 +258,18 @@ TEST(SkinWireCodec, RefusesOtherMessagesThatMakeNoSense) {
   EXPECT_THAT(complaint(Ack{1, true, "", true}), HasSubstr("working"));
 }
 
+TEST(Codec, LetsTheLibraryBelowSayNothing) {
+  testing::internal::CaptureStderr();
+  const Bytes no_utf8 = {0x12, 0x02, 0xff, 0xfe};  // Hello.device
+  EXPECT_EQ(decodeBody(bodyOf(1, 1, no_utf8)).outcome, DecodeOutcome::Broken);
+  decodeLine("{\"hello\": {\"device\": \"\xff\xfe\"}}");
+  try {
+    encodeBody(Hello{0, "\xff\xfe"});
+    encodeLine(Hello{0, "\xff\xfe"});
+  } catch (const InvalidArgument&) {  // a refusal is none of its words either
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 }  // namespace
 }  // namespace hexoderm::skinwire
