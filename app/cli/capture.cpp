@@ -5,15 +5,18 @@
 #include "hexoderm/device/sources/open_source.h"
 #include "hexoderm/device/sources/recording.h"
 #include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/util/interrupt.h"
 #include "hexoderm/util/system_reason.h"
 #include "hexoderm/util/text.h"
 
-#include <atomic>
 #include <chrono>
-#include <csignal>
+#include <condition_variable>
 #include <filesystem>
 #include <iostream>
+#include <mutex>
+#include <stop_token>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 namespace hexoderm::cli {
@@ -29,22 +32,26 @@ struct CaptureOptions {
   double timeout_s = 30;
 };
 
-std::atomic<bool> interrupted = false;
+constexpr const char* kLastWords =
+    "hexoderm-cli: ended while something was held up; every pose that was reported as captured is in the file\n";
 
-/// Ctrl+C ends the capture and keeps what there is.
-class InterruptGuard {
- public:
-  InterruptGuard() {
-    interrupted = false;
-    before_ = std::signal(SIGINT, [](int) { interrupted = true; });
-  }
-  ~InterruptGuard() { std::signal(SIGINT, before_); }
-  InterruptGuard(const InterruptGuard&) = delete;
-  InterruptGuard& operator=(const InterruptGuard&) = delete;
-
- private:
-  void (*before_)(int) = nullptr;
-};
+/// reconstruct(), which Ctrl+C stops half a second later: enough for all but very large skins. Null if it was stopped.
+std::shared_ptr<const Reconstruction> reconstructUnlessInterrupted(const SessionSnapshot& snapshot,
+                                                                   const Reconstruction* earlier = nullptr) {
+  constexpr std::chrono::milliseconds kLookEvery(20);
+  constexpr std::chrono::milliseconds kGrace(500);
+  std::stop_source stop;
+  std::mutex mutex;
+  std::condition_variable_any never;
+  const std::jthread watch([&](const std::stop_token& done) {
+    std::unique_lock lock(mutex);
+    const auto wait = [&](std::chrono::milliseconds time) { never.wait_for(lock, done, time, [] { return false; }); };
+    while (!done.stop_requested() && !isInterrupted()) wait(kLookEvery);
+    wait(kGrace);
+    stop.request_stop();
+  });
+  return reconstruct(snapshot, {}, earlier, stop.get_token());
+}
 
 std::string cellsInWords(std::size_t count) { return std::to_string(count) + (count == 1 ? " cell" : " cells"); }
 
@@ -60,7 +67,7 @@ class Capture final : public CaptureOwner {
   void run() {
     const auto patience = std::chrono::duration<double>(options_.timeout_s);
     Clock::time_point last_progress = Clock::now();
-    while (!course_.isFinished() && lost_.empty() && !interrupted) {
+    while (!course_.isFinished() && lost_.empty() && !isInterrupted()) {
       const std::optional<CaptureEvent> event = events_.next(std::chrono::milliseconds(100));
       if (event) std::visit([this](const auto& what) { handle(what); }, *event);
       if (std::exchange(made_progress_, false) || course_.isFileRefused()) last_progress = Clock::now();
@@ -85,6 +92,8 @@ class Capture final : public CaptureOwner {
 
   [[nodiscard]] const std::optional<Session>& session() const { return session_; }
   [[nodiscard]] const std::shared_ptr<const Reconstruction>& result() const { return result_; }
+  /// Ctrl+C came before all poses were solved.
+  [[nodiscard]] bool isUnsolved() const { return is_unsolved_; }
   [[nodiscard]] const SourceStatus& status() const { return status_; }
   [[nodiscard]] const std::string& device() const { return device_; }
 
@@ -137,7 +146,8 @@ class Capture final : public CaptureOwner {
 
   /// Labels come from the result without poses, so that they are the same for a recording however fast it is played.
   void nameTheSkin() {
-    course_.setResult(reconstruct(*Session(session_->model(), session_->neighbors()).snapshot()), false);
+    const Session without_poses(session_->model(), session_->neighbors());
+    course_.setResult(reconstructUnlessInterrupted(*without_poses.snapshot()), false);
   }
 
   void handle(const CapturedPose& captured) {
@@ -159,7 +169,8 @@ class Capture final : public CaptureOwner {
 
   void solve() {
     has_news_ = false;
-    result_ = reconstruct(*session_->snapshot(), {}, result_.get());
+    result_ = reconstructUnlessInterrupted(*session_->snapshot(), result_.get());
+    is_unsolved_ = result_ == nullptr;
     course_.setResult(result_, true);
   }
 
@@ -243,6 +254,7 @@ class Capture final : public CaptureOwner {
   SourceStatus status_;
   HoldStatus hold_;
   std::shared_ptr<const Reconstruction> result_;
+  bool is_unsolved_ = false;
   bool has_news_ = false;  ///< poses that are not in the result
   bool made_progress_ = false;
 };
@@ -302,7 +314,9 @@ void print(const Capture& capture, const HoldLedger& ledger, const CaptureOption
                                    {"dropped_by_device", status.dropped_by_device},
                                    {"late_frames", status.late_frames},
                                    {"rejected_messages", status.rejected_messages},
-                                   {"reconnects", status.reconnects}};
+                                   {"reconnects", status.reconnects},
+                                   {"skin_changes", status.skin_changes},
+                                   {"clock_restarts", status.clock_restarts}};
     json["hold"] = toJson(ledger);
     json["verdict"] = capture.result() ? cli::toJson(capture.result()->verdict) : nlohmann::ordered_json();
     printJson(json);
@@ -318,7 +332,16 @@ void print(const Capture& capture, const HoldLedger& ledger, const CaptureOption
     std::cout << "The device could not send " << status.dropped_by_device << " samples.\n";
   }
   if (session.poses().empty()) printWhatBlocked(ledger);
+  if (status.skin_changes > 0) {
+    std::cout << "The device described other cells or links " << status.skin_changes
+              << (status.skin_changes == 1 ? " time.\n" : " times.\n");
+  }
+  if (status.clock_restarts > 0) {
+    std::cout << "The device's clock was set back " << status.clock_restarts
+              << (status.clock_restarts == 1 ? " time.\n" : " times.\n");
+  }
   if (capture.result()) printVerdict(capture.result()->verdict);
+  if (capture.isUnsolved()) std::cout << "Ended before it was solved; \"hexoderm-cli solve\" does that.\n";
 }
 
 int run(const CaptureOptions& options, const Common& common) {
@@ -336,6 +359,7 @@ int run(const CaptureOptions& options, const Common& common) {
   if (there != std::filesystem::file_type::not_found) {
     throw StorageError(options.output + ": exists already; a capture never replaces a session");
   }
+  endOnInterrupt(kLastWords);
   const std::unique_ptr<SkinSource> source = openSkinSource(options.source);
   PoseRecorderOptions recorder;
   recorder.keep_frames = options.keep_raw;
@@ -343,7 +367,6 @@ int run(const CaptureOptions& options, const Common& common) {
   std::optional<StreamRecorder> recording;
   if (!options.recording.empty()) recording.emplace(options.recording, events);
 
-  const InterruptGuard guard;
   Capture capture(options, common, *source, events);
   common.progress("Connecting to " + options.source + " ...");
   // A recording is an input file; devices complain in their own way.

@@ -3114,6 +3114,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>erkundet seine Zellen</translation>
     </message>
     <message>
+        <source>its links or cells keep changing, {} times by now; they are taken over every {}</source>
+        <translation>seine Verbindungen oder Zellen ändern sich ständig, bisher {}-mal; sie werden alle {} übernommen</translation>
+    </message>
+    <message>
         <source>samples in LSB need a cell model whose accelerometer.lsb_g is above 0</source>
         <translation>Messwerte in LSB brauchen ein Zellmodell, dessen accelerometer.lsb_g über 0 liegt</translation>
     </message>

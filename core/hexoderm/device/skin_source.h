@@ -45,6 +45,8 @@ struct SourceStatus {
   std::uint64_t rejected_messages = 0;  ///< broken on the way (length, CRC, syntax) or without sense: not delivered
   std::uint64_t reconnects = 0;
   std::uint64_t dropped_by_device = 0;  ///< samples that it could not send, as it said last; since it started itself
+  std::uint64_t skin_changes = 0;       ///< how often it described itself differently; not each is passed on
+  std::uint64_t clock_restarts = 0;     ///< its clock was set back without notice
 };
 
 /// A device's report about itself while it streams.
@@ -85,7 +87,8 @@ struct CommandOutcome {
 class SkinListener {
  public:
   virtual ~SkinListener() = default;
-  /// Called before the first frame, and again whenever topology or model changed.
+  /// Called before the first frame, and again whenever topology or model changed. A device on a wire that changes many
+  /// times a second is passed on every few seconds (SourceStatus::skin_changes counts all of its changes).
   virtual void onSkin(const SkinDescription& skin) = 0;
   /// Delivers only finite values, and only of cells that onSkin named. Times don't go back, unless the device's clock
   /// started over, which the state before it tells (Connecting) or which happens without notice if a device restarts on

@@ -5,6 +5,8 @@
 #include "tests/app/cli/cli_program.h"
 
 #include <gmock/gmock.h>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 namespace hexoderm {
@@ -111,6 +113,25 @@ TEST_F(CliCapture, ASimulatedRobotWithItsMotorsOnIsCapturedHoldByHold) {
   for (const SessionPose& pose : session.poses()) {
     EXPECT_NEAR(pose.capture->samples.front().count, 15, 2) << "20 readings a second";
   }
+}
+
+TEST_F(CliCapture, ALooseLinkDoesNotFillTheSession) {
+  // Ends of a ring that find each other and lose each other, 5,000 times.
+  const auto topology = [](int id, bool is_closed) {
+    const std::string link = is_closed ? R"({"port": 1, "cell": 3, "cell_port": 4})" : "";
+    const std::string back = is_closed ? R"({"port": 4, "cell": 1, "cell_port": 1})" : "";
+    return R"({"topology": {"id": )" + std::to_string(id) + R"(, "cells": [{"id": 1, "ports": [)" + link +
+           R"(]}, {"id": 2, "ports": []}, {"id": 3, "ports": [)" + back + "]}]}}\n";
+  };
+  std::string lines = "{\"hello\": {\"device\": \"loose\", \"cell_model\": \"hex-bma150\"}}\n";
+  for (int k = 0; k < 5000; ++k) lines += topology(2 * k, true) + topology(2 * k + 1, false);
+  std::ofstream(path("lines")) << lines;
+  const Outcome capture = run("capture --source stdin --json -o loose.hexo", "cat lines | ");
+  EXPECT_EQ(capture.exit_code, 1) << capture.err;
+  EXPECT_EQ(nlohmann::json::parse(capture.out).at("skin_changes"), 9999);
+  // A change takes some kilobytes in the file; all of them took 20 MB.
+  EXPECT_LT(std::filesystem::file_size(path("loose.hexo")), 1'000'000U);
+  EXPECT_TRUE(readSessionStore(path("loose.hexo")).neighbors()[0].neighbors.empty()) << "as the device said last";
 }
 
 TEST_F(CliCapture, NeverReplacesASession) {

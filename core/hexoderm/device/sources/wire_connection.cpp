@@ -84,6 +84,7 @@ void WireConnection::onOpened() {
   since_ = alive_ = now;
   rejected_when_alive_ = stream_.rejectedMessages();
   asked_ = now - options_.describe_every;
+  has_asked_ = false;
   if (was_connected_) stream_.countReconnect();
   was_connected_ = true;
   // Ends whatever piece of a frame the device may have heard before.
@@ -103,10 +104,12 @@ Bytes WireConnection::framed(const skinwire::Message& message) const {
 
 void WireConnection::askIfNeeded(Clock::time_point now) {
   if (now - asked_ < options_.describe_every) return;
-  // On TCP the device speaks first, in the dialect of its choice. Over UDP being asked is what keeps it sending.
+  // On TCP the device speaks first, in the dialect of its choice; asked once, it knows that this is a host. Over UDP
+  // being asked is what keeps it sending.
   const bool is_udp = address_.kind == WireAddress::Kind::Udp;
-  if (!is_udp && (stream_.isDescribed() || !framing())) return;
+  if (!is_udp && (!framing() || (has_asked_ && stream_.isDescribed()))) return;
   asked_ = now;
+  has_asked_ = true;
   transport_->write(framed(skinwire::Command{0, skinwire::Describe{stream_.topologyId()}}));
 }
 
@@ -130,7 +133,7 @@ void WireConnection::onReceived(skinwire::ByteView bytes) {
 
 void WireConnection::onDecoded(skinwire::Decoded decoded) {
   const bool was_described = stream_.isDescribed();
-  switch (stream_.take(std::move(decoded))) {
+  switch (stream_.take(std::move(decoded), Clock::now())) {
     case SkinStream::Effect::Nothing:
       return;
     case SkinStream::Effect::Incompatible:
@@ -209,6 +212,7 @@ void WireConnection::onTick() {
       tendCommands(now);
     }
   }
+  stream_.tend(now);
   stream_.reportCounters(now);
   scheduleTick();
 }
@@ -264,6 +268,7 @@ void WireConnection::fail(std::uint32_t number, Message why) {
 void WireConnection::finish(const Message& why) {
   given_up_ = true;
   drop();
+  stream_.tend(Clock::time_point::max());
   for (; !pending_.empty();) fail(pending_.begin()->first, message("the source was stopped"));
   stream_.report(SourceState::Stopped, named(why), Clock::now());
 }

@@ -68,6 +68,7 @@ class WireConnection {
   Clock::time_point alive_;                ///< when something that makes sense came last
   std::uint64_t rejected_when_alive_ = 0;  ///< messages, up to then
   Clock::time_point asked_;
+  bool has_asked_ = false;  ///< since it was opened
   Clock::time_point retry_at_;
   Clock::duration retry_;  ///< the next wait
   std::map<std::uint32_t, Pending> pending_;
