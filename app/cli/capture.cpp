@@ -61,7 +61,12 @@ class Capture final : public CaptureOwner {
 
  public:
   Capture(const CaptureOptions& options, const Common& common, SkinSource& source, CaptureEvents& events)
-      : options_(options), common_(common), source_(source), events_(events), course_(*this, courseOptions(options)) {}
+      : options_(options),
+        common_(common),
+        source_(source),
+        events_(events),
+        course_(*this, courseOptions(options)),
+        offences_(common) {}
 
   /// Returns when there are enough poses, the stream is over, or the user ends it.
   void run() {
@@ -76,7 +81,7 @@ class Capture final : public CaptureOwner {
       if (status_.state == SourceState::Incompatible) throw DeviceError(located(source_.address(), status_.message));
       if (Clock::now() - last_progress > patience && (!session_ || options_.automatic)) {
         throw DeviceError(source_.address() + ": nothing for " + formatFixed(options_.timeout_s, 0) + " s. " +
-                          (session_ ? hold_.message : status_.message).english());
+                          whyNothingComes());
       }
     }
   }
@@ -96,6 +101,13 @@ class Capture final : public CaptureOwner {
   [[nodiscard]] bool isUnsolved() const { return is_unsolved_; }
   [[nodiscard]] const SourceStatus& status() const { return status_; }
   [[nodiscard]] const std::string& device() const { return device_; }
+
+  /// What the device does wrong goes before what is waited for.
+  [[nodiscard]] std::string whyNothingComes() const {
+    const bool is_wrong = !session_ && !status_.offences.empty();
+    return is_wrong ? inWords(status_.offences.front()).english()
+                    : (session_ ? hold_.message : status_.message).english();
+  }
 
   void perform(const std::vector<SessionEdit>& edits) override {
     for (const SessionEdit& edit : edits) {
@@ -180,6 +192,7 @@ class Capture final : public CaptureOwner {
   }
 
   void handle(const SourceStatus& status) {
+    offences_.show(status.offences);
     if (status.state != status_.state && !session_) common_.progress(status.message.english());
     if (status.state != status_.state && session_ && status.state != SourceState::Streaming &&
         status.state != SourceState::Stopped) {
@@ -221,9 +234,10 @@ class Capture final : public CaptureOwner {
     common_.endProgress();
     common_.note(refused.why.english() + ". Trying again.");
   }
-  void show(const SkinChanged& /*changed*/) {
+  void show(const SkinChanged& changed) {
     nameTheSkin();
-    common_.note("The device says that its topology has changed; poses stay.");
+    common_.note(changed.other_model ? "The device says that it has another cell model; poses stay."
+                                     : "The device says that its topology has changed; poses stay.");
   }
   void show(const AdviceWanted& wanted) {
     if (wanted.question.seen == result_ && !course_.isFinished()) course_.setAdvice(adviseOn(wanted.question));
@@ -249,6 +263,7 @@ class Capture final : public CaptureOwner {
   std::optional<Session> session_;
   std::unique_ptr<SessionRecorder> store_;
   CaptureCourse course_;
+  OffenceNotes offences_;
   Message lost_;  ///< why something is not on disk and never will be
   std::string device_;
   SourceStatus status_;
@@ -316,7 +331,8 @@ void print(const Capture& capture, const HoldLedger& ledger, const CaptureOption
                                    {"rejected_messages", status.rejected_messages},
                                    {"reconnects", status.reconnects},
                                    {"skin_changes", status.skin_changes},
-                                   {"clock_restarts", status.clock_restarts}};
+                                   {"clock_restarts", status.clock_restarts},
+                                   {"offences", cli::toJson(status.offences)}};
     json["hold"] = toJson(ledger);
     json["verdict"] = capture.result() ? cli::toJson(capture.result()->verdict) : nlohmann::ordered_json();
     printJson(json);
@@ -340,8 +356,22 @@ void print(const Capture& capture, const HoldLedger& ledger, const CaptureOption
     std::cout << "The device's clock was set back " << status.clock_restarts
               << (status.clock_restarts == 1 ? " time.\n" : " times.\n");
   }
+  for (const Offence& offence : status.offences) {
+    std::cout << "The device did something wrong " << offence.count << (offence.count == 1 ? " time (" : " times (")
+              << offenceName(offence.kind) << "): " << inWords(offence) << '\n';
+  }
   if (capture.result()) printVerdict(capture.result()->verdict);
   if (capture.isUnsolved()) std::cout << "Ended before it was solved; \"hexoderm-cli solve\" does that.\n";
+}
+
+/// A program that reads the JSON is told what a person is told on standard error.
+void printWithoutSkin(const Capture& capture, const CaptureOptions& options, const Common& common) {
+  if (!common.json || capture.session()) return;
+  printJson({{"source", options.source},
+             {"poses", 0},
+             {"status", capture.status().message.english()},
+             {"rejected_messages", capture.status().rejected_messages},
+             {"offences", toJson(capture.status().offences)}});
 }
 
 int run(const CaptureOptions& options, const Common& common) {
@@ -376,12 +406,17 @@ int run(const CaptureOptions& options, const Common& common) {
   } catch (...) {
     source->stop();
     capture.finish();  // captured poses stay
+    printWithoutSkin(capture, options, common);
     throw;
   }
   source->stop();
   capture.finish();
   if (recording) recording->finish();
-  if (!capture.session()) throw DeviceError(options.source + ": ended before a skin described itself");
+  if (!capture.session()) {
+    printWithoutSkin(capture, options, common);
+    throw DeviceError(options.source + ": ended before a skin described itself" +
+                      (capture.status().offences.empty() ? "" : ". " + capture.whyNothingComes()));
+  }
   print(capture, events.ledger(), options, common);
   return capture.result() ? exitCodeOf(capture.result()->verdict) : kNotGoodEnough;
 }
@@ -391,9 +426,7 @@ int run(const CaptureOptions& options, const Common& common) {
 void addCapture(CLI::App& app, Common& common) {
   const auto options = std::make_shared<CaptureOptions>();
   CLI::App* command = app.add_subcommand("capture", "Take the poses of a skin that is connected, or of a recording");
-  std::string kinds;
-  for (const SourceKind& kind : sourceKinds()) kinds += (kinds.empty() ? "" : ", ") + std::string(kind.example);
-  command->add_option("--source", options->source, kinds)->required();
+  command->add_option("--source", options->source, sourceKindsInWords())->required();
   command->add_option("--poses", options->poses,
                       "End after so many (default: at the stream's end or Ctrl+C; with --auto when they are good)");
   command->add_flag("--auto", options->automatic, "The device turns itself, to where each pose helps most");

@@ -1,5 +1,6 @@
 #include "app/cli/command.h"
 
+#include "hexoderm/device/sources/open_source.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
@@ -47,6 +48,14 @@ void Output::write(std::string_view content) const {
   std::ostream out(standard_);
   out << content << std::flush;
   if (!out) throw StorageError("standard output: cannot be written");
+}
+
+void OffenceNotes::show(const std::vector<Offence>& offences) {
+  for (; shown_ < offences.size(); ++shown_) {
+    common_.endProgress();
+    common_.note("The device does something wrong (" + std::string(offenceName(offences[shown_].kind)) +
+                 "): " + inWords(offences[shown_]).english());
+  }
 }
 
 OpenedFile openInput(const std::string& path, const std::string& cell_model, TumAs tum) {
@@ -123,6 +132,23 @@ nlohmann::ordered_json toJson(const Verdict& verdict) {
   if (verdict.orientation_95_rad) json["orientation_95_deg"] = toDegrees(*verdict.orientation_95_rad);
   json["next_action"] = verdict.next_action.english();
   return json;
+}
+
+nlohmann::ordered_json toJson(const std::vector<Offence>& offences) {
+  auto array = nlohmann::ordered_json::array();
+  for (const Offence& offence : offences) {
+    array.push_back({{"kind", offenceName(offence.kind)},
+                     {"count", offence.count},
+                     {"reason", offence.reason.english()},
+                     {"message_begins", offence.excerpt}});
+  }
+  return array;
+}
+
+std::string sourceKindsInWords() {
+  std::string kinds;
+  for (const SourceKind& kind : sourceKinds()) kinds += (kinds.empty() ? "" : ", ") + std::string(kind.example);
+  return kinds;
 }
 
 void printJson(const nlohmann::ordered_json& json) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "hexoderm/device/offence.h"
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/reconstruction/result/reconstruction.h"
 #include "hexoderm/session/session.h"
@@ -75,12 +76,24 @@ class Output {
 
 void addSimulate(CLI::App& app, Common& common);
 void addCapture(CLI::App& app, Common& common);
+void addListen(CLI::App& app, Common& common);
 void addSolve(CLI::App& app, Common& common);
 void addEvaluate(CLI::App& app, Common& common);
 void addExport(CLI::App& app, Common& common);
 void addConvert(CLI::App& app, Common& common);
 void addInspect(CLI::App& app, Common& common);
 void addReproduce(CLI::App& app, Common& common);
+
+/// Says every offence of a device once, as soon as it is known.
+class OffenceNotes {
+ public:
+  explicit OffenceNotes(const Common& common) : common_(common) {}
+  void show(const std::vector<Offence>& offences);
+
+ private:
+  const Common& common_;
+  std::size_t shown_ = 0;
+};
 
 /// Runs `read` and turns what it throws about the file into BadInput.
 template <class Read>
@@ -111,9 +124,12 @@ void printVerdict(const Verdict& verdict);
 nlohmann::ordered_json toJson(const Finding& finding);
 nlohmann::ordered_json toJson(const Verdict& verdict);
 nlohmann::ordered_json toJson(const std::vector<Finding>& findings);
+nlohmann::ordered_json toJson(const std::vector<Offence>& offences);
 void printJson(const nlohmann::ordered_json& json);
 /// JSON as text, without what steers a terminal: JSON itself escapes the control characters of ASCII only.
 void printJsonText(std::string_view text);
+/// "tcp://HOST:PORT, udp://HOST:PORT, ...": all kinds of sources there are.
+std::string sourceKindsInWords();
 
 std::string millimetres(double length_m, int decimals = 2);
 std::string degrees(double angle_rad, int decimals = 2);

@@ -42,6 +42,7 @@ int main(int argc, char** argv) {
       "  hexoderm-cli export arm.calibration.json --to urdf -o arm.urdf");
   cli::addSimulate(app, common);
   cli::addCapture(app, common);
+  cli::addListen(app, common);
   cli::addSolve(app, common);
   cli::addEvaluate(app, common);
   cli::addExport(app, common);

@@ -774,6 +774,10 @@
         <source>Demo skin</source>
         <translation>Demo-Haut</translation>
     </message>
+    <message>
+        <source>The device does something wrong: %1</source>
+        <translation>Das Gerät macht etwas falsch: %1</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::CoverageView</name>
@@ -1719,6 +1723,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>It repeats pose %1, which is only %2° away.</source>
         <translation>Sie wiederholt Pose %1, die nur %2° entfernt ist.</translation>
+    </message>
+    <message>
+        <source>The device says that it has another cell model; the poses stay.</source>
+        <translation>Das Gerät meldet ein anderes Zellmodell; die Posen bleiben erhalten.</translation>
     </message>
 </context>
 <context>
@@ -3973,6 +3981,378 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>is nested too deeply, at most {} levels are read</source>
         <translation>ist zu tief verschachtelt, höchstens {} Ebenen werden gelesen</translation>
+    </message>
+    <message>
+        <source>The device has not described itself: {}</source>
+        <translation>Das Gerät hat sich nicht beschrieben: {}</translation>
+    </message>
+    <message>
+        <source>The device has not described itself.</source>
+        <translation>Das Gerät hat sich nicht beschrieben.</translation>
+    </message>
+    <message>
+        <source>No readings came: {}</source>
+        <translation>Es kamen keine Messwerte: {}</translation>
+    </message>
+    <message>
+        <source>No readings came.</source>
+        <translation>Es kamen keine Messwerte.</translation>
+    </message>
+    <message>
+        <source>There is no link that both of its cells report; a calibration needs joined cells.</source>
+        <translation>Keine Verbindung wird von beiden Zellen gemeldet; eine Kalibrierung braucht verbundene Zellen.</translation>
+    </message>
+    <message>
+        <source>No two joined cells send readings.</source>
+        <translation>Keine zwei verbundenen Zellen senden Messwerte.</translation>
+    </message>
+    <message>
+        <source>No cell sent two readings; a pose needs at least 10 of each cell.</source>
+        <translation>Keine Zelle hat zwei Messwerte gesendet; eine Pose braucht mindestens 10 von jeder Zelle.</translation>
+    </message>
+    <message>
+        <source>milliseconds</source>
+        <translation>Millisekunden</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>Sekunden</translation>
+    </message>
+    <message>
+        <source>nanoseconds</source>
+        <translation>Nanosekunden</translation>
+    </message>
+    <message>
+        <source>the norm of the readings is {} in the median: are these m/s2? Expected g, and 1 g at rest (1 g is 9.80665 m/s2)</source>
+        <translation>der Betrag der Messwerte ist im Median {}: Sind das m/s2? Erwartet wird g, in Ruhe also 1 g (1 g sind 9,80665 m/s2)</translation>
+    </message>
+    <message>
+        <source>the norm of the readings is {} in the median: are these mg? Expected g, and 1 g at rest</source>
+        <translation>der Betrag der Messwerte ist im Median {}: Sind das mg? Erwartet wird g, in Ruhe also 1 g</translation>
+    </message>
+    <message>
+        <source>the norm of the readings is {} in the median: are these LSB, of which the cell model has {} in 1 g? Expected g, and 1 g at rest</source>
+        <translation>der Betrag der Messwerte ist im Median {}: Sind das LSB, von denen im Zellmodell {} auf 1 g kommen? Erwartet wird g, in Ruhe also 1 g</translation>
+    </message>
+    <message>
+        <source>the norm of the readings is {} g in the median, expected 1 g at rest</source>
+        <translation>der Betrag der Messwerte ist im Median {} g, erwartet wird in Ruhe 1 g</translation>
+    </message>
+    <message>
+        <source>a cell&apos;s samples are {} us apart, but hello.rate_hz says {} Hz: are these {}? Expected microseconds</source>
+        <translation>die Messwerte einer Zelle liegen {} µs auseinander, hello.rate_hz sagt aber {} Hz: Sind das {}? Erwartet werden Mikrosekunden</translation>
+    </message>
+    <message>
+        <source>a cell&apos;s samples are {} us apart, but the cell model&apos;s accelerometer has {} Hz: are these milliseconds? Expected microseconds</source>
+        <translation>die Messwerte einer Zelle liegen {} µs auseinander, der Beschleunigungssensor des Zellmodells hat aber {} Hz: Sind das Millisekunden? Erwartet werden Mikrosekunden</translation>
+    </message>
+    <message>
+        <source>in {} of this computer the times went on by {} us: are these {}? Expected microseconds</source>
+        <translation>während {} dieses Rechners liefen die Zeiten um {} µs weiter: Sind das {}? Erwartet werden Mikrosekunden</translation>
+    </message>
+    <message>
+        <source>IDs of cells begin with 1</source>
+        <translation>die IDs der Zellen beginnen mit 1</translation>
+    </message>
+    <message>
+        <source>the model&apos;s ports are {}</source>
+        <translation>die Ports des Modells sind {}</translation>
+    </message>
+    <message>
+        <source>both cells of a link have to list it</source>
+        <translation>beide Zellen müssen eine Verbindung aufführen</translation>
+    </message>
+    <message>
+        <source>{} Expected: {}</source>
+        <translation>{} Erwartet: {}</translation>
+    </message>
+    <message>
+        <source>expected at least one cell</source>
+        <translation>erwartet wird mindestens eine Zelle</translation>
+    </message>
+    <message>
+        <source>{}; the message begins: {}</source>
+        <translation>{}; die Nachricht beginnt: {}</translation>
+    </message>
+    <message>
+        <source>the device speaks SkinWire {}, this program SkinWire {}</source>
+        <translation>das Gerät spricht SkinWire {}, dieses Programm SkinWire {}</translation>
+    </message>
+    <message>
+        <source>a number is out of range</source>
+        <translation>eine Zahl ist außerhalb ihres Bereichs</translation>
+    </message>
+    <message>
+        <source>the payload is not the protobuf message {} that its type says</source>
+        <translation>der Inhalt ist nicht die Protobuf-Nachricht {}, die sein Typ nennt</translation>
+    </message>
+    <message>
+        <source>{} has no field with the number {}</source>
+        <translation>{} hat kein Feld mit der Nummer {}</translation>
+    </message>
+    <message>
+        <source>there is no message of type {}; expected 1 to 6</source>
+        <translation>es gibt keine Nachricht vom Typ {}; erwartet wird 1 bis 6</translation>
+    </message>
+    <message>
+        <source>a message can&apos;t be sent: {}</source>
+        <translation>eine Nachricht lässt sich nicht senden: {}</translation>
+    </message>
+    <message>
+        <source>this looks like a line of JSON; lines go over TCP and standard input, here bodies of bytes with a CRC are expected</source>
+        <translation>das sieht nach einer Zeile JSON aus; Zeilen gehen über TCP und die Standardeingabe, hier werden Bytes mit einer CRC erwartet</translation>
+    </message>
+    <message>
+        <source>a length stands before the body; here the body is expected alone</source>
+        <translation>vor der Nachricht steht eine Länge; hier wird die Nachricht allein erwartet</translation>
+    </message>
+    <message>
+        <source>the CRC is big-endian, expected little-endian</source>
+        <translation>die CRC ist Big-Endian, erwartet wird Little-Endian</translation>
+    </message>
+    <message>
+        <source>the CRC is CRC-32, expected CRC-32C (polynomial 0x1EDC6F41)</source>
+        <translation>die CRC ist CRC-32, erwartet wird CRC-32C (Polynom 0x1EDC6F41)</translation>
+    </message>
+    <message>
+        <source>the CRC is wrong</source>
+        <translation>die CRC ist falsch</translation>
+    </message>
+    <message>
+        <source>expected 6 to {} bytes, found {}</source>
+        <translation>erwartet werden 6 bis {} Bytes, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected a line of at most {} bytes</source>
+        <translation>erwartet wird eine Zeile von höchstens {} Bytes</translation>
+    </message>
+    <message>
+        <source>this is no message: {}</source>
+        <translation>das ist keine Nachricht: {}</translation>
+    </message>
+    <message>
+        <source>the length of a frame is big-endian, expected little-endian</source>
+        <translation>die Länge eines Rahmens ist Big-Endian, erwartet wird Little-Endian</translation>
+    </message>
+    <message>
+        <source>this is neither a line of JSON nor a frame that begins with its length</source>
+        <translation>das ist weder eine Zeile JSON noch ein Rahmen, der mit seiner Länge beginnt</translation>
+    </message>
+    <message>
+        <source>this is text in UTF-16, expected lines of JSON in UTF-8</source>
+        <translation>das ist Text in UTF-16, erwartet werden Zeilen JSON in UTF-8</translation>
+    </message>
+    <message>
+        <source>a frame says that it is {} bytes long, the limit is {}</source>
+        <translation>ein Rahmen nennt eine Länge von {} Bytes, die Grenze ist {}</translation>
+    </message>
+    <message>
+        <source>the bytes before a 0x00 are not COBS</source>
+        <translation>die Bytes vor einer 0x00 sind kein COBS</translation>
+    </message>
+    <message>
+        <source>this looks like lines of JSON; on a serial port frames of bytes in COBS, each before a 0x00, are expected</source>
+        <translation>das sieht nach Zeilen JSON aus; an einer seriellen Schnittstelle werden Rahmen in COBS erwartet, jeder vor einer 0x00</translation>
+    </message>
+    <message>
+        <source>expected a line feed (0x0A) after every message</source>
+        <translation>erwartet wird ein Zeilenvorschub (0x0A) nach jeder Nachricht</translation>
+    </message>
+    <message>
+        <source>more than {} bytes without an end</source>
+        <translation>mehr als {} Bytes ohne ein Ende</translation>
+    </message>
+    <message>
+        <source>expected an object with one member, which names the message ({}), found {}</source>
+        <translation>erwartet wird ein Objekt mit einem Eintrag, der die Nachricht nennt ({}), gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected one message in a line, found {}</source>
+        <translation>erwartet wird eine Nachricht je Zeile, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected a member that names the message ({}), found none</source>
+        <translation>erwartet wird ein Eintrag, der die Nachricht nennt ({}), gefunden keiner</translation>
+    </message>
+    <message>
+        <source>there is no message &quot;{}&quot;; did you mean &quot;{}&quot;?</source>
+        <translation>es gibt keine Nachricht „{}“; ist „{}“ gemeint?</translation>
+    </message>
+    <message>
+        <source>there is no message &quot;{}&quot;; expected one of {}</source>
+        <translation>es gibt keine Nachricht „{}“; erwartet wird eine von {}</translation>
+    </message>
+    <message>
+        <source>expected an object, found {}</source>
+        <translation>erwartet wird ein Objekt, gefunden {}</translation>
+    </message>
+    <message>
+        <source>there is no such field; did you mean {}?</source>
+        <translation>dieses Feld gibt es nicht; ist {} gemeint?</translation>
+    </message>
+    <message>
+        <source>there is no such field; there are {}</source>
+        <translation>dieses Feld gibt es nicht; es gibt {}</translation>
+    </message>
+    <message>
+        <source>expected an array, found {}</source>
+        <translation>erwartet wird ein Array, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected true or false, found {}</source>
+        <translation>erwartet wird true oder false, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected a text, found an object; a cell model goes as the text of its JSON</source>
+        <translation>erwartet wird ein Text, gefunden ein Objekt; ein Zellmodell wird als Text seines JSON gesendet</translation>
+    </message>
+    <message>
+        <source>expected a text, found {}</source>
+        <translation>erwartet wird ein Text, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected a whole number from {} to {}, found {}</source>
+        <translation>erwartet wird eine ganze Zahl von {} bis {}, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected a number, found {}</source>
+        <translation>erwartet wird eine Zahl, gefunden {}</translation>
+    </message>
+    <message>
+        <source>character {}: expected finite numbers, found {}; leave out a cell that has no reading</source>
+        <translation>Zeichen {}: erwartet werden endliche Zahlen, gefunden {}; eine Zelle ohne Messwert weglassen</translation>
+    </message>
+    <message>
+        <source>the line ends in the middle of its JSON; expected a whole message in one line</source>
+        <translation>die Zeile endet mitten in ihrem JSON; erwartet wird eine ganze Nachricht in einer Zeile</translation>
+    </message>
+    <message>
+        <source>character {} is not JSON any more; expected a line like {}</source>
+        <translation>ab Zeichen {} ist das kein JSON; erwartet wird eine Zeile wie {}</translation>
+    </message>
+    <message>
+        <source>expected finite numbers, found one that is too large</source>
+        <translation>erwartet werden endliche Zahlen, gefunden eine zu große</translation>
+    </message>
+    <message>
+        <source>expected {} numbers, found {}</source>
+        <translation>erwartet werden {} Zahlen, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected at most {} bytes, found {}</source>
+        <translation>erwartet werden höchstens {} Bytes, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected a built-in model&apos;s name or a model as JSON text, found nothing</source>
+        <translation>erwartet wird der Name eines eingebauten Modells oder ein Modell als JSON-Text, gefunden nichts</translation>
+    </message>
+    <message>
+        <source>expected 0 to {}</source>
+        <translation>erwartet wird 0 bis {}</translation>
+    </message>
+    <message>
+        <source>expected 1 to {}</source>
+        <translation>erwartet wird 1 bis {}</translation>
+    </message>
+    <message>
+        <source>expected less than parts ({}), found {}</source>
+        <translation>erwartet wird weniger als parts ({}), gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected at most {} cells</source>
+        <translation>erwartet werden höchstens {} Zellen</translation>
+    </message>
+    <message>
+        <source>expected numbers of at least 0</source>
+        <translation>erwartet werden Zahlen von mindestens 0</translation>
+    </message>
+    <message>
+        <source>expected at least 1</source>
+        <translation>erwartet wird mindestens 1</translation>
+    </message>
+    <message>
+        <source>expected the IDs of the cells that the readings are of, found none</source>
+        <translation>erwartet werden die IDs der Zellen, von denen die Messwerte sind, gefunden keine</translation>
+    </message>
+    <message>
+        <source>expected exactly one of raw_lsb, acceleration_g and mean_g with cells, found {}</source>
+        <translation>mit cells wird genau eines von raw_lsb, acceleration_g und mean_g erwartet, gefunden {}</translation>
+    </message>
+    <message>
+        <source>variance_g2 and count belong to mean_g, which is not there</source>
+        <translation>variance_g2 und count gehören zu mean_g, das fehlt</translation>
+    </message>
+    <message>
+        <source>expected a multiple of 3 numbers for each of {} cells, found {}</source>
+        <translation>erwartet wird ein Vielfaches von 3 Zahlen für jede von {} Zellen, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected at least 1 between several ticks ({} here)</source>
+        <translation>zwischen mehreren Takten (hier {}) wird mindestens 1 erwartet</translation>
+    </message>
+    <message>
+        <source>expected at most 2^53</source>
+        <translation>erwartet wird höchstens 2^53</translation>
+    </message>
+    <message>
+        <source>expected above 0, up to {}</source>
+        <translation>erwartet wird über 0, bis {}</translation>
+    </message>
+    <message>
+        <source>expected a unit vector</source>
+        <translation>erwartet wird ein Einheitsvektor</translation>
+    </message>
+    <message>
+        <source>expected done or working, found both</source>
+        <translation>erwartet wird done oder working, gefunden beides</translation>
+    </message>
+    <message>
+        <source>a cell is twice in one message</source>
+        <translation>eine Zelle steht zweimal in einer Nachricht</translation>
+    </message>
+    <message>
+        <source>the device sends other values of cell model {} than before</source>
+        <translation>das Gerät sendet andere Werte des Zellmodells {} als zuvor</translation>
+    </message>
+    <message>
+        <source>the device changed its cell model from {} to {}</source>
+        <translation>das Gerät hat sein Zellmodell von {} zu {} gewechselt</translation>
+    </message>
+    <message>
+        <source>the topology has no cell {}; expected one of its {} cells</source>
+        <translation>die Topologie hat keine Zelle {}; erwartet wird eine ihrer {} Zellen</translation>
+    </message>
+    <message>
+        <source>is missing, or 0 again; expected the device&apos;s clock in microseconds</source>
+        <translation>fehlt oder ist wieder 0; erwartet wird die Uhr des Geräts in Mikrosekunden</translation>
+    </message>
+    <message>
+        <source>went back from {} to {}; expected microseconds that never go back</source>
+        <translation>ging von {} auf {} zurück; erwartet werden Mikrosekunden, die nie zurückgehen</translation>
+    </message>
+    <message>
+        <source>is {} again, at which a cell of the message already was; expected microseconds (milliseconds stand still between samples)</source>
+        <translation>ist wieder {}, wozu eine Zelle der Nachricht schon einen Messwert hatte; erwartet werden Mikrosekunden (Millisekunden stehen zwischen Messwerten still)</translation>
+    </message>
+    <message>
+        <source>expected {}, found {}; it counts the samples sent before (one cell at one tick), not messages</source>
+        <translation>erwartet wird {}, gefunden {}; gezählt werden die vorher gesendeten Messwerte (eine Zelle zu einem Takt), nicht Nachrichten</translation>
+    </message>
+    <message>
+        <source>no whole topology came; expected topology after hello, and all its parts</source>
+        <translation>es kam keine vollständige Topologie; erwartet wird topology nach hello, mit allen Teilen</translation>
+    </message>
+    <message>
+        <source>no hello came that can be used; expected hello before everything else</source>
+        <translation>es kam kein brauchbares hello; erwartet wird hello vor allem anderen</translation>
+    </message>
+    <message>
+        <source>there is no such key; did you mean {}?</source>
+        <translation>diesen Schlüssel gibt es nicht; ist {} gemeint?</translation>
+    </message>
+    <message>
+        <source>there is no such key; there are {}</source>
+        <translation>diesen Schlüssel gibt es nicht; es gibt {}</translation>
     </message>
 </context>
 <context>

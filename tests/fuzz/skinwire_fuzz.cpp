@@ -124,7 +124,8 @@ class Host {
       requireSound(decoded.message);
       if (!std::holds_alternative<skinwire::Samples>(decoded.message)) listener_.allowNewBeginning();
     } else {
-      fuzz::require(!decoded.reason.empty() || decoded.outcome == DecodeOutcome::UnknownType, "a reason");
+      fuzz::require(!decoded.reason().empty(), "a reason");
+      fuzz::require(decoded.reason().english().size() < 2000, "a reason of bounded length");
     }
     now_ += std::chrono::milliseconds(100);
     stream_.take(decoded, now_);

@@ -1,5 +1,6 @@
 // The documents say what the code says.
 
+#include "hexoderm/device/offence.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/finding.h"
 #include "hexoderm/util/text.h"
@@ -45,6 +46,16 @@ TEST(Documentation, FindingsTableSaysWhatTheCodeSays) {
         {"`" + std::string(entry.name) + "`", std::string(severityName(entry.severity)), entry.meaning.english()});
   }
   EXPECT_THAT(tableAfter(readFile(readme), "## Findings"), testing::ElementsAreArray(expected));
+}
+
+TEST(Documentation, OffencesTableHasEveryKindInTheOrderOfTheCode) {
+  const std::filesystem::path readme =
+      std::filesystem::path(HEXODERM_SOURCE_DIR) / "core/hexoderm/device/skinwire/README.md";
+  std::vector<std::string> found;
+  for (const std::vector<std::string>& row : tableAfter(readFile(readme), "## Offences")) found.push_back(row.at(0));
+  std::vector<std::string> expected;
+  for (const OffenceKind kind : offenceKinds()) expected.push_back("`" + std::string(offenceName(kind)) + "`");
+  EXPECT_EQ(found, expected);
 }
 
 }  // namespace

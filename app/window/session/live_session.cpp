@@ -140,8 +140,9 @@ void LiveSession::onCourseEvent(const CourseEvent& event) {
   } else if (const auto* lost = std::get_if<PoseLost>(&event)) {
     emit poseLost(lost->pose);
   } else if (const auto* skin = std::get_if<SkinChanged>(&event)) {
-    emit noticed(skin->on_joining ? tr("The links are others than those of the session; the poses stay.")
-                                  : tr("The device says that its cells or links have changed; the poses stay."));
+    emit noticed(skin->other_model  ? tr("The device says that it has another cell model; the poses stay.")
+                 : skin->on_joining ? tr("The links are others than those of the session; the poses stay.")
+                                    : tr("The device says that its cells or links have changed; the poses stay."));
   } else {
     emit told(event);
   }

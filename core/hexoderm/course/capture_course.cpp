@@ -46,20 +46,21 @@ void CaptureCourse::begin(const Session& session, const SkinDescription& skin) {
 bool CaptureCourse::join(const Session& session, const SkinDescription& skin) {
   if (cellsOf(skin.neighbors) != cellsOf(session.neighbors())) return false;
   begin(session, skin);
-  if (skin.neighbors != session.neighbors()) replaceSkin(skin, true);
+  if (skin.neighbors != session.neighbors()) replaceSkin(skin, {true});
   return true;
 }
 
 void CaptureCourse::describe(const SkinDescription& skin) {
   if (!isOn()) return;
   can_turn_ = skin.can_turn;
-  if (skin.neighbors != session_->neighbors()) replaceSkin(skin, false);
+  const bool other_model = cellModelToJson(*skin.model) != cellModelToJson(session_->model());
+  if (other_model || skin.neighbors != session_->neighbors()) replaceSkin(skin, {false, other_model});
 }
 
-void CaptureCourse::replaceSkin(const SkinDescription& skin, bool on_joining) {
+void CaptureCourse::replaceSkin(const SkinDescription& skin, const SkinChanged& changed) {
   labels_from_.reset();
   owner_.perform({SetSkin{skin.model, skin.neighbors}});
-  owner_.onCourseEvent(SkinChanged{on_joining});
+  owner_.onCourseEvent(changed);
 }
 
 void CaptureCourse::end() {

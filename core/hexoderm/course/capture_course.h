@@ -42,9 +42,11 @@ struct PoseLost {
 struct FileRefused {
   Message why;
 };
-/// The device describes itself with other links; the session has them now, and its poses stay.
+/// The device describes itself with other links, or with another cell model; the session has them now, and its poses
+/// stay.
 struct SkinChanged {
-  bool on_joining = false;  ///< when it was connected, compared with the session that it joined
+  bool on_joining = false;   ///< when it was connected, compared with the session that it joined
+  bool other_model = false;  ///< its cell model is another one
 };
 /// Everything that the advice for the next pose is computed from.
 struct AdviceQuestion {
@@ -134,7 +136,7 @@ class CaptureCourse {
   /// Begins with a session that the skin's poses are added to. Returns false, and nothing begins, if it has other
   /// cells. Other links are taken over (SkinChanged).
   bool join(const Session& session, const SkinDescription& skin);
-  /// The skin describes itself again. Other cells or links are taken over (SkinChanged).
+  /// The skin describes itself again. Other cells or links and another cell model are taken over (SkinChanged).
   void describe(const SkinDescription& skin);
   /// The skin is gone. Poses that are being written still become captured.
   void end();
@@ -194,7 +196,7 @@ class CaptureCourse {
 
  private:
   void keep(std::map<PoseId, CapturedPose>::iterator waiting, KeptIn where, const Message& without_raw);
-  void replaceSkin(const SkinDescription& skin, bool on_joining);
+  void replaceSkin(const SkinDescription& skin, const SkinChanged& changed);
   [[nodiscard]] std::shared_ptr<const PoseCapture> labelled(const std::shared_ptr<const PoseCapture>& pose) const;
   [[nodiscard]] std::optional<std::size_t> indexOf(PoseId pose) const;
   void askForAdvice();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hexoderm/device/ground_truth.h"
+#include "hexoderm/device/offence.h"
 #include "hexoderm/device/sample_frame.h"
 #include "hexoderm/graph/cell_model.h"
 #include "hexoderm/graph/neighbor_list.h"
@@ -10,6 +11,7 @@
 #include <memory>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace hexoderm {
 
@@ -47,6 +49,7 @@ struct SourceStatus {
   std::uint64_t dropped_by_device = 0;  ///< samples that it could not send, as it said last; since it started itself
   std::uint64_t skin_changes = 0;       ///< how often it described itself differently; not each is passed on
   std::uint64_t clock_restarts = 0;     ///< its clock was set back without notice
+  std::vector<Offence> offences{};  ///< what the device does wrong, the first of each kind; told as soon as it comes
 };
 
 /// A device's report about itself while it streams.

@@ -1,5 +1,6 @@
 #include "hexoderm/io/session_json.h"
 
+#include "hexoderm/device/diagnosis/plausibility.h"
 #include "hexoderm/geometry/covariance.h"
 #include "hexoderm/graph/cell_model_json.h"
 #include "hexoderm/session/session_parts_json.h"
@@ -7,6 +8,7 @@
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/json_reader.h"
 #include "hexoderm/util/limits.h"
+#include "hexoderm/util/median.h"
 #include "hexoderm/util/message_json.h"
 #include "hexoderm/util/sha256.h"
 
@@ -64,6 +66,20 @@ SessionPose readPose(const JsonReader& json) {
           why ? why->string() : std::string()};
 }
 
+/// Somebody's program wrote another unit: no reading would count, and nothing would say why. Throws FormatError.
+void requireG(const Session& session, const std::string& file) {
+  std::vector<double> norms;
+  std::optional<std::size_t> first;
+  for (std::size_t pose = 0; pose < session.poses().size(); ++pose) {
+    for (const GravitySample& sample : session.poses()[pose].capture->samples) norms.push_back(sample.mean_g.norm());
+    if (!first && !norms.empty()) first = pose;
+  }
+  if (!first) return;
+  const std::string place = "poses[" + std::to_string(*first) + "].samples[0].mean_g";
+  const std::optional<Offence> offence = offenceOfNorm(median(norms), session.model().accelerometer, place.c_str());
+  if (offence && offence->kind == OffenceKind::AccelerationUnit) throw FormatError(located(file, offence->reason));
+}
+
 Json modelJson(const CellModel& model) {
   const std::vector<std::string> known = builtInCellModelNames();
   const bool is_built_in = std::ranges::find(known, model.name) != known.end() &&
@@ -113,6 +129,7 @@ Session parseSessionJson(std::string_view text, const std::string& file) {
   NeighborList neighbors = readNeighbors(json.at("cells"));
   Session session(std::move(model), std::move(neighbors), std::move(source));
   for (const JsonReader& pose : json.at("poses").items()) session.addPose(readPose(pose));
+  requireG(session, file);
   if (const auto muted = json.find("muted_links")) {
     for (const JsonReader& item : muted->items()) {
       const MutedLink link = readMutedLink(item);

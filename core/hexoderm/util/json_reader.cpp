@@ -1,6 +1,7 @@
 #include "hexoderm/util/json_reader.h"
 
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/near_match.h"
 #include "hexoderm/util/text.h"
 
 #include <Eigen/LU>
@@ -350,6 +351,20 @@ std::optional<JsonReader> JsonReader::find(const std::string& key) const {
   const auto found = value_->find(key);
   if (found == value_->end() || found->is_null()) return std::nullopt;
   return JsonReader(*found, file_, path_.empty() ? key : path_ + "." + key);
+}
+
+void JsonReader::requireKeys(std::initializer_list<std::string_view> known) const {
+  if (!value_->is_object()) fail(message("an object"));
+  constexpr std::size_t kMostOfAKey = 40;
+  for (const auto& [key, value] : value_->items()) {
+    if (std::ranges::find(known, key) != known.end()) continue;
+    const std::vector<std::string> names(known.begin(), known.end());
+    const std::string found = excerptOf(key, kMostOfAKey);
+    const std::optional<std::string> meant = nearMatch(key, names);
+    throw FormatError(located(*file_, located(path_.empty() ? found : path_ + "." + found,
+                                              meant ? message("there is no such key; did you mean {}?", *meant)
+                                                    : message("there is no such key; there are {}", names))));
+  }
 }
 
 std::vector<JsonReader> JsonReader::items() const {

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -38,6 +39,8 @@ class JsonReader {
   [[nodiscard]] JsonReader at(const std::string& key) const;                   ///< must be there
   [[nodiscard]] std::optional<JsonReader> find(const std::string& key) const;  ///< absent or null: nullopt
   [[nodiscard]] std::vector<JsonReader> items() const;                         ///< items of an array
+  /// Throws FormatError for the first key of an object that is none of these, and names that which was meant.
+  void requireKeys(std::initializer_list<std::string_view> known) const;
   [[nodiscard]] bool isObject() const { return value_->is_object(); }
   [[nodiscard]] bool isArray() const { return value_->is_array(); }
   [[nodiscard]] bool isString() const { return value_->is_string(); }

@@ -94,6 +94,29 @@ unsigned parseUnsigned(std::string_view text, std::string_view what) {
   return parseWhole<unsigned>(text, what, message("a whole number"));
 }
 
+std::string excerptOf(std::string_view bytes, std::size_t most) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string text;
+  for (const char c : bytes) {
+    std::string next;
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '\n') {
+      next = "\\n";
+    } else if (c == '\r') {
+      next = "\\r";
+    } else if (c == '\t') {
+      next = "\\t";
+    } else if (byte < 0x20 || byte >= 0x7F) {
+      next = {'\\', 'x', kDigits[byte / 16], kDigits[byte % 16]};
+    } else {
+      next = c;
+    }
+    if (text.size() + next.size() > most) return text + "...";
+    text += next;
+  }
+  return text;
+}
+
 std::vector<std::string> split(std::string_view text, char separator) {
   std::vector<std::string> parts;
   std::size_t begin = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,10 @@ double parseNumber(std::string_view text, std::string_view what);
 
 /// Parses an unsigned integer of 32 bits.
 unsigned parseUnsigned(std::string_view text, std::string_view what);
+
+/// The beginning of a text or of bytes that somebody sent, safe for a terminal and a log: one line of printable ASCII,
+/// all else as \n, \r, \t or \xNN, at most `most` characters and then "...".
+std::string excerptOf(std::string_view bytes, std::size_t most = 80);
 
 std::vector<std::string> split(std::string_view text, char separator);
 

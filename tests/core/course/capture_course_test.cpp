@@ -55,7 +55,10 @@ class CaptureCourseTest : public testing::Test, public CaptureOwner {
     }
     if (const auto* lost = std::get_if<PoseLost>(&event)) lost_.push_back(lost->why);
     if (std::holds_alternative<FileRefused>(event)) ++refusals_;
-    if (std::holds_alternative<SkinChanged>(event)) ++skin_changes_;
+    if (const auto* changed = std::get_if<SkinChanged>(&event)) {
+      ++skin_changes_;
+      other_models_ += changed->other_model ? 1 : 0;
+    }
     if (std::holds_alternative<CourseFinished>(event)) ++finishes_;
     if (const auto* wanted = std::get_if<AdviceWanted>(&event)) question_ = wanted->question;
     if (const auto* refused = std::get_if<TurnRefused>(&event)) turn_refusals_.push_back(*refused);
@@ -107,7 +110,7 @@ class CaptureCourseTest : public testing::Test, public CaptureOwner {
   std::vector<PoseId> taken_, kept_;
   std::vector<KeptIn> kept_in_;
   std::vector<Message> lost_;
-  int refusals_ = 0, skin_changes_ = 0, finishes_ = 0;
+  int refusals_ = 0, skin_changes_ = 0, other_models_ = 0, finishes_ = 0;
   std::optional<AdviceQuestion> question_;
   std::vector<TurnRefused> turn_refusals_;
 };
@@ -260,6 +263,21 @@ TEST_F(CaptureCourseTest, ASkinWithOtherCellsDoesNotJoinAndOtherLinksAreTakenOve
   course_->describe(description_);
   EXPECT_EQ(skin_changes_, 2);
   EXPECT_THAT(session_.poses(), SizeIs(1)) << "poses stay";
+  EXPECT_EQ(other_models_, 0);
+}
+
+TEST_F(CaptureCourseTest, AnotherCellModelIsNoticedAndTakenOver) {
+  take();
+  SkinDescription other = description_;
+  CellModel model = *other.model;
+  model.accelerometer.range_g = 4;
+  other.model = std::make_shared<const CellModel>(model);
+  course_->describe(other);
+  EXPECT_EQ(other_models_, 1);
+  EXPECT_EQ(session_.model().accelerometer.range_g, 4);
+  EXPECT_THAT(session_.poses(), SizeIs(1)) << "poses stay";
+  course_->describe(other);
+  EXPECT_EQ(skin_changes_, 1) << "nothing is new";
 }
 
 TEST_F(CaptureCourseTest, TheNextPoseIsWantedNeitherBeforeTheFirstNorOutOfReach) {

@@ -141,7 +141,7 @@ std::string complaintWith(const std::string& from, const std::string& to) {
 
 TEST(CellModelJson, NamesTheKeyPathOfWhatIsWrong) {
   EXPECT_THAT(complaintWith("\"side_m\": 0.01502", "\"side_m\": -1"), saysAll("m.json: side_m: expected", "found -1"));
-  EXPECT_THAT(complaintWith("\"side_m\"", "\"sidem\""), saysAll("m.json: side_m: is missing"));
+  EXPECT_THAT(complaintWith("\"side_m\": 0.01502,", ""), saysAll("m.json: side_m: is missing"));
   EXPECT_THAT(complaintWith("[0.012, -0.007, 0.0]", "[0.012, -0.007]"), saysAll("m.json: ports[1].vector_m: expected"));
   EXPECT_THAT(complaintWith("[0.012, -0.007, 0.0]", "[0.012, 1e999, 0]"), saysAll("m.json: ports[1].vector_m[1]"));
   EXPECT_THAT(complaintWith("\"port\": 2", "\"port\": 0"), saysAll("m.json: ports[1].port: expected a whole number"));
@@ -157,6 +157,18 @@ TEST(CellModelJson, RefusesLengthsThatNoCellHas) {
   EXPECT_THAT(complaintWith("\"side_m\": 0.01502", "\"side_m\": 1e-9"), saysAll("side_m must be from 0.001 to 1"));
   EXPECT_THAT(complaintWith("\"gap_m\": ", "\"gap_m\": 2"), saysAll("gap_m must be from", "to 1, found 2"));
   EXPECT_THAT(complaintWith("[0.012, -0.007, 0.0]", "[12, -7, 0]"), saysAll("port 2: vector_m", "at most 1 m"));
+}
+
+TEST(CellModelJson, RefusesKeysThatItDoesNotKnowAndNamesWhatWasMeant) {
+  EXPECT_THAT(complaintWith("\"side_m\"", "\"sidem\""),
+              saysAll("m.json: sidem: there is no such key; did you mean side_m?"));
+  EXPECT_THAT(complaintWith("\"yaw_sigma_rad\"", "\"yaw_sigma\""),
+              saysAll("m.json: yaw_sigma:", "mean yaw_sigma_rad?"));
+  EXPECT_THAT(complaintWith("\"lsb_g\"", "\"LSB_g\""), saysAll("m.json: accelerometer.LSB_g:", "mean lsb_g?"));
+  EXPECT_THAT(complaintWith("\"vector_m\"", "\"vector\""), saysAll("m.json: ports[0].vector:", "mean vector_m?"));
+  EXPECT_THAT(complaintWith("\"type\"", "\"kind\""),
+              saysAll("m.json: sensors[0].kind: there is no such key; there are name, type, t_u_m"));
+  EXPECT_THAT(complaintWith("\"side_m\"", "\"a\\u001b[31m\""), saysAll("m.json: a\\x1b[31m: there is no such key"));
 }
 
 TEST(NominalAlignment, TurnsTheTargetsPortOntoTheSources) {

@@ -136,6 +136,7 @@ void ReplaySource::start(SkinListener& listener) {
   impl_->listener = &listener;
   impl_->gate.emplace(*impl_, listener);
   impl_->stream.emplace(*impl_->gate);
+  impl_->stream->setPace(ClockCheck::Pace::Free);
   impl_->thread = std::jthread([impl = impl_.get()](std::stop_token stop) {
     impl->stop = std::move(stop);
     impl->run();

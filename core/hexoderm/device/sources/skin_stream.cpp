@@ -59,6 +59,9 @@ void SkinStream::restart() {
   held_.reset();
   is_model_held_ = false;
   device_text_ = {};
+  is_exploring_ = false;
+  was_heard_ = false;
+  undescribed_since_.reset();
   startCounting();
 }
 
@@ -67,6 +70,8 @@ void SkinStream::startCounting() {
   last_us_ = 0;
   late_from_us_.reset();
   for (auto& last_us : cell_last_us_) std::ranges::fill(last_us, 0);
+  reading_check_.restart();
+  clock_check_.restart();
 }
 
 void SkinStream::forgetLookUp() {
@@ -77,12 +82,13 @@ void SkinStream::forgetLookUp() {
 
 SkinStream::Effect SkinStream::take(Decoded decoded, Clock::time_point now) {
   tend(now);
+  noteAllOf(decoded);
   switch (decoded.outcome) {
     case DecodeOutcome::Broken:
-      countRejected(Message::verbatim(decoded.reason));
+      reject(decoded.reason());
       return Effect::Nothing;
     case DecodeOutcome::OtherMajor:
-      last_rejection_ = Message::verbatim(printable(decoded.reason));
+      last_rejection_ = printable(decoded.reason());
       return Effect::Incompatible;
     case DecodeOutcome::UnknownType:
       return Effect::Alive;
@@ -103,13 +109,19 @@ SkinStream::Effect SkinStream::take(Decoded decoded, Clock::time_point now) {
 
 void SkinStream::takeStatus(const skinwire::Status& status) {
   device_text_ = Message::verbatim(printable(status.text));
+  is_exploring_ = status.exploring;
   if (device_text_.empty() && status.exploring) device_text_ = message("exploring its cells");
   if (status_.dropped_by_device != status.samples_dropped) counters_changed_ = true;
   status_.dropped_by_device = status.samples_dropped;
   listener_.onDeviceStatus({printable(status.text), status.exploring, status.samples_sent, status.samples_dropped});
 }
 
-void SkinStream::countRejected(const Message& why) {
+void SkinStream::countRejected(const Message& why, OffenceKind kind) {
+  note(Offence{kind, why});
+  reject(why);
+}
+
+void SkinStream::reject(const Message& why) {
   last_rejection_ = printable(why);
   ++status_.rejected_messages;
   counters_changed_ = true;
@@ -126,10 +138,12 @@ SkinStream::Effect SkinStream::takeHello(const skinwire::Hello& hello, Clock::ti
     model_complaint_ = {};
     try {
       model_ = std::make_shared<const CellModel>(skinwire::cellModelOf(hello));
+      if (announced_) noteNewModel(*announced_->model);
     } catch (const Error& error) {
       model_complaint_ = printable(error.message());
-      countRejected(model_complaint_);
+      countRejected(located("hello.cell_model", model_complaint_), OffenceKind::CellModel);
     }
+    is_topology_judged_ = false;
   }
   announce(now);
   return Effect::Alive;
@@ -141,6 +155,7 @@ SkinStream::Effect SkinStream::takeTopology(skinwire::Topology part, Clock::time
   if (!whole) return Effect::Alive;
   has_topology_ = true;
   topology_id_ = id;
+  if (*whole != neighbors_) is_topology_judged_ = false;
   neighbors_ = std::move(*whole);
   announce(now);
   return Effect::Alive;
@@ -257,19 +272,22 @@ SkinStream::Effect SkinStream::takeSamples(const skinwire::Samples& samples) {
     return Effect::Alive;
   }
   if (!samples.raw_lsb.empty() && !(model_->accelerometer.lsb_g > 0)) {
-    countRejected(message("samples in LSB need a cell model whose accelerometer.lsb_g is above 0"));
+    countRejected(message("samples in LSB need a cell model whose accelerometer.lsb_g is above 0"),
+                  OffenceKind::NoScale);
     return Effect::Nothing;
   }
   if (!lookUpCells(samples.cells)) {
-    countRejected(message("a cell is twice in one message of samples"));
+    countRejected(located("samples.cells", message("a cell is twice in one message")), OffenceKind::RepeatedCell);
     return Effect::Nothing;
   }
   bool late = isLate(samples);
+  if (late) noteLate(samples);
   if (late && wasClockSetBack(samples)) {
     startCounting();
     ++status_.clock_restarts;
     late = false;
   }
+  if (!late) noteSequence(samples);
   if (samples.sequence) countLosses(*samples.sequence, count, samples.time_us, late);
   counters_changed_ = true;
   if (late) {
@@ -305,8 +323,10 @@ void SkinStream::deliver(const skinwire::Samples& samples) {
     std::erase_if(frame_.temperatures, isUnknown);
     if (frame_.samples.empty() && frame_.means.empty() && frame_.temperatures.empty()) continue;
     ++status_.frames;
+    judgeFrame(samples, samples.time_us + tick * std::uint64_t{samples.period_us});
     listener_.onFrame(frame_);
   }
+  if (looked_up_unknown_ > 0) noteUnknownCells(samples);
   status_.unknown_samples += looked_up_unknown_ * ticks;
   late_from_us_.reset();
   last_us_ = samples.time_us + (ticks > 1 ? (ticks - 1) * std::uint64_t{samples.period_us} : 0);
@@ -319,16 +339,21 @@ void SkinStream::report(SourceState state, Message message, Clock::time_point no
   if (state == status_.state && message == status_.message) return;
   status_.state = state;
   status_.message = std::move(message);
+  if (state == SourceState::Ended) noteMissingDescription();
   tell(now);
 }
 
 void SkinStream::reportCounters(Clock::time_point now) {
-  if (counters_changed_ && now - told_at_ >= kTellEvery) tell(now);
+  judgeClock(now);
+  if (log_.hasNews() || (counters_changed_ && now - told_at_ >= kTellEvery)) tell(now);
 }
 
 void SkinStream::tell(Clock::time_point now) {
   told_at_ = now;
   counters_changed_ = false;
+  judgeTopology();
+  log_.takeNews();
+  status_.offences = log_.offences();
   listener_.onStatus(status_);
 }
 

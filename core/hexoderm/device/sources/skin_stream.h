@@ -2,6 +2,8 @@
 
 // Private to device/: what every source of SkinWire messages does with them.
 
+#include "hexoderm/device/diagnosis/offence_log.h"
+#include "hexoderm/device/diagnosis/plausibility.h"
 #include "hexoderm/device/skin_source.h"
 #include "hexoderm/device/skinwire/codec.h"
 #include "hexoderm/device/skinwire/description.h"
@@ -36,7 +38,8 @@ class ChangeBudget {
 };
 
 /// The host's end of SkinWire above the framing: puts the description together, checks samples against it, numbers and
-/// times, calls the listener, counts and reports. It knows no socket, no file and no clock.
+/// times, calls the listener, counts and reports, and names what the device does wrong. It knows no socket, no file and
+/// no clock.
 ///
 /// A loose plug changes the topology many times a second, and everything behind the listener works, and some of it
 /// writes to disk, for each. So only a few changes are passed on at once, and then the newest one every few seconds
@@ -84,10 +87,17 @@ class SkinStream {
   /// Tells the listener if counters changed and it was not told for half a second.
   void reportCounters(Clock::time_point now);
   void countReconnect() { ++status_.reconnects; }
-  void countRejected(const Message& why);
+  void countRejected(const Message& why, OffenceKind kind = OffenceKind::BrokenFrame);
+  /// Something that stays as it is while it is looked at: counted once.
+  void noteOnce(const std::optional<Offence>& offence);
+  /// The connection begins in the middle of a frame: that is no offence.
+  void forgiveFirstPiece() { is_first_piece_forgiven_ = true; }
+  /// Live unless told otherwise.
+  void setPace(ClockCheck::Pace pace) { pace_ = pace; }
   [[nodiscard]] SourceState state() const { return status_.state; }
 
  private:
+  void reject(const Message& why);
   Effect takeHello(const skinwire::Hello& hello, Clock::time_point now);
   Effect takeTopology(skinwire::Topology part, Clock::time_point now);
   Effect takeSamples(const skinwire::Samples& samples);
@@ -102,6 +112,19 @@ class SkinStream {
   bool wasClockSetBack(const skinwire::Samples& samples);
   void countLosses(std::uint64_t first, std::uint64_t count, std::uint64_t time_us, bool late);
   void deliver(const skinwire::Samples& samples);
+  /// Counts an offence; the reason is made for the first one of its kind only.
+  template <class MakeReason>
+  void note(OffenceKind kind, std::uint64_t count, const MakeReason& reason);
+  void note(const std::optional<Offence>& offence);
+  void noteAllOf(const skinwire::Decoded& decoded);
+  void noteNewModel(const CellModel& before);
+  void noteUnknownCells(const skinwire::Samples& samples);
+  void noteLate(const skinwire::Samples& samples);
+  void noteSequence(const skinwire::Samples& samples);
+  void noteMissingDescription();
+  void judgeTopology();
+  void judgeFrame(const skinwire::Samples& samples, std::uint64_t time_us);
+  void judgeClock(Clock::time_point now);
   void tell(Clock::time_point now);
 
   SkinListener& listener_;
@@ -137,6 +160,16 @@ class SkinStream {
   std::vector<std::uint32_t> looked_up_indices_;  ///< kUnknown for cells that are not in the topology
   std::size_t looked_up_unknown_ = 0;
   SampleFrame frame_;
+
+  OffenceLog log_;
+  ReadingCheck reading_check_;
+  ClockCheck clock_check_;
+  ClockCheck::Pace pace_ = ClockCheck::Pace::Live;
+  bool is_exploring_ = false;
+  bool is_topology_judged_ = true;
+  bool is_first_piece_forgiven_ = false;
+  bool was_heard_ = false;  ///< a message came on this connection
+  std::optional<Clock::time_point> undescribed_since_;
 };
 
 /// Control characters become spaces: what a device says appears on terminals.

@@ -103,6 +103,7 @@ struct StdinSource::Impl {
           SourceState::Streaming,
           located("stdin", inRow({message("connected to {}", stream->deviceName()), stream->deviceText()}, ": ")), now);
     }
+    stream->noteOnce(decoder.complaintOfWaiting());
     stream->reportCounters(now);
   }
 
@@ -151,6 +152,7 @@ void StdinSource::start(SkinListener& listener) {
   }
   impl_->listener = &listener;
   impl_->stream.emplace(listener);
+  impl_->stream->setPace(ClockCheck::Pace::Faster);
   impl_->thread = std::thread([impl = impl_.get()] { impl->run(); });
 }
 

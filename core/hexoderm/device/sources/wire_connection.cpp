@@ -60,6 +60,7 @@ void WireConnection::connect() {
   switch (address_.kind) {
     case WireAddress::Kind::Serial:
       decoder_ = skinwire::FrameDecoder(Framing::Cobs);
+      stream_.forgiveFirstPiece();
       break;
     case WireAddress::Kind::Tcp:
     case WireAddress::Kind::Udp:  // which does not use it
@@ -207,6 +208,7 @@ void WireConnection::onTick() {
       reportOpen(now);
       retryLater(message("nothing came for {}", seconds(options_.reconnect_after)));
     } else if (phase_ == Phase::Open) {
+      stream_.noteOnce(decoder_.complaintOfWaiting());
       askIfNeeded(now);
       reportOpen(now);
       tendCommands(now);
@@ -228,7 +230,7 @@ void WireConnection::send(std::uint32_t number, const SkinCommand& command) {
     return fail(number, message("the device can't turn by itself"));
   }
   const skinwire::Command message{number, requestOf(command)};
-  if (const std::string why = skinwire::complaint(message); !why.empty()) return fail(number, Message::verbatim(why));
+  if (const skinwire::Complaint why = skinwire::complaint(message); !why.empty()) return fail(number, why.reason);
   Bytes frame = framed(message);
   transport_->write(frame);
   pending_[number] = {std::move(frame), now + options_.command_timeout, now};

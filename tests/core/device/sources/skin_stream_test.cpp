@@ -340,6 +340,67 @@ TEST_F(SkinStreamTest, BrokenMessagesAreCountedAndOtherMajorsStop) {
   EXPECT_THAT(stream.lastRejection().english(), HasSubstr("SkinWire 3, this program SkinWire 1"));
 }
 
+TEST_F(SkinStreamTest, WhatIsRightOrTheNetworksDoingIsNoOffence) {
+  stream.forgiveFirstPiece();
+  take(skinwire::decodeBody(skinwire::Bytes(20, 7)));  // a serial port was opened within a frame
+  take(oneSample(1, 1000, 0));                         // it was already sending
+  describe();
+  take(oneSample(1, 2000, 1));
+  take(oneSample(1, 4000, 3));
+  take(oneSample(1, 3000, 2));  // overtaken
+  take(oneSample(1, 4000, 3));  // twice
+  stream.restart();
+  describe();
+  EXPECT_THAT(status().offences, testing::IsEmpty());
+}
+
+TEST_F(SkinStreamTest, OffencesAreToldOnceAtOnceAndThenCounted) {
+  describe();
+  take(oneSample(1, 1000));
+  stream.reportCounters({});
+  const std::size_t before = listener.delivered().statuses.size();
+  take(oneSample(9, 2000));
+  stream.reportCounters({});
+  ASSERT_EQ(listener.delivered().statuses.size(), before + 1) << "within half a second of the last";
+  take(oneSample(9, 3000));
+  stream.reportCounters({});
+  EXPECT_EQ(listener.delivered().statuses.size(), before + 1);
+  const SourceStatus all = status();
+  ASSERT_EQ(all.offences.size(), 1U);
+  EXPECT_EQ(all.offences[0].kind, OffenceKind::UnknownCell);
+  EXPECT_EQ(all.offences[0].count, 2U);
+}
+
+TEST_F(SkinStreamTest, ANewerDeviceMaySayWhatIsNotKnownYet) {
+  const char* later = R"({"later_message": {}})";
+  skinwire::Hello hello = skinwire::helloMessage();
+  hello.minor = skinwire::kMinor + 1;
+  take(hello);
+  take(skinwire::decodeLine(later));
+  EXPECT_THAT(status().offences, testing::IsEmpty());
+  take(skinwire::helloMessage());
+  take(skinwire::decodeLine(later));
+  ASSERT_EQ(status().offences.size(), 1U);
+  EXPECT_EQ(status().offences[0].kind, OffenceKind::UnknownMessage);
+}
+
+TEST_F(SkinStreamTest, ADeviceThatNeverDescribesItselfIsNamed) {
+  take(skinwire::helloMessage());
+  const SkinStream::Clock::time_point start{};
+  stream.reportCounters(start);
+  take(oneSample(1, 1000));
+  stream.reportCounters(start + std::chrono::milliseconds(1900));
+  EXPECT_THAT(status().offences, testing::IsEmpty());
+  take(skinwire::Status{"", true, 0, 0});
+  stream.reportCounters(start + std::chrono::seconds(10));
+  EXPECT_THAT(status().offences, testing::IsEmpty()) << "it is exploring";
+  take(skinwire::Status{"", false, 0, 0});
+  stream.reportCounters(start + std::chrono::seconds(11));
+  stream.reportCounters(start + std::chrono::seconds(14));
+  ASSERT_EQ(status().offences.size(), 1U);
+  EXPECT_EQ(status().offences[0].kind, OffenceKind::NotDescribed);
+}
+
 TEST_F(SkinStreamTest, WhatADeviceSaysCantMoveATerminalsCursor) {
   skinwire::Hello hello = skinwire::helloMessage();
   hello.device = "red\x1b[31m";
