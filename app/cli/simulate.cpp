@@ -36,7 +36,7 @@ std::string namesOf(const Kinds& kinds) {
 
 std::string faultSyntax() {
   return "KIND:CELL with KIND " + namesOf(skinFaultNames()) + ", or KIND:CELL:PORT with KIND " +
-         namesOf(linkFaultNames());
+         namesOf(linkFaultNames()) + ", or KIND alone, of the whole skin: " + namesOf(wholeSkinFaultNames());
 }
 
 void addFault(const std::string& text, SimulatedSkinOptions& skin) {
@@ -45,6 +45,11 @@ void addFault(const std::string& text, SimulatedSkinOptions& skin) {
   for (const auto& [name, kind] : skinFaultNames()) {
     if (parts.size() != 2 || parts[0] != name) continue;
     skin.faults.push_back({kind, CellId(number(1))});
+    return;
+  }
+  for (const auto& [name, kind] : wholeSkinFaultNames()) {
+    if (parts.size() != 1 || parts[0] != name) continue;
+    skin.whole_skin_faults.push_back(kind);
     return;
   }
   for (const auto& [name, kind] : linkFaultNames()) {
@@ -71,6 +76,8 @@ int run(const SimulateOptions& options, const Common& common) {
   skin_options.seed = options.skin.seed;
   skin_options.link_law = options.link_law == "surface" ? LinkLaw::Surface : LinkLaw::Bend;
   for (const std::string& fault : options.faults) addFault(fault, skin_options);
+  // Between the last pose and the one before it.
+  skin_options.reglued_before = options.poses == 0 ? 0 : options.poses - 1;
 
   common.progress("Laying the skin ...");
   SimulatedSkin skin(std::move(model), skin_options);

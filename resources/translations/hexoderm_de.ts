@@ -4354,6 +4354,90 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>there is no such key; there are {}</source>
         <translation>diesen Schlüssel gibt es nicht; es gibt {}</translation>
     </message>
+    <message>
+        <source>No cell is linked to another: nothing is known of their places.</source>
+        <translation>Keine Zelle ist mit einer anderen verbunden: Über ihre Lage ist nichts bekannt.</translation>
+    </message>
+    <message>
+        <source>{} of {} cells are linked to no other: nothing is known of their places.</source>
+        <translation>{} von {} Zellen sind mit keiner anderen verbunden: Über ihre Lage ist nichts bekannt.</translation>
+    </message>
+    <message>
+        <source>Look at the findings and check the links, the readings and the cell model.</source>
+        <translation>Befunde ansehen und Verbindungen, Messwerte und Zellmodell prüfen.</translation>
+    </message>
+    <message>
+        <source>Of {} cells only {} have readings that can be used: the shape shown follows mostly from the ports.</source>
+        <translation>Von {} Zellen haben nur {} brauchbare Messwerte: Die gezeigte Form folgt größtenteils aus den Ports.</translation>
+    </message>
+    <message>
+        <source>Look at the findings and check the readings of the cells.</source>
+        <translation>Befunde ansehen und die Messwerte der Zellen prüfen.</translation>
+    </message>
+    <message>
+        <source>All {} cells read the same, digit for digit, {}: the readings of one are delivered for all. None is used.</source>
+        <translation>Alle {} Zellen messen {} Stelle für Stelle dasselbe: Die Messwerte einer Zelle werden für alle geliefert. Keiner wird benutzt.</translation>
+    </message>
+    <message>
+        <source>The cells {} read the same, digit for digit, {}: no two sensors do, so one&apos;s readings are delivered for the others too. None of them is used; they are placed through their links.</source>
+        <translation>Die Zellen {} messen {} Stelle für Stelle dasselbe: Das tun keine zwei Sensoren, also werden die Messwerte der einen auch für die anderen geliefert. Keine davon wird benutzt; sie werden über ihre Verbindungen verortet.</translation>
+    </message>
+    <message>
+        <source>The {} bends by {} degrees, where the links around it let expect {} to {}. It is probably a cable or crosses a joint, or one of its cells is mounted otherwise.</source>
+        <translation>Die {} ist um {} Grad gebogen, wo die Verbindungen ringsum {} bis {} erwarten lassen. Wahrscheinlich ist sie ein Kabel oder überquert ein Gelenk, oder eine ihrer Zellen ist anders montiert.</translation>
+    </message>
+    <message>
+        <source>The {} is twisted by {} degrees, where the links around it let expect {} to {}. It is probably a cable, a port number is wrong, or one of its cells is mounted otherwise.</source>
+        <translation>Die {} ist um {} Grad verwunden, wo die Verbindungen ringsum {} bis {} erwarten lassen. Wahrscheinlich ist sie ein Kabel, eine Portnummer ist falsch, oder eine ihrer Zellen ist anders montiert.</translation>
+    </message>
+    <message>
+        <source>The {} is turned in the surface by {} degrees, where {} to {} are to be expected. A port number is probably wrong, it is a cable, or one of its cells is mounted otherwise.</source>
+        <translation>Die {} ist in der Fläche um {} Grad gedreht, wo {} bis {} zu erwarten sind. Wahrscheinlich ist eine Portnummer falsch, sie ist ein Kabel, oder eine ihrer Zellen ist anders montiert.</translation>
+    </message>
+    <message>
+        <source>Cell {} does not fit its neighbours well, and {} poses don&apos;t tell why. It is used; take another pose.</source>
+        <translation>Zelle {} passt nicht gut zu ihren Nachbarn, und {} Posen sagen nicht, warum. Sie wird benutzt; eine weitere Pose aufnehmen.</translation>
+    </message>
+    <message>
+        <source>Cell {} turned by {} degrees or more against the others before pose {}: it came loose or was fixed anew. It is placed through its links; take the poses before pose {} again.</source>
+        <translation>Zelle {0} hat sich vor Pose {2} um mindestens {1} Grad gegen die anderen gedreht: Sie hat sich gelöst oder wurde neu befestigt. Sie wird über ihre Verbindungen verortet; die Posen vor Pose {3} noch einmal aufnehmen.</translation>
+    </message>
+    <message>
+        <source>All links of the patch of cell {} are twisted one way, by {} degrees on the average, as on no surface: the axes of the accelerometers or the numbers of the ports are not as in the cell model {}.</source>
+        <translation>Alle Verbindungen des Hautstücks von Zelle {} sind in eine Richtung verwunden, im Mittel um {} Grad, wie auf keiner Fläche: Die Achsen der Beschleunigungssensoren oder die Nummern der Ports sind nicht wie im Zellmodell {}.</translation>
+    </message>
+    <message>
+        <source>The cells {} and {} fit into the skin with each other&apos;s readings, and not with their own: their cables or IDs are probably swapped. Both are placed through their links.</source>
+        <translation>Die Zellen {} und {} passen mit den Messwerten der jeweils anderen in die Haut und nicht mit den eigenen: Wahrscheinlich sind ihre Kabel oder Nummern vertauscht. Beide werden über ihre Verbindungen verortet.</translation>
+    </message>
+    <message>
+        <source>Cell {} reads as if it were turned by {} degrees against its neighbours: it is mounted otherwise, or its axes are not as in the cell model. It is placed through its links.</source>
+        <translation>Zelle {} misst, als wäre sie um {} Grad gegen ihre Nachbarn gedreht: Sie ist anders montiert, oder ihre Achsen sind nicht wie im Zellmodell. Sie wird über ihre Verbindungen verortet.</translation>
+    </message>
+    <message>
+        <source>All links of a patch twist one way, as on no surface: axes or ports are not as in the cell model.</source>
+        <translation>Alle Verbindungen eines Hautstücks sind in eine Richtung verwunden, wie auf keiner Fläche: Achsen oder Ports sind nicht wie im Zellmodell.</translation>
+    </message>
+    <message>
+        <source>Cells report the same readings, bit for bit; they are placed through their links.</source>
+        <translation>Zellen melden Bit für Bit dieselben Messwerte; sie werden über ihre Verbindungen verortet.</translation>
+    </message>
+    <message>
+        <source>Two neighbours fit with each other&apos;s readings; they are placed through their links.</source>
+        <translation>Zwei Nachbarn passen mit den Messwerten der jeweils anderen; sie werden über ihre Verbindungen verortet.</translation>
+    </message>
+    <message>
+        <source>A cell&apos;s readings are those of a cell that lies otherwise; it is placed through its links.</source>
+        <translation>Die Messwerte einer Zelle sind die einer Zelle, die anders liegt; sie wird über ihre Verbindungen verortet.</translation>
+    </message>
+    <message>
+        <source>A cell turned against the others between two poses; it is placed through its links.</source>
+        <translation>Eine Zelle hat sich zwischen zwei Posen gegen die anderen gedreht; sie wird über ihre Verbindungen verortet.</translation>
+    </message>
+    <message>
+        <source>A cell&apos;s readings fit badly, and there are too few poses to say why; they are used.</source>
+        <translation>Die Messwerte einer Zelle passen schlecht, und es sind zu wenige Posen, um zu sagen, warum; sie werden benutzt.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>

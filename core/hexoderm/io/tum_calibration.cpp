@@ -108,7 +108,7 @@ class Importer {
     estimate.twist_rad = angles.twist_rad;
     estimate.yaw_rad = angles.yaw_rad;
     if (estimate.used) {
-      std::ranges::move(judgeLinkAngles(angles, estimate.source, estimate.target, SolverOptions{}, 0),
+      std::ranges::move(judgeLinkAngles(angles, estimate.source, estimate.target, model_, SolverOptions{}, {}),
                         std::back_inserter(findings_));
     }
     return estimate;

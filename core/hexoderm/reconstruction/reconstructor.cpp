@@ -4,6 +4,7 @@
 #include "hexoderm/reconstruction/faults/cell_health.h"
 #include "hexoderm/reconstruction/faults/fault_isolation.h"
 #include "hexoderm/reconstruction/figures/pose_summary.h"
+#include "hexoderm/reconstruction/patch/attitude_faults.h"
 #include "hexoderm/reconstruction/patch/patch_description.h"
 #include "hexoderm/reconstruction/patch/patch_solver.h"
 
@@ -63,7 +64,27 @@ Completion solveGlobally(SkinLinks& skin, std::span<const double> weights, const
     patches = placePatches(skin, weights);
     if (refinePatches(skin, patches, earlier, stop, findings) == Completion::Stopped) return Completion::Stopped;
   }
-  for (const PatchSolver& patch : patches) nameInconsistentPoses(skin, patch, findings);
+  return Completion::Finished;
+}
+
+/// All patches by the chosen solver, again as long as their attitudes show what is no part of them.
+Completion solve(SkinLinks& skin, const EarlierPatches& earlier, const std::stop_token& stop,
+                 std::vector<double>& weights, std::vector<PatchSolver>& patches, std::vector<Finding>& findings) {
+  constexpr int kRounds = 3;  // what a first search leaves is rare; each costs a solve
+  for (int round = 0;; ++round) {
+    // The paths of every round of the global solver are found with the same weights.
+    weights = linkWeights(skin);
+    patches = placePatches(skin, weights);
+    if (skin.options().solver == Solver::Global &&
+        solveGlobally(skin, weights, earlier, stop, patches, findings) == Completion::Stopped) {
+      return Completion::Stopped;
+    }
+    if (round == kRounds || stop.stop_requested() || !isolateAttitudes(skin, patches, findings)) break;
+    skin.estimateEdges();
+  }
+  if (skin.options().solver == Solver::Global) {
+    for (const PatchSolver& patch : patches) nameInconsistentPoses(skin, patch, findings);
+  }
   return Completion::Finished;
 }
 
@@ -94,13 +115,9 @@ std::shared_ptr<const Reconstruction> reconstruct(const SessionSnapshot& snapsho
   std::vector<Finding> findings;
   SkinLinks skin(snapshot, options, findings);
   if (prepare(skin, stop, findings) == Completion::Stopped) return nullptr;
-  // The paths of every round of the global solver are found with the same weights.
-  const std::vector<double> weights = linkWeights(skin);
-  std::vector<PatchSolver> patches = placePatches(skin, weights);
-  if (options.solver == Solver::Global &&
-      solveGlobally(skin, weights, earlierPatches(earlier), stop, patches, findings) == Completion::Stopped) {
-    return nullptr;
-  }
+  std::vector<double> weights;
+  std::vector<PatchSolver> patches;
+  if (solve(skin, earlierPatches(earlier), stop, weights, patches, findings) == Completion::Stopped) return nullptr;
   if (stop.stop_requested()) return nullptr;
   const std::shared_ptr<Reconstruction> result = describe(skin, patches, weights, std::move(findings));
   result->solve_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -224,6 +224,7 @@ Session noisySession(const PinJointedSkin& skin, std::size_t poses) {
     PoseCapture capture = *pose.capture;
     for (GravitySample& sample : capture.samples) {
       sample.mean_g += Eigen::Vector3d(normal(random), normal(random), normal(random));
+      sample.cov_g2 = normal.stddev() * normal.stddev() * Eigen::Matrix3d::Identity();
     }
     noisy.addPose({std::make_shared<const PoseCapture>(capture), false});
   }

@@ -88,6 +88,7 @@ struct SimulatedSkin::State {
   std::optional<std::pair<LinkEnd, LinkEnd>> loop;
   std::vector<TrueCell> truth;
   std::vector<CellHealth> health;
+  std::optional<WrongDelivery> wrong_delivery;
   std::vector<SensorChain> sensors;
   std::vector<SensorChain> bent_sensors;  ///< with the joints bent; empty without joints
   Eigen::Vector3d middle_b = Eigen::Vector3d::Zero();
@@ -100,6 +101,7 @@ struct SimulatedSkin::State {
     Eigen::Vector3d hand_b;
     std::mt19937_64 noise;
     bool is_bent = false;
+    std::size_t recording = 0;
     std::size_t tick = 0;
   };
   std::optional<RobotMotion> robot;  ///< absent unless it holds the part
@@ -158,6 +160,7 @@ SimulatedSkin::State::State(CellModel cell_model, SimulatedSkinOptions skin_opti
   }
   health = breakCells(options, truth.size());
   if (options.on_robot) robot.emplace(options, truth.size());
+  wrong_delivery.emplace(options, neighbors);
 }
 
 void SimulatedSkin::State::reportNeighbors(const std::vector<PlannedLink>& links) {
@@ -258,7 +261,7 @@ SimulatedSkin::State::Hold SimulatedSkin::State::hold(const Eigen::Vector3d& up_
   // A hand holds the part near its middle, not in it.
   const Eigen::Vector3d hand_b = middle_b + kHandOffset_m * NormalSource(hand_random).nextVector();
   return {std::move(motion), hand_b, randomStream(options.seed, Stream::Noise, recording),
-          !bent_sensors.empty() && recording % 2 == 1};
+          !bent_sensors.empty() && recording % 2 == 1, recording};
 }
 
 void SimulatedSkin::State::holdLive(const Eigen::Vector3d& up_b) {
@@ -291,13 +294,18 @@ void SimulatedSkin::State::sense(Hold& holding, Noise& noise, SampleFrame& frame
     const Eigen::Vector3d vibration =
         robot ? robot->vibration(c, 1 / rate_hz(), noise.nextVector()) : Eigen::Vector3d::Zero();
     if (cell.silent) continue;
-    Eigen::Vector3d reading =
-        sensor.gain_R_a_b * (body.up_b + body.field_b * (sensor.position_b - holding.hand_b)) + sensor.offset_g;
+    Eigen::Vector3d force_b = body.up_b + body.field_b * (sensor.position_b - holding.hand_b);
+    if (cell.turn && (!cell.turned_later || holding.recording >= options.reglued_before)) {
+      const Eigen::Matrix3d& R_b_u = truth[c].T_b_u.R;
+      force_b = R_b_u * cell.turn->transpose() * R_b_u.transpose() * force_b;
+    }
+    Eigen::Vector3d reading = sensor.gain_R_a_b * force_b + sensor.offset_g;
     reading += vibration;
     reading = cell.sensed(reading) + cell.noiseFactor() * white_g * unit_noise;
     reading = cell.sent(asOutput(reading));
     frame.samples.push_back({truth[c].id, reading});
   }
+  wrong_delivery->apply(health, holding.recording, frame);
 }
 
 std::vector<SampleFrame> SimulatedSkin::record(const Eigen::Vector3d& up_b, std::size_t frame_count) {
@@ -363,6 +371,11 @@ void SimulatedSkin::breakCell(const CellFault& fault) {
 void SimulatedSkin::mendCell(CellId cell) {
   state_->requireCell(cell);
   state_->health[cell.value() - 1] = CellHealth{};
+}
+
+Eigen::Matrix3d SimulatedSkin::turnOf(CellId cell) const {
+  state_->requireCell(cell);
+  return state_->health[cell.value() - 1].turn.value_or(Eigen::Matrix3d::Identity());
 }
 
 std::vector<Eigen::Vector3d> scriptedUpDirections(std::size_t pose_count) {

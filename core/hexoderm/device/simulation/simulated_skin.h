@@ -33,6 +33,10 @@ enum class SkinFault {
   NoSamples,
   WrongGain,  ///< amplifies 1.25 times, see above
   DeadAxis,   ///< one axis, drawn from the seed, reads 0 and noise
+  Echo,       ///< sends what its first neighbour sends
+  Swapped,    ///< sends what its first neighbour sends, which sends what this cell would: the two cables are swapped
+  Yawed,      ///< is mounted turned by 20 degrees about z
+  Reglued,    ///< turns by 10 degrees about an axis drawn from the seed before the recording `reglued_before`
 };
 
 /// One cell's sensor is broken in a known way.
@@ -63,6 +67,17 @@ struct LinkFault {
   LinkEnd at;
 };
 
+/// The whole skin is broken in a known way: not a cell, but what all cells are said to be.
+enum class WholeSkinFault {
+  Identical,     ///< all cells send what the first one sends
+  AxesSwapped,   ///< x and y of all accelerometers are swapped
+  AxesPermuted,  ///< x, y and z of all accelerometers are y, z and x
+  PortsRotated,  ///< all cells number their ports one side on, around the cell (where the model has as many pairs)
+  PortOffset,    ///< all cells report every port's number one higher, the last one as the first
+  Shuffled,      ///< whose readings are whose is drawn anew in every recording
+  Random,        ///< every cell reads 1 g in a direction drawn anew in every recording
+};
+
 struct SimulatedSkinOptions {
   std::string patch = "x17";  ///< x17 | ringN | ringN:closed | sheet:ROWSxCOLS
   std::string surface;        ///< plane | cylinder:r=M | sphere:r=M | cone:r=M,angle=RAD | torus:R=M,r=M
@@ -85,6 +100,8 @@ struct SimulatedSkinOptions {
   double most_vibration_g = 0.035;        ///< ... to this
   std::vector<CellFault> faults;
   std::vector<LinkFault> link_faults;
+  std::vector<WholeSkinFault> whole_skin_faults;
+  std::size_t reglued_before = 2;  ///< recordings before the one that Reglued cells turn in front of
   double joint_angle_rad = 0;  ///< 20 degrees; positive bends the part's front outwards, as around a cylinder
 
   SimulatedSkinOptions();
@@ -166,6 +183,9 @@ class SimulatedSkin {
   /// Throws InvalidArgument if there is no such cell.
   void breakCell(const CellFault& fault);
   void mendCell(CellId cell);
+  /// How far a Yawed or Reglued cell is turned, from the cell as it lies to the cell as it is said to lie; the identity
+  /// for others. Throws InvalidArgument if there is no such cell.
+  [[nodiscard]] Eigen::Matrix3d turnOf(CellId cell) const;
 
  private:
   struct State;

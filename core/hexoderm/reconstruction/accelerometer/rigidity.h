@@ -41,6 +41,39 @@ class RigidityTest {
 Misfit testRigidity(const AccelerometerPrior& prior, std::span<const CellReading> readings,
                     std::span<const Eigen::Vector3d> v_g);
 
+/// A turn of a cell between two of its poses, as far as its readings show one.
+struct TurnBetweenPoses {
+  std::size_t first_after = 0;  ///< index of the first reading after the turn
+  double angle_rad = 0;         ///< as far as gravity shows it
+  Misfit gain;                  ///< by how much the turn lowers the misfit, for so many parameters
+};
+
+/// What others say about a cell's attitude: the information of the error e in R_true = R exp(e), accelerometer axes,
+/// rad^-2, and that times the most probable e. Nothing by default.
+struct AttitudePrior {
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d weighted = Eigen::Vector3d::Zero();
+};
+
+/// The turn between two poses that explains the readings best, with all that testRigidity() grants as well and the
+/// attitude before the turn as likely as `attitude` has it. Readings are in the order in which they were taken; two at
+/// least. To first order in the turn.
+TurnBetweenPoses findTurn(const AccelerometerPrior& prior, std::span<const CellReading> readings,
+                          std::span<const Eigen::Vector3d> v_g, const AttitudePrior& attitude = {});
+
+/// A cell's attitude as its own readings have it.
+struct OwnAttitude {
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();        ///< accelerometer to patch
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of the error e in R_true = R exp(e), rad^-2
+  AccelerometerFit sensor;
+};
+
+/// The attitude at which the readings of the specific forces `f_o` (patch frame, per reading) are most probable, offset,
+/// gains and cross-axis sensitivity being whatever fits best under their priors. Found by Gauss-Newton from
+/// `R_start` (accelerometer to patch); where the readings show nothing it stays there, and the information is 0.
+OwnAttitude findAttitude(const AccelerometerPrior& prior, std::span<const CellReading> readings,
+                         std::span<const Eigen::Vector3d> f_o, const Eigen::Matrix3d& R_start);
+
 /// The information, rad^-2 in the accelerometer's axes, that readings of the specific forces `v_g` (accelerometer
 /// axes), each as uncertain as `readings` has it, hold about a small turn of a cell whose offset, gains and cross-axis
 /// sensitivity are not known. `fit` must belong to these readings.

@@ -57,9 +57,33 @@ std::size_t undeterminedLinks(const Reconstruction& r) {
   return count;
 }
 
-/// Every cell of every patch sits alone: there is nothing between them to estimate.
-bool nothingToEstimate(const Reconstruction& r) {
-  return std::ranges::all_of(r.patches, [](const auto& patch) { return patch.cells.size() == 1; });
+/// Too little of the skin is linked, or can be read, for the rest to be its shape.
+std::optional<Verdict> littleLeft(const Reconstruction& r, std::size_t poses) {
+  std::size_t alone = 0;
+  std::size_t measured = 0;
+  for (const PatchReconstruction& patch : r.patches) {
+    if (patch.cells.size() == 1) ++alone;
+    measured += static_cast<std::size_t>(
+        std::ranges::count(patch.cells, PlacedBy::Samples, &CellPlacement::placed_by));
+  }
+  Verdict verdict;
+  verdict.level = VerdictLevel::Failed;
+  if (2 * alone > r.cellCount()) {
+    verdict.reason = alone == r.cellCount()
+                         ? message("No cell is linked to another: nothing is known of their places.")
+                         : message("{} of {} cells are linked to no other: nothing is known of their places.", alone,
+                                   r.cellCount());
+    verdict.next_action = message("Look at the findings and check the links, the readings and the cell model.");
+    return verdict;
+  }
+  if (poses > 0 && 2 * measured < r.cellCount()) {
+    verdict.reason =
+        message("Of {} cells only {} have readings that can be used: the shape shown follows mostly from the ports.",
+                r.cellCount(), measured);
+    verdict.next_action = message("Look at the findings and check the readings of the cells.");
+    return verdict;
+  }
+  return std::nullopt;
 }
 
 Message plusMinus(const Uncertainty95& spread) {
@@ -89,15 +113,15 @@ Verdict judge(const Reconstruction& r) {
   const PoseAdvice advice = adviseNextPose(*r.model, directionsSeen(r));
   Message turn = adviceInWords(advice, r);
 
-  if (nothingToEstimate(r)) {
+  if (r.cellCount() == 1) {
     verdict.level = VerdictLevel::Usable;
-    verdict.reason = r.cellCount() == 1 ? message("One cell: it is its own origin, there is nothing to estimate.")
-                                        : message("No cell is linked to another: each is its own origin.");
+    verdict.reason = message("One cell: it is its own origin, there is nothing to estimate.");
     verdict.position_95_m = 0;
     verdict.orientation_95_rad = 0;
-    verdict.next_action = r.cellCount() == 1 ? message("Export.") : message("Check the links between the cells.");
+    verdict.next_action = message("Export.");
     return verdict;
   }
+  if (auto failed = littleLeft(r, poses)) return *failed;
 
   const Uncertainty95 spread = worstSpread(r);
   verdict.position_95_m = spread.position_m;

@@ -14,6 +14,13 @@ namespace {
 // A link is judged by its angles only where the poses fix them.
 constexpr double kJudgeableSigma = 15 * kDegree;
 
+/// Deviations of a link's angles. `covariance`: of its rotation, in the source's frame.
+LinkAngles anglesSigma(const Eigen::Matrix3d& covariance, const Port& source) {
+  const Eigen::Vector3d u = source.vector_m.normalized();
+  const auto along = [&](const Eigen::Vector3d& axis) { return std::sqrt(axis.dot(covariance * axis)); };
+  return {along(u), along(Eigen::Vector3d::UnitZ().cross(u).normalized()), along(Eigen::Vector3d::UnitZ())};
+}
+
 }  // namespace
 
 SuspectSearch::SuspectSearch(const CellModel& model, const SkinGraph& graph, const GravityTable& table,
@@ -37,10 +44,11 @@ SuspectSearch::Verdict SuspectSearch::judge(std::size_t link_index) const {
   if (link.muted() || !readings_.measured(link)) return verdict;
   verdict.tested = true;
   const double sigma = largestDeviation(edge.covariance);
-  if (sigma < kJudgeableSigma && !edge.supported) {
+  if (sigma < kJudgeableSigma) {
     verdict.implausible =
         judgeLinkAngles(linkAngles(edge.R_c_n, model_.port(link.source_port), model_.port(link.target_port)),
-                        graph_.sourceEnd(link), graph_.targetEnd(link), options_, sigma);
+                        graph_.sourceEnd(link), graph_.targetEnd(link), model_, options_,
+                        anglesSigma(edge.covariance, model_.port(link.source_port)));
   }
   verdict.misfit = readingsOf(link_index).test.misfit().deviate();
   verdict.rigid = verdict.misfit <= options_.max_misfit;
@@ -99,7 +107,13 @@ std::optional<std::size_t> SuspectSearch::worstPose() const {
   return worst;
 }
 
-std::optional<std::size_t> SuspectSearch::worstCell() const {
+bool SuspectSearch::isClearlyWrong(std::size_t cell) const {
+  return std::ranges::any_of(graph_.linksAt(cell), [&](std::size_t link) {
+    return verdicts_[link].tested && verdicts_[link].misfit > kClearly * options_.max_misfit;
+  });
+}
+
+std::optional<std::size_t> SuspectSearch::worstCell(std::span<const std::size_t> but) const {
   constexpr double kNearlyAll = 0.74;
   constexpr std::size_t kFewestWitnesses = 2;
   std::vector<std::size_t> tested(graph_.cells().size(), 0);
@@ -113,6 +127,7 @@ std::optional<std::size_t> SuspectSearch::worstCell() const {
   std::optional<std::size_t> worst;
   double worst_misfit = 0;
   for (std::size_t cell = 0; cell < graph_.cells().size(); ++cell) {
+    if (std::ranges::count(but, cell) > 0) continue;
     if (bad[cell] < kFewestWitnesses || static_cast<double>(bad[cell]) < kNearlyAll * static_cast<double>(tested[cell]))
       continue;
     double misfit = 0;
@@ -130,18 +145,21 @@ std::optional<std::size_t> SuspectSearch::worstCell() const {
   return worst;
 }
 
-std::vector<SuspectSearch::BadLink> SuspectSearch::badLinks() const {
+std::vector<SuspectSearch::BadLink> SuspectSearch::badLinks(std::span<const std::size_t> spared) const {
   std::vector<BadLink> bad;
   for (std::size_t index = 0; index < verdicts_.size(); ++index) {
     const Verdict& verdict = verdicts_[index];
-    if (!verdict.bad()) continue;
-    if (!verdict.implausible.empty()) {
+    const GraphLink& graph_link = graph_.links()[index];
+    const bool is_spared = std::ranges::any_of(
+        spared, [&](std::size_t cell) { return cell == graph_link.source || cell == graph_link.target; });
+    if (!verdict.bad() || is_spared) continue;
+    // Of cells that moved against each other the angles mean nothing.
+    if (verdict.rigid) {
       bad.push_back({index, verdict.implausible});
       continue;
     }
-    const GraphLink& link = graph_.links()[index];
-    const LinkEnd source = graph_.sourceEnd(link);
-    const LinkEnd target = graph_.targetEnd(link);
+    const LinkEnd source = graph_.sourceEnd(graph_link);
+    const LinkEnd target = graph_.targetEnd(graph_link);
     bad.push_back(
         {index,
          {makeFinding(
@@ -152,6 +170,31 @@ std::vector<SuspectSearch::BadLink> SuspectSearch::badLinks() const {
              {source.cell, target.cell}, {source.port, target.port})}});
   }
   return bad;
+}
+
+bool hasTooFewPoses(const GravityTable& table, std::size_t cell) {
+  constexpr std::size_t kFewestToAccuse = 3;
+  return table.usablePoses(cell).size() < kFewestToAccuse;
+}
+
+Finding describeSuspiciousSensor(const SkinGraph& graph, const GravityTable& table, std::size_t cell) {
+  const CellId id = graph.cells()[cell].id;
+  return makeFinding(FindingCode::SuspiciousSensor,
+                     message("Cell {} does not fit its neighbours well, and {} poses don't tell why. It is used; take "
+                             "another pose.",
+                             id, table.usablePoses(cell).size()),
+                     {id});
+}
+
+Finding describeMovedCell(const SkinGraph& graph, const SessionSnapshot& snapshot, std::size_t cell,
+                          std::size_t first_pose_after, double angle_rad) {
+  const CellId id = graph.cells()[cell].id;
+  const PoseId pose = snapshot.poses[first_pose_after].capture->id;
+  return makeFinding(FindingCode::MovedCell,
+                     message("Cell {} turned by {} degrees or more against the others before pose {}: it came loose or "
+                             "was fixed anew. It is placed through its links; take the poses before pose {} again.",
+                             id, Number{toDegrees(angle_rad), 0}, pose, pose),
+                     {id}, {}, {pose});
 }
 
 Finding describeBadSensor(const SkinGraph& graph, const GravityTable& table, const SessionSnapshot& snapshot,

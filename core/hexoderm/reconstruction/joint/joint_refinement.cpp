@@ -251,6 +251,11 @@ Misfit JointRefinement::misfitOf(std::size_t cell) const {
   return testRigidity(AccelerometerPrior(problem_->model->accelerometer), problem_->readings[at], sensors_[at].v_g);
 }
 
+TurnBetweenPoses JointRefinement::turnOf(std::size_t cell) const {
+  const std::size_t at = localOf(cell);
+  return findTurn(AccelerometerPrior(problem_->model->accelerometer), problem_->readings[at], sensors_[at].v_g);
+}
+
 std::vector<double> JointRefinement::poseMisfits() const {
   std::vector<double> sums(poses_.size(), 0);
   std::vector<double> counts(poses_.size(), 0);

@@ -1,10 +1,12 @@
 #include "hexoderm/reconstruction/links/edge_rotation.h"
 
+#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/geometry/procrustes.h"
 #include "hexoderm/util/units.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -147,9 +149,13 @@ class EdgeSolver {
   const EdgeReadings& readings_;
 };
 
-bool applies(SupportAxes axes, EdgeQuality quality) {
-  if (axes == SupportAxes::Auto) return quality == EdgeQuality::Undefined || quality == EdgeQuality::Partially;
-  return axes == SupportAxes::On;
+/// Support axes pull towards the nominal alignment, also where the poses know better: they are for links of which the
+/// poses tell less than the elastomer does.
+bool needsSupport(const EdgeRotation& unsupported, SupportAxes axes, EdgeQuality quality, const CellModel& model) {
+  if (axes != SupportAxes::Auto) return axes == SupportAxes::On;
+  const bool leaves_open = quality == EdgeQuality::Undefined || quality == EdgeQuality::Partially;
+  return leaves_open && largestDeviation(unsupported.covariance) >
+                            std::max({model.twist_sigma_rad, model.bend_sigma_rad, model.yaw_sigma_rad});
 }
 
 }  // namespace
@@ -179,17 +185,18 @@ EdgeRotation estimateEdgeRotation(const CellModel& model, const Port& source, co
   const Eigen::Index poses = readings.n_g.cols();
   const ProcrustesSolution plain = solveProcrustes(unitColumns(readings.n_g), unitColumns(readings.c_g));
   const EdgeQuality quality = classifyEdge(plain.singular_values, options.class_threshold);
-  const bool supported = applies(options.support_axes, quality);
   const EdgeSolver solver(model, source, target, readings);
-
   // Two vectors less their mean are one difference and its opposite: a single direction.
   constexpr Eigen::Index kFewestToCentre = 3;
   const bool may_centre = options.centring != Centring::Off && poses >= kFewestToCentre;
-  EdgeRotation edge = solver.solve(may_centre && options.centring == Centring::On, supported, plain);
-  if (may_centre && options.centring == Centring::Auto) {
+  const auto solve = [&](bool supported) {
+    EdgeRotation edge = solver.solve(may_centre && options.centring == Centring::On, supported, plain);
+    if (!may_centre || options.centring == Centring::On) return edge;
     EdgeRotation centred = solver.solve(true, supported, plain);
-    if (centred.covariance.trace() < edge.covariance.trace()) edge = std::move(centred);
-  }
+    return centred.covariance.trace() < edge.covariance.trace() ? centred : edge;
+  };
+  EdgeRotation edge = solve(false);
+  if (needsSupport(edge, options.support_axes, quality, model)) edge = solve(true);
   edge.singular_values = plain.singular_values;
   edge.quality = quality;
   solver.addResiduals(edge);

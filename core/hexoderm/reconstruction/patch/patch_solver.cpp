@@ -51,10 +51,17 @@ Completion PatchSolver::refine(const PatchReconstruction* earlier, const std::st
                                              origin(), startingPlacements(earlier));
   joint_->solve(stop);
   if (stop.stop_requested()) return Completion::Stopped;
-  while (const auto cell = worstSensor()) {
-    findings.push_back(describeBadSensor(skin_.graph(), skin_.table(), skin_.snapshot(), *cell, isLeaf(*cell)));
-    skin_.dropCell(*cell);
-    joint_->leaveOut(*cell);
+  std::vector<std::size_t> suspicious;
+  while (const auto bad = worstSensor(suspicious)) {
+    const bool is_clear = joint_->misfitOf(bad->cell).deviate() > kClearly * skin_.options().max_misfit;
+    if (hasTooFewPoses(skin_.table(), bad->cell) && !is_clear) {
+      addOnce(findings, describeSuspiciousSensor(skin_.graph(), skin_.table(), bad->cell));
+      suspicious.push_back(bad->cell);
+      continue;
+    }
+    findings.push_back(describe(*bad));
+    skin_.dropCell(bad->cell);
+    joint_->leaveOut(bad->cell);
     joint_->solve(stop);
     if (stop.stop_requested()) return Completion::Stopped;
     dropped_cells_ = true;
@@ -75,23 +82,40 @@ std::vector<SE3> PatchSolver::startingPlacements(const PatchReconstruction* earl
   return placements;
 }
 
-std::optional<std::size_t> PatchSolver::worstSensor() const {
-  // With two cells, neither is the odd one out.
-  constexpr std::size_t kFewestForAVote = 3;
-  if (cells_.size() < kFewestForAVote) return std::nullopt;
+/// The cell, none of `but`, whose readings fit the gravity of all others worst.
+std::optional<PatchSolver::BadSensor> PatchSolver::worstSensor(const std::vector<std::size_t>& but) const {
   // With hundreds of poses the smallest misfit is significant; only one that also matters makes a sensor useless.
   constexpr double kLeastTimes = 2;
-  std::optional<std::size_t> worst;
+  std::optional<BadSensor> worst;
   double worst_misfit = skin_.options().max_misfit;
   for (const std::size_t cell : cells_) {
     if (!skin_.readings().measured(cell) || skin_.table().usablePoses(cell).size() < 2) continue;
+    if (std::ranges::count(but, cell) > 0) continue;
     const Misfit found = joint_->misfitOf(cell);
     const double misfit = found.deviate();
     if (misfit <= worst_misfit || found.chi_squared < kLeastTimes * found.degrees) continue;
-    worst = cell;
+    worst = BadSensor{cell, std::nullopt};
     worst_misfit = misfit;
   }
+  if (worst) worst->turn = turnOf(worst->cell);
   return worst;
+}
+
+/// The turn against the others between two poses that explains what a cell reads, if one does.
+std::optional<TurnBetweenPoses> PatchSolver::turnOf(std::size_t cell) const {
+  const TurnBetweenPoses turn = joint_->turnOf(cell);
+  const Misfit misfit = joint_->misfitOf(cell);
+  const Misfit left{misfit.chi_squared - turn.gain.chi_squared, misfit.degrees - turn.gain.degrees};
+  const bool explains = left.degrees > 0 && left.deviate() <= skin_.options().max_misfit;
+  return explains ? std::optional(turn) : std::nullopt;
+}
+
+Finding PatchSolver::describe(const BadSensor& bad) const {
+  if (!bad.turn) {
+    return describeBadSensor(skin_.graph(), skin_.table(), skin_.snapshot(), bad.cell, isLeaf(bad.cell));
+  }
+  const std::size_t pose = skin_.table().usablePoses(bad.cell)[bad.turn->first_after];
+  return describeMovedCell(skin_.graph(), skin_.snapshot(), bad.cell, pose, bad.turn->angle_rad);
 }
 
 /// One link alone holds the cell.

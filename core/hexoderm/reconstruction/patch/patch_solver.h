@@ -40,7 +40,13 @@ class PatchSolver {
 
  private:
   [[nodiscard]] std::vector<SE3> startingPlacements(const PatchReconstruction* earlier) const;
-  [[nodiscard]] std::optional<std::size_t> worstSensor() const;
+  struct BadSensor {
+    std::size_t cell = 0;
+    std::optional<TurnBetweenPoses> turn;  ///< that is what is wrong with it
+  };
+  [[nodiscard]] std::optional<BadSensor> worstSensor(const std::vector<std::size_t>& but) const;
+  [[nodiscard]] std::optional<TurnBetweenPoses> turnOf(std::size_t cell) const;
+  [[nodiscard]] Finding describe(const BadSensor& bad) const;
   [[nodiscard]] bool isLeaf(std::size_t cell) const;
 
   SkinLinks& skin_;
