@@ -7,6 +7,7 @@
 #include "hexoderm/util/units.h"
 #include "tests/support/error_matchers.h"
 #include "tests/support/json_mutations.h"
+#include "tests/support/result_builder.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -298,11 +299,8 @@ TEST(CalibrationJson, TreesGapModelIsPivotWhateverTheOptionSays) {
 
 TEST(CalibrationJson, StatesTheGapShareOfTheLargestPatch) {
   Reconstruction result = richCalibration();
-  PatchReconstruction other;
+  PatchReconstruction other = test::ResultBuilder().patch(9).cell(9).build().patches[0];
   other.id = PatchId(1);
-  other.origin = CellId(9);
-  other.cells.resize(1);
-  other.cells[0].cell = CellId(9);
   other.gap_share = {0.75, 0.25};
   result.patches.insert(result.patches.begin(), other);
   const std::string text = calibrationToJson(result);

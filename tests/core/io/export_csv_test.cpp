@@ -5,7 +5,7 @@
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 #include "tests/core/io/export_test_folder.h"
-#include "tests/support/reconstruction_builder.h"
+#include "tests/support/hand_made_skins.h"
 
 #include <gmock/gmock.h>
 
@@ -119,7 +119,8 @@ TEST_F(ExportCsv, HoldsTheUpDirectionOfEveryPatch) {
 }
 
 TEST_F(ExportCsv, EmptyReconstructionGivesHeadersOnly) {
-  const auto paths = exportReconstruction(makeEmptyReconstruction(), ExportFormat::Csv, in("out"));
+  const auto paths = exportReconstruction(test::ResultBuilder().build(), ExportFormat::Csv, in("out"));
+  ASSERT_FALSE(paths.empty());
   for (const auto& path : paths) {
     const std::string text = read(path);
     EXPECT_EQ(std::ranges::count(text, '\n'), 1) << path;

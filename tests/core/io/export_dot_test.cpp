@@ -3,7 +3,7 @@
 #include "hexoderm/io/exporter.h"
 #include "hexoderm/util/error.h"
 #include "tests/core/io/export_test_folder.h"
-#include "tests/support/reconstruction_builder.h"
+#include "tests/support/hand_made_skins.h"
 
 #include <gmock/gmock.h>
 
@@ -126,7 +126,7 @@ TEST_F(ExportDot, CellsWithoutALayoutHaveNoPlace) {
 }
 
 TEST_F(ExportDot, EmptyReconstructionGivesAnEmptyGraph) {
-  exportReconstruction(makeEmptyReconstruction(), ExportFormat::Dot, in("empty.dot"));
+  exportReconstruction(test::ResultBuilder().build(), ExportFormat::Dot, in("empty.dot"));
   EXPECT_EQ(boost::num_vertices(readWithBoost(read(in("empty.dot")))), 0U);
 }
 

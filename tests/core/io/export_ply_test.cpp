@@ -3,7 +3,7 @@
 #include "hexoderm/reconstruction/figures/patch_mesh.h"
 #include "hexoderm/util/error.h"
 #include "tests/core/io/export_test_folder.h"
-#include "tests/support/reconstruction_builder.h"
+#include "tests/support/hand_made_skins.h"
 
 #include <gmock/gmock.h>
 
@@ -108,7 +108,7 @@ TEST_F(ExportPly, KeepsEveryByteOfEveryColour) {
 
 TEST_F(ExportPly, RefusesAReconstructionWithoutCells) {
   EXPECT_THAT(messageOf<InvalidArgument>(
-                  [&] { exportReconstruction(makeEmptyReconstruction(), ExportFormat::Ply, in("a.ply")); }),
+                  [&] { exportReconstruction(test::ResultBuilder().build(), ExportFormat::Ply, in("a.ply")); }),
               HasSubstr("no cells"));
   EXPECT_TRUE(names().empty());
 }

@@ -2,7 +2,7 @@
 
 #include "hexoderm/util/error.h"
 #include "tests/core/io/export_test_folder.h"
-#include "tests/support/reconstruction_builder.h"
+#include "tests/support/hand_made_skins.h"
 
 #include <gmock/gmock.h>
 
@@ -79,7 +79,7 @@ TEST_F(ExportStl, NormalsPointOutOfTheSkin) {
 
 TEST_F(ExportStl, RefusesAReconstructionWithoutCells) {
   EXPECT_THAT(messageOf<InvalidArgument>(
-                  [&] { exportReconstruction(makeEmptyReconstruction(), ExportFormat::Stl, in("a.stl")); }),
+                  [&] { exportReconstruction(test::ResultBuilder().build(), ExportFormat::Stl, in("a.stl")); }),
               HasSubstr("no cells"));
   EXPECT_TRUE(names().empty());
 }

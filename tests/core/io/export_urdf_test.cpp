@@ -3,7 +3,7 @@
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
 #include "tests/core/io/export_test_folder.h"
-#include "tests/support/reconstruction_builder.h"
+#include "tests/support/hand_made_skins.h"
 
 #include <gmock/gmock.h>
 
@@ -151,7 +151,7 @@ TEST_F(ExportUrdf, TakesRotationsOfFewDecimals) {
 }
 
 TEST_F(ExportUrdf, EmptyReconstructionGivesTheParentLinkAlone) {
-  exportReconstruction(makeEmptyReconstruction(), ExportFormat::Urdf, in("empty.urdf"));
+  exportReconstruction(test::ResultBuilder().build(), ExportFormat::Urdf, in("empty.urdf"));
   EXPECT_EQ(chained(load(in("empty.urdf"))).size(), 1U);
 }
 

@@ -3,7 +3,7 @@
 #include "hexoderm/io/exporter.h"
 #include "hexoderm/util/error.h"
 #include "tests/core/io/export_test_folder.h"
-#include "tests/support/reconstruction_builder.h"
+#include "tests/support/hand_made_skins.h"
 
 #include <gmock/gmock.h>
 
@@ -158,7 +158,7 @@ TEST_F(ExportVtpFile, SaysUnitsAndFrames) {
 }
 
 TEST_F(ExportVtp, EmptyReconstructionGivesAnEmptyMesh) {
-  exportReconstruction(makeEmptyReconstruction(), ExportFormat::Vtp, in("empty.vtp"));
+  exportReconstruction(test::ResultBuilder().build(), ExportFormat::Vtp, in("empty.vtp"));
   pugi::xml_document document;
   ASSERT_TRUE(document.load_file(in("empty.vtp").c_str()));
   const pugi::xml_node piece = document.child("VTKFile").child("PolyData").child("Piece");

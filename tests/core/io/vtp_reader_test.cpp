@@ -1,5 +1,5 @@
 #include "hexoderm/io/exporter.h"
-#include "tests/support/reconstruction_builder.h"
+#include "tests/support/hand_made_skins.h"
 
 #include <gtest/gtest.h>
 #include <vtkCellData.h>

@@ -1,7 +1,7 @@
 #include "widgets/capture/coverage_view.h"
 
+#include "tests/support/hand_made_skins.h"
 #include "tests/support/qt_wait.h"
-#include "tests/widgets/sample_reconstruction.h"
 
 #include <gtest/gtest.h>
 #include <QSignalSpy>

@@ -1,8 +1,7 @@
 #include "widgets/patch/patch_view.h"
 
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
-#include "tests/support/demo_reconstruction.h"
-#include "tests/support/large_skin.h"
+#include "tests/support/hand_made_skins.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/controls/selection.h"
 #include "widgets/patch/opengl_info.h"
@@ -125,7 +124,7 @@ TEST_F(PatchViewTest, SeveralSizesAndColoursOneAfterTheOtherMakeOnePictureWhichI
   EXPECT_TRUE(test::waitUntil([&] { return pictures > 0; }));
   EXPECT_EQ(canvas->renderWindow()->GetSize()[0], qRound(680 * canvas->devicePixelRatioF()));
   EXPECT_TRUE(test::waitUntil([this] { return canvas->picture().width() > 640 && canvas->isPictureSmoothed(); }));
-  QTest::qWait(50);
+  test::letTurnsPass();
   EXPECT_EQ(pictures, 1);
   canvas->renderWindow()->RemoveObserver(observer);
 }

@@ -1,6 +1,8 @@
 #include "widgets/style/palette.h"
 
+#include <gmock/gmock.h>
 #include <Eigen/Core>
+#include <QApplication>
 #include <QImage>
 #include <QLineF>
 #include <QPainter>

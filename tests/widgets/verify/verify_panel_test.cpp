@@ -1,8 +1,8 @@
 #include "widgets/verify/verify_panel.h"
 
 #include "hexoderm/util/units.h"
+#include "tests/support/hand_made_skins.h"
 #include "tests/support/qt_wait.h"
-#include "tests/widgets/sample_reconstruction.h"
 #include "widgets/controls/selection.h"
 
 #include <gmock/gmock.h>

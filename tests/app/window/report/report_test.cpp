@@ -3,7 +3,7 @@
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
 #include "tests/app/window/window_test.h"
-#include "tests/support/reconstruction_builder.h"
+#include "tests/support/hand_made_skins.h"
 #include "tests/support/temporary_folder.h"
 #include "widgets/words/words.h"
 
@@ -106,9 +106,7 @@ TEST(Report, IsAPdfOfSeveralPages) {
 }
 
 TEST(Report, OfASkinWithoutAnythingIsStillAReport) {
-  Reconstruction result;
-  result.model = std::make_shared<CellModel>(builtInCellModel("hex-bma150"));
-  ReportContent content = contentOf(result);
+  ReportContent content = contentOf(test::ResultBuilder().build());
   content.pictures.clear();
   EXPECT_FALSE(textOf(reportHtml(content)).isEmpty());
   EXPECT_TRUE(reportPdf(content).startsWith("%PDF"));

@@ -5,6 +5,7 @@
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/units.h"
 #include "tests/support/pin_jointed_skin.h"
+#include "tests/support/result_builder.h"
 
 #include <gtest/gtest.h>
 #include <random>
@@ -30,21 +31,10 @@ Eigen::Vector3d randomUp(std::mt19937& random) {
 
 /// A patch's directions without any solver: only what coverageOf looks at.
 Reconstruction withGravity(const Ups& ups) {
-  Reconstruction result;
-  result.model = std::make_shared<const CellModel>(builtInCellModel("hex-bma150"));
-  result.patches.resize(1);
-  CellPlacement origin;
-  origin.cell = CellId(7);
-  result.patches[0].origin = CellId(7);
-  result.patches[0].cells = {origin};
-  for (std::size_t k = 0; k < ups.size(); ++k) {
-    const PoseId id(static_cast<std::uint32_t>(k + 1));
-    result.patches[0].gravity.push_back({id, ups[k].normalized(), 0.01});
-    PoseSummary pose;
-    pose.pose = id;
-    result.poses.push_back(pose);
-  }
-  return result;
+  test::ResultBuilder builder;
+  builder.patch(7).cell(7).poses(ups.size());
+  for (const Eigen::Vector3d& up : ups) builder.gravity(up.normalized());
+  return builder.build();
 }
 
 TEST(CoverageDisc, MiddleIsTheOriginCellsFrontAndTheRimIsLevel) {
@@ -81,8 +71,7 @@ TEST(CoverageDisc, EqualAreasOfTheSphereAreEqualAreasOfTheDisc) {
 }
 
 TEST(PoseCoverage, OfAnEmptySkinIsEmpty) {
-  Reconstruction empty;
-  empty.model = std::make_shared<const CellModel>(builtInCellModel("hex-bma150"));
+  const Reconstruction empty = test::ResultBuilder().build();
   const PoseCoverage coverage = coverageOf(empty);
   EXPECT_TRUE(coverage.seen.empty());
   EXPECT_FALSE(coverage.missing);

@@ -2,7 +2,7 @@
 
 #include "hexoderm/geometry/covariance.h"
 #include "hexoderm/reconstruction/reconstructor.h"
-#include "tests/support/demo_reconstruction.h"
+#include "tests/support/hand_made_skins.h"
 #include "tests/support/matchers.h"
 #include "tests/support/pin_jointed_skin.h"
 
@@ -68,6 +68,7 @@ TEST(CellFigures, UncertaintiesAreThoseOfTheVerdict) {
 TEST(CellFigures, PathLengthIsSummedFromCentreToCentre) {
   const Reconstruction demo = demoReconstruction();
   const CellFigures figures = makeCellFigures(demo);
+  ASSERT_EQ(figures.cells.size(), 17U);
   for (std::size_t k = 0; k < figures.cells.size(); ++k) {
     const std::vector<CellId>& path = demo.patches[0].cells[k].path;
     double expected = 0;
@@ -90,10 +91,9 @@ TEST(CellFigures, BodyPartsAreNumberedInTheOrderOfTheirNames) {
 }
 
 TEST(CellFigures, PatchesFollowEachOther) {
-  const CellModel model = builtInCellModel("hex-bma150");
   DemoOptions second;
   second.first_id = 101;
-  const CellFigures figures = makeCellFigures(demoReconstruction({demoPatch(model), demoPatch(model, second)}));
+  const CellFigures figures = makeCellFigures(demoPatches({DemoOptions(), second}));
   ASSERT_EQ(figures.cells.size(), 34U);
   EXPECT_EQ(figures.patch[16], 0U);
   EXPECT_EQ(figures.patch[17], 1U);

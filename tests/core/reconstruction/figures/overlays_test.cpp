@@ -1,7 +1,7 @@
 #include "hexoderm/reconstruction/figures/overlays.h"
 
 #include "hexoderm/reconstruction/reconstructor.h"
-#include "tests/support/demo_reconstruction.h"
+#include "tests/support/hand_made_skins.h"
 #include "tests/support/matchers.h"
 #include "tests/support/pin_jointed_skin.h"
 
@@ -47,10 +47,9 @@ TEST(AlignedTruth, CentresOnALineTakeTheTurnFromTheOrientations) {
 }
 
 TEST(AlignedTruth, IsMovedPatchByPatch) {
-  const CellModel model = builtInCellModel("hex-bma150");
   DemoOptions second;
   second.first_id = 101;
-  const Reconstruction two = demoReconstruction({demoPatch(model), demoPatch(model, second)});
+  const Reconstruction two = demoPatches({DemoOptions(), second});
   GroundTruth truth = truthOf(two);
   for (std::size_t k = 17; k < 34; ++k) truth.cells[k].T_b_u = kElsewhere * truth.cells[k].T_b_u;
   const std::vector<AlignedCell> aligned = alignTruth(two, truth);
@@ -101,10 +100,9 @@ TEST(CellDistance, IsThatOfCentresAndNormals) {
   EXPECT_EQ(distanceBetween(demo, CellId(2), CellId(2))->length_m, 0);
   EXPECT_EQ(distanceBetween(demo, CellId(2), CellId(999)), std::nullopt);
 
-  const CellModel model = builtInCellModel("hex-bma150");
   DemoOptions second;
   second.first_id = 101;
-  const Reconstruction two = demoReconstruction({demoPatch(model), demoPatch(model, second)});
+  const Reconstruction two = demoPatches({DemoOptions(), second});
   EXPECT_EQ(distanceBetween(two, CellId(1), CellId(101)), std::nullopt);
 }
 
