@@ -1352,6 +1352,14 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Von %1 kam keine Haut.</translation>
     </message>
     <message>
+        <source>The skin does not send any more. Check its power and its connection: once it sends again, this goes on by itself.</source>
+        <translation>Die Haut sendet nicht mehr. Stromversorgung und Verbindung prüfen: Sobald sie wieder sendet, geht es von selbst weiter.</translation>
+    </message>
+    <message>
+        <source>Nothing more will come from this skin. The poses stay; connect to a skin to take more.</source>
+        <translation>Von dieser Haut kommt nichts mehr. Die Posen bleiben; für weitere mit einer Haut verbinden.</translation>
+    </message>
+    <message>
         <source>The placements are being worked out…</source>
         <translation>Die Lagen werden berechnet…</translation>
     </message>
@@ -2258,8 +2266,8 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>es gibt keine Zellen und damit in einer {}-Datei nichts zu zeichnen: stattdessen csv, dot, vtp oder urdf exportieren</translation>
     </message>
     <message>
-        <source>expected a Hexoderm session (*.hexo, or format &quot;hexoderm-session&quot;), a calibration (format &quot;hexoderm-calibration&quot;) or a TUM SkinConfig XML</source>
-        <translation>erwartet ist eine Hexoderm-Sitzung (*.hexo oder Format „hexoderm-session“), eine Kalibrierung (Format „hexoderm-calibration“) oder ein TUM-SkinConfig-XML</translation>
+        <source>expected a Hexoderm session (*.hexo, or format &quot;{}&quot;), a calibration (format &quot;{}&quot;) or a TUM SkinConfig XML</source>
+        <translation>erwartet ist eine Hexoderm-Sitzung (*.hexo oder Format „{}“), eine Kalibrierung (Format „{}“) oder ein TUM-SkinConfig-XML</translation>
     </message>
     <message>
         <source>is a recording, which is not opened but played: connect to it as replay:FILE</source>

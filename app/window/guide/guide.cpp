@@ -51,6 +51,12 @@ bool isAwaited(const SessionController& controller) {
   return controller.liveSession().isLive() &&
          controller.liveSession().source().status().state == SourceState::Streaming && !hasReadings(controller);
 }
+/// A skin that sent and does not any more, though its stream has not ended: nothing goes on until it sends again.
+bool fellSilent(const SessionController& controller) {
+  const SourceState state = controller.liveSession().source().status().state;
+  return controller.liveSession().isLive() && hasReadings(controller) && state != SourceState::Streaming &&
+         state != SourceState::Ended;
+}
 QString noPose() { return Guide::tr("No pose has been captured yet."); }
 
 void say(Step& step, Readiness readiness, const QString& because) {
@@ -282,6 +288,16 @@ Banner::Content describeStand(const SessionController& controller, const WindowA
     const QString sentence = isOver(controller.liveSession().source()) ? Guide::tr("No skin came from %1.")
                                                                        : Guide::tr("Waiting for the skin at %1.");
     content.sentence = sentence.arg(controller.liveSession().source().address());
+  } else if (fellSilent(controller)) {
+    // For how long, and what the source does about it, says the strip below.
+    content.tone = Tone::Caution;
+    content.action = actions.connect_skin;
+    content.sentence =
+        isOver(controller.liveSession().source())
+            ? Guide::tr("Nothing more will come from this skin. The poses stay; connect to a skin to take more.")
+            : Guide::tr(
+                  "The skin does not send any more. Check its power and its connection: once it sends again, "
+                  "this goes on by itself.");
   } else if (controller.poseGuide().isRobotOn()) {
     const auto next = controller.enabledPoses() + 1;
     content.sentence =

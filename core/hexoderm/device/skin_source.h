@@ -7,6 +7,7 @@
 #include "hexoderm/graph/neighbor_list.h"
 #include "hexoderm/util/message.h"
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -35,6 +36,9 @@ enum class SourceState {
   Ended,         ///< the stream is over (end of a recording or of standard input); no more will come
   Incompatible,  ///< the device speaks another major version; no use to try again
 };
+
+/// A source that has not heard anything that makes sense for so long is Silent, unless it is told another time.
+inline constexpr std::chrono::milliseconds kSilentAfter{800};
 
 /// Counters are since start().
 struct SourceStatus {

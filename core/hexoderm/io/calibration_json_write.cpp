@@ -1,5 +1,6 @@
-#include "hexoderm/graph/cell_model_json.h"
 #include "hexoderm/io/calibration_json.h"
+
+#include "hexoderm/graph/cell_model_json.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/message_json.h"
 #include "hexoderm/util/units.h"
@@ -172,8 +173,8 @@ Json verdictJson(const Verdict& verdict) {
 
 std::string calibrationToJson(const Reconstruction& reconstruction) {
   Json json;
-  json["format"] = "hexoderm-calibration";
-  json["version"] = 1;
+  json["format"] = kCalibrationFormat;
+  json["version"] = kCalibrationVersion;
   json["solver"] = reconstruction.solver;
   // The tree lets both extended port vectors of a link end in one point, eq. (3); an imported file doesn't say.
   if (reconstruction.solver == "tree") json["gap_model"] = gapModelName(GapModel::Pivot);

@@ -1,7 +1,7 @@
 #include "hexoderm/io/export_dot.h"
 
 #include "hexoderm/io/export_support.h"
-#include "hexoderm/io/exporter.h"
+#include "hexoderm/reconstruction/result/quality_colors.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/hex.h"
 #include "hexoderm/util/text.h"
@@ -15,7 +15,6 @@ namespace hexoderm {
 namespace {
 
 constexpr double kInch_m = 0.0254;
-constexpr const char* kMutedColor = "#9A9A9A";
 
 std::string colorName(std::uint32_t rgb) {
   const std::array<std::uint8_t, 3> bytes = {static_cast<std::uint8_t>(rgb >> 16U),
@@ -33,7 +32,7 @@ std::string printable(std::string text) {
 
 DotAttributes linkAttributes(const LinkEstimate& link) {
   DotAttributes attributes;
-  const std::string color = colorName(qualityColor(link.quality, false));
+  const std::string color = colorName(qualityColor(link.quality, Background::Light));
   attributes["tooltip"] = std::string(qualityName(link.quality));
   attributes["color"] = color;
   switch (link.quality) {
@@ -53,7 +52,7 @@ DotAttributes linkAttributes(const LinkEstimate& link) {
   }
   if (link.in_tree) attributes["penwidth"] = "2";
   if (!link.used) {
-    attributes["color"] = kMutedColor;
+    attributes["color"] = colorName(unusedColor(Background::Light));
     attributes["style"] = "dashed";
     attributes["label"] = "x";
     attributes["tooltip"] = "muted";

@@ -2,6 +2,7 @@
 
 #include "hexoderm/io/export_support.h"
 #include "hexoderm/reconstruction/figures/patch_mesh.h"
+#include "hexoderm/reconstruction/result/quality_colors.h"
 #include "hexoderm/util/error.h"
 
 namespace hexoderm {
@@ -19,7 +20,8 @@ ExportMesh plyMesh(const Reconstruction& reconstruction) {
   for (const PatchMesh::Polygon& polygon : prisms.polygons) mesh.polygons.push_back(polygon.points);
   for (const CellId cell : prisms.cells) {
     const auto found = quality.find(cell);
-    const std::uint32_t color = found == quality.end() ? kNoLinkColor : qualityColor(found->second, false);
+    const std::uint32_t color =
+        found == quality.end() ? unusedColor(Background::Light) : qualityColor(found->second, Background::Light);
     mesh.colors.insert(mesh.colors.end(), kPointsPerCell, color);
   }
   return mesh;

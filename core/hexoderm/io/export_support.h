@@ -2,7 +2,6 @@
 
 #include "hexoderm/reconstruction/result/reconstruction.h"
 
-#include <cstdint>
 #include <string>
 #include <unordered_map>
 
@@ -10,9 +9,6 @@ namespace hexoderm {
 
 // Functions shared by the exporters. Each exporter is a pair of functions: one makes the bytes of the file, the other
 // reads bytes back and throws FormatError unless they hold the intended content.
-
-/// The colour of a cell without a used link, 0xRRGGBB.
-inline constexpr std::uint32_t kNoLinkColor = 0x9A9A9A;
 
 /// Class of each cell's worst used link; cells without a used link are not in the map.
 std::unordered_map<CellId, EdgeQuality> worstUsedQuality(const Reconstruction& reconstruction);

@@ -1,6 +1,7 @@
 #include "hexoderm/io/export_urdf.h"
 
 #include "hexoderm/io/export_support.h"
+#include "hexoderm/reconstruction/result/quality_colors.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
 
@@ -57,9 +58,9 @@ std::vector<Material> materials() {
   std::vector<Material> list;
   for (const EdgeQuality quality :
        {EdgeQuality::Undefined, EdgeQuality::Partially, EdgeQuality::Fully, EdgeQuality::Over}) {
-    list.push_back({kMaterialPrefix + std::string(qualityName(quality)), qualityColor(quality, false)});
+    list.push_back({kMaterialPrefix + std::string(qualityName(quality)), qualityColor(quality, Background::Light)});
   }
-  list.push_back({kMaterialPrefix + std::string("no_link"), kNoLinkColor});
+  list.push_back({kMaterialPrefix + std::string("no_link"), unusedColor(Background::Light)});
   return list;
 }
 

@@ -163,18 +163,4 @@ std::string exportBytes(const Reconstruction& reconstruction, ExportFormat forma
   return std::move(exported.bytes);
 }
 
-std::uint32_t qualityColor(EdgeQuality quality, bool dark) {
-  switch (quality) {
-    case EdgeQuality::Undefined:
-      return dark ? 0xD64A45 : 0x7F0D14;
-    case EdgeQuality::Partially:
-      return dark ? 0xFFDE3E : 0xE66F15;
-    case EdgeQuality::Fully:
-      return dark ? 0x87F5FA : 0x17A1CA;
-    case EdgeQuality::Over:
-      return dark ? 0x7A6BE8 : 0x3A1FB0;
-  }
-  throw InvalidArgument("qualityColor: no such quality");
-}
-
 }  // namespace hexoderm

@@ -50,7 +50,4 @@ std::vector<std::filesystem::path> exportReconstruction(const Reconstruction& re
 std::string exportBytes(const Reconstruction& reconstruction, ExportFormat format, const ExportOptions& options,
                         const std::string& file);
 
-/// Colours of the four classes, 0xRRGGBB, on a light and on a dark background: the only table, for files and window.
-std::uint32_t qualityColor(EdgeQuality quality, bool dark);
-
 }  // namespace hexoderm

@@ -17,8 +17,8 @@ namespace {
 
 Message expected() {
   return message(
-      "expected a Hexoderm session (*.hexo, or format \"hexoderm-session\"), a calibration (format "
-      "\"hexoderm-calibration\") or a TUM SkinConfig XML");
+      "expected a Hexoderm session (*.hexo, or format \"{}\"), a calibration (format \"{}\") or a TUM SkinConfig XML",
+      kSessionFormat, kCalibrationFormat);
 }
 
 constexpr std::string_view kRecordingBegins = "SKINREC";
@@ -68,8 +68,8 @@ OpenedFile openFile(const std::filesystem::path& path, const CellModel& model_fo
       throw FormatError(located(file, message("is none of the files that Hexoderm reads, {}", expected())));
   }
   const std::optional<std::string> format = findJsonFormat(text);
-  if (format == "hexoderm-session") return parseSessionJson(text, file);
-  if (format == "hexoderm-calibration") return parseCalibrationJson(text, file);
+  if (format == kSessionFormat) return parseSessionJson(text, file);
+  if (format == kCalibrationFormat) return parseCalibrationJson(text, file);
   if (!format) static_cast<void>(parseJson(text, file));  // a text that is not even JSON is reported first
   throw FormatError(located(file, located("format", format ? message("{}, found \"{}\"", expected(), *format)
                                                            : message("{}, but there is none", expected()))));

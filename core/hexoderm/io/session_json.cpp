@@ -20,9 +20,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view kFormat = "hexoderm-session";
-constexpr std::uint32_t kVersion = 1;
-
 CellModel readModel(const JsonReader& json) {
   if (json.isObject()) return readCellModel(json);
   if (!json.isString()) json.fail(message("the name of a built-in cell model, or a cell model as an object"));
@@ -121,7 +118,7 @@ Json poseJson(const SessionPose& pose) {
 Session parseSessionJson(std::string_view text, const std::string& file) {
   const nlohmann::json document = parseJson(text, file);
   const JsonReader json(document, file);
-  json.requireFormat(kFormat, kVersion);
+  json.requireFormat(kSessionFormat, kSessionVersion);
 
   SourceDescription source{{}, std::filesystem::path(file).filename().string(), sha256Hex(text)};
   if (json.find("description")) source.text = readMessage(json, "description");
@@ -145,8 +142,8 @@ Session readSessionJson(const std::filesystem::path& path) { return parseSession
 
 std::string sessionToJson(const Session& session) {
   Json json;
-  json["format"] = kFormat;
-  json["version"] = kVersion;
+  json["format"] = kSessionFormat;
+  json["version"] = kSessionVersion;
   if (!session.source().text.empty()) writeMessage(json, "description", session.source().text);
   json["cell_model"] = modelJson(session.model());
   json["cells"] = neighborsJson(session.neighbors());

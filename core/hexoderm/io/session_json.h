@@ -2,11 +2,16 @@
 
 #include "hexoderm/session/session.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
 
 namespace hexoderm {
+
+/// What stands under `format` and `version`; README.md in this folder says when the version grows.
+inline constexpr std::string_view kSessionFormat = "hexoderm-session";
+inline constexpr std::uint32_t kSessionVersion = 1;
 
 /// `*.session.json` (its keys are in README.md in this folder). Keys that the reader does not know are ignored. Numbers
 /// come back as the same doubles. Reading throws StorageError (missing, unreadable) or FormatError naming file, key

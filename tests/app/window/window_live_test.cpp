@@ -3,6 +3,8 @@
 #include "hexoderm/session/simulated_session.h"
 #include "tests/app/window/window_test.h"
 #include "tests/support/failing_disk.h"
+#include "widgets/capture/stillness_view.h"
+#include "widgets/patch/patch_view.h"
 
 #include <QComboBox>
 #include <QElapsedTimer>
@@ -282,6 +284,45 @@ TEST_F(WindowLiveTest, TheDemoCanBeSavedAsASessionThatKeepsEveryChange) {
   ASSERT_TRUE(waitUntilKept());
   EXPECT_EQ(read(path).poses().size(), 1U);
   EXPECT_NE(read(path).truth(), nullptr);
+}
+
+TEST_F(WindowLiveTest, ASkinThatFallsSilentIsToldAboveTheRobotAndItsLastReadingsGo) {
+  QTcpServer server;
+  ASSERT_TRUE(server.listen(QHostAddress::LocalHost));
+  window_->connectTo({QStringLiteral("tcp://127.0.0.1:%1").arg(server.serverPort()), pathTo("arm.hexo"), false});
+  ASSERT_TRUE(waitUntil([&] { return server.hasPendingConnections(); }));
+  QTcpSocket* device = server.nextPendingConnection();
+  device->write(
+      "{\"hello\": {\"device\": \"my robot\", \"cell_model\": \"hex-bma150\", \"can_turn\": true}}\n"
+      "{\"topology\": {\"id\": 1, \"cells\": [{\"id\": 1, \"ports\": [{\"port\": 2, \"cell\": 2, \"cell_port\": 3}]},"
+      " {\"id\": 2, \"ports\": [{\"port\": 3, \"cell\": 1, \"cell_port\": 2}]}]}}\n");
+  auto* stillness = find<StillnessView>("stillnessView");
+  auto* patch = window_->findChild<PatchView*>();
+  ASSERT_TRUE(stillness && patch);
+  // Until the robot is at work and its readings are shown.
+  ASSERT_TRUE(waitUntil([&, tick = 0]() mutable {
+    device->write(QStringLiteral("{\"samples\": {\"time_us\": %1, \"cells\": [1, 2], "
+                                 "\"acceleration_g\": [0, 0, 1, 0, 0, 1]}}\n")
+                      .arg(10000 * tick++)
+                      .toUtf8());
+    device->flush();
+    QAction* robot = action("actionRobot");
+    if (robot->isEnabled() && !robot->isChecked()) robot->trigger();
+    return !stillness->trace().points().empty() && patch->moment().readings &&
+           text("bannerSentence").startsWith("The robot is taking pose");
+  })) << text("bannerSentence").toStdString();
+
+  ASSERT_TRUE(waitUntil([this] { return text("bannerSentence").startsWith("The skin does not send any more"); }))
+      << text("bannerSentence").toStdString();
+  EXPECT_TRUE(controller().poseGuide().isRobotOn()) << "it goes on when the skin does";
+  EXPECT_EQ(find<QPushButton>("bannerButton")->text(), action("actionConnect")->iconText());
+  EXPECT_TRUE(stillness->trace().points().empty());
+  EXPECT_EQ(patch->moment().readings, nullptr);
+  EXPECT_FALSE(patch->moment().up_o.has_value());
+  click(find<QPushButton>("bannerButton"));
+  auto* dialog = waitForDialog<QDialog>("connectDialog");
+  ASSERT_NE(dialog, nullptr);
+  dialog->reject();
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ TEST_F(ExportDot, HoldsTwoDirectedEdgesALinkWithPortsAndQuality) {
   }
   for (const char* name : {"7:2-12:3", "12:3-7:2"}) EXPECT_EQ(edges[name].color, "#3A1FB0:#3A1FB0") << name;
   for (const char* name : {"7:1-12:4", "12:4-7:1", "7:4-20:1", "20:1-7:4"}) {
-    EXPECT_EQ(edges[name].color, "#9A9A9A") << name;
+    EXPECT_EQ(edges[name].color, "#8A939E") << name;
     EXPECT_EQ(edges[name].style, "dashed") << name;
     EXPECT_EQ(edges[name].label, "x") << name;
   }

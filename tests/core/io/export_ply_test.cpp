@@ -90,7 +90,7 @@ TEST_F(ExportPly, ColoursCellsByTheirWorstUsedLink) {
     for (std::size_t k = 0; k < 12; ++k) EXPECT_EQ(ply.vertices[12 * cell + k].color, colors.back());
   }
   // Cell 7 has links of both classes; the muted links of 7, 12 and 20 don't count.
-  EXPECT_THAT(colors, ElementsAre(0x17A1CA, 0x17A1CA, 0x3A1FB0, 0x9A9A9A));
+  EXPECT_THAT(colors, ElementsAre(0x17A1CA, 0x17A1CA, 0x3A1FB0, 0x8A939E));
 }
 
 TEST_F(ExportPly, KeepsEveryByteOfEveryColour) {

@@ -127,16 +127,5 @@ TEST(ExportOptions, NamesTheOptionThatMakesNoSense) {
   EXPECT_THAT(messageOf<InvalidArgument>([&] { options.validate(); }), HasSubstr("urdf_prefix"));
 }
 
-TEST(QualityColor, DiffersByClassAndGround) {
-  EXPECT_EQ(qualityColor(EdgeQuality::Undefined, false), 0x7F0D14U);
-  EXPECT_EQ(qualityColor(EdgeQuality::Partially, false), 0xE66F15U);
-  EXPECT_EQ(qualityColor(EdgeQuality::Fully, false), 0x17A1CAU);
-  EXPECT_EQ(qualityColor(EdgeQuality::Over, false), 0x3A1FB0U);
-  EXPECT_EQ(qualityColor(EdgeQuality::Undefined, true), 0xD64A45U);
-  EXPECT_EQ(qualityColor(EdgeQuality::Partially, true), 0xFFDE3EU);
-  EXPECT_EQ(qualityColor(EdgeQuality::Fully, true), 0x87F5FAU);
-  EXPECT_EQ(qualityColor(EdgeQuality::Over, true), 0x7A6BE8U);
-}
-
 }  // namespace
 }  // namespace hexoderm

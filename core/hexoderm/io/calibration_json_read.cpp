@@ -16,9 +16,6 @@
 namespace hexoderm {
 namespace {
 
-constexpr std::string_view kFormat = "hexoderm-calibration";
-constexpr std::uint32_t kVersion = 1;
-
 /// The value of an enumeration by its name in files.
 template <class FromName>
 auto named(const JsonReader& json, FromName from_name, const Message& expected) {
@@ -324,7 +321,7 @@ class PatchReader {
 std::shared_ptr<const Reconstruction> parseCalibrationJson(std::string_view text, const std::string& file) {
   const nlohmann::json document = parseJson(text, file);
   const JsonReader json(document, file);
-  json.requireFormat(kFormat, kVersion);
+  json.requireFormat(kCalibrationFormat, kCalibrationVersion);
 
   Reconstruction result;
   if (const auto options = json.find("options")) result.options = readOptions(*options);
