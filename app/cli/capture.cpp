@@ -334,7 +334,7 @@ void print(const Capture& capture, const HoldLedger& ledger, const CaptureOption
                                    {"clock_restarts", status.clock_restarts},
                                    {"offences", cli::toJson(status.offences)}};
     json["hold"] = toJson(ledger);
-    json["verdict"] = capture.result() ? cli::toJson(capture.result()->verdict) : nlohmann::ordered_json();
+    json["verdict"] = capture.result() ? cli::toJson(capture.result()->assessment) : nlohmann::ordered_json();
     printJson(json);
     return;
   }
@@ -360,7 +360,7 @@ void print(const Capture& capture, const HoldLedger& ledger, const CaptureOption
     std::cout << "The device did something wrong " << offence.count << (offence.count == 1 ? " time (" : " times (")
               << offenceName(offence.kind) << "): " << inWords(offence) << '\n';
   }
-  if (capture.result()) printVerdict(capture.result()->verdict);
+  if (capture.result()) printVerdict(capture.result()->assessment);
   if (capture.isUnsolved()) std::cout << "Ended before it was solved; \"hexoderm-cli solve\" does that.\n";
 }
 
@@ -418,7 +418,7 @@ int run(const CaptureOptions& options, const Common& common) {
                       (capture.status().offences.empty() ? "" : ". " + capture.whyNothingComes()));
   }
   print(capture, events.ledger(), options, common);
-  return capture.result() ? exitCodeOf(capture.result()->verdict) : kNotGoodEnough;
+  return capture.result() ? exitCodeOf(capture.result()->assessment) : kNotGoodEnough;
 }
 
 }  // namespace

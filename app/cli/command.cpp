@@ -79,8 +79,8 @@ std::shared_ptr<const Reconstruction> openCalibration(const std::string& path, c
   throw BadInput(path + ": this is a session, expected a calibration; \"hexoderm-cli solve\" makes one of it");
 }
 
-int exitCodeOf(const Verdict& verdict) {
-  return verdict.level == VerdictLevel::NotEnough || verdict.level == VerdictLevel::Failed ? kNotGoodEnough : kDone;
+int exitCodeOf(const Assessment& verdict) {
+  return verdict.isUsable() ? kDone : kNotGoodEnough;
 }
 
 void printFindings(const std::vector<Finding>& findings) {
@@ -95,24 +95,30 @@ void printFindings(const std::vector<Finding>& findings) {
   }
 }
 
-void printVerdict(const Verdict& verdict) {
-  std::cout << "Verdict: " << verdictName(verdict.level) << ". " << forTerminal(verdict.reason.english()) << '\n';
-  if (!verdict.next_action.empty()) std::cout << "Next: " << forTerminal(verdict.next_action.english()) << '\n';
+void printVerdict(const Assessment& assessment) {
+  std::cout << "Verdict: " << verdictName(assessment.level) << ". " << forTerminal(assessment.reason.english()) << '\n';
+  if (!assessment.next_action.empty()) std::cout << "Next: " << forTerminal(assessment.next_action.english()) << '\n';
 }
+
+namespace {
+
+template <class Ids>
+nlohmann::ordered_json numbersOf(const Ids& ids) {
+  auto array = nlohmann::ordered_json::array();
+  for (const auto& id : ids) array.push_back(id.value());
+  return array;
+}
+
+}  // namespace
 
 nlohmann::ordered_json toJson(const Finding& finding) {
   nlohmann::ordered_json json;
   json["code"] = codeName(finding.code);
   json["severity"] = severityName(finding.severity);
   json["text"] = finding.message.english();
-  const auto numbers = [](const auto& ids) {
-    auto array = nlohmann::ordered_json::array();
-    for (const auto& id : ids) array.push_back(id.value());
-    return array;
-  };
-  json["cells"] = numbers(finding.cells);
-  json["ports"] = numbers(finding.ports);
-  json["poses"] = numbers(finding.poses);
+  json["cells"] = numbersOf(finding.cells);
+  json["ports"] = numbersOf(finding.ports);
+  json["poses"] = numbersOf(finding.poses);
   return json;
 }
 
@@ -122,7 +128,7 @@ nlohmann::ordered_json toJson(const std::vector<Finding>& findings) {
   return array;
 }
 
-nlohmann::ordered_json toJson(const Verdict& verdict) {
+nlohmann::ordered_json toJson(const Assessment& verdict) {
   nlohmann::ordered_json json;
   json["level"] = verdictName(verdict.level);
   json["reason"] = verdict.reason.english();
@@ -130,6 +136,10 @@ nlohmann::ordered_json toJson(const Verdict& verdict) {
   json["orientation_95_deg"] = nullptr;
   if (verdict.position_95_m) json["position_95_mm"] = toMillimetres(*verdict.position_95_m);
   if (verdict.orientation_95_rad) json["orientation_95_deg"] = toDegrees(*verdict.orientation_95_rad);
+  json["limit"] = limitName(verdict.limit);
+  json["remedy"] = remedyName(verdict.remedy);
+  json["limiting_cells"] = numbersOf(verdict.limiting_cells);
+  json["retake"] = numbersOf(verdict.retake);
   json["next_action"] = verdict.next_action.english();
   return json;
 }

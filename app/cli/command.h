@@ -116,13 +116,13 @@ BadInput noSession(const std::string& path);
 std::shared_ptr<const Reconstruction> openCalibration(const std::string& path,
                                                       const std::string& cell_model = "hex-bma150");
 
-int exitCodeOf(const Verdict& verdict);
+int exitCodeOf(const Assessment& verdict);
 
 /// Findings and verdict as text and as JSON, the same in every command.
 void printFindings(const std::vector<Finding>& findings);
-void printVerdict(const Verdict& verdict);
+void printVerdict(const Assessment& verdict);
 nlohmann::ordered_json toJson(const Finding& finding);
-nlohmann::ordered_json toJson(const Verdict& verdict);
+nlohmann::ordered_json toJson(const Assessment& verdict);
 nlohmann::ordered_json toJson(const std::vector<Finding>& findings);
 nlohmann::ordered_json toJson(const std::vector<Offence>& offences);
 void printJson(const nlohmann::ordered_json& json);

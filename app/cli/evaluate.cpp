@@ -96,11 +96,11 @@ class Evaluation {
 
   void findingsAndVerdict() {
     result_["findings"] = cli::toJson(calibration_.findings);
-    result_["verdict"] = cli::toJson(calibration_.verdict);
+    result_["verdict"] = cli::toJson(calibration_.assessment);
     if (json_) {
       printJson(result_);
     } else {
-      printVerdict(calibration_.verdict);
+      printVerdict(calibration_.assessment);
     }
   }
 

@@ -47,7 +47,7 @@ nlohmann::ordered_json describe(const Reconstruction& r, const std::string& kind
     json["poses"].push_back(std::move(entry));
   }
   json["findings"] = toJson(r.findings);
-  json["verdict"] = toJson(r.verdict);
+  json["verdict"] = toJson(r.assessment);
   return json;
 }
 
@@ -69,7 +69,7 @@ void print(const Reconstruction& r, const std::string& path, const std::string& 
     std::cout << '\n';
   }
   printFindings(r.findings);
-  printVerdict(r.verdict);
+  printVerdict(r.assessment);
 }
 
 int run(const InspectOptions& options, const Common& common) {

@@ -42,7 +42,7 @@ void printSummary(const Reconstruction& r, const Session& session) {
     }
   }
   printFindings(r.findings);
-  printVerdict(r.verdict);
+  printVerdict(r.assessment);
 }
 
 int run(const SolveOptions& options, const Common& common) {
@@ -72,7 +72,7 @@ int run(const SolveOptions& options, const Common& common) {
     printSummary(*result, session);
     if (!options.output.empty()) std::cout << "Written to " << forTerminal(output.inWords()) << '\n';
   }
-  return exitCodeOf(result->verdict);
+  return exitCodeOf(result->assessment);
 }
 
 }  // namespace

@@ -308,6 +308,10 @@
         <source>The part is still. Automatic capture is off</source>
         <translation>Das Teil ist ruhig. Die Automatik ist aus</translation>
     </message>
+    <message>
+        <source>The directions seen are enough: another one would hardly help.</source>
+        <translation>Die gesehenen Richtungen genügen: Eine weitere würde kaum helfen.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::CardDock</name>
@@ -4445,6 +4449,62 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>A cell&apos;s readings fit badly, and there are too few poses to say why; they are used.</source>
         <translation>Die Messwerte einer Zelle passen schlecht, und es sind zu wenige Posen, um zu sagen, warum; sie werden benutzt.</translation>
+    </message>
+    <message>
+        <source>what limits a result</source>
+        <translation>was ein Ergebnis begrenzt</translation>
+    </message>
+    <message>
+        <source>what helps a result</source>
+        <translation>was einem Ergebnis hilft</translation>
+    </message>
+    <message>
+        <source>No cell is linked to another: nothing says how the {} cells lie.</source>
+        <translation>Keine Zelle ist mit einer anderen verbunden: Nichts verrät, wie die {} Zellen liegen.</translation>
+    </message>
+    <message>
+        <source>{} of {} cells are linked to no other: nothing says how they lie.</source>
+        <translation>{} von {} Zellen sind mit keiner anderen verbunden: Nichts verrät, wie sie liegen.</translation>
+    </message>
+    <message>
+        <source>Check the links between the cells, then the findings.</source>
+        <translation>Erst die Verbindungen zwischen den Zellen prüfen, dann die Befunde.</translation>
+    </message>
+    <message>
+        <source>Not enough: no pose yet. The shape shown follows from the ports alone.</source>
+        <translation>Nicht genug: noch keine Pose. Die gezeigte Form folgt allein aus den Ports.</translation>
+    </message>
+    <message>
+        <source>Not enough: {} at the worst cell (95 %), {}.</source>
+        <translation>Nicht genug: {} an der schlechtesten Zelle (95 %), {}.</translation>
+    </message>
+    <message>
+        <source>What limits it is that {} can&apos;t be used in {}: the readings are missing or no good.</source>
+        <translation>Begrenzt wird das Ergebnis dadurch, dass {} in {} nicht zu brauchen ist: Die Messwerte fehlen oder taugen nichts.</translation>
+    </message>
+    <message>
+        <source>What limits it is how the cells lie in the mould: another pose would hardly help.</source>
+        <translation>Begrenzt wird das Ergebnis dadurch, wie die Zellen in der Form liegen: Eine weitere Pose würde kaum helfen.</translation>
+    </message>
+    <message>
+        <source>No link joins the {} patches: each lies in the frame of its own origin.</source>
+        <translation>Keine Verbindung verbindet die {} Hautstücke: Jedes liegt im Koordinatensystem seines eigenen Ursprungs.</translation>
+    </message>
+    <message>
+        <source>poses {}</source>
+        <translation>Posen {}</translation>
+    </message>
+    <message>
+        <source>Take {} again. That should bring ±{} to about ±{}.</source>
+        <translation>{} noch einmal aufnehmen. Das sollte ±{} auf etwa ±{} bringen.</translation>
+    </message>
+    <message>
+        <source>Look at the findings and check the links between the cells.</source>
+        <translation>Die Befunde ansehen und die Verbindungen zwischen den Zellen prüfen.</translation>
+    </message>
+    <message>
+        <source>The directions of gravity that were seen leave open how the cells are turned: take a pose in which the part is turned by about 90 degrees about a horizontal axis.</source>
+        <translation>Die gesehenen Richtungen der Schwerkraft lassen offen, wie die Zellen gedreht sind: eine Pose aufnehmen, in der das Teil um etwa 90 Grad um eine waagrechte Achse gedreht ist.</translation>
     </message>
 </context>
 <context>

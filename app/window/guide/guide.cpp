@@ -2,7 +2,7 @@
 
 #include "app/window/guide/actions.h"
 #include "app/window/session/session_controller.h"
-#include "hexoderm/reconstruction/advice/verdict.h"
+#include "hexoderm/reconstruction/advice/assess.h"
 #include "widgets/words/formatting.h"
 #include "widgets/words/words.h"
 
@@ -16,17 +16,13 @@ struct Guide {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::Guide)
 };
 
-bool isExportable(const Reconstruction& reconstruction) {
-  return reconstruction.verdict.level == VerdictLevel::Good || reconstruction.verdict.level == VerdictLevel::Usable;
-}
-
 QAction* bestAction(const SessionController& controller, const WindowActions& actions) {
   if (controller.isEmpty()) return actions.demo;
   const Reconstruction* result = controller.reconstruction().get();
   if (controller.poseGuide().isRobotOn()) return actions.robot;
   if (controller.poseGuide().wantsMorePoses())
     return controller.liveSession().canTurn() ? actions.robot : actions.show_next_pose;
-  if (!result || (controller.session() && !isExportable(*result))) return actions.connect_skin;
+  if (!result || (controller.session() && !result->assessment.isUsable())) return actions.connect_skin;
   const Finding* finding = worstFinding(*result);
   return finding && finding->severity == Severity::Error ? actions.show_finding : actions.export_to;
 }
@@ -173,15 +169,13 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
     sayOf(step, *actions.capture, {});
     return step;
   }
-  const std::size_t enabled = controller.enabledPoses();
   const bool more = controller.poseGuide().wantsMorePoses();
-  step.note =
-      more && enabled < kGoodPoseCount ? Guide::tr("%1 of %2").arg(enabled).arg(kGoodPoseCount) : posesInWords(enabled);
+  step.note = posesInWords(controller.enabledPoses());
   if (controller.liveSession().canTurn())
     step.actions = {actions.robot, actions.live_mode};
   else if (controller.liveSession().isLive())
     step.actions = {actions.live_mode};
-  step.state = more || (result && !isExportable(*result)) ? StepState::Current : StepState::Done;
+  step.state = more || (result && !result->assessment.isUsable()) ? StepState::Current : StepState::Done;
   if (isAwaited(controller)) step.state = StepState::Waiting;
   // A connected skin has a panel of its own, which says what to do and why.
   if (actions.capture->isEnabled() && isAwaited(controller)) {
@@ -190,7 +184,7 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
     sayOf(step, *actions.capture, Guide::tr("The skin sends."));
   }
   if (controller.liveSession().isLive()) return step;
-  if (result && step.state == StepState::Current) step.what = words(result->verdict.next_action);
+  if (result && step.state == StepState::Current) step.what = words(result->assessment.next_action);
   step.why = Guide::tr(
       "Gravity seen from several directions tells how every cell is turned against its neighbours. No skin is "
       "connected to take more.");
@@ -216,7 +210,7 @@ Step reviewStep(const SessionController& controller, const WindowActions& action
   }
   const Finding* finding = worstFinding(*result);
   if (captured) step.state = finding ? StepState::Current : StepState::Done;
-  step.what = words(finding ? finding->message : result->verdict.reason);
+  step.what = words(finding ? finding->message : result->assessment.reason);
   if (controller.session()) {
     step.why = Guide::tr(
         "A pose that does not fit can be disabled or deleted in the table of poses, and taken back with "
@@ -262,13 +256,13 @@ Step exportStep(const SessionController& controller, const WindowActions& action
   sayOf(step, *actions.export_to,
         hasNoPose(controller) ? Guide::tr("Without a pose, a file only holds what follows from the ports.")
                               : Guide::tr("There is a result of everything that was captured."));
-  if (step.readiness == Readiness::Ready && (hasNoPose(controller) || !isExportable(*result))) {
+  if (step.readiness == Readiness::Ready && (hasNoPose(controller) || !result->assessment.isUsable())) {
     step.readiness = Readiness::Possible;
   }
   if (controller.session()) step.actions.push_back(actions.save);
   step.what = Guide::tr("Write the placements in the form you need.");
   step.why =
-      isExportable(*result)
+      result->assessment.isUsable()
           ? Guide::tr("Every file is read back and compared before it is called written.")
           : Guide::tr("It can be exported as it is, but the result is not good enough yet: see the line on top.");
   return step;
@@ -300,13 +294,10 @@ Banner::Content describeStand(const SessionController& controller, const WindowA
                   "this goes on by itself.");
   } else if (controller.poseGuide().isRobotOn()) {
     const auto next = controller.enabledPoses() + 1;
-    content.sentence =
-        next <= kGoodPoseCount
-            ? Guide::tr("%1 is taking pose %2 of %3.").arg(robotInWords(controller)).arg(next).arg(kGoodPoseCount)
-            : Guide::tr("%1 is taking pose %2.").arg(robotInWords(controller)).arg(next);
+    content.sentence = Guide::tr("%1 is taking pose %2.").arg(robotInWords(controller)).arg(next);
   } else if (const Reconstruction* result = controller.reconstruction().get()) {
-    content.tone = toneOf(result->verdict.level);
-    content.sentence = words(result->verdict.reason);
+    content.tone = toneOf(result->assessment.level);
+    content.sentence = words(result->assessment.reason);
   } else if (!controller.isEmpty()) {
     content.sentence = Guide::tr("The placements are being worked out…");
   } else if (!controller.work().activity().isEmpty()) {
@@ -328,7 +319,7 @@ std::vector<Step> describeSteps(const SessionController& controller, const Windo
   steps.push_back(exportStep(controller, actions));
   // With everything before it done that has to be, exporting is what is left to do.
   const Reconstruction* result = controller.reconstruction().get();
-  if (reviewed && result && isExportable(*result)) steps.back().state = StepState::Current;
+  if (reviewed && result && result->assessment.isUsable()) steps.back().state = StepState::Current;
   return steps;
 }
 

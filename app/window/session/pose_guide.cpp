@@ -15,9 +15,9 @@ const std::optional<PoseAdvice>& PoseGuide::nextPose() const { return live_sessi
 bool PoseGuide::isNextPoseWanted() const { return live_session_.course().isNextPoseWanted(); }
 bool PoseGuide::isRobotOn() const { return live_session_.course().isRobotOn(); }
 
-bool PoseGuide::wantsMorePoses(TurnedBy turned_by) const {
+bool PoseGuide::wantsMorePoses() const {
   return live_session_.isLive() && live_session_.source().status().state != SourceState::Ended &&
-         live_session_.course().wantsMorePoses(turned_by);
+         live_session_.course().wantsMorePoses();
 }
 
 void PoseGuide::hear(const CourseEvent& event) {

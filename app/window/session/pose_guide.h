@@ -23,8 +23,8 @@ class PoseGuide : public QObject {
   [[nodiscard]] const std::optional<PoseAdvice>& nextPose() const;
   /// Following that advice would help: not for the first pose, which may be any, nor where there are enough.
   [[nodiscard]] bool isNextPoseWanted() const;
-  /// The connected skin should be held for another pose, see enoughPoses().
-  [[nodiscard]] bool wantsMorePoses(TurnedBy turned_by = TurnedBy::Hand) const;
+  /// The connected skin should be held for another pose, as the result's assessment says.
+  [[nodiscard]] bool wantsMorePoses() const;
   /// The device turns itself from pose to pose until there are enough.
   [[nodiscard]] bool isRobotOn() const;
 

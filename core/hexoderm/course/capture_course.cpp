@@ -249,10 +249,10 @@ void CaptureCourse::setRobot(bool on) {
   turnIfTime();
 }
 
-bool CaptureCourse::wantsMorePoses(TurnedBy turned_by) const {
+bool CaptureCourse::wantsMorePoses() const {
   if (!isOn()) return false;
   if (options_.poses > 0) return session_->poses().size() < options_.poses;
-  return !result_ || !enoughPoses(*result_, turned_by);
+  return !result_ || result_->assessment.wantsPose();
 }
 
 bool CaptureCourse::isSettled() const {
@@ -261,7 +261,9 @@ bool CaptureCourse::isSettled() const {
 
 void CaptureCourse::finishIfEnough() {
   const bool has_end = robot_ || options_.poses > 0;
-  if (!has_end || !isSettled() || wantsMorePoses(robot_ ? TurnedBy::Device : TurnedBy::Hand)) return;
+  if (!has_end || !isSettled()) return;
+  const bool is_too_much = robot_ && options_.poses == 0 && session_->poses().size() >= kMostPosesByItself;
+  if (wantsMorePoses() && !is_too_much) return;
   robot_ = false;
   finished_ = true;
   owner_.onCourseEvent(CourseFinished{});

@@ -97,7 +97,7 @@ class CaptureOwner {
 };
 
 struct CaptureCourseOptions {
-  std::size_t poses = 0;  ///< poses of the session that are enough; 0: see enoughPoses()
+  std::size_t poses = 0;  ///< poses of the session that are enough; 0: as the result's assessment says
   bool keep_raw = false;  ///< gives the frames of a pose to the file too
   /// How long to wait before a file that can't be written is tried again by tick(). 0: only when the owner tries.
   std::chrono::milliseconds retry_every{0};
@@ -124,6 +124,9 @@ class CaptureCourse {
   using Clock = std::chrono::steady_clock;
   /// A device that refused so often is not asked any more.
   static constexpr std::size_t kMostRefusals = 10;
+  /// A device that turns itself is stopped after so many poses, whatever the assessment still hopes for: a result that
+  /// is not good by then does not lack poses.
+  static constexpr std::size_t kMostPosesByItself = 12;
 
   /// `owner` must outlive the course.
   explicit CaptureCourse(CaptureOwner& owner, CaptureCourseOptions options = {});
@@ -188,8 +191,9 @@ class CaptureCourse {
   /// The device's answer.
   void setOutcome(const CommandOutcome& outcome);
 
-  /// Another pose would help: enoughPoses(), or the number that the options ask for, is not reached yet.
-  [[nodiscard]] bool wantsMorePoses(TurnedBy turned_by = TurnedBy::Hand) const;
+  /// Another pose would help, as the result's assessment says; or the number that the options ask for is not reached
+  /// yet.
+  [[nodiscard]] bool wantsMorePoses() const;
   /// The robot, or the number of poses in the options, came to its end, and all poses are on disk; or the file was
   /// given up.
   [[nodiscard]] bool isFinished() const { return finished_; }

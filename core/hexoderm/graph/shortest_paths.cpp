@@ -45,8 +45,13 @@ BoostGraph patchGraph(const SkinGraph& graph, std::span<const double> link_weigh
 /// Single-source distances from a few cells, and what they prove about the sums of all others.
 class OriginSearch {
  public:
-  explicit OriginSearch(BoostGraph graph)
-      : graph_(std::move(graph)), count_(boost::num_vertices(graph_)), bound_(count_, 0), exact_(count_, false) {}
+  /// `eligible`: per cell of the patch; at least one is.
+  OriginSearch(BoostGraph graph, std::vector<bool> eligible)
+      : graph_(std::move(graph)),
+        count_(boost::num_vertices(graph_)),
+        eligible_(std::move(eligible)),
+        bound_(count_, 0),
+        exact_(count_, false) {}
 
   std::size_t run() {
     spreadLandmarks();
@@ -69,6 +74,7 @@ class OriginSearch {
     const double sum = std::accumulate(distance.begin(), distance.end(), 0.0);
     landmarks_.push_back(std::move(distance));
     exact_[k] = true;
+    if (!eligible_[k]) return;
     const bool tie = same(sum, best_sum_);
     if (best_ == kNoIndex || (tie ? k < best_ : sum < best_sum_)) {
       best_ = k;
@@ -86,7 +92,7 @@ class OriginSearch {
       for (std::size_t v = 0; v < count_; ++v) nearest[v] = std::min(nearest[v], landmarks_.back()[v]);
       next = static_cast<std::size_t>(std::ranges::max_element(nearest) - nearest.begin());
     }
-    cutAt(best_);
+    if (best_ != kNoIndex) cutAt(best_);
   }
 
   /// With sigma_u = +-1 and landmark L(u) chosen so that sigma_u (d_L(k) - d_L(u)) is largest, the triangle inequality
@@ -121,7 +127,7 @@ class OriginSearch {
   [[nodiscard]] std::size_t mostPromising() const {
     std::size_t found = kNoIndex;
     for (std::size_t v = 0; v < count_; ++v) {
-      if (exact_[v]) continue;
+      if (exact_[v] || !eligible_[v]) continue;
       const bool may_win = same(bound_[v], best_sum_) ? v < best_ : bound_[v] < best_sum_;
       if (may_win && (found == kNoIndex || bound_[v] < bound_[found])) found = v;
     }
@@ -130,6 +136,7 @@ class OriginSearch {
 
   BoostGraph graph_;
   std::size_t count_;
+  std::vector<bool> eligible_;
   std::vector<std::vector<double>> landmarks_;
   std::vector<double> bound_;
   std::vector<bool> exact_;
@@ -177,10 +184,12 @@ ShortestPaths findShortestPaths(const SkinGraph& graph, std::span<const double> 
   return paths;
 }
 
-std::size_t findOrigin(const SkinGraph& graph, std::span<const double> link_weights, std::size_t patch) {
+std::size_t findOrigin(const SkinGraph& graph, std::span<const double> link_weights, std::size_t patch,
+                       const std::vector<bool>& eligible) {
   const std::vector<std::size_t>& cells = graph.patches()[patch];
   if (cells.size() == 1) return cells.front();
-  return cells[OriginSearch(patchGraph(graph, link_weights, patch)).run()];
+  const bool any = std::ranges::find(eligible, true) != eligible.end();
+  return cells[OriginSearch(patchGraph(graph, link_weights, patch), any ? eligible : std::vector(cells.size(), true)).run()];
 }
 
 }  // namespace hexoderm

@@ -26,6 +26,9 @@ ShortestPaths findShortestPaths(const SkinGraph& graph, std::span<const double> 
 /// The cell of a patch whose shortest paths to all other cells of the patch have the smallest sum (ties: smallest ID).
 /// Exact, but without all pairs: single-source distances of a few landmarks bound every other cell's sum from below by
 /// the triangle inequality, and only cells whose bound does not exceed the best sum are tried.
-std::size_t findOrigin(const SkinGraph& graph, std::span<const double> link_weights, std::size_t patch);
+///
+/// `eligible`: per cell of the patch, whether it can be the origin; empty: all can. If no cell of the patch is, all are.
+std::size_t findOrigin(const SkinGraph& graph, std::span<const double> link_weights, std::size_t patch,
+                       const std::vector<bool>& eligible = {});
 
 }  // namespace hexoderm

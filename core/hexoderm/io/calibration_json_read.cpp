@@ -240,14 +240,23 @@ Finding readFinding(const JsonReader& json) {
   return finding;
 }
 
-Verdict readVerdict(const JsonReader& json) {
-  Verdict verdict;
+/// Older files state neither what limits the result nor what helps: one that can't be used wanted poses.
+Assessment readVerdict(const JsonReader& json) {
+  Assessment verdict;
   verdict.level =
       named(json.at("level"), verdictFromName, message("\"good\", \"usable\", \"not_enough\" or \"failed\""));
   verdict.reason = readMessage(json, "reason");
   if (const auto value = json.find("position_95_mm")) verdict.position_95_m = value->nonNegativeNumber() * kMillimetre;
   if (const auto value = json.find("orientation_95_deg")) verdict.orientation_95_rad = nonNegativeAngle(*value);
   verdict.next_action = readMessage(json, "next_action");
+  if (const auto limit = json.find("limit")) verdict.limit = named(*limit, limitFromName, message("what limits a result"));
+  if (const auto cells = json.find("limiting_cells")) verdict.limiting_cells = readIds<CellId>(*cells);
+  if (const auto poses = json.find("retake")) verdict.retake = readIds<PoseId>(*poses);
+  if (const auto remedy = json.find("remedy")) {
+    verdict.remedy = named(*remedy, remedyFromName, message("what helps a result"));
+  } else if (!verdict.isUsable()) {
+    verdict.remedy = Remedy::TakePose;
+  }
   return verdict;
 }
 
@@ -344,7 +353,7 @@ std::shared_ptr<const Reconstruction> parseCalibrationJson(std::string_view text
     }
   }
   for (const JsonReader& finding : json.at("findings").items()) result.findings.push_back(readFinding(finding));
-  result.verdict = readVerdict(json.at("verdict"));
+  result.assessment = readVerdict(json.at("verdict"));
   result.layout = computeFlatLayout(*result.model, result.patches);
   return std::make_shared<const Reconstruction>(std::move(result));
 }

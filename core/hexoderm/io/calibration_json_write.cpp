@@ -157,7 +157,7 @@ Json findingJson(const Finding& finding) {
   return json;
 }
 
-Json verdictJson(const Verdict& verdict) {
+Json verdictJson(const Assessment& verdict) {
   const auto orNull = [](const std::optional<double>& value, double unit) {
     return value ? Json(inUnit(*value, unit)) : Json(nullptr);
   };
@@ -165,6 +165,10 @@ Json verdictJson(const Verdict& verdict) {
   writeMessage(json, "reason", verdict.reason);
   json["position_95_mm"] = orNull(verdict.position_95_m, kMillimetre);
   json["orientation_95_deg"] = orNull(verdict.orientation_95_rad, kDegree);
+  json["limit"] = limitName(verdict.limit);
+  json["limiting_cells"] = idsJson(verdict.limiting_cells);
+  json["remedy"] = remedyName(verdict.remedy);
+  json["retake"] = idsJson(verdict.retake);
   writeMessage(json, "next_action", verdict.next_action);
   return json;
 }
@@ -190,7 +194,7 @@ std::string calibrationToJson(const Reconstruction& reconstruction) {
   for (const PatchReconstruction& patch : reconstruction.patches) json["patches"].push_back(patchJson(patch));
   json["findings"] = Json::array();
   for (const Finding& finding : reconstruction.findings) json["findings"].push_back(findingJson(finding));
-  json["verdict"] = verdictJson(reconstruction.verdict);
+  json["verdict"] = verdictJson(reconstruction.assessment);
   return dumpReadable(json);
 }
 

@@ -233,7 +233,7 @@ VtpData vtpData(const Reconstruction& reconstruction) {
                      textArray("frame", "each patch in the frame of its origin cell"),
                      textArray("cell_model", reconstruction.model->name),
                      textArray("solver", reconstruction.solver),
-                     textArray("verdict", std::string(verdictName(reconstruction.verdict.level))),
+                     textArray("verdict", std::string(verdictName(reconstruction.assessment.level))),
                      textArray("source", reconstruction.source.text.english()),
                      textArray("source_file", reconstruction.source.file),
                      textArray("source_sha256", reconstruction.source.sha256),

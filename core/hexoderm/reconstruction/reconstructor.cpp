@@ -1,15 +1,17 @@
 #include "hexoderm/reconstruction/reconstructor.h"
 
-#include "hexoderm/reconstruction/advice/verdict.h"
+#include "hexoderm/reconstruction/advice/assess.h"
 #include "hexoderm/reconstruction/faults/cell_health.h"
 #include "hexoderm/reconstruction/faults/fault_isolation.h"
 #include "hexoderm/reconstruction/figures/pose_summary.h"
 #include "hexoderm/reconstruction/patch/attitude_faults.h"
+#include "hexoderm/reconstruction/patch/forecast.h"
 #include "hexoderm/reconstruction/patch/patch_description.h"
 #include "hexoderm/reconstruction/patch/patch_solver.h"
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <utility>
@@ -102,7 +104,8 @@ std::shared_ptr<Reconstruction> describe(const SkinLinks& skin, std::span<const 
   judgePoses(*result, findings);
   result->findings = std::move(findings);
   result->layout = computeFlatLayout(skin.model(), result->patches);
-  result->verdict = judge(*result);
+  result->assessment = assess(*result, forecastOf(skin, patches, *result));
+  if (std::optional<Finding> open = describeTooFewDirections(*result)) result->findings.push_back(std::move(*open));
   return result;
 }
 

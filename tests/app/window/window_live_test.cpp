@@ -71,7 +71,7 @@ TEST_F(WindowLiveTest, ASimulatedSkinIsConnectedAndEveryPoseIsInItsFile) {
   press(Qt::Key_Space);
   ASSERT_TRUE(waitForPoses(2)) << message().toStdString();
   ASSERT_TRUE(waitForMessage("Pose 2 captured")) << message().toStdString();
-  EXPECT_EQ(controller().reconstruction()->verdict.level, VerdictLevel::Usable);
+  EXPECT_EQ(controller().reconstruction()->assessment.level, VerdictLevel::Usable);
   keepPicture(window_->picture(), "live-light");
   action("actionThemeDark")->trigger();
   keepPicture(window_->picture(), "live-dark");

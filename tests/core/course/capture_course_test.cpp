@@ -327,13 +327,12 @@ TEST_F(CaptureCourseTest, TheRobotTurnsWhenPoseResultAndAdviceAreThere) {
 
 TEST_F(CaptureCourseTest, TheRobotStopsWhenThereAreEnough) {
   course_->setRobot(true);
-  while (finishes_ == 0 && session_.poses().size() < 2 * kMostPosesByItself) takeStoreAndSolve();
+  while (finishes_ == 0 && session_.poses().size() < 2 * CaptureCourse::kMostPosesByItself) takeStoreAndSolve();
   EXPECT_EQ(finishes_, 1);
   EXPECT_TRUE(course_->isFinished());
   EXPECT_FALSE(course_->isRobotOn());
-  const auto result = reconstruct(*session_.snapshot());
-  EXPECT_TRUE(enoughPoses(*result, TurnedBy::Device));
-  EXPECT_FALSE(course_->wantsMorePoses(TurnedBy::Device));
+  EXPECT_FALSE(reconstruct(*session_.snapshot())->assessment.wantsPose());
+  EXPECT_FALSE(course_->wantsMorePoses());
   EXPECT_THAT(turns_, SizeIs(session_.poses().size() - 1));
 }
 

@@ -64,7 +64,7 @@ Reconstruction richCalibration() {
   result.findings.push_back(makeFinding(FindingCode::LinkNotRigid, Message::verbatim("Odd."), {CellId(2), CellId(5)},
                                         {PortNumber(2), PortNumber(3)}, {PoseId(5)}));
   result.findings.back().severity = Severity::Error;
-  result.verdict = {VerdictLevel::NotEnough, Message::verbatim("Because."), 0.00123456789, 0.0333,
+  result.assessment = {VerdictLevel::NotEnough, Message::verbatim("Because."), 0.00123456789, 0.0333,
                     Message::verbatim("Do this.")};
   return result;
 }
@@ -251,8 +251,8 @@ TEST(CalibrationJson, StatesUnitsAsItsKeysSay) {
 
 TEST(CalibrationJson, LeavesOutWhatIsNotKnown) {
   Reconstruction result = richCalibration();
-  result.verdict.position_95_m.reset();
-  result.verdict.orientation_95_rad.reset();
+  result.assessment.position_95_m.reset();
+  result.assessment.orientation_95_rad.reset();
   const nlohmann::json json = nlohmann::json::parse(calibrationToJson(result));
   const nlohmann::json& cell = json["patches"][0]["cells"][2];
   EXPECT_FALSE(cell.contains("cov_t_r"));

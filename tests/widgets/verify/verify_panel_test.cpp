@@ -79,7 +79,7 @@ class VerifyPanelTest : public testing::Test {
   }
   std::shared_ptr<Reconstruction> skin() {
     auto reconstruction = sampleX17();
-    reconstruction->verdict.position_95_m = 0.0012;
+    reconstruction->assessment.position_95_m = 0.0012;
     reconstruction->poses.push_back(reconstruction->poses.front());
     reconstruction->poses.back().pose = PoseId(5);
     return reconstruction;

@@ -97,23 +97,6 @@ void judgePoses(const Reconstruction& reconstruction, std::vector<Finding>& find
                                    message("There is no pose yet: the shape shown follows from the ports alone.")));
     return;
   }
-  std::size_t open = 0;
-  std::size_t used = 0;
-  for (const PatchReconstruction& patch : reconstruction.patches) {
-    for (const LinkEstimate& link : patch.links) {
-      const bool measured = std::ranges::any_of(link.pose_residual_rad, [](const auto& r) { return r.has_value(); });
-      if (!link.used || !measured) continue;
-      ++used;
-      if (link.quality == EdgeQuality::Undefined || link.quality == EdgeQuality::Partially) ++open;
-    }
-  }
-  if (2 * open > used) {
-    findings.push_back(
-        makeFinding(FindingCode::TooFewDirections,
-                    message("Gravity was seen along one line only, so the turn about it is a guess: take a pose in "
-                            "which the part is turned by about 90 degrees about a horizontal axis."),
-                    {}, {}, enabled));
-  }
   judgeRepetitions(largest->gravity, findings);
 }
 

@@ -116,16 +116,20 @@ class CellsFirstInverse : public JointInverse {
 
   [[nodiscard]] Eigen::Matrix3d force(std::size_t pose) const override {
     const Eigen::Index at = layout_.force(pose);
-    return parts().border.block<3, 3>(at, at);
+    return border().block<3, 3>(at, at);
+  }
+
+  [[nodiscard]] Eigen::Matrix3d acceleration(std::size_t pose) const override {
+    const Eigen::Index at = layout_.acceleration(pose);
+    return border().block<3, 3>(at, at);
   }
 
   [[nodiscard]] double gapShareVariance() const override {
-    return estimates_gap_share_ ? parts().border(layout_.gapShare(), layout_.gapShare()) : 0;
+    return estimates_gap_share_ ? border()(layout_.gapShare(), layout_.gapShare()) : 0;
   }
 
  private:
   struct Parts {
-    Eigen::MatrixXd border;
     Eigen::MatrixXd border_root;
     std::vector<Matrix6d> cells;
     std::vector<Matrix6d> links;
@@ -136,7 +140,13 @@ class CellsFirstInverse : public JointInverse {
            border_root.middleRows<6>(static_cast<Eigen::Index>(6 * b)).transpose();
   }
 
-  /// Computed when somebody asks: of several solutions in a row only the last one's is looked at.
+  /// Computed when somebody asks: of several solutions in a row only the last one's cells are looked at.
+  const Eigen::MatrixXd& border() const {
+    std::call_once(border_computed_, [this] {
+      if (layout_.size() > 0) border_ = factor_->schur().solve(Eigen::MatrixXd::Identity(layout_.size(), layout_.size()));
+    });
+    return border_;
+  }
   const Parts& parts() const {
     std::call_once(computed_, [this] { parts_ = compute(); });
     return parts_;
@@ -145,9 +155,6 @@ class CellsFirstInverse : public JointInverse {
   [[nodiscard]] Parts compute() const {
     Parts parts;
     parts.border_root = factor_->borderRoot();
-    if (layout_.size() > 0) {
-      parts.border = factor_->schur().solve(Eigen::MatrixXd::Identity(layout_.size(), layout_.size()));
-    }
     const BlockCholesky::SelectedInverse inverse = factor_->cells().selectedInverse();
     parts.cells.assign(factor_->cells().size(), Matrix6d::Zero());
     for (std::size_t cell = 0; cell < parts.cells.size(); ++cell) {
@@ -177,6 +184,8 @@ class CellsFirstInverse : public JointInverse {
   std::unique_ptr<const BorderedFactor> factor_;
   mutable std::once_flag computed_;
   mutable Parts parts_;
+  mutable std::once_flag border_computed_;
+  mutable Eigen::MatrixXd border_;
 };
 
 class CellsFirst : public JointSystem {

@@ -1,5 +1,7 @@
 #include "hexoderm/reconstruction/joint/joint_cost.h"
 
+#include "hexoderm/util/units.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,18 +9,6 @@ namespace hexoderm {
 namespace {
 
 using Matrix3x6d = Eigen::Matrix<double, 3, 6>;
-
-constexpr double kStandardGravity = 9.80665;  // m/s^2 in 1 g
-/// A hand's tremor of a few hundredths of a degree at 4 to 12 Hz accelerates by about this much (1 sigma, rad/s^2);
-/// wide enough not to be felt where the data speak, narrow enough that few cells are safe.
-constexpr double kAccelerationSigma = 3;
-
-/// v in accelerometer axes = R_a_o f.
-Eigen::Vector3d specificForce(const JointState& state, std::size_t cell, std::size_t pose, bool accelerations) {
-  if (!accelerations) return state.force_o[pose];
-  const Eigen::Vector3d lever = state.cells[cell].t - state.middle_o;
-  return state.force_o[pose] + state.acceleration_o[pose].cross(lever) / kStandardGravity;
-}
 
 /// The share of the arc in a link's closure, k = (2/3) e a^2 m, with its derivatives to the outward directions U_c and
 /// U_n in the patch frame. a: half the angle between U_c and -U_n; m = unit(U_c - U_n).
@@ -315,7 +305,7 @@ void fitCell(const JointProblem& problem, const AccelerometerPrior& prior, const
   const Eigen::Matrix3d R_a_o = problem.model->accelerometer.T_u_a.R.transpose() * state.cells[cell].R.transpose();
   sensor.v_g.resize(readings.size());
   for (std::size_t k = 0; k < readings.size(); ++k) {
-    sensor.v_g[k] = R_a_o * specificForce(state, cell, readings[k].pose, problem.accelerations);
+    sensor.v_g[k] = R_a_o * specificForce(problem, state, cell, readings[k].pose);
   }
   fitAccelerometer(prior, readings, sensor.v_g, problem.loss, sensor.fit);
 }
@@ -325,9 +315,18 @@ double priorCost(const JointProblem& problem, const JointState& state) {
   if (problem.gap.sigma) squared += std::pow((state.gap_share - problem.gap.mean) / *problem.gap.sigma, 2);
   for (const Eigen::Vector3d& f : state.force_o) squared += std::pow((f.norm() - 1) / problem.force_sigma_g, 2);
   if (problem.accelerations) {
-    for (const Eigen::Vector3d& a : state.acceleration_o) squared += a.squaredNorm() / std::pow(kAccelerationSigma, 2);
+    for (const Eigen::Vector3d& a : state.acceleration_o) {
+      squared += a.squaredNorm() / std::pow(problem.acceleration_sigma, 2);
+    }
   }
   return squared / 2;
+}
+
+Eigen::Vector3d specificForce(const JointProblem& problem, const JointState& state, std::size_t cell,
+                              std::size_t pose) {
+  if (!problem.accelerations) return state.force_o[pose];
+  const Eigen::Vector3d lever = state.cells[cell].t - state.middle_o;
+  return state.force_o[pose] + state.acceleration_o[pose].cross(lever) / kStandardGravity;
 }
 
 double jointCost(const JointProblem& problem, const JointState& state) {
@@ -411,11 +410,11 @@ void linearize(const JointProblem& problem, const JointState& state, NormalEquat
   cells.finish();
   addLinks(problem, state, layout.gapShare(), equations);
   if (problem.accelerations) {
-    constexpr double kPrecision = 1 / (kAccelerationSigma * kAccelerationSigma);
+    const double precision = 1 / (problem.acceleration_sigma * problem.acceleration_sigma);
     for (std::size_t pose = 0; pose < problem.poses; ++pose) {
       const Eigen::Index at = layout.acceleration(pose);
-      equations.border.diagonal().segment<3>(at).array() += kPrecision;
-      equations.gradient_border.segment<3>(at) += kPrecision * state.acceleration_o[pose];
+      equations.border.diagonal().segment<3>(at).array() += precision;
+      equations.gradient_border.segment<3>(at) += precision * state.acceleration_o[pose];
     }
   }
 }

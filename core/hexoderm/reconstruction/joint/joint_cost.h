@@ -37,6 +37,7 @@ struct JointProblem {
   GapShare gap;
   double force_sigma_g = 0.005;  ///< how far the force at the patch's middle may be from 1 g
   bool accelerations = false;    ///< every pose has an angular acceleration of its own
+  double acceleration_sigma = 3;  ///< of its prior about zero, per axis, rad/s^2
   HuberLoss loss;
 
   [[nodiscard]] std::size_t cellCount() const { return readings.size(); }
@@ -88,6 +89,9 @@ struct BorderLayout {
 ///   1/2 sum over links of rho of twist, bend and yaw in their priors' sigmas;
 ///   1/2 of the squared deviations from their priors: the gap share, the accelerations, the forces' lengths from 1 g.
 double jointCost(const JointProblem& problem, const JointState& state);
+
+/// The specific force at a cell in a pose, patch frame, g.
+Eigen::Vector3d specificForce(const JointProblem& problem, const JointState& state, std::size_t cell, std::size_t pose);
 
 /// Squared distances of all links' end points in units of link_sigma, losses applied.
 double closureCost(const JointProblem& problem, const JointState& state);

@@ -21,8 +21,7 @@ class JointRefinement {
                   const SolverOptions& options, const std::vector<std::size_t>& cells, std::size_t origin,
                   const std::vector<SE3>& placements);
 
-  /// Solves from the latest state, unless `stop` is requested: then what is there is no solution. Angular accelerations
-  /// are estimated where the patch is large enough to show them, or where the data say so.
+  /// Solves from the latest state, unless `stop` is requested: then what is there is no solution.
   void solve(const std::stop_token& stop);
 
   /// From now on the cell is placed by its links. Needs another solve().
@@ -47,6 +46,12 @@ class JointRefinement {
   [[nodiscard]] const Matrix6d& covarianceOf(std::size_t cell) const;  ///< see CellPlacement::cov_t_r
   /// A reading (cell frame) freed from the offset, gains and cross-axis sensitivity estimated for its sensor.
   [[nodiscard]] Eigen::Vector3d correctedReading(std::size_t cell, const Eigen::Vector3d& mean_g) const;
+  /// The covariances of all cells (CellPlacement::cov_t_r, in the order of the patch's cells) that the patch would have
+  /// with more readings, each as the estimate foretells it and as noisy as the cell's others: of another pose with
+  /// `up_o` (unit, patch frame) up, in every cell that has readings; or of the poses that it has, in the cells that
+  /// lack them there. Costs about as much as a step of the solver with its covariance.
+  [[nodiscard]] std::vector<Matrix6d> covariancesWithPose(const Eigen::Vector3d& up_o) const;
+  [[nodiscard]] std::vector<Matrix6d> covariancesWithAllReadings() const;
   [[nodiscard]] std::shared_ptr<const PlacementCovariance> placementCovariance(const SkinGraph& graph) const;
   [[nodiscard]] const AccelerometerFit& sensorOf(std::size_t cell) const;
   [[nodiscard]] const JointSolution& solution() const { return solution_; }
@@ -59,11 +64,13 @@ class JointRefinement {
  private:
   /// Place of a cell of the graph in the problem.
   [[nodiscard]] std::size_t localOf(std::size_t cell) const;
+  [[nodiscard]] CellReading foretold(std::size_t local, std::size_t pose, const JointState& state) const;
   void fitSensors();
   bool widenNoise();
   [[nodiscard]] double squaredLever(std::size_t cell) const;
-  void solveWithLinkSpread(const JointSolverOptions& options);
-  [[nodiscard]] bool accelerationsShow() const;
+  void solveWithSpreads(const JointSolverOptions& options);
+  [[nodiscard]] double seenLinkSpread_m() const;
+  [[nodiscard]] double seenAccelerations_rad_s2() const;
 
   std::vector<std::size_t> cells_;  ///< indices in the graph, ascending; in the problem's order
   std::vector<std::size_t> links_;  ///< the same for links

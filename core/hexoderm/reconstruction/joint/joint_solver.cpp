@@ -40,6 +40,7 @@ const Matrix6d& JointCovariance::cell(std::size_t cell) const { return inverse_-
 const Matrix6d& JointCovariance::link(std::size_t link) const { return inverse_->link(link); }
 Matrix6d JointCovariance::between(std::size_t a, std::size_t b) const { return inverse_->between(a, b); }
 Eigen::Matrix3d JointCovariance::force(std::size_t pose) const { return inverse_->force(pose); }
+Eigen::Matrix3d JointCovariance::acceleration(std::size_t pose) const { return inverse_->acceleration(pose); }
 double JointCovariance::gapShareSigma() const { return std::sqrt(inverse_->gapShareVariance()); }
 
 JointSolution JointSolver::descend(const JointProblem& problem, const JointState& initial,

@@ -48,6 +48,8 @@ class JointCovariance {
   [[nodiscard]] Matrix6d between(std::size_t a, std::size_t b) const;
   /// Covariance of the specific force of a pose, patch frame, g^2.
   [[nodiscard]] Eigen::Matrix3d force(std::size_t pose) const;
+  /// Covariance of the angular acceleration of a pose, patch frame, (rad/s^2)^2; only if they are estimated.
+  [[nodiscard]] Eigen::Matrix3d acceleration(std::size_t pose) const;
   [[nodiscard]] double gapShareSigma() const;  ///< 0 if it is not estimated
 
  private:

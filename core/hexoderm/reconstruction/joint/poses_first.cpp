@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <mutex>
+#include <stdexcept>
 #include <utility>
 
 namespace hexoderm {
@@ -505,6 +506,9 @@ class PosesFirstInverse : public JointInverse {
   [[nodiscard]] const Matrix6d& link(std::size_t link) const override { return parts().links[link]; }
   [[nodiscard]] Matrix6d between(std::size_t a, std::size_t b) const override { return blockOf(parts().rest, a, b); }
   [[nodiscard]] Eigen::Matrix3d force(std::size_t pose) const override { return parts().forces[pose]; }
+  [[nodiscard]] Eigen::Matrix3d acceleration(std::size_t) const override {
+    throw std::logic_error("no acceleration was estimated");
+  }
   [[nodiscard]] double gapShareVariance() const override {
     const MatrixXd& rest = parts().rest;
     return estimates_gap_share_ ? rest(rest.rows() - 1, rest.cols() - 1) : 0;

@@ -1,6 +1,7 @@
 #include "hexoderm/reconstruction/patch/patch_solver.h"
 
 #include "hexoderm/reconstruction/faults/suspects.h"
+#include "hexoderm/util/median.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
@@ -24,6 +25,20 @@ std::vector<Eigen::Matrix3d> attitudeCovariances(const SkinLinks& skin, const Sh
   return attitude;
 }
 
+/// Per cell of a patch. Everything is placed relative to the origin, so it must be a cell that measures, in at least as
+/// many poses as half of the patch does.
+std::vector<bool> eligibleOrigins(const SkinLinks& skin, const std::vector<std::size_t>& cells) {
+  std::vector<double> counts;
+  for (const std::size_t cell : cells) counts.push_back(static_cast<double>(skin.table().usablePoses(cell).size()));
+  std::vector<double> measured = counts;
+  std::erase(measured, 0);
+  std::vector<bool> eligible(cells.size(), false);
+  if (measured.empty()) return eligible;
+  const double usual = median(std::move(measured));
+  for (std::size_t k = 0; k < cells.size(); ++k) eligible[k] = counts[k] >= usual;
+  return eligible;
+}
+
 Finding describeOpenLink(const SkinGraph& graph, const JointRefinement::OpenLink& open, double limit_m) {
   const LinkEnd source = graph.sourceEnd(graph.links()[open.link]);
   const LinkEnd target = graph.targetEnd(graph.links()[open.link]);
@@ -38,17 +53,24 @@ Finding describeOpenLink(const SkinGraph& graph, const JointRefinement::OpenLink
 }  // namespace
 
 PatchSolver::PatchSolver(SkinLinks& skin, std::span<const double> weights, std::size_t patch)
-    : skin_(skin),
-      patch_(patch),
-      cells_(skin.graph().patches()[patch]),
-      paths_(findShortestPaths(skin.graph(), weights, findOrigin(skin.graph(), weights, patch))),
-      placements_(placeAlongTree(skin.graph(), skin.model(), paths_, skin.edges(), attitudeCovariances(skin, paths_))) {
+    : skin_(skin), weights_(weights), patch_(patch), cells_(skin.graph().patches()[patch]) {
+  placeAlongPaths();
+}
+
+void PatchSolver::placeAlongPaths() {
+  const SkinGraph& graph = skin_.graph();
+  paths_ = findShortestPaths(graph, weights_, findOrigin(graph, weights_, patch_, eligibleOrigins(skin_, cells_)));
+  placements_ = placeAlongTree(graph, skin_.model(), paths_, skin_.edges(), attitudeCovariances(skin_, paths_));
+}
+
+std::unique_ptr<JointRefinement> PatchSolver::jointFrom(const PatchReconstruction* earlier) const {
+  return std::make_unique<JointRefinement>(skin_.model(), skin_.graph(), skin_.table(), skin_.options(), cells_,
+                                           origin(), startingPlacements(earlier));
 }
 
 Completion PatchSolver::refine(const PatchReconstruction* earlier, const std::stop_token& stop,
                                std::vector<Finding>& findings) {
-  joint_ = std::make_unique<JointRefinement>(skin_.model(), skin_.graph(), skin_.table(), skin_.options(), cells_,
-                                             origin(), startingPlacements(earlier));
+  joint_ = jointFrom(earlier);
   joint_->solve(stop);
   if (stop.stop_requested()) return Completion::Stopped;
   std::vector<std::size_t> suspicious;
@@ -61,7 +83,13 @@ Completion PatchSolver::refine(const PatchReconstruction* earlier, const std::st
     }
     findings.push_back(describe(*bad));
     skin_.dropCell(bad->cell);
-    joint_->leaveOut(bad->cell);
+    if (bad->cell == origin()) {
+      skin_.estimateEdges();
+      placeAlongPaths();
+      joint_ = jointFrom(nullptr);
+    } else {
+      joint_->leaveOut(bad->cell);
+    }
     joint_->solve(stop);
     if (stop.stop_requested()) return Completion::Stopped;
     dropped_cells_ = true;

@@ -2,6 +2,7 @@
 
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/graph/cell_model.h"
+#include "hexoderm/reconstruction/result/assessment.h"
 #include "hexoderm/reconstruction/result/placement_covariance.h"
 #include "hexoderm/reconstruction/result/solver_options.h"
 #include "hexoderm/session/session.h"
@@ -123,19 +124,6 @@ struct PoseSummary {
   std::optional<double> residual_rad;  ///< rms over links
 };
 
-enum class VerdictLevel { Good, Usable, NotEnough, Failed };
-std::string_view verdictName(VerdictLevel level);  ///< "good", "usable", "not_enough", "failed"
-std::optional<VerdictLevel> verdictFromName(std::string_view name);
-
-/// The answer to "is this good enough?", with what to do next, each as one sentence for the operator.
-struct Verdict {
-  VerdictLevel level = VerdictLevel::Failed;
-  Message reason;
-  std::optional<double> position_95_m;  ///< at the worst cell, relative to the origin; absent if not known
-  std::optional<double> orientation_95_rad;
-  Message next_action;
-};
-
 /// A cell in the flat honeycomb drawing of the graph.
 struct FlatCell {
   CellId cell;
@@ -165,7 +153,7 @@ struct Reconstruction {
   std::vector<PoseSummary> poses;          ///< all of the session, disabled ones included
   std::vector<PatchReconstruction> patches;
   std::vector<Finding> findings;
-  Verdict verdict;
+  Assessment assessment;
   FlatLayout layout;
   double solve_seconds = 0;
 

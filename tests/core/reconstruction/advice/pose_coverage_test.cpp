@@ -34,7 +34,9 @@ Reconstruction withGravity(const Ups& ups) {
   test::ResultBuilder builder;
   builder.patch(7).cell(7).poses(ups.size());
   for (const Eigen::Vector3d& up : ups) builder.gravity(up.normalized());
-  return builder.build();
+  Reconstruction result = builder.build();
+  result.assessment.remedy = Remedy::TakePose;
+  return result;
 }
 
 TEST(CoverageDisc, MiddleIsTheOriginCellsFrontAndTheRimIsLevel) {
@@ -264,16 +266,15 @@ TEST(NextPose, SaysWhatEachPoseAdds) {
   EXPECT_EQ(describeNextPose(opposite, three)->gain, PoseGain::Further);
 }
 
-TEST(NextPose, AfterManyPosesAnotherOneIsNotWorthwhile) {
-  const CellModel model = builtInCellModel("hex-bma150");
-  Ups ups = {{0, 0, 1}};
-  while (ups.size() < 30) ups.push_back(adviseNextPose(model, ups).up);
-  Reconstruction many = withGravity(ups);
-  many.verdict.level = VerdictLevel::Usable;
-  EXPECT_FALSE(describeNextPose(adviseNextPose(model, ups), many)->worthwhile);
-  many.verdict.level = VerdictLevel::NotEnough;
-  EXPECT_TRUE(describeNextPose(adviseNextPose(model, ups), many)->worthwhile)
-      << "nobody is told that there are enough as long as the verdict says that there are not";
+TEST(NextPose, IsWorthwhileWhereTheAssessmentSaysSo) {
+  Reconstruction result = withGravity({{0, 0, 1}, {1, 0, 0}});
+  const PoseAdvice advice = adviseNextPose(*result.model, {{0, 0, 1}, {1, 0, 0}});
+  for (const auto& [remedy, worthwhile] : {std::pair(Remedy::Nothing, false), std::pair(Remedy::CheckSkin, false),
+                                           std::pair(Remedy::TakePose, true), std::pair(Remedy::RetakePoses, true)}) {
+    result.assessment.remedy = remedy;
+    EXPECT_EQ(describeNextPose(advice, result)->worthwhile, worthwhile) << remedyName(remedy);
+    EXPECT_EQ(coverageOf(result).missing.has_value(), remedy == Remedy::TakePose) << remedyName(remedy);
+  }
 }
 
 TEST(NextPose, TurnsFromWhereThePartIsNow) {

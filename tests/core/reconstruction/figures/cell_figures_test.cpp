@@ -60,8 +60,8 @@ TEST(CellFigures, UncertaintiesAreThoseOfTheVerdict) {
     position = std::max(position, figures.position_95_m[k].value_or(0));
     orientation = std::max(orientation, figures.orientation_95_rad[k].value_or(0));
   }
-  EXPECT_THAT(result->verdict.position_95_m, Optional(testing::DoubleEq(position)));
-  EXPECT_THAT(result->verdict.orientation_95_rad, Optional(testing::DoubleEq(orientation)));
+  EXPECT_THAT(result->assessment.position_95_m, Optional(testing::DoubleEq(position)));
+  EXPECT_THAT(result->assessment.orientation_95_rad, Optional(testing::DoubleEq(orientation)));
   EXPECT_GT(position, 0);
 }
 

@@ -124,7 +124,7 @@ TEST(ReviewSummary, TheVerdictStatesWhatTheWorstCellDoes) {
   double worst = 0;
   for (const CellSummary& cell : summariseCells(*result)) worst = std::max(worst, cell.stated->position_m);
   EXPECT_GT(worst, 0);
-  EXPECT_DOUBLE_EQ(worst, *result->verdict.position_95_m);
+  EXPECT_DOUBLE_EQ(worst, *result->assessment.position_95_m);
 }
 
 }  // namespace
