@@ -371,7 +371,7 @@ void printWithoutSkin(const Capture& capture, const CaptureOptions& options, con
              {"poses", 0},
              {"status", capture.status().message.english()},
              {"rejected_messages", capture.status().rejected_messages},
-             {"offences", toJson(capture.status().offences)}});
+             {"offences", cli::toJson(capture.status().offences)}});
 }
 
 int run(const CaptureOptions& options, const Common& common) {

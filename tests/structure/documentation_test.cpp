@@ -6,7 +6,7 @@
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/finding.h"
 #include "hexoderm/util/text.h"
-#include "tests/support/reconstruction_builder.h"
+#include "tests/support/hand_made_skins.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -157,7 +157,11 @@ Reconstruction fullCalibration() {
   patch.cells.at(0).accel_offset_g = Eigen::Vector3d::Zero();
   patch.cells.at(0).accel_scale = Eigen::Vector3d::Ones();
   result.findings = {makeFinding(FindingCode::LeftOut, message("Cell {}", 3), {CellId(3)})};
-  result.verdict = {VerdictLevel::Good, message("Cell {}", 1), 0.001, 0.01, message("Cell {}", 1)};
+  result.assessment = {.level = VerdictLevel::Good,
+                       .reason = message("Cell {}", 1),
+                       .position_95_m = 0.001,
+                       .orientation_95_rad = 0.01,
+                       .next_action = message("Cell {}", 1)};
   return result;
 }
 

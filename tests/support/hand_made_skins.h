@@ -67,8 +67,13 @@ inline Reconstruction ofTwoPoses(Reconstruction result) {
   result.revision = 1;
   result.poses = {{PoseId(1), Message::verbatim("standing"), true, result.cellCount(), 0.0014, std::nullopt, 0.007},
                   {PoseId(2), Message::verbatim("on its side"), true, result.cellCount(), 0.0022, 1.5, 0.009}};
-  result.verdict = {VerdictLevel::Usable, Message::verbatim("Made by hand for a test."), 0.002, 0.08,
-                    Message::verbatim("Take a third pose.")};
+  result.assessment = {.level = VerdictLevel::Usable,
+                       .reason = Message::verbatim("Made by hand for a test."),
+                       .position_95_m = 0.002,
+                       .orientation_95_rad = 0.08,
+                       .limit = Limit::Directions,
+                       .remedy = Remedy::TakePose,
+                       .next_action = Message::verbatim("Take a third pose.")};
   return result;
 }
 
@@ -301,7 +306,7 @@ inline Reconstruction makeTestReconstruction() {
                          {CellId(7), {0, 0}, 0},
                          {CellId(12), {0.024, -0.001}, 0},
                          {CellId(20), {0.0931, 0}, 0}};
-  result.verdict.level = VerdictLevel::Usable;
+  result.assessment.level = VerdictLevel::Usable;
   return result;
 }
 
