@@ -106,7 +106,7 @@ Outcome tryGarbage(const Garbage& what, std::size_t seed) {
     if (*what.cell_fault != SkinFault::Echo) outcome.best = bestDetection(skin, fault, what.poses);
   }
   const auto result = reconstruct(*measure(skin, skin_case).snapshot(), globalSolver());
-  const VerdictLevel level = result->verdict.level;
+  const VerdictLevel level = result->assessment.level;
   if (what.whole_fault && mustFail(*what.whole_fault)) {
     outcome.found = level == VerdictLevel::Failed;
     return outcome;
