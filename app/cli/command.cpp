@@ -79,9 +79,7 @@ std::shared_ptr<const Reconstruction> openCalibration(const std::string& path, c
   throw BadInput(path + ": this is a session, expected a calibration; \"hexoderm-cli solve\" makes one of it");
 }
 
-int exitCodeOf(const Assessment& verdict) {
-  return verdict.isUsable() ? kDone : kNotGoodEnough;
-}
+int exitCodeOf(const Assessment& verdict) { return verdict.isUsable() ? kDone : kNotGoodEnough; }
 
 void printFindings(const std::vector<Finding>& findings) {
   if (findings.empty()) {

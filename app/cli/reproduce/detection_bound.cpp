@@ -20,8 +20,8 @@ std::size_t indexOf(const SimulatedSkin& skin, CellId cell) {
   return static_cast<std::size_t>(std::ranges::find(skin.truth(), cell, &TrueCell::id) - skin.truth().begin());
 }
 
-/// The readings of all cells, pose by pose for each, and how they depend on what the test does not know, each in units of
-/// its deviation.
+/// The readings of all cells, pose by pose for each, and how they depend on what the test does not know, each in units
+/// of its deviation.
 class Readings {
  public:
   Readings(const SimulatedSkin& skin, std::size_t poses)

@@ -51,7 +51,10 @@ std::string inWords(const Share& share, int decimals) {
 
 nlohmann::ordered_json toJson(const Share& share) {
   const auto [low, high] = share.interval();
-  return {{"count", share.part}, {"of", share.whole}, {"percent", share.percent()}, {"low_percent", low},
+  return {{"count", share.part},
+          {"of", share.whole},
+          {"percent", share.percent()},
+          {"low_percent", low},
           {"high_percent", high}};
 }
 
@@ -113,8 +116,7 @@ Outcome tryGarbage(const Garbage& what, std::size_t seed) {
   }
   const bool named = std::ranges::any_of(result->findings, [&](const Finding& finding) {
     if (!isAlarm(finding)) return false;
-    return guilty.empty() ||
-           std::ranges::any_of(finding.cells, [&](CellId cell) { return guilty.contains(cell); });
+    return guilty.empty() || std::ranges::any_of(finding.cells, [&](CellId cell) { return guilty.contains(cell); });
   });
   outcome.found = named && level != VerdictLevel::Good;
   return outcome;
@@ -135,10 +137,10 @@ std::vector<Garbage> garbage() {
 }
 
 struct HealthyCount {
-  Share alarms;    ///< sessions
-  Share accused;   ///< cells named as wrong
+  Share alarms;      ///< sessions
+  Share accused;     ///< cells named as wrong
   Share suspicious;  ///< cells
-  Share muted;     ///< links
+  Share muted;       ///< links
 };
 
 struct HealthySkin {
@@ -189,8 +191,8 @@ HealthyCount tryHealthy(std::size_t seed, std::size_t poses) {
 
 HealthyCount countHealthy(const Trials& trials, std::size_t poses, std::size_t sessions) {
   HealthyCount sum;
-  const auto counts = trials.run("healthy, all patches", sessions,
-                                 [poses](std::size_t seed) { return tryHealthy(seed, poses); });
+  const auto counts =
+      trials.run("healthy, all patches", sessions, [poses](std::size_t seed) { return tryHealthy(seed, poses); });
   for (const HealthyCount& count : counts) {
     sum.alarms += count.alarms;
     sum.accused += count.accused;
@@ -208,7 +210,8 @@ nlohmann::ordered_json countGarbage(const Trials& trials, bool prints) {
   nlohmann::ordered_json json = {{"interval", "Wilson, 95 %"}};
   TextTable table({"garbage", "poses", "found (95 %)", "best, cell known", "best test", "bar", "reached"});
   for (const Garbage& what : garbage()) {
-    const auto outcomes = trials.run(what.name, trials.seeds(), [&](std::size_t seed) { return tryGarbage(what, seed); });
+    const auto outcomes =
+        trials.run(what.name, trials.seeds(), [&](std::size_t seed) { return tryGarbage(what, seed); });
     Share found;
     std::vector<double> known;
     std::vector<double> unknown;
@@ -223,7 +226,8 @@ nlohmann::ordered_json countGarbage(const Trials& trials, bool prints) {
     const double bar = bound ? std::min(kBarFound, *bound - kBelowBound) : kBarFound;
     const bool reached = found.percent() >= bar;
     table.add({what.name, std::to_string(what.poses), inWords(found, 1),
-               bound ? formatFixed(*bound_known, 1) + " %" : "-", bound ? formatFixed(*bound, 1) + " %" : "-", ">= " + formatFixed(bar, 1) + " %", yesOrNo(reached)});
+               bound ? formatFixed(*bound_known, 1) + " %" : "-", bound ? formatFixed(*bound, 1) + " %" : "-",
+               ">= " + formatFixed(bar, 1) + " %", yesOrNo(reached)});
     json["rows"].push_back({{"garbage", what.name},
                             {"poses", what.poses},
                             {"found", toJson(found)},
@@ -232,7 +236,8 @@ nlohmann::ordered_json countGarbage(const Trials& trials, bool prints) {
                             {"bar_percent", bar},
                             {"reached", reached}});
   }
-  const std::size_t sessions = trials.seeds() < kFullSeeds ? trials.seeds() : std::max(trials.seeds(), kHealthySessions);
+  const std::size_t sessions =
+      trials.seeds() < kFullSeeds ? trials.seeds() : std::max(trials.seeds(), kHealthySessions);
   TextTable healthy({"healthy, all patches", "poses", "sessions with a false alarm (95 %)", "cells accused (95 %)",
                      "cells suspicious", "links muted", "bars", "reached"});
   for (const std::size_t poses : {2U, 3U, 4U}) {
@@ -249,11 +254,13 @@ nlohmann::ordered_json countGarbage(const Trials& trials, bool prints) {
                                {"reached", reached}});
   }
   if (prints) {
-    std::cout << "\nGarbage, on a simulated X17 (r = 50.1 mm), global solver, defaults: " << trials.seeds()
-              << " sessions per row.\nFound: a finding names it, and the verdict is lower; of what leaves nothing but "
-                 "noise: the verdict is failed.\nBest test: a likelihood ratio with 0.2 % false alarms a session that knows "
-                 "the fault, and its cell, or has to ask of every\ncell and axis. The bar is 95 %, or 5 % less than the latter "
-                 "where that is lower.\n\n";
+    std::cout
+        << "\nGarbage, on a simulated X17 (r = 50.1 mm), global solver, defaults: " << trials.seeds()
+        << " sessions per row.\nFound: a finding names it, and the verdict is lower; of what leaves nothing but "
+           "noise: the verdict is failed.\nBest test: a likelihood ratio with 0.2 % false alarms a session that knows "
+           "the fault, and its cell, or has to ask of every\ncell and axis. The bar is 95 %, or 5 % less than the "
+           "latter "
+           "where that is lower.\n\n";
     table.print();
     std::cout << "\nHealthy skins, hand-held, " << kHealthySkins.size() << " patches: " << sessions
               << " sessions per row. Intervals are Wilson's, 95 %.\n\n";

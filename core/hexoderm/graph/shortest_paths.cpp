@@ -189,7 +189,8 @@ std::size_t findOrigin(const SkinGraph& graph, std::span<const double> link_weig
   const std::vector<std::size_t>& cells = graph.patches()[patch];
   if (cells.size() == 1) return cells.front();
   const bool any = std::ranges::find(eligible, true) != eligible.end();
-  return cells[OriginSearch(patchGraph(graph, link_weights, patch), any ? eligible : std::vector(cells.size(), true)).run()];
+  return cells[OriginSearch(patchGraph(graph, link_weights, patch), any ? eligible : std::vector(cells.size(), true))
+                   .run()];
 }
 
 }  // namespace hexoderm

@@ -27,7 +27,8 @@ ShortestPaths findShortestPaths(const SkinGraph& graph, std::span<const double> 
 /// Exact, but without all pairs: single-source distances of a few landmarks bound every other cell's sum from below by
 /// the triangle inequality, and only cells whose bound does not exceed the best sum are tried.
 ///
-/// `eligible`: per cell of the patch, whether it can be the origin; empty: all can. If no cell of the patch is, all are.
+/// `eligible`: per cell of the patch, whether it can be the origin; empty: all can. If no cell of the patch is, all
+/// are.
 std::size_t findOrigin(const SkinGraph& graph, std::span<const double> link_weights, std::size_t patch,
                        const std::vector<bool>& eligible = {});
 

@@ -249,7 +249,8 @@ Assessment readVerdict(const JsonReader& json) {
   if (const auto value = json.find("position_95_mm")) verdict.position_95_m = value->nonNegativeNumber() * kMillimetre;
   if (const auto value = json.find("orientation_95_deg")) verdict.orientation_95_rad = nonNegativeAngle(*value);
   verdict.next_action = readMessage(json, "next_action");
-  if (const auto limit = json.find("limit")) verdict.limit = named(*limit, limitFromName, message("what limits a result"));
+  if (const auto limit = json.find("limit"))
+    verdict.limit = named(*limit, limitFromName, message("what limits a result"));
   if (const auto cells = json.find("limiting_cells")) verdict.limiting_cells = readIds<CellId>(*cells);
   if (const auto poses = json.find("retake")) verdict.retake = readIds<PoseId>(*poses);
   if (const auto remedy = json.find("remedy")) {

@@ -152,8 +152,8 @@ void expectAgreement(const Session& session, const Reconstruction& r) {
 
   // The origin measures, where any cell of its patch does.
   for (const PatchReconstruction& patch : r.patches) {
-    const bool any = std::ranges::any_of(
-        patch.cells, [](const CellPlacement& cell) { return cell.placed_by == PlacedBy::Samples; });
+    const bool any =
+        std::ranges::any_of(patch.cells, [](const CellPlacement& cell) { return cell.placed_by == PlacedBy::Samples; });
     EXPECT_EQ(patch.findCell(patch.origin)->placed_by == PlacedBy::Samples, any);
   }
 

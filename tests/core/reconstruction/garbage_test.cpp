@@ -118,19 +118,22 @@ TEST(Garbage, AxesAndPortsThatAreNotTheModelsAreNamed) {
        {WholeSkinFault::AxesSwapped, WholeSkinFault::AxesPermuted, WholeSkinFault::PortsRotated}) {
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
       const auto result = solved({.whole = {fault}}, seed, 3);
-      EXPECT_NE(result->assessment.level, VerdictLevel::Good) << "fault " << static_cast<int>(fault) << ", seed " << seed;
+      EXPECT_NE(result->assessment.level, VerdictLevel::Good)
+          << "fault " << static_cast<int>(fault) << ", seed " << seed;
       EXPECT_GE(namedCells(*result).size(), 2U);
     }
   }
   EXPECT_NE(findingOf(*solved({.whole = {WholeSkinFault::AxesSwapped}}, 1, 3), FindingCode::ContradictsModel), nullptr);
-  EXPECT_NE(findingOf(*solved({.whole = {WholeSkinFault::PortsRotated}}, 1, 3), FindingCode::ContradictsModel), nullptr);
+  EXPECT_NE(findingOf(*solved({.whole = {WholeSkinFault::PortsRotated}}, 1, 3), FindingCode::ContradictsModel),
+            nullptr);
 }
 
 TEST(Garbage, NoiseAndWrongPortsLeaveNothingToUse) {
   for (const WholeSkinFault fault : {WholeSkinFault::PortOffset, WholeSkinFault::Shuffled, WholeSkinFault::Random}) {
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
       const auto result = solved({.whole = {fault}}, seed, 3);
-      EXPECT_EQ(result->assessment.level, VerdictLevel::Failed) << "fault " << static_cast<int>(fault) << ", seed " << seed;
+      EXPECT_EQ(result->assessment.level, VerdictLevel::Failed)
+          << "fault " << static_cast<int>(fault) << ", seed " << seed;
       EXPECT_THAT(*result, IsFinite());
     }
   }

@@ -77,7 +77,8 @@ TEST(RealTree, IsNotWorseByDefaultThanThePapersMethod) {
       double sum = 0;
       for (const CellPlacement& cell : largestPatch(*joint)->cells) {
         const CellId origin = largestPatch(*joint)->origin;
-        const Eigen::Matrix3d R = result->find(origin).cell->T_o_u.R.transpose() * result->find(cell.cell).cell->T_o_u.R;
+        const Eigen::Matrix3d R =
+            result->find(origin).cell->T_o_u.R.transpose() * result->find(cell.cell).cell->T_o_u.R;
         const double off = rotationAngle(R.transpose() * joint->find(origin).cell->T_o_u.R.transpose() * cell.T_o_u.R);
         sum += off * off;
       }

@@ -172,8 +172,8 @@ TEST_P(EverySolver, NoPosesGiveAFlatSheetAndSayWhatIsMissing) {
   EXPECT_FALSE(result->assessment.next_action.empty());
 }
 
-// Gravity along the sheet says nothing of how it is bent about that direction. (Across the sheet it shows both tilts, and
-// the links are known to yaw by little: that is enough for the global solver, and its covariance says so.)
+// Gravity along the sheet says nothing of how it is bent about that direction. (Across the sheet it shows both tilts,
+// and the links are known to yaw by little: that is enough for the global solver, and its covariance says so.)
 TEST_P(EverySolver, OnePoseAlongTheSheetIsNotEnoughAndSaysSo) {
   const auto result = solve(bentX17().session({Eigen::Vector3d::UnitX()}));
   EXPECT_EQ(result->assessment.level, VerdictLevel::NotEnough);

@@ -6,17 +6,17 @@ namespace hexoderm {
 namespace {
 
 constexpr std::array<std::pair<std::string_view, SkinFault>, 12> kSkinFaults = {{{"dead", SkinFault::Dead},
-                                                                                {"stuck", SkinFault::Stuck},
-                                                                                {"stuck-axis", SkinFault::StuckAxis},
-                                                                                {"dead-axis", SkinFault::DeadAxis},
-                                                                                {"saturated", SkinFault::Saturated},
-                                                                                {"noisy", SkinFault::Noisy},
-                                                                                {"wrong-gain", SkinFault::WrongGain},
-                                                                                {"no-samples", SkinFault::NoSamples},
-                                                                                {"echo", SkinFault::Echo},
-                                                                                {"swapped", SkinFault::Swapped},
-                                                                                {"yawed", SkinFault::Yawed},
-                                                                                {"reglued", SkinFault::Reglued}}};
+                                                                                 {"stuck", SkinFault::Stuck},
+                                                                                 {"stuck-axis", SkinFault::StuckAxis},
+                                                                                 {"dead-axis", SkinFault::DeadAxis},
+                                                                                 {"saturated", SkinFault::Saturated},
+                                                                                 {"noisy", SkinFault::Noisy},
+                                                                                 {"wrong-gain", SkinFault::WrongGain},
+                                                                                 {"no-samples", SkinFault::NoSamples},
+                                                                                 {"echo", SkinFault::Echo},
+                                                                                 {"swapped", SkinFault::Swapped},
+                                                                                 {"yawed", SkinFault::Yawed},
+                                                                                 {"reglued", SkinFault::Reglued}}};
 constexpr std::array<std::pair<std::string_view, WholeSkinFault>, 7> kWholeSkinFaults = {
     {{"identical", WholeSkinFault::Identical},
      {"axes-swapped", WholeSkinFault::AxesSwapped},

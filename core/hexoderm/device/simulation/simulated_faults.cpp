@@ -169,7 +169,8 @@ std::vector<CellHealth> breakCells(const SimulatedSkinOptions& options, std::siz
 WrongDelivery::WrongDelivery(const SimulatedSkinOptions& options, const NeighborList& neighbors)
     : whole_(options.whole_skin_faults), seed_(options.seed) {
   for (const CellReport& cell : neighbors) {
-    const auto first = std::ranges::find_if(cell.neighbors, [](const NeighborReport& n) { return n.cell.value() != 0; });
+    const auto first =
+        std::ranges::find_if(cell.neighbors, [](const NeighborReport& n) { return n.cell.value() != 0; });
     first_neighbor_.push_back(first == cell.neighbors.end() ? std::nullopt : std::optional(first->cell));
   }
 }
@@ -219,7 +220,9 @@ void WrongDelivery::exchange(const std::vector<CellHealth>& cells, std::vector<C
   const bool any = std::ranges::any_of(cells, [](const CellHealth& cell) { return cell.echoes || cell.swapped; });
   if (!any) return;
   const std::vector<CellSample> sent = samples;
-  const auto at = [](std::vector<CellSample>& in, CellId cell) { return std::ranges::find(in, cell, &CellSample::cell); };
+  const auto at = [](std::vector<CellSample>& in, CellId cell) {
+    return std::ranges::find(in, cell, &CellSample::cell);
+  };
   for (std::size_t k = 0; k < cells.size(); ++k) {
     if (!(cells[k].echoes || cells[k].swapped) || !first_neighbor_[k]) continue;
     const auto own = at(samples, idOf(k));

@@ -2,8 +2,8 @@
 
 // Private to device/: what SimulatedSkinOptions::faults and link_faults do to a skin.
 
-#include "hexoderm/device/simulation/patch_plan.h"
 #include "hexoderm/device/sample_frame.h"
+#include "hexoderm/device/simulation/patch_plan.h"
 #include "hexoderm/device/simulation/simulated_skin.h"
 
 #include <optional>
@@ -18,8 +18,8 @@ struct CellHealth {
   bool echoes = false, swapped = false;  ///< see WrongDelivery
   int stuck_axis = -1;
   int dead_axis = -1;
-  std::optional<Eigen::Matrix3d> turn;  ///< from the cell as it lies now to the cell as it is said to lie
-  bool turned_later = false;            ///< from the recording reglued_before on only
+  std::optional<Eigen::Matrix3d> turn;             ///< from the cell as it lies now to the cell as it is said to lie
+  bool turned_later = false;                       ///< from the recording reglued_before on only
   std::optional<Eigen::Vector3d> first_reading_g;  ///< set for a stuck cell
 
   /// Applies the defects to a reading before its noise is added.

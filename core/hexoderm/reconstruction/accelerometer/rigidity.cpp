@@ -36,7 +36,8 @@ Eigen::Matrix3d attitudeInformation(const AccelerometerFit& fit, std::span<const
 
 namespace {
 
-constexpr double kLeastInformation = 1e-6;  // a turn that no reading shows takes nothing away, and the algebra is finite
+constexpr double kLeastInformation =
+    1e-6;  // a turn that no reading shows takes nothing away, and the algebra is finite
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;

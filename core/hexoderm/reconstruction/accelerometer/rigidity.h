@@ -68,8 +68,8 @@ struct OwnAttitude {
   AccelerometerFit sensor;
 };
 
-/// The attitude at which the readings of the specific forces `f_o` (patch frame, per reading) are most probable, offset,
-/// gains and cross-axis sensitivity being whatever fits best under their priors. Found by Gauss-Newton from
+/// The attitude at which the readings of the specific forces `f_o` (patch frame, per reading) are most probable,
+/// offset, gains and cross-axis sensitivity being whatever fits best under their priors. Found by Gauss-Newton from
 /// `R_start` (accelerometer to patch); where the readings show nothing it stays there, and the information is 0.
 OwnAttitude findAttitude(const AccelerometerPrior& prior, std::span<const CellReading> readings,
                          std::span<const Eigen::Vector3d> f_o, const Eigen::Matrix3d& R_start);

@@ -41,8 +41,7 @@ std::size_t loneCells(const Reconstruction& r) {
 std::size_t measuredCells(const Reconstruction& r) {
   std::size_t measured = 0;
   for (const PatchReconstruction& patch : r.patches) {
-    measured += static_cast<std::size_t>(
-        std::ranges::count(patch.cells, PlacedBy::Samples, &CellPlacement::placed_by));
+    measured += static_cast<std::size_t>(std::ranges::count(patch.cells, PlacedBy::Samples, &CellPlacement::placed_by));
   }
   return measured;
 }
@@ -98,10 +97,10 @@ class Assessor {
 
   void assessLoneCells() {
     const std::size_t lone = loneCells(r_);
-    Message reason = lone == r_.cellCount()
-                         ? message("No cell is linked to another: nothing says how the {} cells lie.", lone)
-                         : message("{} of {} cells are linked to no other: nothing says how they lie.", lone,
-                                   r_.cellCount());
+    Message reason =
+        lone == r_.cellCount()
+            ? message("No cell is linked to another: nothing says how the {} cells lie.", lone)
+            : message("{} of {} cells are linked to no other: nothing says how they lie.", lone, r_.cellCount());
     if (finding_ != nullptr) reason = inRow({reason, finding_->message});
     fail(std::move(reason), message("Check the links between the cells, then the findings."));
   }
@@ -182,22 +181,20 @@ class Assessor {
         result_.reason = message("Usable: {} at the worst cell (95 %), {}.", spread, posesInWords(poses_));
         break;
       default:
-        result_.reason =
-            poses_ == 0
-                ? message("Not enough: no pose yet. The shape shown follows from the ports alone.")
-                : message("Not enough: {} at the worst cell (95 %), {}.", spread, posesInWords(poses_));
+        result_.reason = poses_ == 0
+                             ? message("Not enough: no pose yet. The shape shown follows from the ports alone.")
+                             : message("Not enough: {} at the worst cell (95 %), {}.", spread, posesInWords(poses_));
     }
     std::vector<Message> sentences = {result_.reason};
     if (result_.limit == Limit::Readings) {
       sentences.push_back(message("What limits it is that {} can't be used in {}: the readings are missing or no good.",
                                   cellsInWords(result_.limiting_cells), posesToRetake()));
     } else if (result_.limit == Limit::Mould) {
-      sentences.push_back(
-          message("What limits it is how the cells lie in the mould: another pose would hardly help."));
+      sentences.push_back(message("What limits it is how the cells lie in the mould: another pose would hardly help."));
     }
     if (r_.patches.size() > 1) {
-      sentences.push_back(message("No link joins the {} patches: each lies in the frame of its own origin.",
-                                  r_.patches.size()));
+      sentences.push_back(
+          message("No link joins the {} patches: each lies in the frame of its own origin.", r_.patches.size()));
     }
     if (finding_ != nullptr && poses_ > 0) sentences.push_back(finding_->message);
     if (sentences.size() > 1) result_.reason = inRow(std::move(sentences));
@@ -222,8 +219,7 @@ class Assessor {
         result_.next_action = message("Look at the findings and check the links between the cells.");
         return;
       case Remedy::Nothing:
-        result_.next_action =
-            finding_ != nullptr ? message("Look at the findings, then export.") : message("Export.");
+        result_.next_action = finding_ != nullptr ? message("Look at the findings, then export.") : message("Export.");
     }
   }
 
@@ -279,10 +275,11 @@ std::optional<Finding> describeTooFewDirections(const Reconstruction& r) {
   for (const PoseSummary& pose : r.poses) {
     if (pose.enabled) poses.push_back(pose.pose);
   }
-  return makeFinding(FindingCode::TooFewDirections,
-                     message("The directions of gravity that were seen leave open how the cells are turned: take a pose "
-                             "in which the part is turned by about 90 degrees about a horizontal axis."),
-                     {}, {}, poses);
+  return makeFinding(
+      FindingCode::TooFewDirections,
+      message("The directions of gravity that were seen leave open how the cells are turned: take a pose "
+              "in which the part is turned by about 90 degrees about a horizontal axis."),
+      {}, {}, poses);
 }
 
 Assessment assess(const Reconstruction& reconstruction, const std::optional<Forecast>& forecast) {

@@ -26,8 +26,8 @@ constexpr double kUnknownVariance = kPi * kPi / 3;
 constexpr double kCostOfAngle = 3;
 
 /// Patches to one false alarm: of the yaw of links and cells, of cells that moved, and of everything else. A mould lets
-/// nothing turn in the surface, so that yaw shows a sensor that is mounted otherwise best; bend and twist scatter as the
-/// part is curved.
+/// nothing turn in the surface, so that yaw shows a sensor that is mounted otherwise best; bend and twist scatter as
+/// the part is curved.
 constexpr double kPatchesPerFalseYaw = 200;
 constexpr double kPatchesPerFalseMotion = 200;
 constexpr double kPatchesPerOtherAlarm = 2000;
@@ -36,7 +36,8 @@ constexpr double kPatchesPerOtherAlarm = 2000;
 double deviateExceededOnceIn(double times) {
   // Inverse of the tail by its asymptotic series, twice refined; within 0.01 from 100 on.
   double z = std::sqrt(2 * std::log(times));
-  for (int k = 0; k < 5; ++k) z = std::sqrt(2 * std::log(times / (z * std::sqrt(2 * kPi))) - 2 * std::log1p(1 / (z * z)));
+  for (int k = 0; k < 5; ++k)
+    z = std::sqrt(2 * std::log(times / (z * std::sqrt(2 * kPi))) - 2 * std::log1p(1 / (z * z)));
   return z;
 }
 
@@ -257,8 +258,8 @@ AttitudeSearch::Shape AttitudeSearch::fitShape(bool with_antisymmetric) {
   return shape;
 }
 
-/// A surface's normal turns towards the way that it bends: links twist one way along one direction as much as they twist
-/// the other way across it. A twist that is the same in all directions belongs to no surface.
+/// A surface's normal turns towards the way that it bends: links twist one way along one direction as much as they
+/// twist the other way across it. A twist that is the same in all directions belongs to no surface.
 std::optional<AttitudeSuspect> AttitudeSearch::judgePatch() {
   constexpr double kLimit = 5;
   constexpr double kLeast = 4 * kDegree;
@@ -336,10 +337,12 @@ double AttitudeSearch::strictness() const { return skin_.options().max_misfit / 
 
 /// Deviations that a yaw, of whichever sign, and any other test may reach by chance.
 double AttitudeSearch::yawLimit() const {
-  return strictness() * deviateExceededOnceIn(2 * kPatchesPerFalseYaw * static_cast<double>(joints_.size() + cells_.size()));
+  return strictness() *
+         deviateExceededOnceIn(2 * kPatchesPerFalseYaw * static_cast<double>(joints_.size() + cells_.size()));
 }
 double AttitudeSearch::otherLimit() const {
-  return strictness() * deviateExceededOnceIn(2 * kPatchesPerOtherAlarm * static_cast<double>(2 * joints_.size() + cells_.size()));
+  return strictness() *
+         deviateExceededOnceIn(2 * kPatchesPerOtherAlarm * static_cast<double>(2 * joints_.size() + cells_.size()));
 }
 
 /// The angle of a link that is furthest beyond its limit.
@@ -358,8 +361,8 @@ std::optional<AttitudeSuspect> AttitudeSearch::judgeLink(const Joint& joint) con
   const Own source = withoutThis(joint.source);
   const Own target = withoutThis(joint.target);
   const Eigen::Vector3d expected = expectedOf(joint);
-  const Turns turns = likeliestTurns(anglesOf(joint, source, target) - expected,
-                                     scatter() + measured(joint, source, target));
+  const Turns turns =
+      likeliestTurns(anglesOf(joint, source, target) - expected, scatter() + measured(joint, source, target));
   const Eigen::Vector3d limits = turns.sigma.cwiseProduct(Eigen::Vector3d(otherLimit(), otherLimit(), yawLimit()));
   Eigen::Index worst = 0;
   if (turns.angle.cwiseQuotient(limits).cwiseAbs().maxCoeff(&worst) <= 1) return std::nullopt;
@@ -373,8 +376,8 @@ std::optional<AttitudeSuspect> AttitudeSearch::judgeLink(const Joint& joint) con
   return suspect;
 }
 
-/// What the covariance of a cell by its links lacks: half of each link's scatter is how askew this very cell sits in the
-/// mould, which is the same for all of them and does not average out.
+/// What the covariance of a cell by its links lacks: half of each link's scatter is how askew this very cell sits in
+/// the mould, which is the same for all of them and does not average out.
 Eigen::Matrix3d AttitudeSearch::ownScatter(std::size_t place) const {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   double links = 0;
@@ -420,10 +423,10 @@ std::optional<AttitudeSuspect> AttitudeSearch::judgeMotion(std::size_t place) co
   for (const Eigen::Vector3d& f_o : own.f_o) v_g.emplace_back(R_u_a.transpose() * own.R_o_u.transpose() * f_o);
   const Belief links = beliefBeside(place, nullptr);
   const AttitudePrior attitude{R_u_a.transpose() * links.information * R_u_a, R_u_a.transpose() * links.weighted};
-  const TurnBetweenPoses turn =
-      findTurn(AccelerometerPrior(skin_.model().accelerometer), own.readings, v_g, attitude);
+  const TurnBetweenPoses turn = findTurn(AccelerometerPrior(skin_.model().accelerometer), own.readings, v_g, attitude);
   const auto tests = static_cast<double>(cells_.size() * (own.readings.size() - 1));
-  if (turn.angle_rad < kLeastTurn || turn.gain.deviate() <= strictness() * deviateExceededOnceIn(kPatchesPerFalseMotion * tests)) {
+  if (turn.angle_rad < kLeastTurn ||
+      turn.gain.deviate() <= strictness() * deviateExceededOnceIn(kPatchesPerFalseMotion * tests)) {
     return std::nullopt;
   }
   AttitudeSuspect suspect{AttitudeSuspect::Kind::Moved};
@@ -434,8 +437,8 @@ std::optional<AttitudeSuspect> AttitudeSearch::judgeMotion(std::size_t place) co
   return suspect;
 }
 
-/// Squared misfit of the own attitudes of two neighbours, together, with what all their links say. `source`, `target`: whose
-/// readings count at the ends of the link.
+/// Squared misfit of the own attitudes of two neighbours, together, with what all their links say. `source`, `target`:
+/// whose readings count at the ends of the link.
 double AttitudeSearch::pairMisfit(const Joint& joint, const Own& source, const Own& target) const {
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
   using Vector6 = Eigen::Matrix<double, 6, 1>;
@@ -474,7 +477,8 @@ double AttitudeSearch::gainOfSwap(const Joint& joint) const {
 
 std::vector<AttitudeSuspect> AttitudeSearch::candidates() {
   passBeliefs();
-  const double swap_limit = strictness() * strictness() * std::log(kPatchesPerOtherAlarm * static_cast<double>(joints_.size()));
+  const double swap_limit =
+      strictness() * strictness() * std::log(kPatchesPerOtherAlarm * static_cast<double>(joints_.size()));
   std::vector<AttitudeSuspect> found;
   for (const Joint& joint : joints_) {
     if (!tested(joint)) continue;
@@ -497,7 +501,8 @@ std::vector<AttitudeSuspect> AttitudeSearch::candidates() {
 }
 
 std::vector<std::size_t> AttitudeSearch::placesOf(const AttitudeSuspect& suspect) const {
-  if (suspect.kind == AttitudeSuspect::Kind::Cell || suspect.kind == AttitudeSuspect::Kind::Moved) return {placeOf(suspect.cell)};
+  if (suspect.kind == AttitudeSuspect::Kind::Cell || suspect.kind == AttitudeSuspect::Kind::Moved)
+    return {placeOf(suspect.cell)};
   if (suspect.kind == AttitudeSuspect::Kind::Swapped) return {placeOf(suspect.cell), placeOf(suspect.other)};
   const GraphLink& link = skin_.graph().links()[suspect.link];
   return {placeOf(link.source), placeOf(link.target)};

@@ -30,33 +30,34 @@ struct AttitudeSuspect {
   std::size_t cell = 0;   ///< Cell, Swapped, Moved
   std::size_t other = 0;  ///< Swapped
   std::size_t link = 0;   ///< Link
-  FindingCode angle{};    ///< Link: the angle that is furthest off, as ImplausibleBend, ImplausibleTwist or ImplausibleYaw
+  FindingCode
+      angle{};  ///< Link: the angle that is furthest off, as ImplausibleBend, ImplausibleTwist or ImplausibleYaw
   double angle_rad = 0;   ///< Link: that angle; Cell, Moved: the turn; Patch: the mean twist
   std::size_t pose = 0;   ///< Moved: of the snapshot, the first after the turn
   double lowest_rad = 0;  ///< Link: what the angle may be in this patch
   double highest_rad = 0;
-  double evidence = 0;    ///< logarithm of the likelihood ratio, less the cost of what it leaves free
+  double evidence = 0;  ///< logarithm of the likelihood ratio, less the cost of what it leaves free
 };
 
 /// Compares the attitude that each cell's own readings show with what its links allow.
 ///
 /// Own attitudes R_c come from the readings and the patch's forces alone, errors of the sensors granted (findAttitude);
 /// C_c is their covariance. What a cell's neighbours say about its attitude runs along the links (belief propagation:
-/// exact in trees, and cut short after a few links, lest it come back in loops). A link's angles are those of R_c^T R_n. In the elastomer's mould neighbours' angles belong
-/// to a surface: with the shape operator S (symmetric, the same for the patch), a link in the direction u bends by
-/// u^T S u and twists by -(z x u)^T S u; what is left scatters with deviations that start as the cell model's and follow
-/// what the patch shows (bend and twist; yaw never falls below the model's). Real skins that lie irregularly get wide
-/// limits in this way, and regular ones narrow limits.
+/// exact in trees, and cut short after a few links, lest it come back in loops). A link's angles are those of R_c^T
+/// R_n. In the elastomer's mould neighbours' angles belong to a surface: with the shape operator S (symmetric, the same
+/// for the patch), a link in the direction u bends by u^T S u and twists by -(z x u)^T S u; what is left scatters with
+/// deviations that start as the cell model's and follow what the patch shows (bend and twist; yaw never falls below the
+/// model's). Real skins that lie irregularly get wide limits in this way, and regular ones narrow limits.
 ///
 /// A link's angles are compared with that scatter and what both sides say about its cells; a cell's misfit with all its
 /// links is a chi-squared with three degrees of freedom, and so is what is gained if it may have turned between two
-/// poses; the swap of two neighbours' readings is a likelihood ratio. The limits follow from the number of tests and from
-/// how many patches there may be to a false alarm, were all deviations exactly the stated ones. The patch as a whole is tested by the part of S that no surface has, its antisymmetric
-/// one: a constant twist.
+/// poses; the swap of two neighbours' readings is a likelihood ratio. The limits follow from the number of tests and
+/// from how many patches there may be to a false alarm, were all deviations exactly the stated ones. The patch as a
+/// whole is tested by the part of S that no surface has, its antisymmetric one: a constant twist.
 class AttitudeSearch {
  public:
-  /// `cells`: of the patch, ascending. `placements`: per entry of `cells`, where the search for its own attitude starts.
-  /// `forces_are_rough`: they are of sensors as they read, and are estimated again with the sensors' errors.
+  /// `cells`: of the patch, ascending. `placements`: per entry of `cells`, where the search for its own attitude
+  /// starts. `forces_are_rough`: they are of sensors as they read, and are estimated again with the sensors' errors.
   AttitudeSearch(const SkinLinks& skin, std::span<const std::size_t> cells, std::vector<PatchForce> forces,
                  std::span<const SE3> placements, bool forces_are_rough);
 
@@ -129,10 +130,10 @@ class AttitudeSearch {
   [[nodiscard]] bool tested(const Joint& joint) const;
 
   const SkinLinks& skin_;
-  std::vector<std::size_t> cells_;               ///< of the graph
-  std::vector<Own> own_;                         ///< per cell of the patch
+  std::vector<std::size_t> cells_;  ///< of the graph
+  std::vector<Own> own_;            ///< per cell of the patch
   std::vector<Joint> joints_;
-  std::vector<std::vector<std::size_t>> at_;     ///< per cell of the patch, indices into joints_
+  std::vector<std::vector<std::size_t>> at_;  ///< per cell of the patch, indices into joints_
   Shape shape_;
   Eigen::Vector3d sigma_ = Eigen::Vector3d::Zero();  ///< scatter of twist, bend and yaw beyond the shape
 };

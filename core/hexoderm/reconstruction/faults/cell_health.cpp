@@ -131,12 +131,14 @@ class Judge {
     const std::vector<PoseId> pose_ids = poseIds(poses);
     Message words =
         cells.size() == table_.cellCount()
-            ? message("All {} cells read the same, digit for digit, {}: the readings of one are delivered for all. None "
-                      "is used.",
-                      cells.size(), inPoses(pose_ids))
-            : message("The cells {} read the same, digit for digit, {}: no two sensors do, so one's readings are "
-                      "delivered for the others too. None of them is used; they are placed through their links.",
-                      ids, inPoses(pose_ids));
+            ? message(
+                  "All {} cells read the same, digit for digit, {}: the readings of one are delivered for all. None "
+                  "is used.",
+                  cells.size(), inPoses(pose_ids))
+            : message(
+                  "The cells {} read the same, digit for digit, {}: no two sensors do, so one's readings are "
+                  "delivered for the others too. None of them is used; they are placed through their links.",
+                  ids, inPoses(pose_ids));
     findings_.push_back(makeFinding(FindingCode::IdenticalReadings, std::move(words), ids, {}, pose_ids));
   }
 

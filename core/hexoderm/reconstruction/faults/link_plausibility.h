@@ -9,9 +9,9 @@
 namespace hexoderm {
 
 /// A finding for each of bend, twist and yaw that no skin link has: beyond six deviations of the cell model's
-/// elastomer and of the link's own rotation (`sigma_rad`: about the link's direction, across it in the surface, and about
-/// z; 0 where the rotation is taken as exact), and in any case beyond the options' limit by more than three deviations
-/// of the rotation.
+/// elastomer and of the link's own rotation (`sigma_rad`: about the link's direction, across it in the surface, and
+/// about z; 0 where the rotation is taken as exact), and in any case beyond the options' limit by more than three
+/// deviations of the rotation.
 ///
 /// `angles` are the parts of one rotation vector (LinkAngles). They are judged, and given in the text, as a yaw about z
 /// followed by a tilt with its parts twist and bend, which is the same for small angles and tells large ones apart.

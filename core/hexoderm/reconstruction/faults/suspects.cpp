@@ -45,10 +45,9 @@ SuspectSearch::Verdict SuspectSearch::judge(std::size_t link_index) const {
   verdict.tested = true;
   const double sigma = largestDeviation(edge.covariance);
   if (sigma < kJudgeableSigma) {
-    verdict.implausible =
-        judgeLinkAngles(linkAngles(edge.R_c_n, model_.port(link.source_port), model_.port(link.target_port)),
-                        graph_.sourceEnd(link), graph_.targetEnd(link), model_, options_,
-                        anglesSigma(edge.covariance, model_.port(link.source_port)));
+    verdict.implausible = judgeLinkAngles(
+        linkAngles(edge.R_c_n, model_.port(link.source_port), model_.port(link.target_port)), graph_.sourceEnd(link),
+        graph_.targetEnd(link), model_, options_, anglesSigma(edge.covariance, model_.port(link.source_port)));
   }
   verdict.misfit = readingsOf(link_index).test.misfit().deviate();
   verdict.rigid = verdict.misfit <= options_.max_misfit;

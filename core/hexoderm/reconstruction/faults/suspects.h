@@ -21,8 +21,8 @@ class SuspectSearch {
   /// sampled.
   [[nodiscard]] std::optional<std::size_t> worstPose() const;
 
-  /// The cell, none of `but`, that contradicts its neighbours most, if there is one: its readings should not be used. Ask
-  /// again after that, with new readings and edges.
+  /// The cell, none of `but`, that contradicts its neighbours most, if there is one: its readings should not be used.
+  /// Ask again after that, with new readings and edges.
   [[nodiscard]] std::optional<std::size_t> worstCell(std::span<const std::size_t> but = {}) const;
   /// The cell's readings contradict a neighbour's so clearly that two poses suffice to say so.
   [[nodiscard]] bool isClearlyWrong(std::size_t cell) const;

@@ -143,7 +143,8 @@ class CellsFirstInverse : public JointInverse {
   /// Computed when somebody asks: of several solutions in a row only the last one's cells are looked at.
   const Eigen::MatrixXd& border() const {
     std::call_once(border_computed_, [this] {
-      if (layout_.size() > 0) border_ = factor_->schur().solve(Eigen::MatrixXd::Identity(layout_.size(), layout_.size()));
+      if (layout_.size() > 0)
+        border_ = factor_->schur().solve(Eigen::MatrixXd::Identity(layout_.size(), layout_.size()));
     });
     return border_;
   }

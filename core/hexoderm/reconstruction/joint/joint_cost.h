@@ -35,8 +35,8 @@ struct JointProblem {
   std::vector<JointLink> links;
   double link_sigma_m = 0;  ///< how far link points are apart, per axis
   GapShare gap;
-  double force_sigma_g = 0.005;  ///< how far the force at the patch's middle may be from 1 g
-  bool accelerations = false;    ///< every pose has an angular acceleration of its own
+  double force_sigma_g = 0.005;   ///< how far the force at the patch's middle may be from 1 g
+  bool accelerations = false;     ///< every pose has an angular acceleration of its own
   double acceleration_sigma = 3;  ///< of its prior about zero, per axis, rad/s^2
   HuberLoss loss;
 

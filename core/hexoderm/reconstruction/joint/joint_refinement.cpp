@@ -160,7 +160,9 @@ void JointRefinement::solveWithSpreads(const JointSolverOptions& options) {
     if (round == kRounds || solution_.termination == JointTermination::Stopped) return;
     const double link_sigma_m = seenLinkSpread_m();
     const double acceleration_sigma = seenAccelerations_rad_s2();
-    const auto settled = [](double now, double next) { return std::abs(next * next - now * now) < kSettled * now * now; };
+    const auto settled = [](double now, double next) {
+      return std::abs(next * next - now * now) < kSettled * now * now;
+    };
     if (settled(problem_->link_sigma_m, link_sigma_m) && settled(problem_->acceleration_sigma, acceleration_sigma)) {
       return;
     }

@@ -21,7 +21,7 @@ class JointInverse {
   [[nodiscard]] virtual Matrix6d between(std::size_t a, std::size_t b) const = 0;
   [[nodiscard]] virtual Eigen::Matrix3d force(std::size_t pose) const = 0;
   [[nodiscard]] virtual Eigen::Matrix3d acceleration(std::size_t pose) const = 0;  ///< where they are estimated
-  [[nodiscard]] virtual double gapShareVariance() const = 0;  ///< 0 if it is not estimated
+  [[nodiscard]] virtual double gapShareVariance() const = 0;                       ///< 0 if it is not estimated
 };
 
 /// The second-order model of jointCost() about a state (Gauss-Newton), factorised in one order of its unknowns or

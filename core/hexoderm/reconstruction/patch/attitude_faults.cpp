@@ -71,9 +71,10 @@ class Isolation {
     for (const std::size_t cell : patch.cells()) cells.push_back(id(cell));
     return makeFinding(
         FindingCode::ContradictsModel,
-        message("All links of the patch of cell {} are twisted one way, by {} degrees on the average, as on no surface: "
-                "the axes of the accelerometers or the numbers of the ports are not as in the cell model {}.",
-                id(patch.origin()), Number{toDegrees(twist_rad), 0}, skin_.model().name),
+        message(
+            "All links of the patch of cell {} are twisted one way, by {} degrees on the average, as on no surface: "
+            "the axes of the accelerometers or the numbers of the ports are not as in the cell model {}.",
+            id(patch.origin()), Number{toDegrees(twist_rad), 0}, skin_.model().name),
         std::move(cells));
   }
 

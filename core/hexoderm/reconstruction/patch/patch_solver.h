@@ -18,8 +18,8 @@ namespace hexoderm {
 /// Valid until links are muted, which may change the patches. Cells and links are indices of the graph.
 class PatchSolver {
  public:
-  /// Chooses the origin, a cell that measures, and places the cells along the tree. `weights`: per link (linkWeights()).
-  /// Skin and weights must outlive the solver, and the skin have estimated edges.
+  /// Chooses the origin, a cell that measures, and places the cells along the tree. `weights`: per link
+  /// (linkWeights()). Skin and weights must outlive the solver, and the skin have estimated edges.
   PatchSolver(SkinLinks& skin, std::span<const double> weights, std::size_t patch);
 
   /// The joint estimate. A cell whose readings fit the gravity of all others in no position is left out, with a

@@ -42,14 +42,14 @@ std::optional<Remedy> remedyFromName(std::string_view name);
 /// for stopping say what stands here and judge nothing by themselves.
 struct Assessment {
   VerdictLevel level = VerdictLevel::Failed;
-  Message reason;                                 ///< one sentence or a few
-  std::optional<double> position_95_m{};          ///< at the worst measured cell, relative to its origin
-  std::optional<double> orientation_95_rad{};     ///< absent if they are not known
+  Message reason;                              ///< one sentence or a few
+  std::optional<double> position_95_m{};       ///< at the worst measured cell, relative to its origin
+  std::optional<double> orientation_95_rad{};  ///< absent if they are not known
   Limit limit = Limit::Nothing;
-  std::vector<CellId> limiting_cells{};           ///< Readings: the cells that lack some
+  std::vector<CellId> limiting_cells{};  ///< Readings: the cells that lack some
   Remedy remedy = Remedy::Nothing;
-  Message next_action;                            ///< one sentence or two
-  std::vector<PoseId> retake{};                   ///< RetakePoses
+  Message next_action;           ///< one sentence or two
+  std::vector<PoseId> retake{};  ///< RetakePoses
 
   /// Robot software can use it: the level is good or usable.
   [[nodiscard]] bool isUsable() const { return level == VerdictLevel::Good || level == VerdictLevel::Usable; }
