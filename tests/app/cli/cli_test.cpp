@@ -200,7 +200,7 @@ TEST_F(Cli, FaultsThatAreNoneAreRefusedWithWhatThereIs) {
     const Outcome result = run("simulate --fault '" + bad + "' -o a.session.json");
     EXPECT_EQ(result.exit_code, 2) << bad;
     EXPECT_THAT(result.err, AllOf(HasSubstr("KIND:CELL with KIND dead, stuck, stuck-axis, dead-axis, saturated, noisy, "
-                                            "wrong-gain or no-samples"),
+                                            "wrong-gain, no-samples, echo, swapped, yawed or reglued"),
                                   HasSubstr("KIND:CELL:PORT with KIND wrong-port, joint or cable")))
         << bad;
   }
