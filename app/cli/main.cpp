@@ -48,6 +48,7 @@ int main(int argc, char** argv) {
   cli::addExport(app, common);
   cli::addConvert(app, common);
   cli::addInspect(app, common);
+  cli::addSensors(app, common);
   cli::addReproduce(app, common);
 
   try {

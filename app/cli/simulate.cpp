@@ -68,6 +68,7 @@ int run(const SimulateOptions& options, const Common& common) {
   }
   CellModel model = asInput([&] { return loadCellModel(options.cell_model); });
   if (options.offset_sigma_mg >= 0) model.accelerometer.offset_sigma_g = options.offset_sigma_mg / 1000;
+  model.validate();
   SimulatedSkinOptions skin_options = options.ideal               ? SimulatedSkinOptions::ideal()
                                       : options.motion == "robot" ? SimulatedSkinOptions::robot()
                                                                   : SimulatedSkinOptions();

@@ -1312,10 +1312,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Eine Kalibrierung ist offen. Sie enthält das Ergebnis; die Posen stehen in ihrer Sitzung.</translation>
     </message>
     <message>
-        <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
-    </message>
-    <message>
         <source>Review</source>
         <translation>Durchsehen</translation>
     </message>
@@ -1450,10 +1446,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>The robot</source>
         <translation>Der Roboter</translation>
-    </message>
-    <message>
-        <source>%1 is taking pose %2 of %3.</source>
-        <translation>%1 nimmt Pose %2 von %3 auf.</translation>
     </message>
     <message>
         <source>%1 is taking pose %2.</source>
@@ -2394,16 +2386,8 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Eine Zelle: Sie ist ihr eigener Ursprung, zu schätzen gibt es nichts.</translation>
     </message>
     <message>
-        <source>No cell is linked to another: each is its own origin.</source>
-        <translation>Keine Zelle ist mit einer anderen verbunden: Jede ist ihr eigener Ursprung.</translation>
-    </message>
-    <message>
         <source>Export.</source>
         <translation>Exportieren.</translation>
-    </message>
-    <message>
-        <source>Check the links between the cells.</source>
-        <translation>Die Verbindungen zwischen den Zellen prüfen.</translation>
     </message>
     <message>
         <source>That should bring ±{} to about ±{}.</source>
@@ -2418,24 +2402,8 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>{} Posen</translation>
     </message>
     <message>
-        <source>Not enough poses: none yet. The shape shown follows from the ports alone.</source>
-        <translation>Zu wenige Posen: noch keine. Die gezeigte Form folgt allein aus den Ports.</translation>
-    </message>
-    <message>
         <source>Hold the part still and take a first pose.</source>
         <translation>Das Teil stillhalten und eine erste Pose aufnehmen.</translation>
-    </message>
-    <message>
-        <source>Not enough poses: {} along one line leave the turn about gravity open ({}).</source>
-        <translation>Zu wenige Posen: {} entlang einer Linie lassen die Drehung um die Schwerkraft offen ({}).</translation>
-    </message>
-    <message>
-        <source>Not enough poses: one leaves the turn about gravity open ({}).</source>
-        <translation>Zu wenige Posen: Eine lässt die Drehung um die Schwerkraft offen ({}).</translation>
-    </message>
-    <message>
-        <source>{} are not enough: known to {} only.</source>
-        <translation>{} reichen nicht: nur auf {} genau.</translation>
     </message>
     <message>
         <source>Good: {} at the worst cell (95 %), {}.</source>
@@ -2560,10 +2528,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>There is no pose yet: the shape shown follows from the ports alone.</source>
         <translation>Es gibt noch keine Pose: Die gezeigte Form folgt allein aus den Ports.</translation>
-    </message>
-    <message>
-        <source>Gravity was seen along one line only, so the turn about it is a guess: take a pose in which the part is turned by about 90 degrees about a horizontal axis.</source>
-        <translation>Die Schwerkraft wurde nur entlang einer Linie gesehen, die Drehung um diese Linie ist geraten: eine Pose aufnehmen, in der das Teil um etwa 90 Grad um eine waagrechte Achse gedreht ist.</translation>
     </message>
     <message>
         <source>Two poses carry the number {}; both are used.</source>
@@ -3140,10 +3104,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>samples in LSB need a cell model whose accelerometer.lsb_g is above 0</source>
         <translation>Messwerte in LSB brauchen ein Zellmodell, dessen accelerometer.lsb_g über 0 liegt</translation>
-    </message>
-    <message>
-        <source>a cell is twice in one message of samples</source>
-        <translation>eine Zelle steht zweimal in einer Nachricht mit Messwerten</translation>
     </message>
     <message>
         <source>tcp://HOST:PORT, udp://HOST:PORT or serial:/dev/DEVICE</source>
@@ -4367,18 +4327,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>diesen Schlüssel gibt es nicht; es gibt {}</translation>
     </message>
     <message>
-        <source>No cell is linked to another: nothing is known of their places.</source>
-        <translation>Keine Zelle ist mit einer anderen verbunden: Über ihre Lage ist nichts bekannt.</translation>
-    </message>
-    <message>
-        <source>{} of {} cells are linked to no other: nothing is known of their places.</source>
-        <translation>{} von {} Zellen sind mit keiner anderen verbunden: Über ihre Lage ist nichts bekannt.</translation>
-    </message>
-    <message>
-        <source>Look at the findings and check the links, the readings and the cell model.</source>
-        <translation>Befunde ansehen und Verbindungen, Messwerte und Zellmodell prüfen.</translation>
-    </message>
-    <message>
         <source>Of {} cells only {} have readings that can be used: the shape shown follows mostly from the ports.</source>
         <translation>Von {} Zellen haben nur {} brauchbare Messwerte: Die gezeigte Form folgt größtenteils aus den Ports.</translation>
     </message>
@@ -4505,6 +4453,38 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>The directions of gravity that were seen leave open how the cells are turned: take a pose in which the part is turned by about 90 degrees about a horizontal axis.</source>
         <translation>Die gesehenen Richtungen der Schwerkraft lassen offen, wie die Zellen gedreht sind: eine Pose aufnehmen, in der das Teil um etwa 90 Grad um eine waagrechte Achse gedreht ist.</translation>
+    </message>
+    <message>
+        <source>accelerometer.shared_offset_sigma_g is a part of offset_sigma_g, so at most {}, found {}</source>
+        <translation>accelerometer.shared_offset_sigma_g ist ein Teil von offset_sigma_g, also höchstens {}; gefunden: {}</translation>
+    </message>
+    <message>
+        <source>Other chips are on the skin than the model is about, or it is too sure of them: the estimate and its uncertainty suffer. Estimate the sigmas (hexoderm-cli sensors) and use the cell model that comes out.</source>
+        <translation>Auf der Haut sitzen andere Chips als die, von denen das Modell handelt, oder es traut ihnen zu viel zu: Darunter leiden die Schätzung und ihre Unsicherheit. Schätzen Sie die Standardabweichungen (hexoderm-cli sensors) und verwenden Sie das Zellmodell, das dabei entsteht.</translation>
+    </message>
+    <message>
+        <source>The offsets of {} accelerometers spread by about {} (1 sigma), and the cell model says {}.</source>
+        <translation>Die Nullpunktfehler von {} Beschleunigungssensoren streuen um etwa {} (1 Sigma); das Zellmodell nennt {}.</translation>
+    </message>
+    <message>
+        <source>The scale errors of {} accelerometers spread by about {} % (1 sigma), and the cell model says {} %.</source>
+        <translation>Die Skalenfehler von {} Beschleunigungssensoren streuen um etwa {} % (1 Sigma); das Zellmodell nennt {} %.</translation>
+    </message>
+    <message>
+        <source>The cross-axis sensitivities of {} accelerometers spread by about {} % (1 sigma), and the cell model says {} %.</source>
+        <translation>Die Querempfindlichkeiten von {} Beschleunigungssensoren streuen um etwa {} % (1 Sigma); das Zellmodell nennt {} %.</translation>
+    </message>
+    <message>
+        <source>there is no session to estimate sensors from</source>
+        <translation>es gibt keine Sitzung, aus der die Sensoren geschätzt werden könnten</translation>
+    </message>
+    <message>
+        <source>the sessions must have one cell model, and those of session {} and session 1 ({} and {}) differ</source>
+        <translation>die Sitzungen müssen ein gemeinsames Zellmodell haben; die der Sitzungen {} und 1 ({} und {}) unterscheiden sich</translation>
+    </message>
+    <message>
+        <source>The errors of the accelerometers are together clearly larger than the cell model&apos;s sigmas.</source>
+        <translation>Die Fehler der Beschleunigungssensoren sind insgesamt deutlich größer als die Standardabweichungen des Zellmodells.</translation>
     </message>
 </context>
 <context>

@@ -97,6 +97,10 @@ void CellModel::validate() const {
   positive(accelerometer.rate_hz, "accelerometer.rate_hz");
   notNegative(accelerometer.noise_g_per_sqrt_hz, "accelerometer.noise_g_per_sqrt_hz");
   notNegative(accelerometer.offset_sigma_g, "accelerometer.offset_sigma_g");
+  notNegative(accelerometer.shared_offset_sigma_g, "accelerometer.shared_offset_sigma_g");
+  require(accelerometer.shared_offset_sigma_g <= accelerometer.offset_sigma_g,
+          message("accelerometer.shared_offset_sigma_g is a part of offset_sigma_g, so at most {}, found {}",
+                  Number{accelerometer.offset_sigma_g}, Number{accelerometer.shared_offset_sigma_g}));
   notNegative(accelerometer.scale_sigma, "accelerometer.scale_sigma");
   notNegative(accelerometer.cross_axis_sigma, "accelerometer.cross_axis_sigma");
   placed(accelerometer.T_u_a, "accelerometer.t_u_m");

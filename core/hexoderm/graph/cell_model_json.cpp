@@ -37,14 +37,15 @@ void addPlacement(const SE3& T_u, nlohmann::ordered_json& json) {
 }
 
 Accelerometer readAccelerometer(const JsonReader& json) {
-  json.requireKeys({"range_g", "lsb_g", "rate_hz", "noise_g_per_sqrt_hz", "offset_sigma_g", "scale_sigma",
-                    "cross_axis_sigma", "t_u_m", "q_u_wxyz", kExactRotation});
+  json.requireKeys({"range_g", "lsb_g", "rate_hz", "noise_g_per_sqrt_hz", "offset_sigma_g",
+                    "shared_offset_sigma_g", "scale_sigma", "cross_axis_sigma", "t_u_m", "q_u_wxyz", kExactRotation});
   Accelerometer a;
   a.range_g = json.at("range_g").positiveNumber();
   a.lsb_g = json.at("lsb_g").nonNegativeNumber();
   a.rate_hz = json.at("rate_hz").positiveNumber();
   a.noise_g_per_sqrt_hz = json.at("noise_g_per_sqrt_hz").nonNegativeNumber();
   a.offset_sigma_g = json.at("offset_sigma_g").nonNegativeNumber();
+  if (const auto sigma = json.find("shared_offset_sigma_g")) a.shared_offset_sigma_g = sigma->nonNegativeNumber();
   a.scale_sigma = json.at("scale_sigma").nonNegativeNumber();
   if (const auto sigma = json.find("cross_axis_sigma")) {
     a.cross_axis_sigma = sigma->nonNegativeNumber();
@@ -130,6 +131,7 @@ nlohmann::ordered_json cellModelJson(const CellModel& model) {
                            {"offset_sigma_g", a.offset_sigma_g},
                            {"scale_sigma", a.scale_sigma},
                            {"cross_axis_sigma", a.cross_axis_sigma}};
+  if (a.shared_offset_sigma_g > 0) json["accelerometer"]["shared_offset_sigma_g"] = a.shared_offset_sigma_g;
   addPlacement(a.T_u_a, json["accelerometer"]);
   json["sensors"] = nlohmann::ordered_json::array();
   for (const CellSensor& sensor : model.sensors) {

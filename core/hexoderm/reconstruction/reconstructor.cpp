@@ -1,110 +1,35 @@
 #include "hexoderm/reconstruction/reconstructor.h"
 
 #include "hexoderm/reconstruction/advice/assess.h"
-#include "hexoderm/reconstruction/faults/cell_health.h"
-#include "hexoderm/reconstruction/faults/fault_isolation.h"
 #include "hexoderm/reconstruction/figures/pose_summary.h"
-#include "hexoderm/reconstruction/patch/attitude_faults.h"
 #include "hexoderm/reconstruction/patch/forecast.h"
 #include "hexoderm/reconstruction/patch/patch_description.h"
-#include "hexoderm/reconstruction/patch/patch_solver.h"
+#include "hexoderm/reconstruction/solved_skin.h"
 
-#include <algorithm>
 #include <chrono>
 #include <optional>
-#include <span>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
 namespace hexoderm {
 namespace {
 
-/// Takes out everything that readings alone show to be broken, and estimates the links from what is left.
-Completion prepare(SkinLinks& skin, const std::stop_token& stop, std::vector<Finding>& findings) {
-  setLinksAside(skin, findings);
-  judgeCells(skin.snapshot(), skin.graph(), skin.table(), findings);
-  leaveOutCells(skin, findings);
-  skin.estimateEdges();
-  return isolateSuspects(skin, stop, findings);
-}
-
-std::vector<PatchSolver> placePatches(SkinLinks& skin, std::span<const double> weights) {
-  std::vector<PatchSolver> patches;
-  for (std::size_t patch = 0; patch < skin.graph().patches().size(); ++patch) {
-    patches.emplace_back(skin, weights, patch);
-  }
-  return patches;
-}
-
-/// The patches of an earlier result by their origins, to start from; none if it is not the global solver's.
-using EarlierPatches = std::unordered_map<CellId, const PatchReconstruction*>;
-EarlierPatches earlierPatches(const Reconstruction* earlier) {
-  EarlierPatches patches;
-  if (earlier == nullptr || earlier->solver != solverName(Solver::Global)) return patches;
-  for (const PatchReconstruction& patch : earlier->patches) patches.emplace(patch.origin, &patch);
-  return patches;
-}
-
-Completion refinePatches(SkinLinks& skin, std::vector<PatchSolver>& patches, const EarlierPatches& earlier,
-                         const std::stop_token& stop, std::vector<Finding>& findings) {
-  for (PatchSolver& patch : patches) {
-    const auto known = earlier.find(skin.graph().cells()[patch.origin()].id);
-    const PatchReconstruction* start = known == earlier.end() ? nullptr : known->second;
-    if (patch.refine(start, stop, findings) == Completion::Stopped) return Completion::Stopped;
-  }
-  if (std::ranges::any_of(patches, &PatchSolver::droppedCells)) skin.estimateEdges();
-  return Completion::Finished;
-}
-
-/// The joint estimate of every patch, again from the tree as long as it shows links that are none.
-Completion solveGlobally(SkinLinks& skin, std::span<const double> weights, const EarlierPatches& earlier,
-                         const std::stop_token& stop, std::vector<PatchSolver>& patches,
-                         std::vector<Finding>& findings) {
-  if (refinePatches(skin, patches, earlier, stop, findings) == Completion::Stopped) return Completion::Stopped;
-  while (muteOpenLinks(skin, patches, findings)) {
-    patches = placePatches(skin, weights);
-    if (refinePatches(skin, patches, earlier, stop, findings) == Completion::Stopped) return Completion::Stopped;
-  }
-  return Completion::Finished;
-}
-
-/// All patches by the chosen solver, again as long as their attitudes show what is no part of them.
-Completion solve(SkinLinks& skin, const EarlierPatches& earlier, const std::stop_token& stop,
-                 std::vector<double>& weights, std::vector<PatchSolver>& patches, std::vector<Finding>& findings) {
-  constexpr int kRounds = 3;  // what a first search leaves is rare; each costs a solve
-  for (int round = 0;; ++round) {
-    // The paths of every round of the global solver are found with the same weights.
-    weights = linkWeights(skin);
-    patches = placePatches(skin, weights);
-    if (skin.options().solver == Solver::Global &&
-        solveGlobally(skin, weights, earlier, stop, patches, findings) == Completion::Stopped) {
-      return Completion::Stopped;
-    }
-    if (round == kRounds || stop.stop_requested() || !isolateAttitudes(skin, patches, findings)) break;
-    skin.estimateEdges();
-  }
-  if (skin.options().solver == Solver::Global) {
-    for (const PatchSolver& patch : patches) nameInconsistentPoses(skin, patch, findings);
-  }
-  return Completion::Finished;
-}
-
-std::shared_ptr<Reconstruction> describe(const SkinLinks& skin, std::span<const PatchSolver> patches,
-                                         std::span<const double> weights, std::vector<Finding> findings) {
+std::shared_ptr<Reconstruction> describe(const SolvedSkin& solved) {
+  const SkinLinks& skin = solved.skin();
   const SessionSnapshot& snapshot = skin.snapshot();
+  std::vector<Finding> findings = solved.findings();
   auto result = std::make_shared<Reconstruction>();
   result->revision = snapshot.revision;
   result->solver = solverName(skin.options().solver);
   result->options = skin.options();
   result->source = snapshot.source;
   result->model = snapshot.model;
-  result->patches = describePatches(skin, patches, weights);
+  result->patches = describePatches(skin, solved.patches(), solved.weights());
   result->poses = summarisePoses(snapshot, skin.table(), *result);
   judgePoses(*result, findings);
   result->findings = std::move(findings);
   result->layout = computeFlatLayout(skin.model(), result->patches);
-  result->assessment = assess(*result, forecastOf(skin, patches, *result));
+  result->assessment = assess(*result, forecastOf(skin, solved.patches(), *result));
   if (std::optional<Finding> open = describeTooFewDirections(*result)) result->findings.push_back(std::move(*open));
   return result;
 }
@@ -113,16 +38,10 @@ std::shared_ptr<Reconstruction> describe(const SkinLinks& skin, std::span<const 
 
 std::shared_ptr<const Reconstruction> reconstruct(const SessionSnapshot& snapshot, const SolverOptions& options,
                                                   const Reconstruction* earlier, const std::stop_token& stop) {
-  options.validate();
   const auto start = std::chrono::steady_clock::now();
-  std::vector<Finding> findings;
-  SkinLinks skin(snapshot, options, findings);
-  if (prepare(skin, stop, findings) == Completion::Stopped) return nullptr;
-  std::vector<double> weights;
-  std::vector<PatchSolver> patches;
-  if (solve(skin, earlierPatches(earlier), stop, weights, patches, findings) == Completion::Stopped) return nullptr;
-  if (stop.stop_requested()) return nullptr;
-  const std::shared_ptr<Reconstruction> result = describe(skin, patches, weights, std::move(findings));
+  const std::unique_ptr<const SolvedSkin> solved = solveSkin(snapshot, options, earlier, stop);
+  if (solved == nullptr) return nullptr;
+  const std::shared_ptr<Reconstruction> result = describe(*solved);
   result->solve_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

@@ -97,6 +97,9 @@ const auto& table() {
       FindingDescription{
           SuspiciousSensor, "suspicious-sensor", Severity::Warning,
           message("A cell's readings fit badly, and there are too few poses to say why; they are used.")},
+      FindingDescription{
+          SensorsUnlikeModel, "sensors-unlike-model", Severity::Warning,
+          message("The errors of the accelerometers are together clearly larger than the cell model's sigmas.")},
       FindingDescription{LeftOut, "left-out", Severity::Info,
                          message("A cell was left out on request; it is placed through its links.")},
       FindingDescription{SampleOfUnknownCell, "sample-of-unknown-cell", Severity::Warning,

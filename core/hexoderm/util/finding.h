@@ -52,6 +52,7 @@ enum class FindingCode {
   TurnedSensor,
   MovedCell,
   SuspiciousSensor,
+  SensorsUnlikeModel,
   LeftOut,
   // poses
   SampleOfUnknownCell,

@@ -23,7 +23,8 @@ enum class Stream : std::uint32_t {
   DeadAxis,
   LinkFaults,
   Vibration,
-  WholeSkin
+  WholeSkin,
+  Lot
 };
 
 /// The stream's generator for what `keys` number (a recording, a cell ...).

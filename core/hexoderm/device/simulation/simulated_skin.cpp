@@ -178,6 +178,11 @@ void SimulatedSkin::State::drawCells(const std::vector<SE3>& placements) {
   NormalSource jitter(randomStream(options.seed, Stream::Placement));
   NormalSource errors(randomStream(options.seed, Stream::Sensors));
   const Accelerometer& accelerometer = model.accelerometer;
+  // All chips are of one lot.
+  const Eigen::Vector3d shared_offset_g =
+      accelerometer.shared_offset_sigma_g * NormalSource(randomStream(options.seed, Stream::Lot)).nextVector();
+  const double own_offset_sigma_g =
+      std::sqrt(std::pow(accelerometer.offset_sigma_g, 2) - std::pow(accelerometer.shared_offset_sigma_g, 2));
   truth.reserve(placements.size());
   for (std::size_t k = 0; k < placements.size(); ++k) {
     TrueCell cell{CellId(static_cast<std::uint32_t>(k + 1)), placements[k]};
@@ -187,7 +192,7 @@ void SimulatedSkin::State::drawCells(const std::vector<SE3>& placements) {
     cell.T_b_u.t += cell.T_b_u.R * shift;
     cell.T_b_u.R *= expSO3(turn);
     if (options.sensor_errors) {
-      cell.offset_g = accelerometer.offset_sigma_g * errors.nextVector();
+      cell.offset_g = shared_offset_g + own_offset_sigma_g * errors.nextVector();
       for (int row = 0; row < 3; ++row) {
         for (int col = 0; col < 3; ++col) {
           cell.gain(row, col) +=

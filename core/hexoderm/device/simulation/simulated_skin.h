@@ -87,7 +87,7 @@ struct SimulatedSkinOptions {
   double position_jitter_m = 0.0002;      ///< 1 sigma, along the surface and normal to it
   double yaw_jitter_rad = 0;              ///< set by the constructor to 1 degree
   double tilt_jitter_rad = 0;             ///< 0.5 degrees
-  bool sensor_errors = true;              ///< offset, scale and cross-axis drawn with the model's sigmas
+  bool sensor_errors = true;              ///< offset, scale and cross-axis drawn with the model's sigmas, as one lot
   bool sensor_noise = true;               ///< white noise and quantisation
   bool hand_held = true;                  ///< orientation error, tremor and drift from the second pose on
   bool on_robot = false;                  ///< a robot with its motors on instead of a hand, see robot()

@@ -1,5 +1,6 @@
 #include "hexoderm/reconstruction/joint/joint_refinement.h"
 
+#include "hexoderm/reconstruction/joint/patch_evidence.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/median.h"
 
@@ -344,6 +345,18 @@ std::shared_ptr<const PlacementCovariance> JointRefinement::placementCovariance(
 }
 
 const AccelerometerFit& JointRefinement::sensorOf(std::size_t cell) const { return sensors_[localOf(cell)].fit; }
+
+std::span<const CellReading> JointRefinement::readingsOf(std::size_t cell) const {
+  return problem_->readings[localOf(cell)];
+}
+
+std::span<const Eigen::Vector3d> JointRefinement::forcesAt(std::size_t cell) const {
+  return sensors_[localOf(cell)].v_g;
+}
+
+SensorEvidence JointRefinement::sensorEvidence() const {
+  return evidenceOfPatch(*problem_, solution_.state, sensors_);
+}
 
 Eigen::Matrix3d JointRefinement::linkCovariance(std::size_t link_index) const {
   const auto at = static_cast<std::size_t>(std::ranges::lower_bound(links_, link_index) - links_.begin());

@@ -3,11 +3,13 @@
 #include "hexoderm/reconstruction/result/reconstruction.h"
 
 #include "hexoderm/reconstruction/accelerometer/rigidity.h"
+#include "hexoderm/reconstruction/accelerometer/sensor_evidence.h"
 #include "hexoderm/reconstruction/joint/joint_solver.h"
 #include "hexoderm/reconstruction/links/gravity_table.h"
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace hexoderm {
@@ -54,6 +56,11 @@ class JointRefinement {
   [[nodiscard]] std::vector<Matrix6d> covariancesWithAllReadings() const;
   [[nodiscard]] std::shared_ptr<const PlacementCovariance> placementCovariance(const SkinGraph& graph) const;
   [[nodiscard]] const AccelerometerFit& sensorOf(std::size_t cell) const;
+  /// The readings of a cell that are used, and per reading the specific force in the accelerometer's axes.
+  [[nodiscard]] std::span<const CellReading> readingsOf(std::size_t cell) const;
+  [[nodiscard]] std::span<const Eigen::Vector3d> forcesAt(std::size_t cell) const;
+  /// What the readings say about the sensors of the cells that have any, in the order of the patch's cells.
+  [[nodiscard]] SensorEvidence sensorEvidence() const;
   [[nodiscard]] const JointSolution& solution() const { return solution_; }
   [[nodiscard]] const JointProblem& problem() const { return *problem_; }
   /// Poses of the table that the patch has readings in; the solution's poses, in its order.
