@@ -974,10 +974,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Eines je Zelle</translation>
     </message>
     <message>
-        <source>One for each patch (lighter in RViz)</source>
-        <translation>Eines je Hautstück (leichter in RViz)</translation>
-    </message>
-    <message>
         <source>Robot</source>
         <translation>Roboter</translation>
     </message>
@@ -1008,6 +1004,30 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Replace</source>
         <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>One for the patch (lighter in RViz)</source>
+        <translation>Eines für das Hautstück (leichter für RViz)</translation>
+    </message>
+    <message>
+        <source>Patch</source>
+        <translation>Hautstück</translation>
+    </message>
+    <message>
+        <source>How the patches lie to each other is not known, so that a file with one frame holds one</source>
+        <translation>Wie die Hautstücke zueinander liegen, ist nicht bekannt; eine Datei mit einem einzigen Koordinatensystem enthält deshalb nur eines</translation>
+    </message>
+    <message>
+        <source>All, each in its own frame</source>
+        <translation>Alle, jedes in seinem eigenen Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>Cell %1 alone</source>
+        <translation>Zelle %1 allein</translation>
+    </message>
+    <message>
+        <source>Patch of cell %1, %2 cells</source>
+        <translation>Hautstück der Zelle %1, %2 Zellen</translation>
     </message>
 </context>
 <context>
@@ -1079,6 +1099,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Save the session first? Its latest changes are not on disk yet.</source>
         <translation>Die Sitzung vorher speichern? Ihre letzten Änderungen sind noch nicht auf der Platte.</translation>
+    </message>
+    <message>
+        <source>Exported to %1. %2</source>
+        <translation>Exportiert nach %1. %2</translation>
     </message>
 </context>
 <context>
@@ -1312,10 +1336,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Eine Kalibrierung ist offen. Sie enthält das Ergebnis; die Posen stehen in ihrer Sitzung.</translation>
     </message>
     <message>
-        <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
-    </message>
-    <message>
         <source>Review</source>
         <translation>Durchsehen</translation>
     </message>
@@ -1450,10 +1470,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>The robot</source>
         <translation>Der Roboter</translation>
-    </message>
-    <message>
-        <source>%1 is taking pose %2 of %3.</source>
-        <translation>%1 nimmt Pose %2 von %3 auf.</translation>
     </message>
     <message>
         <source>%1 is taking pose %2.</source>
@@ -2262,10 +2278,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>alles über Zellen und Sensoren für ParaView und VTK, verlustfrei</translation>
     </message>
     <message>
-        <source>links for every cell and sensor, or for every patch, for ROS</source>
-        <translation>Glieder für jede Zelle und jeden Sensor oder für jedes Hautstück, für ROS</translation>
-    </message>
-    <message>
         <source>there are no cells, and so nothing to draw in a {} file: export csv, dot, vtp or urdf instead</source>
         <translation>es gibt keine Zellen und damit in einer {}-Datei nichts zu zeichnen: stattdessen csv, dot, vtp oder urdf exportieren</translation>
     </message>
@@ -2394,16 +2406,8 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Eine Zelle: Sie ist ihr eigener Ursprung, zu schätzen gibt es nichts.</translation>
     </message>
     <message>
-        <source>No cell is linked to another: each is its own origin.</source>
-        <translation>Keine Zelle ist mit einer anderen verbunden: Jede ist ihr eigener Ursprung.</translation>
-    </message>
-    <message>
         <source>Export.</source>
         <translation>Exportieren.</translation>
-    </message>
-    <message>
-        <source>Check the links between the cells.</source>
-        <translation>Die Verbindungen zwischen den Zellen prüfen.</translation>
     </message>
     <message>
         <source>That should bring ±{} to about ±{}.</source>
@@ -2418,24 +2422,8 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>{} Posen</translation>
     </message>
     <message>
-        <source>Not enough poses: none yet. The shape shown follows from the ports alone.</source>
-        <translation>Zu wenige Posen: noch keine. Die gezeigte Form folgt allein aus den Ports.</translation>
-    </message>
-    <message>
         <source>Hold the part still and take a first pose.</source>
         <translation>Das Teil stillhalten und eine erste Pose aufnehmen.</translation>
-    </message>
-    <message>
-        <source>Not enough poses: {} along one line leave the turn about gravity open ({}).</source>
-        <translation>Zu wenige Posen: {} entlang einer Linie lassen die Drehung um die Schwerkraft offen ({}).</translation>
-    </message>
-    <message>
-        <source>Not enough poses: one leaves the turn about gravity open ({}).</source>
-        <translation>Zu wenige Posen: Eine lässt die Drehung um die Schwerkraft offen ({}).</translation>
-    </message>
-    <message>
-        <source>{} are not enough: known to {} only.</source>
-        <translation>{} reichen nicht: nur auf {} genau.</translation>
     </message>
     <message>
         <source>Good: {} at the worst cell (95 %), {}.</source>
@@ -2560,10 +2548,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>There is no pose yet: the shape shown follows from the ports alone.</source>
         <translation>Es gibt noch keine Pose: Die gezeigte Form folgt allein aus den Ports.</translation>
-    </message>
-    <message>
-        <source>Gravity was seen along one line only, so the turn about it is a guess: take a pose in which the part is turned by about 90 degrees about a horizontal axis.</source>
-        <translation>Die Schwerkraft wurde nur entlang einer Linie gesehen, die Drehung um diese Linie ist geraten: eine Pose aufnehmen, in der das Teil um etwa 90 Grad um eine waagrechte Achse gedreht ist.</translation>
     </message>
     <message>
         <source>Two poses carry the number {}; both are used.</source>
@@ -3140,10 +3124,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>samples in LSB need a cell model whose accelerometer.lsb_g is above 0</source>
         <translation>Messwerte in LSB brauchen ein Zellmodell, dessen accelerometer.lsb_g über 0 liegt</translation>
-    </message>
-    <message>
-        <source>a cell is twice in one message of samples</source>
-        <translation>eine Zelle steht zweimal in einer Nachricht mit Messwerten</translation>
     </message>
     <message>
         <source>tcp://HOST:PORT, udp://HOST:PORT or serial:/dev/DEVICE</source>
@@ -4367,18 +4347,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>diesen Schlüssel gibt es nicht; es gibt {}</translation>
     </message>
     <message>
-        <source>No cell is linked to another: nothing is known of their places.</source>
-        <translation>Keine Zelle ist mit einer anderen verbunden: Über ihre Lage ist nichts bekannt.</translation>
-    </message>
-    <message>
-        <source>{} of {} cells are linked to no other: nothing is known of their places.</source>
-        <translation>{} von {} Zellen sind mit keiner anderen verbunden: Über ihre Lage ist nichts bekannt.</translation>
-    </message>
-    <message>
-        <source>Look at the findings and check the links, the readings and the cell model.</source>
-        <translation>Befunde ansehen und Verbindungen, Messwerte und Zellmodell prüfen.</translation>
-    </message>
-    <message>
         <source>Of {} cells only {} have readings that can be used: the shape shown follows mostly from the ports.</source>
         <translation>Von {} Zellen haben nur {} brauchbare Messwerte: Die gezeigte Form folgt größtenteils aus den Ports.</translation>
     </message>
@@ -4505,6 +4473,34 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>The directions of gravity that were seen leave open how the cells are turned: take a pose in which the part is turned by about 90 degrees about a horizontal axis.</source>
         <translation>Die gesehenen Richtungen der Schwerkraft lassen offen, wie die Zellen gedreht sind: eine Pose aufnehmen, in der das Teil um etwa 90 Grad um eine waagrechte Achse gedreht ist.</translation>
+    </message>
+    <message>
+        <source>links for every cell and sensor, or one for the patch, for ROS</source>
+        <translation>Glieder für jede Zelle und jeden Sensor oder eines für das Hautstück, für ROS</translation>
+    </message>
+    <message>
+        <source>{} has one frame, and how the patches lie to each other is not known: write each to a file of its own</source>
+        <translation>{} hat ein einziges Koordinatensystem, und wie die Hautstücke zueinander liegen, ist nicht bekannt: jedes in eine eigene Datei schreiben</translation>
+    </message>
+    <message>
+        <source>no patch holds a cell {}</source>
+        <translation>kein Hautstück enthält eine Zelle {}</translation>
+    </message>
+    <message>
+        <source>all_patches: patch asks for one of them</source>
+        <translation>all_patches: patch verlangt eines davon</translation>
+    </message>
+    <message>
+        <source>Not in the file: the patch of cell {} ({}), because how it lies to the exported patch is not known.</source>
+        <translation>Nicht in der Datei: das Hautstück der Zelle {} ({}), weil nicht bekannt ist, wie es zum exportierten Hautstück liegt.</translation>
+    </message>
+    <message>
+        <source>Not in the file: the patches of cells {} ({}), because how they lie to the exported patch is not known.</source>
+        <translation>Nicht in der Datei: die Hautstücke der Zellen {} ({}), weil nicht bekannt ist, wie sie zum exportierten Hautstück liegen.</translation>
+    </message>
+    <message>
+        <source>Not in the file: {} patches ({}), because how they lie to the exported patch is not known.</source>
+        <translation>Nicht in der Datei: {} Hautstücke ({}), weil nicht bekannt ist, wie sie zum exportierten Hautstück liegen.</translation>
     </message>
 </context>
 <context>
@@ -4927,6 +4923,18 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Cells %1 and %2: %3 ± %4 (95 %) apart, their faces %5 to each other</source>
         <translation>Zellen %1 und %2: %3 ± %4 (95 %) Abstand, ihre Flächen %5 zueinander</translation>
+    </message>
+    <message>
+        <source>%1 patches beside the largest: how they lie to it and to each other is not known</source>
+        <translation>%1 Hautstücke neben dem größten: wie sie zu ihm und zueinander liegen, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>dashed frame: patch of cell %1, not placed against the others</source>
+        <translation>gestrichelter Rahmen: Hautstück der Zelle %1, Lage zu den anderen nicht bekannt</translation>
+    </message>
+    <message>
+        <source>dashed frames: patches of cells %1, not placed against the others</source>
+        <translation>gestrichelte Rahmen: Hautstücke der Zellen %1, Lage zu den anderen nicht bekannt</translation>
     </message>
 </context>
 <context>
@@ -6395,6 +6403,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>As good as stated, but a coarse check: with so few poses, a part that bent by less than about %1 would not show. %2</source>
         <translation>So gut wie angegeben, aber eine grobe Prüfung: Bei so wenigen Posen fiele ein Teil, das sich um weniger als etwa %1 verbogen hat, nicht auf. %2</translation>
+    </message>
+    <message>
+        <source>No two cells lie in one patch both here and in %1: there is nothing to compare.</source>
+        <translation>Keine zwei Zellen liegen sowohl hier als auch in %1 in einem Hautstück: Es gibt nichts zu vergleichen.</translation>
     </message>
 </context>
 <context>
