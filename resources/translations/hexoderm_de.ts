@@ -1007,7 +1007,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>One for the patch (lighter in RViz)</source>
-        <translation>Eines für das Hautstück (leichter für RViz)</translation>
+        <translation>Eines für das Hautstück (leichter in RViz)</translation>
     </message>
     <message>
         <source>Patch</source>

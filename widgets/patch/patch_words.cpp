@@ -27,8 +27,7 @@ QString notPlacedInWords(const SceneNotes& notes) {
         .arg(origins.size());
   }
   if (origins.size() == 1) {
-    return PatchWords::tr("dashed frame: patch of cell %1, not placed against the others")
-        .arg(origins.front().value());
+    return PatchWords::tr("dashed frame: patch of cell %1, not placed against the others").arg(origins.front().value());
   }
   QStringList names;
   for (const CellId origin : origins) names << QString::number(origin.value());

@@ -23,8 +23,8 @@ constexpr double kDash = 0.22;          // a dash and the gap behind it
 constexpr double kDot = 0.09;
 constexpr double kFrameDash = 0.5;  // of a frame about a patch
 constexpr double kFrameRoom = 0.4;  // between it and the cells
-constexpr double kCross = 0.12;   // half of a muted link's cross
-constexpr double kGapRoom = 1.2;  // the arrow of a gap
+constexpr double kCross = 0.12;     // half of a muted link's cross
+constexpr double kGapRoom = 1.2;    // the arrow of a gap
 constexpr double kGapArrowWidth = 0.12;
 constexpr double kShiftArrowWidth = 0.09;
 

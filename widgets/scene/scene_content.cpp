@@ -16,10 +16,9 @@ namespace {
 
 constexpr vtkIdType kSides = 6;
 
-/// Sets the boxes beside that of the largest patch, `between_m` apart, and returns by how much each has moved: in columns
-/// from top to bottom, about as high as the largest patch or, if there are many, as all of them in a square.
-std::vector<Eigen::Vector3d> setBeside(std::vector<Eigen::AlignedBox3d>& boxes, std::size_t largest,
-                                       double between_m) {
+/// Sets the boxes beside that of the largest patch, `between_m` apart, and returns by how much each has moved: in
+/// columns from top to bottom, about as high as the largest patch or, if there are many, as all of them in a square.
+std::vector<Eigen::Vector3d> setBeside(std::vector<Eigen::AlignedBox3d>& boxes, std::size_t largest, double between_m) {
   std::vector<Eigen::Vector3d> shifts(boxes.size(), Eigen::Vector3d::Zero());
   if (boxes.size() < 2 || boxes[largest].isEmpty()) return shifts;
   const Eigen::AlignedBox3d& fixed = boxes[largest];

@@ -28,7 +28,7 @@ struct SceneLayout {
   std::vector<SceneCell> cells;
   std::vector<Eigen::Vector3d> points;  ///< 12 a cell as in PatchMesh, or the first 6 of them
   // One for each patch.
-  std::vector<Eigen::Vector3d> shifts;  ///< from its own frame to the scene
+  std::vector<Eigen::Vector3d> shifts;     ///< from its own frame to the scene
   std::vector<Eigen::AlignedBox3d> boxes;  ///< of its points in the scene; empty without cells
   std::size_t largest = 0;                 ///< index of the patch that lies in its own frame
   std::unordered_map<CellId, std::size_t> index;

@@ -24,7 +24,19 @@ struct DrawnOverlay {
   bool stale = true;
 };
 
-enum Kind : std::size_t { kFrames, kLinks, kTree, kEllipsoids, kTruth, kSheet, kDistances, kLoop, kShifts, kMeasure, kKinds };
+enum Kind : std::size_t {
+  kFrames,
+  kLinks,
+  kTree,
+  kEllipsoids,
+  kTruth,
+  kSheet,
+  kDistances,
+  kLoop,
+  kShifts,
+  kMeasure,
+  kKinds
+};
 
 /// The depth at which a thing counts, as GLSL.
 void setDepth(vtkActor* actor, const std::string& depth) {

@@ -29,8 +29,9 @@ struct SceneNotes {
   bool links = false;
 };
 
-/// The things that are drawn over the cells: frames about patches that are not placed, links, tree, uncertainty, truth, fitted surface, loop gap, differences,
-/// and the line of a measurement. Each kind is made anew only when it is drawn after a change; setters cost nothing.
+/// The things that are drawn over the cells: frames about patches that are not placed, links, tree, uncertainty, truth,
+/// fitted surface, loop gap, differences, and the line of a measurement. Each kind is made anew only when it is drawn
+/// after a change; setters cost nothing.
 class SceneOverlays {
  public:
   /// More would be neither told apart nor quick.

@@ -14,7 +14,8 @@ class QStackedWidget;
 
 namespace hexoderm {
 
-/// Asks for contents, place and format of an export, and of several patches for one where the format has one frame. Emits the request when it is accepted; the receiver writes.
+/// Asks for contents, place and format of an export, and of several patches for one where the format has one frame.
+/// Emits the request when it is accepted; the receiver writes.
 class ExportDialog : public QDialog {
   Q_OBJECT
 

@@ -124,7 +124,9 @@ CsvTable covarianceTable(const Reconstruction& reconstruction) {
 }
 
 CsvTable sensorTable(const Reconstruction& reconstruction) {
-  CsvTable table{"sensors.csv", {"patch", "patch_origin_cell", "cell", "sensor", "type", "x_m", "y_m", "z_m", "qw", "qx", "qy", "qz"}, {}};
+  CsvTable table{"sensors.csv",
+                 {"patch", "patch_origin_cell", "cell", "sensor", "type", "x_m", "y_m", "z_m", "qw", "qx", "qy", "qz"},
+                 {}};
   for (const PatchReconstruction& patch : reconstruction.patches) {
     for (const CellPlacement& cell : patch.cells) {
       for (const SensorPlacement& sensor : cell.sensors) {

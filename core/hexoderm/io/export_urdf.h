@@ -38,8 +38,9 @@ struct UrdfModel {
 };
 
 /// parent link -> PREFIXpatchK -> PREFIXcellN -> PREFIXcellN_SENSOR, all joints fixed and named after their child. Of
-/// several patches the frames would coincide: exportReconstruction() gives it one. With one link per patch the cells are its visuals and the sensors are <sensor> elements. Throws InvalidArgument if the
-/// parent link's name is also that of a link made here.
+/// several patches the frames would coincide: exportReconstruction() gives it one. With one link per patch the cells
+/// are its visuals and the sensors are <sensor> elements. Throws InvalidArgument if the parent link's name is also that
+/// of a link made here.
 UrdfModel urdfModel(const Reconstruction& reconstruction, const ExportOptions& options);
 
 std::string urdfBytes(const UrdfModel& model);

@@ -86,9 +86,9 @@ TEST_F(CliPatches, AFileOfOneFrameHoldsTheLargestPatchAndTheRestIsNamed) {
 
 TEST_F(CliPatches, APatchIsExportedByAnyOfItsCells) {
   const std::string fallen = std::to_string(fallen_);
-  EXPECT_THAT(exported("urdf", "--patch " + fallen),
-              AllOf(HasSubstr("\"skin_cell" + fallen + "\""),
-                    Not(HasSubstr("\"skin_cell" + std::to_string(origin_) + "\""))));
+  EXPECT_THAT(
+      exported("urdf", "--patch " + fallen),
+      AllOf(HasSubstr("\"skin_cell" + fallen + "\""), Not(HasSubstr("\"skin_cell" + std::to_string(origin_) + "\""))));
   EXPECT_THAT(exported("ply", "--patch " + fallen), HasSubstr("in the frame of cell " + fallen));
   EXPECT_THAT(exported("dot", "--patch " + fallen), Not(HasSubstr("->")));
   const Outcome outcome = run("export arm.calibration.json --to ply --patch " + fallen + " --json -o arm.ply");

@@ -67,10 +67,9 @@ TEST_F(ExportUrdf, ChainsToEveryCellAndSensor) {
   const auto T_root = chained(load(in("skin.urdf")));
   std::vector<std::string> link_names;
   for (const auto& [name, T] : T_root) link_names.push_back(name);
-  EXPECT_THAT(link_names,
-              UnorderedElementsAre("base_link", "skin_patch0", "skin_cell3", "skin_cell7", "skin_cell12",
-                                   "skin_cell3_accelerometer", "skin_cell7_force_1_gr_e", "skin_cell7_force_1_gr_e_2",
-                                   "skin_cell12_sensor"));
+  EXPECT_THAT(link_names, UnorderedElementsAre("base_link", "skin_patch0", "skin_cell3", "skin_cell7", "skin_cell12",
+                                               "skin_cell3_accelerometer", "skin_cell7_force_1_gr_e",
+                                               "skin_cell7_force_1_gr_e_2", "skin_cell12_sensor"));
   const auto& cells = reconstruction.patches[0].cells;
   expectNear(T_root.at("skin_patch0"), {}, "patch");
   expectNear(T_root.at("skin_cell3"), cells[0].T_o_u, "cell 3");
