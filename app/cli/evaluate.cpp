@@ -36,14 +36,30 @@ std::string inMm(const Eigen::Vector3d& v) {
 class Evaluation {
  public:
   Evaluation(const Reconstruction& calibration, bool json) : calibration_(calibration), json_(json) {
-    if (!json_) std::cout << sizeInWords(calibration) << '\n';
+    if (!json_) {
+      std::cout << sizeInWords(calibration) << '\n';
+      if (calibration.patches.size() > 1) {
+        std::cout << "How the patches lie to each other is not known: every figure is one of a patch by itself.\n";
+      }
+    }
     result_["patches"] = calibration.patches.size();
   }
 
   void fit(SurfaceKind kind, std::optional<double> true_radius_m) {
     auto fits = nlohmann::ordered_json::array();
+    std::size_t fitted = 0;
     for (const PatchReconstruction& patch : calibration_.patches) {
-      const SurfaceEvaluation surface = evaluateSurface(patch, kind, true_radius_m);
+      SurfaceEvaluation surface;
+      try {
+        surface = evaluateSurface(patch, kind, true_radius_m);
+      } catch (const InvalidArgument& error) {
+        // A cell that fell off does not stand in the way of the others.
+        if (&patch == &calibration_.patches.back() && fitted == 0) throw;
+        fits.push_back({{"patch", patch.id.value()}, {"surface", surfaceKindName(kind)}, {"why_not", error.what()}});
+        if (!json_) std::cout << "Patch " << patch.id << ": " << error.what() << '\n';
+        continue;
+      }
+      ++fitted;
       fits.push_back(toJson(surface));
       if (json_) continue;
       std::cout << "Patch " << patch.id << ", " << surfaceKindName(kind) << " through " << surface.cells.size()
@@ -143,6 +159,11 @@ class Evaluation {
   }
 
   static void print(const Comparison& comparison) {
+    if (comparison.cells.size() == 1) {
+      std::cout << "Patch " << comparison.patch << ": cell " << comparison.cells.front().cell
+                << " alone, which fits wherever it is: nothing to compare\n";
+      return;
+    }
     std::cout << "Patch " << comparison.patch << ", after alignment: position "
               << millimetres(comparison.position_rms_m, 3) << " rms, orientation "
               << degrees(comparison.orientation_rms_rad, 3) << " rms\n";

@@ -1009,6 +1009,30 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>Replace</source>
         <translation>Ersetzen</translation>
     </message>
+    <message>
+        <source>One for the patch (lighter in RViz)</source>
+        <translation>Eines für das Hautstück (leichter in RViz)</translation>
+    </message>
+    <message>
+        <source>Patch</source>
+        <translation>Hautstück</translation>
+    </message>
+    <message>
+        <source>How the patches lie to each other is not known, so that a file with one frame holds one</source>
+        <translation>Wie die Hautstücke zueinander liegen, ist nicht bekannt; eine Datei mit einem einzigen Koordinatensystem enthält deshalb nur eines</translation>
+    </message>
+    <message>
+        <source>All, each in its own frame</source>
+        <translation>Alle, jedes in seinem eigenen Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>Cell %1 alone</source>
+        <translation>Zelle %1 allein</translation>
+    </message>
+    <message>
+        <source>Patch of cell %1, %2 cells</source>
+        <translation>Hautstück der Zelle %1, %2 Zellen</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::FilePresenter</name>
@@ -1079,6 +1103,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Save the session first? Its latest changes are not on disk yet.</source>
         <translation>Die Sitzung vorher speichern? Ihre letzten Änderungen sind noch nicht auf der Platte.</translation>
+    </message>
+    <message>
+        <source>Exported to %1. %2</source>
+        <translation>Exportiert nach %1. %2</translation>
     </message>
 </context>
 <context>
@@ -4486,6 +4514,34 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>The errors of the accelerometers are together clearly larger than the cell model&apos;s sigmas.</source>
         <translation>Die Fehler der Beschleunigungssensoren sind insgesamt deutlich größer als die Standardabweichungen des Zellmodells.</translation>
     </message>
+    <message>
+        <source>links for every cell and sensor, or one for the patch, for ROS</source>
+        <translation>Glieder für jede Zelle und jeden Sensor oder eines für das Hautstück, für ROS</translation>
+    </message>
+    <message>
+        <source>{} has one frame, and how the patches lie to each other is not known: write each to a file of its own</source>
+        <translation>{} hat ein einziges Koordinatensystem, und wie die Hautstücke zueinander liegen, ist nicht bekannt: jedes in eine eigene Datei schreiben</translation>
+    </message>
+    <message>
+        <source>no patch holds a cell {}</source>
+        <translation>kein Hautstück enthält eine Zelle {}</translation>
+    </message>
+    <message>
+        <source>all_patches: patch asks for one of them</source>
+        <translation>all_patches: patch verlangt eines davon</translation>
+    </message>
+    <message>
+        <source>Not in the file: the patch of cell {} ({}), because how it lies to the exported patch is not known.</source>
+        <translation>Nicht in der Datei: das Hautstück der Zelle {} ({}), weil nicht bekannt ist, wie es zum exportierten Hautstück liegt.</translation>
+    </message>
+    <message>
+        <source>Not in the file: the patches of cells {} ({}), because how they lie to the exported patch is not known.</source>
+        <translation>Nicht in der Datei: die Hautstücke der Zellen {} ({}), weil nicht bekannt ist, wie sie zum exportierten Hautstück liegen.</translation>
+    </message>
+    <message>
+        <source>Not in the file: {} patches ({}), because how they lie to the exported patch is not known.</source>
+        <translation>Nicht in der Datei: {} Hautstücke ({}), weil nicht bekannt ist, wie sie zum exportierten Hautstück liegen.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>
@@ -4907,6 +4963,18 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Cells %1 and %2: %3 ± %4 (95 %) apart, their faces %5 to each other</source>
         <translation>Zellen %1 und %2: %3 ± %4 (95 %) Abstand, ihre Flächen %5 zueinander</translation>
+    </message>
+    <message>
+        <source>%1 patches beside the largest: how they lie to it and to each other is not known</source>
+        <translation>%1 Hautstücke neben dem größten: wie sie zu ihm und zueinander liegen, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>dashed frame: patch of cell %1, not placed against the others</source>
+        <translation>gestrichelter Rahmen: Hautstück der Zelle %1, Lage zu den anderen nicht bekannt</translation>
+    </message>
+    <message>
+        <source>dashed frames: patches of cells %1, not placed against the others</source>
+        <translation>gestrichelte Rahmen: Hautstücke der Zellen %1, Lage zu den anderen nicht bekannt</translation>
     </message>
 </context>
 <context>
@@ -6375,6 +6443,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>As good as stated, but a coarse check: with so few poses, a part that bent by less than about %1 would not show. %2</source>
         <translation>So gut wie angegeben, aber eine grobe Prüfung: Bei so wenigen Posen fiele ein Teil, das sich um weniger als etwa %1 verbogen hat, nicht auf. %2</translation>
+    </message>
+    <message>
+        <source>No two cells lie in one patch both here and in %1: there is nothing to compare.</source>
+        <translation>Keine zwei Zellen liegen sowohl hier als auch in %1 in einem Hautstück: Es gibt nichts zu vergleichen.</translation>
     </message>
 </context>
 <context>

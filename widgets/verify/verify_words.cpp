@@ -242,6 +242,11 @@ VerifySentence comparisonInWords(const std::vector<Comparison>& comparisons, con
   if (comparisons.empty())
     return {Tone::Bad, VerifyTexts::tr("%1 has no cell in common with this calibration.").arg(against)};
   const ComparisonSummary summary = summariseComparisons(comparisons);
+  if (summary.cells == 0) {
+    return {Tone::Neutral,
+            VerifyTexts::tr("No two cells lie in one patch both here and in %1: there is nothing to compare.")
+                .arg(against)};
+  }
   const WithinStated& within = summary.within;
   const QString figures = VerifyTexts::tr("Against %1, after alignment: %2 and %3 rms over %4 cells.")
                               .arg(against, millimetres(summary.position_rms_m), degrees(summary.orientation_rms_rad))

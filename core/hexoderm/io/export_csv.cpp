@@ -124,11 +124,13 @@ CsvTable covarianceTable(const Reconstruction& reconstruction) {
 }
 
 CsvTable sensorTable(const Reconstruction& reconstruction) {
-  CsvTable table{"sensors.csv", {"patch", "cell", "sensor", "type", "x_m", "y_m", "z_m", "qw", "qx", "qy", "qz"}, {}};
+  CsvTable table{"sensors.csv",
+                 {"patch", "patch_origin_cell", "cell", "sensor", "type", "x_m", "y_m", "z_m", "qw", "qx", "qy", "qz"},
+                 {}};
   for (const PatchReconstruction& patch : reconstruction.patches) {
     for (const CellPlacement& cell : patch.cells) {
       for (const SensorPlacement& sensor : cell.sensors) {
-        Row row{number(patch.id), number(cell.cell), text(sensor.name), text(sensor.type)};
+        Row row{number(patch.id), number(patch.origin), number(cell.cell), text(sensor.name), text(sensor.type)};
         append(row, sensor.T_o_s.t);
         appendRotation(row, sensor.T_o_s.R);
         table.rows.push_back(std::move(row));

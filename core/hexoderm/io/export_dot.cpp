@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 namespace hexoderm {
@@ -238,11 +239,13 @@ DotGraph dotGraph(const Reconstruction& reconstruction) {
                          {"width", width},     {"height", width},   {"fixedsize", "true"},
                          {"margin", "0"},      {"fontsize", "10"},  {"fontname", "sans-serif"}};
   graph.edge_defaults = {{"fontsize", "8"}, {"fontname", "sans-serif"}, {"arrowsize", "0.5"}};
+  std::unordered_set<CellId> cells;
   for (const PatchReconstruction& patch : reconstruction.patches) {
     DotCluster cluster;
     cluster.name = "cluster_" + toString(patch.id);
     cluster.attributes["label"] = "patch " + toString(patch.id) + ", origin cell " + toString(patch.origin);
     for (const CellPlacement& cell : patch.cells) {
+      cells.insert(cell.cell);
       DotNode node{toString(cell.cell), {}};
       node.attributes["label"] = node.name;
       if (!cell.body_part.empty()) node.attributes["label"] += "\n" + printable(cell.body_part);
@@ -258,6 +261,8 @@ DotGraph dotGraph(const Reconstruction& reconstruction) {
   }
   for (const PatchReconstruction& patch : reconstruction.patches) {
     for (const LinkEstimate& link : patch.links) {
+      // Graphviz would make up a cell that is not there, as of a patch that is left out.
+      if (!cells.contains(link.source.cell) || !cells.contains(link.target.cell)) continue;
       const DotAttributes attributes = linkAttributes(link);
       graph.edges.push_back(directedEdge(link.source, link.target, attributes));
       graph.edges.push_back(directedEdge(link.target, link.source, attributes));

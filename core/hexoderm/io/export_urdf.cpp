@@ -215,8 +215,8 @@ std::string urdfBytes(const UrdfModel& model) {
   robot.append_attribute("name") = model.robot.c_str();
   robot.append_child(pugi::node_comment)
       .set_value(
-          " Metres and radians. Each patch has a link of its own, in the frame of its origin cell, joined to the "
-          "parent link without any offset: placing it on the robot is up to you. ");
+          " Metres and radians. The patch has a link of its own, in the frame of its origin cell, joined to the parent "
+          "link without any offset: placing it on the robot is up to you. ");
   for (const Material& material : materials()) {
     pugi::xml_node node = robot.append_child("material");
     node.append_attribute("name") = material.name.c_str();

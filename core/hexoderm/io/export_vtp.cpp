@@ -230,7 +230,7 @@ VtpData vtpData(const Reconstruction& reconstruction) {
   data.verts = verts.offsets.size();
   data.polys = polys.offsets.size();
   data.field_data = {textArray("units", "positions in metres, rotations in radians"),
-                     textArray("frame", "each patch in the frame of its origin cell"),
+                     textArray("frame", frameInWords(reconstruction)),
                      textArray("cell_model", reconstruction.model->name),
                      textArray("solver", reconstruction.solver),
                      textArray("verdict", std::string(verdictName(reconstruction.assessment.level))),

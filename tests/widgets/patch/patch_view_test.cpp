@@ -335,6 +335,31 @@ TEST_F(PatchViewTest, OverlaysAreNamedWithTheirEnlargement) {
   EXPECT_FALSE(words().contains(QStringLiteral("arrows")));
 }
 
+TEST_F(PatchViewTest, PatchesThatAreNotPlacedAreSaidInWords) {
+  show();
+  view.setReconstruction(demo());
+  EXPECT_FALSE(words().contains(QStringLiteral("not placed")));
+  DemoOptions lonely;
+  lonely.first_id = 101;
+  lonely.arm_cells = 0;
+  view.setReconstruction(shared(demoPatches({DemoOptions(), lonely})));
+  EXPECT_TRUE(words().contains(QStringLiteral("dashed frame: patch of cell 101, not placed against the others")))
+      << words().toStdString();
+  controls().measureAction()->trigger();
+  selection.selectCell(CellId(1));
+  selection.selectCell(CellId(101));
+  EXPECT_TRUE(words().contains(QStringLiteral("Cells 1 and 101 are in different patches"))) << words().toStdString();
+  EXPECT_FALSE(words().contains(QStringLiteral("mm apart")));
+  controls().measureAction()->trigger();
+  std::vector<DemoOptions> many = {DemoOptions()};
+  for (std::uint32_t k = 0; k < 9; ++k) {
+    many.push_back(lonely);
+    many.back().first_id += k;
+  }
+  view.setReconstruction(shared(demoPatches(many)));
+  EXPECT_TRUE(words().contains(QStringLiteral("9 patches beside the largest"))) << words().toStdString();
+}
+
 TEST_F(PatchViewTest, MeasuresBetweenTwoClickedCellsUntilEsc) {
   show();
   view.setReconstruction(demo());

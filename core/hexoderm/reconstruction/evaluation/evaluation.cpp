@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <queue>
 #include <unordered_map>
 
@@ -246,7 +247,10 @@ WithinStated countWithinStated(const std::vector<Comparison>& comparisons) {
 
 ComparisonSummary summariseComparisons(const std::vector<Comparison>& comparisons) {
   ComparisonSummary summary;
-  for (const Comparison& comparison : comparisons) {
+  std::vector<Comparison> telling;
+  std::ranges::copy_if(comparisons, std::back_inserter(telling),
+                       [](const Comparison& comparison) { return comparison.cells.size() > 1; });
+  for (const Comparison& comparison : telling) {
     const auto count = static_cast<double>(comparison.cells.size());
     summary.cells += comparison.cells.size();
     summary.position_rms_m += count * comparison.position_rms_m * comparison.position_rms_m;
@@ -256,7 +260,7 @@ ComparisonSummary summariseComparisons(const std::vector<Comparison>& comparison
     summary.position_rms_m = std::sqrt(summary.position_rms_m / static_cast<double>(summary.cells));
     summary.orientation_rms_rad = std::sqrt(summary.orientation_rms_rad / static_cast<double>(summary.cells));
   }
-  summary.within = countWithinStated(comparisons);
+  summary.within = countWithinStated(telling);
   return summary;
 }
 

@@ -84,7 +84,8 @@ struct WithinStated {
 bool isWithinStated(double difference, std::optional<double> sigma);  ///< false where nothing is stated
 WithinStated countWithinStated(const std::vector<Comparison>& comparisons);
 
-/// All cells of several comparisons together; none: zeros.
+/// All cells of several comparisons together; none: zeros. A patch that shares a single cell with the reference fits it
+/// wherever that is, which tells nothing: left out.
 struct ComparisonSummary {
   std::size_t cells = 0;
   double position_rms_m = 0;

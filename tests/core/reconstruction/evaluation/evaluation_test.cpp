@@ -146,16 +146,31 @@ TEST(Evaluation, ComparisonsAreSummarisedCellByCell) {
   large.position_rms_m = 0.002;
   large.orientation_rms_rad = 0.02;
   Comparison small;
-  small.cells.resize(1);
+  small.cells.resize(2);
   small.position_rms_m = 0.004;
   small.cells[0].sigma_t_m = 0.001;
   small.cells[0].sigma_r_rad = 0.01;
   const ComparisonSummary summary = summariseComparisons({large, small});
-  EXPECT_EQ(summary.cells, 4U);
-  EXPECT_NEAR(summary.position_rms_m, std::sqrt((3 * 4.0 + 16.0) / 4) * 1e-3, 1e-12);
-  EXPECT_NEAR(summary.orientation_rms_rad, 0.02 * std::sqrt(0.75), 1e-12);
+  EXPECT_EQ(summary.cells, 5U);
+  EXPECT_NEAR(summary.position_rms_m, std::sqrt((3 * 4.0 + 2 * 16.0) / 5) * 1e-3, 1e-12);
+  EXPECT_NEAR(summary.orientation_rms_rad, 0.02 * std::sqrt(0.6), 1e-12);
   EXPECT_EQ(summary.within.stated, 1U);
   EXPECT_EQ(summariseComparisons({}).position_rms_m, 0);
+}
+
+TEST(Evaluation, APatchOfOneSharedCellTellsNothing) {
+  Comparison large;
+  large.cells.resize(3);
+  large.position_rms_m = 0.002;
+  Comparison lonely;
+  lonely.cells.resize(1);
+  lonely.cells[0].sigma_t_m = 0.001;
+  lonely.cells[0].sigma_r_rad = 0.01;
+  const ComparisonSummary summary = summariseComparisons({large, lonely});
+  EXPECT_EQ(summary.cells, 3U);
+  EXPECT_DOUBLE_EQ(summary.position_rms_m, 0.002);
+  EXPECT_EQ(summary.within.stated, 0U) << "it lies within whatever is stated";
+  EXPECT_EQ(summariseComparisons({lonely}).cells, 0U);
 }
 
 TEST(Evaluation, ASurfaceIsJudgedByItsFurthestCellOnEitherSide) {
