@@ -241,17 +241,22 @@ void CaptureCourse::setOutcome(const CommandOutcome& outcome) {
   askForAdvice();
 }
 
-void CaptureCourse::setRobot(bool on) {
+void CaptureCourse::setRobot(bool on, std::size_t poses) {
   robot_ = on && canTurn();
+  robot_poses_ = poses;
   refusals_ = 0;
   finished_ = false;
   finishIfEnough();
   turnIfTime();
 }
 
+std::size_t CaptureCourse::numberAskedFor() const {
+  return robot_ && robot_poses_ > 0 ? robot_poses_ : options_.poses;
+}
+
 bool CaptureCourse::wantsMorePoses() const {
   if (!isOn()) return false;
-  if (options_.poses > 0) return session_->poses().size() < options_.poses;
+  if (const std::size_t poses = numberAskedFor(); poses > 0) return session_->poses().size() < poses;
   return !result_ || result_->assessment.wantsPose();
 }
 
@@ -262,7 +267,7 @@ bool CaptureCourse::isSettled() const {
 void CaptureCourse::finishIfEnough() {
   const bool has_end = robot_ || options_.poses > 0;
   if (!has_end || !isSettled()) return;
-  const bool is_too_much = robot_ && options_.poses == 0 && session_->poses().size() >= kMostPosesByItself;
+  const bool is_too_much = robot_ && numberAskedFor() == 0 && session_->poses().size() >= kMostPosesByItself;
   if (wantsMorePoses() && !is_too_much) return;
   robot_ = false;
   finished_ = true;

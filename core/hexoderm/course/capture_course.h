@@ -181,8 +181,9 @@ class CaptureCourse {
 
   /// The device can be asked to turn itself.
   [[nodiscard]] bool canTurn() const { return isOn() && can_turn_; }
-  /// The device turns itself from pose to pose until there are enough. Ignored if it can't.
-  void setRobot(bool on);
+  /// The device turns itself from pose to pose until the session has `poses`, or with 0 until there are enough, as the
+  /// options or the assessment say. Ignored if it can't.
+  void setRobot(bool on, std::size_t poses = 0);
   [[nodiscard]] bool isRobotOn() const { return robot_; }
   /// Asks the device to turn to the next pose.
   void turnToNextPose();
@@ -191,8 +192,8 @@ class CaptureCourse {
   /// The device's answer.
   void setOutcome(const CommandOutcome& outcome);
 
-  /// Another pose would help, as the result's assessment says; or the number that the options ask for is not reached
-  /// yet.
+  /// Another pose would help, as the result's assessment says; or the number that the robot was given, or that the
+  /// options ask for, is not reached yet.
   [[nodiscard]] bool wantsMorePoses() const;
   /// The robot, or the number of poses in the options, came to its end, and all poses are on disk; or the file was
   /// given up.
@@ -203,6 +204,8 @@ class CaptureCourse {
   void replaceSkin(const SkinDescription& skin, const SkinChanged& changed);
   [[nodiscard]] std::shared_ptr<const PoseCapture> labelled(const std::shared_ptr<const PoseCapture>& pose) const;
   [[nodiscard]] std::optional<std::size_t> indexOf(PoseId pose) const;
+  /// The number of poses that somebody asked for; 0: nobody did, and the assessment says when there are enough.
+  [[nodiscard]] std::size_t numberAskedFor() const;
   void askForAdvice();
   void sendTurn(const Eigen::Vector3d& up_o);
   /// There are poses, all are on disk, and the result is that of the session as it is.
@@ -233,6 +236,7 @@ class CaptureCourse {
   std::uint64_t advice_answered_ = 0;  ///< the question that next_pose_ is from
   std::vector<Eigen::Vector3d> unreachable_;
   bool robot_ = false;
+  std::size_t robot_poses_ = 0;   ///< the number that the robot was given; 0: none
   std::uint32_t asked_turn_ = 0;  ///< the command whose refusal counts; 0: none
   Eigen::Vector3d asked_up_ = Eigen::Vector3d::Zero();
   std::size_t refusals_ = 0;

@@ -336,6 +336,35 @@ TEST_F(CaptureCourseTest, TheRobotStopsWhenThereAreEnough) {
   EXPECT_THAT(turns_, SizeIs(session_.poses().size() - 1));
 }
 
+TEST_F(CaptureCourseTest, ARobotThatWasGivenANumberTakesThatManyWhateverTheyAreGoodFor) {
+  course_->setRobot(true);
+  while (finishes_ == 0 && session_.poses().size() < 2 * CaptureCourse::kMostPosesByItself) takeStoreAndSolve();
+  ASSERT_FALSE(course_->wantsMorePoses());
+  const std::size_t wanted = CaptureCourse::kMostPosesByItself + 2;
+  ASSERT_LT(session_.poses().size(), wanted);
+  turns_.clear();
+  course_->setRobot(true, wanted);
+  EXPECT_TRUE(course_->isRobotOn());
+  EXPECT_TRUE(course_->wantsMorePoses());
+  EXPECT_THAT(turns_, SizeIs(1)) << "it goes on at once";
+  while (finishes_ == 1 && session_.poses().size() < 2 * wanted) takeStoreAndSolve();
+  EXPECT_THAT(session_.poses(), SizeIs(wanted));
+  EXPECT_FALSE(course_->isRobotOn());
+  EXPECT_TRUE(course_->isFinished());
+  EXPECT_FALSE(course_->wantsMorePoses()) << "the number was the robot's";
+  course_->setRobot(true);
+  EXPECT_FALSE(course_->isRobotOn()) << "without a number, the assessment says that there are enough";
+}
+
+TEST_F(CaptureCourseTest, ANumberThatIsReachedAlreadyStopsTheRobotAtOnce) {
+  takeStoreAndSolve();
+  takeStoreAndSolve();
+  turns_.clear();
+  course_->setRobot(true, 2);
+  EXPECT_FALSE(course_->isRobotOn());
+  EXPECT_THAT(turns_, IsEmpty());
+}
+
 TEST_F(CaptureCourseTest, ANumberOfPosesEndsItWhateverTheyAreGoodFor) {
   CaptureCourseOptions options;
   options.poses = 2;
