@@ -81,15 +81,17 @@ void CaptureCourse::end() {
 void CaptureCourse::forget() {
   end();
   waiting_.clear();
+  given_up_.clear();
   refused_since_.reset();
   kept_in_ = KeptIn::File;
 }
 
-std::shared_ptr<const PoseCapture> CaptureCourse::labelled(const std::shared_ptr<const PoseCapture>& pose) const {
-  if (!pose->label.empty() || !labels_from_) return pose;
-  auto with_label = std::make_shared<PoseCapture>(*pose);
-  with_label->label = poseLabel(*labels_from_, *pose);
-  return with_label;
+std::shared_ptr<const PoseCapture> CaptureCourse::named(const std::shared_ptr<const PoseCapture>& pose,
+                                                        PoseId id) const {
+  auto with_name = std::make_shared<PoseCapture>(*pose);
+  with_name->id = id;
+  if (with_name->label.empty() && labels_from_) with_name->label = poseLabel(*labels_from_, *pose);
+  return with_name;
 }
 
 std::optional<std::size_t> CaptureCourse::indexOf(PoseId pose) const {
@@ -103,18 +105,21 @@ void CaptureCourse::take(const CapturedPose& captured) {
   if (!isOn()) return;
   const std::optional<std::size_t> replaced = recapturing_ ? indexOf(*recapturing_) : std::nullopt;
   if (!replaced && options_.poses > 0 && session_->poses().size() >= options_.poses) return;
+  const PoseId id = replaced ? *recapturing_ : session_->nextPoseId();
   PoseTaken taken{captured, {}};
-  AddPose add{{labelled(captured.pose), false}};
+  taken.captured.pose = named(captured.pose, id);
+  AddPose add{{taken.captured.pose, false}};
   if (options_.keep_raw) add.raw = std::make_shared<const std::vector<SampleFrame>>(std::move(taken.captured.frames));
   taken.captured.frames.clear();
   std::vector<SessionEdit> edits;
   if (replaced) {
     taken.replaced = std::exchange(recapturing_, std::nullopt);
+    if (taken.captured.repeats == id) taken.captured.repeats.reset();
     edits.emplace_back(RemovePose{*replaced});
     add.index = replaced;
   }
   edits.emplace_back(std::move(add));
-  const PoseId id = captured.pose->id;
+  if (waiting_.contains(id)) ++given_up_[id];
   waiting_.insert_or_assign(id, taken.captured);
   owner_.perform(edits);
   owner_.onCourseEvent(taken);
@@ -134,6 +139,11 @@ void CaptureCourse::keep(std::map<PoseId, CapturedPose>::iterator waiting, KeptI
 void CaptureCourse::setStored(PoseId pose, const StoreOutcome& outcome, Clock::time_point now) {
   const auto waiting = waiting_.find(pose);
   if (waiting == waiting_.end()) return;
+  // The file answers in order: first about what was replaced meanwhile.
+  if (const auto old = given_up_.find(pose); old != given_up_.end() && !outcome.is_kept) {
+    if (--old->second == 0) given_up_.erase(old);
+    return;
+  }
   if (outcome.is_kept) {
     if (refused_since_) return;
     refused_since_ = now;
@@ -151,6 +161,7 @@ void CaptureCourse::setStored(PoseId pose, const StoreOutcome& outcome, Clock::t
 void CaptureCourse::setKeptIn(KeptIn where) {
   kept_in_ = where;
   refused_since_.reset();
+  given_up_.clear();
   while (kept_in_ == KeptIn::Memory && !waiting_.empty()) keep(waiting_.begin(), KeptIn::Memory, {});
 }
 

@@ -111,7 +111,8 @@ struct CaptureCourseOptions {
 ///
 /// A pose counts as captured once it is on disk (PoseKept), or at once where the operator knowingly works without a
 /// file. Poses are labelled by the origin cell of the first result of the skin, so that their labels do not depend on
-/// how fast results follow.
+/// how fast results follow. They are numbered by the session, whatever number the recorder gave them; one that is
+/// recaptured keeps its number, by which the operator knows it, and is not said to repeat the pose that it replaces.
 ///
 /// A device that turns itself (setRobot()) is asked to as soon as the last pose is on disk, the result is that of the
 /// session as it is, and the advice for it is there. It is not asked before the first pose, which is taken where the
@@ -202,7 +203,8 @@ class CaptureCourse {
  private:
   void keep(std::map<PoseId, CapturedPose>::iterator waiting, KeptIn where, const Message& without_raw);
   void replaceSkin(const SkinDescription& skin, const SkinChanged& changed);
-  [[nodiscard]] std::shared_ptr<const PoseCapture> labelled(const std::shared_ptr<const PoseCapture>& pose) const;
+  [[nodiscard]] std::shared_ptr<const PoseCapture> named(const std::shared_ptr<const PoseCapture>& pose,
+                                                         PoseId id) const;
   [[nodiscard]] std::optional<std::size_t> indexOf(PoseId pose) const;
   /// The number of poses that somebody asked for; 0: nobody did, and the assessment says when there are enough.
   [[nodiscard]] std::size_t numberAskedFor() const;
@@ -225,7 +227,8 @@ class CaptureCourse {
   bool is_current_ = false;
 
   KeptIn kept_in_ = KeptIn::File;
-  std::map<PoseId, CapturedPose> waiting_;  ///< for the file
+  std::map<PoseId, CapturedPose> waiting_;      ///< for the file
+  std::map<PoseId, std::size_t> given_up_;      ///< captures that were replaced while they waited for the file
   std::optional<Clock::time_point> refused_since_;
   Clock::time_point next_try_{};
 

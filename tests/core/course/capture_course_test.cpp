@@ -52,6 +52,7 @@ class CaptureCourseTest : public testing::Test, public CaptureOwner {
     if (const auto* kept = std::get_if<PoseKept>(&event)) {
       kept_.push_back(kept->captured.pose->id);
       kept_in_.push_back(kept->where);
+      repeats_ = kept->captured.repeats;
     }
     if (const auto* lost = std::get_if<PoseLost>(&event)) lost_.push_back(lost->why);
     if (std::holds_alternative<FileRefused>(event)) ++refusals_;
@@ -109,6 +110,7 @@ class CaptureCourseTest : public testing::Test, public CaptureOwner {
   int retries_ = 0;
   std::vector<PoseId> taken_, kept_;
   std::vector<KeptIn> kept_in_;
+  std::optional<PoseId> repeats_;  ///< of the pose that was kept last
   std::vector<Message> lost_;
   int refusals_ = 0, skin_changes_ = 0, other_models_ = 0, finishes_ = 0;
   std::optional<AdviceQuestion> question_;
@@ -230,8 +232,49 @@ TEST_F(CaptureCourseTest, ARecaptureTakesThePlaceOfItsPoseInOneStep) {
   take();
   EXPECT_EQ(steps_, 1U);
   ASSERT_THAT(session_.poses(), SizeIs(3));
-  EXPECT_EQ(session_.poses()[1].capture->id, PoseId(4));
   EXPECT_EQ(course_->recapturing(), std::nullopt);
+}
+
+TEST_F(CaptureCourseTest, ARecaptureKeepsItsNumberAndTheNextPoseGetsTheNextOne) {
+  for (int k = 0; k < 3; ++k) takeStoreAndSolve();
+  const auto before = session_.poses()[1].capture;
+  course_->recapture(PoseId(2));
+  course_->take(capture());
+  EXPECT_EQ(session_.poses()[1].capture->id, PoseId(2));
+  EXPECT_NE(session_.poses()[1].capture, before);
+  EXPECT_THAT(taken_, ElementsAre(PoseId(1), PoseId(2), PoseId(3), PoseId(2)));
+  store(PoseId(2));
+  EXPECT_EQ(kept_.back(), PoseId(2));
+  course_->take(capture());
+  ASSERT_THAT(session_.poses(), SizeIs(4));
+  EXPECT_EQ(session_.poses()[3].capture->id, PoseId(4));
+}
+
+TEST_F(CaptureCourseTest, ARecaptureIsNotSaidToRepeatThePoseThatItReplaces) {
+  for (int k = 0; k < 3; ++k) takeStoreAndSolve();
+  const auto retake = [&](PoseId repeated) {
+    course_->recapture(PoseId(2));
+    CapturedPose captured = capture();
+    captured.repeats = repeated;
+    course_->take(captured);
+    store(PoseId(2));
+    return repeats_;
+  };
+  EXPECT_EQ(retake(PoseId(2)), std::nullopt);
+  EXPECT_EQ(retake(PoseId(3)), PoseId(3)) << "another one is told";
+}
+
+TEST_F(CaptureCourseTest, ARecaptureCountsWhenItIsOnDiskItselfNotWhenThePoseBeforeItIs) {
+  const PoseId pose = take();
+  course_->recapture(pose);
+  course_->take(capture());
+  store(pose);
+  EXPECT_THAT(kept_, IsEmpty()) << "that was the pose that is gone";
+  EXPECT_EQ(course_->waiting(), 1U);
+  refuse(pose);
+  EXPECT_EQ(refusals_, 1);
+  store(pose);
+  EXPECT_THAT(kept_, ElementsAre(pose));
 }
 
 TEST_F(CaptureCourseTest, APoseThatIsGoneIsNotRecaptured) {
