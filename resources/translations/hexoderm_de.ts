@@ -1312,10 +1312,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Eine Kalibrierung ist offen. Sie enthält das Ergebnis; die Posen stehen in ihrer Sitzung.</translation>
     </message>
     <message>
-        <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
-    </message>
-    <message>
         <source>Review</source>
         <translation>Durchsehen</translation>
     </message>
@@ -1450,10 +1446,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>The robot</source>
         <translation>Der Roboter</translation>
-    </message>
-    <message>
-        <source>%1 is taking pose %2 of %3.</source>
-        <translation>%1 nimmt Pose %2 von %3 auf.</translation>
     </message>
     <message>
         <source>%1 is taking pose %2.</source>
@@ -2394,16 +2386,8 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Eine Zelle: Sie ist ihr eigener Ursprung, zu schätzen gibt es nichts.</translation>
     </message>
     <message>
-        <source>No cell is linked to another: each is its own origin.</source>
-        <translation>Keine Zelle ist mit einer anderen verbunden: Jede ist ihr eigener Ursprung.</translation>
-    </message>
-    <message>
         <source>Export.</source>
         <translation>Exportieren.</translation>
-    </message>
-    <message>
-        <source>Check the links between the cells.</source>
-        <translation>Die Verbindungen zwischen den Zellen prüfen.</translation>
     </message>
     <message>
         <source>That should bring ±{} to about ±{}.</source>
@@ -2418,24 +2402,8 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>{} Posen</translation>
     </message>
     <message>
-        <source>Not enough poses: none yet. The shape shown follows from the ports alone.</source>
-        <translation>Zu wenige Posen: noch keine. Die gezeigte Form folgt allein aus den Ports.</translation>
-    </message>
-    <message>
         <source>Hold the part still and take a first pose.</source>
         <translation>Das Teil stillhalten und eine erste Pose aufnehmen.</translation>
-    </message>
-    <message>
-        <source>Not enough poses: {} along one line leave the turn about gravity open ({}).</source>
-        <translation>Zu wenige Posen: {} entlang einer Linie lassen die Drehung um die Schwerkraft offen ({}).</translation>
-    </message>
-    <message>
-        <source>Not enough poses: one leaves the turn about gravity open ({}).</source>
-        <translation>Zu wenige Posen: Eine lässt die Drehung um die Schwerkraft offen ({}).</translation>
-    </message>
-    <message>
-        <source>{} are not enough: known to {} only.</source>
-        <translation>{} reichen nicht: nur auf {} genau.</translation>
     </message>
     <message>
         <source>Good: {} at the worst cell (95 %), {}.</source>
@@ -2560,10 +2528,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>There is no pose yet: the shape shown follows from the ports alone.</source>
         <translation>Es gibt noch keine Pose: Die gezeigte Form folgt allein aus den Ports.</translation>
-    </message>
-    <message>
-        <source>Gravity was seen along one line only, so the turn about it is a guess: take a pose in which the part is turned by about 90 degrees about a horizontal axis.</source>
-        <translation>Die Schwerkraft wurde nur entlang einer Linie gesehen, die Drehung um diese Linie ist geraten: eine Pose aufnehmen, in der das Teil um etwa 90 Grad um eine waagrechte Achse gedreht ist.</translation>
     </message>
     <message>
         <source>Two poses carry the number {}; both are used.</source>
@@ -3140,10 +3104,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>samples in LSB need a cell model whose accelerometer.lsb_g is above 0</source>
         <translation>Messwerte in LSB brauchen ein Zellmodell, dessen accelerometer.lsb_g über 0 liegt</translation>
-    </message>
-    <message>
-        <source>a cell is twice in one message of samples</source>
-        <translation>eine Zelle steht zweimal in einer Nachricht mit Messwerten</translation>
     </message>
     <message>
         <source>tcp://HOST:PORT, udp://HOST:PORT or serial:/dev/DEVICE</source>
@@ -4365,18 +4325,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>there is no such key; there are {}</source>
         <translation>diesen Schlüssel gibt es nicht; es gibt {}</translation>
-    </message>
-    <message>
-        <source>No cell is linked to another: nothing is known of their places.</source>
-        <translation>Keine Zelle ist mit einer anderen verbunden: Über ihre Lage ist nichts bekannt.</translation>
-    </message>
-    <message>
-        <source>{} of {} cells are linked to no other: nothing is known of their places.</source>
-        <translation>{} von {} Zellen sind mit keiner anderen verbunden: Über ihre Lage ist nichts bekannt.</translation>
-    </message>
-    <message>
-        <source>Look at the findings and check the links, the readings and the cell model.</source>
-        <translation>Befunde ansehen und Verbindungen, Messwerte und Zellmodell prüfen.</translation>
     </message>
     <message>
         <source>Of {} cells only {} have readings that can be used: the shape shown follows mostly from the ports.</source>
@@ -7098,6 +7046,26 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <source>Versions, graphics, what is open and the last lines of the log, with your home folder as ~</source>
         <translation>Versionen, Grafik, was offen ist und die letzten Zeilen des Protokolls, mit dem eigenen Ordner als ~</translation>
     </message>
+    <message>
+        <source>Take a &amp;pose again</source>
+        <translation>Eine &amp;Pose neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>The next capture takes the place of the pose that keeps the result from being better</source>
+        <translation>Die nächste Aufnahme tritt an die Stelle der Pose, deretwegen das Ergebnis nicht besser ist</translation>
+    </message>
+    <message>
+        <source>No pose has to be taken again</source>
+        <translation>Keine Pose muss neu aufgenommen werden</translation>
+    </message>
+    <message>
+        <source>Don&apos;t take &amp;pose %1 again</source>
+        <translation>&amp;Pose %1 nicht neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>Take &amp;pose %1 again</source>
+        <translation>&amp;Pose %1 neu aufnehmen</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::Words</name>
@@ -7327,6 +7295,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>The window needs a display, and none can be reached: set DISPLAY, or use hexoderm-cli.</source>
         <translation>Das Fenster braucht einen Bildschirm, und keiner ist zu erreichen: DISPLAY setzen oder hexoderm-cli verwenden.</translation>
+    </message>
+    <message>
+        <source>The robot took %1 of %2 poses, and stopped.</source>
+        <translation>Der Roboter hat %1 von %2 Posen aufgenommen und dann aufgehört.</translation>
     </message>
 </context>
 </TS>

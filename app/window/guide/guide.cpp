@@ -20,6 +20,7 @@ QAction* bestAction(const SessionController& controller, const WindowActions& ac
   if (controller.isEmpty()) return actions.demo;
   const Reconstruction* result = controller.reconstruction().get();
   if (controller.poseGuide().isRobotOn()) return actions.robot;
+  if (actions.retake->isEnabled()) return actions.retake;
   if (controller.poseGuide().wantsMorePoses())
     return controller.liveSession().canTurn() ? actions.robot : actions.show_next_pose;
   if (!result || (controller.session() && !result->assessment.isUsable())) return actions.connect_skin;
@@ -183,7 +184,13 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
   } else {
     sayOf(step, *actions.capture, Guide::tr("The skin sends."));
   }
-  if (controller.liveSession().isLive()) return step;
+  if (controller.liveSession().isLive()) {
+    if (controller.indexToRetake()) {
+      step.what = words(result->assessment.next_action);
+      step.actions.insert(step.actions.begin(), actions.retake);
+    }
+    return step;
+  }
   if (result && step.state == StepState::Current) step.what = words(result->assessment.next_action);
   step.why = Guide::tr(
       "Gravity seen from several directions tells how every cell is turned against its neighbours. No skin is "
