@@ -2094,14 +2094,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>die Verbindung wurde geschlossen</translation>
     </message>
     <message>
-        <source>only broken messages ({}) for {}; reconnecting after {}</source>
-        <translation>seit {1} nur kaputte Nachrichten ({0}); neue Verbindung nach {2}</translation>
-    </message>
-    <message>
-        <source>nothing came for {}; reconnecting after {}</source>
-        <translation>seit {} kam nichts; neue Verbindung nach {}</translation>
-    </message>
-    <message>
         <source>connected to the device, {}</source>
         <translation>mit dem Gerät verbunden, {}</translation>
     </message>
@@ -4453,6 +4445,18 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>The directions of gravity that were seen leave open how the cells are turned: take a pose in which the part is turned by about 90 degrees about a horizontal axis.</source>
         <translation>Die gesehenen Richtungen der Schwerkraft lassen offen, wie die Zellen gedreht sind: eine Pose aufnehmen, in der das Teil um etwa 90 Grad um eine waagrechte Achse gedreht ist.</translation>
+    </message>
+    <message>
+        <source>only broken messages ({}) for {}; reconnecting in {}</source>
+        <translation>seit {1} nur kaputte Nachrichten ({0}); neue Verbindung in {2}</translation>
+    </message>
+    <message>
+        <source>nothing came for {}; reconnecting in {}</source>
+        <translation>seit {} kam nichts; neue Verbindung in {}</translation>
+    </message>
+    <message>
+        <source>{}; trying again</source>
+        <translation>{}; neuer Versuch läuft</translation>
     </message>
 </context>
 <context>
@@ -7065,6 +7069,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Take &amp;pose %1 again</source>
         <translation>&amp;Pose %1 neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>Correct the address…</source>
+        <translation>Adresse berichtigen…</translation>
     </message>
 </context>
 <context>

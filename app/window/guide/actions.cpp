@@ -233,6 +233,8 @@ void WindowActions::refreshCapture(const SessionController& controller, const QS
   automatic->setChecked(controller.liveSession().isAutomatic());
   allow(automatic, live ? QString() : tr("No skin is connected"));
   allow(disconnect_skin, controller.liveSession().source().isRunning() ? QString() : tr("No skin is connected"));
+  const bool is_tried = controller.liveSession().source().isRunning() && !live;
+  connect_skin->setIconText(is_tried ? tr("Correct the address…") : QString());
   live_mode->setChecked(controller.liveMode().isOn());
   live_mode->setIconText(controller.liveMode().isOn() ? tr("End live mode") : tr("Live mode"));
   allow(live_mode, live ? QString() : tr("No skin is connected"));

@@ -48,11 +48,14 @@ bool isAwaited(const SessionController& controller) {
   return controller.liveSession().isLive() &&
          controller.liveSession().source().status().state == SourceState::Streaming && !hasReadings(controller);
 }
-/// A skin that sent and does not any more, though its stream has not ended: nothing goes on until it sends again.
+/// A skin that does not send, though it has said which cells it has and its stream has not ended: nothing goes on until
+/// it sends again.
 bool fellSilent(const SessionController& controller) {
   const SourceState state = controller.liveSession().source().status().state;
-  return controller.liveSession().isLive() && hasReadings(controller) && state != SourceState::Streaming &&
-         state != SourceState::Ended;
+  if (!controller.liveSession().isLive() || state == SourceState::Streaming || state == SourceState::Ended)
+    return false;
+  // One that has just connected is waited for.
+  return hasReadings(controller) || state == SourceState::Silent || state == SourceState::Incompatible;
 }
 QString noPose() { return Guide::tr("No pose has been captured yet."); }
 
@@ -84,6 +87,9 @@ Step connectStep(const SessionController& controller, const WindowActions& actio
   step.title = Guide::tr("Connect");
   step.actions = {actions.demo, actions.connect_skin, actions.open};
   if (controller.liveSession().source().isRunning()) step.actions = {actions.disconnect_skin};
+  if (controller.liveSession().source().isRunning() && !controller.liveSession().isLive()) {
+    step.actions.push_back(actions.connect_skin);
+  }
   if (controller.liveSession().source().isRunning() && !controller.liveSession().isLive()) {
     step.state = StepState::Current;
     step.note = controller.liveSession().source().address();
@@ -285,9 +291,10 @@ Banner::Content describeStand(const SessionController& controller, const WindowA
   Banner::Content content;
   content.action = bestAction(controller, actions);
   if (controller.liveSession().source().isRunning() && !controller.liveSession().isLive()) {
-    content.action = actions.disconnect_skin;
-    const QString sentence = isOver(controller.liveSession().source()) ? Guide::tr("No skin came from %1.")
-                                                                       : Guide::tr("Waiting for the skin at %1.");
+    // The strip below says what is tried, counts down to the next try, and can give it up.
+    const bool is_over = isOver(controller.liveSession().source());
+    content.action = is_over ? actions.disconnect_skin : actions.connect_skin;
+    const QString sentence = is_over ? Guide::tr("No skin came from %1.") : Guide::tr("Waiting for the skin at %1.");
     content.sentence = sentence.arg(controller.liveSession().source().address());
   } else if (fellSilent(controller)) {
     // For how long, and what the source does about it, says the strip below.

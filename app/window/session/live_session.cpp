@@ -18,7 +18,10 @@ LiveSession::LiveSession(SessionController& controller) : controller_(controller
     if (isLive()) course_.take(captured);
   });
   connect(&source_, &LiveSource::failed, this, &LiveSession::failed);
-  connect(&source_, &LiveSource::statusChanged, this, &LiveSession::changed);
+  connect(&source_, &LiveSource::statusChanged, this, [this] {
+    course_.setSending(source_.status().state == SourceState::Streaming);
+    emit changed();
+  });
   connect(&source_, &LiveSource::commandAnswered, this,
           [this](const CommandOutcome& outcome) { course_.setOutcome(outcome); });
 }

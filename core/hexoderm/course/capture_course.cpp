@@ -73,6 +73,7 @@ void CaptureCourse::end() {
   recapturing_.reset();
   unreachable_.clear();
   robot_ = false;
+  is_sending_ = true;
   asked_turn_ = 0;
   refusals_ = 0;
   askForAdvice();
@@ -81,7 +82,6 @@ void CaptureCourse::end() {
 void CaptureCourse::forget() {
   end();
   waiting_.clear();
-  given_up_.clear();
   refused_since_.reset();
   kept_in_ = KeptIn::File;
 }
@@ -105,7 +105,8 @@ void CaptureCourse::take(const CapturedPose& captured) {
   if (!isOn()) return;
   const std::optional<std::size_t> replaced = recapturing_ ? indexOf(*recapturing_) : std::nullopt;
   if (!replaced && options_.poses > 0 && session_->poses().size() >= options_.poses) return;
-  const PoseId id = replaced ? *recapturing_ : session_->nextPoseId();
+  const bool keeps_number = replaced && !waiting_.contains(*recapturing_);
+  const PoseId id = keeps_number ? *recapturing_ : session_->nextPoseId();
   PoseTaken taken{captured, {}};
   taken.captured.pose = named(captured.pose, id);
   AddPose add{{taken.captured.pose, false}};
@@ -114,12 +115,11 @@ void CaptureCourse::take(const CapturedPose& captured) {
   std::vector<SessionEdit> edits;
   if (replaced) {
     taken.replaced = std::exchange(recapturing_, std::nullopt);
-    if (taken.captured.repeats == id) taken.captured.repeats.reset();
+    if (taken.captured.repeats == taken.replaced) taken.captured.repeats.reset();
     edits.emplace_back(RemovePose{*replaced});
     add.index = replaced;
   }
   edits.emplace_back(std::move(add));
-  if (waiting_.contains(id)) ++given_up_[id];
   waiting_.insert_or_assign(id, taken.captured);
   owner_.perform(edits);
   owner_.onCourseEvent(taken);
@@ -139,11 +139,6 @@ void CaptureCourse::keep(std::map<PoseId, CapturedPose>::iterator waiting, KeptI
 void CaptureCourse::setStored(PoseId pose, const StoreOutcome& outcome, Clock::time_point now) {
   const auto waiting = waiting_.find(pose);
   if (waiting == waiting_.end()) return;
-  // The file answers in order: first about what was replaced meanwhile.
-  if (const auto old = given_up_.find(pose); old != given_up_.end() && !outcome.is_kept) {
-    if (--old->second == 0) given_up_.erase(old);
-    return;
-  }
   if (outcome.is_kept) {
     if (refused_since_) return;
     refused_since_ = now;
@@ -161,7 +156,6 @@ void CaptureCourse::setStored(PoseId pose, const StoreOutcome& outcome, Clock::t
 void CaptureCourse::setKeptIn(KeptIn where) {
   kept_in_ = where;
   refused_since_.reset();
-  given_up_.clear();
   while (kept_in_ == KeptIn::Memory && !waiting_.empty()) keep(waiting_.begin(), KeptIn::Memory, {});
 }
 
@@ -244,12 +238,17 @@ void CaptureCourse::turnTo(const Eigen::Vector3d& up_o) {
 void CaptureCourse::setOutcome(const CommandOutcome& outcome) {
   if (asked_turn_ == 0 || outcome.command != asked_turn_) return;
   asked_turn_ = 0;
-  if (outcome.done) return;
+  if (outcome.done || !is_sending_) return;
   unreachable_.push_back(asked_up_);
   const bool gives_up = ++refusals_ > kMostRefusals;
   if (gives_up) robot_ = false;
   owner_.onCourseEvent(TurnRefused{outcome.message, refusals_, gives_up});
   askForAdvice();
+}
+
+void CaptureCourse::setSending(bool sends) {
+  if (std::exchange(is_sending_, sends) == sends || !sends) return;
+  turnIfTime();
 }
 
 void CaptureCourse::setRobot(bool on, std::size_t poses) {
@@ -286,7 +285,7 @@ void CaptureCourse::finishIfEnough() {
 }
 
 void CaptureCourse::turnIfTime() {
-  if (robot_ && isSettled() && advice_answered_ == advice_asked_) turnToNextPose();
+  if (robot_ && is_sending_ && isSettled() && advice_answered_ == advice_asked_) turnToNextPose();
 }
 
 }  // namespace hexoderm

@@ -113,6 +113,8 @@ struct CaptureCourseOptions {
 /// file. Poses are labelled by the origin cell of the first result of the skin, so that their labels do not depend on
 /// how fast results follow. They are numbered by the session, whatever number the recorder gave them; one that is
 /// recaptured keeps its number, by which the operator knows it, and is not said to repeat the pose that it replaces.
+/// Only where that pose still waits for the file it gets a number of its own, so that the file's answers can be told
+/// apart.
 ///
 /// A device that turns itself (setRobot()) is asked to as soon as the last pose is on disk, the result is that of the
 /// session as it is, and the advice for it is there. It is not asked before the first pose, which is taken where the
@@ -192,6 +194,9 @@ class CaptureCourse {
   void turnTo(const Eigen::Vector3d& up_o);
   /// The device's answer.
   void setOutcome(const CommandOutcome& outcome);
+  /// Whether the device sends. One that does not is asked for nothing, and what it leaves undone is no refusal; once it
+  /// sends again, the robot's run goes on.
+  void setSending(bool sends);
 
   /// Another pose would help, as the result's assessment says; or the number that the robot was given, or that the
   /// options ask for, is not reached yet.
@@ -227,8 +232,7 @@ class CaptureCourse {
   bool is_current_ = false;
 
   KeptIn kept_in_ = KeptIn::File;
-  std::map<PoseId, CapturedPose> waiting_;      ///< for the file
-  std::map<PoseId, std::size_t> given_up_;      ///< captures that were replaced while they waited for the file
+  std::map<PoseId, CapturedPose> waiting_;  ///< for the file
   std::optional<Clock::time_point> refused_since_;
   Clock::time_point next_try_{};
 
@@ -239,6 +243,7 @@ class CaptureCourse {
   std::uint64_t advice_answered_ = 0;  ///< the question that next_pose_ is from
   std::vector<Eigen::Vector3d> unreachable_;
   bool robot_ = false;
+  bool is_sending_ = true;
   std::size_t robot_poses_ = 0;   ///< the number that the robot was given; 0: none
   std::uint32_t asked_turn_ = 0;  ///< the command whose refusal counts; 0: none
   Eigen::Vector3d asked_up_ = Eigen::Vector3d::Zero();

@@ -146,15 +146,26 @@ TEST_F(WindowLiveTest, TheAddressOfALargeSkinIsCheckedAsItIsTyped) {
   EXPECT_TRUE(note.contains("100000 cells")) << note.toStdString();
 }
 
-TEST_F(WindowLiveTest, ADeviceThatIsNotThereIsSaidAndCanBeGivenUp) {
+TEST_F(WindowLiveTest, ADeviceThatIsNotThereIsSaidAndItsAddressCanBeCorrectedOrGivenUp) {
   // Nobody listens at port 1.
-  window_->connectTo({QStringLiteral("tcp://127.0.0.1:1"), pathTo("arm.hexo"), false});
+  ASSERT_NO_FATAL_FAILURE(connectByDialog("Network, TCP", "127.0.0.1:1", pathTo("arm.hexo")));
   ASSERT_TRUE(waitUntil([this] { return text("liveText").contains("refused"); })) << text("liveText").toStdString();
   EXPECT_EQ(text("liveState"), "Connecting");
   EXPECT_TRUE(text("sourceStatus").contains("Connecting")) << text("sourceStatus").toStdString();
   keepPicture(window_->picture(), "live-refused");
-  EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Disconnect");
+  // Every wait is longer than the one before; those of more than a second are counted down.
+  for (const char* left : {"next try in 2 s", "next try in 1 s"}) {
+    ASSERT_TRUE(waitUntil([&] { return text("liveText").contains(left); })) << text("liveText").toStdString();
+  }
+  EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Correct the address…");
   clickBanner();
+  auto* dialog = waitForDialog<QDialog>("connectDialog");
+  ASSERT_NE(dialog, nullptr);
+  EXPECT_EQ(dialog->findChild<QComboBox*>("connectAddress")->currentText(), "127.0.0.1:1");
+  dialog->reject();
+  ASSERT_TRUE(waitUntil([this] { return window_->findChild<QDialog*>("connectDialog") == nullptr; }));
+  EXPECT_TRUE(controller().liveSession().source().isRunning());
+  click(find<QPushButton>("liveDisconnect"));
   EXPECT_FALSE(controller().liveSession().source().isRunning());
   EXPECT_FALSE(QFile::exists(pathTo("arm.hexo"))) << "nothing was captured";
 }
