@@ -1360,10 +1360,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Von dieser Haut kommt nichts mehr. Die Posen bleiben; für weitere mit einer Haut verbinden.</translation>
     </message>
     <message>
-        <source>The placements are being worked out…</source>
-        <translation>Die Lagen werden berechnet…</translation>
-    </message>
-    <message>
         <source>%1…</source>
         <translation>%1…</translation>
     </message>
@@ -1452,10 +1448,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>%1 nimmt Pose %2 auf.</translation>
     </message>
     <message>
-        <source>The placements are being worked out.</source>
-        <translation>Die Lagen werden berechnet.</translation>
-    </message>
-    <message>
         <source>The skin has said which cells it has.</source>
         <translation>Die Haut hat gesagt, welche Zellen sie hat.</translation>
     </message>
@@ -1466,6 +1458,18 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Without a pose, a file only holds what follows from the ports.</source>
         <translation>Ohne Pose enthält eine Datei nur, was aus den Ports folgt.</translation>
+    </message>
+    <message>
+        <source>The placements could not be worked out: see the log.</source>
+        <translation>Die Lagen der Zellen konnten nicht berechnet werden: siehe das Protokoll.</translation>
+    </message>
+    <message>
+        <source>The placement of the cell is being worked out…</source>
+        <translation>Die Lage der Zelle wird berechnet…</translation>
+    </message>
+    <message>
+        <source>The placements of %1 cells are being worked out…</source>
+        <translation>Die Lagen der %1 Zellen werden berechnet…</translation>
     </message>
 </context>
 <context>
@@ -4712,6 +4716,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Preparing the picture of %1 cells…</source>
         <translation>Das Bild von %1 Zellen wird vorbereitet…</translation>
+    </message>
+    <message>
+        <source>This skin has no cells.</source>
+        <translation>Diese Haut hat keine Zellen.</translation>
     </message>
 </context>
 <context>

@@ -214,7 +214,7 @@ std::size_t VerifyPanel::otherPoses() const {
 }
 
 void VerifyPanel::refreshControls() {
-  const QString no_skin = tr("There is no skin yet.");
+  const QString no_skin = awaited_.isEmpty() ? tr("There is no skin yet.") : awaited_;
   QString why;
   if (!reconstruction_) {
     why = no_skin;
@@ -250,6 +250,11 @@ void VerifyPanel::refreshControls() {
   choose_->setEnabled(reconstruction_ != nullptr);
   choose_->setToolTip(reconstruction_ ? tr("A calibration, or a session that is then solved") : no_skin);
   drop_->setVisible(compares_);
+}
+
+void VerifyPanel::setAwaited(const QString& awaited) {
+  awaited_ = awaited;
+  refreshControls();
 }
 
 void VerifyPanel::setTheme(Theme theme) {

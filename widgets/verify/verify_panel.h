@@ -31,6 +31,8 @@ class VerifyPanel : public QWidget {
   void setReconstruction(std::shared_ptr<const Reconstruction> reconstruction);
   /// Whether there is a session that a pose can be held out of, as there is none for a calibration; there is at first.
   void setHasReadings(bool has_readings);
+  /// What is going on while there is no skin, in words; empty: nothing is.
+  void setAwaited(const QString& awaited);
   void setTheme(Theme theme);
   void setRunning(VerifyCheck check, bool running);
 
@@ -74,6 +76,7 @@ class VerifyPanel : public QWidget {
   void showHoldOutFigures();
 
   std::shared_ptr<const Reconstruction> reconstruction_;
+  QString awaited_;
   bool has_readings_ = true;
   std::optional<HoldOutResult> hold_out_result_;
   bool hold_out_outdated_ = false;  ///< there was a result, of an earlier state

@@ -7,6 +7,7 @@
 #include "widgets/words/words.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <algorithm>
 
 namespace hexoderm {
@@ -64,12 +65,18 @@ void say(Step& step, Readiness readiness, const QString& because) {
   step.because = because;
 }
 
+/// There is a session, and no result of it will come.
+bool hasFailed(const SessionController& controller) {
+  return controller.session() && !controller.reconstruction() && !controller.isSolving();
+}
+
 /// A result that comes by itself is waited for; everything else blocks.
 void sayNoResult(Step& step, const SessionController& controller) {
-  if (controller.isEmpty()) {
+  const QString awaited = describeAwaited(controller);
+  if (awaited.isEmpty()) {
     say(step, Readiness::Blocked, Guide::tr("There is no skin yet."));
   } else {
-    say(step, Readiness::Waiting, Guide::tr("The placements are being worked out."));
+    say(step, hasFailed(controller) ? Readiness::Blocked : Readiness::Waiting, awaited);
   }
 }
 
@@ -141,7 +148,7 @@ Step checkStep(const SessionController& controller, const WindowActions& actions
   const Reconstruction* result = controller.reconstruction().get();
   if (!result) {
     step.why = Guide::tr("Waits for a skin.");
-    say(step, Readiness::Blocked, Guide::tr("There is no skin yet."));
+    sayNoResult(step, controller);
     return step;
   }
   step.note = words(sizeInWords(*result));
@@ -287,6 +294,20 @@ QString robotInWords(const SessionController& controller) {
 
 }  // namespace
 
+QString describeAwaited(const SessionController& controller) {
+  if (controller.reconstruction()) return {};
+  if (hasFailed(controller)) return Guide::tr("The placements could not be worked out: see the log.");
+  if (controller.session()) {
+    const int cells = static_cast<int>(controller.session()->neighbors().size());
+    return cells == 1 ? Guide::tr("The placement of the cell is being worked out…")
+                      : Guide::tr("The placements of %1 cells are being worked out…").arg(QLocale().toString(cells));
+  }
+  if (!controller.work().activity().isEmpty()) return Guide::tr("%1…").arg(controller.work().activity());
+  const LiveSource& source = controller.liveSession().source();
+  if (source.isRunning() && !isOver(source)) return Guide::tr("Waiting for the skin at %1.").arg(source.address());
+  return {};
+}
+
 Banner::Content describeStand(const SessionController& controller, const WindowActions& actions) {
   Banner::Content content;
   content.action = bestAction(controller, actions);
@@ -312,10 +333,9 @@ Banner::Content describeStand(const SessionController& controller, const WindowA
   } else if (const Reconstruction* result = controller.reconstruction().get()) {
     content.tone = toneOf(result->assessment.level);
     content.sentence = words(result->assessment.reason);
-  } else if (!controller.isEmpty()) {
-    content.sentence = Guide::tr("The placements are being worked out…");
-  } else if (!controller.work().activity().isEmpty()) {
-    content.sentence = Guide::tr("%1…").arg(controller.work().activity());
+  } else if (const QString awaited = describeAwaited(controller); !awaited.isEmpty()) {
+    content.tone = hasFailed(controller) ? Tone::Bad : Tone::Neutral;
+    content.sentence = awaited;
   } else {
     content.sentence = Guide::tr("No skin yet: start the demo, connect to a skin, or open a session or a calibration.");
   }
