@@ -51,7 +51,7 @@ void printResult(const SessionSnapshot& snapshot, const SolverOptions& options) 
   const std::shared_ptr<const Reconstruction> result = reconstruct(snapshot, options);
   const PatchReconstruction& patch = result->patches.front();
   print(result->solver + " findings", static_cast<double>(result->findings.size()));
-  print("verdict", static_cast<double>(result->verdict.level));
+  print("verdict", static_cast<double>(result->assessment.level));
   for (const CellPlacement& cell : patch.cells) {
     const std::string name = result->solver + " cell " + std::to_string(cell.cell.value());
     print(name, cell.T_o_u);

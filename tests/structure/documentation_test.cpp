@@ -167,7 +167,7 @@ Reconstruction fullCalibration() {
 
 /// One of everything that a calibration always has, without whatever may be missing.
 Reconstruction bareCalibration() {
-  Reconstruction result = makeEmptyReconstruction();
+  Reconstruction result = test::ResultBuilder().build();
   result.solver = "imported";
   result.poses.resize(1);
   PatchReconstruction patch;

@@ -296,7 +296,7 @@ void VerifyPanel::showLoops(const std::vector<FoundLoop>& loops) {
 
 void VerifyPanel::showSurfaces(const std::vector<SurfaceEvaluation>& surfaces, const QStringList& remarks) {
   surfaces_ = surfaces;
-  const std::optional<double> stated = reconstruction_ ? reconstruction_->verdict.position_95_m : std::nullopt;
+  const std::optional<double> stated = reconstruction_ ? reconstruction_->assessment.position_95_m : std::nullopt;
   VerifySentence all;
   QStringList texts;
   for (const SurfaceEvaluation& surface : surfaces) {

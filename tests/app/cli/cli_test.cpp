@@ -92,7 +92,7 @@ TEST_F(Cli, CellsAreLeftOutOnRequest) {
 TEST_F(Cli, AVerdictOfNotEnoughEndsWithOneAndStillWrites) {
   run("simulate --poses 1 -o one.session.json");
   EXPECT_EQ(run("solve one.session.json -o one.calibration.json").exit_code, 1);
-  EXPECT_EQ(readCalibrationJson(path("one.calibration.json"))->verdict.level, VerdictLevel::NotEnough);
+  EXPECT_EQ(readCalibrationJson(path("one.calibration.json"))->assessment.level, VerdictLevel::NotEnough);
 }
 
 TEST_F(Cli, UsageEndsWithTwo) {

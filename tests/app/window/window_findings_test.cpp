@@ -320,7 +320,7 @@ TEST_F(WindowVerdictTest, TooFewPosesAreSaidWithWhatToDoNext) {
     window_->openFile(pathTo(name));
     ASSERT_TRUE(waitUntil([&, file = QString(name)] { return controller().file().name() == file; }));
     ASSERT_TRUE(waitForPoses(poses));
-    const Assessment& verdict = controller().reconstruction()->verdict;
+    const Assessment& verdict = controller().reconstruction()->assessment;
     EXPECT_EQ(verdict.level, VerdictLevel::NotEnough);
     EXPECT_FALSE(verdict.next_action.empty());
     press(Qt::Key_3, Qt::ControlModifier);

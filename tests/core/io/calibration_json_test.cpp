@@ -64,8 +64,15 @@ Reconstruction richCalibration() {
   result.findings.push_back(makeFinding(FindingCode::LinkNotRigid, Message::verbatim("Odd."), {CellId(2), CellId(5)},
                                         {PortNumber(2), PortNumber(3)}, {PoseId(5)}));
   result.findings.back().severity = Severity::Error;
-  result.assessment = {VerdictLevel::NotEnough, Message::verbatim("Because."), 0.00123456789, 0.0333,
-                    Message::verbatim("Do this.")};
+  result.assessment = {.level = VerdictLevel::NotEnough,
+                       .reason = Message::verbatim("Because."),
+                       .position_95_m = 0.00123456789,
+                       .orientation_95_rad = 0.0333,
+                       .limit = Limit::Readings,
+                       .limiting_cells = {CellId(2)},
+                       .remedy = Remedy::RetakePoses,
+                       .next_action = Message::verbatim("Do this."),
+                       .retake = {PoseId(5)}};
   return result;
 }
 
@@ -183,11 +190,15 @@ TEST(CalibrationJson, ComesBackAsItWas) {
     for (std::size_t k = 0; k < a.links.size(); ++k) expectSameLink(a.links[k], b.links[k]);
   }
   EXPECT_EQ(back->findings, result.findings);
-  EXPECT_EQ(back->verdict.level, VerdictLevel::NotEnough);
-  EXPECT_EQ(back->verdict.reason.english(), "Because.");
-  EXPECT_EQ(back->verdict.next_action.english(), "Do this.");
-  EXPECT_DOUBLE_EQ(back->verdict.position_95_m.value_or(0), 0.00123456789);
-  EXPECT_DOUBLE_EQ(back->verdict.orientation_95_rad.value_or(0), 0.0333);
+  EXPECT_EQ(back->assessment.level, VerdictLevel::NotEnough);
+  EXPECT_EQ(back->assessment.reason.english(), "Because.");
+  EXPECT_EQ(back->assessment.next_action.english(), "Do this.");
+  EXPECT_EQ(back->assessment.limit, Limit::Readings);
+  EXPECT_THAT(back->assessment.limiting_cells, testing::ElementsAre(CellId(2)));
+  EXPECT_EQ(back->assessment.remedy, Remedy::RetakePoses);
+  EXPECT_THAT(back->assessment.retake, testing::ElementsAre(PoseId(5)));
+  EXPECT_DOUBLE_EQ(back->assessment.position_95_m.value_or(0), 0.00123456789);
+  EXPECT_DOUBLE_EQ(back->assessment.orientation_95_rad.value_or(0), 0.0333);
 }
 
 TEST(CalibrationJson, IsDrawnAsBefore) {
@@ -262,8 +273,8 @@ TEST(CalibrationJson, LeavesOutWhatIsNotKnown) {
   EXPECT_FALSE(cell.contains("accel_scale"));
   EXPECT_TRUE(json["verdict"]["position_95_mm"].is_null());
   const auto back = parseCalibrationJson(json.dump(), "c.json");
-  EXPECT_FALSE(back->verdict.position_95_m.has_value());
-  EXPECT_FALSE(back->verdict.orientation_95_rad.has_value());
+  EXPECT_FALSE(back->assessment.position_95_m.has_value());
+  EXPECT_FALSE(back->assessment.orientation_95_rad.has_value());
 }
 
 TEST(CalibrationJson, KeepsEveryGapModelOfTheGlobalSolver) {

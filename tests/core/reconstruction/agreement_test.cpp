@@ -126,7 +126,9 @@ void expectAgreement(const Session& session, const Reconstruction& r) {
   EXPECT_EQ(hasFindingOf(r, FindingCode::TooFewDirections),
             a.level == VerdictLevel::NotEnough && a.limit == Limit::Directions);
   const PoseCoverage coverage = coverageOf(r);
-  if (coverage.missing) EXPECT_EQ(a.remedy, Remedy::TakePose) << "a direction is missing, and enough were taken";
+  if (coverage.missing) {
+    EXPECT_EQ(a.remedy, Remedy::TakePose) << "a direction is missing, and enough were taken";
+  }
   std::vector<Eigen::Vector3d> seen;
   for (const GravityDirection& gravity : largestPatch(r)->gravity) seen.push_back(gravity.g_o);
   const std::optional<NextPose> next = describeNextPose(adviseNextPose(*r.model, seen), r);

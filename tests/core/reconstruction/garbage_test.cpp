@@ -62,7 +62,7 @@ TEST(Garbage, ACellThatEchoesItsNeighbourIsNamedWithIt) {
       EXPECT_THAT(finding->cells, Contains(CellId(3)));
       EXPECT_EQ(finding->cells.size(), 2U);
       EXPECT_EQ(result->find(CellId(3)).cell->placed_by, PlacedBy::Links);
-      EXPECT_NE(result->verdict.level, VerdictLevel::Good);
+      EXPECT_NE(result->assessment.level, VerdictLevel::Good);
     }
   }
 }
@@ -71,7 +71,7 @@ TEST(Garbage, CellsThatAllSendTheSameAreNoSkin) {
   const auto result = solved({.whole = {WholeSkinFault::Identical}}, 1, 4);
   ASSERT_NE(findingOf(*result, FindingCode::IdenticalReadings), nullptr);
   EXPECT_EQ(findingOf(*result, FindingCode::IdenticalReadings)->cells.size(), 17U);
-  EXPECT_EQ(result->verdict.level, VerdictLevel::Failed);
+  EXPECT_EQ(result->assessment.level, VerdictLevel::Failed);
   EXPECT_THAT(*result, IsFinite());
 }
 
@@ -89,7 +89,7 @@ TEST(Garbage, SwappedNeighboursAreNamed) {
       const Finding* finding = findingOf(*result, FindingCode::SwappedReadings);
       ASSERT_NE(finding, nullptr) << "seed " << seed << ", " << poses << " poses";
       EXPECT_THAT(finding->cells, UnorderedElementsAre(CellId(3), ::testing::AnyOf(CellId(2), CellId(4))));
-      EXPECT_NE(result->verdict.level, VerdictLevel::Good);
+      EXPECT_NE(result->assessment.level, VerdictLevel::Good);
     }
   }
 }
@@ -99,7 +99,7 @@ TEST(Garbage, ASensorTurnedInTheSurfaceIsNamedInTheMiddleAndAtALeaf) {
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
       const auto result = solved({.faults = {{SkinFault::Yawed, cell}}}, seed, 3);
       EXPECT_THAT(namedCells(*result), Contains(cell)) << "seed " << seed;
-      EXPECT_NE(result->verdict.level, VerdictLevel::Good);
+      EXPECT_NE(result->assessment.level, VerdictLevel::Good);
     }
   }
 }
@@ -108,7 +108,7 @@ TEST(Garbage, ALeafThatIsGluedAnewBeforeTheLastPoseIsNamed) {
   std::size_t found = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const auto result = solved({.faults = {{SkinFault::Reglued, CellId(17)}}}, seed, 6);
-    if (namedCells(*result).contains(CellId(17)) && result->verdict.level != VerdictLevel::Good) ++found;
+    if (namedCells(*result).contains(CellId(17)) && result->assessment.level != VerdictLevel::Good) ++found;
   }
   EXPECT_GE(found, 18U) << "an axis along gravity does not show";
 }
@@ -118,7 +118,7 @@ TEST(Garbage, AxesAndPortsThatAreNotTheModelsAreNamed) {
        {WholeSkinFault::AxesSwapped, WholeSkinFault::AxesPermuted, WholeSkinFault::PortsRotated}) {
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
       const auto result = solved({.whole = {fault}}, seed, 3);
-      EXPECT_NE(result->verdict.level, VerdictLevel::Good) << "fault " << static_cast<int>(fault) << ", seed " << seed;
+      EXPECT_NE(result->assessment.level, VerdictLevel::Good) << "fault " << static_cast<int>(fault) << ", seed " << seed;
       EXPECT_GE(namedCells(*result).size(), 2U);
     }
   }
@@ -130,7 +130,7 @@ TEST(Garbage, NoiseAndWrongPortsLeaveNothingToUse) {
   for (const WholeSkinFault fault : {WholeSkinFault::PortOffset, WholeSkinFault::Shuffled, WholeSkinFault::Random}) {
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
       const auto result = solved({.whole = {fault}}, seed, 3);
-      EXPECT_EQ(result->verdict.level, VerdictLevel::Failed) << "fault " << static_cast<int>(fault) << ", seed " << seed;
+      EXPECT_EQ(result->assessment.level, VerdictLevel::Failed) << "fault " << static_cast<int>(fault) << ", seed " << seed;
       EXPECT_THAT(*result, IsFinite());
     }
   }

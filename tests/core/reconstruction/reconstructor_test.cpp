@@ -172,17 +172,21 @@ TEST_P(EverySolver, NoPosesGiveAFlatSheetAndSayWhatIsMissing) {
   EXPECT_FALSE(result->assessment.next_action.empty());
 }
 
-TEST_P(EverySolver, OnePoseIsNotEnoughAndSaysSo) {
-  const auto result = solve(bentX17().session(orthogonalUps(1)));
+// Gravity along the sheet says nothing of how it is bent about that direction. (Across the sheet it shows both tilts, and
+// the links are known to yaw by little: that is enough for the global solver, and its covariance says so.)
+TEST_P(EverySolver, OnePoseAlongTheSheetIsNotEnoughAndSaysSo) {
+  const auto result = solve(bentX17().session({Eigen::Vector3d::UnitX()}));
   EXPECT_EQ(result->assessment.level, VerdictLevel::NotEnough);
-  EXPECT_NE(result->assessment.reason.english().find("Not enough poses"), std::string::npos);
+  EXPECT_EQ(result->assessment.limit, Limit::Directions);
+  EXPECT_EQ(result->assessment.remedy, Remedy::TakePose);
+  EXPECT_NE(result->assessment.reason.english().find("Not enough: "), std::string::npos);
   EXPECT_TRUE(hasFinding(*result, FindingCode::TooFewDirections));
   EXPECT_THAT(*result, IsFinite());
 }
 
 TEST_P(EverySolver, ParallelAndOppositePosesAreNotEnough) {
-  for (const Eigen::Vector3d& second : {Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(0, 0, -1)}) {
-    const auto result = solve(bentX17().session({Eigen::Vector3d::UnitZ(), second}));
+  for (const Eigen::Vector3d& second : {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(-1, 0, 0)}) {
+    const auto result = solve(bentX17().session({Eigen::Vector3d::UnitX(), second}));
     EXPECT_EQ(result->assessment.level, VerdictLevel::NotEnough);
     EXPECT_TRUE(hasFinding(*result, FindingCode::TooFewDirections));
     EXPECT_TRUE(hasFinding(*result, FindingCode::RepeatedPose));
@@ -193,13 +197,13 @@ TEST_P(EverySolver, ParallelAndOppositePosesAreNotEnough) {
 
 TEST_P(EverySolver, DisabledPosesDoNotCount) {
   Session session = bentX17().session(orthogonalUps(2));
-  session.setPoseDisabled(1, true);
+  session.setPoseDisabled(0, true);
   const auto result = solve(session);
   EXPECT_EQ(result->assessment.level, VerdictLevel::NotEnough);
   ASSERT_THAT(result->poses, SizeIs(2));
-  EXPECT_FALSE(result->poses[1].enabled);
+  EXPECT_FALSE(result->poses[0].enabled);
   EXPECT_EQ(result->patches.front().links.front().pose_residual_rad.size(), 2);
-  EXPECT_FALSE(result->patches.front().links.front().pose_residual_rad[1].has_value());
+  EXPECT_FALSE(result->patches.front().links.front().pose_residual_rad[0].has_value());
 }
 
 TEST_P(EverySolver, RotatedWorldChangesNothing) {
