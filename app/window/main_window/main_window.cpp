@@ -129,6 +129,7 @@ struct MainWindow::Presenters {
 
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
+      wheel_guard_(*QCoreApplication::instance()),
       actions_(this, controller_.undoStack()),
       log_(logFolder()),
       recent_(jobs_),
