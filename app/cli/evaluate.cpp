@@ -43,13 +43,18 @@ class Evaluation {
   void fit(SurfaceKind kind, std::optional<double> true_radius_m) {
     auto fits = nlohmann::ordered_json::array();
     for (const PatchReconstruction& patch : calibration_.patches) {
-      const SurfaceEvaluation surface = evaluateSurface(patch, kind, true_radius_m);
+      const SurfaceEvaluation surface = checkSurface(patch, kind, true_radius_m);
       fits.push_back(toJson(surface));
       if (json_) continue;
       std::cout << "Patch " << patch.id << ", " << surfaceKindName(kind) << " through " << surface.cells.size()
                 << " cell centres: ";
       if (surface.radius_m) std::cout << "radius " << millimetres(*surface.radius_m) << ", ";
       std::cout << "distances " << millimetres(surface.rms_m, 3) << " rms\n";
+      if (surface.better) {
+        std::cout << "  It is not this surface: the cells face " << degrees(surface.tilt_rms_rad, 1)
+                  << " rms away from it, and " << degrees(surface.better->tilt_rms_rad, 1) << " from a "
+                  << surfaceKindName(surface.better->kind) << '\n';
+      }
       std::cout << "  point " << inMm(surface.point);
       if (kind != SurfaceKind::Sphere) {
         std::cout << (kind == SurfaceKind::Plane ? ", normal [" : ", axis [") << formatFixed(surface.axis.x(), 4)
@@ -114,6 +119,8 @@ class Evaluation {
     if (surface.radius_m) json["radius_mm"] = toMillimetres(*surface.radius_m);
     if (surface.half_angle_rad) json["half_angle_deg"] = toDegrees(*surface.half_angle_rad);
     json["rms_mm"] = toMillimetres(surface.rms_m);
+    json["tilt_rms_deg"] = toDegrees(surface.tilt_rms_rad);
+    if (surface.better) json["more_probable"] = surfaceKindName(surface.better->kind);
     if (surface.delta_m) json["delta_mm"] = toMillimetres(*surface.delta_m);
     if (surface.epsilon_m) json["epsilon_mm"] = toMillimetres(*surface.epsilon_m);
     json["cells"] = nlohmann::ordered_json::array();

@@ -6356,6 +6356,18 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <source>As good as stated, but a coarse check: with so few poses, a part that bent by less than about %1 would not show. %2</source>
         <translation>So gut wie angegeben, aber eine grobe Prüfung: Bei so wenigen Posen fiele ein Teil, das sich um weniger als etwa %1 verbogen hat, nicht auf. %2</translation>
     </message>
+    <message>
+        <source>But it is not this surface: the cells face %1 (rms) away from it. Where they lie and face speaks for another one: %2, with %3.</source>
+        <translation>Aber es ist nicht diese Fläche: Die Zellen sind um %1 (rms) gegen sie geneigt. Ihre Lage und Neigung sprechen für eine andere: %2, mit %3.</translation>
+    </message>
+    <message>
+        <source>Tilt °</source>
+        <translation>Neigung °</translation>
+    </message>
+    <message>
+        <source>Between the cell&apos;s face and the surface below it</source>
+        <translation>Zwischen der Vorderseite der Zelle und der Fläche unter ihr</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::VerifyPanel</name>
@@ -6494,6 +6506,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Takes %1 poses that are not disabled, and there is none yet.</source>
         <translation>Braucht %1 benutzte Posen, und noch gibt es keine.</translation>
+    </message>
+    <message>
+        <source>Most probable</source>
+        <translation>Wahrscheinlichste</translation>
     </message>
 </context>
 <context>

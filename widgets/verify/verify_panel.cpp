@@ -1,6 +1,7 @@
 #include "widgets/verify/verify_panel.h"
 
 #include "hexoderm/util/units.h"
+#include "widgets/controls/typed_values.h"
 #include "widgets/words/surface_words.h"
 #include "widgets/words/words.h"
 
@@ -18,6 +19,10 @@
 
 namespace hexoderm {
 namespace {
+
+/// In the list of surfaces, besides the kinds.
+constexpr int kNoSurface = -1;
+constexpr int kAnySurface = -2;
 
 std::optional<SurfaceEvaluation> largestOf(const std::vector<SurfaceEvaluation>& surfaces) {
   const auto largest =
@@ -118,7 +123,8 @@ void VerifyPanel::buildHoldOut() {
 void VerifyPanel::buildSurface() {
   kind_->setObjectName(QStringLiteral("surfaceKind"));
   kind_->setAccessibleName(tr("Surface through the cells"));
-  kind_->addItem(tr("None"), -1);
+  kind_->addItem(tr("None"), kNoSurface);
+  kind_->addItem(tr("Most probable"), kAnySurface);
   for (const SurfaceKind kind : {SurfaceKind::Plane, SurfaceKind::Cylinder, SurfaceKind::Sphere, SurfaceKind::Cone}) {
     kind_->addItem(surfaceKindWord(kind), static_cast<int>(kind));
   }
@@ -129,6 +135,7 @@ void VerifyPanel::buildSurface() {
   radius_mm_->setSuffix(tr(" mm"));
   radius_mm_->setSpecialValueText(tr("not known"));
   radius_mm_->setKeyboardTracking(false);
+  letTypingReplaceSpecialText(radius_mm_);
   auto* grid = new QGridLayout;
   grid->setColumnStretch(1, 1);
   grid->addWidget(labelFor(kind_, tr("Surface")), 0, 0);
@@ -240,8 +247,9 @@ void VerifyPanel::refreshControls() {
         {Tone::Neutral, hold_out_outdated_ ? tr("The session has changed since: run it again.") : tr("Not run yet.")});
   }
 
-  const auto kind = static_cast<SurfaceKind>(kind_->currentData().toInt());
-  const bool round = kind_->currentIndex() > 0 && (kind == SurfaceKind::Cylinder || kind == SurfaceKind::Sphere);
+  const int kind = kind_->currentData().toInt();
+  const bool round = kind == kAnySurface || kind == static_cast<int>(SurfaceKind::Cylinder) ||
+                     kind == static_cast<int>(SurfaceKind::Sphere);
   kind_->setEnabled(reconstruction_ != nullptr);
   kind_->setToolTip(reconstruction_ ? tr("Fitted through the centres of the cells") : no_skin);
   radius_mm_->setEnabled(reconstruction_ && round);
@@ -350,16 +358,16 @@ std::array<CsvActions*, 4> VerifyPanel::csvActions() const {
 void VerifyPanel::requestSurface() {
   refreshControls();
   const int kind = kind_->currentData().toInt();
-  if (kind < 0) {
+  if (kind == kNoSurface) {
     surfaces_.clear();
     surface_->setSentence({});
     surface_->setFigures({});
     emit surfaceShown(std::nullopt);
-    emit surfaceRequested(std::nullopt, std::nullopt);
+    emit surfaceDropped();
     return;
   }
   const bool known = radius_mm_->isEnabled() && radius_mm_->value() > 0;
-  emit surfaceRequested(static_cast<SurfaceKind>(kind),
+  emit surfaceRequested(kind == kAnySurface ? std::nullopt : std::optional(static_cast<SurfaceKind>(kind)),
                         known ? std::optional(radius_mm_->value() * kMillimetre) : std::nullopt);
 }
 

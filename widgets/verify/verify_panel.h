@@ -53,8 +53,9 @@ class VerifyPanel : public QWidget {
  signals:
   void holdOutRequested(hexoderm::PoseId pose);
   void cancelRequested(hexoderm::VerifyCheck check);
-  /// No kind: no surface any more.
+  /// No kind: the most probable one.
   void surfaceRequested(std::optional<hexoderm::SurfaceKind> kind, std::optional<double> true_radius_m);
+  void surfaceDropped();
   /// Which one, the window asks, and answers by compareWith().
   void comparisonFileWanted();
   void comparisonRequested(const QString& path);

@@ -11,6 +11,7 @@
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QTableView>
@@ -56,8 +57,10 @@ SurfaceEvaluation cylinder() {
   for (std::uint32_t id = 1; id <= 17; ++id) {
     surface.cells.emplace_back(id);
     surface.distance_m.push_back(id == 12 ? -0.0009 : 0.0003);
+    surface.tilt_rad.push_back(1 * kDegree);
   }
   surface.rms_m = 0.00042;
+  surface.tilt_rms_rad = 1 * kDegree;
   return surface;
 }
 
@@ -243,7 +246,11 @@ TEST_F(VerifyPanelTest, AsksForTheSurfaceThatIsChosenWithItsRadius) {
   QTest::keyClicks(radius, "50.1");
   QTest::keyClick(radius, Qt::Key_Return);
   kind->setCurrentText("Plane");
+  kind->setCurrentText("Most probable");
+  int dropped = 0;
+  QObject::connect(panel_, &VerifyPanel::surfaceDropped, [&] { ++dropped; });
   kind->setCurrentText("None");
+  EXPECT_EQ(dropped, 1);
   ASSERT_EQ(asked.size(), 4U);
   EXPECT_EQ(asked[0].first, SurfaceKind::Cylinder);
   EXPECT_FALSE(asked[0].second.has_value());
@@ -251,6 +258,42 @@ TEST_F(VerifyPanelTest, AsksForTheSurfaceThatIsChosenWithItsRadius) {
   EXPECT_EQ(asked[2].first, SurfaceKind::Plane);
   EXPECT_FALSE(asked[2].second.has_value()) << "a plane has no radius";
   EXPECT_FALSE(asked[3].first.has_value());
+}
+
+TEST_F(VerifyPanelTest, AFieldThatSaysNotKnownTakesTheNumberThatIsTypedIntoIt) {
+  panel_->setReconstruction(skin());
+  std::optional<double> asked;
+  QObject::connect(panel_, &VerifyPanel::surfaceRequested, [&](const auto& /*kind*/, auto radius) { asked = radius; });
+  find<QComboBox>("surfaceKind")->setCurrentText("Cylinder");
+  auto* radius = find<QDoubleSpinBox>("surfaceRadius");
+  auto* line = radius->findChild<QLineEdit*>();
+  // As a click into the text leaves it: nothing is picked.
+  QTest::mouseClick(line, Qt::LeftButton, Qt::NoModifier, QPoint(8, line->height() / 2));
+  line->deselect();
+  ASSERT_EQ(line->text(), "not known");
+  QTest::keyClicks(radius, "50.1");
+  QTest::keyClick(radius, Qt::Key_Return);
+  EXPECT_NEAR(radius->value(), 50.1, 1e-9);
+  EXPECT_NEAR(asked.value_or(0), 0.0501, 1e-12);
+  radius->selectAll();
+  QTest::keyClicks(radius, "0");
+  QTest::keyClick(radius, Qt::Key_Return);
+  EXPECT_FALSE(asked.has_value());
+}
+
+TEST_F(VerifyPanelTest, ASurfaceThatTheCellsContradictIsNotTickedAlthoughTheyLieOnIt) {
+  panel_->setReconstruction(skin());
+  SurfaceEvaluation sphere = cylinder();
+  sphere.kind = SurfaceKind::Sphere;
+  sphere.radius_m = 0.0734;
+  sphere.tilt_rms_rad = 36.8 * kDegree;
+  panel_->showSurfaces({sphere}, {});
+  EXPECT_THAT(sentence("surface"), testing::HasSubstr("That is within"));
+  sphere.better = std::make_shared<const SurfaceEvaluation>(cylinder());
+  panel_->showSurfaces({sphere}, {});
+  EXPECT_THAT(sentence("surface"), testing::Not(testing::HasSubstr("That is within")));
+  EXPECT_THAT(sentence("surface"), testing::HasSubstr("the cells face 36.80° (rms) away from it"));
+  EXPECT_THAT(sentence("surface"), testing::HasSubstr("Cylinder, radius 50.30 mm, with 1.00°"));
 }
 
 TEST_F(VerifyPanelTest, SurfacesAreJudgedByWhatIsStated) {

@@ -3,6 +3,7 @@
 #include "hexoderm/geometry/surface_fit.h"
 #include "hexoderm/reconstruction/result/reconstruction.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +27,18 @@ struct SurfaceEvaluation {
   std::vector<CellId> cells;
   std::vector<double> distance_m;  ///< signed, per cell
   double rms_m = 0;
+  /// Per cell, 0 to pi / 2: between the normal of its face and that of the surface, whichever way they point.
+  std::vector<double> tilt_rad;
+  double tilt_rms_rad = 0;
+  /// Mean of the squared distances and tilts (one and two a cell) over their stated variances: above 1 the cells
+  /// contradict the surface. Errors of neighbours go together, so it is no chi-square.
+  double misfit = 0;
+  /// Bayesian information criterion: the sum of those squares, and what the surface's parameters cost. The least of
+  /// those of one patch is the most probable.
+  double bic = 0;
+  /// The most probable kind, where the cells contradict this one and are decisively better explained by that
+  /// (checkSurface()); null: they are not, or nothing is stated that could tell.
+  std::shared_ptr<const SurfaceEvaluation> better;
   std::optional<double> delta_m;
   std::optional<double> epsilon_m;
 
@@ -39,6 +52,13 @@ struct SurfaceEvaluation {
 /// cone, which have no one radius.
 SurfaceEvaluation evaluateSurface(const PatchReconstruction& patch, SurfaceKind kind,
                                   std::optional<double> true_radius_m = std::nullopt);
+
+/// evaluateSurface() with a look at the other kinds. Without a kind, the simplest one that the cells do not contradict
+/// is taken, or else the most probable one. Where the cells face tells much more about a small patch's surface than
+/// where they lie, which a sphere can follow almost as well as a cylinder. Throws as evaluateSurface(); without a kind,
+/// if the patch has too few cells for any.
+SurfaceEvaluation checkSurface(const PatchReconstruction& patch, std::optional<SurfaceKind> kind,
+                               std::optional<double> true_radius_m = std::nullopt);
 
 /// The gap between the link points of two ports (paper, Fig. 9).
 struct LoopEvaluation {

@@ -1,6 +1,7 @@
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
 
 #include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
 #include "tests/support/matchers.h"
@@ -69,6 +70,58 @@ TEST(Evaluation, ConeHasAHalfAngleAndNoOneRadius) {
   EXPECT_THROW(evaluateSurface(result->patches.front(), SurfaceKind::Cone, 0.05), InvalidArgument);
   EXPECT_EQ(surfaceKindFromName("cone"), SurfaceKind::Cone);
   EXPECT_EQ(surfaceKindName(SurfaceKind::Cone), "cone");
+}
+
+/// The largest patch of a simulated skin, solved as a session is.
+PatchReconstruction simulated(const char* patch, const char* surface, std::uint64_t seed, std::size_t poses) {
+  SimulatedSkinOptions options;
+  options.patch = patch;
+  options.surface = surface;
+  options.seed = seed;
+  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+  return *largestPatch(*reconstruct(*simulateSession(skin, poses, 50).snapshot()));
+}
+
+TEST(Evaluation, ASphereThroughTheCellsOfACylinderIsContradictedByWhereTheyFace) {
+  const PatchReconstruction patch = simulated("x17", "cylinder:r=0.0501", 1, 4);
+  const SurfaceEvaluation sphere = checkSurface(patch, SurfaceKind::Sphere);
+  EXPECT_LT(sphere.rms_m, 1.5 * kMillimetre) << "they lie on it";
+  EXPECT_GT(sphere.tilt_rms_rad, 20 * kDegree);
+  ASSERT_NE(sphere.better, nullptr);
+  EXPECT_EQ(sphere.better->kind, SurfaceKind::Cylinder);
+  EXPECT_NEAR(sphere.better->radius_m.value_or(0), 0.0501, 0.001);
+  EXPECT_EQ(checkSurface(patch, SurfaceKind::Cylinder).better, nullptr);
+}
+
+TEST(Evaluation, TheSimplestSurfaceThatIsNotContradictedIsTaken) {
+  for (const char* patch : {"x17", "sheet:5x6"}) {
+    for (const auto& [surface, kind] :
+         {std::pair("cylinder:r=0.0501", SurfaceKind::Cylinder), std::pair("cylinder:r=0.2", SurfaceKind::Cylinder),
+          std::pair("sphere:r=0.06", SurfaceKind::Sphere), std::pair("plane", SurfaceKind::Plane),
+          std::pair("cone:r=0.05,angle=0.3", SurfaceKind::Cone)}) {
+      for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        const PatchReconstruction reconstruction = simulated(patch, surface, seed, 4);
+        const SurfaceEvaluation taken = checkSurface(reconstruction, std::nullopt);
+        EXPECT_EQ(taken.kind, kind) << patch << ' ' << surface << ' ' << seed;
+        EXPECT_EQ(taken.better, nullptr) << patch << ' ' << surface << ' ' << seed;
+        EXPECT_EQ(taken.tilt_rad.size(), reconstruction.cells.size());
+      }
+    }
+  }
+}
+
+TEST(Evaluation, WithoutStatedUncertaintiesNoSurfaceIsContradicted) {
+  PatchReconstruction patch = simulated("x17", "cylinder:r=0.0501", 1, 4);
+  for (CellPlacement& cell : patch.cells) cell.cov_t_r.reset();
+  EXPECT_EQ(checkSurface(patch, SurfaceKind::Sphere).better, nullptr);
+}
+
+TEST(Evaluation, ASurfaceOfTooFewCellsIsRefusedAndSaysWhy) {
+  PatchReconstruction patch = simulated("x17", "cylinder:r=0.0501", 1, 4);
+  patch.cells.resize(2);
+  EXPECT_THROW(checkSurface(patch, std::nullopt), InvalidArgument);
+  patch.cells.resize(1);
+  EXPECT_THROW(checkSurface(patch, SurfaceKind::Plane), InvalidArgument);
 }
 
 TEST(Evaluation, LoopOfAClosedRingIsClosed) {
