@@ -4462,6 +4462,18 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>{}; trying again</source>
         <translation>{}; neuer Versuch läuft</translation>
     </message>
+    <message>
+        <source>measured distance: expected metres above 0</source>
+        <translation>gemessener Abstand: erwartet sind Meter über 0</translation>
+    </message>
+    <message>
+        <source>a distance is between two different cells</source>
+        <translation>ein Abstand liegt zwischen zwei verschiedenen Zellen</translation>
+    </message>
+    <message>
+        <source>no link joins the patches of cells {} and {}: their distance is not known</source>
+        <translation>keine Verbindung verbindet die Hautstücke der Zellen {} und {}: Ihr Abstand ist nicht bekannt</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>
@@ -6368,6 +6380,30 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <source>Between the cell&apos;s face and the surface below it</source>
         <translation>Zwischen der Vorderseite der Zelle und der Fläche unter ihr</translation>
     </message>
+    <message>
+        <source>Cells %1 and %2</source>
+        <translation>Zellen %1 und %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 measured, %3 estimated; no uncertainty is stated to compare them by.</source>
+        <translation>%1: %2 gemessen, %3 geschätzt; keine Unsicherheit ist angegeben, an der sich das messen ließe.</translation>
+    </message>
+    <message>
+        <source>%1: %2 measured, %3 estimated; they differ by %4, and %5 are expected (1 sigma).</source>
+        <translation>%1: %2 gemessen, %3 geschätzt; der Unterschied ist %4, zu erwarten sind %5 (1 Sigma).</translation>
+    </message>
+    <message>
+        <source>It agrees. %1 Cells %2 larger or smaller than in the cell model would show.</source>
+        <translation>Es stimmt überein. %1 Zellen, die um %2 größer oder kleiner sind als im Zellmodell, würden auffallen.</translation>
+    </message>
+    <message>
+        <source>It does not quite agree: measure again, and between two other cells. %1</source>
+        <translation>Es stimmt nicht ganz überein: noch einmal messen, auch zwischen zwei anderen Zellen. %1</translation>
+    </message>
+    <message>
+        <source>It contradicts the result. Check the size of the cells in the cell model, the numbering of the ports and the axes of the sensors; with fewer than three poses, take more. %1</source>
+        <translation>Es widerspricht dem Ergebnis. Die Größe der Zellen im Zellmodell, die Nummern der Ports und die Achsen der Sensoren prüfen; bei weniger als drei Posen weitere aufnehmen. %1</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::VerifyPanel</name>
@@ -6510,6 +6546,50 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Most probable</source>
         <translation>Wahrscheinlichste</translation>
+    </message>
+    <message>
+        <source>Distance by caliper</source>
+        <translation>Abstand mit dem Messschieber</translation>
+    </message>
+    <message>
+        <source>Is it as large as the skin itself?</source>
+        <translation>Ist es so groß wie die Haut selbst?</translation>
+    </message>
+    <message>
+        <source>One cell</source>
+        <translation>Eine Zelle</translation>
+    </message>
+    <message>
+        <source>The other cell</source>
+        <translation>Die andere Zelle</translation>
+    </message>
+    <message>
+        <source>Measured distance</source>
+        <translation>Gemessener Abstand</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>From cell</source>
+        <translation>Von Zelle</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Not measured yet: from the middle of one cell to the middle of the other, as straight as the jaws reach.</source>
+        <translation>Noch nicht gemessen: von der Mitte der einen Zelle zur Mitte der anderen, auf geradem Weg zwischen den Schenkeln.</translation>
+    </message>
+    <message>
+        <source>Cells far apart, across the bend, tell most</source>
+        <translation>Weit entfernte Zellen, über die Biegung hinweg, sagen am meisten</translation>
     </message>
 </context>
 <context>

@@ -11,6 +11,7 @@
 class QComboBox;
 class QDoubleSpinBox;
 class QPushButton;
+class QSpinBox;
 class QToolButton;
 
 namespace hexoderm {
@@ -18,8 +19,8 @@ namespace hexoderm {
 enum class VerifyCheck { HoldOut, Loops, Surface, Comparison };
 
 /// The checks of a finished calibration, each with a verdict: does it foretell a pose it has not seen, do its loops
-/// close, do its cells lie on the surface they were put on, does it repeat? The panel asks by its requests and shows
-/// the results that it is given; it is narrow enough for the column of steps.
+/// close, do its cells lie on the surface they were put on, does a distance measured by hand agree, does it repeat? The
+/// panel asks by its requests and shows the results that it is given; it is narrow enough for the column of steps.
 class VerifyPanel : public QWidget {
   Q_OBJECT
 
@@ -70,8 +71,11 @@ class VerifyPanel : public QWidget {
  private:
   void buildHoldOut();
   void buildSurface();
+  void buildCaliper();
   void buildComparison();
   void requestSurface();
+  void proposeCells();
+  void checkCaliper();
   void refreshControls();
   [[nodiscard]] std::size_t otherPoses() const;
   void showHoldOutFigures();
@@ -88,6 +92,7 @@ class VerifyPanel : public QWidget {
   VerifySection* hold_out_;
   VerifySection* loop_;
   VerifySection* surface_;
+  VerifySection* caliper_;
   VerifySection* comparison_;
   QComboBox* pose_;
   QPushButton* run_;
@@ -95,6 +100,9 @@ class VerifyPanel : public QWidget {
   QToolButton* by_link_;
   QComboBox* kind_;
   QDoubleSpinBox* radius_mm_;
+  QSpinBox* first_;
+  QSpinBox* second_;
+  QDoubleSpinBox* distance_mm_;
   QPushButton* choose_;
   QPushButton* drop_;
 };

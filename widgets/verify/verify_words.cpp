@@ -255,6 +255,37 @@ VerifyFigures surfaceFigures(const std::vector<SurfaceEvaluation>& surfaces) {
   return figures;
 }
 
+VerifySentence distanceCheckInWords(const DistanceCheck& check) {
+  const QString cells = VerifyTexts::tr("Cells %1 and %2").arg(check.first.value()).arg(check.second.value());
+  const QString measured = millimetresInWords(check.measured_m, 1);
+  const QString estimated = millimetresInWords(check.estimated_m, 1);
+  if (!check.sigma_m || !check.deviations || !check.detectable_scale) {
+    return {Tone::Neutral,
+            VerifyTexts::tr("%1: %2 measured, %3 estimated; no uncertainty is stated to compare them by.")
+                .arg(cells, measured, estimated)};
+  }
+  const QString figures =
+      VerifyTexts::tr("%1: %2 measured, %3 estimated; they differ by %4, and %5 are expected (1 sigma).")
+          .arg(cells, measured, estimated, millimetresInWords(std::abs(check.measured_m - check.estimated_m), 1),
+               millimetresInWords(*check.sigma_m, 1));
+  switch (check.agreement) {
+    case DistanceAgreement::NotStated:
+      break;
+    case DistanceAgreement::AsStated:
+      return {Tone::Good, VerifyTexts::tr("It agrees. %1 Cells %2 larger or smaller than in the cell model would show.")
+                              .arg(figures, percent(100 * *check.detectable_scale))};
+    case DistanceAgreement::Doubtful:
+      return {Tone::Caution,
+              VerifyTexts::tr("It does not quite agree: measure again, and between two other cells. %1").arg(figures)};
+    case DistanceAgreement::Contradicts:
+      return {Tone::Bad,
+              VerifyTexts::tr("It contradicts the result. Check the size of the cells in the cell model, the numbering "
+                              "of the ports and the axes of the sensors; with fewer than three poses, take more. %1")
+                  .arg(figures)};
+  }
+  return {Tone::Neutral, figures};
+}
+
 VerifySentence comparisonInWords(const std::vector<Comparison>& comparisons, const QString& against) {
   if (comparisons.empty())
     return {Tone::Bad, VerifyTexts::tr("%1 has no cell in common with this calibration.").arg(against)};

@@ -14,6 +14,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSpinBox>
 #include <QTableView>
 #include <QTest>
 #include <QToolButton>
@@ -312,6 +313,42 @@ TEST_F(VerifyPanelTest, SurfacesAreJudgedByWhatIsStated) {
   panel_->showFailure(VerifyCheck::Surface, "cylinder fit: the points lie in a plane");
   EXPECT_EQ(sentence("surface"), "cylinder fit: the points lie in a plane");
   EXPECT_FALSE(find<QTableView>("surfaceTable")->isVisible());
+}
+
+TEST_F(VerifyPanelTest, ADistanceByCaliperIsComparedWithTheEstimate) {
+  EXPECT_FALSE(find<QDoubleSpinBox>("caliperDistance")->isEnabled());
+  EXPECT_EQ(sentence("caliper"), "");
+  const auto shown = skin();
+  for (CellPlacement& cell : shown->patches.front().cells) cell.cov_t_r = Matrix6d::Identity() * 1e-6;
+  panel_->setReconstruction(shown);
+  EXPECT_THAT(sentence("caliper"), testing::StartsWith("Not measured yet"));
+  auto* first = find<QSpinBox>("caliperFirst");
+  auto* second = find<QSpinBox>("caliperSecond");
+  const auto proposed = farApart(shown->patches.front());
+  ASSERT_TRUE(proposed);
+  EXPECT_EQ(first->value(), static_cast<int>(proposed->first.value()));
+  EXPECT_EQ(second->value(), static_cast<int>(proposed->second.value()));
+
+  const auto type = [](QAbstractSpinBox* field, const QString& text) {
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, text);
+    QTest::keyClick(field, Qt::Key_Return);
+  };
+  const double estimated_mm = 1e3 * distanceBetween(*shown, proposed->first, proposed->second)->length_m;
+  auto* distance = find<QDoubleSpinBox>("caliperDistance");
+  QTest::keyClicks(distance, QString::number(estimated_mm, 'f', 1));
+  QTest::keyClick(distance, Qt::Key_Return);
+  EXPECT_THAT(sentence("caliper"), testing::StartsWith("It agrees. Cells"));
+  type(distance, QString::number(1.3 * estimated_mm, 'f', 1));
+  EXPECT_THAT(sentence("caliper"), testing::StartsWith("It contradicts the result."));
+  // Another result of the same skin is compared with what was measured.
+  panel_->setReconstruction(std::make_shared<Reconstruction>(*shown));
+  EXPECT_THAT(sentence("caliper"), testing::StartsWith("It contradicts the result."));
+  type(second, "4711");
+  EXPECT_EQ(sentence("caliper"), "there is no cell 4711");
+  type(second, QString::number(first->value()));
+  EXPECT_EQ(sentence("caliper"), "a distance is between two different cells");
 }
 
 TEST_F(VerifyPanelTest, ComparisonSaysWhetherItRepeatsAsStated) {

@@ -85,6 +85,20 @@ bool canContradict(const PatchReconstruction& patch) {
 
 constexpr std::array<std::string_view, 4> kSurfaceNames = {"plane", "sphere", "cylinder", "cone"};
 
+/// A caliper that is this many standard deviations off is not a matter of chance.
+constexpr double kContradictingSigmas = 4;
+
+/// Upper bound of a distance's standard deviation, from what is stated for the two cells each: how their errors go
+/// together is not. None where nothing is stated.
+std::optional<double> largestDistanceSigma(const CellPlacement& a, const CellPlacement& b) {
+  if (!a.cov_t_r || !b.cov_t_r) return std::nullopt;
+  const Eigen::Vector3d along = (b.T_o_u.t - a.T_o_u.t).normalized();
+  const auto sigma = [&](const CellPlacement& cell) {
+    return std::sqrt(std::max(0.0, along.dot(cell.cov_t_r->topLeftCorner<3, 3>() * along)));
+  };
+  return sigma(a) + sigma(b);
+}
+
 struct ReferenceCell {
   SE3 T_ref_u;
   const CellPlacement* stated = nullptr;  ///< the cell in the reference, if that is a reconstruction
@@ -307,6 +321,63 @@ LoopEvaluation evaluateLoop(const Reconstruction& reconstruction, LinkEnd first,
   loop.loop_length_m = chainLength(reconstruction, *a.patch, first, second);
   loop.percent = loop.loop_length_m > 0 ? 100 * loop.length_m / loop.loop_length_m : 0;
   return loop;
+}
+
+std::optional<CellDistance> distanceBetween(const Reconstruction& reconstruction, CellId a, CellId b) {
+  const Reconstruction::Located from = reconstruction.find(a);
+  const Reconstruction::Located to = reconstruction.find(b);
+  if (from.cell == nullptr || to.cell == nullptr || from.patch != to.patch) return std::nullopt;
+  CellDistance distance;
+  const SE3 T_a_b = from.cell->T_o_u.inverse() * to.cell->T_o_u;
+  distance.length_m = T_a_b.t.norm();
+  distance.angle_rad = angleBetween(Eigen::Vector3d::UnitZ(), T_a_b.R.col(2));
+  if (from.patch->covariance && distance.length_m > 0) {
+    const Eigen::Vector3d along = T_a_b.t / distance.length_m;
+    const Eigen::Matrix3d cov = from.patch->covariance->relative(a, b).topLeftCorner<3, 3>();
+    distance.sigma_m = std::sqrt(std::max(0.0, along.dot(cov * along)));
+  }
+  return distance;
+}
+
+DistanceCheck checkDistance(const Reconstruction& reconstruction, CellId first, CellId second, double measured_m,
+                            double measured_sigma_m) {
+  if (!(measured_m > 0 && std::isfinite(measured_m))) {
+    throw InvalidArgument(message("measured distance: expected metres above 0"));
+  }
+  const Reconstruction::Located a = reconstruction.find(first);
+  const Reconstruction::Located b = reconstruction.find(second);
+  if (a.cell == nullptr) throw InvalidArgument(message("there is no cell {}", first));
+  if (b.cell == nullptr) throw InvalidArgument(message("there is no cell {}", second));
+  if (first == second) throw InvalidArgument(message("a distance is between two different cells"));
+  if (a.patch != b.patch) {
+    throw InvalidArgument(
+        message("no link joins the patches of cells {} and {}: their distance is not known", first, second));
+  }
+  const CellDistance estimate = *distanceBetween(reconstruction, first, second);
+  DistanceCheck check{first, second, measured_m, estimate.length_m, {}, {}, DistanceAgreement::NotStated, {}};
+  const std::optional<double> sigma_m = estimate.sigma_m ? estimate.sigma_m : largestDistanceSigma(*a.cell, *b.cell);
+  if (!sigma_m) return check;
+  check.sigma_m = std::hypot(*sigma_m, measured_sigma_m);
+  check.deviations = (measured_m - estimate.length_m) / *check.sigma_m;
+  const double deviations = std::abs(*check.deviations);
+  check.agreement = deviations <= kSigmasFor95Percent    ? DistanceAgreement::AsStated
+                    : deviations <= kContradictingSigmas ? DistanceAgreement::Doubtful
+                                                         : DistanceAgreement::Contradicts;
+  check.detectable_scale = kContradictingSigmas * *check.sigma_m / measured_m;
+  return check;
+}
+
+std::optional<std::pair<CellId, CellId>> farApart(const PatchReconstruction& patch) {
+  if (patch.cells.size() < 2) return std::nullopt;
+  const auto furthestFrom = [&](const CellPlacement& from) -> const CellPlacement& {
+    return *std::ranges::max_element(
+        patch.cells, {}, [&](const CellPlacement& cell) { return (cell.T_o_u.t - from.T_o_u.t).squaredNorm(); });
+  };
+  // Twice the furthest is nearly the longest way of all, and costs two looks at each cell.
+  const CellPlacement& one = furthestFrom(patch.cells.front());
+  const CellPlacement& other = furthestFrom(one);
+  if (one.cell == other.cell) return std::nullopt;
+  return std::pair(std::min(one.cell, other.cell), std::max(one.cell, other.cell));
 }
 
 std::size_t SurfaceEvaluation::furthest() const {

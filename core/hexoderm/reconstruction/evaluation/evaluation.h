@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace hexoderm {
@@ -73,6 +74,46 @@ struct LoopEvaluation {
 /// Throws InvalidArgument if a cell or port does not exist, the ports are joined to something, or the cells lie in
 /// different patches.
 LoopEvaluation evaluateLoop(const Reconstruction& reconstruction, LinkEnd first, LinkEnd second);
+
+/// The way from one cell to another.
+struct CellDistance {
+  double length_m = 0;   ///< between the centres of the front faces
+  double angle_rad = 0;  ///< between the faces' normals, 0 to pi
+  /// Standard deviation of the length, if the result holds the covariance of any two cells (a fresh one does).
+  std::optional<double> sigma_m;
+};
+/// None if a cell is missing, or if the two are in different patches, whose relative placement is not known.
+std::optional<CellDistance> distanceBetween(const Reconstruction& reconstruction, CellId a, CellId b);
+
+/// How an estimated distance and a measured one go together.
+enum class DistanceAgreement {
+  NotStated,   ///< no uncertainty is stated that they could be compared by
+  AsStated,    ///< within 95 %
+  Doubtful,    ///< measure again
+  Contradicts  ///< by more than four standard deviations
+};
+
+/// A distance between the centres of two cells' front faces that somebody measured on the skin, beside the estimate. It
+/// tells what gravity and ports can't: a wrong size of the cells, and most wrong shapes.
+struct DistanceCheck {
+  CellId first;
+  CellId second;
+  double measured_m = 0;
+  double estimated_m = 0;
+  std::optional<double> sigma_m;     ///< of their difference; the estimate's own where it is not exactly known: at most
+  std::optional<double> deviations;  ///< measured less estimated, in standard deviations
+  DistanceAgreement agreement = DistanceAgreement::NotStated;
+  /// The relative error of the cells' size from which on this distance would contradict it.
+  std::optional<double> detectable_scale;
+};
+/// 1 sigma of a distance measured by caliper: it is read more exactly, but where a cell's centre is, the eye tells.
+inline constexpr double kCaliperSigma_m = 0.0005;
+/// Throws InvalidArgument if there is no such cell, the two are one, or lie in different patches, or the distance is
+/// not positive.
+DistanceCheck checkDistance(const Reconstruction& reconstruction, CellId first, CellId second, double measured_m,
+                            double measured_sigma_m = kCaliperSigma_m);
+/// Two cells far apart, which say most about size and shape; none in a patch of one cell.
+std::optional<std::pair<CellId, CellId>> farApart(const PatchReconstruction& patch);
 
 /// Per-cell differences between two placements of the same cells, after alignment: positions after their best rigid
 /// fit, orientations after the one rotation that fits all of them best (chordal mean of R_ref R_est^T).
