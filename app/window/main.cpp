@@ -47,8 +47,8 @@ bool isAsked(int argc, char** argv, const char* option) {
                      [option](const char* argument) { return std::strcmp(argument, option) == 0; });
 }
 
-/// Lets the demo's robot take its poses, then takes the picture, as the command line asks. The robot is asked once: when
-/// it stops, there are so many poses, or it could not take more.
+/// Lets the demo's robot take its poses, then takes the picture, as the command line asks. The robot is asked once:
+/// when it stops, there are so many poses, or it could not take more.
 class Script : public QObject {
  public:
   Script(MainWindow& window, int poses, const QString& picture) : window_(window), poses_(poses), picture_(picture) {

@@ -8,7 +8,9 @@ namespace {
 
 class SpecialTextReplacer : public QObject {
  public:
-  explicit SpecialTextReplacer(QAbstractSpinBox* field) : QObject(field), field_(field) { field->installEventFilter(this); }
+  explicit SpecialTextReplacer(QAbstractSpinBox* field) : QObject(field), field_(field) {
+    field->installEventFilter(this);
+  }
 
   bool eventFilter(QObject* /*watched*/, QEvent* event) override {
     if (event->type() != QEvent::KeyPress || field_->specialValueText().isEmpty()) return false;

@@ -223,8 +223,7 @@ void WindowActions::refreshCapture(const SessionController& controller, const QS
                                                         : tr("Let the robot take the poses");
   robot->setIconText(controller.poseGuide().isRobotOn() ? tr("Stop the robot") : who);
   QString no_more = no_robot;
-  if (no_more.isEmpty() && !controller.poseGuide().isRobotOn() &&
-      !controller.poseGuide().wantsMorePoses()) {
+  if (no_more.isEmpty() && !controller.poseGuide().isRobotOn() && !controller.poseGuide().wantsMorePoses()) {
     no_more = tr("There are enough poses; turn and capture more by hand if you like");
   }
   allow(robot, no_more);

@@ -260,9 +260,7 @@ void CaptureCourse::setRobot(bool on, std::size_t poses) {
   turnIfTime();
 }
 
-std::size_t CaptureCourse::numberAskedFor() const {
-  return robot_ && robot_poses_ > 0 ? robot_poses_ : options_.poses;
-}
+std::size_t CaptureCourse::numberAskedFor() const { return robot_ && robot_poses_ > 0 ? robot_poses_ : options_.poses; }
 
 bool CaptureCourse::wantsMorePoses() const {
   if (!isOn()) return false;

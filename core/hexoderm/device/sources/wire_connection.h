@@ -74,7 +74,7 @@ class WireConnection {
   Message why_retry_;       ///< what the last try failed of; empty: none has
   Clock::duration wait_{};
   Clock::time_point retry_at_;  ///< the end of that wait
-  Clock::duration retry_;  ///< the next wait
+  Clock::duration retry_;       ///< the next wait
   std::map<std::uint32_t, Pending> pending_;
 };
 
