@@ -200,6 +200,7 @@ class Capture final : public CaptureOwner {
       common_.note(status.message.english());
     }
     status_ = status;
+    course_.setSending(status.state == SourceState::Streaming);
   }
 
   void handle(const HoldStatus& hold) {

@@ -51,7 +51,7 @@ class Evaluation {
     for (const PatchReconstruction& patch : calibration_.patches) {
       SurfaceEvaluation surface;
       try {
-        surface = evaluateSurface(patch, kind, true_radius_m);
+        surface = checkSurface(patch, kind, true_radius_m);
       } catch (const InvalidArgument& error) {
         // A cell that fell off does not stand in the way of the others.
         if (&patch == &calibration_.patches.back() && fitted == 0) throw;
@@ -66,6 +66,11 @@ class Evaluation {
                 << " cell centres: ";
       if (surface.radius_m) std::cout << "radius " << millimetres(*surface.radius_m) << ", ";
       std::cout << "distances " << millimetres(surface.rms_m, 3) << " rms\n";
+      if (surface.better) {
+        std::cout << "  It is not this surface: the cells face " << degrees(surface.tilt_rms_rad, 1)
+                  << " rms away from it, and " << degrees(surface.better->tilt_rms_rad, 1) << " from a "
+                  << surfaceKindName(surface.better->kind) << '\n';
+      }
       std::cout << "  point " << inMm(surface.point);
       if (kind != SurfaceKind::Sphere) {
         std::cout << (kind == SurfaceKind::Plane ? ", normal [" : ", axis [") << formatFixed(surface.axis.x(), 4)
@@ -130,6 +135,8 @@ class Evaluation {
     if (surface.radius_m) json["radius_mm"] = toMillimetres(*surface.radius_m);
     if (surface.half_angle_rad) json["half_angle_deg"] = toDegrees(*surface.half_angle_rad);
     json["rms_mm"] = toMillimetres(surface.rms_m);
+    json["tilt_rms_deg"] = toDegrees(surface.tilt_rms_rad);
+    if (surface.better) json["more_probable"] = surfaceKindName(surface.better->kind);
     if (surface.delta_m) json["delta_mm"] = toMillimetres(*surface.delta_m);
     if (surface.epsilon_m) json["epsilon_mm"] = toMillimetres(*surface.epsilon_m);
     json["cells"] = nlohmann::ordered_json::array();

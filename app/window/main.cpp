@@ -22,6 +22,7 @@ using namespace hexoderm;
 constexpr int kUsage = 2;
 constexpr int kBadInput = 3;
 constexpr int kNoDisplay = 4;
+constexpr int kDevice = 4;
 constexpr int kStorage = 5;
 
 int complain(const QString& message, int code) {
@@ -46,7 +47,8 @@ bool isAsked(int argc, char** argv, const char* option) {
                      [option](const char* argument) { return std::strcmp(argument, option) == 0; });
 }
 
-/// Lets the demo's robot take its poses, then takes the picture, as the command line asks.
+/// Lets the demo's robot take its poses, then takes the picture, as the command line asks. The robot is asked once:
+/// when it stops, there are so many poses, or it could not take more.
 class Script : public QObject {
  public:
   Script(MainWindow& window, int poses, const QString& picture) : window_(window), poses_(poses), picture_(picture) {
@@ -62,27 +64,36 @@ class Script : public QObject {
     if (done_ || !controller.reconstruction() || controller.isSolving() || !controller.work().activity().isEmpty())
       return;
     if (!controller.isCurrent()) return;
-    if (controller.liveSession().isDemo() && static_cast<int>(controller.session()->poses().size()) < poses_) {
-      if (!controller.poseGuide().isRobotOn()) controller.poseGuide().setRobot(true);
-      return;
+    if (controller.liveSession().isDemo() && poses_ > 0 && !is_robot_asked_) {
+      is_robot_asked_ = true;
+      controller.poseGuide().letRobotTake(static_cast<std::size_t>(poses_));
     }
+    if (controller.poseGuide().isRobotOn()) return;
     done_ = true;
-    controller.poseGuide().setRobot(false);
     controller.liveSession().setAutomatic(false);
     if (picture_.isEmpty()) return;
     // The views draw what they have just been given when the events before this one are through.
-    QTimer::singleShot(0, this, [this] {
-      QCoreApplication::exit(
-          window_.picture().save(picture_, "PNG")
-              ? 0
-              : complain(QCoreApplication::translate("main", "The picture %1 could not be written.").arg(picture_),
-                         kStorage));
-    });
+    QTimer::singleShot(0, this, [this] { QCoreApplication::exit(finish()); });
+  }
+
+  /// Returns the exit code.
+  int finish() {
+    if (!window_.picture().save(picture_, "PNG")) {
+      return complain(QCoreApplication::translate("main", "The picture %1 could not be written.").arg(picture_),
+                      kStorage);
+    }
+    const Session* session = window_.controller().session();
+    const int taken = session == nullptr ? 0 : static_cast<int>(session->poses().size());
+    if (taken >= poses_) return 0;
+    return complain(
+        QCoreApplication::translate("main", "The robot took %1 of %2 poses, and stopped.").arg(taken).arg(poses_),
+        kDevice);
   }
 
   MainWindow& window_;
   int poses_;
   QString picture_;
+  bool is_robot_asked_ = false;
   bool done_ = false;
 };
 

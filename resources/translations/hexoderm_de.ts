@@ -1495,6 +1495,18 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>Without a pose, a file only holds what follows from the ports.</source>
         <translation>Ohne Pose enthält eine Datei nur, was aus den Ports folgt.</translation>
     </message>
+    <message>
+        <source>The placements could not be worked out: see the log.</source>
+        <translation>Die Lagen der Zellen konnten nicht berechnet werden: siehe das Protokoll.</translation>
+    </message>
+    <message>
+        <source>The placement of the cell is being worked out…</source>
+        <translation>Die Lage der Zelle wird berechnet…</translation>
+    </message>
+    <message>
+        <source>The placements of %1 cells are being worked out…</source>
+        <translation>Die Lagen der %1 Zellen werden berechnet…</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::GuidePresenter</name>
@@ -4542,6 +4554,30 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>Not in the file: {} patches ({}), because how they lie to the exported patch is not known.</source>
         <translation>Nicht in der Datei: {} Hautstücke ({}), weil nicht bekannt ist, wie sie zum exportierten Hautstück liegen.</translation>
     </message>
+    <message>
+        <source>only broken messages ({}) for {}; reconnecting in {}</source>
+        <translation>seit {1} nur kaputte Nachrichten ({0}); neue Verbindung in {2}</translation>
+    </message>
+    <message>
+        <source>nothing came for {}; reconnecting in {}</source>
+        <translation>seit {} kam nichts; neue Verbindung in {}</translation>
+    </message>
+    <message>
+        <source>{}; trying again</source>
+        <translation>{}; neuer Versuch läuft</translation>
+    </message>
+    <message>
+        <source>measured distance: expected metres above 0</source>
+        <translation>gemessener Abstand: erwartet sind Meter über 0</translation>
+    </message>
+    <message>
+        <source>a distance is between two different cells</source>
+        <translation>ein Abstand liegt zwischen zwei verschiedenen Zellen</translation>
+    </message>
+    <message>
+        <source>no link joins the patches of cells {} and {}: their distance is not known</source>
+        <translation>keine Verbindung verbindet die Hautstücke der Zellen {} und {}: Ihr Abstand ist nicht bekannt</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>
@@ -4796,6 +4832,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Preparing the picture of %1 cells…</source>
         <translation>Das Bild von %1 Zellen wird vorbereitet…</translation>
+    </message>
+    <message>
+        <source>This skin has no cells.</source>
+        <translation>Diese Haut hat keine Zellen.</translation>
     </message>
 </context>
 <context>
@@ -6448,6 +6488,42 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <source>No two cells lie in one patch both here and in %1: there is nothing to compare.</source>
         <translation>Keine zwei Zellen liegen sowohl hier als auch in %1 in einem Hautstück: Es gibt nichts zu vergleichen.</translation>
     </message>
+    <message>
+        <source>But it is not this surface: the cells face %1 (rms) away from it. Where they lie and face speaks for another one: %2, with %3.</source>
+        <translation>Aber es ist nicht diese Fläche: Die Zellen sind um %1 (rms) gegen sie geneigt. Ihre Lage und Neigung sprechen für eine andere: %2, mit %3.</translation>
+    </message>
+    <message>
+        <source>Tilt °</source>
+        <translation>Neigung °</translation>
+    </message>
+    <message>
+        <source>Between the cell&apos;s face and the surface below it</source>
+        <translation>Zwischen der Vorderseite der Zelle und der Fläche unter ihr</translation>
+    </message>
+    <message>
+        <source>Cells %1 and %2</source>
+        <translation>Zellen %1 und %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 measured, %3 estimated; no uncertainty is stated to compare them by.</source>
+        <translation>%1: %2 gemessen, %3 geschätzt; keine Unsicherheit ist angegeben, an der sich das messen ließe.</translation>
+    </message>
+    <message>
+        <source>%1: %2 measured, %3 estimated; they differ by %4, and %5 are expected (1 sigma).</source>
+        <translation>%1: %2 gemessen, %3 geschätzt; der Unterschied ist %4, zu erwarten sind %5 (1 Sigma).</translation>
+    </message>
+    <message>
+        <source>It agrees. %1 Cells %2 larger or smaller than in the cell model would show.</source>
+        <translation>Es stimmt überein. %1 Zellen, die um %2 größer oder kleiner sind als im Zellmodell, würden auffallen.</translation>
+    </message>
+    <message>
+        <source>It does not quite agree: measure again, and between two other cells. %1</source>
+        <translation>Es stimmt nicht ganz überein: noch einmal messen, auch zwischen zwei anderen Zellen. %1</translation>
+    </message>
+    <message>
+        <source>It contradicts the result. Check the size of the cells in the cell model, the numbering of the ports and the axes of the sensors; with fewer than three poses, take more. %1</source>
+        <translation>Es widerspricht dem Ergebnis. Die Größe der Zellen im Zellmodell, die Nummern der Ports und die Achsen der Sensoren prüfen; bei weniger als drei Posen weitere aufnehmen. %1</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::VerifyPanel</name>
@@ -6586,6 +6662,54 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Takes %1 poses that are not disabled, and there is none yet.</source>
         <translation>Braucht %1 benutzte Posen, und noch gibt es keine.</translation>
+    </message>
+    <message>
+        <source>Most probable</source>
+        <translation>Wahrscheinlichste</translation>
+    </message>
+    <message>
+        <source>Distance by caliper</source>
+        <translation>Abstand mit dem Messschieber</translation>
+    </message>
+    <message>
+        <source>Is it as large as the skin itself?</source>
+        <translation>Ist es so groß wie die Haut selbst?</translation>
+    </message>
+    <message>
+        <source>One cell</source>
+        <translation>Eine Zelle</translation>
+    </message>
+    <message>
+        <source>The other cell</source>
+        <translation>Die andere Zelle</translation>
+    </message>
+    <message>
+        <source>Measured distance</source>
+        <translation>Gemessener Abstand</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>From cell</source>
+        <translation>Von Zelle</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Not measured yet: from the middle of one cell to the middle of the other, as straight as the jaws reach.</source>
+        <translation>Noch nicht gemessen: von der Mitte der einen Zelle zur Mitte der anderen, auf geradem Weg zwischen den Schenkeln.</translation>
+    </message>
+    <message>
+        <source>Cells far apart, across the bend, tell most</source>
+        <translation>Weit entfernte Zellen, über die Biegung hinweg, sagen am meisten</translation>
     </message>
 </context>
 <context>
@@ -7150,6 +7274,30 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <source>Versions, graphics, what is open and the last lines of the log, with your home folder as ~</source>
         <translation>Versionen, Grafik, was offen ist und die letzten Zeilen des Protokolls, mit dem eigenen Ordner als ~</translation>
     </message>
+    <message>
+        <source>Take a &amp;pose again</source>
+        <translation>Eine &amp;Pose neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>The next capture takes the place of the pose that keeps the result from being better</source>
+        <translation>Die nächste Aufnahme tritt an die Stelle der Pose, deretwegen das Ergebnis nicht besser ist</translation>
+    </message>
+    <message>
+        <source>No pose has to be taken again</source>
+        <translation>Keine Pose muss neu aufgenommen werden</translation>
+    </message>
+    <message>
+        <source>Don&apos;t take &amp;pose %1 again</source>
+        <translation>&amp;Pose %1 nicht neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>Take &amp;pose %1 again</source>
+        <translation>&amp;Pose %1 neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>Correct the address…</source>
+        <translation>Adresse berichtigen…</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::Words</name>
@@ -7379,6 +7527,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>The window needs a display, and none can be reached: set DISPLAY, or use hexoderm-cli.</source>
         <translation>Das Fenster braucht einen Bildschirm, und keiner ist zu erreichen: DISPLAY setzen oder hexoderm-cli verwenden.</translation>
+    </message>
+    <message>
+        <source>The robot took %1 of %2 poses, and stopped.</source>
+        <translation>Der Roboter hat %1 von %2 Posen aufgenommen und dann aufgehört.</translation>
     </message>
 </context>
 </TS>

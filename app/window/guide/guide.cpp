@@ -7,6 +7,7 @@
 #include "widgets/words/words.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <algorithm>
 
 namespace hexoderm {
@@ -20,6 +21,7 @@ QAction* bestAction(const SessionController& controller, const WindowActions& ac
   if (controller.isEmpty()) return actions.demo;
   const Reconstruction* result = controller.reconstruction().get();
   if (controller.poseGuide().isRobotOn()) return actions.robot;
+  if (actions.retake->isEnabled()) return actions.retake;
   if (controller.poseGuide().wantsMorePoses())
     return controller.liveSession().canTurn() ? actions.robot : actions.show_next_pose;
   if (!result || (controller.session() && !result->assessment.isUsable())) return actions.connect_skin;
@@ -47,11 +49,14 @@ bool isAwaited(const SessionController& controller) {
   return controller.liveSession().isLive() &&
          controller.liveSession().source().status().state == SourceState::Streaming && !hasReadings(controller);
 }
-/// A skin that sent and does not any more, though its stream has not ended: nothing goes on until it sends again.
+/// A skin that does not send, though it has said which cells it has and its stream has not ended: nothing goes on until
+/// it sends again.
 bool fellSilent(const SessionController& controller) {
   const SourceState state = controller.liveSession().source().status().state;
-  return controller.liveSession().isLive() && hasReadings(controller) && state != SourceState::Streaming &&
-         state != SourceState::Ended;
+  if (!controller.liveSession().isLive() || state == SourceState::Streaming || state == SourceState::Ended)
+    return false;
+  // One that has just connected is waited for.
+  return hasReadings(controller) || state == SourceState::Silent || state == SourceState::Incompatible;
 }
 QString noPose() { return Guide::tr("No pose has been captured yet."); }
 
@@ -60,12 +65,18 @@ void say(Step& step, Readiness readiness, const QString& because) {
   step.because = because;
 }
 
+/// There is a session, and no result of it will come.
+bool hasFailed(const SessionController& controller) {
+  return controller.session() && !controller.reconstruction() && !controller.isSolving();
+}
+
 /// A result that comes by itself is waited for; everything else blocks.
 void sayNoResult(Step& step, const SessionController& controller) {
-  if (controller.isEmpty()) {
+  const QString awaited = describeAwaited(controller);
+  if (awaited.isEmpty()) {
     say(step, Readiness::Blocked, Guide::tr("There is no skin yet."));
   } else {
-    say(step, Readiness::Waiting, Guide::tr("The placements are being worked out."));
+    say(step, hasFailed(controller) ? Readiness::Blocked : Readiness::Waiting, awaited);
   }
 }
 
@@ -83,6 +94,9 @@ Step connectStep(const SessionController& controller, const WindowActions& actio
   step.title = Guide::tr("Connect");
   step.actions = {actions.demo, actions.connect_skin, actions.open};
   if (controller.liveSession().source().isRunning()) step.actions = {actions.disconnect_skin};
+  if (controller.liveSession().source().isRunning() && !controller.liveSession().isLive()) {
+    step.actions.push_back(actions.connect_skin);
+  }
   if (controller.liveSession().source().isRunning() && !controller.liveSession().isLive()) {
     step.state = StepState::Current;
     step.note = controller.liveSession().source().address();
@@ -134,7 +148,7 @@ Step checkStep(const SessionController& controller, const WindowActions& actions
   const Reconstruction* result = controller.reconstruction().get();
   if (!result) {
     step.why = Guide::tr("Waits for a skin.");
-    say(step, Readiness::Blocked, Guide::tr("There is no skin yet."));
+    sayNoResult(step, controller);
     return step;
   }
   step.note = words(sizeInWords(*result));
@@ -183,7 +197,13 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
   } else {
     sayOf(step, *actions.capture, Guide::tr("The skin sends."));
   }
-  if (controller.liveSession().isLive()) return step;
+  if (controller.liveSession().isLive()) {
+    if (controller.indexToRetake()) {
+      step.what = words(result->assessment.next_action);
+      step.actions.insert(step.actions.begin(), actions.retake);
+    }
+    return step;
+  }
   if (result && step.state == StepState::Current) step.what = words(result->assessment.next_action);
   step.why = Guide::tr(
       "Gravity seen from several directions tells how every cell is turned against its neighbours. No skin is "
@@ -274,13 +294,28 @@ QString robotInWords(const SessionController& controller) {
 
 }  // namespace
 
+QString describeAwaited(const SessionController& controller) {
+  if (controller.reconstruction()) return {};
+  if (hasFailed(controller)) return Guide::tr("The placements could not be worked out: see the log.");
+  if (controller.session()) {
+    const int cells = static_cast<int>(controller.session()->neighbors().size());
+    return cells == 1 ? Guide::tr("The placement of the cell is being worked out…")
+                      : Guide::tr("The placements of %1 cells are being worked out…").arg(QLocale().toString(cells));
+  }
+  if (!controller.work().activity().isEmpty()) return Guide::tr("%1…").arg(controller.work().activity());
+  const LiveSource& source = controller.liveSession().source();
+  if (source.isRunning() && !isOver(source)) return Guide::tr("Waiting for the skin at %1.").arg(source.address());
+  return {};
+}
+
 Banner::Content describeStand(const SessionController& controller, const WindowActions& actions) {
   Banner::Content content;
   content.action = bestAction(controller, actions);
   if (controller.liveSession().source().isRunning() && !controller.liveSession().isLive()) {
-    content.action = actions.disconnect_skin;
-    const QString sentence = isOver(controller.liveSession().source()) ? Guide::tr("No skin came from %1.")
-                                                                       : Guide::tr("Waiting for the skin at %1.");
+    // The strip below says what is tried, counts down to the next try, and can give it up.
+    const bool is_over = isOver(controller.liveSession().source());
+    content.action = is_over ? actions.disconnect_skin : actions.connect_skin;
+    const QString sentence = is_over ? Guide::tr("No skin came from %1.") : Guide::tr("Waiting for the skin at %1.");
     content.sentence = sentence.arg(controller.liveSession().source().address());
   } else if (fellSilent(controller)) {
     // For how long, and what the source does about it, says the strip below.
@@ -298,10 +333,9 @@ Banner::Content describeStand(const SessionController& controller, const WindowA
   } else if (const Reconstruction* result = controller.reconstruction().get()) {
     content.tone = toneOf(result->assessment.level);
     content.sentence = words(result->assessment.reason);
-  } else if (!controller.isEmpty()) {
-    content.sentence = Guide::tr("The placements are being worked out…");
-  } else if (!controller.work().activity().isEmpty()) {
-    content.sentence = Guide::tr("%1…").arg(controller.work().activity());
+  } else if (const QString awaited = describeAwaited(controller); !awaited.isEmpty()) {
+    content.tone = hasFailed(controller) ? Tone::Bad : Tone::Neutral;
+    content.sentence = awaited;
   } else {
     content.sentence = Guide::tr("No skin yet: start the demo, connect to a skin, or open a session or a calibration.");
   }

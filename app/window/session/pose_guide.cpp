@@ -59,10 +59,13 @@ void PoseGuide::turnTo(const Eigen::Vector3d& up_o) {
 
 void PoseGuide::skipPose() { live_session_.course().skipPose(); }
 
-void PoseGuide::setRobot(bool on) {
+void PoseGuide::setRobot(bool on) { startRobot(on, 0); }
+void PoseGuide::letRobotTake(std::size_t poses) { startRobot(true, poses); }
+
+void PoseGuide::startRobot(bool on, std::size_t poses) {
   on = on && live_session_.canTurn();
   if (on) live_session_.setAutomatic(true);
-  live_session_.course().setRobot(on);
+  live_session_.course().setRobot(on, poses);
   emit changed();
 }
 

@@ -36,6 +36,8 @@ class PoseGuide : public QObject {
   /// The part can't be brought there: advises the next best pose.
   void skipPose();
   void setRobot(bool on);
+  /// The same until the session has so many poses, whether they are wanted or not.
+  void letRobotTake(std::size_t poses);
 
  signals:
   void changed();
@@ -43,6 +45,7 @@ class PoseGuide : public QObject {
   void nextPoseChanged();
 
  private:
+  void startRobot(bool on, std::size_t poses);
   void hear(const CourseEvent& event);
   void advise(const AdviceQuestion& question);
 

@@ -111,7 +111,10 @@ struct CaptureCourseOptions {
 ///
 /// A pose counts as captured once it is on disk (PoseKept), or at once where the operator knowingly works without a
 /// file. Poses are labelled by the origin cell of the first result of the skin, so that their labels do not depend on
-/// how fast results follow.
+/// how fast results follow. They are numbered by the session, whatever number the recorder gave them; one that is
+/// recaptured keeps its number, by which the operator knows it, and is not said to repeat the pose that it replaces.
+/// Only where that pose still waits for the file it gets a number of its own, so that the file's answers can be told
+/// apart.
 ///
 /// A device that turns itself (setRobot()) is asked to as soon as the last pose is on disk, the result is that of the
 /// session as it is, and the advice for it is there. It is not asked before the first pose, which is taken where the
@@ -181,8 +184,9 @@ class CaptureCourse {
 
   /// The device can be asked to turn itself.
   [[nodiscard]] bool canTurn() const { return isOn() && can_turn_; }
-  /// The device turns itself from pose to pose until there are enough. Ignored if it can't.
-  void setRobot(bool on);
+  /// The device turns itself from pose to pose until the session has `poses`, or with 0 until there are enough, as the
+  /// options or the assessment say. Ignored if it can't.
+  void setRobot(bool on, std::size_t poses = 0);
   [[nodiscard]] bool isRobotOn() const { return robot_; }
   /// Asks the device to turn to the next pose.
   void turnToNextPose();
@@ -190,9 +194,12 @@ class CaptureCourse {
   void turnTo(const Eigen::Vector3d& up_o);
   /// The device's answer.
   void setOutcome(const CommandOutcome& outcome);
+  /// Whether the device sends. One that does not is asked for nothing, and what it leaves undone is no refusal; once it
+  /// sends again, the robot's run goes on.
+  void setSending(bool sends);
 
-  /// Another pose would help, as the result's assessment says; or the number that the options ask for is not reached
-  /// yet.
+  /// Another pose would help, as the result's assessment says; or the number that the robot was given, or that the
+  /// options ask for, is not reached yet.
   [[nodiscard]] bool wantsMorePoses() const;
   /// The robot, or the number of poses in the options, came to its end, and all poses are on disk; or the file was
   /// given up.
@@ -201,8 +208,11 @@ class CaptureCourse {
  private:
   void keep(std::map<PoseId, CapturedPose>::iterator waiting, KeptIn where, const Message& without_raw);
   void replaceSkin(const SkinDescription& skin, const SkinChanged& changed);
-  [[nodiscard]] std::shared_ptr<const PoseCapture> labelled(const std::shared_ptr<const PoseCapture>& pose) const;
+  [[nodiscard]] std::shared_ptr<const PoseCapture> named(const std::shared_ptr<const PoseCapture>& pose,
+                                                         PoseId id) const;
   [[nodiscard]] std::optional<std::size_t> indexOf(PoseId pose) const;
+  /// The number of poses that somebody asked for; 0: nobody did, and the assessment says when there are enough.
+  [[nodiscard]] std::size_t numberAskedFor() const;
   void askForAdvice();
   void sendTurn(const Eigen::Vector3d& up_o);
   /// There are poses, all are on disk, and the result is that of the session as it is.
@@ -233,6 +243,8 @@ class CaptureCourse {
   std::uint64_t advice_answered_ = 0;  ///< the question that next_pose_ is from
   std::vector<Eigen::Vector3d> unreachable_;
   bool robot_ = false;
+  bool is_sending_ = true;
+  std::size_t robot_poses_ = 0;   ///< the number that the robot was given; 0: none
   std::uint32_t asked_turn_ = 0;  ///< the command whose refusal counts; 0: none
   Eigen::Vector3d asked_up_ = Eigen::Vector3d::Zero();
   std::size_t refusals_ = 0;

@@ -29,7 +29,7 @@ struct SkinDescription {
 /// State of a source. From Connecting on, every state can follow every other while the source runs.
 enum class SourceState {
   Stopped,
-  Connecting,  ///< also while it waits before the next try; the text says for how long
+  Connecting,  ///< also while it waits before the next try; the text counts the seconds down
   Waiting,     ///< connected; the device has not described itself yet
   Streaming,
   Silent,        ///< connected, but nothing came for a while
@@ -101,7 +101,7 @@ class SkinListener {
   /// started over, which the state before it tells (Connecting) or which happens without notice if a device restarts on
   /// its own. Frames of the same time have no cell in common.
   virtual void onFrame(const SampleFrame& frame) = 0;
-  /// On every change of state, and about twice a second while counters change.
+  /// On every change of state or text, and about twice a second while counters change.
   virtual void onStatus(const SourceStatus& status) = 0;
   virtual void onCommandOutcome(const CommandOutcome& outcome) = 0;
   /// Whenever the device says so, in its place among the frames. Not every device does.

@@ -252,7 +252,9 @@ TEST_F(MainWindowTest, APoseIsTakenAgainInItsPlaceAndUndoBringsTheOldOneBack) {
   ASSERT_TRUE(waitUntil([&] { return controller().session()->poses()[0].capture != first; }));
   ASSERT_TRUE(waitForPoses(2));
   EXPECT_EQ(controller().liveSession().recapturing(), std::nullopt);
-  EXPECT_EQ(controller().session()->poses()[0].capture->id, PoseId(3));
+  EXPECT_EQ(controller().session()->poses()[0].capture->id, PoseId(1)) << "it keeps its number";
+  ASSERT_TRUE(waitForMessage("Pose 1 captured")) << message().toStdString();
+  EXPECT_FALSE(message().contains("repeats pose 1")) << message().toStdString();
   press(Qt::Key_Z, Qt::ControlModifier);
   ASSERT_TRUE(waitForPoses(2));
   EXPECT_EQ(controller().session()->poses()[0].capture, first);

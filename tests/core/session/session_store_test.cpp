@@ -152,7 +152,7 @@ TEST_F(SessionStoreTest, APoseThatWasRemovedBeforeTheFileWasMadeComesBackAllTheS
   EXPECT_EQ(kinds(store).back(), "restore");
 }
 
-TEST_F(SessionStoreTest, OfPosesWithOneNumberTheLastRemovedIsRestored) {
+TEST_F(SessionStoreTest, OfPosesWithOneNumberTheOneWithTheseReadingsIsRestored) {
   SessionStore store = SessionStore::create(path_, Session(builtInCellModel("hex-bma150"), {}));
   const AddPose first = capture(7, 0.25);
   const AddPose second = capture(7, 0.5);
@@ -164,6 +164,25 @@ TEST_F(SessionStoreTest, OfPosesWithOneNumberTheLastRemovedIsRestored) {
   expectSamePose(store.readSession().poses()[0], second.pose);
   appendOne(store, RestorePose{first.pose, 0});
   expectSamePose(readSessionStore(path_).poses()[0], first.pose);
+}
+
+TEST_F(SessionStoreTest, UndoOfARecaptureThatKeepsTheNumberBringsTheOldReadingsBack) {
+  SessionStore store = SessionStore::create(path_, Session(builtInCellModel("hex-bma150"), {}));
+  const AddPose before = capture(2, 0.25);
+  AddPose again = capture(2, 0.5);
+  again.index = 0;
+  appendOne(store, before);
+  appendOne(store, RemovePose{0});
+  appendOne(store, again);
+  for (int k = 0; k < 2; ++k) {
+    appendOne(store, RemovePose{0});
+    appendOne(store, RestorePose{before.pose, 0});
+    expectSamePose(readSessionStore(path_).poses()[0], before.pose);
+    appendOne(store, RemovePose{0});
+    appendOne(store, RestorePose{again.pose, 0});
+    expectSamePose(readSessionStore(path_).poses()[0], again.pose);
+  }
+  EXPECT_EQ(std::ranges::count(kinds(store), "capture"), 2) << "the file has every reading once";
 }
 
 TEST_F(SessionStoreTest, KeepsWhatWasDisabledAndWhy) {

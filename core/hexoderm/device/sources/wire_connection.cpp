@@ -3,6 +3,7 @@
 #include "hexoderm/util/text.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hexoderm {
 namespace {
@@ -17,6 +18,14 @@ constexpr std::size_t kMaxPending = 256;
 Seconds seconds(std::chrono::steady_clock::duration duration) {
   const double value_s = std::chrono::duration<double>(duration).count();
   return {value_s, value_s < 1 ? 2 : 1};
+}
+
+/// What is left of a wait, rounded up to whole seconds, so that it can be read as it counts down. A wait of less than a
+/// second is told in one piece.
+Seconds leftOf(std::chrono::steady_clock::duration wait, std::chrono::steady_clock::duration left) {
+  constexpr std::chrono::seconds kStep(1);
+  if (wait < kStep) return seconds(wait);
+  return {std::max(1.0, std::ceil(std::chrono::duration<double>(left).count())), 0};
 }
 
 skinwire::Request requestOf(const SkinCommand& command) {
@@ -159,13 +168,13 @@ void WireConnection::reportOpen(Clock::time_point now) {
   const Clock::duration quiet = now - alive_;
   if (quiet >= options_.silent_after) {
     // If something arrives and is broken, that is the better explanation.
+    const Seconds left = leftOf(options_.reconnect_after, options_.reconnect_after - quiet);
     const bool garbage = stream_.rejectedMessages() > rejected_when_alive_;
     stream_.report(
         SourceState::Silent,
-        named(garbage ? message("only broken messages ({}) for {}; reconnecting after {}", stream_.lastRejection(),
-                                seconds(options_.silent_after), seconds(options_.reconnect_after))
-                      : message("nothing came for {}; reconnecting after {}", seconds(options_.silent_after),
-                                seconds(options_.reconnect_after))),
+        named(garbage ? message("only broken messages ({}) for {}; reconnecting in {}", stream_.lastRejection(),
+                                seconds(options_.silent_after), left)
+                      : message("nothing came for {}; reconnecting in {}", seconds(options_.silent_after), left)),
         now);
   } else if (!stream_.isDescribed()) {
     Message waiting = message("connected to the device, {}", stream_.whatIsMissing());
@@ -180,12 +189,21 @@ void WireConnection::reportOpen(Clock::time_point now) {
 void WireConnection::retryLater(const Message& why) {
   drop();
   const Clock::time_point now = Clock::now();
-  retry_at_ = now + retry_;
-  stream_.report(SourceState::Connecting, named(message("{}; next try in {}", why, seconds(retry_))), now);
+  why_retry_ = why;
+  wait_ = retry_;
+  retry_at_ = now + wait_;
+  reportWait(now);
   retry_ = std::min<Clock::duration>(2 * retry_, options_.longest_retry);
   for (; !pending_.empty();) fail(pending_.begin()->first, message("the connection was lost"));
   // A short wait must not be lengthened by the tick.
   scheduleTick();
+}
+
+void WireConnection::reportWait(Clock::time_point now) {
+  stream_.report(SourceState::Connecting,
+                 named(phase_ == Phase::Idle ? message("{}; next try in {}", why_retry_, leftOf(wait_, retry_at_ - now))
+                                             : message("{}; trying again", why_retry_)),
+                 now);
 }
 
 void WireConnection::scheduleTick() {
@@ -204,10 +222,12 @@ void WireConnection::onTick() {
       connect();
     } else if (phase_ == Phase::Opening && now - since_ >= options_.reconnect_after) {
       retryLater(message("no answer for {}", seconds(options_.reconnect_after)));
-    } else if (phase_ == Phase::Open && now - alive_ >= options_.reconnect_after) {
+    } else if (phase_ != Phase::Open) {
+      if (!why_retry_.empty()) reportWait(now);
+    } else if (now - alive_ >= options_.reconnect_after) {
       reportOpen(now);
       retryLater(message("nothing came for {}", seconds(options_.reconnect_after)));
-    } else if (phase_ == Phase::Open) {
+    } else {
       stream_.noteOnce(decoder_.complaintOfWaiting());
       askIfNeeded(now);
       reportOpen(now);

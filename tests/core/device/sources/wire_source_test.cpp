@@ -336,6 +336,32 @@ TEST(WireSource, WaitsLongerAndLongerForADeviceThatIsNotThere) {
   EXPECT_EQ(listener.delivered().status().state, SourceState::Stopped);
 }
 
+TEST(WireSource, CountsTheSecondsToTheNextTryDown) {
+  const AbsentTcpDevice device;
+  CollectingListener listener;
+  WireOptions options = quick();
+  options.first_retry = options.longest_retry = std::chrono::seconds(3);
+  WireSource source(device.address(), options);
+  source.start(listener);
+  for (const char* left : {"3 s", "2 s", "1 s"}) {
+    ASSERT_TRUE(listener.waitFor(status(SourceState::Connecting, std::string("next try in ") + left))) << left;
+  }
+}
+
+TEST(WireSource, CountsTheSecondsOfSilenceDownToTheNextConnection) {
+  TcpDevice device;
+  CollectingListener listener;
+  WireOptions options = quick();
+  options.reconnect_after = std::chrono::seconds(3);
+  WireSource source(device.address(), options);
+  source.start(listener);
+  DeviceConnection silent = device.accept();
+  describe(silent);
+  for (const char* left : {"3 s", "2 s", "1 s"}) {
+    ASSERT_TRUE(listener.waitFor(status(SourceState::Silent, std::string("reconnecting in ") + left))) << left;
+  }
+}
+
 std::size_t openDescriptors() {
   return static_cast<std::size_t>(
       std::distance(std::filesystem::directory_iterator("/proc/self/fd"), std::filesystem::directory_iterator()));
