@@ -974,10 +974,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Eines je Zelle</translation>
     </message>
     <message>
-        <source>One for each patch (lighter in RViz)</source>
-        <translation>Eines je Hautstück (leichter in RViz)</translation>
-    </message>
-    <message>
         <source>Robot</source>
         <translation>Roboter</translation>
     </message>
@@ -1388,10 +1384,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Von dieser Haut kommt nichts mehr. Die Posen bleiben; für weitere mit einer Haut verbinden.</translation>
     </message>
     <message>
-        <source>The placements are being worked out…</source>
-        <translation>Die Lagen werden berechnet…</translation>
-    </message>
-    <message>
         <source>%1…</source>
         <translation>%1…</translation>
     </message>
@@ -1478,10 +1470,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>%1 is taking pose %2.</source>
         <translation>%1 nimmt Pose %2 auf.</translation>
-    </message>
-    <message>
-        <source>The placements are being worked out.</source>
-        <translation>Die Lagen werden berechnet.</translation>
     </message>
     <message>
         <source>The skin has said which cells it has.</source>
@@ -2134,14 +2122,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>die Verbindung wurde geschlossen</translation>
     </message>
     <message>
-        <source>only broken messages ({}) for {}; reconnecting after {}</source>
-        <translation>seit {1} nur kaputte Nachrichten ({0}); neue Verbindung nach {2}</translation>
-    </message>
-    <message>
-        <source>nothing came for {}; reconnecting after {}</source>
-        <translation>seit {} kam nichts; neue Verbindung nach {}</translation>
-    </message>
-    <message>
         <source>connected to the device, {}</source>
         <translation>mit dem Gerät verbunden, {}</translation>
     </message>
@@ -2292,10 +2272,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>everything about the cells and sensors for ParaView and VTK, lossless</source>
         <translation>alles über Zellen und Sensoren für ParaView und VTK, verlustfrei</translation>
-    </message>
-    <message>
-        <source>links for every cell and sensor, or for every patch, for ROS</source>
-        <translation>Glieder für jede Zelle und jeden Sensor oder für jedes Hautstück, für ROS</translation>
     </message>
     <message>
         <source>there are no cells, and so nothing to draw in a {} file: export csv, dot, vtp or urdf instead</source>

@@ -132,7 +132,12 @@ void DemoByKeys::capturePoses() {
   ASSERT_TRUE(waitUntilIdle());
   ASSERT_GE(posesShown(), 3U);
   // One more than the result asks for, so that one can be held out later.
-  ASSERT_NO_FATAL_FAILURE(captureByButtons(posesShown() + 1));
+  const std::size_t enough = posesShown();
+  key(Qt::Key_T);
+  ASSERT_TRUE(waitUntil([this] { return isStillAndNew(); })) << text("captureWait").toStdString();
+  ASSERT_NO_FATAL_FAILURE(tabTo("captureNow"));
+  key(Qt::Key_Space);
+  ASSERT_TRUE(waitForPoses(enough + 1)) << text("captureWait").toStdString();
   ASSERT_NO_FATAL_FAILURE(tabTo("captureAutomatic"));
   key(Qt::Key_Space);
   EXPECT_FALSE(controller().liveSession().isAutomatic());

@@ -354,9 +354,7 @@ std::span<const Eigen::Vector3d> JointRefinement::forcesAt(std::size_t cell) con
   return sensors_[localOf(cell)].v_g;
 }
 
-SensorEvidence JointRefinement::sensorEvidence() const {
-  return evidenceOfPatch(*problem_, solution_.state, sensors_);
-}
+SensorEvidence JointRefinement::sensorEvidence() const { return evidenceOfPatch(*problem_, solution_.state, sensors_); }
 
 Eigen::Matrix3d JointRefinement::linkCovariance(std::size_t link_index) const {
   const auto at = static_cast<std::size_t>(std::ranges::lower_bound(links_, link_index) - links_.begin());

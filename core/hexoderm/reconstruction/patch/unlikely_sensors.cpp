@@ -60,14 +60,15 @@ class ErrorsOfKind {
 MessageArgument asPercent(double sigma) { return Number{100 * sigma, 1}; }
 
 Message describe(SensorError kind, std::size_t cells, double sigma, const Accelerometer& model) {
-  const Message what_to_do =
-      message("Other chips are on the skin than the model is about, or it is too sure of them: the estimate and its "
-              "uncertainty suffer. Estimate the sigmas (hexoderm-cli sensors) and use the cell model that comes out.");
+  const Message what_to_do = message(
+      "Other chips are on the skin than the model is about, or it is too sure of them: the estimate and its "
+      "uncertainty suffer. Estimate the sigmas (hexoderm-cli sensors) and use the cell model that comes out.");
   switch (kind) {
     case SensorError::Offset:
-      return inRow({message("The offsets of {} accelerometers spread by about {} (1 sigma), and the cell model says {}.",
-                            cells, MilliG{sigma}, MilliG{model.offset_sigma_g}),
-                    what_to_do});
+      return inRow(
+          {message("The offsets of {} accelerometers spread by about {} (1 sigma), and the cell model says {}.", cells,
+                   MilliG{sigma}, MilliG{model.offset_sigma_g}),
+           what_to_do});
     case SensorError::Scale:
       return inRow({message("The scale errors of {} accelerometers spread by about {} % (1 sigma), and the cell model "
                             "says {} %.",
@@ -76,10 +77,11 @@ Message describe(SensorError kind, std::size_t cells, double sigma, const Accele
     case SensorError::CrossAxis:
       break;
   }
-  return inRow({message("The cross-axis sensitivities of {} accelerometers spread by about {} % (1 sigma), and the cell "
-                        "model says {} %.",
-                        cells, asPercent(sigma), asPercent(model.cross_axis_sigma)),
-                what_to_do});
+  return inRow(
+      {message("The cross-axis sensitivities of {} accelerometers spread by about {} % (1 sigma), and the cell "
+               "model says {} %.",
+               cells, asPercent(sigma), asPercent(model.cross_axis_sigma)),
+       what_to_do});
 }
 
 }  // namespace
@@ -93,7 +95,8 @@ void nameUnlikelySensors(const SkinLinks& skin, std::span<const PatchSolver> pat
       const std::span<const CellReading> readings = patch.joint()->readingsOf(cell);
       if (readings.size() < 2) continue;
       const WeighedEvidence sensor = weigh(ownEvidence(readings, patch.joint()->forcesAt(cell)), prior);
-      for (std::size_t kind = 0; kind < kSensorErrors; ++kind) kinds.at(kind).add(sensor, static_cast<SensorError>(kind));
+      for (std::size_t kind = 0; kind < kSensorErrors; ++kind)
+        kinds.at(kind).add(sensor, static_cast<SensorError>(kind));
     }
   }
   // Errors of one kind that are too large spill over into the others where poses are few: the clearest is named.
