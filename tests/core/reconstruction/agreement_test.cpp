@@ -105,6 +105,16 @@ void expectAgreement(const Session& session, const Reconstruction& r) {
     EXPECT_EQ(worstFinding(r), nullptr);
     EXPECT_EQ(a.remedy, Remedy::Nothing);
   }
+  if (r.cellCount() > 1 && std::ranges::any_of(r.poses, &PoseSummary::enabled)) {
+    std::size_t measured = 0;
+    std::size_t alone = 0;
+    for (const PatchReconstruction& patch : r.patches) {
+      measured +=
+          static_cast<std::size_t>(std::ranges::count(patch.cells, PlacedBy::Samples, &CellPlacement::placed_by));
+      if (patch.cells.size() == 1) ++alone;
+    }
+    EXPECT_EQ(a.level == VerdictLevel::Failed, 2 * alone > r.cellCount() || 2 * measured < r.cellCount()) << reason;
+  }
   if (!a.isUsable()) {
     EXPECT_NE(a.remedy, Remedy::Nothing) << "what is of no use is not to be exported";
   }
