@@ -4554,6 +4554,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>no link joins the patches of cells {} and {}: their distance is not known</source>
         <translation>keine Verbindung verbindet die Hautstücke der Zellen {} und {}: Ihr Abstand ist nicht bekannt</translation>
     </message>
+    <message>
+        <source>Look for the missing link, or export patch by patch.</source>
+        <translation>Nach der fehlenden Verbindung suchen oder Hautstück für Hautstück exportieren.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>

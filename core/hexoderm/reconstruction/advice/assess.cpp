@@ -219,7 +219,9 @@ class Assessor {
         result_.next_action = message("Look at the findings and check the links between the cells.");
         return;
       case Remedy::Nothing:
-        result_.next_action = finding_ != nullptr ? message("Look at the findings, then export.") : message("Export.");
+        result_.next_action = finding_ != nullptr     ? message("Look at the findings, then export.")
+                              : r_.patches.size() > 1 ? message("Look for the missing link, or export patch by patch.")
+                                                      : message("Export.");
     }
   }
 
