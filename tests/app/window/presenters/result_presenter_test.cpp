@@ -59,15 +59,15 @@ TEST_F(ResultPresenterTest, UntilThereIsAResultEveryViewSaysWhatIsGoingOn) {
   writeSessionStore(simulateSession(skin, 2, 20), path.toStdString());
   const auto said = [this] {
     window_->showChanges();
-    QStringList said = {labelText("bannerSentence"), window_->findChild<GraphView*>()->accessibleDescription(),
+    QStringList texts = {labelText("bannerSentence"), window_->findChild<GraphView*>()->accessibleDescription(),
                         window_->findChild<PatchCaptions*>()->accessibleName()};
     for (const char* table : {"poseView", "findingView", "linkView", "cellView"}) {
       const auto* pages = qobject_cast<QStackedWidget*>(find<QTableView>(table)->parentWidget());
       const auto* hint = pages ? qobject_cast<QLabel*>(pages->currentWidget()) : nullptr;
-      said << (hint ? hint->text() : QString());
+      texts << (hint ? hint->text() : QString());
     }
-    said.removeDuplicates();
-    return said;
+    texts.removeDuplicates();
+    return texts;
   };
   EXPECT_GT(said().size(), 1) << "each has a hint of its own";
   QStringList while_solving;
