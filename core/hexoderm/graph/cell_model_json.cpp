@@ -37,8 +37,8 @@ void addPlacement(const SE3& T_u, nlohmann::ordered_json& json) {
 }
 
 Accelerometer readAccelerometer(const JsonReader& json) {
-  json.requireKeys({"range_g", "lsb_g", "rate_hz", "noise_g_per_sqrt_hz", "offset_sigma_g",
-                    "shared_offset_sigma_g", "scale_sigma", "cross_axis_sigma", "t_u_m", "q_u_wxyz", kExactRotation});
+  json.requireKeys({"range_g", "lsb_g", "rate_hz", "noise_g_per_sqrt_hz", "offset_sigma_g", "shared_offset_sigma_g",
+                    "scale_sigma", "cross_axis_sigma", "t_u_m", "q_u_wxyz", kExactRotation});
   Accelerometer a;
   a.range_g = json.at("range_g").positiveNumber();
   a.lsb_g = json.at("lsb_g").nonNegativeNumber();

@@ -21,8 +21,8 @@ struct SensorStatistics {
   std::size_t readings = 0;    ///< of these, mean readings of a pose
   int rounds = 0;
   bool settled = false;  ///< another round would change no sigma by more than a hundredth
-  /// Sessions (indices, in ascending order) that have the same cells and links. If they are of the same skin its sensors
-  /// count twice, and the ranges are too narrow for that.
+  /// Sessions (indices, in ascending order) that have the same cells and links. If they are of the same skin its
+  /// sensors count twice, and the ranges are too narrow for that.
   std::vector<std::pair<std::size_t, std::size_t>> same_cells;
 
   /// Something is known of any sigma.
@@ -33,10 +33,10 @@ struct SensorStatistics {
 /// per cent, and time grows with their cube.
 inline constexpr std::size_t kMostCellsForSensors = 60;
 
-/// Estimates the sigmas of the sensors' errors from sessions with one cell model: solves them, takes from each patch what
-/// its readings say about its sensors, all else being as uncertain as it is (evidenceOfPatch()), finds the most likely
-/// sigmas (estimateSensorSigmas()), and solves again with these, until they settle: the model's sigmas decide what the
-/// solver takes for a broken sensor, and where all is linear.
+/// Estimates the sigmas of the sensors' errors from sessions with one cell model: solves them, takes from each patch
+/// what its readings say about its sensors, all else being as uncertain as it is (evidenceOfPatch()), finds the most
+/// likely sigmas (estimateSensorSigmas()), and solves again with these, until they settle: the model's sigmas decide
+/// what the solver takes for a broken sensor, and where all is linear.
 ///
 /// Null if `stop` was requested. Throws InvalidArgument without a session, and for sessions whose cell models differ.
 std::optional<SensorStatistics> estimateSensorStatistics(

@@ -83,9 +83,8 @@ const auto& table() {
       FindingDescription{
           InconsistentSensor, "inconsistent-sensor", Severity::Error,
           message("A cell's readings fit no position of the cell in the patch; the cell is placed through its links.")},
-      FindingDescription{
-          IdenticalReadings, "identical-readings", Severity::Error,
-          message("Cells report the same readings, bit for bit; they are placed through their links.")},
+      FindingDescription{IdenticalReadings, "identical-readings", Severity::Error,
+                         message("Cells report the same readings, bit for bit; they are placed through their links.")},
       FindingDescription{
           SwappedReadings, "swapped-readings", Severity::Error,
           message("Two neighbours fit with each other's readings; they are placed through their links.")},

@@ -1,4 +1,5 @@
-// Sigmas of sensors from whole sessions of simulated skins, whose sigmas are known, and skins that contradict their model.
+// Sigmas of sensors from whole sessions of simulated skins, whose sigmas are known, and skins that contradict their
+// model.
 
 #include "hexoderm/reconstruction/sensor_statistics.h"
 
@@ -98,7 +99,8 @@ TEST(SensorStatistics, KnownSigmasLieInTheirRanges) {
 TEST(SensorStatistics, SeveralSkinsNarrowTheRanges) {
   const CellModel model = builtInCellModel("hex-bma150");
   Snapshots sessions;
-  for (std::uint64_t seed = 1; seed <= 4; ++seed) sessions.push_back(simulate(model, model, {.patch = "ring8", .seed = seed}));
+  for (std::uint64_t seed = 1; seed <= 4; ++seed)
+    sessions.push_back(simulate(model, model, {.patch = "ring8", .seed = seed}));
   const auto one = estimateSensorStatistics(Snapshots{sessions.front()});
   const auto all = estimateSensorStatistics(sessions);
   ASSERT_EQ(all->sigmas.offset_g.knowledge, SigmaKnowledge::Measured);
@@ -152,8 +154,7 @@ TEST(SensorStatistics, OnePoseTellsNothingAndTwoNothingOfTheAxes) {
 
 TEST(SensorStatistics, TheModelIsTheSessionsWithOtherSigmasAndReadsBack) {
   const CellModel model = builtInCellModel("hex-bma150");
-  const auto statistics =
-      estimateSensorStatistics(Snapshots{simulate(modelWith(0.03, 0.02, 0.01, 0.01), model, {})});
+  const auto statistics = estimateSensorStatistics(Snapshots{simulate(modelWith(0.03, 0.02, 0.01, 0.01), model, {})});
   const CellModel back = cellModelFromJson(cellModelToJson(statistics->model), "chip.json");
   EXPECT_EQ(cellModelToJson(back), cellModelToJson(statistics->model));
   EXPECT_EQ(back.accelerometer.offset_sigma_g, statistics->sigmas.offset_g.sigma);

@@ -102,7 +102,7 @@ struct SimulatedSkinOptions {
   std::vector<LinkFault> link_faults;
   std::vector<WholeSkinFault> whole_skin_faults;
   std::size_t reglued_before = 2;  ///< recordings before the one that Reglued cells turn in front of
-  double joint_angle_rad = 0;  ///< 20 degrees; positive bends the part's front outwards, as around a cylinder
+  double joint_angle_rad = 0;      ///< 20 degrees; positive bends the part's front outwards, as around a cylinder
 
   SimulatedSkinOptions();
   /// Throws InvalidArgument naming the option.

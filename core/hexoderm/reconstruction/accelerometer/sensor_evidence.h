@@ -27,9 +27,9 @@ struct SensorEvidence {
   [[nodiscard]] std::size_t sensors() const { return static_cast<std::size_t>(weighted.size() / kSensorParameters); }
 };
 
-/// The same, under a prior of covariance L (diagonal): `precision` = (M^-1 + L)^-1, the inverse covariance that the most
-/// likely errors have about 0, and `weighted`, that times these errors. With the posterior mean m and covariance C of
-/// the errors, weighted = L^-1 m and precision = L^-1 (L - C) L^-1.
+/// The same, under a prior of covariance L (diagonal): `precision` = (M^-1 + L)^-1, the inverse covariance that the
+/// most likely errors have about 0, and `weighted`, that times these errors. With the posterior mean m and covariance C
+/// of the errors, weighted = L^-1 m and precision = L^-1 (L - C) L^-1.
 struct WeighedEvidence {
   Eigen::MatrixXd precision;
   Eigen::VectorXd weighted;

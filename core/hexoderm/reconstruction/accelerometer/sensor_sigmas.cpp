@@ -42,9 +42,9 @@ Eigen::Matrix4d squaresByKind(const Eigen::MatrixXd& matrix) {
   return sums;
 }
 
-/// Score and Fisher information of the variances. With P = (M^-1 + L)^-1 and p = P x for the most likely errors x: score
-/// (p^T L_j p - tr P L_j) / 2 and information tr(P L_j P L_k) / 2, L_j being the derivative of L. The shared offset adds
-/// U w U^T to L, of rank three over all patches, with U the sum of all sensors' offsets.
+/// Score and Fisher information of the variances. With P = (M^-1 + L)^-1 and p = P x for the most likely errors x:
+/// score (p^T L_j p - tr P L_j) / 2 and information tr(P L_j P L_k) / 2, L_j being the derivative of L. The shared
+/// offset adds U w U^T to L, of rank three over all patches, with U the sum of all sensors' offsets.
 class Likelihood {
  public:
   Likelihood(std::span<const SensorEvidence> evidence, const Variances& variances) {
@@ -216,7 +216,8 @@ Accelerometer SensorSigmas::inModel(Accelerometer accelerometer) const {
   accelerometer.offset_sigma_g = offset_g.forModel();
   accelerometer.scale_sigma = scale.forModel();
   accelerometer.cross_axis_sigma = cross_axis.forModel();
-  if (shared_offset_g.knowledge == SigmaKnowledge::Measured) accelerometer.shared_offset_sigma_g = shared_offset_g.sigma;
+  if (shared_offset_g.knowledge == SigmaKnowledge::Measured)
+    accelerometer.shared_offset_sigma_g = shared_offset_g.sigma;
   if (shared_offset_g.knowledge == SigmaKnowledge::AtMost) accelerometer.shared_offset_sigma_g = 0;
   accelerometer.shared_offset_sigma_g = std::min(accelerometer.shared_offset_sigma_g, accelerometer.offset_sigma_g);
   return accelerometer;
@@ -239,8 +240,8 @@ SensorSigmas estimateSensorSigmas(std::span<const SensorEvidence> evidence, cons
                                model.offset_sigma_g, sees_lot ? kFewestSharedOffsets : kFewestErrors);
   sigmas.scale = kind(SensorError::Scale, model.scale_sigma);
   sigmas.cross_axis = kind(SensorError::CrossAxis, model.cross_axis_sigma);
-  sigmas.shared_offset_g = estimateOf(variances[kShared], errors(kShared, kShared), sigmas.offset_g.forModel(),
-                                      kFewestSharedOffsets);
+  sigmas.shared_offset_g =
+      estimateOf(variances[kShared], errors(kShared, kShared), sigmas.offset_g.forModel(), kFewestSharedOffsets);
   if (sigmas.offset_g.knowledge == SigmaKnowledge::Unknown) sigmas.shared_offset_g.knowledge = SigmaKnowledge::Unknown;
   if (sigmas.shared_offset_g.knowledge == SigmaKnowledge::Unknown) {
     sigmas.shared_offset_g.sigma = model.shared_offset_sigma_g;

@@ -161,7 +161,9 @@ void JointRefinement::solveWithSpreads(const JointSolverOptions& options) {
     if (round == kRounds || solution_.termination == JointTermination::Stopped) return;
     const double link_sigma_m = seenLinkSpread_m();
     const double acceleration_sigma = seenAccelerations_rad_s2();
-    const auto settled = [](double now, double next) { return std::abs(next * next - now * now) < kSettled * now * now; };
+    const auto settled = [](double now, double next) {
+      return std::abs(next * next - now * now) < kSettled * now * now;
+    };
     if (settled(problem_->link_sigma_m, link_sigma_m) && settled(problem_->acceleration_sigma, acceleration_sigma)) {
       return;
     }
@@ -352,9 +354,7 @@ std::span<const Eigen::Vector3d> JointRefinement::forcesAt(std::size_t cell) con
   return sensors_[localOf(cell)].v_g;
 }
 
-SensorEvidence JointRefinement::sensorEvidence() const {
-  return evidenceOfPatch(*problem_, solution_.state, sensors_);
-}
+SensorEvidence JointRefinement::sensorEvidence() const { return evidenceOfPatch(*problem_, solution_.state, sensors_); }
 
 Eigen::Matrix3d JointRefinement::linkCovariance(std::size_t link_index) const {
   const auto at = static_cast<std::size_t>(std::ranges::lower_bound(links_, link_index) - links_.begin());

@@ -8,8 +8,8 @@
 namespace hexoderm {
 namespace {
 
-/// The same patch with sensors that are known to have no errors and read just that, each as precise as `sensors` has it:
-/// its equations are J^T W J + K.
+/// The same patch with sensors that are known to have no errors and read just that, each as precise as `sensors` has
+/// it: its equations are J^T W J + K.
 JointProblem withPerfectSensors(const JointProblem& problem, std::span<const SensorState> sensors,
                                 const CellModel& perfect) {
   JointProblem with = problem;

@@ -96,14 +96,15 @@ std::optional<SensorEvidence> evidenceOf(const SkinLinks& skin, const JointRefin
 MessageArgument asPercent(double sigma) { return Number{100 * sigma, 1}; }
 
 Message describe(SensorError kind, std::size_t cells, double sigma, const Accelerometer& model) {
-  const Message what_to_do =
-      message("Other chips are on the skin than the model is about, or it is too sure of them: the estimate and its "
-              "uncertainty suffer. Estimate the sigmas (hexoderm-cli sensors) and use the cell model that comes out.");
+  const Message what_to_do = message(
+      "Other chips are on the skin than the model is about, or it is too sure of them: the estimate and its "
+      "uncertainty suffer. Estimate the sigmas (hexoderm-cli sensors) and use the cell model that comes out.");
   switch (kind) {
     case SensorError::Offset:
-      return inRow({message("The offsets of {} accelerometers spread by about {} (1 sigma), and the cell model says {}.",
-                            cells, MilliG{sigma}, MilliG{model.offset_sigma_g}),
-                    what_to_do});
+      return inRow(
+          {message("The offsets of {} accelerometers spread by about {} (1 sigma), and the cell model says {}.", cells,
+                   MilliG{sigma}, MilliG{model.offset_sigma_g}),
+           what_to_do});
     case SensorError::Scale:
       return inRow({message("The scale errors of {} accelerometers spread by about {} % (1 sigma), and the cell model "
                             "says {} %.",
@@ -112,10 +113,11 @@ Message describe(SensorError kind, std::size_t cells, double sigma, const Accele
     case SensorError::CrossAxis:
       break;
   }
-  return inRow({message("The cross-axis sensitivities of {} accelerometers spread by about {} % (1 sigma), and the cell "
-                        "model says {} %.",
-                        cells, asPercent(sigma), asPercent(model.cross_axis_sigma)),
-                what_to_do});
+  return inRow(
+      {message("The cross-axis sensitivities of {} accelerometers spread by about {} % (1 sigma), and the cell "
+               "model says {} %.",
+               cells, asPercent(sigma), asPercent(model.cross_axis_sigma)),
+       what_to_do});
 }
 
 }  // namespace
@@ -125,11 +127,13 @@ void nameUnlikelySensors(const SkinLinks& skin, std::span<const PatchSolver> pat
   const Eigen::VectorXd prior = priorVariances(model, 1);
   std::array<ErrorsOfKind, kSensorErrors> kinds;
   for (const PatchSolver& patch : patches) {
+    if (patch.cells().size() < kFewestCells) continue;  // so few cells decide on the forces that they are compared with
     for (const std::size_t cell : patch.cells()) {
       const std::optional<SensorEvidence> evidence = evidenceOf(skin, *patch.joint(), cell, findings);
       if (!evidence) continue;
       const WeighedEvidence sensor = weigh(*evidence, prior);
-      for (std::size_t kind = 0; kind < kSensorErrors; ++kind) kinds.at(kind).add(sensor, static_cast<SensorError>(kind));
+      for (std::size_t kind = 0; kind < kSensorErrors; ++kind)
+        kinds.at(kind).add(sensor, static_cast<SensorError>(kind));
     }
   }
   // Errors of one kind that are too large spill over into the others where poses are few: the clearest is named.

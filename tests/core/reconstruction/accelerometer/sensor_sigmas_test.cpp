@@ -56,7 +56,8 @@ SensorEvidence seen(const Eigen::MatrixXd& information, const Eigen::VectorXd& e
 
 /// As of readings of which each says something about several errors of neighbouring sensors, of 3 mg each.
 Eigen::MatrixXd mixedInformation(Eigen::Index parameters, Draw& draw) {
-  const Eigen::MatrixXd rows = draw.matrix(2 * parameters, parameters) / std::sqrt(2.0 * static_cast<double>(parameters));
+  const Eigen::MatrixXd rows =
+      draw.matrix(2 * parameters, parameters) / std::sqrt(2.0 * static_cast<double>(parameters));
   return (rows.transpose() * rows + 0.01 * Eigen::MatrixXd::Identity(parameters, parameters)) / std::pow(0.003, 2);
 }
 
@@ -112,8 +113,7 @@ TEST(SensorEvidence, ReadingsOfACellSayWhatASmallTurnDoesNotExplain) {
 TEST(SensorSigmas, OfErrorsThatAreKnownExactlyAreTheirSpread) {
   Draw draw(3);
   constexpr std::size_t kSensors = 20;
-  const Eigen::VectorXd x =
-      drawErrors(accelerometer(0.05, 0.03, 0.02, 0.006), kSensors, {0.02, -0.035, 0.03}, draw);
+  const Eigen::VectorXd x = drawErrors(accelerometer(0.05, 0.03, 0.02, 0.006), kSensors, {0.02, -0.035, 0.03}, draw);
   const Eigen::MatrixXd exact = 1e14 * Eigen::MatrixXd::Identity(x.size(), x.size());
   const SensorSigmas sigmas =
       estimateSensorSigmas(std::vector{SensorEvidence{exact, exact * x}}, accelerometer(0.1, 0, 0.01, 0.01));
