@@ -16,8 +16,8 @@ constexpr Eigen::Index kKinds = kSensorErrors;
 
 constexpr double kLeastVariance = 1e-12;  // far below what any reading shows
 constexpr double kWeightOfModel = 1e-3;   // of one error, for the cell model's sigmas
-/// With fewer degrees of freedom the range of a sigma spans more than a factor of four.
-constexpr double kFewestErrors = 6;
+/// With fewer degrees of freedom the range of a sigma spans more than a factor of three.
+constexpr double kFewestErrors = 7;
 /// A lot has three offsets.
 constexpr double kFewestSharedOffsets = 2;
 constexpr double kTwoSided95 = 1.959964;

@@ -14,7 +14,7 @@ namespace {
 constexpr double kLeastTimes = 1.5;
 /// Fewer are no population.
 constexpr std::size_t kFewestCells = 4;
-constexpr std::size_t kCellsPerOneLeftOut = 10;
+constexpr std::size_t kCellsPerOneLeftOut = 4;
 
 struct Contradiction {
   double deviate = 0;
@@ -57,6 +57,42 @@ class ErrorsOfKind {
   double squares_ = 0;
 };
 
+/// What was taken for a broken sensor may be one of many whose errors are larger than the model says.
+bool mayBeLikeOthers(std::span<const Finding> findings, CellId cell) {
+  return std::ranges::any_of(findings, [&](const Finding& finding) {
+    const bool is_about_readings = finding.code == FindingCode::InconsistentSensor ||
+                                   finding.code == FindingCode::WrongGain || finding.code == FindingCode::TurnedSensor;
+    return is_about_readings && std::ranges::count(finding.cells, cell) > 0;
+  });
+}
+
+/// Of a cell whose readings are not used: turned so that they fit the patch's forces best. None of fewer than two.
+std::optional<SensorEvidence> evidenceOfUnused(const SkinLinks& skin, const JointRefinement& joint, std::size_t cell) {
+  const Eigen::Matrix3d& R_u_a = skin.model().accelerometer.T_u_a.R;
+  std::vector<CellReading> readings;
+  std::vector<Eigen::Vector3d> forces_o;
+  for (std::size_t pose = 0; pose < joint.poses().size(); ++pose) {
+    const GravityTable::Entry& entry = skin.table().at(cell, joint.poses()[pose]);
+    if (!entry.measured) continue;
+    readings.push_back({pose, R_u_a.transpose() * entry.mean_g, entry.variance_g2});
+    forces_o.push_back(joint.solution().state.force_o[pose]);
+  }
+  if (readings.size() < 2) return std::nullopt;
+  const AccelerometerPrior prior(skin.model().accelerometer);
+  const OwnAttitude own = findAttitude(prior, readings, forces_o, joint.placementOf(cell).R * R_u_a);
+  std::vector<Eigen::Vector3d> v_g;
+  for (const Eigen::Vector3d& force_o : forces_o) v_g.push_back(own.R.transpose() * force_o);
+  return ownEvidence(readings, v_g);
+}
+
+std::optional<SensorEvidence> evidenceOf(const SkinLinks& skin, const JointRefinement& joint, std::size_t cell,
+                                         std::span<const Finding> findings) {
+  const std::span<const CellReading> readings = joint.readingsOf(cell);
+  if (readings.size() >= 2) return ownEvidence(readings, joint.forcesAt(cell));
+  if (!mayBeLikeOthers(findings, skin.graph().cells()[cell].id)) return std::nullopt;
+  return evidenceOfUnused(skin, joint, cell);
+}
+
 MessageArgument asPercent(double sigma) { return Number{100 * sigma, 1}; }
 
 Message describe(SensorError kind, std::size_t cells, double sigma, const Accelerometer& model) {
@@ -91,10 +127,17 @@ void nameUnlikelySensors(const SkinLinks& skin, std::span<const PatchSolver> pat
   const Eigen::VectorXd prior = priorVariances(model, 1);
   std::array<ErrorsOfKind, kSensorErrors> kinds;
   for (const PatchSolver& patch : patches) {
+    if (patch.cells().size() < kFewestCells) continue;  // so few cells decide on the forces that they are compared with
     for (const std::size_t cell : patch.cells()) {
+<<<<<<< HEAD
       const std::span<const CellReading> readings = patch.joint()->readingsOf(cell);
       if (readings.size() < 2) continue;
       const WeighedEvidence sensor = weigh(ownEvidence(readings, patch.joint()->forcesAt(cell)), prior);
+=======
+      const std::optional<SensorEvidence> evidence = evidenceOf(skin, *patch.joint(), cell, findings);
+      if (!evidence) continue;
+      const WeighedEvidence sensor = weigh(*evidence, prior);
+>>>>>>> sensors
       for (std::size_t kind = 0; kind < kSensorErrors; ++kind)
         kinds.at(kind).add(sensor, static_cast<SensorError>(kind));
     }

@@ -60,7 +60,7 @@ TEST_F(ResultPresenterTest, UntilThereIsAResultEveryViewSaysWhatIsGoingOn) {
   const auto said = [this] {
     window_->showChanges();
     QStringList texts = {labelText("bannerSentence"), window_->findChild<GraphView*>()->accessibleDescription(),
-                        window_->findChild<PatchCaptions*>()->accessibleName()};
+                         window_->findChild<PatchCaptions*>()->accessibleName()};
     for (const char* table : {"poseView", "findingView", "linkView", "cellView"}) {
       const auto* pages = qobject_cast<QStackedWidget*>(find<QTableView>(table)->parentWidget());
       const auto* hint = pages ? qobject_cast<QLabel*>(pages->currentWidget()) : nullptr;
