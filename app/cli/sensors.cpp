@@ -163,14 +163,8 @@ void addSensors(CLI::App& app, Common& common) {
                       "Cell model to write: the sessions' with the estimated sigmas (*.json; - is standard output)");
   common.addTo(*command);
   command->footer(
-<<<<<<< HEAD
-      "Six poses as of a cube's faces tell all; two tell nothing. Exit code 1: nothing can be told; the model is "
-      "written\n"
-      "all the same.\n"
-=======
       "One pose tells nothing, two the offsets, three the scale errors too, and six, as of a cube's faces, all.\n"
       "Exit code 1: nothing can be told; the model is written all the same.\n"
->>>>>>> sensors
       "Example:\n  hexoderm-cli simulate --poses 6 -o arm.session.json\n"
       "  hexoderm-cli sensors arm.session.json -o chip.json\n"
       "  hexoderm-cli simulate --poses 6 --cell-model chip.json -o next.session.json");

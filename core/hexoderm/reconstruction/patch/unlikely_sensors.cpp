@@ -129,15 +129,9 @@ void nameUnlikelySensors(const SkinLinks& skin, std::span<const PatchSolver> pat
   for (const PatchSolver& patch : patches) {
     if (patch.cells().size() < kFewestCells) continue;  // so few cells decide on the forces that they are compared with
     for (const std::size_t cell : patch.cells()) {
-<<<<<<< HEAD
-      const std::span<const CellReading> readings = patch.joint()->readingsOf(cell);
-      if (readings.size() < 2) continue;
-      const WeighedEvidence sensor = weigh(ownEvidence(readings, patch.joint()->forcesAt(cell)), prior);
-=======
       const std::optional<SensorEvidence> evidence = evidenceOf(skin, *patch.joint(), cell, findings);
       if (!evidence) continue;
       const WeighedEvidence sensor = weigh(*evidence, prior);
->>>>>>> sensors
       for (std::size_t kind = 0; kind < kSensorErrors; ++kind)
         kinds.at(kind).add(sensor, static_cast<SensorError>(kind));
     }

@@ -13,15 +13,9 @@ namespace hexoderm {
 /// Each cell is compared with the forces that the patch has in it, turned freely (ownEvidence()). With P the inverse
 /// covariance that the most likely errors x of a sensor have under the model, and p = P x, the sum of p_i^2 over all
 /// errors of one kind is tr P on the average, and about a chi-squared times a factor (Satterthwaite). It is a
-<<<<<<< HEAD
-/// contradiction beyond `max_misfit` deviations and if the sigma is half as large again at least. The largest tenth of
-/// the cells, one at least, is left out of the sum and not out of what is expected: single sensors are judged by
-/// themselves.
-=======
 /// contradiction beyond `max_misfit` deviations and if the sigma is half as large again at least. Cells that were taken
 /// for broken, because their readings fit in no position, count too. The worst quarter of the cells, one at least, is
 /// left out of the sum and not out of what is expected: single sensors are judged by themselves.
->>>>>>> sensors
 void nameUnlikelySensors(const SkinLinks& skin, std::span<const PatchSolver> patches, std::vector<Finding>& findings);
 
 }  // namespace hexoderm
