@@ -72,6 +72,7 @@ void CaptureCourse::end() {
   is_current_ = false;
   recapturing_.reset();
   unreachable_.clear();
+  turns_when_advised_ = false;
   robot_ = false;
   is_sending_ = true;
   asked_turn_ = 0;
@@ -200,7 +201,11 @@ void CaptureCourse::setAdvice(const AdviceAnswer& answer) {
   next_pose_wanted_ = answer.is_wanted;
   advice_answered_ = answer.number;
   owner_.onCourseEvent(AdviceChanged{});
-  turnIfTime();
+  if (turns_when_advised_) {
+    turnToNextPose();
+  } else {
+    turnIfTime();
+  }
 }
 
 void CaptureCourse::skipPose() {
@@ -219,17 +224,21 @@ void CaptureCourse::recapture(PoseId pose) {
 }
 
 void CaptureCourse::sendTurn(const Eigen::Vector3d& up_o) {
+  turns_when_advised_ = false;
   asked_up_ = up_o;
   asked_turn_ = owner_.send(TurnTo{largestPatch(*result_)->origin, up_o});
 }
 
 void CaptureCourse::turnToNextPose() {
-  if (canTurn() && next_pose_) sendTurn(next_pose_->up);
+  if (!canTurn() || !next_pose_) return;
+  turns_when_advised_ = !is_current_ || advice_answered_ != advice_asked_;
+  if (!turns_when_advised_) sendTurn(next_pose_->up);
 }
 
 void CaptureCourse::turnTo(const Eigen::Vector3d& up_o) {
   if (!canTurn() || !result_ || largestPatch(*result_) == nullptr) return;
   robot_ = false;
+  turns_when_advised_ = false;
   // A refusal of what somebody asked for by hand says nothing about where the robot can turn.
   asked_turn_ = 0;
   owner_.send(TurnTo{largestPatch(*result_)->origin, up_o.normalized()});

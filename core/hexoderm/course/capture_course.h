@@ -188,7 +188,8 @@ class CaptureCourse {
   /// options or the assessment say. Ignored if it can't.
   void setRobot(bool on, std::size_t poses = 0);
   [[nodiscard]] bool isRobotOn() const { return robot_; }
-  /// Asks the device to turn to the next pose.
+  /// Asks the device to turn to the next pose. While the advice of the latest pose is still to come, as soon as it
+  /// does.
   void turnToNextPose();
   /// Asks the device to turn until `up_o` (frame of the largest patch) points up, and ends the robot's run.
   void turnTo(const Eigen::Vector3d& up_o);
@@ -241,6 +242,7 @@ class CaptureCourse {
   bool next_pose_wanted_ = false;
   std::uint64_t advice_asked_ = 0;     ///< answers to earlier questions are dropped
   std::uint64_t advice_answered_ = 0;  ///< the question that next_pose_ is from
+  bool turns_when_advised_ = false;
   std::vector<Eigen::Vector3d> unreachable_;
   bool robot_ = false;
   bool is_sending_ = true;

@@ -472,6 +472,28 @@ TEST_F(CaptureCourseTest, ATurnByHandEndsTheRobotsRunAndItsRefusalCountsForNothi
   EXPECT_THAT(turn_refusals_, IsEmpty());
 }
 
+TEST_F(CaptureCourseTest, ATurnThatIsAskedForBeforeTheNewAdviceWaitsForIt) {
+  takeStoreAndSolve();
+  const Eigen::Vector3d old = course_->nextPose()->up;
+  store(take());
+  course_->turnToNextPose();
+  EXPECT_THAT(turns_, IsEmpty()) << "the advice is that of one pose";
+  solve();
+  EXPECT_THAT(turns_, IsEmpty());
+  advise();
+  ASSERT_THAT(turns_, SizeIs(1));
+  EXPECT_EQ(turns_[0].up_u, course_->nextPose()->up);
+  EXPECT_FALSE(turns_[0].up_u.isApprox(old));
+  takeStoreAndSolve();
+  EXPECT_THAT(turns_, SizeIs(1)) << "it was asked for once";
+  store(take());
+  course_->turnToNextPose();
+  course_->turnTo(Eigen::Vector3d::UnitX());
+  solve();
+  advise();
+  EXPECT_THAT(turns_, SizeIs(2)) << "another turn was asked for instead";
+}
+
 TEST_F(CaptureCourseTest, ADeviceThatCanNotTurnIsNotAsked) {
   description_.can_turn = false;
   begin({});

@@ -319,7 +319,10 @@ TEST_F(VerifyPanelTest, ADistanceByCaliperIsComparedWithTheEstimate) {
   EXPECT_FALSE(find<QDoubleSpinBox>("caliperDistance")->isEnabled());
   EXPECT_EQ(sentence("caliper"), "");
   const auto shown = skin();
-  for (CellPlacement& cell : shown->patches.front().cells) cell.cov_t_r = Matrix6d::Identity() * 1e-6;
+  for (CellPlacement& cell : shown->patches.front().cells) {
+    cell.T_o_u.t = Eigen::Vector3d(0.01 * cell.cell.value(), 0, 0);
+    cell.cov_t_r = Matrix6d::Identity() * 1e-6;
+  }
   panel_->setReconstruction(shown);
   EXPECT_THAT(sentence("caliper"), testing::StartsWith("Not measured yet"));
   auto* first = find<QSpinBox>("caliperFirst");

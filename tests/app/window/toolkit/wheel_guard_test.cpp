@@ -46,14 +46,15 @@ class WheelGuardTest : public testing::Test {
     return number_->value() == 50 && choice_->currentIndex() == 1 && typed_->currentIndex() == 1 &&
            slider_->value() == 50;
   }
-  /// One notch down over the middle of `widget`.
-  static void turnWheel(QWidget* widget) {
+  /// One notch down over the middle of `widget`; whether it was taken. What is not taken, Qt gives to what is around
+  /// the widget, if it comes from a real wheel.
+  static bool turnWheel(QWidget* widget) {
     const QPoint middle = widget->rect().center();
     QWheelEvent event(middle, widget->mapToGlobal(middle), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
                       Qt::NoScrollPhase, false);
     QApplication::sendEvent(widget, &event);
+    return event.isAccepted();
   }
-  [[nodiscard]] int scrolled() const { return area_.verticalScrollBar()->value(); }
 
   QScrollArea area_;
   QDoubleSpinBox* number_ = new QDoubleSpinBox;
@@ -62,14 +63,12 @@ class WheelGuardTest : public testing::Test {
   QSlider* slider_ = new QSlider(Qt::Horizontal);
 };
 
-TEST_F(WheelGuardTest, TheWheelScrollsThePanelAndChangesNothingThatLiesBelowIt) {
+TEST_F(WheelGuardTest, WhatLiesBelowTheWheelLeavesItToThePanelAroundIt) {
   const WheelGuard guard(*qApp);
   for (QWidget* below : std::initializer_list<QWidget*>{number_, number_->findChild<QLineEdit*>(), choice_, typed_,
                                                         typed_->lineEdit(), slider_}) {
-    const int before = scrolled();
-    turnWheel(below);
+    EXPECT_FALSE(turnWheel(below)) << below->metaObject()->className();
     EXPECT_TRUE(isUnchanged()) << below->metaObject()->className();
-    EXPECT_GT(scrolled(), before) << below->metaObject()->className();
   }
 }
 
@@ -81,7 +80,7 @@ TEST_F(WheelGuardTest, WhatHasTheKeyboardIsTurned) {
   choice_->setFocus();
   turnWheel(choice_);
   EXPECT_EQ(choice_->currentIndex(), 2);
-  EXPECT_EQ(scrolled(), 0);
+  EXPECT_EQ(area_.verticalScrollBar()->value(), 0);
 }
 
 TEST_F(WheelGuardTest, TheWheelBringsTheKeyboardNowhere) {
@@ -93,7 +92,7 @@ TEST_F(WheelGuardTest, TheWheelBringsTheKeyboardNowhere) {
 }
 
 TEST_F(WheelGuardTest, WithoutItANumberIsChanged) {
-  turnWheel(number_);
+  EXPECT_TRUE(turnWheel(number_));
   EXPECT_EQ(number_->value(), 49) << "else there would be nothing to guard against";
 }
 
