@@ -21,7 +21,6 @@ constexpr double kFewestErrors = 7;
 /// A lot has three offsets.
 constexpr double kFewestSharedOffsets = 2;
 constexpr double kTwoSided95 = 1.959964;
-constexpr double kOneSided95 = 1.644854;
 
 Eigen::Index groupOf(Eigen::Index parameter) { return static_cast<Eigen::Index>(kindOfParameter(parameter)); }
 
@@ -171,26 +170,46 @@ double worthOf(double variance, double variance_error) {
   return variance_error > 0 ? 2 * variance * variance / variance_error : 0;
 }
 
-/// `variance_error`: the variance of `variance`. `model_sigma`: what stands if nothing is known, and what a bound must
-/// be below.
-SigmaEstimate estimateOf(double variance, double variance_error, double model_sigma, double fewest) {
+/// Measured, with its range; `variance_error` is the variance of `variance`.
+SigmaEstimate measured(double variance, double variance_error) {
+  SigmaEstimate estimate;
+  estimate.knowledge = SigmaKnowledge::Measured;
+  estimate.worth = worthOf(variance, variance_error);
+  estimate.sigma = std::sqrt(variance);
+  estimate.low_95 = estimate.sigma / std::sqrt(quantileShare(estimate.worth, kTwoSided95));
+  estimate.high_95 = estimate.sigma / std::sqrt(quantileShare(estimate.worth, -kTwoSided95));
+  return estimate;
+}
+
+/// The variance above the most likely one at which the likelihood has fallen as far as at a normal estimate's 95 %
+/// limit, the other variances being the most likely ones; the score is integrated. Absent if that is above `most`.
+std::optional<double> upperBound(std::span<const SensorEvidence> evidence, const Variances& variances,
+                                 Eigen::Index which, double most) {
+  constexpr double kFall = kTwoSided95 * kTwoSided95 / 2;
+  constexpr double kFactor = 1.15;
+  constexpr double kLeast = 1e-8;  // a tenth of a mg
+  Variances at = variances;
+  double fallen = 0;
+  double score = 0;
+  while (fallen < kFall) {
+    const double next = std::max(kLeast, kFactor * at[which]);
+    if (next > most) return std::nullopt;
+    const double step = next - at[which];
+    at[which] = next;
+    const double next_score = Likelihood(evidence, at).score()[which];
+    fallen -= step * (score + next_score) / 2;
+    score = next_score;
+  }
+  return at[which];
+}
+
+/// Not measured: bounded by `bound`, or unknown.
+SigmaEstimate bounded(double variance, double variance_error, std::optional<double> bound, double model_sigma) {
   SigmaEstimate estimate;
   estimate.worth = worthOf(variance, variance_error);
-  if (estimate.worth >= fewest) {
-    estimate.knowledge = SigmaKnowledge::Measured;
-    estimate.sigma = std::sqrt(variance);
-    estimate.low_95 = estimate.sigma / std::sqrt(quantileShare(estimate.worth, kTwoSided95));
-    estimate.high_95 = estimate.sigma / std::sqrt(quantileShare(estimate.worth, -kTwoSided95));
-    return estimate;
-  }
-  const double bound = std::sqrt(variance + kOneSided95 * std::sqrt(variance_error));
-  if (bound <= model_sigma) {
-    estimate.knowledge = SigmaKnowledge::AtMost;
-    estimate.sigma = std::sqrt(variance);
-    estimate.high_95 = bound;
-    return estimate;
-  }
-  estimate.sigma = model_sigma;
+  estimate.knowledge = bound ? SigmaKnowledge::AtMost : SigmaKnowledge::Unknown;
+  estimate.sigma = bound ? std::sqrt(variance) : model_sigma;
+  estimate.high_95 = bound ? std::sqrt(*bound) : 0;
   return estimate;
 }
 
@@ -227,27 +246,42 @@ SensorSigmas estimateSensorSigmas(std::span<const SensorEvidence> evidence, cons
   const Variances variances = mostLikely(evidence, variancesOf(model));
   const Likelihood likelihood(evidence, variances);
   const Eigen::Matrix4d errors = errorsOf(likelihood.information(), variances);
+  const auto boundOf = [&](Eigen::Index which, double model_sigma) {
+    return upperBound(evidence, variances, which, model_sigma * model_sigma);
+  };
   const auto kind = [&](SensorError error, double model_sigma) {
     const auto at = static_cast<Eigen::Index>(error);
-    return estimateOf(variances[at], errors(at, at), model_sigma, kFewestErrors);
+    if (worthOf(variances[at], errors(at, at)) >= kFewestErrors) return measured(variances[at], errors(at, at));
+    return bounded(variances[at], errors(at, at), boundOf(at, model_sigma), model_sigma);
   };
-  const auto own = static_cast<Eigen::Index>(SensorError::Offset);
-  // Where a lot's offset is most of it, there are no more than three numbers to know its spread from.
-  const bool sees_lot = worthOf(variances[kShared], errors(kShared, kShared)) >= kFewestSharedOffsets;
   SensorSigmas sigmas;
-  sigmas.offset_g = estimateOf(variances[own] + variances[kShared],
-                               errors(own, own) + 2 * errors(own, kShared) + errors(kShared, kShared),
-                               model.offset_sigma_g, sees_lot ? kFewestSharedOffsets : kFewestErrors);
   sigmas.scale = kind(SensorError::Scale, model.scale_sigma);
   sigmas.cross_axis = kind(SensorError::CrossAxis, model.cross_axis_sigma);
-  sigmas.shared_offset_g =
-      estimateOf(variances[kShared], errors(kShared, kShared), sigmas.offset_g.forModel(), kFewestSharedOffsets);
-  if (sigmas.offset_g.knowledge == SigmaKnowledge::Unknown) sigmas.shared_offset_g.knowledge = SigmaKnowledge::Unknown;
-  if (sigmas.shared_offset_g.knowledge == SigmaKnowledge::Unknown) {
-    sigmas.shared_offset_g.sigma = model.shared_offset_sigma_g;
+
+  const auto own = static_cast<Eigen::Index>(SensorError::Offset);
+  const double offset = variances[own] + variances[kShared];
+  const double offset_error = errors(own, own) + 2 * errors(own, kShared) + errors(kShared, kShared);
+  const double shared_error = errors(kShared, kShared);
+  // Where a lot's offset is most of it, there are no more than three numbers to know its spread from.
+  const bool sees_lot = worthOf(variances[kShared], shared_error) >= kFewestSharedOffsets;
+  const std::optional<double> shared_bound =
+      sees_lot ? std::nullopt : boundOf(kShared, std::max(model.offset_sigma_g, std::sqrt(offset)));
+  if (worthOf(offset, offset_error) >= (sees_lot ? kFewestSharedOffsets : kFewestErrors)) {
+    sigmas.offset_g = measured(offset, offset_error);
   } else {
-    sigmas.lot = lotOf(likelihood);
+    std::optional<double> bound = boundOf(own, model.offset_sigma_g);
+    if (bound) bound = *bound + (shared_bound ? *shared_bound : variances[kShared]);
+    if (bound && *bound > std::pow(model.offset_sigma_g, 2)) bound.reset();
+    sigmas.offset_g = bounded(offset, offset_error, bound, model.offset_sigma_g);
   }
+  const bool knows_offset = sigmas.offset_g.knowledge != SigmaKnowledge::Unknown;
+  if (sees_lot && knows_offset) {
+    sigmas.shared_offset_g = measured(variances[kShared], shared_error);
+  } else {
+    sigmas.shared_offset_g = bounded(variances[kShared], shared_error, knows_offset ? shared_bound : std::nullopt,
+                                     model.shared_offset_sigma_g);
+  }
+  if (sigmas.shared_offset_g.knowledge != SigmaKnowledge::Unknown) sigmas.lot = lotOf(likelihood);
   return sigmas;
 }
 

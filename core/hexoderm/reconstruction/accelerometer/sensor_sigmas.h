@@ -54,7 +54,8 @@ struct SensorSigmas {
 /// likelihood that is left when all errors are integrated out. That is where expectation maximisation settles, each
 /// variance being the mean over its errors of posterior mean squared plus posterior variance; it is found by Fisher
 /// scoring, because plain expectation maximisation takes thousands of rounds where readings say little. Ranges follow
-/// from the Fisher information, as of a chi-squared with as many degrees of freedom (Satterthwaite).
+/// from the Fisher information, as of a chi-squared with as many degrees of freedom (Satterthwaite); a bound is where
+/// the likelihood has fallen by as much as at a normal estimate's 95 % limit.
 ///
 /// `model`: what the cell model says of them; it counts as a thousandth of one error, which keeps a variance that the
 /// readings don't show where it is.

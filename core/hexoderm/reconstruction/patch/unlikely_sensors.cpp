@@ -15,6 +15,9 @@ constexpr double kLeastTimes = 1.5;
 /// Fewer are no population.
 constexpr std::size_t kFewestCells = 4;
 constexpr std::size_t kCellsPerOneLeftOut = 4;
+/// The most that healthy cells' sum has left without the worst: of chi-squareds with 2 to 6 degrees of freedom 0.29 to
+/// 0.59.
+constexpr double kShareLeft = 0.6;
 
 struct Contradiction {
   double deviate = 0;
@@ -42,7 +45,8 @@ class ErrorsOfKind {
     if (of_cells_.size() < kFewestCells || squares_ <= 0) return std::nullopt;
     std::ranges::sort(of_cells_);
     const std::size_t left_out = (of_cells_.size() + kCellsPerOneLeftOut - 1) / kCellsPerOneLeftOut;
-    const double sum = std::accumulate(of_cells_.begin(), of_cells_.end() - static_cast<std::ptrdiff_t>(left_out), 0.0);
+    const auto worst = of_cells_.end() - static_cast<std::ptrdiff_t>(left_out);
+    const double sum = std::accumulate(of_cells_.begin(), worst, 0.0) / kShareLeft;
     const Misfit misfit{sum * expected_ / squares_, expected_ * expected_ / squares_};
     const double variance = model_variance + (sum - expected_) / squares_;
     const bool contradicts = misfit.deviate() > max_deviate && variance > kLeastTimes * kLeastTimes * model_variance;
@@ -61,7 +65,8 @@ class ErrorsOfKind {
 bool mayBeLikeOthers(std::span<const Finding> findings, CellId cell) {
   return std::ranges::any_of(findings, [&](const Finding& finding) {
     const bool is_about_readings = finding.code == FindingCode::InconsistentSensor ||
-                                   finding.code == FindingCode::WrongGain || finding.code == FindingCode::TurnedSensor;
+                                   finding.code == FindingCode::WrongGain ||
+                                   finding.code == FindingCode::TurnedSensor || finding.code == FindingCode::MovedCell;
     return is_about_readings && std::ranges::count(finding.cells, cell) > 0;
   });
 }

@@ -15,7 +15,8 @@ namespace hexoderm {
 /// errors of one kind is tr P on the average, and about a chi-squared times a factor (Satterthwaite). It is a
 /// contradiction beyond `max_misfit` deviations and if the sigma is half as large again at least. Cells that were taken
 /// for broken, because their readings fit in no position, count too. The worst quarter of the cells, one at least, is
-/// left out of the sum and not out of what is expected: single sensors are judged by themselves.
+/// left out of the sum, which then counts as the most that a healthy sum has left without them: single sensors are
+/// judged by themselves.
 void nameUnlikelySensors(const SkinLinks& skin, std::span<const PatchSolver> patches, std::vector<Finding>& findings);
 
 }  // namespace hexoderm

@@ -107,14 +107,22 @@ TEST(SensorEvidence, ReadingsOfACellSayWhatASmallTurnDoesNotExplain) {
   const SensorEvidence evidence = ownEvidence(wrong, forces);
   EXPECT_TRUE(evidence.weighted.isApprox(evidence.information * errors, 1e-9));
   const Eigen::VectorXd found = evidence.information.completeOrthogonalDecomposition().solve(evidence.weighted);
-  EXPECT_TRUE(found.isApprox(errors, 1e-6)) << found.transpose();
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(found[4 * axis], errors[4 * axis], 1e-9);
+    for (Eigen::Index other = 0; other < 3; ++other) {
+      const auto symmetric = [&](const Eigen::VectorXd& x) {
+        return x[4 * axis + 1 + other] + x[4 * other + 1 + axis];
+      };
+      EXPECT_NEAR(symmetric(found), symmetric(errors), 1e-9);
+    }
+  }
 }
 
 TEST(SensorSigmas, OfErrorsThatAreKnownExactlyAreTheirSpread) {
   Draw draw(3);
   constexpr std::size_t kSensors = 20;
   const Eigen::VectorXd x = drawErrors(accelerometer(0.05, 0.03, 0.02, 0.006), kSensors, {0.02, -0.035, 0.03}, draw);
-  const Eigen::MatrixXd exact = 1e14 * Eigen::MatrixXd::Identity(x.size(), x.size());
+  const Eigen::MatrixXd exact = 1e10 * Eigen::MatrixXd::Identity(x.size(), x.size());
   const SensorSigmas sigmas =
       estimateSensorSigmas(std::vector{SensorEvidence{exact, exact * x}}, accelerometer(0.1, 0, 0.01, 0.01));
 
@@ -184,7 +192,7 @@ TEST(SensorSigmas, WithoutInformationStayTheModelsAndSaySo) {
   const SensorSigmas sigmas = estimateSensorSigmas(std::vector{nothing}, model);
   for (const SigmaEstimate& sigma : {sigmas.offset_g, sigmas.shared_offset_g, sigmas.scale, sigmas.cross_axis}) {
     EXPECT_EQ(sigma.knowledge, SigmaKnowledge::Unknown);
-    EXPECT_LT(sigma.worth, 1e-6);
+    EXPECT_LT(sigma.worth, 0.01);  // the model counts as a thousandth of an error
   }
   EXPECT_FALSE(sigmas.lot);
   const Accelerometer written = sigmas.inModel(model);
