@@ -22,7 +22,6 @@ constexpr double kDoubleApart = 0.035;  // distance of a double line's strokes f
 constexpr double kDash = 0.22;          // a dash and the gap behind it
 constexpr double kDot = 0.09;
 constexpr double kFrameDash = 0.5;  // of a frame about a patch
-constexpr double kFrameRoom = 0.4;  // between it and the cells
 constexpr double kCross = 0.12;     // half of a muted link's cross
 constexpr double kGapRoom = 1.2;    // the arrow of a gap
 constexpr double kGapArrowWidth = 0.12;
@@ -197,16 +196,11 @@ vtkSmartPointer<vtkPolyData> makePatchFrames(const SceneContent& content, const 
   const double side_m = content.reconstruction->model->side_m;
   PolyDataBuilder mesh;
   for (const std::size_t patch : patches) {
-    const Eigen::AlignedBox3d& box = content.layout.boxes[patch];
-    const Eigen::Vector3d room = Eigen::Vector3d::Constant(kFrameRoom * side_m);
-    const std::array<Eigen::Vector3d, 2> ends = {box.min() - room, box.max() + room};
-    const auto corner = [&](unsigned bits) {
-      return Eigen::Vector3d(ends.at(bits & 1U).x(), ends.at(bits >> 1U & 1U).y(), ends.at(bits >> 2U & 1U).z());
-    };
+    const std::array<Eigen::Vector3d, 8> corners = content.frameCorners(patch);
     for (unsigned from = 0; from < 8; ++from) {
       for (unsigned axis = 0; axis < 3; ++axis) {
         const unsigned to = from | 1U << axis;
-        if (to != from) Dashes(mesh, kFrameDash * side_m, 0.55, color).addPiece(corner(from), corner(to));
+        if (to != from) Dashes(mesh, kFrameDash * side_m, 0.55, color).addPiece(corners.at(from), corners.at(to));
       }
     }
   }

@@ -6,6 +6,7 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <Eigen/Geometry>
+#include <array>
 #include <memory>
 #include <optional>
 #include <unordered_map>
@@ -36,6 +37,8 @@ struct SceneLayout {
   [[nodiscard]] const SceneCell* find(CellId id) const;
   /// Indices of the patches that have cells but are not placed against the largest.
   [[nodiscard]] std::vector<std::size_t> notPlaced() const;
+  /// Those of notPlaced() that stand in frames; none where they are too many to tell apart.
+  [[nodiscard]] std::vector<std::size_t> framed() const;
   [[nodiscard]] std::size_t pointsPerCell() const { return cells.empty() ? 0 : points.size() / cells.size(); }
 };
 
@@ -57,6 +60,8 @@ struct SceneContent {
   /// have half the triangles. Null for prisms.
   vtkSmartPointer<vtkPolyData> bricks;
 
+  /// Corners of the frame about a patch, in the scene: bit k of an index says to which end of axis k the corner lies.
+  [[nodiscard]] std::array<Eigen::Vector3d, 8> frameCorners(std::size_t patch) const;
   [[nodiscard]] std::size_t polygonsPerCell() const { return prisms ? 8 : 4; }
 };
 

@@ -169,8 +169,9 @@ vtkSmartPointer<vtkPolyData> SceneOverlays::Parts::make(Kind kind) {
       const std::vector<std::size_t> apart = content ? content->layout.notPlaced() : std::vector<std::size_t>();
       notes.not_placed.clear();
       for (const std::size_t p : apart) notes.not_placed.push_back(content->reconstruction->patches[p].origin);
-      notes.frames = !apart.empty() && apart.size() <= kMaxFrames;
-      return notes.frames ? makePatchFrames(*content, apart, colors.neutral) : nullptr;
+      const std::vector<std::size_t> framed = content ? content->layout.framed() : std::vector<std::size_t>();
+      notes.frames = !framed.empty();
+      return notes.frames ? makePatchFrames(*content, framed, colors.neutral) : nullptr;
     }
     case kLinks:
       notes.links = draws(SceneItem::Links);

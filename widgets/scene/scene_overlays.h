@@ -37,7 +37,6 @@ class SceneOverlays {
   /// More would be neither told apart nor quick.
   static constexpr std::size_t kMaxCells = 5000;
   static constexpr std::size_t kMaxEllipsoids = 2000;
-  static constexpr std::size_t kMaxFrames = 200;
 
   explicit SceneOverlays(vtkRenderer* renderer);
   ~SceneOverlays();
