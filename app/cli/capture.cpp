@@ -5,13 +5,18 @@
 #include "hexoderm/device/sources/open_source.h"
 #include "hexoderm/device/sources/recording.h"
 #include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/util/interrupt.h"
+#include "hexoderm/util/system_reason.h"
 #include "hexoderm/util/text.h"
 
-#include <atomic>
 #include <chrono>
-#include <csignal>
+#include <condition_variable>
 #include <filesystem>
 #include <iostream>
+#include <mutex>
+#include <stop_token>
+#include <system_error>
+#include <thread>
 #include <utility>
 
 namespace hexoderm::cli {
@@ -27,22 +32,26 @@ struct CaptureOptions {
   double timeout_s = 30;
 };
 
-std::atomic<bool> interrupted = false;
+constexpr const char* kLastWords =
+    "hexoderm-cli: ended while something was held up; every pose that was reported as captured is in the file\n";
 
-/// Ctrl+C ends the capture and keeps what there is.
-class InterruptGuard {
- public:
-  InterruptGuard() {
-    interrupted = false;
-    before_ = std::signal(SIGINT, [](int) { interrupted = true; });
-  }
-  ~InterruptGuard() { std::signal(SIGINT, before_); }
-  InterruptGuard(const InterruptGuard&) = delete;
-  InterruptGuard& operator=(const InterruptGuard&) = delete;
-
- private:
-  void (*before_)(int) = nullptr;
-};
+/// reconstruct(), which Ctrl+C stops half a second later: enough for all but very large skins. Null if it was stopped.
+std::shared_ptr<const Reconstruction> reconstructUnlessInterrupted(const SessionSnapshot& snapshot,
+                                                                   const Reconstruction* earlier = nullptr) {
+  constexpr std::chrono::milliseconds kLookEvery(20);
+  constexpr std::chrono::milliseconds kGrace(500);
+  std::stop_source stop;
+  std::mutex mutex;
+  std::condition_variable_any never;
+  const std::jthread watch([&](const std::stop_token& done) {
+    std::unique_lock lock(mutex);
+    const auto wait = [&](std::chrono::milliseconds time) { never.wait_for(lock, done, time, [] { return false; }); };
+    while (!done.stop_requested() && !isInterrupted()) wait(kLookEvery);
+    wait(kGrace);
+    stop.request_stop();
+  });
+  return reconstruct(snapshot, {}, earlier, stop.get_token());
+}
 
 std::string cellsInWords(std::size_t count) { return std::to_string(count) + (count == 1 ? " cell" : " cells"); }
 
@@ -52,13 +61,18 @@ class Capture final : public CaptureOwner {
 
  public:
   Capture(const CaptureOptions& options, const Common& common, SkinSource& source, CaptureEvents& events)
-      : options_(options), common_(common), source_(source), events_(events), course_(*this, courseOptions(options)) {}
+      : options_(options),
+        common_(common),
+        source_(source),
+        events_(events),
+        course_(*this, courseOptions(options)),
+        offences_(common) {}
 
   /// Returns when there are enough poses, the stream is over, or the user ends it.
   void run() {
     const auto patience = std::chrono::duration<double>(options_.timeout_s);
     Clock::time_point last_progress = Clock::now();
-    while (!course_.isFinished() && lost_.empty() && !interrupted) {
+    while (!course_.isFinished() && lost_.empty() && !isInterrupted()) {
       const std::optional<CaptureEvent> event = events_.next(std::chrono::milliseconds(100));
       if (event) std::visit([this](const auto& what) { handle(what); }, *event);
       if (std::exchange(made_progress_, false) || course_.isFileRefused()) last_progress = Clock::now();
@@ -67,7 +81,7 @@ class Capture final : public CaptureOwner {
       if (status_.state == SourceState::Incompatible) throw DeviceError(located(source_.address(), status_.message));
       if (Clock::now() - last_progress > patience && (!session_ || options_.automatic)) {
         throw DeviceError(source_.address() + ": nothing for " + formatFixed(options_.timeout_s, 0) + " s. " +
-                          (session_ ? hold_.message : status_.message).english());
+                          whyNothingComes());
       }
     }
   }
@@ -83,8 +97,17 @@ class Capture final : public CaptureOwner {
 
   [[nodiscard]] const std::optional<Session>& session() const { return session_; }
   [[nodiscard]] const std::shared_ptr<const Reconstruction>& result() const { return result_; }
+  /// Ctrl+C came before all poses were solved.
+  [[nodiscard]] bool isUnsolved() const { return is_unsolved_; }
   [[nodiscard]] const SourceStatus& status() const { return status_; }
   [[nodiscard]] const std::string& device() const { return device_; }
+
+  /// What the device does wrong goes before what is waited for.
+  [[nodiscard]] std::string whyNothingComes() const {
+    const bool is_wrong = !session_ && !status_.offences.empty();
+    return is_wrong ? inWords(status_.offences.front()).english()
+                    : (session_ ? hold_.message : status_.message).english();
+  }
 
   void perform(const std::vector<SessionEdit>& edits) override {
     for (const SessionEdit& edit : edits) {
@@ -135,7 +158,8 @@ class Capture final : public CaptureOwner {
 
   /// Labels come from the result without poses, so that they are the same for a recording however fast it is played.
   void nameTheSkin() {
-    course_.setResult(reconstruct(*Session(session_->model(), session_->neighbors()).snapshot()), false);
+    const Session without_poses(session_->model(), session_->neighbors());
+    course_.setResult(reconstructUnlessInterrupted(*without_poses.snapshot()), false);
   }
 
   void handle(const CapturedPose& captured) {
@@ -157,7 +181,8 @@ class Capture final : public CaptureOwner {
 
   void solve() {
     has_news_ = false;
-    result_ = reconstruct(*session_->snapshot(), {}, result_.get());
+    result_ = reconstructUnlessInterrupted(*session_->snapshot(), result_.get());
+    is_unsolved_ = result_ == nullptr;
     course_.setResult(result_, true);
   }
 
@@ -167,6 +192,7 @@ class Capture final : public CaptureOwner {
   }
 
   void handle(const SourceStatus& status) {
+    offences_.show(status.offences);
     if (status.state != status_.state && !session_) common_.progress(status.message.english());
     if (status.state != status_.state && session_ && status.state != SourceState::Streaming &&
         status.state != SourceState::Stopped) {
@@ -174,11 +200,16 @@ class Capture final : public CaptureOwner {
       common_.note(status.message.english());
     }
     status_ = status;
+    course_.setSending(status.state == SourceState::Streaming);
   }
 
   void handle(const HoldStatus& hold) {
     hold_ = hold;
     common_.progress(hold.message.english());
+  }
+
+  void handle(const LongWait& wait) {
+    common_.logNote("No pose for " + formatFixed(wait.duration_s, 0) + " s. " + wait.why.english());
   }
 
   void show(const PoseTaken& /*taken*/) {}
@@ -204,9 +235,10 @@ class Capture final : public CaptureOwner {
     common_.endProgress();
     common_.note(refused.why.english() + ". Trying again.");
   }
-  void show(const SkinChanged& /*changed*/) {
+  void show(const SkinChanged& changed) {
     nameTheSkin();
-    common_.note("The device says that its topology has changed; poses stay.");
+    common_.note(changed.other_model ? "The device says that it has another cell model; poses stay."
+                                     : "The device says that its topology has changed; poses stay.");
   }
   void show(const AdviceWanted& wanted) {
     if (wanted.question.seen == result_ && !course_.isFinished()) course_.setAdvice(adviseOn(wanted.question));
@@ -232,16 +264,60 @@ class Capture final : public CaptureOwner {
   std::optional<Session> session_;
   std::unique_ptr<SessionRecorder> store_;
   CaptureCourse course_;
+  OffenceNotes offences_;
   Message lost_;  ///< why something is not on disk and never will be
   std::string device_;
   SourceStatus status_;
   HoldStatus hold_;
   std::shared_ptr<const Reconstruction> result_;
+  bool is_unsolved_ = false;
   bool has_news_ = false;  ///< poses that are not in the result
   bool made_progress_ = false;
 };
 
-void print(const Capture& capture, const CaptureOptions& options, const Common& common) {
+nlohmann::ordered_json toJson(const HoldLedger& ledger) {
+  nlohmann::ordered_json json = {{"watched_s", ledger.watched_s()}, {"still_s", ledger.still_s()}};
+  auto blocked = nlohmann::ordered_json::array();
+  for (const BlockedTime& time : ledger.blocked()) {
+    nlohmann::ordered_json entry = {{"by", blockerName(time.blocker)}, {"for_s", time.duration_s}};
+    if (time.cell != CellId()) {
+      entry["cell"] = time.cell.value();
+      entry["cell_for_s"] = time.cell_s;
+    }
+    entry["message"] = time.message.english();
+    blocked.push_back(std::move(entry));
+  }
+  json["blocked"] = std::move(blocked);
+  auto odd_cells = nlohmann::ordered_json::array();
+  if (ledger.last()) {
+    for (const OddCell& odd : ledger.last()->stillness.odd_cells) {
+      odd_cells.push_back(
+          {{"cell", odd.cell.value()}, {"is", oddCellName(odd.kind)}, {"message", describe(odd).english()}});
+    }
+    json["restarts"] = ledger.last()->restarts;
+  }
+  json["odd_cells"] = std::move(odd_cells);
+  return json;
+}
+
+/// Why there is no pose.
+void printWhatBlocked(const HoldLedger& ledger) {
+  if (!ledger.last()) {
+    std::cout << "No pose was captured: no readings came.\n";
+    return;
+  }
+  const auto seconds = [](double duration_s) { return formatFixed(duration_s, 1) + " s"; };
+  std::cout << "No pose was captured in " << seconds(ledger.watched_s()) << " of readings; the part was still for "
+            << seconds(ledger.still_s()) << ".\n";
+  for (const BlockedTime& time : ledger.blocked()) {
+    std::cout << "  " << seconds(time.duration_s) << "  " << blockerName(time.blocker) << ": " << time.message;
+    if (time.cell != CellId()) std::cout << " (cell " << time.cell << " decided for " << seconds(time.cell_s) << ")";
+    std::cout << '\n';
+  }
+  for (const OddCell& odd : ledger.last()->stillness.odd_cells) std::cout << "  " << describe(odd) << '\n';
+}
+
+void print(const Capture& capture, const HoldLedger& ledger, const CaptureOptions& options, const Common& common) {
   const Session& session = *capture.session();
   const SourceStatus& status = capture.status();
   if (common.json) {
@@ -254,13 +330,17 @@ void print(const Capture& capture, const CaptureOptions& options, const Common& 
                                    {"dropped_by_device", status.dropped_by_device},
                                    {"late_frames", status.late_frames},
                                    {"rejected_messages", status.rejected_messages},
-                                   {"reconnects", status.reconnects}};
-    json["verdict"] = capture.result() ? toJson(capture.result()->verdict) : nlohmann::ordered_json();
+                                   {"reconnects", status.reconnects},
+                                   {"skin_changes", status.skin_changes},
+                                   {"clock_restarts", status.clock_restarts},
+                                   {"offences", cli::toJson(status.offences)}};
+    json["hold"] = toJson(ledger);
+    json["verdict"] = capture.result() ? cli::toJson(capture.result()->assessment) : nlohmann::ordered_json();
     printJson(json);
     return;
   }
   std::cout << session.poses().size() << (session.poses().size() == 1 ? " pose" : " poses") << " of "
-            << cellsInWords(session.neighbors().size()) << " in " << options.output << '\n';
+            << cellsInWords(session.neighbors().size()) << " in " << forTerminal(options.output) << '\n';
   if (status.lost_samples + status.late_frames + status.rejected_messages + status.reconnects > 0) {
     std::cout << "On the way: " << status.lost_samples << " samples lost, " << status.late_frames << " frames late, "
               << status.rejected_messages << " messages broken, " << status.reconnects << " reconnects\n";
@@ -268,16 +348,49 @@ void print(const Capture& capture, const CaptureOptions& options, const Common& 
   if (status.dropped_by_device > 0) {
     std::cout << "The device could not send " << status.dropped_by_device << " samples.\n";
   }
-  if (capture.result()) printVerdict(capture.result()->verdict);
+  if (session.poses().empty()) printWhatBlocked(ledger);
+  if (status.skin_changes > 0) {
+    std::cout << "The device described other cells or links " << status.skin_changes
+              << (status.skin_changes == 1 ? " time.\n" : " times.\n");
+  }
+  if (status.clock_restarts > 0) {
+    std::cout << "The device's clock was set back " << status.clock_restarts
+              << (status.clock_restarts == 1 ? " time.\n" : " times.\n");
+  }
+  for (const Offence& offence : status.offences) {
+    std::cout << "The device did something wrong " << offence.count << (offence.count == 1 ? " time (" : " times (")
+              << offenceName(offence.kind) << "): " << inWords(offence) << '\n';
+  }
+  if (capture.result()) printVerdict(capture.result()->assessment);
+  if (capture.isUnsolved()) std::cout << "Ended before it was solved; \"hexoderm-cli solve\" does that.\n";
+}
+
+/// A program that reads the JSON is told what a person is told on standard error.
+void printWithoutSkin(const Capture& capture, const CaptureOptions& options, const Common& common) {
+  if (!common.json || capture.session()) return;
+  printJson({{"source", options.source},
+             {"poses", 0},
+             {"status", capture.status().message.english()},
+             {"rejected_messages", capture.status().rejected_messages},
+             {"offences", cli::toJson(capture.status().offences)}});
 }
 
 int run(const CaptureOptions& options, const Common& common) {
+  if (options.output == kStandardOutput) {
+    throw InvalidArgument("-o -: a capture is kept in a file (*.hexo) while it goes on: give the name of one");
+  }
   if (!options.output.ends_with(".hexo")) {
     throw InvalidArgument("-o: expected a name that ends in .hexo, found \"" + options.output + "\"");
   }
-  if (std::filesystem::exists(options.output)) {
+  std::error_code error;
+  const auto there = std::filesystem::symlink_status(options.output, error).type();
+  if (there == std::filesystem::file_type::none) {
+    throw StorageError(located(options.output, message("cannot be written: {}", systemReason(error))));
+  }
+  if (there != std::filesystem::file_type::not_found) {
     throw StorageError(options.output + ": exists already; a capture never replaces a session");
   }
+  endOnInterrupt(kLastWords);
   const std::unique_ptr<SkinSource> source = openSkinSource(options.source);
   PoseRecorderOptions recorder;
   recorder.keep_frames = options.keep_raw;
@@ -285,23 +398,28 @@ int run(const CaptureOptions& options, const Common& common) {
   std::optional<StreamRecorder> recording;
   if (!options.recording.empty()) recording.emplace(options.recording, events);
 
-  const InterruptGuard guard;
   Capture capture(options, common, *source, events);
   common.progress("Connecting to " + options.source + " ...");
-  source->start(recording ? static_cast<SkinListener&>(*recording) : events);
+  // A recording is an input file; devices complain in their own way.
+  asInput([&] { source->start(recording ? static_cast<SkinListener&>(*recording) : events); });
   try {
     capture.run();
   } catch (...) {
     source->stop();
     capture.finish();  // captured poses stay
+    printWithoutSkin(capture, options, common);
     throw;
   }
   source->stop();
   capture.finish();
   if (recording) recording->finish();
-  if (!capture.session()) throw DeviceError(options.source + ": ended before a skin described itself");
-  print(capture, options, common);
-  return capture.result() ? exitCodeOf(capture.result()->verdict) : kNotGoodEnough;
+  if (!capture.session()) {
+    printWithoutSkin(capture, options, common);
+    throw DeviceError(options.source + ": ended before a skin described itself" +
+                      (capture.status().offences.empty() ? "" : ". " + capture.whyNothingComes()));
+  }
+  print(capture, events.ledger(), options, common);
+  return capture.result() ? exitCodeOf(capture.result()->assessment) : kNotGoodEnough;
 }
 
 }  // namespace
@@ -309,9 +427,7 @@ int run(const CaptureOptions& options, const Common& common) {
 void addCapture(CLI::App& app, Common& common) {
   const auto options = std::make_shared<CaptureOptions>();
   CLI::App* command = app.add_subcommand("capture", "Take the poses of a skin that is connected, or of a recording");
-  std::string kinds;
-  for (const SourceKind& kind : sourceKinds()) kinds += (kinds.empty() ? "" : ", ") + std::string(kind.example);
-  command->add_option("--source", options->source, kinds)->required();
+  command->add_option("--source", options->source, sourceKindsInWords())->required();
   command->add_option("--poses", options->poses,
                       "End after so many (default: at the stream's end or Ctrl+C; with --auto when they are good)");
   command->add_flag("--auto", options->automatic, "The device turns itself, to where each pose helps most");

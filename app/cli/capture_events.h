@@ -1,5 +1,6 @@
 #pragma once
 
+#include "hexoderm/capture/hold_ledger.h"
 #include "hexoderm/capture/pose_recorder.h"
 #include "hexoderm/device/skin_source.h"
 #include "hexoderm/session/session_recorder.h"
@@ -18,10 +19,17 @@ struct Stored {
   PoseId pose;
   StoreOutcome outcome;
 };
-using CaptureEvent = std::variant<SkinDescription, CapturedPose, SourceStatus, CommandOutcome, HoldStatus, Stored>;
+/// The same obstacle has kept a capture from starting for so long, in device time.
+struct LongWait {
+  double duration_s = 0;
+  Message why;
+};
+using CaptureEvent =
+    std::variant<SkinDescription, CapturedPose, SourceStatus, CommandOutcome, HoldStatus, LongWait, Stored>;
 
 /// Events of source, pose recorder and store, from their threads, in order, for the one thread that decides. Only the
-/// newest of the hold states and of the source states is kept. Feeds the pose recorder on the source's thread.
+/// newest of the hold states and of the source states is kept; an obstacle that lasts is an event of its own, after 5 s
+/// and then ever more rarely. Feeds the pose recorder on the source's thread.
 class CaptureEvents final : public SkinListener, public PoseRecorderListener {
  public:
   explicit CaptureEvents(const PoseRecorderOptions& options) : recorder_(*this, options) {}
@@ -30,19 +38,27 @@ class CaptureEvents final : public SkinListener, public PoseRecorderListener {
   std::optional<CaptureEvent> next(std::chrono::milliseconds patience);
   /// From any thread.
   void push(CaptureEvent event);
+  /// Where the time went so far, whatever was dropped on the way. From any thread.
+  [[nodiscard]] HoldLedger ledger() const;
 
   void onSkin(const SkinDescription& skin) override;
   void onFrame(const SampleFrame& frame) override { recorder_.addFrame(frame); }
   void onStatus(const SourceStatus& status) override { push(status); }
   void onCommandOutcome(const CommandOutcome& outcome) override { push(outcome); }
   void onPoseCaptured(CapturedPose captured) override { push(std::move(captured)); }
-  void onHold(const HoldStatus& status) override { push(status); }
+  void onHold(const HoldStatus& status) override;
   void onPreview(SkinPreview /*preview*/) override {}
 
  private:
-  std::mutex mutex_;
+  [[nodiscard]] std::optional<LongWait> longWait(const HoldStatus& status);
+
+  mutable std::mutex mutex_;
   std::condition_variable arrived_;
   std::deque<CaptureEvent> events_;
+  HoldLedger ledger_;
+  Blocker blocker_ = Blocker::None;
+  double blocked_since_s_ = 0;  ///< device time
+  double say_after_s_ = 0;
   PoseRecorder recorder_;
 };
 

@@ -1,11 +1,14 @@
 #include "app/cli/command.h"
 
+#include "hexoderm/device/sources/open_source.h"
+#include "hexoderm/util/file.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
 #include <unistd.h>
 
 #include <iostream>
+#include <utility>
 
 namespace hexoderm::cli {
 
@@ -15,24 +18,59 @@ void Common::addTo(CLI::App& command) {
 }
 
 void Common::progress(const std::string& text) const {
-  if (!quiet && ::isatty(STDERR_FILENO) != 0) std::cerr << "\r\033[K" << text << std::flush;
+  if (!quiet && ::isatty(STDERR_FILENO) != 0) std::cerr << "\r\033[K" << forTerminal(text) << std::flush;
 }
 
 void Common::endProgress() const { progress(""); }
 
 void Common::note(const std::string& text) const {
-  if (!quiet) std::cerr << text << '\n';
+  if (!quiet) std::cerr << forTerminal(text) << '\n';
 }
 
-OpenedFile openInput(const std::string& path, const std::string& cell_model) {
+void Common::logNote(const std::string& text) const {
+  if (::isatty(STDERR_FILENO) == 0) note(text);
+}
+
+Output::Output(std::string name, const Common& common) : name_(std::move(name)) {
+  if (!isStandard()) return;
+  if (common.json) throw InvalidArgument("-o - and --json both want standard output: give -o a file, or leave one out");
+  standard_ = std::cout.rdbuf(common.quiet ? nowhere_.rdbuf() : std::cerr.rdbuf());
+}
+
+Output::~Output() {
+  if (standard_ != nullptr) std::cout.rdbuf(standard_);
+}
+
+std::string Output::inWords() const { return isStandard() ? "standard output" : name_; }
+
+void Output::write(std::string_view content) const {
+  if (!isStandard()) return writeFileAtomically(name_, content);
+  std::ostream out(standard_);
+  out << content << std::flush;
+  if (!out) throw StorageError("standard output: cannot be written");
+}
+
+void OffenceNotes::show(const std::vector<Offence>& offences) {
+  for (; shown_ < offences.size(); ++shown_) {
+    common_.endProgress();
+    common_.note("The device does something wrong (" + std::string(offenceName(offences[shown_].kind)) +
+                 "): " + inWords(offences[shown_]).english());
+  }
+}
+
+OpenedFile openInput(const std::string& path, const std::string& cell_model, TumAs tum) {
   const CellModel model = asInput([&] { return loadCellModel(cell_model); });
-  return asInput([&] { return openFile(path, model); });
+  return asInput([&] { return openFile(path, model, tum); });
 }
 
 Session openSession(const std::string& path) {
   OpenedFile opened = openInput(path);
   if (auto* session = std::get_if<Session>(&opened)) return std::move(*session);
-  throw BadInput(path + ": this is a calibration, expected a session (*.hexo or *.session.json)");
+  throw noSession(path);
+}
+
+BadInput noSession(const std::string& path) {
+  return BadInput(path + ": this is a calibration, expected a session (*.hexo or *.session.json)");
 }
 
 std::shared_ptr<const Reconstruction> openCalibration(const std::string& path, const std::string& cell_model) {
@@ -41,9 +79,7 @@ std::shared_ptr<const Reconstruction> openCalibration(const std::string& path, c
   throw BadInput(path + ": this is a session, expected a calibration; \"hexoderm-cli solve\" makes one of it");
 }
 
-int exitCodeOf(const Verdict& verdict) {
-  return verdict.level == VerdictLevel::NotEnough || verdict.level == VerdictLevel::Failed ? kNotGoodEnough : kDone;
-}
+int exitCodeOf(const Assessment& verdict) { return verdict.isUsable() ? kDone : kNotGoodEnough; }
 
 void printFindings(const std::vector<Finding>& findings) {
   if (findings.empty()) {
@@ -52,29 +88,35 @@ void printFindings(const std::vector<Finding>& findings) {
   }
   std::cout << "Findings: " << findings.size() << '\n';
   for (const Finding& finding : findings) {
-    std::cout << "  " << severityName(finding.severity) << "  " << codeName(finding.code) << ": " << finding.message
-              << '\n';
+    std::cout << "  " << severityName(finding.severity) << "  " << codeName(finding.code) << ": "
+              << forTerminal(finding.message.english()) << '\n';
   }
 }
 
-void printVerdict(const Verdict& verdict) {
-  std::cout << "Verdict: " << verdictName(verdict.level) << ". " << verdict.reason << '\n';
-  if (!verdict.next_action.empty()) std::cout << "Next: " << verdict.next_action << '\n';
+void printVerdict(const Assessment& assessment) {
+  std::cout << "Verdict: " << verdictName(assessment.level) << ". " << forTerminal(assessment.reason.english()) << '\n';
+  if (!assessment.next_action.empty()) std::cout << "Next: " << forTerminal(assessment.next_action.english()) << '\n';
 }
+
+namespace {
+
+template <class Ids>
+nlohmann::ordered_json numbersOf(const Ids& ids) {
+  auto array = nlohmann::ordered_json::array();
+  for (const auto& id : ids) array.push_back(id.value());
+  return array;
+}
+
+}  // namespace
 
 nlohmann::ordered_json toJson(const Finding& finding) {
   nlohmann::ordered_json json;
   json["code"] = codeName(finding.code);
   json["severity"] = severityName(finding.severity);
   json["text"] = finding.message.english();
-  const auto numbers = [](const auto& ids) {
-    auto array = nlohmann::ordered_json::array();
-    for (const auto& id : ids) array.push_back(id.value());
-    return array;
-  };
-  json["cells"] = numbers(finding.cells);
-  json["ports"] = numbers(finding.ports);
-  json["poses"] = numbers(finding.poses);
+  json["cells"] = numbersOf(finding.cells);
+  json["ports"] = numbersOf(finding.ports);
+  json["poses"] = numbersOf(finding.poses);
   return json;
 }
 
@@ -84,7 +126,7 @@ nlohmann::ordered_json toJson(const std::vector<Finding>& findings) {
   return array;
 }
 
-nlohmann::ordered_json toJson(const Verdict& verdict) {
+nlohmann::ordered_json toJson(const Assessment& verdict) {
   nlohmann::ordered_json json;
   json["level"] = verdictName(verdict.level);
   json["reason"] = verdict.reason.english();
@@ -92,11 +134,39 @@ nlohmann::ordered_json toJson(const Verdict& verdict) {
   json["orientation_95_deg"] = nullptr;
   if (verdict.position_95_m) json["position_95_mm"] = toMillimetres(*verdict.position_95_m);
   if (verdict.orientation_95_rad) json["orientation_95_deg"] = toDegrees(*verdict.orientation_95_rad);
+  json["limit"] = limitName(verdict.limit);
+  json["remedy"] = remedyName(verdict.remedy);
+  json["limiting_cells"] = numbersOf(verdict.limiting_cells);
+  json["retake"] = numbersOf(verdict.retake);
   json["next_action"] = verdict.next_action.english();
   return json;
 }
 
-void printJson(const nlohmann::ordered_json& json) { std::cout << json.dump(1) << '\n'; }
+nlohmann::ordered_json toJson(const std::vector<Offence>& offences) {
+  auto array = nlohmann::ordered_json::array();
+  for (const Offence& offence : offences) {
+    array.push_back({{"kind", offenceName(offence.kind)},
+                     {"count", offence.count},
+                     {"reason", offence.reason.english()},
+                     {"message_begins", offence.excerpt}});
+  }
+  return array;
+}
+
+std::string sourceKindsInWords() {
+  std::string kinds;
+  for (const SourceKind& kind : sourceKinds()) kinds += (kinds.empty() ? "" : ", ") + std::string(kind.example);
+  return kinds;
+}
+
+void printJson(const nlohmann::ordered_json& json) {
+  printJsonText(json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+}
+
+void printJsonText(std::string_view text) {
+  // The escapes of forTerminal() are JSON's, too.
+  for (const std::string& line : split(text, '\n')) std::cout << forTerminal(line) << '\n';
+}
 
 std::string millimetres(double length_m, int decimals) {
   return formatFixed(toMillimetres(length_m), decimals) + " mm";

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "hexoderm/device/offence.h"
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/reconstruction/result/reconstruction.h"
 #include "hexoderm/session/session.h"
@@ -10,7 +11,10 @@
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <streambuf>
 #include <string>
+#include <string_view>
 
 namespace hexoderm::cli {
 
@@ -39,18 +43,58 @@ struct Common {
   /// A line on stderr that replaces the one before, if stderr is a terminal and --quiet is not given.
   void progress(const std::string& text) const;
   void endProgress() const;
-  /// A remark on stderr, unless --quiet.
+  /// A remark on stderr, unless --quiet. Both write what a terminal may be given (forTerminal()).
   void note(const std::string& text) const;
+  /// A remark where stderr is no terminal, which would show progress().
+  void logNote(const std::string& text) const;
+};
+
+/// As `-o`: standard output.
+inline constexpr std::string_view kStandardOutput = "-";
+
+/// Where `-o` puts a command's document. If that is standard output, nothing else goes there: what the command would
+/// print appears on standard error, or with --quiet nowhere, as long as this lives.
+class Output {
+ public:
+  /// Throws InvalidArgument if --json wants standard output too.
+  Output(std::string name, const Common& common);
+  ~Output();
+  Output(const Output&) = delete;
+  Output& operator=(const Output&) = delete;
+
+  [[nodiscard]] bool isStandard() const { return name_ == kStandardOutput; }
+  /// What the user is told: the name, "standard output".
+  [[nodiscard]] std::string inWords() const;
+  /// Writes a document: as writeFileAtomically(), or to standard output.
+  void write(std::string_view content) const;
+
+ private:
+  std::string name_;
+  std::streambuf* standard_ = nullptr;  ///< of std::cout, while something else is in its place
+  std::ostringstream nowhere_;
 };
 
 void addSimulate(CLI::App& app, Common& common);
 void addCapture(CLI::App& app, Common& common);
+void addListen(CLI::App& app, Common& common);
 void addSolve(CLI::App& app, Common& common);
 void addEvaluate(CLI::App& app, Common& common);
 void addExport(CLI::App& app, Common& common);
 void addConvert(CLI::App& app, Common& common);
 void addInspect(CLI::App& app, Common& common);
+void addSensors(CLI::App& app, Common& common);
 void addReproduce(CLI::App& app, Common& common);
+
+/// Says every offence of a device once, as soon as it is known.
+class OffenceNotes {
+ public:
+  explicit OffenceNotes(const Common& common) : common_(common) {}
+  void show(const std::vector<Offence>& offences);
+
+ private:
+  const Common& common_;
+  std::size_t shown_ = 0;
+};
 
 /// Runs `read` and turns what it throws about the file into BadInput.
 template <class Read>
@@ -65,20 +109,28 @@ auto asInput(Read&& read) {
 }
 
 /// Opens an input; TUM files are read with the given cell model (a built-in name or a file).
-OpenedFile openInput(const std::string& path, const std::string& cell_model = "hex-bma150");
+OpenedFile openInput(const std::string& path, const std::string& cell_model = "hex-bma150",
+                     TumAs tum = TumAs::Calibration);
 Session openSession(const std::string& path);
+/// What openSession() throws for a calibration.
+BadInput noSession(const std::string& path);
 std::shared_ptr<const Reconstruction> openCalibration(const std::string& path,
                                                       const std::string& cell_model = "hex-bma150");
 
-int exitCodeOf(const Verdict& verdict);
+int exitCodeOf(const Assessment& verdict);
 
 /// Findings and verdict as text and as JSON, the same in every command.
 void printFindings(const std::vector<Finding>& findings);
-void printVerdict(const Verdict& verdict);
+void printVerdict(const Assessment& verdict);
 nlohmann::ordered_json toJson(const Finding& finding);
-nlohmann::ordered_json toJson(const Verdict& verdict);
+nlohmann::ordered_json toJson(const Assessment& verdict);
 nlohmann::ordered_json toJson(const std::vector<Finding>& findings);
+nlohmann::ordered_json toJson(const std::vector<Offence>& offences);
 void printJson(const nlohmann::ordered_json& json);
+/// JSON as text, without what steers a terminal: JSON itself escapes the control characters of ASCII only.
+void printJsonText(std::string_view text);
+/// "tcp://HOST:PORT, udp://HOST:PORT, ...": all kinds of sources there are.
+std::string sourceKindsInWords();
 
 std::string millimetres(double length_m, int decimals = 2);
 std::string degrees(double angle_rad, int decimals = 2);

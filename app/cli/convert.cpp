@@ -1,10 +1,10 @@
 #include "app/cli/command.h"
 
 #include "hexoderm/io/calibration_json.h"
-#include "hexoderm/io/tum_xml.h"
+#include "hexoderm/io/session_json.h"
 #include "hexoderm/session/session_store.h"
+#include "hexoderm/util/text.h"
 
-#include <filesystem>
 #include <iostream>
 
 namespace hexoderm::cli {
@@ -16,33 +16,44 @@ struct ConvertOptions {
   std::string cell_model = "hex-bma150";
 };
 
-bool isXml(const std::string& path) { return std::filesystem::path(path).extension() == ".xml"; }
+void writeSession(const Session& session, const ConvertOptions& options, const Output& output) {
+  if (output.isStandard()) {
+    output.write(sessionToJson(session));
+  } else {
+    saveSession(session, options.output);
+  }
+}
 
 int run(const ConvertOptions& options, const Common& common) {
-  const bool to_session = isSessionFileName(options.output);
+  const Output output(options.output, common);
   const bool to_calibration = options.output.ends_with(".calibration.json");
-  if (!to_session && !to_calibration) {
-    throw InvalidArgument("-o: expected a name that ends in .hexo, .session.json or .calibration.json, found \"" +
+  if (!output.isStandard() && !to_calibration && !isSessionFileName(options.output)) {
+    throw InvalidArgument("-o: expected a name that ends in .hexo, .session.json or .calibration.json, or -, found \"" +
                           options.output + "\"");
   }
-  if (to_session && isXml(options.input)) {
-    const CellModel model = asInput([&] { return loadCellModel(options.cell_model); });
-    const TumSkinConfig config = asInput([&] { return readTumXml(options.input); });
-    saveSession(sessionFromTum(config, model, options.input), options.output);
-    common.note("Only the topology was taken over: the file holds no readings.");
-  } else if (to_session) {
-    saveSession(openSession(options.input), options.output);
-    if (asInput([&] { return isSessionStore(options.input); })) {
-      common.note("The session as it is now was taken over; removed poses, raw samples and its history stay in " +
-                  options.input + ".");
-    }
+  if (to_calibration) {
+    output.write(calibrationToJson(*openCalibration(options.input, options.cell_model)));
   } else {
-    writeCalibrationJson(*openCalibration(options.input, options.cell_model), options.output);
+    // To standard output goes what a file is; a session's name makes a session of a TUM file, too.
+    const OpenedFile opened =
+        openInput(options.input, options.cell_model, output.isStandard() ? TumAs::Calibration : TumAs::Session);
+    if (const auto* session = std::get_if<Session>(&opened)) {
+      writeSession(*session, options, output);
+      if (session->poses().empty()) common.note("Only the topology was taken over: the file holds no readings.");
+      if (asInput([&] { return isSessionStore(options.input); })) {
+        common.note("The session as it is now was taken over; removed poses, raw samples and its history stay in " +
+                    options.input + ".");
+      }
+    } else if (output.isStandard()) {
+      output.write(calibrationToJson(*std::get<std::shared_ptr<const Reconstruction>>(opened)));
+    } else {
+      throw noSession(options.input);
+    }
   }
   if (common.json) {
     printJson({{"input", options.input}, {"output", options.output}});
   } else {
-    std::cout << "Written to " << options.output << '\n';
+    std::cout << "Written to " << forTerminal(output.inWords()) << '\n';
   }
   return kDone;
 }
@@ -56,7 +67,10 @@ void addConvert(CLI::App& app, Common& common) {
       "*.hexo to *.session.json and back; TUM SkinConfig XML to a calibration, or its topology to a session");
   command->add_option("input", options->input, "*.hexo, *.session.json, *.calibration.json or TUM *.xml")->required();
   command
-      ->add_option("-o,--output", options->output, "*.hexo (must not exist yet), *.session.json or *.calibration.json")
+      ->add_option(
+          "-o,--output", options->output,
+          "*.hexo (must not exist yet), *.session.json or *.calibration.json; - is standard output, which gets the "
+          "JSON of what the input is")
       ->required();
   command->add_option("--cell-model", options->cell_model, "Of a TUM file: built-in name or JSON file")
       ->capture_default_str();

@@ -36,20 +36,41 @@ std::string inMm(const Eigen::Vector3d& v) {
 class Evaluation {
  public:
   Evaluation(const Reconstruction& calibration, bool json) : calibration_(calibration), json_(json) {
-    if (!json_) std::cout << sizeInWords(calibration) << '\n';
+    if (!json_) {
+      std::cout << sizeInWords(calibration) << '\n';
+      if (calibration.patches.size() > 1) {
+        std::cout << "How the patches lie to each other is not known: every figure is one of a patch by itself.\n";
+      }
+    }
     result_["patches"] = calibration.patches.size();
   }
 
   void fit(SurfaceKind kind, std::optional<double> true_radius_m) {
     auto fits = nlohmann::ordered_json::array();
+    std::size_t fitted = 0;
     for (const PatchReconstruction& patch : calibration_.patches) {
-      const SurfaceEvaluation surface = evaluateSurface(patch, kind, true_radius_m);
+      SurfaceEvaluation surface;
+      try {
+        surface = checkSurface(patch, kind, true_radius_m);
+      } catch (const InvalidArgument& error) {
+        // A cell that fell off does not stand in the way of the others.
+        if (&patch == &calibration_.patches.back() && fitted == 0) throw;
+        fits.push_back({{"patch", patch.id.value()}, {"surface", surfaceKindName(kind)}, {"why_not", error.what()}});
+        if (!json_) std::cout << "Patch " << patch.id << ": " << error.what() << '\n';
+        continue;
+      }
+      ++fitted;
       fits.push_back(toJson(surface));
       if (json_) continue;
       std::cout << "Patch " << patch.id << ", " << surfaceKindName(kind) << " through " << surface.cells.size()
                 << " cell centres: ";
       if (surface.radius_m) std::cout << "radius " << millimetres(*surface.radius_m) << ", ";
       std::cout << "distances " << millimetres(surface.rms_m, 3) << " rms\n";
+      if (surface.better) {
+        std::cout << "  It is not this surface: the cells face " << degrees(surface.tilt_rms_rad, 1)
+                  << " rms away from it, and " << degrees(surface.better->tilt_rms_rad, 1) << " from a "
+                  << surfaceKindName(surface.better->kind) << '\n';
+      }
       std::cout << "  point " << inMm(surface.point);
       if (kind != SurfaceKind::Sphere) {
         std::cout << (kind == SurfaceKind::Plane ? ", normal [" : ", axis [") << formatFixed(surface.axis.x(), 4)
@@ -96,11 +117,11 @@ class Evaluation {
 
   void findingsAndVerdict() {
     result_["findings"] = cli::toJson(calibration_.findings);
-    result_["verdict"] = cli::toJson(calibration_.verdict);
+    result_["verdict"] = cli::toJson(calibration_.assessment);
     if (json_) {
       printJson(result_);
     } else {
-      printVerdict(calibration_.verdict);
+      printVerdict(calibration_.assessment);
     }
   }
 
@@ -114,6 +135,8 @@ class Evaluation {
     if (surface.radius_m) json["radius_mm"] = toMillimetres(*surface.radius_m);
     if (surface.half_angle_rad) json["half_angle_deg"] = toDegrees(*surface.half_angle_rad);
     json["rms_mm"] = toMillimetres(surface.rms_m);
+    json["tilt_rms_deg"] = toDegrees(surface.tilt_rms_rad);
+    if (surface.better) json["more_probable"] = surfaceKindName(surface.better->kind);
     if (surface.delta_m) json["delta_mm"] = toMillimetres(*surface.delta_m);
     if (surface.epsilon_m) json["epsilon_mm"] = toMillimetres(*surface.epsilon_m);
     json["cells"] = nlohmann::ordered_json::array();
@@ -143,6 +166,11 @@ class Evaluation {
   }
 
   static void print(const Comparison& comparison) {
+    if (comparison.cells.size() == 1) {
+      std::cout << "Patch " << comparison.patch << ": cell " << comparison.cells.front().cell
+                << " alone, which fits wherever it is: nothing to compare\n";
+      return;
+    }
     std::cout << "Patch " << comparison.patch << ", after alignment: position "
               << millimetres(comparison.position_rms_m, 3) << " rms, orientation "
               << degrees(comparison.orientation_rms_rad, 3) << " rms\n";

@@ -47,13 +47,13 @@ nlohmann::ordered_json describe(const Reconstruction& r, const std::string& kind
     json["poses"].push_back(std::move(entry));
   }
   json["findings"] = toJson(r.findings);
-  json["verdict"] = toJson(r.verdict);
+  json["verdict"] = toJson(r.assessment);
   return json;
 }
 
 void print(const Reconstruction& r, const std::string& path, const std::string& kind) {
-  std::cout << path << ": " << kind << " of cell model " << r.model->name << '\n';
-  if (!r.source.text.empty()) std::cout << "Source: " << r.source.text << '\n';
+  std::cout << forTerminal(path) << ": " << kind << " of cell model " << forTerminal(r.model->name) << '\n';
+  if (!r.source.text.empty()) std::cout << "Source: " << forTerminal(r.source.text.english()) << '\n';
   std::cout << "Skin: " << sizeInWords(r) << ", " << freePorts(r) << " free ports\n";
   for (const PatchReconstruction& patch : r.patches) {
     std::cout << "  patch " << patch.id << ": " << patch.cells.size() << (patch.cells.size() == 1 ? " cell" : " cells")
@@ -61,7 +61,7 @@ void print(const Reconstruction& r, const std::string& path, const std::string& 
   }
   std::cout << "Poses: " << r.poses.size() << '\n';
   for (const PoseSummary& pose : r.poses) {
-    std::cout << "  " << pose.pose << (pose.label.empty() ? "" : " \"" + pose.label.english() + "\"")
+    std::cout << "  " << pose.pose << (pose.label.empty() ? "" : " \"" + forTerminal(pose.label.english()) + "\"")
               << (pose.enabled ? "" : " (disabled)") << ": " << pose.cells_measured << " of " << r.cellCount()
               << " cells, noise " << formatFixed(pose.noise_g * 1000, 1) << " mg";
     if (pose.new_by_rad) std::cout << ", new by " << degrees(*pose.new_by_rad, 0);
@@ -69,7 +69,7 @@ void print(const Reconstruction& r, const std::string& path, const std::string& 
     std::cout << '\n';
   }
   printFindings(r.findings);
-  printVerdict(r.verdict);
+  printVerdict(r.assessment);
 }
 
 int run(const InspectOptions& options, const Common& common) {

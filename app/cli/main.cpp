@@ -1,15 +1,28 @@
 #include "app/cli/command.h"
 
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/text.h"
 
 #include <iostream>
+#include <sstream>
+#include <system_error>
 
 namespace {
 
 /// One line that says what is wrong, where and what was expected; the exit code says whose fault it is.
 int fail(const std::exception& error, int code) {
-  std::cerr << "hexoderm-cli: " << error.what() << '\n';
+  std::cerr << "hexoderm-cli: " << hexoderm::forTerminal(error.what()) << '\n';
   return code;
+}
+
+/// Help and version as they are; a complaint about the arguments repeats them.
+int exitAfterParsing(const CLI::App& app, const CLI::ParseError& error) {
+  std::ostringstream complaint;
+  const int code = app.exit(error, std::cout, complaint);
+  for (const std::string& line : hexoderm::split(complaint.str(), '\n')) {
+    if (!line.empty()) std::cerr << hexoderm::forTerminal(line) << '\n';
+  }
+  return code == 0 ? hexoderm::cli::kDone : hexoderm::cli::kUsage;
 }
 
 }  // namespace
@@ -29,11 +42,13 @@ int main(int argc, char** argv) {
       "  hexoderm-cli export arm.calibration.json --to urdf -o arm.urdf");
   cli::addSimulate(app, common);
   cli::addCapture(app, common);
+  cli::addListen(app, common);
   cli::addSolve(app, common);
   cli::addEvaluate(app, common);
   cli::addExport(app, common);
   cli::addConvert(app, common);
   cli::addInspect(app, common);
+  cli::addSensors(app, common);
   cli::addReproduce(app, common);
 
   try {
@@ -42,7 +57,7 @@ int main(int argc, char** argv) {
     if (!std::cout) throw StorageError("standard output: cannot be written");
     return common.exit_code;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? cli::kDone : cli::kUsage;
+    return exitAfterParsing(app, error);
   } catch (const cli::BadInput& error) {
     return fail(error, cli::kBadInput);
   } catch (const FormatError& error) {
@@ -52,6 +67,8 @@ int main(int argc, char** argv) {
   } catch (const DeviceError& error) {
     return fail(error, cli::kDevice);
   } catch (const StorageError& error) {
+    return fail(error, cli::kStorage);
+  } catch (const std::system_error& error) {  // of std::filesystem, above all
     return fail(error, cli::kStorage);
   } catch (const std::bad_alloc& error) {
     return fail(error, cli::kStorage);

@@ -3,6 +3,7 @@
 #include "hexoderm/device/simulation/fault_names.h"
 #include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/io/open_file.h"
+#include "hexoderm/io/session_json.h"
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/text.h"
 
@@ -15,6 +16,7 @@ struct SimulateOptions {
   SimulatedSkinOptions skin;
   std::string cell_model = "hex-bma150";
   std::string link_law = "bend";
+  std::string motion = "hand";
   std::size_t poses = 2;
   std::size_t samples = 100;
   double offset_sigma_mg = -1;
@@ -34,7 +36,7 @@ std::string namesOf(const Kinds& kinds) {
 
 std::string faultSyntax() {
   return "KIND:CELL with KIND " + namesOf(skinFaultNames()) + ", or KIND:CELL:PORT with KIND " +
-         namesOf(linkFaultNames());
+         namesOf(linkFaultNames()) + ", or KIND alone, of the whole skin: " + namesOf(wholeSkinFaultNames());
 }
 
 void addFault(const std::string& text, SimulatedSkinOptions& skin) {
@@ -43,6 +45,11 @@ void addFault(const std::string& text, SimulatedSkinOptions& skin) {
   for (const auto& [name, kind] : skinFaultNames()) {
     if (parts.size() != 2 || parts[0] != name) continue;
     skin.faults.push_back({kind, CellId(number(1))});
+    return;
+  }
+  for (const auto& [name, kind] : wholeSkinFaultNames()) {
+    if (parts.size() != 1 || parts[0] != name) continue;
+    skin.whole_skin_faults.push_back(kind);
     return;
   }
   for (const auto& [name, kind] : linkFaultNames()) {
@@ -54,24 +61,35 @@ void addFault(const std::string& text, SimulatedSkinOptions& skin) {
 }
 
 int run(const SimulateOptions& options, const Common& common) {
-  if (!options.output.ends_with(".json") && !isSessionFileName(options.output)) {
-    throw InvalidArgument("-o: expected a name that ends in .session.json or .hexo, found \"" + options.output + "\"");
+  const Output output(options.output, common);
+  if (!output.isStandard() && !options.output.ends_with(".json") && !isSessionFileName(options.output)) {
+    throw InvalidArgument("-o: expected a name that ends in .session.json or .hexo, or -, found \"" + options.output +
+                          "\"");
   }
   CellModel model = asInput([&] { return loadCellModel(options.cell_model); });
   if (options.offset_sigma_mg >= 0) model.accelerometer.offset_sigma_g = options.offset_sigma_mg / 1000;
-  SimulatedSkinOptions skin_options = options.ideal ? SimulatedSkinOptions::ideal() : SimulatedSkinOptions();
+  model.validate();
+  SimulatedSkinOptions skin_options = options.ideal               ? SimulatedSkinOptions::ideal()
+                                      : options.motion == "robot" ? SimulatedSkinOptions::robot()
+                                                                  : SimulatedSkinOptions();
   skin_options.patch = options.skin.patch;
   skin_options.surface = options.skin.surface;
   skin_options.seed = options.skin.seed;
   skin_options.link_law = options.link_law == "surface" ? LinkLaw::Surface : LinkLaw::Bend;
   for (const std::string& fault : options.faults) addFault(fault, skin_options);
+  // Between the last pose and the one before it.
+  skin_options.reglued_before = options.poses == 0 ? 0 : options.poses - 1;
 
   common.progress("Laying the skin ...");
   SimulatedSkin skin(std::move(model), skin_options);
   common.progress("Taking poses ...");
   const Session session = simulateSession(skin, options.poses, options.samples);
   common.progress("Writing ...");
-  saveSession(session, options.output);
+  if (output.isStandard()) {
+    output.write(sessionToJson(session));
+  } else {
+    saveSession(session, options.output);
+  }
   common.endProgress();
   if (common.json) {
     printJson({{"file", options.output},
@@ -80,7 +98,7 @@ int run(const SimulateOptions& options, const Common& common) {
                {"poses", session.poses().size()}});
   } else {
     std::cout << skin.description() << ": " << skin.truth().size() << " cells, " << session.poses().size()
-              << " poses, with truth. Written to " << options.output << '\n';
+              << " poses, with truth. Written to " << forTerminal(output.inWords()) << '\n';
   }
   return kDone;
 }
@@ -109,10 +127,17 @@ void addSimulate(CLI::App& app, Common& common) {
                    "Accelerometer offsets, 1 sigma, in mg (default: the cell model's)")
       ->check(CLI::NonNegativeNumber);
   command->add_option("--fault", options->faults, faultSyntax() + "; may be repeated");
-  command->add_flag("--ideal", options->ideal, "No jitter, no sensor errors, no noise, no hand");
+  CLI::Option* motion =
+      command
+          ->add_option("--motion", options->motion,
+                       "What holds and turns the part: hand; or robot, with its motors on: 8 to 35 mg of vibration, 20 "
+                       "readings a second, and a single joint")
+          ->check(CLI::IsMember({"hand", "robot"}))
+          ->capture_default_str();
+  command->add_flag("--ideal", options->ideal, "No jitter, no sensor errors, no noise, no hand")->excludes(motion);
   command
       ->add_option("-o,--output", options->output,
-                   "Session to write (*.session.json, or *.hexo, which must not exist yet)")
+                   "Session to write (*.session.json, or *.hexo, which must not exist yet; - is standard output)")
       ->required();
   common.addTo(*command);
   command->footer(

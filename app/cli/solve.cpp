@@ -36,13 +36,14 @@ void printSummary(const Reconstruction& r, const Session& session) {
   }
   if (session.truth()) {
     for (const Comparison& comparison : compareToTruth(r, *session.truth())) {
+      if (comparison.cells.size() == 1) continue;  // it fits wherever it is
       std::cout << "Against the truth, patch " << comparison.patch << ": position "
                 << millimetres(comparison.position_rms_m, 3) << " rms, orientation "
                 << degrees(comparison.orientation_rms_rad, 3) << " rms (after alignment)\n";
     }
   }
   printFindings(r.findings);
-  printVerdict(r.verdict);
+  printVerdict(r.assessment);
 }
 
 int run(const SolveOptions& options, const Common& common) {
@@ -55,23 +56,24 @@ int run(const SolveOptions& options, const Common& common) {
   for (const std::uint32_t id : options.without) solver.left_out.emplace_back(id);
   solver.class_threshold = options.class_threshold;
   solver.validate();
+  const Output output(options.output, common);
 
   common.progress("Reading " + options.input + " ...");
   const Session session = openSession(options.input);
   common.progress("Solving ...");
   const auto result = reconstruct(*session.snapshot(), solver);
   if (!options.output.empty()) {
-    common.progress("Writing " + options.output + " ...");
-    writeCalibrationJson(*result, options.output);
+    common.progress("Writing " + output.inWords() + " ...");
+    output.write(calibrationToJson(*result));
   }
   common.endProgress();
   if (common.json) {
-    std::cout << calibrationToJson(*result) << '\n';
+    printJsonText(calibrationToJson(*result));
   } else {
     printSummary(*result, session);
-    if (!options.output.empty()) std::cout << "Written to " << options.output << '\n';
+    if (!options.output.empty()) std::cout << "Written to " << forTerminal(output.inWords()) << '\n';
   }
-  return exitCodeOf(result->verdict);
+  return exitCodeOf(result->assessment);
 }
 
 }  // namespace
@@ -80,7 +82,8 @@ void addSolve(CLI::App& app, Common& common) {
   const auto options = std::make_shared<SolveOptions>();
   CLI::App* command = app.add_subcommand("solve", "Find the placement of every cell of a session");
   command->add_option("input", options->input, "Session (*.hexo or *.session.json)")->required();
-  command->add_option("-o,--output", options->output, "Calibration to write (*.calibration.json)");
+  command->add_option("-o,--output", options->output,
+                      "Calibration to write (*.calibration.json; - is standard output)");
   command
       ->add_option("--solver", options->solver,
                    "global: all cells, poses and links together; tree: the paper's way, along shortest paths")

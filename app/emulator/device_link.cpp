@@ -11,12 +11,15 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/ip/udp.hpp>
 #include <boost/asio/posix/stream_descriptor.hpp>
+#include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
 
 #include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace hexoderm::emulator {
@@ -34,7 +37,8 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kFullBytes = 1U << 20U;
 constexpr std::size_t kMostBytes = 64U << 20U;
 constexpr std::chrono::seconds kUdpHostLives(5);
-constexpr std::chrono::seconds kSerialHostLives(3);
+constexpr std::chrono::seconds kStalledHostLives(3);
+constexpr std::chrono::milliseconds kWatchEvery(250);
 
 /// A stream of bytes in both directions, from when it is open until it is closed.
 template <class Channel>
@@ -123,9 +127,12 @@ typename Protocol::endpoint endpointOf(const std::string& host, std::uint16_t po
   return {address, port};
 }
 
+/// A connection is a host once it sends a command, and then keeps the device until it goes or takes nothing any more.
+/// One that says nothing (a scanner of ports, a terminal that was forgotten) gives way to the next.
 class TcpLink final : public DeviceLink {
  public:
-  TcpLink(asio::io_context& io, const tcp::endpoint& at, skinwire::Framing framing) : acceptor_(io), framing_(framing) {
+  TcpLink(asio::io_context& io, const tcp::endpoint& at, skinwire::Framing framing)
+      : acceptor_(io), timer_(io), framing_(framing) {
     error_code error;
     acceptor_.open(at.protocol(), error);
     if (!error) acceptor_.set_option(tcp::acceptor::reuse_address(true), error);
@@ -142,6 +149,7 @@ class TcpLink final : public DeviceLink {
   void start(Callbacks callbacks) override {
     callbacks_ = std::move(callbacks);
     accept();
+    watch();
   }
   [[nodiscard]] Bytes framed(const skinwire::Message& message) const override {
     return skinwire::encodeFrame(framing_, message);
@@ -165,27 +173,68 @@ class TcpLink final : public DeviceLink {
   using TcpStream = Stream<tcp::socket>;
 
   void accept() {
+    if (std::exchange(is_accepting_, true)) return;
     acceptor_.async_accept([this](const error_code& error, tcp::socket socket) {
-      if (error == asio::error::operation_aborted) return;
-      if (error) return accept();
-      error_code ignored;
-      socket.set_option(tcp::no_delay(true), ignored);
-      stream_ = std::make_shared<TcpStream>(std::move(socket), framing_,
-                                            TcpStream::Callbacks{callbacks_.commanded, [this] { leave(); }});
-      callbacks_.host_came();
-      if (stream_) stream_->start();
+      is_accepting_ = false;
+      if (error) return;  // watch() tries again
+      if (stream_ && has_spoken_) {
+        next_.emplace(std::move(socket));
+        return;
+      }
+      if (stream_) {
+        stream_->close();
+        stream_.reset();
+        callbacks_.host_gone();
+      }
+      welcome(std::move(socket));
     });
   }
-  void leave() {
-    stream_.reset();
-    callbacks_.host_gone();
+
+  void welcome(tcp::socket socket) {
+    error_code ignored;
+    socket.set_option(tcp::no_delay(true), ignored);
+    has_spoken_ = false;
+    const auto take = [this](const skinwire::Command& command) {
+      has_spoken_ = true;
+      callbacks_.commanded(command);
+    };
+    stream_ = std::make_shared<TcpStream>(std::move(socket), framing_, TcpStream::Callbacks{take, [this] { leave(); }});
+    callbacks_.host_came();
+    if (stream_) stream_->start();
     accept();
   }
 
+  void leave() {
+    stream_.reset();
+    callbacks_.host_gone();
+    // Not from within: what was meant for the one before may still be on its way here.
+    asio::post(acceptor_.get_executor(), [this] {
+      if (!stream_ && next_) {
+        welcome(*std::exchange(next_, std::nullopt));
+      } else if (!next_) {
+        accept();
+      }
+    });
+  }
+
+  void watch() {
+    timer_.expires_after(kWatchEvery);
+    timer_.async_wait([this](const error_code& error) {
+      if (error) return;
+      if (stream_ && stream_->isStalled(kStalledHostLives)) disconnect();
+      if (!next_) accept();
+      watch();
+    });
+  }
+
   tcp::acceptor acceptor_;
+  asio::steady_timer timer_;
   skinwire::Framing framing_;
   Callbacks callbacks_;
   std::shared_ptr<TcpStream> stream_;
+  bool has_spoken_ = false;
+  bool is_accepting_ = false;
+  std::optional<tcp::socket> next_;  ///< waits until the host has gone; more wait in the acceptor
 };
 
 class UdpLink final : public DeviceLink {
@@ -236,6 +285,7 @@ class UdpLink final : public DeviceLink {
     const auto* command = std::get_if<skinwire::Command>(&decoded.message);
     if (decoded.outcome != skinwire::DecodeOutcome::Understood || command == nullptr) return;
     const bool is_host = has_host_ && sender_ == host_;
+    if (has_host_ && !is_host) return;  // the device streams to another one, and its answer would be a flood
     if (std::holds_alternative<skinwire::Describe>(command->request)) {
       asked_ = Clock::now();
       if (!is_host) {
@@ -248,7 +298,7 @@ class UdpLink final : public DeviceLink {
   }
 
   void watch() {
-    timer_.expires_after(std::chrono::milliseconds(250));
+    timer_.expires_after(kWatchEvery);
     timer_.async_wait([this](const error_code& error) {
       if (error) return;
       if (has_host_ && Clock::now() - asked_ > kUdpHostLives) disconnect();
@@ -347,10 +397,10 @@ class PseudoTerminalLink final : public DeviceLink {
 
   /// Nor when it closes it: but then nobody reads.
   void watch() {
-    timer_.expires_after(std::chrono::milliseconds(250));
+    timer_.expires_after(kWatchEvery);
     timer_.async_wait([this](const error_code& error) {
       if (error) return;
-      if (has_host_ && stream_->isStalled(kSerialHostLives)) disconnect();
+      if (has_host_ && stream_->isStalled(kStalledHostLives)) disconnect();
       watch();
     });
   }

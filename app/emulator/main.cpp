@@ -1,8 +1,10 @@
 #include "app/emulator/console.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/interrupt.h"
+#include "hexoderm/util/text.h"
 
 #include <boost/asio/post.hpp>
-#include <boost/asio/signal_set.hpp>
+#include <boost/asio/steady_timer.hpp>
 
 #include <CLI/CLI.hpp>
 
@@ -92,6 +94,24 @@ std::unique_ptr<DeviceLink> openLink(boost::asio::io_context& io, const Options&
   return openPseudoTerminal(io);
 }
 
+/// Asks now and then: the handler of a signal can't do more than raise a flag.
+class InterruptWatch {
+ public:
+  InterruptWatch(boost::asio::io_context& io, Emulator& emulator) : timer_(io), emulator_(emulator) { ask(); }
+
+ private:
+  void ask() {
+    if (isInterrupted()) return emulator_.stop();
+    timer_.expires_after(std::chrono::milliseconds(50));
+    timer_.async_wait([this](const boost::system::error_code& error) {
+      if (!error) ask();
+    });
+  }
+
+  boost::asio::steady_timer timer_;
+  Emulator& emulator_;
+};
+
 void run(Options options) {
   boost::asio::io_context io(1);
   std::unique_ptr<DeviceLink> link = openLink(io, options);
@@ -110,17 +130,15 @@ void run(Options options) {
             << std::endl;
 
   Emulator emulator(io, std::move(device), std::move(link), options.speed);
-  boost::asio::signal_set signals(io, SIGINT, SIGTERM);
-  signals.async_wait([&](const boost::system::error_code& error, int) {
-    if (!error) emulator.stop();
-  });
+  endOnInterrupt("hexoderm-emulator: ended while something was held up\n");
+  const InterruptWatch watch(io, emulator);
   const LineReader reader([&](const std::string& line) {
     boost::asio::post(io, [&, line] {
       try {
         const std::string text = runLine(line, emulator);
         if (!text.empty()) std::cout << text << std::endl;
       } catch (const Error& error) {
-        std::cout << "error: " << error.what() << std::endl;
+        std::cout << "error: " << forTerminal(error.what()) << std::endl;
       }
     });
   });
@@ -129,7 +147,7 @@ void run(Options options) {
 }
 
 int fail(const std::exception& error, int code) {
-  std::cerr << "hexoderm-emulator: " << error.what() << '\n';
+  std::cerr << "hexoderm-emulator: " << forTerminal(error.what()) << '\n';
   return code;
 }
 

@@ -9,7 +9,10 @@
 #include <QTimer>
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <memory>
+#include <optional>
 
 namespace {
 
@@ -18,6 +21,8 @@ using namespace hexoderm;
 // Exit codes as hexoderm-cli has them.
 constexpr int kUsage = 2;
 constexpr int kBadInput = 3;
+constexpr int kNoDisplay = 4;
+constexpr int kDevice = 4;
 constexpr int kStorage = 5;
 
 int complain(const QString& message, int code) {
@@ -42,7 +47,8 @@ bool isAsked(int argc, char** argv, const char* option) {
                      [option](const char* argument) { return std::strcmp(argument, option) == 0; });
 }
 
-/// Lets the demo's robot take its poses, then takes the picture, as the command line asks.
+/// Lets the demo's robot take its poses, then takes the picture, as the command line asks. The robot is asked once:
+/// when it stops, there are so many poses, or it could not take more.
 class Script : public QObject {
  public:
   Script(MainWindow& window, int poses, const QString& picture) : window_(window), poses_(poses), picture_(picture) {
@@ -58,36 +64,131 @@ class Script : public QObject {
     if (done_ || !controller.reconstruction() || controller.isSolving() || !controller.work().activity().isEmpty())
       return;
     if (!controller.isCurrent()) return;
-    if (controller.liveSession().isDemo() && static_cast<int>(controller.session()->poses().size()) < poses_) {
-      if (!controller.poseGuide().isRobotOn()) controller.poseGuide().setRobot(true);
-      return;
+    if (controller.liveSession().isDemo() && poses_ > 0 && !is_robot_asked_) {
+      is_robot_asked_ = true;
+      controller.poseGuide().letRobotTake(static_cast<std::size_t>(poses_));
     }
+    if (controller.poseGuide().isRobotOn()) return;
     done_ = true;
-    controller.poseGuide().setRobot(false);
     controller.liveSession().setAutomatic(false);
     if (picture_.isEmpty()) return;
     // The views draw what they have just been given when the events before this one are through.
-    QTimer::singleShot(0, this, [this] {
-      QCoreApplication::exit(
-          window_.picture().save(picture_, "PNG")
-              ? 0
-              : complain(QCoreApplication::translate("main", "The picture %1 could not be written.").arg(picture_),
-                         kStorage));
-    });
+    QTimer::singleShot(0, this, [this] { QCoreApplication::exit(finish()); });
+  }
+
+  /// Returns the exit code.
+  int finish() {
+    if (!window_.picture().save(picture_, "PNG")) {
+      return complain(QCoreApplication::translate("main", "The picture %1 could not be written.").arg(picture_),
+                      kStorage);
+    }
+    const Session* session = window_.controller().session();
+    const int taken = session == nullptr ? 0 : static_cast<int>(session->poses().size());
+    if (taken >= poses_) return 0;
+    return complain(
+        QCoreApplication::translate("main", "The robot took %1 of %2 poses, and stopped.").arg(taken).arg(poses_),
+        kDevice);
   }
 
   MainWindow& window_;
   int poses_;
   QString picture_;
+  bool is_robot_asked_ = false;
   bool done_ = false;
 };
+
+/// What the program takes on its command line, in the language of the application that there is.
+struct Arguments {
+  QCommandLineParser parser;
+  QCommandLineOption help = parser.addHelpOption();
+  QCommandLineOption version = parser.addVersionOption();
+  QCommandLineOption demo{QStringLiteral("demo"), QCoreApplication::translate("main", "Start the demo skin.")};
+  QCommandLineOption poses{QStringLiteral("poses"),
+                           QCoreApplication::translate("main", "Let the demo take N poses at once."),
+                           QStringLiteral("N"), QStringLiteral("0")};
+  QCommandLineOption theme{QStringLiteral("theme"),
+                           QCoreApplication::translate("main", "light, dark or system, for this time."),
+                           QStringLiteral("THEME")};
+  QCommandLineOption language{QStringLiteral("language"),
+                              QCoreApplication::translate("main", "en, de or system, for this time."),
+                              QStringLiteral("LANGUAGE")};
+  QCommandLineOption screenshot{
+      QStringLiteral("screenshot"),
+      QCoreApplication::translate("main", "Save a picture of the window after the first result, and quit."),
+      QStringLiteral("FILE")};
+  QCommandLineOption software_opengl{
+      QStringLiteral("software-opengl"),
+      QCoreApplication::translate("main", "Draw in 3D without the graphics card, for this time.")};
+
+  Arguments() {
+    parser.setApplicationDescription(
+        QCoreApplication::translate("main", "Finds out where every cell of a robot's artificial skin is."));
+    parser.addPositionalArgument(QStringLiteral("FILE"),
+                                 QCoreApplication::translate("main", "A session or calibration to open."),
+                                 QStringLiteral("[FILE]"));
+    parser.addOptions({demo, poses, theme, language, screenshot, software_opengl});
+  }
+};
+
+/// The line for a user without a display, in his language, as long as the application is not there yet.
+QByteArray& noDisplayLine() {
+  static QByteArray line;
+  return line;
+}
+
+/// What can be answered without a display: help and version. Also prepares noDisplayLine().
+std::optional<int> answerWithoutDisplay(int argc, char** argv) {
+  QCoreApplication app(argc, argv);
+  installTranslations(app, languageFromArguments(QCoreApplication::arguments()));
+  noDisplayLine() = QCoreApplication::translate("main",
+                                                "The window needs a display, and none can be reached: set DISPLAY, or "
+                                                "use hexoderm-cli.")
+                        .toLocal8Bit();
+  Arguments arguments;
+  // Options of Qt's own are not known yet; a mistake is told by the application that knows them.
+  static_cast<void>(arguments.parser.parse(QCoreApplication::arguments()));
+  QTextStream out(stdout);
+  if (arguments.parser.isSet(arguments.version)) {
+    out << QCoreApplication::applicationName() << ' ' << QCoreApplication::applicationVersion() << '\n';
+    return 0;
+  }
+  if (!arguments.parser.isSet(arguments.help) && !isAsked(argc, argv, "--help-all")) return std::nullopt;
+  out << arguments.parser.helpText();
+  return 0;
+}
+
+/// Qt aborts where there is no display, after some lines of its own. This ends the program in order, with one line.
+class NoDisplayIsNoAbort {
+ public:
+  NoDisplayIsNoAbort() : before_(qInstallMessageHandler(take)) {}
+  ~NoDisplayIsNoAbort() { qInstallMessageHandler(before_); }
+  NoDisplayIsNoAbort(const NoDisplayIsNoAbort&) = delete;
+  NoDisplayIsNoAbort& operator=(const NoDisplayIsNoAbort&) = delete;
+
+ private:
+  static void take(QtMsgType type, const QMessageLogContext& /*context*/, const QString& /*text*/) {
+    if (type != QtFatalMsg) return;
+    std::fprintf(stderr, "hexoderm: %s\n", noDisplayLine().constData());
+    std::_Exit(kNoDisplay);
+  }
+
+  QtMessageHandler before_;
+};
+
+std::unique_ptr<QApplication> connectToDisplay(int& argc, char** argv) {
+  const NoDisplayIsNoAbort guard;
+  return std::make_unique<QApplication>(argc, argv);
+}
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  installStyle();
   QCoreApplication::setOrganizationName(QStringLiteral("Hexoderm"));
   QCoreApplication::setApplicationName(QStringLiteral("hexoderm"));
+  QCoreApplication::setApplicationVersion(QStringLiteral(HEXODERM_VERSION));
+  if (const std::optional<int> answered = answerWithoutDisplay(argc, argv)) return *answered;
+
+  installStyle();
   prepareSoftwareOpenGl(isAsked(argc, argv, "--software-opengl"));
 #if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
   // As in Qt 6: dense screens are followed, by their exact scale.
@@ -95,61 +196,35 @@ int main(int argc, char** argv) {
   QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
   QGuiApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
 #endif
-  QApplication app(argc, argv);
-  QCoreApplication::setApplicationVersion(QStringLiteral(HEXODERM_VERSION));
+  const std::unique_ptr<QApplication> app = connectToDisplay(argc, argv);
+  installTranslations(*app, languageFromArguments(QCoreApplication::arguments()));
 
-  installTranslations(app, languageFromArguments(app.arguments()));
-
-  QCommandLineParser parser;
-  parser.setApplicationDescription(
-      QCoreApplication::translate("main", "Finds out where every cell of a robot's artificial skin is."));
-  parser.addHelpOption();
-  parser.addVersionOption();
-  parser.addPositionalArgument(QStringLiteral("FILE"),
-                               QCoreApplication::translate("main", "A session or calibration to open."),
-                               QStringLiteral("[FILE]"));
-  const QCommandLineOption demo(QStringLiteral("demo"), QCoreApplication::translate("main", "Start the demo skin."));
-  const QCommandLineOption poses(QStringLiteral("poses"),
-                                 QCoreApplication::translate("main", "Let the demo take N poses at once."),
-                                 QStringLiteral("N"), QStringLiteral("0"));
-  const QCommandLineOption theme(QStringLiteral("theme"),
-                                 QCoreApplication::translate("main", "light, dark or system, for this time."),
-                                 QStringLiteral("THEME"));
-  const QCommandLineOption language(QStringLiteral("language"),
-                                    QCoreApplication::translate("main", "en, de or system, for this time."),
-                                    QStringLiteral("LANGUAGE"));
-  const QCommandLineOption screenshot(
-      QStringLiteral("screenshot"),
-      QCoreApplication::translate("main", "Save a picture of the window after the first result, and quit."),
-      QStringLiteral("FILE"));
-  const QCommandLineOption software_opengl(
-      QStringLiteral("software-opengl"),
-      QCoreApplication::translate("main", "Draw in 3D without the graphics card, for this time."));
-  parser.addOptions({demo, poses, theme, language, screenshot, software_opengl});
-  parser.process(app);
+  Arguments arguments;
+  QCommandLineParser& parser = arguments.parser;
+  parser.process(*app);
 
   if (parser.positionalArguments().size() > 1) {
     return complain(QCoreApplication::translate("main", "One file at a time; see --help."), kUsage);
   }
-  if (parser.isSet(demo) && !parser.positionalArguments().isEmpty()) {
+  if (parser.isSet(arguments.demo) && !parser.positionalArguments().isEmpty()) {
     return complain(QCoreApplication::translate("main", "Give either --demo or a file, not both."), kUsage);
   }
   bool is_number = false;
-  const int pose_count = parser.value(poses).toInt(&is_number);
+  const int pose_count = parser.value(arguments.poses).toInt(&is_number);
   if (!is_number || pose_count < 0 || pose_count > 1000) {
     return complain(QCoreApplication::translate("main", "--poses takes a number from 0 to 1000."), kUsage);
   }
-  if (pose_count > 0 && !parser.isSet(demo)) {
+  if (pose_count > 0 && !parser.isSet(arguments.demo)) {
     return complain(QCoreApplication::translate("main", "--poses goes with --demo."), kUsage);
   }
-  const std::optional<ThemeChoice> choice = themeChoiceFromName(parser.value(theme));
-  if (parser.isSet(theme) && !choice) {
+  const std::optional<ThemeChoice> choice = themeChoiceFromName(parser.value(arguments.theme));
+  if (parser.isSet(arguments.theme) && !choice) {
     return complain(QCoreApplication::translate("main", "--theme takes light, dark or system."), kUsage);
   }
-  if (parser.isSet(language) && !isLanguageChoice(parser.value(language))) {
+  if (parser.isSet(arguments.language) && !isLanguageChoice(parser.value(arguments.language))) {
     return complain(QCoreApplication::translate("main", "--language takes en, de or system."), kUsage);
   }
-  if (parser.isSet(screenshot) && !parser.isSet(demo) && parser.positionalArguments().isEmpty()) {
+  if (parser.isSet(arguments.screenshot) && !parser.isSet(arguments.demo) && parser.positionalArguments().isEmpty()) {
     return complain(QCoreApplication::translate("main", "--screenshot needs a file or --demo to show."), kUsage);
   }
 
@@ -157,8 +232,8 @@ int main(int argc, char** argv) {
   MainWindow window;
   if (choice) window.setThemeChoice(*choice, false);
   window.show();
-  const Script script(window, pose_count, parser.value(screenshot));
-  if (parser.isSet(demo)) window.startDemo();
+  const Script script(window, pose_count, parser.value(arguments.screenshot));
+  if (parser.isSet(arguments.demo)) window.startDemo();
   if (!parser.positionalArguments().isEmpty()) window.openFile(parser.positionalArguments().front());
   return QApplication::exec();
 }

@@ -308,6 +308,10 @@
         <source>The part is still. Automatic capture is off</source>
         <translation>Das Teil ist ruhig. Die Automatik ist aus</translation>
     </message>
+    <message>
+        <source>The directions seen are enough: another one would hardly help.</source>
+        <translation>Die gesehenen Richtungen genügen: Eine weitere würde kaum helfen.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::CardDock</name>
@@ -774,6 +778,10 @@
         <source>Demo skin</source>
         <translation>Demo-Haut</translation>
     </message>
+    <message>
+        <source>The device does something wrong: %1</source>
+        <translation>Das Gerät macht etwas falsch: %1</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::CoverageView</name>
@@ -966,10 +974,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Eines je Zelle</translation>
     </message>
     <message>
-        <source>One for each patch (lighter in RViz)</source>
-        <translation>Eines je Hautstück (leichter in RViz)</translation>
-    </message>
-    <message>
         <source>Robot</source>
         <translation>Roboter</translation>
     </message>
@@ -1000,6 +1004,30 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Replace</source>
         <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>One for the patch (lighter in RViz)</source>
+        <translation>Eines für das Hautstück (leichter in RViz)</translation>
+    </message>
+    <message>
+        <source>Patch</source>
+        <translation>Hautstück</translation>
+    </message>
+    <message>
+        <source>How the patches lie to each other is not known, so that a file with one frame holds one</source>
+        <translation>Wie die Hautstücke zueinander liegen, ist nicht bekannt; eine Datei mit einem einzigen Koordinatensystem enthält deshalb nur eines</translation>
+    </message>
+    <message>
+        <source>All, each in its own frame</source>
+        <translation>Alle, jedes in seinem eigenen Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>Cell %1 alone</source>
+        <translation>Zelle %1 allein</translation>
+    </message>
+    <message>
+        <source>Patch of cell %1, %2 cells</source>
+        <translation>Hautstück der Zelle %1, %2 Zellen</translation>
     </message>
 </context>
 <context>
@@ -1071,6 +1099,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Save the session first? Its latest changes are not on disk yet.</source>
         <translation>Die Sitzung vorher speichern? Ihre letzten Änderungen sind noch nicht auf der Platte.</translation>
+    </message>
+    <message>
+        <source>Exported to %1. %2</source>
+        <translation>Exportiert nach %1. %2</translation>
     </message>
 </context>
 <context>
@@ -1304,10 +1336,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Eine Kalibrierung ist offen. Sie enthält das Ergebnis; die Posen stehen in ihrer Sitzung.</translation>
     </message>
     <message>
-        <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
-    </message>
-    <message>
         <source>Review</source>
         <translation>Durchsehen</translation>
     </message>
@@ -1348,8 +1376,12 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Von %1 kam keine Haut.</translation>
     </message>
     <message>
-        <source>The placements are being worked out…</source>
-        <translation>Die Lagen werden berechnet…</translation>
+        <source>The skin does not send any more. Check its power and its connection: once it sends again, this goes on by itself.</source>
+        <translation>Die Haut sendet nicht mehr. Stromversorgung und Verbindung prüfen: Sobald sie wieder sendet, geht es von selbst weiter.</translation>
+    </message>
+    <message>
+        <source>Nothing more will come from this skin. The poses stay; connect to a skin to take more.</source>
+        <translation>Von dieser Haut kommt nichts mehr. Die Posen bleiben; für weitere mit einer Haut verbinden.</translation>
     </message>
     <message>
         <source>%1…</source>
@@ -1436,16 +1468,8 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Der Roboter</translation>
     </message>
     <message>
-        <source>%1 is taking pose %2 of %3.</source>
-        <translation>%1 nimmt Pose %2 von %3 auf.</translation>
-    </message>
-    <message>
         <source>%1 is taking pose %2.</source>
         <translation>%1 nimmt Pose %2 auf.</translation>
-    </message>
-    <message>
-        <source>The placements are being worked out.</source>
-        <translation>Die Lagen werden berechnet.</translation>
     </message>
     <message>
         <source>The skin has said which cells it has.</source>
@@ -1458,6 +1482,18 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Without a pose, a file only holds what follows from the ports.</source>
         <translation>Ohne Pose enthält eine Datei nur, was aus den Ports folgt.</translation>
+    </message>
+    <message>
+        <source>The placements could not be worked out: see the log.</source>
+        <translation>Die Lagen der Zellen konnten nicht berechnet werden: siehe das Protokoll.</translation>
+    </message>
+    <message>
+        <source>The placement of the cell is being worked out…</source>
+        <translation>Die Lage der Zelle wird berechnet…</translation>
+    </message>
+    <message>
+        <source>The placements of %1 cells are being worked out…</source>
+        <translation>Die Lagen der %1 Zellen werden berechnet…</translation>
     </message>
 </context>
 <context>
@@ -1720,6 +1756,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>It repeats pose %1, which is only %2° away.</source>
         <translation>Sie wiederholt Pose %1, die nur %2° entfernt ist.</translation>
     </message>
+    <message>
+        <source>The device says that it has another cell model; the poses stay.</source>
+        <translation>Das Gerät meldet ein anderes Zellmodell; die Posen bleiben erhalten.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::LiveStrip</name>
@@ -1942,6 +1982,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Wartet auf Messwerte: Alle Zellen schweigen</translation>
     </message>
     <message>
+        <source>Hold still: the readings scatter too much to tell whether the part turns</source>
+        <translation>Stillhalten: Die Messwerte streuen zu stark, um zu erkennen, ob sich das Teil dreht</translation>
+    </message>
+    <message>
         <source>Waiting for samples: fewer than {} s so far</source>
         <translation>Wartet auf Messwerte: bisher weniger als {} s</translation>
     </message>
@@ -1960,6 +2004,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Hold still: cell {} turns by {} deg/s against the rest, limit {}</source>
         <translation>Stillhalten: Zelle {} dreht sich mit {}°/s gegen die anderen, Grenze {}</translation>
+    </message>
+    <message>
+        <source>Simulated {} on {}, link law {}, seed {}, on a robot with its motors on</source>
+        <translation>Simulierte Haut {} auf {}, Verbindungsgesetz {}, Startwert {}, an einem Roboter mit laufenden Motoren</translation>
     </message>
     <message>
         <source>Simulated {} on {}, link law {}, seed {}</source>
@@ -2072,14 +2120,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>the connection was closed</source>
         <translation>die Verbindung wurde geschlossen</translation>
-    </message>
-    <message>
-        <source>only broken messages ({}) for {}; reconnecting after {}</source>
-        <translation>seit {1} nur kaputte Nachrichten ({0}); neue Verbindung nach {2}</translation>
-    </message>
-    <message>
-        <source>nothing came for {}; reconnecting after {}</source>
-        <translation>seit {} kam nichts; neue Verbindung nach {}</translation>
     </message>
     <message>
         <source>connected to the device, {}</source>
@@ -2234,16 +2274,12 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>alles über Zellen und Sensoren für ParaView und VTK, verlustfrei</translation>
     </message>
     <message>
-        <source>links for every cell and sensor, or for every patch, for ROS</source>
-        <translation>Glieder für jede Zelle und jeden Sensor oder für jedes Hautstück, für ROS</translation>
-    </message>
-    <message>
         <source>there are no cells, and so nothing to draw in a {} file: export csv, dot, vtp or urdf instead</source>
         <translation>es gibt keine Zellen und damit in einer {}-Datei nichts zu zeichnen: stattdessen csv, dot, vtp oder urdf exportieren</translation>
     </message>
     <message>
-        <source>expected a Hexoderm session (*.hexo, or format &quot;hexoderm-session&quot;), a calibration (format &quot;hexoderm-calibration&quot;) or a TUM SkinConfig XML</source>
-        <translation>erwartet ist eine Hexoderm-Sitzung (*.hexo oder Format „hexoderm-session“), eine Kalibrierung (Format „hexoderm-calibration“) oder ein TUM-SkinConfig-XML</translation>
+        <source>expected a Hexoderm session (*.hexo, or format &quot;{}&quot;), a calibration (format &quot;{}&quot;) or a TUM SkinConfig XML</source>
+        <translation>erwartet ist eine Hexoderm-Sitzung (*.hexo oder Format „{}“), eine Kalibrierung (Format „{}“) oder ein TUM-SkinConfig-XML</translation>
     </message>
     <message>
         <source>is a recording, which is not opened but played: connect to it as replay:FILE</source>
@@ -2366,16 +2402,8 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Eine Zelle: Sie ist ihr eigener Ursprung, zu schätzen gibt es nichts.</translation>
     </message>
     <message>
-        <source>No cell is linked to another: each is its own origin.</source>
-        <translation>Keine Zelle ist mit einer anderen verbunden: Jede ist ihr eigener Ursprung.</translation>
-    </message>
-    <message>
         <source>Export.</source>
         <translation>Exportieren.</translation>
-    </message>
-    <message>
-        <source>Check the links between the cells.</source>
-        <translation>Die Verbindungen zwischen den Zellen prüfen.</translation>
     </message>
     <message>
         <source>That should bring ±{} to about ±{}.</source>
@@ -2390,24 +2418,8 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>{} Posen</translation>
     </message>
     <message>
-        <source>Not enough poses: none yet. The shape shown follows from the ports alone.</source>
-        <translation>Zu wenige Posen: noch keine. Die gezeigte Form folgt allein aus den Ports.</translation>
-    </message>
-    <message>
         <source>Hold the part still and take a first pose.</source>
         <translation>Das Teil stillhalten und eine erste Pose aufnehmen.</translation>
-    </message>
-    <message>
-        <source>Not enough poses: {} along one line leave the turn about gravity open ({}).</source>
-        <translation>Zu wenige Posen: {} entlang einer Linie lassen die Drehung um die Schwerkraft offen ({}).</translation>
-    </message>
-    <message>
-        <source>Not enough poses: one leaves the turn about gravity open ({}).</source>
-        <translation>Zu wenige Posen: Eine lässt die Drehung um die Schwerkraft offen ({}).</translation>
-    </message>
-    <message>
-        <source>{} are not enough: known to {} only.</source>
-        <translation>{} reichen nicht: nur auf {} genau.</translation>
     </message>
     <message>
         <source>Good: {} at the worst cell (95 %), {}.</source>
@@ -2532,10 +2544,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>There is no pose yet: the shape shown follows from the ports alone.</source>
         <translation>Es gibt noch keine Pose: Die gezeigte Form folgt allein aus den Ports.</translation>
-    </message>
-    <message>
-        <source>Gravity was seen along one line only, so the turn about it is a guess: take a pose in which the part is turned by about 90 degrees about a horizontal axis.</source>
-        <translation>Die Schwerkraft wurde nur entlang einer Linie gesehen, die Drehung um diese Linie ist geraten: eine Pose aufnehmen, in der das Teil um etwa 90 Grad um eine waagrechte Achse gedreht ist.</translation>
     </message>
     <message>
         <source>Two poses carry the number {}; both are used.</source>
@@ -3022,6 +3030,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>simulierte Haut: {} darf nicht negativ sein</translation>
     </message>
     <message>
+        <source>simulated skin: least_vibration_g must not be above most_vibration_g</source>
+        <translation>simulierte Haut: least_vibration_g darf nicht über most_vibration_g liegen</translation>
+    </message>
+    <message>
         <source>simulated skin: joint_angle_rad must be finite</source>
         <translation>simulierte Haut: joint_angle_rad muss endlich sein</translation>
     </message>
@@ -3036,6 +3048,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>source &quot;{}&quot;: speed must be above 0</source>
         <translation>Quelle „{}“: speed muss über 0 liegen</translation>
+    </message>
+    <message>
+        <source>the simulated robot turns by itself</source>
+        <translation>der simulierte Roboter dreht sich von selbst</translation>
     </message>
     <message>
         <source>there is no cell {}</source>
@@ -3054,8 +3070,8 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>eine simulierte Haut hat die Abtastrate ihres Zellmodells</translation>
     </message>
     <message>
-        <source>source &quot;{}&quot;: expected sim:PATCH[?surface=...&amp;seed=N&amp;speed=X|max], found &quot;{}&quot;</source>
-        <translation>Quelle „{}“: erwartet ist sim:PATCH[?surface=...&amp;seed=N&amp;speed=X|max], gefunden wurde „{}“</translation>
+        <source>source &quot;{}&quot;: expected sim:PATCH[?surface=...&amp;seed=N&amp;speed=X|max&amp;motion=hand|robot], found &quot;{}&quot;</source>
+        <translation>Quelle „{}“: erwartet ist sim:PATCH[?surface=...&amp;seed=N&amp;speed=X|max&amp;motion=hand|robot], gefunden wurde „{}“</translation>
     </message>
     <message>
         <source>source &quot;{}&quot;: expected stdin, without anything behind</source>
@@ -3098,12 +3114,12 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>erkundet seine Zellen</translation>
     </message>
     <message>
-        <source>samples in LSB need a cell model whose accelerometer.lsb_g is above 0</source>
-        <translation>Messwerte in LSB brauchen ein Zellmodell, dessen accelerometer.lsb_g über 0 liegt</translation>
+        <source>its links or cells keep changing, {} times by now; they are taken over every {}</source>
+        <translation>seine Verbindungen oder Zellen ändern sich ständig, bisher {}-mal; sie werden alle {} übernommen</translation>
     </message>
     <message>
-        <source>a cell is twice in one message of samples</source>
-        <translation>eine Zelle steht zweimal in einer Nachricht mit Messwerten</translation>
+        <source>samples in LSB need a cell model whose accelerometer.lsb_g is above 0</source>
+        <translation>Messwerte in LSB brauchen ein Zellmodell, dessen accelerometer.lsb_g über 0 liegt</translation>
     </message>
     <message>
         <source>tcp://HOST:PORT, udp://HOST:PORT or serial:/dev/DEVICE</source>
@@ -3216,10 +3232,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>cell model {}</source>
         <translation>Zellmodell {}</translation>
-    </message>
-    <message>
-        <source>{} must be from {} to {}</source>
-        <translation>{} muss zwischen {} und {} liegen</translation>
     </message>
     <message>
         <source>{} must not be negative</source>
@@ -3910,6 +3922,642 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <comment>the end of a list</comment>
         <translation>{} und {}</translation>
     </message>
+    <message>
+        <source>{} must be from {} to {}, found {}</source>
+        <translation>{} muss zwischen {} und {} liegen, gefunden: {}</translation>
+    </message>
+    <message>
+        <source>a covariance (positive semidefinite)</source>
+        <translation>eine Kovarianz (positiv semidefinit)</translation>
+    </message>
+    <message>
+        <source>is not a file, and is not replaced by one</source>
+        <translation>ist keine Datei und wird nicht durch eine ersetzt</translation>
+    </message>
+    <message>
+        <source>csv is a folder of several files and can&apos;t be written as one: give a folder</source>
+        <translation>csv ist ein Ordner mit mehreren Dateien und lässt sich nicht als eine schreiben: einen Ordner angeben</translation>
+    </message>
+    <message>
+        <source>is too large: at most {} MB of XML are read</source>
+        <translation>ist zu groß: Von XML werden höchstens {} MB gelesen</translation>
+    </message>
+    <message>
+        <source>the covariance must be positive semidefinite</source>
+        <translation>die Kovarianz muss positiv semidefinit sein</translation>
+    </message>
+    <message>
+        <source>is a link to {}, where there is nothing: make that file or remove the link first</source>
+        <translation>ist eine Verknüpfung auf {}, wo nichts ist: zuerst diese Datei anlegen oder die Verknüpfung entfernen</translation>
+    </message>
+    <message>
+        <source>is too large or does not end: at most {} MB are read</source>
+        <translation>ist zu groß oder endet nicht: Höchstens {} MB werden gelesen</translation>
+    </message>
+    <message>
+        <source>is a disk or a socket, nothing is written to it</source>
+        <translation>ist ein Datenträger oder ein Socket, es wird nichts darauf geschrieben</translation>
+    </message>
+    <message>
+        <source>is there twice, expected each key once</source>
+        <translation>steht zweimal da, jeder Schlüssel darf nur einmal vorkommen</translation>
+    </message>
+    <message>
+        <source>the file has too many values, at most {} are read</source>
+        <translation>die Datei hat zu viele Werte, höchstens {} werden gelesen</translation>
+    </message>
+    <message>
+        <source>is nested too deeply, at most {} levels are read</source>
+        <translation>ist zu tief verschachtelt, höchstens {} Ebenen werden gelesen</translation>
+    </message>
+    <message>
+        <source>The device has not described itself: {}</source>
+        <translation>Das Gerät hat sich nicht beschrieben: {}</translation>
+    </message>
+    <message>
+        <source>The device has not described itself.</source>
+        <translation>Das Gerät hat sich nicht beschrieben.</translation>
+    </message>
+    <message>
+        <source>No readings came: {}</source>
+        <translation>Es kamen keine Messwerte: {}</translation>
+    </message>
+    <message>
+        <source>No readings came.</source>
+        <translation>Es kamen keine Messwerte.</translation>
+    </message>
+    <message>
+        <source>There is no link that both of its cells report; a calibration needs joined cells.</source>
+        <translation>Keine Verbindung wird von beiden Zellen gemeldet; eine Kalibrierung braucht verbundene Zellen.</translation>
+    </message>
+    <message>
+        <source>No two joined cells send readings.</source>
+        <translation>Keine zwei verbundenen Zellen senden Messwerte.</translation>
+    </message>
+    <message>
+        <source>No cell sent two readings; a pose needs at least 10 of each cell.</source>
+        <translation>Keine Zelle hat zwei Messwerte gesendet; eine Pose braucht mindestens 10 von jeder Zelle.</translation>
+    </message>
+    <message>
+        <source>milliseconds</source>
+        <translation>Millisekunden</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>Sekunden</translation>
+    </message>
+    <message>
+        <source>nanoseconds</source>
+        <translation>Nanosekunden</translation>
+    </message>
+    <message>
+        <source>the norm of the readings is {} in the median: are these m/s2? Expected g, and 1 g at rest (1 g is 9.80665 m/s2)</source>
+        <translation>der Betrag der Messwerte ist im Median {}: Sind das m/s2? Erwartet wird g, in Ruhe also 1 g (1 g sind 9,80665 m/s2)</translation>
+    </message>
+    <message>
+        <source>the norm of the readings is {} in the median: are these mg? Expected g, and 1 g at rest</source>
+        <translation>der Betrag der Messwerte ist im Median {}: Sind das mg? Erwartet wird g, in Ruhe also 1 g</translation>
+    </message>
+    <message>
+        <source>the norm of the readings is {} in the median: are these LSB, of which the cell model has {} in 1 g? Expected g, and 1 g at rest</source>
+        <translation>der Betrag der Messwerte ist im Median {}: Sind das LSB, von denen im Zellmodell {} auf 1 g kommen? Erwartet wird g, in Ruhe also 1 g</translation>
+    </message>
+    <message>
+        <source>the norm of the readings is {} g in the median, expected 1 g at rest</source>
+        <translation>der Betrag der Messwerte ist im Median {} g, erwartet wird in Ruhe 1 g</translation>
+    </message>
+    <message>
+        <source>a cell&apos;s samples are {} us apart, but hello.rate_hz says {} Hz: are these {}? Expected microseconds</source>
+        <translation>die Messwerte einer Zelle liegen {} µs auseinander, hello.rate_hz sagt aber {} Hz: Sind das {}? Erwartet werden Mikrosekunden</translation>
+    </message>
+    <message>
+        <source>a cell&apos;s samples are {} us apart, but the cell model&apos;s accelerometer has {} Hz: are these milliseconds? Expected microseconds</source>
+        <translation>die Messwerte einer Zelle liegen {} µs auseinander, der Beschleunigungssensor des Zellmodells hat aber {} Hz: Sind das Millisekunden? Erwartet werden Mikrosekunden</translation>
+    </message>
+    <message>
+        <source>in {} of this computer the times went on by {} us: are these {}? Expected microseconds</source>
+        <translation>während {} dieses Rechners liefen die Zeiten um {} µs weiter: Sind das {}? Erwartet werden Mikrosekunden</translation>
+    </message>
+    <message>
+        <source>IDs of cells begin with 1</source>
+        <translation>die IDs der Zellen beginnen mit 1</translation>
+    </message>
+    <message>
+        <source>the model&apos;s ports are {}</source>
+        <translation>die Ports des Modells sind {}</translation>
+    </message>
+    <message>
+        <source>both cells of a link have to list it</source>
+        <translation>beide Zellen müssen eine Verbindung aufführen</translation>
+    </message>
+    <message>
+        <source>{} Expected: {}</source>
+        <translation>{} Erwartet: {}</translation>
+    </message>
+    <message>
+        <source>expected at least one cell</source>
+        <translation>erwartet wird mindestens eine Zelle</translation>
+    </message>
+    <message>
+        <source>{}; the message begins: {}</source>
+        <translation>{}; die Nachricht beginnt: {}</translation>
+    </message>
+    <message>
+        <source>the device speaks SkinWire {}, this program SkinWire {}</source>
+        <translation>das Gerät spricht SkinWire {}, dieses Programm SkinWire {}</translation>
+    </message>
+    <message>
+        <source>a number is out of range</source>
+        <translation>eine Zahl ist außerhalb ihres Bereichs</translation>
+    </message>
+    <message>
+        <source>the payload is not the protobuf message {} that its type says</source>
+        <translation>der Inhalt ist nicht die Protobuf-Nachricht {}, die sein Typ nennt</translation>
+    </message>
+    <message>
+        <source>{} has no field with the number {}</source>
+        <translation>{} hat kein Feld mit der Nummer {}</translation>
+    </message>
+    <message>
+        <source>there is no message of type {}; expected 1 to 6</source>
+        <translation>es gibt keine Nachricht vom Typ {}; erwartet wird 1 bis 6</translation>
+    </message>
+    <message>
+        <source>a message can&apos;t be sent: {}</source>
+        <translation>eine Nachricht lässt sich nicht senden: {}</translation>
+    </message>
+    <message>
+        <source>this looks like a line of JSON; lines go over TCP and standard input, here bodies of bytes with a CRC are expected</source>
+        <translation>das sieht nach einer Zeile JSON aus; Zeilen gehen über TCP und die Standardeingabe, hier werden Bytes mit einer CRC erwartet</translation>
+    </message>
+    <message>
+        <source>a length stands before the body; here the body is expected alone</source>
+        <translation>vor der Nachricht steht eine Länge; hier wird die Nachricht allein erwartet</translation>
+    </message>
+    <message>
+        <source>the CRC is big-endian, expected little-endian</source>
+        <translation>die CRC ist Big-Endian, erwartet wird Little-Endian</translation>
+    </message>
+    <message>
+        <source>the CRC is CRC-32, expected CRC-32C (polynomial 0x1EDC6F41)</source>
+        <translation>die CRC ist CRC-32, erwartet wird CRC-32C (Polynom 0x1EDC6F41)</translation>
+    </message>
+    <message>
+        <source>the CRC is wrong</source>
+        <translation>die CRC ist falsch</translation>
+    </message>
+    <message>
+        <source>expected 6 to {} bytes, found {}</source>
+        <translation>erwartet werden 6 bis {} Bytes, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected a line of at most {} bytes</source>
+        <translation>erwartet wird eine Zeile von höchstens {} Bytes</translation>
+    </message>
+    <message>
+        <source>this is no message: {}</source>
+        <translation>das ist keine Nachricht: {}</translation>
+    </message>
+    <message>
+        <source>the length of a frame is big-endian, expected little-endian</source>
+        <translation>die Länge eines Rahmens ist Big-Endian, erwartet wird Little-Endian</translation>
+    </message>
+    <message>
+        <source>this is neither a line of JSON nor a frame that begins with its length</source>
+        <translation>das ist weder eine Zeile JSON noch ein Rahmen, der mit seiner Länge beginnt</translation>
+    </message>
+    <message>
+        <source>this is text in UTF-16, expected lines of JSON in UTF-8</source>
+        <translation>das ist Text in UTF-16, erwartet werden Zeilen JSON in UTF-8</translation>
+    </message>
+    <message>
+        <source>a frame says that it is {} bytes long, the limit is {}</source>
+        <translation>ein Rahmen nennt eine Länge von {} Bytes, die Grenze ist {}</translation>
+    </message>
+    <message>
+        <source>the bytes before a 0x00 are not COBS</source>
+        <translation>die Bytes vor einer 0x00 sind kein COBS</translation>
+    </message>
+    <message>
+        <source>this looks like lines of JSON; on a serial port frames of bytes in COBS, each before a 0x00, are expected</source>
+        <translation>das sieht nach Zeilen JSON aus; an einer seriellen Schnittstelle werden Rahmen in COBS erwartet, jeder vor einer 0x00</translation>
+    </message>
+    <message>
+        <source>expected a line feed (0x0A) after every message</source>
+        <translation>erwartet wird ein Zeilenvorschub (0x0A) nach jeder Nachricht</translation>
+    </message>
+    <message>
+        <source>more than {} bytes without an end</source>
+        <translation>mehr als {} Bytes ohne ein Ende</translation>
+    </message>
+    <message>
+        <source>expected an object with one member, which names the message ({}), found {}</source>
+        <translation>erwartet wird ein Objekt mit einem Eintrag, der die Nachricht nennt ({}), gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected one message in a line, found {}</source>
+        <translation>erwartet wird eine Nachricht je Zeile, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected a member that names the message ({}), found none</source>
+        <translation>erwartet wird ein Eintrag, der die Nachricht nennt ({}), gefunden keiner</translation>
+    </message>
+    <message>
+        <source>there is no message &quot;{}&quot;; did you mean &quot;{}&quot;?</source>
+        <translation>es gibt keine Nachricht „{}“; ist „{}“ gemeint?</translation>
+    </message>
+    <message>
+        <source>there is no message &quot;{}&quot;; expected one of {}</source>
+        <translation>es gibt keine Nachricht „{}“; erwartet wird eine von {}</translation>
+    </message>
+    <message>
+        <source>expected an object, found {}</source>
+        <translation>erwartet wird ein Objekt, gefunden {}</translation>
+    </message>
+    <message>
+        <source>there is no such field; did you mean {}?</source>
+        <translation>dieses Feld gibt es nicht; ist {} gemeint?</translation>
+    </message>
+    <message>
+        <source>there is no such field; there are {}</source>
+        <translation>dieses Feld gibt es nicht; es gibt {}</translation>
+    </message>
+    <message>
+        <source>expected an array, found {}</source>
+        <translation>erwartet wird ein Array, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected true or false, found {}</source>
+        <translation>erwartet wird true oder false, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected a text, found an object; a cell model goes as the text of its JSON</source>
+        <translation>erwartet wird ein Text, gefunden ein Objekt; ein Zellmodell wird als Text seines JSON gesendet</translation>
+    </message>
+    <message>
+        <source>expected a text, found {}</source>
+        <translation>erwartet wird ein Text, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected a whole number from {} to {}, found {}</source>
+        <translation>erwartet wird eine ganze Zahl von {} bis {}, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected a number, found {}</source>
+        <translation>erwartet wird eine Zahl, gefunden {}</translation>
+    </message>
+    <message>
+        <source>character {}: expected finite numbers, found {}; leave out a cell that has no reading</source>
+        <translation>Zeichen {}: erwartet werden endliche Zahlen, gefunden {}; eine Zelle ohne Messwert weglassen</translation>
+    </message>
+    <message>
+        <source>the line ends in the middle of its JSON; expected a whole message in one line</source>
+        <translation>die Zeile endet mitten in ihrem JSON; erwartet wird eine ganze Nachricht in einer Zeile</translation>
+    </message>
+    <message>
+        <source>character {} is not JSON any more; expected a line like {}</source>
+        <translation>ab Zeichen {} ist das kein JSON; erwartet wird eine Zeile wie {}</translation>
+    </message>
+    <message>
+        <source>expected finite numbers, found one that is too large</source>
+        <translation>erwartet werden endliche Zahlen, gefunden eine zu große</translation>
+    </message>
+    <message>
+        <source>expected {} numbers, found {}</source>
+        <translation>erwartet werden {} Zahlen, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected at most {} bytes, found {}</source>
+        <translation>erwartet werden höchstens {} Bytes, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected a built-in model&apos;s name or a model as JSON text, found nothing</source>
+        <translation>erwartet wird der Name eines eingebauten Modells oder ein Modell als JSON-Text, gefunden nichts</translation>
+    </message>
+    <message>
+        <source>expected 0 to {}</source>
+        <translation>erwartet wird 0 bis {}</translation>
+    </message>
+    <message>
+        <source>expected 1 to {}</source>
+        <translation>erwartet wird 1 bis {}</translation>
+    </message>
+    <message>
+        <source>expected less than parts ({}), found {}</source>
+        <translation>erwartet wird weniger als parts ({}), gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected at most {} cells</source>
+        <translation>erwartet werden höchstens {} Zellen</translation>
+    </message>
+    <message>
+        <source>expected numbers of at least 0</source>
+        <translation>erwartet werden Zahlen von mindestens 0</translation>
+    </message>
+    <message>
+        <source>expected at least 1</source>
+        <translation>erwartet wird mindestens 1</translation>
+    </message>
+    <message>
+        <source>expected the IDs of the cells that the readings are of, found none</source>
+        <translation>erwartet werden die IDs der Zellen, von denen die Messwerte sind, gefunden keine</translation>
+    </message>
+    <message>
+        <source>expected exactly one of raw_lsb, acceleration_g and mean_g with cells, found {}</source>
+        <translation>mit cells wird genau eines von raw_lsb, acceleration_g und mean_g erwartet, gefunden {}</translation>
+    </message>
+    <message>
+        <source>variance_g2 and count belong to mean_g, which is not there</source>
+        <translation>variance_g2 und count gehören zu mean_g, das fehlt</translation>
+    </message>
+    <message>
+        <source>expected a multiple of 3 numbers for each of {} cells, found {}</source>
+        <translation>erwartet wird ein Vielfaches von 3 Zahlen für jede von {} Zellen, gefunden {}</translation>
+    </message>
+    <message>
+        <source>expected at least 1 between several ticks ({} here)</source>
+        <translation>zwischen mehreren Takten (hier {}) wird mindestens 1 erwartet</translation>
+    </message>
+    <message>
+        <source>expected at most 2^53</source>
+        <translation>erwartet wird höchstens 2^53</translation>
+    </message>
+    <message>
+        <source>expected above 0, up to {}</source>
+        <translation>erwartet wird über 0, bis {}</translation>
+    </message>
+    <message>
+        <source>expected a unit vector</source>
+        <translation>erwartet wird ein Einheitsvektor</translation>
+    </message>
+    <message>
+        <source>expected done or working, found both</source>
+        <translation>erwartet wird done oder working, gefunden beides</translation>
+    </message>
+    <message>
+        <source>a cell is twice in one message</source>
+        <translation>eine Zelle steht zweimal in einer Nachricht</translation>
+    </message>
+    <message>
+        <source>the device sends other values of cell model {} than before</source>
+        <translation>das Gerät sendet andere Werte des Zellmodells {} als zuvor</translation>
+    </message>
+    <message>
+        <source>the device changed its cell model from {} to {}</source>
+        <translation>das Gerät hat sein Zellmodell von {} zu {} gewechselt</translation>
+    </message>
+    <message>
+        <source>the topology has no cell {}; expected one of its {} cells</source>
+        <translation>die Topologie hat keine Zelle {}; erwartet wird eine ihrer {} Zellen</translation>
+    </message>
+    <message>
+        <source>is missing, or 0 again; expected the device&apos;s clock in microseconds</source>
+        <translation>fehlt oder ist wieder 0; erwartet wird die Uhr des Geräts in Mikrosekunden</translation>
+    </message>
+    <message>
+        <source>went back from {} to {}; expected microseconds that never go back</source>
+        <translation>ging von {} auf {} zurück; erwartet werden Mikrosekunden, die nie zurückgehen</translation>
+    </message>
+    <message>
+        <source>is {} again, at which a cell of the message already was; expected microseconds (milliseconds stand still between samples)</source>
+        <translation>ist wieder {}, wozu eine Zelle der Nachricht schon einen Messwert hatte; erwartet werden Mikrosekunden (Millisekunden stehen zwischen Messwerten still)</translation>
+    </message>
+    <message>
+        <source>expected {}, found {}; it counts the samples sent before (one cell at one tick), not messages</source>
+        <translation>erwartet wird {}, gefunden {}; gezählt werden die vorher gesendeten Messwerte (eine Zelle zu einem Takt), nicht Nachrichten</translation>
+    </message>
+    <message>
+        <source>no whole topology came; expected topology after hello, and all its parts</source>
+        <translation>es kam keine vollständige Topologie; erwartet wird topology nach hello, mit allen Teilen</translation>
+    </message>
+    <message>
+        <source>no hello came that can be used; expected hello before everything else</source>
+        <translation>es kam kein brauchbares hello; erwartet wird hello vor allem anderen</translation>
+    </message>
+    <message>
+        <source>there is no such key; did you mean {}?</source>
+        <translation>diesen Schlüssel gibt es nicht; ist {} gemeint?</translation>
+    </message>
+    <message>
+        <source>there is no such key; there are {}</source>
+        <translation>diesen Schlüssel gibt es nicht; es gibt {}</translation>
+    </message>
+    <message>
+        <source>Of {} cells only {} have readings that can be used: the shape shown follows mostly from the ports.</source>
+        <translation>Von {} Zellen haben nur {} brauchbare Messwerte: Die gezeigte Form folgt größtenteils aus den Ports.</translation>
+    </message>
+    <message>
+        <source>Look at the findings and check the readings of the cells.</source>
+        <translation>Befunde ansehen und die Messwerte der Zellen prüfen.</translation>
+    </message>
+    <message>
+        <source>All {} cells read the same, digit for digit, {}: the readings of one are delivered for all. None is used.</source>
+        <translation>Alle {} Zellen messen {} Stelle für Stelle dasselbe: Die Messwerte einer Zelle werden für alle geliefert. Keiner wird benutzt.</translation>
+    </message>
+    <message>
+        <source>The cells {} read the same, digit for digit, {}: no two sensors do, so one&apos;s readings are delivered for the others too. None of them is used; they are placed through their links.</source>
+        <translation>Die Zellen {} messen {} Stelle für Stelle dasselbe: Das tun keine zwei Sensoren, also werden die Messwerte der einen auch für die anderen geliefert. Keine davon wird benutzt; sie werden über ihre Verbindungen verortet.</translation>
+    </message>
+    <message>
+        <source>The {} bends by {} degrees, where the links around it let expect {} to {}. It is probably a cable or crosses a joint, or one of its cells is mounted otherwise.</source>
+        <translation>Die {} ist um {} Grad gebogen, wo die Verbindungen ringsum {} bis {} erwarten lassen. Wahrscheinlich ist sie ein Kabel oder überquert ein Gelenk, oder eine ihrer Zellen ist anders montiert.</translation>
+    </message>
+    <message>
+        <source>The {} is twisted by {} degrees, where the links around it let expect {} to {}. It is probably a cable, a port number is wrong, or one of its cells is mounted otherwise.</source>
+        <translation>Die {} ist um {} Grad verwunden, wo die Verbindungen ringsum {} bis {} erwarten lassen. Wahrscheinlich ist sie ein Kabel, eine Portnummer ist falsch, oder eine ihrer Zellen ist anders montiert.</translation>
+    </message>
+    <message>
+        <source>The {} is turned in the surface by {} degrees, where {} to {} are to be expected. A port number is probably wrong, it is a cable, or one of its cells is mounted otherwise.</source>
+        <translation>Die {} ist in der Fläche um {} Grad gedreht, wo {} bis {} zu erwarten sind. Wahrscheinlich ist eine Portnummer falsch, sie ist ein Kabel, oder eine ihrer Zellen ist anders montiert.</translation>
+    </message>
+    <message>
+        <source>Cell {} does not fit its neighbours well, and {} poses don&apos;t tell why. It is used; take another pose.</source>
+        <translation>Zelle {} passt nicht gut zu ihren Nachbarn, und {} Posen sagen nicht, warum. Sie wird benutzt; eine weitere Pose aufnehmen.</translation>
+    </message>
+    <message>
+        <source>Cell {} turned by {} degrees or more against the others before pose {}: it came loose or was fixed anew. It is placed through its links; take the poses before pose {} again.</source>
+        <translation>Zelle {0} hat sich vor Pose {2} um mindestens {1} Grad gegen die anderen gedreht: Sie hat sich gelöst oder wurde neu befestigt. Sie wird über ihre Verbindungen verortet; die Posen vor Pose {3} noch einmal aufnehmen.</translation>
+    </message>
+    <message>
+        <source>All links of the patch of cell {} are twisted one way, by {} degrees on the average, as on no surface: the axes of the accelerometers or the numbers of the ports are not as in the cell model {}.</source>
+        <translation>Alle Verbindungen des Hautstücks von Zelle {} sind in eine Richtung verwunden, im Mittel um {} Grad, wie auf keiner Fläche: Die Achsen der Beschleunigungssensoren oder die Nummern der Ports sind nicht wie im Zellmodell {}.</translation>
+    </message>
+    <message>
+        <source>The cells {} and {} fit into the skin with each other&apos;s readings, and not with their own: their cables or IDs are probably swapped. Both are placed through their links.</source>
+        <translation>Die Zellen {} und {} passen mit den Messwerten der jeweils anderen in die Haut und nicht mit den eigenen: Wahrscheinlich sind ihre Kabel oder Nummern vertauscht. Beide werden über ihre Verbindungen verortet.</translation>
+    </message>
+    <message>
+        <source>Cell {} reads as if it were turned by {} degrees against its neighbours: it is mounted otherwise, or its axes are not as in the cell model. It is placed through its links.</source>
+        <translation>Zelle {} misst, als wäre sie um {} Grad gegen ihre Nachbarn gedreht: Sie ist anders montiert, oder ihre Achsen sind nicht wie im Zellmodell. Sie wird über ihre Verbindungen verortet.</translation>
+    </message>
+    <message>
+        <source>All links of a patch twist one way, as on no surface: axes or ports are not as in the cell model.</source>
+        <translation>Alle Verbindungen eines Hautstücks sind in eine Richtung verwunden, wie auf keiner Fläche: Achsen oder Ports sind nicht wie im Zellmodell.</translation>
+    </message>
+    <message>
+        <source>Cells report the same readings, bit for bit; they are placed through their links.</source>
+        <translation>Zellen melden Bit für Bit dieselben Messwerte; sie werden über ihre Verbindungen verortet.</translation>
+    </message>
+    <message>
+        <source>Two neighbours fit with each other&apos;s readings; they are placed through their links.</source>
+        <translation>Zwei Nachbarn passen mit den Messwerten der jeweils anderen; sie werden über ihre Verbindungen verortet.</translation>
+    </message>
+    <message>
+        <source>A cell&apos;s readings are those of a cell that lies otherwise; it is placed through its links.</source>
+        <translation>Die Messwerte einer Zelle sind die einer Zelle, die anders liegt; sie wird über ihre Verbindungen verortet.</translation>
+    </message>
+    <message>
+        <source>A cell turned against the others between two poses; it is placed through its links.</source>
+        <translation>Eine Zelle hat sich zwischen zwei Posen gegen die anderen gedreht; sie wird über ihre Verbindungen verortet.</translation>
+    </message>
+    <message>
+        <source>A cell&apos;s readings fit badly, and there are too few poses to say why; they are used.</source>
+        <translation>Die Messwerte einer Zelle passen schlecht, und es sind zu wenige Posen, um zu sagen, warum; sie werden benutzt.</translation>
+    </message>
+    <message>
+        <source>what limits a result</source>
+        <translation>was ein Ergebnis begrenzt</translation>
+    </message>
+    <message>
+        <source>what helps a result</source>
+        <translation>was einem Ergebnis hilft</translation>
+    </message>
+    <message>
+        <source>No cell is linked to another: nothing says how the {} cells lie.</source>
+        <translation>Keine Zelle ist mit einer anderen verbunden: Nichts verrät, wie die {} Zellen liegen.</translation>
+    </message>
+    <message>
+        <source>{} of {} cells are linked to no other: nothing says how they lie.</source>
+        <translation>{} von {} Zellen sind mit keiner anderen verbunden: Nichts verrät, wie sie liegen.</translation>
+    </message>
+    <message>
+        <source>Check the links between the cells, then the findings.</source>
+        <translation>Erst die Verbindungen zwischen den Zellen prüfen, dann die Befunde.</translation>
+    </message>
+    <message>
+        <source>Not enough: no pose yet. The shape shown follows from the ports alone.</source>
+        <translation>Nicht genug: noch keine Pose. Die gezeigte Form folgt allein aus den Ports.</translation>
+    </message>
+    <message>
+        <source>Not enough: {} at the worst cell (95 %), {}.</source>
+        <translation>Nicht genug: {} an der schlechtesten Zelle (95 %), {}.</translation>
+    </message>
+    <message>
+        <source>What limits it is that {} can&apos;t be used in {}: the readings are missing or no good.</source>
+        <translation>Begrenzt wird das Ergebnis dadurch, dass {} in {} nicht zu brauchen ist: Die Messwerte fehlen oder taugen nichts.</translation>
+    </message>
+    <message>
+        <source>What limits it is how the cells lie in the mould: another pose would hardly help.</source>
+        <translation>Begrenzt wird das Ergebnis dadurch, wie die Zellen in der Form liegen: Eine weitere Pose würde kaum helfen.</translation>
+    </message>
+    <message>
+        <source>No link joins the {} patches: each lies in the frame of its own origin.</source>
+        <translation>Keine Verbindung verbindet die {} Hautstücke: Jedes liegt im Koordinatensystem seines eigenen Ursprungs.</translation>
+    </message>
+    <message>
+        <source>poses {}</source>
+        <translation>Posen {}</translation>
+    </message>
+    <message>
+        <source>Take {} again. That should bring ±{} to about ±{}.</source>
+        <translation>{} noch einmal aufnehmen. Das sollte ±{} auf etwa ±{} bringen.</translation>
+    </message>
+    <message>
+        <source>Look at the findings and check the links between the cells.</source>
+        <translation>Die Befunde ansehen und die Verbindungen zwischen den Zellen prüfen.</translation>
+    </message>
+    <message>
+        <source>The directions of gravity that were seen leave open how the cells are turned: take a pose in which the part is turned by about 90 degrees about a horizontal axis.</source>
+        <translation>Die gesehenen Richtungen der Schwerkraft lassen offen, wie die Zellen gedreht sind: eine Pose aufnehmen, in der das Teil um etwa 90 Grad um eine waagrechte Achse gedreht ist.</translation>
+    </message>
+    <message>
+        <source>accelerometer.shared_offset_sigma_g is a part of offset_sigma_g, so at most {}, found {}</source>
+        <translation>accelerometer.shared_offset_sigma_g ist ein Teil von offset_sigma_g, also höchstens {}; gefunden: {}</translation>
+    </message>
+    <message>
+        <source>Other chips are on the skin than the model is about, or it is too sure of them: the estimate and its uncertainty suffer. Estimate the sigmas (hexoderm-cli sensors) and use the cell model that comes out.</source>
+        <translation>Auf der Haut sitzen andere Chips als die, von denen das Modell handelt, oder es traut ihnen zu viel zu: Darunter leiden die Schätzung und ihre Unsicherheit. Schätzen Sie die Standardabweichungen (hexoderm-cli sensors) und verwenden Sie das Zellmodell, das dabei entsteht.</translation>
+    </message>
+    <message>
+        <source>The offsets of {} accelerometers spread by about {} (1 sigma), and the cell model says {}.</source>
+        <translation>Die Nullpunktfehler von {} Beschleunigungssensoren streuen um etwa {} (1 Sigma); das Zellmodell nennt {}.</translation>
+    </message>
+    <message>
+        <source>The scale errors of {} accelerometers spread by about {} % (1 sigma), and the cell model says {} %.</source>
+        <translation>Die Skalenfehler von {} Beschleunigungssensoren streuen um etwa {} % (1 Sigma); das Zellmodell nennt {} %.</translation>
+    </message>
+    <message>
+        <source>The cross-axis sensitivities of {} accelerometers spread by about {} % (1 sigma), and the cell model says {} %.</source>
+        <translation>Die Querempfindlichkeiten von {} Beschleunigungssensoren streuen um etwa {} % (1 Sigma); das Zellmodell nennt {} %.</translation>
+    </message>
+    <message>
+        <source>there is no session to estimate sensors from</source>
+        <translation>es gibt keine Sitzung, aus der die Sensoren geschätzt werden könnten</translation>
+    </message>
+    <message>
+        <source>the sessions must have one cell model, and those of session {} and session 1 ({} and {}) differ</source>
+        <translation>die Sitzungen müssen ein gemeinsames Zellmodell haben; die der Sitzungen {} und 1 ({} und {}) unterscheiden sich</translation>
+    </message>
+    <message>
+        <source>The errors of the accelerometers are together clearly larger than the cell model&apos;s sigmas.</source>
+        <translation>Die Fehler der Beschleunigungssensoren sind insgesamt deutlich größer als die Standardabweichungen des Zellmodells.</translation>
+    </message>
+    <message>
+        <source>links for every cell and sensor, or one for the patch, for ROS</source>
+        <translation>Glieder für jede Zelle und jeden Sensor oder eines für das Hautstück, für ROS</translation>
+    </message>
+    <message>
+        <source>{} has one frame, and how the patches lie to each other is not known: write each to a file of its own</source>
+        <translation>{} hat ein einziges Koordinatensystem, und wie die Hautstücke zueinander liegen, ist nicht bekannt: jedes in eine eigene Datei schreiben</translation>
+    </message>
+    <message>
+        <source>no patch holds a cell {}</source>
+        <translation>kein Hautstück enthält eine Zelle {}</translation>
+    </message>
+    <message>
+        <source>all_patches: patch asks for one of them</source>
+        <translation>all_patches: patch verlangt eines davon</translation>
+    </message>
+    <message>
+        <source>Not in the file: the patch of cell {} ({}), because how it lies to the exported patch is not known.</source>
+        <translation>Nicht in der Datei: das Hautstück der Zelle {} ({}), weil nicht bekannt ist, wie es zum exportierten Hautstück liegt.</translation>
+    </message>
+    <message>
+        <source>Not in the file: the patches of cells {} ({}), because how they lie to the exported patch is not known.</source>
+        <translation>Nicht in der Datei: die Hautstücke der Zellen {} ({}), weil nicht bekannt ist, wie sie zum exportierten Hautstück liegen.</translation>
+    </message>
+    <message>
+        <source>Not in the file: {} patches ({}), because how they lie to the exported patch is not known.</source>
+        <translation>Nicht in der Datei: {} Hautstücke ({}), weil nicht bekannt ist, wie sie zum exportierten Hautstück liegen.</translation>
+    </message>
+    <message>
+        <source>only broken messages ({}) for {}; reconnecting in {}</source>
+        <translation>seit {1} nur kaputte Nachrichten ({0}); neue Verbindung in {2}</translation>
+    </message>
+    <message>
+        <source>nothing came for {}; reconnecting in {}</source>
+        <translation>seit {} kam nichts; neue Verbindung in {}</translation>
+    </message>
+    <message>
+        <source>{}; trying again</source>
+        <translation>{}; neuer Versuch läuft</translation>
+    </message>
+    <message>
+        <source>measured distance: expected metres above 0</source>
+        <translation>gemessener Abstand: erwartet sind Meter über 0</translation>
+    </message>
+    <message>
+        <source>a distance is between two different cells</source>
+        <translation>ein Abstand liegt zwischen zwei verschiedenen Zellen</translation>
+    </message>
+    <message>
+        <source>no link joins the patches of cells {} and {}: their distance is not known</source>
+        <translation>keine Verbindung verbindet die Hautstücke der Zellen {} und {}: Ihr Abstand ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Look for the missing link, or export patch by patch.</source>
+        <translation>Nach der fehlenden Verbindung suchen oder Hautstück für Hautstück exportieren.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>
@@ -4165,6 +4813,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <source>Preparing the picture of %1 cells…</source>
         <translation>Das Bild von %1 Zellen wird vorbereitet…</translation>
     </message>
+    <message>
+        <source>This skin has no cells.</source>
+        <translation>Diese Haut hat keine Zellen.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::PatchWords</name>
@@ -4331,6 +4983,18 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Cells %1 and %2: %3 ± %4 (95 %) apart, their faces %5 to each other</source>
         <translation>Zellen %1 und %2: %3 ± %4 (95 %) Abstand, ihre Flächen %5 zueinander</translation>
+    </message>
+    <message>
+        <source>%1 patches beside the largest: how they lie to it and to each other is not known</source>
+        <translation>%1 Hautstücke neben dem größten: wie sie zu ihm und zueinander liegen, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>dashed frame: patch of cell %1, not placed against the others</source>
+        <translation>gestrichelter Rahmen: Hautstück der Zelle %1, Lage zu den anderen nicht bekannt</translation>
+    </message>
+    <message>
+        <source>dashed frames: patches of cells %1, not placed against the others</source>
+        <translation>gestrichelte Rahmen: Hautstücke der Zellen %1, Lage zu den anderen nicht bekannt</translation>
     </message>
 </context>
 <context>
@@ -5800,6 +6464,46 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <source>As good as stated, but a coarse check: with so few poses, a part that bent by less than about %1 would not show. %2</source>
         <translation>So gut wie angegeben, aber eine grobe Prüfung: Bei so wenigen Posen fiele ein Teil, das sich um weniger als etwa %1 verbogen hat, nicht auf. %2</translation>
     </message>
+    <message>
+        <source>No two cells lie in one patch both here and in %1: there is nothing to compare.</source>
+        <translation>Keine zwei Zellen liegen sowohl hier als auch in %1 in einem Hautstück: Es gibt nichts zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>But it is not this surface: the cells face %1 (rms) away from it. Where they lie and face speaks for another one: %2, with %3.</source>
+        <translation>Aber es ist nicht diese Fläche: Die Zellen sind um %1 (rms) gegen sie geneigt. Ihre Lage und Neigung sprechen für eine andere: %2, mit %3.</translation>
+    </message>
+    <message>
+        <source>Tilt °</source>
+        <translation>Neigung °</translation>
+    </message>
+    <message>
+        <source>Between the cell&apos;s face and the surface below it</source>
+        <translation>Zwischen der Vorderseite der Zelle und der Fläche unter ihr</translation>
+    </message>
+    <message>
+        <source>Cells %1 and %2</source>
+        <translation>Zellen %1 und %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 measured, %3 estimated; no uncertainty is stated to compare them by.</source>
+        <translation>%1: %2 gemessen, %3 geschätzt; keine Unsicherheit ist angegeben, an der sich das messen ließe.</translation>
+    </message>
+    <message>
+        <source>%1: %2 measured, %3 estimated; they differ by %4, and %5 are expected (1 sigma).</source>
+        <translation>%1: %2 gemessen, %3 geschätzt; der Unterschied ist %4, zu erwarten sind %5 (1 Sigma).</translation>
+    </message>
+    <message>
+        <source>It agrees. %1 Cells %2 larger or smaller than in the cell model would show.</source>
+        <translation>Es stimmt überein. %1 Zellen, die um %2 größer oder kleiner sind als im Zellmodell, würden auffallen.</translation>
+    </message>
+    <message>
+        <source>It does not quite agree: measure again, and between two other cells. %1</source>
+        <translation>Es stimmt nicht ganz überein: noch einmal messen, auch zwischen zwei anderen Zellen. %1</translation>
+    </message>
+    <message>
+        <source>It contradicts the result. Check the size of the cells in the cell model, the numbering of the ports and the axes of the sensors; with fewer than three poses, take more. %1</source>
+        <translation>Es widerspricht dem Ergebnis. Die Größe der Zellen im Zellmodell, die Nummern der Ports und die Achsen der Sensoren prüfen; bei weniger als drei Posen weitere aufnehmen. %1</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::VerifyPanel</name>
@@ -5938,6 +6642,54 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Takes %1 poses that are not disabled, and there is none yet.</source>
         <translation>Braucht %1 benutzte Posen, und noch gibt es keine.</translation>
+    </message>
+    <message>
+        <source>Most probable</source>
+        <translation>Wahrscheinlichste</translation>
+    </message>
+    <message>
+        <source>Distance by caliper</source>
+        <translation>Abstand mit dem Messschieber</translation>
+    </message>
+    <message>
+        <source>Is it as large as the skin itself?</source>
+        <translation>Ist es so groß wie die Haut selbst?</translation>
+    </message>
+    <message>
+        <source>One cell</source>
+        <translation>Eine Zelle</translation>
+    </message>
+    <message>
+        <source>The other cell</source>
+        <translation>Die andere Zelle</translation>
+    </message>
+    <message>
+        <source>Measured distance</source>
+        <translation>Gemessener Abstand</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>From cell</source>
+        <translation>Von Zelle</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Not measured yet: from the middle of one cell to the middle of the other, as straight as the jaws reach.</source>
+        <translation>Noch nicht gemessen: von der Mitte der einen Zelle zur Mitte der anderen, auf geradem Weg zwischen den Schenkeln.</translation>
+    </message>
+    <message>
+        <source>Cells far apart, across the bend, tell most</source>
+        <translation>Weit entfernte Zellen, über die Biegung hinweg, sagen am meisten</translation>
     </message>
 </context>
 <context>
@@ -6502,6 +7254,30 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <source>Versions, graphics, what is open and the last lines of the log, with your home folder as ~</source>
         <translation>Versionen, Grafik, was offen ist und die letzten Zeilen des Protokolls, mit dem eigenen Ordner als ~</translation>
     </message>
+    <message>
+        <source>Take a &amp;pose again</source>
+        <translation>Eine &amp;Pose neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>The next capture takes the place of the pose that keeps the result from being better</source>
+        <translation>Die nächste Aufnahme tritt an die Stelle der Pose, deretwegen das Ergebnis nicht besser ist</translation>
+    </message>
+    <message>
+        <source>No pose has to be taken again</source>
+        <translation>Keine Pose muss neu aufgenommen werden</translation>
+    </message>
+    <message>
+        <source>Don&apos;t take &amp;pose %1 again</source>
+        <translation>&amp;Pose %1 nicht neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>Take &amp;pose %1 again</source>
+        <translation>&amp;Pose %1 neu aufnehmen</translation>
+    </message>
+    <message>
+        <source>Correct the address…</source>
+        <translation>Adresse berichtigen…</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::Words</name>
@@ -6727,6 +7503,14 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Draw in 3D without the graphics card, for this time.</source>
         <translation>3D ohne Grafikkarte zeichnen, für dieses Mal.</translation>
+    </message>
+    <message>
+        <source>The window needs a display, and none can be reached: set DISPLAY, or use hexoderm-cli.</source>
+        <translation>Das Fenster braucht einen Bildschirm, und keiner ist zu erreichen: DISPLAY setzen oder hexoderm-cli verwenden.</translation>
+    </message>
+    <message>
+        <source>The robot took %1 of %2 poses, and stopped.</source>
+        <translation>Der Roboter hat %1 von %2 Posen aufgenommen und dann aufgehört.</translation>
     </message>
 </context>
 </TS>

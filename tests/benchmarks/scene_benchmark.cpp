@@ -6,8 +6,7 @@
 // README.md here holds the figures measured so far. The window has the size of the view in a window of 1440 x 900. The
 // column CPU is the time of all threads together: on a busy computer it tells more than the frames/s do.
 
-#include "tests/support/demo_reconstruction.h"
-#include "tests/support/large_skin.h"
+#include "tests/support/hand_made_skins.h"
 #include "widgets/patch/edge_smoothing.h"
 #include "widgets/scene/patch_scene.h"
 

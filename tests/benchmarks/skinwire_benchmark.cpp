@@ -50,9 +50,9 @@ void receive(benchmark::State& state) {
   constexpr std::size_t kFrames = 20;
   Averager averager;
   SkinStream stream(averager);
-  stream.take(skinwire::decodeBody(skinwire::encodeBody(skinwire::helloOf(skin))));
+  stream.take(skinwire::decodeBody(skinwire::encodeBody(skinwire::helloOf(skin))), {});
   for (const skinwire::Topology& part : skinwire::topologyParts(skin.neighbors, 1)) {
-    stream.take(skinwire::decodeBody(skinwire::encodeBody(part)));
+    stream.take(skinwire::decodeBody(skinwire::encodeBody(part)), {});
   }
   std::size_t bytes = 0;
   std::size_t broken = 0;
@@ -72,7 +72,7 @@ void receive(benchmark::State& state) {
     for (std::size_t at = 0; at < wire.size(); at += kPiece) {
       decoder.feed(skinwire::ByteView(wire).subspan(at, std::min(kPiece, wire.size() - at)));
       while (auto decoded = decoder.next()) {
-        if (stream.take(std::move(*decoded)) != SkinStream::Effect::Alive) ++broken;
+        if (stream.take(std::move(*decoded), {}) != SkinStream::Effect::Alive) ++broken;
       }
     }
     benchmark::DoNotOptimize(averager.sum());

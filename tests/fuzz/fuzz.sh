@@ -2,7 +2,7 @@
 # Builds the fuzz targets with clang's libFuzzer and sanitizers and runs each, one after the other, beginning with its
 # corpus. Prints what crashed, with the input's path, and fails; or says how long each was clean.
 # New inputs are kept in build/fuzz/found/TARGET, where the next run goes on; crashes in build/fuzz/crashes.
-# Usage: tests/fuzz/fuzz.sh [--minutes N] [TARGET...]      default: 10 minutes each of skinwire session_json hexo tum_xml
+# Usage: tests/fuzz/fuzz.sh [--minutes N] [TARGET...]      default: 10 minutes each of skinwire session_json calibration_json hexo tum_xml
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 minutes=10
@@ -10,12 +10,12 @@ targets=()
 while [ $# -gt 0 ]; do
   case "$1" in
     --minutes) minutes="${2:?--minutes needs a number}"; shift 2 ;;
-    skinwire|session_json|hexo|tum_xml) targets+=("$1"); shift ;;
-    *) echo "usage: $0 [--minutes N] [skinwire] [session_json] [hexo] [tum_xml]" >&2; exit 2 ;;
+    skinwire|session_json|calibration_json|hexo|tum_xml) targets+=("$1"); shift ;;
+    *) echo "usage: $0 [--minutes N] [skinwire] [session_json] [calibration_json] [hexo] [tum_xml]" >&2; exit 2 ;;
   esac
 done
 [[ "$minutes" =~ ^[0-9]+$ && "$minutes" -gt 0 ]] || { echo "--minutes: expected a whole number above 0" >&2; exit 2; }
-[ ${#targets[@]} -gt 0 ] || targets=(skinwire session_json hexo tum_xml)
+[ ${#targets[@]} -gt 0 ] || targets=(skinwire session_json calibration_json hexo tum_xml)
 command -v clang++ >/dev/null || { echo "clang++ is missing: packaging/setup.sh --developer" >&2; exit 1; }
 
 cmake --preset fuzz >/dev/null
@@ -25,7 +25,7 @@ failed=0
 for target in "${targets[@]}"; do
   found="build/fuzz/found/$target"
   mkdir -p "$found" build/fuzz/crashes
-  dictionary="tests/fuzz/$target.dict"
+  dictionary="tests/fuzz/${target/calibration/session}.dict"
   log="build/fuzz/$target.log"
   options=(-max_total_time=$((minutes * 60)) -max_len=16384 -timeout=25 -rss_limit_mb=2048 -malloc_limit_mb=256
            -print_final_stats=1 "-artifact_prefix=build/fuzz/crashes/$target-")

@@ -1,7 +1,10 @@
 #include "tests/fuzz/fuzz_checks.h"
 
+#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/graph/skin_graph.h"
+#include "hexoderm/util/text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
@@ -21,7 +24,7 @@ void requireSound(const Session& session) {
     for (const GravitySample& sample : pose.capture->samples) {
       require(sample.mean_g.allFinite(), "finite means");
       require(sample.cov_g2.allFinite(), "finite covariances");
-      require((sample.cov_g2.diagonal().array() >= 0).all(), "variances of at least 0");
+      require(isCovariance(sample.cov_g2), "covariances");
       require(!sample.temperature_c || std::isfinite(*sample.temperature_c), "finite temperatures");
     }
   }
@@ -36,6 +39,16 @@ void requireSound(const Session& session) {
   std::size_t cells = 0;
   for (const auto& patch : graph.patches()) cells += patch.size();
   require(cells == graph.cells().size(), "each cell in one patch");
+}
+
+void requireSayable(const Error& error) {
+  constexpr std::size_t kLongest = 2000;
+  const std::string_view what = error.what();
+  require(what.size() <= kLongest, "complaints of at most 2000 bytes");
+  require(what.find(".hexoderm-") == std::string_view::npos, "complaints that name no temporary file");
+  const std::string line = forTerminal(what);
+  require(std::ranges::none_of(line, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == '\x7f'; }),
+          "a line without control characters");
 }
 
 }  // namespace hexoderm::fuzz

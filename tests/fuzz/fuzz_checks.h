@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hexoderm/session/session.h"
+#include "hexoderm/util/error.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -22,5 +23,9 @@ inline std::string_view asText(std::span<const std::uint8_t> bytes) {
 /// Requires what every reader of sessions promises of a session that it returns: a model that makes sense, finite
 /// numbers, variances of at least 0, rotations. Also that its topology makes a graph, however it contradicts itself.
 void requireSound(const Session& session);
+
+/// Requires of a complaint that a terminal can show it: of bounded length and, escaped, one line without what steers
+/// it.
+void requireSayable(const Error& error);
 
 }  // namespace hexoderm::fuzz

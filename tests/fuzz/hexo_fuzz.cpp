@@ -168,7 +168,8 @@ void readStore() {
   std::optional<SessionStore> store;
   try {
     store.emplace(SessionStore::openReadOnly(scratch().path()));
-  } catch (const Error&) {
+  } catch (const Error& error) {
+    fuzz::requireSayable(error);
     return;
   }
   const Session session = store->readSession();
@@ -183,6 +184,15 @@ void readStore() {
   }
   store.reset();
   requireSameAgain(session);
+}
+
+/// As they come from a pipe.
+void readStoreBytes(const Bytes& bytes) {
+  try {
+    fuzz::requireSound(parseSessionStore(fuzz::asText(bytes), "fuzz.hexo"));
+  } catch (const Error& error) {
+    fuzz::requireSayable(error);
+  }
 }
 
 }  // namespace
@@ -201,6 +211,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   const Bytes before = contentOf(scratch().path());
   readStore();
+  readStoreBytes(before);
   fuzz::require(contentOf(scratch().path()) == before, "a file that is only read to stay as it was");
   fuzz::require(scratch().isAlone(), "nothing left beside a file that is only read");
   return 0;

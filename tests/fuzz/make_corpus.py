@@ -2,11 +2,15 @@
 """Makes the inputs in tests/fuzz/corpus that are derived: from tests/data and from a few small sessions written out here.
 
 Inputs that once crashed something are beside them under other names and are never touched.
-Usage: tests/fuzz/make_corpus.py
+Usage: tests/fuzz/make_corpus.py [HEXODERM_CLI]      with the program also calibrations, which it solves
 """
 import json
 import pathlib
+import sqlite3
 import struct
+import subprocess
+import sys
+import tempfile
 
 HERE = pathlib.Path(__file__).parent
 DATA = HERE.parent / "data"
@@ -51,11 +55,55 @@ def documents():
     put("session_json", "own_model", json.dumps(session).encode())
 
 
+def hostile_documents():
+    """One of each kind that readers must refuse, or take without harm."""
+    text = (DATA / "three_cells.session.json").read_text()
+    put("session_json", "key_twice", text.replace('"id": 2', '"id": 1, "id": 2').encode())
+    put("session_json", "nested", text.replace('"poses": [', '"poses": [' + "[" * 3000, 1).encode())
+    put("session_json", "huge_numbers", text.replace('"count": 100', '"count": 99999999999999999999').encode())
+    put("session_json", "control_characters",
+        text.replace('"description": "', '"description": "\\u001b]0;x\\u0007\\u009b2J', 1).encode())
+    put("session_json", "no_utf8", text.encode().replace(b'"description": "', b'"description": "\xff\x9b', 1))
+    session = json.loads(text)
+    session["poses"][0]["samples"][0]["cov_g2"] = [1e-6, 2e-6, 0, 1e-6, 0, 1e-6]
+    put("session_json", "indefinite", json.dumps(session).encode())
+    put("session_json", "cells_minus_one", json.dumps({**session, "cells": -1}).encode())
+    model = json.loads((HERE.parent.parent / "resources/cell_models/hex-bma150.json").read_text())
+    put("session_json", "cell_of_15_m", json.dumps({**session, "cell_model": {**model, "side_m": 15}}).encode())
+    xml = (DATA / "two_patches.tum.xml").read_text()
+    put("tum_xml", "nested", ("<SkinConfig>" * 1000).encode())
+    put("tum_xml", "control_characters", xml.replace("<pos", "<pos\x1b[31m", 1).encode())
+    put("tum_xml", "element_twice", xml.replace("<rootCellId>", "<rootCellId>1</rootCellId><rootCellId>", 1).encode())
+
+
+def calibrations(program):
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "x.calibration.json"
+        subprocess.run([program, "solve", "--quiet", "-o", path, DATA / "three_cells.session.json"],
+                       stdout=subprocess.DEVNULL)
+        text = path.read_text()
+    put("calibration_json", "three_cells", text.encode())
+    put("calibration_json", "key_twice", text.replace('"origin":', '"origin": 2, "origin":', 1).encode())
+    put("calibration_json", "control_characters", text.replace('"text": "', '"text": "\\u001b[31m', 1).encode())
+    calibration = json.loads(text)
+    calibration["patches"][0]["cells"][1]["cov_t_r"] = [1e-6, 2e-6, 0, 0, 0, 0, 1e-6] + [0] * 14
+    put("calibration_json", "indefinite", json.dumps(calibration).encode())
+
+
 def entry(kind, detail, samples=None, raw=None):
     kinds = ["skin", "capture", "source", "truth", "remove", "restore", "disable", "enable", "options", "mute", "unmute"]
     flags = (0x10 if samples is not None else 0) | (0x20 if raw is not None else 0)
-    pieces = [json.dumps(detail).encode()] + [piece for piece in (samples, raw) if piece is not None]
+    pieces = [detail if isinstance(detail, bytes) else json.dumps(detail).encode()] + [piece for piece in (samples, raw) if piece is not None]
     return bytes([kinds.index(kind) | flags]) + b"".join(struct.pack("<H", len(piece)) + piece for piece in pieces)
+
+
+def forged_database(schema):
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "forged.hexo"
+        database = sqlite3.connect(path)
+        database.executescript(f"PRAGMA page_size=512; PRAGMA application_id={0x4845584F}; PRAGMA user_version=2; {schema}")
+        database.close()
+        return path.read_bytes()
 
 
 def hexo():
@@ -79,6 +127,25 @@ def hexo():
         entry("mute", {"source": 1, "source_port": 2, "target": 2, "target_port": 3, "why": "cable"}) +
         entry("unmute", {"source": 1, "source_port": 2, "target": 2, "target_port": 3}) + entry("options", {"solver": "tree"}))
     put("hexo", "journal_without_skin", b"J" + captures)
+    # Journals whose digests are right, by somebody who means harm.
+    twice = json.dumps({"cell_model": model, "cells": cells}).encode()[:-1] + b', "cells": []}'
+    put("hexo", "journal_key_twice", b"J" + entry("skin", twice))
+    put("hexo", "journal_nested", b"J" + skin + entry("options", b"[" * 3000))
+    put("hexo", "journal_cells_minus_one", b"J" + entry("skin", {"cell_model": model, "cells": -1}))
+    put("hexo", "journal_cell_of_15_m", b"J" + entry("skin", {"cell_model": {**model, "side_m": 15}, "cells": cells}))
+    put("hexo", "journal_control_characters",
+        b"J" + skin + entry("source", {"text": "\x1b[2J\x9b", "file": "\n\r", "sha256": "\x07"}) +
+        entry("mute", {"source": 1, "source_port": 2, "target": 2, "target_port": 3, "why": "\x1b]0;x\x07"}) +
+        entry("options", b'{"\x1b[31m": }'))
+    indefinite = struct.pack("<4I10d", 1, 100, 0, 0, 0, 0, 1, 1e-6, 2e-6, 0, 1e-6, 0, 1e-6, 0)
+    put("hexo", "journal_indefinite",
+        b"J" + skin + entry("capture", {"pose": 1, "place": 0, "cells": 1}, indefinite))
+    for name, schema in (("view", "CREATE VIEW journal AS SELECT 1 AS entry"),
+                         ("trigger", "CREATE TABLE journal (entry); CREATE TRIGGER t BEFORE INSERT ON journal BEGIN "
+                                     "SELECT load_extension('x'); END"),
+                         ("control_characters", 'CREATE TABLE "\x1b[31m\n" (x)'),
+                         ("generated", "CREATE TABLE journal (entry, at_ms AS (zeroblob(1000000000)))")):
+        put("hexo", "forged_" + name, b"R" + forged_database(schema))
     put("hexo", "changes", b"P" + struct.pack("<HBHB", 68, 0x48, 5000, 0x31))
     put("hexo", "unchanged", b"P")
     put("hexo", "no_database", b"R" + b"SQLite format 3\0" + bytes(84))
@@ -86,4 +153,7 @@ def hexo():
 
 skinwire()
 documents()
+hostile_documents()
 hexo()
+if len(sys.argv) > 1:
+    calibrations(sys.argv[1])

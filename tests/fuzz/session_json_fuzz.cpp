@@ -14,7 +14,8 @@ using namespace hexoderm;
 std::optional<Session> parsed(std::string_view text) {
   try {
     return parseSessionJson(text, "fuzz.session.json");
-  } catch (const Error&) {
+  } catch (const Error& error) {
+    fuzz::requireSayable(error);
     return std::nullopt;
   }
 }

@@ -13,7 +13,9 @@
 #include "tests/fuzz/scratch_file.h"
 
 #include <cmath>
+#include <functional>
 #include <set>
+#include <utility>
 
 namespace {
 
@@ -37,11 +39,16 @@ class StrictListener final : public SkinListener {
     skin.model->validate();
     known_.clear();
     for (const CellReport& cell : skin.neighbors) known_.insert(cell.id);
+    // A cell that was away begins anew.
+    for (std::set<CellId>* cells : {&sampled_, &averaged_}) {
+      std::erase_if(*cells, [this](CellId cell) { return !known_.contains(cell); });
+    }
     described_ = true;
   }
   void onFrame(const SampleFrame& frame) override {
     fuzz::require(described_, "a description before the first frame");
     fuzz::require(std::isfinite(frame.time_s) && frame.time_s >= 0, "finite times of at least 0");
+    if (clock_restarts && std::exchange(restarts_, clock_restarts()) != clock_restarts()) allowNewBeginning();
     fuzz::require(frame.time_s >= last_s_, "times that don't go back");
     if (frame.time_s > last_s_) {
       sampled_.clear();
@@ -65,6 +72,9 @@ class StrictListener final : public SkinListener {
   void onStatus(const SourceStatus& /*status*/) override {}
   void onCommandOutcome(const CommandOutcome& /*outcome*/) override {}
 
+  /// How often the source found that the device's clock was set back.
+  std::function<std::uint64_t()> clock_restarts;
+
   /// The device may have started over, or its cells are others.
   void allowNewBeginning() {
     last_s_ = 0;
@@ -80,6 +90,7 @@ class StrictListener final : public SkinListener {
 
   bool described_ = false;
   double last_s_ = 0;
+  std::uint64_t restarts_ = 0;
   std::set<CellId> known_;
   std::set<CellId> sampled_;
   std::set<CellId> averaged_;
@@ -105,21 +116,26 @@ void requireSound(const skinwire::Message& message) {
 
 class Host {
  public:
-  Host() : stream_(listener_) {}
+  Host() : stream_(listener_) {
+    listener_.clock_restarts = [this] { return stream_.clockRestarts(); };
+  }
   void take(const Decoded& decoded) {
     if (decoded.outcome == DecodeOutcome::Understood) {
       requireSound(decoded.message);
       if (!std::holds_alternative<skinwire::Samples>(decoded.message)) listener_.allowNewBeginning();
     } else {
-      fuzz::require(!decoded.reason.empty() || decoded.outcome == DecodeOutcome::UnknownType, "a reason");
+      fuzz::require(!decoded.reason().empty(), "a reason");
+      fuzz::require(decoded.reason().english().size() < 2000, "a reason of bounded length");
     }
-    stream_.take(decoded);
-    stream_.reportCounters({});
+    now_ += std::chrono::milliseconds(100);
+    stream_.take(decoded, now_);
+    stream_.reportCounters(now_);
   }
 
  private:
   StrictListener listener_;
   SkinStream stream_;
+  SkinStream::Clock::time_point now_{};
 };
 
 std::vector<Decoded> decodeInPieces(std::optional<Framing> framing, ByteView bytes, std::size_t piece) {

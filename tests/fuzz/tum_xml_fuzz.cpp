@@ -36,8 +36,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const TumSkinConfig config = parseTumXml(fuzz::asText({data, size}), "fuzz.xml");
     fuzz::requireSound(sessionFromTum(config, model, "fuzz.xml"));
     requireFinite(*calibrationFromTum(config, model, "fuzz.xml"));
-  } catch (const Error&) {
-    return 0;
+  } catch (const Error& error) {
+    fuzz::requireSayable(error);
   }
   return 0;
 }

@@ -110,6 +110,12 @@ Session sessionOf(std::uint32_t poses, std::uint32_t cells) {
   }
 }
 
+/// One file, to the end.
+int write(const std::string& folder) {
+  writeSessionJson(sessionOf(1, 1), folder + "/written.session.json");
+  return 0;
+}
+
 [[noreturn]] void convert(const std::string& folder) {
   for (std::uint32_t n = 1;; ++n) {
     const std::string store = folder + "/" + std::to_string(::getpid()) + "-" + std::to_string(n) + ".hexo";
@@ -144,6 +150,7 @@ int main(int argc, char** argv) {
     if (what == "capture") capture(argv[2]);
     if (what == "save") save(argv[2]);
     if (what == "convert") convert(argv[2]);
+    if (what == "write") return write(argv[2]);
     if (what == "check") return check(argv[2]);
   } catch (const Error& error) {
     std::fprintf(stderr, "%s\n", error.what());

@@ -5,7 +5,8 @@ Usage: kill_test.py KILL_HELPER [--kills N] [--seed S]
 
 After every kill: the database is whole (PRAGMA integrity_check), every capture that was confirmed is there bit for bit,
 read by the library and by this program itself from the layout in core/hexoderm/session/README.md; nothing is there that was not
-captured; a file that was being saved or converted is whole, the old or the new one. The number of kills is per kind.
+captured; a file that was being saved or converted is whole, the old or the new one; and what is left hidden in the folder
+is of the last writer at most, and goes with the next file that is written. The number of kills is per kind.
 """
 
 import argparse
@@ -51,6 +52,22 @@ def check(helper, path):
     if result.returncode != 0:
         fail(f"{path}: {result.stdout}{result.stderr}")
     return int(result.stdout.split()[1])
+
+
+def hidden_in(folder):
+    """What writers left, a database with what SQLite keeps beside it counted once."""
+    return {path.name.removesuffix("-wal").removesuffix("-shm").removesuffix("-journal") for path in folder.glob(".*")}
+
+
+def check_hidden(folder, kill):
+    if len(hidden_in(folder)) > 1:
+        fail(f"after kill {kill}, more is left than one writer makes: {sorted(hidden_in(folder))}")
+
+
+def check_nothing_stays(helper, folder):
+    subprocess.run([helper, "write", str(folder)], check=True)
+    if hidden_in(folder):
+        fail(f"what killed writers left is still there: {sorted(hidden_in(folder))}")
 
 
 def bits(value):
@@ -118,21 +135,24 @@ def kill_while_capturing(helper, folder, kills, rng):
 def kill_while_saving(helper, folder, kills, rng):
     path = folder / "saved.session.json"
     seen = {3: 0, 40: 0}
-    for _ in range(kills):
+    left = 0
+    for kill in range(kills):
         run_and_kill(helper, ["save", str(folder)], rng, "saved")
         if path.exists():
             poses = check(helper, path)
             if poses not in seen:
                 fail(f"{path}: {poses} poses, expected those of the old or of the new file")
             seen[poses] += 1
-        for left in folder.glob(".saved.session.json.*"):
-            left.unlink()
-    return f"{kills} kills while saving, whole file of 3 poses {seen[3]} times, of 40 poses {seen[40]} times"
+        check_hidden(folder, kill)
+        left += len(hidden_in(folder))
+    check_nothing_stays(helper, folder)
+    return f"{kills} kills while saving, something hidden left {left} times, whole file of 3 poses {seen[3]} times, of 40 poses {seen[40]} times"
 
 
 def kill_while_converting(helper, folder, kills, rng):
     whole = 0
-    for _ in range(kills):
+    left = 0
+    for kill in range(kills):
         for line in run_and_kill(helper, ["convert", str(folder)], rng, "converted"):
             path = pathlib.Path(line.partition(" ")[2])
             if not path.exists():
@@ -145,9 +165,10 @@ def kill_while_converting(helper, folder, kills, rng):
                 if len(captures_in(path)) != 20:
                     fail(f"{path} is not whole")
                 path.unlink()
-        for left in folder.glob(".*"):
-            left.unlink()
-    return f"{kills} kills while converting, {whole} files looked at, all whole"
+        check_hidden(folder, kill)
+        left += len(hidden_in(folder))
+    check_nothing_stays(helper, folder)
+    return f"{kills} kills while converting, something hidden left {left} times, {whole} files looked at, all whole"
 
 
 def main():

@@ -342,6 +342,7 @@ int main(int argc, char** argv) {
       std::cerr << "monkey: the session was not opened\n";
       return EXIT_FAILURE;
     }
+    // Nor are its first pictures; nothing says when the last of them is drawn.
     QTest::qWait(1000);
     test::Watchdog watchdog(limit_ms, parser.isSet(trace));
     const Monkey monkey(window, watchdog, large, parser.value(seed).toULongLong());

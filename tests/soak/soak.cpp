@@ -6,11 +6,14 @@
 #include "hexoderm/capture/pose_recorder.h"
 #include "hexoderm/device/simulation/simulated_source.h"
 #include "hexoderm/session/session_recorder.h"
+#include "hexoderm/util/units.h"
 #include "tests/support/temporary_folder.h"
 
 #include <unistd.h>
 
+#include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
 #include <condition_variable>
 #include <cstdlib>
 #include <fstream>
@@ -72,7 +75,9 @@ class Operator final : public SkinListener, public PoseRecorderListener {
     ++account_.frames;
     account_.simulated_s = frame.time_s;
     recorder_.addFrame(frame);
-    if (frame.time_s - last_pose_s_ > kPatience_s) end("no pose for " + std::to_string(kPatience_s) + " s");
+    if (frame.time_s - last_pose_s_ > kPatience_s) {
+      end("no pose for " + std::to_string(kPatience_s) + " s: " + hold_.english());
+    }
     if (frame.time_s >= duration_s_) end("");
   }
   void onStatus(const SourceStatus& /*status*/) override {}
@@ -91,7 +96,7 @@ class Operator final : public SkinListener, public PoseRecorderListener {
     if (++poses_in_file_ == kPosesPerFile) endFile();
     turn();
   }
-  void onHold(const HoldStatus& /*status*/) override {}
+  void onHold(const HoldStatus& status) override { hold_ = status.message; }
   void onPreview(SkinPreview /*preview*/) override {}
 
  private:
@@ -133,8 +138,14 @@ class Operator final : public SkinListener, public PoseRecorderListener {
   }
 
   void turn() {
-    std::normal_distribution<double> any;
-    source_.send(TurnTo{CellId(1), {any(random_), any(random_), any(random_)}});
+    // Far enough to be another pose.
+    constexpr double kAtLeast_rad = 20 * kDegree;
+    const Eigen::Vector3d last = up_;
+    while (std::acos(std::clamp(up_.dot(last), -1.0, 1.0)) < kAtLeast_rad) {
+      std::normal_distribution<double> any;
+      up_ = Eigen::Vector3d(any(random_), any(random_), any(random_)).normalized();
+    }
+    source_.send(TurnTo{CellId(1), up_});
   }
 
   void end(const std::string& failure) {
@@ -154,7 +165,9 @@ class Operator final : public SkinListener, public PoseRecorderListener {
   std::unique_ptr<SessionRecorder> store_;
   std::size_t poses_in_file_ = 0;
   double last_pose_s_ = 0;
+  Message hold_;  ///< why no pose is taken
   std::mt19937_64 random_{1};
+  Eigen::Vector3d up_ = Eigen::Vector3d::UnitZ();  ///< as asked for last
   Account account_;
   std::mutex mutex_;
   std::condition_variable over_changed_;

@@ -19,9 +19,11 @@ import sys
 HALLS = {
     "": "core < widgets < app < tests",
     "core/hexoderm": "util < geometry < graph < device < capture < session < reconstruction < io < course",
-    "core/hexoderm/device": "{sample_frame, ground_truth} < skin_source < {skinwire, simulation} < {emulation, sources}",
+    "core/hexoderm/device": "{sample_frame, ground_truth, offence} < skin_source < diagnosis < {skinwire, simulation}"
+                            " < {emulation, sources}",
     "core/hexoderm/reconstruction": "result < {links, sparse, accelerometer} < {joint, faults, advice} < {patch, evaluation}"
-                                    " < figures < reconstructor < {hold_out, reconstruction_worker}",
+                                    " < figures < solved_skin < reconstructor < {hold_out, reconstruction_worker,"
+                                    " sensor_statistics}",
     "widgets": "style < words < {controls, coloring} < {tables, capture, graph, scene} < {verify, patch}",
     "app": "{cli, emulator, window}",
     "app/window": "{files, toolkit} < {settings, report} < session < {guide, dialogs, log} < presenters < main_window"

@@ -65,7 +65,8 @@ MATCHER(IsFinite, "") {
       }
     }
   }
-  return std::isfinite(r.verdict.position_95_m.value_or(0)) && std::isfinite(r.verdict.orientation_95_rad.value_or(0));
+  return std::isfinite(r.assessment.position_95_m.value_or(0)) &&
+         std::isfinite(r.assessment.orientation_95_rad.value_or(0));
 }
 
 /// Two reconstructions of one skin: the same placements whatever patch order, cell by cell.

@@ -2,7 +2,9 @@
 
 #include "tests/support/patience.h"
 
+#include <QEventLoop>
 #include <QTest>
+#include <QTimer>
 #include <QWidget>
 
 namespace hexoderm::test {
@@ -16,5 +18,19 @@ bool waitUntil(Condition condition) {
 }
 inline bool waitUntilExposed(QWidget& window) { return QTest::qWaitForWindowExposed(&window, kPatience_ms); }
 inline bool waitUntilActive(QWidget& window) { return QTest::qWaitForWindowActive(&window, kPatience_ms); }
+
+/// Lets the event loop turn until what was posted, or put off to a coming turn, has been done: for a look at what must
+/// not have happened. Turns are counted, not time: each ends with a timer of its own, timers end in the order in which
+/// they are due however busy the computer is, and the program puts nothing that it draws off for longer than half of
+/// these turns (10 ms).
+inline void letTurnsPass() {
+  constexpr int kTurns = 20;
+  constexpr int kTurn_ms = 1;
+  for (int turn = 0; turn < kTurns; ++turn) {
+    QEventLoop loop;
+    QTimer::singleShot(kTurn_ms, Qt::PreciseTimer, &loop, &QEventLoop::quit);
+    loop.exec();
+  }
+}
 
 }  // namespace hexoderm::test

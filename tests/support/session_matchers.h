@@ -88,7 +88,7 @@ inline Session sessionWithEverything() {
     if (id != 2) capture.label = Message::verbatim("pose\n" + std::to_string(id));
     if (id != 2) capture.taken_at_ms = 1'700'000'000'123 + id;
     GravitySample a{CellId(1), {0.1 * id, -0.0, 1.0 / 3}, Eigen::Matrix3d::Zero(), 100 * id};
-    a.cov_g2 << 1e-6, 1e-8 / 3, -0.0, 1e-8 / 3, 2e-300, -5e-324, -0.0, -5e-324, 0;
+    a.cov_g2 << 1e-6, 1e-160 / 3, -0.0, 1e-160 / 3, 2e-300, -5e-324, -0.0, -5e-324, 0;
     if (id == 1) a.temperature_c = 36.6;
     GravitySample b{CellId(2), {999999.9999999999, -5e-324, 0.0}, Eigen::Matrix3d::Zero(), 0};
     if (id == 3) b.cov_g2(2, 1) = b.cov_g2(1, 2) = -0.0;

@@ -9,7 +9,7 @@ namespace hexoderm {
 enum class ToneKind { Captured, StartsOver };
 
 /// Short tones for whoever looks at the part and not at the screen: one for a captured pose, a lower double one for a
-/// motion that starts a capture over. Silent where there is no audio device; never an error, never waits.
+/// motion that starts a capture over. Without an audio device none is heard, which is no error; never waits.
 class CaptureTone : public QObject {
   Q_OBJECT
 

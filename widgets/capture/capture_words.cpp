@@ -109,9 +109,11 @@ QString sigmaInWords(const NextPose& next) {
 
 QString missingInWords(const PoseCoverage& coverage, const std::optional<Eigen::Vector3d>& next_up_o) {
   if (!coverage.missing) {
-    return coverage.enabled == 0 ? QString()
-                                 : CaptureWords::tr("No direction is missing: all three values reach %1.")
-                                       .arg(figureInWords(coverage.threshold, 2));
+    if (coverage.enabled == 0) return {};
+    return coverage.quality == EdgeQuality::Over
+               ? CaptureWords::tr("No direction is missing: all three values reach %1.")
+                     .arg(figureInWords(coverage.threshold, 2))
+               : CaptureWords::tr("The directions seen are enough: another one would hardly help.");
   }
   const MissingDirection& missing = *coverage.missing;
   if (missing.which == 1) return CaptureWords::tr("No pose yet: any direction will do.");

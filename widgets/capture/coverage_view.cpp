@@ -47,6 +47,7 @@ struct CoverageView::Parts {
   bool is_stale = true;
   double said_height = 0;  ///< height of the words below the discs
   QString empty_hint;
+  QString awaited;
 
   /// Positions from top to bottom.
   struct Layout {
@@ -91,7 +92,10 @@ struct CoverageView::Parts {
   [[nodiscard]] const Colors& colors() const { return Colors::of(theme); }
 };
 
-QString CoverageView::Parts::words() const { return isEmpty() ? empty_hint : missingInWords(coverage, next); }
+QString CoverageView::Parts::words() const {
+  if (!isEmpty()) return missingInWords(coverage, next);
+  return awaited.isEmpty() ? empty_hint : awaited;
+}
 
 double CoverageView::Parts::legendWidth() const {
   const QFontMetrics metrics = view->fontMetrics();
@@ -363,6 +367,12 @@ void CoverageView::setPickedPose(std::optional<PoseId> pose) {
 
 void CoverageView::setEmptyHint(const QString& hint) {
   parts_->empty_hint = hint;
+  updateGeometry();
+  parts_->changed();
+}
+
+void CoverageView::setAwaited(const QString& awaited) {
+  parts_->awaited = awaited;
   updateGeometry();
   parts_->changed();
 }

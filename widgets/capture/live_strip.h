@@ -22,13 +22,13 @@ QString countersInWords(const SourceStatus& status, const HoldStatus& hold);
 /// "12 samples lost · 3 frames late · 40 samples dropped by the device": what there is of that; empty: nothing.
 QString lossesInWords(const SourceStatus& status, const HoldStatus& hold);
 
-/// A skin that does not send as it should, or not yet: where its source stands, and its end. The window shows it until
-/// all is well; then the status bar and the step Capture say how it goes.
+/// The strip for a skin that does not (yet) send as it should: the state of its source, and a button that disconnects
+/// it. The window shows it until all is well; then the status bar and the step Capture say how it goes.
 class LiveStrip : public QFrame {
   Q_OBJECT
 
  public:
-  /// `end` ends the connection.
+  /// `end`: what the button does.
   explicit LiveStrip(QAction* end, QWidget* parent = nullptr);
 
   void setStatus(const SourceStatus& status, const HoldStatus& hold);

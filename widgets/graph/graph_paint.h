@@ -13,8 +13,8 @@
 
 namespace hexoderm {
 
-/// The colours of a scene's links and cells, as indices into a few kinds of strokes and fills, so that each kind is
-/// drawn at once. A colouring of cells leaves the links grey.
+/// Which of the colours of widgets/style/palette.h a scene's links and cells have, as indices into a few kinds of
+/// strokes and fills, so that each kind is drawn at once. A colouring of cells leaves the links grey.
 struct GraphPaint {
   static constexpr int kPlain = -1;  ///< not judged by this colouring, or the value is not known
 

@@ -11,7 +11,7 @@ namespace {
 /// Share of the real hexagon that is drawn.
 constexpr double kDrawnShare = 0.56;
 
-QPointF toPoint(const Eigen::Vector2d& point) { return {point.x(), point.y()}; }
+QPointF toPoint(const Vector2d& point) { return {point.x(), point.y()}; }
 
 double lengthOf(const QPointF& vector) { return std::hypot(vector.x(), vector.y()); }
 

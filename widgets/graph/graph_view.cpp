@@ -88,6 +88,12 @@ void GraphView::setReconstruction(std::shared_ptr<const Reconstruction> reconstr
   describe();
 }
 
+void GraphView::setAwaited(const QString& awaited) {
+  awaited_ = awaited;
+  describe();
+  if (scene_->cells().empty()) update();
+}
+
 void GraphView::setTheme(Theme theme) {
   theme_ = theme;
   recolor();
@@ -199,7 +205,10 @@ void GraphView::onSelectionChanged() {
   update();
 }
 
-void GraphView::describe() { setAccessibleDescription(describeGraph(*scene_, picked())); }
+void GraphView::describe() {
+  const bool waits = !scene_->reconstruction() && !awaited_.isEmpty();
+  setAccessibleDescription(waits ? awaited_ : describeGraph(*scene_, picked()));
+}
 
 void GraphView::hover(const GraphHit& hit) {
   if (hit == hovered_) return;
@@ -237,7 +246,8 @@ void GraphView::showMenu(const GraphHit& hit, const QPoint& global_position) {
 void GraphView::drawHint(QPainter& painter) const {
   painter.setPen(Colors::of(theme_).text_muted);
   const QString text = scene_->reconstruction() ? tr("This skin has no cells.")
-                                                : tr("The skin graph appears here as soon as a skin is open.");
+                       : awaited_.isEmpty()     ? tr("The skin graph appears here as soon as a skin is open.")
+                                                : awaited_;
   painter.drawText(QRectF(rect()).adjusted(24, 12, -24, -12), Qt::AlignCenter | Qt::TextWordWrap, text);
 }
 

@@ -36,6 +36,8 @@ class GraphView : public QWidget {
 
   /// Null shows an empty view with a hint.
   void setReconstruction(std::shared_ptr<const Reconstruction> reconstruction);
+  /// What is going on while there is no skin, in words, which stand in the hint's place; empty: nothing is.
+  void setAwaited(const QString& awaited);
   void setTheme(Theme theme);
   void setColoring(Coloring coloring);
   [[nodiscard]] Coloring coloring() const;
@@ -106,6 +108,7 @@ class GraphView : public QWidget {
   Selection* selection_;
   std::shared_ptr<const GraphScene> scene_ = std::make_shared<GraphScene>();
   std::shared_ptr<const GraphPaint> paint_ = std::make_shared<GraphPaint>();
+  QString awaited_;
   Theme theme_ = Theme::Light;
   FindCellField* finder_;
   GraphColoringButton* button_;

@@ -90,6 +90,7 @@ struct PatchView::Parts : public QObject {
   Selection* selection;
   MeasureTool measure;
   std::shared_ptr<const Reconstruction> reconstruction;
+  QString awaited;
   Coloring coloring = Coloring::LinkQuality;
   PatchOverlays overlays;
   PatchMoment moment;
@@ -263,8 +264,10 @@ void PatchView::Parts::updateCaptions() {
         "On a remote desktop, or with a faulty driver, it may help to let the processor draw: Edit, Preferences, "
         "\"Draw "
         "without the graphics card\", then start Hexoderm again.");
-  } else if (!reconstruction || reconstruction->cellCount() == 0) {
-    content.hint = PatchView::tr("No skin yet: open a session or start the demo.");
+  } else if (!reconstruction) {
+    content.hint = awaited.isEmpty() ? PatchView::tr("No skin yet: open a session or start the demo.") : awaited;
+  } else if (reconstruction->cellCount() == 0) {
+    content.hint = PatchView::tr("This skin has no cells.");
   } else if (scene->content() == nullptr) {
     content.hint = PatchView::tr("Preparing the picture of %1 cells…")
                        .arg(QLocale().toString(static_cast<int>(reconstruction->cellCount())));
@@ -366,6 +369,11 @@ void PatchView::setReconstruction(std::shared_ptr<const Reconstruction> reconstr
     parts_->builder->cancel();
     parts_->setContent(makeSceneContent(parts_->reconstruction));
   }
+}
+
+void PatchView::setAwaited(const QString& awaited) {
+  parts_->awaited = awaited;
+  parts_->updateCaptions();
 }
 
 void PatchView::setTheme(Theme theme) {

@@ -33,6 +33,8 @@ class PatchView : public QWidget {
 
   /// Null shows an empty scene with a hint.
   void setReconstruction(std::shared_ptr<const Reconstruction> reconstruction);
+  /// What is going on while there is no skin, in words, which stand in the hint's place; empty: nothing is.
+  void setAwaited(const QString& awaited);
   void setTheme(Theme theme);
   /// Results and truths about the reconstruction that is shown. They stay until they are set anew.
   void setOverlays(const PatchOverlays& overlays);

@@ -18,6 +18,23 @@ struct PatchWords {
 /// "0.35 mm", "12.0 mm"
 QString millimetres(double length_m) { return millimetresInWords(length_m, length_m < kMillimetre ? 2 : 1); }
 
+/// That the patches beside the largest are drawn anywhere.
+QString notPlacedInWords(const SceneNotes& notes) {
+  constexpr std::size_t kNamed = 6;
+  const std::vector<CellId>& origins = notes.not_placed;
+  if (origins.size() > kNamed || !notes.frames) {
+    return PatchWords::tr("%1 patches beside the largest: how they lie to it and to each other is not known")
+        .arg(origins.size());
+  }
+  if (origins.size() == 1) {
+    return PatchWords::tr("dashed frame: patch of cell %1, not placed against the others").arg(origins.front().value());
+  }
+  QStringList names;
+  for (const CellId origin : origins) names << QString::number(origin.value());
+  return PatchWords::tr("dashed frames: patches of cells %1, not placed against the others")
+      .arg(names.join(QStringLiteral(", ")));
+}
+
 QString enlarged(double factor) {
   return factor > 1 ? PatchWords::tr("drawn %1 times as large").arg(QLocale().toString(factor, 'g', 6))
                     : PatchWords::tr("true to scale");
@@ -112,6 +129,7 @@ QString whyNotShown(SceneItem item, Availability availability) {
 
 QStringList notesInWords(const SceneNotes& notes, const PatchOverlays& overlays) {
   QStringList lines;
+  if (!notes.not_placed.empty()) lines << notPlacedInWords(notes);
   if (notes.tree) lines << PatchWords::tr("broad lines: the shortest-path tree");
   if (notes.ellipsoid_factor) lines << PatchWords::tr("ellipsoids: 95 %, %1").arg(enlarged(*notes.ellipsoid_factor));
   if (notes.truth) lines << PatchWords::tr("outlines: the truth, moved onto the result");

@@ -147,19 +147,22 @@ vtkSmartPointer<vtkPolyData> makeOriginMarks(const SceneContent& content, const 
   return mesh.finish();
 }
 
-vtkSmartPointer<vtkPolyData> makeCellOutline(const SceneContent& content, CellId cell) {
+vtkSmartPointer<vtkPolyData> makeCellOutlines(const SceneContent& content, std::initializer_list<CellId> cells) {
   constexpr double kOutside = 1.015;
   PolyDataBuilder mesh;
-  if (const SceneCell* found = content.layout.find(cell)) {
+  for (const CellId cell : cells) {
+    const SceneCell* found = content.layout.find(cell);
+    if (found == nullptr) continue;
+    const vtkIdType first = mesh.pointCount();
     const auto corners = prismCorners(*content.reconstruction->model, found->T_s_u);
     Eigen::Vector3d center = Eigen::Vector3d::Zero();
     for (const Eigen::Vector3d& corner : corners) center += corner / static_cast<double>(corners.size());
     for (const Eigen::Vector3d& corner : corners) mesh.addPoint(center + kOutside * (corner - center));
     for (vtkIdType k = 0; k < 6; ++k) {
       const vtkIdType next = (k + 1) % 6;
-      mesh.addLine({k, next});
-      mesh.addLine({k + 6, next + 6});
-      mesh.addLine({k, k + 6});
+      mesh.addLine({first + k, first + next});
+      mesh.addLine({first + k + 6, first + next + 6});
+      mesh.addLine({first + k, first + k + 6});
     }
   }
   return mesh.finish();

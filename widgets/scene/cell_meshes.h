@@ -5,6 +5,7 @@
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <initializer_list>
 #include <vector>
 
 namespace hexoderm {
@@ -28,8 +29,8 @@ vtkSmartPointer<vtkPolyData> makePortMarks(const SceneContent& content, const st
 vtkSmartPointer<vtkPolyData> makeOriginMarks(const SceneContent& content, const std::vector<Rgb>& front_colors,
                                              const SceneColors& colors);
 
-/// The edges of a cell's prism, a hair outside it. Empty if the cell is not there.
-vtkSmartPointer<vtkPolyData> makeCellOutline(const SceneContent& content, CellId cell);
+/// The edges of the cells' prisms, a hair outside them. Cells that are not there have none.
+vtkSmartPointer<vtkPolyData> makeCellOutlines(const SceneContent& content, std::initializer_list<CellId> cells);
 
 /// A line from centre to centre through both ports, a little above the front faces. Empty if a cell or port is missing.
 vtkSmartPointer<vtkPolyData> makeLinkStroke(const SceneContent& content, LinkEnd a, LinkEnd b);

@@ -21,8 +21,9 @@ constexpr double kTreeLift = 0.035;     // below the links
 constexpr double kDoubleApart = 0.035;  // distance of a double line's strokes from its middle
 constexpr double kDash = 0.22;          // a dash and the gap behind it
 constexpr double kDot = 0.09;
-constexpr double kCross = 0.12;   // half of a muted link's cross
-constexpr double kGapRoom = 1.2;  // the arrow of a gap
+constexpr double kFrameDash = 0.5;  // of a frame about a patch
+constexpr double kCross = 0.12;     // half of a muted link's cross
+constexpr double kGapRoom = 1.2;    // the arrow of a gap
 constexpr double kGapArrowWidth = 0.12;
 constexpr double kShiftArrowWidth = 0.09;
 
@@ -188,6 +189,22 @@ EnlargedShape makeEllipsoids(const SceneContent& content) {
   }
   shape.data = mesh.finish();
   return shape;
+}
+
+vtkSmartPointer<vtkPolyData> makePatchFrames(const SceneContent& content, const std::vector<std::size_t>& patches,
+                                             const Rgb& color) {
+  const double side_m = content.reconstruction->model->side_m;
+  PolyDataBuilder mesh;
+  for (const std::size_t patch : patches) {
+    const std::array<Eigen::Vector3d, 8> corners = content.frameCorners(patch);
+    for (unsigned from = 0; from < 8; ++from) {
+      for (unsigned axis = 0; axis < 3; ++axis) {
+        const unsigned to = from | 1U << axis;
+        if (to != from) Dashes(mesh, kFrameDash * side_m, 0.55, color).addPiece(corners.at(from), corners.at(to));
+      }
+    }
+  }
+  return mesh.finish();
 }
 
 vtkSmartPointer<vtkPolyData> makeLinkLines(const SceneContent& content, const SceneColors& colors) {

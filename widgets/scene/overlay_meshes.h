@@ -24,6 +24,10 @@ struct EnlargedShape {
 /// or known exactly, have none.
 EnlargedShape makeEllipsoids(const SceneContent& content);
 
+/// The edges of a box about each of these patches, dashed: indices into the reconstruction's.
+vtkSmartPointer<vtkPolyData> makePatchFrames(const SceneContent& content, const std::vector<std::size_t>& patches,
+                                             const Rgb& color);
+
 /// Every link from centre to centre through both ports, in the colour of its class and dotted, dashed, solid or double
 /// as in the graph; muted links grey, dashed and crossed.
 vtkSmartPointer<vtkPolyData> makeLinkLines(const SceneContent& content, const SceneColors& colors);

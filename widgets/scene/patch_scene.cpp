@@ -166,19 +166,20 @@ void PatchScene::Parts::updateSelection() {
     selection_mapper->SetInputData(makeLinkStroke(*content, picked_link->first, picked_link->second));
     selection_actor->VisibilityOn();
   } else if (picked_cell && content->layout.find(*picked_cell) != nullptr) {
-    selection_mapper->SetInputData(makeCellOutline(*content, *picked_cell));
+    selection_mapper->SetInputData(makeCellOutlines(*content, {*picked_cell}));
     selection_actor->VisibilityOn();
   }
 }
 
-/// Every patch has a frame of its own: this is the gravity of the picked cell's patch, or else of the first patch that
-/// has one.
+/// Every patch has a frame of its own: this is the gravity of the picked cell's patch, or else of the largest patch, or
+/// of the first that has one.
 const GravityDirection* PatchScene::Parts::gravity() const {
   if (!content || content->layout.cells.empty() || !shown.at(indexOf(SceneItem::Gravity))) return nullptr;
   const Reconstruction* reconstruction = content->reconstruction.get();
   const std::optional<CellId> picked = picked_link ? std::optional(picked_link->first.cell) : picked_cell;
   const PatchReconstruction* patch = picked ? reconstruction->find(*picked).patch : nullptr;
-  if (patch == nullptr) {
+  if (patch == nullptr) patch = largestPatch(*reconstruction);
+  if (patch->gravity.empty() && !picked) {
     const auto found = std::ranges::find_if(reconstruction->patches, [](const auto& p) { return !p.gravity.empty(); });
     if (found == reconstruction->patches.end()) return nullptr;
     patch = &*found;

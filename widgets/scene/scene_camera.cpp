@@ -10,6 +10,7 @@
 #include <vtkRenderer.h>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -167,7 +168,10 @@ void SceneCamera::fitNow() {
       (toEigen(camera()->GetViewUp()) - toEigen(camera()->GetViewUp()).dot(back) * back).normalized();
   const Eigen::Vector3d right = up.cross(back);
   Eigen::AlignedBox3d box;
-  const std::vector<Eigen::Vector3d>& points = content_->layout.points;
+  std::vector<Eigen::Vector3d> points = content_->layout.points;
+  for (const std::size_t patch : content_->layout.framed()) {
+    std::ranges::copy(content_->frameCorners(patch), std::back_inserter(points));
+  }
   for (const Eigen::Vector3d& p : points) box.extend(Eigen::Vector3d(right.dot(p), up.dot(p), back.dot(p)));
   const Eigen::Vector3d center = box.center();
   const double tan_height = freeHeight() * std::tan(0.5 * kViewAngle_deg * kDegree);

@@ -9,11 +9,44 @@
 #include <vtkPoints.h>
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace hexoderm {
 namespace {
 
 constexpr vtkIdType kSides = 6;
+
+/// Sets the boxes beside that of the largest patch, `between_m` apart, and returns by how much each has moved: in
+/// columns from top to bottom, about as high as the largest patch or, if there are many, as all of them in a square.
+std::vector<Eigen::Vector3d> setBeside(std::vector<Eigen::AlignedBox3d>& boxes, std::size_t largest, double between_m) {
+  std::vector<Eigen::Vector3d> shifts(boxes.size(), Eigen::Vector3d::Zero());
+  if (boxes.size() < 2 || boxes[largest].isEmpty()) return shifts;
+  const Eigen::AlignedBox3d& fixed = boxes[largest];
+  double area = 0;
+  for (std::size_t p = 0; p < boxes.size(); ++p) {
+    if (p == largest || boxes[p].isEmpty()) continue;
+    area += (boxes[p].sizes().x() + between_m) * (boxes[p].sizes().y() + between_m);
+  }
+  const double height = std::max(fixed.sizes().y(), std::sqrt(area));
+  const double top = fixed.max().y();
+  double left = fixed.max().x() + between_m;
+  double right = left;
+  double next = top;
+  for (std::size_t p = 0; p < boxes.size(); ++p) {
+    if (p == largest || boxes[p].isEmpty()) continue;
+    const Eigen::Vector3d size = boxes[p].sizes();
+    if (next < top && next - size.y() < top - height) {
+      left = right + between_m;
+      next = top;
+    }
+    shifts[p] = Eigen::Vector3d(left, next, fixed.center().z()) -
+                Eigen::Vector3d(boxes[p].min().x(), boxes[p].max().y(), boxes[p].center().z());
+    boxes[p].translate(shifts[p]);
+    right = std::max(right, boxes[p].max().x());
+    next -= size.y() + between_m;
+  }
+  return shifts;
+}
 
 SceneLayout layOut(const Reconstruction& reconstruction, bool prisms) {
   SceneLayout layout;
@@ -21,26 +54,24 @@ SceneLayout layOut(const Reconstruction& reconstruction, bool prisms) {
   layout.cells.reserve(reconstruction.cellCount());
   layout.index.reserve(reconstruction.cellCount());
   const std::size_t per_cell = static_cast<std::size_t>(kSides) * (prisms ? 2 : 1);
-  const double between_m = 2 * reconstruction.model->side_m;
-  double next_x = 0;
-  std::size_t first_point = 0;
+  layout.boxes.resize(reconstruction.patches.size());
+  if (const PatchReconstruction* largest = largestPatch(reconstruction)) {
+    layout.largest = static_cast<std::size_t>(largest - reconstruction.patches.data());
+  }
+  std::size_t point = 0;
+  for (std::size_t p = 0; p < reconstruction.patches.size(); ++p) {
+    const std::size_t end = point + per_cell * reconstruction.patches[p].cells.size();
+    for (; point < end; ++point) layout.boxes[p].extend(layout.points[point]);
+  }
+  layout.shifts = setBeside(layout.boxes, layout.largest, 2 * reconstruction.model->side_m);
+  point = 0;
   for (std::size_t p = 0; p < reconstruction.patches.size(); ++p) {
     const PatchReconstruction& patch = reconstruction.patches[p];
-    const std::size_t end_point = first_point + per_cell * patch.cells.size();
-    Eigen::Vector3d shift = Eigen::Vector3d::Zero();
-    if (end_point > first_point) {
-      const auto by_x = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.x() < b.x(); };
-      const auto range = std::minmax_element(layout.points.begin() + static_cast<std::ptrdiff_t>(first_point),
-                                             layout.points.begin() + static_cast<std::ptrdiff_t>(end_point), by_x);
-      // The first patch stays in its own frame.
-      if (first_point > 0) shift.x() = next_x - range.first->x();
-      next_x = range.second->x() + shift.x() + between_m;
-    }
-    for (; first_point < end_point; ++first_point) layout.points[first_point] += shift;
-    layout.shifts.push_back(shift);
+    const Eigen::Vector3d& shift = layout.shifts[p];
     for (const CellPlacement& cell : patch.cells) {
       layout.index.emplace(cell.cell, layout.cells.size());
       layout.cells.push_back({cell.cell, {cell.T_o_u.R, cell.T_o_u.t + shift}, p, cell.cell == patch.origin});
+      for (std::size_t k = 0; k < per_cell; ++k) layout.points[point++] += shift;
     }
   }
   return layout;
@@ -140,6 +171,33 @@ vtkSmartPointer<vtkPolyData> makeBricks(const SceneLayout& layout) {
 const SceneCell* SceneLayout::find(CellId id) const {
   const auto found = index.find(id);
   return found == index.end() ? nullptr : &cells[found->second];
+}
+
+std::vector<std::size_t> SceneLayout::notPlaced() const {
+  std::vector<std::size_t> patches;
+  for (std::size_t p = 0; p < boxes.size(); ++p) {
+    if (p != largest && !boxes[p].isEmpty()) patches.push_back(p);
+  }
+  return patches;
+}
+
+std::vector<std::size_t> SceneLayout::framed() const {
+  constexpr std::size_t kMost = 200;
+  std::vector<std::size_t> patches = notPlaced();
+  if (patches.size() > kMost) patches.clear();
+  return patches;
+}
+
+std::array<Eigen::Vector3d, 8> SceneContent::frameCorners(std::size_t patch) const {
+  constexpr double kRoom = 0.4;  // between the frame and the cells, in sides of a cell
+  const Eigen::AlignedBox3d& box = layout.boxes.at(patch);
+  const Eigen::Vector3d room = Eigen::Vector3d::Constant(kRoom * reconstruction->model->side_m);
+  const std::array<Eigen::Vector3d, 2> ends = {box.min() - room, box.max() + room};
+  std::array<Eigen::Vector3d, 8> corners;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    corners.at(k) = {ends.at(k & 1U).x(), ends.at(k >> 1U & 1U).y(), ends.at(k >> 2U & 1U).z()};
+  }
+  return corners;
 }
 
 std::shared_ptr<const SceneContent> makeSceneContent(std::shared_ptr<const Reconstruction> reconstruction) {

@@ -5,6 +5,8 @@
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <Eigen/Geometry>
+#include <array>
 #include <memory>
 #include <optional>
 #include <unordered_map>
@@ -20,14 +22,23 @@ struct SceneCell {
   bool origin = false;
 };
 
-/// A skin laid out for drawing: patches side by side along x.
+/// A skin laid out for drawing. How patches lie to each other is not known: the largest lies in its own frame, which is
+/// the scene's, and the others stand beside it, in columns to its right in their order, so that no box of one meets
+/// that of another. This is the only place that says where a patch is drawn.
 struct SceneLayout {
   std::vector<SceneCell> cells;
   std::vector<Eigen::Vector3d> points;  ///< 12 a cell as in PatchMesh, or the first 6 of them
-  std::vector<Eigen::Vector3d> shifts;  ///< shift of each patch from its own frame to the scene
+  // One for each patch.
+  std::vector<Eigen::Vector3d> shifts;     ///< from its own frame to the scene
+  std::vector<Eigen::AlignedBox3d> boxes;  ///< of its points in the scene; empty without cells
+  std::size_t largest = 0;                 ///< index of the patch that lies in its own frame
   std::unordered_map<CellId, std::size_t> index;
 
   [[nodiscard]] const SceneCell* find(CellId id) const;
+  /// Indices of the patches that have cells but are not placed against the largest.
+  [[nodiscard]] std::vector<std::size_t> notPlaced() const;
+  /// Those of notPlaced() that stand in frames; none where they are too many to tell apart.
+  [[nodiscard]] std::vector<std::size_t> framed() const;
   [[nodiscard]] std::size_t pointsPerCell() const { return cells.empty() ? 0 : points.size() / cells.size(); }
 };
 
@@ -49,6 +60,8 @@ struct SceneContent {
   /// have half the triangles. Null for prisms.
   vtkSmartPointer<vtkPolyData> bricks;
 
+  /// Corners of the frame about a patch, in the scene: bit k of an index says to which end of axis k the corner lies.
+  [[nodiscard]] std::array<Eigen::Vector3d, 8> frameCorners(std::size_t patch) const;
   [[nodiscard]] std::size_t polygonsPerCell() const { return prisms ? 8 : 4; }
 };
 

@@ -24,7 +24,19 @@ struct DrawnOverlay {
   bool stale = true;
 };
 
-enum Kind : std::size_t { kLinks, kTree, kEllipsoids, kTruth, kSheet, kDistances, kLoop, kShifts, kMeasure, kKinds };
+enum Kind : std::size_t {
+  kFrames,
+  kLinks,
+  kTree,
+  kEllipsoids,
+  kTruth,
+  kSheet,
+  kDistances,
+  kLoop,
+  kShifts,
+  kMeasure,
+  kKinds
+};
 
 /// The depth at which a thing counts, as GLSL.
 void setDepth(vtkActor* actor, const std::string& depth) {
@@ -60,7 +72,7 @@ struct SceneOverlays::Parts {
   }
   /// Index of the evaluated patch, or none.
   [[nodiscard]] std::optional<std::size_t> surfacePatch() const;
-  /// The link points of the loop, second first, in the scene.
+  /// The link points of the loop, second first, in the scene; none if they are in different patches.
   [[nodiscard]] std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> loopPoints() const;
   /// Null where nothing is to be drawn.
   vtkSmartPointer<vtkPolyData> make(Kind kind);
@@ -72,6 +84,7 @@ void SceneOverlays::Parts::setStyles() {
     Rgb copy = color;
     drawn.at(kind).actor->GetProperty()->SetColor(copy.data());
   };
+  paint(kFrames, colors.neutral);
   paint(kTree, colors.text);
   paint(kEllipsoids, colors.ellipsoid);
   paint(kTruth, colors.overlay);
@@ -97,6 +110,9 @@ std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> SceneOverlays::Parts:
     if (cell == nullptr || port == nullptr) return std::nullopt;
     return cell->T_s_u * port->vector_m;
   };
+  const SceneCell* first_cell = content->layout.find(overlays.loop->first.cell);
+  const SceneCell* second_cell = content->layout.find(overlays.loop->second.cell);
+  if (!first_cell || !second_cell || first_cell->patch != second_cell->patch) return std::nullopt;
   const auto to = point(overlays.loop->first);
   const auto from = point(overlays.loop->second);
   if (!to || !from) return std::nullopt;
@@ -138,7 +154,9 @@ vtkSmartPointer<vtkPolyData> SceneOverlays::Parts::makeMeasure() const {
   const SceneCell* a = content->layout.find(*first);
   if (a == nullptr) return nullptr;
   const SceneCell* b = second ? content->layout.find(*second) : nullptr;
-  return b == nullptr ? makeCellOutline(*content, *first) : makeLine(a->T_s_u.t, b->T_s_u.t);
+  if (b == nullptr) return makeCellOutlines(*content, {*first});
+  // There is no distance between patches, and so no line.
+  return a->patch == b->patch ? makeLine(a->T_s_u.t, b->T_s_u.t) : makeCellOutlines(*content, {*first, *second});
 }
 
 vtkSmartPointer<vtkPolyData> SceneOverlays::Parts::make(Kind kind) {
@@ -147,6 +165,14 @@ vtkSmartPointer<vtkPolyData> SceneOverlays::Parts::make(Kind kind) {
     return shape.data;
   };
   switch (kind) {
+    case kFrames: {
+      const std::vector<std::size_t> apart = content ? content->layout.notPlaced() : std::vector<std::size_t>();
+      notes.not_placed.clear();
+      for (const std::size_t p : apart) notes.not_placed.push_back(content->reconstruction->patches[p].origin);
+      const std::vector<std::size_t> framed = content ? content->layout.framed() : std::vector<std::size_t>();
+      notes.frames = !framed.empty();
+      return notes.frames ? makePatchFrames(*content, framed, colors.neutral) : nullptr;
+    }
     case kLinks:
       notes.links = draws(SceneItem::Links);
       return notes.links ? makeLinkLines(*content, colors) : nullptr;
@@ -200,7 +226,8 @@ SceneOverlays::SceneOverlays(vtkRenderer* renderer) : parts_(std::make_unique<Pa
     renderer->AddActor(thing.actor);
   }
   const auto property = [this](Kind kind) { return parts_->drawn.at(kind).actor->GetProperty(); };
-  for (const Kind kind : {kLinks, kTree, kTruth, kDistances, kMeasure}) property(kind)->LightingOff();
+  for (const Kind kind : {kFrames, kLinks, kTree, kTruth, kDistances, kMeasure}) property(kind)->LightingOff();
+  property(kFrames)->SetLineWidth(1.5F);
   property(kLinks)->SetLineWidth(3.0F);
   property(kTree)->SetLineWidth(6.0F);
   property(kTree)->SetOpacity(0.45);
@@ -233,7 +260,7 @@ void SceneOverlays::setContent(std::shared_ptr<const SceneContent> content) {
 void SceneOverlays::setColors(const SceneColors& colors) {
   parts_->colors = colors;
   parts_->setStyles();
-  parts_->invalidate({kLinks});
+  parts_->invalidate({kFrames, kLinks});
 }
 
 void SceneOverlays::setShown(SceneItem item, bool shown) {

@@ -18,6 +18,8 @@ namespace hexoderm {
 
 /// The overlays that were drawn, with their enlargements, for the words beside them. Absent: not drawn.
 struct SceneNotes {
+  std::vector<CellId> not_placed;  ///< origins of the patches that stand beside the largest
+  bool frames = false;             ///< drawn about these
   std::optional<double> ellipsoid_factor;
   std::optional<double> shift_factor;
   std::optional<double> loop_factor;
@@ -27,8 +29,9 @@ struct SceneNotes {
   bool links = false;
 };
 
-/// The things that are drawn over the cells: links, tree, uncertainty, truth, fitted surface, loop gap, differences,
-/// and the line of a measurement. Each kind is made anew only when it is drawn after a change; setters cost nothing.
+/// The things that are drawn over the cells: frames about patches that are not placed, links, tree, uncertainty, truth,
+/// fitted surface, loop gap, differences, and the line of a measurement. Each kind is made anew only when it is drawn
+/// after a change; setters cost nothing.
 class SceneOverlays {
  public:
   /// More would be neither told apart nor quick.
@@ -44,7 +47,7 @@ class SceneOverlays {
   void setColors(const SceneColors& colors);
   void setShown(SceneItem item, bool shown);
   void setOverlays(const PatchOverlays& overlays);
-  /// A line between the centres of two cells, or an outline about the first alone.
+  /// A line between the centres of two cells of a patch, or outlines about cells of two patches or the first alone.
   void setMeasured(std::optional<CellId> first, std::optional<CellId> second);
 
   /// Availability of the items that are drawn here; the others are always available.

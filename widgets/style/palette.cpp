@@ -1,6 +1,6 @@
 #include "widgets/style/palette.h"
 
-#include "hexoderm/io/exporter.h"
+#include "hexoderm/reconstruction/result/quality_colors.h"
 #include "widgets/style/scene_colors.h"
 #include "widgets/style/system_theme.h"
 
@@ -15,6 +15,11 @@
 namespace hexoderm {
 namespace {
 
+QColor qualityOn(Background background, EdgeQuality quality) {
+  return QColor::fromRgb(qualityColor(quality, background));
+}
+QColor unusedOn(Background background) { return QColor::fromRgb(unusedColor(background)); }
+
 const Colors kLight = {
     .window = QColor(0xF4, 0xF5, 0xF7),
     .panel = QColor(0xFF, 0xFF, 0xFF),
@@ -25,13 +30,13 @@ const Colors kLight = {
     .accent = QColor(0x17, 0x64, 0x9B),
     .accent_text = QColor(0xFF, 0xFF, 0xFF),
     .good = QColor(0x18, 0x78, 0x56),
-    .caution = QColor(0xE6, 0x6F, 0x15),
+    .caution = qualityOn(Background::Light, EdgeQuality::Partially),
     .bad = QColor(0xB3, 0x1D, 0x26),
     .scene_top = QColor(0xEE, 0xF1, 0xF5),
     .scene_bottom = QColor(0xDF, 0xE5, 0xEC),
     .cell_fill = QColor(0xFF, 0xFF, 0xFF),
     .selection = QColor(0x00, 0x00, 0x00),
-    .muted_link = QColor(0x8A, 0x93, 0x9E),
+    .muted_link = unusedOn(Background::Light),
     .tree_band = QColor(0xD9, 0xDD, 0xE3),
     .axis = {QColor(0xC2, 0x41, 0x0C), QColor(0x00, 0x80, 0x6F), QColor(0x3B, 0x3F, 0xB0)},
 };
@@ -46,13 +51,13 @@ const Colors kDark = {
     .accent = QColor(0x5F, 0xB3, 0xE8),
     .accent_text = QColor(0x0D, 0x11, 0x14),
     .good = QColor(0x57, 0xC7, 0x9A),
-    .caution = QColor(0xFF, 0xDE, 0x3E),
+    .caution = qualityOn(Background::Dark, EdgeQuality::Partially),
     .bad = QColor(0xF0, 0x80, 0x7A),
     .scene_top = QColor(0x14, 0x17, 0x1B),
     .scene_bottom = QColor(0x1E, 0x24, 0x2B),
     .cell_fill = QColor(0x1E, 0x22, 0x27),
     .selection = QColor(0xFF, 0xFF, 0xFF),
-    .muted_link = QColor(0x75, 0x7F, 0x8B),
+    .muted_link = unusedOn(Background::Dark),
     .tree_band = QColor(0x44, 0x4D, 0x59),
     .axis = {QColor(0xF4, 0x89, 0x4A), QColor(0x7B, 0xE0, 0xC8), QColor(0x6C, 0x9C, 0xFF)},
 };
@@ -87,7 +92,7 @@ QColor faded(const QColor& color, const QColor& ground) {
 const Colors& Colors::of(Theme theme) { return theme == Theme::Dark ? kDark : kLight; }
 
 LinkStroke linkStroke(EdgeQuality quality, Theme theme) {
-  const QColor color = QColor::fromRgb(qualityColor(quality, theme == Theme::Dark));
+  const QColor color = qualityOn(theme == Theme::Dark ? Background::Dark : Background::Light, quality);
   switch (quality) {
     case EdgeQuality::Undefined:
       return {color, Qt::DotLine, false};

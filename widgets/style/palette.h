@@ -22,7 +22,8 @@ struct LinkStroke {
   bool doubled = false;
 };
 
-/// The one place where a theme becomes colours. Hexoderm draws with these and nothing else.
+/// The one place where a theme becomes colours. Hexoderm draws with these and nothing else. Those of the quality of
+/// links are core's (hexoderm/reconstruction/result/quality_colors.h), for exported files have them too.
 struct Colors {
   QColor window;        ///< behind the panels
   QColor panel;         ///< background of cards, tables, docks

@@ -1,6 +1,8 @@
 #include "widgets/verify/verify_panel.h"
 
+#include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
+#include "widgets/controls/typed_values.h"
 #include "widgets/words/surface_words.h"
 #include "widgets/words/words.h"
 
@@ -11,13 +13,21 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalBlocker>
+#include <QSpinBox>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <initializer_list>
+#include <limits>
 #include <utility>
 
 namespace hexoderm {
 namespace {
+
+/// In the list of surfaces, besides the kinds.
+constexpr int kNoSurface = -1;
+constexpr int kAnySurface = -2;
 
 std::optional<SurfaceEvaluation> largestOf(const std::vector<SurfaceEvaluation>& surfaces) {
   const auto largest =
@@ -51,6 +61,8 @@ VerifyPanel::VerifyPanel(Selection* selection, QWidget* parent)
                               selection)),
       surface_(new VerifySection(tr("Surface"), tr("Do the cells lie on the surface they were put on?"),
                                  QStringLiteral("surface"), selection)),
+      caliper_(new VerifySection(tr("Distance by caliper"), tr("Is it as large as the skin itself?"),
+                                 QStringLiteral("caliper"), selection)),
       comparison_(
           new VerifySection(tr("Earlier calibration"), tr("Does it repeat?"), QStringLiteral("comparison"), selection)),
       pose_(new QComboBox),
@@ -59,16 +71,20 @@ VerifyPanel::VerifyPanel(Selection* selection, QWidget* parent)
       by_link_(new QToolButton),
       kind_(new QComboBox),
       radius_mm_(new QDoubleSpinBox),
+      first_(new QSpinBox),
+      second_(new QSpinBox),
+      distance_mm_(new QDoubleSpinBox),
       choose_(new QPushButton(tr("Choose file…"))),
       drop_(new QPushButton(tr("Remove"))) {
   setObjectName(QStringLiteral("verifyPanel"));
   buildHoldOut();
   buildSurface();
+  buildCaliper();
   buildComparison();
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 4, 0, 4);
   layout->setSpacing(16);
-  for (VerifySection* section : {hold_out_, loop_, surface_, comparison_}) layout->addWidget(section);
+  for (VerifySection* section : {hold_out_, loop_, surface_, caliper_, comparison_}) layout->addWidget(section);
   layout->addStretch();
 
   connect(hold_out_, &VerifySection::cancelled, this, [this] { emit cancelRequested(VerifyCheck::HoldOut); });
@@ -118,7 +134,8 @@ void VerifyPanel::buildHoldOut() {
 void VerifyPanel::buildSurface() {
   kind_->setObjectName(QStringLiteral("surfaceKind"));
   kind_->setAccessibleName(tr("Surface through the cells"));
-  kind_->addItem(tr("None"), -1);
+  kind_->addItem(tr("None"), kNoSurface);
+  kind_->addItem(tr("Most probable"), kAnySurface);
   for (const SurfaceKind kind : {SurfaceKind::Plane, SurfaceKind::Cylinder, SurfaceKind::Sphere, SurfaceKind::Cone}) {
     kind_->addItem(surfaceKindWord(kind), static_cast<int>(kind));
   }
@@ -129,6 +146,7 @@ void VerifyPanel::buildSurface() {
   radius_mm_->setSuffix(tr(" mm"));
   radius_mm_->setSpecialValueText(tr("not known"));
   radius_mm_->setKeyboardTracking(false);
+  letTypingReplaceSpecialText(radius_mm_);
   auto* grid = new QGridLayout;
   grid->setColumnStretch(1, 1);
   grid->addWidget(labelFor(kind_, tr("Surface")), 0, 0);
@@ -138,6 +156,75 @@ void VerifyPanel::buildSurface() {
   surface_->addRow()->addLayout(grid);
   connect(kind_, qOverload<int>(&QComboBox::currentIndexChanged), this, &VerifyPanel::requestSurface);
   connect(radius_mm_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &VerifyPanel::requestSurface);
+}
+
+void VerifyPanel::buildCaliper() {
+  const auto makeCell = [this](QSpinBox* cell, const char* name, const QString& accessible_name) {
+    cell->setObjectName(QLatin1String(name));
+    cell->setAccessibleName(accessible_name);
+    cell->setRange(0, std::numeric_limits<int>::max());
+    cell->setKeyboardTracking(false);
+    cell->setGroupSeparatorShown(false);
+    cell->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    connect(cell, qOverload<int>(&QSpinBox::valueChanged), this, &VerifyPanel::checkCaliper);
+  };
+  makeCell(first_, "caliperFirst", tr("One cell"));
+  makeCell(second_, "caliperSecond", tr("The other cell"));
+  distance_mm_->setObjectName(QStringLiteral("caliperDistance"));
+  distance_mm_->setAccessibleName(tr("Measured distance"));
+  distance_mm_->setRange(0, 100000);
+  distance_mm_->setDecimals(1);
+  distance_mm_->setSuffix(tr(" mm"));
+  distance_mm_->setSpecialValueText(tr("not measured"));
+  distance_mm_->setKeyboardTracking(false);
+  letTypingReplaceSpecialText(distance_mm_);
+  connect(distance_mm_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &VerifyPanel::checkCaliper);
+  auto* grid = new QGridLayout;
+  grid->setColumnStretch(1, 1);
+  grid->setColumnStretch(3, 1);
+  grid->addWidget(labelFor(first_, tr("From cell")), 0, 0);
+  grid->addWidget(first_, 0, 1);
+  grid->addWidget(labelFor(second_, tr("to")), 0, 2);
+  grid->addWidget(second_, 0, 3);
+  grid->addWidget(labelFor(distance_mm_, tr("Measured")), 1, 0);
+  grid->addWidget(distance_mm_, 1, 1, 1, 3);
+  caliper_->addRow()->addLayout(grid);
+}
+
+/// The two cells that are proposed are far apart; others stay as long as they are there.
+void VerifyPanel::proposeCells() {
+  if (!reconstruction_) return;
+  const auto isThere = [this](const QSpinBox* cell) {
+    return reconstruction_->find(CellId(static_cast<std::uint32_t>(cell->value()))).cell != nullptr;
+  };
+  if (isThere(first_) && isThere(second_)) return;
+  const PatchReconstruction* patch = largestPatch(*reconstruction_);
+  const auto cells = patch != nullptr ? farApart(*patch) : std::nullopt;
+  if (!cells) return;
+  // What was measured was another skin.
+  const QSignalBlocker first(first_);
+  const QSignalBlocker second(second_);
+  const QSignalBlocker distance(distance_mm_);
+  first_->setValue(static_cast<int>(cells->first.value()));
+  second_->setValue(static_cast<int>(cells->second.value()));
+  distance_mm_->setValue(0);
+}
+
+void VerifyPanel::checkCaliper() {
+  if (!reconstruction_) return;
+  if (distance_mm_->value() <= 0) {
+    caliper_->setSentence(
+        {Tone::Neutral, tr("Not measured yet: from the middle of one cell to the middle of the other, as straight as "
+                           "the jaws reach.")});
+    return;
+  }
+  try {
+    caliper_->setSentence(distanceCheckInWords(
+        checkDistance(*reconstruction_, CellId(static_cast<std::uint32_t>(first_->value())),
+                      CellId(static_cast<std::uint32_t>(second_->value())), distance_mm_->value() * kMillimetre)));
+  } catch (const InvalidArgument& error) {
+    caliper_->setSentence({Tone::Caution, words(error)});
+  }
 }
 
 void VerifyPanel::buildComparison() {
@@ -193,7 +280,7 @@ void VerifyPanel::setReconstruction(std::shared_ptr<const Reconstruction> recons
   const int place = pose_->findData(chosen);
   pose_->setCurrentIndex(place >= 0 ? place : pose_->count() - 1);
   if (!reconstruction_) {
-    for (VerifySection* section : {hold_out_, loop_, surface_, comparison_}) {
+    for (VerifySection* section : {hold_out_, loop_, surface_, caliper_, comparison_}) {
       section->setSentence({});
       section->setFigures({});
     }
@@ -203,6 +290,8 @@ void VerifyPanel::setReconstruction(std::shared_ptr<const Reconstruction> recons
     emit surfaceShown(std::nullopt);
     emit comparisonShown({});
   }
+  proposeCells();
+  checkCaliper();
   refreshControls();
 }
 
@@ -214,7 +303,7 @@ std::size_t VerifyPanel::otherPoses() const {
 }
 
 void VerifyPanel::refreshControls() {
-  const QString no_skin = tr("There is no skin yet.");
+  const QString no_skin = awaited_.isEmpty() ? tr("There is no skin yet.") : awaited_;
   QString why;
   if (!reconstruction_) {
     why = no_skin;
@@ -240,8 +329,9 @@ void VerifyPanel::refreshControls() {
         {Tone::Neutral, hold_out_outdated_ ? tr("The session has changed since: run it again.") : tr("Not run yet.")});
   }
 
-  const auto kind = static_cast<SurfaceKind>(kind_->currentData().toInt());
-  const bool round = kind_->currentIndex() > 0 && (kind == SurfaceKind::Cylinder || kind == SurfaceKind::Sphere);
+  const int kind = kind_->currentData().toInt();
+  const bool round = kind == kAnySurface || kind == static_cast<int>(SurfaceKind::Cylinder) ||
+                     kind == static_cast<int>(SurfaceKind::Sphere);
   kind_->setEnabled(reconstruction_ != nullptr);
   kind_->setToolTip(reconstruction_ ? tr("Fitted through the centres of the cells") : no_skin);
   radius_mm_->setEnabled(reconstruction_ && round);
@@ -250,10 +340,19 @@ void VerifyPanel::refreshControls() {
   choose_->setEnabled(reconstruction_ != nullptr);
   choose_->setToolTip(reconstruction_ ? tr("A calibration, or a session that is then solved") : no_skin);
   drop_->setVisible(compares_);
+  for (QWidget* field : std::initializer_list<QWidget*>{first_, second_, distance_mm_}) {
+    field->setEnabled(reconstruction_ != nullptr);
+    field->setToolTip(reconstruction_ ? tr("Cells far apart, across the bend, tell most") : no_skin);
+  }
+}
+
+void VerifyPanel::setAwaited(const QString& awaited) {
+  awaited_ = awaited;
+  refreshControls();
 }
 
 void VerifyPanel::setTheme(Theme theme) {
-  for (VerifySection* section : {hold_out_, loop_, surface_, comparison_}) section->setTheme(theme);
+  for (VerifySection* section : {hold_out_, loop_, surface_, caliper_, comparison_}) section->setTheme(theme);
 }
 
 void VerifyPanel::setRunning(VerifyCheck check, bool running) {
@@ -291,7 +390,7 @@ void VerifyPanel::showLoops(const std::vector<FoundLoop>& loops) {
 
 void VerifyPanel::showSurfaces(const std::vector<SurfaceEvaluation>& surfaces, const QStringList& remarks) {
   surfaces_ = surfaces;
-  const std::optional<double> stated = reconstruction_ ? reconstruction_->verdict.position_95_m : std::nullopt;
+  const std::optional<double> stated = reconstruction_ ? reconstruction_->assessment.position_95_m : std::nullopt;
   VerifySentence all;
   QStringList texts;
   for (const SurfaceEvaluation& surface : surfaces) {
@@ -345,16 +444,16 @@ std::array<CsvActions*, 4> VerifyPanel::csvActions() const {
 void VerifyPanel::requestSurface() {
   refreshControls();
   const int kind = kind_->currentData().toInt();
-  if (kind < 0) {
+  if (kind == kNoSurface) {
     surfaces_.clear();
     surface_->setSentence({});
     surface_->setFigures({});
     emit surfaceShown(std::nullopt);
-    emit surfaceRequested(std::nullopt, std::nullopt);
+    emit surfaceDropped();
     return;
   }
   const bool known = radius_mm_->isEnabled() && radius_mm_->value() > 0;
-  emit surfaceRequested(static_cast<SurfaceKind>(kind),
+  emit surfaceRequested(kind == kAnySurface ? std::nullopt : std::optional(static_cast<SurfaceKind>(kind)),
                         known ? std::optional(radius_mm_->value() * kMillimetre) : std::nullopt);
 }
 

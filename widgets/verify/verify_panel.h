@@ -11,6 +11,7 @@
 class QComboBox;
 class QDoubleSpinBox;
 class QPushButton;
+class QSpinBox;
 class QToolButton;
 
 namespace hexoderm {
@@ -18,8 +19,8 @@ namespace hexoderm {
 enum class VerifyCheck { HoldOut, Loops, Surface, Comparison };
 
 /// The checks of a finished calibration, each with a verdict: does it foretell a pose it has not seen, do its loops
-/// close, do its cells lie on the surface they were put on, does it repeat? The panel asks by its requests and shows
-/// the results that it is given; it is narrow enough for the column of steps.
+/// close, do its cells lie on the surface they were put on, does a distance measured by hand agree, does it repeat? The
+/// panel asks by its requests and shows the results that it is given; it is narrow enough for the column of steps.
 class VerifyPanel : public QWidget {
   Q_OBJECT
 
@@ -31,6 +32,8 @@ class VerifyPanel : public QWidget {
   void setReconstruction(std::shared_ptr<const Reconstruction> reconstruction);
   /// Whether there is a session that a pose can be held out of, as there is none for a calibration; there is at first.
   void setHasReadings(bool has_readings);
+  /// What is going on while there is no skin, in words; empty: nothing is.
+  void setAwaited(const QString& awaited);
   void setTheme(Theme theme);
   void setRunning(VerifyCheck check, bool running);
 
@@ -51,8 +54,9 @@ class VerifyPanel : public QWidget {
  signals:
   void holdOutRequested(hexoderm::PoseId pose);
   void cancelRequested(hexoderm::VerifyCheck check);
-  /// No kind: no surface any more.
+  /// No kind: the most probable one.
   void surfaceRequested(std::optional<hexoderm::SurfaceKind> kind, std::optional<double> true_radius_m);
+  void surfaceDropped();
   /// Which one, the window asks, and answers by compareWith().
   void comparisonFileWanted();
   void comparisonRequested(const QString& path);
@@ -67,13 +71,17 @@ class VerifyPanel : public QWidget {
  private:
   void buildHoldOut();
   void buildSurface();
+  void buildCaliper();
   void buildComparison();
   void requestSurface();
+  void proposeCells();
+  void checkCaliper();
   void refreshControls();
   [[nodiscard]] std::size_t otherPoses() const;
   void showHoldOutFigures();
 
   std::shared_ptr<const Reconstruction> reconstruction_;
+  QString awaited_;
   bool has_readings_ = true;
   std::optional<HoldOutResult> hold_out_result_;
   bool hold_out_outdated_ = false;  ///< there was a result, of an earlier state
@@ -84,6 +92,7 @@ class VerifyPanel : public QWidget {
   VerifySection* hold_out_;
   VerifySection* loop_;
   VerifySection* surface_;
+  VerifySection* caliper_;
   VerifySection* comparison_;
   QComboBox* pose_;
   QPushButton* run_;
@@ -91,6 +100,9 @@ class VerifyPanel : public QWidget {
   QToolButton* by_link_;
   QComboBox* kind_;
   QDoubleSpinBox* radius_mm_;
+  QSpinBox* first_;
+  QSpinBox* second_;
+  QDoubleSpinBox* distance_mm_;
   QPushButton* choose_;
   QPushButton* drop_;
 };

@@ -191,23 +191,37 @@ VerifyFigures loopFigures(const std::vector<FoundLoop>& loops) {
   return figures;
 }
 
+namespace {
+
+/// "Cylinder, radius 50.30 mm"
+QString formInWords(const SurfaceEvaluation& surface) {
+  const QString kind = surfaceKindWord(surface.kind);
+  if (!surface.radius_m) return kind;
+  return surface.half_angle_rad ? VerifyTexts::tr("%1, half angle %2, radius %3 at its middle")
+                                      .arg(kind, degrees(*surface.half_angle_rad), millimetres(*surface.radius_m))
+                                : VerifyTexts::tr("%1, radius %2").arg(kind, millimetres(*surface.radius_m));
+}
+
+}  // namespace
+
 VerifySentence surfaceInWords(const SurfaceEvaluation& surface, std::optional<double> stated_m) {
   const std::size_t worst = surface.furthest();
   QStringList sentences;
-  QString form = surfaceKindWord(surface.kind);
-  if (surface.radius_m) {
-    form = surface.half_angle_rad ? VerifyTexts::tr("%1, half angle %2, radius %3 at its middle")
-                                        .arg(form, degrees(*surface.half_angle_rad), millimetres(*surface.radius_m))
-                                  : VerifyTexts::tr("%1, radius %2").arg(form, millimetres(*surface.radius_m));
-  }
   sentences << VerifyTexts::tr("%1: %2 cell centres lie within %3 (rms) of it; the worst is cell %4, %5.")
-                   .arg(form)
+                   .arg(formInWords(surface))
                    .arg(surface.cells.size())
                    .arg(millimetres(surface.rms_m))
                    .arg(surface.cells.at(worst).value())
                    .arg(millimetres(std::abs(surface.distance_m.at(worst))));
   Tone tone = Tone::Neutral;
-  if (stated_m) {
+  if (surface.better) {
+    tone = Tone::Bad;
+    sentences << VerifyTexts::tr(
+                     "But it is not this surface: the cells face %1 (rms) away from it. Where they lie and face speaks "
+                     "for another one: %2, with %3.")
+                     .arg(degrees(surface.tilt_rms_rad), formInWords(*surface.better),
+                          degrees(surface.better->tilt_rms_rad));
+  } else if (stated_m) {
     const bool within = surface.liesWithin(*stated_m);
     tone = within ? Tone::Good : Tone::Caution;
     sentences << (within ? VerifyTexts::tr("That is within the ±%1 stated for positions (95 %).")
@@ -225,23 +239,62 @@ VerifySentence surfaceInWords(const SurfaceEvaluation& surface, std::optional<do
 
 VerifyFigures surfaceFigures(const std::vector<SurfaceEvaluation>& surfaces) {
   VerifyFigures figures;
-  figures.columns = {cellColumn(), millimetreColumn(VerifyTexts::tr("Distance mm"),
-                                                    VerifyTexts::tr("From the surface; positive outside of it"))};
+  figures.columns = {
+      cellColumn(),
+      millimetreColumn(VerifyTexts::tr("Distance mm"), VerifyTexts::tr("From the surface; positive outside of it")),
+      degreeColumn(VerifyTexts::tr("Tilt °"), VerifyTexts::tr("Between the cell's face and the surface below it"))};
   for (const SurfaceEvaluation& surface : surfaces) {
     for (std::size_t k = 0; k < surface.cells.size(); ++k) {
-      figures.rows.push_back({{surface.cells[k].value(), toMillimetres(surface.distance_m[k])},
-                              surface.cells[k],
-                              std::nullopt,
-                              isRemarkable(surface.distance_m[k], surface.rms_m)});
+      figures.rows.push_back(
+          {{surface.cells[k].value(), toMillimetres(surface.distance_m[k]), toDegrees(surface.tilt_rad.at(k))},
+           surface.cells[k],
+           std::nullopt,
+           isRemarkable(surface.distance_m[k], surface.rms_m)});
     }
   }
   return figures;
+}
+
+VerifySentence distanceCheckInWords(const DistanceCheck& check) {
+  const QString cells = VerifyTexts::tr("Cells %1 and %2").arg(check.first.value()).arg(check.second.value());
+  const QString measured = millimetresInWords(check.measured_m, 1);
+  const QString estimated = millimetresInWords(check.estimated_m, 1);
+  if (!check.sigma_m || !check.deviations || !check.detectable_scale) {
+    return {Tone::Neutral,
+            VerifyTexts::tr("%1: %2 measured, %3 estimated; no uncertainty is stated to compare them by.")
+                .arg(cells, measured, estimated)};
+  }
+  const QString figures =
+      VerifyTexts::tr("%1: %2 measured, %3 estimated; they differ by %4, and %5 are expected (1 sigma).")
+          .arg(cells, measured, estimated, millimetresInWords(std::abs(check.measured_m - check.estimated_m), 1),
+               millimetresInWords(*check.sigma_m, 1));
+  switch (check.agreement) {
+    case DistanceAgreement::NotStated:
+      break;
+    case DistanceAgreement::AsStated:
+      return {Tone::Good, VerifyTexts::tr("It agrees. %1 Cells %2 larger or smaller than in the cell model would show.")
+                              .arg(figures, percent(100 * *check.detectable_scale))};
+    case DistanceAgreement::Doubtful:
+      return {Tone::Caution,
+              VerifyTexts::tr("It does not quite agree: measure again, and between two other cells. %1").arg(figures)};
+    case DistanceAgreement::Contradicts:
+      return {Tone::Bad,
+              VerifyTexts::tr("It contradicts the result. Check the size of the cells in the cell model, the numbering "
+                              "of the ports and the axes of the sensors; with fewer than three poses, take more. %1")
+                  .arg(figures)};
+  }
+  return {Tone::Neutral, figures};
 }
 
 VerifySentence comparisonInWords(const std::vector<Comparison>& comparisons, const QString& against) {
   if (comparisons.empty())
     return {Tone::Bad, VerifyTexts::tr("%1 has no cell in common with this calibration.").arg(against)};
   const ComparisonSummary summary = summariseComparisons(comparisons);
+  if (summary.cells == 0) {
+    return {Tone::Neutral,
+            VerifyTexts::tr("No two cells lie in one patch both here and in %1: there is nothing to compare.")
+                .arg(against)};
+  }
   const WithinStated& within = summary.within;
   const QString figures = VerifyTexts::tr("Against %1, after alignment: %2 and %3 rms over %4 cells.")
                               .arg(against, millimetres(summary.position_rms_m), degrees(summary.orientation_rms_rad))

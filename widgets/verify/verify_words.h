@@ -33,6 +33,8 @@ VerifyFigures loopFigures(const std::vector<FoundLoop>& loops);
 VerifySentence surfaceInWords(const SurfaceEvaluation& surface, std::optional<double> stated_m);
 VerifyFigures surfaceFigures(const std::vector<SurfaceEvaluation>& surfaces);
 
+VerifySentence distanceCheckInWords(const DistanceCheck& check);
+
 VerifySentence comparisonInWords(const std::vector<Comparison>& comparisons, const QString& against);
 VerifyFigures comparisonFigures(const std::vector<Comparison>& comparisons);
 

@@ -180,6 +180,7 @@ nlohmann::ordered_json countDetections(const Trials& trials, bool prints) {
     if (row.what.bar_found || row.what.bar_false) entry["reached"] = row.reached();
     json["rows"].push_back(std::move(entry));
   }
+  json["garbage"] = countGarbage(trials, prints);
   return json;
 }
 

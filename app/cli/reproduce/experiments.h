@@ -15,5 +15,8 @@ nlohmann::ordered_json tabulateAccuracy(const Trials& trials, bool prints);
 nlohmann::ordered_json checkUncertainty(const Trials& trials, bool prints);
 /// Rates at which broken links and sensors are found, and sound ones blamed.
 nlohmann::ordered_json countDetections(const Trials& trials, bool prints);
+/// The same for sessions that make no sense as a whole or in part, and for healthy ones of all patches; part of
+/// countDetections().
+nlohmann::ordered_json countGarbage(const Trials& trials, bool prints);
 
 }  // namespace hexoderm::cli

@@ -27,6 +27,7 @@ struct SkinCase {
   bool jitter = true;  ///< cells lie where a mould puts them: a little off, a little askew
   std::vector<CellFault> faults = {};
   std::vector<LinkFault> link_faults = {};
+  std::vector<WholeSkinFault> whole_skin_faults = {};
 };
 
 SimulatedSkin makeSkin(const SkinCase& skin_case, std::size_t seed);

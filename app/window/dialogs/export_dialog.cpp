@@ -15,8 +15,13 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QStyle>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace hexoderm {
 namespace {
@@ -39,12 +44,15 @@ QLineEdit* named(QLineEdit* edit, const char* object_name, const QString& access
 
 }  // namespace
 
-ExportDialog::ExportDialog(const QString& suggestion, QWidget* parent)
+ExportDialog::ExportDialog(std::shared_ptr<const Reconstruction> reconstruction, const QString& suggestion,
+                           QWidget* parent)
     : QDialog(parent),
+      reconstruction_(std::move(reconstruction)),
       formats_(new QListWidget(this)),
       summary_(new QLabel(this)),
       path_(named(new QLineEdit(this), "exportPath", tr("File to write"))),
       options_(new QStackedWidget(this)),
+      patch_(new QComboBox(this)),
       stl_unit_(new QComboBox(this)),
       urdf_robot_(named(new QLineEdit(this), "urdfRobot", tr("Name of the robot"))),
       urdf_parent_(named(new QLineEdit(this), "urdfParent", tr("Parent link"))),
@@ -80,7 +88,11 @@ ExportDialog::ExportDialog(const QString& suggestion, QWidget* parent)
   layout->addWidget(title, 0, 0, 1, 3);
   layout->addWidget(makeFormatList(), 1, 0, 2, 1);
   layout->addWidget(summary_, 1, 1, 1, 2, Qt::AlignTop);
-  layout->addWidget(makeOptions(), 2, 1, 1, 2, Qt::AlignTop);
+  auto* choices = new QVBoxLayout;
+  choices->addWidget(makePatchRow());
+  choices->addWidget(makeOptions());
+  choices->addStretch(1);
+  layout->addLayout(choices, 2, 1, 1, 2);
   layout->addWidget(new QLabel(tr("Write to"), this), 3, 0, Qt::AlignRight | Qt::AlignVCenter);
   layout->addWidget(path_, 3, 1);
   layout->addWidget(browse, 3, 2);
@@ -96,6 +108,7 @@ ExportDialog::ExportDialog(const QString& suggestion, QWidget* parent)
   connect(buttons, &QDialogButtonBox::rejected, this, &ExportDialog::reject);
   connect(browse, &QPushButton::clicked, this, &ExportDialog::choosePath);
   connect(formats_, &QListWidget::currentRowChanged, this, &ExportDialog::chooseFormat);
+  connect(patch_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &ExportDialog::check);
   for (QLineEdit* edit : {path_, urdf_robot_, urdf_parent_, urdf_prefix_}) {
     connect(edit, &QLineEdit::textChanged, this, &ExportDialog::check);
   }
@@ -134,7 +147,7 @@ QWidget* ExportDialog::makeOptions() {
   urdf_links_->setObjectName(QStringLiteral("urdfLinks"));
   urdf_links_->setAccessibleName(tr("Links"));
   urdf_links_->addItem(tr("One for each cell"));
-  urdf_links_->addItem(tr("One for each patch (lighter in RViz)"));
+  urdf_links_->addItem(tr("One for the patch (lighter in RViz)"));
   urdf_links_->setCurrentIndex(defaults.urdf_link_per_cell ? 0 : 1);
   auto* urdf = new QWidget;
   auto* urdf_form = new QFormLayout(urdf);
@@ -145,6 +158,47 @@ QWidget* ExportDialog::makeOptions() {
   urdf_form->addRow(tr("Links"), urdf_links_);
   options_->addWidget(urdf);
   return options_;
+}
+
+QWidget* ExportDialog::makePatchRow() {
+  patch_->setObjectName(QStringLiteral("exportPatch"));
+  patch_->setAccessibleName(tr("Patch"));
+  patch_->setToolTip(tr("How the patches lie to each other is not known, so that a file with one frame holds one"));
+  patch_row_ = new QWidget;
+  auto* form = new QFormLayout(patch_row_);
+  form->setContentsMargins(0, 0, 0, 0);
+  form->addRow(tr("Patch"), patch_);
+  return patch_row_;
+}
+
+void ExportDialog::offerPatches() {
+  const std::optional<ExportFormatDescription> format = formatOfRow(formats_->currentRow());
+  const QSignalBlocker blocker(patch_);
+  patch_->clear();
+  std::vector<const PatchReconstruction*> patches;
+  if (format && reconstruction_) {
+    for (const PatchReconstruction& patch : reconstruction_->patches) {
+      if (!patch.cells.empty()) patches.push_back(&patch);
+    }
+    const PatchReconstruction* largest = largestPatch(*reconstruction_);
+    std::ranges::stable_partition(patches, [largest](const auto* patch) { return patch == largest; });
+  }
+  const auto offerAll = [this] { patch_->addItem(tr("All, each in its own frame")); };
+  if (format && format->patches == PatchesInFile::All) offerAll();
+  for (const PatchReconstruction* patch : patches) {
+    patch_->addItem(patch->cells.size() == 1
+                        ? tr("Cell %1 alone").arg(patch->origin.value())
+                        : tr("Patch of cell %1, %2 cells").arg(patch->origin.value()).arg(patch->cells.size()),
+                    patch->origin.value());
+  }
+  if (format && format->patches == PatchesInFile::AllIfAsked) offerAll();
+  patch_row_->setVisible(patches.size() > 1);
+}
+
+QString ExportDialog::leftOut() const {
+  const ExportRequest asked = request();
+  if (!asked.format || !reconstruction_) return {};
+  return words(leftOutInWords(patchesLeftOut(*reconstruction_, *asked.format, asked.options)));
 }
 
 QString ExportDialog::extension() const {
@@ -162,6 +216,7 @@ void ExportDialog::chooseFormat() {
                             : format->format == ExportFormat::Stl  ? 1
                             : format->format == ExportFormat::Urdf ? 2
                                                                    : 0);
+  offerPatches();
   // The name stays, the extension follows the format.
   QString path = path_->text();
   if (!extension_.isEmpty() && path.endsWith(extension_)) path.chop(extension_.size());
@@ -208,6 +263,7 @@ void ExportDialog::check() {
     remark = extension().isEmpty() ? tr("The tables in this folder will be replaced.")
                                    : tr("There is a file of this name; it will be replaced.");
   }
+  if (problem.isEmpty()) remark = QStringList({remark, leftOut()}).join(QLatin1Char('\n')).trimmed();
   export_->setText(replaces ? tr("Replace") : tr("Export"));
   export_->setEnabled(problem.isEmpty());
   export_->setToolTip(problem);
@@ -225,6 +281,11 @@ ExportRequest ExportDialog::request() const {
   request.options.urdf_parent_link = urdf_parent_->text().trimmed().toStdString();
   request.options.urdf_prefix = urdf_prefix_->text().trimmed().toStdString();
   request.options.urdf_link_per_cell = urdf_links_->currentIndex() == 0;
+  if (patch_->count() > 0) {
+    const QVariant origin = patch_->currentData();
+    request.options.all_patches = !origin.isValid();
+    if (origin.isValid()) request.options.patch = CellId(origin.toUInt());
+  }
   return request;
 }
 

@@ -3,6 +3,7 @@
 #include "app/window/session/session_controller.h"
 
 #include <QDialog>
+#include <memory>
 
 class QComboBox;
 class QLabel;
@@ -13,13 +14,15 @@ class QStackedWidget;
 
 namespace hexoderm {
 
-/// Asks for contents, place and format of an export. Emits the request when it is accepted; the receiver writes.
+/// Asks for contents, place and format of an export, and of several patches for one where the format has one frame.
+/// Emits the request when it is accepted; the receiver writes.
 class ExportDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// `suggestion`: path without an extension.
-  explicit ExportDialog(const QString& suggestion, QWidget* parent = nullptr);
+  /// `reconstruction`: what would be exported now, null if there is nothing; `suggestion`: path without an extension.
+  ExportDialog(std::shared_ptr<const Reconstruction> reconstruction, const QString& suggestion,
+               QWidget* parent = nullptr);
 
   [[nodiscard]] ExportRequest request() const;
 
@@ -32,15 +35,23 @@ class ExportDialog : public QDialog {
  private:
   QWidget* makeFormatList();
   QWidget* makeOptions();
+  QWidget* makePatchRow();
+  /// The patches that can be chosen in the present format.
+  void offerPatches();
   void chooseFormat();
   void choosePath();
   void check();
   [[nodiscard]] QString extension() const;
+  /// What the present format and patch leave out; empty if nothing.
+  [[nodiscard]] QString leftOut() const;
 
+  std::shared_ptr<const Reconstruction> reconstruction_;
   QListWidget* formats_;
   QLabel* summary_;
   QLineEdit* path_;
   QStackedWidget* options_;
+  QWidget* patch_row_ = nullptr;
+  QComboBox* patch_;
   QComboBox* stl_unit_;
   QLineEdit* urdf_robot_;
   QLineEdit* urdf_parent_;

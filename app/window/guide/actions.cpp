@@ -64,6 +64,8 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
                        {QKeySequence(QStringLiteral("Shift+Del"))})),
       recapture(make(owner, "actionRecapture", tr("&Recapture pose"),
                      tr("The next capture takes the place of the picked pose"), {QKeySequence(Qt::Key_R)})),
+      retake(make(owner, "actionRetake", tr("Take a &pose again"),
+                  tr("The next capture takes the place of the pose that keeps the result from being better"))),
       mute_link(make(owner, "actionMuteLink", tr("Set link &aside"),
                      tr("Keep the picked link out of the solution, as a cable for example"),
                      {QKeySequence(Qt::Key_M)})),
@@ -118,6 +120,7 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
       themes(new QActionGroup(owner)) {
   undo->setObjectName(QStringLiteral("actionUndo"));
   redo->setObjectName(QStringLiteral("actionRedo"));
+  retake->setProperty(kAlways, tr("Take a &pose again"));
   undo->setProperty(kAlways, tr("&Undo"));
   redo->setProperty(kAlways, tr("&Redo"));
   undo->setShortcut(QKeySequence::Undo);
@@ -126,7 +129,7 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
   demo->setIconText(tr("Start the demo skin"));
   // A key that is held must not take a row of poses.
   for (QAction* action : {capture, automatic, skip_pose, turn, robot, live_mode, light_cell, toggle_pose, delete_pose,
-                          recapture, mute_link, screenshot, swap_views}) {
+                          recapture, retake, mute_link, screenshot, swap_views}) {
     action->setAutoRepeat(false);
   }
   for (QAction* action : {automatic, robot, live_mode, light_cell}) action->setCheckable(true);
@@ -163,7 +166,7 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   edit->addAction(preferences);
 
   QMenu* session = bar->addMenu(tr("&Session"));
-  session->addActions({show_next_pose, capture, automatic, skip_pose});
+  session->addActions({show_next_pose, retake, capture, automatic, skip_pose});
   session->addSeparator();
   session->addActions({turn, robot});
   session->addSeparator();
@@ -220,8 +223,7 @@ void WindowActions::refreshCapture(const SessionController& controller, const QS
                                                         : tr("Let the robot take the poses");
   robot->setIconText(controller.poseGuide().isRobotOn() ? tr("Stop the robot") : who);
   QString no_more = no_robot;
-  if (no_more.isEmpty() && !controller.poseGuide().isRobotOn() &&
-      !controller.poseGuide().wantsMorePoses(TurnedBy::Device)) {
+  if (no_more.isEmpty() && !controller.poseGuide().isRobotOn() && !controller.poseGuide().wantsMorePoses()) {
     no_more = tr("There are enough poses; turn and capture more by hand if you like");
   }
   allow(robot, no_more);
@@ -230,6 +232,8 @@ void WindowActions::refreshCapture(const SessionController& controller, const QS
   automatic->setChecked(controller.liveSession().isAutomatic());
   allow(automatic, live ? QString() : tr("No skin is connected"));
   allow(disconnect_skin, controller.liveSession().source().isRunning() ? QString() : tr("No skin is connected"));
+  const bool is_tried = controller.liveSession().source().isRunning() && !live;
+  connect_skin->setIconText(is_tried ? tr("Correct the address…") : QString());
   live_mode->setChecked(controller.liveMode().isOn());
   live_mode->setIconText(controller.liveMode().isOn() ? tr("End live mode") : tr("Live mode"));
   allow(live_mode, live ? QString() : tr("No skin is connected"));
@@ -249,6 +253,26 @@ void WindowActions::refreshLink(const SessionController& controller, const std::
   mute_link->setProperty(kPurpose, muted ? tr("Let the picked link into the solution again")
                                          : tr("Keep the picked link out of the solution, as a cable for example"));
   allow(mute_link, no_link);
+}
+
+void WindowActions::refreshRetake(const SessionController& controller) {
+  const LiveSession& live = controller.liveSession();
+  const std::optional<std::size_t> index = controller.indexToRetake();
+  retake->setText(tr("Take a &pose again"));
+  if (!index) {
+    allow(retake, tr("No pose has to be taken again"));
+    return;
+  }
+  const PoseId pose = controller.session()->poses()[*index].capture->id;
+  retake->setText(live.recapturing() == pose ? tr("Don't take &pose %1 again").arg(pose.value())
+                                             : tr("Take &pose %1 again").arg(pose.value()));
+  QString no_skin;
+  if (!live.isLive()) {
+    no_skin = tr("No skin is connected");
+  } else if (live.source().status().state != SourceState::Streaming) {
+    no_skin = tr("The skin does not send: %1").arg(words(live.source().status().message));
+  }
+  allow(retake, no_skin);
 }
 
 void WindowActions::refreshDevice(const SessionController& controller, std::optional<CellId> cell) {
@@ -300,6 +324,7 @@ void WindowActions::refresh(const SessionController& controller, std::optional<i
   const bool waits = index && controller.liveSession().recapturing() == session->poses()[*index].capture->id;
   recapture->setText(waits ? tr("Don't &recapture") : tr("&Recapture pose"));
   allow(recapture, no_recapture);
+  refreshRetake(controller);
   const bool has_findings = controller.reconstruction() && !controller.reconstruction()->findings.empty();
   allow(show_finding, has_findings ? QString() : tr("There are no findings"));
 

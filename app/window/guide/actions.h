@@ -42,6 +42,7 @@ class WindowActions {
   QAction* toggle_pose;
   QAction* delete_pose;
   QAction* recapture;
+  QAction* retake;     ///< recaptures the pose that the assessment wants again: "Take pose 2 again"
   QAction* mute_link;  ///< "Set link aside", or "Take link back"
   QAction* capture;
   QAction* automatic;
@@ -84,6 +85,7 @@ class WindowActions {
  private:
   [[nodiscard]] static QString whyNoSession(const SessionController& controller);
   void refreshCapture(const SessionController& controller, const QString& no_session);
+  void refreshRetake(const SessionController& controller);
   void refreshDevice(const SessionController& controller, std::optional<CellId> cell);
 };
 

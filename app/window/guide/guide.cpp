@@ -2,11 +2,12 @@
 
 #include "app/window/guide/actions.h"
 #include "app/window/session/session_controller.h"
-#include "hexoderm/reconstruction/advice/verdict.h"
+#include "hexoderm/reconstruction/advice/assess.h"
 #include "widgets/words/formatting.h"
 #include "widgets/words/words.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <algorithm>
 
 namespace hexoderm {
@@ -16,17 +17,14 @@ struct Guide {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::Guide)
 };
 
-bool isExportable(const Reconstruction& reconstruction) {
-  return reconstruction.verdict.level == VerdictLevel::Good || reconstruction.verdict.level == VerdictLevel::Usable;
-}
-
 QAction* bestAction(const SessionController& controller, const WindowActions& actions) {
   if (controller.isEmpty()) return actions.demo;
   const Reconstruction* result = controller.reconstruction().get();
   if (controller.poseGuide().isRobotOn()) return actions.robot;
+  if (actions.retake->isEnabled()) return actions.retake;
   if (controller.poseGuide().wantsMorePoses())
     return controller.liveSession().canTurn() ? actions.robot : actions.show_next_pose;
-  if (!result || (controller.session() && !isExportable(*result))) return actions.connect_skin;
+  if (!result || (controller.session() && !result->assessment.isUsable())) return actions.connect_skin;
   const Finding* finding = worstFinding(*result);
   return finding && finding->severity == Severity::Error ? actions.show_finding : actions.export_to;
 }
@@ -51,6 +49,15 @@ bool isAwaited(const SessionController& controller) {
   return controller.liveSession().isLive() &&
          controller.liveSession().source().status().state == SourceState::Streaming && !hasReadings(controller);
 }
+/// A skin that does not send, though it has said which cells it has and its stream has not ended: nothing goes on until
+/// it sends again.
+bool fellSilent(const SessionController& controller) {
+  const SourceState state = controller.liveSession().source().status().state;
+  if (!controller.liveSession().isLive() || state == SourceState::Streaming || state == SourceState::Ended)
+    return false;
+  // One that has just connected is waited for.
+  return hasReadings(controller) || state == SourceState::Silent || state == SourceState::Incompatible;
+}
 QString noPose() { return Guide::tr("No pose has been captured yet."); }
 
 void say(Step& step, Readiness readiness, const QString& because) {
@@ -58,12 +65,18 @@ void say(Step& step, Readiness readiness, const QString& because) {
   step.because = because;
 }
 
+/// There is a session, and no result of it will come.
+bool hasFailed(const SessionController& controller) {
+  return controller.session() && !controller.reconstruction() && !controller.isSolving();
+}
+
 /// A result that comes by itself is waited for; everything else blocks.
 void sayNoResult(Step& step, const SessionController& controller) {
-  if (controller.isEmpty()) {
+  const QString awaited = describeAwaited(controller);
+  if (awaited.isEmpty()) {
     say(step, Readiness::Blocked, Guide::tr("There is no skin yet."));
   } else {
-    say(step, Readiness::Waiting, Guide::tr("The placements are being worked out."));
+    say(step, hasFailed(controller) ? Readiness::Blocked : Readiness::Waiting, awaited);
   }
 }
 
@@ -81,6 +94,9 @@ Step connectStep(const SessionController& controller, const WindowActions& actio
   step.title = Guide::tr("Connect");
   step.actions = {actions.demo, actions.connect_skin, actions.open};
   if (controller.liveSession().source().isRunning()) step.actions = {actions.disconnect_skin};
+  if (controller.liveSession().source().isRunning() && !controller.liveSession().isLive()) {
+    step.actions.push_back(actions.connect_skin);
+  }
   if (controller.liveSession().source().isRunning() && !controller.liveSession().isLive()) {
     step.state = StepState::Current;
     step.note = controller.liveSession().source().address();
@@ -132,7 +148,7 @@ Step checkStep(const SessionController& controller, const WindowActions& actions
   const Reconstruction* result = controller.reconstruction().get();
   if (!result) {
     step.why = Guide::tr("Waits for a skin.");
-    say(step, Readiness::Blocked, Guide::tr("There is no skin yet."));
+    sayNoResult(step, controller);
     return step;
   }
   step.note = words(sizeInWords(*result));
@@ -167,15 +183,13 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
     sayOf(step, *actions.capture, {});
     return step;
   }
-  const std::size_t enabled = controller.enabledPoses();
   const bool more = controller.poseGuide().wantsMorePoses();
-  step.note =
-      more && enabled < kGoodPoseCount ? Guide::tr("%1 of %2").arg(enabled).arg(kGoodPoseCount) : posesInWords(enabled);
+  step.note = posesInWords(controller.enabledPoses());
   if (controller.liveSession().canTurn())
     step.actions = {actions.robot, actions.live_mode};
   else if (controller.liveSession().isLive())
     step.actions = {actions.live_mode};
-  step.state = more || (result && !isExportable(*result)) ? StepState::Current : StepState::Done;
+  step.state = more || (result && !result->assessment.isUsable()) ? StepState::Current : StepState::Done;
   if (isAwaited(controller)) step.state = StepState::Waiting;
   // A connected skin has a panel of its own, which says what to do and why.
   if (actions.capture->isEnabled() && isAwaited(controller)) {
@@ -183,8 +197,14 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
   } else {
     sayOf(step, *actions.capture, Guide::tr("The skin sends."));
   }
-  if (controller.liveSession().isLive()) return step;
-  if (result && step.state == StepState::Current) step.what = words(result->verdict.next_action);
+  if (controller.liveSession().isLive()) {
+    if (controller.indexToRetake()) {
+      step.what = words(result->assessment.next_action);
+      step.actions.insert(step.actions.begin(), actions.retake);
+    }
+    return step;
+  }
+  if (result && step.state == StepState::Current) step.what = words(result->assessment.next_action);
   step.why = Guide::tr(
       "Gravity seen from several directions tells how every cell is turned against its neighbours. No skin is "
       "connected to take more.");
@@ -210,7 +230,7 @@ Step reviewStep(const SessionController& controller, const WindowActions& action
   }
   const Finding* finding = worstFinding(*result);
   if (captured) step.state = finding ? StepState::Current : StepState::Done;
-  step.what = words(finding ? finding->message : result->verdict.reason);
+  step.what = words(finding ? finding->message : result->assessment.reason);
   if (controller.session()) {
     step.why = Guide::tr(
         "A pose that does not fit can be disabled or deleted in the table of poses, and taken back with "
@@ -256,13 +276,13 @@ Step exportStep(const SessionController& controller, const WindowActions& action
   sayOf(step, *actions.export_to,
         hasNoPose(controller) ? Guide::tr("Without a pose, a file only holds what follows from the ports.")
                               : Guide::tr("There is a result of everything that was captured."));
-  if (step.readiness == Readiness::Ready && (hasNoPose(controller) || !isExportable(*result))) {
+  if (step.readiness == Readiness::Ready && (hasNoPose(controller) || !result->assessment.isUsable())) {
     step.readiness = Readiness::Possible;
   }
   if (controller.session()) step.actions.push_back(actions.save);
   step.what = Guide::tr("Write the placements in the form you need.");
   step.why =
-      isExportable(*result)
+      result->assessment.isUsable()
           ? Guide::tr("Every file is read back and compared before it is called written.")
           : Guide::tr("It can be exported as it is, but the result is not good enough yet: see the line on top.");
   return step;
@@ -274,27 +294,48 @@ QString robotInWords(const SessionController& controller) {
 
 }  // namespace
 
+QString describeAwaited(const SessionController& controller) {
+  if (controller.reconstruction()) return {};
+  if (hasFailed(controller)) return Guide::tr("The placements could not be worked out: see the log.");
+  if (controller.session()) {
+    const int cells = static_cast<int>(controller.session()->neighbors().size());
+    return cells == 1 ? Guide::tr("The placement of the cell is being worked out…")
+                      : Guide::tr("The placements of %1 cells are being worked out…").arg(QLocale().toString(cells));
+  }
+  if (!controller.work().activity().isEmpty()) return Guide::tr("%1…").arg(controller.work().activity());
+  const LiveSource& source = controller.liveSession().source();
+  if (source.isRunning() && !isOver(source)) return Guide::tr("Waiting for the skin at %1.").arg(source.address());
+  return {};
+}
+
 Banner::Content describeStand(const SessionController& controller, const WindowActions& actions) {
   Banner::Content content;
   content.action = bestAction(controller, actions);
   if (controller.liveSession().source().isRunning() && !controller.liveSession().isLive()) {
-    content.action = actions.disconnect_skin;
-    const QString sentence = isOver(controller.liveSession().source()) ? Guide::tr("No skin came from %1.")
-                                                                       : Guide::tr("Waiting for the skin at %1.");
+    // The strip below says what is tried, counts down to the next try, and can give it up.
+    const bool is_over = isOver(controller.liveSession().source());
+    content.action = is_over ? actions.disconnect_skin : actions.connect_skin;
+    const QString sentence = is_over ? Guide::tr("No skin came from %1.") : Guide::tr("Waiting for the skin at %1.");
     content.sentence = sentence.arg(controller.liveSession().source().address());
+  } else if (fellSilent(controller)) {
+    // For how long, and what the source does about it, says the strip below.
+    content.tone = Tone::Caution;
+    content.action = actions.connect_skin;
+    content.sentence =
+        isOver(controller.liveSession().source())
+            ? Guide::tr("Nothing more will come from this skin. The poses stay; connect to a skin to take more.")
+            : Guide::tr(
+                  "The skin does not send any more. Check its power and its connection: once it sends again, "
+                  "this goes on by itself.");
   } else if (controller.poseGuide().isRobotOn()) {
     const auto next = controller.enabledPoses() + 1;
-    content.sentence =
-        next <= kGoodPoseCount
-            ? Guide::tr("%1 is taking pose %2 of %3.").arg(robotInWords(controller)).arg(next).arg(kGoodPoseCount)
-            : Guide::tr("%1 is taking pose %2.").arg(robotInWords(controller)).arg(next);
+    content.sentence = Guide::tr("%1 is taking pose %2.").arg(robotInWords(controller)).arg(next);
   } else if (const Reconstruction* result = controller.reconstruction().get()) {
-    content.tone = toneOf(result->verdict.level);
-    content.sentence = words(result->verdict.reason);
-  } else if (!controller.isEmpty()) {
-    content.sentence = Guide::tr("The placements are being worked out…");
-  } else if (!controller.work().activity().isEmpty()) {
-    content.sentence = Guide::tr("%1…").arg(controller.work().activity());
+    content.tone = toneOf(result->assessment.level);
+    content.sentence = words(result->assessment.reason);
+  } else if (const QString awaited = describeAwaited(controller); !awaited.isEmpty()) {
+    content.tone = hasFailed(controller) ? Tone::Bad : Tone::Neutral;
+    content.sentence = awaited;
   } else {
     content.sentence = Guide::tr("No skin yet: start the demo, connect to a skin, or open a session or a calibration.");
   }
@@ -312,7 +353,7 @@ std::vector<Step> describeSteps(const SessionController& controller, const Windo
   steps.push_back(exportStep(controller, actions));
   // With everything before it done that has to be, exporting is what is left to do.
   const Reconstruction* result = controller.reconstruction().get();
-  if (reviewed && result && isExportable(*result)) steps.back().state = StepState::Current;
+  if (reviewed && result && result->assessment.isUsable()) steps.back().state = StepState::Current;
   return steps;
 }
 

@@ -17,6 +17,8 @@ enum class GuideStep { Connect, Check, Capture, Review, Verify, Export };
 /// The operator's present state and best next action, in words, from the controller's knowledge. Nothing is judged
 /// here: core's verdict tells how good a result is.
 Banner::Content describeStand(const SessionController& controller, const WindowActions& actions);
+/// What is going on while there is no result to show, one sentence; empty: there is one, or nothing goes on.
+QString describeAwaited(const SessionController& controller);
 /// `check`: of the skin that is shown. The actions know already which of them can be used.
 std::vector<Step> describeSteps(const SessionController& controller, const WindowActions& actions,
                                 const SkinCheck& check);

@@ -66,7 +66,7 @@ QString sessionInWords(const SessionController& controller) {
                  .arg(result->patches.size())
                  .arg(result->findings.size())
           << QStringLiteral("solver %1").arg(QString::fromStdString(result->solver))
-          << QString::fromStdString(result->verdict.reason.english());
+          << QString::fromStdString(result->assessment.reason.english());
   }
   return words.join(QStringLiteral("; "));
 }

@@ -29,7 +29,7 @@ Severity severityOf(Tone tone) {
 QString lineOf(const Reconstruction& result) {
   return EventRecorder::tr("Solved: %1, %2, %3, %4 ms. %5")
       .arg(words(sizeInWords(result)), posesInWords(result.poses.size()), QString::fromStdString(result.solver),
-           figureInWords(1e3 * result.solve_seconds, 1), words(result.verdict.reason));
+           figureInWords(1e3 * result.solve_seconds, 1), words(result.assessment.reason));
 }
 
 }  // namespace

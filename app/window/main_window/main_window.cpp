@@ -26,6 +26,7 @@
 #include "app/window/presenters/view_commands.h"
 #include "app/window/session/verification.h"
 #include "app/window/toolkit/status_bar.h"
+#include "app/window/toolkit/table_views.h"
 #include "widgets/capture/capture_panel.h"
 #include "widgets/capture/capture_tone.h"
 #include "widgets/capture/coverage_view.h"
@@ -128,6 +129,7 @@ struct MainWindow::Presenters {
 
 MainWindow::MainWindow(QWidget* parent)
     : QMainWindow(parent),
+      wheel_guard_(*QCoreApplication::instance()),
       actions_(this, controller_.undoStack()),
       log_(logFolder()),
       recent_(jobs_),
@@ -194,7 +196,7 @@ QWidget* MainWindow::makeTopBar() {
   return top_bar;
 }
 
-/// Every view that shows a result, in the one order in which they get it.
+/// Every view that shows a result, in the one order in which they get it, and every one that says why it has none.
 void MainWindow::handOutResults() {
   ResultPresenter& results = presenters_->results;
   results.add(views_->tables.poses);
@@ -207,6 +209,11 @@ void MainWindow::handOutResults() {
   results.add(views_->verify_panel);
   results.add(&presenters_->verification);
   results.add(&presenters_->capture);
+  results.addWaiting(views_->graph);
+  results.addWaiting(views_->patch);
+  results.addWaiting(views_->coverage);
+  results.addWaiting(views_->verify_panel);
+  for (TableOrHint* table : panels_->tables()) results.addWaiting(table);
 }
 
 /// Every view that has colours of its own.
@@ -236,6 +243,7 @@ void MainWindow::connectRefresh() {
 void MainWindow::refresh() {
   presenters_->picked.refresh();  // the guide asks the actions
   presenters_->guide.refresh();
+  presenters_->results.refresh();
   presenters_->status.refresh();
   presenters_->connection.refresh();
   presenters_->history.refresh();

@@ -9,6 +9,7 @@
 #include "app/window/settings/preferences.h"
 #include "app/window/settings/theme.h"
 #include "app/window/toolkit/once_per_turn.h"
+#include "app/window/toolkit/wheel_guard.h"
 #include "widgets/controls/selection.h"
 
 #include <QImage>
@@ -80,6 +81,7 @@ class MainWindow : public QMainWindow {
   void connectRefresh();
   void refresh();
 
+  WheelGuard wheel_guard_;
   SessionController controller_;
   Selection selection_;
   WindowActions actions_;

@@ -45,7 +45,7 @@ Panels::Panels(const Views& views, QWidget* parent) : QMainWindow(parent) {
   views.tables.pose_view->setMinimumWidth(kPoseCharacters * fontMetrics().averageCharWidth());
   steps_ = new CardDock(tr("Steps"), QStringLiteral("stepsDock"), views.steps, this);
   graph_ = new CardDock(tr("Skin graph"), QStringLiteral("graphDock"), views.graph, this);
-  poses_ = new CardDock(tr("Poses"), QStringLiteral("poseDock"), withHint(views.tables.pose_view, tr("No poses yet.")),
+  poses_ = new CardDock(tr("Poses"), QStringLiteral("poseDock"), makeTable(views.tables.pose_view, tr("No poses yet.")),
                         this);
   views.coverage->setEmptyHint(tr("No poses yet."));
   coverage_ = new CardDock(tr("Directions seen"), QStringLiteral("coverageDock"), views.coverage, this);
@@ -79,6 +79,11 @@ QWidget* Panels::makeCentre(const Views& views) {
   return card;
 }
 
+TableOrHint* Panels::makeTable(QTableView* view, const QString& hint) {
+  tables_.push_back(new TableOrHint(view, hint));
+  return tables_.back();
+}
+
 CardDock* Panels::makeDetails(const Views& views) {
   auto* pages = new QStackedWidget;
   QTabBar* tabs = views.detail_tabs;
@@ -88,9 +93,9 @@ CardDock* Panels::makeDetails(const Views& views) {
   };
   tabs->setObjectName(QStringLiteral("detailTabs"));
   tabs->setDrawBase(false);
-  add(withHint(views.tables.finding_view, tr("No findings.")), tr("Findings"));
-  add(withHint(views.tables.link_view, tr("No links yet.")), tr("Links"));
-  add(withHint(views.tables.cell_view, tr("No cells yet.")), tr("Cells"));
+  add(makeTable(views.tables.finding_view, tr("No findings.")), tr("Findings"));
+  add(makeTable(views.tables.link_view, tr("No links yet.")), tr("Links"));
+  add(makeTable(views.tables.cell_view, tr("No cells yet.")), tr("Cells"));
   add(views.residuals, tr("Residuals"));
   add(views.log, tr("Log"));
   add(views.stillness, tr("Stillness"));

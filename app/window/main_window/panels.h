@@ -5,10 +5,12 @@
 #include <vector>
 
 class QSettings;
+class QTableView;
 
 namespace hexoderm {
 
 class CardDock;
+class TableOrHint;
 class ViewSwap;
 struct Views;
 
@@ -27,6 +29,7 @@ class Panels : public QMainWindow {
   [[nodiscard]] CardDock& poses() { return *poses_; }
   [[nodiscard]] CardDock& details() { return *details_; }
   [[nodiscard]] ViewSwap& swap() { return *swap_; }
+  [[nodiscard]] const std::vector<TableOrHint*>& tables() const { return tables_; }
   /// One a panel: shows or hides it.
   [[nodiscard]] std::vector<QAction*> toggleActions() const;
 
@@ -37,6 +40,7 @@ class Panels : public QMainWindow {
  private:
   [[nodiscard]] QWidget* makeCentre(const Views& views);
   [[nodiscard]] CardDock* makeDetails(const Views& views);
+  [[nodiscard]] TableOrHint* makeTable(QTableView* view, const QString& hint);
   void arrange();
 
   CardDock* steps_;
@@ -45,6 +49,7 @@ class Panels : public QMainWindow {
   CardDock* coverage_;
   std::unique_ptr<ViewSwap> swap_;
   CardDock* details_;
+  std::vector<TableOrHint*> tables_;
 };
 
 }  // namespace hexoderm

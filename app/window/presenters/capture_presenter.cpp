@@ -63,13 +63,18 @@ void CapturePresenter::connectPreferences(const Preferences& preferences) {
 void CapturePresenter::showSource() {
   const LiveSource& source = controller_.liveSession().source();
   views_.panel.setSource(source.isRunning() ? std::optional(source.status()) : std::nullopt);
-  if (source.isRunning()) return;
+  if (isReading()) return;
+  // The last readings of a skin that does not send are not those of this moment.
+  current_up_.reset();
   views_.stillness.clear();
-  PatchMoment moment = views_.patch.moment();
-  moment.readings = nullptr;
-  moment.up_o.reset();
-  views_.patch.setMoment(moment);
   views_.coverage.setCurrent({});
+  followPart();
+  showAdvice();
+}
+
+bool CapturePresenter::isReading() const {
+  const LiveSource& source = controller_.liveSession().source();
+  return source.isRunning() && source.status().state == SourceState::Streaming;
 }
 
 void CapturePresenter::showHold() {
@@ -146,7 +151,7 @@ void CapturePresenter::followPart() {
   views_.patch.setTurnable(capturing && controller_.liveSession().canTurn());
   PatchMoment moment = views_.patch.moment();
   const SkinPreview& preview = controller_.liveSession().source().preview();
-  moment.readings = readingsOf(preview.means, preview.temperatures);
+  moment.readings = isReading() ? readingsOf(preview.means, preview.temperatures) : nullptr;
   moment.up_o = capturing ? current_up_ : std::nullopt;
   const bool shows_next = capturing && controller_.poseGuide().isNextPoseWanted();
   moment.next_up_o = shows_next ? std::optional(controller_.poseGuide().nextPose()->up) : std::nullopt;

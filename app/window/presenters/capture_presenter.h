@@ -50,6 +50,8 @@ class CapturePresenter : public QObject {
   void connectCommands(const WindowActions& actions);
   void connectPreferences(const Preferences& preferences);
   void showSource();
+  /// The skin sends, so that what was read last is what there is at this moment.
+  [[nodiscard]] bool isReading() const;
   void showHold();
   void showCaptured(const CapturedPose& captured);
   void showNextPose();

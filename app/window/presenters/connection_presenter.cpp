@@ -13,6 +13,8 @@
 #include "widgets/words/words.h"
 
 #include <QDir>
+#include <algorithm>
+#include <utility>
 
 namespace hexoderm {
 namespace {
@@ -31,6 +33,7 @@ ConnectionPresenter::ConnectionPresenter(const Views& views, SessionController& 
   connect(actions.disconnect_skin, &QAction::triggered, &controller_.liveSession(), &LiveSession::disconnectSource);
   // While readings come these follow each other quickly, so only what shows them is refreshed.
   connect(&controller_.liveSession().source(), &LiveSource::holdChanged, this, &ConnectionPresenter::refresh);
+  connect(&controller_.liveSession().source(), &LiveSource::statusChanged, this, &ConnectionPresenter::showOffences);
   connect(&controller_.liveSession(), &LiveSession::captured, this, &ConnectionPresenter::showCaptured);
   connect(&controller_, &SessionController::noticed, this,
           [this](const QString& text) { views_.messages.showMessage(Tone::Caution, text); });
@@ -43,6 +46,20 @@ void ConnectionPresenter::showCaptured(const QString& text, bool remarkable) {
     // What went as it should is no reason to move the window's parts about.
     views_.status.say(text);
     log_.add(Severity::Info, text);
+  }
+}
+
+void ConnectionPresenter::showOffences() {
+  const std::vector<Offence>& offences = controller_.liveSession().source().status().offences;
+  offences_shown_ = std::min(offences_shown_, offences.size());  // fewer: of another source
+  bool is_first = true;
+  for (; offences_shown_ < offences.size(); ++offences_shown_) {
+    const QString text = tr("The device does something wrong: %1").arg(words(inWords(offences[offences_shown_])));
+    if (std::exchange(is_first, false) && !views_.messages.isUrgent()) {
+      views_.messages.showMessage(Tone::Caution, text);  // which the log repeats
+    } else {
+      log_.add(Severity::Warning, text);
+    }
   }
 }
 

@@ -39,11 +39,13 @@ class ConnectionPresenter : public QObject {
  private:
   void showDialog();
   void showCaptured(const QString& text, bool remarkable);
+  void showOffences();
 
   Views views_;
   SessionController& controller_;
   FilePresenter& files_;
   EventLog& log_;
+  std::size_t offences_shown_ = 0;  ///< of those of the running source
 };
 
 }  // namespace hexoderm

@@ -47,7 +47,13 @@ FilePresenter::FilePresenter(QWidget& window, SessionController& controller, con
     if (const auto proceed = std::exchange(after_saving_, nullptr)) proceed();
   });
   connect(&controller_.resultFiles(), &ResultFiles::exported, this,
-          [this](const QString& path) { showDone(tr("Exported to %1").arg(path), path); });
+          [this](const QString& path, const QString& left_out) {
+            if (left_out.isEmpty()) {
+              showDone(tr("Exported to %1").arg(path), path);
+            } else {
+              showDone(tr("Exported to %1. %2").arg(path, left_out), path, Tone::Caution);
+            }
+          });
   connect(&controller_, &SessionController::failed, this, [this](const QString& message) {
     forgetPlans();
     messages_.showMessage(Tone::Bad, message);
@@ -139,7 +145,7 @@ void FilePresenter::saveCalibration() {
 }
 
 void FilePresenter::showExportDialog() {
-  auto* dialog = new ExportDialog(QDir(lastFolder()).filePath(suggestedName()), &window_);
+  auto* dialog = new ExportDialog(controller_.reconstruction(), QDir(lastFolder()).filePath(suggestedName()), &window_);
   connect(dialog, &ExportDialog::exportRequested, this, [this](const ExportRequest& request) {
     rememberFolder(request.path);
     controller_.resultFiles().exportTo(request);
@@ -147,8 +153,8 @@ void FilePresenter::showExportDialog() {
   openInTurns(dialog);
 }
 
-void FilePresenter::showDone(const QString& text, const QString& path) {
-  messages_.showMessage(Tone::Good, text, tr("Open folder"), [this, path] {
+void FilePresenter::showDone(const QString& text, const QString& path, Tone tone) {
+  messages_.showMessage(tone, text, tr("Open folder"), [this, path] {
     const QString folder = QFileInfo(path).absolutePath();
     if (!QDesktopServices::openUrl(QUrl::fromLocalFile(folder))) {
       messages_.showMessage(Tone::Caution, tr("No program to show folders was found. The folder is %1.").arg(folder));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "widgets/controls/banner.h"
+
 #include <QObject>
 #include <QString>
 #include <functional>
@@ -44,7 +46,7 @@ class FilePresenter : public QObject {
   void saveSession(bool always_ask);
   void saveCalibration();
   void showExportDialog();
-  void showDone(const QString& text, const QString& path);
+  void showDone(const QString& text, const QString& path, Tone tone = Tone::Good);
   /// What waits for the session to be saved does not happen.
   void forgetPlans();
 

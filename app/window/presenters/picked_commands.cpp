@@ -22,7 +22,8 @@ PickedCommands::PickedCommands(const Views& views, SessionController& controller
   views_.links.addAction(actions_.mute_link);
   connect(actions_.toggle_pose, &QAction::triggered, this, &PickedCommands::togglePose);
   connect(actions_.delete_pose, &QAction::triggered, this, &PickedCommands::removePose);
-  connect(actions_.recapture, &QAction::triggered, this, &PickedCommands::recapturePose);
+  connect(actions_.recapture, &QAction::triggered, this, [this] { recapturePose(pickedPose()); });
+  connect(actions_.retake, &QAction::triggered, this, [this] { recapturePose(controller_.indexToRetake()); });
   connect(actions_.mute_link, &QAction::triggered, this, &PickedCommands::muteLink);
   connect(actions_.light_cell, &QAction::triggered, this,
           [this](bool on) { controller_.liveSession().lightCell(on ? selection_.cell() : std::nullopt); });
@@ -54,8 +55,7 @@ void PickedCommands::removePose() {
   if (const std::optional<std::size_t> index = pickedPose()) controller_.removePose(*index);
 }
 
-void PickedCommands::recapturePose() {
-  const std::optional<std::size_t> index = pickedPose();
+void PickedCommands::recapturePose(std::optional<std::size_t> index) {
   if (!index) return;
   const PoseId pose = controller_.session()->poses()[*index].capture->id;
   if (controller_.liveSession().recapturing() == pose) {

@@ -15,7 +15,8 @@ class SessionController;
 class StepPanel;
 class WindowActions;
 
-/// Carries out the commands that change the pose, the link or the cell that is picked.
+/// Carries out the commands that change the pose, the link or the cell that is picked, or the pose that the assessment
+/// picks.
 class PickedCommands : public QObject {
   Q_OBJECT
 
@@ -36,7 +37,8 @@ class PickedCommands : public QObject {
  private:
   void togglePose();
   void removePose();
-  void recapturePose();
+  /// The pose at `index` of the session, or none any more, if it is that already.
+  void recapturePose(std::optional<std::size_t> index);
   void muteLink();
   /// Of the picked pose among the session's.
   [[nodiscard]] std::optional<std::size_t> pickedPose() const;

@@ -1,6 +1,9 @@
 #include "app/window/presenters/result_presenter.h"
 
+#include "app/window/guide/guide.h"
 #include "app/window/session/session_controller.h"
+
+#include <utility>
 
 namespace hexoderm {
 
@@ -12,6 +15,12 @@ ResultPresenter::ResultPresenter(SessionController& controller) : controller_(co
   connect(&controller_.liveMode(), &LiveMode::toggled, this, [this](bool on) {
     if (!on) handToPictures(controller_.reconstruction());
   });
+}
+
+void ResultPresenter::refresh() {
+  const QString awaited = describeAwaited(controller_);
+  if (std::exchange(awaited_, awaited) == awaited) return;
+  for (const auto& tell : waiting_) tell(awaited);
 }
 
 void ResultPresenter::handOut(const Result& result) {

@@ -3,6 +3,7 @@
 #include "hexoderm/reconstruction/result/reconstruction.h"
 
 #include <QObject>
+#include <QString>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -11,7 +12,8 @@ namespace hexoderm {
 
 class SessionController;
 
-/// Hands the reconstruction to every view that shows it. This is the only place where a view of the window gets one.
+/// Hands the reconstruction to every view that shows it, and as long as there is none, what is being done for one. This
+/// is the only place where a view of the window gets them.
 class ResultPresenter : public QObject {
   Q_OBJECT
 
@@ -29,6 +31,13 @@ class ResultPresenter : public QObject {
   void addPicture(View* view) {
     receivers_.push_back({setterOf(view), true});
   }
+  /// The view says what is awaited while there is no result.
+  template <class View>
+  void addWaiting(View* view) {
+    waiting_.push_back([view](const QString& awaited) { view->setAwaited(awaited); });
+  }
+  /// Hands out what is awaited, if that has changed.
+  void refresh();
 
  signals:
   /// Every view has got the session's new result.
@@ -50,6 +59,8 @@ class ResultPresenter : public QObject {
 
   SessionController& controller_;
   std::vector<Receiver> receivers_;
+  std::vector<std::function<void(const QString&)>> waiting_;
+  QString awaited_;
 };
 
 }  // namespace hexoderm

@@ -6,7 +6,7 @@
 #include "app/window/presenters/result_presenter.h"
 #include "app/window/session/session_controller.h"
 #include "app/window/toolkit/result_tables.h"
-#include "hexoderm/reconstruction/advice/verdict.h"
+#include "hexoderm/reconstruction/advice/assess.h"
 #include "widgets/capture/coverage_view.h"
 #include "widgets/controls/check_list.h"
 #include "widgets/controls/selection.h"

@@ -21,6 +21,7 @@ VerifyPresenter::VerifyPresenter(const Views& views, const SessionController& co
   });
   connect(panel, &VerifyPanel::cancelRequested, &verification_, &Verification::cancel);
   connect(panel, &VerifyPanel::surfaceRequested, &verification_, &Verification::setSurface);
+  connect(panel, &VerifyPanel::surfaceDropped, &verification_, &Verification::dropSurface);
   connect(panel, &VerifyPanel::comparisonFileWanted, this, &VerifyPresenter::askForComparison);
   connect(panel, &VerifyPanel::comparisonRequested, &verification_, &Verification::compareWith);
   connect(panel, &VerifyPanel::comparisonDropped, &verification_, &Verification::dropComparison);

@@ -116,7 +116,7 @@ void ReportPage::addHead() {
 }
 
 void ReportPage::addVerdict() {
-  const Verdict& verdict = result_.verdict;
+  const Assessment& verdict = result_.assessment;
   const QColor color = toneColor(toneOf(verdict.level), Theme::Light);
   // A bar of the verdict's colour beside its words; QTextDocument has no border on the left alone.
   html_ += QStringLiteral(
@@ -144,7 +144,7 @@ void ReportPage::addKeyFigures() {
                                .arg(QLocale().toString(static_cast<qulonglong>(part)),
                                     QLocale().toString(static_cast<qulonglong>(whole)));
   };
-  const Verdict& verdict = result_.verdict;
+  const Assessment& verdict = result_.assessment;
   const std::vector<std::pair<QString, QString>> figures = {
       {share(result_.cellCount(), result_.cellCount()), tr("cells")},
       {share(used_links, result_.linkCount()), tr("links used")},

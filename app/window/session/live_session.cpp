@@ -18,7 +18,10 @@ LiveSession::LiveSession(SessionController& controller) : controller_(controller
     if (isLive()) course_.take(captured);
   });
   connect(&source_, &LiveSource::failed, this, &LiveSession::failed);
-  connect(&source_, &LiveSource::statusChanged, this, &LiveSession::changed);
+  connect(&source_, &LiveSource::statusChanged, this, [this] {
+    course_.setSending(source_.status().state == SourceState::Streaming);
+    emit changed();
+  });
   connect(&source_, &LiveSource::commandAnswered, this,
           [this](const CommandOutcome& outcome) { course_.setOutcome(outcome); });
 }
@@ -44,7 +47,7 @@ void LiveSession::connectTo(const ConnectRequest& request) {
   options.recorder.automatic = automatic_;
   if (request_.continue_session) {
     options.next_pose = controller_.session()->nextPoseId();
-    options.earlier_poses = enabledCaptures();
+    options.earlier_poses = earlierPoses();
   }
   source_.start(options);
 }
@@ -68,7 +71,7 @@ void LiveSession::forget() {
 
 void LiveSession::noteChange() {
   course_.noteChange();
-  if (isLive()) source_.setEarlierPoses(enabledCaptures());
+  if (isLive()) source_.setEarlierPoses(earlierPoses());
 }
 
 void LiveSession::noteResult() { course_.setResult(controller_.reconstruction(), controller_.isCurrent()); }
@@ -140,8 +143,9 @@ void LiveSession::onCourseEvent(const CourseEvent& event) {
   } else if (const auto* lost = std::get_if<PoseLost>(&event)) {
     emit poseLost(lost->pose);
   } else if (const auto* skin = std::get_if<SkinChanged>(&event)) {
-    emit noticed(skin->on_joining ? tr("The links are others than those of the session; the poses stay.")
-                                  : tr("The device says that its cells or links have changed; the poses stay."));
+    emit noticed(skin->other_model  ? tr("The device says that it has another cell model; the poses stay.")
+                 : skin->on_joining ? tr("The links are others than those of the session; the poses stay.")
+                                    : tr("The device says that its cells or links have changed; the poses stay."));
   } else {
     emit told(event);
   }
@@ -165,10 +169,11 @@ void LiveSession::announce(const PoseKept& kept) {
   emit captured(text, kept.captured.repeats || !kept.captured.silent_cells.empty());
 }
 
-std::vector<std::shared_ptr<const PoseCapture>> LiveSession::enabledCaptures() const {
+std::vector<std::shared_ptr<const PoseCapture>> LiveSession::earlierPoses() const {
   std::vector<std::shared_ptr<const PoseCapture>> captures;
   for (const SessionPose& pose : controller_.session()->poses()) {
-    if (!pose.disabled) captures.push_back(pose.capture);
+    // What is taken again is not to be told that it repeats itself.
+    if (!pose.disabled && pose.capture->id != course_.recapturing()) captures.push_back(pose.capture);
   }
   return captures;
 }
@@ -186,12 +191,14 @@ void LiveSession::setAutomatic(bool automatic) {
 void LiveSession::recapturePose(std::size_t index) {
   if (!isLive() || index >= controller_.session()->poses().size()) return;
   course_.recapture(controller_.session()->poses()[index].capture->id);
+  source_.setEarlierPoses(earlierPoses());
   emit changed();
 }
 
 void LiveSession::cancelRecapture() {
   if (!course_.recapturing()) return;
   course_.cancelRecapture();
+  if (isLive()) source_.setEarlierPoses(earlierPoses());
   emit changed();
 }
 

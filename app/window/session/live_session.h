@@ -97,7 +97,8 @@ class LiveSession : public QObject, private CaptureOwner {
   [[nodiscard]] bool begin(const SkinDescription& skin);
   [[nodiscard]] bool join(const SkinDescription& skin);
   void announce(const PoseKept& kept);
-  [[nodiscard]] std::vector<std::shared_ptr<const PoseCapture>> enabledCaptures() const;
+  /// Those that the next capture may repeat.
+  [[nodiscard]] std::vector<std::shared_ptr<const PoseCapture>> earlierPoses() const;
 
   SessionController& controller_;
   CaptureCourse course_;

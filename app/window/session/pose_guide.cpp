@@ -15,9 +15,9 @@ const std::optional<PoseAdvice>& PoseGuide::nextPose() const { return live_sessi
 bool PoseGuide::isNextPoseWanted() const { return live_session_.course().isNextPoseWanted(); }
 bool PoseGuide::isRobotOn() const { return live_session_.course().isRobotOn(); }
 
-bool PoseGuide::wantsMorePoses(TurnedBy turned_by) const {
+bool PoseGuide::wantsMorePoses() const {
   return live_session_.isLive() && live_session_.source().status().state != SourceState::Ended &&
-         live_session_.course().wantsMorePoses(turned_by);
+         live_session_.course().wantsMorePoses();
 }
 
 void PoseGuide::hear(const CourseEvent& event) {
@@ -59,10 +59,13 @@ void PoseGuide::turnTo(const Eigen::Vector3d& up_o) {
 
 void PoseGuide::skipPose() { live_session_.course().skipPose(); }
 
-void PoseGuide::setRobot(bool on) {
+void PoseGuide::setRobot(bool on) { startRobot(on, 0); }
+void PoseGuide::letRobotTake(std::size_t poses) { startRobot(true, poses); }
+
+void PoseGuide::startRobot(bool on, std::size_t poses) {
   on = on && live_session_.canTurn();
   if (on) live_session_.setAutomatic(true);
-  live_session_.course().setRobot(on);
+  live_session_.course().setRobot(on, poses);
   emit changed();
 }
 

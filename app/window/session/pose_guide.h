@@ -23,8 +23,8 @@ class PoseGuide : public QObject {
   [[nodiscard]] const std::optional<PoseAdvice>& nextPose() const;
   /// Following that advice would help: not for the first pose, which may be any, nor where there are enough.
   [[nodiscard]] bool isNextPoseWanted() const;
-  /// The connected skin should be held for another pose, see enoughPoses().
-  [[nodiscard]] bool wantsMorePoses(TurnedBy turned_by = TurnedBy::Hand) const;
+  /// The connected skin should be held for another pose, as the result's assessment says.
+  [[nodiscard]] bool wantsMorePoses() const;
   /// The device turns itself from pose to pose until there are enough.
   [[nodiscard]] bool isRobotOn() const;
 
@@ -36,6 +36,8 @@ class PoseGuide : public QObject {
   /// The part can't be brought there: advises the next best pose.
   void skipPose();
   void setRobot(bool on);
+  /// The same until the session has so many poses, whether they are wanted or not.
+  void letRobotTake(std::size_t poses);
 
  signals:
   void changed();
@@ -43,6 +45,7 @@ class PoseGuide : public QObject {
   void nextPoseChanged();
 
  private:
+  void startRobot(bool on, std::size_t poses);
   void hear(const CourseEvent& event);
   void advise(const AdviceQuestion& question);
 

@@ -41,7 +41,8 @@ class ResultFiles : public QObject {
   void writeReport(const std::vector<hexoderm::ReportPicture>& pictures, const QString& path);
 
  signals:
-  void exported(const QString& path);
+  /// `left_out`: what of the result is not in the file, in words; empty if nothing.
+  void exported(const QString& path, const QString& left_out);
 
  private:
   const SessionController& controller_;

@@ -75,6 +75,11 @@ std::optional<std::size_t> SessionController::sessionIndexOfPoseRow(int row) con
   return index < poses.size() && poses[index].capture->id == id ? std::optional(index) : indexOf(id);
 }
 
+std::optional<std::size_t> SessionController::indexToRetake() const {
+  if (!session_ || !reconstruction_ || reconstruction_->assessment.retake.empty()) return std::nullopt;
+  return indexOf(reconstruction_->assessment.retake.front());
+}
+
 EditedSession SessionController::edited() {
   return {*session_, [this](const SessionEdit& edit) { file_.record(edit); }};
 }

@@ -57,6 +57,9 @@ class SessionController : public QObject {
   /// Place of a pose of the shown reconstruction among the session's poses, which may be ahead of it.
   [[nodiscard]] std::optional<std::size_t> sessionIndexOfPoseRow(int row) const;
 
+  /// Place among the session's poses of the first one that should be taken again, as the result's assessment says.
+  [[nodiscard]] std::optional<std::size_t> indexToRetake() const;
+
   // For the parts.
 
   void showSession(std::unique_ptr<Session> session, const QString& name, const QString& path);

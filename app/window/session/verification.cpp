@@ -54,26 +54,28 @@ void Verification::runHoldOut(std::shared_ptr<const SessionSnapshot> session, Po
 }
 
 void Verification::setSurface(std::optional<SurfaceKind> kind, std::optional<double> true_radius_m) {
+  wants_surface_ = true;
   surface_kind_ = kind;
   true_radius_m_ = true_radius_m;
-  if (kind) {
-    fitSurface();
-  } else {
-    cancel(VerifyCheck::Surface);
-  }
+  fitSurface();
+}
+
+void Verification::dropSurface() {
+  wants_surface_ = false;
+  cancel(VerifyCheck::Surface);
 }
 
 void Verification::fitSurface() {
-  if (!reconstruction_ || !surface_kind_) return;
+  if (!reconstruction_ || !wants_surface_) return;
   request(VerifyCheck::Surface,
-          [this, seen = reconstruction_, kind = *surface_kind_,
+          [this, seen = reconstruction_, kind = surface_kind_,
            radius = true_radius_m_](const std::stop_token& stop) -> Announcement {
             std::vector<SurfaceEvaluation> surfaces;
             QStringList remarks;
             for (const PatchReconstruction& patch : seen->patches) {
               if (stop.stop_requested()) break;
               try {
-                surfaces.push_back(evaluateSurface(patch, kind, radius));
+                surfaces.push_back(checkSurface(patch, kind, radius));
               } catch (const InvalidArgument& error) {
                 remarks << tr("Patch %1: %2").arg(patch.id.value() + 1).arg(words(error));
               }

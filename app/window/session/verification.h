@@ -31,8 +31,9 @@ class Verification : public QObject {
   void setReconstruction(std::shared_ptr<const Reconstruction> reconstruction);
   /// `session`: as it is now; it is solved with the options of the reconstruction. Nothing happens without one.
   void runHoldOut(std::shared_ptr<const SessionSnapshot> session, PoseId pose);
-  /// No kind: none from now on.
+  /// No kind: the most probable one of each patch.
   void setSurface(std::optional<SurfaceKind> kind, std::optional<double> true_radius_m);
+  void dropSurface();
   /// A calibration, or a session that is then solved with the options of the reconstruction. Stays in force until
   /// dropComparison().
   void compareWith(const QString& path);
@@ -57,6 +58,7 @@ class Verification : public QObject {
   void setRunning(VerifyCheck check, bool running);
 
   std::shared_ptr<const Reconstruction> reconstruction_;
+  bool wants_surface_ = false;
   std::optional<SurfaceKind> surface_kind_;
   std::optional<double> true_radius_m_;
   QString reference_path_;

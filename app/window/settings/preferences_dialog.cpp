@@ -5,6 +5,7 @@
 #include "app/window/toolkit/deferred_dialog.h"
 #include "app/window/toolkit/file_dialog.h"
 #include "hexoderm/util/units.h"
+#include "widgets/controls/typed_values.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -197,6 +198,7 @@ void PreferencesDialog::fillCapture(QFormLayout* form) {
   samples_->setSingleStep(50);
   samples_->setSpecialValueText(tr("automatic"));
   samples_->setKeyboardTracking(false);
+  letTypingReplaceSpecialText(samples_);
   addRow(form, tr("Samples of &each cell"), samples_,
          tr("Automatic takes 100, or what slower cells send in 0.75 s. More take longer and make the mean steadier."));
   auto* when = new QLabel(tr("Limits act from the next connection on."));

@@ -2,7 +2,7 @@
 
 #include "widgets/words/words.h"
 
-#include <QApplication>
+#include <QCoreApplication>
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QTranslator>
@@ -39,7 +39,7 @@ QString folderOfQtsTexts() {
 #endif
 }
 
-void install(QApplication& application, const QString& file) {
+void install(QCoreApplication& application, const QString& file) {
   auto* translator = new QTranslator(&application);
   translator->setObjectName(QLatin1String(kTranslatorName));
   if (translator->load(file)) {
@@ -68,7 +68,7 @@ bool isLanguageChoice(const QString& language) {
   return language == QLatin1String(kSystemLanguage) || shippedLanguages().contains(language);
 }
 
-QString installTranslations(QApplication& application, const QString& language) {
+QString installTranslations(QCoreApplication& application, const QString& language) {
   initTranslationResources();
   const bool is_asked_for = shippedLanguages().contains(language);
   const QString code = is_asked_for ? language : systemLanguage();

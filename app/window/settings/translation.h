@@ -3,7 +3,7 @@
 #include <QString>
 #include <QStringList>
 
-class QApplication;
+class QCoreApplication;
 
 namespace hexoderm {
 
@@ -23,6 +23,6 @@ bool isLanguageChoice(const QString& language);
 /// made: visible texts keep their language. A chosen language brings its way of writing numbers; with "system" (or
 /// anything else) both are the system's, or English if its language is not shipped. Returns the code of the language
 /// that texts are in now.
-QString installTranslations(QApplication& application, const QString& language);
+QString installTranslations(QCoreApplication& application, const QString& language);
 
 }  // namespace hexoderm

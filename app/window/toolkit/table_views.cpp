@@ -69,17 +69,17 @@ void wrapRows(QTableView* view) {
   QObject::connect(view->horizontalHeader(), &QHeaderView::sectionResized, again, [again] { again->start(); });
 }
 
-QWidget* withHint(QTableView* view, const QString& hint) {
-  auto* label = new QLabel(hint);
-  label->setProperty("hint", true);
-  label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  auto* pages = new QStackedWidget;
-  pages->addWidget(view);
-  pages->addWidget(label);
-  const auto choose = [pages, view] { pages->setCurrentIndex(view->model()->rowCount() > 0 ? 0 : 1); };
-  QObject::connect(view->model(), &QAbstractItemModel::modelReset, pages, choose);
+TableOrHint::TableOrHint(QTableView* view, const QString& hint) : hint_(hint), label_(new QLabel(hint)) {
+  label_->setProperty("hint", true);
+  label_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  label_->setWordWrap(true);
+  addWidget(view);
+  addWidget(label_);
+  const auto choose = [this, view] { setCurrentIndex(view->model()->rowCount() > 0 ? 0 : 1); };
+  connect(view->model(), &QAbstractItemModel::modelReset, this, choose);
   choose();
-  return pages;
 }
+
+void TableOrHint::setAwaited(const QString& awaited) { label_->setText(awaited.isEmpty() ? hint_ : awaited); }
 
 }  // namespace hexoderm

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <QStackedWidget>
 #include <QString>
 
 class QAbstractItemModel;
+class QLabel;
 class QTableView;
-class QWidget;
 
 namespace hexoderm {
 
@@ -15,6 +16,16 @@ void stretchColumn(QTableView* view, int column);
 /// Long texts take as many lines as they need, as long as measuring them is quick.
 void wrapRows(QTableView* view);
 /// The table, or a word on why it is empty.
-QWidget* withHint(QTableView* view, const QString& hint);
+class TableOrHint : public QStackedWidget {
+ public:
+  /// Takes over the view.
+  TableOrHint(QTableView* view, const QString& hint);
+  /// What is going on while there is nothing to show, in words, which stand in the hint's place; empty: nothing is.
+  void setAwaited(const QString& awaited);
+
+ private:
+  QString hint_;
+  QLabel* label_;
+};
 
 }  // namespace hexoderm

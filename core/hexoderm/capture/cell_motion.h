@@ -27,10 +27,17 @@ struct CellMotion {
   Eigen::Vector3f mean_g = Eigen::Vector3f::Zero();  ///< in the hold window
   float count = 0;                                   ///< samples in the hold window
   float variance_g2 = 0;                             ///< in the hold window, mean of the axes
-  float white_g2 = -1;     ///< variance within slots, mean of the axes; negative: less than two samples a slot
+  /// Variance of white noise, mean of the axes: within slots, or where a slot holds hardly more than one sample, by the
+  /// differences between neighbouring ones.
+  float white_g2 = 0;
   float whiteness = 0;     ///< variance between slots over what white noise gives: near 1 for noise, more for motion
   float turn_rad2_s2 = 0;  ///< squared drift of the direction, noise included, for 1 g
-  float slope_variance_s2 = 0;   ///< variance of the slope along one axis for white noise of variance 1
+  float slope_variance_s2 = 0;  ///< variance of the slope along one axis for white noise of variance 1
+  /// Variance of the slots' means about the straight line, across gravity, mean of the two axes, as that of a sample.
+  float residual_g2 = 0;
+  /// The same of the means of kBatches parts of the window, over residual_g2: 1 for white noise, more if it is slow,
+  /// less if it is a quick tremor. Negative: slots are too few to tell.
+  float colour = -1;
   std::size_t steady_slots = 0;  ///< newest slots in a row that are near the newest ones
 };
 

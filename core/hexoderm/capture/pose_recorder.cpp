@@ -193,9 +193,9 @@ struct PoseRecorder::State {
       if (std::isfinite(temperature.temperature_c)) temperatures_c[temperature.cell] = temperature.temperature_c;
     }
     if (asked && !window) begin(frame.time_s, true);
-    // The frame that a forced capture begins with belongs to it.
-    if (window) window->add(frame);
     const bool judged = detector.add(frame);
+    // The frame that a forced capture begins with belongs to it.
+    if (window) window->add(detector.newIn(frame));
     if (window && forced && window->isComplete()) {
       finish();
     } else if (judged) {

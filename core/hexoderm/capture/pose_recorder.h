@@ -19,7 +19,7 @@ struct PoseRecorderOptions {
   std::uint32_t samples_per_cell = 0;
   double collect_s = 0.75;
   bool automatic = true;        ///< captures by itself when the part is still and was moved since the last capture
-  bool keep_frames = false;     ///< hands the raw frames over with each capture
+  bool keep_frames = false;     ///< hands the raw frames over with each capture, without repeated readings
   double repeat_angle_rad = 0;  ///< see CapturedPose::repeats; constructor: 10 degrees
   /// Milliseconds since 1970, UTC; empty: the system's clock.
   std::function<std::int64_t()> wall_clock_ms;
@@ -90,6 +90,9 @@ class PoseRecorderListener {
 /// A pose is handed over once every cell heard recently has its samples and the part has stayed still for another 0.1
 /// s, so that the beginning of a motion is not sampled. Cells that fall silent meanwhile are not waited for, and when
 /// more than half of the cells are complete, the others have as long again.
+///
+/// A reading that the device sends several times over counts once (StillnessDetector): repeating it makes no mean
+/// better.
 ///
 /// Frames with the same time are one tick, as long as no cell reads twice in it. Other frames whose time does not
 /// increase are ignored and counted. If nothing else comes for 0.5 s of their own time, the device's clock was set back

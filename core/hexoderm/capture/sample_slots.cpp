@@ -21,36 +21,62 @@ constexpr double kRounding_s = 1e-6;
 }  // namespace
 
 template <class AddTo>
-void SampleSlots::take(CellId cell, const Eigen::Vector3d& value_g, const AddTo& add_to) {
+bool SampleSlots::take(CellId cell, const Eigen::Vector3d& value_g, const AddTo& add_to) {
   const std::size_t k = index_.of(cell);
-  if (k == CellIndex::kNone) return;
+  if (k == CellIndex::kNone) return true;
   const Eigen::Vector3f value = value_g.cast<float>();
   // A comparison with NaN is false.
   const bool is_sane = value.squaredNorm() < kAbsurd_g * kAbsurd_g;
   if (k >= sums_.size()) meet(is_sane ? value : Eigen::Vector3f::Zero());
-  if (!is_sane) return;
+  if (!is_sane) return true;
   Sums& sums = sums_[k];
+  if (!noteChange(sums, value)) return false;
   if (sums.count == 0) ++heard_in_slot_;
   add_to(sums, Eigen::Vector3f(value - sums.base_g));
+  return true;
+}
+
+/// Whether the reading is new.
+bool SampleSlots::noteChange(Sums& sums, const Eigen::Vector3f& value_g) {
+  if (sums.equal > 0 && value_g == sums.last_g) return repeats_.isNew(++sums.equal);
+  if (sums.equal > 0) {
+    for (const float change : (value_g - sums.last_g).cwiseAbs()) {
+      if (change > 0) step_g_ = std::min(step_g_, change);
+    }
+    if (sums.run_is_whole) repeats_.note(sums.equal);
+    sums.run_is_whole = true;
+  }
+  sums.last_g = value_g;
+  sums.equal = 1;
+  return true;
 }
 
 void SampleSlots::takeAll(const SampleFrame& frame) {
+  const bool keeps_new = repeats_.any();
+  if (keeps_new) {
+    new_.time_s = frame.time_s;
+    new_.temperatures = frame.temperatures;
+    new_.samples.clear();
+    new_.means.clear();
+  }
   for (const CellSample& sample : frame.samples) {
-    take(sample.cell, sample.acceleration_g, [](Sums& sums, const Eigen::Vector3f& difference) {
+    const bool is_new = take(sample.cell, sample.acceleration_g, [](Sums& sums, const Eigen::Vector3f& difference) {
       sums.sum_g += difference;
       sums.squares_g2 += difference.squaredNorm();
       sums.count += 1;
     });
+    if (keeps_new && is_new) new_.samples.push_back(sample);
   }
   for (const CellMean& mean : frame.means) {
     if (!isUsable(mean)) continue;
     const float n = static_cast<float>(mean.count);
     const float variance_g2 = static_cast<float>(mean.variance_g2.sum());
-    take(mean.cell, mean.mean_g, [n, variance_g2](Sums& sums, const Eigen::Vector3f& difference) {
+    const bool is_new = take(mean.cell, mean.mean_g, [n, variance_g2](Sums& sums, const Eigen::Vector3f& difference) {
       sums.sum_g += n * difference;
       sums.squares_g2 += n * difference.squaredNorm() + (n - 1) * variance_g2;
       sums.count += n;
     });
+    if (keeps_new && is_new) new_.means.push_back(mean);
   }
 }
 
@@ -77,7 +103,9 @@ SampleSlots::Event SampleSlots::add(const SampleFrame& frame) {
       event = Event::Gap;
     } else {
       usual_step_s_ += 0.1 * (std::min(step_s, kLongestSlot_s) - usual_step_s_);
-      if (endSlotIfDue(frame.time_s)) event = Event::SlotEnded;
+      if (endSlotIfDue(frame.time_s)) event = repeats_.update() ? Event::Gap : Event::SlotEnded;
+      // What was counted so far was counted several times.
+      if (event == Event::Gap) forgetSlots();
     }
   }
   last_s_ = frame.time_s;
@@ -110,7 +138,7 @@ bool SampleSlots::endSlotIfDue(double now_s) {
       const Eigen::Vector3f shift = sums.sum_g / sums.count;
       slot.mean_g = sums.base_g + shift;
       slot.scatter_g2 = std::max(0.0F, sums.squares_g2 - sums.sum_g.dot(shift));
-      sums = {slot.mean_g};
+      clear(sums, slot.mean_g);
     }
     if (isHeard(k)) ++live_;
   }
@@ -120,7 +148,13 @@ bool SampleSlots::endSlotIfDue(double now_s) {
 void SampleSlots::forgetSlots() {
   count_ = 0;
   heard_in_slot_ = 0;
-  for (Sums& sums : sums_) sums = {sums.base_g};
+  for (Sums& sums : sums_) clear(sums, sums.base_g);
+}
+
+void SampleSlots::clear(Sums& sums, const Eigen::Vector3f& base_g) {
+  sums.base_g = base_g;
+  sums.sum_g.setZero();
+  sums.squares_g2 = sums.count = 0;
 }
 
 void SampleSlots::restart() {
@@ -140,11 +174,11 @@ std::size_t SampleSlots::spanning(double span_s, std::size_t least) const {
   return count_ == kSlots ? kSlots : 0;
 }
 
-std::optional<Eigen::Vector3d> SampleSlots::recent_g(std::size_t cell) const {
+std::optional<Eigen::Vector3d> SampleSlots::recent_g(std::size_t cell, double least) const {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double count = 0;
   for (std::size_t n = 0; n < count_; ++n) {
-    if (n > 0 && open_s_ - start_s(n) > kRecent_s + slot_s_ / 2) break;
+    if (n > 0 && (count >= least || count == 0) && open_s_ - start_s(n) > kRecent_s + slot_s_ / 2) break;
     const CellSlot& slot = cells_[cell].slots[at(n)];
     sum += static_cast<double>(slot.count) * slot.mean_g.cast<double>();
     count += static_cast<double>(slot.count);

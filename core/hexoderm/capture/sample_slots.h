@@ -3,25 +3,28 @@
 // Private to capture/: the last seconds of a stream, summed up per cell in slots of time.
 
 #include "hexoderm/capture/cell_index.h"
+#include "hexoderm/capture/repeats.h"
 #include "hexoderm/device/sample_frame.h"
 
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
 namespace hexoderm {
 
-/// A slot takes 50 ms, or as long as it takes until 80 % of the cells have sent something, 1 s at most. The last kSlots
-/// are kept.
-inline constexpr std::size_t kSlots = 32;
+/// A slot takes 50 ms, or as long as it takes until 80 % of the cells have sent something new, 1 s at most. The last
+/// kSlots are kept.
+inline constexpr std::size_t kSlots = 64;
 
 /// One cell in one slot.
 struct CellSlot {
   Eigen::Vector3f mean_g = Eigen::Vector3f::Zero();
   float scatter_g2 = 0;  ///< sum over samples and axes of the squared distance from the mean
-  float count = 0;       ///< samples; 0: none came
+  float count = 0;       ///< samples, each reading counted once; 0: none came
 };
 using CellSlots = std::array<CellSlot, kSlots>;
 
@@ -32,8 +35,11 @@ class SampleSlots {
 
   enum class Event { None, SlotEnded, Gap };
   /// Adds a frame, with the rules of StillnessDetector::add. A frame that ends a slot belongs to the next one; after a
-  /// gap there are no slots.
+  /// gap there are no slots. Readings that were sent before are left out; that they come several times over is found
+  /// within the first few, and counts as a gap.
   Event add(const SampleFrame& frame);
+  /// What was new in the frame that was added last.
+  [[nodiscard]] const SampleFrame& newIn(const SampleFrame& frame) const { return repeats_.any() ? new_ : frame; }
   /// Forgets all slots and the clock, but no cell.
   void restart();
 
@@ -59,8 +65,11 @@ class SampleSlots {
   [[nodiscard]] double slotLength_s() const { return slot_s_; }  ///< length of the latest slots
   /// The number of newest slots that span `span_s`, at least `least`; 0 if there are too few.
   [[nodiscard]] std::size_t spanning(double span_s, std::size_t least) const;
-  /// Mean of about the last 100 ms; nullopt if the cell sent nothing then.
-  [[nodiscard]] std::optional<Eigen::Vector3d> recent_g(std::size_t cell) const;
+  /// Mean of about the last 100 ms, or of the last `least` samples if that takes longer; nullopt if the cell sent
+  /// nothing then.
+  [[nodiscard]] std::optional<Eigen::Vector3d> recent_g(std::size_t cell, double least = 1) const;
+  /// The smallest difference between two readings of a cell that differ; infinite before there are any.
+  [[nodiscard]] float step_g() const { return step_g_; }
 
  private:
   static constexpr double kSlot_s = 0.05;
@@ -71,6 +80,9 @@ class SampleSlots {
     Eigen::Vector3f sum_g = Eigen::Vector3f::Zero();
     float squares_g2 = 0;
     float count = 0;
+    Eigen::Vector3f last_g = Eigen::Vector3f::Zero();
+    std::uint32_t equal = 0;    ///< how often last_g has come in a row
+    bool run_is_whole = false;  ///< its beginning was seen
   };
   struct Cell {
     CellSlots slots;
@@ -78,9 +90,12 @@ class SampleSlots {
     double changed_s = 0;
   };
 
+  /// Returns false for a reading that was sent before.
   template <class AddTo>
-  void take(CellId cell, const Eigen::Vector3d& value_g, const AddTo& add_to);
+  bool take(CellId cell, const Eigen::Vector3d& value_g, const AddTo& add_to);
+  bool noteChange(Sums& sums, const Eigen::Vector3f& value_g);
   void takeAll(const SampleFrame& frame);
+  static void clear(Sums& sums, const Eigen::Vector3f& base_g);
   void meet(const Eigen::Vector3f& first_g);
   bool endSlotIfDue(double now_s);
   void forgetSlots();
@@ -100,6 +115,10 @@ class SampleSlots {
   std::size_t newest_ = kSlots - 1;
   std::size_t count_ = 0;
   double slot_s_ = kSlot_s;
+
+  Repeats repeats_;
+  SampleFrame new_;  ///< of the last frame; only while there are repetitions
+  float step_g_ = std::numeric_limits<float>::infinity();
 };
 
 }  // namespace hexoderm

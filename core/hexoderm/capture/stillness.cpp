@@ -28,6 +28,40 @@ void StillnessOptions::validate() const {
   within(silent_after_s, 0.1, 3600, "silent_after_s");
 }
 
+std::string_view blockerName(Blocker blocker) {
+  switch (blocker) {
+    case Blocker::None:
+      return "none";
+    case Blocker::Waiting:
+      return "waiting";
+    case Blocker::NotMoved:
+      return "not_moved";
+    case Blocker::Turning:
+      return "turning";
+    case Blocker::Shaking:
+      return "shaking";
+    case Blocker::CellTurning:
+      return "cell_turning";
+  }
+  return "";
+}
+
+std::string_view oddCellName(OddCellKind kind) {
+  switch (kind) {
+    case OddCellKind::Dead:
+      return "dead";
+    case OddCellKind::Stuck:
+      return "stuck";
+    case OddCellKind::Noisy:
+      return "noisy";
+    case OddCellKind::Restless:
+      return "restless";
+    case OddCellKind::Silent:
+      return "silent";
+  }
+  return "";
+}
+
 Message describe(const OddCell& odd) {
   switch (odd.kind) {
     case OddCellKind::Dead:

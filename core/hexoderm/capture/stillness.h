@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hexoderm {
@@ -18,7 +19,8 @@ struct StillnessOptions {
   double excess_limit_g = 0.030;  ///< rms per axis beyond a cell's noise floor
   double hold_s = 0.5;            ///< for so long
   double drift_window_s = 0.75;   ///< the drift is that of the last so many seconds, at least hold_s, at most 1.5;
-                                  ///< longer than hold_s, so that tremor of 4 Hz and more is not taken for a turn
+                                  ///< longer than hold_s, so that tremor of 4 Hz and more is not taken for a turn, and
+                                  ///< up to 5 s where noise asks for it
   double rearm_angle_rad = 0;     ///< after a capture, a move by more than this; constructor: 5 degrees
   double release_factor = 1.25;   ///< a still part stays still up to this multiple of the limits
   double quiet_fraction = 0.1;    ///< this share of the cells must be below the excess limit, or ...
@@ -53,12 +55,15 @@ Message describe(const OddCell& odd);
 /// The obstacle that keeps a capture from starting.
 enum class Blocker {
   None,
-  Waiting,      ///< too few samples to judge
+  Waiting,      ///< too few samples to judge, for their number or for how they scatter
   NotMoved,     ///< since the last capture
   Turning,      ///< the whole patch does
   Shaking,      ///< the cells scatter
   CellTurning,  ///< one cell turns against the rest
 };
+/// "none", "waiting", "not_moved", "turning", "shaking", "cell_turning": for files and machines.
+std::string_view blockerName(Blocker blocker);
+std::string_view oddCellName(OddCellKind kind);
 
 /// The detector's judgement, with the numbers behind it.
 struct Stillness {
@@ -73,7 +78,7 @@ struct Stillness {
       0;  ///< time for which the cells have stayed near their present readings; grows before `still` is true
   double window_s = 0;  ///< length of the samples that a judgement needs now
 
-  double drift_rad_s = 0;
+  double drift_rad_s = 0;  ///< 0 where noise leaves no telling
   double drift_limit_rad_s = 0;
   double excess_g = 0;
   double excess_limit_g = 0;
@@ -83,7 +88,7 @@ struct Stillness {
   double moved_rad = 0;      ///< since the last capture
   double rearm_rad = 0;
 
-  double rate_hz = 0;                ///< samples per second and cell, median over the cells
+  double rate_hz = 0;                ///< samples per second and cell, each counted once; median over the cells
   std::size_t cells = 0;             ///< cells heard recently
   std::size_t cells_used = 0;        ///< cells that counted in this judgement
   std::vector<OddCell> odd_cells{};  ///< in order of their IDs

@@ -16,20 +16,28 @@ namespace hexoderm {
 /// judged again by:
 /// - drift: per cell, the slope of the direction over drift_window_s, its squared magnitude less the contribution of
 ///   the cell's noise; over the cells, the median. All cells of a rigid part see gravity turn by the same angle per
-///   second, wherever they are. Where noise would drown the limit (one noisy cell at a low rate) the window grows, up
-///   to 1.5 s. A turn about gravity can't be seen, and adds nothing to a pose.
+///   second, wherever they are. Noise is what the readings show: their deviations from a straight line in this window,
+///   times how much more the means of parts of it scatter (learned while the part does not turn), so that it may be
+///   vibration of any colour. Where it would drown the limit the window grows, up to 5 s, and no further than it must:
+///   before that the part may have moved. A part turns if its drift exceeds the limit by more than noise explains; as
+///   long as there is no telling, the blocker is Waiting. A turn about gravity can't be seen, and adds nothing to a
+///   pose.
 /// - excess: per cell, sqrt(max(0, variance - floor^2)) per axis over hold_s; over the cells, the value that
-///   quiet_fraction of them (quiet_cells, if that is less) stay below. Shaking and turning move all cells alike, and
-///   one moves more than another only because it is further from the hand: on a large part, harmless tremor is 100 mg
-///   at the far end.
+///   quiet_fraction of them (quiet_cells, if that is less) stay below; the limit is higher by two standard errors where
+///   a few samples say little. Shaking and turning move all cells alike, and one moves more than another only because
+///   it is further from the hand: on a large part, harmless tremor is 100 mg at the far end.
 /// - a single cell that turns by more than twice the drift limit while the rest is still, which blocks too, for
 ///   patience_s.
 /// Differences are scaled to 1 g, whatever the norm of a reading: offsets cancel, and the norm never blocks.
 ///
-/// The noise floor of a cell starts from the model's accelerometer (white noise and step) and is learned while the part
-/// is still: quickly down, slowly up, and up only where scatter is white (slot means scatter as little as samples
-/// within slots predict), which motion is not. Where only scatter blocks, and it has been white for 10 s, it is taken
-/// for noise as well: those accelerometers are worse than their model says.
+/// The noise floor of a cell, for the excess, starts from the model's accelerometer (white noise and step) and is
+/// learned while the part is still: quickly down, slowly up, and up only where scatter is white (slot means scatter as
+/// little as samples within slots, or neighbouring samples, predict), which motion is not. Where only
+/// scatter blocks, and it has been white for 10 s, it is taken for noise as well: those accelerometers are worse than
+/// their model says.
+///
+/// A device may send readings several times over (a gateway whose rate is above the cells'): how often shows within the
+/// first few, the judgement begins anew, and each counts once from then on, for the rate and the noise as well.
 ///
 /// Cells that misbehave (OddCell) are named; dead and stuck ones do not count as long as others do. A minority of bad
 /// cells blocks for patience_s at most.
@@ -49,6 +57,9 @@ class StillnessDetector {
   /// of frames) begins a new window. Readings that are not finite or beyond 100 g are ignored, and so are cells beyond
   /// the first 200,000.
   bool add(const SampleFrame& frame);
+
+  /// What was new in the frame that was added last: without the readings that the device had sent before.
+  [[nodiscard]] const SampleFrame& newIn(const SampleFrame& frame) const;
 
   [[nodiscard]] const Stillness& stillness() const;
 

@@ -46,20 +46,21 @@ void CaptureCourse::begin(const Session& session, const SkinDescription& skin) {
 bool CaptureCourse::join(const Session& session, const SkinDescription& skin) {
   if (cellsOf(skin.neighbors) != cellsOf(session.neighbors())) return false;
   begin(session, skin);
-  if (skin.neighbors != session.neighbors()) replaceSkin(skin, true);
+  if (skin.neighbors != session.neighbors()) replaceSkin(skin, {true});
   return true;
 }
 
 void CaptureCourse::describe(const SkinDescription& skin) {
   if (!isOn()) return;
   can_turn_ = skin.can_turn;
-  if (skin.neighbors != session_->neighbors()) replaceSkin(skin, false);
+  const bool other_model = cellModelToJson(*skin.model) != cellModelToJson(session_->model());
+  if (other_model || skin.neighbors != session_->neighbors()) replaceSkin(skin, {false, other_model});
 }
 
-void CaptureCourse::replaceSkin(const SkinDescription& skin, bool on_joining) {
+void CaptureCourse::replaceSkin(const SkinDescription& skin, const SkinChanged& changed) {
   labels_from_.reset();
   owner_.perform({SetSkin{skin.model, skin.neighbors}});
-  owner_.onCourseEvent(SkinChanged{on_joining});
+  owner_.onCourseEvent(changed);
 }
 
 void CaptureCourse::end() {
@@ -71,7 +72,9 @@ void CaptureCourse::end() {
   is_current_ = false;
   recapturing_.reset();
   unreachable_.clear();
+  turns_when_advised_ = false;
   robot_ = false;
+  is_sending_ = true;
   asked_turn_ = 0;
   refusals_ = 0;
   askForAdvice();
@@ -84,11 +87,12 @@ void CaptureCourse::forget() {
   kept_in_ = KeptIn::File;
 }
 
-std::shared_ptr<const PoseCapture> CaptureCourse::labelled(const std::shared_ptr<const PoseCapture>& pose) const {
-  if (!pose->label.empty() || !labels_from_) return pose;
-  auto with_label = std::make_shared<PoseCapture>(*pose);
-  with_label->label = poseLabel(*labels_from_, *pose);
-  return with_label;
+std::shared_ptr<const PoseCapture> CaptureCourse::named(const std::shared_ptr<const PoseCapture>& pose,
+                                                        PoseId id) const {
+  auto with_name = std::make_shared<PoseCapture>(*pose);
+  with_name->id = id;
+  if (with_name->label.empty() && labels_from_) with_name->label = poseLabel(*labels_from_, *pose);
+  return with_name;
 }
 
 std::optional<std::size_t> CaptureCourse::indexOf(PoseId pose) const {
@@ -102,18 +106,21 @@ void CaptureCourse::take(const CapturedPose& captured) {
   if (!isOn()) return;
   const std::optional<std::size_t> replaced = recapturing_ ? indexOf(*recapturing_) : std::nullopt;
   if (!replaced && options_.poses > 0 && session_->poses().size() >= options_.poses) return;
+  const bool keeps_number = replaced && !waiting_.contains(*recapturing_);
+  const PoseId id = keeps_number ? *recapturing_ : session_->nextPoseId();
   PoseTaken taken{captured, {}};
-  AddPose add{{labelled(captured.pose), false}};
+  taken.captured.pose = named(captured.pose, id);
+  AddPose add{{taken.captured.pose, false}};
   if (options_.keep_raw) add.raw = std::make_shared<const std::vector<SampleFrame>>(std::move(taken.captured.frames));
   taken.captured.frames.clear();
   std::vector<SessionEdit> edits;
   if (replaced) {
     taken.replaced = std::exchange(recapturing_, std::nullopt);
+    if (taken.captured.repeats == taken.replaced) taken.captured.repeats.reset();
     edits.emplace_back(RemovePose{*replaced});
     add.index = replaced;
   }
   edits.emplace_back(std::move(add));
-  const PoseId id = captured.pose->id;
   waiting_.insert_or_assign(id, taken.captured);
   owner_.perform(edits);
   owner_.onCourseEvent(taken);
@@ -194,7 +201,11 @@ void CaptureCourse::setAdvice(const AdviceAnswer& answer) {
   next_pose_wanted_ = answer.is_wanted;
   advice_answered_ = answer.number;
   owner_.onCourseEvent(AdviceChanged{});
-  turnIfTime();
+  if (turns_when_advised_) {
+    turnToNextPose();
+  } else {
+    turnIfTime();
+  }
 }
 
 void CaptureCourse::skipPose() {
@@ -213,17 +224,21 @@ void CaptureCourse::recapture(PoseId pose) {
 }
 
 void CaptureCourse::sendTurn(const Eigen::Vector3d& up_o) {
+  turns_when_advised_ = false;
   asked_up_ = up_o;
   asked_turn_ = owner_.send(TurnTo{largestPatch(*result_)->origin, up_o});
 }
 
 void CaptureCourse::turnToNextPose() {
-  if (canTurn() && next_pose_) sendTurn(next_pose_->up);
+  if (!canTurn() || !next_pose_) return;
+  turns_when_advised_ = !is_current_ || advice_answered_ != advice_asked_;
+  if (!turns_when_advised_) sendTurn(next_pose_->up);
 }
 
 void CaptureCourse::turnTo(const Eigen::Vector3d& up_o) {
   if (!canTurn() || !result_ || largestPatch(*result_) == nullptr) return;
   robot_ = false;
+  turns_when_advised_ = false;
   // A refusal of what somebody asked for by hand says nothing about where the robot can turn.
   asked_turn_ = 0;
   owner_.send(TurnTo{largestPatch(*result_)->origin, up_o.normalized()});
@@ -232,7 +247,7 @@ void CaptureCourse::turnTo(const Eigen::Vector3d& up_o) {
 void CaptureCourse::setOutcome(const CommandOutcome& outcome) {
   if (asked_turn_ == 0 || outcome.command != asked_turn_) return;
   asked_turn_ = 0;
-  if (outcome.done) return;
+  if (outcome.done || !is_sending_) return;
   unreachable_.push_back(asked_up_);
   const bool gives_up = ++refusals_ > kMostRefusals;
   if (gives_up) robot_ = false;
@@ -240,18 +255,26 @@ void CaptureCourse::setOutcome(const CommandOutcome& outcome) {
   askForAdvice();
 }
 
-void CaptureCourse::setRobot(bool on) {
+void CaptureCourse::setSending(bool sends) {
+  if (std::exchange(is_sending_, sends) == sends || !sends) return;
+  turnIfTime();
+}
+
+void CaptureCourse::setRobot(bool on, std::size_t poses) {
   robot_ = on && canTurn();
+  robot_poses_ = poses;
   refusals_ = 0;
   finished_ = false;
   finishIfEnough();
   turnIfTime();
 }
 
-bool CaptureCourse::wantsMorePoses(TurnedBy turned_by) const {
+std::size_t CaptureCourse::numberAskedFor() const { return robot_ && robot_poses_ > 0 ? robot_poses_ : options_.poses; }
+
+bool CaptureCourse::wantsMorePoses() const {
   if (!isOn()) return false;
-  if (options_.poses > 0) return session_->poses().size() < options_.poses;
-  return !result_ || !enoughPoses(*result_, turned_by);
+  if (const std::size_t poses = numberAskedFor(); poses > 0) return session_->poses().size() < poses;
+  return !result_ || result_->assessment.wantsPose();
 }
 
 bool CaptureCourse::isSettled() const {
@@ -260,14 +283,16 @@ bool CaptureCourse::isSettled() const {
 
 void CaptureCourse::finishIfEnough() {
   const bool has_end = robot_ || options_.poses > 0;
-  if (!has_end || !isSettled() || wantsMorePoses(robot_ ? TurnedBy::Device : TurnedBy::Hand)) return;
+  if (!has_end || !isSettled()) return;
+  const bool is_too_much = robot_ && numberAskedFor() == 0 && session_->poses().size() >= kMostPosesByItself;
+  if (wantsMorePoses() && !is_too_much) return;
   robot_ = false;
   finished_ = true;
   owner_.onCourseEvent(CourseFinished{});
 }
 
 void CaptureCourse::turnIfTime() {
-  if (robot_ && isSettled() && advice_answered_ == advice_asked_) turnToNextPose();
+  if (robot_ && is_sending_ && isSettled() && advice_answered_ == advice_asked_) turnToNextPose();
 }
 
 }  // namespace hexoderm

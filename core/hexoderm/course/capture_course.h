@@ -42,9 +42,11 @@ struct PoseLost {
 struct FileRefused {
   Message why;
 };
-/// The device describes itself with other links; the session has them now, and its poses stay.
+/// The device describes itself with other links, or with another cell model; the session has them now, and its poses
+/// stay.
 struct SkinChanged {
-  bool on_joining = false;  ///< when it was connected, compared with the session that it joined
+  bool on_joining = false;   ///< when it was connected, compared with the session that it joined
+  bool other_model = false;  ///< its cell model is another one
 };
 /// Everything that the advice for the next pose is computed from.
 struct AdviceQuestion {
@@ -95,7 +97,7 @@ class CaptureOwner {
 };
 
 struct CaptureCourseOptions {
-  std::size_t poses = 0;  ///< poses of the session that are enough; 0: see enoughPoses()
+  std::size_t poses = 0;  ///< poses of the session that are enough; 0: as the result's assessment says
   bool keep_raw = false;  ///< gives the frames of a pose to the file too
   /// How long to wait before a file that can't be written is tried again by tick(). 0: only when the owner tries.
   std::chrono::milliseconds retry_every{0};
@@ -109,7 +111,10 @@ struct CaptureCourseOptions {
 ///
 /// A pose counts as captured once it is on disk (PoseKept), or at once where the operator knowingly works without a
 /// file. Poses are labelled by the origin cell of the first result of the skin, so that their labels do not depend on
-/// how fast results follow.
+/// how fast results follow. They are numbered by the session, whatever number the recorder gave them; one that is
+/// recaptured keeps its number, by which the operator knows it, and is not said to repeat the pose that it replaces.
+/// Only where that pose still waits for the file it gets a number of its own, so that the file's answers can be told
+/// apart.
 ///
 /// A device that turns itself (setRobot()) is asked to as soon as the last pose is on disk, the result is that of the
 /// session as it is, and the advice for it is there. It is not asked before the first pose, which is taken where the
@@ -122,6 +127,9 @@ class CaptureCourse {
   using Clock = std::chrono::steady_clock;
   /// A device that refused so often is not asked any more.
   static constexpr std::size_t kMostRefusals = 10;
+  /// A device that turns itself is stopped after so many poses, whatever the assessment still hopes for: a result that
+  /// is not good by then does not lack poses.
+  static constexpr std::size_t kMostPosesByItself = 12;
 
   /// `owner` must outlive the course.
   explicit CaptureCourse(CaptureOwner& owner, CaptureCourseOptions options = {});
@@ -134,7 +142,7 @@ class CaptureCourse {
   /// Begins with a session that the skin's poses are added to. Returns false, and nothing begins, if it has other
   /// cells. Other links are taken over (SkinChanged).
   bool join(const Session& session, const SkinDescription& skin);
-  /// The skin describes itself again. Other cells or links are taken over (SkinChanged).
+  /// The skin describes itself again. Other cells or links and another cell model are taken over (SkinChanged).
   void describe(const SkinDescription& skin);
   /// The skin is gone. Poses that are being written still become captured.
   void end();
@@ -176,27 +184,36 @@ class CaptureCourse {
 
   /// The device can be asked to turn itself.
   [[nodiscard]] bool canTurn() const { return isOn() && can_turn_; }
-  /// The device turns itself from pose to pose until there are enough. Ignored if it can't.
-  void setRobot(bool on);
+  /// The device turns itself from pose to pose until the session has `poses`, or with 0 until there are enough, as the
+  /// options or the assessment say. Ignored if it can't.
+  void setRobot(bool on, std::size_t poses = 0);
   [[nodiscard]] bool isRobotOn() const { return robot_; }
-  /// Asks the device to turn to the next pose.
+  /// Asks the device to turn to the next pose. While the advice of the latest pose is still to come, as soon as it
+  /// does.
   void turnToNextPose();
   /// Asks the device to turn until `up_o` (frame of the largest patch) points up, and ends the robot's run.
   void turnTo(const Eigen::Vector3d& up_o);
   /// The device's answer.
   void setOutcome(const CommandOutcome& outcome);
+  /// Whether the device sends. One that does not is asked for nothing, and what it leaves undone is no refusal; once it
+  /// sends again, the robot's run goes on.
+  void setSending(bool sends);
 
-  /// Another pose would help: enoughPoses(), or the number that the options ask for, is not reached yet.
-  [[nodiscard]] bool wantsMorePoses(TurnedBy turned_by = TurnedBy::Hand) const;
+  /// Another pose would help, as the result's assessment says; or the number that the robot was given, or that the
+  /// options ask for, is not reached yet.
+  [[nodiscard]] bool wantsMorePoses() const;
   /// The robot, or the number of poses in the options, came to its end, and all poses are on disk; or the file was
   /// given up.
   [[nodiscard]] bool isFinished() const { return finished_; }
 
  private:
   void keep(std::map<PoseId, CapturedPose>::iterator waiting, KeptIn where, const Message& without_raw);
-  void replaceSkin(const SkinDescription& skin, bool on_joining);
-  [[nodiscard]] std::shared_ptr<const PoseCapture> labelled(const std::shared_ptr<const PoseCapture>& pose) const;
+  void replaceSkin(const SkinDescription& skin, const SkinChanged& changed);
+  [[nodiscard]] std::shared_ptr<const PoseCapture> named(const std::shared_ptr<const PoseCapture>& pose,
+                                                         PoseId id) const;
   [[nodiscard]] std::optional<std::size_t> indexOf(PoseId pose) const;
+  /// The number of poses that somebody asked for; 0: nobody did, and the assessment says when there are enough.
+  [[nodiscard]] std::size_t numberAskedFor() const;
   void askForAdvice();
   void sendTurn(const Eigen::Vector3d& up_o);
   /// There are poses, all are on disk, and the result is that of the session as it is.
@@ -225,8 +242,11 @@ class CaptureCourse {
   bool next_pose_wanted_ = false;
   std::uint64_t advice_asked_ = 0;     ///< answers to earlier questions are dropped
   std::uint64_t advice_answered_ = 0;  ///< the question that next_pose_ is from
+  bool turns_when_advised_ = false;
   std::vector<Eigen::Vector3d> unreachable_;
   bool robot_ = false;
+  bool is_sending_ = true;
+  std::size_t robot_poses_ = 0;   ///< the number that the robot was given; 0: none
   std::uint32_t asked_turn_ = 0;  ///< the command whose refusal counts; 0: none
   Eigen::Vector3d asked_up_ = Eigen::Vector3d::Zero();
   std::size_t refusals_ = 0;

@@ -1,15 +1,18 @@
 #pragma once
 
 #include "hexoderm/device/ground_truth.h"
+#include "hexoderm/device/offence.h"
 #include "hexoderm/device/sample_frame.h"
 #include "hexoderm/graph/cell_model.h"
 #include "hexoderm/graph/neighbor_list.h"
 #include "hexoderm/util/message.h"
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace hexoderm {
 
@@ -26,13 +29,16 @@ struct SkinDescription {
 /// State of a source. From Connecting on, every state can follow every other while the source runs.
 enum class SourceState {
   Stopped,
-  Connecting,  ///< also while it waits before the next try; the text says for how long
+  Connecting,  ///< also while it waits before the next try; the text counts the seconds down
   Waiting,     ///< connected; the device has not described itself yet
   Streaming,
   Silent,        ///< connected, but nothing came for a while
   Ended,         ///< the stream is over (end of a recording or of standard input); no more will come
   Incompatible,  ///< the device speaks another major version; no use to try again
 };
+
+/// A source that has not heard anything that makes sense for so long is Silent, unless it is told another time.
+inline constexpr std::chrono::milliseconds kSilentAfter{800};
 
 /// Counters are since start().
 struct SourceStatus {
@@ -45,6 +51,9 @@ struct SourceStatus {
   std::uint64_t rejected_messages = 0;  ///< broken on the way (length, CRC, syntax) or without sense: not delivered
   std::uint64_t reconnects = 0;
   std::uint64_t dropped_by_device = 0;  ///< samples that it could not send, as it said last; since it started itself
+  std::uint64_t skin_changes = 0;       ///< how often it described itself differently; not each is passed on
+  std::uint64_t clock_restarts = 0;     ///< its clock was set back without notice
+  std::vector<Offence> offences{};  ///< what the device does wrong, the first of each kind; told as soon as it comes
 };
 
 /// A device's report about itself while it streams.
@@ -85,13 +94,14 @@ struct CommandOutcome {
 class SkinListener {
  public:
   virtual ~SkinListener() = default;
-  /// Called before the first frame, and again whenever topology or model changed.
+  /// Called before the first frame, and again whenever topology or model changed. A device on a wire that changes many
+  /// times a second is passed on every few seconds (SourceStatus::skin_changes counts all of its changes).
   virtual void onSkin(const SkinDescription& skin) = 0;
   /// Delivers only finite values, and only of cells that onSkin named. Times don't go back, unless the device's clock
   /// started over, which the state before it tells (Connecting) or which happens without notice if a device restarts on
   /// its own. Frames of the same time have no cell in common.
   virtual void onFrame(const SampleFrame& frame) = 0;
-  /// On every change of state, and about twice a second while counters change.
+  /// On every change of state or text, and about twice a second while counters change.
   virtual void onStatus(const SourceStatus& status) = 0;
   virtual void onCommandOutcome(const CommandOutcome& outcome) = 0;
   /// Whenever the device says so, in its place among the frames. Not every device does.

@@ -5,7 +5,10 @@
 
 namespace hexoderm {
 
-using Matrix6d = Eigen::Matrix<double, 6, 6>;
+// Fixed-size matrices that Eigen would align for vector instructions are held without alignment: how strict it is
+// depends on the compiler's flags, and a program's need not be those of this library.
+using Vector2d = Eigen::Matrix<double, 2, 1, Eigen::DontAlign>;
+using Matrix6d = Eigen::Matrix<double, 6, 6, Eigen::DontAlign>;
 
 /// A rigid transform. `T_a_b` maps coordinates in frame b to frame a: x_a = R_a_b x_b + t_a_b, so that chains read
 /// T_o_n = T_o_c * T_c_n (eq. (4) of the paper). Translation in metres.

@@ -23,17 +23,20 @@ struct EdgeProperties {
 };
 using BoostGraph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, VertexProperties, EdgeProperties>;
 
-/// Two directed edges per link that is not muted; vertex k is cell k. Weights of 1 where none are given.
-inline BoostGraph makeBoostGraph(std::span<const GraphCell> cells, std::span<const GraphLink> links,
-                                 std::span<const double> link_weights = {}) {
+/// The two directed edges of a link, between the vertices `source` and `target`.
+inline void addLink(const GraphLink& link, std::size_t index, double weight, std::size_t source, std::size_t target,
+                    BoostGraph& graph) {
+  boost::add_edge(source, target, {index, link.source_port, link.target_port, weight}, graph);
+  boost::add_edge(target, source, {index, link.target_port, link.source_port, weight}, graph);
+}
+
+/// All links that are not muted, each with a weight of 1; vertex k is cell k.
+inline BoostGraph makeBoostGraph(std::span<const GraphCell> cells, std::span<const GraphLink> links) {
   BoostGraph graph(cells.size());
   for (std::size_t k = 0; k < cells.size(); ++k) graph[k] = {cells[k].id, cells[k].patch};
   for (std::size_t k = 0; k < links.size(); ++k) {
     const GraphLink& link = links[k];
-    if (link.muted()) continue;
-    const double weight = link_weights.empty() ? 1.0 : link_weights[k];
-    boost::add_edge(link.source, link.target, {k, link.source_port, link.target_port, weight}, graph);
-    boost::add_edge(link.target, link.source, {k, link.target_port, link.source_port, weight}, graph);
+    if (!link.muted()) addLink(link, k, 1, link.source, link.target, graph);
   }
   return graph;
 }

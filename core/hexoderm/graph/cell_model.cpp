@@ -15,7 +15,9 @@ namespace {
 // Far beyond every skin, and such that squares, and one divided by them, are still numbers.
 constexpr double kLeast = 1e-12;
 constexpr double kMost = 1e9;
-constexpr double kMostCellLength_m = 1e3;
+/// Of any skin for a robot, in metres: whoever writes millimetres is told.
+constexpr double kLeastCellSide_m = 1e-3;
+constexpr double kMostCellLength_m = 1;
 
 /// Direction of a port in the surface: ports lie in the cell's plane but for what a model's vector says.
 Eigen::Vector3d outwardDirection(const Port& port) { return port.vector_m.normalized(); }
@@ -59,9 +61,13 @@ void CellModel::validate() const {
   const auto require = [&](bool holds, const Message& what) {
     if (!holds) throw InvalidArgument(located(message("cell model {}", name), what));
   };
+  const auto within = [&](double value, const std::string& what, double least, double most) {
+    require(value >= least && value <= most,
+            message("{} must be from {} to {}, found {}", what, Number{least}, Number{most}, Number{value}));
+  };
   const auto positive = [&](double value, const std::string& what, double most = kMost) {
     require(value > 0, message("{} must be above 0", what));
-    require(value >= kLeast && value <= most, message("{} must be from {} to {}", what, Number{kLeast}, Number{most}));
+    within(value, what, kLeast, most);
   };
   const auto notNegative = [&](double value, const std::string& what, double most = kMost) {
     require(value >= 0, message("{} must not be negative", what));
@@ -71,7 +77,7 @@ void CellModel::validate() const {
     require(isWithin(T.t, kMostCellLength_m), message("{} must be within {} m", what, Number{kMostCellLength_m}));
   };
   require(!name.empty(), message("name must not be empty"));
-  positive(side_m, "side_m", kMostCellLength_m);
+  within(side_m, "side_m", kLeastCellSide_m, kMostCellLength_m);
   notNegative(thickness_m, "thickness_m", kMostCellLength_m);
   notNegative(gap_m, "gap_m", kMostCellLength_m);
   require(!ports.empty(), message("there must be at least one port"));
@@ -91,6 +97,10 @@ void CellModel::validate() const {
   positive(accelerometer.rate_hz, "accelerometer.rate_hz");
   notNegative(accelerometer.noise_g_per_sqrt_hz, "accelerometer.noise_g_per_sqrt_hz");
   notNegative(accelerometer.offset_sigma_g, "accelerometer.offset_sigma_g");
+  notNegative(accelerometer.shared_offset_sigma_g, "accelerometer.shared_offset_sigma_g");
+  require(accelerometer.shared_offset_sigma_g <= accelerometer.offset_sigma_g,
+          message("accelerometer.shared_offset_sigma_g is a part of offset_sigma_g, so at most {}, found {}",
+                  Number{accelerometer.offset_sigma_g}, Number{accelerometer.shared_offset_sigma_g}));
   notNegative(accelerometer.scale_sigma, "accelerometer.scale_sigma");
   notNegative(accelerometer.cross_axis_sigma, "accelerometer.cross_axis_sigma");
   placed(accelerometer.T_u_a, "accelerometer.t_u_m");

@@ -24,7 +24,10 @@ struct Accelerometer {
   double lsb_g = 0.004;
   double rate_hz = 1000.0;
   double noise_g_per_sqrt_hz = 0.0005;
-  double offset_sigma_g = 0.06;     ///< 1 sigma of the uncalibrated offset, per axis
+  double offset_sigma_g = 0.06;  ///< 1 sigma of the uncalibrated offset, per axis
+  /// 1 sigma, per axis, of the part of the offset that all chips of a lot share; at most offset_sigma_g, which includes
+  /// it. The estimate takes the offsets of a skin's chips as independent, which grants them no less.
+  double shared_offset_sigma_g = 0;
   double scale_sigma = 0.02;        ///< 1 sigma of the relative scale error, per axis
   double cross_axis_sigma = 0.005;  ///< 1 sigma of each off-diagonal element
   SE3 T_u_a;                        ///< placement of the accelerometer in the cell frame

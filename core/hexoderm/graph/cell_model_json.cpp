@@ -3,6 +3,7 @@
 #include "hexoderm/graph/built_in_models.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
+#include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
 #include <Eigen/Geometry>
@@ -36,12 +37,15 @@ void addPlacement(const SE3& T_u, nlohmann::ordered_json& json) {
 }
 
 Accelerometer readAccelerometer(const JsonReader& json) {
+  json.requireKeys({"range_g", "lsb_g", "rate_hz", "noise_g_per_sqrt_hz", "offset_sigma_g", "shared_offset_sigma_g",
+                    "scale_sigma", "cross_axis_sigma", "t_u_m", "q_u_wxyz", kExactRotation});
   Accelerometer a;
   a.range_g = json.at("range_g").positiveNumber();
   a.lsb_g = json.at("lsb_g").nonNegativeNumber();
   a.rate_hz = json.at("rate_hz").positiveNumber();
   a.noise_g_per_sqrt_hz = json.at("noise_g_per_sqrt_hz").nonNegativeNumber();
   a.offset_sigma_g = json.at("offset_sigma_g").nonNegativeNumber();
+  if (const auto sigma = json.find("shared_offset_sigma_g")) a.shared_offset_sigma_g = sigma->nonNegativeNumber();
   a.scale_sigma = json.at("scale_sigma").nonNegativeNumber();
   if (const auto sigma = json.find("cross_axis_sigma")) {
     a.cross_axis_sigma = sigma->nonNegativeNumber();
@@ -58,18 +62,23 @@ Accelerometer readAccelerometer(const JsonReader& json) {
 }  // namespace
 
 CellModel readCellModel(const JsonReader& json) {
+  json.requireKeys({"name", "side_m", "thickness_m", "gap_m", "ports", "interface_id", "accelerometer", "sensors",
+                    "forbidden_port_pairs", "side_angle_rad", "link_sigma_m", "bend_sigma_rad", "twist_sigma_rad",
+                    "yaw_sigma_rad"});
   CellModel model;
   model.name = json.at("name").string();
   model.side_m = json.at("side_m").positiveNumber();
   model.thickness_m = json.at("thickness_m").nonNegativeNumber();
   model.gap_m = json.at("gap_m").nonNegativeNumber();
   for (const JsonReader& port : json.at("ports").items()) {
+    port.requireKeys({"port", "vector_m"});
     model.ports.push_back({PortNumber(port.at("port").unsignedInteger(1)), port.at("vector_m").vector3()});
   }
   model.interface_id = CellId(json.at("interface_id").unsignedInteger(1));
   model.accelerometer = readAccelerometer(json.at("accelerometer"));
   if (const auto sensors = json.find("sensors")) {
     for (const JsonReader& sensor : sensors->items()) {
+      sensor.requireKeys({"name", "type", "t_u_m", "q_u_wxyz", kExactRotation});
       model.sensors.push_back(
           {sensor.at("name").string(), sensor.at("type").string(), readPlacement(sensor, "t_u_m", "q_u_wxyz")});
     }
@@ -122,6 +131,7 @@ nlohmann::ordered_json cellModelJson(const CellModel& model) {
                            {"offset_sigma_g", a.offset_sigma_g},
                            {"scale_sigma", a.scale_sigma},
                            {"cross_axis_sigma", a.cross_axis_sigma}};
+  if (a.shared_offset_sigma_g > 0) json["accelerometer"]["shared_offset_sigma_g"] = a.shared_offset_sigma_g;
   addPlacement(a.T_u_a, json["accelerometer"]);
   json["sensors"] = nlohmann::ordered_json::array();
   for (const CellSensor& sensor : model.sensors) {
@@ -151,7 +161,7 @@ CellModel builtInCellModel(std::string_view name) {
   }
   std::string known;
   for (const std::string& other : builtInCellModelNames()) known += " " + other;
-  throw InvalidArgument(message("there is no built-in cell model \"{}\"; there are:{}", name, known));
+  throw InvalidArgument(message("there is no built-in cell model \"{}\"; there are:{}", excerptOf(name), known));
 }
 
 std::vector<std::string> builtInCellModelNames() {

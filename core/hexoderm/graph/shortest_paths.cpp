@@ -27,35 +27,54 @@ std::vector<double> distancesFrom(const BoostGraph& graph, std::size_t root) {
   return distance;
 }
 
+/// One patch of the skin: vertex k is its k-th cell.
+BoostGraph patchGraph(const SkinGraph& graph, std::span<const double> link_weights, std::size_t patch) {
+  const std::vector<std::size_t>& cells = graph.patches()[patch];
+  BoostGraph boost_graph(cells.size());
+  for (const std::size_t cell : cells) {
+    for (const std::size_t k : graph.linksAt(cell)) {
+      const GraphLink& link = graph.links()[k];
+      if (!link.muted() && link.source == cell) {
+        addLink(link, k, link_weights[k], graph.cells()[cell].place, graph.cells()[link.target].place, boost_graph);
+      }
+    }
+  }
+  return boost_graph;
+}
+
 /// Single-source distances from a few cells, and what they prove about the sums of all others.
 class OriginSearch {
  public:
-  OriginSearch(const BoostGraph& graph, std::span<const std::size_t> cells)
-      : graph_(graph), cells_(cells), bound_(cells.size(), 0), exact_(cells.size(), false) {}
+  /// `eligible`: per cell of the patch; at least one is.
+  OriginSearch(BoostGraph graph, std::vector<bool> eligible)
+      : graph_(std::move(graph)),
+        count_(boost::num_vertices(graph_)),
+        eligible_(std::move(eligible)),
+        bound_(count_, 0),
+        exact_(count_, false) {}
 
   std::size_t run() {
     spreadLandmarks();
     // On a skin whose cells are all alike (a closed torus), the bounds exclude no cell: there the search ends with the
     // best cell found, after as many runs as an operator still perceives as immediate.
     constexpr std::size_t kMostRuns = 500;
-    while (landmarks_.size() < std::min(cells_.size(), kMostRuns)) {
+    while (landmarks_.size() < std::min(count_, kMostRuns)) {
       const std::size_t next = mostPromising();
       if (next == kNoIndex) break;
       evaluate(next);
       cutAt(next);
     }
-    return cells_[best_];
+    return best_;
   }
 
  private:
-  /// Runs Dijkstra from local cell `k`: its exact sum, and one more landmark.
+  /// Runs Dijkstra from vertex `k`: its exact sum, and one more landmark.
   void evaluate(std::size_t k) {
-    const std::vector<double> distance = distancesFrom(graph_, cells_[k]);
-    std::vector<double> local(cells_.size());
-    for (std::size_t v = 0; v < cells_.size(); ++v) local[v] = distance[cells_[v]];
-    const double sum = std::accumulate(local.begin(), local.end(), 0.0);
-    landmarks_.push_back(std::move(local));
+    std::vector<double> distance = distancesFrom(graph_, k);
+    const double sum = std::accumulate(distance.begin(), distance.end(), 0.0);
+    landmarks_.push_back(std::move(distance));
     exact_[k] = true;
+    if (!eligible_[k]) return;
     const bool tie = same(sum, best_sum_);
     if (best_ == kNoIndex || (tie ? k < best_ : sum < best_sum_)) {
       best_ = k;
@@ -66,14 +85,14 @@ class OriginSearch {
   /// Each far from those before: ends of the patch, from which distances tell most.
   void spreadLandmarks() {
     constexpr std::size_t kLandmarks = 8;
-    std::vector<double> nearest(cells_.size(), kInfinity);
+    std::vector<double> nearest(count_, kInfinity);
     std::size_t next = 0;
-    for (std::size_t i = 0; i < std::min(kLandmarks, cells_.size()) && !exact_[next]; ++i) {
+    for (std::size_t i = 0; i < std::min(kLandmarks, count_) && !exact_[next]; ++i) {
       evaluate(next);
-      for (std::size_t v = 0; v < cells_.size(); ++v) nearest[v] = std::min(nearest[v], landmarks_.back()[v]);
+      for (std::size_t v = 0; v < count_; ++v) nearest[v] = std::min(nearest[v], landmarks_.back()[v]);
       next = static_cast<std::size_t>(std::ranges::max_element(nearest) - nearest.begin());
     }
-    cutAt(best_);
+    if (best_ != kNoIndex) cutAt(best_);
   }
 
   /// With sigma_u = +-1 and landmark L(u) chosen so that sigma_u (d_L(k) - d_L(u)) is largest, the triangle inequality
@@ -82,7 +101,7 @@ class OriginSearch {
   void cutAt(std::size_t k) {
     std::vector<double> slope(landmarks_.size(), 0);
     double constant = 0;
-    for (std::size_t u = 0; u < cells_.size(); ++u) {
+    for (std::size_t u = 0; u < count_; ++u) {
       std::size_t chosen = 0;
       double largest = -1;
       for (std::size_t l = 0; l < landmarks_.size(); ++l) {
@@ -96,27 +115,28 @@ class OriginSearch {
       slope[chosen] += sign;
       constant -= sign * landmarks_[chosen][u];
     }
-    std::vector<double> cut(cells_.size(), constant);
+    std::vector<double> cut(count_, constant);
     for (std::size_t l = 0; l < landmarks_.size(); ++l) {
       if (slope[l] == 0) continue;
-      for (std::size_t v = 0; v < cells_.size(); ++v) cut[v] += slope[l] * landmarks_[l][v];
+      for (std::size_t v = 0; v < count_; ++v) cut[v] += slope[l] * landmarks_[l][v];
     }
-    for (std::size_t v = 0; v < cells_.size(); ++v) bound_[v] = std::max(bound_[v], cut[v]);
+    for (std::size_t v = 0; v < count_; ++v) bound_[v] = std::max(bound_[v], cut[v]);
   }
 
   /// The cell with the smallest bound that may still beat the best one; kNoIndex proves the best one optimal.
   [[nodiscard]] std::size_t mostPromising() const {
     std::size_t found = kNoIndex;
-    for (std::size_t v = 0; v < cells_.size(); ++v) {
-      if (exact_[v]) continue;
+    for (std::size_t v = 0; v < count_; ++v) {
+      if (exact_[v] || !eligible_[v]) continue;
       const bool may_win = same(bound_[v], best_sum_) ? v < best_ : bound_[v] < best_sum_;
       if (may_win && (found == kNoIndex || bound_[v] < bound_[found])) found = v;
     }
     return found;
   }
 
-  const BoostGraph& graph_;
-  std::span<const std::size_t> cells_;
+  BoostGraph graph_;
+  std::size_t count_;
+  std::vector<bool> eligible_;
   std::vector<std::vector<double>> landmarks_;
   std::vector<double> bound_;
   std::vector<bool> exact_;
@@ -127,48 +147,50 @@ class OriginSearch {
 }  // namespace
 
 ShortestPaths findShortestPaths(const SkinGraph& graph, std::span<const double> link_weights, std::size_t root) {
-  const BoostGraph boost_graph = makeBoostGraph(graph.cells(), graph.links(), link_weights);
-  const std::size_t count = graph.cells().size();
+  const auto place = [&graph](std::size_t cell) { return graph.cells()[cell].place; };
+  const std::size_t patch = graph.cells()[root].patch.value();
   ShortestPaths paths;
   paths.root = root;
-  paths.distance = distancesFrom(boost_graph, root);
+  paths.distance = distancesFrom(patchGraph(graph, link_weights, patch), place(root));
+  paths.order = graph.patches()[patch];
+  const std::size_t count = paths.order.size();
   paths.predecessor.assign(count, kNoIndex);
   paths.link.assign(count, kNoIndex);
-
-  for (const std::size_t cell : graph.patches()[graph.cells()[root].patch.value()]) paths.order.push_back(cell);
-  std::ranges::sort(paths.order, [&](std::size_t a, std::size_t b) {
-    return std::pair(paths.distance[a], a) < std::pair(paths.distance[b], b);
-  });
+  std::ranges::sort(paths.order, {}, [&](std::size_t cell) { return std::pair(paths.distance[place(cell)], cell); });
 
   // Dijkstra gives the distances. Among equally short paths the choice follows the documented rule, not the heap's
   // order: fewer links first, then the smallest predecessor (cells are in order of their IDs).
   std::vector<std::size_t> hops(count, 0);
   for (const std::size_t cell : paths.order) {
     if (cell == root) continue;
+    const std::size_t here = place(cell);
     for (const std::size_t link_index : graph.linksAt(cell)) {
       const GraphLink& link = graph.links()[link_index];
       if (link.muted()) continue;
       const std::size_t other = link.other(cell);
-      if (paths.distance[other] >= paths.distance[cell] ||
-          !same(paths.distance[other] + link_weights[link_index], paths.distance[cell])) {
+      const double through_other = paths.distance[place(other)];
+      if (through_other >= paths.distance[here] ||
+          !same(through_other + link_weights[link_index], paths.distance[here])) {
         continue;
       }
-      const auto candidate = std::pair(hops[other] + 1, other);
-      if (paths.predecessor[cell] == kNoIndex || candidate < std::pair(hops[cell], paths.predecessor[cell])) {
-        hops[cell] = candidate.first;
-        paths.predecessor[cell] = other;
-        paths.link[cell] = link_index;
+      const auto candidate = std::pair(hops[place(other)] + 1, other);
+      if (paths.predecessor[here] == kNoIndex || candidate < std::pair(hops[here], paths.predecessor[here])) {
+        hops[here] = candidate.first;
+        paths.predecessor[here] = other;
+        paths.link[here] = link_index;
       }
     }
   }
   return paths;
 }
 
-std::size_t findOrigin(const SkinGraph& graph, std::span<const double> link_weights, std::size_t patch) {
+std::size_t findOrigin(const SkinGraph& graph, std::span<const double> link_weights, std::size_t patch,
+                       const std::vector<bool>& eligible) {
   const std::vector<std::size_t>& cells = graph.patches()[patch];
   if (cells.size() == 1) return cells.front();
-  const BoostGraph boost_graph = makeBoostGraph(graph.cells(), graph.links(), link_weights);
-  return OriginSearch(boost_graph, cells).run();
+  const bool any = std::ranges::find(eligible, true) != eligible.end();
+  return cells[OriginSearch(patchGraph(graph, link_weights, patch), any ? eligible : std::vector(cells.size(), true))
+                   .run()];
 }
 
 }  // namespace hexoderm

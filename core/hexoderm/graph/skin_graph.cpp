@@ -37,7 +37,7 @@ class ReportSorter {
         add(FindingCode::DuplicateCell,
             message("Cell {} is listed more than once; only the first entry counts.", report.id), {report.id});
       } else {
-        cells.push_back({report.id, report.body_part, PatchId()});
+        cells.push_back({report.id, report.body_part, PatchId(), 0});
         reports_.push_back(&report);
       }
     }
@@ -292,6 +292,7 @@ void SkinGraph::findPatches() {
   patches_.assign(count, {});
   for (std::size_t k = 0; k < cells_.size(); ++k) {
     cells_[k].patch = PatchId(static_cast<std::uint32_t>(component[k]));
+    cells_[k].place = patches_[component[k]].size();
     patches_[component[k]].push_back(k);
   }
 }

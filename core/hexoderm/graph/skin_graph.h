@@ -16,6 +16,7 @@ struct GraphCell {
   CellId id;
   std::string body_part;
   PatchId patch;
+  std::size_t place = 0;  ///< among the cells of its patch, SkinGraph::patches()[patch]
 };
 
 /// A link joins port to port; it stands for the two directed edges source -> target and back. The source is the end

@@ -1,5 +1,6 @@
-#include "hexoderm/graph/cell_model_json.h"
 #include "hexoderm/io/calibration_json.h"
+
+#include "hexoderm/graph/cell_model_json.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/message_json.h"
 #include "hexoderm/util/units.h"
@@ -156,7 +157,7 @@ Json findingJson(const Finding& finding) {
   return json;
 }
 
-Json verdictJson(const Verdict& verdict) {
+Json verdictJson(const Assessment& verdict) {
   const auto orNull = [](const std::optional<double>& value, double unit) {
     return value ? Json(inUnit(*value, unit)) : Json(nullptr);
   };
@@ -164,6 +165,10 @@ Json verdictJson(const Verdict& verdict) {
   writeMessage(json, "reason", verdict.reason);
   json["position_95_mm"] = orNull(verdict.position_95_m, kMillimetre);
   json["orientation_95_deg"] = orNull(verdict.orientation_95_rad, kDegree);
+  json["limit"] = limitName(verdict.limit);
+  json["limiting_cells"] = idsJson(verdict.limiting_cells);
+  json["remedy"] = remedyName(verdict.remedy);
+  json["retake"] = idsJson(verdict.retake);
   writeMessage(json, "next_action", verdict.next_action);
   return json;
 }
@@ -172,8 +177,8 @@ Json verdictJson(const Verdict& verdict) {
 
 std::string calibrationToJson(const Reconstruction& reconstruction) {
   Json json;
-  json["format"] = "hexoderm-calibration";
-  json["version"] = 1;
+  json["format"] = kCalibrationFormat;
+  json["version"] = kCalibrationVersion;
   json["solver"] = reconstruction.solver;
   // The tree lets both extended port vectors of a link end in one point, eq. (3); an imported file doesn't say.
   if (reconstruction.solver == "tree") json["gap_model"] = gapModelName(GapModel::Pivot);
@@ -189,7 +194,7 @@ std::string calibrationToJson(const Reconstruction& reconstruction) {
   for (const PatchReconstruction& patch : reconstruction.patches) json["patches"].push_back(patchJson(patch));
   json["findings"] = Json::array();
   for (const Finding& finding : reconstruction.findings) json["findings"].push_back(findingJson(finding));
-  json["verdict"] = verdictJson(reconstruction.verdict);
+  json["verdict"] = verdictJson(reconstruction.assessment);
   return dumpReadable(json);
 }
 

@@ -124,11 +124,13 @@ CsvTable covarianceTable(const Reconstruction& reconstruction) {
 }
 
 CsvTable sensorTable(const Reconstruction& reconstruction) {
-  CsvTable table{"sensors.csv", {"patch", "cell", "sensor", "type", "x_m", "y_m", "z_m", "qw", "qx", "qy", "qz"}, {}};
+  CsvTable table{"sensors.csv",
+                 {"patch", "patch_origin_cell", "cell", "sensor", "type", "x_m", "y_m", "z_m", "qw", "qx", "qy", "qz"},
+                 {}};
   for (const PatchReconstruction& patch : reconstruction.patches) {
     for (const CellPlacement& cell : patch.cells) {
       for (const SensorPlacement& sensor : cell.sensors) {
-        Row row{number(patch.id), number(cell.cell), text(sensor.name), text(sensor.type)};
+        Row row{number(patch.id), number(patch.origin), number(cell.cell), text(sensor.name), text(sensor.type)};
         append(row, sensor.T_o_s.t);
         appendRotation(row, sensor.T_o_s.R);
         table.rows.push_back(std::move(row));
@@ -223,7 +225,7 @@ std::string mismatch(const CsvField& field, const std::string& found) {
     return formatExact(*value);
   }
   const auto* text_value = std::get_if<std::string>(&field);
-  const std::string expected = text_value != nullptr ? *text_value : fieldText(field);
+  const std::string expected = text_value != nullptr ? csvHarmless(*text_value) : fieldText(field);
   return found == expected ? std::string() : "\"" + expected + "\"";
 }
 

@@ -22,7 +22,7 @@ struct CsvTable {
 
 /// cells.csv, sensors.csv, links.csv, poses.csv and residuals.csv (links x poses), in metres, degrees and g; and
 /// covariances.csv, each cell's upper triangle (order and frames as in CellPlacement), in metres and radians. A field
-/// is empty where its figure is not known.
+/// is empty where its figure is not known. Rows with a place name the patch and the cell whose frame it is in.
 std::vector<CsvTable> csvTables(const Reconstruction& reconstruction);
 
 /// RFC 4180 quoting, UTF-8, lines ended by a line feed, every number exact.

@@ -1,7 +1,7 @@
 #include "hexoderm/io/export_dot.h"
 
 #include "hexoderm/io/export_support.h"
-#include "hexoderm/io/exporter.h"
+#include "hexoderm/reconstruction/result/quality_colors.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/hex.h"
 #include "hexoderm/util/text.h"
@@ -9,13 +9,13 @@
 #include <algorithm>
 #include <array>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 namespace hexoderm {
 namespace {
 
 constexpr double kInch_m = 0.0254;
-constexpr const char* kMutedColor = "#9A9A9A";
 
 std::string colorName(std::uint32_t rgb) {
   const std::array<std::uint8_t, 3> bytes = {static_cast<std::uint8_t>(rgb >> 16U),
@@ -33,7 +33,7 @@ std::string printable(std::string text) {
 
 DotAttributes linkAttributes(const LinkEstimate& link) {
   DotAttributes attributes;
-  const std::string color = colorName(qualityColor(link.quality, false));
+  const std::string color = colorName(qualityColor(link.quality, Background::Light));
   attributes["tooltip"] = std::string(qualityName(link.quality));
   attributes["color"] = color;
   switch (link.quality) {
@@ -53,7 +53,7 @@ DotAttributes linkAttributes(const LinkEstimate& link) {
   }
   if (link.in_tree) attributes["penwidth"] = "2";
   if (!link.used) {
-    attributes["color"] = kMutedColor;
+    attributes["color"] = colorName(unusedColor(Background::Light));
     attributes["style"] = "dashed";
     attributes["label"] = "x";
     attributes["tooltip"] = "muted";
@@ -239,18 +239,20 @@ DotGraph dotGraph(const Reconstruction& reconstruction) {
                          {"width", width},     {"height", width},   {"fixedsize", "true"},
                          {"margin", "0"},      {"fontsize", "10"},  {"fontname", "sans-serif"}};
   graph.edge_defaults = {{"fontsize", "8"}, {"fontname", "sans-serif"}, {"arrowsize", "0.5"}};
+  std::unordered_set<CellId> cells;
   for (const PatchReconstruction& patch : reconstruction.patches) {
     DotCluster cluster;
     cluster.name = "cluster_" + toString(patch.id);
     cluster.attributes["label"] = "patch " + toString(patch.id) + ", origin cell " + toString(patch.origin);
     for (const CellPlacement& cell : patch.cells) {
+      cells.insert(cell.cell);
       DotNode node{toString(cell.cell), {}};
       node.attributes["label"] = node.name;
       if (!cell.body_part.empty()) node.attributes["label"] += "\n" + printable(cell.body_part);
       if (cell.cell == patch.origin) node.attributes["peripheries"] = "2";
       const auto place = flat.find(cell.cell);
       if (place != flat.end()) {
-        const Eigen::Vector2d& center = place->second->center;
+        const Vector2d& center = place->second->center;
         node.attributes["pos"] = formatExact(center.x() / kInch_m) + "," + formatExact(center.y() / kInch_m) + "!";
       }
       cluster.nodes.push_back(std::move(node));
@@ -259,6 +261,8 @@ DotGraph dotGraph(const Reconstruction& reconstruction) {
   }
   for (const PatchReconstruction& patch : reconstruction.patches) {
     for (const LinkEstimate& link : patch.links) {
+      // Graphviz would make up a cell that is not there, as of a patch that is left out.
+      if (!cells.contains(link.source.cell) || !cells.contains(link.target.cell)) continue;
       const DotAttributes attributes = linkAttributes(link);
       graph.edges.push_back(directedEdge(link.source, link.target, attributes));
       graph.edges.push_back(directedEdge(link.target, link.source, attributes));

@@ -15,6 +15,7 @@ struct ExportMesh {
   std::vector<Eigen::Vector3d> points;
   std::vector<std::vector<std::uint32_t>> polygons;
   std::vector<std::uint32_t> colors;  ///< 0xRRGGBB of each point; empty: the format has none
+  std::string frame;                  ///< frameInWords(), for formats that have comments
 };
 
 /// Bytes of the mesh in a format of Assimp's ("ply", "stlb"). Throws FormatError with Assimp's reason.

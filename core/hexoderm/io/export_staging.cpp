@@ -3,13 +3,8 @@
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/system_reason.h"
+#include "hexoderm/util/temporary_file.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
 #include <system_error>
 #include <utility>
 
@@ -18,48 +13,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path folderOf(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
-
-/// A private folder on the target's file system, gone with everything in it at the end of the scope.
-class TemporaryFolder {
- public:
-  TemporaryFolder(const fs::path& parent, const fs::path& target) {
-    std::string name = (parent / ("." + target.filename().string() + ".XXXXXX")).string();
-    if (::mkdtemp(name.data()) == nullptr) {
-      throw StorageError(located(target.string(), message("cannot be written: {}", systemReason(errno))));
-    }
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
 void renameOver(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::rename(from, to, error);
   if (error) throw StorageError(located(to.string(), message("cannot be replaced: {}", systemReason(error))));
 }
 
-/// Makes a rename last through a power cut; some file systems can't sync a folder, and the rename itself is done.
-void syncFolder(const fs::path& folder) {
-  const int directory = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (directory < 0) return;
-  ::fsync(directory);
-  ::close(directory);
+/// The kind of what has a name, itself if it is a link.
+fs::file_status statusOf(const fs::path& path, bool follow) {
+  std::error_code error;
+  const fs::file_status status = follow ? fs::status(path, error) : fs::symlink_status(path, error);
+  if (status.type() == fs::file_type::none)
+    throw StorageError(located(path.string(), message("cannot be written: {}", systemReason(error))));
+  return status;
+}
+
+void makeFolder(const fs::path& folder, const fs::path& target) {
+  std::error_code error;
+  fs::create_directory(folder, error);
+  if (error) throw StorageError(located(target.string(), message("cannot be written: {}", systemReason(error))));
 }
 
 void writeAndVerify(const StagedFile& file, const fs::path& folder) {
-  const fs::path staged = folder / file.name;
-  writeFileAtomically(staged, file.content);
-  file.verify(readFile(staged));
+  writeFileAtomically(folder / file.name, file.content, file.verify);
 }
 
 /// Puts back what was there before, unless told that all went well.
@@ -81,10 +57,14 @@ class Replacements {
   Replacements& operator=(const Replacements&) = delete;
 
   void replace(const fs::path& staged, const fs::path& target) {
-    const bool had_earlier = fs::exists(target);
+    const fs::file_status earlier = statusOf(target, false);
+    const bool had_earlier = fs::exists(earlier);
     if (had_earlier) {
+      if (!fs::is_regular_file(earlier))
+        throw StorageError(located(target.string(), message("is not a file, and is not replaced by one")));
       std::error_code error;
       fs::copy_file(target, backups_ / target.filename(), error);
+      if (!error) fs::permissions(staged, earlier.permissions() & fs::perms::all, error);
       if (error) throw StorageError(located(target.string(), message("cannot be replaced: {}", systemReason(error))));
     }
     renameOver(staged, target);
@@ -104,28 +84,19 @@ class Replacements {
 
 }  // namespace
 
-void publishFile(const fs::path& path, std::string content, VerifyBytes verify) {
-  if (fs::is_directory(path))
-    throw StorageError(located(path.string(), message("is a folder, cannot be written as a file")));
-  const TemporaryFolder temporary(folderOf(path), path);
-  const StagedFile file{path.filename().string(), std::move(content), std::move(verify)};
-  writeAndVerify(file, temporary.path());
-  renameOver(temporary.path() / file.name, path);
-  syncFolder(folderOf(path));
-}
-
 std::vector<fs::path> publishFolder(const fs::path& folder, const std::vector<StagedFile>& files) {
   const fs::path target = folder.has_filename() ? folder : folder.parent_path();  // "out/" means "out"
-  const bool there = fs::exists(target);
-  if (there && !fs::is_directory(target))
+  const fs::file_status status = statusOf(target, true);
+  const bool there = fs::exists(status);
+  if (there && !fs::is_directory(status))
     throw StorageError(located(target.string(), message("is a file, expected a folder")));
 
-  const TemporaryFolder temporary(there ? target : folderOf(target), target);
+  const TemporaryFolder temporary(there ? target : folderOf(target), target.string());
   // The temporary folder is private; these become the user's and follow the umask.
   const fs::path staged = temporary.path() / "new";
   const fs::path backups = temporary.path() / "old";
-  fs::create_directory(staged);
-  fs::create_directory(backups);
+  makeFolder(staged, target);
+  makeFolder(backups, target);
   std::vector<fs::path> paths;
   for (const StagedFile& file : files) {
     writeAndVerify(file, staged);

@@ -1,14 +1,12 @@
 #pragma once
 
+#include "hexoderm/util/file.h"
+
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
 namespace hexoderm {
-
-/// Checks the bytes of a file as read back from the disk; throws FormatError if they are not what was meant.
-using VerifyBytes = std::function<void(const std::string& bytes)>;
 
 struct StagedFile {
   std::string name;  ///< without folders
@@ -16,13 +14,11 @@ struct StagedFile {
   VerifyBytes verify;
 };
 
-/// Writes the content into a temporary folder beside `path`, reads it back, verifies it, and only then renames it to
-/// `path`. On any failure an earlier file of that name stays as it was and nothing else is left. Throws StorageError
-/// and what `verify` throws.
-void publishFile(const std::filesystem::path& path, std::string content, VerifyBytes verify);
-
-/// Publishes the files of a folder in the same way, all or none. A missing folder is made; other files in an existing
-/// one are not touched. Returns the paths of the files, in their order.
+/// Writes the files of a folder, all or none: into a temporary folder beside or in it, where each is read back and
+/// verified, and only then renamed to their places. On any failure the earlier files stay as they were and nothing else
+/// is left; the rights of files that are replaced stay. A missing folder is made; other files in an existing one are
+/// not touched. Whatever has the name of one of the files and is no file, a link included, is refused. Returns the
+/// paths of the files, in their order. Throws StorageError and what a `verify` throws.
 std::vector<std::filesystem::path> publishFolder(const std::filesystem::path& folder,
                                                  const std::vector<StagedFile>& files);
 

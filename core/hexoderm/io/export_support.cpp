@@ -20,6 +20,11 @@ std::unordered_map<CellId, EdgeQuality> worstUsedQuality(const Reconstruction& r
   return worst;
 }
 
+std::string frameInWords(const Reconstruction& reconstruction) {
+  if (reconstruction.patches.size() != 1) return "each patch in the frame of its origin cell";
+  return "in the frame of cell " + toString(reconstruction.patches.front().origin) + ", the origin of the patch";
+}
+
 SE3 rigid(const SE3& T) { return {projectToSO3(T.R), T.t}; }
 
 void requireMeant(bool holds, const std::string& file, const std::string& what) {

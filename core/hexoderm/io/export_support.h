@@ -2,7 +2,6 @@
 
 #include "hexoderm/reconstruction/result/reconstruction.h"
 
-#include <cstdint>
 #include <string>
 #include <unordered_map>
 
@@ -11,11 +10,11 @@ namespace hexoderm {
 // Functions shared by the exporters. Each exporter is a pair of functions: one makes the bytes of the file, the other
 // reads bytes back and throws FormatError unless they hold the intended content.
 
-/// The colour of a cell without a used link, 0xRRGGBB.
-inline constexpr std::uint32_t kNoLinkColor = 0x9A9A9A;
-
 /// Class of each cell's worst used link; cells without a used link are not in the map.
 std::unordered_map<CellId, EdgeQuality> worstUsedQuality(const Reconstruction& reconstruction);
+
+/// The frame of the points, for files that say it: "in the frame of cell 7, the origin of the patch".
+std::string frameInWords(const Reconstruction& reconstruction);
 
 /// The placement with its rotation made orthogonal to rounding: files may state rotations with few decimals, and
 /// quaternions and angles can only say true ones.

@@ -1,6 +1,7 @@
 #include "hexoderm/io/export_urdf.h"
 
 #include "hexoderm/io/export_support.h"
+#include "hexoderm/reconstruction/result/quality_colors.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
 
@@ -57,9 +58,9 @@ std::vector<Material> materials() {
   std::vector<Material> list;
   for (const EdgeQuality quality :
        {EdgeQuality::Undefined, EdgeQuality::Partially, EdgeQuality::Fully, EdgeQuality::Over}) {
-    list.push_back({kMaterialPrefix + std::string(qualityName(quality)), qualityColor(quality, false)});
+    list.push_back({kMaterialPrefix + std::string(qualityName(quality)), qualityColor(quality, Background::Light)});
   }
-  list.push_back({kMaterialPrefix + std::string("no_link"), kNoLinkColor});
+  list.push_back({kMaterialPrefix + std::string("no_link"), unusedColor(Background::Light)});
   return list;
 }
 
@@ -214,8 +215,8 @@ std::string urdfBytes(const UrdfModel& model) {
   robot.append_attribute("name") = model.robot.c_str();
   robot.append_child(pugi::node_comment)
       .set_value(
-          " Metres and radians. Each patch has a link of its own, in the frame of its origin cell, joined to the "
-          "parent link without any offset: placing it on the robot is up to you. ");
+          " Metres and radians. The patch has a link of its own, in the frame of its origin cell, joined to the parent "
+          "link without any offset: placing it on the robot is up to you. ");
   for (const Material& material : materials()) {
     pugi::xml_node node = robot.append_child("material");
     node.append_attribute("name") = material.name.c_str();

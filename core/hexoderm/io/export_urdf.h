@@ -37,9 +37,10 @@ struct UrdfModel {
   std::vector<UrdfSensor> sensors;
 };
 
-/// parent link -> PREFIXpatchK -> PREFIXcellN -> PREFIXcellN_SENSOR, all joints fixed and named after their child. With
-/// one link per patch the cells are its visuals and the sensors are <sensor> elements. Throws InvalidArgument if the
-/// parent link's name is also that of a link made here.
+/// parent link -> PREFIXpatchK -> PREFIXcellN -> PREFIXcellN_SENSOR, all joints fixed and named after their child. Of
+/// several patches the frames would coincide: exportReconstruction() gives it one. With one link per patch the cells
+/// are its visuals and the sensors are <sensor> elements. Throws InvalidArgument if the parent link's name is also that
+/// of a link made here.
 UrdfModel urdfModel(const Reconstruction& reconstruction, const ExportOptions& options);
 
 std::string urdfBytes(const UrdfModel& model);

@@ -230,10 +230,10 @@ VtpData vtpData(const Reconstruction& reconstruction) {
   data.verts = verts.offsets.size();
   data.polys = polys.offsets.size();
   data.field_data = {textArray("units", "positions in metres, rotations in radians"),
-                     textArray("frame", "each patch in the frame of its origin cell"),
+                     textArray("frame", frameInWords(reconstruction)),
                      textArray("cell_model", reconstruction.model->name),
                      textArray("solver", reconstruction.solver),
-                     textArray("verdict", std::string(verdictName(reconstruction.verdict.level))),
+                     textArray("verdict", std::string(verdictName(reconstruction.assessment.level))),
                      textArray("source", reconstruction.source.text.english()),
                      textArray("source_file", reconstruction.source.file),
                      textArray("source_sha256", reconstruction.source.sha256),

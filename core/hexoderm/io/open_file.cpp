@@ -10,22 +10,31 @@
 
 #include <array>
 #include <fstream>
+#include <system_error>
 
 namespace hexoderm {
 namespace {
 
 Message expected() {
   return message(
-      "expected a Hexoderm session (*.hexo, or format \"hexoderm-session\"), a calibration (format "
-      "\"hexoderm-calibration\") or a TUM SkinConfig XML");
+      "expected a Hexoderm session (*.hexo, or format \"{}\"), a calibration (format \"{}\") or a TUM SkinConfig XML",
+      kSessionFormat, kCalibrationFormat);
 }
 
-/// Told by its first bytes alone, as it may be very large.
-bool isRecording(const std::filesystem::path& path) {
-  constexpr std::string_view kBegins = "SKINREC";
-  std::array<char, kBegins.size()> first{};
+constexpr std::string_view kRecordingBegins = "SKINREC";
+
+[[noreturn]] void refuseRecording(const std::filesystem::path& path) {
+  throw FormatError(
+      located(path.string(), message("is a recording, which is not opened but played: connect to it as replay:FILE")));
+}
+
+/// Told by its first bytes alone, as it may be very large. A pipe is left as it is: it can be read only once.
+bool isRecordingFile(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
+  std::array<char, kRecordingBegins.size()> first{};
   std::ifstream file(path, std::ios::binary);
-  return file.read(first.data(), first.size()) && std::string_view(first.data(), first.size()) == kBegins;
+  return file.read(first.data(), first.size()) && std::string_view(first.data(), first.size()) == kRecordingBegins;
 }
 
 /// The first character that says something: byte order mark and white space skipped, 0 if there is none.
@@ -38,17 +47,19 @@ char firstCharacter(std::string_view text) {
 
 }  // namespace
 
-OpenedFile openFile(const std::filesystem::path& path, const CellModel& model_for_tum) {
+OpenedFile openFile(const std::filesystem::path& path, const CellModel& model_for_tum, TumAs tum) {
   if (isSessionStore(path)) return readSessionStore(path);
-  if (isRecording(path)) {
-    throw FormatError(located(path.string(),
-                              message("is a recording, which is not opened but played: connect to it as replay:FILE")));
-  }
+  if (isRecordingFile(path)) refuseRecording(path);
   const std::string text = readFile(path);
   const std::string file = path.string();
+  if (beginsAsSessionStore(text)) return parseSessionStore(text, file);
+  if (text.starts_with(kRecordingBegins)) refuseRecording(path);
   switch (firstCharacter(text)) {
-    case '<':
-      return calibrationFromTum(parseTumXml(text, file), model_for_tum, file);
+    case '<': {
+      const TumSkinConfig config = parseTumXml(text, file);
+      if (tum == TumAs::Session) return sessionFromTum(config, model_for_tum, file);
+      return calibrationFromTum(config, model_for_tum, file);
+    }
     case '{':
       break;
     case '\0':
@@ -57,8 +68,8 @@ OpenedFile openFile(const std::filesystem::path& path, const CellModel& model_fo
       throw FormatError(located(file, message("is none of the files that Hexoderm reads, {}", expected())));
   }
   const std::optional<std::string> format = findJsonFormat(text);
-  if (format == "hexoderm-session") return parseSessionJson(text, file);
-  if (format == "hexoderm-calibration") return parseCalibrationJson(text, file);
+  if (format == kSessionFormat) return parseSessionJson(text, file);
+  if (format == kCalibrationFormat) return parseCalibrationJson(text, file);
   if (!format) static_cast<void>(parseJson(text, file));  // a text that is not even JSON is reported first
   throw FormatError(located(file, located("format", format ? message("{}, found \"{}\"", expected(), *format)
                                                            : message("{}, but there is none", expected()))));

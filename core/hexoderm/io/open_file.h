@@ -12,9 +12,13 @@ namespace hexoderm {
 /// The content of a file: a session to solve, or a finished calibration.
 using OpenedFile = std::variant<Session, std::shared_ptr<const Reconstruction>>;
 
+/// What becomes of a TUM SkinConfig: its placements as a calibration, or its topology as a session.
+enum class TumAs { Calibration, Session };
+
 /// Opens any file Hexoderm reads, told apart by its content: session store, session JSON, calibration JSON, TUM
-/// SkinConfig XML (as a calibration). Changes nothing. Throws StorageError or FormatError.
-OpenedFile openFile(const std::filesystem::path& path, const CellModel& model_for_tum);
+/// SkinConfig XML. Changes nothing. What is no regular file, such as a pipe, is opened and read once, to the limit of
+/// readFile(). Throws StorageError or FormatError.
+OpenedFile openFile(const std::filesystem::path& path, const CellModel& model_for_tum, TumAs tum = TumAs::Calibration);
 
 /// Whether a name is that of a session: *.hexo or *.session.json.
 bool isSessionFileName(const std::filesystem::path& path);

@@ -1,11 +1,14 @@
 #include "hexoderm/io/session_json.h"
 
+#include "hexoderm/device/diagnosis/plausibility.h"
+#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/graph/cell_model_json.h"
 #include "hexoderm/session/session_parts_json.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/json_reader.h"
 #include "hexoderm/util/limits.h"
+#include "hexoderm/util/median.h"
 #include "hexoderm/util/message_json.h"
 #include "hexoderm/util/sha256.h"
 
@@ -16,9 +19,6 @@ namespace hexoderm {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr std::string_view kFormat = "hexoderm-session";
-constexpr std::uint32_t kVersion = 1;
 
 CellModel readModel(const JsonReader& json) {
   if (json.isObject()) return readCellModel(json);
@@ -38,6 +38,7 @@ Eigen::Matrix3d readCovariance(const JsonReader& json) {
   if (v[0] < 0 || v[3] < 0 || v[5] < 0) json.fail(message("variances (xx, yy, zz) of at least 0"));
   Eigen::Matrix3d cov_g2;
   cov_g2 << v[0], v[1], v[2], v[1], v[3], v[4], v[2], v[4], v[5];
+  if (!isCovariance(cov_g2)) json.fail(message("a covariance (positive semidefinite)"));
   return cov_g2;
 }
 
@@ -60,6 +61,20 @@ SessionPose readPose(const JsonReader& json) {
   const auto why = json.find("why_disabled");
   return {std::make_shared<const PoseCapture>(std::move(capture)), disabled && disabled->boolean(),
           why ? why->string() : std::string()};
+}
+
+/// Somebody's program wrote another unit: no reading would count, and nothing would say why. Throws FormatError.
+void requireG(const Session& session, const std::string& file) {
+  std::vector<double> norms;
+  std::optional<std::size_t> first;
+  for (std::size_t pose = 0; pose < session.poses().size(); ++pose) {
+    for (const GravitySample& sample : session.poses()[pose].capture->samples) norms.push_back(sample.mean_g.norm());
+    if (!first && !norms.empty()) first = pose;
+  }
+  if (!first) return;
+  const std::string place = "poses[" + std::to_string(*first) + "].samples[0].mean_g";
+  const std::optional<Offence> offence = offenceOfNorm(median(norms), session.model().accelerometer, place.c_str());
+  if (offence && offence->kind == OffenceKind::AccelerationUnit) throw FormatError(located(file, offence->reason));
 }
 
 Json modelJson(const CellModel& model) {
@@ -103,7 +118,7 @@ Json poseJson(const SessionPose& pose) {
 Session parseSessionJson(std::string_view text, const std::string& file) {
   const nlohmann::json document = parseJson(text, file);
   const JsonReader json(document, file);
-  json.requireFormat(kFormat, kVersion);
+  json.requireFormat(kSessionFormat, kSessionVersion);
 
   SourceDescription source{{}, std::filesystem::path(file).filename().string(), sha256Hex(text)};
   if (json.find("description")) source.text = readMessage(json, "description");
@@ -111,6 +126,7 @@ Session parseSessionJson(std::string_view text, const std::string& file) {
   NeighborList neighbors = readNeighbors(json.at("cells"));
   Session session(std::move(model), std::move(neighbors), std::move(source));
   for (const JsonReader& pose : json.at("poses").items()) session.addPose(readPose(pose));
+  requireG(session, file);
   if (const auto muted = json.find("muted_links")) {
     for (const JsonReader& item : muted->items()) {
       const MutedLink link = readMutedLink(item);
@@ -126,8 +142,8 @@ Session readSessionJson(const std::filesystem::path& path) { return parseSession
 
 std::string sessionToJson(const Session& session) {
   Json json;
-  json["format"] = kFormat;
-  json["version"] = kVersion;
+  json["format"] = kSessionFormat;
+  json["version"] = kSessionVersion;
   if (!session.source().text.empty()) writeMessage(json, "description", session.source().text);
   json["cell_model"] = modelJson(session.model());
   json["cells"] = neighborsJson(session.neighbors());

@@ -108,7 +108,7 @@ class Importer {
     estimate.twist_rad = angles.twist_rad;
     estimate.yaw_rad = angles.yaw_rad;
     if (estimate.used) {
-      std::ranges::move(judgeLinkAngles(angles, estimate.source, estimate.target, SolverOptions{}, 0),
+      std::ranges::move(judgeLinkAngles(angles, estimate.source, estimate.target, model_, SolverOptions{}, {}),
                         std::back_inserter(findings_));
     }
     return estimate;
@@ -135,9 +135,9 @@ std::shared_ptr<const Reconstruction> calibrationFromTum(const TumSkinConfig& co
   Importer importer(config, *result.model);
   result.patches = importer.patches();
   result.findings = importer.takeFindings();
-  result.verdict.level = VerdictLevel::Usable;
-  result.verdict.reason = message("Imported placements; nothing was measured here.");
-  result.verdict.next_action = message("Check the findings, then export, or take poses of this skin to measure it.");
+  result.assessment.level = VerdictLevel::Usable;
+  result.assessment.reason = message("Imported placements; nothing was measured here.");
+  result.assessment.next_action = message("Check the findings, then export, or take poses of this skin to measure it.");
   result.layout = computeFlatLayout(*result.model, result.patches);
   return std::make_shared<const Reconstruction>(std::move(result));
 }

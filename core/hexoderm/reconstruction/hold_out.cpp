@@ -96,7 +96,7 @@ class HoldOut {
         table_(everything_, graph_, ignored_) {
     for (std::size_t k = 0; k < snapshot.poses.size(); ++k) place_of_.emplace(snapshot.poses[k].capture->id, k);
     left_out_ = place_of_.at(pose);
-    stillest_ = stillestPose();
+    noise_g2_ = noiseOfCells();
   }
 
   void evaluate(const PatchReconstruction& patch, HoldOutResult& result) const {
@@ -160,6 +160,7 @@ class HoldOut {
 
     std::vector<CellReading> readings;
     std::vector<Eigen::Vector3d> forces;
+    std::vector<double> scatter_g2;
     for (const GravityDirection& gravity : patch.gravity) {
       const auto place = place_of_.find(gravity.pose);
       if (place == place_of_.end() || !table_.at(*index, place->second).usable) continue;
@@ -169,6 +170,7 @@ class HoldOut {
                         : gravity.g_o;
       forces.emplace_back(R_a_o * force_o);
       readings.push_back({readings.size(), R_a_u * reading.mean_g, reading.variance_g2});
+      scatter_g2.push_back(ownVariance(*index, place->second));
     }
     if (readings.empty()) return std::nullopt;
     AccelerometerFit fit;
@@ -177,51 +179,79 @@ class HoldOut {
     const Eigen::Matrix3d inverse = fit.gain.inverse();
     const Eigen::Vector3d v = inverse * (R_a_u * entry.mean_g - fit.offset_g);
     if (!v.allFinite() || v.norm() < kShortest_g) return std::nullopt;
-    const double scatter_g2 = ownVariance(*index);
     const Jacobian J = readingJacobian(fit.gain, v.normalized());
     Eigen::Matrix3d covariance = J * unknownsCovariance(cell, readings, forces, fit.gain, scatter_g2) * J.transpose();
-    covariance.diagonal().array() += scatter_g2;
+    covariance.diagonal().array() += ownVariance(*index, left_out_);
     const Eigen::Matrix3d to_o = R_a_o.transpose() * inverse;
     return Seen{cell.cell, cell.T_o_u.t, R_a_o.transpose() * v, to_o * covariance * to_o.transpose()};
   }
 
-  /// The pose in which the skin as a whole scattered least: a cell's scatter holds a hand's tremor as well as the
-  /// sensor's own noise, and this is the pose with the least of it.
-  [[nodiscard]] std::optional<std::size_t> stillestPose() const {
-    std::optional<std::size_t> stillest;
-    double least = 0;
+  /// A pose's scatter of single samples: the median over its cells, and its standard error as a share of it.
+  struct PoseScatter {
+    std::size_t pose = 0;
+    double median_g2 = 0;
+    double error = 0;
+  };
+  [[nodiscard]] std::vector<PoseScatter> scatterOfPoses() const {
+    constexpr double kMedianError = 1.25;  // of a median over that of a mean
+    std::vector<PoseScatter> poses;
     for (std::size_t pose = 0; pose < table_.poseCount(); ++pose) {
       std::vector<double> scatter;
+      double freedom = 0;
       for (std::size_t cell = 0; cell < table_.cellCount(); ++cell) {
         const GravityTable::Entry& entry = table_.at(cell, pose);
-        if (entry.usable && entry.own_variance_g2 > 0) scatter.push_back(entry.own_variance_g2);
+        if (!entry.usable || !(entry.own_variance_g2 > 0)) continue;
+        scatter.push_back(entry.own_variance_g2 * entry.count);
+        freedom += 3 * std::max(1.0, entry.count - 1);
       }
-      if (scatter.empty()) continue;
-      const double usual = median(std::move(scatter));
-      if (!stillest || usual < least) {
-        stillest = pose;
-        least = usual;
-      }
+      if (!scatter.empty()) poses.push_back({pose, median(std::move(scatter)), kMedianError * std::sqrt(2 / freedom)});
     }
-    return stillest;
+    return poses;
   }
 
-  /// Variance that the sensor's own noise leaves in a mean of a cell, per axis, without tremor.
-  [[nodiscard]] double ownVariance(std::size_t cell) const {
-    constexpr double kLeast_g2 = 1e-12;  // a model may have neither noise nor steps
-    double least = table_.at(cell, left_out_).own_variance_g2;
-    if (stillest_ && table_.at(cell, *stillest_).usable) {
-      least = std::min(least, table_.at(cell, *stillest_).own_variance_g2);
+  /// Variance of one sample per cell in the poses in which the skin as a whole scattered least: a cell's scatter holds
+  /// a hand's tremor as well as the sensor's own noise, and these are the poses with the least of it. Poses that differ
+  /// from the stillest one only by chance count too: a short one alone would say little. 0 for a cell without readings
+  /// there.
+  [[nodiscard]] std::vector<double> noiseOfCells() const {
+    constexpr double kByChance = 3;  // standard errors
+    std::vector<double> noise_g2(table_.cellCount(), 0);
+    std::vector<double> freedom(table_.cellCount(), 0);
+    const std::vector<PoseScatter> poses = scatterOfPoses();
+    const auto stillest = std::ranges::min_element(poses, {}, &PoseScatter::median_g2);
+    for (const PoseScatter& pose : poses) {
+      const double chance = 1 + kByChance * std::hypot(pose.error, stillest->error);
+      if (pose.median_g2 > chance * stillest->median_g2) continue;
+      for (std::size_t cell = 0; cell < table_.cellCount(); ++cell) {
+        const GravityTable::Entry& entry = table_.at(cell, pose.pose);
+        if (!entry.usable) continue;
+        const double weight = std::max(1.0, entry.count - 1);
+        noise_g2[cell] += weight * entry.own_variance_g2 * entry.count;
+        freedom[cell] += weight;
+      }
     }
-    return std::max(least, kLeast_g2);
+    for (std::size_t cell = 0; cell < noise_g2.size(); ++cell) {
+      if (freedom[cell] > 0) noise_g2[cell] /= freedom[cell];
+    }
+    return noise_g2;
+  }
+
+  /// Variance that the sensor's own noise leaves in a mean of a cell, per axis, without tremor: it falls with the
+  /// length of the window.
+  [[nodiscard]] double ownVariance(std::size_t cell, std::size_t pose) const {
+    constexpr double kLeast_g2 = 1e-12;  // a model may have neither noise nor steps
+    const GravityTable::Entry& entry = table_.at(cell, pose);
+    const double own_g2 = noise_g2_[cell] > 0 ? noise_g2_[cell] / entry.count : entry.own_variance_g2;
+    return std::max(own_g2, kLeast_g2);
   }
 
   /// Errors of the attitude and of the sensor's fit. The solver weighs readings as if each had a hand's tremor to
-  /// itself (GravityTable), and they scatter by `scatter_g2` about the motion that all cells share: with the solver's
-  /// information A, its priors' L and the readings' N = A - L, the errors are A^-1 (L + scatter N / variance) A^-1.
+  /// itself (GravityTable), and each scatters by its `scatter_g2` about the motion that all cells share: with the
+  /// solver's information A, its priors' L and the readings' N = A - L, the errors are A^-1 (L + sum scatter N /
+  /// variance) A^-1.
   [[nodiscard]] Information unknownsCovariance(const CellPlacement& cell, const std::vector<CellReading>& readings,
                                                const std::vector<Eigen::Vector3d>& forces, const Eigen::Matrix3d& gain,
-                                               double scatter_g2) const {
+                                               const std::vector<double>& scatter_g2) const {
     Information information = Information::Zero();
     information.topLeftCorner<3, 3>() = elastomerInformation(cell.cell);
     for (int axis = 0; axis < 3; ++axis) information.diagonal().segment<4>(3 + 4 * axis) = prior_.precision(axis);
@@ -231,7 +261,7 @@ class HoldOut {
       const Jacobian J = readingJacobian(gain, forces[k]);
       const Information share = J.transpose() * J / readings[k].variance_g2;
       normal += share;
-      scattered += scatter_g2 / readings[k].variance_g2 * share;
+      scattered += scatter_g2[k] / readings[k].variance_g2 * share;
     }
     if (joint_) {
       const Eigen::LDLT<Information> factor(information + normal);
@@ -280,7 +310,7 @@ class HoldOut {
   GravityTable table_;
   std::unordered_map<PoseId, std::size_t> place_of_;  ///< the first of each ID
   std::size_t left_out_ = 0;
-  std::optional<std::size_t> stillest_;  ///< none: no pose says how its readings scatter
+  std::vector<double> noise_g2_;  ///< per cell, of one sample
 };
 
 double rootMeanSquare(const std::vector<HoldOutCell>& cells, double HoldOutCell::*value) {

@@ -47,8 +47,9 @@ struct HoldOutLink {
 /// them) and for what its readings in the other poses say, s_u has a covariance S_u, the reading's own noise included;
 /// what the others foretell has one that follows from theirs. Only the sensor's own noise counts there, not the tremor
 /// that the solver grants each reading (GravityTable): tremor moves the part as a whole, and what it did to the other
-/// poses comes out here as a motion again, which is fitted away. The sensor's own noise is what a cell scatters by in
-/// the stillest pose of the session; where every pose trembles, up to half as much again is expected as is seen.
+/// poses comes out here as a motion again, which is fitted away. The sensor's own noise is what a sample of a cell
+/// scatters by in the stillest poses of the session, over the square root of the samples averaged: windows of any
+/// length weigh by their information. Where every pose trembles, up to half as much again is expected as is seen.
 ///
 /// With three other poses offsets and gains are known from their priors mostly: the expected error of uncalibrated
 /// sensors is then above a degree, and the check is coarse (detectable_rad). From five on it is about 0.2 degrees.

@@ -38,6 +38,11 @@ void requireCapture(const SessionPose& pose) {
   if (!pose.capture) throw InvalidArgument(message("a pose must hold a capture"));
 }
 
+/// As the file keeps them.
+bool haveSameReadings(const PoseCapture& a, const PoseCapture& b) {
+  return a.taken_at_ms == b.taken_at_ms && encodeSamples(a.samples) == encodeSamples(b.samples);
+}
+
 /// Makes the entry a capture; its detail is returned.
 Json sayCapture(const SessionPose& pose, std::size_t place, JournalEntry& entry) {
   const PoseCapture& capture = *pose.capture;
@@ -77,9 +82,10 @@ std::size_t JournalState::placeOf(std::int64_t capture) const {
   return static_cast<std::size_t>(found - captures_.begin());
 }
 
-const JournalState::RemovedPose* JournalState::lastRemoved(PoseId id) const {
-  const auto found = std::find_if(removed_.rbegin(), removed_.rend(),
-                                  [&](const RemovedPose& removed) { return removed.pose.capture->id == id; });
+const JournalState::RemovedPose* JournalState::lastRemoved(const PoseCapture& capture) const {
+  const auto found = std::find_if(removed_.rbegin(), removed_.rend(), [&](const RemovedPose& removed) {
+    return removed.pose.capture->id == capture.id && haveSameReadings(*removed.pose.capture, capture);
+  });
   return found == removed_.rend() ? nullptr : &*found;
 }
 
@@ -236,7 +242,7 @@ nlohmann::ordered_json JournalState::sayEdit(const SessionEdit& edit, const std:
     detail["capture"] = captureAt(remove->index);
   } else if (const auto* restore = std::get_if<RestorePose>(&edit)) {
     requireCapture(restore->pose);
-    if (const RemovedPose* removed = lastRemoved(restore->pose.capture->id)) {
+    if (const RemovedPose* removed = lastRemoved(*restore->pose.capture)) {
       entry.kind = "restore";
       detail["capture"] = removed->capture;
       detail["place"] = restore->index;

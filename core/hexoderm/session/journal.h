@@ -56,8 +56,9 @@ class JournalState {
   };
 
   [[nodiscard]] std::size_t placeOf(std::int64_t capture) const;
-  /// Null if none of this ID was removed.
-  [[nodiscard]] const RemovedPose* lastRemoved(PoseId id) const;
+  /// The last removed pose with this ID and these readings, since a pose that was recaptured has the ID of the one
+  /// before. Null if there is none.
+  [[nodiscard]] const RemovedPose* lastRemoved(const PoseCapture& capture) const;
   [[nodiscard]] const RemovedPose& removedBy(std::int64_t capture) const;
   /// Gives the entry its kind and, if it is a capture, its samples; returns its detail.
   [[nodiscard]] nlohmann::ordered_json sayEdit(const SessionEdit& edit, const std::string& raw_sha256,

@@ -23,8 +23,9 @@ struct AddPose {
 struct RemovePose {
   std::size_t index = 0;
 };
-/// The reverse of a removal: the pose is as it was before, at place `index`. In a file, the last removed pose of this
-/// ID is meant; a file that was made after the removal knows nothing of it and takes the pose as a capture.
+/// The reverse of a removal: the pose is as it was before, at place `index`. In a file, the last removed pose with this
+/// ID and these readings is meant; a file that was made after the removal knows nothing of it and takes the pose as a
+/// capture.
 struct RestorePose {
   SessionPose pose;  ///< the pose before its removal
   std::size_t index = 0;

@@ -6,8 +6,8 @@
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/sha256.h"
 #include "hexoderm/util/system_reason.h"
+#include "hexoderm/util/temporary_file.h"
 
-#include <fcntl.h>
 #include <sqlite3.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -116,70 +116,18 @@ std::vector<StoreOperation> operationsThatMake(const Session& session) {
   return operations;
 }
 
-/// A file that is made under another name beside its place, and goes away unless it is put there.
-class NewFile {
- public:
-  explicit NewFile(const std::filesystem::path& path) : path_(path) {
-    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-    folder_ = folder;
-    temporary_ = (folder / ("." + path.filename().string() + ".XXXXXX")).string();
-    struct stat status {};
-    if (::lstat(path.c_str(), &status) == 0) failExists();
-    const int descriptor = ::mkostemp(temporary_.data(), O_CLOEXEC);
-    if (descriptor < 0) {
-      temporary_.clear();
-      fail(message("cannot be written: {}", systemReason(errno)));
-    }
-    // mkostemp makes a private file; a saved document follows the user's umask like any other.
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    ::fchmod(descriptor, 0666 & ~mask);
-    ::close(descriptor);
-  }
-  ~NewFile() {
-    if (temporary_.empty()) return;
-    for (const char* suffix : {"", "-wal", "-shm", "-journal"}) ::unlink((temporary_ + suffix).c_str());
-  }
-  NewFile(const NewFile&) = delete;
-  NewFile& operator=(const NewFile&) = delete;
+[[noreturn]] void failExists(const std::filesystem::path& path) {
+  throw StorageError(located(path.string(), message("exists already, and what a session has captured is never "
+                                                    "replaced: take another name, or remove the file first")));
+}
 
-  [[nodiscard]] const std::string& temporary() const { return temporary_; }
-
-  /// Syncs it and gives it its name, if nothing has that name by now.
-  void putInPlace() {
-    const int descriptor = ::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0) fail(message("cannot be written: {}", systemReason(errno)));
-    const bool synced = ::fsync(descriptor) == 0;
-    const int error = errno;
-    ::close(descriptor);
-    errno = error;
-    if (!synced) fail(message("cannot be written: {}", systemReason(errno)));
-    if (::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE) != 0) {
-      if (errno == EEXIST) failExists();
-      // File systems without that promise have links, as a rule.
-      if (errno != EINVAL && errno != ENOSYS) fail(message("cannot be written: {}", systemReason(errno)));
-      if (::link(temporary_.c_str(), path_.c_str()) != 0)
-        errno == EEXIST ? failExists() : fail(message("cannot be written: {}", systemReason(errno)));
-      ::unlink(temporary_.c_str());
-    }
-    temporary_.clear();
-    const int folder = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (folder < 0) return;
-    ::fsync(folder);  // some file systems can't sync a folder; the rename itself is done
-    ::close(folder);
-  }
-
- private:
-  [[noreturn]] void fail(const Message& what) const { throw StorageError(located(path_.string(), what)); }
-  [[noreturn]] void failExists() const {
-    throw StorageError(located(path_.string(), message("exists already, and what a session has captured is never "
-                                                       "replaced: take another name, or remove the file first")));
-  }
-
-  std::filesystem::path path_;
-  std::filesystem::path folder_;
-  std::string temporary_;
-};
+/// Not even a link that leads nowhere: it is somebody's.
+void requireNothingAt(const std::filesystem::path& path) {
+  struct stat status {};
+  if (::lstat(path.c_str(), &status) == 0) failExists(path);
+  if (errno != ENOENT)
+    throw StorageError(located(path.string(), message("cannot be written: {}", systemReason(errno))));
+}
 
 }  // namespace
 
@@ -201,9 +149,10 @@ SessionStore::SessionStore(SessionStore&&) noexcept = default;
 SessionStore& SessionStore::operator=(SessionStore&&) noexcept = default;
 
 void writeSessionStore(const Session& session, const std::filesystem::path& path) {
-  NewFile file(path);
+  requireNothingAt(path);
+  TemporaryFile file(path, path.string(), TemporaryFile::Naming::AtTheStart);
   {
-    Database database(file.temporary(), path.string(), Database::Mode::Create);
+    Database database(file.path().string(), path.string(), Database::Mode::Create);
     // Nobody reads the file before it is whole, and it is synced then.
     database.run("PRAGMA journal_mode=MEMORY; PRAGMA synchronous=OFF");
     migrate(database, storeMigrations());
@@ -213,7 +162,7 @@ void writeSessionStore(const Session& session, const std::filesystem::path& path
     transaction.commit();
     database.run("PRAGMA journal_mode=WAL");
   }
-  file.putInPlace();
+  if (!file.becomeTarget()) failExists(path);
 }
 
 SessionStore SessionStore::create(const std::filesystem::path& path, const Session& session) {
@@ -277,9 +226,16 @@ const std::string& SessionStore::options() const { return state_->journal.state.
 std::vector<JournalLine> SessionStore::history() const { return state_->journal.lines; }
 const std::filesystem::path& SessionStore::path() const { return state_->path; }
 
+Session parseSessionStore(std::string_view bytes, const std::string& file) {
+  StoreFile store = openStoreBytes(bytes, file);
+  return readJournal(store.database).state.session(std::filesystem::path(file).filename().string());
+}
+
 Session readSessionStore(const std::filesystem::path& path) { return SessionStore::openReadOnly(path).readSession(); }
 
 bool isSessionStore(const std::filesystem::path& path) { return looksLikeStore(path); }
+
+bool beginsAsSessionStore(std::string_view bytes) { return beginsAsStore(bytes); }
 
 bool isSessionStoreInUse(const std::filesystem::path& path) {
   return !StoreLock::forReading(path, path.string()).has_value();

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -94,11 +95,16 @@ class SessionStore {
 
 /// The session in a file, as SessionStore::openReadOnly() and readSession().
 Session readSessionStore(const std::filesystem::path& path);
+/// The same for the bytes of a file, as they come from a pipe; `file` is named in errors. What SQLite keeps beside a
+/// file that is being written is not among them.
+Session parseSessionStore(std::string_view bytes, const std::string& file);
 /// The whole session as a new file, as SessionStore::create().
 void writeSessionStore(const Session& session, const std::filesystem::path& path);
 
 /// By its first bytes; whether it is in order, reading will tell. Throws StorageError if it is there and can't be read.
 bool isSessionStore(const std::filesystem::path& path);
+/// The same for the bytes of a file.
+bool beginsAsSessionStore(std::string_view bytes);
 
 /// Moves a session that nobody has open, with what SQLite keeps beside it ("-wal", "-shm"). Throws StorageError if
 /// somebody has it open, if something is at `to` already, or if it can't be moved: then it stays where it is.

@@ -10,7 +10,7 @@ Session beginSimulatedSession(const SimulatedSkin& skin) {
 
 Session simulateSession(SimulatedSkin& skin, std::size_t pose_count, std::size_t frame_count) {
   Session session = beginSimulatedSession(skin);
-  for (const Eigen::Vector3d& up : scriptedUpDirections(pose_count)) {
+  for (const Eigen::Vector3d& up : skin.upDirections(pose_count)) {
     const PoseId id = session.nextPoseId();
     const Message label = id.value() == 1   ? message("standing")
                           : id.value() == 2 ? message("on its side")

@@ -6,6 +6,7 @@
 
 #include <sqlite3.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -100,6 +101,24 @@ Database::Database(std::string name) : name_(std::move(name)) {
   handle_.reset(handle);
   if (code != SQLITE_OK) fail(code);
   configure();
+}
+
+Database Database::ofBytes(std::string_view bytes, std::string name) {
+  Database database(std::move(name));
+  auto* copy = static_cast<unsigned char*>(sqlite3_malloc64(std::max<std::size_t>(bytes.size(), 1)));
+  if (copy == nullptr) throw std::bad_alloc();
+  std::ranges::copy(bytes, copy);
+  // A database in memory has no journal beside it: it must not say that it has.
+  constexpr std::array<std::size_t, 2> kJournalModes = {18, 19};
+  constexpr unsigned char kWithoutWal = 1;
+  for (const std::size_t place : kJournalModes) {
+    if (place < bytes.size()) copy[place] = kWithoutWal;
+  }
+  const auto size = static_cast<sqlite3_int64>(bytes.size());
+  const int code = sqlite3_deserialize(database.handle(), "main", copy, size, size,
+                                       SQLITE_DESERIALIZE_FREEONCLOSE | SQLITE_DESERIALIZE_READONLY);
+  if (code != SQLITE_OK) database.fail(code);
+  return database;
 }
 
 void Database::configure() {

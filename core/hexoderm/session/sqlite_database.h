@@ -32,6 +32,9 @@ class Database {
   /// Opens a database in memory.
   explicit Database(std::string name);
 
+  /// Opens the bytes of a database file, in memory; nothing is written.
+  static Database ofBytes(std::string_view bytes, std::string name);
+
   void run(const char* sql);  ///< one or several statements without results
   [[nodiscard]] std::int64_t number(const char* sql);
   [[nodiscard]] std::string text(const char* sql);

@@ -135,7 +135,7 @@ std::unique_ptr<StoreFile::RemoveFolder> copyToTemporaryFolder(const std::filesy
     }
     return copy;
   } catch (const std::filesystem::filesystem_error& error) {
-    throw StorageError(located(name, message("no copy can be made to read it: {}", error.what())));
+    throw StorageError(located(name, message("no copy can be made to read it: {}", systemReason(error.code()))));
   }
 }
 
@@ -148,14 +148,17 @@ Database tried(const std::filesystem::path& file, const std::string& name, Datab
 
 /// SQLite reads a last page that is cut off as if the rest were zero. Only for files without a journal, which may hold
 /// the rest.
-void requireWholePages(Database& database, const std::filesystem::path& file) {
+void requireWholePages(Database& database, std::uintmax_t size) {
   const std::int64_t expected = database.number("PRAGMA page_count") * database.number("PRAGMA page_size");
-  std::error_code error;
-  const auto size = std::filesystem::file_size(file, error);
-  if (!error && size < static_cast<std::uintmax_t>(expected)) {
+  if (size < static_cast<std::uintmax_t>(expected)) {
     database.failFormat(
         message("the file ends in the middle (truncated?): expected {} bytes, found {}", expected, size));
   }
+}
+void requireWholePages(Database& database, const std::filesystem::path& file) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(file, error);
+  if (!error) requireWholePages(database, size);
 }
 
 StoreFile openUnchanged(const std::filesystem::path& path, const std::string& name) {
@@ -264,14 +267,28 @@ StoreFile openStoreForWriting(const std::filesystem::path& path, Migrations migr
   return store;
 }
 
-StoreFile openStoreForReading(const std::filesystem::path& path, Migrations migrations) {
-  StoreFile store = openUnchanged(path, path.string());
+namespace {
+
+/// Checks an open store and brings it to the newest version in memory.
+StoreFile requireStore(StoreFile store, Migrations migrations) {
   const std::size_t version = requireStoreVersion(store.database, migrations);
   requireSchema(store.database, migrations, version);
   if (version == migrations.size()) return store;
   Database newer = store.database.copyInMemory();
   migrate(newer, migrations);
   return {std::nullopt, nullptr, std::move(newer)};
+}
+
+}  // namespace
+
+StoreFile openStoreForReading(const std::filesystem::path& path, Migrations migrations) {
+  return requireStore(openUnchanged(path, path.string()), migrations);
+}
+
+StoreFile openStoreBytes(std::string_view bytes, const std::string& name, Migrations migrations) {
+  Database database = Database::ofBytes(bytes, name);
+  requireWholePages(database, bytes.size());
+  return requireStore({std::nullopt, nullptr, std::move(database)}, migrations);
 }
 
 bool looksLikeStore(const std::filesystem::path& path) {
@@ -283,7 +300,9 @@ bool looksLikeStore(const std::filesystem::path& path) {
   std::array<char, kSqliteHeader.size()> begin{};
   const ssize_t count = ::pread(descriptor, begin.data(), begin.size(), 0);
   closeWhenHarmless(descriptor, false);
-  return count == static_cast<ssize_t>(begin.size()) && std::string_view(begin.data(), begin.size()) == kSqliteHeader;
+  return count == static_cast<ssize_t>(begin.size()) && beginsAsStore({begin.data(), begin.size()});
 }
+
+bool beginsAsStore(std::string_view bytes) { return bytes.starts_with(kSqliteHeader); }
 
 }  // namespace hexoderm

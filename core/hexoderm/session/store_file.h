@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace hexoderm {
 
@@ -52,7 +53,12 @@ struct StoreFile {
 StoreFile openStoreForWriting(const std::filesystem::path& path, Migrations migrations = storeMigrations());
 StoreFile openStoreForReading(const std::filesystem::path& path, Migrations migrations = storeMigrations());
 
-/// True for a file that begins as every session store does. Throws StorageError if a file that is there can't be read.
+/// The same for the bytes of a file.
+StoreFile openStoreBytes(std::string_view bytes, const std::string& name, Migrations migrations = storeMigrations());
+
+/// True for a regular file that begins as every session store does. Throws StorageError if a file that is there can't
+/// be read.
 bool looksLikeStore(const std::filesystem::path& path);
+bool beginsAsStore(std::string_view bytes);
 
 }  // namespace hexoderm

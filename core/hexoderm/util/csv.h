@@ -5,18 +5,12 @@
 
 namespace hexoderm {
 
-/// A text as one field of a CSV file (RFC 4180): in quotes if it holds a comma, a quote or a line break, or starts or
-/// ends with a space, which some readers would trim; a quote inside is doubled.
-inline std::string csvQuoted(std::string_view text) {
-  const bool plain =
-      text.find_first_of("\",\r\n") == std::string_view::npos && !text.starts_with(' ') && !text.ends_with(' ');
-  if (plain) return std::string(text);
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"') result += '"';
-    result += c;
-  }
-  return result + '"';
-}
+/// A text that a spreadsheet takes as a text: one that begins with =, +, -, @, a tab or a line break, which would be
+/// run as a formula, gets an apostrophe in front. A finite number, such as -1.5, stays as it is.
+std::string csvHarmless(std::string_view text);
+
+/// A text as one field of a CSV file (RFC 4180), harmless: in quotes if it holds a comma, a quote or a line break, or
+/// starts or ends with a space, which some readers would trim; a quote inside is doubled.
+std::string csvQuoted(std::string_view text);
 
 }  // namespace hexoderm

@@ -10,8 +10,9 @@
 namespace hexoderm {
 
 /// Base of everything Hexoderm throws. The message says what is wrong, where (file, key, cell, port) and what was
-/// expected, so that a person can act on it; `what()` is its English. Outcomes that are expected in the field are
-/// values (`Finding`), not errors.
+/// expected, so that a person can act on it; `what()` is its English, of at most 2000 bytes. It may quote names and
+/// contents of files as they are: forTerminal() makes a line for a terminal of it. Outcomes that are expected in the
+/// field are values (`Finding`), not errors.
 class Error : public std::runtime_error {
  public:
   explicit Error(Message message);
@@ -20,6 +21,8 @@ class Error : public std::runtime_error {
   [[nodiscard]] const Message& message() const noexcept { return *message_; }
 
  private:
+  explicit Error(std::shared_ptr<const Message> message);
+
   std::shared_ptr<const Message> message_;  ///< shared, because the copy of an exception must not throw
 };
 

@@ -2,89 +2,135 @@
 
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/system_reason.h"
+#include "hexoderm/util/temporary_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
-#include <memory>
+#include <csignal>
+#include <ctime>
+#include <optional>
 #include <system_error>
 
 namespace hexoderm {
 namespace {
 
-Message reason() { return systemReason(errno); }
+[[noreturn]] void failToWrite(const std::filesystem::path& path, const Message& why) {
+  throw StorageError(located(path.string(), message("cannot be written: {}", why)));
+}
 
-class FileDescriptor {
+/// What lies at a path, links followed; nullopt if there is nothing.
+std::optional<struct stat> statusAt(const std::filesystem::path& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) == 0) return status;
+  if (errno != ENOENT) failToWrite(path, systemReason(errno));
+  std::error_code error;
+  const std::filesystem::path target = std::filesystem::read_symlink(path, error);
+  if (error) return std::nullopt;
+  throw StorageError(located(path.string(), message("is a link to {}, where there is nothing: make that file or remove "
+                                                    "the link first",
+                                                    target.string())));
+}
+
+/// The file itself where `path` is a link to it.
+std::filesystem::path fileItself(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_symlink(path, error)) return path;
+  std::filesystem::path file = std::filesystem::canonical(path, error);
+  if (error) failToWrite(path, systemReason(error));
+  return file;
+}
+
+/// While it lives, a reader of a pipe that goes away is an error of write() instead of the end of the program.
+class BrokenPipeIsAnError {
  public:
-  explicit FileDescriptor(int fd) : fd_(fd) {}
-  ~FileDescriptor() {
-    if (fd_ >= 0) ::close(fd_);
+  BrokenPipeIsAnError() {
+    sigset_t pending;
+    ::sigemptyset(&signal_);
+    ::sigaddset(&signal_, SIGPIPE);
+    ::sigpending(&pending);
+    was_pending_ = ::sigismember(&pending, SIGPIPE) == 1;
+    ::pthread_sigmask(SIG_BLOCK, &signal_, &before_);
   }
-  FileDescriptor(const FileDescriptor&) = delete;
-  FileDescriptor& operator=(const FileDescriptor&) = delete;
-  [[nodiscard]] int get() const { return fd_; }
-  [[nodiscard]] bool valid() const { return fd_ >= 0; }
-  int close() {
-    const int result = ::close(fd_);
-    fd_ = -1;
-    return result;
+  ~BrokenPipeIsAnError() {
+    constexpr struct timespec kAtOnce {};
+    if (!was_pending_) {
+      while (::sigtimedwait(&signal_, nullptr, &kAtOnce) < 0 && errno == EINTR) continue;
+    }
+    ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
   }
+  BrokenPipeIsAnError(const BrokenPipeIsAnError&) = delete;
+  BrokenPipeIsAnError& operator=(const BrokenPipeIsAnError&) = delete;
 
  private:
-  int fd_;
+  sigset_t signal_{};
+  sigset_t before_{};
+  bool was_pending_ = false;
 };
+
+void writeInto(const std::filesystem::path& path, std::string_view content) {
+  const BrokenPipeIsAnError guard;
+  const FileDescriptor device(::open(path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC));
+  if (!device.valid()) failToWrite(path, systemReason(errno));
+  writeAll(device.get(), content, path.string());
+}
+
+void writeNew(const std::filesystem::path& path, const std::string& name, std::string_view content,
+              const VerifyBytes& verify, const std::optional<struct stat>& earlier) {
+  TemporaryFile file(path, name);
+  file.write(content);
+  if (verify) verify(file.readBack());
+  if (!earlier && file.becomeTarget()) return;
+  if (earlier) file.keepOwnerAndRights(earlier->st_uid, earlier->st_gid, earlier->st_mode);
+  file.replaceTarget();
+}
 
 }  // namespace
 
-std::string readFile(const std::filesystem::path& path) {
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error)) {
-    throw StorageError(located(path.string(), message("is a folder, expected a file")));
-  }
-  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (!file.valid()) throw StorageError(located(path.string(), message("cannot be read: {}", reason())));
+std::string readFile(const std::filesystem::path& path, std::uintmax_t most) {
+  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_NOCTTY | O_CLOEXEC));
+  struct stat status {};
+  if (!file.valid() || ::fstat(file.get(), &status) != 0)
+    throw StorageError(located(path.string(), message("cannot be read: {}", systemReason(errno))));
+  if (S_ISDIR(status.st_mode)) throw StorageError(located(path.string(), message("is a folder, expected a file")));
+  const auto refuse = [&] {
+    constexpr std::uintmax_t kMegabyte = 1'000'000;
+    throw FormatError(
+        located(path.string(), message("is too large or does not end: at most {} MB are read", most / kMegabyte)));
+  };
   std::string content;
+  if (S_ISREG(status.st_mode)) {
+    if (static_cast<std::uintmax_t>(status.st_size) > most) refuse();
+    content.reserve(static_cast<std::size_t>(status.st_size));
+  }
   std::array<char, 65536> buffer{};
   while (true) {
     const ssize_t count = ::read(file.get(), buffer.data(), buffer.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) throw StorageError(located(path.string(), message("cannot be read: {}", reason())));
+    if (count < 0) throw StorageError(located(path.string(), message("cannot be read: {}", systemReason(errno))));
     if (count == 0) return content;
     content.append(buffer.data(), static_cast<std::size_t>(count));
+    if (content.size() > most) refuse();
   }
 }
 
-void writeFileAtomically(const std::filesystem::path& path, std::string_view content) {
-  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-  std::string temporary = (folder / ("." + path.filename().string() + ".XXXXXX")).string();
-  const auto fail = [&](const Message& what) {
-    ::unlink(temporary.c_str());
-    throw StorageError(located(path.string(), what));
-  };
-
-  if (std::filesystem::is_directory(path))
+void writeFileAtomically(const std::filesystem::path& path, std::string_view content, const VerifyBytes& verify) {
+  const std::optional<struct stat> earlier = statusAt(path);
+  if (!earlier) return writeNew(path, path.string(), content, verify, earlier);
+  if (S_ISDIR(earlier->st_mode))
     throw StorageError(located(path.string(), message("is a folder, cannot be written as a file")));
-  FileDescriptor file(::mkostemp(temporary.data(), O_CLOEXEC));
-  if (!file.valid()) throw StorageError(located(path.string(), message("cannot be written: {}", reason())));
-  // mkostemp makes a private file; a saved document follows the user's umask like any other.
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  if (::fchmod(file.get(), 0666 & ~mask) != 0) fail(message("cannot be written: {}", reason()));
-
-  std::string_view rest = content;
-  while (!rest.empty()) {
-    const ssize_t count = ::write(file.get(), rest.data(), rest.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail(message("cannot be written: {}", reason()));
-    rest.remove_prefix(static_cast<std::size_t>(count));
+  if (S_ISFIFO(earlier->st_mode) || S_ISCHR(earlier->st_mode)) {
+    if (verify) verify(std::string(content));
+    return writeInto(path, content);
   }
-  if (::fsync(file.get()) != 0 || file.close() != 0) fail(message("cannot be written: {}", reason()));
-  if (::rename(temporary.c_str(), path.c_str()) != 0) fail(message("cannot be replaced: {}", reason()));
-  const FileDescriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (directory.valid()) ::fsync(directory.get());  // some file systems can't sync a folder; the rename itself is done
+  if (!S_ISREG(earlier->st_mode))
+    throw StorageError(located(path.string(), message("is a disk or a socket, nothing is written to it")));
+  if (::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0) failToWrite(path, systemReason(errno));
+  writeNew(fileItself(path), path.string(), content, verify, earlier);
 }
 
 }  // namespace hexoderm

@@ -1,16 +1,32 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
 namespace hexoderm {
 
-/// The whole file as bytes. Throws StorageError naming the file if it is missing, a folder or unreadable.
-std::string readFile(const std::filesystem::path& path);
+/// The most that is read of a document: 256 MB, a session of a million readings with their covariances.
+inline constexpr std::uintmax_t kMostFileBytes = 256'000'000;
 
-/// Writes a temporary file beside `path`, syncs it, renames it over `path` and syncs the folder: at any moment either
-/// the old or the new content is there, whole. Throws StorageError naming the file and the reason.
-void writeFileAtomically(const std::filesystem::path& path, std::string_view content);
+/// The whole file as bytes, opened and read once: a pipe will do. Throws StorageError naming the file if it is missing,
+/// a folder or unreadable, FormatError if it has more than `most` bytes or does not end.
+std::string readFile(const std::filesystem::path& path, std::uintmax_t most = kMostFileBytes);
+
+/// Checks the bytes of a file as read back from the disk; throws FormatError if they are not what was meant.
+using VerifyBytes = std::function<void(const std::string& bytes)>;
+
+/// Writes a document. What `path` is decides how:
+/// - nothing, or a file: a new file is written, synced, read back for `verify`, and then gets the name, and the folder
+///   is synced. At any moment either the old or the new content is there, whole; a killed program leaves nothing, or
+///   what the next one that writes into the folder removes. The rights, and as far as this user may the owner and the
+///   group, of a file that is replaced stay. A file that the user may not write is not replaced.
+/// - a link to a file: that file is replaced, the link stays. One that leads nowhere or in a circle is refused.
+/// - a FIFO or a character device (/dev/null, a terminal): it is written into, after `verify` has seen the content.
+/// - anything else (a folder, a disk, a socket) is refused.
+/// Throws StorageError naming the file and the reason, and what `verify` throws.
+void writeFileAtomically(const std::filesystem::path& path, std::string_view content, const VerifyBytes& verify = {});
 
 }  // namespace hexoderm

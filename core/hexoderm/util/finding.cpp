@@ -1,5 +1,6 @@
 #include "hexoderm/util/finding.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -53,6 +54,9 @@ const auto& table() {
                   "another link of the loop is. Muted.")},
       FindingDescription{LinkSetAside, "link-set-aside", Severity::Info,
                          message("The operator set a link aside, as a cable for example; it is muted.")},
+      FindingDescription{
+          ContradictsModel, "contradicts-model", Severity::Error,
+          message("All links of a patch twist one way, as on no surface: axes or ports are not as in the cell model.")},
       FindingDescription{NoSamples, "no-samples", Severity::Warning,
                          message("A cell has no usable reading in any enabled pose; it is placed through its links.")},
       FindingDescription{MissingSamples, "missing-samples", Severity::Info,
@@ -79,6 +83,23 @@ const auto& table() {
       FindingDescription{
           InconsistentSensor, "inconsistent-sensor", Severity::Error,
           message("A cell's readings fit no position of the cell in the patch; the cell is placed through its links.")},
+      FindingDescription{IdenticalReadings, "identical-readings", Severity::Error,
+                         message("Cells report the same readings, bit for bit; they are placed through their links.")},
+      FindingDescription{
+          SwappedReadings, "swapped-readings", Severity::Error,
+          message("Two neighbours fit with each other's readings; they are placed through their links.")},
+      FindingDescription{
+          TurnedSensor, "turned-sensor", Severity::Error,
+          message("A cell's readings are those of a cell that lies otherwise; it is placed through its links.")},
+      FindingDescription{
+          MovedCell, "moved-cell", Severity::Error,
+          message("A cell turned against the others between two poses; it is placed through its links.")},
+      FindingDescription{
+          SuspiciousSensor, "suspicious-sensor", Severity::Warning,
+          message("A cell's readings fit badly, and there are too few poses to say why; they are used.")},
+      FindingDescription{
+          SensorsUnlikeModel, "sensors-unlike-model", Severity::Warning,
+          message("The errors of the accelerometers are together clearly larger than the cell model's sigmas.")},
       FindingDescription{LeftOut, "left-out", Severity::Info,
                          message("A cell was left out on request; it is placed through its links.")},
       FindingDescription{SampleOfUnknownCell, "sample-of-unknown-cell", Severity::Warning,
@@ -136,6 +157,14 @@ Finding makeFinding(FindingCode code, Message message, std::vector<CellId> cells
           std::move(cells),
           std::move(ports),
           std::move(poses)};
+}
+
+void addOnce(std::vector<Finding>& findings, Finding finding) {
+  const bool is_known = std::ranges::any_of(findings, [&](const Finding& known) {
+    return known.code == finding.code && known.cells == finding.cells && known.ports == finding.ports &&
+           known.poses == finding.poses;
+  });
+  if (!is_known) findings.push_back(std::move(finding));
 }
 
 }  // namespace hexoderm

@@ -35,6 +35,7 @@ enum class FindingCode {
   LinkNotRigid,
   LinkDoesNotClose,
   LinkSetAside,
+  ContradictsModel,
   // cells, judged by their readings
   NoSamples,
   MissingSamples,
@@ -46,6 +47,12 @@ enum class FindingCode {
   DeadAxis,
   WrongGain,
   InconsistentSensor,
+  IdenticalReadings,
+  SwappedReadings,
+  TurnedSensor,
+  MovedCell,
+  SuspiciousSensor,
+  SensorsUnlikeModel,
   LeftOut,
   // poses
   SampleOfUnknownCell,
@@ -87,5 +94,9 @@ struct Finding {
 /// A finding with its code's own severity.
 Finding makeFinding(FindingCode code, Message message, std::vector<CellId> cells = {},
                     std::vector<PortNumber> ports = {}, std::vector<PoseId> poses = {});
+
+/// Adds a finding unless there is one of the same code about the same cells, ports and poses: what is looked for again
+/// after something was taken out is said once.
+void addOnce(std::vector<Finding>& findings, Finding finding);
 
 }  // namespace hexoderm

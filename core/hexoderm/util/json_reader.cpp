@@ -1,6 +1,7 @@
 #include "hexoderm/util/json_reader.h"
 
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/near_match.h"
 #include "hexoderm/util/text.h"
 
 #include <Eigen/LU>
@@ -11,7 +12,8 @@
 namespace hexoderm {
 namespace {
 
-Message shortened(const nlohmann::json& value) {
+/// A value in a complaint.
+Message inFewWords(const nlohmann::json& value) {
   if (value.is_array()) return message("an array of {}", value.size());
   if (value.is_object()) return message("an object");
   constexpr std::size_t kMost = 40;
@@ -46,23 +48,31 @@ class PathTracker : public nlohmann::json_sax<nlohmann::json> {
     levels_.back().key = value;
     return true;
   }
-  bool parse_error(std::size_t /*position*/, const std::string& last_token,
-                   const nlohmann::json::exception& /*error*/) override {
-    last_token_ = last_token;
+  bool parse_error(std::size_t position, const std::string& last_token,
+                   const nlohmann::json::exception& error) override {
+    fault_ = {position, last_token, dynamic_cast<const nlohmann::json::parse_error*>(&error) != nullptr};
     return false;
   }
 
-  [[nodiscard]] const std::string& lastToken() const { return last_token_; }
+  /// Where and on what the parser stopped.
+  struct Fault {
+    std::size_t position = 0;  ///< bytes read, the offending one included
+    std::string last_token;
+    bool is_syntax = false;  ///< else a number that no double holds
+  };
+  [[nodiscard]] const std::optional<Fault>& fault() const { return fault_; }
   [[nodiscard]] const std::optional<std::string>& format() const { return format_; }
   [[nodiscard]] std::string path() const {
-    constexpr std::size_t kLongest = 200;  // hostile nesting makes longer ones, which nobody reads to the end
+    // Hostile nesting and keys make longer ones, which nobody reads to the end.
+    constexpr std::size_t kLongest = 200;
+    constexpr std::size_t kLongestKey = 60;
     std::string path;
     for (const Level& level : levels_) {
       if (path.size() > kLongest) return path + "...";
       if (level.is_array) {
         path += "[" + std::to_string(level.index) + "]";
       } else if (!level.key.empty()) {
-        path += (path.empty() ? "" : ".") + level.key;
+        path += (path.empty() ? "" : ".") + shortened(level.key, kLongestKey);
       }
     }
     return path;
@@ -85,6 +95,7 @@ class PathTracker : public nlohmann::json_sax<nlohmann::json> {
   };
 
   bool push(bool is_array) {
+    if (levels_.size() >= kMostJsonLevels) return false;
     levels_.push_back({is_array, 0, {}});
     return true;
   }
@@ -94,8 +105,92 @@ class PathTracker : public nlohmann::json_sax<nlohmann::json> {
   }
 
   std::vector<Level> levels_;
-  std::string last_token_;
+  std::optional<Fault> fault_;
   std::optional<std::string> format_;
+};
+
+/// Builds the value of a text while the parser reads it, and stops at what no document of ours is: a key that is there
+/// twice, of which readers would take one or the other, and more levels or values than are read.
+class DocumentBuilder final : public PathTracker {
+ public:
+  explicit DocumentBuilder(std::size_t most_values) : most_values_(most_values) {}
+
+  bool null() override { return add(nullptr) && PathTracker::null(); }
+  bool boolean(bool value) override { return add(value) && PathTracker::boolean(value); }
+  bool number_integer(number_integer_t value) override { return add(value) && PathTracker::number_integer(value); }
+  bool number_unsigned(number_unsigned_t value) override { return add(value) && PathTracker::number_unsigned(value); }
+  bool number_float(number_float_t value, const string_t& text) override {
+    return add(value) && PathTracker::number_float(value, text);
+  }
+  bool string(string_t& value) override { return add(value) && PathTracker::string(value); }
+  bool start_object(std::size_t size) override {
+    return open(nlohmann::json::value_t::object) && PathTracker::start_object(size);
+  }
+  bool start_array(std::size_t size) override {
+    return open(nlohmann::json::value_t::array) && PathTracker::start_array(size);
+  }
+  bool end_object() override {
+    open_.pop_back();
+    return PathTracker::end_object();
+  }
+  bool end_array() override {
+    open_.pop_back();
+    return PathTracker::end_array();
+  }
+  bool key(string_t& value) override {
+    PathTracker::key(value);
+    const auto [member, is_new] = open_.back()->get_ref<nlohmann::json::object_t&>().try_emplace(value);
+    if (!is_new) return refuse(message("is there twice, expected each key once"));
+    member_ = &member->second;
+    return true;
+  }
+
+  /// Why it stopped although the text is JSON; says nothing if it did not.
+  [[nodiscard]] const Message& refusal() const { return refusal_; }
+  nlohmann::json take() { return std::move(root_); }
+
+ private:
+  bool refuse(Message why) {
+    refusal_ = std::move(why);
+    return false;
+  }
+
+  bool count() {
+    return ++values_ <= most_values_ ||
+           refuse(message("the file has too many values, at most {} are read", most_values_));
+  }
+
+  /// The place of the next value, with the value in it.
+  template <class Value>
+  nlohmann::json& put(Value&& value) {
+    if (open_.empty()) return root_ = std::forward<Value>(value);
+    if (open_.back()->is_array())
+      return open_.back()->get_ref<nlohmann::json::array_t&>().emplace_back(std::forward<Value>(value));
+    return *member_ = std::forward<Value>(value);
+  }
+
+  template <class Value>
+  bool add(Value&& value) {
+    if (!count()) return false;
+    put(std::forward<Value>(value));
+    return true;
+  }
+
+  bool open(nlohmann::json::value_t kind) {
+    if (open_.size() >= kMostJsonLevels) {
+      return refuse(message("is nested too deeply, at most {} levels are read", kMostJsonLevels));
+    }
+    if (!count()) return false;
+    open_.push_back(&put(nlohmann::json(kind)));
+    return true;
+  }
+
+  nlohmann::json root_;
+  std::vector<nlohmann::json*> open_;  ///< what is not closed yet, from outside to inside
+  nlohmann::json* member_ = nullptr;   ///< of the innermost object, whose value comes next
+  std::size_t most_values_;
+  std::size_t values_ = 0;
+  Message refusal_;
 };
 
 /// Stops as soon as the document's format has been read.
@@ -126,20 +221,18 @@ bool isNotFinite(std::string_view word) {
   return lower == "nan" || lower == "inf" || lower == "infinity";
 }
 
-[[noreturn]] void throwParseError(std::string_view text, const std::string& file,
-                                  const nlohmann::json::exception& error) {
+[[noreturn]] void throwParseError(std::string_view text, const std::string& file, const PathTracker& tracker) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     throw FormatError(located(file, message("the file is empty, expected JSON")));
   }
-  PathTracker tracker;
-  nlohmann::json::sax_parse(text, &tracker);
+  constexpr std::size_t kLongestToken = 40;
+  const PathTracker::Fault fault = tracker.fault().value_or(PathTracker::Fault());
   const std::string path = tracker.path();
-  const auto* syntax = dynamic_cast<const nlohmann::json::parse_error*>(&error);
-  if (syntax == nullptr) {
+  if (!fault.is_syntax) {
     throw FormatError(located(file, located(placeOf(path), message("expected a finite number, found {}",
-                                                                   tracker.lastToken().substr(0, 40)))));
+                                                                   fault.last_token.substr(0, kLongestToken)))));
   }
-  const std::size_t position = std::min(syntax->byte == 0 ? 0 : syntax->byte - 1, text.size());
+  const std::size_t position = std::min(fault.position == 0 ? 0 : fault.position - 1, text.size());
   const std::string word = wordAround(text, position);
   if (isNotFinite(word)) {
     throw FormatError(located(file, located(placeOf(path), message("expected a finite number, found {}", word))));
@@ -151,7 +244,7 @@ bool isNotFinite(std::string_view word) {
   Message place = path.empty() ? message("line {}, column {}", line, column)
                                : message("line {}, column {}, at {}", line, column, path);
   throw FormatError(located(
-      file, located(std::move(place), syntax->byte > text.size()
+      file, located(std::move(place), fault.position > text.size()
                                           ? message("the file ends in the middle (truncated?), expected complete JSON")
                                           : message("this is not JSON, expected a JSON value here"))));
 }
@@ -226,12 +319,11 @@ void appendReadable(const nlohmann::ordered_json& json, std::size_t indent, std:
 
 }  // namespace
 
-nlohmann::json parseJson(std::string_view text, const std::string& file) {
-  try {
-    return nlohmann::json::parse(text);
-  } catch (const nlohmann::json::exception& error) {
-    throwParseError(text, file, error);
-  }
+nlohmann::json parseJson(std::string_view text, const std::string& file, std::size_t most_values) {
+  DocumentBuilder builder(most_values);
+  if (nlohmann::json::sax_parse(text, &builder)) return builder.take();
+  if (builder.refusal().empty()) throwParseError(text, file, builder);
+  throw FormatError(located(file, located(placeOf(builder.path()), builder.refusal())));
 }
 
 std::optional<std::string> findJsonFormat(std::string_view text) {
@@ -243,7 +335,7 @@ std::optional<std::string> findJsonFormat(std::string_view text) {
 Message JsonReader::here(Message what) const { return located(*file_, located(placeOf(path_), std::move(what))); }
 
 void JsonReader::fail(const Message& expected) const {
-  throw FormatError(here(message("expected {}, found {}", expected, shortened(*value_))));
+  throw FormatError(here(message("expected {}, found {}", expected, inFewWords(*value_))));
 }
 
 JsonReader JsonReader::at(const std::string& key) const {
@@ -259,6 +351,20 @@ std::optional<JsonReader> JsonReader::find(const std::string& key) const {
   const auto found = value_->find(key);
   if (found == value_->end() || found->is_null()) return std::nullopt;
   return JsonReader(*found, file_, path_.empty() ? key : path_ + "." + key);
+}
+
+void JsonReader::requireKeys(std::initializer_list<std::string_view> known) const {
+  if (!value_->is_object()) fail(message("an object"));
+  constexpr std::size_t kMostOfAKey = 40;
+  for (const auto& [key, value] : value_->items()) {
+    if (std::ranges::find(known, key) != known.end()) continue;
+    const std::vector<std::string> names(known.begin(), known.end());
+    const std::string found = excerptOf(key, kMostOfAKey);
+    const std::optional<std::string> meant = nearMatch(key, names);
+    throw FormatError(located(*file_, located(path_.empty() ? found : path_ + "." + found,
+                                              meant ? message("there is no such key; did you mean {}?", *meant)
+                                                    : message("there is no such key; there are {}", names))));
+  }
 }
 
 std::vector<JsonReader> JsonReader::items() const {
@@ -382,7 +488,7 @@ void JsonReader::requireFormat(std::string_view format, std::uint32_t newest) co
   const auto name = find("format");
   if (!name || !name->isString() || name->string() != format) {
     throw FormatError(
-        located(*file_, located("format", name ? message("expected \"{}\", found {}", format, shortened(*name->value_))
+        located(*file_, located("format", name ? message("expected \"{}\", found {}", format, inFewWords(*name->value_))
                                                : message("expected \"{}\", but there is none", format))));
   }
   const std::uint32_t version = at("version").unsignedInteger(1);

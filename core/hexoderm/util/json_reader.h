@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -14,8 +15,14 @@
 
 namespace hexoderm {
 
-/// Parses JSON text; `file` is named in errors. Throws FormatError with line, column and key path.
-nlohmann::json parseJson(std::string_view text, const std::string& file);
+/// What is read of a document at most. With the bytes of readFile() it bounds the memory of what is read: a value takes
+/// less than 100 bytes beside its text.
+inline constexpr std::size_t kMostJsonLevels = 100;
+inline constexpr std::size_t kMostJsonValues = 20'000'000;
+
+/// Parses JSON text; `file` is named in errors. Throws FormatError with line, column and key path for what is not JSON,
+/// and with the key path for a key that is there twice and for what is larger than the limits above.
+nlohmann::json parseJson(std::string_view text, const std::string& file, std::size_t most_values = kMostJsonValues);
 
 /// The text's top-level "format" without parsing the rest; nullopt if there is none before the text ends or stops being
 /// JSON.
@@ -32,6 +39,8 @@ class JsonReader {
   [[nodiscard]] JsonReader at(const std::string& key) const;                   ///< must be there
   [[nodiscard]] std::optional<JsonReader> find(const std::string& key) const;  ///< absent or null: nullopt
   [[nodiscard]] std::vector<JsonReader> items() const;                         ///< items of an array
+  /// Throws FormatError for the first key of an object that is none of these, and names that which was meant.
+  void requireKeys(std::initializer_list<std::string_view> known) const;
   [[nodiscard]] bool isObject() const { return value_->is_object(); }
   [[nodiscard]] bool isArray() const { return value_->is_array(); }
   [[nodiscard]] bool isString() const { return value_->is_string(); }

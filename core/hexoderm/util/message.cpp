@@ -110,6 +110,13 @@ Message inRow(std::vector<Message> messages, std::string_view separator) {
   return {std::move(places), std::move(arguments)};
 }
 
+Message cellsInWords(const std::vector<CellId>& cells) {
+  constexpr std::size_t kNamed = 6;
+  if (cells.size() == 1) return message("cell {}", cells.front());
+  if (cells.size() <= kNamed) return message("cells {}", cells);
+  return message("{} cells", cells.size());
+}
+
 Message located(MessageArgument place, Message what) { return {"{}: {}", {std::move(place), std::move(what)}}; }
 
 Message inWords(const LinkEnd& end) { return message("cell {}, port {}", end.cell, end.port); }

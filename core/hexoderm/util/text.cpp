@@ -2,9 +2,12 @@
 
 #include "hexoderm/util/error.h"
 
+#include <fmt/format.h>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 
 namespace hexoderm {
 namespace {
@@ -17,6 +20,50 @@ Number parseWhole(std::string_view text, std::string_view what, const Message& e
     throw InvalidArgument(located(what, message("expected {}, found \"{}\"", expected, text)));
   }
   return value;
+}
+
+bool continuesCharacter(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
+
+/// The character of UTF-8 that the text begins with, and its length in bytes; nullopt if it begins with none.
+struct Utf8Character {
+  std::uint32_t code = 0;
+  std::size_t size = 0;
+};
+std::optional<Utf8Character> firstUtf8(std::string_view text) {
+  const auto lead = static_cast<unsigned char>(text.front());
+  if (lead < 0x80) return Utf8Character{lead, 1};
+  const std::size_t size = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
+  if (lead < 0xC2 || lead > 0xF4 || text.size() < size) return std::nullopt;
+  std::uint32_t code = lead & (0xFFU >> (size + 1));
+  for (const char c : text.substr(1, size - 1)) {
+    if (!continuesCharacter(c)) return std::nullopt;
+    code = code << 6U | (static_cast<unsigned char>(c) & 0x3FU);
+  }
+  constexpr std::array<std::uint32_t, 5> kLeast = {0, 0, 0x80, 0x800, 0x10000};
+  const bool is_surrogate = code >= 0xD800 && code <= 0xDFFF;
+  if (code < kLeast.at(size) || code > 0x10FFFF || is_surrogate) return std::nullopt;
+  return Utf8Character{code, size};
+}
+
+bool steersTerminal(std::uint32_t code) {
+  const bool is_control = code < 0x20 || (code >= 0x7F && code <= 0x9F);
+  const bool breaks_line = code == 0x2028 || code == 0x2029;
+  const bool turns_writing =
+      code == 0x200E || code == 0x200F || (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
+  return is_control || breaks_line || turns_writing;
+}
+
+std::string escapeOf(std::uint32_t code) {
+  switch (code) {
+    case '\n':
+      return "\\n";
+    case '\r':
+      return "\\r";
+    case '\t':
+      return "\\t";
+    default:
+      return fmt::format("\\u{:04x}", code);
+  }
 }
 
 }  // namespace
@@ -47,6 +94,29 @@ unsigned parseUnsigned(std::string_view text, std::string_view what) {
   return parseWhole<unsigned>(text, what, message("a whole number"));
 }
 
+std::string excerptOf(std::string_view bytes, std::size_t most) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string text;
+  for (const char c : bytes) {
+    std::string next;
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '\n') {
+      next = "\\n";
+    } else if (c == '\r') {
+      next = "\\r";
+    } else if (c == '\t') {
+      next = "\\t";
+    } else if (byte < 0x20 || byte >= 0x7F) {
+      next = {'\\', 'x', kDigits[byte / 16], kDigits[byte % 16]};
+    } else {
+      next = c;
+    }
+    if (text.size() + next.size() > most) return text + "...";
+    text += next;
+  }
+  return text;
+}
+
 std::vector<std::string> split(std::string_view text, char separator) {
   std::vector<std::string> parts;
   std::size_t begin = 0;
@@ -56,6 +126,35 @@ std::vector<std::string> split(std::string_view text, char separator) {
     if (end == std::string_view::npos) return parts;
     begin = end + 1;
   }
+}
+
+std::string shortened(std::string_view text, std::size_t most) {
+  constexpr std::string_view kGap = "...";
+  if (text.size() <= most) return std::string(text);
+  const std::size_t kept = most > kGap.size() ? most - kGap.size() : 0;
+  std::size_t front = kept - kept / 2;
+  while (front > 0 && continuesCharacter(text[front])) --front;
+  std::size_t back = text.size() - kept / 2;
+  while (back < text.size() && continuesCharacter(text[back])) ++back;
+  return std::string(text.substr(0, front)).append(kGap).append(text.substr(back));
+}
+
+std::string forTerminal(std::string_view text) {
+  std::string line;
+  line.reserve(text.size());
+  while (!text.empty()) {
+    const std::optional<Utf8Character> first = firstUtf8(text);
+    const std::size_t size = first ? first->size : 1;
+    if (!first) {
+      line += fmt::format("\\x{:02x}", static_cast<unsigned char>(text.front()));
+    } else if (steersTerminal(first->code)) {
+      line += escapeOf(first->code);
+    } else {
+      line += text.substr(0, size);
+    }
+    text.remove_prefix(size);
+  }
+  return line;
 }
 
 }  // namespace hexoderm

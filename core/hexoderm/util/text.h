@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,7 +19,20 @@ double parseNumber(std::string_view text, std::string_view what);
 /// Parses an unsigned integer of 32 bits.
 unsigned parseUnsigned(std::string_view text, std::string_view what);
 
+/// The beginning of a text or of bytes that somebody sent, safe for a terminal and a log: one line of printable ASCII,
+/// all else as \n, \r, \t or \xNN, at most `most` characters and then "...".
+std::string excerptOf(std::string_view bytes, std::size_t most = 80);
+
 std::vector<std::string> split(std::string_view text, char separator);
+
+/// A text of at most `most` bytes: its beginning and its end around "..." if it is longer. Never cuts a UTF-8
+/// character.
+std::string shortened(std::string_view text, std::size_t most);
+
+/// A text of others, a name or a file's content, as part of one line on a terminal: control characters, which could
+/// move the cursor or hide what was said, marks that turn the direction of writing, and bytes that are not UTF-8 become
+/// escapes (\n, \u001b, \xff).
+std::string forTerminal(std::string_view text);
 
 /// "1, 2 and 3" of items that have a `toString`.
 template <class Items>

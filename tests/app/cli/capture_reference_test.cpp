@@ -4,8 +4,17 @@
 
 #include "tests/app/cli/cli_program.h"
 
+#include <gmock/gmock.h>
+#include <array>
+#include <ostream>
+#include <string>
+#include <utility>
+
 namespace hexoderm {
 namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 class CaptureOfARecording : public Cli {};
 
@@ -29,6 +38,61 @@ TEST_F(CaptureOfARecording, FindsEveryPeriodOfRestOnceAndNoMotion) {
         EXPECT_LT((sample.acceleration_g - mean).norm(), 0.06) << "pose " << k + 1 << " at " << frame.time_s << " s";
       }
     }
+  }
+}
+
+/// The leg of a robot with its motors on, as it was read and as its port sends it: every reading four or five times.
+struct RobotStream {
+  const char* name;
+  bool has_dead_board;
+};
+void PrintTo(const RobotStream& stream, std::ostream* out) { *out << stream.name; }
+
+class CaptureOfARobot : public Cli, public ::testing::WithParamInterface<RobotStream> {};
+
+TEST_P(CaptureOfARobot, FindsExactlyTheThreeHolds) {
+  // By the encoders of the joints.
+  constexpr std::array<std::pair<double, double>, 3> kHeld_s = {{{0, 8.0}, {11.8, 14.9}, {19.0, 33.2}}};
+  const std::string stream = HEXODERM_REFERENCE_DATA "/real/icub_leg/" + std::string(GetParam().name);
+  const Outcome outcome = run("capture --source stdin --keep-raw -o leg.hexo", "cat '" + stream + "' | ");
+  EXPECT_NE(outcome.exit_code, 4) << outcome.err;
+  const SessionStore store = SessionStore::openReadOnly(path("leg.hexo"));
+  const Session session = store.readSession();
+  ASSERT_EQ(session.poses().size(), kHeld_s.size()) << outcome.err << outcome.out;
+  for (std::size_t k = 0; k < kHeld_s.size(); ++k) {
+    const std::vector<SampleFrame> frames = store.readRawSamples(k);
+    ASSERT_FALSE(frames.empty());
+    EXPECT_GE(frames.front().time_s, kHeld_s[k].first) << "pose " << k + 1;
+    EXPECT_LE(frames.back().time_s, kHeld_s[k].second) << "pose " << k + 1;
+    for (const GravitySample& sample : session.poses()[k].capture->samples) {
+      EXPECT_NEAR(sample.count, 15, 3) << "0.75 s at 20 Hz, however often each reading was sent";
+    }
+  }
+  EXPECT_THAT(outcome.err, HasSubstr("Pose 3 captured: " + std::to_string(GetParam().has_dead_board ? 11 : 10) +
+                                     " cells; it repeats pose 1"));
+  EXPECT_THAT(outcome.err, Not(HasSubstr("it repeats pose 2")));
+  const bool names_it = outcome.err.find("Cell 43 is dead") != std::string::npos;
+  EXPECT_EQ(names_it, GetParam().has_dead_board) << outcome.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(Streams, CaptureOfARobot,
+                         ::testing::Values(RobotStream{"readings_20hz.jsonl", true},
+                                           RobotStream{"readings_20hz_quiet_model.jsonl", false},
+                                           RobotStream{"port_frames_100hz.jsonl", true}));
+
+/// The same streams under the other cell model.
+class CaptureOfARobotWithAnotherModel : public Cli {};
+
+TEST_F(CaptureOfARobotWithAnotherModel, FindsTheSameHoldsWhateverTheDataSheetSays) {
+  for (const char* const name : {"readings_20hz.jsonl", "port_frames_100hz.jsonl"}) {
+    const std::string quiet = R"(s/\\"lsb_g\\": 0.00390625, \\"rate_hz\\": 1000, \\"noise_g_per_sqrt_hz\\": 0.0005/)"
+                              R"(\\"lsb_g\\": 0.0009765625, \\"rate_hz\\": 20.4, \\"noise_g_per_sqrt_hz\\": 0.000218/)";
+    const std::string output = std::string(name) + ".hexo";
+    const Outcome outcome = run("capture --source stdin -o " + output,
+                                "sed '" + quiet + "' '" HEXODERM_REFERENCE_DATA "/real/icub_leg/" + name + "' | ");
+    const Session session = readSessionStore(path(output));
+    EXPECT_EQ(session.model().accelerometer.rate_hz, 20.4) << name;
+    EXPECT_EQ(session.poses().size(), 3U) << name << outcome.err << outcome.out;
   }
 }
 

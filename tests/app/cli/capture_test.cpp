@@ -1,10 +1,13 @@
 // hexoderm-cli capture: a session from a source, in the real program.
 
+#include "hexoderm/io/calibration_json.h"
 #include "hexoderm/session/session_store.h"
 
 #include "tests/app/cli/cli_program.h"
 
 #include <gmock/gmock.h>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 namespace hexoderm {
@@ -51,6 +54,85 @@ TEST_F(CliCapture, ARecordingGivesTheSamePosesAgain) {
     ASSERT_EQ(a.samples.size(), b.samples.size());
     for (std::size_t c = 0; c < a.samples.size(); ++c) EXPECT_EQ(a.samples[c].mean_g, b.samples[c].mean_g);
   }
+}
+
+/// A sender of SkinWire's text dialect: two cells that are held (0 degrees a second) or turned for 12 s, 20 readings a
+/// second.
+std::string sender(double turn_deg_s) {
+  return "python3 -c '"
+         "import json, math\n"
+         "print(json.dumps({\"hello\": {\"device\": \"test\", \"cell_model\": \"hex-bma150\", \"rate_hz\": 20}}))\n"
+         "print(json.dumps({\"topology\": {\"id\": 1, \"cells\": [{\"id\": 1, \"ports\": [{\"port\": 1, \"cell\": 2, "
+         "\"cell_port\": 2}]}, {\"id\": 2, \"ports\": [{\"port\": 2, \"cell\": 1, \"cell_port\": 1}]}]}}))\n"
+         "for k in range(240):\n"
+         "    a = math.radians(" +
+         std::to_string(turn_deg_s) +
+         " * k / 20)\n"
+         "    g = [round(v / 0.004) * 0.004 for v in (math.sin(a), 0, math.cos(a))]\n"
+         "    print(json.dumps({\"samples\": {\"sequence\": 2 * k, \"time_us\": 50000 * k, \"cells\": [1, 2], "
+         "\"acceleration_g\": g + g}}))\n"
+         "' | ";
+}
+
+TEST_F(CliCapture, SaysWhyNothingWasCaptured) {
+  const Outcome text = run("capture --source stdin -o turned.hexo", sender(8));
+  EXPECT_EQ(text.exit_code, 1) << text.err;
+  EXPECT_THAT(text.out, AllOf(HasSubstr("0 poses of 2 cells"), HasSubstr("No pose was captured in 1"),
+                              HasSubstr("turning: Hold still: the part turns by ")));
+  // Without a terminal too, while it lasts: the tests have none.
+  EXPECT_THAT(text.err, HasSubstr("No pose for "));
+  EXPECT_THAT(text.err, HasSubstr("Hold still: the part turns by "));
+
+  const Outcome outcome = run("capture --source stdin --json -o again.hexo", sender(8));
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  const auto hold = nlohmann::json::parse(outcome.out).at("hold");
+  EXPECT_GT(hold.at("watched_s").get<double>(), 10);
+  EXPECT_EQ(hold.at("still_s"), 0);
+  const auto& blocked = hold.at("blocked");
+  ASSERT_FALSE(blocked.empty());
+  EXPECT_EQ(blocked.at(0).at("by"), "turning");
+  EXPECT_GT(blocked.at(0).at("for_s").get<double>(), 8);
+  EXPECT_THAT(blocked.at(0).at("message").get<std::string>(), HasSubstr("the part turns by"));
+  EXPECT_TRUE(hold.at("odd_cells").empty());
+}
+
+TEST_F(CliCapture, SaysNothingOfThatWhereAPoseWasCaptured) {
+  const Outcome outcome = run("capture --source stdin --json -o held.hexo", sender(0));
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json.at("poses"), 1) << outcome.err;
+  EXPECT_GT(json.at("hold").at("still_s").get<double>(), 0.5);
+  EXPECT_EQ(json.at("hold").at("blocked").at(0).at("by"), "not_moved") << "it was held on";
+}
+
+TEST_F(CliCapture, ASimulatedRobotWithItsMotorsOnIsCapturedHoldByHold) {
+  const Outcome outcome =
+      run("capture --source 'sim:x17?motion=robot&seed=3&speed=max' --poses 4 --timeout 600 --json -o robot.hexo");
+  EXPECT_NE(outcome.exit_code, 4) << outcome.err;
+  EXPECT_EQ(nlohmann::json::parse(outcome.out).at("poses"), 4) << outcome.err;
+  EXPECT_THAT(outcome.err, HasSubstr("on a robot with its motors on"));
+  const Session session = readSessionStore(path("robot.hexo"));
+  for (const SessionPose& pose : session.poses()) {
+    EXPECT_NEAR(pose.capture->samples.front().count, 15, 2) << "20 readings a second";
+  }
+}
+
+TEST_F(CliCapture, ALooseLinkDoesNotFillTheSession) {
+  // Ends of a ring that find each other and lose each other, 5,000 times.
+  const auto topology = [](int id, bool is_closed) {
+    const std::string link = is_closed ? R"({"port": 1, "cell": 3, "cell_port": 4})" : "";
+    const std::string back = is_closed ? R"({"port": 4, "cell": 1, "cell_port": 1})" : "";
+    return R"({"topology": {"id": )" + std::to_string(id) + R"(, "cells": [{"id": 1, "ports": [)" + link +
+           R"(]}, {"id": 2, "ports": []}, {"id": 3, "ports": [)" + back + "]}]}}\n";
+  };
+  std::string lines = "{\"hello\": {\"device\": \"loose\", \"cell_model\": \"hex-bma150\"}}\n";
+  for (int k = 0; k < 5000; ++k) lines += topology(2 * k, true) + topology(2 * k + 1, false);
+  std::ofstream(path("lines")) << lines;
+  const Outcome capture = run("capture --source stdin --json -o loose.hexo", "cat lines | ");
+  EXPECT_EQ(capture.exit_code, 1) << capture.err;
+  EXPECT_EQ(nlohmann::json::parse(capture.out).at("skin_changes"), 9999);
+  // A change takes some kilobytes in the file; all of them took 20 MB.
+  EXPECT_LT(std::filesystem::file_size(path("loose.hexo")), 1'000'000U);
+  EXPECT_TRUE(readSessionStore(path("loose.hexo")).neighbors()[0].neighbors.empty()) << "as the device said last";
 }
 
 TEST_F(CliCapture, NeverReplacesASession) {
@@ -101,6 +183,19 @@ TEST_F(CliCapture, InterruptedItKeepsWhatThereIs) {
   EXPECT_EQ(outcome.exit_code, 1) << "good for little: " << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("1 pose of 17 cells"));
   EXPECT_EQ(readSessionStore(path("arm.hexo")).poses().size(), 1U);
+}
+
+TEST_F(CliCapture, TwentyThousandCellsWithoutNeighboursAreTakenAndSolved) {
+  const Outcome capture = run("capture --source stdin --poses 3 --timeout 300 --json -o cells.hexo",
+                              "python3 '" HEXODERM_UNLINKED_SENDER "' 20000 '" HEXODERM_CELL_MODEL "' | ");
+  ASSERT_EQ(capture.exit_code, 1) << "nothing says how they lie: " << capture.err;
+  const auto json = nlohmann::json::parse(capture.out);
+  EXPECT_EQ(json.at("verdict").at("level"), "failed");
+  EXPECT_EQ(json.at("cells"), 20'000);
+  EXPECT_EQ(json.at("poses"), 3);
+  const Outcome solve = run("solve cells.hexo -o cells.calibration.json");
+  EXPECT_EQ(solve.exit_code, 1) << solve.err;
+  EXPECT_EQ(readCalibrationJson(path("cells.calibration.json"))->cellCount(), 20'000U);
 }
 
 TEST_F(CliCapture, SaysWhatIsWrongWithASource) {

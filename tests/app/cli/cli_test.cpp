@@ -44,6 +44,37 @@ TEST_F(Cli, WholeWayFromASimulatedSkinToAnExport) {
   EXPECT_THAT(run("inspect arm.calibration.json").out, HasSubstr("calibration"));
 }
 
+TEST_F(Cli, SensorsOfASessionBecomeACellModelForTheNext) {
+  EXPECT_EQ(run("simulate --poses 6 --seed 4 --offset-sigma 20 -o arm.session.json").exit_code, 0);
+  const Outcome text = run("sensors arm.session.json -o chip.json");
+  EXPECT_EQ(text.exit_code, 0) << text.err;
+  EXPECT_THAT(text.out, AllOf(HasSubstr("17 of 17 accelerometers"), HasSubstr("offset        "),
+                              HasSubstr("cross-axis"), HasSubstr("Cell model written to chip.json")));
+  const Outcome json = run("sensors arm.session.json --json");
+  EXPECT_EQ(json.exit_code, 0) << json.err;
+  const auto figures = nlohmann::json::parse(json.out);
+  const double offset_g = figures.at("offset_g").at("sigma").get<double>();
+  EXPECT_EQ(figures.at("offset_g").at("knowledge"), "measured");
+  EXPECT_LE(figures.at("offset_g").at("low_95").get<double>(), 0.02);
+  EXPECT_GE(figures.at("offset_g").at("high_95").get<double>(), 0.02);
+  EXPECT_EQ(nlohmann::json::parse(readFile(path("chip.json"))).at("accelerometer").at("offset_sigma_g"), offset_g);
+  EXPECT_EQ(run("simulate --poses 4 --cell-model chip.json -o next.session.json").exit_code, 0);
+  EXPECT_EQ(run("solve next.session.json").exit_code, 0);
+}
+
+TEST_F(Cli, SensorsOfOnePoseAreNotKnownAndOfTwoModelsNotLookedFor) {
+  EXPECT_EQ(run("simulate --poses 1 -o one.session.json").exit_code, 0);
+  const Outcome one = run("sensors one.session.json -o chip.json");
+  EXPECT_EQ(one.exit_code, 1);
+  EXPECT_THAT(one.out, AllOf(HasSubstr("offset        can't tell"), HasSubstr("Nothing can be told")));
+  EXPECT_TRUE(exists("chip.json"));
+  EXPECT_EQ(run("simulate --poses 2 --offset-sigma 20 -o other.session.json").exit_code, 0);
+  const Outcome two = run("sensors one.session.json other.session.json");
+  EXPECT_EQ(two.exit_code, 3);
+  EXPECT_THAT(two.err, HasSubstr("must have one cell model"));
+  EXPECT_EQ(run("sensors").exit_code, 2);
+}
+
 TEST_F(Cli, SameSeedSameFile) {
   run("simulate --seed 7 -o a.session.json");
   run("simulate --seed 7 -o b.session.json");
@@ -92,7 +123,7 @@ TEST_F(Cli, CellsAreLeftOutOnRequest) {
 TEST_F(Cli, AVerdictOfNotEnoughEndsWithOneAndStillWrites) {
   run("simulate --poses 1 -o one.session.json");
   EXPECT_EQ(run("solve one.session.json -o one.calibration.json").exit_code, 1);
-  EXPECT_EQ(readCalibrationJson(path("one.calibration.json"))->verdict.level, VerdictLevel::NotEnough);
+  EXPECT_EQ(readCalibrationJson(path("one.calibration.json"))->assessment.level, VerdictLevel::NotEnough);
 }
 
 TEST_F(Cli, UsageEndsWithTwo) {
@@ -200,7 +231,7 @@ TEST_F(Cli, FaultsThatAreNoneAreRefusedWithWhatThereIs) {
     const Outcome result = run("simulate --fault '" + bad + "' -o a.session.json");
     EXPECT_EQ(result.exit_code, 2) << bad;
     EXPECT_THAT(result.err, AllOf(HasSubstr("KIND:CELL with KIND dead, stuck, stuck-axis, dead-axis, saturated, noisy, "
-                                            "wrong-gain or no-samples"),
+                                            "wrong-gain, no-samples, echo, swapped, yawed or reglued"),
                                   HasSubstr("KIND:CELL:PORT with KIND wrong-port, joint or cable")))
         << bad;
   }

@@ -1,6 +1,7 @@
 // The emulator as a user would start it, and the library's own source as its host.
 
 #include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/device/skinwire/framing.h"
 #include "hexoderm/device/sources/wire_source.h"
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/util/units.h"
@@ -261,10 +262,11 @@ TEST(Emulator, GarbledBytesOnASerialPortCostTheirFrameOnly) {
   EXPECT_EQ(host.listener.delivered().status().reconnects, 0U);
 }
 
-/// Connects and never reads.
-class DeafHost {
+/// A connection that does only what it is told to: it neither reads nor sends by itself.
+class BareHost {
  public:
-  explicit DeafHost(const std::string& address) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
+  explicit BareHost(const std::string& address)
+      : is_tcp_(address.starts_with("tcp:")), socket_(::socket(AF_INET, is_tcp_ ? SOCK_STREAM : SOCK_DGRAM, 0)) {
     sockaddr_in to{};
     to.sin_family = AF_INET;
     to.sin_port = htons(static_cast<std::uint16_t>(std::stoul(address.substr(address.rfind(':') + 1))));
@@ -273,18 +275,83 @@ class DeafHost {
       throw std::runtime_error("no connection");
     }
   }
-  ~DeafHost() { ::close(socket_); }
-  DeafHost(const DeafHost&) = delete;
-  DeafHost& operator=(const DeafHost&) = delete;
+  ~BareHost() { ::close(socket_); }
+  BareHost(const BareHost&) = delete;
+  BareHost& operator=(const BareHost&) = delete;
+
+  void describe() const {
+    const skinwire::Command command{0, skinwire::Describe{}};
+    const skinwire::Bytes bytes =
+        is_tcp_ ? skinwire::encodeFrame(skinwire::Framing::Length, command) : skinwire::encodeBody(command);
+    if (::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL) < 0) throw std::runtime_error("not sent");
+  }
+  /// Waits for something to come; false at the end of the connection.
+  [[nodiscard]] bool hears() const {
+    char byte = 0;
+    return ::recv(socket_, &byte, 1, 0) > 0;
+  }
+  [[nodiscard]] bool hasHeard() const {
+    char byte = 0;
+    return ::recv(socket_, &byte, 1, MSG_PEEK | MSG_DONTWAIT) > 0;
+  }
 
  private:
+  bool is_tcp_;
   int socket_ = -1;
 };
+
+TEST(Emulator, AConnectionThatSaysNothingGivesWayToTheNext) {
+  const Emulator emulator(ring8({"--tcp", "0"}));
+  const BareHost silent(emulator.address);
+  ASSERT_TRUE(silent.hears()) << "it is served, as nobody else is there";
+  Host host(emulator.address);
+  ASSERT_TRUE(host.waitForFrames(100));
+  while (silent.hears()) continue;  // until it was closed
+
+  // The host has said that it is one, and is not disturbed.
+  const std::uint64_t reconnects = host.listener.delivered().status().reconnects;
+  const BareHost next(emulator.address);
+  ASSERT_TRUE(host.waitForNewFrames(200));
+  EXPECT_FALSE(next.hasHeard());
+  EXPECT_EQ(host.listener.delivered().status().reconnects, reconnects);
+  host.source.stop();
+  EXPECT_TRUE(next.hears()) << "it waited until the host had gone";
+}
+
+TEST(Emulator, AHostThatDoesNotReadAnyMoreIsLeft) {
+  // 300 cells 20 times as fast: what the network holds for a host is soon full.
+  const Emulator emulator({"--tcp", "0", "--patch", "sheet:15x20", "--speed", "20"});
+  const BareHost stuck(emulator.address);
+  stuck.describe();
+  ASSERT_TRUE(stuck.hears());
+  Host host(emulator.address);
+  EXPECT_TRUE(host.waitForFrames(10));
+}
+
+TEST(Emulator, OverUdpOnlyTheHostIsAnswered) {
+  const Emulator emulator(ring8({"--udp", "0"}));
+  const BareHost host(emulator.address);
+  host.describe();
+  ASSERT_TRUE(host.hears());
+  const BareHost other(emulator.address);
+  other.describe();
+  // What the host asks after that is answered after that.
+  host.describe();
+  for (int k = 0; k < 200; ++k) ASSERT_TRUE(host.hears());
+  EXPECT_FALSE(other.hasHeard());
+  // The host is gone when it asks no more.
+  const auto until = std::chrono::steady_clock::now() + test::kPatience;
+  while (!other.hasHeard() && std::chrono::steady_clock::now() < until) {
+    other.describe();
+    ::poll(nullptr, 0, 100);
+  }
+  EXPECT_TRUE(other.hasHeard());
+}
 
 TEST(Emulator, NeverWaitsForAHostThatDoesNotRead) {
   // 50 times as fast, 300 cells: what the network holds for a host is full at once.
   const Emulator emulator({"--tcp", "0", "--patch", "sheet:15x20", "--speed", "50"});
-  const DeafHost host(emulator.address);
+  const BareHost host(emulator.address);
   const auto dropped = [&] {
     const std::string status = emulator.type("status");
     const std::size_t at = status.find("dropped ");

@@ -151,6 +151,45 @@ TEST_F(WindowExportTest, OptionsOfAFormatAreInTheFile) {
   EXPECT_NE(meshes["Metres"], meshes["Millimetres"]);
 }
 
+TEST_F(WindowExportTest, OfSeveralPatchesOneIsChosenAndTheOthersAreNamed) {
+  window_->openFile(QStringLiteral(HEXODERM_TEST_DATA "/two_patches.tum.xml"));
+  ASSERT_TRUE(waitUntilIdle());
+  ASSERT_NE(controller().reconstruction(), nullptr);
+  ASSERT_EQ(controller().reconstruction()->patches.size(), 2U);
+  QDialog* dialog = openDialog();
+  ASSERT_NE(dialog, nullptr);
+  ASSERT_NO_FATAL_FAILURE(choose(dialog, "Calibration"));
+  EXPECT_FALSE(dialog->findChild<QComboBox*>("exportPatch")->isVisible());
+  const auto noteOf = [&] { return dialog->findChild<QLabel*>("exportNote")->text(); };
+  const auto patchOf = [&] { return dialog->findChild<QComboBox*>("exportPatch"); };
+  ASSERT_NO_FATAL_FAILURE(choose(dialog, "CSV"));
+  dialog->findChild<QLineEdit*>("exportPath")->setText(pathTo("tables"));
+  EXPECT_TRUE(patchOf()->isVisible());
+  EXPECT_EQ(patchOf()->currentText(), "All, each in its own frame");
+  EXPECT_FALSE(noteOf().contains("Not in the file")) << noteOf().toStdString();
+  ASSERT_NO_FATAL_FAILURE(choose(dialog, "PLY"));
+  EXPECT_EQ(patchOf()->count(), 2) << "one frame, one patch";
+  EXPECT_EQ(patchOf()->currentText(), "Patch of cell 2, 2 cells");
+  dialog->findChild<QLineEdit*>("exportPath")->setText(pathTo("large.ply"));
+  EXPECT_TRUE(noteOf().contains("Not in the file: the patch of cell 7 (1 cell)")) << noteOf().toStdString();
+  click(dialog->findChild<QPushButton*>("exportButton"));
+  ASSERT_TRUE(waitForMessage("Not in the file: the patch of cell 7 (1 cell)")) << message().toStdString();
+  EXPECT_TRUE(message().contains("Exported to " + pathTo("large.ply"))) << message().toStdString();
+  EXPECT_TRUE(contentOf(pathTo("large.ply")).contains("in the frame of cell 2,"));
+  click(find<QWidget>("messageClose"));
+
+  dialog = openDialog();
+  ASSERT_NE(dialog, nullptr);
+  ASSERT_NO_FATAL_FAILURE(choose(dialog, "PLY"));
+  QTest::keyClick(patchOf(), Qt::Key_Down);
+  EXPECT_EQ(patchOf()->currentText(), "Cell 7 alone");
+  dialog->findChild<QLineEdit*>("exportPath")->setText(pathTo("lonely.ply"));
+  click(dialog->findChild<QPushButton*>("exportButton"));
+  ASSERT_TRUE(waitForMessage("Exported to " + pathTo("lonely.ply"))) << message().toStdString();
+  EXPECT_TRUE(message().contains("the patch of cell 2 (2 cells)")) << message().toStdString();
+  EXPECT_TRUE(contentOf(pathTo("lonely.ply")).contains("in the frame of cell 7,"));
+}
+
 TEST_F(WindowExportTest, PicturesOfTheWindowAndOfTheThreeDimensionalViewAreWritten) {
   ASSERT_NO_FATAL_FAILURE(openCalibrated());
   press(Qt::Key_F12);

@@ -202,11 +202,15 @@ struct Finished {
   int code = -1;
   QString errors;
 };
-Finished runProgram(const QStringList& arguments) {
+Finished runProgram(const QStringList& arguments, const QString& demo_source = {}) {
   QProcess process;
   QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
   const QTemporaryDir home;
   environment.insert("XDG_CONFIG_HOME", home.path());
+  environment.insert("XDG_DATA_HOME", home.path());
+  if (!demo_source.isEmpty()) {
+    QSettings(home.filePath("Hexoderm/hexoderm.conf"), QSettings::IniFormat).setValue("demo/source", demo_source);
+  }
   process.setProcessEnvironment(environment);
   process.start(QStringLiteral(HEXODERM_PROGRAM), arguments);
   if (!process.waitForFinished(test::kPatience_ms) || process.exitStatus() != QProcess::NormalExit) process.kill();
@@ -222,6 +226,14 @@ TEST(WindowProgram, PicturesTheDemo) {
   const QImage picture(path);
   ASSERT_FALSE(picture.isNull());
   EXPECT_LT(picture.pixelColor(3, picture.height() / 2).lightness(), 60);
+}
+
+TEST(WindowProgram, TheDemoTakesAsManyPosesAsItIsToldThoughFewerAreEnough) {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("demo.png");
+  const Finished run = runProgram({"--demo", "--poses", "8", "--screenshot", path}, "sim:x17?speed=20");
+  EXPECT_EQ(run.code, 0) << run.errors.toStdString();
+  EXPECT_FALSE(QImage(path).isNull());
 }
 
 TEST(WindowProgram, RefusesWhatItDoesNotUnderstand) {

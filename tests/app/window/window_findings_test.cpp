@@ -4,7 +4,7 @@
 #include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/io/session_json.h"
-#include "hexoderm/reconstruction/advice/verdict.h"
+#include "hexoderm/reconstruction/advice/assess.h"
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/units.h"
 #include "tests/app/window/window_test.h"
@@ -301,11 +301,11 @@ TEST_P(WindowFindingsTest, IsNamedPickedAndTheRestIsStillReconstructed) {
   const Finding* worst = worstFinding(result);
   const auto labels = find<QWidget>("step4")->findChildren<QLabel*>();
   const QString said =
-      unbroken(QString::fromStdString(worst ? worst->message.english() : result.verdict.reason.english()));
+      unbroken(QString::fromStdString(worst ? worst->message.english() : result.assessment.reason.english()));
   EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
     return label->isVisible() && label->text() == said;
   })) << listed;
-  EXPECT_EQ(find<QLabel>("bannerSentence")->text().toStdString(), result.verdict.reason.english());
+  EXPECT_EQ(find<QLabel>("bannerSentence")->text().toStdString(), result.assessment.reason.english());
 }
 
 INSTANTIATE_TEST_SUITE_P(Faults, WindowFindingsTest, testing::ValuesIn(kCases),
@@ -320,7 +320,7 @@ TEST_F(WindowVerdictTest, TooFewPosesAreSaidWithWhatToDoNext) {
     window_->openFile(pathTo(name));
     ASSERT_TRUE(waitUntil([&, file = QString(name)] { return controller().file().name() == file; }));
     ASSERT_TRUE(waitForPoses(poses));
-    const Verdict& verdict = controller().reconstruction()->verdict;
+    const Assessment& verdict = controller().reconstruction()->assessment;
     EXPECT_EQ(verdict.level, VerdictLevel::NotEnough);
     EXPECT_FALSE(verdict.next_action.empty());
     press(Qt::Key_3, Qt::ControlModifier);

@@ -3,6 +3,8 @@
 #include "hexoderm/session/simulated_session.h"
 #include "tests/app/window/window_test.h"
 #include "tests/support/failing_disk.h"
+#include "widgets/capture/stillness_view.h"
+#include "widgets/patch/patch_view.h"
 
 #include <QComboBox>
 #include <QElapsedTimer>
@@ -69,7 +71,7 @@ TEST_F(WindowLiveTest, ASimulatedSkinIsConnectedAndEveryPoseIsInItsFile) {
   press(Qt::Key_Space);
   ASSERT_TRUE(waitForPoses(2)) << message().toStdString();
   ASSERT_TRUE(waitForMessage("Pose 2 captured")) << message().toStdString();
-  EXPECT_EQ(controller().reconstruction()->verdict.level, VerdictLevel::Usable);
+  EXPECT_EQ(controller().reconstruction()->assessment.level, VerdictLevel::Usable);
   keepPicture(window_->picture(), "live-light");
   action("actionThemeDark")->trigger();
   keepPicture(window_->picture(), "live-dark");
@@ -144,15 +146,26 @@ TEST_F(WindowLiveTest, TheAddressOfALargeSkinIsCheckedAsItIsTyped) {
   EXPECT_TRUE(note.contains("100000 cells")) << note.toStdString();
 }
 
-TEST_F(WindowLiveTest, ADeviceThatIsNotThereIsSaidAndCanBeGivenUp) {
+TEST_F(WindowLiveTest, ADeviceThatIsNotThereIsSaidAndItsAddressCanBeCorrectedOrGivenUp) {
   // Nobody listens at port 1.
-  window_->connectTo({QStringLiteral("tcp://127.0.0.1:1"), pathTo("arm.hexo"), false});
+  ASSERT_NO_FATAL_FAILURE(connectByDialog("Network, TCP", "127.0.0.1:1", pathTo("arm.hexo")));
   ASSERT_TRUE(waitUntil([this] { return text("liveText").contains("refused"); })) << text("liveText").toStdString();
   EXPECT_EQ(text("liveState"), "Connecting");
   EXPECT_TRUE(text("sourceStatus").contains("Connecting")) << text("sourceStatus").toStdString();
   keepPicture(window_->picture(), "live-refused");
-  EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Disconnect");
+  // Every wait is longer than the one before; those of more than a second are counted down.
+  for (const char* left : {"next try in 2 s", "next try in 1 s"}) {
+    ASSERT_TRUE(waitUntil([&] { return text("liveText").contains(left); })) << text("liveText").toStdString();
+  }
+  EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Correct the address…");
   clickBanner();
+  auto* dialog = waitForDialog<QDialog>("connectDialog");
+  ASSERT_NE(dialog, nullptr);
+  EXPECT_EQ(dialog->findChild<QComboBox*>("connectAddress")->currentText(), "127.0.0.1:1");
+  dialog->reject();
+  ASSERT_TRUE(waitUntil([this] { return window_->findChild<QDialog*>("connectDialog") == nullptr; }));
+  EXPECT_TRUE(controller().liveSession().source().isRunning());
+  click(find<QPushButton>("liveDisconnect"));
   EXPECT_FALSE(controller().liveSession().source().isRunning());
   EXPECT_FALSE(QFile::exists(pathTo("arm.hexo"))) << "nothing was captured";
 }
@@ -190,6 +203,45 @@ TEST_F(WindowLiveTest, LossesAndSilenceOfADeviceAreSaid) {
   server.close();
   ASSERT_TRUE(waitUntil([this] { return text("liveState") == "Connecting"; })) << text("liveText").toStdString();
   EXPECT_NE(controller().session(), nullptr) << "the session stays";
+}
+
+TEST_F(WindowLiveTest, APoseThatLacksReadingsIsTakenAgainByTheButtonOnTop) {
+  SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
+  const Session whole = simulateSession(skin, 5);
+  Session session(whole.model(), whole.neighbors());
+  for (const SessionPose& pose : whole.poses()) {
+    auto capture = std::make_shared<PoseCapture>(*pose.capture);
+    const bool is_last = session.poses().size() + 1 == whole.poses().size();
+    if (!is_last) std::erase_if(capture->samples, [](const GravitySample& s) { return s.cell == CellId(7); });
+    session.addPose({std::move(capture), false});
+  }
+  writeSessionStore(session, pathTo("arm.hexo").toStdString());
+  window_->openFile(pathTo("arm.hexo"));
+  ASSERT_TRUE(waitForPoses(5));
+  const Assessment& assessment = controller().reconstruction()->assessment;
+  ASSERT_EQ(assessment.remedy, Remedy::RetakePoses) << assessment.reason.english();
+  ASSERT_EQ(assessment.retake.front(), PoseId(1));
+  EXPECT_FALSE(action("actionRetake")->isEnabled());
+  EXPECT_EQ(action("actionRetake")->toolTip(), "No skin is connected");
+
+  controller().liveSession().setAutomatic(false);
+  window_->connectTo({kQuickSkin, {}, true});
+  auto* button = find<QPushButton>("bannerButton");
+  ASSERT_TRUE(waitUntil([&] { return button->text() == "Take pose 1 again"; })) << button->text().toStdString();
+  ASSERT_NO_FATAL_FAILURE(turnBy([&] { click(button); }));
+  EXPECT_EQ(controller().liveSession().recapturing(), PoseId(1));
+  EXPECT_EQ(button->text(), "Don't take pose 1 again");
+  const auto before = controller().session()->poses()[0].capture;
+  press(Qt::Key_Space);
+  ASSERT_TRUE(waitUntil([&] { return controller().session()->poses()[0].capture != before; }));
+  ASSERT_TRUE(waitForPoses(5));
+  EXPECT_EQ(controller().session()->poses()[0].capture->id, PoseId(1));
+  EXPECT_EQ(controller().session()->poses()[0].capture->samples.size(), 17U);
+  ASSERT_TRUE(waitUntil([&] { return button->text() == "Take pose 2 again"; })) << button->text().toStdString();
+  click(button);
+  EXPECT_EQ(controller().liveSession().recapturing(), PoseId(2));
+  click(button);
+  EXPECT_EQ(controller().liveSession().recapturing(), std::nullopt);
 }
 
 TEST_F(WindowLiveTest, WhatCanNotBeWrittenWaitsUntilItCan) {
@@ -282,6 +334,45 @@ TEST_F(WindowLiveTest, TheDemoCanBeSavedAsASessionThatKeepsEveryChange) {
   ASSERT_TRUE(waitUntilKept());
   EXPECT_EQ(read(path).poses().size(), 1U);
   EXPECT_NE(read(path).truth(), nullptr);
+}
+
+TEST_F(WindowLiveTest, ASkinThatFallsSilentIsToldAboveTheRobotAndItsLastReadingsGo) {
+  QTcpServer server;
+  ASSERT_TRUE(server.listen(QHostAddress::LocalHost));
+  window_->connectTo({QStringLiteral("tcp://127.0.0.1:%1").arg(server.serverPort()), pathTo("arm.hexo"), false});
+  ASSERT_TRUE(waitUntil([&] { return server.hasPendingConnections(); }));
+  QTcpSocket* device = server.nextPendingConnection();
+  device->write(
+      "{\"hello\": {\"device\": \"my robot\", \"cell_model\": \"hex-bma150\", \"can_turn\": true}}\n"
+      "{\"topology\": {\"id\": 1, \"cells\": [{\"id\": 1, \"ports\": [{\"port\": 2, \"cell\": 2, \"cell_port\": 3}]},"
+      " {\"id\": 2, \"ports\": [{\"port\": 3, \"cell\": 1, \"cell_port\": 2}]}]}}\n");
+  auto* stillness = find<StillnessView>("stillnessView");
+  auto* patch = window_->findChild<PatchView*>();
+  ASSERT_TRUE(stillness && patch);
+  // Until the robot is at work and its readings are shown.
+  ASSERT_TRUE(waitUntil([&, tick = 0]() mutable {
+    device->write(QStringLiteral("{\"samples\": {\"time_us\": %1, \"cells\": [1, 2], "
+                                 "\"acceleration_g\": [0, 0, 1, 0, 0, 1]}}\n")
+                      .arg(10000 * tick++)
+                      .toUtf8());
+    device->flush();
+    QAction* robot = action("actionRobot");
+    if (robot->isEnabled() && !robot->isChecked()) robot->trigger();
+    return !stillness->trace().points().empty() && patch->moment().readings &&
+           text("bannerSentence").startsWith("The robot is taking pose");
+  })) << text("bannerSentence").toStdString();
+
+  ASSERT_TRUE(waitUntil([this] { return text("bannerSentence").startsWith("The skin does not send any more"); }))
+      << text("bannerSentence").toStdString();
+  EXPECT_TRUE(controller().poseGuide().isRobotOn()) << "it goes on when the skin does";
+  EXPECT_EQ(find<QPushButton>("bannerButton")->text(), action("actionConnect")->iconText());
+  EXPECT_TRUE(stillness->trace().points().empty());
+  EXPECT_EQ(patch->moment().readings, nullptr);
+  EXPECT_FALSE(patch->moment().up_o.has_value());
+  click(find<QPushButton>("bannerButton"));
+  auto* dialog = waitForDialog<QDialog>("connectDialog");
+  ASSERT_NE(dialog, nullptr);
+  dialog->reject();
 }
 
 }  // namespace

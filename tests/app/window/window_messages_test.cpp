@@ -225,12 +225,12 @@ TEST_F(WindowMessagesTest, StepsSayWhyTheyAreReadyOrBlocked) {
   ASSERT_TRUE(waitUntilIdle());
   for (const int step : {4, 5}) EXPECT_EQ(because(step), "■ Blocked: No pose has been captured yet.");
   EXPECT_EQ(because(6), "▲ Possible: Without a pose, a file only holds what follows from the ports.");
-  device_.hold(3, kUp);
+  device_.hold(3, kSide);
   ASSERT_TRUE(waitForPoses(1));
   ASSERT_TRUE(waitUntil([&] { return because(2) == "✓ Ready: Every cell sends."; })) << because(2);
   EXPECT_EQ(because(3), "✓ Ready: The skin sends.");
   EXPECT_EQ(because(4), "✓ Ready: There is a result of 1 pose.");
-  EXPECT_THAT(because(6), testing::StartsWith("▲ Possible: ")) << "one pose is not enough";
+  EXPECT_THAT(because(6), testing::StartsWith("▲ Possible: ")) << "gravity along the sheet leaves open how it is bent";
   device_.unplug();
   ASSERT_TRUE(waitUntil([&] { return because(3).find("■ Blocked: The skin does not send") == 0; })) << because(3);
   EXPECT_THAT(because(1), testing::StartsWith("■ Blocked: "));

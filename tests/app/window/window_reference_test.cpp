@@ -1,6 +1,6 @@
 // The reference data, opened in the window as a user would open it.
 
-#include "hexoderm/reconstruction/advice/verdict.h"
+#include "hexoderm/reconstruction/advice/assess.h"
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
 #include "hexoderm/util/units.h"
 #include "tests/app/window/window_test.h"

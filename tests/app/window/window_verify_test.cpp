@@ -104,6 +104,18 @@ TEST_F(WindowVerifyTest, LoopsSurfaceAndTheTrueRadiusAreJudgedAsPosesCome) {
   EXPECT_EQ(sentence("surface"), "");
 }
 
+TEST_F(WindowVerifyTest, TheWheelOverAFieldOfThePanelChangesNothing) {
+  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(3));
+  ASSERT_NO_FATAL_FAILURE(showPanel());
+  auto* kind = inPanel<QComboBox>("surfaceKind");
+  const int before = kind->currentIndex();
+  const QPoint middle = kind->rect().center();
+  QWheelEvent event(middle, kind->mapToGlobal(middle), {}, {0, -120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
+                    false);
+  QApplication::sendEvent(kind, &event);
+  EXPECT_EQ(kind->currentIndex(), before);
+}
+
 TEST_F(WindowVerifyTest, AnOpenRingsGapIsFoundWithoutBeingAskedFor) {
   SimulatedSkinOptions options;
   options.patch = "ring8";

@@ -52,10 +52,14 @@ class CaptureCourseTest : public testing::Test, public CaptureOwner {
     if (const auto* kept = std::get_if<PoseKept>(&event)) {
       kept_.push_back(kept->captured.pose->id);
       kept_in_.push_back(kept->where);
+      repeats_ = kept->captured.repeats;
     }
     if (const auto* lost = std::get_if<PoseLost>(&event)) lost_.push_back(lost->why);
     if (std::holds_alternative<FileRefused>(event)) ++refusals_;
-    if (std::holds_alternative<SkinChanged>(event)) ++skin_changes_;
+    if (const auto* changed = std::get_if<SkinChanged>(&event)) {
+      ++skin_changes_;
+      other_models_ += changed->other_model ? 1 : 0;
+    }
     if (std::holds_alternative<CourseFinished>(event)) ++finishes_;
     if (const auto* wanted = std::get_if<AdviceWanted>(&event)) question_ = wanted->question;
     if (const auto* refused = std::get_if<TurnRefused>(&event)) turn_refusals_.push_back(*refused);
@@ -106,8 +110,9 @@ class CaptureCourseTest : public testing::Test, public CaptureOwner {
   int retries_ = 0;
   std::vector<PoseId> taken_, kept_;
   std::vector<KeptIn> kept_in_;
+  std::optional<PoseId> repeats_;  ///< of the pose that was kept last
   std::vector<Message> lost_;
-  int refusals_ = 0, skin_changes_ = 0, finishes_ = 0;
+  int refusals_ = 0, skin_changes_ = 0, other_models_ = 0, finishes_ = 0;
   std::optional<AdviceQuestion> question_;
   std::vector<TurnRefused> turn_refusals_;
 };
@@ -227,8 +232,50 @@ TEST_F(CaptureCourseTest, ARecaptureTakesThePlaceOfItsPoseInOneStep) {
   take();
   EXPECT_EQ(steps_, 1U);
   ASSERT_THAT(session_.poses(), SizeIs(3));
-  EXPECT_EQ(session_.poses()[1].capture->id, PoseId(4));
   EXPECT_EQ(course_->recapturing(), std::nullopt);
+}
+
+TEST_F(CaptureCourseTest, ARecaptureKeepsItsNumberAndTheNextPoseGetsTheNextOne) {
+  for (int k = 0; k < 3; ++k) takeStoreAndSolve();
+  const auto before = session_.poses()[1].capture;
+  course_->recapture(PoseId(2));
+  course_->take(capture());
+  EXPECT_EQ(session_.poses()[1].capture->id, PoseId(2));
+  EXPECT_NE(session_.poses()[1].capture, before);
+  EXPECT_THAT(taken_, ElementsAre(PoseId(1), PoseId(2), PoseId(3), PoseId(2)));
+  store(PoseId(2));
+  EXPECT_EQ(kept_.back(), PoseId(2));
+  course_->take(capture());
+  ASSERT_THAT(session_.poses(), SizeIs(4));
+  EXPECT_EQ(session_.poses()[3].capture->id, PoseId(4));
+}
+
+TEST_F(CaptureCourseTest, ARecaptureIsNotSaidToRepeatThePoseThatItReplaces) {
+  for (int k = 0; k < 3; ++k) takeStoreAndSolve();
+  const auto retake = [&](PoseId repeated) {
+    course_->recapture(PoseId(2));
+    CapturedPose captured = capture();
+    captured.repeats = repeated;
+    course_->take(captured);
+    store(PoseId(2));
+    return repeats_;
+  };
+  EXPECT_EQ(retake(PoseId(2)), std::nullopt);
+  EXPECT_EQ(retake(PoseId(3)), PoseId(3)) << "another one is told";
+}
+
+TEST_F(CaptureCourseTest, ARecaptureCountsWhenItIsOnDiskItselfNotWhenThePoseBeforeItIs) {
+  const PoseId pose = take();
+  course_->recapture(pose);
+  course_->take(capture());
+  ASSERT_THAT(session_.poses(), SizeIs(1));
+  const PoseId again = session_.poses()[0].capture->id;
+  EXPECT_NE(again, pose) << "the file will answer about both";
+  store(pose);
+  EXPECT_THAT(kept_, ElementsAre(pose));
+  EXPECT_EQ(course_->waiting(), 1U);
+  store(again);
+  EXPECT_THAT(kept_, ElementsAre(pose, again));
 }
 
 TEST_F(CaptureCourseTest, APoseThatIsGoneIsNotRecaptured) {
@@ -260,6 +307,21 @@ TEST_F(CaptureCourseTest, ASkinWithOtherCellsDoesNotJoinAndOtherLinksAreTakenOve
   course_->describe(description_);
   EXPECT_EQ(skin_changes_, 2);
   EXPECT_THAT(session_.poses(), SizeIs(1)) << "poses stay";
+  EXPECT_EQ(other_models_, 0);
+}
+
+TEST_F(CaptureCourseTest, AnotherCellModelIsNoticedAndTakenOver) {
+  take();
+  SkinDescription other = description_;
+  CellModel model = *other.model;
+  model.accelerometer.range_g = 4;
+  other.model = std::make_shared<const CellModel>(model);
+  course_->describe(other);
+  EXPECT_EQ(other_models_, 1);
+  EXPECT_EQ(session_.model().accelerometer.range_g, 4);
+  EXPECT_THAT(session_.poses(), SizeIs(1)) << "poses stay";
+  course_->describe(other);
+  EXPECT_EQ(skin_changes_, 1) << "nothing is new";
 }
 
 TEST_F(CaptureCourseTest, TheNextPoseIsWantedNeitherBeforeTheFirstNorOutOfReach) {
@@ -309,14 +371,42 @@ TEST_F(CaptureCourseTest, TheRobotTurnsWhenPoseResultAndAdviceAreThere) {
 
 TEST_F(CaptureCourseTest, TheRobotStopsWhenThereAreEnough) {
   course_->setRobot(true);
-  while (finishes_ == 0 && session_.poses().size() < 2 * kMostPosesByItself) takeStoreAndSolve();
+  while (finishes_ == 0 && session_.poses().size() < 2 * CaptureCourse::kMostPosesByItself) takeStoreAndSolve();
   EXPECT_EQ(finishes_, 1);
   EXPECT_TRUE(course_->isFinished());
   EXPECT_FALSE(course_->isRobotOn());
-  const auto result = reconstruct(*session_.snapshot());
-  EXPECT_TRUE(enoughPoses(*result, TurnedBy::Device));
-  EXPECT_FALSE(course_->wantsMorePoses(TurnedBy::Device));
+  EXPECT_FALSE(reconstruct(*session_.snapshot())->assessment.wantsPose());
+  EXPECT_FALSE(course_->wantsMorePoses());
   EXPECT_THAT(turns_, SizeIs(session_.poses().size() - 1));
+}
+
+TEST_F(CaptureCourseTest, ARobotThatWasGivenANumberTakesThatManyWhateverTheyAreGoodFor) {
+  course_->setRobot(true);
+  while (finishes_ == 0 && session_.poses().size() < 2 * CaptureCourse::kMostPosesByItself) takeStoreAndSolve();
+  ASSERT_FALSE(course_->wantsMorePoses());
+  const std::size_t wanted = CaptureCourse::kMostPosesByItself + 2;
+  ASSERT_LT(session_.poses().size(), wanted);
+  turns_.clear();
+  course_->setRobot(true, wanted);
+  EXPECT_TRUE(course_->isRobotOn());
+  EXPECT_TRUE(course_->wantsMorePoses());
+  EXPECT_THAT(turns_, SizeIs(1)) << "it goes on at once";
+  while (finishes_ == 1 && session_.poses().size() < 2 * wanted) takeStoreAndSolve();
+  EXPECT_THAT(session_.poses(), SizeIs(wanted));
+  EXPECT_FALSE(course_->isRobotOn());
+  EXPECT_TRUE(course_->isFinished());
+  EXPECT_FALSE(course_->wantsMorePoses()) << "the number was the robot's";
+  course_->setRobot(true);
+  EXPECT_FALSE(course_->isRobotOn()) << "without a number, the assessment says that there are enough";
+}
+
+TEST_F(CaptureCourseTest, ANumberThatIsReachedAlreadyStopsTheRobotAtOnce) {
+  takeStoreAndSolve();
+  takeStoreAndSolve();
+  turns_.clear();
+  course_->setRobot(true, 2);
+  EXPECT_FALSE(course_->isRobotOn());
+  EXPECT_THAT(turns_, IsEmpty());
 }
 
 TEST_F(CaptureCourseTest, ANumberOfPosesEndsItWhateverTheyAreGoodFor) {
@@ -354,6 +444,24 @@ TEST_F(CaptureCourseTest, ARefusedTurnIsNotAdvisedAgainAndARobotGivesUp) {
   EXPECT_THAT(turns_, SizeIs(CaptureCourse::kMostRefusals + 1));
 }
 
+TEST_F(CaptureCourseTest, ADeviceThatIsGoneForAMomentHasRefusedNothingAndTheRobotGoesOn) {
+  course_->setRobot(true);
+  takeStoreAndSolve();
+  ASSERT_THAT(turns_, SizeIs(1));
+  const Eigen::Vector3d there = turns_[0].up_u;
+  course_->setSending(false);
+  answerTurn(false);
+  advise();
+  EXPECT_THAT(turn_refusals_, IsEmpty());
+  EXPECT_THAT(turns_, SizeIs(1)) << "nobody is there to be asked";
+  EXPECT_TRUE(course_->isRobotOn());
+  course_->setSending(true);
+  ASSERT_THAT(turns_, SizeIs(2));
+  EXPECT_EQ(turns_[1].up_u, there) << "it can be reached";
+  course_->setSending(true);
+  EXPECT_THAT(turns_, SizeIs(2)) << "it is asked once";
+}
+
 TEST_F(CaptureCourseTest, ATurnByHandEndsTheRobotsRunAndItsRefusalCountsForNothing) {
   course_->setRobot(true);
   takeStoreAndSolve();
@@ -362,6 +470,28 @@ TEST_F(CaptureCourseTest, ATurnByHandEndsTheRobotsRunAndItsRefusalCountsForNothi
   EXPECT_EQ(turns_.back().up_u, Eigen::Vector3d::UnitX());
   answerTurn(false);
   EXPECT_THAT(turn_refusals_, IsEmpty());
+}
+
+TEST_F(CaptureCourseTest, ATurnThatIsAskedForBeforeTheNewAdviceWaitsForIt) {
+  takeStoreAndSolve();
+  const Eigen::Vector3d old = course_->nextPose()->up;
+  store(take());
+  course_->turnToNextPose();
+  EXPECT_THAT(turns_, IsEmpty()) << "the advice is that of one pose";
+  solve();
+  EXPECT_THAT(turns_, IsEmpty());
+  advise();
+  ASSERT_THAT(turns_, SizeIs(1));
+  EXPECT_EQ(turns_[0].up_u, course_->nextPose()->up);
+  EXPECT_FALSE(turns_[0].up_u.isApprox(old));
+  takeStoreAndSolve();
+  EXPECT_THAT(turns_, SizeIs(1)) << "it was asked for once";
+  store(take());
+  course_->turnToNextPose();
+  course_->turnTo(Eigen::Vector3d::UnitX());
+  solve();
+  advise();
+  EXPECT_THAT(turns_, SizeIs(2)) << "another turn was asked for instead";
 }
 
 TEST_F(CaptureCourseTest, ADeviceThatCanNotTurnIsNotAsked) {

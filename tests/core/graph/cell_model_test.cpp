@@ -24,6 +24,7 @@ CellModel ownModel() {
   model.ports.push_back({PortNumber(9), {0, 0.0141, 0}});
   model.accelerometer.T_u_a = {expSO3({0, 0, kPi}), {0.001, -0.002, -0.003}};
   model.accelerometer.cross_axis_sigma = 0.001;
+  model.accelerometer.shared_offset_sigma_g = 0.008;
   model.sensors = {{"force 1", "force", {expSO3({kPi, 0, 0}), {0.004, 0.1 / 3, 0}}}};
   model.forbidden_port_pairs = {{PortNumber(1), PortNumber(9)}};
   model.side_angle_rad = 0.1;
@@ -92,6 +93,7 @@ TEST(CellModelJson, ComesBackAsItWas) {
   EXPECT_TRUE(back.sensors[0].T_u_s.R.isApprox(model.sensors[0].T_u_s.R, 1e-15));
   EXPECT_EQ(back.accelerometer.T_u_a.t, model.accelerometer.T_u_a.t);
   EXPECT_EQ(back.accelerometer.cross_axis_sigma, 0.001);
+  EXPECT_EQ(back.accelerometer.shared_offset_sigma_g, 0.008);
   EXPECT_EQ(back.side_angle_rad, 0.1);
   EXPECT_EQ(back.link_sigma_m, 0.0007);
   EXPECT_EQ(back.bend_sigma_rad, 0.3);
@@ -141,7 +143,7 @@ std::string complaintWith(const std::string& from, const std::string& to) {
 
 TEST(CellModelJson, NamesTheKeyPathOfWhatIsWrong) {
   EXPECT_THAT(complaintWith("\"side_m\": 0.01502", "\"side_m\": -1"), saysAll("m.json: side_m: expected", "found -1"));
-  EXPECT_THAT(complaintWith("\"side_m\"", "\"sidem\""), saysAll("m.json: side_m: is missing"));
+  EXPECT_THAT(complaintWith("\"side_m\": 0.01502,", ""), saysAll("m.json: side_m: is missing"));
   EXPECT_THAT(complaintWith("[0.012, -0.007, 0.0]", "[0.012, -0.007]"), saysAll("m.json: ports[1].vector_m: expected"));
   EXPECT_THAT(complaintWith("[0.012, -0.007, 0.0]", "[0.012, 1e999, 0]"), saysAll("m.json: ports[1].vector_m[1]"));
   EXPECT_THAT(complaintWith("\"port\": 2", "\"port\": 0"), saysAll("m.json: ports[1].port: expected a whole number"));
@@ -149,6 +151,37 @@ TEST(CellModelJson, NamesTheKeyPathOfWhatIsWrong) {
   EXPECT_THAT(complaintWith("[0.012, -0.007, 0.0]", "[0, 0, 0]"), saysAll("m.json", "port 2", "vector_m"));
   EXPECT_THAT(complaintWith("\"range_g\": 2.0", "\"range_g\": \"2\""), saysAll("m.json: accelerometer.range_g"));
   EXPECT_THAT(complaintWith("\"interface_id\": 16383", "\"interface_id\": 0"), saysAll("m.json: interface_id"));
+}
+
+TEST(CellModelJson, RefusesLengthsThatNoCellHas) {
+  EXPECT_THAT(complaintWith("\"side_m\": 0.01502", "\"side_m\": 15"),
+              saysAll("m.json", "side_m must be from 0.001 to 1, found 15"));
+  EXPECT_THAT(complaintWith("\"side_m\": 0.01502", "\"side_m\": 1e-9"), saysAll("side_m must be from 0.001 to 1"));
+  EXPECT_THAT(complaintWith("\"gap_m\": ", "\"gap_m\": 2"), saysAll("gap_m must be from", "to 1, found 2"));
+  EXPECT_THAT(complaintWith("[0.012, -0.007, 0.0]", "[12, -7, 0]"), saysAll("port 2: vector_m", "at most 1 m"));
+}
+
+TEST(CellModelJson, StatesTheErrorsOfItsChip) {
+  const CellModel model = sparseModel("0.02");
+  EXPECT_EQ(model.accelerometer.offset_sigma_g, 0.06);
+  EXPECT_EQ(model.accelerometer.shared_offset_sigma_g, 0);
+  EXPECT_EQ(cellModelToJson(model).find("shared_offset_sigma_g"), std::string::npos);
+  EXPECT_THAT(complaintWith("\"offset_sigma_g\": ", "\"shared_offset_sigma_g\": 0.5, \"offset_sigma_g\": "),
+              saysAll("m.json", "shared_offset_sigma_g is a part of offset_sigma_g, so at most 0.06, found 0.5"));
+  EXPECT_THAT(complaintWith("\"offset_sigma_g\": ", "\"shared_offset_sigma\": 0.01, \"offset_sigma_g\": "),
+              saysAll("m.json: accelerometer.shared_offset_sigma:", "mean shared_offset_sigma_g?"));
+}
+
+TEST(CellModelJson, RefusesKeysThatItDoesNotKnowAndNamesWhatWasMeant) {
+  EXPECT_THAT(complaintWith("\"side_m\"", "\"sidem\""),
+              saysAll("m.json: sidem: there is no such key; did you mean side_m?"));
+  EXPECT_THAT(complaintWith("\"yaw_sigma_rad\"", "\"yaw_sigma\""),
+              saysAll("m.json: yaw_sigma:", "mean yaw_sigma_rad?"));
+  EXPECT_THAT(complaintWith("\"lsb_g\"", "\"LSB_g\""), saysAll("m.json: accelerometer.LSB_g:", "mean lsb_g?"));
+  EXPECT_THAT(complaintWith("\"vector_m\"", "\"vector\""), saysAll("m.json: ports[0].vector:", "mean vector_m?"));
+  EXPECT_THAT(complaintWith("\"type\"", "\"kind\""),
+              saysAll("m.json: sensors[0].kind: there is no such key; there are name, type, t_u_m"));
+  EXPECT_THAT(complaintWith("\"side_m\"", "\"a\\u001b[31m\""), saysAll("m.json: a\\x1b[31m: there is no such key"));
 }
 
 TEST(NominalAlignment, TurnsTheTargetsPortOntoTheSources) {

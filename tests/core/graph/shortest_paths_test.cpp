@@ -49,7 +49,7 @@ std::size_t originByAllPairs(const SkinGraph& graph, const std::vector<double>& 
   for (const std::size_t cell : graph.patches()[patch]) {
     const ShortestPaths paths = findShortestPaths(graph, weights, cell);
     double sum = 0;
-    for (const std::size_t other : graph.patches()[patch]) sum += paths.distance[other];
+    for (const double distance : paths.distance) sum += distance;
     if (best == kNoIndex || sum < best_sum * (1 - 1e-9)) {
       best = cell;
       best_sum = sum;
@@ -144,8 +144,18 @@ TEST(ShortestPaths, MutedLinksAreNoWay) {
   const std::size_t muted[] = {1};
   graph.mute(muted, FindingCode::LinkNotRigid);
   const ShortestPaths paths = findShortestPaths(graph, std::vector<double>(2, 1), 0);
-  EXPECT_TRUE(std::isinf(paths.distance[2]));
   EXPECT_THAT(paths.order, ElementsAre(0, 1));
+}
+
+TEST(ShortestPaths, AreAsLargeAsTheirPatch) {
+  SkinGraph graph(bigModel(), sheet(1, 7));
+  const std::size_t muted[] = {3};
+  graph.mute(muted, FindingCode::LinkNotRigid);
+  const ShortestPaths paths = findShortestPaths(graph, std::vector<double>(6, 2), 5);
+  EXPECT_THAT(paths.order, ElementsAre(5, 4, 6));
+  EXPECT_THAT(paths.distance, ElementsAre(2, 0, 2));
+  EXPECT_THAT(paths.predecessor, ElementsAre(5, kNoIndex, 5));
+  EXPECT_THAT(paths.link, ElementsAre(4, kNoIndex, 5));
 }
 
 }  // namespace

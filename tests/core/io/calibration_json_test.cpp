@@ -7,6 +7,7 @@
 #include "hexoderm/util/units.h"
 #include "tests/support/error_matchers.h"
 #include "tests/support/json_mutations.h"
+#include "tests/support/result_builder.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -63,8 +64,15 @@ Reconstruction richCalibration() {
   result.findings.push_back(makeFinding(FindingCode::LinkNotRigid, Message::verbatim("Odd."), {CellId(2), CellId(5)},
                                         {PortNumber(2), PortNumber(3)}, {PoseId(5)}));
   result.findings.back().severity = Severity::Error;
-  result.verdict = {VerdictLevel::NotEnough, Message::verbatim("Because."), 0.00123456789, 0.0333,
-                    Message::verbatim("Do this.")};
+  result.assessment = {.level = VerdictLevel::NotEnough,
+                       .reason = Message::verbatim("Because."),
+                       .position_95_m = 0.00123456789,
+                       .orientation_95_rad = 0.0333,
+                       .limit = Limit::Readings,
+                       .limiting_cells = {CellId(2)},
+                       .remedy = Remedy::RetakePoses,
+                       .next_action = Message::verbatim("Do this."),
+                       .retake = {PoseId(5)}};
   return result;
 }
 
@@ -182,11 +190,15 @@ TEST(CalibrationJson, ComesBackAsItWas) {
     for (std::size_t k = 0; k < a.links.size(); ++k) expectSameLink(a.links[k], b.links[k]);
   }
   EXPECT_EQ(back->findings, result.findings);
-  EXPECT_EQ(back->verdict.level, VerdictLevel::NotEnough);
-  EXPECT_EQ(back->verdict.reason.english(), "Because.");
-  EXPECT_EQ(back->verdict.next_action.english(), "Do this.");
-  EXPECT_DOUBLE_EQ(back->verdict.position_95_m.value_or(0), 0.00123456789);
-  EXPECT_DOUBLE_EQ(back->verdict.orientation_95_rad.value_or(0), 0.0333);
+  EXPECT_EQ(back->assessment.level, VerdictLevel::NotEnough);
+  EXPECT_EQ(back->assessment.reason.english(), "Because.");
+  EXPECT_EQ(back->assessment.next_action.english(), "Do this.");
+  EXPECT_EQ(back->assessment.limit, Limit::Readings);
+  EXPECT_THAT(back->assessment.limiting_cells, testing::ElementsAre(CellId(2)));
+  EXPECT_EQ(back->assessment.remedy, Remedy::RetakePoses);
+  EXPECT_THAT(back->assessment.retake, testing::ElementsAre(PoseId(5)));
+  EXPECT_DOUBLE_EQ(back->assessment.position_95_m.value_or(0), 0.00123456789);
+  EXPECT_DOUBLE_EQ(back->assessment.orientation_95_rad.value_or(0), 0.0333);
 }
 
 TEST(CalibrationJson, IsDrawnAsBefore) {
@@ -250,8 +262,8 @@ TEST(CalibrationJson, StatesUnitsAsItsKeysSay) {
 
 TEST(CalibrationJson, LeavesOutWhatIsNotKnown) {
   Reconstruction result = richCalibration();
-  result.verdict.position_95_m.reset();
-  result.verdict.orientation_95_rad.reset();
+  result.assessment.position_95_m.reset();
+  result.assessment.orientation_95_rad.reset();
   const nlohmann::json json = nlohmann::json::parse(calibrationToJson(result));
   const nlohmann::json& cell = json["patches"][0]["cells"][2];
   EXPECT_FALSE(cell.contains("cov_t_r"));
@@ -261,8 +273,8 @@ TEST(CalibrationJson, LeavesOutWhatIsNotKnown) {
   EXPECT_FALSE(cell.contains("accel_scale"));
   EXPECT_TRUE(json["verdict"]["position_95_mm"].is_null());
   const auto back = parseCalibrationJson(json.dump(), "c.json");
-  EXPECT_FALSE(back->verdict.position_95_m.has_value());
-  EXPECT_FALSE(back->verdict.orientation_95_rad.has_value());
+  EXPECT_FALSE(back->assessment.position_95_m.has_value());
+  EXPECT_FALSE(back->assessment.orientation_95_rad.has_value());
 }
 
 TEST(CalibrationJson, KeepsEveryGapModelOfTheGlobalSolver) {
@@ -298,11 +310,8 @@ TEST(CalibrationJson, TreesGapModelIsPivotWhateverTheOptionSays) {
 
 TEST(CalibrationJson, StatesTheGapShareOfTheLargestPatch) {
   Reconstruction result = richCalibration();
-  PatchReconstruction other;
+  PatchReconstruction other = test::ResultBuilder().patch(9).cell(9).build().patches[0];
   other.id = PatchId(1);
-  other.origin = CellId(9);
-  other.cells.resize(1);
-  other.cells[0].cell = CellId(9);
   other.gap_share = {0.75, 0.25};
   result.patches.insert(result.patches.begin(), other);
   const std::string text = calibrationToJson(result);
@@ -371,6 +380,7 @@ TEST(CalibrationJson, NamesTheKeyPathOfWhatIsWrong) {
   EXPECT_THAT(complaint("/patches/0/cells/1/t_o_u_m", {0, 1}), saysAll("patches[0].cells[1].t_o_u_m", "array of 2"));
   EXPECT_THAT(complaint("/patches/0/cells/1/cov_t_r", {1, 2}), saysAll("patches[0].cells[1].cov_t_r", "21"));
   EXPECT_THAT(complaint("/patches/0/cells/1/cov_t_r/20", -1), saysAll("patches[0].cells[1].cov_t_r", "at least 0"));
+  EXPECT_THAT(complaint("/patches/0/cells/1/cov_t_r/1", 1), saysAll("patches[0].cells[1].cov_t_r", "semidefinite"));
   EXPECT_THAT(complaint("/patches/0/cells/1/sigma_t_m/0", -1), saysAll("patches[0].cells[1].sigma_t_m"));
   EXPECT_THAT(complaint("/patches/0/cells/1/id", 1), saysAll("patches[0].cells[1].id: expected each cell once"));
   EXPECT_THAT(complaint("/patches/0/cells/1/id", -1), saysAll("patches[0].cells[1].id: expected a whole number"));

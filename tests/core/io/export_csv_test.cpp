@@ -5,7 +5,7 @@
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 #include "tests/core/io/export_test_folder.h"
-#include "tests/support/reconstruction_builder.h"
+#include "tests/support/hand_made_skins.h"
 
 #include <gmock/gmock.h>
 
@@ -63,7 +63,7 @@ TEST_F(ExportCsv, LeavesResidualsEmptyWhereThereAreNone) {
 TEST_F(ExportCsv, QuotesTextsOfUsers) {
   exportReconstruction(makeTestReconstruction(), ExportFormat::Csv, in("out"));
   EXPECT_THAT(read(in("out/cells.csv")), HasSubstr(R"(,12,"left ""arm"", Bernd's <R&D> \ größer",links,)"));
-  EXPECT_THAT(read(in("out/sensors.csv")), HasSubstr(R"(0,7,"force ""1""/größe","force, normal",0.004,)"));
+  EXPECT_THAT(read(in("out/sensors.csv")), HasSubstr(R"(0,7,7,"force ""1""/größe","force, normal",0.004,)"));
   const std::string poses = read(in("out/poses.csv"));
   EXPECT_THAT(poses, HasSubstr("\n1,\"standing, \"\"arm\"\"\nhanging\",1,4,0.001,,"));
   EXPECT_THAT(poses, HasSubstr("\n4,\" größer\",0,4,0.002,,,"));
@@ -119,7 +119,8 @@ TEST_F(ExportCsv, HoldsTheUpDirectionOfEveryPatch) {
 }
 
 TEST_F(ExportCsv, EmptyReconstructionGivesHeadersOnly) {
-  const auto paths = exportReconstruction(makeEmptyReconstruction(), ExportFormat::Csv, in("out"));
+  const auto paths = exportReconstruction(test::ResultBuilder().build(), ExportFormat::Csv, in("out"));
+  ASSERT_FALSE(paths.empty());
   for (const auto& path : paths) {
     const std::string text = read(path);
     EXPECT_EQ(std::ranges::count(text, '\n'), 1) << path;

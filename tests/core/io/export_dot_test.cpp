@@ -3,7 +3,7 @@
 #include "hexoderm/io/exporter.h"
 #include "hexoderm/util/error.h"
 #include "tests/core/io/export_test_folder.h"
-#include "tests/support/reconstruction_builder.h"
+#include "tests/support/hand_made_skins.h"
 
 #include <gmock/gmock.h>
 
@@ -79,7 +79,7 @@ TEST_F(ExportDot, HoldsTwoDirectedEdgesALinkWithPortsAndQuality) {
   }
   for (const char* name : {"7:2-12:3", "12:3-7:2"}) EXPECT_EQ(edges[name].color, "#3A1FB0:#3A1FB0") << name;
   for (const char* name : {"7:1-12:4", "12:4-7:1", "7:4-20:1", "20:1-7:4"}) {
-    EXPECT_EQ(edges[name].color, "#9A9A9A") << name;
+    EXPECT_EQ(edges[name].color, "#8A939E") << name;
     EXPECT_EQ(edges[name].style, "dashed") << name;
     EXPECT_EQ(edges[name].label, "x") << name;
   }
@@ -126,7 +126,7 @@ TEST_F(ExportDot, CellsWithoutALayoutHaveNoPlace) {
 }
 
 TEST_F(ExportDot, EmptyReconstructionGivesAnEmptyGraph) {
-  exportReconstruction(makeEmptyReconstruction(), ExportFormat::Dot, in("empty.dot"));
+  exportReconstruction(test::ResultBuilder().build(), ExportFormat::Dot, in("empty.dot"));
   EXPECT_EQ(boost::num_vertices(readWithBoost(read(in("empty.dot")))), 0U);
 }
 

@@ -3,7 +3,7 @@
 #include "hexoderm/reconstruction/figures/patch_mesh.h"
 #include "hexoderm/util/error.h"
 #include "tests/core/io/export_test_folder.h"
-#include "tests/support/reconstruction_builder.h"
+#include "tests/support/hand_made_skins.h"
 
 #include <gmock/gmock.h>
 
@@ -71,26 +71,30 @@ TEST_F(ExportPly, HoldsThePrismsInMetres) {
   const Reconstruction reconstruction = makeTestReconstruction();
   EXPECT_THAT(exportReconstruction(reconstruction, ExportFormat::Ply, in("skin.ply")), ElementsAre(in("skin.ply")));
   const PlainPly ply = readPly(read(in("skin.ply")));
-  ASSERT_EQ(ply.vertices.size(), 4U * 12U);
-  ASSERT_EQ(ply.faces.size(), 4U * 8U);
+  ASSERT_EQ(ply.vertices.size(), 3U * 12U);
+  ASSERT_EQ(ply.faces.size(), 3U * 8U);
   // First corner of cell 3, and the back corner below it, straight from the definition.
   const SE3& T = reconstruction.patches[0].cells[0].T_o_u;
   EXPECT_LT((ply.vertices[0].point - T * Eigen::Vector3d(0.01502, 0, 0)).norm(), 1e-8);
   EXPECT_LT((ply.vertices[6].point - T * Eigen::Vector3d(0.01502, 0, -0.0034)).norm(), 1e-8);
   EXPECT_THAT(ply.faces[0], ElementsAre(0, 1, 2, 3, 4, 5));
-  EXPECT_THAT(read(in("skin.ply")), HasSubstr("\ncomment metres, each patch in the frame of its origin cell\n"));
+  EXPECT_THAT(read(in("skin.ply")), HasSubstr("\ncomment metres, in the frame of cell 7, the origin of the patch\n"));
 }
 
 TEST_F(ExportPly, ColoursCellsByTheirWorstUsedLink) {
-  exportReconstruction(makeTestReconstruction(), ExportFormat::Ply, in("skin.ply"));
-  const PlainPly ply = readPly(read(in("skin.ply")));
   std::vector<std::uint32_t> colors;
-  for (std::size_t cell = 0; cell < 4; ++cell) {
-    colors.push_back(ply.vertices[12 * cell].color);
-    for (std::size_t k = 0; k < 12; ++k) EXPECT_EQ(ply.vertices[12 * cell + k].color, colors.back());
+  for (const std::uint32_t of_patch : {7U, 20U}) {
+    ExportOptions options;
+    options.patch = CellId(of_patch);
+    exportReconstruction(makeTestReconstruction(), ExportFormat::Ply, in("skin.ply"), options);
+    const PlainPly ply = readPly(read(in("skin.ply")));
+    for (std::size_t cell = 0; cell < ply.vertices.size() / 12; ++cell) {
+      colors.push_back(ply.vertices[12 * cell].color);
+      for (std::size_t k = 0; k < 12; ++k) EXPECT_EQ(ply.vertices[12 * cell + k].color, colors.back());
+    }
   }
   // Cell 7 has links of both classes; the muted links of 7, 12 and 20 don't count.
-  EXPECT_THAT(colors, ElementsAre(0x17A1CA, 0x17A1CA, 0x3A1FB0, 0x9A9A9A));
+  EXPECT_THAT(colors, ElementsAre(0x17A1CA, 0x17A1CA, 0x3A1FB0, 0x8A939E));
 }
 
 TEST_F(ExportPly, KeepsEveryByteOfEveryColour) {
@@ -108,7 +112,7 @@ TEST_F(ExportPly, KeepsEveryByteOfEveryColour) {
 
 TEST_F(ExportPly, RefusesAReconstructionWithoutCells) {
   EXPECT_THAT(messageOf<InvalidArgument>(
-                  [&] { exportReconstruction(makeEmptyReconstruction(), ExportFormat::Ply, in("a.ply")); }),
+                  [&] { exportReconstruction(test::ResultBuilder().build(), ExportFormat::Ply, in("a.ply")); }),
               HasSubstr("no cells"));
   EXPECT_TRUE(names().empty());
 }

@@ -16,39 +16,6 @@ using ExportStaging = ExportTest;
 void accept(const std::string& /*bytes*/) {}
 void refuse(const std::string& /*bytes*/) { throw FormatError("differs"); }
 
-TEST_F(ExportStaging, VerifiesWhatIsOnTheDiskBeforeTheFileHasItsName) {
-  std::string seen;
-  publishFile(in("a.stl"), "content", [&](const std::string& bytes) {
-    seen = bytes;
-    EXPECT_FALSE(std::filesystem::exists(in("a.stl")));
-  });
-  EXPECT_EQ(seen, "content");
-  EXPECT_EQ(read(in("a.stl")), "content");
-  EXPECT_THAT(names(), ElementsAre("a.stl"));
-}
-
-TEST_F(ExportStaging, LeavesNoFileIfVerificationFails) {
-  EXPECT_THROW(publishFile(in("a.stl"), "content", refuse), FormatError);
-  EXPECT_THAT(names(), IsEmpty());
-}
-
-TEST_F(ExportStaging, KeepsAnEarlierFileIfVerificationFails) {
-  write(in("a.stl"), "earlier");
-  EXPECT_THROW(publishFile(in("a.stl"), "content", refuse), FormatError);
-  EXPECT_EQ(read(in("a.stl")), "earlier");
-  EXPECT_THAT(names(), ElementsAre("a.stl"));
-}
-
-TEST_F(ExportStaging, NamesATargetThatCannotBeWritten) {
-  write(in("file"), "");
-  std::filesystem::create_directory(in("folder"));
-  for (const char* name : {"missing/a.stl", "file/a.stl", "folder"}) {
-    EXPECT_THAT(messageOf<StorageError>([&] { publishFile(in(name), "content", accept); }),
-                HasSubstr(in(name).string()));
-  }
-  EXPECT_THAT(names(), ElementsAre("file", "folder"));
-}
-
 TEST_F(ExportStaging, MakesAFolderForItsFiles) {
   const auto paths = publishFolder(in("out/"), {{"a.csv", "1", accept}, {"b.csv", "2", accept}});
   EXPECT_THAT(paths, ElementsAre(in("out/a.csv"), in("out/b.csv")));
@@ -98,6 +65,41 @@ TEST_F(ExportStaging, RefusesAFileWhereAFolderIsMeant) {
               }),
               HasSubstr("is a file, expected a folder"));
   EXPECT_EQ(read(in("out")), "mine");
+}
+
+TEST_F(ExportStaging, ReplacesNothingThatIsNoFile) {
+  std::filesystem::create_directory(in("out"));
+  write(in("elsewhere.csv"), "mine");
+  write(in("out/a.csv"), "earlier");
+  std::filesystem::create_symlink("../elsewhere.csv", in("out/b.csv"));
+  EXPECT_THAT(messageOf<StorageError>([&] {
+                publishFolder(in("out"), {{"a.csv", "1", accept}, {"b.csv", "2", accept}});
+              }),
+              HasSubstr("b.csv: is not a file"));
+  EXPECT_EQ(read(in("elsewhere.csv")), "mine");
+  EXPECT_EQ(read(in("out/a.csv")), "earlier");
+  EXPECT_THAT(names(), ElementsAre("elsewhere.csv", "out", "out/a.csv", "out/b.csv"));
+}
+
+TEST_F(ExportStaging, KeepsTheRightsOfFilesThatItReplaces) {
+  std::filesystem::create_directory(in("out"));
+  write(in("out/a.csv"), "earlier");
+  std::filesystem::permissions(in("out/a.csv"), std::filesystem::perms(0640));
+  publishFolder(in("out"), {{"a.csv", "1", accept}});
+  EXPECT_EQ(std::filesystem::status(in("out/a.csv")).permissions(), std::filesystem::perms(0640));
+}
+
+TEST_F(ExportStaging, NamesAFolderThatCannotBe) {
+  write(in("file"), "");
+  std::filesystem::create_symlink("loop", in("loop"));
+  for (const std::string& name :
+       {std::string(256, 'n'), std::string("loop"), std::string("file/out"), std::string("missing/out")}) {
+    EXPECT_THAT(messageOf<StorageError>([&] {
+                  publishFolder(in(name), {{"a.csv", "1", accept}});
+                }),
+                HasSubstr(in(name).string()));
+  }
+  EXPECT_THAT(names(), ElementsAre("file", "loop"));
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ class ExportTest : public ::testing::Test {
   [[nodiscard]] std::vector<std::string> names() const {
     std::vector<std::string> found;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_)) {
-      found.push_back(std::filesystem::relative(entry.path(), folder_).string());
+      found.push_back(entry.path().lexically_relative(folder_).string());
     }
     std::ranges::sort(found);
     return found;

@@ -3,7 +3,7 @@
 #include "hexoderm/io/exporter.h"
 #include "hexoderm/util/error.h"
 #include "tests/core/io/export_test_folder.h"
-#include "tests/support/reconstruction_builder.h"
+#include "tests/support/hand_made_skins.h"
 
 #include <gmock/gmock.h>
 
@@ -58,10 +58,16 @@ class ExportVtpFile : public ExportTest {
  protected:
   void SetUp() override {
     ExportTest::SetUp();
-    exportReconstruction(reconstruction_, ExportFormat::Vtp, in("skin.vtp"));
+    exportAllPatches();
     ASSERT_TRUE(document_.load_file(in("skin.vtp").c_str()));
     piece_ = document_.child("VTKFile").child("PolyData").child("Piece");
     cell_data_ = piece_.child("CellData");
+  }
+
+  void exportAllPatches() {
+    ExportOptions options;
+    options.all_patches = true;
+    exportReconstruction(reconstruction_, ExportFormat::Vtp, in("skin.vtp"), options);
   }
 
   Reconstruction reconstruction_ = makeTestReconstruction();
@@ -136,7 +142,7 @@ TEST_F(ExportVtpFile, HoldsTheCovarianceOfEachCell) {
 TEST_F(ExportVtpFile, HoldsTheErrorsOfEachCellsSensor) {
   reconstruction_.patches[0].cells[1].accel_offset_g = {0.06, -0.01, 0.02};
   reconstruction_.patches[0].cells[1].accel_scale = {1.02, 0.98, 1};
-  exportReconstruction(reconstruction_, ExportFormat::Vtp, in("skin.vtp"));
+  exportAllPatches();
   ASSERT_TRUE(document_.load_file(in("skin.vtp").c_str()));
   const pugi::xml_node field_data = document_.child("VTKFile").child("PolyData").child("FieldData");
   const auto offsets = values<double>(field_data, "accel_offset_g");
@@ -157,8 +163,19 @@ TEST_F(ExportVtpFile, SaysUnitsAndFrames) {
   EXPECT_THAT(strings(field_data, "verdict"), ElementsAre("usable"));
 }
 
+TEST_F(ExportVtp, HoldsTheLargestPatchAloneUnlessAskedForAll) {
+  exportReconstruction(makeTestReconstruction(), ExportFormat::Vtp, in("skin.vtp"));
+  pugi::xml_document document;
+  ASSERT_TRUE(document.load_file(in("skin.vtp").c_str()));
+  const pugi::xml_node data = document.child("VTKFile").child("PolyData");
+  EXPECT_THAT(values<std::int64_t>(data.child("FieldData"), "cells"), ElementsAre(3, 7, 12));
+  EXPECT_THAT(values<std::int64_t>(data.child("Piece").child("CellData"), "patch_origin"), ::testing::Each(7));
+  EXPECT_THAT(strings(data.child("FieldData"), "frame"),
+              ElementsAre("in the frame of cell 7, the origin of the patch"));
+}
+
 TEST_F(ExportVtp, EmptyReconstructionGivesAnEmptyMesh) {
-  exportReconstruction(makeEmptyReconstruction(), ExportFormat::Vtp, in("empty.vtp"));
+  exportReconstruction(test::ResultBuilder().build(), ExportFormat::Vtp, in("empty.vtp"));
   pugi::xml_document document;
   ASSERT_TRUE(document.load_file(in("empty.vtp").c_str()));
   const pugi::xml_node piece = document.child("VTKFile").child("PolyData").child("Piece");

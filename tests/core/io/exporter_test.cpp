@@ -5,7 +5,7 @@
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/error.h"
 #include "tests/core/io/export_test_folder.h"
-#include "tests/support/reconstruction_builder.h"
+#include "tests/support/hand_made_skins.h"
 
 #include <gmock/gmock.h>
 
@@ -34,6 +34,16 @@ TEST_P(EveryExport, ReturnsTheFilesItWroteAndNoOthersAreLeft) {
     if (entry.is_regular_file()) written.insert(entry.path());
   }
   EXPECT_EQ(written, std::set<std::filesystem::path>(paths.begin(), paths.end()));
+}
+
+TEST_P(EveryExport, GivesTheBytesOfItsFileWithoutAFile) {
+  if (GetParam() == ExportFormat::Csv) {
+    EXPECT_THAT(messageOf<InvalidArgument>([] { exportBytes(makeTestReconstruction(), ExportFormat::Csv, {}, "x"); }),
+                HasSubstr("folder of several files"));
+    return;
+  }
+  const auto paths = exportReconstruction(makeTestReconstruction(), GetParam(), target());
+  EXPECT_EQ(exportBytes(makeTestReconstruction(), GetParam(), {}, "standard output"), read(paths.at(0)));
 }
 
 TEST_P(EveryExport, GivesTheSameBytesAgainOverAnEarlierExport) {
@@ -70,6 +80,81 @@ TEST_P(EveryExport, TakesWhatEverySolverFinds) {
   }
 }
 
+/// The skin as if it had only this one of its patches.
+Reconstruction withPatch(std::size_t index) {
+  Reconstruction part = makeTestReconstruction();
+  part.patches = {part.patches[index]};
+  std::erase_if(part.layout.cells, [&](const FlatCell& cell) { return part.find(cell.cell).cell == nullptr; });
+  return part;
+}
+
+class EveryExportOfPatches : public EveryExport {
+ protected:
+  /// The contents of the files that an export writes.
+  std::vector<std::string> contents(const Reconstruction& reconstruction, const ExportOptions& options = {}) {
+    std::vector<std::string> found;
+    for (const auto& path : exportReconstruction(reconstruction, GetParam(), target(), options)) {
+      found.push_back(read(path));
+    }
+    return found;
+  }
+};
+
+TEST_P(EveryExportOfPatches, NeverHoldsTwoPatchesAtOnePlaceUnasked) {
+  const Reconstruction two = makeTestReconstruction();
+  const std::vector<PatchLeftOut> left_out = patchesLeftOut(two, GetParam());
+  if (description().patches == PatchesInFile::All) {
+    EXPECT_THAT(left_out, IsEmpty());
+    EXPECT_NE(contents(two), contents(withPatch(0)));
+    return;
+  }
+  ASSERT_EQ(left_out.size(), 1U);
+  EXPECT_EQ(left_out[0].patch, PatchId(1));
+  EXPECT_EQ(left_out[0].origin, CellId(20));
+  EXPECT_THAT(left_out[0].cells, ::testing::ElementsAre(CellId(20)));
+  EXPECT_EQ(contents(two), contents(withPatch(0)));
+  EXPECT_THAT(patchesLeftOut(withPatch(0), GetParam()), IsEmpty());
+}
+
+TEST_P(EveryExportOfPatches, HoldsThePatchOfACellAlone) {
+  const Reconstruction two = makeTestReconstruction();
+  for (const auto& [cell, index] : {std::pair(3U, 0U), std::pair(7U, 0U), std::pair(20U, 1U)}) {
+    ExportOptions options;
+    options.patch = CellId(cell);
+    EXPECT_EQ(contents(two, options), contents(withPatch(index))) << cell;
+    const std::vector<PatchLeftOut> left_out = patchesLeftOut(two, GetParam(), options);
+    ASSERT_EQ(left_out.size(), 1U);
+    EXPECT_EQ(left_out[0].patch, PatchId(1 - index));
+  }
+  ExportOptions options;
+  options.patch = CellId(99);
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { contents(two, options); }), HasSubstr("no patch holds a cell 99"));
+  options.patch = CellId(7);
+  options.all_patches = true;
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { contents(two, options); }), HasSubstr("all_patches"));
+}
+
+TEST_P(EveryExportOfPatches, HoldsAllOfThemWhereItCanTellThemApart) {
+  const Reconstruction two = makeTestReconstruction();
+  ExportOptions options;
+  options.all_patches = true;
+  if (description().patches == PatchesInFile::One) {
+    EXPECT_THAT(messageOf<InvalidArgument>([&] { contents(two, options); }), HasSubstr("has one frame"));
+    EXPECT_THROW(patchesLeftOut(two, GetParam(), options), InvalidArgument);
+    EXPECT_THAT(names(), IsEmpty());
+    return;
+  }
+  EXPECT_THAT(patchesLeftOut(two, GetParam(), options), IsEmpty());
+  EXPECT_NE(contents(two, options), contents(withPatch(0)));
+}
+
+TEST_P(EveryExportOfPatches, IsNotHeldUpByAPatchThatIsLeftOut) {
+  if (description().patches == PatchesInFile::All) return;
+  Reconstruction two = makeTestReconstruction();
+  two.patches[1].cells[0].T_o_u.t.x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(contents(two), contents(withPatch(0)));
+}
+
 TEST_P(EveryExport, NamesATargetThatCannotBeWritten) {
   write(in("file"), "mine");
   for (const char* parent : {"missing", "file"}) {
@@ -85,10 +170,23 @@ std::string nameOf(const ::testing::TestParamInfo<ExportFormat>& parameter) {
   return std::string(std::ranges::find(exportFormats(), parameter.param, &ExportFormatDescription::format)->name);
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, EveryExport,
-                         ::testing::Values(ExportFormat::Csv, ExportFormat::Dot, ExportFormat::Ply, ExportFormat::Stl,
-                                           ExportFormat::Vtp, ExportFormat::Urdf),
-                         nameOf);
+const auto kEveryFormat = ::testing::Values(ExportFormat::Csv, ExportFormat::Dot, ExportFormat::Ply, ExportFormat::Stl,
+                                            ExportFormat::Vtp, ExportFormat::Urdf);
+INSTANTIATE_TEST_SUITE_P(Formats, EveryExport, kEveryFormat, nameOf);
+INSTANTIATE_TEST_SUITE_P(Formats, EveryExportOfPatches, kEveryFormat, nameOf);
+
+TEST(PatchesLeftOut, AreNamedOrCounted) {
+  EXPECT_TRUE(leftOutInWords({}).empty());
+  const PatchLeftOut one{PatchId(1), CellId(20), {CellId(20)}};
+  EXPECT_EQ(leftOutInWords({one}).english(),
+            "Not in the file: the patch of cell 20 (1 cell), because how it lies to the exported patch is not known.");
+  const PatchLeftOut other{PatchId(2), CellId(31), {CellId(31), CellId(32)}};
+  EXPECT_EQ(leftOutInWords({one, other}).english(),
+            "Not in the file: the patches of cells 20 and 31 (3 cells), because how they lie to the exported patch is "
+            "not known.");
+  EXPECT_THAT(leftOutInWords(std::vector<PatchLeftOut>(4000, one)).english(),
+              HasSubstr("Not in the file: 4000 patches (4000 cells)"));
+}
 
 TEST(ExportFormats, AreFoundByName) {
   for (const ExportFormatDescription& format : exportFormats()) {
@@ -115,17 +213,6 @@ TEST(ExportOptions, NamesTheOptionThatMakesNoSense) {
   options = {};
   options.urdf_prefix = "größe_";
   EXPECT_THAT(messageOf<InvalidArgument>([&] { options.validate(); }), HasSubstr("urdf_prefix"));
-}
-
-TEST(QualityColor, DiffersByClassAndGround) {
-  EXPECT_EQ(qualityColor(EdgeQuality::Undefined, false), 0x7F0D14U);
-  EXPECT_EQ(qualityColor(EdgeQuality::Partially, false), 0xE66F15U);
-  EXPECT_EQ(qualityColor(EdgeQuality::Fully, false), 0x17A1CAU);
-  EXPECT_EQ(qualityColor(EdgeQuality::Over, false), 0x3A1FB0U);
-  EXPECT_EQ(qualityColor(EdgeQuality::Undefined, true), 0xD64A45U);
-  EXPECT_EQ(qualityColor(EdgeQuality::Partially, true), 0xFFDE3EU);
-  EXPECT_EQ(qualityColor(EdgeQuality::Fully, true), 0x87F5FAU);
-  EXPECT_EQ(qualityColor(EdgeQuality::Over, true), 0x7A6BE8U);
 }
 
 }  // namespace

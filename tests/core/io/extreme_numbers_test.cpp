@@ -183,7 +183,7 @@ TEST_F(ExtremeExports, AllFormatsHoldThem) {
   json document = sessionDocument();
   document["poses"][0]["samples"][1]["mean_g"] = {kMostAcceleration_g, -kMostAcceleration_g, 0};
   for (json& port : document["cell_model"]["ports"]) {
-    port["vector_m"] = {port["vector_m"][0].get<double>() * 5e4, port["vector_m"][1].get<double>() * 5e4, 0};
+    port["vector_m"] = {port["vector_m"][0].get<double>() * 50, port["vector_m"][1].get<double>() * 50, 0};
   }
   const Session session = parseSessionJson(document.dump(), "large.session.json");
   const auto result = reconstruct(*session.snapshot());

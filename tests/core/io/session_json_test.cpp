@@ -87,7 +87,7 @@ TEST(SessionJson, ComesBackAsItWas) {
   GravitySample sample;
   sample.cell = CellId(4'294'967'295);
   sample.mean_g = {0.1 + 0.2, -5e-324, 1.0 / 3.0};
-  sample.cov_g2 << 1e-300, 2e-17, 1.1, 2e-17, 3e-9, -7.7, 1.1, -7.7, 0.3;
+  sample.cov_g2 << 2.5, 2e-17, 1.1 / 3, 2e-17, 3e-9, -5e-324, 1.1 / 3, -5e-324, 0.3;
   sample.count = 4'294'967'295;
   capture.samples = {sample};
   session.addPose({std::make_shared<const PoseCapture>(capture), true});
@@ -195,6 +195,7 @@ TEST(SessionJson, LeavesContradictionsOfTheSkinToTheGraph) {
 }
 
 TEST(SessionJson, NamesTheKeyPathOfWrongTypes) {
+  EXPECT_THAT(complaint("/cells", -1), saysAll("s.json: cells: expected an array, found -1"));
   EXPECT_THAT(complaint("/cells", 3), saysAll("s.json: cells: expected an array, found 3"));
   EXPECT_THAT(complaint("/cells/1", "two"), saysAll("s.json: cells[1]: expected an object", "two"));
   EXPECT_THAT(complaint("/cells/1/id", "two"), saysAll("s.json: cells[1].id: expected a whole number"));
@@ -223,6 +224,21 @@ TEST(SessionJson, NamesTheKeyPathOfNumbersOutOfRange) {
   EXPECT_THAT(complaint("/poses/0/samples/0/cov_g2/3", -1e-9), saysAll("poses[0].samples[0].cov_g2", "at least 0"));
   EXPECT_THAT(complaint("/truth/cells/0/R/0", 1.01), saysAll("s.json: truth.cells[0].R: expected a rotation matrix"));
   EXPECT_THAT(complaint("/truth/cells/1/id", 1), saysAll("s.json: truth.cells[1].id: expected each cell once"));
+}
+
+TEST(SessionJson, NamesTheKeyPathOfCovariancesThatCanBeNone) {
+  EXPECT_THAT(complaint("/poses/0/samples/0/cov_g2", {1e-6, 2e-6, 0, 1e-6, 0, 1e-6}),
+              saysAll("s.json: poses[0].samples[0].cov_g2: expected a covariance (positive semidefinite)"));
+  EXPECT_THAT(complaint("/poses/0/samples/0/cov_g2", {1e-6, 1e-7, 0, 2e-7, 1e-6, 0, 0, 0, 1e-6}),
+              saysAll("poses[0].samples[0].cov_g2: expected an array of 6 numbers, found an array of 9"));
+}
+
+TEST(SessionJson, RefusesAKeyThatIsThereTwice) {
+  const std::string text = readFile(kThreeCells);
+  std::string twice = text;
+  twice.replace(twice.find("\"mean_g\""), 8, "\"mean_g\": [0, 0, 1], \"mean_g\"");
+  EXPECT_THAT(messageOf<FormatError>([&] { parseSessionJson(twice, "s.json"); }),
+              saysAll("s.json: poses[0].samples[0].mean_g: is there twice"));
 }
 
 TEST(SessionJson, NamesTheKeyPathOfNumbersThatAreNotFinite) {

@@ -75,8 +75,8 @@ TEST(TumXml, GivesItsPlacementsAsACalibration) {
   const auto result = calibrationFromTum(readTumXml(kTwoPatches), hex(), kTwoPatches.string());
   EXPECT_EQ(result->solver, "imported");
   EXPECT_EQ(result->source.file, "two_patches.tum.xml");
-  EXPECT_EQ(result->verdict.level, VerdictLevel::Usable);
-  EXPECT_THAT(result->verdict.reason.english(), saysAll("Imported", "nothing was measured"));
+  EXPECT_EQ(result->assessment.level, VerdictLevel::Usable);
+  EXPECT_THAT(result->assessment.reason.english(), saysAll("Imported", "nothing was measured"));
   ASSERT_EQ(result->patches.size(), 2U);
   EXPECT_EQ(result->patches[0].origin, CellId(2));
   EXPECT_EQ(result->patches[1].origin, CellId(7));

@@ -1,5 +1,5 @@
 #include "hexoderm/io/exporter.h"
-#include "tests/support/reconstruction_builder.h"
+#include "tests/support/hand_made_skins.h"
 
 #include <gtest/gtest.h>
 #include <vtkCellData.h>
@@ -19,7 +19,9 @@ namespace {
 TEST(VtpReader, VtkReadsWhatTheExporterMeant) {
   const Reconstruction reconstruction = makeTestReconstruction();
   const std::filesystem::path path = std::filesystem::path(::testing::TempDir()) / "vtp_reader_test.vtp";
-  exportReconstruction(reconstruction, ExportFormat::Vtp, path);
+  ExportOptions options;
+  options.all_patches = true;
+  exportReconstruction(reconstruction, ExportFormat::Vtp, path, options);
   const vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(path.c_str());
   reader->Update();

@@ -248,6 +248,41 @@ TEST(HoldOut, WorksOnWhatTheTreeSolverMakes) {
       << "raw readings are worse than corrected ones";
 }
 
+/// A scripted calibration whose windows have these numbers of samples, one after the other.
+Session withWindows(SimulatedSkin& skin, std::size_t poses, const std::vector<std::size_t>& samples) {
+  Session session = beginSimulatedSession(skin);
+  std::size_t k = 0;
+  for (const Eigen::Vector3d& up : scriptedUpDirections(poses)) {
+    const auto frames = skin.record(up, samples[k++ % samples.size()]);
+    session.addPose({std::make_shared<const PoseCapture>(averageFrames(frames, session.nextPoseId(), {})), false});
+  }
+  return session;
+}
+
+TEST(HoldOut, WindowsOfAnyLengthErrAsMuchAsExpected) {
+  std::vector<double> of_short, of_long;
+  std::size_t as_stated = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SimulatedSkinOptions options;
+    options.seed = seed;
+    options.hand_held = false;
+    SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+    const Session session = withWindows(skin, 10, {270, 6, 6, 57, 6});
+    for (const std::uint32_t pose : {2U, 6U}) {
+      const HoldOutResult result = evaluateHoldOut(*session.snapshot(), PoseId(pose));
+      ASSERT_EQ(result.outcome, HoldOutOutcome::Evaluated);
+      (pose == 2 ? of_short : of_long).push_back(result.rms_rad / result.expected_rms_rad);
+      if (result.agreement == HoldOutAgreement::AsStated) ++as_stated;
+    }
+  }
+  for (std::vector<double>* ratios : {&of_short, &of_long}) {
+    std::ranges::sort(*ratios);
+    EXPECT_GT((*ratios)[10], 0.87);
+    EXPECT_LT((*ratios)[10], 1.13);
+  }
+  EXPECT_GE(as_stated, 38U);
+}
+
 TEST(HoldOut, StopsWhenAskedAndRefusesUnknownPoses) {
   const Session session = simulated("x17", 1, 4);
   std::stop_source stop;

@@ -152,7 +152,7 @@ TEST_F(SessionStoreTest, APoseThatWasRemovedBeforeTheFileWasMadeComesBackAllTheS
   EXPECT_EQ(kinds(store).back(), "restore");
 }
 
-TEST_F(SessionStoreTest, OfPosesWithOneNumberTheLastRemovedIsRestored) {
+TEST_F(SessionStoreTest, OfPosesWithOneNumberTheOneWithTheseReadingsIsRestored) {
   SessionStore store = SessionStore::create(path_, Session(builtInCellModel("hex-bma150"), {}));
   const AddPose first = capture(7, 0.25);
   const AddPose second = capture(7, 0.5);
@@ -164,6 +164,25 @@ TEST_F(SessionStoreTest, OfPosesWithOneNumberTheLastRemovedIsRestored) {
   expectSamePose(store.readSession().poses()[0], second.pose);
   appendOne(store, RestorePose{first.pose, 0});
   expectSamePose(readSessionStore(path_).poses()[0], first.pose);
+}
+
+TEST_F(SessionStoreTest, UndoOfARecaptureThatKeepsTheNumberBringsTheOldReadingsBack) {
+  SessionStore store = SessionStore::create(path_, Session(builtInCellModel("hex-bma150"), {}));
+  const AddPose before = capture(2, 0.25);
+  AddPose again = capture(2, 0.5);
+  again.index = 0;
+  appendOne(store, before);
+  appendOne(store, RemovePose{0});
+  appendOne(store, again);
+  for (int k = 0; k < 2; ++k) {
+    appendOne(store, RemovePose{0});
+    appendOne(store, RestorePose{before.pose, 0});
+    expectSamePose(readSessionStore(path_).poses()[0], before.pose);
+    appendOne(store, RemovePose{0});
+    appendOne(store, RestorePose{again.pose, 0});
+    expectSamePose(readSessionStore(path_).poses()[0], again.pose);
+  }
+  EXPECT_EQ(std::ranges::count(kinds(store), "capture"), 2) << "the file has every reading once";
 }
 
 TEST_F(SessionStoreTest, KeepsWhatWasDisabledAndWhy) {
@@ -259,6 +278,10 @@ TEST_F(SessionStoreTest, RefusesWhatMakesNoSenseAndStaysAsItWas) {
       {with([](PoseCapture& c) { c.samples[0].mean_g.x() = kInfinity; }), "cell 5: the mean must be finite"},
       {with([](PoseCapture& c) { c.samples[0].cov_g2(0, 1) = kInfinity; }), "cell 5: the covariance must be finite"},
       {with([](PoseCapture& c) { c.samples[0].cov_g2(1, 1) = -1e-9; }), "cell 5: variances must be at least 0"},
+      {with([](PoseCapture& c) {
+         c.samples[0].cov_g2 = Eigen::Matrix3d::Constant(-1) + 2 * Eigen::Matrix3d::Identity();
+       }),
+       "cell 5: the covariance must be positive semidefinite"},
       {with([](PoseCapture& c) { c.samples[0].temperature_c = kInfinity; }), "cell 5: the temperature must be finite"},
       {SetOptions{"[1]"}, "object"},
       {SetOptions{"{"}, "what is to be stored"},
@@ -319,6 +342,20 @@ TEST_F(SessionStoreTest, KeepsRawSamples) {
   };
   same(reader.readRawSamples(0), *device);
   same(reader.readRawSamples(2), *exact);
+}
+
+TEST_F(SessionStoreTest, IsReadFromItsBytesAlone) {
+  writeSessionStore(sessionWithEverything(), path_);
+  const std::string bytes = readFile(path_);
+  EXPECT_TRUE(beginsAsSessionStore(bytes));
+  EXPECT_FALSE(beginsAsSessionStore("{}"));
+  const Session session = parseSessionStore(bytes, "folder/pipe.hexo");
+  expectSameSession(session, readSessionStore(path_));
+  EXPECT_EQ(session.source().file, "pipe.hexo");
+  EXPECT_EQ(session.source().sha256, readSessionStore(path_).source().sha256);
+  for (const std::size_t size : {std::size_t{16}, std::size_t{100}, bytes.size() / 2, bytes.size() - 1}) {
+    EXPECT_THROW(parseSessionStore(std::string_view(bytes).substr(0, size), "pipe.hexo"), FormatError) << size;
+  }
 }
 
 TEST_F(SessionStoreTest, AnotherDigestForAnotherSession) {

@@ -21,5 +21,23 @@ TEST(CsvQuoted, QuotesSeparatorsLineBreaksAndSpacesAtTheEnds) {
 
 TEST(CsvQuoted, DoublesQuotes) { EXPECT_EQ(csvQuoted("say \"x\""), "\"say \"\"x\"\"\""); }
 
+TEST(CsvQuoted, LetsNoSpreadsheetRunAFormula) {
+  EXPECT_EQ(csvQuoted("=1+1"), "'=1+1");
+  EXPECT_EQ(csvQuoted("+1+1"), "'+1+1");
+  EXPECT_EQ(csvQuoted("-1+1"), "'-1+1");
+  EXPECT_EQ(csvQuoted("@SUM(A1)"), "'@SUM(A1)");
+  EXPECT_EQ(csvQuoted("\t=1"), "'\t=1");
+  EXPECT_EQ(csvQuoted("\r=1"), "\"'\r=1\"");
+  EXPECT_EQ(csvQuoted("\n=1"), "\"'\n=1\"");
+  EXPECT_EQ(csvQuoted("=HYPERLINK(\"http://x\",\"y\")"), "\"'=HYPERLINK(\"\"http://x\"\",\"\"y\"\")\"");
+  EXPECT_EQ(csvQuoted("-"), "'-");
+  EXPECT_EQ(csvQuoted("-inf"), "'-inf");
+  EXPECT_EQ(csvQuoted("-1 mm"), "'-1 mm");
+}
+
+TEST(CsvQuoted, LeavesNumbersNumbers) {
+  for (const char* number : {"-1.5", "+2", "-3e-7", "-0", "1"}) EXPECT_EQ(csvQuoted(number), number);
+}
+
 }  // namespace
 }  // namespace hexoderm

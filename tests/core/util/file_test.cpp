@@ -1,51 +1,60 @@
 #include "hexoderm/util/file.h"
 
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/temporary_file.h"
 #include "tests/support/error_matchers.h"
+#include "tests/support/failing_disk.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
+#include <fcntl.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/sysmacros.h>
+#include <sys/un.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <csignal>
+#include <fstream>
+#include <thread>
 
 namespace hexoderm {
 namespace {
 
 using test::messageOf;
 using test::saysAll;
-using test::TemporaryFolder;
 
 TEST(ReadFile, GivesTheBytesAsTheyAre) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const std::string bytes("a\r\n\0\xff z", 8);
   EXPECT_EQ(readFile(folder.put("bytes", bytes)), bytes);
   EXPECT_EQ(readFile(folder.put("empty", "")), "");
 }
 
 TEST(ReadFile, ReadsMoreThanOneBuffer) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   std::string content(200'001, 'x');
   content.back() = 'y';
   EXPECT_EQ(readFile(folder.put("large", content)), content);
 }
 
 TEST(ReadFile, NamesAMissingFileAndWhy) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const std::string message = messageOf<StorageError>([&] { readFile(folder.path() / "missing.json"); });
   EXPECT_THAT(message, saysAll("missing.json", "No such file"));
 }
 
 TEST(ReadFile, RefusesAFolder) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const std::string message = messageOf<StorageError>([&] { readFile(folder.path()); });
   EXPECT_THAT(message, saysAll(folder.path().string(), "is a folder, expected a file"));
 }
 
 TEST(WriteFileAtomically, WritesNewAndReplacesOld) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const auto file = folder.path() / "out.txt";
   writeFileAtomically(file, "first");
   EXPECT_EQ(readFile(file), "first");
@@ -55,7 +64,7 @@ TEST(WriteFileAtomically, WritesNewAndReplacesOld) {
 }
 
 TEST(WriteFileAtomically, FollowsTheUsersUmask) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const auto file = folder.path() / "out.txt";
   const mode_t before = ::umask(0027);
   writeFileAtomically(file, "x");
@@ -64,7 +73,7 @@ TEST(WriteFileAtomically, FollowsTheUsersUmask) {
 }
 
 TEST(WriteFileAtomically, LeavesAFolderInThePlaceAlone) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const auto target = folder.path() / "out.txt";
   std::filesystem::create_directory(target);
   const std::string message = messageOf<StorageError>([&] { writeFileAtomically(target, "x"); });
@@ -74,24 +83,229 @@ TEST(WriteFileAtomically, LeavesAFolderInThePlaceAlone) {
 }
 
 TEST(WriteFileAtomically, FailsWithoutATraceWhereThereIsNoFolder) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const auto target = folder.path() / "nowhere" / "out.txt";
   const std::string message = messageOf<StorageError>([&] { writeFileAtomically(target, "x"); });
   EXPECT_THAT(message, saysAll("out.txt", "cannot be written", "No such file"));
   EXPECT_EQ(folder.entryCount(), 0U);
 }
 
-TEST(WriteFileAtomically, LeavesOtherFilesAloneWhenTheTemporaryOneCannotBeMade) {
-  const TemporaryFolder folder;
+TEST(WriteFileAtomically, TakesEveryNameThatTheFileSystemTakes) {
+  const test::TemporaryFolder folder;
+  const auto longest = folder.path() / std::string(255, 'n');
+  writeFileAtomically(longest, "first");
+  writeFileAtomically(longest, "second");
+  EXPECT_EQ(readFile(longest), "second");
+  EXPECT_THAT(messageOf<StorageError>([&] { writeFileAtomically(folder.path() / std::string(256, 'n'), "x"); }),
+              saysAll("cannot be written: ", "name too long"));
+  EXPECT_EQ(folder.entryCount(), 1U);
+}
+
+TEST(WriteFileAtomically, KeepsTheRightsOfAFileThatItReplaces) {
+  const test::TemporaryFolder folder;
   const auto file = folder.put("out.txt", "old");
-  // A name that just fits; the temporary one beside it no longer does.
-  EXPECT_THROW(writeFileAtomically(folder.path() / std::string(250, 'n'), "x"), StorageError);
+  for (const unsigned rights : {0600U, 0664U, 0755U}) {
+    std::filesystem::permissions(file, std::filesystem::perms(rights));
+    writeFileAtomically(file, "new");
+    EXPECT_EQ(std::filesystem::status(file).permissions(), std::filesystem::perms(rights));
+  }
+}
+
+TEST(WriteFileAtomically, KeepsOwnerAndGroupWhereItMay) {
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can give a file away";
+  const test::TemporaryFolder folder;
+  const auto file = folder.put("out.txt", "old");
+  ASSERT_EQ(::chown(file.c_str(), 12345, 54321), 0);
+  writeFileAtomically(file, "new");
+  struct stat status {};
+  ASSERT_EQ(::stat(file.c_str(), &status), 0);
+  EXPECT_EQ(status.st_uid, 12345U);
+  EXPECT_EQ(status.st_gid, 54321U);
+}
+
+TEST(WriteFileAtomically, ReplacesNoFileThatTheUserMayNotWrite) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.put("out.txt", "old");
+  std::filesystem::permissions(file, std::filesystem::perms(0444));
+  std::filesystem::permissions(folder.path(), std::filesystem::perms(0777));
+  EXPECT_EQ(test::asOrdinaryUser([&] {
+              try {
+                writeFileAtomically(file, "new");
+              } catch (const StorageError& error) {
+                return std::string(error.what()).ends_with("out.txt: cannot be written: Permission denied") ? 0 : 2;
+              }
+              return 1;
+            }),
+            0);
   EXPECT_EQ(readFile(file), "old");
   EXPECT_EQ(folder.entryCount(), 1U);
 }
 
+TEST(WriteFileAtomically, WritesThroughALinkAndKeepsIt) {
+  const test::TemporaryFolder folder;
+  const test::TemporaryFolder elsewhere;
+  const auto file = elsewhere.put("target.txt", "old");
+  std::filesystem::create_symlink(file, folder.path() / "first");
+  std::filesystem::create_symlink("first", folder.path() / "second");
+  writeFileAtomically(folder.path() / "second", "new");
+  EXPECT_EQ(readFile(file), "new");
+  EXPECT_FALSE(std::filesystem::is_symlink(file));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "first"));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "second"));
+  EXPECT_EQ(folder.entryCount(), 2U);
+  EXPECT_EQ(elsewhere.entryCount(), 1U);
+}
+
+TEST(WriteFileAtomically, RefusesALinkThatLeadsNowhere) {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_symlink("gone.txt", folder.path() / "link");
+  EXPECT_THAT(messageOf<StorageError>([&] { writeFileAtomically(folder.path() / "link", "x"); }),
+              saysAll("link: is a link to gone.txt", "nothing"));
+  EXPECT_EQ(folder.entryCount(), 1U);
+}
+
+TEST(WriteFileAtomically, RefusesALinkThatLeadsInACircle) {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_symlink("b", folder.path() / "a");
+  std::filesystem::create_symlink("a", folder.path() / "b");
+  EXPECT_THAT(messageOf<StorageError>([&] { writeFileAtomically(folder.path() / "a", "x"); }),
+              saysAll("a: cannot be written: ", "symbolic links"));
+  EXPECT_EQ(folder.entryCount(), 2U);
+}
+
+TEST(WriteFileAtomically, WritesIntoAFifo) {
+  const test::TemporaryFolder folder;
+  const auto fifo = folder.path() / "fifo";
+  ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+  std::string received;
+  std::thread reader([&] { received = readFile(fifo); });
+  const std::string content(200'000, 'x');
+  writeFileAtomically(fifo, content);
+  reader.join();
+  EXPECT_EQ(received, content);
+  EXPECT_TRUE(std::filesystem::is_fifo(fifo));
+  EXPECT_EQ(folder.entryCount(), 1U);
+}
+
+TEST(WriteFileAtomically, SaysThatAReaderWentAway) {
+  const test::TemporaryFolder folder;
+  const auto fifo = folder.path() / "fifo";
+  ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+  std::thread reader([&] { std::ifstream(fifo).get(); });
+  EXPECT_THAT(messageOf<StorageError>([&] { writeFileAtomically(fifo, std::string(1'000'000, 'x')); }),
+              saysAll("fifo: cannot be written: ", "pipe"));
+  reader.join();
+}
+
+TEST(WriteFileAtomically, WritesIntoADevice) {
+  if (::geteuid() == 0) {
+    // A node of this test's own, as root: /dev/null of this machine is not put at risk.
+    const test::TemporaryFolder folder;
+    const auto null = folder.path() / "null";
+    if (::mknod(null.c_str(), S_IFCHR | 0600, makedev(1, 3)) != 0) GTEST_SKIP() << "no device nodes can be made here";
+    writeFileAtomically(null, "x");
+    EXPECT_TRUE(std::filesystem::is_character_file(null));
+    EXPECT_EQ(folder.entryCount(), 1U);
+    return;
+  }
+  writeFileAtomically("/dev/null", "x");
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+  EXPECT_THAT(messageOf<StorageError>([] { writeFileAtomically("/dev/full", "x"); }), saysAll("/dev/full", "No space"));
+}
+
+TEST(WriteFileAtomically, RefusesASocket) {
+  const test::TemporaryFolder folder;
+  struct sockaddr_un address {};
+  address.sun_family = AF_UNIX;
+  const std::string path = (folder.path() / "socket").string();
+  ASSERT_LT(path.size(), sizeof address.sun_path);
+  path.copy(std::begin(address.sun_path), path.size());
+  const int socket = ::socket(AF_UNIX, SOCK_STREAM, 0);
+  ASSERT_EQ(::bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+  EXPECT_THAT(messageOf<StorageError>([&] { writeFileAtomically(path, "x"); }),
+              saysAll("socket", "nothing is written"));
+  EXPECT_TRUE(std::filesystem::is_socket(path));
+  ::close(socket);
+}
+
+TEST(WriteFileAtomically, VerifiesWhatIsOnTheDiskBeforeTheFileHasItsName) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "a.stl";
+  std::string seen;
+  writeFileAtomically(file, "content", [&](const std::string& bytes) {
+    seen = bytes;
+    EXPECT_FALSE(std::filesystem::exists(file));
+  });
+  EXPECT_EQ(seen, "content");
+  EXPECT_EQ(readFile(file), "content");
+  const auto refuse = [](const std::string& /*bytes*/) { throw FormatError("differs"); };
+  EXPECT_THROW(writeFileAtomically(file, "other", refuse), FormatError);
+  EXPECT_EQ(readFile(file), "content");
+  EXPECT_THROW(writeFileAtomically(folder.path() / "b.stl", "other", refuse), FormatError);
+  EXPECT_EQ(folder.entryCount(), 1U);
+}
+
+/// Leaves a hidden file as a killed writer does where no file can be without a name.
+void beKilledWhileWriting(const std::filesystem::path& target) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const TemporaryFile file(target, target.string(), TemporaryFile::Naming::AtTheStart);
+    const hexoderm::TemporaryFolder folder(target.parent_path(), target.string());
+    std::ofstream(folder.path() / "inside") << "x";
+    ::kill(::getpid(), SIGKILL);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFSIGNALED(status));
+}
+
+TEST(WriteFileAtomically, RemovesWhatAKilledWriterLeft) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "out.txt";
+  beKilledWhileWriting(file);
+  EXPECT_EQ(folder.entryCount(), 2U) << "nothing to remove: the test shows nothing";
+  const auto notes = folder.put(".hexoderm-notes.tmp", "the user's own");
+  writeFileAtomically(file, "x");
+  EXPECT_EQ(folder.entryCount(), 2U);
+  EXPECT_EQ(readFile(notes), "the user's own");
+}
+
+TEST(WriteFileAtomically, LeavesTheFilesOfOtherWritersAlone) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "out.txt";
+  TemporaryFile other(folder.path() / "other.txt", "other.txt", TemporaryFile::Naming::AtTheStart);
+  other.write("whole");
+  EXPECT_EQ(test::inAnotherProcess([&] {
+              writeFileAtomically(file, "x");
+              return 0;
+            }),
+            0);
+  other.replaceTarget();
+  EXPECT_EQ(readFile(folder.path() / "other.txt"), "whole");
+  EXPECT_EQ(folder.entryCount(), 2U);
+}
+
+TEST(WriteFileAtomically, HasNoHiddenNameWhileItWrites) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "out.txt";
+  const int unnamed = ::open(folder.path().c_str(), O_TMPFILE | O_RDWR, 0600);
+  if (unnamed < 0) GTEST_SKIP() << "this file system has no files without a name";
+  ::close(unnamed);
+  writeFileAtomically(file, "x", [&](const std::string&) { EXPECT_EQ(folder.entryCount(), 0U); });
+  EXPECT_EQ(folder.entryCount(), 1U);
+}
+
+TEST(ReadFile, ReadsToALimit) {
+  const test::TemporaryFolder folder;
+  const auto file = folder.put("large", std::string(2'000'001, 'x'));
+  EXPECT_EQ(readFile(file, 2'000'001).size(), 2'000'001U);
+  EXPECT_THAT(messageOf<FormatError>([&] { readFile(file, 2'000'000); }), saysAll("large", "at most 2 MB are read"));
+  EXPECT_THAT(messageOf<FormatError>([] { readFile("/dev/zero", 3'000'000); }),
+              saysAll("/dev/zero", "does not end: at most 3 MB are read"));
+}
+
 TEST(WriteFileAtomically, KeepsTheOldFileWhenWritingFailsHalfWay) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const auto file = folder.put("out.txt", "old");
   // The limit on file sizes stands for a full disk.
   struct rlimit before {};

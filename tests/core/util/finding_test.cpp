@@ -9,6 +9,7 @@ namespace {
 
 TEST(FindingTable, HasOneEntryPerCodeInOrder) {
   std::set<std::string_view> names;
+  ASSERT_FALSE(findingTable().empty());
   for (std::size_t k = 0; k < findingTable().size(); ++k) {
     const FindingDescription& entry = findingTable()[k];
     EXPECT_EQ(static_cast<std::size_t>(entry.code), k) << entry.name;

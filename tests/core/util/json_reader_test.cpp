@@ -42,6 +42,44 @@ TEST(ParseJson, NamesTheKeyPathOfNumbersThatAreNotFinite) {
 
 TEST(ParseJson, SurvivesDeepNesting) { EXPECT_THROW(parseJson(std::string(1'000'000, '['), "f.json"), FormatError); }
 
+TEST(ParseJson, RefusesAKeyThatIsThereTwiceAndSaysWhere) {
+  EXPECT_THAT(messageOf<FormatError>([] { parseJson(R"({"a": 1, "a": 1})", "f.json"); }),
+              saysAll("f.json: a: is there twice, expected each key once"));
+  EXPECT_THAT(
+      messageOf<FormatError>([] { parseJson(R"({"c": [{"x": {}}, {"x": {"y": [], "z": 2, "y": 3}}]})", "f.json"); }),
+      saysAll("f.json: c[1].x.y: is there twice"));
+  EXPECT_THAT(messageOf<FormatError>([] { parseJson(R"({"x": 1, "\u0078": 2})", "f.json"); }),
+              saysAll("x: is there twice"));
+  EXPECT_NO_THROW(parseJson(R"({"a": {"a": {"a": 1}}, "b": [{"a": 1}, {"a": 1}]})", "f.json"));
+}
+
+TEST(ParseJson, GivesTheValuesOfTheLibrarysOwnParser) {
+  for (const char* text :
+       {"null", "true", "-3", "18446744073709551615", "1.5", "\"x\"", "[]", "{}", "[[], {}, [1, [2]], {\"a\": {}}]",
+        R"({"b": [1, -2, 3.5, null, false, "t"], "a": {"c": {"d": []}, "e": ""}})"}) {
+    EXPECT_EQ(parseJson(text, "f.json"), nlohmann::json::parse(text)) << text;
+  }
+}
+
+TEST(ParseJson, ReadsToALimitOfLevelsAndValues) {
+  const auto nested = [](std::size_t levels) { return std::string(levels, '[') + std::string(levels, ']'); };
+  EXPECT_NO_THROW(parseJson(nested(kMostJsonLevels), "f.json"));
+  EXPECT_THAT(messageOf<FormatError>([&] { parseJson(nested(kMostJsonLevels + 1), "f.json"); }),
+              saysAll("f.json: [0][0]", "nested too deeply, at most 100 levels"));
+  EXPECT_NO_THROW(parseJson("[1, {\"a\": 2}]", "f.json", 4));
+  EXPECT_THAT(messageOf<FormatError>([] { parseJson("[1, {\"a\": 2}]", "f.json", 3); }),
+              saysAll("f.json: [1].a: the file has too many values, at most 3 are read"));
+}
+
+TEST(ParseJson, SaysNoMoreOfAKeyThanAPersonReads) {
+  const std::string text = "{\"" + std::string(100'000, 'k') + "\": ?}";
+  EXPECT_LT(messageOf<FormatError>([&] { parseJson(text, "f.json"); }).size(), 300U);
+}
+
+TEST(FindJsonFormat, GoesNoDeeperThanDocumentsDo) {
+  EXPECT_EQ(findJsonFormat("{\"a\": " + std::string(1'000'000, '[')), std::nullopt);
+}
+
 TEST(FindJsonFormat, FindsTheTopLevelKeyOnly) {
   EXPECT_EQ(findJsonFormat(R"({"a": {"format": "inner"}, "format": "outer", "b": )"), "outer");
   EXPECT_EQ(findJsonFormat(R"({"a": {"format": "inner"}})"), std::nullopt);

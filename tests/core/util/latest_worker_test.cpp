@@ -1,5 +1,7 @@
 #include "hexoderm/util/latest_worker.h"
 
+#include "tests/support/patience.h"
+
 #include <gmock/gmock.h>
 
 #include <atomic>
@@ -157,7 +159,10 @@ TEST(LatestWorker, WhenIdleItHoldsNothingThatAJobHeld) {
   EXPECT_EQ(held.use_count(), 1);
 }
 
-TEST(LatestWorker, GoesAwayWithoutEverHavingWorked) { const LatestWorker worker; }
+TEST(LatestWorker, GoesAwayWithoutEverHavingWorked) {
+  const std::future<void> gone = std::async(std::launch::async, [] { const LatestWorker worker; });
+  EXPECT_EQ(gone.wait_for(test::kPatience), std::future_status::ready);
+}
 
 TEST(LatestWorker, TakesJobsOfManyThreads) {
   std::atomic<int> ran = 0;

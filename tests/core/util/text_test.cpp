@@ -64,6 +64,55 @@ TEST(Split, KeepsEmptyParts) {
   EXPECT_EQ(split("a,", ','), (std::vector<std::string>{"a", ""}));
 }
 
+TEST(Shortened, KeepsBeginningAndEndAndWholeCharacters) {
+  EXPECT_EQ(shortened("short", 5), "short");
+  EXPECT_EQ(shortened("0123456789", 9), "012...789");
+  EXPECT_EQ(shortened("0123456789", 8), "012...89");
+  EXPECT_EQ(shortened(std::string(1'000'000, 'x'), 2000).size(), 2000U);
+  EXPECT_EQ(shortened("0123456789", 3), "...");
+  const std::string umlauts = "äöüäöüäöü";
+  for (std::size_t most = 3; most <= umlauts.size(); ++most) {
+    const std::string text = shortened(umlauts, most);
+    EXPECT_LE(text.size(), most);
+    EXPECT_EQ(forTerminal(text), text) << "no half character";
+  }
+}
+
+TEST(ForTerminal, LeavesWordsOfAllLanguagesAsTheyAre) {
+  for (const char* text : {"", "left arm", "±0.5° – naïve 肌 𝛼", "C:\\n"}) EXPECT_EQ(forTerminal(text), text);
+}
+
+TEST(ForTerminal, EscapesWhatSteersTheTerminal) {
+  EXPECT_EQ(forTerminal("\x1b[31mred\x1b[0m"), "\\u001b[31mred\\u001b[0m");
+  EXPECT_EQ(forTerminal("a\nb\rc\td"), "a\\nb\\rc\\td");
+  EXPECT_EQ(forTerminal(std::string("nul\0!", 5)), "nul\\u0000!");
+  EXPECT_EQ(forTerminal("\x7f\xc2\x9b\xc2\x85"), "\\u007f\\u009b\\u0085") << "delete, CSI and NEL of eight bits";
+  EXPECT_EQ(forTerminal("\xe2\x80\xae"
+                        "gpj.exe"),
+            "\\u202egpj.exe")
+      << "written from right to left";
+  EXPECT_EQ(forTerminal("\xe2\x80\xa8"), "\\u2028") << "a line separator";
+}
+
+TEST(ForTerminal, EscapesBytesThatAreNoUtf8) {
+  EXPECT_EQ(forTerminal("\xff"), "\\xff");
+  EXPECT_EQ(forTerminal("a\x9b"
+                        "b"),
+            "a\\x9bb");
+  EXPECT_EQ(forTerminal("\xc3"), "\\xc3") << "cut off";
+  EXPECT_EQ(forTerminal("\xc0\x9b"), "\\xc0\\x9b") << "an escape written with more bytes than it takes";
+  EXPECT_EQ(forTerminal("\xed\xa0\x80"), "\\xed\\xa0\\x80") << "half a pair of UTF-16";
+}
+
+TEST(Error, SaysNoMoreThanAPersonReads) {
+  const FormatError error(located("f.json", Message::verbatim(std::string(1'000'000, 'x') + " in the end")));
+  const std::string what = error.what();
+  EXPECT_LE(what.size(), 2000U);
+  EXPECT_TRUE(what.starts_with("f.json: xxx")) << what;
+  EXPECT_TRUE(what.ends_with("in the end")) << what;
+  EXPECT_EQ(error.message().english(), what);
+}
+
 TEST(ListInWords, JoinsAsOneWouldSayIt) {
   EXPECT_EQ(listInWords(std::vector<CellId>{}), "");
   EXPECT_EQ(listInWords(std::vector{CellId(1)}), "1");

@@ -1,7 +1,7 @@
 #include "widgets/capture/coverage_view.h"
 
+#include "tests/support/hand_made_skins.h"
 #include "tests/support/qt_wait.h"
-#include "tests/widgets/sample_reconstruction.h"
 
 #include <gtest/gtest.h>
 #include <QSignalSpy>
@@ -10,8 +10,10 @@
 namespace hexoderm {
 namespace {
 
+/// Of a result that another pose would help until a third direction was seen, as the assessment of a real one has it.
 PoseCoverage coverageWith(const std::vector<Eigen::Vector3d>& ups, std::size_t disabled = 99) {
   auto result = sampleX17();
+  result->assessment.remedy = ups.size() < 3 ? Remedy::TakePose : Remedy::Nothing;
   result->poses.clear();
   for (std::size_t k = 0; k < ups.size(); ++k) {
     const PoseId id(static_cast<std::uint32_t>(k + 1));

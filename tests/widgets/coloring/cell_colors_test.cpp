@@ -1,7 +1,7 @@
 #include "widgets/coloring/cell_colors.h"
 
 #include "hexoderm/util/units.h"
-#include "tests/support/demo_reconstruction.h"
+#include "tests/support/hand_made_skins.h"
 
 #include <gmock/gmock.h>
 

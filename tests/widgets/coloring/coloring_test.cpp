@@ -1,7 +1,7 @@
 #include "widgets/coloring/coloring.h"
 
 #include "hexoderm/util/units.h"
-#include "tests/support/demo_reconstruction.h"
+#include "tests/support/hand_made_skins.h"
 #include "widgets/coloring/coloring_words.h"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 #include "widgets/graph/graph_fit.h"
 
-#include "tests/widgets/sample_reconstruction.h"
+#include "tests/support/hand_made_skins.h"
 #include "widgets/graph/graph_legend.h"
 
 #include <gmock/gmock.h>

@@ -2,7 +2,9 @@
 
 #include "widgets/graph/graph_picture.h"
 
-#include "tests/widgets/sample_reconstruction.h"
+#include "tests/support/hand_made_skins.h"
+
+#include <gtest/gtest.h>
 
 #include <QDir>
 #include <QFile>
@@ -22,10 +24,10 @@ constexpr double kMaxDifferingShare = 0.0003;
 /// Everything that the graph draws besides texts: four classes, a muted link inside of a patch and one between patches,
 /// an origin, a cell placed by its links, a cut, the tree.
 std::shared_ptr<Reconstruction> sample() {
-  auto result = sampleTwoPatches();
-  std::vector<LinkEstimate> ring;
-  for (std::uint32_t id = 31; id <= 34; ++id) ring.push_back(sampleLink(id, 2, id == 34 ? 31 : id + 1, 3));
-  result->patches.push_back(samplePatch(2, {31, 32, 33, 34}, ring));
+  test::ResultBuilder builder(*sampleTwoPatches());
+  builder.patch(31).cells(31, 34);
+  for (std::uint32_t id = 31; id <= 34; ++id) builder.link(id, 2, id == 34 ? 31 : id + 1, 3, solvedLink());
+  auto result = builder.share();
   result->patches[0].cells[1].cov_t_r = Matrix6d::Identity() * 1e-6;
   result->patches[0].links[1].in_tree = false;
   result->layout = computeFlatLayout(*result->model, result->patches);

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "tests/support/hand_made_skins.h"
 #include "tests/support/qt_wait.h"
-#include "tests/widgets/sample_reconstruction.h"
 #include "widgets/controls/selection.h"
 #include "widgets/graph/graph_view.h"
 

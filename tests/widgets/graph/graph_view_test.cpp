@@ -1,6 +1,6 @@
 #include "widgets/graph/graph_view.h"
 
-#include "tests/support/large_skin.h"
+#include "tests/support/hand_made_skins.h"
 #include "tests/support/qt_wait.h"
 #include "tests/widgets/graph/graph_view_fixture.h"
 
@@ -23,7 +23,7 @@ TEST_F(GraphViewTest, ShowsAHintInsteadOfNothing) {
   }
   wheel({100, 100}, 240);
   EXPECT_FALSE(selection_.cell());
-  show(sampleReconstruction({}));
+  show(test::ResultBuilder().share());
   EXPECT_GT(countColor(image(), empty.rect().center(), 200, Colors::of(Theme::Light).text_muted), 50);
   show(sampleX17());
   show(nullptr);
@@ -68,7 +68,7 @@ TEST_F(GraphViewTest, FitsTheWholeSkinIntoTheWidgetInItsPlaces) {
 }
 
 TEST_F(GraphViewTest, ASingleCellIsShownInModerateSize) {
-  show(sampleReconstruction({samplePatch(0, {4}, {})}));
+  show(test::ResultBuilder().patch(4).cell(4).laidOut().share());
   EXPECT_LT((cell(4) - view_.rect().center()).manhattanLength(), 40);
   QTest::mouseClick(&view_, Qt::LeftButton, Qt::NoModifier, cell(4) + QPoint(100, 0));
   EXPECT_FALSE(selection_.cell());
@@ -129,9 +129,10 @@ TEST_F(GraphViewTest, MutedLinksAreGreyAndCrossed) {
 }
 
 TEST_F(GraphViewTest, AClosedSurfaceIsDrawnAsTwoStubsThatBothPickTheCutLink) {
-  std::vector<LinkEstimate> links;
-  for (std::uint32_t id = 1; id <= 8; ++id) links.push_back(sampleLink(id, 2, id % 8 + 1, 3));
-  show(sampleReconstruction({samplePatch(0, {1, 2, 3, 4, 5, 6, 7, 8}, links)}));
+  test::ResultBuilder ring;
+  ring.patch(1).cells(1, 8);
+  for (std::uint32_t id = 1; id <= 8; ++id) ring.link(id, 2, id % 8 + 1, 3, solvedLink());
+  show(ring.laidOut().share());
   const LinkEnd five{CellId(5), PortNumber(2)};
   const LinkEnd six{CellId(6), PortNumber(3)};
   for (const auto& [end, inner] : {std::pair{5u, 4u}, std::pair{6u, 7u}}) {

@@ -1,6 +1,6 @@
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/util/units.h"
-#include "tests/support/demo_reconstruction.h"
+#include "tests/support/hand_made_skins.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/controls/selection.h"
 #include "widgets/patch/patch_view.h"

@@ -1,8 +1,7 @@
 #include "widgets/patch/patch_view.h"
 
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
-#include "tests/support/demo_reconstruction.h"
-#include "tests/support/large_skin.h"
+#include "tests/support/hand_made_skins.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/controls/selection.h"
 #include "widgets/patch/opengl_info.h"
@@ -125,7 +124,7 @@ TEST_F(PatchViewTest, SeveralSizesAndColoursOneAfterTheOtherMakeOnePictureWhichI
   EXPECT_TRUE(test::waitUntil([&] { return pictures > 0; }));
   EXPECT_EQ(canvas->renderWindow()->GetSize()[0], qRound(680 * canvas->devicePixelRatioF()));
   EXPECT_TRUE(test::waitUntil([this] { return canvas->picture().width() > 640 && canvas->isPictureSmoothed(); }));
-  QTest::qWait(50);
+  test::letTurnsPass();
   EXPECT_EQ(pictures, 1);
   canvas->renderWindow()->RemoveObserver(observer);
 }
@@ -334,6 +333,31 @@ TEST_F(PatchViewTest, OverlaysAreNamedWithTheirEnlargement) {
       << words().toStdString();
   controls().action(SceneItem::Comparison)->trigger();
   EXPECT_FALSE(words().contains(QStringLiteral("arrows")));
+}
+
+TEST_F(PatchViewTest, PatchesThatAreNotPlacedAreSaidInWords) {
+  show();
+  view.setReconstruction(demo());
+  EXPECT_FALSE(words().contains(QStringLiteral("not placed")));
+  DemoOptions lonely;
+  lonely.first_id = 101;
+  lonely.arm_cells = 0;
+  view.setReconstruction(shared(demoPatches({DemoOptions(), lonely})));
+  EXPECT_TRUE(words().contains(QStringLiteral("dashed frame: patch of cell 101, not placed against the others")))
+      << words().toStdString();
+  controls().measureAction()->trigger();
+  selection.selectCell(CellId(1));
+  selection.selectCell(CellId(101));
+  EXPECT_TRUE(words().contains(QStringLiteral("Cells 1 and 101 are in different patches"))) << words().toStdString();
+  EXPECT_FALSE(words().contains(QStringLiteral("mm apart")));
+  controls().measureAction()->trigger();
+  std::vector<DemoOptions> many = {DemoOptions()};
+  for (std::uint32_t k = 0; k < 9; ++k) {
+    many.push_back(lonely);
+    many.back().first_id += k;
+  }
+  view.setReconstruction(shared(demoPatches(many)));
+  EXPECT_TRUE(words().contains(QStringLiteral("9 patches beside the largest"))) << words().toStdString();
 }
 
 TEST_F(PatchViewTest, MeasuresBetweenTwoClickedCellsUntilEsc) {

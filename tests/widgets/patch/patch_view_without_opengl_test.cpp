@@ -1,4 +1,4 @@
-#include "tests/support/demo_reconstruction.h"
+#include "tests/support/hand_made_skins.h"
 #include "widgets/controls/selection.h"
 #include "widgets/patch/patch_captions.h"
 #include "widgets/patch/patch_view.h"

@@ -1,7 +1,7 @@
 // Pictures of the scene, compared with kept ones, and checks that the comparison sees differences.
 #include "tests/widgets/scene/patch_scene_test.h"
 
-#include "tests/support/large_skin.h"
+#include "tests/support/hand_made_skins.h"
 
 #include <vtkPNGReader.h>
 #include <vtkPNGWriter.h>

@@ -3,7 +3,7 @@
 
 #include "hexoderm/reconstruction/figures/overlays.h"
 #include "hexoderm/util/units.h"
-#include "tests/support/large_skin.h"
+#include "tests/support/hand_made_skins.h"
 
 #include <vtkBillboardTextActor3D.h>
 #include <vtkPropCollection.h>
@@ -105,7 +105,7 @@ TEST_F(PatchSceneTest, EmptySkinShowsTheBackgroundOnly) {
   window->Render();
   scene.setReconstruction(nullptr);
   const auto empty = picture();
-  scene.setReconstruction(shared(demoReconstruction(std::vector<PatchReconstruction>{})));
+  scene.setReconstruction(shared(demoPatches({})));
   EXPECT_EQ(differingShare(empty, picture()), 0);
   const auto* first = static_cast<const unsigned char*>(empty->GetScalarPointer(0, kHeight / 2, 0));
   const auto* middle = static_cast<const unsigned char*>(empty->GetScalarPointer(kWidth / 2, kHeight / 2, 0));

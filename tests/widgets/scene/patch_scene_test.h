@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tests/support/demo_reconstruction.h"
+#include "tests/support/hand_made_skins.h"
 #include "widgets/scene/patch_scene.h"
 
 #include <gmock/gmock.h>

@@ -323,10 +323,9 @@ TEST_F(PatchSceneTest, TenThousandCellsAreDrawnAndPicked) {
 }
 
 TEST_F(PatchSceneTest, PatchesStandSideBySide) {
-  const CellModel model = builtInCellModel("hex-bma150");
   DemoOptions second;
   second.first_id = 101;
-  const Reconstruction two = demoReconstruction({demoPatch(model), demoPatch(model, second)});
+  const Reconstruction two = demoPatches({DemoOptions(), second});
   scene.setReconstruction(shared(two));
   scene.showStandardView(PatchScene::View::Front);
   window->Render();

@@ -1,6 +1,10 @@
 #include "widgets/style/palette.h"
 
+#include "hexoderm/reconstruction/result/quality_colors.h"
+
+#include <gmock/gmock.h>
 #include <Eigen/Core>
+#include <QApplication>
 #include <QImage>
 #include <QLineF>
 #include <QPainter>
@@ -70,6 +74,15 @@ TEST_P(PaletteOfTheme, MarksAndStrokesStandOutFromTheirGround) {
        {EdgeQuality::Undefined, EdgeQuality::Partially, EdgeQuality::Fully, EdgeQuality::Over}) {
     EXPECT_GE(contrast(linkStroke(quality, GetParam()).color, colors_.panel), 3) << qualityName(quality);
   }
+}
+
+TEST_P(PaletteOfTheme, QualityHasTheColoursThatExportedFilesHave) {
+  const Background background = GetParam() == Theme::Dark ? Background::Dark : Background::Light;
+  for (const EdgeQuality quality :
+       {EdgeQuality::Undefined, EdgeQuality::Partially, EdgeQuality::Fully, EdgeQuality::Over}) {
+    EXPECT_EQ(linkStroke(quality, GetParam()).color, QColor::fromRgb(qualityColor(quality, background)));
+  }
+  EXPECT_EQ(colors_.muted_link, QColor::fromRgb(unusedColor(background)));
 }
 
 /// CIE L*a*b* of what an eye without one of the three cones sees (Machado, Oliveira, Fernandes 2009); none: as it is.

@@ -1,6 +1,6 @@
 #include "widgets/tables/link_table.h"
 
-#include "tests/widgets/sample_reconstruction.h"
+#include "tests/support/hand_made_skins.h"
 #include "tests/widgets/tables/table_texts.h"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 #include "widgets/tables/pose_table.h"
 
-#include "tests/widgets/sample_reconstruction.h"
+#include "tests/support/hand_made_skins.h"
 #include "tests/widgets/tables/table_texts.h"
 
 #include <gmock/gmock.h>
@@ -47,6 +47,7 @@ TEST_F(PoseTableTest, DisabledPosesAreGreyAndSaySo) {
 TEST_F(PoseTableTest, FiguresStandAtTheRightWordsAtTheLeft) {
   PoseTable table;
   table.setReconstruction(sampleX17());
+  ASSERT_GT(table.columnCount(), 2);
   for (int column = 0; column < table.columnCount(); ++column) {
     const int expected = (column < 2 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter;
     EXPECT_EQ(table.index(0, column).data(Qt::TextAlignmentRole).toInt(), expected);

@@ -1,7 +1,7 @@
 #include "widgets/tables/table_csv.h"
 
+#include "tests/support/hand_made_skins.h"
 #include "tests/support/qt_wait.h"
-#include "tests/widgets/sample_reconstruction.h"
 #include "widgets/tables/link_table.h"
 #include "widgets/tables/result_table.h"
 #include "widgets/tables/sorted_table.h"

@@ -1,8 +1,8 @@
 #include "widgets/verify/verify_panel.h"
 
 #include "hexoderm/util/units.h"
+#include "tests/support/hand_made_skins.h"
 #include "tests/support/qt_wait.h"
-#include "tests/widgets/sample_reconstruction.h"
 #include "widgets/controls/selection.h"
 
 #include <gmock/gmock.h>
@@ -11,8 +11,10 @@
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSpinBox>
 #include <QTableView>
 #include <QTest>
 #include <QToolButton>
@@ -56,8 +58,10 @@ SurfaceEvaluation cylinder() {
   for (std::uint32_t id = 1; id <= 17; ++id) {
     surface.cells.emplace_back(id);
     surface.distance_m.push_back(id == 12 ? -0.0009 : 0.0003);
+    surface.tilt_rad.push_back(1 * kDegree);
   }
   surface.rms_m = 0.00042;
+  surface.tilt_rms_rad = 1 * kDegree;
   return surface;
 }
 
@@ -79,7 +83,7 @@ class VerifyPanelTest : public testing::Test {
   }
   std::shared_ptr<Reconstruction> skin() {
     auto reconstruction = sampleX17();
-    reconstruction->verdict.position_95_m = 0.0012;
+    reconstruction->assessment.position_95_m = 0.0012;
     reconstruction->poses.push_back(reconstruction->poses.front());
     reconstruction->poses.back().pose = PoseId(5);
     return reconstruction;
@@ -108,6 +112,10 @@ TEST_F(VerifyPanelTest, SaysWhyAPoseCannotBeHeldOut) {
   EXPECT_FALSE(run->isEnabled());
   EXPECT_EQ(sentence("holdOut"), "There is no skin yet.");
   EXPECT_EQ(run->toolTip().toStdString(), "There is no skin yet.");
+  panel_->setAwaited(QStringLiteral("Opening arm.hexo…"));
+  EXPECT_EQ(sentence("holdOut"), "Opening arm.hexo…");
+  panel_->setAwaited({});
+  EXPECT_EQ(sentence("holdOut"), "There is no skin yet.");
   panel_->setReconstruction(skin());
   panel_->setHasReadings(false);
   EXPECT_FALSE(run->isEnabled());
@@ -239,7 +247,11 @@ TEST_F(VerifyPanelTest, AsksForTheSurfaceThatIsChosenWithItsRadius) {
   QTest::keyClicks(radius, "50.1");
   QTest::keyClick(radius, Qt::Key_Return);
   kind->setCurrentText("Plane");
+  kind->setCurrentText("Most probable");
+  int dropped = 0;
+  QObject::connect(panel_, &VerifyPanel::surfaceDropped, [&] { ++dropped; });
   kind->setCurrentText("None");
+  EXPECT_EQ(dropped, 1);
   ASSERT_EQ(asked.size(), 4U);
   EXPECT_EQ(asked[0].first, SurfaceKind::Cylinder);
   EXPECT_FALSE(asked[0].second.has_value());
@@ -247,6 +259,42 @@ TEST_F(VerifyPanelTest, AsksForTheSurfaceThatIsChosenWithItsRadius) {
   EXPECT_EQ(asked[2].first, SurfaceKind::Plane);
   EXPECT_FALSE(asked[2].second.has_value()) << "a plane has no radius";
   EXPECT_FALSE(asked[3].first.has_value());
+}
+
+TEST_F(VerifyPanelTest, AFieldThatSaysNotKnownTakesTheNumberThatIsTypedIntoIt) {
+  panel_->setReconstruction(skin());
+  std::optional<double> asked;
+  QObject::connect(panel_, &VerifyPanel::surfaceRequested, [&](const auto& /*kind*/, auto radius) { asked = radius; });
+  find<QComboBox>("surfaceKind")->setCurrentText("Cylinder");
+  auto* radius = find<QDoubleSpinBox>("surfaceRadius");
+  auto* line = radius->findChild<QLineEdit*>();
+  // As a click into the text leaves it: nothing is picked.
+  QTest::mouseClick(line, Qt::LeftButton, Qt::NoModifier, QPoint(8, line->height() / 2));
+  line->deselect();
+  ASSERT_EQ(line->text(), "not known");
+  QTest::keyClicks(radius, "50.1");
+  QTest::keyClick(radius, Qt::Key_Return);
+  EXPECT_NEAR(radius->value(), 50.1, 1e-9);
+  EXPECT_NEAR(asked.value_or(0), 0.0501, 1e-12);
+  radius->selectAll();
+  QTest::keyClicks(radius, "0");
+  QTest::keyClick(radius, Qt::Key_Return);
+  EXPECT_FALSE(asked.has_value());
+}
+
+TEST_F(VerifyPanelTest, ASurfaceThatTheCellsContradictIsNotTickedAlthoughTheyLieOnIt) {
+  panel_->setReconstruction(skin());
+  SurfaceEvaluation sphere = cylinder();
+  sphere.kind = SurfaceKind::Sphere;
+  sphere.radius_m = 0.0734;
+  sphere.tilt_rms_rad = 36.8 * kDegree;
+  panel_->showSurfaces({sphere}, {});
+  EXPECT_THAT(sentence("surface"), testing::HasSubstr("That is within"));
+  sphere.better = std::make_shared<const SurfaceEvaluation>(cylinder());
+  panel_->showSurfaces({sphere}, {});
+  EXPECT_THAT(sentence("surface"), testing::Not(testing::HasSubstr("That is within")));
+  EXPECT_THAT(sentence("surface"), testing::HasSubstr("the cells face 36.80° (rms) away from it"));
+  EXPECT_THAT(sentence("surface"), testing::HasSubstr("Cylinder, radius 50.30 mm, with 1.00°"));
 }
 
 TEST_F(VerifyPanelTest, SurfacesAreJudgedByWhatIsStated) {
@@ -265,6 +313,45 @@ TEST_F(VerifyPanelTest, SurfacesAreJudgedByWhatIsStated) {
   panel_->showFailure(VerifyCheck::Surface, "cylinder fit: the points lie in a plane");
   EXPECT_EQ(sentence("surface"), "cylinder fit: the points lie in a plane");
   EXPECT_FALSE(find<QTableView>("surfaceTable")->isVisible());
+}
+
+TEST_F(VerifyPanelTest, ADistanceByCaliperIsComparedWithTheEstimate) {
+  EXPECT_FALSE(find<QDoubleSpinBox>("caliperDistance")->isEnabled());
+  EXPECT_EQ(sentence("caliper"), "");
+  const auto shown = skin();
+  for (CellPlacement& cell : shown->patches.front().cells) {
+    cell.T_o_u.t = Eigen::Vector3d(0.01 * cell.cell.value(), 0, 0);
+    cell.cov_t_r = Matrix6d::Identity() * 1e-6;
+  }
+  panel_->setReconstruction(shown);
+  EXPECT_THAT(sentence("caliper"), testing::StartsWith("Not measured yet"));
+  auto* first = find<QSpinBox>("caliperFirst");
+  auto* second = find<QSpinBox>("caliperSecond");
+  const auto proposed = farApart(shown->patches.front());
+  ASSERT_TRUE(proposed);
+  EXPECT_EQ(first->value(), static_cast<int>(proposed->first.value()));
+  EXPECT_EQ(second->value(), static_cast<int>(proposed->second.value()));
+
+  const auto type = [](QAbstractSpinBox* field, const QString& text) {
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, text);
+    QTest::keyClick(field, Qt::Key_Return);
+  };
+  const double estimated_mm = 1e3 * distanceBetween(*shown, proposed->first, proposed->second)->length_m;
+  auto* distance = find<QDoubleSpinBox>("caliperDistance");
+  QTest::keyClicks(distance, QString::number(estimated_mm, 'f', 1));
+  QTest::keyClick(distance, Qt::Key_Return);
+  EXPECT_THAT(sentence("caliper"), testing::StartsWith("It agrees. Cells"));
+  type(distance, QString::number(1.3 * estimated_mm, 'f', 1));
+  EXPECT_THAT(sentence("caliper"), testing::StartsWith("It contradicts the result."));
+  // Another result of the same skin is compared with what was measured.
+  panel_->setReconstruction(std::make_shared<Reconstruction>(*shown));
+  EXPECT_THAT(sentence("caliper"), testing::StartsWith("It contradicts the result."));
+  type(second, "4711");
+  EXPECT_EQ(sentence("caliper"), "there is no cell 4711");
+  type(second, QString::number(first->value()));
+  EXPECT_EQ(sentence("caliper"), "a distance is between two different cells");
 }
 
 TEST_F(VerifyPanelTest, ComparisonSaysWhetherItRepeatsAsStated) {

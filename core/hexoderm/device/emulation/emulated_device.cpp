@@ -200,7 +200,7 @@ void EmulatedDevice::work(std::uint32_t command, Messages& out) {
 }
 
 std::string EmulatedDevice::setRate(double rate_hz) {
-  const double most_hz = skin_->model().accelerometer.rate_hz;
+  const double most_hz = skin_->rate_hz();
   if (!(rate_hz > 0) || rate_hz > most_hz * 1.0001 || rate_hz < most_hz / 1e6) {
     return "expected a rate above 0 and at most " + formatFixed(most_hz, 0) + " Hz";
   }

@@ -55,7 +55,7 @@ class EmulatedDevice {
   void countDropped(const skinwire::Samples& samples);
 
   /// Length of a tick, s: 1 / the cell model's rate, whatever part of the ticks is sent.
-  [[nodiscard]] double tick_s() const { return 1 / skin_->model().accelerometer.rate_hz; }
+  [[nodiscard]] double tick_s() const { return 1 / skin_->rate_hz(); }
   [[nodiscard]] double time_s() const { return static_cast<double>(ticks_) * tick_s(); }
   [[nodiscard]] const SimulatedSkin& skin() const { return *skin_; }
   [[nodiscard]] bool isExploring() const { return ticks_ < explored_at_; }

@@ -11,5 +11,6 @@ namespace hexoderm {
 /// Names of the simulator's faults, for the command line, in the order in which they are listed.
 std::span<const std::pair<std::string_view, SkinFault>> skinFaultNames();
 std::span<const std::pair<std::string_view, LinkFaultKind>> linkFaultNames();
+std::span<const std::pair<std::string_view, WholeSkinFault>> wholeSkinFaultNames();
 
 }  // namespace hexoderm

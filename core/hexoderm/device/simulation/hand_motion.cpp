@@ -1,7 +1,5 @@
 #include "hexoderm/device/simulation/hand_motion.h"
 
-#include "hexoderm/util/units.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -11,9 +9,8 @@ namespace {
 constexpr int kWavesPerAxis = 6;
 constexpr double kLowestTremor_hz = 4;
 constexpr double kHighestTremor_hz = 12;
-constexpr double kFastestTurn = 120 * kDegree;  // per second
-constexpr double kPeakOverMean = 1.875;         // ratio of the rates on the smoothest way
-constexpr double kDriftsOneWay_s = 3;           // before the person notices and comes back, as far beyond the middle
+constexpr double kPeakOverMean = 1.875;  // ratio of the rates on the smoothest way
+constexpr double kDriftsOneWay_s = 3;    // before the person notices and comes back, as far beyond the middle
 
 /// Seconds of drift that are left after so long a time, and whether it goes forth (1) or back (-1).
 struct Drift {
@@ -58,9 +55,9 @@ HandMotion::Axes HandMotion::drawWaves(double rms, std::mt19937_64& random) {
   return axes;
 }
 
-void HandMotion::arriveFrom(const Eigen::Matrix3d& R_w_b) {
+void HandMotion::arriveFrom(const Eigen::Matrix3d& R_w_b, double fastest_rad_s) {
   way_rad_ = logSO3(R_w_b * (expSO3(turnAt(0)) * R_w_b_).transpose());
-  arrival_s_ = kPeakOverMean * way_rad_.norm() / kFastestTurn;
+  arrival_s_ = kPeakOverMean * way_rad_.norm() / fastest_rad_s;
 }
 
 HandMotion::Approach HandMotion::approachAt(double time_s) const {

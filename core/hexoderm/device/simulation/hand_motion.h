@@ -3,6 +3,7 @@
 // Private to device/: how a person holds a body part.
 
 #include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/util/units.h"
 
 #include <Eigen/Core>
 #include <array>
@@ -18,6 +19,9 @@ struct BodyMotion {
   Eigen::Matrix3d field_b;  ///< angular and centripetal acceleration per lever arm, g/m
 };
 
+/// No hand turns a part faster than 120 degrees per second.
+inline constexpr double kFastestTurn_rad_s = 120 * kDegree;
+
 /// Orientation and motion of a part while one pose is held. On a table: `up_b` is up, and nothing moves. In a hand: up
 /// to within a few degrees, with tremor of turn and position (every axis a sum of sinusoids of 4 to 12 Hz, whose rms
 /// over a long time is the option's value) and a slow drift about a random axis, which goes to and fro: people notice a
@@ -30,8 +34,8 @@ class HandMotion {
   HandMotion(const Eigen::Vector3d& up_b, const SimulatedSkinOptions& options, std::mt19937_64& random);
 
   /// Begins elsewhere: from `R_w_b` the part is turned the shortest way to where it is to be held, smoothly and no
-  /// faster than kFastestTurn; it is there after arrival_s().
-  void arriveFrom(const Eigen::Matrix3d& R_w_b);
+  /// faster than `fastest_rad_s`; it is there after arrival_s().
+  void arriveFrom(const Eigen::Matrix3d& R_w_b, double fastest_rad_s = kFastestTurn_rad_s);
   [[nodiscard]] double arrival_s() const { return arrival_s_; }
 
   [[nodiscard]] BodyMotion at(double time_s) const;

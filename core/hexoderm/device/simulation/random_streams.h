@@ -14,7 +14,18 @@ namespace hexoderm {
 
 /// One stream of random numbers per purpose, so that, say, switching the jitter off leaves the sensors' errors as they
 /// were. New purposes go to the end: the numbers of the others stay.
-enum class Stream : std::uint32_t { Placement, Sensors, Faults, Hand, Noise, DeadAxis, LinkFaults };
+enum class Stream : std::uint32_t {
+  Placement,
+  Sensors,
+  Faults,
+  Hand,
+  Noise,
+  DeadAxis,
+  LinkFaults,
+  Vibration,
+  WholeSkin,
+  Lot
+};
 
 /// The stream's generator for what `keys` number (a recording, a cell ...).
 inline std::mt19937_64 randomStream(std::uint64_t seed, Stream stream, std::initializer_list<std::uint32_t> keys) {

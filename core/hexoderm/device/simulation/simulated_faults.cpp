@@ -6,6 +6,7 @@
 #include "hexoderm/util/units.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <set>
 
@@ -15,6 +16,8 @@ namespace {
 constexpr double kNoisyFactor = 20;
 constexpr double kSaturatedGain = 20;
 constexpr double kWrongGain = 1.25;
+constexpr double kYawed = 20 * kDegree;
+constexpr double kReglued = 10 * kDegree;
 constexpr double kCableReach_m = 0.1;
 constexpr double kLeastCableTurn = 40 * kDegree;
 constexpr double kMostCableTurn = 120 * kDegree;
@@ -135,6 +138,19 @@ void addFault(CellHealth& cell, SkinFault kind, std::mt19937_64& random) {
     case SkinFault::DeadAxis:
       cell.dead_axis = any_axis(random);
       break;
+    case SkinFault::Echo:
+      cell.echoes = true;
+      break;
+    case SkinFault::Swapped:
+      cell.swapped = true;
+      break;
+    case SkinFault::Yawed:
+      cell.turn = expSO3(kYawed * Eigen::Vector3d::UnitZ());
+      break;
+    case SkinFault::Reglued:
+      cell.turn = expSO3(kReglued * NormalSource(random).nextVector().normalized());
+      cell.turned_later = true;
+      break;
   }
 }
 
@@ -144,9 +160,78 @@ std::vector<CellHealth> breakCells(const SimulatedSkinOptions& options, std::siz
   for (const CellFault& fault : options.faults) {
     requireCell(fault.cell, cell_count);
     std::mt19937_64 of_cell = randomStream(options.seed, Stream::DeadAxis, {fault.cell.value()});
-    addFault(health[fault.cell.value() - 1], fault.kind, fault.kind == SkinFault::DeadAxis ? of_cell : random);
+    const bool is_drawn_by_cell = fault.kind == SkinFault::DeadAxis || fault.kind == SkinFault::Reglued;
+    addFault(health[fault.cell.value() - 1], fault.kind, is_drawn_by_cell ? of_cell : random);
   }
   return health;
+}
+
+WrongDelivery::WrongDelivery(const SimulatedSkinOptions& options, const NeighborList& neighbors)
+    : whole_(options.whole_skin_faults), seed_(options.seed) {
+  for (const CellReport& cell : neighbors) {
+    const auto first =
+        std::ranges::find_if(cell.neighbors, [](const NeighborReport& n) { return n.cell.value() != 0; });
+    first_neighbor_.push_back(first == cell.neighbors.end() ? std::nullopt : std::optional(first->cell));
+  }
+}
+
+void WrongDelivery::apply(const std::vector<CellHealth>& cells, std::size_t recording, SampleFrame& frame) const {
+  std::vector<CellSample>& samples = frame.samples;
+  exchange(cells, samples);
+  for (const WholeSkinFault fault : whole_) {
+    std::mt19937_64 random = randomStream(seed_, Stream::WholeSkin, recording);
+    switch (fault) {
+      case WholeSkinFault::Identical:
+        for (CellSample& sample : samples) sample.acceleration_g = samples.front().acceleration_g;
+        break;
+      case WholeSkinFault::AxesSwapped:
+        for (CellSample& sample : samples) std::swap(sample.acceleration_g.x(), sample.acceleration_g.y());
+        break;
+      case WholeSkinFault::AxesPermuted:
+        for (CellSample& sample : samples) {
+          const Eigen::Vector3d& y = sample.acceleration_g;
+          sample.acceleration_g = Eigen::Vector3d(y.y(), y.z(), y.x());
+        }
+        break;
+      case WholeSkinFault::Shuffled: {
+        std::vector<Eigen::Vector3d> readings;
+        for (const CellSample& sample : samples) readings.push_back(sample.acceleration_g);
+        std::ranges::shuffle(readings, random);
+        for (std::size_t k = 0; k < samples.size(); ++k) samples[k].acceleration_g = readings[k];
+        break;
+      }
+      case WholeSkinFault::Random: {
+        // What the cell reads is turned as a whole, so that its noise stays what it is.
+        NormalSource normal(random);
+        for (CellSample& sample : samples) {
+          const Eigen::Vector3d to = normal.nextVector();
+          sample.acceleration_g = sample.acceleration_g.norm() * to.normalized();
+        }
+        break;
+      }
+      case WholeSkinFault::PortsRotated:
+      case WholeSkinFault::PortOffset:
+        break;  // LinkFaults
+    }
+  }
+}
+
+void WrongDelivery::exchange(const std::vector<CellHealth>& cells, std::vector<CellSample>& samples) const {
+  const bool any = std::ranges::any_of(cells, [](const CellHealth& cell) { return cell.echoes || cell.swapped; });
+  if (!any) return;
+  const std::vector<CellSample> sent = samples;
+  const auto at = [](std::vector<CellSample>& in, CellId cell) {
+    return std::ranges::find(in, cell, &CellSample::cell);
+  };
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    if (!(cells[k].echoes || cells[k].swapped) || !first_neighbor_[k]) continue;
+    const auto own = at(samples, idOf(k));
+    const auto other = at(samples, *first_neighbor_[k]);
+    if (own == samples.end() || other == samples.end()) continue;
+    const Eigen::Vector3d own_g = sent[static_cast<std::size_t>(own - samples.begin())].acceleration_g;
+    own->acceleration_g = sent[static_cast<std::size_t>(other - samples.begin())].acceleration_g;
+    if (cells[k].swapped) other->acceleration_g = own_g;
+  }
 }
 
 LinkFaults::LinkFaults(const PatchPlan& plan, const CellModel& model, const SimulatedSkinOptions& options)
@@ -169,6 +254,29 @@ LinkFaults::LinkFaults(const PatchPlan& plan, const CellModel& model, const Simu
         cables_.push_back(cutAt(plan, link));
         break;
     }
+  }
+  for (const WholeSkinFault fault : options.whole_skin_faults) {
+    if (fault == WholeSkinFault::PortsRotated) renumberPorts(model, true);
+    if (fault == WholeSkinFault::PortOffset) renumberPorts(model, false);
+  }
+}
+
+/// Every port is reported as the next one: around the cell, or by number.
+void LinkFaults::renumberPorts(const CellModel& model, bool around) {
+  std::vector<Port> ports = model.ports;
+  const auto heading = [](const Port& port) { return std::atan2(port.vector_m.y(), port.vector_m.x()); };
+  if (around) {
+    std::ranges::sort(ports, {}, heading);
+  } else {
+    std::ranges::sort(ports, {}, &Port::number);
+  }
+  const auto next = [&ports](const Port& port) {
+    const auto at = std::ranges::find(ports, port.number, &Port::number);
+    return at + 1 == ports.end() ? ports.front() : *(at + 1);
+  };
+  for (PlannedLink& link : reported_) {
+    link.source_port = next(link.source_port);
+    link.target_port = next(link.target_port);
   }
 }
 

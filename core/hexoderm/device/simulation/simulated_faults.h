@@ -2,6 +2,7 @@
 
 // Private to device/: what SimulatedSkinOptions::faults and link_faults do to a skin.
 
+#include "hexoderm/device/sample_frame.h"
 #include "hexoderm/device/simulation/patch_plan.h"
 #include "hexoderm/device/simulation/simulated_skin.h"
 
@@ -14,8 +15,11 @@ namespace hexoderm {
 /// The defects of one cell's sensor.
 struct CellHealth {
   bool dead = false, stuck = false, saturated = false, noisy = false, wrong_gain = false, silent = false;
+  bool echoes = false, swapped = false;  ///< see WrongDelivery
   int stuck_axis = -1;
   int dead_axis = -1;
+  std::optional<Eigen::Matrix3d> turn;             ///< from the cell as it lies now to the cell as it is said to lie
+  bool turned_later = false;                       ///< from the recording reglued_before on only
   std::optional<Eigen::Vector3d> first_reading_g;  ///< set for a stuck cell
 
   /// Applies the defects to a reading before its noise is added.
@@ -29,6 +33,22 @@ struct CellHealth {
 void addFault(CellHealth& cell, SkinFault kind, std::mt19937_64& random);
 /// Throws InvalidArgument for a fault of a cell that is not there.
 std::vector<CellHealth> breakCells(const SimulatedSkinOptions& options, std::size_t cell_count);
+
+/// Cells that send what others should, and skins of which all sensors are wrong alike: SkinFault::Echo and Swapped, and
+/// the WholeSkinFaults of readings.
+class WrongDelivery {
+ public:
+  WrongDelivery(const SimulatedSkinOptions& options, const NeighborList& neighbors);
+  /// `frame`: a tick of the given recording, with the cells' readings as they should be delivered.
+  void apply(const std::vector<CellHealth>& cells, std::size_t recording, SampleFrame& frame) const;
+
+ private:
+  void exchange(const std::vector<CellHealth>& cells, std::vector<CellSample>& samples) const;
+
+  std::vector<WholeSkinFault> whole_;
+  std::vector<std::optional<CellId>> first_neighbor_;  ///< per cell
+  std::uint64_t seed_;
+};
 
 /// The faults of a patch's links.
 class LinkFaults {
@@ -53,6 +73,7 @@ class LinkFaults {
     std::vector<std::size_t> far_side;  ///< cells
   };
 
+  void renumberPorts(const CellModel& model, bool around);
   void reportWrongPort(const LinkEnd& at, std::size_t link, const CellModel& model, std::uint64_t seed);
   [[nodiscard]] Cut cutAt(const PatchPlan& plan, std::size_t link) const;
   static std::vector<SE3> composed(const std::vector<Cut>& cuts, const std::vector<SE3>& motions, std::size_t cells);

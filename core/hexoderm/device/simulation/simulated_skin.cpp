@@ -4,6 +4,7 @@
 #include "hexoderm/device/simulation/patch_layout.h"
 #include "hexoderm/device/simulation/patch_plan.h"
 #include "hexoderm/device/simulation/random_streams.h"
+#include "hexoderm/device/simulation/robot_motion.h"
 #include "hexoderm/device/simulation/simulated_faults.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/rounding.h"
@@ -51,6 +52,12 @@ void SimulatedSkinOptions::validate() const {
   notNegative(tremor_angle_sigma_rad, "tremor_angle_sigma_rad");
   notNegative(tremor_acceleration_g, "tremor_acceleration_g");
   notNegative(drift_rad_per_s, "drift_rad_per_s");
+  notNegative(reading_rate_hz, "reading_rate_hz");
+  notNegative(least_vibration_g, "least_vibration_g");
+  notNegative(most_vibration_g, "most_vibration_g");
+  if (least_vibration_g > most_vibration_g) {
+    throw InvalidArgument(message("simulated skin: least_vibration_g must not be above most_vibration_g"));
+  }
   if (!std::isfinite(joint_angle_rad)) throw InvalidArgument(message("simulated skin: joint_angle_rad must be finite"));
 }
 
@@ -65,6 +72,14 @@ SimulatedSkinOptions SimulatedSkinOptions::ideal() {
   return options;
 }
 
+SimulatedSkinOptions SimulatedSkinOptions::robot() {
+  SimulatedSkinOptions options;
+  options.hand_held = false;
+  options.on_robot = true;
+  options.reading_rate_hz = 20;
+  return options;
+}
+
 struct SimulatedSkin::State {
   CellModel model;
   SimulatedSkinOptions options;
@@ -73,6 +88,7 @@ struct SimulatedSkin::State {
   std::optional<std::pair<LinkEnd, LinkEnd>> loop;
   std::vector<TrueCell> truth;
   std::vector<CellHealth> health;
+  std::optional<WrongDelivery> wrong_delivery;
   std::vector<SensorChain> sensors;
   std::vector<SensorChain> bent_sensors;  ///< with the joints bent; empty without joints
   Eigen::Vector3d middle_b = Eigen::Vector3d::Zero();
@@ -85,11 +101,19 @@ struct SimulatedSkin::State {
     Eigen::Vector3d hand_b;
     std::mt19937_64 noise;
     bool is_bent = false;
+    std::size_t recording = 0;
     std::size_t tick = 0;
   };
+  std::optional<RobotMotion> robot;  ///< absent unless it holds the part
   std::optional<Hold> live;
   FastNormalSource live_noise{std::mt19937_64()};
   double live_clock_s = 0;
+  std::size_t robot_holds = 0;  ///< those that the robot has gone to
+
+  [[nodiscard]] double rate_hz() const {
+    return options.reading_rate_hz > 0 ? options.reading_rate_hz : model.accelerometer.rate_hz;
+  }
+  [[nodiscard]] double liveTime_s() const { return static_cast<double>(live->tick) / rate_hz(); }
 
   Hold hold(const Eigen::Vector3d& up_b);
   void holdLive(const Eigen::Vector3d& up_b);
@@ -135,6 +159,8 @@ SimulatedSkin::State::State(CellModel cell_model, SimulatedSkinOptions skin_opti
     bent_sensors = sensorsOf(bending);
   }
   health = breakCells(options, truth.size());
+  if (options.on_robot) robot.emplace(options, truth.size());
+  wrong_delivery.emplace(options, neighbors);
 }
 
 void SimulatedSkin::State::reportNeighbors(const std::vector<PlannedLink>& links) {
@@ -152,6 +178,11 @@ void SimulatedSkin::State::drawCells(const std::vector<SE3>& placements) {
   NormalSource jitter(randomStream(options.seed, Stream::Placement));
   NormalSource errors(randomStream(options.seed, Stream::Sensors));
   const Accelerometer& accelerometer = model.accelerometer;
+  // All chips are of one lot.
+  const Eigen::Vector3d shared_offset_g =
+      accelerometer.shared_offset_sigma_g * NormalSource(randomStream(options.seed, Stream::Lot)).nextVector();
+  const double own_offset_sigma_g =
+      std::sqrt(std::pow(accelerometer.offset_sigma_g, 2) - std::pow(accelerometer.shared_offset_sigma_g, 2));
   truth.reserve(placements.size());
   for (std::size_t k = 0; k < placements.size(); ++k) {
     TrueCell cell{CellId(static_cast<std::uint32_t>(k + 1)), placements[k]};
@@ -161,7 +192,7 @@ void SimulatedSkin::State::drawCells(const std::vector<SE3>& placements) {
     cell.T_b_u.t += cell.T_b_u.R * shift;
     cell.T_b_u.R *= expSO3(turn);
     if (options.sensor_errors) {
-      cell.offset_g = accelerometer.offset_sigma_g * errors.nextVector();
+      cell.offset_g = shared_offset_g + own_offset_sigma_g * errors.nextVector();
       for (int row = 0; row < 3; ++row) {
         for (int col = 0; col < 3; ++col) {
           cell.gain(row, col) +=
@@ -203,8 +234,20 @@ GroundTruth SimulatedSkin::groundTruth() const {
   return truth;
 }
 std::optional<std::pair<LinkEnd, LinkEnd>> SimulatedSkin::loop() const { return state_->loop; }
+double SimulatedSkin::rate_hz() const { return state_->rate_hz(); }
+
+std::vector<Eigen::Vector3d> SimulatedSkin::upDirections(std::size_t pose_count) const {
+  if (!state_->robot) return scriptedUpDirections(pose_count);
+  std::vector<Eigen::Vector3d> directions;
+  for (std::size_t k = 0; k < pose_count; ++k) directions.push_back(RobotMotion::upOf(k));
+  return directions;
+}
 
 Message SimulatedSkin::description() const {
+  if (state_->robot) {
+    return message("Simulated {} on {}, link law {}, seed {}, on a robot with its motors on", state_->options.patch,
+                   state_->surface_text, lawName(state_->options.link_law), state_->options.seed);
+  }
   return message("Simulated {} on {}, link law {}, seed {}", state_->options.patch, state_->surface_text,
                  lawName(state_->options.link_law), state_->options.seed);
 }
@@ -217,13 +260,13 @@ SimulatedSkin::State::Hold SimulatedSkin::State::hold(const Eigen::Vector3d& up_
   }
   const std::size_t recording = recordings++;
   std::mt19937_64 hand_random = randomStream(options.seed, Stream::Hand, recording);
-  const Eigen::Vector3d up = up_b.normalized();
+  const Eigen::Vector3d up = robot ? RobotMotion::nearestTo(up_b) : up_b.normalized();
   const bool in_hand = options.hand_held && recording > 0;
   HandMotion motion = in_hand ? HandMotion(up, options, hand_random) : HandMotion(up);
   // A hand holds the part near its middle, not in it.
   const Eigen::Vector3d hand_b = middle_b + kHandOffset_m * NormalSource(hand_random).nextVector();
   return {std::move(motion), hand_b, randomStream(options.seed, Stream::Noise, recording),
-          !bent_sensors.empty() && recording % 2 == 1};
+          !bent_sensors.empty() && recording % 2 == 1, recording};
 }
 
 void SimulatedSkin::State::holdLive(const Eigen::Vector3d& up_b) {
@@ -245,7 +288,7 @@ void SimulatedSkin::State::sense(Hold& holding, Noise& noise, SampleFrame& frame
     return Eigen::Vector3d(output.cwiseMin(accelerometer.range_g).cwiseMax(-accelerometer.range_g));
   };
   const std::vector<SensorChain>& chains = holding.is_bent ? bent_sensors : sensors;
-  const BodyMotion body = holding.motion.at(static_cast<double>(holding.tick++) / accelerometer.rate_hz);
+  const BodyMotion body = holding.motion.at(static_cast<double>(holding.tick++) / rate_hz());
   frame.samples.reserve(truth.size());
   for (std::size_t c = 0; c < truth.size(); ++c) {
     const SensorChain& sensor = chains[c];
@@ -253,13 +296,21 @@ void SimulatedSkin::State::sense(Hold& holding, Noise& noise, SampleFrame& frame
     // Drawn also where it is not used: a fault of one cell leaves the others' noise as it was.
     const Eigen::Vector3d unit_noise =
         options.sensor_noise || cell.noisy ? noise.nextVector() : Eigen::Vector3d::Zero();
+    const Eigen::Vector3d vibration =
+        robot ? robot->vibration(c, 1 / rate_hz(), noise.nextVector()) : Eigen::Vector3d::Zero();
     if (cell.silent) continue;
-    Eigen::Vector3d reading =
-        sensor.gain_R_a_b * (body.up_b + body.field_b * (sensor.position_b - holding.hand_b)) + sensor.offset_g;
+    Eigen::Vector3d force_b = body.up_b + body.field_b * (sensor.position_b - holding.hand_b);
+    if (cell.turn && (!cell.turned_later || holding.recording >= options.reglued_before)) {
+      const Eigen::Matrix3d& R_b_u = truth[c].T_b_u.R;
+      force_b = R_b_u * cell.turn->transpose() * R_b_u.transpose() * force_b;
+    }
+    Eigen::Vector3d reading = sensor.gain_R_a_b * force_b + sensor.offset_g;
+    reading += vibration;
     reading = cell.sensed(reading) + cell.noiseFactor() * white_g * unit_noise;
     reading = cell.sent(asOutput(reading));
     frame.samples.push_back({truth[c].id, reading});
   }
+  wrong_delivery->apply(health, holding.recording, frame);
 }
 
 std::vector<SampleFrame> SimulatedSkin::record(const Eigen::Vector3d& up_b, std::size_t frame_count) {
@@ -268,34 +319,37 @@ std::vector<SampleFrame> SimulatedSkin::record(const Eigen::Vector3d& up_b, std:
   NormalSource noise(holding.noise);
   std::vector<SampleFrame> frames(frame_count);
   for (std::size_t k = 0; k < frame_count; ++k) {
-    frames[k].time_s = state.clock_s + static_cast<double>(k) / state.model.accelerometer.rate_hz;
+    frames[k].time_s = state.clock_s + static_cast<double>(k) / state.rate_hz();
     state.sense(holding, noise, frames[k]);
   }
-  state.clock_s += static_cast<double>(frame_count) / state.model.accelerometer.rate_hz + kPauseBetweenRecordings_s;
+  state.clock_s += static_cast<double>(frame_count) / state.rate_hz() + kPauseBetweenRecordings_s;
   return frames;
 }
 
 void SimulatedSkin::turnTo(const Eigen::Vector3d& up_b) {
   State& state = *state_;
   if (!state.live) state.holdLive(Eigen::Vector3d::UnitZ());
-  const double rate_hz = state.model.accelerometer.rate_hz;
-  const Eigen::Matrix3d R_w_b = state.live->motion.orientationAt(static_cast<double>(state.live->tick) / rate_hz);
+  const Eigen::Matrix3d R_w_b = state.live->motion.orientationAt(state.liveTime_s());
   state.holdLive(up_b);
-  state.live->motion.arriveFrom(R_w_b);
+  state.live->motion.arriveFrom(R_w_b, state.robot ? RobotMotion::kFastest_rad_s : kFastestTurn_rad_s);
 }
 
 bool SimulatedSkin::turning() const {
   const State& state = *state_;
   if (!state.live) return false;
-  return static_cast<double>(state.live->tick) / state.model.accelerometer.rate_hz < state.live->motion.arrival_s();
+  return state.liveTime_s() < state.live->motion.arrival_s();
 }
 
 SampleFrame SimulatedSkin::next() {
   State& state = *state_;
   if (!state.live) state.holdLive(Eigen::Vector3d::UnitZ());
+  if (state.robot &&
+      state.liveTime_s() >= state.live->motion.arrival_s() + RobotMotion::staysFor_s(state.robot_holds)) {
+    turnTo(RobotMotion::upOf(++state.robot_holds));
+  }
   SampleFrame frame;
   frame.time_s = state.live_clock_s;
-  state.live_clock_s += 1 / state.model.accelerometer.rate_hz;
+  state.live_clock_s += 1 / state.rate_hz();
   state.sense(*state.live, state.live_noise, frame);
   return frame;
 }
@@ -304,7 +358,7 @@ void SimulatedSkin::skip(std::size_t ticks) {
   State& state = *state_;
   if (!state.live) state.holdLive(Eigen::Vector3d::UnitZ());
   state.live->tick += ticks;
-  state.live_clock_s += static_cast<double>(ticks) / state.model.accelerometer.rate_hz;
+  state.live_clock_s += static_cast<double>(ticks) / state.rate_hz();
 }
 
 void SimulatedSkin::State::requireCell(CellId cell) const {
@@ -322,6 +376,11 @@ void SimulatedSkin::breakCell(const CellFault& fault) {
 void SimulatedSkin::mendCell(CellId cell) {
   state_->requireCell(cell);
   state_->health[cell.value() - 1] = CellHealth{};
+}
+
+Eigen::Matrix3d SimulatedSkin::turnOf(CellId cell) const {
+  state_->requireCell(cell);
+  return state_->health[cell.value() - 1].turn.value_or(Eigen::Matrix3d::Identity());
 }
 
 std::vector<Eigen::Vector3d> scriptedUpDirections(std::size_t pose_count) {

@@ -33,6 +33,10 @@ enum class SkinFault {
   NoSamples,
   WrongGain,  ///< amplifies 1.25 times, see above
   DeadAxis,   ///< one axis, drawn from the seed, reads 0 and noise
+  Echo,       ///< sends what its first neighbour sends
+  Swapped,    ///< sends what its first neighbour sends, which sends what this cell would: the two cables are swapped
+  Yawed,      ///< is mounted turned by 20 degrees about z
+  Reglued,    ///< turns by 10 degrees about an axis drawn from the seed before the recording `reglued_before`
 };
 
 /// One cell's sensor is broken in a known way.
@@ -63,6 +67,17 @@ struct LinkFault {
   LinkEnd at;
 };
 
+/// The whole skin is broken in a known way: not a cell, but what all cells are said to be.
+enum class WholeSkinFault {
+  Identical,     ///< all cells send what the first one sends
+  AxesSwapped,   ///< x and y of all accelerometers are swapped
+  AxesPermuted,  ///< x, y and z of all accelerometers are y, z and x
+  PortsRotated,  ///< all cells number their ports one side on, around the cell (where the model has as many pairs)
+  PortOffset,    ///< all cells report every port's number one higher, the last one as the first
+  Shuffled,      ///< whose readings are whose is drawn anew in every recording
+  Random,        ///< every cell reads 1 g in a direction drawn anew in every recording
+};
+
 struct SimulatedSkinOptions {
   std::string patch = "x17";  ///< x17 | ringN | ringN:closed | sheet:ROWSxCOLS
   std::string surface;        ///< plane | cylinder:r=M | sphere:r=M | cone:r=M,angle=RAD | torus:R=M,r=M
@@ -72,22 +87,32 @@ struct SimulatedSkinOptions {
   double position_jitter_m = 0.0002;      ///< 1 sigma, along the surface and normal to it
   double yaw_jitter_rad = 0;              ///< set by the constructor to 1 degree
   double tilt_jitter_rad = 0;             ///< 0.5 degrees
-  bool sensor_errors = true;              ///< offset, scale and cross-axis drawn with the model's sigmas
+  bool sensor_errors = true;              ///< offset, scale and cross-axis drawn with the model's sigmas, as one lot
   bool sensor_noise = true;               ///< white noise and quantisation
   bool hand_held = true;                  ///< orientation error, tremor and drift from the second pose on
+  bool on_robot = false;                  ///< a robot with its motors on instead of a hand, see robot()
   double hand_orientation_sigma_rad = 0;  ///< 3 degrees
   double tremor_angle_sigma_rad = 0;      ///< 0.05 degrees, 4 to 12 Hz
   double tremor_acceleration_g = 0.010;   ///< translational, rms, 4 to 12 Hz
   double drift_rad_per_s = 0;             ///< 0.5 degrees per second
+  double reading_rate_hz = 0;             ///< readings a second and cell; 0: the cell model's rate
+  double least_vibration_g = 0.008;       ///< on a robot: rms of an axis, drawn per cell and axis from this ...
+  double most_vibration_g = 0.035;        ///< ... to this
   std::vector<CellFault> faults;
   std::vector<LinkFault> link_faults;
-  double joint_angle_rad = 0;  ///< 20 degrees; positive bends the part's front outwards, as around a cylinder
+  std::vector<WholeSkinFault> whole_skin_faults;
+  std::size_t reglued_before = 2;  ///< recordings before the one that Reglued cells turn in front of
+  double joint_angle_rad = 0;      ///< 20 degrees; positive bends the part's front outwards, as around a cylinder
 
   SimulatedSkinOptions();
   /// Throws InvalidArgument naming the option.
   void validate() const;
   /// No jitter, no sensor errors, no noise, no hand.
   static SimulatedSkinOptions ideal();
+  /// A robot with its motors on, like the leg of an iCub whose recording is public: 20 readings a second, each cell
+  /// shaken by 8 to 35 mg rms an axis (noise with a correlation time of 40 ms), and a single joint about the body's x
+  /// axis. Directions that the joint does not reach are replaced by the nearest one that it does (SimulatedSkin::up).
+  static SimulatedSkinOptions robot();
 };
 
 struct TrueCell {
@@ -131,6 +156,11 @@ class SimulatedSkin {
   [[nodiscard]] Message description() const;
   /// The two free ports whose distance is the loop gap of an open ring (ringN); nullopt for other patches.
   [[nodiscard]] std::optional<std::pair<LinkEnd, LinkEnd>> loop() const;
+  /// Readings a second and cell: the device's ticks.
+  [[nodiscard]] double rate_hz() const;
+  /// The directions of a scripted calibration (scriptedUpDirections), or those that a robot goes to one after the
+  /// other: up to 60 degrees to either side.
+  [[nodiscard]] std::vector<Eigen::Vector3d> upDirections(std::size_t pose_count) const;
 
   /// Holds the part so that `up_b` (unit, body frame) points up, and records `frame_count` frames at the model's rate.
   /// A real hand misses by a few degrees and trembles; the first recording of a skin stands on a table and does not.
@@ -139,7 +169,8 @@ class SimulatedSkin {
   std::vector<SampleFrame> record(const Eigen::Vector3d& up_b, std::size_t frame_count = 100);
 
   /// Live: begins to turn the part from where it is until `up_b` points up, and to hold it there as record() does.
-  /// Before the first call it lies on a table with +z up, as cells with no motion of their own see it.
+  /// Before the first call it lies on a table with +z up, as cells with no motion of their own see it. A robot turns it
+  /// by itself to and fro, at 20 degrees a second at most, and holds it for 3 to 8 s in between.
   /// Throws InvalidArgument if `up_b` is zero or not finite.
   void turnTo(const Eigen::Vector3d& up_b);
   /// Live: has the last turnTo() not yet arrived?
@@ -152,6 +183,9 @@ class SimulatedSkin {
   /// Throws InvalidArgument if there is no such cell.
   void breakCell(const CellFault& fault);
   void mendCell(CellId cell);
+  /// How far a Yawed or Reglued cell is turned, from the cell as it lies to the cell as it is said to lie; the identity
+  /// for others. Throws InvalidArgument if there is no such cell.
+  [[nodiscard]] Eigen::Matrix3d turnOf(CellId cell) const;
 
  private:
   struct State;

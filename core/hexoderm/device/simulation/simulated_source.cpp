@@ -5,6 +5,7 @@
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/text.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
@@ -18,6 +19,7 @@ namespace hexoderm {
 
 struct SimulatedSource::Impl {
   using Clock = std::chrono::steady_clock;
+  static constexpr double kWakeEvery_s = 0.01;
   struct Queued {
     std::uint32_t number = 0;
     SkinCommand command;
@@ -26,6 +28,7 @@ struct SimulatedSource::Impl {
   SimulatedSkin skin;
   double speed;
   std::string address;
+  const std::uint64_t ticks_at_once;
   SkinListener* listener = nullptr;
   SourceStatus status;
 
@@ -38,7 +41,10 @@ struct SimulatedSource::Impl {
   std::jthread thread;  // last: it uses all of the above
 
   Impl(SimulatedSkin simulated, double times, std::string text)
-      : skin(std::move(simulated)), speed(times), address(std::move(text)) {
+      : skin(std::move(simulated)),
+        speed(times),
+        address(std::move(text)),
+        ticks_at_once(std::max<std::uint64_t>(1, static_cast<std::uint64_t>(kWakeEvery_s * skin.rate_hz()))) {
     if (!(speed > 0)) throw InvalidArgument(message("source \"{}\": speed must be above 0", address));
   }
 
@@ -58,6 +64,7 @@ struct SimulatedSource::Impl {
 
   void obey(const Queued& queued) {
     if (const auto* turn = std::get_if<TurnTo>(&queued.command)) {
+      if (skin.options().on_robot) return answer(queued.number, false, message("the simulated robot turns by itself"));
       const TrueCell* cell = find(turn->cell);
       if (cell == nullptr) return answer(queued.number, false, message("there is no cell {}", turn->cell));
       if (!turn->up_u.allFinite() || turn->up_u.norm() < 1e-9) {
@@ -85,22 +92,21 @@ struct SimulatedSource::Impl {
   }
 
   void run(const std::stop_token& stop) {
-    constexpr std::uint64_t kTicksAtOnce = 10;  // a wake-up every 10 ms
     constexpr std::uint64_t kTicksPerStatus = 500;
     SkinDescription description;
     description.device = skin.description();
     description.model = std::make_shared<const CellModel>(skin.model());
     description.neighbors = skin.neighbors();
     description.can_light_cells = true;
-    description.can_turn = true;
+    description.can_turn = !skin.options().on_robot;
     description.truth = std::make_shared<const GroundTruth>(skin.groundTruth());
     listener->onSkin(description);
     say(SourceState::Streaming, message("Streaming: {}", description.device));
     const Clock::time_point start = Clock::now();
-    const double tick_s = 1 / (skin.model().accelerometer.rate_hz * speed);
+    const double tick_s = 1 / (skin.rate_hz() * speed);
     while (!stop.stop_requested()) {
       obeyAll();
-      for (std::uint64_t k = 0; k < kTicksAtOnce; ++k) {
+      for (std::uint64_t k = 0; k < ticks_at_once; ++k) {
         listener->onFrame(skin.next());
         if (++status.frames % kTicksPerStatus == 0) listener->onStatus(status);
       }
@@ -132,22 +138,28 @@ SimulatedAddress parseAddress(const std::string& address) {
   SimulatedAddress parsed;
   SimulatedSkinOptions& options = parsed.options;
   double& speed = parsed.speed;
-  options.patch = address.substr(kPrefix.size(), query == std::string::npos ? query : query - kPrefix.size());
-  if (query != std::string::npos) {
-    for (const std::string& part : split(address.substr(query + 1), '&')) {
-      const std::size_t equals = part.find('=');
-      const std::string name = part.substr(0, equals);
-      const std::string value = equals == std::string::npos ? "" : part.substr(equals + 1);
-      if (name == "surface") {
-        options.surface = value;
-      } else if (name == "seed") {
-        options.seed = parseUnsigned(value, what + "seed");
-      } else if (name == "speed") {
-        speed = value == "max" ? std::numeric_limits<double>::infinity() : parseNumber(value, what + "speed");
-      } else {
-        throw InvalidArgument(
-            message("source \"{}\": expected sim:PATCH[?surface=...&seed=N&speed=X|max], found \"{}\"", address, part));
-      }
+  const std::string patch = address.substr(kPrefix.size(), query == std::string::npos ? query : query - kPrefix.size());
+  std::vector<std::string> parts;
+  if (query != std::string::npos) parts = split(address.substr(query + 1), '&');
+  // Whoever moves the part comes first: it is a whole set of options.
+  for (const std::string& part : parts) {
+    if (part == "motion=robot") options = SimulatedSkinOptions::robot();
+  }
+  options.patch = patch;
+  for (const std::string& part : parts) {
+    const std::size_t equals = part.find('=');
+    const std::string name = part.substr(0, equals);
+    const std::string value = equals == std::string::npos ? "" : part.substr(equals + 1);
+    if (name == "surface") {
+      options.surface = value;
+    } else if (name == "seed") {
+      options.seed = parseUnsigned(value, what + "seed");
+    } else if (name == "speed") {
+      speed = value == "max" ? std::numeric_limits<double>::infinity() : parseNumber(value, what + "speed");
+    } else if (name != "motion" || (value != "hand" && value != "robot")) {
+      throw InvalidArgument(
+          message("source \"{}\": expected sim:PATCH[?surface=...&seed=N&speed=X|max&motion=hand|robot], found \"{}\"",
+                  address, part));
     }
   }
   if (!(speed > 0)) throw InvalidArgument(message("source \"{}\": speed must be above 0", address));

@@ -9,12 +9,14 @@
 namespace hexoderm {
 
 /// A simulated skin that streams: what a newcomer sees, and what programs are tried with. It lies on a table until
-/// TurnTo turns it, by a simulated hand. SetLed is taken, SetRate is not.
+/// TurnTo turns it, by a simulated hand; or a robot turns it by itself (SimulatedSkinOptions::robot) and refuses
+/// TurnTo. SetLed is taken, SetRate is not.
 class SimulatedSource final : public SkinSource {
  public:
   /// `speed`: times real time, above 0; infinity: as fast as the listener takes it. Throws InvalidArgument.
   SimulatedSource(SimulatedSkin skin, double speed, std::string address);
-  /// "sim:PATCH[?surface=...&seed=N&speed=X|max]", patch and surface as in SimulatedSkinOptions, of hex-bma150 cells.
+  /// "sim:PATCH[?surface=...&seed=N&speed=X|max&motion=hand|robot]", patch and surface as in SimulatedSkinOptions, of
+  /// hex-bma150 cells.
   /// Throws InvalidArgument naming what was expected.
   static std::unique_ptr<SkinSource> open(const std::string& address);
   /// Throws like open() for faults of the address itself; builds nothing, however many cells there are. Only building

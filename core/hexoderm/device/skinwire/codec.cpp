@@ -1,8 +1,13 @@
 #include "hexoderm/device/skinwire/codec.h"
 
 #include "hexoderm/device/skinwire/crc32c.h"
+#include "hexoderm/device/skinwire/line_diagnosis.h"
+#include "hexoderm/device/skinwire/little_endian.h"
 #include "hexoderm/util/error.h"
+#include "hexoderm/util/text.h"
 
+#include <google/protobuf/stubs/common.h>
+#include <google/protobuf/stubs/logging.h>
 #include <google/protobuf/util/json_util.h>
 
 #include <skinwire.pb.h>
@@ -14,6 +19,9 @@ namespace {
 
 constexpr std::size_t kHead = 2;  // major, type
 constexpr std::size_t kTail = 4;  // CRC
+
+/// What protobuf thinks of a message is in what it returns: it is not to say it on standard error as well.
+using NoWordsOfProtobuf = google::protobuf::LogSilencer;
 
 // ---- plain types to protobuf
 
@@ -181,24 +189,30 @@ std::optional<Message> plain(const v1::Ack& from) {
 
 // ---- bodies
 
-Decoded failed(DecodeOutcome outcome, std::string reason, std::uint32_t major = kMajor) {
+std::string_view asText(ByteView bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
+
+Decoded failed(DecodeOutcome outcome, Offence offence, std::uint32_t major = kMajor) {
   Decoded decoded;
   decoded.outcome = outcome;
   decoded.major = major;
-  decoded.reason = std::move(reason);
+  decoded.offences.push_back(std::move(offence));
   return decoded;
 }
 
 Decoded otherMajor(std::uint32_t major) {
-  return failed(
-      DecodeOutcome::OtherMajor,
-      "the device speaks SkinWire " + std::to_string(major) + ", this program SkinWire " + std::to_string(kMajor),
-      major);
+  return failed(DecodeOutcome::OtherMajor,
+                {OffenceKind::OtherVersion,
+                 message("the device speaks SkinWire {}, this program SkinWire {}", major, std::uint32_t{kMajor})},
+                major);
 }
 
 Decoded checked(std::optional<Message> message) {
-  if (!message) return failed(DecodeOutcome::Broken, "a number is out of range");
-  if (std::string why = complaint(*message); !why.empty()) return failed(DecodeOutcome::Broken, std::move(why));
+  if (!message) {
+    return failed(DecodeOutcome::Broken, {OffenceKind::WrongValue, hexoderm::message("a number is out of range")});
+  }
+  if (Complaint why = complaint(*message); !why.empty()) {
+    return failed(DecodeOutcome::Broken, {why.kind, std::move(why.reason)});
+  }
   Decoded decoded;
   decoded.outcome = DecodeOutcome::Understood;
   decoded.major = kMajor;
@@ -208,10 +222,21 @@ Decoded checked(std::optional<Message> message) {
 
 template <class Proto>
 Decoded parsePayload(ByteView payload, Proto& proto) {
+  const NoWordsOfProtobuf quiet;
   if (!proto.ParseFromArray(payload.data(), static_cast<int>(payload.size()))) {
-    return failed(DecodeOutcome::Broken, "the payload is not the protobuf message that its type says");
+    return failed(DecodeOutcome::Broken,
+                  {OffenceKind::WrongType, message("the payload is not the protobuf message {} that its type says",
+                                                   proto.GetDescriptor()->name())});
   }
-  return checked(plain(proto));
+  Decoded decoded = checked(plain(proto));
+  const auto& unknown = proto.GetReflection()->GetUnknownFields(proto);
+  if (!unknown.empty()) {
+    decoded.offences.insert(
+        decoded.offences.begin(),
+        {OffenceKind::UnknownField,
+         message("{} has no field with the number {}", proto.GetDescriptor()->name(), unknown.field(0).number())});
+  }
+  return decoded;
 }
 
 template <class Proto>
@@ -238,14 +263,64 @@ Decoded parsePayload(std::uint8_t type, ByteView payload) {
     case 6:
       return parsePayload<v1::Ack>(payload);
     default:
-      return failed(DecodeOutcome::UnknownType, "type " + std::to_string(type) + " is not known");
+      return failed(DecodeOutcome::UnknownType,
+                    {OffenceKind::UnknownMessage,
+                     message("there is no message of type {}; expected 1 to 6", std::uint32_t{type})});
   }
 }
 
 void checkBeforeEncoding(const Message& message) {
-  if (const std::string why = complaint(message); !why.empty()) {
-    throw InvalidArgument("a message can't be sent: " + why);
+  if (const Complaint why = complaint(message); !why.empty()) {
+    throw InvalidArgument(hexoderm::message("a message can't be sent: {}", why.reason));
   }
+}
+
+std::uint32_t byteSwapped(std::uint32_t value) {
+  return value >> 24U | (value >> 8U & 0xFF00U) | (value << 8U & 0xFF0000U) | value << 24U;
+}
+
+/// The checksum of Ethernet and zip, which is taken for CRC-32C most often (polynomial 0x04C11DB7, reflected).
+std::uint32_t crc32(ByteView bytes) {
+  constexpr std::uint32_t kPolynomial = 0xEDB88320;
+  std::uint32_t crc = 0xFFFFFFFF;
+  for (const std::uint8_t byte : bytes) {
+    crc ^= byte;
+    for (int bit = 0; bit < 8; ++bit) crc = crc >> 1U ^ ((crc & 1U) != 0 ? kPolynomial : 0);
+  }
+  return ~crc;
+}
+
+/// Why the CRC of a body is wrong, as far as that can be told.
+Decoded wrongCrc(ByteView body) {
+  const ByteView content = body.first(body.size() - kTail);
+  const std::uint32_t found = littleEndian(body.last(kTail));
+  if (body[0] == '{') {
+    return brokenPiece(OffenceKind::WrongDialect,
+                       message("this looks like a line of JSON; lines go over TCP and standard input, here bodies of "
+                               "bytes with a CRC are expected"),
+                       body);
+  }
+  if (littleEndian(body) == body.size() - sizeof(std::uint32_t)) {
+    return brokenPiece(OffenceKind::WrongDialect,
+                       message("a length stands before the body; here the body is expected alone"), body);
+  }
+  if (found == byteSwapped(crc32c(content))) {
+    return brokenPiece(OffenceKind::BrokenFrame, message("the CRC is big-endian, expected little-endian"), body);
+  }
+  if (found == crc32(content) || found == byteSwapped(crc32(content))) {
+    return brokenPiece(OffenceKind::BrokenFrame, message("the CRC is CRC-32, expected CRC-32C (polynomial 0x1EDC6F41)"),
+                       body);
+  }
+  return brokenPiece(OffenceKind::BrokenFrame, message("the CRC is wrong"), body);
+}
+
+/// Offences of a line with where they were found.
+Decoded withOffencesOf(std::string_view line, Decoded decoded) {
+  std::vector<Offence> found = offencesOfLine(line);
+  found.insert(found.end(), decoded.offences.begin(), decoded.offences.end());
+  for (Offence& offence : found) offence.excerpt = excerptOf(line);
+  decoded.offences = std::move(found);
+  return decoded;
 }
 
 /// The major version that an unreadable line claims; nullopt if it has none.
@@ -258,10 +333,40 @@ std::optional<std::uint32_t> majorOfLine(std::string_view line) {
   return value <= UINT32_MAX ? std::optional(static_cast<std::uint32_t>(value)) : std::nullopt;
 }
 
+Decoded messageIn(const v1::Line& line) {
+  switch (line.message_case()) {
+    case v1::Line::kHello:
+      return checked(plain(line.hello()));
+    case v1::Line::kTopology:
+      return checked(plain(line.topology()));
+    case v1::Line::kSamples:
+      return checked(plain(line.samples()));
+    case v1::Line::kStatus:
+      return checked(plain(line.status()));
+    case v1::Line::kCommand:
+      return checked(plain(line.command()));
+    case v1::Line::kAck:
+      return checked(plain(line.ack()));
+    case v1::Line::MESSAGE_NOT_SET:
+      break;
+  }
+  Decoded unknown;
+  unknown.outcome = DecodeOutcome::UnknownType;
+  unknown.major = kMajor;
+  return unknown;
+}
+
 }  // namespace
+
+Decoded brokenPiece(OffenceKind kind, hexoderm::Message reason, ByteView beginning) {
+  Decoded broken;
+  broken.offences.push_back({kind, std::move(reason), excerptOf(asText(beginning))});
+  return broken;
+}
 
 Bytes encodeBody(const Message& message) {
   checkBeforeEncoding(message);
+  const NoWordsOfProtobuf quiet;
   return std::visit(
       [&](const auto& m) {
         auto proto = [&] {
@@ -294,19 +399,20 @@ Bytes encodeBody(const Message& message) {
 
 Decoded decodeBody(ByteView body) {
   if (body.size() < kHead + kTail || body.size() > kMaxBody) {
-    return failed(DecodeOutcome::Broken,
-                  "expected 6 to " + std::to_string(kMaxBody) + " bytes, found " + std::to_string(body.size()), 0);
+    return brokenPiece(OffenceKind::BrokenFrame, message("expected 6 to {} bytes, found {}", kMaxBody, body.size()),
+                       body);
   }
   const ByteView content = body.first(body.size() - kTail);
-  std::uint32_t crc = 0;
-  for (std::size_t k = 0; k < kTail; ++k) crc |= std::uint32_t{body[content.size() + k]} << (8 * k);
-  if (crc != crc32c(content)) return failed(DecodeOutcome::Broken, "the CRC is wrong", 0);
+  if (littleEndian(body.last(kTail)) != crc32c(content)) return wrongCrc(body);
   if (body[0] != kMajor) return otherMajor(body[0]);
-  return parsePayload(body[1], content.subspan(kHead));
+  Decoded decoded = parsePayload(body[1], content.subspan(kHead));
+  for (Offence& offence : decoded.offences) offence.excerpt = excerptOf(asText(body));
+  return decoded;
 }
 
 std::string encodeLine(const Message& message) {
   checkBeforeEncoding(message);
+  const NoWordsOfProtobuf quiet;
   v1::Line line;
   std::visit(
       [&](const auto& m) {
@@ -331,37 +437,35 @@ std::string encodeLine(const Message& message) {
 Decoded decodeLine(std::string_view line) {
   if (line.ends_with('\r')) line.remove_suffix(1);
   if (line.size() > kMaxBody) {
-    return failed(DecodeOutcome::Broken, "expected a line of at most " + std::to_string(kMaxBody) + " bytes");
+    return brokenPiece(OffenceKind::WrongLength, message("expected a line of at most {} bytes", kMaxBody),
+                       ByteView(reinterpret_cast<const std::uint8_t*>(line.data()), line.size()));
   }
+  const NoWordsOfProtobuf quiet;
+  const google::protobuf::StringPiece text(line.data(), static_cast<std::ptrdiff_t>(line.size()));
   google::protobuf::util::JsonParseOptions options;
-  options.ignore_unknown_fields = true;
   v1::Line proto;
-  const auto status = google::protobuf::util::JsonStringToMessage(
-      google::protobuf::StringPiece(line.data(), static_cast<std::ptrdiff_t>(line.size())), &proto, options);
-  if (!status.ok()) {
-    const auto major = majorOfLine(line);
-    if (major && *major > kMajor) return otherMajor(*major);
+  if (google::protobuf::util::JsonStringToMessage(text, &proto, options).ok()) {
+    if (proto.major() > kMajor) return otherMajor(proto.major());
+    Decoded decoded = messageIn(proto);
+    return decoded.outcome == DecodeOutcome::Understood ? decoded : withOffencesOf(line, std::move(decoded));
+  }
+  // A second time, leaving out what is not known: a device that is newer, or whose maker misspelt it.
+  proto.Clear();
+  options.ignore_unknown_fields = true;
+  const auto status = google::protobuf::util::JsonStringToMessage(text, &proto, options);
+  const std::optional<std::uint32_t> major = status.ok() ? proto.major() : majorOfLine(line);
+  if (major && *major > kMajor) return otherMajor(*major);
+  if (status.ok()) return withOffencesOf(line, messageIn(proto));
+  Decoded broken = withOffencesOf(line, {});
+  if (broken.offences.empty()) {
     // The library's message may quote the whole line.
-    return failed(DecodeOutcome::Broken, status.ToString().substr(0, 200));
+    constexpr std::size_t kMost = 160;
+    broken.offences.push_back({OffenceKind::NotAMessage,
+                               message("this is no message: {}", excerptOf(status.ToString(), kMost)),
+                               excerptOf(line)});
   }
-  if (proto.major() > kMajor) return otherMajor(proto.major());
-  switch (proto.message_case()) {
-    case v1::Line::kHello:
-      return checked(plain(proto.hello()));
-    case v1::Line::kTopology:
-      return checked(plain(proto.topology()));
-    case v1::Line::kSamples:
-      return checked(plain(proto.samples()));
-    case v1::Line::kStatus:
-      return checked(plain(proto.status()));
-    case v1::Line::kCommand:
-      return checked(plain(proto.command()));
-    case v1::Line::kAck:
-      return checked(plain(proto.ack()));
-    case v1::Line::MESSAGE_NOT_SET:
-      break;
-  }
-  return failed(DecodeOutcome::UnknownType, "a message of a kind that is not known");
+  broken.major = kMajor;
+  return broken;
 }
 
 }  // namespace hexoderm::skinwire

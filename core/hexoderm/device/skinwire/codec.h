@@ -24,8 +24,18 @@ struct Decoded {
   DecodeOutcome outcome = DecodeOutcome::Broken;
   Message message{};        ///< valid if outcome is Understood
   std::uint32_t major = 0;  ///< 0: not known, because length or CRC are wrong
-  std::string reason{};     ///< the fault, for people, unless outcome is Understood
+  /// The faults, that which the others may follow from first; at least one unless the outcome is Understood. A message
+  /// that was understood all the same may have fields that are not known.
+  std::vector<Offence> offences{};
+
+  /// The first fault; empty if there is none.
+  [[nodiscard]] hexoderm::Message reason() const {
+    return offences.empty() ? hexoderm::Message() : offences.front().reason;
+  }
 };
+
+/// A piece of a stream that gave no message, whose beginning is given.
+Decoded brokenPiece(OffenceKind kind, hexoderm::Message reason, ByteView beginning = {});
 
 /// major, type, protobuf payload, CRC-32C: what every framing of bytes carries. Throws InvalidArgument if the message
 /// has a complaint or its body would be longer than kMaxBody.
@@ -37,7 +47,8 @@ Decoded decodeBody(ByteView body);
 /// One line of the line dialect without the line feed. Throws as encodeBody does.
 std::string encodeLine(const Message& message);
 
-/// Accepts a line with or without "\r"; fields that are not known are ignored. Never throws for what is in the line.
+/// Accepts a line with or without "\r"; fields that are not known are ignored, and are among the offences. Never throws
+/// for what is in the line.
 Decoded decodeLine(std::string_view line);
 
 }  // namespace hexoderm::skinwire

@@ -23,7 +23,9 @@ Hello helloOf(const SkinDescription& skin, double rate_hz, std::uint32_t stream)
 }
 
 CellModel cellModelOf(const Hello& hello) {
-  if (hello.cell_model.starts_with('{')) return cellModelFromJson(hello.cell_model, "the device's cell model");
+  const std::size_t first = hello.cell_model.find_first_not_of(" \t\r\n");
+  if (first != std::string::npos && hello.cell_model[first] == '{')
+    return cellModelFromJson(hello.cell_model, "the device's cell model");
   return builtInCellModel(hello.cell_model);
 }
 

@@ -1,12 +1,18 @@
 #include "hexoderm/device/skinwire/framing.h"
 
+#include "hexoderm/device/skinwire/line_diagnosis.h"
+#include "hexoderm/device/skinwire/little_endian.h"
+#include "hexoderm/util/text.h"
+
 #include <algorithm>
 #include <array>
+#include <string_view>
 
 namespace hexoderm::skinwire {
 namespace {
 
 constexpr std::size_t kLengthBytes = 4;
+constexpr std::size_t kBeginning = 100;  // bytes of a piece that are shown
 constexpr std::size_t kCobsBlock = 254;  // bytes without a zero that one code byte can announce
 constexpr std::size_t kMaxCobs = kMaxBody + kMaxBody / kCobsBlock + 1;
 
@@ -15,11 +21,8 @@ bool isBlank(ByteView piece) {
   return std::ranges::all_of(piece, [](std::uint8_t c) { return c == ' ' || c == '\t' || c == '\r'; });
 }
 
-std::uint32_t littleEndian(ByteView bytes) {
-  std::uint32_t value = 0;
-  for (std::size_t k = 0; k < kLengthBytes; ++k) value |= std::uint32_t{bytes[k]} << (8 * k);
-  return value;
-}
+/// Bytes that no terminal sends or takes, unlike those of its escape sequences.
+bool isNoText(std::uint8_t byte) { return byte < 0x07; }
 
 }  // namespace
 
@@ -89,7 +92,9 @@ void FrameDecoder::feed(ByteView bytes) {
 
 std::optional<Decoded> FrameDecoder::next() {
   if (!stuck_.empty()) return std::nullopt;
-  if (!framing_) detect();
+  if (!framing_) {
+    if (std::optional<Decoded> neither = detect()) return neither;
+  }
   if (!framing_) return std::nullopt;
   switch (*framing_) {
     case Framing::Length:
@@ -102,30 +107,45 @@ std::optional<Decoded> FrameDecoder::next() {
   return std::nullopt;
 }
 
-void FrameDecoder::detect() {
-  if (rest().size() < kLengthBytes) return;
-  framing_ = rest()[kLengthBytes - 1] == 0 ? Framing::Length : Framing::Lines;
+std::optional<Decoded> FrameDecoder::detect() {
+  if (rest().size() < kLengthBytes) return std::nullopt;
+  const ByteView first = rest().first(kLengthBytes);
+  framing_ = first.back() == 0 ? Framing::Length : Framing::Lines;
+  if (*framing_ == Framing::Length || std::ranges::none_of(first, isNoText)) return std::nullopt;
+  const ByteView beginning = rest().first(std::min(rest().size(), kBeginning));
+  return getStuck(first.front() == 0
+                      ? brokenPiece(OffenceKind::BrokenFrame,
+                                    message("the length of a frame is big-endian, expected little-endian"), beginning)
+                      : brokenPiece(OffenceKind::WrongDialect,
+                                    message("this is neither a line of JSON nor a frame that begins with its length"),
+                                    beginning));
 }
 
-Decoded FrameDecoder::getStuck(std::string why) {
-  stuck_ = why;
+Decoded FrameDecoder::getStuck(Decoded broken) {
+  stuck_ = broken.reason();
   buffer_.clear();
   begin_ = 0;
-  Decoded decoded;
-  decoded.reason = std::move(why);
-  return decoded;
+  return broken;
+}
+
+Decoded FrameDecoder::wrongLength(std::uint32_t length) const {
+  const ByteView bytes = rest();
+  const ByteView beginning = bytes.first(std::min(bytes.size(), kBeginning));
+  if (bytes[0] == 0xFF && bytes[1] == 0xFE) {
+    return brokenPiece(OffenceKind::WrongDialect, message("this is text in UTF-16, expected lines of JSON in UTF-8"),
+                       beginning);
+  }
+  return brokenPiece(OffenceKind::BrokenFrame,
+                     message("a frame says that it is {} bytes long, the limit is {}", length, kMaxBody), beginning);
 }
 
 std::optional<Decoded> FrameDecoder::nextByLength() {
   if (rest().size() < kLengthBytes) return std::nullopt;
   const std::uint32_t length = littleEndian(rest());
-  if (length == 0 || length > kMaxBody) {
-    return getStuck("a frame says that it is " + std::to_string(length) + " bytes long, the limit is " +
-                    std::to_string(kMaxBody));
-  }
+  if (length == 0 || length > kMaxBody) return getStuck(wrongLength(length));
   if (rest().size() - kLengthBytes < length) return std::nullopt;
   Decoded decoded = decodeBody(rest().subspan(kLengthBytes, length));
-  if (decoded.outcome == DecodeOutcome::Broken && decoded.major == 0) return getStuck(decoded.reason);
+  if (decoded.outcome == DecodeOutcome::Broken && decoded.major == 0) return getStuck(std::move(decoded));
   begin_ += kLengthBytes + length;
   return decoded;
 }
@@ -135,9 +155,25 @@ Decoded FrameDecoder::decodePiece(ByteView piece) const {
     return decodeLine({reinterpret_cast<const char*>(piece.data()), piece.size()});
   }
   if (const std::optional<Bytes> body = decodeCobs(piece)) return decodeBody(*body);
-  Decoded broken;
-  broken.reason = "the bytes before a 0x00 are not COBS";
-  return broken;
+  return brokenPiece(OffenceKind::BrokenFrame, message("the bytes before a 0x00 are not COBS"), piece);
+}
+
+std::optional<Offence> FrameDecoder::complaintOfWaiting() const {
+  constexpr std::size_t kMostSearched = 65'536;
+  if (!framing_ || *framing_ == Framing::Length || skipping_) return std::nullopt;
+  const ByteView waiting = rest().first(std::min(rest().size(), kMostSearched));
+  const std::string_view text(reinterpret_cast<const char*>(waiting.data()), waiting.size());
+  if (*framing_ == Framing::Cobs && text.starts_with('{') && text.find('\n') != std::string_view::npos) {
+    return Offence{OffenceKind::WrongDialect,
+                   message("this looks like lines of JSON; on a serial port frames of bytes in COBS, each before a "
+                           "0x00, are expected"),
+                   excerptOf(text)};
+  }
+  if (*framing_ == Framing::Lines && lacksLineFeeds(text)) {
+    return Offence{OffenceKind::NoLineFeed, message("expected a line feed (0x0A) after every message"),
+                   excerptOf(text)};
+  }
+  return std::nullopt;
 }
 
 std::optional<Decoded> FrameDecoder::nextByDelimiter(std::uint8_t delimiter, std::size_t longest) {
@@ -160,9 +196,8 @@ std::optional<Decoded> FrameDecoder::nextByDelimiter(std::uint8_t delimiter, std
     }
     if (length > longest) {
       skipping_ = !is_whole;
-      Decoded broken;
-      broken.reason = "more than " + std::to_string(longest) + " bytes without an end";
-      return broken;
+      return brokenPiece(OffenceKind::BrokenFrame, message("more than {} bytes without an end", longest),
+                         bytes.first(kBeginning));
     }
     const ByteView piece = bytes.first(length);
     // Empty pieces are allowed: a sender may end what it began before with an end of its own.

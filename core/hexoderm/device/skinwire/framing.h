@@ -45,24 +45,28 @@ class FrameDecoder {
   /// Known after the first bytes.
   [[nodiscard]] std::optional<Framing> framing() const { return framing_; }
   /// Why nothing more can be read; empty if it can.
-  [[nodiscard]] const std::string& stuck() const { return stuck_; }
+  [[nodiscard]] const hexoderm::Message& stuck() const { return stuck_; }
+  /// What is wrong with bytes that seem to wait for the rest of their frame, and would do so for ever: messages without
+  /// the delimiter that they need.
+  [[nodiscard]] std::optional<Offence> complaintOfWaiting() const;
   /// Bytes that wait for the rest of their frame.
   [[nodiscard]] std::size_t buffered() const { return buffer_.size() - begin_; }
 
  private:
-  void detect();
   std::optional<Decoded> nextByLength();
   std::optional<Decoded> nextByDelimiter(std::uint8_t delimiter, std::size_t longest);
   Decoded decodePiece(ByteView piece) const;
   [[nodiscard]] ByteView rest() const { return ByteView(buffer_).subspan(begin_); }
-  Decoded getStuck(std::string why);
+  Decoded getStuck(Decoded broken);
+  [[nodiscard]] Decoded wrongLength(std::uint32_t length) const;
+  std::optional<Decoded> detect();
 
   std::optional<Framing> framing_;
   Bytes buffer_;
   std::size_t begin_ = 0;     ///< start of the bytes that were not yet returned
   std::size_t searched_ = 0;  ///< bytes of rest() without a delimiter
   bool skipping_ = false;     ///< dropping an oversized frame, up to its delimiter
-  std::string stuck_;
+  hexoderm::Message stuck_;
 };
 
 }  // namespace hexoderm::skinwire

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "hexoderm/device/offence.h"
 #include "hexoderm/graph/neighbor_list.h"
 
 #include <Eigen/Core>
@@ -114,9 +115,15 @@ struct Ack {
 /// The alternatives are in the order of the type numbers on the wire, which begin with 1.
 using Message = std::variant<Hello, Topology, Samples, Status, Command, Ack>;
 
-/// The fault of a message beyond its syntax: numbers that are not finite, lengths that don't fit together, times,
-/// counts, IDs and texts out of range. Empty if there is none. Faults that show only against the topology are not
-/// looked for.
-std::string complaint(const Message& message);
+/// The fault of a message beyond its syntax; empty if there is none.
+struct Complaint {
+  OffenceKind kind{};          ///< WrongLength or WrongValue
+  hexoderm::Message reason{};  ///< the field and what is expected there
+  [[nodiscard]] bool empty() const { return reason.empty(); }
+};
+
+/// Looks for numbers that are not finite, lengths that don't fit together, times, counts, IDs and texts out of range.
+/// Faults that show only against the topology are not looked for.
+Complaint complaint(const Message& message);
 
 }  // namespace hexoderm::skinwire

@@ -95,12 +95,14 @@ struct ReplaySource::Impl {
         due = began + std::chrono::duration_cast<Clock::duration>(std::min(after, longest));
       }
       if (!wait(never, due)) break;
-      if (stream->take(skinwire::decodeBody(record->body)) == SkinStream::Effect::Incompatible) {
+      // By the recording's own time, so that it is the same skin however fast it is played.
+      if (stream->take(skinwire::decodeBody(record->body), began + record->arrived) ==
+          SkinStream::Effect::Incompatible) {
         stream->report(SourceState::Incompatible, located(name, stream->lastRejection()), Clock::now());
         break;
       }
       if (stream->isDescribed()) {
-        const Message& device = stream->deviceText();
+        const Message device = stream->deviceText();
         stream->report(
             SourceState::Streaming,
             located(name, device.empty() ? message("playing") : message("playing; the device said: {}", device)),
@@ -109,6 +111,7 @@ struct ReplaySource::Impl {
       stream->reportCounters(Clock::now());
     }
     if (stream->state() != SourceState::Incompatible && !stop.stop_requested()) {
+      stream->tend(Clock::time_point::max());
       stream->report(SourceState::Ended,
                      reader->damage().empty() ? located(name, message("the recording is over")) : reader->damage(),
                      Clock::now());
@@ -133,6 +136,7 @@ void ReplaySource::start(SkinListener& listener) {
   impl_->listener = &listener;
   impl_->gate.emplace(*impl_, listener);
   impl_->stream.emplace(*impl_->gate);
+  impl_->stream->setPace(ClockCheck::Pace::Free);
   impl_->thread = std::jthread([impl = impl_.get()](std::stop_token stop) {
     impl->stop = std::move(stop);
     impl->run();

@@ -4,6 +4,7 @@
 #include "hexoderm/util/error.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace hexoderm {
 namespace {
@@ -13,10 +14,16 @@ using skinwire::DecodeOutcome;
 
 constexpr std::uint32_t kUnknown = UINT32_MAX;
 constexpr std::chrono::milliseconds kTellEvery(500);
+// Late messages in a row that span so much of the device's time are no stragglers: its clock was set back.
+constexpr std::uint64_t kClockReset_us = 500'000;
+
+bool sameModel(const SkinDescription& a, const SkinDescription& b) {
+  return a.model == b.model || cellModelToJson(*a.model) == cellModelToJson(*b.model);
+}
 
 bool sameDescription(const SkinDescription& a, const SkinDescription& b) {
   return a.device == b.device && a.can_light_cells == b.can_light_cells && a.can_turn == b.can_turn &&
-         a.neighbors == b.neighbors && (a.model == b.model || cellModelToJson(*a.model) == cellModelToJson(*b.model));
+         a.neighbors == b.neighbors && sameModel(a, b);
 }
 
 MessageArgument printable(MessageArgument argument) {
@@ -49,16 +56,22 @@ void SkinStream::restart() {
   assembler_.clear();
   has_topology_ = false;
   neighbors_.clear();
-  index_of_.clear();
-  forgetLookUp();
+  held_.reset();
+  is_model_held_ = false;
   device_text_ = {};
+  is_exploring_ = false;
+  was_heard_ = false;
+  undescribed_since_.reset();
   startCounting();
 }
 
 void SkinStream::startCounting() {
   next_sequence_.reset();
   last_us_ = 0;
+  late_from_us_.reset();
   for (auto& last_us : cell_last_us_) std::ranges::fill(last_us, 0);
+  reading_check_.restart();
+  clock_check_.restart();
 }
 
 void SkinStream::forgetLookUp() {
@@ -67,13 +80,15 @@ void SkinStream::forgetLookUp() {
   looked_up_unknown_ = 0;
 }
 
-SkinStream::Effect SkinStream::take(Decoded decoded) {
+SkinStream::Effect SkinStream::take(Decoded decoded, Clock::time_point now) {
+  tend(now);
+  noteAllOf(decoded);
   switch (decoded.outcome) {
     case DecodeOutcome::Broken:
-      countRejected(Message::verbatim(decoded.reason));
+      reject(decoded.reason());
       return Effect::Nothing;
     case DecodeOutcome::OtherMajor:
-      last_rejection_ = Message::verbatim(printable(decoded.reason));
+      last_rejection_ = printable(decoded.reason());
       return Effect::Incompatible;
     case DecodeOutcome::UnknownType:
       return Effect::Alive;
@@ -81,8 +96,9 @@ SkinStream::Effect SkinStream::take(Decoded decoded) {
       break;
   }
   if (const auto* samples = std::get_if<skinwire::Samples>(&decoded.message)) return takeSamples(*samples);
-  if (const auto* hello = std::get_if<skinwire::Hello>(&decoded.message)) return takeHello(*hello);
-  if (auto* topology = std::get_if<skinwire::Topology>(&decoded.message)) return takeTopology(std::move(*topology));
+  if (const auto* hello = std::get_if<skinwire::Hello>(&decoded.message)) return takeHello(*hello, now);
+  if (auto* topology = std::get_if<skinwire::Topology>(&decoded.message))
+    return takeTopology(std::move(*topology), now);
   if (const auto* status = std::get_if<skinwire::Status>(&decoded.message)) {
     takeStatus(*status);
   } else if (const auto* ack = std::get_if<skinwire::Ack>(&decoded.message)) {
@@ -93,19 +109,25 @@ SkinStream::Effect SkinStream::take(Decoded decoded) {
 
 void SkinStream::takeStatus(const skinwire::Status& status) {
   device_text_ = Message::verbatim(printable(status.text));
+  is_exploring_ = status.exploring;
   if (device_text_.empty() && status.exploring) device_text_ = message("exploring its cells");
   if (status_.dropped_by_device != status.samples_dropped) counters_changed_ = true;
   status_.dropped_by_device = status.samples_dropped;
   listener_.onDeviceStatus({printable(status.text), status.exploring, status.samples_sent, status.samples_dropped});
 }
 
-void SkinStream::countRejected(const Message& why) {
+void SkinStream::countRejected(const Message& why, OffenceKind kind) {
+  note(Offence{kind, why});
+  reject(why);
+}
+
+void SkinStream::reject(const Message& why) {
   last_rejection_ = printable(why);
   ++status_.rejected_messages;
   counters_changed_ = true;
 }
 
-SkinStream::Effect SkinStream::takeHello(const skinwire::Hello& hello) {
+SkinStream::Effect SkinStream::takeHello(const skinwire::Hello& hello, Clock::time_point now) {
   if (has_hello_ && hello.stream != hello_.stream) startCounting();
   // UDP devices repeat it every second; a model is parsed only if it is another one.
   const bool same_model = model_ && hello.cell_model == hello_.cell_model;
@@ -116,42 +138,82 @@ SkinStream::Effect SkinStream::takeHello(const skinwire::Hello& hello) {
     model_complaint_ = {};
     try {
       model_ = std::make_shared<const CellModel>(skinwire::cellModelOf(hello));
+      if (announced_) noteNewModel(*announced_->model);
     } catch (const Error& error) {
       model_complaint_ = printable(error.message());
-      countRejected(model_complaint_);
+      countRejected(located("hello.cell_model", model_complaint_), OffenceKind::CellModel);
     }
+    is_topology_judged_ = false;
   }
-  announce();
+  announce(now);
   return Effect::Alive;
 }
 
-SkinStream::Effect SkinStream::takeTopology(skinwire::Topology part) {
+SkinStream::Effect SkinStream::takeTopology(skinwire::Topology part, Clock::time_point now) {
   const std::uint32_t id = part.id;
   std::optional<NeighborList> whole = assembler_.add(std::move(part));
   if (!whole) return Effect::Alive;
-  const bool is_new = !has_topology_ || *whole != neighbors_;
   has_topology_ = true;
   topology_id_ = id;
-  if (is_new) {
-    neighbors_ = std::move(*whole);
-    index_of_.clear();
-    for (const CellReport& cell : neighbors_) {
-      index_of_.try_emplace(cell.id.value(), static_cast<std::uint32_t>(index_of_.size()));
-    }
-    for (auto& last_us : cell_last_us_) last_us.assign(index_of_.size(), 0);
-    forgetLookUp();
-  }
-  announce();
+  if (*whole != neighbors_) is_topology_judged_ = false;
+  neighbors_ = std::move(*whole);
+  announce(now);
   return Effect::Alive;
 }
 
-void SkinStream::announce() {
+void SkinStream::announce(Clock::time_point now) {
   if (!isDescribed()) return;
   SkinDescription skin{Message::verbatim(printable(hello_.device)), model_, neighbors_, hello_.can_light_cells,
                        hello_.can_turn};
-  if (announced_ && sameDescription(*announced_, skin)) return;
-  announced_ = std::move(skin);
+  const std::optional<SkinDescription>& newest = held_ ? held_ : announced_;
+  if (newest && sameDescription(*newest, skin)) return;
+  if (newest) {
+    ++status_.skin_changes;
+    counters_changed_ = true;
+  }
+  held_ = std::move(skin);
+  tend(now);
+}
+
+void SkinStream::tend(Clock::time_point now) {
+  if (!held_) return;
+  if (announced_ && sameDescription(*announced_, *held_)) {
+    held_.reset();  // it is again as it was
+    is_model_held_ = false;
+    return;
+  }
+  if (announced_ && !changes_.spend(now)) {
+    is_model_held_ = !sameModel(*announced_, *held_);
+    return;
+  }
+  const bool same_cells = announced_ && announced_->neighbors == held_->neighbors;
+  announced_ = std::exchange(held_, std::nullopt);
+  is_model_held_ = false;
+  if (!same_cells) indexCells();
   listener_.onSkin(*announced_);
+}
+
+void SkinStream::indexCells() {
+  const auto before = std::exchange(index_of_, {});
+  for (const CellReport& cell : announced_->neighbors) {
+    index_of_.try_emplace(cell.id.value(), static_cast<std::uint32_t>(index_of_.size()));
+  }
+  // What came of a cell that stays must not come again.
+  for (auto& last_us : cell_last_us_) {
+    std::vector<std::uint64_t> of_before(index_of_.size(), 0);
+    of_before.swap(last_us);
+    for (const auto& [cell, index] : index_of_) {
+      if (const auto known = before.find(cell); known != before.end()) last_us[index] = of_before[known->second];
+    }
+  }
+  forgetLookUp();
+}
+
+Message SkinStream::deviceText() const {
+  if (!held_) return device_text_;
+  const Message changes = message("its links or cells keep changing, {} times by now; they are taken over every {}",
+                                  status_.skin_changes, Seconds{ChangeBudget::kEvery.count(), 0});
+  return inRow({changes, device_text_}, "; ");
 }
 
 Message SkinStream::whatIsMissing() const {
@@ -187,6 +249,13 @@ bool SkinStream::lookUpCells(const std::vector<std::uint32_t>& cells) {
   return true;
 }
 
+bool SkinStream::wasClockSetBack(const skinwire::Samples& samples) {
+  if (samples.time_us >= last_us_) return false;  // twice the same
+  if (!late_from_us_ || samples.time_us < late_to_us_) late_from_us_ = samples.time_us;
+  late_to_us_ = samples.time_us;
+  return late_to_us_ - *late_from_us_ >= kClockReset_us;
+}
+
 bool SkinStream::isLate(const skinwire::Samples& samples) const {
   if (samples.time_us < last_us_) return true;
   return std::ranges::any_of(looked_up_indices_, [&](std::uint32_t index) {
@@ -197,31 +266,29 @@ bool SkinStream::isLate(const skinwire::Samples& samples) const {
 SkinStream::Effect SkinStream::takeSamples(const skinwire::Samples& samples) {
   const std::size_t ticks = samples.ticks();
   const std::size_t count = ticks * samples.cells.size();
-  if (!isDescribed()) {
+  if (!isDescribed() || is_model_held_) {
     status_.unknown_samples += count;
     counters_changed_ = counters_changed_ || count > 0;
     return Effect::Alive;
   }
   if (!samples.raw_lsb.empty() && !(model_->accelerometer.lsb_g > 0)) {
-    countRejected(message("samples in LSB need a cell model whose accelerometer.lsb_g is above 0"));
+    countRejected(message("samples in LSB need a cell model whose accelerometer.lsb_g is above 0"),
+                  OffenceKind::NoScale);
     return Effect::Nothing;
   }
   if (!lookUpCells(samples.cells)) {
-    countRejected(message("a cell is twice in one message of samples"));
+    countRejected(located("samples.cells", message("a cell is twice in one message")), OffenceKind::RepeatedCell);
     return Effect::Nothing;
   }
-  const bool late = isLate(samples);
-  if (samples.sequence) {
-    const std::uint64_t first = *samples.sequence;
-    if (!next_sequence_ || first >= *next_sequence_) {
-      // Messages sent before the first one of a connection are not lost: nobody listened.
-      if (next_sequence_) status_.lost_samples += first - *next_sequence_;
-      next_sequence_ = first + count;
-    } else if (!late) {
-      // Overtaken by a message of the same time: it had been counted as lost.
-      status_.lost_samples -= std::min<std::uint64_t>(status_.lost_samples, count);
-    }
+  bool late = isLate(samples);
+  if (late) noteLate(samples);
+  if (late && wasClockSetBack(samples)) {
+    startCounting();
+    ++status_.clock_restarts;
+    late = false;
   }
+  if (!late) noteSequence(samples);
+  if (samples.sequence) countLosses(*samples.sequence, count, samples.time_us, late);
   counters_changed_ = true;
   if (late) {
     status_.late_frames += std::max<std::size_t>(ticks, 1);
@@ -229,6 +296,19 @@ SkinStream::Effect SkinStream::takeSamples(const skinwire::Samples& samples) {
   }
   deliver(samples);
   return Effect::Alive;
+}
+
+void SkinStream::countLosses(std::uint64_t first, std::uint64_t count, std::uint64_t time_us, bool late) {
+  if (!next_sequence_ || first >= *next_sequence_) {
+    // Messages sent before the first one of a connection are not lost: nobody listened.
+    if (next_sequence_) status_.lost_samples += first - *next_sequence_;
+    next_sequence_ = first + count;
+  } else if (!late && time_us > last_us_) {
+    next_sequence_ = first + count;  // the numbers started anew
+  } else if (!late) {
+    // Overtaken by a message of the same time: it had been counted as lost.
+    status_.lost_samples -= std::min(status_.lost_samples, count);
+  }
 }
 
 void SkinStream::deliver(const skinwire::Samples& samples) {
@@ -243,9 +323,12 @@ void SkinStream::deliver(const skinwire::Samples& samples) {
     std::erase_if(frame_.temperatures, isUnknown);
     if (frame_.samples.empty() && frame_.means.empty() && frame_.temperatures.empty()) continue;
     ++status_.frames;
+    judgeFrame(samples, samples.time_us + tick * std::uint64_t{samples.period_us});
     listener_.onFrame(frame_);
   }
+  if (looked_up_unknown_ > 0) noteUnknownCells(samples);
   status_.unknown_samples += looked_up_unknown_ * ticks;
+  late_from_us_.reset();
   last_us_ = samples.time_us + (ticks > 1 ? (ticks - 1) * std::uint64_t{samples.period_us} : 0);
   for (const std::uint32_t index : looked_up_indices_) {
     if (index != kUnknown) cell_last_us_[kindOf(samples)][index] = last_us_ + 1;
@@ -256,16 +339,21 @@ void SkinStream::report(SourceState state, Message message, Clock::time_point no
   if (state == status_.state && message == status_.message) return;
   status_.state = state;
   status_.message = std::move(message);
+  if (state == SourceState::Ended) noteMissingDescription();
   tell(now);
 }
 
 void SkinStream::reportCounters(Clock::time_point now) {
-  if (counters_changed_ && now - told_at_ >= kTellEvery) tell(now);
+  judgeClock(now);
+  if (log_.hasNews() || (counters_changed_ && now - told_at_ >= kTellEvery)) tell(now);
 }
 
 void SkinStream::tell(Clock::time_point now) {
   told_at_ = now;
   counters_changed_ = false;
+  judgeTopology();
+  log_.takeNews();
+  status_.offences = log_.offences();
   listener_.onStatus(status_);
 }
 

@@ -2,10 +2,13 @@
 
 // Private to device/: what every source of SkinWire messages does with them.
 
+#include "hexoderm/device/diagnosis/offence_log.h"
+#include "hexoderm/device/diagnosis/plausibility.h"
 #include "hexoderm/device/skin_source.h"
 #include "hexoderm/device/skinwire/codec.h"
 #include "hexoderm/device/skinwire/description.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <functional>
@@ -15,8 +18,32 @@
 
 namespace hexoderm {
 
+/// Lets a few changes through at once, and one every so often after that.
+class ChangeBudget {
+ public:
+  using Clock = std::chrono::steady_clock;
+  static constexpr int kAtOnce = 4;
+  static constexpr std::chrono::seconds kEvery{3};
+
+  /// Whether a change may pass now; if so, it counts.
+  bool spend(Clock::time_point now) {
+    free_at_ = std::max(free_at_, now - (kAtOnce - 1) * kEvery);
+    if (free_at_ > now) return false;
+    free_at_ += kEvery;
+    return true;
+  }
+
+ private:
+  Clock::time_point free_at_ = Clock::time_point::min();
+};
+
 /// The host's end of SkinWire above the framing: puts the description together, checks samples against it, numbers and
-/// times, calls the listener, counts and reports. It knows no socket, no file and no clock.
+/// times, calls the listener, counts and reports, and names what the device does wrong. It knows no socket, no file and
+/// no clock.
+///
+/// A loose plug changes the topology many times a second, and everything behind the listener works, and some of it
+/// writes to disk, for each. So only a few changes are passed on at once, and then the newest one every few seconds
+/// (ChangeBudget). Meanwhile samples are those of the skin that the listener knows.
 class SkinStream {
  public:
   using Clock = std::chrono::steady_clock;
@@ -30,7 +57,9 @@ class SkinStream {
 
   /// Forgets the device, but not what the listener was told of it: a new connection, whose device starts with Hello.
   void restart();
-  Effect take(skinwire::Decoded decoded);
+  Effect take(skinwire::Decoded decoded, Clock::time_point now);
+  /// Passes a change of the skin on that was held back, once it is time.
+  void tend(Clock::time_point now);
 
   /// Hello and a whole topology are there, and the cell model makes sense.
   [[nodiscard]] bool isDescribed() const { return has_topology_ && model_ != nullptr; }
@@ -39,12 +68,14 @@ class SkinStream {
   [[nodiscard]] std::optional<std::uint32_t> topologyId() const {
     return has_topology_ ? std::optional(topology_id_) : std::nullopt;
   }
-  /// The message that is still missing before isDescribed(), or the device's last report; for status lines.
+  /// The message that is still missing before isDescribed(); for status lines.
   [[nodiscard]] Message whatIsMissing() const;
-  [[nodiscard]] const Message& deviceText() const { return device_text_; }
+  /// The device's last report, and what is to be said of its changes; for status lines.
+  [[nodiscard]] Message deviceText() const;
   /// Why the last message that was rejected was.
   [[nodiscard]] const Message& lastRejection() const { return last_rejection_; }
   [[nodiscard]] std::uint64_t rejectedMessages() const { return status_.rejected_messages; }
+  [[nodiscard]] std::uint64_t clockRestarts() const { return status_.clock_restarts; }
   /// The device's name, for status lines.
   [[nodiscard]] Message deviceName() const;
 
@@ -56,21 +87,44 @@ class SkinStream {
   /// Tells the listener if counters changed and it was not told for half a second.
   void reportCounters(Clock::time_point now);
   void countReconnect() { ++status_.reconnects; }
-  void countRejected(const Message& why);
+  void countRejected(const Message& why, OffenceKind kind = OffenceKind::BrokenFrame);
+  /// Something that stays as it is while it is looked at: counted once.
+  void noteOnce(const std::optional<Offence>& offence);
+  /// The connection begins in the middle of a frame: that is no offence.
+  void forgiveFirstPiece() { is_first_piece_forgiven_ = true; }
+  /// Live unless told otherwise.
+  void setPace(ClockCheck::Pace pace) { pace_ = pace; }
   [[nodiscard]] SourceState state() const { return status_.state; }
 
  private:
-  Effect takeHello(const skinwire::Hello& hello);
-  Effect takeTopology(skinwire::Topology part);
+  void reject(const Message& why);
+  Effect takeHello(const skinwire::Hello& hello, Clock::time_point now);
+  Effect takeTopology(skinwire::Topology part, Clock::time_point now);
   Effect takeSamples(const skinwire::Samples& samples);
   void takeStatus(const skinwire::Status& status);
   void startCounting();
-  void announce();
+  void announce(Clock::time_point now);
+  void indexCells();
   void forgetLookUp();
   bool lookUpCells(const std::vector<std::uint32_t>& cells);
   static std::size_t kindOf(const skinwire::Samples& samples) { return samples.mean_g.empty() ? 0 : 1; }
   bool isLate(const skinwire::Samples& samples) const;
+  bool wasClockSetBack(const skinwire::Samples& samples);
+  void countLosses(std::uint64_t first, std::uint64_t count, std::uint64_t time_us, bool late);
   void deliver(const skinwire::Samples& samples);
+  /// Counts an offence; the reason is made for the first one of its kind only.
+  template <class MakeReason>
+  void note(OffenceKind kind, std::uint64_t count, const MakeReason& reason);
+  void note(const std::optional<Offence>& offence);
+  void noteAllOf(const skinwire::Decoded& decoded);
+  void noteNewModel(const CellModel& before);
+  void noteUnknownCells(const skinwire::Samples& samples);
+  void noteLate(const skinwire::Samples& samples);
+  void noteSequence(const skinwire::Samples& samples);
+  void noteMissingDescription();
+  void judgeTopology();
+  void judgeFrame(const skinwire::Samples& samples, std::uint64_t time_us);
+  void judgeClock(Clock::time_point now);
   void tell(Clock::time_point now);
 
   SkinListener& listener_;
@@ -88,11 +142,16 @@ class SkinStream {
   bool has_topology_ = false;
   std::uint32_t topology_id_ = 0;
   NeighborList neighbors_;
+  std::optional<SkinDescription> announced_;  ///< what the listener knows; samples are checked against it
+  std::optional<SkinDescription> held_;       ///< newer, not passed on yet
+  bool is_model_held_ = false;                ///< it has another model, so that samples can't be read by the one known
+  ChangeBudget changes_;
   std::unordered_map<std::uint32_t, std::uint32_t> index_of_;
-  std::optional<SkinDescription> announced_;
 
   std::optional<std::uint64_t> next_sequence_;
   std::uint64_t last_us_ = 0;
+  std::optional<std::uint64_t> late_from_us_;  ///< the first of the late messages in a row whose time goes up
+  std::uint64_t late_to_us_ = 0;
   /// By index, of samples and of means; plus 1, so that 0 is "never".
   std::array<std::vector<std::uint64_t>, 2> cell_last_us_;
 
@@ -101,6 +160,16 @@ class SkinStream {
   std::vector<std::uint32_t> looked_up_indices_;  ///< kUnknown for cells that are not in the topology
   std::size_t looked_up_unknown_ = 0;
   SampleFrame frame_;
+
+  OffenceLog log_;
+  ReadingCheck reading_check_;
+  ClockCheck clock_check_;
+  ClockCheck::Pace pace_ = ClockCheck::Pace::Live;
+  bool is_exploring_ = false;
+  bool is_topology_judged_ = true;
+  bool is_first_piece_forgiven_ = false;
+  bool was_heard_ = false;  ///< a message came on this connection
+  std::optional<Clock::time_point> undescribed_since_;
 };
 
 /// Control characters become spaces: what a device says appears on terminals.

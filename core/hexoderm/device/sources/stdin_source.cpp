@@ -54,12 +54,13 @@ struct StdinSource::Impl {
 
   void end(const Message& why) {
     ended = true;
+    stream->tend(SkinStream::Clock::time_point::max());
     stream->report(SourceState::Ended, located("stdin", why), SkinStream::Clock::now());
   }
 
   void decode() {
     while (auto decoded = decoder.next()) {
-      const SkinStream::Effect effect = stream->take(std::move(*decoded));
+      const SkinStream::Effect effect = stream->take(std::move(*decoded), SkinStream::Clock::now());
       if (effect == SkinStream::Effect::Alive) alive = SkinStream::Clock::now();
       if (effect == SkinStream::Effect::Incompatible) {
         ended = true;
@@ -88,6 +89,7 @@ struct StdinSource::Impl {
 
   void reportState() {
     const auto now = SkinStream::Clock::now();
+    stream->tend(now);
     if (now - alive >= silent_after) {
       stream->report(SourceState::Silent, located("stdin", message("nothing comes")), now);
     } else if (!stream->isDescribed()) {
@@ -101,6 +103,7 @@ struct StdinSource::Impl {
           SourceState::Streaming,
           located("stdin", inRow({message("connected to {}", stream->deviceName()), stream->deviceText()}, ": ")), now);
     }
+    stream->noteOnce(decoder.complaintOfWaiting());
     stream->reportCounters(now);
   }
 
@@ -149,6 +152,7 @@ void StdinSource::start(SkinListener& listener) {
   }
   impl_->listener = &listener;
   impl_->stream.emplace(listener);
+  impl_->stream->setPace(ClockCheck::Pace::Faster);
   impl_->thread = std::thread([impl = impl_.get()] { impl->run(); });
 }
 

@@ -12,7 +12,7 @@ namespace hexoderm {
 class StdinSource final : public SkinSource {
  public:
   /// `descriptor` is neither closed nor changed, and must stay open until stop().
-  explicit StdinSource(int descriptor = 0, std::chrono::milliseconds silent_after = std::chrono::milliseconds(800));
+  explicit StdinSource(int descriptor = 0, std::chrono::milliseconds silent_after = kSilentAfter);
   ~StdinSource() override;
   StdinSource(const StdinSource&) = delete;
   StdinSource& operator=(const StdinSource&) = delete;

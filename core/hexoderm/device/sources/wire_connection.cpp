@@ -3,6 +3,7 @@
 #include "hexoderm/util/text.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hexoderm {
 namespace {
@@ -17,6 +18,14 @@ constexpr std::size_t kMaxPending = 256;
 Seconds seconds(std::chrono::steady_clock::duration duration) {
   const double value_s = std::chrono::duration<double>(duration).count();
   return {value_s, value_s < 1 ? 2 : 1};
+}
+
+/// What is left of a wait, rounded up to whole seconds, so that it can be read as it counts down. A wait of less than a
+/// second is told in one piece.
+Seconds leftOf(std::chrono::steady_clock::duration wait, std::chrono::steady_clock::duration left) {
+  constexpr std::chrono::seconds kStep(1);
+  if (wait < kStep) return seconds(wait);
+  return {std::max(1.0, std::ceil(std::chrono::duration<double>(left).count())), 0};
 }
 
 skinwire::Request requestOf(const SkinCommand& command) {
@@ -60,6 +69,7 @@ void WireConnection::connect() {
   switch (address_.kind) {
     case WireAddress::Kind::Serial:
       decoder_ = skinwire::FrameDecoder(Framing::Cobs);
+      stream_.forgiveFirstPiece();
       break;
     case WireAddress::Kind::Tcp:
     case WireAddress::Kind::Udp:  // which does not use it
@@ -84,6 +94,7 @@ void WireConnection::onOpened() {
   since_ = alive_ = now;
   rejected_when_alive_ = stream_.rejectedMessages();
   asked_ = now - options_.describe_every;
+  has_asked_ = false;
   if (was_connected_) stream_.countReconnect();
   was_connected_ = true;
   // Ends whatever piece of a frame the device may have heard before.
@@ -103,10 +114,12 @@ Bytes WireConnection::framed(const skinwire::Message& message) const {
 
 void WireConnection::askIfNeeded(Clock::time_point now) {
   if (now - asked_ < options_.describe_every) return;
-  // On TCP the device speaks first, in the dialect of its choice. Over UDP being asked is what keeps it sending.
+  // On TCP the device speaks first, in the dialect of its choice; asked once, it knows that this is a host. Over UDP
+  // being asked is what keeps it sending.
   const bool is_udp = address_.kind == WireAddress::Kind::Udp;
-  if (!is_udp && (stream_.isDescribed() || !framing())) return;
+  if (!is_udp && (!framing() || (has_asked_ && stream_.isDescribed()))) return;
   asked_ = now;
+  has_asked_ = true;
   transport_->write(framed(skinwire::Command{0, skinwire::Describe{stream_.topologyId()}}));
 }
 
@@ -130,7 +143,7 @@ void WireConnection::onReceived(skinwire::ByteView bytes) {
 
 void WireConnection::onDecoded(skinwire::Decoded decoded) {
   const bool was_described = stream_.isDescribed();
-  switch (stream_.take(std::move(decoded))) {
+  switch (stream_.take(std::move(decoded), Clock::now())) {
     case SkinStream::Effect::Nothing:
       return;
     case SkinStream::Effect::Incompatible:
@@ -155,13 +168,13 @@ void WireConnection::reportOpen(Clock::time_point now) {
   const Clock::duration quiet = now - alive_;
   if (quiet >= options_.silent_after) {
     // If something arrives and is broken, that is the better explanation.
+    const Seconds left = leftOf(options_.reconnect_after, options_.reconnect_after - quiet);
     const bool garbage = stream_.rejectedMessages() > rejected_when_alive_;
     stream_.report(
         SourceState::Silent,
-        named(garbage ? message("only broken messages ({}) for {}; reconnecting after {}", stream_.lastRejection(),
-                                seconds(options_.silent_after), seconds(options_.reconnect_after))
-                      : message("nothing came for {}; reconnecting after {}", seconds(options_.silent_after),
-                                seconds(options_.reconnect_after))),
+        named(garbage ? message("only broken messages ({}) for {}; reconnecting in {}", stream_.lastRejection(),
+                                seconds(options_.silent_after), left)
+                      : message("nothing came for {}; reconnecting in {}", seconds(options_.silent_after), left)),
         now);
   } else if (!stream_.isDescribed()) {
     Message waiting = message("connected to the device, {}", stream_.whatIsMissing());
@@ -176,12 +189,21 @@ void WireConnection::reportOpen(Clock::time_point now) {
 void WireConnection::retryLater(const Message& why) {
   drop();
   const Clock::time_point now = Clock::now();
-  retry_at_ = now + retry_;
-  stream_.report(SourceState::Connecting, named(message("{}; next try in {}", why, seconds(retry_))), now);
+  why_retry_ = why;
+  wait_ = retry_;
+  retry_at_ = now + wait_;
+  reportWait(now);
   retry_ = std::min<Clock::duration>(2 * retry_, options_.longest_retry);
   for (; !pending_.empty();) fail(pending_.begin()->first, message("the connection was lost"));
   // A short wait must not be lengthened by the tick.
   scheduleTick();
+}
+
+void WireConnection::reportWait(Clock::time_point now) {
+  stream_.report(SourceState::Connecting,
+                 named(phase_ == Phase::Idle ? message("{}; next try in {}", why_retry_, leftOf(wait_, retry_at_ - now))
+                                             : message("{}; trying again", why_retry_)),
+                 now);
 }
 
 void WireConnection::scheduleTick() {
@@ -200,15 +222,19 @@ void WireConnection::onTick() {
       connect();
     } else if (phase_ == Phase::Opening && now - since_ >= options_.reconnect_after) {
       retryLater(message("no answer for {}", seconds(options_.reconnect_after)));
-    } else if (phase_ == Phase::Open && now - alive_ >= options_.reconnect_after) {
+    } else if (phase_ != Phase::Open) {
+      if (!why_retry_.empty()) reportWait(now);
+    } else if (now - alive_ >= options_.reconnect_after) {
       reportOpen(now);
       retryLater(message("nothing came for {}", seconds(options_.reconnect_after)));
-    } else if (phase_ == Phase::Open) {
+    } else {
+      stream_.noteOnce(decoder_.complaintOfWaiting());
       askIfNeeded(now);
       reportOpen(now);
       tendCommands(now);
     }
   }
+  stream_.tend(now);
   stream_.reportCounters(now);
   scheduleTick();
 }
@@ -224,7 +250,7 @@ void WireConnection::send(std::uint32_t number, const SkinCommand& command) {
     return fail(number, message("the device can't turn by itself"));
   }
   const skinwire::Command message{number, requestOf(command)};
-  if (const std::string why = skinwire::complaint(message); !why.empty()) return fail(number, Message::verbatim(why));
+  if (const skinwire::Complaint why = skinwire::complaint(message); !why.empty()) return fail(number, why.reason);
   Bytes frame = framed(message);
   transport_->write(frame);
   pending_[number] = {std::move(frame), now + options_.command_timeout, now};
@@ -264,6 +290,7 @@ void WireConnection::fail(std::uint32_t number, Message why) {
 void WireConnection::finish(const Message& why) {
   given_up_ = true;
   drop();
+  stream_.tend(Clock::time_point::max());
   for (; !pending_.empty();) fail(pending_.begin()->first, message("the source was stopped"));
   stream_.report(SourceState::Stopped, named(why), Clock::now());
 }

@@ -43,6 +43,8 @@ class WireConnection {
   void onTick();
   void scheduleTick();
   void retryLater(const Message& why);
+  /// What went wrong, and how long the next try is still to come.
+  void reportWait(Clock::time_point now);
   void drop();
   void askIfNeeded(Clock::time_point now);
   void reportOpen(Clock::time_point now);
@@ -68,8 +70,11 @@ class WireConnection {
   Clock::time_point alive_;                ///< when something that makes sense came last
   std::uint64_t rejected_when_alive_ = 0;  ///< messages, up to then
   Clock::time_point asked_;
-  Clock::time_point retry_at_;
-  Clock::duration retry_;  ///< the next wait
+  bool has_asked_ = false;  ///< since it was opened
+  Message why_retry_;       ///< what the last try failed of; empty: none has
+  Clock::duration wait_{};
+  Clock::time_point retry_at_;  ///< the end of that wait
+  Clock::duration retry_;       ///< the next wait
   std::map<std::uint32_t, Pending> pending_;
 };
 

@@ -11,10 +11,10 @@ namespace hexoderm {
 struct WireOptions {
   std::chrono::milliseconds first_retry{250};  ///< wait before the first new try; doubles with each that fails
   std::chrono::milliseconds longest_retry{5000};
-  std::chrono::milliseconds silent_after{800};      ///< nothing that makes sense for so long: Silent
-  std::chrono::milliseconds reconnect_after{3000};  ///< ... for so long: the connection is made anew
-  std::chrono::milliseconds describe_every{1000};   ///< how often the device is asked, where it has to be
-  std::chrono::milliseconds command_timeout{3000};  ///< without an Ack
+  std::chrono::milliseconds silent_after{kSilentAfter};  ///< nothing that makes sense for so long: Silent
+  std::chrono::milliseconds reconnect_after{3000};       ///< ... for so long: the connection is made anew
+  std::chrono::milliseconds describe_every{1000};        ///< how often the device is asked, where it has to be
+  std::chrono::milliseconds command_timeout{3000};       ///< without an Ack
 
   /// Throws InvalidArgument naming the option: everything above 0, and ends not before beginnings.
   void validate() const;

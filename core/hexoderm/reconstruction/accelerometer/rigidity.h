@@ -16,12 +16,63 @@ struct Misfit {
   [[nodiscard]] double deviate() const;
 };
 
-/// Do a cell's readings move as one rigid body with the specific forces `v_g` (accelerometer axes, per reading)? The
-/// misfit that is left when the cell may turn freely, and its offset, gains and cross-axis sensitivity are whatever
-/// fits best under their priors. Losses are quadratic. One Gauss-Newton step from the given attitude: good to a few
-/// degrees from the best one.
+/// Do a cell's readings move as one rigid body with the specific forces `v_g` (accelerometer axes)? The misfit that is
+/// left when the cell may turn freely, and its offset, gains and cross-axis sensitivity are whatever fits best under
+/// their priors. Losses are quadratic. One Gauss-Newton step from the given attitude: good to a few degrees from the
+/// best one. Keeps sums, so that readings can be taken away one by one without going through all again.
+class RigidityTest {
+ public:
+  explicit RigidityTest(const AccelerometerPrior& prior) : prior_(prior) {}
+  void add(const CellReading& reading, const Eigen::Vector3d& v_g);
+  void remove(const CellReading& reading, const Eigen::Vector3d& v_g);
+  [[nodiscard]] Misfit misfit() const;  ///< none of fewer than two readings
+
+ private:
+  void count(const CellReading& reading, const Eigen::Vector3d& v_g, double sign);
+
+  AccelerometerPrior prior_;
+  double readings_ = 0;
+  Eigen::Matrix4d rows_ = Eigen::Matrix4d::Zero();                           ///< sum of r r^T / V, r = (1, v)
+  Eigen::Matrix<double, 4, 3> mixed_ = Eigen::Matrix<double, 4, 3>::Zero();  ///< sum of r (y - v)^T / V
+  double errors_ = 0;                                                        ///< sum of |y - v|^2 / V
+};
+
+/// The same for all readings at once.
 Misfit testRigidity(const AccelerometerPrior& prior, std::span<const CellReading> readings,
                     std::span<const Eigen::Vector3d> v_g);
+
+/// A turn of a cell between two of its poses, as far as its readings show one.
+struct TurnBetweenPoses {
+  std::size_t first_after = 0;  ///< index of the first reading after the turn
+  double angle_rad = 0;         ///< as far as gravity shows it
+  Misfit gain;                  ///< by how much the turn lowers the misfit, for so many parameters
+};
+
+/// What others say about a cell's attitude: the information of the error e in R_true = R exp(e), accelerometer axes,
+/// rad^-2, and that times the most probable e. Nothing by default.
+struct AttitudePrior {
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d weighted = Eigen::Vector3d::Zero();
+};
+
+/// The turn between two poses that explains the readings best, with all that testRigidity() grants as well and the
+/// attitude before the turn as likely as `attitude` has it. Readings are in the order in which they were taken; two at
+/// least. To first order in the turn.
+TurnBetweenPoses findTurn(const AccelerometerPrior& prior, std::span<const CellReading> readings,
+                          std::span<const Eigen::Vector3d> v_g, const AttitudePrior& attitude = {});
+
+/// A cell's attitude as its own readings have it.
+struct OwnAttitude {
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();        ///< accelerometer to patch
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of the error e in R_true = R exp(e), rad^-2
+  AccelerometerFit sensor;
+};
+
+/// The attitude at which the readings of the specific forces `f_o` (patch frame, per reading) are most probable,
+/// offset, gains and cross-axis sensitivity being whatever fits best under their priors. Found by Gauss-Newton from
+/// `R_start` (accelerometer to patch); where the readings show nothing it stays there, and the information is 0.
+OwnAttitude findAttitude(const AccelerometerPrior& prior, std::span<const CellReading> readings,
+                         std::span<const Eigen::Vector3d> f_o, const Eigen::Matrix3d& R_start);
 
 /// The information, rad^-2 in the accelerometer's axes, that readings of the specific forces `v_g` (accelerometer
 /// axes), each as uncertain as `readings` has it, hold about a small turn of a cell whose offset, gains and cross-axis

@@ -89,14 +89,6 @@ PoseAdvice adviseNextPose(const CellModel& model, const std::vector<Eigen::Vecto
   return advice;
 }
 
-bool enoughPoses(const Reconstruction& reconstruction, TurnedBy turned_by) {
-  const auto enabled = static_cast<std::size_t>(std::ranges::count(reconstruction.poses, true, &PoseSummary::enabled));
-  const VerdictLevel level = reconstruction.verdict.level;
-  if (turned_by == TurnedBy::Device && enabled >= kMostPosesByItself) return true;
-  const bool is_usable = level == VerdictLevel::Usable && turned_by == TurnedBy::Hand;
-  return enabled >= kGoodPoseCount && (is_usable || level == VerdictLevel::Good);
-}
-
 Message adviceInWords(const PoseAdvice& advice, const Reconstruction& reconstruction) {
   const PatchReconstruction* patch = largestPatch(reconstruction);
   if (patch == nullptr) return {};

@@ -25,21 +25,6 @@ struct PoseAdvice {
 PoseAdvice adviseNextPose(const CellModel& model, const std::vector<Eigen::Vector3d>& seen,
                           const std::vector<Eigen::Vector3d>& unreachable = {});
 
-/// A tetrahedron's directions are the first set that tells the sensors' offsets apart.
-inline constexpr std::size_t kGoodPoseCount = 4;
-/// A result that is not good after so many poses does not lack poses.
-inline constexpr std::size_t kMostPosesByItself = 12;
-/// The one who brings the part from one pose to the next.
-enum class TurnedBy {
-  Hand,    ///< a person, or a robot that somebody moves
-  Device,  ///< the device, when it is asked to (TurnTo)
-};
-/// The rule for when there are enough poses. By hand: kGoodPoseCount poses are enabled and the result is usable or
-/// good. If it is not good by then, it is limited by the links or has a finding, and hardly becomes so by further poses
-/// (a simulated ring of eight: 4.0 mm at the worst cell with 4 poses and with 12). A pose costs a device that turns
-/// itself nothing, so it goes on until the result is good, or until kMostPosesByItself poses are enabled.
-bool enoughPoses(const Reconstruction& reconstruction, TurnedBy turned_by = TurnedBy::Hand);
-
 /// "Turn the part so that cell 7 faces the floor": the cell of the largest patch whose front points most exactly up or
 /// down when `advice` is followed. Empty if there is no patch.
 Message adviceInWords(const PoseAdvice& advice, const Reconstruction& reconstruction);

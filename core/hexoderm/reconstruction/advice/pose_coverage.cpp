@@ -115,7 +115,7 @@ DiscPoint onDisc(const Eigen::Vector3d& up_o) {
   if (across == 0) return point;
   const double radius = std::sqrt(std::max(0.0, 1 - std::abs(up_o.z())));
   const double mirror = point.side == Hemisphere::Back ? -1 : 1;
-  point.at = radius / across * Eigen::Vector2d(mirror * up_o.x(), up_o.y());
+  point.at = radius / across * Vector2d(mirror * up_o.x(), up_o.y());
   return point;
 }
 
@@ -170,7 +170,10 @@ PoseCoverage coverageOf(const Reconstruction& reconstruction,
   const Spread spread = spreadOf(patch->gravity);
   coverage.singular_values = spread.values;
   coverage.quality = classifyEdge(spread.values, coverage.threshold);
-  if (coverage.quality != EdgeQuality::Over) coverage.missing = missingDirection(spread, coverage.threshold, *patch);
+  // A direction is missing where the assessment says that another one would help.
+  if (coverage.quality != EdgeQuality::Over && reconstruction.assessment.remedy == Remedy::TakePose) {
+    coverage.missing = missingDirection(spread, coverage.threshold, *patch);
+  }
   return coverage;
 }
 
@@ -204,7 +207,6 @@ PartTurn partTurn(const Eigen::Vector3d& from_up_o, const Eigen::Vector3d& to_up
 std::optional<NextPose> describeNextPose(const PoseAdvice& advice, const Reconstruction& reconstruction,
                                          const std::optional<Eigen::Vector3d>& current_up_o) {
   constexpr double kOpposite = 30 * kDegree;
-  constexpr double kLeastGain = 0.05;
   const PatchReconstruction* patch = largestPatch(reconstruction);
   if (patch == nullptr) return std::nullopt;
   NextPose next;
@@ -232,7 +234,7 @@ std::optional<NextPose> describeNextPose(const PoseAdvice& advice, const Reconst
     next.gain = opposite == patch->gravity.end() ? PoseGain::Further : PoseGain::Opposite;
     if (opposite != patch->gravity.end()) next.opposite_of = opposite->pose;
   }
-  next.worthwhile = !enoughPoses(reconstruction) || advice.sigma_then_rad <= (1 - kLeastGain) * advice.sigma_now_rad;
+  next.worthwhile = reconstruction.assessment.wantsPose();
   return next;
 }
 

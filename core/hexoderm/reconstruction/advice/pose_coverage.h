@@ -25,7 +25,7 @@ enum class Hemisphere { Front, Back };
 /// is drawn as seen from behind: what leaves the front disc on its right enters the back disc on its left.
 struct DiscPoint {
   Hemisphere side = Hemisphere::Front;
-  Eigen::Vector2d at = Eigen::Vector2d::Zero();
+  Vector2d at = Vector2d::Zero();
 };
 /// `up_o` is a unit vector. On the rim it is Front.
 DiscPoint onDisc(const Eigen::Vector3d& up_o);
@@ -53,7 +53,8 @@ struct SeenDirection {
   DiscPoint at;
 };
 
-/// The direction that the poses tell least about, where its value is below the class threshold.
+/// The direction that the poses tell least about, where its value is below the class threshold and the assessment says
+/// that another direction would help.
 struct MissingDirection {
   Eigen::Vector3d up_o = Eigen::Vector3d::UnitZ();  ///< either sign would do
   CellFacing facing;                                ///< how it is said; ceiling stands for the floor as well
@@ -68,7 +69,7 @@ struct PoseCoverage {
   Eigen::Vector3d singular_values = Eigen::Vector3d::Zero();  ///< of sum g g^T over the enabled, descending
   double threshold = 0.5;                                     ///< for a class, as the result's options have it
   EdgeQuality quality = EdgeQuality::Undefined;  ///< class of an edge whose cells were measured in all of them
-  std::optional<MissingDirection> missing;       ///< none if all three values reach the threshold
+  std::optional<MissingDirection> missing;       ///< none if all three reach the threshold, or none would help
 };
 
 /// Whether one more pose with this direction up would bring the value that is missing to its threshold; false if none
@@ -117,8 +118,7 @@ struct NextPose {
   std::optional<PoseId> opposite_of;  ///< for Opposite
   double sigma_now_rad = 0;           ///< see PoseAdvice
   double sigma_then_rad = 0;
-  /// There are not enough poses yet, see enoughPoses(), or this one lowers the predicted error by at least a twentieth.
-  bool worthwhile = true;
+  bool worthwhile = true;  ///< Assessment::wantsPose()
 
   /// Whether the pose is needed: it is neither the first, which may be any, nor beyond the ones that are enough.
   [[nodiscard]] bool isWanted() const { return gain != PoseGain::First && worthwhile; }

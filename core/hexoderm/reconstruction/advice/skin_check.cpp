@@ -11,14 +11,6 @@
 namespace hexoderm {
 namespace {
 
-/// Few are named, many are counted.
-Message cellsInWords(const std::vector<CellId>& cells) {
-  constexpr std::size_t kNamed = 6;
-  if (cells.size() == 1) return message("cell {}", cells.front());
-  if (cells.size() <= kNamed) return message("cells {}", cells);
-  return message("{} cells", cells.size());
-}
-
 SkinCheckItem checkLinks(const Reconstruction& reconstruction) {
   SkinCheckItem item;
   std::size_t muted = 0;

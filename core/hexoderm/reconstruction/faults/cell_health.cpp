@@ -6,8 +6,11 @@
 #include "hexoderm/util/units.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <optional>
 
 namespace hexoderm {
 namespace {
@@ -29,6 +32,7 @@ class Judge {
     findMissing();
     for (std::size_t cell = 0; cell < table_.cellCount(); ++cell) findDeadAxis(cell);
     for (std::size_t cell = 0; cell < table_.cellCount(); ++cell) judgeReadings(cell);
+    findIdentical();
     for (const std::size_t pose : table_.enabledPoses()) judgeScatter(pose);
     findStuck();
   }
@@ -65,6 +69,77 @@ class Judge {
             {id(cell)}, {}, poses));
       }
     }
+  }
+
+  /// What one sensor sends is nobody else's, digit for digit: noise, steps and offsets make that as good as impossible.
+  /// Cells that share all digits in a pose are repeated by whoever delivers them, and nobody knows whose they are.
+  void findIdentical() {
+    constexpr double kByChance = 1e-4;
+    std::map<std::vector<std::size_t>, std::vector<std::size_t>> poses_of;  // per group of cells
+    for (const std::size_t pose : table_.enabledPoses()) {
+      std::map<std::array<double, 3>, std::vector<std::size_t>> cells_by_reading;
+      for (std::size_t cell = 0; cell < table_.cellCount(); ++cell) {
+        const GravityTable::Entry& entry = table_.at(cell, pose);
+        if (!entry.usable) continue;
+        const Eigen::Vector3d& y = entry.mean_g;
+        cells_by_reading[{y.x(), y.y(), y.z()}].push_back(cell);
+      }
+      for (const auto& [reading, cells] : cells_by_reading) {
+        if (cells.size() >= 2) poses_of[cells].push_back(pose);
+      }
+    }
+    for (const auto& [cells, poses] : poses_of) {
+      if (chanceOfSameReadings(cells.front(), poses) < kByChance) describeIdentical(cells, poses);
+    }
+  }
+
+  /// How many pairs of this skin's cells are to be expected to share all digits with each other in so many poses.
+  [[nodiscard]] double chanceOfSameReadings(std::size_t cell, const std::vector<std::size_t>& poses) const {
+    const Accelerometer& a = snapshot_.model->accelerometer;
+    const auto cells = static_cast<double>(table_.cellCount());
+    double chance = cells * cells / 2 * static_cast<double>(table_.enabledPoses().size());
+    double offset_g = a.offset_sigma_g;  // two sensors that agree in one pose have the same offsets in all others
+    for (const std::size_t pose : poses) {
+      const std::optional<double> step_g = resolution(cell, pose);
+      if (!step_g) return 1;
+      const double spread_g = std::hypot(offset_g, std::sqrt(table_.at(cell, pose).own_variance_g2));
+      chance *= std::pow(std::min(1.0, *step_g / (2 * std::sqrt(kPi) * spread_g)), 3);
+      offset_g = 0;
+    }
+    return chance;
+  }
+
+  /// The step between two readings that can be told apart. None where nothing says that the readings are a real
+  /// sensor's: those of an ideal one, without noise and steps, may well be the same.
+  [[nodiscard]] std::optional<double> resolution(std::size_t cell, std::size_t pose) const {
+    const double lsb_g = snapshot_.model->accelerometer.lsb_g;
+    const GravityTable::Entry& entry = table_.at(cell, pose);
+    if (entry.sample_sigma_g > 0) return lsb_g / entry.count;
+    constexpr double kWhole = 1e-6;
+    const Eigen::Vector3d steps = snapshot_.model->accelerometer.T_u_a.R.transpose() * entry.mean_g / lsb_g;
+    const bool is_one_sample = lsb_g > 0 && (steps - steps.array().round().matrix()).cwiseAbs().maxCoeff() < kWhole;
+    return is_one_sample ? std::optional(lsb_g) : std::nullopt;
+  }
+
+  void describeIdentical(const std::vector<std::size_t>& cells, const std::vector<std::size_t>& poses) {
+    std::vector<CellId> ids;
+    for (const std::size_t cell : cells) {
+      ids.push_back(id(cell));
+      // Whose readings they are is not known in the other poses either.
+      for (const std::size_t pose : table_.enabledPoses()) table_.at(cell, pose).usable = false;
+    }
+    const std::vector<PoseId> pose_ids = poseIds(poses);
+    Message words =
+        cells.size() == table_.cellCount()
+            ? message(
+                  "All {} cells read the same, digit for digit, {}: the readings of one are delivered for all. None "
+                  "is used.",
+                  cells.size(), inPoses(pose_ids))
+            : message(
+                  "The cells {} read the same, digit for digit, {}: no two sensors do, so one's readings are "
+                  "delivered for the others too. None of them is used; they are placed through their links.",
+                  ids, inPoses(pose_ids));
+    findings_.push_back(makeFinding(FindingCode::IdenticalReadings, std::move(words), ids, {}, pose_ids));
   }
 
   /// An axis that reads the same in all poses although the length of what the cell reads rises and falls with them. (An

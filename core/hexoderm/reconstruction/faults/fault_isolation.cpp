@@ -63,16 +63,22 @@ void leaveOutCells(SkinLinks& skin, std::vector<Finding>& findings) {
 }
 
 Completion isolateSuspects(SkinLinks& skin, const std::stop_token& stop, std::vector<Finding>& findings) {
+  std::vector<std::size_t> suspicious;
   while (!stop.stop_requested()) {
     const SuspectSearch search(skin.model(), skin.graph(), skin.table(), skin.readings(), skin.edges(), skin.options());
     if (const auto pose = search.worstPose()) {
       findings.push_back(describeInconsistentPose(skin.poseId(*pose)));
       skin.dropPose(*pose);
-    } else if (const auto cell = search.worstCell()) {
+    } else if (const auto cell = search.worstCell(suspicious)) {
+      if (hasTooFewPoses(skin.table(), *cell) && !search.isClearlyWrong(*cell)) {
+        findings.push_back(describeSuspiciousSensor(skin.graph(), skin.table(), *cell));
+        suspicious.push_back(*cell);
+        continue;
+      }
       findings.push_back(describeBadSensor(skin.graph(), skin.table(), skin.snapshot(), *cell, false));
       skin.dropCell(*cell);
     } else {
-      muteLinks(skin, search.badLinks(), findings);
+      muteLinks(skin, search.badLinks(suspicious), findings);
       return Completion::Finished;
     }
     skin.estimateEdges();

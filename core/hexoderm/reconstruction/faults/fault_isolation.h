@@ -18,7 +18,8 @@ void setLinksAside(SkinLinks& skin, std::vector<Finding>& findings);
 /// Drops the readings of the cells in SolverOptions::left_out. Throws InvalidArgument for a cell that is not there.
 void leaveOutCells(SkinLinks& skin, std::vector<Finding>& findings);
 
-/// Drops the worst pose or cell and looks at the skin again, until only links are left to blame, which it mutes. Needs
+/// Drops the worst pose or cell and looks at the skin again, until only links are left to blame, which it mutes. A cell
+/// that two poses don't clearly show to be wrong is called suspicious and stays, and so do its links. Needs
 /// estimated edges, and leaves them estimated without what it dropped.
 [[nodiscard]] Completion isolateSuspects(SkinLinks& skin, const std::stop_token& stop, std::vector<Finding>& findings);
 

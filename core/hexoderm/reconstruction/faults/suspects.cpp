@@ -5,8 +5,6 @@
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
-#include "hexoderm/reconstruction/accelerometer/rigidity.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -15,6 +13,13 @@ namespace {
 
 // A link is judged by its angles only where the poses fix them.
 constexpr double kJudgeableSigma = 15 * kDegree;
+
+/// Deviations of a link's angles. `covariance`: of its rotation, in the source's frame.
+LinkAngles anglesSigma(const Eigen::Matrix3d& covariance, const Port& source) {
+  const Eigen::Vector3d u = source.vector_m.normalized();
+  const auto along = [&](const Eigen::Vector3d& axis) { return std::sqrt(axis.dot(covariance * axis)); };
+  return {along(u), along(Eigen::Vector3d::UnitZ().cross(u).normalized()), along(Eigen::Vector3d::UnitZ())};
+}
 
 }  // namespace
 
@@ -39,33 +44,29 @@ SuspectSearch::Verdict SuspectSearch::judge(std::size_t link_index) const {
   if (link.muted() || !readings_.measured(link)) return verdict;
   verdict.tested = true;
   const double sigma = largestDeviation(edge.covariance);
-  if (sigma < kJudgeableSigma && !edge.supported) {
-    verdict.implausible =
-        judgeLinkAngles(linkAngles(edge.R_c_n, model_.port(link.source_port), model_.port(link.target_port)),
-                        graph_.sourceEnd(link), graph_.targetEnd(link), options_, sigma);
+  if (sigma < kJudgeableSigma) {
+    verdict.implausible = judgeLinkAngles(
+        linkAngles(edge.R_c_n, model_.port(link.source_port), model_.port(link.target_port)), graph_.sourceEnd(link),
+        graph_.targetEnd(link), model_, options_, anglesSigma(edge.covariance, model_.port(link.source_port)));
   }
-  verdict.misfit = misfitOf(link_index);
+  verdict.misfit = readingsOf(link_index).test.misfit().deviate();
   verdict.rigid = verdict.misfit <= options_.max_misfit;
   return verdict;
 }
 
-double SuspectSearch::misfitOf(std::size_t link_index, std::optional<std::size_t> without) const {
+SuspectSearch::PairReadings SuspectSearch::readingsOf(std::size_t link_index) const {
   const GraphLink& link = graph_.links()[link_index];
   const Eigen::Matrix3d R_a_u = model_.accelerometer.T_u_a.R.transpose();
   const Eigen::Matrix3d R_a_n = R_a_u * edges_[link_index].R_c_n;
-  std::vector<CellReading> c;
-  std::vector<Eigen::Vector3d> n;
-  const std::vector<std::size_t> poses = readings_.posesOf(link);
-  c.reserve(poses.size());
-  n.reserve(poses.size());
-  for (const std::size_t pose : poses) {
-    if (pose == without) continue;
+  PairReadings pair{{}, {}, RigidityTest(pair_prior_)};
+  for (const std::size_t pose : readings_.posesOf(link)) {
     const GravityTable::Entry& at_c = table_.at(link.source, pose);
     const GravityTable::Entry& at_n = table_.at(link.target, pose);
-    c.push_back({pose, R_a_u * at_c.mean_g, at_c.variance_g2 + at_n.variance_g2});
-    n.push_back(R_a_n * at_n.mean_g);
+    pair.source.push_back({pose, R_a_u * at_c.mean_g, at_c.variance_g2 + at_n.variance_g2});
+    pair.target_g.push_back(R_a_n * at_n.mean_g);
+    pair.test.add(pair.source.back(), pair.target_g.back());
   }
-  return testRigidity(pair_prior_, c, n).deviate();
+  return pair;
 }
 
 std::optional<std::size_t> SuspectSearch::worstPose() const {
@@ -82,11 +83,22 @@ std::optional<std::size_t> SuspectSearch::worstPose() const {
   if (table_.enabledPoses().size() < kFewestPoses || tested.size() < kFewestLinks || 2 * moving <= tested.size()) {
     return std::nullopt;
   }
+  std::vector<std::size_t> moving_without(table_.poseCount(), moving);
+  for (const std::size_t link : tested) {
+    const PairReadings pair = readingsOf(link);
+    for (std::size_t k = 0; k < pair.source.size(); ++k) {
+      RigidityTest without = pair.test;
+      without.remove(pair.source[k], pair.target_g[k]);
+      const bool is_rigid = without.misfit().deviate() <= options_.max_misfit;
+      std::size_t& still_moving = moving_without[pair.source[k].pose];
+      if (is_rigid && !verdicts_[link].rigid) --still_moving;
+      if (!is_rigid && verdicts_[link].rigid) ++still_moving;
+    }
+  }
   std::optional<std::size_t> worst;
   auto fewest = static_cast<std::size_t>(kNearlyNone * static_cast<double>(tested.size()));
   for (const std::size_t pose : table_.enabledPoses()) {
-    const auto still_moving = static_cast<std::size_t>(
-        std::ranges::count_if(tested, [&](std::size_t link) { return misfitOf(link, pose) > options_.max_misfit; }));
+    const std::size_t still_moving = moving_without[pose];
     if (still_moving > fewest || (worst && still_moving == fewest)) continue;
     worst = pose;
     fewest = still_moving;
@@ -94,7 +106,13 @@ std::optional<std::size_t> SuspectSearch::worstPose() const {
   return worst;
 }
 
-std::optional<std::size_t> SuspectSearch::worstCell() const {
+bool SuspectSearch::isClearlyWrong(std::size_t cell) const {
+  return std::ranges::any_of(graph_.linksAt(cell), [&](std::size_t link) {
+    return verdicts_[link].tested && verdicts_[link].misfit > kClearly * options_.max_misfit;
+  });
+}
+
+std::optional<std::size_t> SuspectSearch::worstCell(std::span<const std::size_t> but) const {
   constexpr double kNearlyAll = 0.74;
   constexpr std::size_t kFewestWitnesses = 2;
   std::vector<std::size_t> tested(graph_.cells().size(), 0);
@@ -108,6 +126,7 @@ std::optional<std::size_t> SuspectSearch::worstCell() const {
   std::optional<std::size_t> worst;
   double worst_misfit = 0;
   for (std::size_t cell = 0; cell < graph_.cells().size(); ++cell) {
+    if (std::ranges::count(but, cell) > 0) continue;
     if (bad[cell] < kFewestWitnesses || static_cast<double>(bad[cell]) < kNearlyAll * static_cast<double>(tested[cell]))
       continue;
     double misfit = 0;
@@ -125,18 +144,21 @@ std::optional<std::size_t> SuspectSearch::worstCell() const {
   return worst;
 }
 
-std::vector<SuspectSearch::BadLink> SuspectSearch::badLinks() const {
+std::vector<SuspectSearch::BadLink> SuspectSearch::badLinks(std::span<const std::size_t> spared) const {
   std::vector<BadLink> bad;
   for (std::size_t index = 0; index < verdicts_.size(); ++index) {
     const Verdict& verdict = verdicts_[index];
-    if (!verdict.bad()) continue;
-    if (!verdict.implausible.empty()) {
+    const GraphLink& graph_link = graph_.links()[index];
+    const bool is_spared = std::ranges::any_of(
+        spared, [&](std::size_t cell) { return cell == graph_link.source || cell == graph_link.target; });
+    if (!verdict.bad() || is_spared) continue;
+    // Of cells that moved against each other the angles mean nothing.
+    if (verdict.rigid) {
       bad.push_back({index, verdict.implausible});
       continue;
     }
-    const GraphLink& link = graph_.links()[index];
-    const LinkEnd source = graph_.sourceEnd(link);
-    const LinkEnd target = graph_.targetEnd(link);
+    const LinkEnd source = graph_.sourceEnd(graph_link);
+    const LinkEnd target = graph_.targetEnd(graph_link);
     bad.push_back(
         {index,
          {makeFinding(
@@ -147,6 +169,31 @@ std::vector<SuspectSearch::BadLink> SuspectSearch::badLinks() const {
              {source.cell, target.cell}, {source.port, target.port})}});
   }
   return bad;
+}
+
+bool hasTooFewPoses(const GravityTable& table, std::size_t cell) {
+  constexpr std::size_t kFewestToAccuse = 3;
+  return table.usablePoses(cell).size() < kFewestToAccuse;
+}
+
+Finding describeSuspiciousSensor(const SkinGraph& graph, const GravityTable& table, std::size_t cell) {
+  const CellId id = graph.cells()[cell].id;
+  return makeFinding(FindingCode::SuspiciousSensor,
+                     message("Cell {} does not fit its neighbours well, and {} poses don't tell why. It is used; take "
+                             "another pose.",
+                             id, table.usablePoses(cell).size()),
+                     {id});
+}
+
+Finding describeMovedCell(const SkinGraph& graph, const SessionSnapshot& snapshot, std::size_t cell,
+                          std::size_t first_pose_after, double angle_rad) {
+  const CellId id = graph.cells()[cell].id;
+  const PoseId pose = snapshot.poses[first_pose_after].capture->id;
+  return makeFinding(FindingCode::MovedCell,
+                     message("Cell {} turned by {} degrees or more against the others before pose {}: it came loose or "
+                             "was fixed anew. It is placed through its links; take the poses before pose {} again.",
+                             id, Number{toDegrees(angle_rad), 0}, pose, pose),
+                     {id}, {}, {pose});
 }
 
 Finding describeBadSensor(const SkinGraph& graph, const GravityTable& table, const SessionSnapshot& snapshot,

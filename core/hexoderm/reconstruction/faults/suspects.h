@@ -1,9 +1,10 @@
 #pragma once
 
-#include "hexoderm/reconstruction/accelerometer/accelerometer_fit.h"
+#include "hexoderm/reconstruction/accelerometer/rigidity.h"
 #include "hexoderm/reconstruction/links/edge_rotation.h"
 #include "hexoderm/reconstruction/links/skin_readings.h"
 
+#include <span>
 #include <vector>
 
 namespace hexoderm {
@@ -20,15 +21,18 @@ class SuspectSearch {
   /// sampled.
   [[nodiscard]] std::optional<std::size_t> worstPose() const;
 
-  /// The cell that contradicts its neighbours most, if there is one: its readings should not be used. Ask again after
-  /// that, with new readings and edges.
-  [[nodiscard]] std::optional<std::size_t> worstCell() const;
+  /// The cell, none of `but`, that contradicts its neighbours most, if there is one: its readings should not be used.
+  /// Ask again after that, with new readings and edges.
+  [[nodiscard]] std::optional<std::size_t> worstCell(std::span<const std::size_t> but = {}) const;
+  /// The cell's readings contradict a neighbour's so clearly that two poses suffice to say so.
+  [[nodiscard]] bool isClearlyWrong(std::size_t cell) const;
 
   struct BadLink {
     std::size_t link = 0;
     std::vector<Finding> findings;  ///< at least one
   };
-  [[nodiscard]] std::vector<BadLink> badLinks() const;
+  /// `spared`: cells whose links are left as they are.
+  [[nodiscard]] std::vector<BadLink> badLinks(std::span<const std::size_t> spared = {}) const;
 
  private:
   struct Verdict {
@@ -39,8 +43,13 @@ class SuspectSearch {
     [[nodiscard]] bool bad() const { return !implausible.empty() || !rigid; }
   };
   [[nodiscard]] Verdict judge(std::size_t link) const;
-  /// Misfit of a link in standard deviations; `without`: a pose that does not count.
-  [[nodiscard]] double misfitOf(std::size_t link, std::optional<std::size_t> without = std::nullopt) const;
+  /// What the source reads beside what it would if it turned with the target, in all poses of both.
+  struct PairReadings {
+    std::vector<CellReading> source;
+    std::vector<Eigen::Vector3d> target_g;
+    RigidityTest test;
+  };
+  [[nodiscard]] PairReadings readingsOf(std::size_t link) const;
 
   const CellModel& model_;
   const SkinGraph& graph_;
@@ -51,6 +60,18 @@ class SuspectSearch {
   AccelerometerPrior pair_prior_;  ///< errors of two cells, seen from one of them
   std::vector<Verdict> verdicts_;  ///< per link
 };
+
+/// By so many times the limit must a cell with too few poses be beyond it to be called wrong.
+inline constexpr double kClearly = 2;
+
+/// Two poses fix a cell's attitude by the priors of its sensor, and what contradicts them may be chance: a cell with no
+/// more, and not clearly wrong, is called suspicious and stays.
+bool hasTooFewPoses(const GravityTable& table, std::size_t cell);
+Finding describeSuspiciousSensor(const SkinGraph& graph, const GravityTable& table, std::size_t cell);
+
+/// A cell that turned against the others; its readings before and after belong to two attitudes.
+Finding describeMovedCell(const SkinGraph& graph, const SessionSnapshot& snapshot, std::size_t cell,
+                          std::size_t first_pose_after, double angle_rad);
 
 /// Why a cell's readings are not used, in words: a gain that is wrong in all poses, or else readings that fit nothing.
 Finding describeBadSensor(const SkinGraph& graph, const GravityTable& table, const SessionSnapshot& snapshot,

@@ -85,20 +85,4 @@ double enlargement(double largest, double room) {
   return factor;
 }
 
-std::optional<CellDistance> distanceBetween(const Reconstruction& reconstruction, CellId a, CellId b) {
-  const Reconstruction::Located from = reconstruction.find(a);
-  const Reconstruction::Located to = reconstruction.find(b);
-  if (from.cell == nullptr || to.cell == nullptr || from.patch != to.patch) return std::nullopt;
-  CellDistance distance;
-  const SE3 T_a_b = from.cell->T_o_u.inverse() * to.cell->T_o_u;
-  distance.length_m = T_a_b.t.norm();
-  distance.angle_rad = angleBetween(Eigen::Vector3d::UnitZ(), T_a_b.R.col(2));
-  if (from.patch->covariance && distance.length_m > 0) {
-    const Eigen::Vector3d along = T_a_b.t / distance.length_m;
-    const Eigen::Matrix3d cov = from.patch->covariance->relative(a, b).topLeftCorner<3, 3>();
-    distance.sigma_m = std::sqrt(std::max(0.0, along.dot(cov * along)));
-  }
-  return distance;
-}
-
 }  // namespace hexoderm

@@ -36,14 +36,4 @@ std::vector<CellShift> shiftsOf(const Reconstruction& reconstruction, std::span<
 /// `largest` stays within `room`.
 double enlargement(double largest, double room);
 
-/// The way from one cell to another.
-struct CellDistance {
-  double length_m = 0;   ///< between the centres of the front faces
-  double angle_rad = 0;  ///< between the faces' normals, 0 to pi
-  /// Standard deviation of the length, if the result holds the covariance of any two cells.
-  std::optional<double> sigma_m;
-};
-/// None if a cell is missing, or if the two are in different patches, whose relative placement is not known.
-std::optional<CellDistance> distanceBetween(const Reconstruction& reconstruction, CellId a, CellId b);
-
 }  // namespace hexoderm

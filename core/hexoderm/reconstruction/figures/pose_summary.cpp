@@ -71,10 +71,11 @@ std::vector<PoseSummary> summarisePoses(const SessionSnapshot& snapshot, const G
     if (summary.enabled && largest != nullptr && next_direction < largest->gravity.size() &&
         largest->gravity[next_direction].pose == summary.pose) {
       const Eigen::Vector3d& g = largest->gravity[next_direction++].g_o;
-      for (const Eigen::Vector3d& other : earlier) {
-        // Opposite directions are the same line: no new rank.
-        const double angle = std::min(angleBetween(g, other), angleBetween(g, -other));
-        summary.new_by_rad = std::min(angle, summary.new_by_rad.value_or(angle));
+      // Opposite directions are the same line: no new rank.
+      const auto nearest =
+          std::ranges::max_element(earlier, {}, [&g](const auto& other) { return std::abs(g.dot(other)); });
+      if (nearest != earlier.end()) {
+        summary.new_by_rad = std::min(angleBetween(g, *nearest), angleBetween(g, -*nearest));
       }
       earlier.push_back(g);
     }
@@ -95,23 +96,6 @@ void judgePoses(const Reconstruction& reconstruction, std::vector<Finding>& find
     findings.push_back(makeFinding(FindingCode::NoPoses,
                                    message("There is no pose yet: the shape shown follows from the ports alone.")));
     return;
-  }
-  std::size_t open = 0;
-  std::size_t used = 0;
-  for (const PatchReconstruction& patch : reconstruction.patches) {
-    for (const LinkEstimate& link : patch.links) {
-      const bool measured = std::ranges::any_of(link.pose_residual_rad, [](const auto& r) { return r.has_value(); });
-      if (!link.used || !measured) continue;
-      ++used;
-      if (link.quality == EdgeQuality::Undefined || link.quality == EdgeQuality::Partially) ++open;
-    }
-  }
-  if (2 * open > used) {
-    findings.push_back(
-        makeFinding(FindingCode::TooFewDirections,
-                    message("Gravity was seen along one line only, so the turn about it is a guess: take a pose in "
-                            "which the part is turned by about 90 degrees about a horizontal axis."),
-                    {}, {}, enabled));
   }
   judgeRepetitions(largest->gravity, findings);
 }

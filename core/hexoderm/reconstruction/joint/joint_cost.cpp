@@ -1,5 +1,7 @@
 #include "hexoderm/reconstruction/joint/joint_cost.h"
 
+#include "hexoderm/util/units.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,18 +9,6 @@ namespace hexoderm {
 namespace {
 
 using Matrix3x6d = Eigen::Matrix<double, 3, 6>;
-
-constexpr double kStandardGravity = 9.80665;  // m/s^2 in 1 g
-/// A hand's tremor of a few hundredths of a degree at 4 to 12 Hz accelerates by about this much (1 sigma, rad/s^2);
-/// wide enough not to be felt where the data speak, narrow enough that few cells are safe.
-constexpr double kAccelerationSigma = 3;
-
-/// v in accelerometer axes = R_a_o f.
-Eigen::Vector3d specificForce(const JointState& state, std::size_t cell, std::size_t pose, bool accelerations) {
-  if (!accelerations) return state.force_o[pose];
-  const Eigen::Vector3d lever = state.cells[cell].t - state.middle_o;
-  return state.force_o[pose] + state.acceleration_o[pose].cross(lever) / kStandardGravity;
-}
 
 /// The share of the arc in a link's closure, k = (2/3) e a^2 m, with its derivatives to the outward directions U_c and
 /// U_n in the patch frame. a: half the angle between U_c and -U_n; m = unit(U_c - U_n).
@@ -108,16 +98,6 @@ void evaluateLink(const JointProblem& problem, const JointState& state, const Jo
   const Eigen::Matrix3d whitened = axes.transpose() * inverseLeftJacobian(w);
   r.elastomer_c = -whitened;
   r.elastomer_n = whitened * R_c_n;
-}
-
-double priorCost(const JointProblem& problem, const JointState& state) {
-  double squared = 0;
-  if (problem.gap.sigma) squared += std::pow((state.gap_share - problem.gap.mean) / *problem.gap.sigma, 2);
-  for (const Eigen::Vector3d& f : state.force_o) squared += std::pow((f.norm() - 1) / problem.force_sigma_g, 2);
-  if (problem.accelerations) {
-    for (const Eigen::Vector3d& a : state.acceleration_o) squared += a.squaredNorm() / std::pow(kAccelerationSigma, 2);
-  }
-  return squared / 2;
 }
 
 /// Adds what one cell's readings say.
@@ -325,9 +305,28 @@ void fitCell(const JointProblem& problem, const AccelerometerPrior& prior, const
   const Eigen::Matrix3d R_a_o = problem.model->accelerometer.T_u_a.R.transpose() * state.cells[cell].R.transpose();
   sensor.v_g.resize(readings.size());
   for (std::size_t k = 0; k < readings.size(); ++k) {
-    sensor.v_g[k] = R_a_o * specificForce(state, cell, readings[k].pose, problem.accelerations);
+    sensor.v_g[k] = R_a_o * specificForce(problem, state, cell, readings[k].pose);
   }
   fitAccelerometer(prior, readings, sensor.v_g, problem.loss, sensor.fit);
+}
+
+double priorCost(const JointProblem& problem, const JointState& state) {
+  double squared = 0;
+  if (problem.gap.sigma) squared += std::pow((state.gap_share - problem.gap.mean) / *problem.gap.sigma, 2);
+  for (const Eigen::Vector3d& f : state.force_o) squared += std::pow((f.norm() - 1) / problem.force_sigma_g, 2);
+  if (problem.accelerations) {
+    for (const Eigen::Vector3d& a : state.acceleration_o) {
+      squared += a.squaredNorm() / std::pow(problem.acceleration_sigma, 2);
+    }
+  }
+  return squared / 2;
+}
+
+Eigen::Vector3d specificForce(const JointProblem& problem, const JointState& state, std::size_t cell,
+                              std::size_t pose) {
+  if (!problem.accelerations) return state.force_o[pose];
+  const Eigen::Vector3d lever = state.cells[cell].t - state.middle_o;
+  return state.force_o[pose] + state.acceleration_o[pose].cross(lever) / kStandardGravity;
 }
 
 double jointCost(const JointProblem& problem, const JointState& state) {
@@ -368,6 +367,26 @@ double linkOpening_m(const JointProblem& problem, const JointState& state, std::
   return residual.closure.norm() * problem.link_sigma_m;
 }
 
+void addLinks(const JointProblem& problem, const JointState& state, Eigen::Index share, NormalEquations& equations) {
+  LinkResidual residual;
+  for (std::size_t k = 0; k < problem.links.size(); ++k) addLink(problem, state, k, share, residual, equations);
+  if (!problem.gap.sigma) return;
+  const double precision = 1 / (*problem.gap.sigma * *problem.gap.sigma);
+  equations.border(share, share) += precision;
+  equations.gradient_border[share] += precision * (state.gap_share - problem.gap.mean);
+}
+
+void addForcePrior(const JointProblem& problem, const Eigen::Vector3d& force_o, Eigen::Ref<Eigen::Matrix3d> matrix,
+                   Eigen::Ref<Eigen::Vector3d> gradient) {
+  // A pose of which the last reading was left out has no direction; a little curvature keeps it where it is.
+  constexpr double kLeastCurvature = 1e-3;
+  const double precision = 1 / std::pow(problem.force_sigma_g, 2);
+  const double norm = force_o.norm();
+  const Eigen::Vector3d up = force_o / norm;
+  matrix += precision * up * up.transpose() + kLeastCurvature * Eigen::Matrix3d::Identity();
+  gradient += precision * (norm - 1) * up;
+}
+
 void linearize(const JointProblem& problem, const JointState& state, NormalEquations& equations) {
   const BorderLayout layout(problem);
   const auto rows = static_cast<Eigen::Index>(6 * problem.cellCount());
@@ -380,36 +399,22 @@ void linearize(const JointProblem& problem, const JointState& state, NormalEquat
   equations.gradient_border.setZero(layout.size());
   equations.cost = priorCost(problem, state);
 
-  const double force_precision = 1 / std::pow(problem.force_sigma_g, 2);
   for (std::size_t pose = 0; pose < problem.poses; ++pose) {
-    // A pose of which the last reading was left out has no direction; a little curvature keeps it where it is.
-    constexpr double kLeastCurvature = 1e-3;
     const Eigen::Index at = layout.force(pose);
-    const double norm = state.force_o[pose].norm();
-    const Eigen::Vector3d up = state.force_o[pose] / norm;
-    equations.border.block<3, 3>(at, at) =
-        force_precision * up * up.transpose() + kLeastCurvature * Eigen::Matrix3d::Identity();
-    equations.gradient_border.segment<3>(at) = force_precision * (norm - 1) * up;
+    addForcePrior(problem, state.force_o[pose], equations.border.block<3, 3>(at, at),
+                  equations.gradient_border.segment<3>(at));
   }
 
   CellLinearizer cells(problem, state, equations);
   for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) cells.add(cell);
   cells.finish();
-  LinkResidual residual;
-  for (std::size_t k = 0; k < problem.links.size(); ++k) {
-    addLink(problem, state, k, layout.gapShare(), residual, equations);
-  }
-  if (problem.gap.sigma) {
-    const double precision = 1 / (*problem.gap.sigma * *problem.gap.sigma);
-    equations.border(layout.gapShare(), layout.gapShare()) += precision;
-    equations.gradient_border[layout.gapShare()] += precision * (state.gap_share - problem.gap.mean);
-  }
+  addLinks(problem, state, layout.gapShare(), equations);
   if (problem.accelerations) {
-    constexpr double kPrecision = 1 / (kAccelerationSigma * kAccelerationSigma);
+    const double precision = 1 / (problem.acceleration_sigma * problem.acceleration_sigma);
     for (std::size_t pose = 0; pose < problem.poses; ++pose) {
       const Eigen::Index at = layout.acceleration(pose);
-      equations.border.diagonal().segment<3>(at).array() += kPrecision;
-      equations.gradient_border.segment<3>(at) += kPrecision * state.acceleration_o[pose];
+      equations.border.diagonal().segment<3>(at).array() += precision;
+      equations.gradient_border.segment<3>(at) += precision * state.acceleration_o[pose];
     }
   }
 }

@@ -35,8 +35,9 @@ struct JointProblem {
   std::vector<JointLink> links;
   double link_sigma_m = 0;  ///< how far link points are apart, per axis
   GapShare gap;
-  double force_sigma_g = 0.005;  ///< how far the force at the patch's middle may be from 1 g
-  bool accelerations = false;    ///< every pose has an angular acceleration of its own
+  double force_sigma_g = 0.005;   ///< how far the force at the patch's middle may be from 1 g
+  bool accelerations = false;     ///< every pose has an angular acceleration of its own
+  double acceleration_sigma = 3;  ///< of its prior about zero, per axis, rad/s^2
   HuberLoss loss;
 
   [[nodiscard]] std::size_t cellCount() const { return readings.size(); }
@@ -89,6 +90,9 @@ struct BorderLayout {
 ///   1/2 of the squared deviations from their priors: the gap share, the accelerations, the forces' lengths from 1 g.
 double jointCost(const JointProblem& problem, const JointState& state);
 
+/// The specific force at a cell in a pose, patch frame, g.
+Eigen::Vector3d specificForce(const JointProblem& problem, const JointState& state, std::size_t cell, std::size_t pose);
+
 /// Squared distances of all links' end points in units of link_sigma, losses applied.
 double closureCost(const JointProblem& problem, const JointState& state);
 
@@ -101,6 +105,17 @@ double linkOpening_m(const JointProblem& problem, const JointState& state, std::
 
 /// jointCost() with its gradient (exact) and its Gauss-Newton matrix (of the eliminated problem: Kaufman's).
 void linearize(const JointProblem& problem, const JointState& state, NormalEquations& equations);
+
+// The parts of linearize() that the readings have no share in, for those who treat the readings in another way.
+
+/// Of the jointCost(), what priors of forces, accelerations and the gap share cost.
+double priorCost(const JointProblem& problem, const JointState& state);
+/// Adds the cost of all links, their blocks and gradients, and the prior of the gap share, which stands at `share` in
+/// the border; without its cost, which priorCost() has.
+void addLinks(const JointProblem& problem, const JointState& state, Eigen::Index share, NormalEquations& equations);
+/// Adds the prior of one pose's force.
+void addForcePrior(const JointProblem& problem, const Eigen::Vector3d& force_o, Eigen::Ref<Eigen::Matrix3d> matrix,
+                   Eigen::Ref<Eigen::Vector3d> gradient);
 
 /// state (+) step: R exp(dr), the rest added.
 JointState moved(const JointProblem& problem, const JointState& state, const Eigen::VectorXd& cells,

@@ -1,5 +1,6 @@
 #include "hexoderm/reconstruction/joint/joint_refinement.h"
 
+#include "hexoderm/reconstruction/joint/patch_evidence.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/median.h"
 
@@ -10,10 +11,9 @@
 namespace hexoderm {
 namespace {
 
-// A hand turns the part while it is sampled; over a patch of this size its lever arm shows in the readings.
-constexpr std::size_t kCellsForAccelerations = 100;
-constexpr double kLinksPerCellOfASheet = 1.2;      // a chain has less than one, a wide sheet two
-constexpr std::size_t kPosesForAccelerations = 3;  // with two they do harm
+constexpr std::size_t kCellsOfLargePart = 100;
+/// Angular acceleration that a hand's tremor of 0.05 degrees at 4 to 12 Hz leaves in a mean over 0.1 s, rms per axis.
+constexpr double kTremorAcceleration_rad_s2 = 0.6;
 // With many poses tremor averages out (widenNoise), and the dense part of the equations is small enough without
 // them.
 constexpr std::size_t kMostPosesForAccelerations = 50;
@@ -71,6 +71,15 @@ class SolvedCovariance : public PlacementCovariance {
   std::shared_ptr<const JointCovariance> covariance_;
 };
 
+std::vector<Matrix6d> covariancesOf(const JointProblem& problem, const JointState& state) {
+  NormalEquations equations;
+  linearize(problem, state, equations);
+  const JointCovariance covariance(problem, equations);
+  std::vector<Matrix6d> cells;
+  for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) cells.push_back(covariance.cell(cell));
+  return cells;
+}
+
 }  // namespace
 
 JointRefinement::JointRefinement(const CellModel& model, const SkinGraph& graph, const GravityTable& table,
@@ -81,10 +90,8 @@ JointRefinement::JointRefinement(const CellModel& model, const SkinGraph& graph,
   problem_->gap = gapShareOf(options.gap_model);
   problem_->link_sigma_m = model.link_sigma_m;
   JointState& state = solution_.state;
-  for (const std::size_t cell : cells_) {
-    state.cells.push_back(placements[cell]);
-    state.middle_o += placements[cell].t / static_cast<double>(cells_.size());
-  }
+  state.cells = placements;
+  for (const SE3& placement : placements) state.middle_o += placement.t / static_cast<double>(cells_.size());
   problem_->origin = localOf(origin);
   state.gap_share = problem_->gap.mean;
 
@@ -98,7 +105,7 @@ JointRefinement::JointRefinement(const CellModel& model, const SkinGraph& graph,
       const GravityTable::Entry& entry = table.at(cell, pose);
       if (!entry.usable) continue;
       problem_->readings[local].push_back({poses_.size(), R_a_u * entry.mean_g, entry.variance_g2});
-      sum += placements[cell].R * entry.mean_g.normalized();
+      sum += placements[local].R * entry.mean_g.normalized();
       any = true;
     }
     if (!any) continue;
@@ -107,7 +114,7 @@ JointRefinement::JointRefinement(const CellModel& model, const SkinGraph& graph,
     state.acceleration_o.push_back(Eigen::Vector3d::Zero());
   }
   problem_->poses = poses_.size();
-  const bool large = cells_.size() >= kCellsForAccelerations;
+  const bool large = cells_.size() >= kCellsOfLargePart;
   problem_->force_sigma_g = large ? kForceSigmaOfLargePart_g : kForceSigma_g;
 
   for (const std::size_t cell : cells_) {
@@ -123,10 +130,8 @@ JointRefinement::JointRefinement(const CellModel& model, const SkinGraph& graph,
     problem_->links.push_back({localOf(link.source), localOf(link.target), source.vector_m, target.vector_m,
                                nominalAlignment(source, target)});
   }
-  // A strip could be bent just as an acceleration makes its readings look; the loops of a sheet tell the two apart.
-  const bool sheet = static_cast<double>(links_.size()) >= kLinksPerCellOfASheet * static_cast<double>(cells_.size());
-  problem_->accelerations =
-      large && sheet && poses_.size() >= kPosesForAccelerations && poses_.size() <= kMostPosesForAccelerations;
+  problem_->accelerations = cells_.size() > 1 && poses_.size() <= kMostPosesForAccelerations;
+  problem_->acceleration_sigma = kTremorAcceleration_rad_s2;
 }
 
 std::size_t JointRefinement::localOf(std::size_t cell) const {
@@ -136,18 +141,34 @@ std::size_t JointRefinement::localOf(std::size_t cell) const {
 void JointRefinement::solve(const std::stop_token& stop) {
   JointSolverOptions options;
   options.stop = stop;
-  solveWithLinkSpread(options);
+  solveWithSpreads(options);
   if (stop.stop_requested()) return;
-  if (!problem_->accelerations && accelerationsShow()) {
-    problem_->accelerations = true;
-    solution_ = solveJointly(*problem_, solution_.state, options);
-    if (stop.stop_requested()) return;
-  }
   fitSensors();
   if (widenNoise()) {
-    solveWithLinkSpread(options);
+    solveWithSpreads(options);
     if (stop.stop_requested()) return;
     fitSensors();
+  }
+}
+
+/// Solves with the spread of the links and of the angular accelerations that the data themselves show, weighed against
+/// what is known beforehand.
+void JointRefinement::solveWithSpreads(const JointSolverOptions& options) {
+  constexpr int kRounds = 3;
+  constexpr double kSettled = 0.05;
+  for (int round = 0;; ++round) {
+    solution_ = solveJointly(*problem_, solution_.state, options);
+    if (round == kRounds || solution_.termination == JointTermination::Stopped) return;
+    const double link_sigma_m = seenLinkSpread_m();
+    const double acceleration_sigma = seenAccelerations_rad_s2();
+    const auto settled = [](double now, double next) {
+      return std::abs(next * next - now * now) < kSettled * now * now;
+    };
+    if (settled(problem_->link_sigma_m, link_sigma_m) && settled(problem_->acceleration_sigma, acceleration_sigma)) {
+      return;
+    }
+    problem_->link_sigma_m = link_sigma_m;
+    problem_->acceleration_sigma = acceleration_sigma;
   }
 }
 
@@ -155,38 +176,30 @@ void JointRefinement::solve(const std::stop_token& stop) {
 /// strongly curved surfaces do not. The estimate weighs that against the model, as if the model had been seen on so
 /// many axes. It never goes below the model: cells that sit askew in the mould err alike on all their links, which
 /// neighbouring loops don't show and distant cells feel.
-void JointRefinement::solveWithLinkSpread(const JointSolverOptions& options) {
+double JointRefinement::seenLinkSpread_m() const {
   constexpr double kWeightOfModel = 30;
-  constexpr int kRounds = 3;
-  constexpr double kSettled = 0.05;
   const double links = static_cast<double>(problem_->links.size());
   const double redundancy = 3 * (links - static_cast<double>(cells_.size()) + 1) - 1;
+  if (redundancy <= 0) return problem_->link_sigma_m;
   const double model_sq = std::pow(problem_->model->link_sigma_m, 2);
-  for (int round = 0;; ++round) {
-    solution_ = solveJointly(*problem_, solution_.state, options);
-    if (redundancy <= 0 || round == kRounds || solution_.termination == JointTermination::Stopped) return;
-    const double now_sq = problem_->link_sigma_m * problem_->link_sigma_m;
-    const double seen_sq =
-        (kWeightOfModel * model_sq + closureCost(*problem_, solution_.state) * now_sq) / (kWeightOfModel + redundancy);
-    const double next_sq = std::max(model_sq, seen_sq);
-    if (std::abs(next_sq - now_sq) < kSettled * now_sq) return;
-    problem_->link_sigma_m = std::sqrt(next_sq);
-  }
+  const double closure_m2 = closureCost(*problem_, solution_.state) * std::pow(problem_->link_sigma_m, 2);
+  const double seen_sq = (kWeightOfModel * model_sq + closure_m2) / (kWeightOfModel + redundancy);
+  return std::sqrt(std::max(model_sq, seen_sq));
 }
 
-bool JointRefinement::accelerationsShow() const {
-  if (problem_->poses < kPosesForAccelerations || problem_->poses > kMostPosesForAccelerations || cells_.size() < 2) {
-    return false;
+/// A hand turns the part while it is sampled, and the readings show that the more, the further a cell is from the
+/// middle. How hard it swings differs from hand to hand: the spread of all poses is estimated with them (expectation
+/// maximisation), weighed against a usual tremor as if that had been seen on so many axes. Where the readings can't
+/// tell a swing from a bend of the skin, the spread stays what it is beforehand, and so does the stated uncertainty: no
+/// model switches on between one pose and the next.
+double JointRefinement::seenAccelerations_rad_s2() const {
+  constexpr double kWeightOfTremor = 10;
+  if (!problem_->accelerations) return problem_->acceleration_sigma;
+  double squared = kWeightOfTremor * kTremorAcceleration_rad_s2 * kTremorAcceleration_rad_s2;
+  for (std::size_t pose = 0; pose < problem_->poses; ++pose) {
+    squared += solution_.state.acceleration_o[pose].squaredNorm() + solution_.covariance->acceleration(pose).trace();
   }
-  // The gain of a first step with accelerations, compared with the gain by chance.
-  JointProblem with = *problem_;
-  with.accelerations = true;
-  JointSolverOptions one_step;
-  one_step.max_iterations = 1;
-  one_step.covariance = false;
-  const double gain = 2 * (solution_.cost - solveJointly(with, solution_.state, one_step).cost);
-  constexpr double kClearly = 4;
-  return Misfit{gain, 3 * static_cast<double>(problem_->poses)}.deviate() > kClearly;
+  return std::sqrt(squared / (kWeightOfTremor + 3 * static_cast<double>(problem_->poses)));
 }
 
 void JointRefinement::fitSensors() {
@@ -253,18 +266,23 @@ Misfit JointRefinement::misfitOf(std::size_t cell) const {
   return testRigidity(AccelerometerPrior(problem_->model->accelerometer), problem_->readings[at], sensors_[at].v_g);
 }
 
-double JointRefinement::poseMisfit(std::size_t pose) const {
-  double sum = 0;
-  std::size_t count = 0;
+TurnBetweenPoses JointRefinement::turnOf(std::size_t cell) const {
+  const std::size_t at = localOf(cell);
+  return findTurn(AccelerometerPrior(problem_->model->accelerometer), problem_->readings[at], sensors_[at].v_g);
+}
+
+std::vector<double> JointRefinement::poseMisfits() const {
+  std::vector<double> sums(poses_.size(), 0);
+  std::vector<double> counts(poses_.size(), 0);
   for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
     const std::vector<CellReading>& readings = problem_->readings[cell];
     for (std::size_t k = 0; k < readings.size(); ++k) {
-      if (poses_[readings[k].pose] != pose) continue;
-      sum += sensors_[cell].fit.residual_g[k].squaredNorm() / (3 * readings[k].variance_g2);
-      ++count;
+      sums[readings[k].pose] += sensors_[cell].fit.residual_g[k].squaredNorm() / (3 * readings[k].variance_g2);
+      counts[readings[k].pose] += 1;
     }
   }
-  return count == 0 ? 0 : std::sqrt(sum / static_cast<double>(count));
+  for (std::size_t k = 0; k < sums.size(); ++k) sums[k] = counts[k] == 0 ? 0 : std::sqrt(sums[k] / counts[k]);
+  return sums;
 }
 
 std::optional<JointRefinement::OpenLink> JointRefinement::widestOpen() const {
@@ -287,6 +305,39 @@ Eigen::Vector3d JointRefinement::correctedReading(std::size_t cell, const Eigen:
   return R_u_a * fit.gain.inverse() * (R_u_a.transpose() * mean_g - fit.offset_g);
 }
 
+CellReading JointRefinement::foretold(std::size_t local, std::size_t pose, const JointState& state) const {
+  std::vector<double> variances;
+  for (const CellReading& reading : problem_->readings[local]) variances.push_back(reading.variance_g2);
+  const Eigen::Matrix3d R_o_a = state.cells[local].R * problem_->model->accelerometer.T_u_a.R;
+  const Eigen::Vector3d v_g = R_o_a.transpose() * specificForce(*problem_, state, local, pose);
+  const AccelerometerFit& fit = sensors_[local].fit;
+  return {pose, fit.gain * v_g + fit.offset_g, median(std::move(variances))};
+}
+
+std::vector<Matrix6d> JointRefinement::covariancesWithPose(const Eigen::Vector3d& up_o) const {
+  JointProblem with = *problem_;
+  JointState state = solution_.state;
+  const std::size_t pose = with.poses++;
+  state.force_o.push_back(up_o);
+  state.acceleration_o.push_back(Eigen::Vector3d::Zero());
+  for (std::size_t local = 0; local < cells_.size(); ++local) {
+    if (!with.readings[local].empty()) with.readings[local].push_back(foretold(local, pose, state));
+  }
+  return covariancesOf(with, state);
+}
+
+std::vector<Matrix6d> JointRefinement::covariancesWithAllReadings() const {
+  JointProblem with = *problem_;
+  for (std::size_t local = 0; local < cells_.size(); ++local) {
+    const std::vector<CellReading>& own = problem_->readings[local];
+    for (std::size_t pose = 0; pose < with.poses && !own.empty(); ++pose) {
+      if (std::ranges::find(own, pose, &CellReading::pose) != own.end()) continue;
+      with.readings[local].push_back(foretold(local, pose, solution_.state));
+    }
+  }
+  return covariancesOf(with, solution_.state);
+}
+
 std::shared_ptr<const PlacementCovariance> JointRefinement::placementCovariance(const SkinGraph& graph) const {
   std::vector<CellId> ids;
   for (const std::size_t cell : cells_) ids.push_back(graph.cells()[cell].id);
@@ -294,6 +345,16 @@ std::shared_ptr<const PlacementCovariance> JointRefinement::placementCovariance(
 }
 
 const AccelerometerFit& JointRefinement::sensorOf(std::size_t cell) const { return sensors_[localOf(cell)].fit; }
+
+std::span<const CellReading> JointRefinement::readingsOf(std::size_t cell) const {
+  return problem_->readings[localOf(cell)];
+}
+
+std::span<const Eigen::Vector3d> JointRefinement::forcesAt(std::size_t cell) const {
+  return sensors_[localOf(cell)].v_g;
+}
+
+SensorEvidence JointRefinement::sensorEvidence() const { return evidenceOfPatch(*problem_, solution_.state, sensors_); }
 
 Eigen::Matrix3d JointRefinement::linkCovariance(std::size_t link_index) const {
   const auto at = static_cast<std::size_t>(std::ranges::lower_bound(links_, link_index) - links_.begin());

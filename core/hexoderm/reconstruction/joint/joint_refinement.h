@@ -3,11 +3,13 @@
 #include "hexoderm/reconstruction/result/reconstruction.h"
 
 #include "hexoderm/reconstruction/accelerometer/rigidity.h"
+#include "hexoderm/reconstruction/accelerometer/sensor_evidence.h"
 #include "hexoderm/reconstruction/joint/joint_solver.h"
 #include "hexoderm/reconstruction/links/gravity_table.h"
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace hexoderm {
@@ -16,13 +18,12 @@ namespace hexoderm {
 /// placements, in the terms of the skin's graph.
 class JointRefinement {
  public:
-  /// `cells`: of the patch, ascending; `placements`: per cell of the graph, in the origin's frame.
+  /// `cells`: of the patch, ascending; `placements`: of these, in the origin's frame.
   JointRefinement(const CellModel& model, const SkinGraph& graph, const GravityTable& table,
                   const SolverOptions& options, const std::vector<std::size_t>& cells, std::size_t origin,
                   const std::vector<SE3>& placements);
 
-  /// Solves from the latest state, unless `stop` is requested: then what is there is no solution. Angular accelerations
-  /// are estimated where the patch is large enough to show them, or where the data say so.
+  /// Solves from the latest state, unless `stop` is requested: then what is there is no solution.
   void solve(const std::stop_token& stop);
 
   /// From now on the cell is placed by its links. Needs another solve().
@@ -31,8 +32,10 @@ class JointRefinement {
   /// Misfit of a cell's readings with the gravity that all others agree on, for the best attitude of the cell;
   /// meaningless with fewer than two readings.
   [[nodiscard]] Misfit misfitOf(std::size_t cell) const;
-  /// Rms over the cells of what one pose leaves unexplained, in standard deviations of its readings.
-  [[nodiscard]] double poseMisfit(std::size_t pose) const;
+  /// The turn of a cell between two of its readings that explains them best; needs two readings.
+  [[nodiscard]] TurnBetweenPoses turnOf(std::size_t cell) const;
+  /// Per pose of poses(): rms over the cells of what it leaves unexplained, in standard deviations of its readings.
+  [[nodiscard]] std::vector<double> poseMisfits() const;
 
   /// The link (of the graph) that misses its loops by the most, and by how much.
   struct OpenLink {
@@ -45,8 +48,19 @@ class JointRefinement {
   [[nodiscard]] const Matrix6d& covarianceOf(std::size_t cell) const;  ///< see CellPlacement::cov_t_r
   /// A reading (cell frame) freed from the offset, gains and cross-axis sensitivity estimated for its sensor.
   [[nodiscard]] Eigen::Vector3d correctedReading(std::size_t cell, const Eigen::Vector3d& mean_g) const;
+  /// The covariances of all cells (CellPlacement::cov_t_r, in the order of the patch's cells) that the patch would have
+  /// with more readings, each as the estimate foretells it and as noisy as the cell's others: of another pose with
+  /// `up_o` (unit, patch frame) up, in every cell that has readings; or of the poses that it has, in the cells that
+  /// lack them there. Costs about as much as a step of the solver with its covariance.
+  [[nodiscard]] std::vector<Matrix6d> covariancesWithPose(const Eigen::Vector3d& up_o) const;
+  [[nodiscard]] std::vector<Matrix6d> covariancesWithAllReadings() const;
   [[nodiscard]] std::shared_ptr<const PlacementCovariance> placementCovariance(const SkinGraph& graph) const;
   [[nodiscard]] const AccelerometerFit& sensorOf(std::size_t cell) const;
+  /// The readings of a cell that are used, and per reading the specific force in the accelerometer's axes.
+  [[nodiscard]] std::span<const CellReading> readingsOf(std::size_t cell) const;
+  [[nodiscard]] std::span<const Eigen::Vector3d> forcesAt(std::size_t cell) const;
+  /// What the readings say about the sensors of the cells that have any, in the order of the patch's cells.
+  [[nodiscard]] SensorEvidence sensorEvidence() const;
   [[nodiscard]] const JointSolution& solution() const { return solution_; }
   [[nodiscard]] const JointProblem& problem() const { return *problem_; }
   /// Poses of the table that the patch has readings in; the solution's poses, in its order.
@@ -57,11 +71,13 @@ class JointRefinement {
  private:
   /// Place of a cell of the graph in the problem.
   [[nodiscard]] std::size_t localOf(std::size_t cell) const;
+  [[nodiscard]] CellReading foretold(std::size_t local, std::size_t pose, const JointState& state) const;
   void fitSensors();
   bool widenNoise();
   [[nodiscard]] double squaredLever(std::size_t cell) const;
-  void solveWithLinkSpread(const JointSolverOptions& options);
-  [[nodiscard]] bool accelerationsShow() const;
+  void solveWithSpreads(const JointSolverOptions& options);
+  [[nodiscard]] double seenLinkSpread_m() const;
+  [[nodiscard]] double seenAccelerations_rad_s2() const;
 
   std::vector<std::size_t> cells_;  ///< indices in the graph, ascending; in the problem's order
   std::vector<std::size_t> links_;  ///< the same for links

@@ -3,23 +3,35 @@
 #include "hexoderm/reconstruction/joint/joint_cost.h"
 
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
 namespace hexoderm {
 
+/// What is eliminated first in every step. Optimum and covariance are the same but for rounding.
+enum class JointOrder {
+  CellsFirst,  ///< time grows with the cube of the poses, nearly linearly with the cells
+  PosesFirst,  ///< time grows with the cube of the cells, linearly with the poses; without angular accelerations only
+};
+JointOrder cheaperOrder(const JointProblem& problem);
+
 struct JointSolverOptions {
   int max_iterations = 100;
   /// A step that promises to lower the cost by less than this share of it is the last.
   double cost_tolerance = 1e-8;
-  bool covariance = true;  ///< compute JointSolution::covariance
-  std::stop_token stop;    ///< checked before every step; the state so far is the result, without covariance
+  bool covariance = true;           ///< compute JointSolution::covariance
+  std::optional<JointOrder> order;  ///< absent: cheaperOrder()
+  std::stop_token stop;             ///< checked before every step; the state so far is the result, without covariance
 };
+
+class JointInverse;  // joint_system.h
 
 enum class JointTermination { Converged, Stopped, StepLimit };
 
 /// The inverse of the information matrix at the optimum: how uncertain every unknown is, and how they depend on each
-/// other. Keeps the sparse factor, so that the covariance of any two cells can still be asked for.
+/// other. Keeps the factor, so that the covariance of any two cells can still be asked for. The rest is computed when
+/// it is first asked for.
 class JointCovariance {
  public:
   /// `equations` at the optimum. Throws std::runtime_error if they are not positive definite, which priors prevent.
@@ -36,13 +48,14 @@ class JointCovariance {
   [[nodiscard]] Matrix6d between(std::size_t a, std::size_t b) const;
   /// Covariance of the specific force of a pose, patch frame, g^2.
   [[nodiscard]] Eigen::Matrix3d force(std::size_t pose) const;
+  /// Covariance of the angular acceleration of a pose, patch frame, (rad/s^2)^2; only if they are estimated.
+  [[nodiscard]] Eigen::Matrix3d acceleration(std::size_t pose) const;
   [[nodiscard]] double gapShareSigma() const;  ///< 0 if it is not estimated
 
  private:
   friend struct JointSolver;
-  struct State;
-  explicit JointCovariance(std::unique_ptr<State> state);
-  std::unique_ptr<State> state_;
+  explicit JointCovariance(std::unique_ptr<const JointInverse> inverse);
+  std::unique_ptr<const JointInverse> inverse_;
 };
 
 struct JointSolution {
@@ -54,8 +67,8 @@ struct JointSolution {
 };
 
 /// Levenberg-Marquardt on jointCost from `initial`: plain Gauss-Newton steps while they lower the cost, damped ones
-/// where they don't; first with softer links where they are far from closed. Every step factors one sparse matrix of 6
-/// x 6 blocks (cells) and one dense one (poses).
+/// where they don't; first with softer links where they are far from closed. Every step solves one linear system, in
+/// the order of `options`.
 JointSolution solveJointly(const JointProblem& problem, const JointState& initial,
                            const JointSolverOptions& options = {});
 

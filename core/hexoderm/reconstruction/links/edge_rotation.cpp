@@ -1,10 +1,12 @@
 #include "hexoderm/reconstruction/links/edge_rotation.h"
 
+#include "hexoderm/geometry/covariance.h"
 #include "hexoderm/geometry/procrustes.h"
 #include "hexoderm/util/units.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -16,6 +18,7 @@ constexpr double kUniformSigma = kPi / 1.7320508075688772;  // sigma of an unkno
 constexpr double kShortestCentred_g = 0.05;                 // a shorter difference has no direction worth comparing
 // Keeps the normal equations invertible without support axes.
 constexpr double kUnsupportedInformation = 1e-9;
+constexpr double kLeastVariance_g2 = 1e-18;  // readings without noise weigh alike
 
 /// The gap's axes in the source frame: outward, z x outward, z. Seen from the target the link comes in, hence the
 /// nominal alignment: its columns in the target frame are R_nom^T times these.
@@ -96,7 +99,7 @@ class EdgeSolver {
     const Eigen::Matrix3Xd C = edge.centred ? lessMean(readings_.c_g) : readings_.c_g;
     double sum = 0;
     double expected = 0;
-    std::size_t counted = 0;
+    double weights = 0;
     edge.pose_residual_rad.reserve(static_cast<std::size_t>(N.cols()));
     const Accelerometer& a = model_.accelerometer;
     for (Eigen::Index p = 0; p < N.cols(); ++p) {
@@ -109,15 +112,17 @@ class EdgeSolver {
         const double per_axis =
             readings_.variance_g2[static_cast<std::size_t>(p)] +
             2 * (offset * offset + a.scale_sigma * a.scale_sigma + a.cross_axis_sigma * a.cross_axis_sigma);
-        sum += angle * angle;
-        expected += 2 * per_axis / (length * length);
-        ++counted;
+        // A short window says less than a long one.
+        const double weight = 1 / std::max(per_axis, kLeastVariance_g2);
+        sum += weight * angle * angle;
+        expected += weight * 2 * per_axis / (length * length);
+        weights += weight;
       }
       edge.pose_residual_rad.push_back(angle);
     }
-    if (counted == 0) return;
-    edge.residual_rad = std::sqrt(sum / static_cast<double>(counted));
-    edge.expected_residual_rad = std::sqrt(expected / static_cast<double>(counted));
+    if (weights == 0) return;
+    edge.residual_rad = std::sqrt(sum / weights);
+    edge.expected_residual_rad = std::sqrt(expected / weights);
   }
 
  private:
@@ -144,9 +149,13 @@ class EdgeSolver {
   const EdgeReadings& readings_;
 };
 
-bool applies(SupportAxes axes, EdgeQuality quality) {
-  if (axes == SupportAxes::Auto) return quality == EdgeQuality::Undefined || quality == EdgeQuality::Partially;
-  return axes == SupportAxes::On;
+/// Support axes pull towards the nominal alignment, also where the poses know better: they are for links of which the
+/// poses tell less than the elastomer does.
+bool needsSupport(const EdgeRotation& unsupported, SupportAxes axes, EdgeQuality quality, const CellModel& model) {
+  if (axes != SupportAxes::Auto) return axes == SupportAxes::On;
+  const bool leaves_open = quality == EdgeQuality::Undefined || quality == EdgeQuality::Partially;
+  return leaves_open && largestDeviation(unsupported.covariance) >
+                            std::max({model.twist_sigma_rad, model.bend_sigma_rad, model.yaw_sigma_rad});
 }
 
 }  // namespace
@@ -176,17 +185,18 @@ EdgeRotation estimateEdgeRotation(const CellModel& model, const Port& source, co
   const Eigen::Index poses = readings.n_g.cols();
   const ProcrustesSolution plain = solveProcrustes(unitColumns(readings.n_g), unitColumns(readings.c_g));
   const EdgeQuality quality = classifyEdge(plain.singular_values, options.class_threshold);
-  const bool supported = applies(options.support_axes, quality);
   const EdgeSolver solver(model, source, target, readings);
-
   // Two vectors less their mean are one difference and its opposite: a single direction.
   constexpr Eigen::Index kFewestToCentre = 3;
   const bool may_centre = options.centring != Centring::Off && poses >= kFewestToCentre;
-  EdgeRotation edge = solver.solve(may_centre && options.centring == Centring::On, supported, plain);
-  if (may_centre && options.centring == Centring::Auto) {
+  const auto solve = [&](bool supported) {
+    EdgeRotation edge = solver.solve(may_centre && options.centring == Centring::On, supported, plain);
+    if (!may_centre || options.centring == Centring::On) return edge;
     EdgeRotation centred = solver.solve(true, supported, plain);
-    if (centred.covariance.trace() < edge.covariance.trace()) edge = std::move(centred);
-  }
+    return centred.covariance.trace() < edge.covariance.trace() ? centred : edge;
+  };
+  EdgeRotation edge = solve(false);
+  if (needsSupport(edge, options.support_axes, quality, model)) edge = solve(true);
   edge.singular_values = plain.singular_values;
   edge.quality = quality;
   solver.addResiduals(edge);

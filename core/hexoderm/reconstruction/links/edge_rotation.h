@@ -37,8 +37,9 @@ double paperWeight(EdgeQuality quality);
 
 /// Estimates R_c_n by the constrained orthogonal Procrustes solution, eqs. (13) to (15), of unit vectors or, where
 /// centring applies, of raw vectors less their mean; with the gap's axes appended where support axes apply.
-/// `centring` Auto takes whichever has the smaller predicted deviation. No readings at all: the nominal alignment if
-/// support axes apply, else the identity. Never NaN.
+/// `centring` Auto takes whichever has the smaller predicted deviation; `support_axes` Auto appends them to an edge
+/// that is not fully defined, and that the poses leave more uncertain than the elastomer does. No readings at all: the
+/// nominal alignment if support axes apply, else the identity. Never NaN.
 EdgeRotation estimateEdgeRotation(const CellModel& model, const Port& source, const Port& target,
                                   const EdgeReadings& readings, const SolverOptions& options);
 

@@ -11,8 +11,56 @@ namespace {
 constexpr double kTremorFloor_g = 0.003;
 /// The paper's K, where a file does not say how many samples were averaged.
 constexpr double kDefaultCount = 100;
+/// Degrees of freedom with which a variance is known well enough to weigh a reading.
+constexpr double kEnoughFreedom = 20;
+
+double countOf(const GravitySample& sample) { return sample.count > 0 ? sample.count : kDefaultCount; }
 
 }  // namespace
+
+/// Variances of single samples, pooled over all poses of a cell: the worst axis of each, and the mean of the axes.
+class GravityTable::Scatter {
+ public:
+  Scatter(const SessionSnapshot& snapshot, const SkinGraph& graph) : pooled_(graph.cells().size()) {
+    for (const SessionPose& pose : snapshot.poses) {
+      for (const GravitySample& sample : pose.capture->samples) {
+        const auto cell = graph.indexOf(sample.cell);
+        if (!cell || !sample.cov_g2.allFinite() || worst(sample) <= 0) continue;
+        Pooled& pooled = pooled_[*cell];
+        const double freedom = countOf(sample) - 1;
+        pooled.freedom += freedom;
+        pooled.worst_g2 += freedom * countOf(sample) * worst(sample);
+        pooled.mean_g2 += freedom * countOf(sample) * mean(sample);
+      }
+    }
+  }
+
+  /// Variances of a mean; 0 if nothing states any.
+  [[nodiscard]] double worstOf(std::size_t cell, const GravitySample& sample) const {
+    return completed(sample, worst(sample), pooled_[cell].worst_g2, pooled_[cell].freedom);
+  }
+  [[nodiscard]] double meanOf(std::size_t cell, const GravitySample& sample) const {
+    return completed(sample, mean(sample), pooled_[cell].mean_g2, pooled_[cell].freedom);
+  }
+
+ private:
+  struct Pooled {
+    double freedom = 0;
+    double worst_g2 = 0;  // sums over the poses, weighted by their degrees of freedom
+    double mean_g2 = 0;
+  };
+  static double worst(const GravitySample& sample) { return sample.cov_g2.diagonal().maxCoeff(); }
+  static double mean(const GravitySample& sample) { return sample.cov_g2.trace() / 3; }
+  static double completed(const GravitySample& sample, double stated_g2, double sum_g2, double freedom) {
+    const double stated = std::max(0.0, stated_g2);
+    const double count = countOf(sample);
+    const double missing = kEnoughFreedom - (count - 1);
+    if (missing <= 0 || freedom <= 0) return stated;
+    return ((count - 1) * stated + missing * sum_g2 / freedom / count) / kEnoughFreedom;
+  }
+
+  std::vector<Pooled> pooled_;
+};
 
 GravityTable::GravityTable(const SessionSnapshot& snapshot, const SkinGraph& graph, std::vector<Finding>& findings)
     : cells_(graph.cells().size()), poses_(snapshot.poses.size()), entries_(cells_ * poses_) {
@@ -20,6 +68,7 @@ GravityTable::GravityTable(const SessionSnapshot& snapshot, const SkinGraph& gra
   const double step_variance = accelerometer.lsb_g * accelerometer.lsb_g / 12;
   const double white_variance =
       accelerometer.noise_g_per_sqrt_hz * accelerometer.noise_g_per_sqrt_hz * accelerometer.rate_hz / 2;
+  const Scatter scatter(snapshot, graph);
   std::map<PoseId, std::size_t> first_of;
   for (std::size_t p = 0; p < poses_; ++p) {
     const PoseCapture& capture = *snapshot.poses[p].capture;
@@ -47,14 +96,15 @@ GravityTable::GravityTable(const SessionSnapshot& snapshot, const SkinGraph& gra
         continue;
       }
       if (!sample.mean_g.allFinite() || !sample.cov_g2.allFinite()) continue;
-      const double count = sample.count > 0 ? sample.count : kDefaultCount;
-      const double stated_variance = std::max(0.0, sample.cov_g2.diagonal().maxCoeff());
+      const double stated_variance = scatter.worstOf(*cell, sample);
+      entry.count = countOf(sample);
       entry.mean_g = accelerometer.T_u_a.R * sample.mean_g;
-      entry.sample_sigma_g = std::sqrt(stated_variance * count);
-      entry.variance_g2 = std::max(stated_variance > 0 ? stated_variance : white_variance / count,
-                                   step_variance / count + kTremorFloor_g * kTremorFloor_g);
+      entry.sample_sigma_g = std::sqrt(std::max(0.0, sample.cov_g2.diagonal().maxCoeff()) * entry.count);
+      entry.variance_g2 = std::max(stated_variance > 0 ? stated_variance : white_variance / entry.count,
+                                   step_variance / entry.count + kTremorFloor_g * kTremorFloor_g);
       entry.own_variance_g2 =
-          std::max(stated_variance > 0 ? sample.cov_g2.trace() / 3 : white_variance / count, step_variance / count);
+          std::max(stated_variance > 0 ? scatter.meanOf(*cell, sample) : white_variance / entry.count,
+                   step_variance / entry.count);
       entry.measured = true;
       entry.usable = true;
     }

@@ -10,10 +10,15 @@ namespace hexoderm {
 
 /// The readings of all cells in all poses of a snapshot, laid out for the solver: cells as in the graph, poses as in
 /// the snapshot, turned into the cell frame.
+///
+/// The scatter of a few samples says little about their noise: that of six is a third of the truth or less once in
+/// twenty windows, and such a window would outweigh a long one. What a window lacks to 20 degrees of freedom is taken
+/// from the cell's scatter in all its poses.
 class GravityTable {
  public:
   struct Entry {
     Eigen::Vector3d mean_g = Eigen::Vector3d::Zero();  ///< cell frame, not normalised
+    double count = 0;                                  ///< samples averaged; the paper's K where the file doesn't say
     double variance_g2 = 0;      ///< of the mean, per axis: the worst axis, never below the floor of tremor and steps
     double own_variance_g2 = 0;  ///< of the mean, per axis: from the scatter of the samples, mean of the axes, no floor
     double sample_sigma_g = 0;   ///< scatter of single samples, worst axis; 0 if the file doesn't say
@@ -38,6 +43,8 @@ class GravityTable {
   std::size_t poses_;
   std::vector<std::size_t> enabled_;
   std::vector<Entry> entries_;
+
+  class Scatter;
 };
 
 }  // namespace hexoderm

@@ -20,16 +20,19 @@ struct Carried {
 std::vector<TreePlacement> placeAlongTree(const SkinGraph& graph, const CellModel& model, const ShortestPaths& paths,
                                           const std::vector<EdgeRotation>& edges,
                                           const std::vector<Eigen::Matrix3d>& attitude_covariance) {
-  std::vector<TreePlacement> placements(graph.cells().size());
-  std::vector<Carried> carried(graph.cells().size());
-  const Eigen::Matrix3d origin_covariance = attitude_covariance[paths.root];
+  const auto place = [&graph](std::size_t cell) { return graph.cells()[cell].place; };
+  std::vector<TreePlacement> placements(paths.order.size());
+  std::vector<Carried> carried(paths.order.size());
+  const std::size_t origin = place(paths.root);
+  const Eigen::Matrix3d origin_covariance = attitude_covariance[origin];
 
-  for (const std::size_t n : paths.order) {
-    if (n == paths.root) continue;
-    const std::size_t c = paths.predecessor[n];
+  for (const std::size_t cell : paths.order) {
+    if (cell == paths.root) continue;
+    const std::size_t n = place(cell);
+    const std::size_t c = place(paths.predecessor[n]);
     const GraphLink& link = graph.links()[paths.link[n]];
     const EdgeRotation& edge = edges[paths.link[n]];
-    const bool forward = link.source == c;
+    const bool forward = place(link.source) == c;
     const Port& port_c = model.port(forward ? link.source_port : link.target_port);
     const Port& port_n = model.port(forward ? link.target_port : link.source_port);
     // The reverse edge is exactly the transpose, never estimated twice.
@@ -43,9 +46,9 @@ std::vector<TreePlacement> placeAlongTree(const SkinGraph& graph, const CellMode
     Carried& now = carried[n];
     const Eigen::Vector3d a = T_o_c.R * port_c.vector_m;
     now.b = T_o_n.R * port_n.vector_m;
-    now.first = c == paths.root ? a : before.first;
+    now.first = c == origin ? a : before.first;
     now.links = before.links + 1;
-    if (c != paths.root) {
+    if (c != origin) {
       const Eigen::Matrix3d lever = skew(a - before.b);
       const Eigen::Matrix3d own = T_o_c.R * attitude_covariance[c] * T_o_c.R.transpose();
       now.u_covariance = before.u_covariance + lever * own * lever.transpose();
@@ -55,7 +58,7 @@ std::vector<TreePlacement> placeAlongTree(const SkinGraph& graph, const CellMode
     F.topRightCorner<3, 3>() = -skew(a - now.b);
     Eigen::Matrix<double, 6, 3> G;
     G << skew(now.b), Eigen::Matrix3d::Identity();
-    const Eigen::Matrix3d R_o_source = placements[link.source].T_o_u.R;
+    const Eigen::Matrix3d R_o_source = placements[place(link.source)].T_o_u.R;
     const Eigen::Matrix3d prior = R_o_source * edge.prior_part * R_o_source.transpose();
     now.prior_covariance = F * before.prior_covariance * F.transpose() + G * prior * G.transpose();
 

@@ -19,8 +19,8 @@ struct TreePlacement {
 /// of its own and the origin's; what the poses don't show is the elastomer's to vary, link by link, and adds up; link
 /// points meet within the model's link_sigma_m.
 ///
-/// `edges`: per link of the graph. `attitude_covariance`: per cell, in the cell frame. Result: per cell of the graph;
-/// entries of other patches stay at their defaults.
+/// `edges`: per link of the graph. `attitude_covariance`: per cell of the patch, in the cell frame. Result: per cell of
+/// the patch; both at GraphCell::place.
 std::vector<TreePlacement> placeAlongTree(const SkinGraph& graph, const CellModel& model, const ShortestPaths& paths,
                                           const std::vector<EdgeRotation>& edges,
                                           const std::vector<Eigen::Matrix3d>& attitude_covariance);

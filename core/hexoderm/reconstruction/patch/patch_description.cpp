@@ -12,7 +12,7 @@ namespace {
 
 std::vector<CellId> pathTo(const SkinGraph& graph, const ShortestPaths& paths, std::size_t cell) {
   std::vector<CellId> path;
-  for (std::size_t step = cell; step != kNoIndex; step = paths.predecessor[step])
+  for (std::size_t step = cell; step != kNoIndex; step = paths.predecessor[graph.cells()[step].place])
     path.push_back(graph.cells()[step].id);
   std::ranges::reverse(path);
   return path;
@@ -33,8 +33,9 @@ CellPlacement describeCell(const SkinLinks& skin, const PatchSolver& patch, std:
       placement.accel_scale = joint->sensorOf(cell).gain.diagonal();
     }
   } else {
-    placement.T_o_u = patch.treePlacements()[cell].T_o_u;
-    placement.cov_t_r = patch.treePlacements()[cell].covariance;
+    const TreePlacement& placed = patch.treePlacements()[graph_cell.place];
+    placement.T_o_u = placed.T_o_u;
+    placement.cov_t_r = placed.covariance;
   }
   placement.path = pathTo(skin.graph(), patch.paths(), cell);
   for (const CellSensor& sensor : skin.model().sensors) {
@@ -66,7 +67,8 @@ std::vector<GravityDirection> treeGravity(const SkinLinks& skin, const PatchSolv
     std::vector<Eigen::Vector3d> seen;
     for (const std::size_t cell : patch.cells()) {
       const GravityTable::Entry& entry = skin.table().at(cell, pose);
-      if (entry.usable) seen.push_back(patch.treePlacements()[cell].T_o_u.R * entry.mean_g.normalized());
+      const SE3& T_o_u = patch.treePlacements()[skin.graph().cells()[cell].place].T_o_u;
+      if (entry.usable) seen.push_back(T_o_u.R * entry.mean_g.normalized());
     }
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const Eigen::Vector3d& g : seen) sum += g;
@@ -90,20 +92,25 @@ void estimateJointly(const SkinLinks& skin, const JointRefinement& joint, std::s
   estimate.supported = false;
   if (!skin.readings().measured(link)) return;
   double sum = 0;
-  std::size_t count = 0;
+  double weights = 0;
   for (const std::size_t pose : skin.readings().posesOf(link)) {
-    const Eigen::Vector3d c = joint.correctedReading(link.source, skin.table().at(link.source, pose).mean_g);
-    const Eigen::Vector3d n = joint.correctedReading(link.target, skin.table().at(link.target, pose).mean_g);
+    const GravityTable::Entry& at_source = skin.table().at(link.source, pose);
+    const GravityTable::Entry& at_target = skin.table().at(link.target, pose);
+    const Eigen::Vector3d c = joint.correctedReading(link.source, at_source.mean_g);
+    const Eigen::Vector3d n = joint.correctedReading(link.target, at_target.mean_g);
     const double angle = angleBetween(c, estimate.R_c_n * n);
     estimate.pose_residual_rad[pose] = angle;
-    sum += angle * angle;
-    ++count;
+    // A short window says less than a long one.
+    const double weight = 1 / (at_source.variance_g2 + at_target.variance_g2);
+    sum += weight * angle * angle;
+    weights += weight;
   }
-  if (count > 0) estimate.residual_rad = std::sqrt(sum / static_cast<double>(count));
+  if (weights > 0) estimate.residual_rad = std::sqrt(sum / weights);
 }
 
-bool isInTree(const ShortestPaths& paths, const GraphLink& link, std::size_t index) {
-  return paths.link[link.source] == index || paths.link[link.target] == index;
+bool isInTree(const SkinGraph& graph, const ShortestPaths& paths, std::size_t index) {
+  const GraphLink& link = graph.links()[index];
+  return paths.link[graph.cells()[link.source].place] == index || paths.link[graph.cells()[link.target].place] == index;
 }
 
 LinkEstimate describeLink(const SkinLinks& skin, const PatchSolver& patch, std::size_t index, double weight) {
@@ -121,7 +128,7 @@ LinkEstimate describeLink(const SkinLinks& skin, const PatchSolver& patch, std::
   estimate.centred = edge.centred;
   estimate.supported = edge.supported;
   estimate.used = !link.muted();
-  estimate.in_tree = !link.muted() && isInTree(patch.paths(), link, index);
+  estimate.in_tree = !link.muted() && isInTree(skin.graph(), patch.paths(), index);
   estimate.muted_by = link.muted_by;
   estimate.pose_residual_rad = skin.poseResiduals(index);
   if (patch.joint() != nullptr && !link.muted()) estimateJointly(skin, *patch.joint(), index, estimate);

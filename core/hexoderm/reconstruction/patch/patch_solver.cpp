@@ -1,6 +1,7 @@
 #include "hexoderm/reconstruction/patch/patch_solver.h"
 
 #include "hexoderm/reconstruction/faults/suspects.h"
+#include "hexoderm/util/median.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 
@@ -9,17 +10,33 @@
 namespace hexoderm {
 namespace {
 
-/// The covariance of every cell's own attitude error; cells of other patches stay zero.
+/// The covariance of every cell's own attitude error, per cell of the patch.
 std::vector<Eigen::Matrix3d> attitudeCovariances(const SkinLinks& skin, const ShortestPaths& paths) {
-  std::vector<Eigen::Matrix3d> attitude(skin.graph().cells().size(), Eigen::Matrix3d::Zero());
+  const auto place = [&skin](std::size_t cell) { return skin.graph().cells()[cell].place; };
+  std::vector<Eigen::Matrix3d> attitude(paths.order.size());
   std::size_t first_link = kNoIndex;
   for (const std::size_t cell : paths.order) {
     if (cell == paths.root) continue;
-    if (first_link == kNoIndex) first_link = paths.link[cell];
-    attitude[cell] = skin.attitudeCovariance(cell, paths.link[cell]);
+    const std::size_t link = paths.link[place(cell)];
+    if (first_link == kNoIndex) first_link = link;
+    attitude[place(cell)] = skin.attitudeCovariance(cell, link);
   }
-  attitude[paths.root] = skin.attitudeCovariance(paths.root, first_link);
+  attitude[place(paths.root)] = skin.attitudeCovariance(paths.root, first_link);
   return attitude;
+}
+
+/// Per cell of a patch. Everything is placed relative to the origin, so it must be a cell that measures, in at least as
+/// many poses as half of the patch does.
+std::vector<bool> eligibleOrigins(const SkinLinks& skin, const std::vector<std::size_t>& cells) {
+  std::vector<double> counts;
+  for (const std::size_t cell : cells) counts.push_back(static_cast<double>(skin.table().usablePoses(cell).size()));
+  std::vector<double> measured = counts;
+  std::erase(measured, 0);
+  std::vector<bool> eligible(cells.size(), false);
+  if (measured.empty()) return eligible;
+  const double usual = median(std::move(measured));
+  for (std::size_t k = 0; k < cells.size(); ++k) eligible[k] = counts[k] >= usual;
+  return eligible;
 }
 
 Finding describeOpenLink(const SkinGraph& graph, const JointRefinement::OpenLink& open, double limit_m) {
@@ -36,65 +53,97 @@ Finding describeOpenLink(const SkinGraph& graph, const JointRefinement::OpenLink
 }  // namespace
 
 PatchSolver::PatchSolver(SkinLinks& skin, std::span<const double> weights, std::size_t patch)
-    : skin_(skin),
-      patch_(patch),
-      cells_(skin.graph().patches()[patch]),
-      paths_(findShortestPaths(skin.graph(), weights, findOrigin(skin.graph(), weights, patch))),
-      placements_(placeAlongTree(skin.graph(), skin.model(), paths_, skin.edges(), attitudeCovariances(skin, paths_))) {
+    : skin_(skin), weights_(weights), patch_(patch), cells_(skin.graph().patches()[patch]) {
+  placeAlongPaths();
 }
 
-Completion PatchSolver::refine(const Reconstruction* earlier, const std::stop_token& stop,
+void PatchSolver::placeAlongPaths() {
+  const SkinGraph& graph = skin_.graph();
+  paths_ = findShortestPaths(graph, weights_, findOrigin(graph, weights_, patch_, eligibleOrigins(skin_, cells_)));
+  placements_ = placeAlongTree(graph, skin_.model(), paths_, skin_.edges(), attitudeCovariances(skin_, paths_));
+}
+
+std::unique_ptr<JointRefinement> PatchSolver::jointFrom(const PatchReconstruction* earlier) const {
+  return std::make_unique<JointRefinement>(skin_.model(), skin_.graph(), skin_.table(), skin_.options(), cells_,
+                                           origin(), startingPlacements(earlier));
+}
+
+Completion PatchSolver::refine(const PatchReconstruction* earlier, const std::stop_token& stop,
                                std::vector<Finding>& findings) {
-  joint_ = std::make_unique<JointRefinement>(skin_.model(), skin_.graph(), skin_.table(), skin_.options(), cells_,
-                                             origin(), startingPlacements(earlier));
+  joint_ = jointFrom(earlier);
   joint_->solve(stop);
   if (stop.stop_requested()) return Completion::Stopped;
-  bool dropped = false;
-  while (const auto cell = worstSensor()) {
-    findings.push_back(describeBadSensor(skin_.graph(), skin_.table(), skin_.snapshot(), *cell, isLeaf(*cell)));
-    skin_.dropCell(*cell);
-    joint_->leaveOut(*cell);
+  std::vector<std::size_t> suspicious;
+  while (const auto bad = worstSensor(suspicious)) {
+    const bool is_clear = joint_->misfitOf(bad->cell).deviate() > kClearly * skin_.options().max_misfit;
+    if (hasTooFewPoses(skin_.table(), bad->cell) && !is_clear) {
+      addOnce(findings, describeSuspiciousSensor(skin_.graph(), skin_.table(), bad->cell));
+      suspicious.push_back(bad->cell);
+      continue;
+    }
+    findings.push_back(describe(*bad));
+    skin_.dropCell(bad->cell);
+    if (bad->cell == origin()) {
+      skin_.estimateEdges();
+      placeAlongPaths();
+      joint_ = jointFrom(nullptr);
+    } else {
+      joint_->leaveOut(bad->cell);
+    }
     joint_->solve(stop);
     if (stop.stop_requested()) return Completion::Stopped;
-    dropped = true;
+    dropped_cells_ = true;
   }
-  if (dropped) skin_.estimateEdges();
   return Completion::Finished;
 }
 
 /// Placements of the earlier result, if it had exactly the cells of this patch and the same origin; else the tree's.
-std::vector<SE3> PatchSolver::startingPlacements(const Reconstruction* earlier) const {
+std::vector<SE3> PatchSolver::startingPlacements(const PatchReconstruction* earlier) const {
   const std::vector<GraphCell>& graph_cells = skin_.graph().cells();
-  std::vector<SE3> placements(graph_cells.size());
-  for (const std::size_t cell : cells_) placements[cell] = placements_[cell].T_o_u;
-  if (earlier == nullptr || earlier->solver != solverName(Solver::Global)) return placements;
-  const CellId origin_id = graph_cells[origin()].id;
-  const PatchReconstruction* known = earlier->find(origin_id).patch;
+  std::vector<SE3> placements;
+  for (const TreePlacement& placement : placements_) placements.push_back(placement.T_o_u);
   const bool is_same =
-      known != nullptr && known->origin == origin_id &&
+      earlier != nullptr && earlier->origin == graph_cells[origin()].id &&
       std::ranges::equal(
-          cells_, known->cells, {}, [&](std::size_t cell) { return graph_cells[cell].id; }, &CellPlacement::cell);
-  for (std::size_t k = 0; is_same && k < cells_.size(); ++k) placements[cells_[k]] = known->cells[k].T_o_u;
+          cells_, earlier->cells, {}, [&](std::size_t cell) { return graph_cells[cell].id; }, &CellPlacement::cell);
+  for (std::size_t k = 0; is_same && k < cells_.size(); ++k) placements[k] = earlier->cells[k].T_o_u;
   return placements;
 }
 
-std::optional<std::size_t> PatchSolver::worstSensor() const {
-  // With two cells, neither is the odd one out.
-  constexpr std::size_t kFewestForAVote = 3;
-  if (cells_.size() < kFewestForAVote) return std::nullopt;
+/// The cell, none of `but`, whose readings fit the gravity of all others worst.
+std::optional<PatchSolver::BadSensor> PatchSolver::worstSensor(const std::vector<std::size_t>& but) const {
   // With hundreds of poses the smallest misfit is significant; only one that also matters makes a sensor useless.
   constexpr double kLeastTimes = 2;
-  std::optional<std::size_t> worst;
+  std::optional<BadSensor> worst;
   double worst_misfit = skin_.options().max_misfit;
   for (const std::size_t cell : cells_) {
     if (!skin_.readings().measured(cell) || skin_.table().usablePoses(cell).size() < 2) continue;
+    if (std::ranges::count(but, cell) > 0) continue;
     const Misfit found = joint_->misfitOf(cell);
     const double misfit = found.deviate();
     if (misfit <= worst_misfit || found.chi_squared < kLeastTimes * found.degrees) continue;
-    worst = cell;
+    worst = BadSensor{cell, std::nullopt};
     worst_misfit = misfit;
   }
+  if (worst) worst->turn = turnOf(worst->cell);
   return worst;
+}
+
+/// The turn against the others between two poses that explains what a cell reads, if one does.
+std::optional<TurnBetweenPoses> PatchSolver::turnOf(std::size_t cell) const {
+  const TurnBetweenPoses turn = joint_->turnOf(cell);
+  const Misfit misfit = joint_->misfitOf(cell);
+  const Misfit left{misfit.chi_squared - turn.gain.chi_squared, misfit.degrees - turn.gain.degrees};
+  const bool explains = left.degrees > 0 && left.deviate() <= skin_.options().max_misfit;
+  return explains ? std::optional(turn) : std::nullopt;
+}
+
+Finding PatchSolver::describe(const BadSensor& bad) const {
+  if (!bad.turn) {
+    return describeBadSensor(skin_.graph(), skin_.table(), skin_.snapshot(), bad.cell, isLeaf(bad.cell));
+  }
+  const std::size_t pose = skin_.table().usablePoses(bad.cell)[bad.turn->first_after];
+  return describeMovedCell(skin_.graph(), skin_.snapshot(), bad.cell, pose, bad.turn->angle_rad);
 }
 
 /// One link alone holds the cell.
@@ -123,8 +172,7 @@ void nameInconsistentPoses(const SkinLinks& skin, const PatchSolver& patch, std:
   constexpr double kLargest = 8;
   constexpr double kTimesOthers = 3;
   if (joint.poses().size() < 3) return;
-  std::vector<double> misfits;
-  for (const std::size_t pose : joint.poses()) misfits.push_back(joint.poseMisfit(pose));
+  const std::vector<double> misfits = joint.poseMisfits();
   std::vector<double> sorted = misfits;
   std::ranges::sort(sorted);
   const double usual = sorted[sorted.size() / 2];

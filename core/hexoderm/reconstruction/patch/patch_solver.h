@@ -18,34 +18,48 @@ namespace hexoderm {
 /// Valid until links are muted, which may change the patches. Cells and links are indices of the graph.
 class PatchSolver {
  public:
-  /// Chooses the origin and places the cells along the tree. `weights`: per link (linkWeights()). The skin must outlive
-  /// the solver and have estimated edges.
+  /// Chooses the origin, a cell that measures, and places the cells along the tree. `weights`: per link
+  /// (linkWeights()). Skin and weights must outlive the solver, and the skin have estimated edges.
   PatchSolver(SkinLinks& skin, std::span<const double> weights, std::size_t patch);
 
   /// The joint estimate. A cell whose readings fit the gravity of all others in no position is left out, with a
-  /// finding, and the rest solved again, the worst cell first; its readings are dropped from the skin too, and the
-  /// edges estimated again. `earlier`: a result to start from where it has the same cells and origin; may be null.
-  [[nodiscard]] Completion refine(const Reconstruction* earlier, const std::stop_token& stop,
+  /// finding, and the rest solved again, the worst cell first; its readings are dropped from the skin too, whose edges
+  /// are then to be estimated again. `earlier`: this patch in an earlier result of the global solver, to start from if
+  /// it had the same cells and origin; may be null.
+  [[nodiscard]] Completion refine(const PatchReconstruction* earlier, const std::stop_token& stop,
                                   std::vector<Finding>& findings);
+  [[nodiscard]] bool droppedCells() const { return dropped_cells_; }
 
   [[nodiscard]] std::size_t patch() const { return patch_; }
   [[nodiscard]] std::size_t origin() const { return paths_.root; }
   [[nodiscard]] const std::vector<std::size_t>& cells() const { return cells_; }  ///< ascending
   [[nodiscard]] const ShortestPaths& paths() const { return paths_; }
-  [[nodiscard]] const std::vector<TreePlacement>& treePlacements() const { return placements_; }  ///< per cell
+  /// Per cell of cells().
+  [[nodiscard]] const std::vector<TreePlacement>& treePlacements() const { return placements_; }
   [[nodiscard]] const JointRefinement* joint() const { return joint_.get(); }  ///< null before refine()
 
  private:
-  [[nodiscard]] std::vector<SE3> startingPlacements(const Reconstruction* earlier) const;
-  [[nodiscard]] std::optional<std::size_t> worstSensor() const;
+  [[nodiscard]] std::vector<SE3> startingPlacements(const PatchReconstruction* earlier) const;
+  struct BadSensor {
+    std::size_t cell = 0;
+    std::optional<TurnBetweenPoses> turn;  ///< that is what is wrong with it
+  };
+  [[nodiscard]] std::optional<BadSensor> worstSensor(const std::vector<std::size_t>& but) const;
+  [[nodiscard]] std::optional<TurnBetweenPoses> turnOf(std::size_t cell) const;
+  [[nodiscard]] Finding describe(const BadSensor& bad) const;
   [[nodiscard]] bool isLeaf(std::size_t cell) const;
 
+  void placeAlongPaths();
+  [[nodiscard]] std::unique_ptr<JointRefinement> jointFrom(const PatchReconstruction* earlier) const;
+
   SkinLinks& skin_;
+  std::span<const double> weights_;
   std::size_t patch_;
   std::vector<std::size_t> cells_;
   ShortestPaths paths_;
   std::vector<TreePlacement> placements_;
   std::unique_ptr<JointRefinement> joint_;
+  bool dropped_cells_ = false;
 };
 
 /// Mutes in every refined patch the link that leaves its loops open by more than askew cells can: a cable that looks

@@ -12,24 +12,24 @@ namespace {
 
 /// A port vector seen in the sheet.
 struct FlatPort {
-  Eigen::Vector2d vector_m = Eigen::Vector2d::Zero();
+  Vector2d vector_m = Vector2d::Zero();
   double heading_rad = 0;
 };
 
 FlatPort flatPort(const CellModel& model, PortNumber number) {
   const Port* port = model.findPort(number);
   if (port == nullptr) return {};  // in an imported file; its links then start at the cell's centre
-  const Eigen::Vector2d vector = port->vector_m.head<2>();
+  const Vector2d vector = port->vector_m.head<2>();
   return {vector, std::atan2(vector.y(), vector.x())};
 }
 
-Eigen::Vector2d portPoint(const FlatCell& cell, const FlatPort& port) {
+Vector2d portPoint(const FlatCell& cell, const FlatPort& port) {
   return cell.center + Eigen::Rotation2Dd(cell.angle_rad) * port.vector_m;
 }
 
 /// The neighbour where the link's two port points meet and its two port vectors are opposite: the nominal alignment.
 FlatCell placeNeighbor(const FlatCell& cell, const FlatPort& port, CellId neighbor, const FlatPort& neighbor_port) {
-  FlatCell placed{neighbor, Eigen::Vector2d::Zero(),
+  FlatCell placed{neighbor, Vector2d::Zero(),
                   std::remainder(cell.angle_rad + port.heading_rad + std::numbers::pi - neighbor_port.heading_rad,
                                  2 * std::numbers::pi)};
   placed.center = portPoint(cell, port) - portPoint(placed, neighbor_port);
@@ -41,12 +41,12 @@ class TakenPlaces {
  public:
   explicit TakenPlaces(double least_distance_m) : least_distance_m_(least_distance_m) {}
 
-  [[nodiscard]] bool isFree(const Eigen::Vector2d& center) const {
+  [[nodiscard]] bool isFree(const Vector2d& center) const {
     for (int dx = -1; dx <= 1; ++dx) {
       for (int dy = -1; dy <= 1; ++dy) {
         const auto square = squares_.find(key(center, dx, dy));
         if (square == squares_.end()) continue;
-        for (const Eigen::Vector2d& other : square->second) {
+        for (const Vector2d& other : square->second) {
           if ((other - center).norm() < least_distance_m_) return false;
         }
       }
@@ -54,10 +54,10 @@ class TakenPlaces {
     return true;
   }
 
-  void take(const Eigen::Vector2d& center) { squares_[key(center, 0, 0)].push_back(center); }
+  void take(const Vector2d& center) { squares_[key(center, 0, 0)].push_back(center); }
 
  private:
-  [[nodiscard]] std::uint64_t key(const Eigen::Vector2d& center, int dx, int dy) const {
+  [[nodiscard]] std::uint64_t key(const Vector2d& center, int dx, int dy) const {
     const std::uint32_t x = squareAt(center.x(), dx);
     const std::uint32_t y = squareAt(center.y(), dy);
     return static_cast<std::uint64_t>(x) << 32 | y;
@@ -70,14 +70,14 @@ class TakenPlaces {
   }
 
   double least_distance_m_;
-  std::unordered_map<std::uint64_t, std::vector<Eigen::Vector2d>> squares_;
+  std::unordered_map<std::uint64_t, std::vector<Vector2d>> squares_;
 };
 
 /// Things that keep their shape while they are laid side by side: an island of cells, or a patch of islands.
 struct Block {
   std::vector<FlatCell*> cells;
-  Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
-  Eigen::Vector2d high = Eigen::Vector2d::Constant(-std::numeric_limits<double>::infinity());
+  Vector2d low = Vector2d::Constant(std::numeric_limits<double>::infinity());
+  Vector2d high = Vector2d::Constant(-std::numeric_limits<double>::infinity());
 
   void add(FlatCell* cell) {
     cells.push_back(cell);
@@ -95,22 +95,22 @@ void layInRows(const std::vector<Block>& blocks, double spacing_m) {
   double area = 0;
   double row_width = 0;
   for (const Block& block : blocks) {
-    const Eigen::Vector2d size = (block.high - block.low).array() + spacing_m;
+    const Vector2d size = (block.high - block.low).array() + spacing_m;
     area += size.x() * size.y();
     row_width = std::max(row_width, size.x());
   }
   // About four blocks of one size stay in a row; many make a picture that is wider than it is high.
   row_width = std::max(row_width, std::sqrt(4.5 * area));
-  const Eigen::Vector2d start(blocks.front().low.x(), blocks.front().high.y());
-  Eigen::Vector2d corner = start;
+  const Vector2d start(blocks.front().low.x(), blocks.front().high.y());
+  Vector2d corner = start;
   double row_height = 0;
   for (const Block& block : blocks) {
-    const Eigen::Vector2d size = (block.high - block.low).array() + spacing_m;
+    const Vector2d size = (block.high - block.low).array() + spacing_m;
     if (corner.x() > start.x() && corner.x() + size.x() - start.x() > row_width) {
       corner = {start.x(), corner.y() - row_height};
       row_height = 0;
     }
-    const Eigen::Vector2d shift = corner - Eigen::Vector2d(block.low.x(), block.high.y());
+    const Vector2d shift = corner - Vector2d(block.low.x(), block.high.y());
     for (FlatCell* cell : block.cells) cell->center += shift;
     corner.x() += size.x();
     row_height = std::max(row_height, size.y());
@@ -214,7 +214,7 @@ FlatLayout computeFlatLayout(const CellModel& model, const std::vector<PatchReco
   for (const PatchReconstruction& patch : patches) {
     for (const CellPlacement& cell : patch.cells) {
       index_of.emplace(cell.cell, layout.cells.size());
-      layout.cells.push_back({cell.cell, Eigen::Vector2d::Zero(), 0});
+      layout.cells.push_back({cell.cell, Vector2d::Zero(), 0});
     }
   }
 

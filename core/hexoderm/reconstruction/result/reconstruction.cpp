@@ -7,14 +7,6 @@ namespace hexoderm {
 namespace {
 
 constexpr std::array<std::string_view, 4> kQualityNames = {"un", "partially", "fully", "over"};
-constexpr std::array<std::string_view, 4> kVerdictNames = {"good", "usable", "not_enough", "failed"};
-
-template <class Enum>
-std::optional<Enum> fromName(const std::array<std::string_view, 4>& names, std::string_view name) {
-  const auto found = std::ranges::find(names, name);
-  if (found == names.end()) return std::nullopt;
-  return static_cast<Enum>(found - names.begin());
-}
 
 }  // namespace
 
@@ -33,10 +25,10 @@ std::optional<double> LinkEstimate::knownSigma() const {
 bool LinkEstimate::hasFigures() const { return used || knownResidual() || knownSigma(); }
 
 std::string_view qualityName(EdgeQuality quality) { return kQualityNames.at(static_cast<std::size_t>(quality)); }
-std::optional<EdgeQuality> qualityFromName(std::string_view name) { return fromName<EdgeQuality>(kQualityNames, name); }
-std::string_view verdictName(VerdictLevel level) { return kVerdictNames.at(static_cast<std::size_t>(level)); }
-std::optional<VerdictLevel> verdictFromName(std::string_view name) {
-  return fromName<VerdictLevel>(kVerdictNames, name);
+std::optional<EdgeQuality> qualityFromName(std::string_view name) {
+  const auto found = std::ranges::find(kQualityNames, name);
+  if (found == kQualityNames.end()) return std::nullopt;
+  return static_cast<EdgeQuality>(found - kQualityNames.begin());
 }
 
 const CellPlacement* PatchReconstruction::findCell(CellId cell_id) const {

@@ -2,6 +2,7 @@
 
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/graph/cell_model.h"
+#include "hexoderm/reconstruction/result/assessment.h"
 #include "hexoderm/reconstruction/result/placement_covariance.h"
 #include "hexoderm/reconstruction/result/solver_options.h"
 #include "hexoderm/session/session.h"
@@ -123,31 +124,18 @@ struct PoseSummary {
   std::optional<double> residual_rad;  ///< rms over links
 };
 
-enum class VerdictLevel { Good, Usable, NotEnough, Failed };
-std::string_view verdictName(VerdictLevel level);  ///< "good", "usable", "not_enough", "failed"
-std::optional<VerdictLevel> verdictFromName(std::string_view name);
-
-/// The answer to "is this good enough?", with what to do next, each as one sentence for the operator.
-struct Verdict {
-  VerdictLevel level = VerdictLevel::Failed;
-  Message reason;
-  std::optional<double> position_95_m;  ///< at the worst cell, relative to the origin; absent if not known
-  std::optional<double> orientation_95_rad;
-  Message next_action;
-};
-
 /// A cell in the flat honeycomb drawing of the graph.
 struct FlatCell {
   CellId cell;
-  Eigen::Vector2d center = Eigen::Vector2d::Zero();  ///< metres on the sheet
-  double angle_rad = 0;                              ///< rotation of the cell frame in the sheet
+  Vector2d center = Vector2d::Zero();  ///< metres on the sheet
+  double angle_rad = 0;                ///< rotation of the cell frame in the sheet
 };
 /// A link in the drawing, from port to port; `cut` where a closed surface was cut open there.
 struct FlatLink {
   PatchId patch;
   std::size_t link = 0;  ///< index into that patch's links
-  Eigen::Vector2d from = Eigen::Vector2d::Zero();
-  Eigen::Vector2d to = Eigen::Vector2d::Zero();
+  Vector2d from = Vector2d::Zero();
+  Vector2d to = Vector2d::Zero();
   bool cut = false;
 };
 struct FlatLayout {
@@ -165,7 +153,7 @@ struct Reconstruction {
   std::vector<PoseSummary> poses;          ///< all of the session, disabled ones included
   std::vector<PatchReconstruction> patches;
   std::vector<Finding> findings;
-  Verdict verdict;
+  Assessment assessment;
   FlatLayout layout;
   double solve_seconds = 0;
 

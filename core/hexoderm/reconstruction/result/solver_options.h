@@ -16,7 +16,8 @@ enum class Solver {
 /// Arc: the pitch is kept along the arc. Fit: the data tell the position between the two.
 enum class GapModel { Fit, Arc, Pivot };
 enum class Centring { Auto, On, Off };  ///< subtract each cell's mean vector before the SVD
-/// Append the gap's axes, scaled to 10 %, to the data of edges that are not fully defined.
+/// Append the gap's axes, scaled to 10 %, to the data; Auto: of edges that the poses leave more uncertain than the
+/// elastomer does.
 enum class SupportAxes { Auto, On, Off };
 enum class LinkWeights { Paper, Residual };  ///< 3, 2, 1, 1 by class, or by predicted deviation and residual
 

@@ -11,8 +11,8 @@ struct BlockCouple {
   std::size_t column = 0;
 };
 
-// Orders in which to eliminate the rows of a symmetric matrix so that its Cholesky factor stays sparse: the row by its
-// place in the order. Both are deterministic, for any graph.
+// Orders in which to eliminate the rows of a symmetric matrix so that its Cholesky factor stays sparse. Both return a
+// permutation: result[k] is the row that is eliminated as the k-th. Both are deterministic, for any graph.
 
 /// Approximate minimum degree (Eigen's): best for small and for thin, ragged graphs.
 std::vector<std::size_t> minimumDegreeOrder(std::size_t size, const std::vector<BlockCouple>& couples);

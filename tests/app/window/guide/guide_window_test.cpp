@@ -43,13 +43,15 @@ TEST(UserGuide, LinksAndPicturesLeadSomewhere) {
   const GuideWindow guide;  // has the resources loaded
   static const QRegularExpression target(QStringLiteral("\\]\\(([^)]+)\\)"));
   for (const QString& language : shippedLanguages()) {
+    int targets = 0;
     for (const QString& page : GuideWindow::pages()) {
       const QString text = textOf(language, page);
-      for (auto it = target.globalMatch(text); it.hasNext();) {
+      for (auto it = target.globalMatch(text); it.hasNext(); ++targets) {
         const QString path = QStringLiteral(":/hexoderm/guide/%1/%2").arg(language, it.next().captured(1));
         EXPECT_TRUE(QFile::exists(QDir::cleanPath(path))) << page.toStdString() << ": " << path.toStdString();
       }
     }
+    EXPECT_GT(targets, 0) << language.toStdString();
   }
 }
 

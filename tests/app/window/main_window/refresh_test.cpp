@@ -27,13 +27,13 @@ class PaintCounter : public QObject {
 TEST_F(RefreshTest, AWindowThatHasTheKeyboardIsNotPaintedAnewWhenADialogTakesIt) {
   QTest::mouseClick(find<QWidget>("topBar"), Qt::LeftButton);
   ASSERT_TRUE(waitUntil([this] { return QApplication::focusWidget() == window_.get(); }));
-  QTest::qWait(50);
+  test::letTurnsPass();
   auto* sentence = find<QLabel>("bannerSentence");
   const PaintCounter painted(sentence);
   QMessageBox box(window_.get());
   box.show();
-  ASSERT_TRUE(QTest::qWaitForWindowActive(&box));
-  QTest::qWait(50);
+  ASSERT_TRUE(test::waitUntilActive(box));
+  test::letTurnsPass();
   EXPECT_EQ(painted.count(), 0);
   sentence->update();
   EXPECT_TRUE(waitUntil([&] { return painted.count() > 0; }));
@@ -45,7 +45,7 @@ TEST_F(RefreshTest, TheWindowIsRefreshedOnceHoweverMuchAnActionChanges) {
   controller().liveSession().disconnectSource();
   clickRow("poseView", 0);
   ASSERT_TRUE(waitUntilIdle());
-  QTest::qWait(100);
+  test::letTurnsPass();
   ASSERT_TRUE(action("actionTogglePose")->isEnabled());
 
   const QSignalSpy changed(&controller(), &SessionController::changed);
@@ -53,7 +53,7 @@ TEST_F(RefreshTest, TheWindowIsRefreshedOnceHoweverMuchAnActionChanges) {
   action("actionTogglePose")->trigger();
   EXPECT_EQ(refreshed.count(), 0) << "the window waits for the next turn of the event loop";
   ASSERT_TRUE(waitUntilIdle());
-  QTest::qWait(100);
+  test::letTurnsPass();
   // Once for the pose that is disabled, once for the result that comes later.
   EXPECT_LE(refreshed.count(), 2);
   EXPECT_GE(refreshed.count(), 1);
@@ -64,7 +64,7 @@ TEST_F(RefreshTest, APictureShowsWhatHasJustChanged) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
   controller().liveSession().disconnectSource();
   ASSERT_TRUE(waitUntilIdle());
-  QTest::qWait(100);
+  test::letTurnsPass();
   const QSignalSpy refreshed(window_.get(), &MainWindow::refreshed);
   controller().setPoseDisabled(0, true);
   ASSERT_EQ(refreshed.count(), 0);

@@ -74,7 +74,7 @@ TEST_F(HistoryPresenterTest, RecentFilesWithLongNamesLeaveTheStepsAsNarrowAsThey
   EXPECT_EQ(find<QWidget>("stepsDock")->width(), narrow);
   keepPicture(window_->picture(), "recent-light");
   press(Qt::Key_1, Qt::ControlModifier);
-  QTest::qWait(300);
+  test::letTurnsPass();
   EXPECT_EQ(find<QWidget>("stepsDock")->width(), narrow);
   keepPicture(window_->picture(), "recent-step-light");
 }

@@ -1,6 +1,12 @@
 #include "app/window/presenters/result_presenter.h"
 
+#include "hexoderm/session/session_store.h"
+#include "hexoderm/session/simulated_session.h"
 #include "tests/app/window/window_test.h"
+#include "widgets/patch/patch_captions.h"
+#include "widgets/words/words.h"
+
+#include <QStackedWidget>
 
 namespace hexoderm {
 namespace {
@@ -45,6 +51,33 @@ TEST_F(ResultPresenterTest, OnlyPicturesShowTheMomentInLiveMode) {
   EXPECT_EQ(table_.shown, nullptr);
   controller().liveMode().setOn(false);
   EXPECT_EQ(picture_.shown, controller().reconstruction());
+}
+
+TEST_F(ResultPresenterTest, UntilThereIsAResultEveryViewSaysWhatIsGoingOn) {
+  SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
+  const QString path = pathTo("arm.hexo");
+  writeSessionStore(simulateSession(skin, 2, 20), path.toStdString());
+  const auto said = [this] {
+    window_->showChanges();
+    QStringList texts = {labelText("bannerSentence"), window_->findChild<GraphView*>()->accessibleDescription(),
+                         window_->findChild<PatchCaptions*>()->accessibleName()};
+    for (const char* table : {"poseView", "findingView", "linkView", "cellView"}) {
+      const auto* pages = qobject_cast<QStackedWidget*>(find<QTableView>(table)->parentWidget());
+      const auto* hint = pages ? qobject_cast<QLabel*>(pages->currentWidget()) : nullptr;
+      texts << (hint ? hint->text() : QString());
+    }
+    texts.removeDuplicates();
+    return texts;
+  };
+  EXPECT_GT(said().size(), 1) << "each has a hint of its own";
+  QStringList while_solving;
+  // Its result comes with a later turn of the event loop.
+  QObject::connect(&controller(), &SessionController::opened, window_.get(), [&] { while_solving = said(); });
+  window_->openFile(path);
+  EXPECT_EQ(said(), QStringList{"Opening arm.hexo…"});
+  ASSERT_TRUE(waitForPoses(2));
+  EXPECT_EQ(while_solving, QStringList{"The placements of 17 cells are being worked out…"});
+  EXPECT_TRUE(said().contains(words(controller().reconstruction()->assessment.reason)));
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
 #include "tests/app/window/window_test.h"
-#include "tests/support/reconstruction_builder.h"
+#include "tests/support/hand_made_skins.h"
 #include "tests/support/temporary_folder.h"
 #include "widgets/words/words.h"
 
@@ -37,13 +37,13 @@ Reconstruction awkwardResult() {
                                  Message::verbatim("The part <script> & \"hand\" ends here."), {CellId(3)}),
                      makeFinding(FindingCode::NoPoses,
                                  message("There is no pose yet: the shape shown follows from the ports alone."))};
-  result.verdict.level = VerdictLevel::Usable;
-  result.verdict.reason =
+  result.assessment.level = VerdictLevel::Usable;
+  result.assessment.reason =
       message("Usable: {} at the worst cell (95 %), {}.",
               message("±{}, ±{}", Millimetres{1.2e-3}, Degrees{0.4 * kDegree}), message("{} poses", 3));
-  result.verdict.next_action = message("Look at the findings, then export.");
-  result.verdict.position_95_m = 0.0012;
-  result.verdict.orientation_95_rad = 0.007;
+  result.assessment.next_action = message("Look at the findings, then export.");
+  result.assessment.position_95_m = 0.0012;
+  result.assessment.orientation_95_rad = 0.007;
   return result;
 }
 
@@ -106,9 +106,7 @@ TEST(Report, IsAPdfOfSeveralPages) {
 }
 
 TEST(Report, OfASkinWithoutAnythingIsStillAReport) {
-  Reconstruction result;
-  result.model = std::make_shared<CellModel>(builtInCellModel("hex-bma150"));
-  ReportContent content = contentOf(result);
+  ReportContent content = contentOf(test::ResultBuilder().build());
   content.pictures.clear();
   EXPECT_FALSE(textOf(reportHtml(content)).isEmpty());
   EXPECT_TRUE(reportPdf(content).startsWith("%PDF"));
@@ -166,7 +164,7 @@ TEST_F(ReportWindow, WritesAReportWithPicturesFromTheMenu) {
   page.drawContents(&painter);
   painter.end();
   keepPicture(picture, QStringLiteral("report"));
-  EXPECT_TRUE(textOf(html).contains(words(controller().reconstruction()->verdict.reason)));
+  EXPECT_TRUE(textOf(html).contains(words(controller().reconstruction()->assessment.reason)));
 }
 
 TEST_F(ReportWindow, SaysWhyAReportCanNotBeWritten) {

@@ -69,9 +69,9 @@ TEST_F(Words, OfACalibrationThatWasReadBackAreGerman) {
   SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
   const auto result = reconstruct(*simulateSession(skin, 2).snapshot());
   const auto back = parseCalibrationJson(calibrationToJson(*result), "a.calibration.json");
-  EXPECT_NE(words(back->verdict.reason), QString::fromStdString(back->verdict.reason.english()));
-  EXPECT_EQ(words(back->verdict.reason), words(result->verdict.reason));
-  EXPECT_EQ(words(back->verdict.next_action), words(result->verdict.next_action));
+  EXPECT_NE(words(back->assessment.reason), QString::fromStdString(back->assessment.reason.english()));
+  EXPECT_EQ(words(back->assessment.reason), words(result->assessment.reason));
+  EXPECT_EQ(words(back->assessment.next_action), words(result->assessment.next_action));
   EXPECT_EQ(words(back->source.text), words(result->source.text));
 }
 

@@ -145,7 +145,9 @@ TEST(SimulatedJoint, MovesItsFarSideThroughTheHandsField) {
   const Eigen::Vector3d turn = 20 * kDegree * hinge.axis;
   const Eigen::Matrix3d R = expSO3(turn);
   skin.record(kUp, 1);
-  for (const SampleFrame& frame : skin.record(kUp, 20)) {
+  const std::vector<SampleFrame> frames = skin.record(kUp, 20);
+  ASSERT_EQ(frames.size(), 20U);
+  for (const SampleFrame& frame : frames) {
     Eigen::Matrix4d H = Eigen::Matrix4d::Zero();
     Eigen::Matrix<double, 4, 3> b = Eigen::Matrix<double, 4, 3>::Zero();
     for (unsigned id = 1; id <= 17; ++id) {

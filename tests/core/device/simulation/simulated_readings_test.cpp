@@ -67,6 +67,7 @@ TEST(SimulatedReadings, AStandingPartReadsGainTimesGravityPlusOffset) {
   options.sensor_noise = false;
   SimulatedSkin skin(kModel, options);
   const std::vector<SampleFrame> frames = skin.record(kUp, 1);
+  ASSERT_EQ(skin.truth().size(), 17U);
   for (std::size_t k = 0; k < skin.truth().size(); ++k) {
     const TrueCell& cell = skin.truth()[k];
     const Eigen::Vector3d expected = cell.gain * (cell.T_b_u.R.transpose() * kUp) + cell.offset_g;
@@ -260,7 +261,9 @@ TEST(SimulatedHand, ReadingsAreTheDerivativesOfOneRigidMotion) {
   options.surface = "plane";
   SimulatedSkin skin(kModel, options);
   skin.record(kUp, 1);
-  for (const SampleFrame& frame : skin.record({1, 0, 0}, 50)) {
+  const std::vector<SampleFrame> frames = skin.record({1, 0, 0}, 50);
+  ASSERT_EQ(frames.size(), 50U);
+  for (const SampleFrame& frame : frames) {
     const auto at = [&](std::size_t id) { return frame.samples[id - 1].acceleration_g; };  // flat: all frames alike
     EXPECT_LT((at(5) + at(9) - 2 * at(1)).norm(), 1e-13);
     EXPECT_LT((at(13) + at(17) - 2 * at(1)).norm(), 1e-13);

@@ -135,7 +135,9 @@ TEST(SimulatedSkin, SurfaceLawKeepsThePitchAlongTheSurface) {
 TEST(SimulatedSkin, BendLawShortensThePitchByTheCurvatureAlongTheLink) {
   const double radius = 0.0501;
   const auto surface = makeSurface("cylinder:r=0.0501");
-  for (const TrueLink& link : linksOf(SimulatedSkin(kModel, ideal("x17")))) {
+  const std::vector<TrueLink> links = linksOf(SimulatedSkin(kModel, ideal("x17")));
+  ASSERT_EQ(links.size(), 16U);
+  for (const TrueLink& link : links) {
     const Eigen::Vector3d along = link.T_b_c.R * kModel.port(link.source.port).vector_m.normalized();
     const double curvature = (1 - along.z() * along.z()) / radius;
     EXPECT_NEAR(surface->bearing(link.T_b_c.t, link.T_b_n.t).norm(), 2 / curvature * std::atan(curvature * kReach),
@@ -157,6 +159,7 @@ TEST(SimulatedSkin, BendLawMakesLinkPointsMeet) {
 TEST(SimulatedSkin, SurfaceLawKeepsLinkPointsApartAsTheArcModelSays) {
   const SimulatedSkin skin(kModel, ideal("ring8", "", LinkLaw::Surface));
   const double half_bend = kPi / 8;
+  ASSERT_FALSE(linksOf(skin).empty());
   for (const TrueLink& link : linksOf(skin)) {
     EXPECT_NEAR(misfit(skin, link) / (2.0 / 3 * kReach * half_bend * half_bend), 1, 0.1);
   }

@@ -54,7 +54,7 @@ TEST(Crc32c, IsTheSameByTableAndByInstructionForEveryLength) {
 TEST(SkinWireCodec, BodiesOfEveryMessageReadBack) {
   for (const Message& message : everyMessage()) {
     const Decoded decoded = decodeBody(encodeBody(message));
-    ASSERT_EQ(decoded.outcome, DecodeOutcome::Understood) << decoded.reason;
+    ASSERT_EQ(decoded.outcome, DecodeOutcome::Understood) << decoded.reason();
     EXPECT_EQ(decoded.message, message) << "kind " << message.index();
   }
 }
@@ -65,7 +65,7 @@ TEST(SkinWireCodec, LinesOfEveryMessageReadBack) {
     EXPECT_EQ(line.find('\n'), std::string::npos);
     for (const char* end : {"", "\r"}) {
       const Decoded decoded = decodeLine(line + end);
-      ASSERT_EQ(decoded.outcome, DecodeOutcome::Understood) << line << decoded.reason;
+      ASSERT_EQ(decoded.outcome, DecodeOutcome::Understood) << line << decoded.reason();
       EXPECT_EQ(decoded.message, message) << line;
     }
   }
@@ -86,8 +86,8 @@ TEST(SkinWireCodec, TestVectorsDecodeAndEncodeAgain) {
 
     const Decoded from_body = decodeBody(body);
     const Decoded from_line = decodeLine(line);
-    ASSERT_EQ(from_body.outcome, DecodeOutcome::Understood) << entry.path() << from_body.reason;
-    ASSERT_EQ(from_line.outcome, DecodeOutcome::Understood) << entry.path() << from_line.reason;
+    ASSERT_EQ(from_body.outcome, DecodeOutcome::Understood) << entry.path() << from_body.reason();
+    ASSERT_EQ(from_line.outcome, DecodeOutcome::Understood) << entry.path() << from_line.reason();
     EXPECT_EQ(from_body.message, from_line.message) << entry.path();
     EXPECT_EQ(encodeBody(from_line.message), body) << entry.path();
     EXPECT_EQ(encodeLine(from_body.message), line) << entry.path();
@@ -98,7 +98,7 @@ TEST(SkinWireCodec, TestVectorsDecodeAndEncodeAgain) {
 TEST(SkinWireCodec, LineFieldsMayBeWrittenInEitherProtoSpellingAndTimesAsNumbers) {
   const Decoded decoded = decodeLine(
       R"({"samples": {"timeUs": 2000000, "cells": [1], "accelerationG": [0.25, -0.5, 0.75], "later_field": {"x": 1}}})");
-  ASSERT_EQ(decoded.outcome, DecodeOutcome::Understood) << decoded.reason;
+  ASSERT_EQ(decoded.outcome, DecodeOutcome::Understood) << decoded.reason();
   EXPECT_EQ(decoded.message, Message(floatSamples()));
 }
 
@@ -130,9 +130,9 @@ TEST(SkinWireCodec, PayloadsCutAnywhereNeverThrowEvenIfTheCrcIsRight) {
       appendCrc(cut);
       const Decoded decoded = decodeBody(cut);
       if (decoded.outcome == DecodeOutcome::Understood) {
-        EXPECT_EQ(complaint(decoded.message), "");
+        EXPECT_TRUE(complaint(decoded.message).empty());
       } else {
-        EXPECT_NE(decoded.reason, "");
+        EXPECT_FALSE(decoded.reason().empty());
       }
     }
   }
@@ -142,11 +142,11 @@ TEST(SkinWireCodec, NamesBothNumbersOfAnotherMajorVersion) {
   const Decoded body = decodeBody(bodyOf(2, 1, {1, 2, 3}));
   EXPECT_EQ(body.outcome, DecodeOutcome::OtherMajor);
   EXPECT_EQ(body.major, 2U);
-  EXPECT_EQ(body.reason, "the device speaks SkinWire 2, this program SkinWire 1");
+  EXPECT_EQ(body.reason().english(), "the device speaks SkinWire 2, this program SkinWire 1");
   for (const char* line : {R"({"major": 2, "hello": {}})", R"({"major": 2, "hello": "of another kind"})"}) {
     const Decoded decoded = decodeLine(line);
     EXPECT_EQ(decoded.outcome, DecodeOutcome::OtherMajor) << line;
-    EXPECT_EQ(decoded.reason, "the device speaks SkinWire 2, this program SkinWire 1");
+    EXPECT_EQ(decoded.reason().english(), "the device speaks SkinWire 2, this program SkinWire 1");
   }
 }
 
@@ -158,7 +158,7 @@ TEST(SkinWireCodec, SkipsTypesAndFieldsThatItDoesNotKnow) {
 
   // Field 1000, a text, behind a Status.
   const Decoded decoded = decodeBody(bodyOf(kMajor, 4, {0x0A, 0x01, 'x', 0xC2, 0x3E, 0x02, 'h', 'i'}));
-  ASSERT_EQ(decoded.outcome, DecodeOutcome::Understood) << decoded.reason;
+  ASSERT_EQ(decoded.outcome, DecodeOutcome::Understood) << decoded.reason();
   EXPECT_EQ(std::get<Status>(decoded.message).text, "x");
 }
 
@@ -172,9 +172,48 @@ TEST(SkinWireCodec, RefusesLinesThatAreNoMessages) {
         "{\"hello\": " + deep, std::string("\0\0\0", 3)}) {
     const Decoded decoded = decodeLine(line);
     EXPECT_EQ(decoded.outcome, DecodeOutcome::Broken) << line.substr(0, 80);
-    EXPECT_NE(decoded.reason, "");
-    EXPECT_LT(decoded.reason.size(), 300U);
+    EXPECT_FALSE(decoded.reason().empty());
+    EXPECT_LT(decoded.reason().english().size(), 300U);
   }
+}
+
+TEST(SkinWireCodec, NamesFieldsThatItDoesNotKnowInMessagesThatItUnderstands) {
+  const Decoded line = decodeLine(R"({"status": {"text": "x", "explorng": true}})");
+  ASSERT_EQ(line.outcome, DecodeOutcome::Understood);
+  ASSERT_EQ(line.offences.size(), 1U);
+  EXPECT_EQ(line.offences[0].kind, OffenceKind::UnknownField);
+  EXPECT_THAT(line.reason().english(), HasSubstr("status.explorng: there is no such field; did you mean exploring?"));
+  EXPECT_THAT(line.offences[0].excerpt, HasSubstr(R"({"status": {"text")"));
+  const Decoded body = decodeBody(bodyOf(kMajor, 4, {0x0A, 0x01, 'x', 0xC2, 0x3E, 0x02, 'h', 'i'}));
+  ASSERT_EQ(body.offences.size(), 1U);
+  EXPECT_EQ(body.reason().english(), "Status has no field with the number 1000");
+  EXPECT_TRUE(decodeLine(R"({"status": {"text": "x", "exploring": true}})").offences.empty());
+}
+
+TEST(SkinWireCodec, TellsOtherDialectsAndChecksumsFromNoise) {
+  const auto kindOf = [](const Bytes& body) { return decodeBody(body).offences.at(0).kind; };
+  const std::string line = encodeLine(helloMessage());
+  EXPECT_EQ(kindOf(Bytes(line.begin(), line.end())), OffenceKind::WrongDialect);
+  const Bytes good = encodeBody(helloMessage());
+  Bytes with_length = {static_cast<std::uint8_t>(good.size()), 0, 0, 0};
+  with_length.insert(with_length.end(), good.begin(), good.end());
+  EXPECT_EQ(kindOf(with_length), OffenceKind::WrongDialect);
+  Bytes swapped = good;
+  std::reverse(swapped.end() - 4, swapped.end());
+  EXPECT_THAT(decodeBody(swapped).reason().english(), HasSubstr("big-endian"));
+  Bytes noise = good;
+  noise[5] ^= 1U;
+  EXPECT_EQ(decodeBody(noise).reason().english(), "the CRC is wrong");
+}
+
+TEST(SkinWireCodec, ExcerptsAreShortAndPrintable) {
+  const Decoded decoded = decodeLine("\x1b[31m" + std::string(100'000, '\x07'));
+  ASSERT_FALSE(decoded.offences.empty());
+  for (const Offence& offence : decoded.offences) {
+    EXPECT_LE(offence.excerpt.size(), 83U);
+    EXPECT_EQ(offence.excerpt.substr(0, 12), "\\x1b[31m\\x07");
+  }
+  EXPECT_LT(decodeLine("{\"" + std::string(100'000, 'k') + "\": 1}").reason().english().size(), 300U);
 }
 
 TEST(SkinWireCodec, RefusesToSendWhatDoesNotFitAFrame) {
@@ -182,7 +221,7 @@ TEST(SkinWireCodec, RefusesToSendWhatDoesNotFitAFrame) {
   samples.cells = {1};
   samples.acceleration_g.assign(3 * 100'000, 1.5F);
   samples.period_us = 1000;
-  EXPECT_EQ(complaint(samples), "");
+  EXPECT_TRUE(complaint(samples).empty());
   EXPECT_THROW(encodeBody(samples), InvalidArgument);
   EXPECT_THROW(encodeLine(samples), InvalidArgument);
 }
@@ -198,7 +237,7 @@ TEST(SkinWireCodec, RefusesSamplesThatMakeNoSense) {
   const std::vector<BadSamples> bad_raw = {
       {"exactly one", [](Samples& s) { s.acceleration_g.assign(6, 0); }},
       {"exactly one", [](Samples& s) { s.raw_lsb.clear(); }},
-      {"exactly one", [](Samples& s) { s.cells.clear(); }},
+      {"samples.cells: expected the IDs", [](Samples& s) { s.cells.clear(); }},
       {"multiple of 3", [](Samples& s) { s.raw_lsb.pop_back(); }},
       {"multiple of 3",
        [](Samples& s) {
@@ -227,11 +266,11 @@ TEST(SkinWireCodec, RefusesSamplesThatMakeNoSense) {
       {"temperature_c", [=](Samples& s) { s.temperature_c[0] = kNan; }},
   };
   const auto check = [](const Samples& good, const std::vector<BadSamples>& cases) {
-    ASSERT_EQ(complaint(good), "");
+    ASSERT_TRUE(complaint(good).empty());
     for (const BadSamples& bad : cases) {
       Samples samples = good;
       bad.spoil(samples);
-      EXPECT_THAT(complaint(samples), HasSubstr(bad.what));
+      EXPECT_THAT(complaint(samples).reason.english(), HasSubstr(bad.what));
       EXPECT_THROW(encodeBody(samples), InvalidArgument);
     }
   };
@@ -242,20 +281,33 @@ TEST(SkinWireCodec, RefusesSamplesThatMakeNoSense) {
 TEST(SkinWireCodec, RefusesOtherMessagesThatMakeNoSense) {
   Hello hello = helloMessage();
   hello.rate_hz = std::nan("");
-  EXPECT_THAT(complaint(hello), HasSubstr("rate_hz"));
+  EXPECT_THAT(complaint(hello).reason.english(), HasSubstr("rate_hz"));
   hello = helloMessage();
   hello.cell_model.assign(65'537, '{');
-  EXPECT_THAT(complaint(hello), HasSubstr("cell_model"));
+  EXPECT_THAT(complaint(hello).reason.english(), HasSubstr("cell_model"));
   hello.cell_model.clear();
-  EXPECT_THAT(complaint(hello), HasSubstr("cell_model"));
+  EXPECT_THAT(complaint(hello).reason.english(), HasSubstr("cell_model"));
   hello = helloMessage();
   hello.device.assign(1001, 'x');
-  EXPECT_THAT(complaint(hello), HasSubstr("device"));
-  EXPECT_THAT(complaint(Topology{1, 2, 2, {}}), HasSubstr("part"));
-  EXPECT_THAT(complaint(Topology{1, 0, UINT32_MAX, {}}), HasSubstr("parts"));
-  EXPECT_THAT(complaint(Command{1, TurnTo{1, {0, 0, 2}}}), HasSubstr("unit vector"));
-  EXPECT_THAT(complaint(Command{1, SetRate{-5}}), HasSubstr("rate_hz"));
-  EXPECT_THAT(complaint(Ack{1, true, "", true}), HasSubstr("working"));
+  EXPECT_THAT(complaint(hello).reason.english(), HasSubstr("device"));
+  EXPECT_THAT(complaint(Topology{1, 2, 2, {}}).reason.english(), HasSubstr("part"));
+  EXPECT_THAT(complaint(Topology{1, 0, UINT32_MAX, {}}).reason.english(), HasSubstr("parts"));
+  EXPECT_THAT(complaint(Command{1, TurnTo{1, {0, 0, 2}}}).reason.english(), HasSubstr("unit vector"));
+  EXPECT_THAT(complaint(Command{1, SetRate{-5}}).reason.english(), HasSubstr("rate_hz"));
+  EXPECT_THAT(complaint(Ack{1, true, "", true}).reason.english(), HasSubstr("working"));
+}
+
+TEST(Codec, LetsTheLibraryBelowSayNothing) {
+  testing::internal::CaptureStderr();
+  const Bytes no_utf8 = {0x12, 0x02, 0xff, 0xfe};  // Hello.device
+  EXPECT_EQ(decodeBody(bodyOf(1, 1, no_utf8)).outcome, DecodeOutcome::Broken);
+  decodeLine("{\"hello\": {\"device\": \"\xff\xfe\"}}");
+  try {
+    encodeBody(Hello{0, "\xff\xfe"});
+    encodeLine(Hello{0, "\xff\xfe"});
+  } catch (const InvalidArgument&) {  // a refusal is none of its words either
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
 }  // namespace

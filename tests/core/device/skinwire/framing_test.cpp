@@ -182,7 +182,7 @@ TEST(FrameDecoder, ABadLengthOrCrcEndsAStreamOfLengths) {
     const Outcome outcome = decodeAll(decoder, stream, stream.size());
     EXPECT_EQ(outcome.messages.size(), 1U);
     EXPECT_EQ(outcome.broken, 1);
-    EXPECT_NE(decoder.stuck(), "");
+    EXPECT_FALSE(decoder.stuck().empty());
     decoder.feed(good);
     EXPECT_FALSE(decoder.next().has_value());
     EXPECT_EQ(decoder.buffered(), 0U);
@@ -199,6 +199,33 @@ TEST(FrameDecoder, AFrameOfTheLargestSizePasses) {
     ASSERT_GT(frame.size(), kMaxBody - 100);
     FrameDecoder decoder(framing);
     EXPECT_EQ(decodeAll(decoder, frame, 65'536).messages, std::vector<Message>{samples});
+  }
+}
+
+TEST(FrameDecoder, NamesWhatWouldWaitForEver) {
+  const std::string line = encodeLine(helloMessage());
+  const auto complaintOf = [](std::optional<Framing> framing, const std::string& text) {
+    FrameDecoder decoder(framing);
+    Outcome outcome = decodeAll(decoder, bytesOf(text), 7);
+    return decoder.complaintOfWaiting();
+  };
+  EXPECT_FALSE(complaintOf(std::nullopt, line)) << "the rest may come";
+  EXPECT_FALSE(complaintOf(Framing::Cobs, line));
+  for (const std::string& filling : {std::string(), std::string("\r"), std::string(" "), std::string(1, '\0')}) {
+    const auto complaint = complaintOf(std::nullopt, line + filling + line);
+    ASSERT_TRUE(complaint) << filling;
+    EXPECT_EQ(complaint->kind, OffenceKind::NoLineFeed);
+  }
+  const auto on_serial = complaintOf(Framing::Cobs, line + "\n");
+  ASSERT_TRUE(on_serial);
+  EXPECT_EQ(on_serial->kind, OffenceKind::WrongDialect);
+}
+
+TEST(FrameDecoder, ABeginningInNeitherDialectEndsTheStream) {
+  for (const Bytes& begin : {Bytes{0, 0, 0, 28, 1, 6}, Bytes{29, 1, 6, 8, 2}}) {
+    FrameDecoder decoder(std::nullopt);
+    EXPECT_EQ(decodeAll(decoder, begin, 1).broken, 1);
+    EXPECT_FALSE(decoder.stuck().empty());
   }
 }
 

@@ -93,7 +93,7 @@ TEST(SampleMessages, EveryMessageFitsItsLimitAndIsWellUsed) {
     std::size_t temperatures = 0;
     std::size_t bytes = 0;
     for (const Samples& message : out) {
-      ASSERT_EQ(complaint(message), "");
+      ASSERT_TRUE(complaint(message).empty());
       const std::size_t size = encodeBody(message).size();
       ASSERT_LE(size, limit);
       bytes += size;
@@ -114,7 +114,7 @@ TEST(SampleMessages, ABatchIsOneMessageOfManyTicks) {
   std::vector<Samples> out;
   encoder.encodeBatch(frames, out);
   ASSERT_EQ(out.size(), 1U);
-  EXPECT_EQ(complaint(out[0]), "");
+  EXPECT_TRUE(complaint(out[0]).empty());
   EXPECT_LE(encodeBody(out[0]).size(), kMaxDatagram);
   ASSERT_EQ(out[0].ticks(), 10U);
   for (std::size_t k = 0; k < 10; ++k) {

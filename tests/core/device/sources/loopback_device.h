@@ -47,7 +47,7 @@ class DeviceConnection {
     }
   }
   void close() { socket_.close(); }
-  /// A device's own pace.
+  /// A device's own pace, in real time, for it is a source's time-outs in real time that are looked at.
   static void pause(std::chrono::milliseconds time) { std::this_thread::sleep_for(time); }
 
  private:

@@ -16,9 +16,8 @@ using Effect = SkinStream::Effect;
 
 class SkinStreamTest : public testing::Test {
  protected:
-  Effect take(const skinwire::Message& message) {
-    return stream.take(skinwire::decodeBody(skinwire::encodeBody(message)));
-  }
+  Effect take(const skinwire::Message& message) { return take(skinwire::decodeBody(skinwire::encodeBody(message))); }
+  Effect take(const skinwire::Decoded& decoded) { return stream.take(decoded, now); }
   void describe() {
     take(skinwire::helloMessage());
     take(skinwire::topologyMessage());
@@ -31,6 +30,7 @@ class SkinStreamTest : public testing::Test {
 
   CollectingListener listener;
   SkinStream stream{listener};
+  SkinStream::Clock::time_point now{};
   int reports = 0;
 };
 
@@ -150,6 +150,112 @@ TEST_F(SkinStreamTest, ANewStreamOrConnectionStartsTimeAndNumbersAnew) {
   EXPECT_EQ(status().lost_samples, 0U);
 }
 
+TEST_F(SkinStreamTest, AClockThatIsSetBackCostsHalfASecond) {
+  describe();
+  const std::uint64_t before_us = 3'600'000'000;
+  take(oneSample(1, before_us, 900'000));
+  for (std::uint64_t k = 0; k < 200; ++k) take(oneSample(1, 10'000 * k, k));
+  EXPECT_EQ(frames(), 151U) << "those of 0.5 s are left out";
+  EXPECT_EQ(listener.delivered().frames.back().time_s, 1.99);
+  EXPECT_EQ(status().late_frames, 50U);
+  EXPECT_EQ(status().clock_restarts, 1U);
+  EXPECT_EQ(status().lost_samples, 0U) << "the numbers started anew too";
+}
+
+TEST_F(SkinStreamTest, AClockThatWasFarAheadForAMomentCostsHalfASecond) {
+  describe();
+  take(oneSample(1, 1'000'000));
+  take(oneSample(1, skinwire::kMaxTime_us));
+  for (std::uint64_t k = 1; k <= 200; ++k) take(oneSample(1, 1'000'000 + 10'000 * k));
+  EXPECT_EQ(frames(), 152U);
+  take(oneSample(1, 1'000'000'000'000));  // and a jump for good
+  take(oneSample(1, 1'000'000'010'000));
+  EXPECT_EQ(frames(), 154U);
+  EXPECT_EQ(status().clock_restarts, 1U);
+}
+
+TEST_F(SkinStreamTest, StragglersAndAClockThatStandsStillAreNoClockSetBack) {
+  describe();
+  for (std::uint64_t k = 1; k <= 100; ++k) {
+    take(oneSample(1, 1'000'000 * k));
+    EXPECT_EQ(take(oneSample(2, 1'000'000 * (k - 1))), Effect::Nothing);
+  }
+  for (int k = 0; k < 1000; ++k) EXPECT_EQ(take(oneSample(1, 5)), Effect::Nothing);
+  EXPECT_EQ(frames(), 100U);
+  EXPECT_EQ(status().late_frames, 1100U);
+  EXPECT_EQ(status().clock_restarts, 0U);
+}
+
+TEST_F(SkinStreamTest, NumbersThatStartAnewHideNoLosses) {
+  describe();
+  take(oneSample(1, 1000, 500));
+  take(oneSample(1, 2000, 0));
+  take(oneSample(1, 3000, 1));
+  EXPECT_EQ(status().lost_samples, 0U);
+  take(oneSample(1, 4000, 9));
+  EXPECT_EQ(status().lost_samples, 7U);
+}
+
+/// The two cells, joined or not.
+skinwire::Topology twoCells(std::uint32_t id, bool are_joined) {
+  skinwire::Topology topology = skinwire::topologyMessage();
+  topology.id = id;
+  if (!are_joined) {
+    for (CellReport& cell : topology.cells) cell.neighbors.clear();
+  }
+  return topology;
+}
+
+TEST_F(SkinStreamTest, ALinkThatComesAndGoesIsPassedOnEveryFewSeconds) {
+  describe();
+  // 1,000 changes a second for ten seconds, ending apart.
+  constexpr std::uint32_t kChanges = 9'999;
+  for (std::uint32_t k = 1; k <= kChanges; ++k) {
+    now += std::chrono::milliseconds(1);
+    take(twoCells(3 + k, k % 2 == 0));
+    take(oneSample(1, 1000 * k));
+  }
+  EXPECT_EQ(status().skin_changes, kChanges);
+  EXPECT_EQ(frames(), kChanges) << "samples of cells that are there all the time";
+  // Four at once, and then at 3, 6 and 9 s.
+  EXPECT_LE(listener.delivered().skins.size(), 1U + 4U + 3U);
+  EXPECT_GE(listener.delivered().skins.size(), 1U + 4U);
+  now += ChangeBudget::kEvery;
+  stream.tend(now);
+  EXPECT_EQ(listener.delivered().skins.back().neighbors, twoCells(0, false).cells) << "in the end what is so";
+  EXPECT_TRUE(stream.deviceText().empty());
+}
+
+TEST_F(SkinStreamTest, WhileChangesWaitTheStatusSaysSo) {
+  describe();
+  for (std::uint32_t k = 1; k <= 7; ++k) take(twoCells(3 + k, k % 2 == 0));
+  EXPECT_THAT(stream.deviceText().english(), HasSubstr("7 times"));
+  const std::size_t before = listener.delivered().skins.size();
+  take(twoCells(20, true));  // as the listener knows it
+  now += ChangeBudget::kEvery;
+  stream.tend(now);
+  EXPECT_EQ(listener.delivered().skins.size(), before);
+}
+
+TEST_F(SkinStreamTest, SamplesAreNeverReadByTheModelThatWasBefore) {
+  describe();
+  for (std::uint32_t k = 1; k <= 5; ++k) {
+    CellModel model = builtInCellModel("hex-bma150");
+    model.accelerometer.lsb_g = k;
+    skinwire::Hello hello = skinwire::helloMessage();
+    hello.cell_model = cellModelToJson(model);
+    take(hello);
+    take(oneSample(1, 1000 * k));
+  }
+  // The fifth change waits, and so do samples until it is passed on.
+  ASSERT_EQ(frames(), 4U);
+  EXPECT_EQ(listener.delivered().frames.back().samples[0].acceleration_g.z(), 4 * 256);
+  EXPECT_EQ(status().unknown_samples, 1U);
+  now += ChangeBudget::kEvery;
+  take(oneSample(1, 9000));
+  EXPECT_EQ(listener.delivered().frames.back().samples[0].acceleration_g.z(), 5 * 256);
+}
+
 TEST_F(SkinStreamTest, CellsThatAreNotInTheTopologyAreLeftOutAndCounted) {
   describe();
   Samples samples = skinwire::rawSamples(0, 1000);
@@ -228,10 +334,71 @@ TEST_F(SkinStreamTest, SamplesAndMeansOfOneMomentAreBothDelivered) {
 TEST_F(SkinStreamTest, BrokenMessagesAreCountedAndOtherMajorsStop) {
   skinwire::Bytes body = skinwire::encodeBody(skinwire::helloMessage());
   body.back() ^= 1U;
-  EXPECT_EQ(stream.take(skinwire::decodeBody(body)), Effect::Nothing);
+  EXPECT_EQ(take(skinwire::decodeBody(body)), Effect::Nothing);
   EXPECT_EQ(status().rejected_messages, 1U);
-  EXPECT_EQ(stream.take(skinwire::decodeLine(R"({"major": 3})")), Effect::Incompatible);
+  EXPECT_EQ(take(skinwire::decodeLine(R"({"major": 3})")), Effect::Incompatible);
   EXPECT_THAT(stream.lastRejection().english(), HasSubstr("SkinWire 3, this program SkinWire 1"));
+}
+
+TEST_F(SkinStreamTest, WhatIsRightOrTheNetworksDoingIsNoOffence) {
+  stream.forgiveFirstPiece();
+  take(skinwire::decodeBody(skinwire::Bytes(20, 7)));  // a serial port was opened within a frame
+  take(oneSample(1, 1000, 0));                         // it was already sending
+  describe();
+  take(oneSample(1, 2000, 1));
+  take(oneSample(1, 4000, 3));
+  take(oneSample(1, 3000, 2));  // overtaken
+  take(oneSample(1, 4000, 3));  // twice
+  stream.restart();
+  describe();
+  EXPECT_THAT(status().offences, testing::IsEmpty());
+}
+
+TEST_F(SkinStreamTest, OffencesAreToldOnceAtOnceAndThenCounted) {
+  describe();
+  take(oneSample(1, 1000));
+  stream.reportCounters({});
+  const std::size_t before = listener.delivered().statuses.size();
+  take(oneSample(9, 2000));
+  stream.reportCounters({});
+  ASSERT_EQ(listener.delivered().statuses.size(), before + 1) << "within half a second of the last";
+  take(oneSample(9, 3000));
+  stream.reportCounters({});
+  EXPECT_EQ(listener.delivered().statuses.size(), before + 1);
+  const SourceStatus all = status();
+  ASSERT_EQ(all.offences.size(), 1U);
+  EXPECT_EQ(all.offences[0].kind, OffenceKind::UnknownCell);
+  EXPECT_EQ(all.offences[0].count, 2U);
+}
+
+TEST_F(SkinStreamTest, ANewerDeviceMaySayWhatIsNotKnownYet) {
+  const char* later = R"({"later_message": {}})";
+  skinwire::Hello hello = skinwire::helloMessage();
+  hello.minor = skinwire::kMinor + 1;
+  take(hello);
+  take(skinwire::decodeLine(later));
+  EXPECT_THAT(status().offences, testing::IsEmpty());
+  take(skinwire::helloMessage());
+  take(skinwire::decodeLine(later));
+  ASSERT_EQ(status().offences.size(), 1U);
+  EXPECT_EQ(status().offences[0].kind, OffenceKind::UnknownMessage);
+}
+
+TEST_F(SkinStreamTest, ADeviceThatNeverDescribesItselfIsNamed) {
+  take(skinwire::helloMessage());
+  const SkinStream::Clock::time_point start{};
+  stream.reportCounters(start);
+  take(oneSample(1, 1000));
+  stream.reportCounters(start + std::chrono::milliseconds(1900));
+  EXPECT_THAT(status().offences, testing::IsEmpty());
+  take(skinwire::Status{"", true, 0, 0});
+  stream.reportCounters(start + std::chrono::seconds(10));
+  EXPECT_THAT(status().offences, testing::IsEmpty()) << "it is exploring";
+  take(skinwire::Status{"", false, 0, 0});
+  stream.reportCounters(start + std::chrono::seconds(11));
+  stream.reportCounters(start + std::chrono::seconds(14));
+  ASSERT_EQ(status().offences.size(), 1U);
+  EXPECT_EQ(status().offences[0].kind, OffenceKind::NotDescribed);
 }
 
 TEST_F(SkinStreamTest, WhatADeviceSaysCantMoveATerminalsCursor) {

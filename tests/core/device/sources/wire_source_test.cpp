@@ -1,9 +1,11 @@
 #include "hexoderm/device/sources/wire_source.h"
 
+#include "hexoderm/device/sources/recording.h"
 #include "hexoderm/util/error.h"
 #include "tests/core/device/skinwire/collecting_listener.h"
 #include "tests/core/device/skinwire/wire_messages.h"
 #include "tests/core/device/sources/loopback_device.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -334,6 +336,32 @@ TEST(WireSource, WaitsLongerAndLongerForADeviceThatIsNotThere) {
   EXPECT_EQ(listener.delivered().status().state, SourceState::Stopped);
 }
 
+TEST(WireSource, CountsTheSecondsToTheNextTryDown) {
+  const AbsentTcpDevice device;
+  CollectingListener listener;
+  WireOptions options = quick();
+  options.first_retry = options.longest_retry = std::chrono::seconds(3);
+  WireSource source(device.address(), options);
+  source.start(listener);
+  for (const char* left : {"3 s", "2 s", "1 s"}) {
+    ASSERT_TRUE(listener.waitFor(status(SourceState::Connecting, std::string("next try in ") + left))) << left;
+  }
+}
+
+TEST(WireSource, CountsTheSecondsOfSilenceDownToTheNextConnection) {
+  TcpDevice device;
+  CollectingListener listener;
+  WireOptions options = quick();
+  options.reconnect_after = std::chrono::seconds(3);
+  WireSource source(device.address(), options);
+  source.start(listener);
+  DeviceConnection silent = device.accept();
+  describe(silent);
+  for (const char* left : {"3 s", "2 s", "1 s"}) {
+    ASSERT_TRUE(listener.waitFor(status(SourceState::Silent, std::string("reconnecting in ") + left))) << left;
+  }
+}
+
 std::size_t openDescriptors() {
   return static_cast<std::size_t>(
       std::distance(std::filesystem::directory_iterator("/proc/self/fd"), std::filesystem::directory_iterator()));
@@ -393,6 +421,66 @@ TEST(WireSource, UdpDevicesAreAskedAndKeptSending) {
   skinwire::Command again = device.receive();
   while (again.request == skinwire::Request(skinwire::Describe{})) again = device.receive();
   EXPECT_EQ(again.request, skinwire::Request(skinwire::Describe{3}));
+}
+
+TEST(WireSource, AUdpDeviceWhoseClockIsSetIsTakenUpAgain) {
+  UdpDevice device;
+  CollectingListener listener;
+  WireSource source(device.address(), patient());
+  source.start(listener);
+  device.receive();
+  describe(device);
+  std::size_t delivered = 0;
+  // As after an hour, after the device was restarted without a word, and after its clock ran away for one message.
+  for (const std::uint64_t start_us : {3'600'000'000UL, 0UL, skinwire::kMaxTime_us - 10'000, 500'000UL}) {
+    // A second of the device's time.
+    for (std::uint64_t k = 0; k < 10; ++k) {
+      if (start_us + 100'000 * k > skinwire::kMaxTime_us - 10'000) break;
+      device.send(skinwire::rawSamples(4 * k, start_us + 100'000 * k));
+    }
+    const double latest_s = static_cast<double>(start_us) / 1e6;
+    ASSERT_TRUE(listener.waitFor([&](const Delivered& d) {
+      return d.frames.size() > delivered && d.frames.back().time_s >= latest_s && d.frames.back().time_s < latest_s + 2;
+    })) << start_us;
+    delivered = listener.delivered().frames.size();
+  }
+  source.stop();
+  EXPECT_EQ(listener.delivered().status().reconnects, 0U);
+  EXPECT_EQ(listener.delivered().status().clock_restarts, 2U);
+}
+
+TEST(WireSource, ALooseLinkNeitherFillsARecordingNorDelaysStopping) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "loose.skinrec";
+  TcpDevice device;
+  CollectingListener listener;
+  StreamRecorder recorder(file, listener);
+  WireSource source(device.address(), patient());
+  source.start(recorder);
+  DeviceConnection connection = device.accept();
+  // 1,000 cells in a row, of which the last is there and not there.
+  skinwire::Topology whole{1, 0, 1, {}};
+  for (std::uint32_t id = 1; id <= 1000; ++id) whole.cells.push_back({CellId(id), "", {}});
+  skinwire::Topology without = whole;
+  without.id = 2;
+  without.cells.pop_back();
+  connection.send(skinwire::helloMessage());
+  constexpr std::uint64_t kFlaps = 2000;
+  for (std::uint64_t k = 0; k < kFlaps; ++k) {
+    connection.send(whole);
+    connection.send(without);
+  }
+  connection.send(skinwire::Status{"that was all", false, 0, 0});
+  ASSERT_TRUE(listener.waitFor([](const Delivered& d) { return !d.device_statuses.empty(); }));
+  source.stop();
+  recorder.finish();
+  const Delivered delivered = listener.delivered();
+  EXPECT_EQ(delivered.status().skin_changes, 2 * kFlaps - 1);
+  EXPECT_EQ(delivered.skins.back().neighbors.size(), 999U);
+  // The change that waits is passed on when it ends; else as many as the time that a busy computer takes allows.
+  EXPECT_LT(delivered.skins.size(), 100U);
+  const std::size_t one = skinwire::encodeBody(whole).size() + skinwire::encodeBody(skinwire::helloMessage()).size();
+  EXPECT_LT(std::filesystem::file_size(file), (delivered.skins.size() + 1) * (one + 100));
 }
 
 TEST(WireSource, DatagramsLostTwiceReorderedBrokenAndTooLongAreCounted) {

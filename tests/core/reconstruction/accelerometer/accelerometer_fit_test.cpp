@@ -331,6 +331,48 @@ TEST(RigidityTest, OneReadingTurnedByTwentyDegreesStandsOut) {
   EXPECT_GT(statistics.least, 2) << "mean " << statistics.mean;
 }
 
+TEST(RigidityTest, AReadingTakenAwayIsAsIfItHadNeverBeen) {
+  const Accelerometer prior;
+  Draw draw(8);
+  std::vector<Eigen::Vector3d> forces;
+  for (int k = 0; k < 500; ++k) forces.push_back(draw.direction());
+  const Readings readings = drawTurnedCell(prior, forces, draw);
+  RigidityTest all{AccelerometerPrior(prior)};
+  for (std::size_t k = 0; k < forces.size(); ++k) all.add(readings.of[k], readings.v_g[k]);
+  for (const std::size_t left_out : {0U, 77U, 499U}) {
+    RigidityTest others = all;
+    others.remove(readings.of[left_out], readings.v_g[left_out]);
+    RigidityTest expected{AccelerometerPrior(prior)};
+    for (std::size_t k = 0; k < forces.size(); ++k) {
+      if (k != left_out) expected.add(readings.of[k], readings.v_g[k]);
+    }
+    EXPECT_EQ(others.misfit().degrees, expected.misfit().degrees);
+    EXPECT_NEAR(others.misfit().chi_squared, expected.misfit().chi_squared, 1e-6 * expected.misfit().chi_squared);
+  }
+}
+
+/// The definition: the fit's cost, less what a small turn gains.
+TEST(RigidityTest, IsWhatTheFitLeavesLessWhatATurnGains) {
+  const Accelerometer prior;
+  Draw draw(9);
+  for (const std::size_t poses : {2U, 3U, 6U, 40U}) {
+    std::vector<Eigen::Vector3d> forces;
+    for (std::size_t k = 0; k < poses; ++k) forces.push_back(draw.direction());
+    const Readings readings = drawTurnedCell(prior, forces, draw);
+    AccelerometerFit fit;
+    fitAccelerometer(AccelerometerPrior(prior), readings.of, readings.v_g, kQuadratic, fit);
+    Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+    for (std::size_t k = 0; k < poses; ++k) {
+      gradient += fit.precision[k] * (fit.gain * skew(readings.v_g[k])).transpose() * fit.residual_g[k];
+    }
+    Eigen::Matrix3d information = attitudeInformation(fit, readings.v_g);
+    information.diagonal().array() += 1e-6;
+    const double expected = 2 * fit.cost - gradient.dot(information.ldlt().solve(gradient));
+    const Misfit misfit = testRigidity(AccelerometerPrior(prior), readings.of, readings.v_g);
+    EXPECT_NEAR(misfit.chi_squared, expected, 1e-7 * (1 + expected)) << poses << " poses";
+  }
+}
+
 TEST(RigidityTest, SaysNothingWithFewerThanTwoReadings) {
   const Accelerometer prior;
   Readings readings;

@@ -56,37 +56,5 @@ TEST(PoseAdvisor, SaysWhichCellFacesWhere) {
   EXPECT_EQ(adviceInWords(advice, *result).english(), "Turn the part so that cell 9 faces the floor.");
 }
 
-TEST(EnoughPoses, AreFourThatAreEnabledAndOfUse) {
-  Reconstruction result;
-  result.poses.resize(5);
-  for (std::size_t k = 0; k < result.poses.size(); ++k) result.poses[k].enabled = k != 2;
-  for (const auto& [level, enough] : {std::pair(VerdictLevel::Failed, false), std::pair(VerdictLevel::NotEnough, false),
-                                      std::pair(VerdictLevel::Usable, true), std::pair(VerdictLevel::Good, true)}) {
-    result.verdict.level = level;
-    EXPECT_EQ(enoughPoses(result), enough);
-  }
-  result.poses[0].enabled = false;
-  EXPECT_FALSE(enoughPoses(result)) << "three are left";
-}
-
-TEST(EnoughPoses, OfADeviceThatTurnsItselfAreGoodOrTwelve) {
-  Reconstruction result;
-  result.poses.resize(kGoodPoseCount);
-  result.verdict.level = VerdictLevel::Usable;
-  EXPECT_TRUE(enoughPoses(result, TurnedBy::Hand));
-  EXPECT_FALSE(enoughPoses(result, TurnedBy::Device)) << "another pose costs it nothing";
-  result.verdict.level = VerdictLevel::Good;
-  EXPECT_TRUE(enoughPoses(result, TurnedBy::Device));
-  result.poses.pop_back();
-  EXPECT_FALSE(enoughPoses(result, TurnedBy::Device));
-
-  result.verdict.level = VerdictLevel::Failed;
-  result.poses.resize(kMostPosesByItself);
-  EXPECT_TRUE(enoughPoses(result, TurnedBy::Device));
-  EXPECT_FALSE(enoughPoses(result, TurnedBy::Hand));
-  result.poses[0].enabled = false;
-  EXPECT_FALSE(enoughPoses(result, TurnedBy::Device)) << "eleven are left";
-}
-
 }  // namespace
 }  // namespace hexoderm

@@ -5,6 +5,7 @@
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/units.h"
 #include "tests/support/pin_jointed_skin.h"
+#include "tests/support/result_builder.h"
 
 #include <gtest/gtest.h>
 #include <random>
@@ -30,20 +31,11 @@ Eigen::Vector3d randomUp(std::mt19937& random) {
 
 /// A patch's directions without any solver: only what coverageOf looks at.
 Reconstruction withGravity(const Ups& ups) {
-  Reconstruction result;
-  result.model = std::make_shared<const CellModel>(builtInCellModel("hex-bma150"));
-  result.patches.resize(1);
-  CellPlacement origin;
-  origin.cell = CellId(7);
-  result.patches[0].origin = CellId(7);
-  result.patches[0].cells = {origin};
-  for (std::size_t k = 0; k < ups.size(); ++k) {
-    const PoseId id(static_cast<std::uint32_t>(k + 1));
-    result.patches[0].gravity.push_back({id, ups[k].normalized(), 0.01});
-    PoseSummary pose;
-    pose.pose = id;
-    result.poses.push_back(pose);
-  }
+  test::ResultBuilder builder;
+  builder.patch(7).cell(7).poses(ups.size());
+  for (const Eigen::Vector3d& up : ups) builder.gravity(up.normalized());
+  Reconstruction result = builder.build();
+  result.assessment.remedy = Remedy::TakePose;
   return result;
 }
 
@@ -81,8 +73,7 @@ TEST(CoverageDisc, EqualAreasOfTheSphereAreEqualAreasOfTheDisc) {
 }
 
 TEST(PoseCoverage, OfAnEmptySkinIsEmpty) {
-  Reconstruction empty;
-  empty.model = std::make_shared<const CellModel>(builtInCellModel("hex-bma150"));
+  const Reconstruction empty = test::ResultBuilder().build();
   const PoseCoverage coverage = coverageOf(empty);
   EXPECT_TRUE(coverage.seen.empty());
   EXPECT_FALSE(coverage.missing);
@@ -275,16 +266,15 @@ TEST(NextPose, SaysWhatEachPoseAdds) {
   EXPECT_EQ(describeNextPose(opposite, three)->gain, PoseGain::Further);
 }
 
-TEST(NextPose, AfterManyPosesAnotherOneIsNotWorthwhile) {
-  const CellModel model = builtInCellModel("hex-bma150");
-  Ups ups = {{0, 0, 1}};
-  while (ups.size() < 30) ups.push_back(adviseNextPose(model, ups).up);
-  Reconstruction many = withGravity(ups);
-  many.verdict.level = VerdictLevel::Usable;
-  EXPECT_FALSE(describeNextPose(adviseNextPose(model, ups), many)->worthwhile);
-  many.verdict.level = VerdictLevel::NotEnough;
-  EXPECT_TRUE(describeNextPose(adviseNextPose(model, ups), many)->worthwhile)
-      << "nobody is told that there are enough as long as the verdict says that there are not";
+TEST(NextPose, IsWorthwhileWhereTheAssessmentSaysSo) {
+  Reconstruction result = withGravity({{0, 0, 1}, {1, 0, 0}});
+  const PoseAdvice advice = adviseNextPose(*result.model, {{0, 0, 1}, {1, 0, 0}});
+  for (const auto& [remedy, worthwhile] : {std::pair(Remedy::Nothing, false), std::pair(Remedy::CheckSkin, false),
+                                           std::pair(Remedy::TakePose, true), std::pair(Remedy::RetakePoses, true)}) {
+    result.assessment.remedy = remedy;
+    EXPECT_EQ(describeNextPose(advice, result)->worthwhile, worthwhile) << remedyName(remedy);
+    EXPECT_EQ(coverageOf(result).missing.has_value(), remedy == Remedy::TakePose) << remedyName(remedy);
+  }
 }
 
 TEST(NextPose, TurnsFromWhereThePartIsNow) {

@@ -1,8 +1,10 @@
 #include "hexoderm/reconstruction/evaluation/evaluation.h"
 
 #include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
+#include "tests/support/hand_made_skins.h"
 #include "tests/support/matchers.h"
 #include "tests/support/pin_jointed_skin.h"
 
@@ -69,6 +71,58 @@ TEST(Evaluation, ConeHasAHalfAngleAndNoOneRadius) {
   EXPECT_THROW(evaluateSurface(result->patches.front(), SurfaceKind::Cone, 0.05), InvalidArgument);
   EXPECT_EQ(surfaceKindFromName("cone"), SurfaceKind::Cone);
   EXPECT_EQ(surfaceKindName(SurfaceKind::Cone), "cone");
+}
+
+/// The largest patch of a simulated skin, solved as a session is.
+PatchReconstruction simulated(const char* patch, const char* surface, std::uint64_t seed, std::size_t poses) {
+  SimulatedSkinOptions options;
+  options.patch = patch;
+  options.surface = surface;
+  options.seed = seed;
+  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+  return *largestPatch(*reconstruct(*simulateSession(skin, poses, 50).snapshot()));
+}
+
+TEST(Evaluation, ASphereThroughTheCellsOfACylinderIsContradictedByWhereTheyFace) {
+  const PatchReconstruction patch = simulated("x17", "cylinder:r=0.0501", 1, 4);
+  const SurfaceEvaluation sphere = checkSurface(patch, SurfaceKind::Sphere);
+  EXPECT_LT(sphere.rms_m, 1.5 * kMillimetre) << "they lie on it";
+  EXPECT_GT(sphere.tilt_rms_rad, 20 * kDegree);
+  ASSERT_NE(sphere.better, nullptr);
+  EXPECT_EQ(sphere.better->kind, SurfaceKind::Cylinder);
+  EXPECT_NEAR(sphere.better->radius_m.value_or(0), 0.0501, 0.001);
+  EXPECT_EQ(checkSurface(patch, SurfaceKind::Cylinder).better, nullptr);
+}
+
+TEST(Evaluation, TheSimplestSurfaceThatIsNotContradictedIsTaken) {
+  for (const char* patch : {"x17", "sheet:5x6"}) {
+    for (const auto& [surface, kind] :
+         {std::pair("cylinder:r=0.0501", SurfaceKind::Cylinder), std::pair("cylinder:r=0.2", SurfaceKind::Cylinder),
+          std::pair("sphere:r=0.06", SurfaceKind::Sphere), std::pair("plane", SurfaceKind::Plane),
+          std::pair("cone:r=0.05,angle=0.3", SurfaceKind::Cone)}) {
+      for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        const PatchReconstruction reconstruction = simulated(patch, surface, seed, 4);
+        const SurfaceEvaluation taken = checkSurface(reconstruction, std::nullopt);
+        EXPECT_EQ(taken.kind, kind) << patch << ' ' << surface << ' ' << seed;
+        EXPECT_EQ(taken.better, nullptr) << patch << ' ' << surface << ' ' << seed;
+        EXPECT_EQ(taken.tilt_rad.size(), reconstruction.cells.size());
+      }
+    }
+  }
+}
+
+TEST(Evaluation, WithoutStatedUncertaintiesNoSurfaceIsContradicted) {
+  PatchReconstruction patch = simulated("x17", "cylinder:r=0.0501", 1, 4);
+  for (CellPlacement& cell : patch.cells) cell.cov_t_r.reset();
+  EXPECT_EQ(checkSurface(patch, SurfaceKind::Sphere).better, nullptr);
+}
+
+TEST(Evaluation, ASurfaceOfTooFewCellsIsRefusedAndSaysWhy) {
+  PatchReconstruction patch = simulated("x17", "cylinder:r=0.0501", 1, 4);
+  patch.cells.resize(2);
+  EXPECT_THROW(checkSurface(patch, std::nullopt), InvalidArgument);
+  patch.cells.resize(1);
+  EXPECT_THROW(checkSurface(patch, SurfaceKind::Plane), InvalidArgument);
 }
 
 TEST(Evaluation, LoopOfAClosedRingIsClosed) {
@@ -146,16 +200,31 @@ TEST(Evaluation, ComparisonsAreSummarisedCellByCell) {
   large.position_rms_m = 0.002;
   large.orientation_rms_rad = 0.02;
   Comparison small;
-  small.cells.resize(1);
+  small.cells.resize(2);
   small.position_rms_m = 0.004;
   small.cells[0].sigma_t_m = 0.001;
   small.cells[0].sigma_r_rad = 0.01;
   const ComparisonSummary summary = summariseComparisons({large, small});
-  EXPECT_EQ(summary.cells, 4U);
-  EXPECT_NEAR(summary.position_rms_m, std::sqrt((3 * 4.0 + 16.0) / 4) * 1e-3, 1e-12);
-  EXPECT_NEAR(summary.orientation_rms_rad, 0.02 * std::sqrt(0.75), 1e-12);
+  EXPECT_EQ(summary.cells, 5U);
+  EXPECT_NEAR(summary.position_rms_m, std::sqrt((3 * 4.0 + 2 * 16.0) / 5) * 1e-3, 1e-12);
+  EXPECT_NEAR(summary.orientation_rms_rad, 0.02 * std::sqrt(0.6), 1e-12);
   EXPECT_EQ(summary.within.stated, 1U);
   EXPECT_EQ(summariseComparisons({}).position_rms_m, 0);
+}
+
+TEST(Evaluation, APatchOfOneSharedCellTellsNothing) {
+  Comparison large;
+  large.cells.resize(3);
+  large.position_rms_m = 0.002;
+  Comparison lonely;
+  lonely.cells.resize(1);
+  lonely.cells[0].sigma_t_m = 0.001;
+  lonely.cells[0].sigma_r_rad = 0.01;
+  const ComparisonSummary summary = summariseComparisons({large, lonely});
+  EXPECT_EQ(summary.cells, 3U);
+  EXPECT_DOUBLE_EQ(summary.position_rms_m, 0.002);
+  EXPECT_EQ(summary.within.stated, 0U) << "it lies within whatever is stated";
+  EXPECT_EQ(summariseComparisons({lonely}).cells, 0U);
 }
 
 TEST(Evaluation, ASurfaceIsJudgedByItsFurthestCellOnEitherSide) {
@@ -177,6 +246,105 @@ TEST(Evaluation, ReconstructionsComparePatchByPatch) {
   EXPECT_LT(comparison[0].position_rms_m, 1e-9);
   EXPECT_TRUE(comparison[0].cells[5].sigma_t_m.has_value());
   EXPECT_GT(*comparison[0].cells[5].sigma_r_rad, 0);
+}
+
+TEST(CellDistance, IsThatOfCentresAndNormals) {
+  const Reconstruction demo = demoReconstruction();
+  const auto distance = distanceBetween(demo, CellId(2), CellId(6));
+  ASSERT_TRUE(distance.has_value());
+  EXPECT_NEAR(distance->length_m, (demo.find(CellId(2)).cell->T_o_u.t - demo.find(CellId(6)).cell->T_o_u.t).norm(),
+              1e-12);
+  EXPECT_NEAR(distance->angle_rad, demo.patches[0].links[0].bend_rad, 1e-9);
+  EXPECT_EQ(distance->sigma_m, std::nullopt) << "a calibration from a file does not hold it";
+  EXPECT_EQ(distanceBetween(demo, CellId(2), CellId(2))->length_m, 0);
+  EXPECT_EQ(distanceBetween(demo, CellId(2), CellId(999)), std::nullopt);
+
+  DemoOptions second;
+  second.first_id = 101;
+  const Reconstruction two = demoPatches({DemoOptions(), second});
+  EXPECT_EQ(distanceBetween(two, CellId(1), CellId(101)), std::nullopt);
+}
+
+TEST(CellDistance, OfAFreshResultSaysHowSureItIs) {
+  const auto result = reconstruct(*bentX17().session(orthogonalUps(3)).snapshot());
+  const PatchReconstruction& patch = result->patches.front();
+  const CellId far = patch.cells.back().cell;
+  const auto distance = distanceBetween(*result, patch.origin, far);
+  ASSERT_TRUE(distance && distance->sigma_m);
+  const Eigen::Vector3d along = result->find(far).cell->T_o_u.t.normalized();
+  const Eigen::Matrix3d cov = result->find(far).cell->cov_t_r->topLeftCorner<3, 3>();
+  EXPECT_NEAR(*distance->sigma_m, std::sqrt(along.dot(cov * along)), 1e-9);
+}
+
+/// The largest patch's true distance between two cells.
+double trueDistance(const SimulatedSkin& skin, CellId a, CellId b) {
+  const auto place = [&](CellId cell) { return std::ranges::find(skin.truth(), cell, &TrueCell::id)->T_b_u.t; };
+  return (place(a) - place(b)).norm();
+}
+
+TEST(DistanceCheck, ATrueDistanceAgreesAndAWrongSizeContradicts) {
+  constexpr std::uint64_t kSeeds = 10;
+  for (const char* patch : {"x17", "sheet:5x6"}) {
+    std::size_t as_stated = 0;
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+      SimulatedSkinOptions options;
+      options.patch = patch;
+      options.seed = seed;
+      SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+      const auto result = reconstruct(*simulateSession(skin, 4, 50).snapshot());
+      const auto [a, b] = farApart(*largestPatch(*result)).value();
+      const double truth_m = trueDistance(skin, a, b);
+      const DistanceCheck check = checkDistance(*result, a, b, truth_m);
+      ASSERT_TRUE(check.sigma_m && check.deviations && check.detectable_scale);
+      EXPECT_GT(*check.sigma_m, kCaliperSigma_m);
+      EXPECT_NEAR(*check.deviations, (truth_m - check.estimated_m) / *check.sigma_m, 1e-12);
+      EXPECT_NE(check.agreement, DistanceAgreement::Contradicts) << patch << ' ' << seed;
+      if (check.agreement == DistanceAgreement::AsStated) ++as_stated;
+      // Cells a fifth larger or smaller than the model says.
+      EXPECT_LT(*check.detectable_scale, 0.1) << patch << ' ' << seed;
+      EXPECT_EQ(checkDistance(*result, a, b, 1.2 * truth_m).agreement, DistanceAgreement::Contradicts) << seed;
+      EXPECT_EQ(checkDistance(*result, a, b, truth_m / 1.2).agreement, DistanceAgreement::Contradicts) << seed;
+    }
+    EXPECT_GE(as_stated, kSeeds / 2) << patch;
+  }
+}
+
+TEST(DistanceCheck, BetweenThemThereIsDoubt) {
+  const auto result = reconstruct(*bentX17().session(orthogonalUps(3)).snapshot());
+  const auto [a, b] = farApart(result->patches.front()).value();
+  const DistanceCheck exact = checkDistance(*result, a, b, distanceBetween(*result, a, b)->length_m);
+  EXPECT_NEAR(exact.deviations.value_or(1), 0, 1e-12);
+  EXPECT_EQ(exact.agreement, DistanceAgreement::AsStated);
+  const double sigma_m = exact.sigma_m.value();
+  EXPECT_EQ(checkDistance(*result, a, b, exact.estimated_m - 3 * sigma_m).agreement, DistanceAgreement::Doubtful);
+  EXPECT_EQ(checkDistance(*result, a, b, exact.estimated_m + 5 * sigma_m).agreement, DistanceAgreement::Contradicts);
+}
+
+TEST(DistanceCheck, OfAFileWhatIsStatedForEachCellBoundsIt) {
+  const auto fresh = reconstruct(*bentX17().session(orthogonalUps(3)).snapshot());
+  Reconstruction file = *fresh;
+  file.patches.front().covariance.reset();
+  const auto [a, b] = farApart(file.patches.front()).value();
+  EXPECT_GE(checkDistance(file, a, b, 0.1).sigma_m.value_or(0), checkDistance(*fresh, a, b, 0.1).sigma_m.value());
+  for (CellPlacement& cell : file.patches.front().cells) cell.cov_t_r.reset();
+  const DistanceCheck check = checkDistance(file, a, b, 0.1);
+  EXPECT_EQ(check.agreement, DistanceAgreement::NotStated);
+  EXPECT_FALSE(check.sigma_m || check.deviations || check.detectable_scale);
+}
+
+TEST(DistanceCheck, RefusesWhatIsNoDistance) {
+  const auto result = reconstruct(*bentX17().session(orthogonalUps(3)).snapshot());
+  EXPECT_THROW(checkDistance(*result, CellId(1), CellId(999), 0.1), InvalidArgument);
+  EXPECT_THROW(checkDistance(*result, CellId(999), CellId(1), 0.1), InvalidArgument);
+  EXPECT_THROW(checkDistance(*result, CellId(1), CellId(1), 0.1), InvalidArgument);
+  EXPECT_THROW(checkDistance(*result, CellId(1), CellId(2), 0), InvalidArgument);
+  EXPECT_THROW(checkDistance(*result, CellId(1), CellId(2), std::nan("")), InvalidArgument);
+  DemoOptions second;
+  second.first_id = 101;
+  EXPECT_THROW(checkDistance(demoPatches({DemoOptions(), second}), CellId(1), CellId(101), 0.1), InvalidArgument);
+  PatchReconstruction lonely = result->patches.front();
+  lonely.cells.resize(1);
+  EXPECT_EQ(farApart(lonely), std::nullopt);
 }
 
 }  // namespace

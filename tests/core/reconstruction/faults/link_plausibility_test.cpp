@@ -12,9 +12,14 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-std::vector<Finding> judge(double bend_deg, double twist_deg, double yaw_deg, double sigma_deg = 0) {
+/// `elastomer_deg`: deviation of the model's bend, twist and yaw alike; so wide that only the options' limits count.
+std::vector<Finding> judge(double bend_deg, double twist_deg, double yaw_deg, double sigma_deg = 0,
+                           double elastomer_deg = 100) {
+  CellModel model = builtInCellModel("hex-bma150");
+  model.bend_sigma_rad = model.twist_sigma_rad = model.yaw_sigma_rad = elastomer_deg * kDegree;
   const LinkAngles angles{twist_deg * kDegree, bend_deg * kDegree, yaw_deg * kDegree};
-  return judgeLinkAngles(angles, {CellId(5), PortNumber(2)}, {CellId(9), PortNumber(3)}, {}, sigma_deg * kDegree);
+  const LinkAngles sigma{sigma_deg * kDegree, sigma_deg * kDegree, sigma_deg * kDegree};
+  return judgeLinkAngles(angles, {CellId(5), PortNumber(2)}, {CellId(9), PortNumber(3)}, model, {}, sigma);
 }
 
 std::vector<FindingCode> codes(const std::vector<Finding>& findings) {
@@ -43,6 +48,14 @@ TEST(LinkPlausibility, AddsThreePredictedDeviationsToTheLimit) {
   EXPECT_THAT(judge(62.9, 0, 0, 1), IsEmpty());
   EXPECT_THAT(codes(judge(63.1, 0, 0, 1)), ElementsAre(FindingCode::ImplausibleBend));
   EXPECT_THAT(judge(170, 0, 0, 40), IsEmpty()) << "nothing is known of such a link";
+}
+
+TEST(LinkPlausibility, LimitsFollowFromTheModelsElastomerAndTheLinksOwnDeviation) {
+  // Six times hypot(2, 1) degrees are 13.4.
+  EXPECT_THAT(judge(0, 0, 13, 1, 2), IsEmpty());
+  EXPECT_THAT(codes(judge(0, 0, 14, 1, 2)), ElementsAre(FindingCode::ImplausibleYaw));
+  EXPECT_THAT(codes(judge(0, 0, 20, 0, 2)), ElementsAre(FindingCode::ImplausibleYaw));
+  EXPECT_THAT(judge(0, 0, 20, 5, 2), IsEmpty()) << "this link may well be turned less";
 }
 
 TEST(LinkPlausibility, SaysWhichLinkAndHowFar) {

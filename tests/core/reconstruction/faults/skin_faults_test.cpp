@@ -176,12 +176,12 @@ TEST_P(SkinFaults, ALeafWithoutReadingsIsPlacedByItsOneLink) {
   EXPECT_GT(std::sqrt(cell->cov_t_r->bottomRightCorner<3, 3>().trace()), 25 * kDegree);
 }
 
-TEST_P(SkinFaults, AllCellsDeadIsAFlatSheetAndNotEnough) {
+TEST_P(SkinFaults, AllCellsDeadIsAFlatSheetAndFails) {
   const Session session =
       changed(bentX17().session(orthogonalUps(3)), [](std::size_t, GravitySample& sample) { sample.mean_g.setZero(); });
   const auto result = solve(session);
   EXPECT_THAT(*result, IsFinite());
-  EXPECT_EQ(result->verdict.level, VerdictLevel::NotEnough);
+  EXPECT_EQ(result->assessment.level, VerdictLevel::Failed);
 }
 
 TEST_P(SkinFaults, APartThatMovedIsThePosesFaultNotTheCells) {
@@ -308,7 +308,7 @@ TEST_P(SkinFaults, ACableIsMutedByItsBendAndSplitsThePatch) {
   ASSERT_NE(finding, nullptr);
   EXPECT_THAT(finding->cells, ElementsAre(CellId(2), CellId(3)));
   ASSERT_THAT(result->patches, SizeIs(2));
-  EXPECT_EQ(result->verdict.level, VerdictLevel::Usable);
+  EXPECT_EQ(result->assessment.level, VerdictLevel::Usable);
 }
 
 TEST_P(SkinFaults, AJointThatTurnedBetweenPosesIsFoundByItsResidualAndMuted) {

@@ -2,7 +2,7 @@
 
 #include "hexoderm/geometry/covariance.h"
 #include "hexoderm/reconstruction/reconstructor.h"
-#include "tests/support/demo_reconstruction.h"
+#include "tests/support/hand_made_skins.h"
 #include "tests/support/matchers.h"
 #include "tests/support/pin_jointed_skin.h"
 
@@ -60,14 +60,15 @@ TEST(CellFigures, UncertaintiesAreThoseOfTheVerdict) {
     position = std::max(position, figures.position_95_m[k].value_or(0));
     orientation = std::max(orientation, figures.orientation_95_rad[k].value_or(0));
   }
-  EXPECT_THAT(result->verdict.position_95_m, Optional(testing::DoubleEq(position)));
-  EXPECT_THAT(result->verdict.orientation_95_rad, Optional(testing::DoubleEq(orientation)));
+  EXPECT_THAT(result->assessment.position_95_m, Optional(testing::DoubleEq(position)));
+  EXPECT_THAT(result->assessment.orientation_95_rad, Optional(testing::DoubleEq(orientation)));
   EXPECT_GT(position, 0);
 }
 
 TEST(CellFigures, PathLengthIsSummedFromCentreToCentre) {
   const Reconstruction demo = demoReconstruction();
   const CellFigures figures = makeCellFigures(demo);
+  ASSERT_EQ(figures.cells.size(), 17U);
   for (std::size_t k = 0; k < figures.cells.size(); ++k) {
     const std::vector<CellId>& path = demo.patches[0].cells[k].path;
     double expected = 0;
@@ -90,10 +91,9 @@ TEST(CellFigures, BodyPartsAreNumberedInTheOrderOfTheirNames) {
 }
 
 TEST(CellFigures, PatchesFollowEachOther) {
-  const CellModel model = builtInCellModel("hex-bma150");
   DemoOptions second;
   second.first_id = 101;
-  const CellFigures figures = makeCellFigures(demoReconstruction({demoPatch(model), demoPatch(model, second)}));
+  const CellFigures figures = makeCellFigures(demoPatches({DemoOptions(), second}));
   ASSERT_EQ(figures.cells.size(), 34U);
   EXPECT_EQ(figures.patch[16], 0U);
   EXPECT_EQ(figures.patch[17], 1U);

@@ -1,9 +1,7 @@
 #include "hexoderm/reconstruction/figures/overlays.h"
 
-#include "hexoderm/reconstruction/reconstructor.h"
-#include "tests/support/demo_reconstruction.h"
+#include "tests/support/hand_made_skins.h"
 #include "tests/support/matchers.h"
-#include "tests/support/pin_jointed_skin.h"
 
 namespace hexoderm {
 namespace {
@@ -47,10 +45,9 @@ TEST(AlignedTruth, CentresOnALineTakeTheTurnFromTheOrientations) {
 }
 
 TEST(AlignedTruth, IsMovedPatchByPatch) {
-  const CellModel model = builtInCellModel("hex-bma150");
   DemoOptions second;
   second.first_id = 101;
-  const Reconstruction two = demoReconstruction({demoPatch(model), demoPatch(model, second)});
+  const Reconstruction two = demoPatches({DemoOptions(), second});
   GroundTruth truth = truthOf(two);
   for (std::size_t k = 17; k < 34; ++k) truth.cells[k].T_b_u = kElsewhere * truth.cells[k].T_b_u;
   const std::vector<AlignedCell> aligned = alignTruth(two, truth);
@@ -88,35 +85,6 @@ TEST(Enlargement, IsTheLargestRoundFactorThatFits) {
   EXPECT_EQ(enlargement(0.001, 0.005), 5);
   EXPECT_EQ(enlargement(0.02, 0.01), 1) << "nothing is made smaller than it is";
   EXPECT_EQ(enlargement(0, 0.01), 1000) << "nothing to see at any size";
-}
-
-TEST(CellDistance, IsThatOfCentresAndNormals) {
-  const Reconstruction demo = demoReconstruction();
-  const auto distance = distanceBetween(demo, CellId(2), CellId(6));
-  ASSERT_TRUE(distance.has_value());
-  EXPECT_NEAR(distance->length_m, (demo.find(CellId(2)).cell->T_o_u.t - demo.find(CellId(6)).cell->T_o_u.t).norm(),
-              1e-12);
-  EXPECT_NEAR(distance->angle_rad, demo.patches[0].links[0].bend_rad, 1e-9);
-  EXPECT_EQ(distance->sigma_m, std::nullopt) << "a calibration from a file does not hold it";
-  EXPECT_EQ(distanceBetween(demo, CellId(2), CellId(2))->length_m, 0);
-  EXPECT_EQ(distanceBetween(demo, CellId(2), CellId(999)), std::nullopt);
-
-  const CellModel model = builtInCellModel("hex-bma150");
-  DemoOptions second;
-  second.first_id = 101;
-  const Reconstruction two = demoReconstruction({demoPatch(model), demoPatch(model, second)});
-  EXPECT_EQ(distanceBetween(two, CellId(1), CellId(101)), std::nullopt);
-}
-
-TEST(CellDistance, OfAFreshResultSaysHowSureItIs) {
-  const auto result = reconstruct(*bentX17().session(orthogonalUps(3)).snapshot());
-  const PatchReconstruction& patch = result->patches.front();
-  const CellId far = patch.cells.back().cell;
-  const auto distance = distanceBetween(*result, patch.origin, far);
-  ASSERT_TRUE(distance && distance->sigma_m);
-  const Eigen::Vector3d along = result->find(far).cell->T_o_u.t.normalized();
-  const Eigen::Matrix3d cov = result->find(far).cell->cov_t_r->topLeftCorner<3, 3>();
-  EXPECT_NEAR(*distance->sigma_m, std::sqrt(along.dot(cov * along)), 1e-9);
 }
 
 }  // namespace

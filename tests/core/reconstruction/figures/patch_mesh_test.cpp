@@ -1,6 +1,6 @@
 #include "hexoderm/reconstruction/figures/patch_mesh.h"
 
-#include "tests/support/demo_reconstruction.h"
+#include "tests/support/hand_made_skins.h"
 
 #include <gmock/gmock.h>
 

@@ -4,6 +4,7 @@
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/units.h"
+#include "tests/support/result_builder.h"
 
 #include <gmock/gmock.h>
 #include <algorithm>
@@ -14,12 +15,8 @@ namespace {
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-LinkEstimate link(std::uint32_t a, std::uint32_t b, double residual_rad, double sigma_rad,
-                  std::vector<std::optional<double>> per_pose) {
-  LinkEstimate link;
-  link.source = {CellId(a), PortNumber(1)};
-  link.target = {CellId(b), PortNumber(4)};
-  link.used = true;
+LinkEstimate linkWith(double residual_rad, double sigma_rad, std::vector<std::optional<double>> per_pose) {
+  LinkEstimate link = test::usedLink();
   link.residual_rad = residual_rad;
   link.sigma_rad = sigma_rad;
   link.pose_residual_rad = std::move(per_pose);
@@ -27,17 +24,15 @@ LinkEstimate link(std::uint32_t a, std::uint32_t b, double residual_rad, double 
 }
 
 Reconstruction threeLinks() {
-  Reconstruction r;
-  r.poses.resize(3);
-  for (std::uint32_t k = 0; k < 3; ++k) r.poses[k].pose = PoseId(k + 1);
-  PatchReconstruction patch;
-  patch.origin = CellId(1);
-  for (std::uint32_t id = 1; id <= 4; ++id) patch.cells.emplace_back().cell = CellId(id);
-  patch.links = {link(1, 2, 0.1, 0.2, {0.1, std::nullopt, 0.1}), link(2, 3, 0.4, 0.1, {0.3, std::nullopt, 0.5}),
-                 link(3, 4, 0.2, 0, {0.2, std::nullopt, 0.2}),
-                 link(1, 4, 0, 0, {std::nullopt, std::nullopt, std::nullopt})};
-  r.patches = {patch};
-  return r;
+  return test::ResultBuilder()
+      .poses(3)
+      .patch(1)
+      .cells(1, 4)
+      .link(1, 1, 2, 4, linkWith(0.1, 0.2, {0.1, std::nullopt, 0.1}))
+      .link(2, 1, 3, 4, linkWith(0.4, 0.1, {0.3, std::nullopt, 0.5}))
+      .link(3, 1, 4, 4, linkWith(0.2, 0, {0.2, std::nullopt, 0.2}))
+      .link(1, 1, 4, 4, linkWith(0, 0, {std::nullopt, std::nullopt, std::nullopt}))
+      .build();
 }
 
 TEST(ReviewSummary, PosesHaveTheQuartilesOfTheirLinks) {
@@ -129,7 +124,7 @@ TEST(ReviewSummary, TheVerdictStatesWhatTheWorstCellDoes) {
   double worst = 0;
   for (const CellSummary& cell : summariseCells(*result)) worst = std::max(worst, cell.stated->position_m);
   EXPECT_GT(worst, 0);
-  EXPECT_DOUBLE_EQ(worst, *result->verdict.position_95_m);
+  EXPECT_DOUBLE_EQ(worst, *result->assessment.position_95_m);
 }
 
 }  // namespace

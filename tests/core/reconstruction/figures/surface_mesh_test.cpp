@@ -1,7 +1,8 @@
 #include "hexoderm/reconstruction/figures/surface_mesh.h"
 
-#include "tests/support/demo_reconstruction.h"
+#include "hexoderm/util/units.h"
 #include "tests/support/matchers.h"
+#include "tests/support/result_builder.h"
 
 #include <cmath>
 
@@ -12,13 +13,11 @@ const SE3 kElsewhere{expSO3({0.4, -1.1, 0.7}), {0.3, -0.2, 0.5}};
 
 /// Cells at the given places, somewhere in space.
 PatchReconstruction patchAt(const std::vector<Eigen::Vector3d>& places) {
-  PatchReconstruction patch;
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    patch.cells.emplace_back();
-    patch.cells.back().cell = CellId(static_cast<std::uint32_t>(k + 1));
-    patch.cells.back().T_o_u.t = kElsewhere * places[k];
-  }
-  return patch;
+  test::ResultBuilder builder;
+  builder.patch(1);
+  std::uint32_t id = 0;
+  for (const Eigen::Vector3d& place : places) builder.cell(++id, {Eigen::Matrix3d::Identity(), kElsewhere * place});
+  return builder.build().patches[0];
 }
 
 Eigen::Vector3d onCylinder(double angle_deg, double z, double radius) {

@@ -1,6 +1,8 @@
 #include "hexoderm/reconstruction/joint/joint_solver.h"
 
 #include "hexoderm/geometry/alignment.h"
+#include "hexoderm/reconstruction/joint/cells_first.h"
+#include "hexoderm/reconstruction/joint/poses_first.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/util/error.h"
 #include "tests/core/reconstruction/joint/joint_case.h"
@@ -255,7 +257,7 @@ void expectSane(const JointProblem& problem, const JointSolution& solution, cons
     const Matrix6d& C = solution.covariance->cell(cell);
     ASSERT_TRUE(C.allFinite()) << what << ", cell " << cell;
     EXPECT_LE((C - C.transpose()).norm(), 1e-12 * C.norm());
-    const Eigen::SelfAdjointEigenSolver<Matrix6d> solver(C, Eigen::EigenvaluesOnly);
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(C, Eigen::EigenvaluesOnly);
     EXPECT_GE(solver.eigenvalues().minCoeff(), -1e-12 * C.norm()) << what << ", cell " << cell;
   }
   for (std::size_t k = 0; k < problem.links.size(); ++k) EXPECT_TRUE(solution.covariance->link(k).allFinite()) << what;
@@ -408,6 +410,135 @@ TEST(JointSolver, ReproducesItselfBitByBit) {
     EXPECT_EQ(a.state.cells[cell].t, b.state.cells[cell].t);
     EXPECT_EQ(a.covariance->cell(cell), b.covariance->cell(cell));
   }
+}
+
+/// A simulated skin whose readings are as mixed as they get: some are missing, some far off, some less certain; a cell
+/// and a pose have none.
+JointCase mixedCase(const char* patch, std::size_t poses, const GapShare& gap) {
+  JointCase example = simulatedCase(skin(patch), poses, gap);
+  JointDraw draw(poses);
+  JointProblem& problem = example.problem;
+  for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) {
+    for (CellReading& reading : problem.readings[cell]) {
+      const double kind = draw.normal();
+      if (kind > 2) reading.y_g += 0.3 * draw.vector();
+      if (kind < -1.5) reading.variance_g2 *= 4;
+    }
+    std::erase_if(problem.readings[cell], [&](const CellReading& reading) {
+      return (reading.pose + cell) % 11 == 5 || (poses > 3 && reading.pose == 2);
+    });
+  }
+  problem.readings[1].clear();
+  return example;
+}
+
+Eigen::VectorXd together(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  Eigen::VectorXd both(a.size() + b.size());
+  both << a, b;
+  return both;
+}
+
+TEST(JointOrder, EveryStepIsTheSameInBothOrders) {
+  for (const char* patch : {"x17", "ring8:closed", "sheet:3x4"}) {
+    for (const std::size_t poses : {1U, 3U, 40U}) {
+      for (const GapShare& gap : {kFitGap, kArcGap}) {
+        const JointCase example = mixedCase(patch, poses, gap);
+        const JointState start = perturbed(example.problem, example.truth, 0.02, 0.0005, 4);
+        const JointState next = perturbed(example.problem, start, 0.001, 0.0001, 5);
+        const auto cells_first = makeCellsFirst(example.problem);
+        const auto poses_first = makePosesFirst(example.problem);
+        const std::string what =
+            std::string(patch) + ", " + std::to_string(poses) + " poses, " + nameOf(gap) + ", damping ";
+        for (const double damping : {0.0, 1e-2, 1e3}) {
+          Eigen::VectorXd cells[2];
+          Eigen::VectorXd border[2];
+          double promised[2] = {};
+          int order = 0;
+          for (JointSystem* system : {cells_first.get(), poses_first.get()}) {
+            system->linearize(start);
+            system->accept();
+            ASSERT_TRUE(system->factorize(damping)) << what << damping;
+            // With the matrix of one state and the gradient of another, as when a step hardly changes the matrix.
+            system->linearize(next);
+            system->accept();
+            promised[order] = system->step(cells[order], border[order]);
+            ++order;
+          }
+          EXPECT_NEAR(promised[1], promised[0], 1e-8 * std::abs(promised[0])) << what << damping;
+          const Eigen::VectorXd step = together(cells[0], border[0]);
+          EXPECT_LE((together(cells[1], border[1]) - step).norm(), 1e-7 * step.norm()) << what << damping;
+        }
+      }
+    }
+  }
+}
+
+TEST(JointOrder, OptimumAndCovarianceAreTheSameInBothOrders) {
+  for (const char* patch : {"x17", "ring8:closed", "sheet:3x4"}) {
+    for (const std::size_t poses : {2U, 4U, 40U}) {
+      for (const GapShare& gap : {kFitGap, kArcGap}) {
+        const JointCase example = mixedCase(patch, poses, gap);
+        JointSolverOptions options;
+        options.order = JointOrder::CellsFirst;
+        const JointSolution a = solveJointly(example.problem, example.truth, options);
+        options.order = JointOrder::PosesFirst;
+        const JointSolution b = solveJointly(example.problem, example.truth, options);
+        const std::string what = std::string(patch) + ", " + std::to_string(poses) + " poses, " + nameOf(gap);
+        expectSane(example.problem, b, what);
+        EXPECT_EQ(a.iterations, b.iterations) << what;
+        EXPECT_NEAR(b.cost, a.cost, 1e-9 * a.cost) << what;
+        const auto expectNear = [&](const Eigen::MatrixXd& actual, const Eigen::MatrixXd& expected, double full,
+                                    const std::string& name) {
+          EXPECT_LE((actual - expected).norm(), 1e-6 * full) << what << ", " << name;
+        };
+        for (std::size_t cell = 0; cell < example.problem.cellCount(); ++cell) {
+          const std::string name = "cell " + std::to_string(cell);
+          EXPECT_LT((a.state.cells[cell].t - b.state.cells[cell].t).norm(), 1e-8) << what << ", " << name;
+          EXPECT_LT(rotationAngle(a.state.cells[cell].R.transpose() * b.state.cells[cell].R), 1e-6) << what << name;
+          const Matrix6d& own = a.covariance->cell(cell);
+          expectNear(b.covariance->cell(cell), own, own.norm(), name);
+          const double full = std::sqrt(own.norm() * a.covariance->cell(0).norm());
+          expectNear(b.covariance->between(0, cell), a.covariance->between(0, cell), full, name + " and 0");
+        }
+        for (std::size_t k = 0; k < example.problem.links.size(); ++k) {
+          const JointLink& link = example.problem.links[k];
+          const double full = std::sqrt(a.covariance->cell(link.c).norm() * a.covariance->cell(link.n).norm());
+          expectNear(b.covariance->link(k), a.covariance->link(k), full, "link " + std::to_string(k));
+        }
+        for (std::size_t pose = 0; pose < poses; ++pose) {
+          const Eigen::Matrix3d own = a.covariance->force(pose);
+          expectNear(b.covariance->force(pose), own, own.norm(), "pose " + std::to_string(pose));
+        }
+        EXPECT_NEAR(b.covariance->gapShareSigma(), a.covariance->gapShareSigma(), 1e-7) << what;
+      }
+    }
+  }
+}
+
+TEST(JointOrder, FollowsTheSizes) {
+  const auto orderOf = [](std::size_t cells, std::size_t poses, bool accelerations) {
+    JointProblem problem;
+    problem.readings.resize(cells);
+    problem.poses = poses;
+    problem.gap = kFitGap;
+    problem.accelerations = accelerations;
+    return cheaperOrder(problem);
+  };
+  EXPECT_EQ(orderOf(17, 4, false), JointOrder::CellsFirst);
+  EXPECT_EQ(orderOf(10'000, 6, false), JointOrder::CellsFirst);
+  EXPECT_EQ(orderOf(17, 3000, false), JointOrder::PosesFirst);
+  EXPECT_EQ(orderOf(100, 1000, false), JointOrder::PosesFirst);
+  EXPECT_EQ(orderOf(17, 3000, true), JointOrder::CellsFirst) << "accelerations tie poses to places";
+}
+
+TEST(JointOrder, WorkGrowsLinearlyWithThePoses) {
+  JointProblem problem;
+  problem.readings.resize(100);
+  const auto workOf = [&](std::size_t poses) {
+    problem.poses = poses;
+    return std::min(workOfCellsFirst(problem), workOfPosesFirst(problem));
+  };
+  EXPECT_LT(workOf(8000) - workOf(4000), 2.01 * (workOf(4000) - workOf(2000)));
 }
 
 }  // namespace

@@ -53,6 +53,7 @@ TEST_F(SkinLinksTest, EdgesFollowWhatWasDroppedOnlyWhenTheyAreEstimatedAgain) {
 TEST_F(SkinLinksTest, ADroppedPoseIsUsedByNoLink) {
   links_.dropPose(1);
   links_.estimateEdges();
+  ASSERT_FALSE(links_.graph().links().empty());
   for (const GraphLink& link : links_.graph().links()) {
     EXPECT_THAT(links_.readings().posesOf(link), ::testing::ElementsAre(0, 2));
   }

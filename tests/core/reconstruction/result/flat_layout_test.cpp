@@ -1,5 +1,6 @@
 #include "hexoderm/reconstruction/result/reconstruction.h"
 #include "hexoderm/util/units.h"
+#include "tests/support/result_builder.h"
 
 #include <gmock/gmock.h>
 
@@ -10,41 +11,9 @@
 namespace hexoderm {
 namespace {
 
-LinkEstimate makeLink(std::uint32_t a, std::uint32_t port_a, std::uint32_t b, std::uint32_t port_b, bool used = true) {
-  LinkEstimate link;
-  link.source = {CellId(a), PortNumber(port_a)};
-  link.target = {CellId(b), PortNumber(port_b)};
-  if (link.target < link.source) std::swap(link.source, link.target);
-  link.used = used;
-  if (!used) link.muted_by = FindingCode::OneSidedLink;
-  return link;
-}
+using test::ResultBuilder;
 
-PatchReconstruction makePatch(std::uint32_t first, std::uint32_t last, std::vector<LinkEstimate> links,
-                              std::uint32_t origin = 0) {
-  PatchReconstruction patch;
-  patch.origin = CellId(origin == 0 ? first : origin);
-  for (std::uint32_t id = first; id <= last; ++id) {
-    patch.cells.emplace_back();
-    patch.cells.back().cell = CellId(id);
-  }
-  patch.links = std::move(links);
-  return patch;
-}
-
-/// Rows along ports 1-4, columns along ports 2-3, as a sheet of the skin is built.
-PatchReconstruction makeSheet(std::uint32_t rows, std::uint32_t columns, bool closed = false) {
-  std::vector<LinkEstimate> links;
-  const auto id = [columns](std::uint32_t row, std::uint32_t column) { return 1 + row * columns + column; };
-  for (std::uint32_t row = 0; row < rows; ++row) {
-    for (std::uint32_t column = 0; column < columns; ++column) {
-      if (column + 1 < columns) links.push_back(makeLink(id(row, column), 1, id(row, column + 1), 4));
-      if (row + 1 < rows) links.push_back(makeLink(id(row, column), 2, id(row + 1, column), 3));
-    }
-    if (closed) links.push_back(makeLink(id(row, columns - 1), 1, id(row, 0), 4));
-  }
-  return makePatch(1, rows * columns, std::move(links));
-}
+const test::SheetOptions kTube{.origin = 1, .closed = true};
 
 const FlatCell& cellOf(const FlatLayout& layout, std::uint32_t id) {
   return *std::ranges::find(layout.cells, CellId(id), &FlatCell::cell);
@@ -96,7 +65,7 @@ TEST_F(FlatLayoutTest, IsEmptyForAnEmptySkin) {
 }
 
 TEST_F(FlatLayoutTest, PutsASingleCellUprightAtZero) {
-  const FlatLayout layout = computeFlatLayout(model_, {makePatch(7, 7, {})});
+  const FlatLayout layout = computeFlatLayout(model_, ResultBuilder().patch(7).cell(7).build().patches);
   ASSERT_EQ(layout.cells.size(), 1u);
   EXPECT_EQ(layout.cells[0].cell, CellId(7));
   EXPECT_EQ(layout.cells[0].center, Eigen::Vector2d::Zero());
@@ -104,7 +73,8 @@ TEST_F(FlatLayoutTest, PutsASingleCellUprightAtZero) {
 }
 
 TEST_F(FlatLayoutTest, LaysALineOfOppositePortsStraight) {
-  const std::vector patches = {makePatch(1, 4, {makeLink(1, 3, 2, 2), makeLink(2, 3, 3, 2), makeLink(3, 3, 4, 2)}, 2)};
+  const auto patches =
+      ResultBuilder().patch(2).cells(1, 4).link(1, 3, 2, 2).link(2, 3, 3, 2).link(3, 3, 4, 2).build().patches;
   const FlatLayout layout = computeFlatLayout(model_, patches);
   const Eigen::Vector2d pitch = 2 * model_.port(PortNumber(3)).vector_m.head<2>();
   EXPECT_EQ(cellOf(layout, 2).center, Eigen::Vector2d::Zero());
@@ -120,7 +90,8 @@ TEST_F(FlatLayoutTest, TurnsNeighboursByTheNominalAlignmentFromEitherEnd) {
   for (const std::uint32_t origin : {1u, 2u}) {
     for (const Port& a : model_.ports) {
       for (const Port& b : model_.ports) {
-        const std::vector patches = {makePatch(1, 2, {makeLink(1, a.number.value(), 2, b.number.value())}, origin)};
+        const auto patches =
+            ResultBuilder().patch(origin).cells(1, 2).link(1, a.number.value(), 2, b.number.value()).build().patches;
         const FlatLayout layout = computeFlatLayout(model_, patches);
         const Eigen::Matrix2d R_1 = Eigen::Rotation2Dd(cellOf(layout, 1).angle_rad).toRotationMatrix();
         const Eigen::Matrix2d R_2 = Eigen::Rotation2Dd(cellOf(layout, 2).angle_rad).toRotationMatrix();
@@ -133,7 +104,7 @@ TEST_F(FlatLayoutTest, TurnsNeighboursByTheNominalAlignmentFromEitherEnd) {
 }
 
 TEST_F(FlatLayoutTest, KeepsASheetWholeWithAllLinksMeeting) {
-  const std::vector patches = {makeSheet(12, 9)};
+  const auto patches = ResultBuilder().sheet(12, 9).build().patches;
   const FlatLayout layout = computeFlatLayout(model_, patches);
   ASSERT_EQ(layout.cells.size(), 108u);
   ASSERT_EQ(layout.links.size(), patches[0].links.size());
@@ -143,9 +114,10 @@ TEST_F(FlatLayoutTest, KeepsASheetWholeWithAllLinksMeeting) {
 }
 
 TEST_F(FlatLayoutTest, CutsAClosedRingOnceFarFromItsOrigin) {
-  std::vector<LinkEstimate> links;
-  for (std::uint32_t id = 1; id <= 8; ++id) links.push_back(makeLink(id, 2, id % 8 + 1, 3));
-  const FlatLayout layout = computeFlatLayout(model_, {makePatch(1, 8, links, 3)});
+  ResultBuilder ring;
+  ring.patch(3).cells(1, 8);
+  for (std::uint32_t id = 1; id <= 8; ++id) ring.link(id, 2, id % 8 + 1, 3);
+  const FlatLayout layout = computeFlatLayout(model_, ring.build().patches);
   EXPECT_EQ(countCuts(layout), 1u);
   const FlatLink& cut = *std::ranges::find(layout.links, true, &FlatLink::cut);
   EXPECT_THAT(cut.link, testing::AnyOf(5u, 6u));  // between 6, 7 and 8, across from 3
@@ -153,7 +125,7 @@ TEST_F(FlatLayoutTest, CutsAClosedRingOnceFarFromItsOrigin) {
 }
 
 TEST_F(FlatLayoutTest, CutsAClosedTubeAlongOneSeam) {
-  const std::vector patches = {makeSheet(7, 10, true)};
+  const auto patches = ResultBuilder().sheet(7, 10, kTube).build().patches;
   const FlatLayout layout = computeFlatLayout(model_, patches);
   EXPECT_GE(countCuts(layout), 7u);
   EXPECT_LE(countCuts(layout), 14u);
@@ -163,9 +135,10 @@ TEST_F(FlatLayoutTest, CutsAClosedTubeAlongOneSeam) {
 
 TEST_F(FlatLayoutTest, NeverPutsTwoHexagonsOnOneSpotEvenWhereAChainCurlsUp) {
   // Ports 1 and 3 turn each cell by 60 degrees: the seventh would lie on the first.
-  std::vector<LinkEstimate> links;
-  for (std::uint32_t id = 1; id < 40; ++id) links.push_back(makeLink(id, 1, id + 1, 3));
-  const std::vector patches = {makePatch(1, 40, links)};
+  ResultBuilder chain;
+  chain.patch(1).cells(1, 40);
+  for (std::uint32_t id = 1; id < 40; ++id) chain.link(id, 1, id + 1, 3);
+  const auto patches = chain.build().patches;
   const FlatLayout layout = computeFlatLayout(model_, patches);
   EXPECT_EQ(layout.cells.size(), 40u);
   EXPECT_GT(smallestDistance(layout), 0.84 * width_m_);
@@ -175,9 +148,8 @@ TEST_F(FlatLayoutTest, NeverPutsTwoHexagonsOnOneSpotEvenWhereAChainCurlsUp) {
 }
 
 TEST_F(FlatLayoutTest, LaysPatchesApart) {
-  PatchReconstruction second = makePatch(201, 203, {makeLink(201, 1, 202, 4), makeLink(202, 1, 203, 4)});
-  second.id = PatchId(1);
-  const std::vector patches = {makeSheet(4, 4), second};
+  const auto patches =
+      ResultBuilder().sheet(4, 4).patch(201).cells(201, 203).link(201, 1, 202, 4).link(202, 1, 203, 4).build().patches;
   const FlatLayout layout = computeFlatLayout(model_, patches);
   Eigen::AlignedBox2d first_box;
   Eigen::AlignedBox2d second_box;
@@ -187,10 +159,15 @@ TEST_F(FlatLayoutTest, LaysPatchesApart) {
 }
 
 TEST_F(FlatLayoutTest, DrawsMutedLinksBetweenTheirPortsWithoutFollowingThem) {
-  PatchReconstruction first = makePatch(1, 2, {makeLink(1, 1, 2, 4), makeLink(2, 1, 3, 4, false)});
-  PatchReconstruction second = makePatch(3, 3, {});
-  second.id = PatchId(1);
-  const std::vector patches = {first, second};
+  const auto patches = ResultBuilder()
+                           .patch(1)
+                           .cells(1, 2)
+                           .link(1, 1, 2, 4)
+                           .link(2, 1, 3, 4, test::mutedLink())
+                           .patch(3)
+                           .cell(3)
+                           .build()
+                           .patches;
   const FlatLayout layout = computeFlatLayout(model_, patches);
   ASSERT_EQ(layout.links.size(), 2u);
   EXPECT_FALSE(layout.links[1].cut);
@@ -201,7 +178,8 @@ TEST_F(FlatLayoutTest, DrawsMutedLinksBetweenTheirPortsWithoutFollowingThem) {
 TEST_F(FlatLayoutTest, MeetsAtPortsOfDifferentLength) {
   CellModel model = model_;
   model.ports = {{PortNumber(1), {0.020, 0, 0}}, {PortNumber(2), {-0.014, 0.001, 0}}, {PortNumber(5), {0, 0.016, 0}}};
-  const std::vector patches = {makePatch(1, 4, {makeLink(1, 1, 2, 2), makeLink(2, 5, 3, 1), makeLink(3, 2, 4, 5)}, 2)};
+  const auto patches =
+      ResultBuilder(model).patch(2).cells(1, 4).link(1, 1, 2, 2).link(2, 5, 3, 1).link(3, 2, 4, 5).build().patches;
   const FlatLayout layout = computeFlatLayout(model, patches);
   EXPECT_EQ(countCuts(layout), 0u);
   EXPECT_NEAR((cellOf(layout, 2).center - cellOf(layout, 3).center).norm(), 0.036, 1e-12);
@@ -209,13 +187,14 @@ TEST_F(FlatLayoutTest, MeetsAtPortsOfDifferentLength) {
 }
 
 TEST_F(FlatLayoutTest, PlacesCellsThatNoLinkReaches) {
-  const FlatLayout layout = computeFlatLayout(model_, {makePatch(1, 5, {makeLink(4, 1, 5, 4)}, 99)});
+  const FlatLayout layout =
+      computeFlatLayout(model_, ResultBuilder().patch(99).cells(1, 5).link(4, 1, 5, 4).build().patches);
   EXPECT_EQ(layout.cells.size(), 5u);
   EXPECT_GT(smallestDistance(layout), width_m_);
 }
 
 TEST_F(FlatLayoutTest, LaysAHundredThousandCells) {
-  const std::vector patches = {makeSheet(250, 400, true)};
+  const auto patches = ResultBuilder().sheet(250, 400, kTube).build().patches;
   const FlatLayout layout = computeFlatLayout(model_, patches);
   EXPECT_EQ(layout.cells.size(), 100'000u);
   EXPECT_EQ(layout.links.size(), patches[0].links.size());

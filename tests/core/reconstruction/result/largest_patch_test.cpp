@@ -1,14 +1,16 @@
 #include "hexoderm/reconstruction/result/reconstruction.h"
 
+#include "tests/support/result_builder.h"
+
 #include <gtest/gtest.h>
 
 namespace hexoderm {
 namespace {
 
-Reconstruction patchesOf(const std::vector<std::size_t>& sizes) {
-  Reconstruction result;
-  for (const std::size_t size : sizes) result.patches.emplace_back().cells.resize(size);
-  return result;
+Reconstruction patchesOf(const std::vector<std::uint32_t>& sizes) {
+  test::ResultBuilder builder;
+  for (const std::uint32_t size : sizes) builder.patch(1).cells(1, size);
+  return builder.build();
 }
 
 TEST(LargestPatch, IsTheOneWithTheMostCellsOfEqualOnesTheFirst) {

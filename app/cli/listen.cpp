@@ -1,0 +1,233 @@
+#include "app/cli/command.h"
+
+#include "hexoderm/device/diagnosis/listening.h"
+#include "hexoderm/device/sources/open_source.h"
+#include "hexoderm/util/interrupt.h"
+#include "hexoderm/util/text.h"
+
+#include <chrono>
+#include <iostream>
+#include <mutex>
+#include <thread>
+
+namespace hexoderm::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct ListenOptions {
+  std::string source;
+  double time_s = 5;
+};
+
+constexpr const char* kLastWords = "hexoderm-cli: ended while something was held up, without a report\n";
+
+/// Passes on what is heard, and keeps the newest status for the thread that waits.
+class Ear final : public SkinListener {
+ public:
+  void onSkin(const SkinDescription& skin) override { listening_.onSkin(skin); }
+  void onFrame(const SampleFrame& frame) override { listening_.onFrame(frame); }
+  void onStatus(const SourceStatus& status) override {
+    listening_.onStatus(status);
+    const std::lock_guard lock(mutex_);
+    status_ = status;
+    was_connected_ =
+        was_connected_ || (status.state != SourceState::Stopped && status.state != SourceState::Connecting);
+  }
+  void onCommandOutcome(const CommandOutcome& /*outcome*/) override {}
+
+  [[nodiscard]] SourceStatus status() const {
+    const std::lock_guard lock(mutex_);
+    return status_;
+  }
+  [[nodiscard]] bool wasConnected() const {
+    const std::lock_guard lock(mutex_);
+    return was_connected_;
+  }
+  /// After the source has stopped.
+  [[nodiscard]] ListeningReport report() const { return listening_.report(); }
+
+ private:
+  Listening listening_;
+  mutable std::mutex mutex_;
+  SourceStatus status_;
+  bool was_connected_ = false;
+};
+
+/// Until the time is over, the stream ends or the user ends it. What is wrong is said as soon as it is known.
+void listenTo(const Ear& ear, double time_s, const Common& common) {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::milliseconds kLookEvery(50);
+  OffenceNotes notes(common);
+  const Clock::time_point end =
+      Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(time_s));
+  while (true) {
+    const SourceStatus status = ear.status();
+    notes.show(status.offences);
+    const bool is_over = status.state == SourceState::Ended || status.state == SourceState::Incompatible;
+    if (is_over || isInterrupted() || Clock::now() >= end) break;
+    common.progress(status.message.english());
+    std::this_thread::sleep_for(kLookEvery);
+  }
+  common.endProgress();
+}
+
+Json spreadJson(const std::optional<Spread>& spread, double factor = 1) {
+  if (!spread) return nullptr;
+  return {{"min", spread->least * factor}, {"median", spread->median * factor}, {"max", spread->most * factor}};
+}
+
+Json optionalJson(const std::optional<double>& value, double factor = 1) {
+  return value ? Json(*value * factor) : Json(nullptr);
+}
+
+constexpr double kMilli = 1000;
+
+Json toJson(const ListeningReport& report, const ListenOptions& options) {
+  const SourceStatus& status = report.status;
+  auto cells = Json::array();
+  for (const CellHeard& cell : report.cells) {
+    cells.push_back({{"cell", cell.cell.value()},
+                     {"readings", cell.readings},
+                     {"rate_hz", optionalJson(cell.rate_hz)},
+                     {"norm_g", spreadJson(cell.norm_g)},
+                     {"noise_mg", optionalJson(cell.noise_g, kMilli)}});
+  }
+  auto silent = Json::array();
+  for (const CellId cell : report.silent_cells) silent.push_back(cell.value());
+  return {
+      {"source", options.source},
+      {"ready", report.obstacle.empty()},
+      {"obstacle", report.obstacle.english()},
+      {"status", status.message.english()},
+      {"device", report.device},
+      {"cell_model", report.cell_model},
+      {"rate_hz", spreadJson(report.rate_hz)},
+      {"norm_g", spreadJson(report.norm_g)},
+      {"noise_mg", spreadJson(report.noise_g, kMilli)},
+      {"links",
+       {{"agreed", report.links_agreed}, {"one_sided", report.links_one_sided}, {"unusable", report.links_unusable}}},
+      {"frames", status.frames},
+      {"lost_samples", status.lost_samples},
+      {"dropped_by_device", status.dropped_by_device},
+      {"late_frames", status.late_frames},
+      {"unknown_samples", status.unknown_samples},
+      {"rejected_messages", status.rejected_messages},
+      {"reconnects", status.reconnects},
+      {"silent_cells", std::move(silent)},
+      {"cells", std::move(cells)},
+      {"offences", cli::toJson(report.offences)}};
+}
+
+void printSpread(const std::string& name, const std::optional<Spread>& spread, const std::string& unit, int decimals,
+                 double factor = 1) {
+  std::cout << name << ": ";
+  if (!spread) {
+    std::cout << "not known\n";
+    return;
+  }
+  const auto figure = [&](double value) { return formatFixed(value * factor, decimals); };
+  std::cout << figure(spread->median) << ' ' << unit << " in the median, " << figure(spread->least) << " to "
+            << figure(spread->most) << '\n';
+}
+
+constexpr std::size_t kMost = 32;  // cells that are listed
+
+void printSilent(const std::vector<CellId>& cells) {
+  if (cells.empty()) return;
+  std::cout << "Silent: ";
+  if (cells.size() > kMost) {
+    std::cout << cells.size() << " cells\n";
+  } else {
+    std::cout << (cells.size() == 1 ? "cell " : "cells ") << listInWords(cells) << '\n';
+  }
+}
+
+void printCells(const std::vector<CellHeard>& cells) {
+  std::cout << "Cell  readings  rate (Hz)  norm (g)  noise (mg)\n";
+  const auto column = [](const std::string& text, std::size_t width) {
+    return std::string(width > text.size() ? width - text.size() : 0, ' ') + text;
+  };
+  const auto figure = [&](const std::optional<double>& value, int decimals, std::size_t width) {
+    return column(value ? formatFixed(*value, decimals) : "-", width);
+  };
+  for (std::size_t k = 0; k < cells.size() && k < kMost; ++k) {
+    const CellHeard& cell = cells[k];
+    const std::optional<double> norm = cell.norm_g ? std::optional(cell.norm_g->median) : std::nullopt;
+    const std::optional<double> noise_mg = cell.noise_g ? std::optional(*cell.noise_g * kMilli) : std::nullopt;
+    std::cout << column(toString(cell.cell), 4) << column(std::to_string(cell.readings), 10)
+              << figure(cell.rate_hz, 1, 11) << figure(norm, 3, 10) << figure(noise_mg, 1, 12) << '\n';
+  }
+  if (cells.size() > kMost) std::cout << "... and " << cells.size() - kMost << " more; --json has all\n";
+}
+
+void print(const ListeningReport& report) {
+  const SourceStatus& status = report.status;
+  if (report.is_described) {
+    std::cout << report.device << ": " << report.cells.size() << (report.cells.size() == 1 ? " cell" : " cells")
+              << " of model " << report.cell_model << '\n';
+    std::cout << "Links: " << report.links_agreed << " that both ends report, " << report.links_one_sided
+              << " that only one end reports, " << report.links_unusable << " that can't be used otherwise\n";
+    printSpread("Rate of a cell", report.rate_hz, "Hz", 1);
+    printSpread("Norm of the readings", report.norm_g, "g", 3);
+    printSpread("Noise of a cell", report.noise_g, "mg", 1, kMilli);
+    printSilent(report.silent_cells);
+  }
+  std::cout << "On the way: " << status.frames << " frames, " << status.lost_samples << " samples lost, "
+            << status.late_frames << " frames late, " << status.unknown_samples << " samples of unknown cells, "
+            << status.rejected_messages << " messages rejected, " << status.reconnects << " reconnects\n";
+  if (status.dropped_by_device > 0) {
+    std::cout << "The device could not send " << status.dropped_by_device << " samples.\n";
+  }
+  if (report.is_described) printCells(report.cells);
+  std::cout << "Offences: " << (report.offences.empty() ? "none" : std::to_string(report.offences.size())) << '\n';
+  for (const Offence& offence : report.offences) {
+    std::cout << "  " << offenceName(offence.kind) << " (" << offence.count << "): " << inWords(offence) << '\n';
+  }
+  if (report.obstacle.empty()) {
+    std::cout << "A calibration could begin.\n";
+  } else {
+    std::cout << "A calibration could not begin. " << report.obstacle << '\n';
+  }
+}
+
+int run(const ListenOptions& options, const Common& common) {
+  endOnInterrupt(kLastWords);
+  const std::unique_ptr<SkinSource> source = openSkinSource(options.source);
+  Ear ear;
+  common.progress("Connecting to " + options.source + " ...");
+  source->start(ear);
+  listenTo(ear, options.time_s, common);
+  const SourceStatus last = ear.status();
+  source->stop();
+  if (!ear.wasConnected() && !isInterrupted()) throw DeviceError(last.message);
+  ListeningReport report = ear.report();
+  report.status.message = last.message;  // not that it was stopped
+  if (common.json) {
+    printJson(toJson(report, options));
+  } else {
+    print(report);
+  }
+  return report.obstacle.empty() ? kDone : kNotGoodEnough;
+}
+
+}  // namespace
+
+void addListen(CLI::App& app, Common& common) {
+  const auto options = std::make_shared<ListenOptions>();
+  CLI::App* command =
+      app.add_subcommand("listen", "Listen to a device, and say what it does wrong: for those who make one");
+  command->add_option("source", options->source, sourceKindsInWords())->required();
+  command->add_option("--for", options->time_s, "Seconds to listen; Ctrl+C ends it before, with its report")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  common.addTo(*command);
+  command->footer(
+      "The first offence of each kind is said at once on standard error; rates, losses, norms, noise, links and the\n"
+      "counts of all offences follow at the end. Exit code 0: a calibration could begin; 1: it could not, and why;\n"
+      "4: no device there.\n"
+      "Example:\n  hexoderm-cli listen sim:x17 --for 1");
+  command->callback([options, &common] { common.exit_code = run(*options, common); });
+}
+
+}  // namespace hexoderm::cli

@@ -1,0 +1,272 @@
+#include "app/cli/reproduce/detection_bound.h"
+#include "app/cli/reproduce/experiments.h"
+
+#include "hexoderm/device/simulation/fault_names.h"
+#include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/util/text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <set>
+
+namespace hexoderm::cli {
+namespace {
+
+constexpr std::size_t kFullSeeds = 200;         ///< from so many seeds on, healthy sessions are counted in
+constexpr std::size_t kHealthySessions = 2000;  ///< for each of the two healthy rows
+constexpr double kBarFound = 95;                ///< percent
+constexpr double kBelowBound = 5;               ///< percent, where the bound is lower than the bar
+constexpr double kBarFalseAlarms = 0.2;         ///< percent of sessions
+constexpr double kBarAccused = 0.1;             ///< percent of cells
+
+/// Wilson's 95 % interval of a share, in percent.
+struct Share {
+  std::size_t part = 0;
+  std::size_t whole = 0;
+  [[nodiscard]] double percent() const {
+    return whole == 0 ? 0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+  }
+  [[nodiscard]] std::pair<double, double> interval() const {
+    if (whole == 0) return {0, 100};
+    constexpr double kZ = 1.96;
+    const auto n = static_cast<double>(whole);
+    const double p = static_cast<double>(part) / n;
+    const double middle = (p + kZ * kZ / (2 * n)) / (1 + kZ * kZ / n);
+    const double half = kZ * std::sqrt(p * (1 - p) / n + kZ * kZ / (4 * n * n)) / (1 + kZ * kZ / n);
+    return {100 * std::max(0.0, middle - half), 100 * std::min(1.0, middle + half)};
+  }
+  void operator+=(const Share& other) {
+    part += other.part;
+    whole += other.whole;
+  }
+};
+
+std::string inWords(const Share& share, int decimals) {
+  const auto [low, high] = share.interval();
+  return formatFixed(share.percent(), decimals) + " % (" + formatFixed(low, decimals) + " to " +
+         formatFixed(high, decimals) + ")";
+}
+
+nlohmann::ordered_json toJson(const Share& share) {
+  const auto [low, high] = share.interval();
+  return {{"count", share.part},
+          {"of", share.whole},
+          {"percent", share.percent()},
+          {"low_percent", low},
+          {"high_percent", high}};
+}
+
+struct Garbage {
+  std::string name;
+  std::size_t poses = 3;
+  std::optional<SkinFault> cell_fault;
+  std::optional<WholeSkinFault> whole_fault;
+};
+
+struct Outcome {
+  bool found = false;
+  std::optional<BestDetection> best;
+};
+
+bool isAlarm(const Finding& finding) {
+  return finding.severity != Severity::Info && finding.code != FindingCode::TooFewDirections;
+}
+
+/// Only noise can be left of such a skin.
+bool mustFail(WholeSkinFault fault) {
+  return fault == WholeSkinFault::Identical || fault == WholeSkinFault::Random || fault == WholeSkinFault::Shuffled ||
+         fault == WholeSkinFault::PortOffset;
+}
+
+/// The cell that a session's fault is at: any, but a leaf for a cell that came loose.
+CellId faultyCell(SkinFault fault, std::size_t seed) {
+  constexpr std::array<std::uint32_t, 4> kLeaves = {5, 9, 13, 17};
+  constexpr std::size_t kCells = 17;
+  if (fault == SkinFault::Reglued) return CellId(kLeaves.at(seed % kLeaves.size()));
+  return CellId(static_cast<std::uint32_t>(1 + seed % kCells));
+}
+
+CellId firstNeighbor(const SimulatedSkin& skin, CellId cell) {
+  const auto& links = std::ranges::find(skin.neighbors(), cell, &CellReport::id)->neighbors;
+  return std::ranges::find_if(links, [](const NeighborReport& n) { return n.cell.value() != 0; })->cell;
+}
+
+Outcome tryGarbage(const Garbage& what, std::size_t seed) {
+  SkinCase skin_case = {.patch = "x17", .surface = "cylinder:r=0.0501", .poses = what.poses};
+  std::set<CellId> guilty;
+  if (what.cell_fault) skin_case.faults = {{*what.cell_fault, faultyCell(*what.cell_fault, seed)}};
+  if (what.whole_fault) skin_case.whole_skin_faults = {*what.whole_fault};
+  SimulatedSkin skin = makeSkin(skin_case, seed);
+  Outcome outcome;
+  if (what.cell_fault) {
+    const CellFault& fault = skin_case.faults.front();
+    guilty.insert(fault.cell);
+    if (*what.cell_fault == SkinFault::Swapped || *what.cell_fault == SkinFault::Echo) {
+      guilty.insert(firstNeighbor(skin, fault.cell));
+    }
+    if (*what.cell_fault != SkinFault::Echo) outcome.best = bestDetection(skin, fault, what.poses);
+  }
+  const auto result = reconstruct(*measure(skin, skin_case).snapshot(), globalSolver());
+  const VerdictLevel level = result->assessment.level;
+  if (what.whole_fault && mustFail(*what.whole_fault)) {
+    outcome.found = level == VerdictLevel::Failed;
+    return outcome;
+  }
+  const bool named = std::ranges::any_of(result->findings, [&](const Finding& finding) {
+    if (!isAlarm(finding)) return false;
+    return guilty.empty() || std::ranges::any_of(finding.cells, [&](CellId cell) { return guilty.contains(cell); });
+  });
+  outcome.found = named && level != VerdictLevel::Good;
+  return outcome;
+}
+
+std::vector<Garbage> garbage() {
+  std::vector<Garbage> all;
+  for (const auto& [name, fault] : skinFaultNames()) {
+    const bool is_here = fault == SkinFault::Echo || fault == SkinFault::Swapped || fault == SkinFault::Yawed ||
+                         fault == SkinFault::Reglued;
+    if (!is_here) continue;
+    for (const std::size_t poses : {2U, 3U, 4U, 6U}) all.push_back({std::string(name), poses, fault, {}});
+  }
+  for (const auto& [name, fault] : wholeSkinFaultNames()) {
+    for (const std::size_t poses : {3U, 4U}) all.push_back({std::string(name) + ", all cells", poses, {}, fault});
+  }
+  return all;
+}
+
+struct HealthyCount {
+  Share alarms;      ///< sessions
+  Share accused;     ///< cells named as wrong
+  Share suspicious;  ///< cells
+  Share muted;       ///< links
+};
+
+struct HealthySkin {
+  const char* patch;
+  const char* surface;
+  LinkLaw law;
+};
+constexpr std::array<HealthySkin, 11> kHealthySkins = {{{"x17", "cylinder:r=0.0501", LinkLaw::Bend},
+                                                        {"x17", "cylinder:r=0.0501", LinkLaw::Surface},
+                                                        {"x17", "sphere:r=0.1", LinkLaw::Bend},
+                                                        {"ring8", "", LinkLaw::Bend},
+                                                        {"ring8:closed", "", LinkLaw::Bend},
+                                                        {"sheet:5x5", "plane", LinkLaw::Bend},
+                                                        {"sheet:6x6", "cylinder:r=0.08", LinkLaw::Bend},
+                                                        {"sheet:6x6", "sphere:r=0.15", LinkLaw::Surface},
+                                                        {"sheet:6x6", "torus:R=0.2,r=0.1", LinkLaw::Bend},
+                                                        {"sheet:4x6", "cone:r=0.06,angle=0.3", LinkLaw::Bend},
+                                                        {"sheet:1x5", "cylinder:r=0.06", LinkLaw::Bend}}};
+
+HealthyCount tryHealthy(std::size_t seed, std::size_t poses) {
+  const HealthySkin& kind = kHealthySkins.at(seed % kHealthySkins.size());
+  const SkinCase skin_case = {.patch = kind.patch, .surface = kind.surface, .law = kind.law, .poses = poses};
+  SimulatedSkin skin = makeSkin(skin_case, seed);
+  const auto result = reconstruct(*measure(skin, skin_case).snapshot(), globalSolver());
+  std::set<CellId> accused;
+  std::set<CellId> suspicious;
+  bool alarm = false;
+  for (const Finding& finding : result->findings) {
+    if (!isAlarm(finding)) continue;
+    alarm = true;
+    if (finding.code == FindingCode::SuspiciousSensor) {
+      suspicious.insert(finding.cells.begin(), finding.cells.end());
+    } else if (finding.ports.empty()) {
+      accused.insert(finding.cells.begin(), finding.cells.end());
+    }
+  }
+  HealthyCount count;
+  count.alarms = {alarm ? 1U : 0U, 1};
+  count.accused = {accused.size(), result->cellCount()};
+  count.suspicious = {suspicious.size(), result->cellCount()};
+  for (const PatchReconstruction& patch : result->patches) {
+    count.muted += {static_cast<std::size_t>(std::ranges::count_if(
+                        patch.links, [](const LinkEstimate& link) { return link.muted_by.has_value(); })),
+                    patch.links.size()};
+  }
+  return count;
+}
+
+HealthyCount countHealthy(const Trials& trials, std::size_t poses, std::size_t sessions) {
+  HealthyCount sum;
+  const auto counts =
+      trials.run("healthy, all patches", sessions, [poses](std::size_t seed) { return tryHealthy(seed, poses); });
+  for (const HealthyCount& count : counts) {
+    sum.alarms += count.alarms;
+    sum.accused += count.accused;
+    sum.suspicious += count.suspicious;
+    sum.muted += count.muted;
+  }
+  return sum;
+}
+
+std::string yesOrNo(bool reached) { return reached ? "yes" : "NO"; }
+
+}  // namespace
+
+nlohmann::ordered_json countGarbage(const Trials& trials, bool prints) {
+  nlohmann::ordered_json json = {{"interval", "Wilson, 95 %"}};
+  TextTable table({"garbage", "poses", "found (95 %)", "best, cell known", "best test", "bar", "reached"});
+  for (const Garbage& what : garbage()) {
+    const auto outcomes =
+        trials.run(what.name, trials.seeds(), [&](std::size_t seed) { return tryGarbage(what, seed); });
+    Share found;
+    std::vector<double> known;
+    std::vector<double> unknown;
+    for (const Outcome& outcome : outcomes) {
+      found += {outcome.found ? 1U : 0U, 1};
+      if (!outcome.best) continue;
+      known.push_back(outcome.best->cell_known);
+      unknown.push_back(outcome.best->cell_unknown);
+    }
+    const std::optional<double> bound = unknown.empty() ? std::nullopt : std::optional(mean(unknown));
+    const std::optional<double> bound_known = known.empty() ? std::nullopt : std::optional(mean(known));
+    const double bar = bound ? std::min(kBarFound, *bound - kBelowBound) : kBarFound;
+    const bool reached = found.percent() >= bar;
+    table.add({what.name, std::to_string(what.poses), inWords(found, 1),
+               bound ? formatFixed(*bound_known, 1) + " %" : "-", bound ? formatFixed(*bound, 1) + " %" : "-",
+               ">= " + formatFixed(bar, 1) + " %", yesOrNo(reached)});
+    json["rows"].push_back({{"garbage", what.name},
+                            {"poses", what.poses},
+                            {"found", toJson(found)},
+                            {"best_test_cell_known_percent", numberOrNull(bound_known)},
+                            {"best_test_percent", numberOrNull(bound)},
+                            {"bar_percent", bar},
+                            {"reached", reached}});
+  }
+  const std::size_t sessions =
+      trials.seeds() < kFullSeeds ? trials.seeds() : std::max(trials.seeds(), kHealthySessions);
+  TextTable healthy({"healthy, all patches", "poses", "sessions with a false alarm (95 %)", "cells accused (95 %)",
+                     "cells suspicious", "links muted", "bars", "reached"});
+  for (const std::size_t poses : {2U, 3U, 4U}) {
+    const HealthyCount count = countHealthy(trials, poses, sessions);
+    const bool reached = count.alarms.percent() <= kBarFalseAlarms && count.accused.percent() <= kBarAccused;
+    healthy.add({"", std::to_string(poses), inWords(count.alarms, 2), inWords(count.accused, 3),
+                 formatFixed(count.suspicious.percent(), 3) + " %", formatFixed(count.muted.percent(), 3) + " %",
+                 "<= 0.2 %, <= 0.1 %", yesOrNo(reached)});
+    json["healthy"].push_back({{"poses", poses},
+                               {"alarms", toJson(count.alarms)},
+                               {"accused", toJson(count.accused)},
+                               {"suspicious", toJson(count.suspicious)},
+                               {"muted", toJson(count.muted)},
+                               {"reached", reached}});
+  }
+  if (prints) {
+    std::cout
+        << "\nGarbage, on a simulated X17 (r = 50.1 mm), global solver, defaults: " << trials.seeds()
+        << " sessions per row.\nFound: a finding names it, and the verdict is lower; of what leaves nothing but "
+           "noise: the verdict is failed.\nBest test: a likelihood ratio with 0.2 % false alarms a session that knows "
+           "the fault, and its cell, or has to ask of every\ncell and axis. The bar is 95 %, or 5 % less than the "
+           "latter "
+           "where that is lower.\n\n";
+    table.print();
+    std::cout << "\nHealthy skins, hand-held, " << kHealthySkins.size() << " patches: " << sessions
+              << " sessions per row. Intervals are Wilson's, 95 %.\n\n";
+    healthy.print();
+  }
+  return json;
+}
+
+}  // namespace hexoderm::cli

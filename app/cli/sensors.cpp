@@ -1,0 +1,174 @@
+#include "app/cli/command.h"
+
+#include "hexoderm/reconstruction/sensor_statistics.h"
+#include "hexoderm/util/text.h"
+
+#include <iostream>
+
+namespace hexoderm::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct SensorsOptions {
+  std::vector<std::string> inputs;
+  std::string output;
+};
+
+/// A unit in which a sigma is printed.
+struct PrintedUnit {
+  const char* name;
+  double factor;
+  int decimals;
+};
+constexpr PrintedUnit kMilliG = {"mg", 1000, 1};
+constexpr PrintedUnit kPercent = {"%", 100, 2};
+
+std::string figure(double value, PrintedUnit unit) {
+  return formatFixed(value * unit.factor, unit.decimals) + " " + unit.name;
+}
+
+const char* nameOf(SigmaKnowledge knowledge) {
+  switch (knowledge) {
+    case SigmaKnowledge::Measured:
+      return "measured";
+    case SigmaKnowledge::AtMost:
+      return "at_most";
+    case SigmaKnowledge::Unknown:
+      break;
+  }
+  return "unknown";
+}
+
+void printSigma(const std::string& name, const SigmaEstimate& estimate, double model_sigma, PrintedUnit unit) {
+  std::cout << name << std::string(name.size() < 14 ? 14 - name.size() : 1, ' ');
+  switch (estimate.knowledge) {
+    case SigmaKnowledge::Measured:
+      std::cout << figure(estimate.sigma, unit) << " (95 %: " << figure(estimate.low_95, unit) << " to "
+                << figure(estimate.high_95, unit) << "), worth " << formatFixed(estimate.worth, 0) << " errors";
+      break;
+    case SigmaKnowledge::AtMost:
+      std::cout << "at most " << figure(estimate.high_95, unit) << " (95 %)";
+      break;
+    case SigmaKnowledge::Unknown:
+      std::cout << "can't tell: the readings are worth " << formatFixed(estimate.worth, 1) << " errors";
+      break;
+  }
+  std::cout << "; the sessions' model says " << figure(model_sigma, unit) << '\n';
+}
+
+void print(const SensorStatistics& statistics, const Accelerometer& model, std::size_t sessions) {
+  std::cout << sessions << (sessions == 1 ? " session, " : " sessions, ") << statistics.cells_used << " of "
+            << statistics.cells << " accelerometers, " << statistics.readings << " mean readings, solved "
+            << statistics.rounds << " times" << (statistics.settled ? "" : " and not settled") << '\n';
+  std::cout << "Errors of the accelerometers, 1 sigma an axis:\n";
+  const SensorSigmas& sigmas = statistics.sigmas;
+  printSigma("offset", sigmas.offset_g, model.offset_sigma_g, kMilliG);
+  printSigma("  of it shared", sigmas.shared_offset_g, model.shared_offset_sigma_g, kMilliG);
+  printSigma("scale", sigmas.scale, model.scale_sigma, kPercent);
+  printSigma("cross-axis", sigmas.cross_axis, model.cross_axis_sigma, kPercent);
+  if (!sigmas.lot) return;
+  std::cout << "Offset that all have in common:";
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    std::cout << (axis == 0 ? " " : ", ") << "xyz"[axis] << ' '
+              << formatFixed(sigmas.lot->offset_g[axis] * kMilliG.factor, 1) << " +- "
+              << formatFixed(sigmas.lot->sigma_g[axis] * kMilliG.factor, 1);
+  }
+  std::cout << " mg (1 sigma)\n";
+}
+
+Json toJson(const SigmaEstimate& estimate, double model_sigma) {
+  Json json = {{"knowledge", nameOf(estimate.knowledge)}};
+  const bool is_measured = estimate.knowledge == SigmaKnowledge::Measured;
+  json["sigma"] = is_measured ? Json(estimate.sigma) : Json(nullptr);
+  json["low_95"] = is_measured ? Json(estimate.low_95) : Json(nullptr);
+  json["high_95"] = estimate.knowledge == SigmaKnowledge::Unknown ? Json(nullptr) : Json(estimate.high_95);
+  json["worth_errors"] = estimate.worth;
+  json["model"] = model_sigma;
+  return json;
+}
+
+Json toJson(const SensorStatistics& statistics, const Accelerometer& model, const SensorsOptions& options) {
+  const SensorSigmas& sigmas = statistics.sigmas;
+  Json json = {{"sessions", options.inputs},
+               {"cells", statistics.cells},
+               {"cells_used", statistics.cells_used},
+               {"readings", statistics.readings},
+               {"rounds", statistics.rounds},
+               {"settled", statistics.settled},
+               {"offset_g", toJson(sigmas.offset_g, model.offset_sigma_g)},
+               {"shared_offset_g", toJson(sigmas.shared_offset_g, model.shared_offset_sigma_g)},
+               {"scale", toJson(sigmas.scale, model.scale_sigma)},
+               {"cross_axis", toJson(sigmas.cross_axis, model.cross_axis_sigma)}};
+  json["lot"] = nullptr;
+  if (sigmas.lot) {
+    const auto list = [](const Eigen::Vector3d& v) { return Json{v.x(), v.y(), v.z()}; };
+    json["lot"] = {{"offset_g", list(sigmas.lot->offset_g)}, {"sigma_g", list(sigmas.lot->sigma_g)}};
+  }
+  json["file"] = options.output.empty() ? Json(nullptr) : Json(options.output);
+  return json;
+}
+
+SensorStatistics estimateFrom(const std::vector<std::shared_ptr<const SessionSnapshot>>& sessions) {
+  try {
+    return *estimateSensorStatistics(sessions);
+  } catch (const InvalidArgument& error) {
+    throw BadInput(error.message());  // the sessions don't belong together
+  }
+}
+
+int run(const SensorsOptions& options, const Common& common) {
+  const Output output(options.output, common);
+  std::vector<std::shared_ptr<const SessionSnapshot>> sessions;
+  for (const std::string& input : options.inputs) {
+    common.progress("Reading " + input + " ...");
+    sessions.push_back(openSession(input).snapshot());
+  }
+  common.progress("Solving ...");
+  const SensorStatistics statistics = estimateFrom(sessions);
+  common.endProgress();
+  for (const auto& [a, b] : statistics.same_cells) {
+    common.note(options.inputs[a] + " and " + options.inputs[b] +
+                " have the same cells and links: if they are of one skin, its sensors count twice, and the ranges are "
+                "too narrow.");
+  }
+  if (!options.output.empty()) output.write(cellModelToJson(statistics.model));
+  const Accelerometer& model = sessions.front()->model->accelerometer;
+  if (common.json) {
+    printJson(toJson(statistics, model, options));
+  } else {
+    print(statistics, model, sessions.size());
+    if (!statistics.knowsAnything()) {
+      std::cout << "Nothing can be told: take poses in more directions, of more cells.\n";
+    }
+    if (!options.output.empty()) {
+      std::cout << "Cell model written to " << forTerminal(output.inWords())
+                << "; what can't be told stands there as in the sessions' model, what is bounded as its bound.\n";
+    }
+  }
+  return statistics.knowsAnything() ? kDone : kNotGoodEnough;
+}
+
+}  // namespace
+
+void addSensors(CLI::App& app, Common& common) {
+  const auto options = std::make_shared<SensorsOptions>();
+  CLI::App* command = app.add_subcommand(
+      "sensors", "Estimate how large the errors of the accelerometers are, and write a cell model that says so");
+  command
+      ->add_option("sessions", options->inputs,
+                   "Sessions (*.hexo or *.session.json) with one cell model, of chips of one lot")
+      ->required();
+  command->add_option("-o,--output", options->output,
+                      "Cell model to write: the sessions' with the estimated sigmas (*.json; - is standard output)");
+  common.addTo(*command);
+  command->footer(
+      "One pose tells nothing, two the offsets, three the scale errors too, and six, as of a cube's faces, all.\n"
+      "Exit code 1: nothing can be told; the model is written all the same.\n"
+      "Example:\n  hexoderm-cli simulate --poses 6 -o arm.session.json\n"
+      "  hexoderm-cli sensors arm.session.json -o chip.json\n"
+      "  hexoderm-cli simulate --poses 6 --cell-model chip.json -o next.session.json");
+  command->callback([options, &common] { common.exit_code = run(*options, common); });
+}
+
+}  // namespace hexoderm::cli

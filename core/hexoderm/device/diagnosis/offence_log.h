@@ -1,0 +1,26 @@
+#pragma once
+
+#include "hexoderm/device/offence.h"
+
+#include <vector>
+
+namespace hexoderm {
+
+/// What a device did wrong so far: the first offence of each kind, in the order in which they came, and their counts.
+class OffenceLog {
+ public:
+  void add(const Offence& offence);
+  /// Adds to the count of a kind that came before; false if none did.
+  bool addAgain(OffenceKind kind, std::uint64_t count);
+  [[nodiscard]] const std::vector<Offence>& offences() const { return offences_; }
+  [[nodiscard]] bool has(OffenceKind kind) const;
+  /// Whether a kind came for the first time since takeNews().
+  [[nodiscard]] bool hasNews() const { return has_news_; }
+  void takeNews() { has_news_ = false; }
+
+ private:
+  std::vector<Offence> offences_;
+  bool has_news_ = false;
+};
+
+}  // namespace hexoderm

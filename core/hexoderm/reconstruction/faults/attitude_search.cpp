@@ -1,0 +1,551 @@
+#include "hexoderm/reconstruction/faults/attitude_search.h"
+
+#include "hexoderm/util/median.h"
+#include "hexoderm/util/units.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <functional>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+/// The weight of the cell model's scatter against what a patch's links show, in links.
+constexpr double kWeightOfModel = 4;
+/// Prior deviation of a patch's curvature, as the bend of one link.
+constexpr double kCurvatureSigma = 30 * kDegree;
+/// Median of the absolute value of a normal deviate.
+constexpr double kMedianOfNormal = 0.6745;
+/// Variance of an angle of which nothing is known.
+constexpr double kUnknownVariance = kPi * kPi / 3;
+/// A free angle is a costlier explanation than none: the logarithm of how much narrower readings fix it.
+constexpr double kCostOfAngle = 3;
+
+/// Patches to one false alarm: of the yaw of links and cells, of cells that moved, and of everything else. A mould lets
+/// nothing turn in the surface, so that yaw shows a sensor that is mounted otherwise best; bend and twist scatter as
+/// the part is curved.
+constexpr double kPatchesPerFalseYaw = 200;
+constexpr double kPatchesPerFalseMotion = 200;
+constexpr double kPatchesPerOtherAlarm = 2000;
+
+/// The deviation that a standard normal deviate exceeds once in `times`.
+double deviateExceededOnceIn(double times) {
+  // Inverse of the tail by its asymptotic series, twice refined; within 0.01 from 100 on.
+  double z = std::sqrt(2 * std::log(times));
+  for (int k = 0; k < 5; ++k)
+    z = std::sqrt(2 * std::log(times / (z * std::sqrt(2 * kPi))) - 2 * std::log1p(1 / (z * z)));
+  return z;
+}
+
+/// Rows of bend and twist of a link with the given heading for (S_xx, S_yy, S_xy, antisymmetric part).
+Eigen::Vector4d bendRow(double heading) {
+  const double c = std::cos(heading);
+  const double s = std::sin(heading);
+  return {c * c, s * s, 2 * c * s, 0};
+}
+Eigen::Vector4d twistRow(double heading) {
+  const double c = std::cos(heading);
+  const double s = std::sin(heading);
+  return {c * s, -c * s, -(c * c - s * s), -1};
+}
+
+/// Turns about each axis alone that explain a misfit best, and their deviations: with few poses the errors of different
+/// axes go together, and a turn about one of them is known better than each angle by itself.
+struct Turns {
+  Eigen::Vector3d angle;
+  Eigen::Vector3d sigma;
+};
+Turns likeliestTurns(const Eigen::Vector3d& off, const Eigen::Matrix3d& covariance) {
+  const Eigen::Matrix3d information = covariance.inverse();
+  const Eigen::Vector3d diagonal = information.diagonal();
+  return {(information * off).cwiseQuotient(diagonal), diagonal.cwiseSqrt().cwiseInverse()};
+}
+
+double headingOf(const Port& port) { return std::atan2(port.vector_m.y(), port.vector_m.x()); }
+
+double huberWeight(double deviations) {
+  constexpr double kThreshold = 1.5;
+  return std::abs(deviations) <= kThreshold ? 1 : kThreshold / std::abs(deviations);
+}
+
+}  // namespace
+
+AttitudeSearch::AttitudeSearch(const SkinLinks& skin, std::span<const std::size_t> cells,
+                               std::vector<PatchForce> forces, std::span<const SE3> placements, bool forces_are_rough)
+    : skin_(skin), cells_(cells.begin(), cells.end()), own_(cells_.size()), at_(cells_.size()) {
+  constexpr int kRounds = 10;
+  for (std::size_t place = 0; place < cells_.size(); ++place) own_[place].R_o_u = placements[place].R;
+  for (int round = 0; forces_are_rough && round < kRounds; ++round) {
+    findOwnAttitudes(forces, placements);
+    refine(forces);
+  }
+  findOwnAttitudes(forces, placements);
+  findJoints();
+  sigma_ = {skin.model().twist_sigma_rad, skin.model().bend_sigma_rad, skin.model().yaw_sigma_rad};
+}
+
+std::size_t AttitudeSearch::placeOf(std::size_t cell) const {
+  return static_cast<std::size_t>(std::ranges::lower_bound(cells_, cell) - cells_.begin());
+}
+
+void AttitudeSearch::findOwnAttitudes(std::span<const PatchForce> forces, std::span<const SE3> placements) {
+  const AccelerometerPrior prior(skin_.model().accelerometer);
+  const Eigen::Matrix3d& R_u_a = skin_.model().accelerometer.T_u_a.R;
+  for (std::size_t place = 0; place < cells_.size(); ++place) {
+    Own& own = own_[place];
+    own.readings.clear();
+    own.f_o.clear();
+    own.poses.clear();
+    for (const PatchForce& force : forces) {
+      const GravityTable::Entry& entry = skin_.table().at(cells_[place], force.pose);
+      if (!entry.usable) continue;
+      own.readings.push_back({own.readings.size(), R_u_a.transpose() * entry.mean_g, entry.variance_g2});
+      own.f_o.emplace_back(force.at_origin_o + force.swing_o.cross(placements[place].t));
+      own.poses.push_back(force.pose);
+    }
+    if (own.readings.empty()) continue;
+    const OwnAttitude found = findAttitude(prior, own.readings, own.f_o, own.R_o_u * R_u_a);
+    const Eigen::Matrix3d information = found.information + Eigen::Matrix3d::Identity() / kUnknownVariance;
+    own.known = true;
+    own.R_o_u = found.R * R_u_a.transpose();
+    own.covariance = R_u_a * information.inverse() * R_u_a.transpose();
+    own.sensor = found.sensor;
+  }
+}
+
+/// Every force as the mean of what the cells, freed from the errors of their sensors, read.
+void AttitudeSearch::refine(std::vector<PatchForce>& forces) const {
+  const Eigen::Matrix3d& R_u_a = skin_.model().accelerometer.T_u_a.R;
+  for (PatchForce& force : forces) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const Own& own : own_) {
+      const auto at = std::ranges::find(own.poses, force.pose);
+      if (!own.known || at == own.poses.end()) continue;
+      const Eigen::Vector3d& y_g = own.readings[static_cast<std::size_t>(at - own.poses.begin())].y_g;
+      sum += own.R_o_u * R_u_a * own.sensor.gain.inverse() * (y_g - own.sensor.offset_g);
+    }
+    if (sum.norm() > 0.5) force.at_origin_o = sum.normalized();
+  }
+}
+
+/// Headings of the cells' x axes in the sheet laid flat, from one of them.
+std::vector<double> AttitudeSearch::headings() const {
+  const SkinGraph& graph = skin_.graph();
+  std::vector<std::optional<double>> heading(cells_.size());
+  heading.front() = 0;
+  std::deque<std::size_t> queue = {cells_.front()};
+  while (!queue.empty()) {
+    const std::size_t cell = queue.front();
+    queue.pop_front();
+    for (const std::size_t k : graph.linksAt(cell)) {
+      const GraphLink& link = graph.links()[k];
+      if (link.muted() || heading[placeOf(link.other(cell))]) continue;
+      const double yaw = headingOf(skin_.sourcePort(link)) + kPi - headingOf(skin_.targetPort(link));
+      heading[placeOf(link.other(cell))] = *heading[placeOf(cell)] + (link.source == cell ? yaw : -yaw);
+      queue.push_back(link.other(cell));
+    }
+  }
+  std::vector<double> all;
+  for (const std::optional<double>& of_cell : heading) all.push_back(of_cell.value_or(0));
+  return all;
+}
+
+void AttitudeSearch::findJoints() {
+  const SkinGraph& graph = skin_.graph();
+  const std::vector<double> heading = headings();
+  for (std::size_t place = 0; place < cells_.size(); ++place) {
+    for (const std::size_t k : graph.linksAt(cells_[place])) {
+      const GraphLink& link = graph.links()[k];
+      if (link.muted() || link.source != cells_[place]) continue;
+      Joint joint;
+      joint.link = k;
+      joint.source = place;
+      joint.target = placeOf(link.target);
+      joint.R_nom = nominalAlignment(skin_.sourcePort(link), skin_.targetPort(link));
+      const Eigen::Vector3d u = skin_.sourcePort(link).vector_m.normalized();
+      joint.axes << u, Eigen::Vector3d::UnitZ().cross(u), Eigen::Vector3d::UnitZ();
+      joint.heading_rad = heading[place] + headingOf(skin_.sourcePort(link));
+      at_[joint.source].push_back(joints_.size());
+      at_[joint.target].push_back(joints_.size());
+      joints_.push_back(joint);
+    }
+  }
+}
+
+bool AttitudeSearch::tested(const Joint& joint) const {
+  return joint.open && own_[joint.source].known && own_[joint.target].known;
+}
+
+/// Twist, bend and yaw.
+Eigen::Vector3d AttitudeSearch::anglesOf(const Joint& joint, const Own& source, const Own& target) const {
+  return joint.axes.transpose() * logSO3(source.R_o_u.transpose() * target.R_o_u * joint.R_nom.transpose());
+}
+
+/// Covariance that the readings leave in a link's angles.
+Eigen::Matrix3d AttitudeSearch::measured(const Joint& joint, const Own& source, const Own& target) const {
+  const Eigen::Matrix3d R_c_n = source.R_o_u.transpose() * target.R_o_u;
+  return joint.axes.transpose() * (source.covariance + R_c_n * target.covariance * R_c_n.transpose()) * joint.axes;
+}
+
+Eigen::Vector3d AttitudeSearch::expectedOf(const Joint& joint) const {
+  return {twistRow(joint.heading_rad).dot(shape_.parameters), bendRow(joint.heading_rad).dot(shape_.parameters), 0};
+}
+
+Eigen::Matrix3d AttitudeSearch::scatter() const { return sigma_.cwiseAbs2().asDiagonal(); }
+
+double AttitudeSearch::squaredMisfit(const Joint& joint, const Own& source, const Own& target) const {
+  const Eigen::Vector3d off = anglesOf(joint, source, target) - expectedOf(joint);
+  const Eigen::Matrix3d covariance = scatter() + measured(joint, source, target);
+  return off.dot(covariance.ldlt().solve(off));
+}
+
+/// The shape operator that fits most links, and the scatter about it.
+AttitudeSearch::Shape AttitudeSearch::fitShape(bool with_antisymmetric) {
+  constexpr int kRounds = 8;
+  const CellModel& model = skin_.model();
+  const Eigen::Vector3d model_sigma(model.twist_sigma_rad, model.bend_sigma_rad, model.yaw_sigma_rad);
+  sigma_ = model_sigma;
+  Shape shape;
+  std::vector<Eigen::Vector3d> angles;
+  std::vector<Eigen::Vector3d> variances;
+  std::vector<double> headings;
+  for (const Joint& joint : joints_) {
+    if (!tested(joint)) continue;
+    angles.push_back(anglesOf(joint, own_[joint.source], own_[joint.target]));
+    variances.emplace_back(measured(joint, own_[joint.source], own_[joint.target]).diagonal());
+    headings.push_back(joint.heading_rad);
+  }
+  const auto links = static_cast<double>(angles.size());
+  for (int round = 0; round < kRounds; ++round) {
+    Eigen::Matrix4d normal = Eigen::Matrix4d::Identity() / (kCurvatureSigma * kCurvatureSigma);
+    if (!with_antisymmetric) normal(3, 3) = 1e12;
+    Eigen::Vector4d right = Eigen::Vector4d::Zero();
+    for (std::size_t k = 0; k < angles.size(); ++k) {
+      for (int axis = 0; axis < 2; ++axis) {
+        const Eigen::Vector4d row = axis == 0 ? twistRow(headings[k]) : bendRow(headings[k]);
+        const double variance = sigma_[axis] * sigma_[axis] + variances[k][axis];
+        const double off = angles[k][axis] - row.dot(shape.parameters);
+        const double weight = (round == 0 ? 1 : huberWeight(off / std::sqrt(variance))) / variance;
+        normal += weight * row * row.transpose();
+        right += weight * angles[k][axis] * row;
+      }
+    }
+    const Eigen::LDLT<Eigen::Matrix4d> factor(normal);
+    shape.parameters = factor.solve(right);
+    shape.antisymmetric_sigma = std::sqrt(factor.solve(Eigen::Vector4d::UnitW()).w());
+    for (int axis = 0; axis < 3; ++axis) {
+      std::vector<double> off;
+      std::vector<double> of_readings;
+      for (std::size_t k = 0; k < angles.size(); ++k) {
+        const double expected = axis == 0   ? twistRow(headings[k]).dot(shape.parameters)
+                                : axis == 1 ? bendRow(headings[k]).dot(shape.parameters)
+                                            : 0;
+        off.push_back(std::abs(angles[k][axis] - expected));
+        of_readings.push_back(variances[k][axis]);
+      }
+      const double seen = median(off) / kMedianOfNormal;
+      const double own_sq = std::max(0.0, seen * seen - median(of_readings));
+      const double model_sq = model_sigma[axis] * model_sigma[axis];
+      double both_sq = (kWeightOfModel * model_sq + links * own_sq) / (kWeightOfModel + links);
+      if (axis == 2) both_sq = std::max(both_sq, model_sq);
+      sigma_[axis] = std::sqrt(both_sq);
+    }
+  }
+  return shape;
+}
+
+/// A surface's normal turns towards the way that it bends: links twist one way along one direction as much as they
+/// twist the other way across it. A twist that is the same in all directions belongs to no surface.
+std::optional<AttitudeSuspect> AttitudeSearch::judgePatch() {
+  constexpr double kLimit = 5;
+  constexpr double kLeast = 4 * kDegree;
+  const Shape shape = fitShape(true);
+  if (shape.antisymmetric_sigma <= 0) return std::nullopt;
+  const double deviate = std::abs(shape.parameters.w()) / shape.antisymmetric_sigma;
+  if (deviate < strictness() * kLimit || std::abs(shape.parameters.w()) < kLeast) return std::nullopt;
+  AttitudeSuspect suspect{AttitudeSuspect::Kind::Patch};
+  suspect.angle_rad = std::abs(shape.parameters.w());
+  return suspect;
+}
+
+Eigen::Matrix3d AttitudeSearch::Belief::covariance() const {
+  return (information + Eigen::Matrix3d::Identity() / kUnknownVariance).inverse();
+}
+
+void AttitudeSearch::Belief::operator+=(const Belief& other) {
+  information += other.information;
+  weighted += other.weighted;
+}
+
+AttitudeSearch::Belief AttitudeSearch::ownBelief(std::size_t place) const {
+  Belief own;
+  if (own_[place].known) own.information = own_[place].covariance.inverse();
+  return own;
+}
+
+/// What all links of a cell but one say about it.
+AttitudeSearch::Belief AttitudeSearch::beliefBeside(std::size_t place, const Joint* but) const {
+  Belief belief;
+  for (const std::size_t k : at_[place]) {
+    const Joint& joint = joints_[k];
+    if (!joint.open || &joint == but) continue;
+    belief += joint.source == place ? joint.to_source : joint.to_target;
+  }
+  return belief;
+}
+
+/// What the far side of a link says about the cell at the near one.
+AttitudeSearch::Belief AttitudeSearch::along(const Joint& joint, bool to_source) const {
+  const std::size_t near = to_source ? joint.source : joint.target;
+  const std::size_t far = to_source ? joint.target : joint.source;
+  Belief of_far = ownBelief(far);
+  of_far += beliefBeside(far, &joint);
+  const Eigen::Matrix3d covariance_far = of_far.covariance();
+  const Eigen::Matrix3d R_c_n = expSO3(joint.axes * expectedOf(joint)) * joint.R_nom;
+  const Eigen::Matrix3d R_far_near = to_source ? Eigen::Matrix3d(R_c_n.transpose()) : R_c_n;
+  const Eigen::Matrix3d elastomer = joint.axes * scatter() * joint.axes.transpose();
+  const Eigen::Matrix3d of_link = to_source ? elastomer : Eigen::Matrix3d(R_c_n.transpose() * elastomer * R_c_n);
+  const Eigen::Vector3d mean = logSO3(own_[near].R_o_u.transpose() * own_[far].R_o_u * R_far_near) +
+                               R_far_near.transpose() * covariance_far * of_far.weighted;
+  Belief belief;
+  belief.information = (of_link + R_far_near.transpose() * covariance_far * R_far_near).inverse();
+  belief.weighted = belief.information * mean;
+  return belief;
+}
+
+void AttitudeSearch::passBeliefs() {
+  // Round a loop what a cell says would come back to it as another's word.
+  const bool has_loops = joints_.size() >= cells_.size();
+  const int reach = has_loops ? 1 : 4;  // links
+  for (Joint& joint : joints_) joint.to_source = joint.to_target = Belief{};
+  for (int k = 0; k < reach; ++k) {
+    std::vector<std::pair<Belief, Belief>> next;
+    for (const Joint& joint : joints_) next.emplace_back(along(joint, true), along(joint, false));
+    for (std::size_t link = 0; link < joints_.size(); ++link) {
+      joints_[link].to_source = next[link].first;
+      joints_[link].to_target = next[link].second;
+    }
+  }
+}
+
+/// The options' misfit stands for all limits here: 1 for its default.
+double AttitudeSearch::strictness() const { return skin_.options().max_misfit / SolverOptions{}.max_misfit; }
+
+/// Deviations that a yaw, of whichever sign, and any other test may reach by chance.
+double AttitudeSearch::yawLimit() const {
+  return strictness() *
+         deviateExceededOnceIn(2 * kPatchesPerFalseYaw * static_cast<double>(joints_.size() + cells_.size()));
+}
+double AttitudeSearch::otherLimit() const {
+  return strictness() *
+         deviateExceededOnceIn(2 * kPatchesPerOtherAlarm * static_cast<double>(2 * joints_.size() + cells_.size()));
+}
+
+/// The angle of a link that is furthest beyond its limit.
+std::optional<AttitudeSuspect> AttitudeSearch::judgeLink(const Joint& joint) const {
+  constexpr std::array kCodes = {FindingCode::ImplausibleTwist, FindingCode::ImplausibleBend,
+                                 FindingCode::ImplausibleYaw};
+  // Both cells as all but this link have them.
+  const auto withoutThis = [&](std::size_t place) {
+    Belief belief = ownBelief(place);
+    belief += beliefBeside(place, &joint);
+    Own all;
+    all.covariance = belief.covariance();
+    all.R_o_u = own_[place].R_o_u * expSO3(all.covariance * belief.weighted);
+    return all;
+  };
+  const Own source = withoutThis(joint.source);
+  const Own target = withoutThis(joint.target);
+  const Eigen::Vector3d expected = expectedOf(joint);
+  const Turns turns =
+      likeliestTurns(anglesOf(joint, source, target) - expected, scatter() + measured(joint, source, target));
+  const Eigen::Vector3d limits = turns.sigma.cwiseProduct(Eigen::Vector3d(otherLimit(), otherLimit(), yawLimit()));
+  Eigen::Index worst = 0;
+  if (turns.angle.cwiseQuotient(limits).cwiseAbs().maxCoeff(&worst) <= 1) return std::nullopt;
+  AttitudeSuspect suspect{AttitudeSuspect::Kind::Link};
+  suspect.link = joint.link;
+  suspect.angle = kCodes.at(static_cast<std::size_t>(worst));
+  suspect.angle_rad = expected[worst] + turns.angle[worst];
+  suspect.lowest_rad = expected[worst] - limits[worst];
+  suspect.highest_rad = expected[worst] + limits[worst];
+  suspect.evidence = squaredMisfit(joint, source, target) / 2 - kCostOfAngle * 3;
+  return suspect;
+}
+
+/// What the covariance of a cell by its links lacks: half of each link's scatter is how askew this very cell sits in
+/// the mould, which is the same for all of them and does not average out.
+Eigen::Matrix3d AttitudeSearch::ownScatter(std::size_t place) const {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  double links = 0;
+  for (const std::size_t k : at_[place]) {
+    const Joint& joint = joints_[k];
+    if (!tested(joint)) continue;
+    Eigen::Matrix3d axes = joint.axes;
+    if (joint.target == place) axes = (joint.R_nom.transpose() * axes).eval();
+    sum += axes * scatter() * axes.transpose();
+    ++links;
+  }
+  return links == 0 ? sum : Eigen::Matrix3d((1 - 1 / links) / 2 * sum / links);
+}
+
+/// A cell whose own attitude is not what all its links say together. Nothing for one with fewer than two links to say
+/// so.
+std::optional<AttitudeSuspect> AttitudeSearch::judgeCell(std::size_t place) const {
+  const auto witnesses = std::ranges::count_if(at_[place], [&](std::size_t k) { return tested(joints_[k]); });
+  if (witnesses < 2) return std::nullopt;
+  const Belief links = beliefBeside(place, nullptr);
+  const Eigen::Matrix3d of_links = links.covariance();
+  const Eigen::Vector3d turn = of_links * links.weighted;
+  const Eigen::Matrix3d covariance = of_links + ownScatter(place) + own_[place].covariance;
+  const double squared = turn.dot(covariance.ldlt().solve(turn));
+  const bool is_turned = Misfit{squared, 3}.deviate() > otherLimit();
+  const Turns turns = likeliestTurns(turn, covariance);
+  const bool is_yawed = std::abs(turns.angle.z()) > yawLimit() * turns.sigma.z();
+  if (!is_turned && !is_yawed) return std::nullopt;
+  AttitudeSuspect suspect{AttitudeSuspect::Kind::Cell};
+  suspect.cell = cells_[place];
+  suspect.angle_rad = turn.norm();
+  suspect.evidence = squared / 2 - kCostOfAngle * 3;
+  return suspect;
+}
+
+/// A cell whose readings before and after a pose belong to two attitudes.
+std::optional<AttitudeSuspect> AttitudeSearch::judgeMotion(std::size_t place) const {
+  constexpr double kLeastTurn = 2 * kDegree;  // what a cell does in a soft mould
+  const Own& own = own_[place];
+  if (own.readings.size() < 2) return std::nullopt;
+  const Eigen::Matrix3d& R_u_a = skin_.model().accelerometer.T_u_a.R;
+  std::vector<Eigen::Vector3d> v_g;
+  for (const Eigen::Vector3d& f_o : own.f_o) v_g.emplace_back(R_u_a.transpose() * own.R_o_u.transpose() * f_o);
+  const Belief links = beliefBeside(place, nullptr);
+  const AttitudePrior attitude{R_u_a.transpose() * links.information * R_u_a, R_u_a.transpose() * links.weighted};
+  const TurnBetweenPoses turn = findTurn(AccelerometerPrior(skin_.model().accelerometer), own.readings, v_g, attitude);
+  const auto tests = static_cast<double>(cells_.size() * (own.readings.size() - 1));
+  if (turn.angle_rad < kLeastTurn ||
+      turn.gain.deviate() <= strictness() * deviateExceededOnceIn(kPatchesPerFalseMotion * tests)) {
+    return std::nullopt;
+  }
+  AttitudeSuspect suspect{AttitudeSuspect::Kind::Moved};
+  suspect.cell = cells_[place];
+  suspect.angle_rad = turn.angle_rad;
+  suspect.pose = own.poses[turn.first_after];
+  suspect.evidence = turn.gain.chi_squared / 2 - kCostOfAngle * turn.gain.degrees;
+  return suspect;
+}
+
+/// Squared misfit of the own attitudes of two neighbours, together, with what all their links say. `source`, `target`:
+/// whose readings count at the ends of the link.
+double AttitudeSearch::pairMisfit(const Joint& joint, const Own& source, const Own& target) const {
+  using Matrix6 = Eigen::Matrix<double, 6, 6>;
+  using Vector6 = Eigen::Matrix<double, 6, 1>;
+  // The errors (e_source, e_target) of both attitudes as the links have them.
+  Matrix6 information = Matrix6::Identity() / kUnknownVariance;
+  Vector6 weighted = Vector6::Zero();
+  const auto addBeside = [&](std::size_t place, const Own& own, Eigen::Index at) {
+    const Belief beside = beliefBeside(place, &joint);
+    const Eigen::Matrix3d R_believed = own_[place].R_o_u * expSO3(beside.covariance() * beside.weighted);
+    information.block<3, 3>(at, at) += beside.information;
+    weighted.segment<3>(at) += beside.information * logSO3(own.R_o_u.transpose() * R_believed);
+  };
+  addBeside(joint.source, source, 0);
+  addBeside(joint.target, target, 3);
+  const Eigen::Matrix3d R_c_n = expSO3(joint.axes * expectedOf(joint)) * joint.R_nom;
+  const Eigen::Vector3d off = logSO3(source.R_o_u.transpose() * target.R_o_u * R_c_n.transpose());
+  Eigen::Matrix<double, 3, 6> J;  // of the link's angle, off - e_source + R_c_n e_target
+  J << -Eigen::Matrix3d::Identity(), R_c_n;
+  const Eigen::Matrix3d precision = joint.axes * scatter().inverse() * joint.axes.transpose();
+  information += J.transpose() * precision * J;
+  weighted -= J.transpose() * precision * off;
+
+  Matrix6 covariance = information.inverse();
+  const Vector6 mean = covariance * weighted;
+  covariance.topLeftCorner<3, 3>() += source.covariance;
+  covariance.bottomRightCorner<3, 3>() += target.covariance;
+  return mean.dot(covariance.ldlt().solve(mean));
+}
+
+/// By how much two neighbours fit their links better with each other's readings: the logarithm of the likelihood ratio.
+double AttitudeSearch::gainOfSwap(const Joint& joint) const {
+  const Own& source = own_[joint.source];
+  const Own& target = own_[joint.target];
+  return (pairMisfit(joint, source, target) - pairMisfit(joint, target, source)) / 2;
+}
+
+std::vector<AttitudeSuspect> AttitudeSearch::candidates() {
+  passBeliefs();
+  const double swap_limit =
+      strictness() * strictness() * std::log(kPatchesPerOtherAlarm * static_cast<double>(joints_.size()));
+  std::vector<AttitudeSuspect> found;
+  for (const Joint& joint : joints_) {
+    if (!tested(joint)) continue;
+    if (const auto suspect = judgeLink(joint)) found.push_back(*suspect);
+    if (const double gain = gainOfSwap(joint); gain > swap_limit) {
+      AttitudeSuspect suspect{AttitudeSuspect::Kind::Swapped};
+      suspect.cell = cells_[joint.source];
+      suspect.other = cells_[joint.target];
+      suspect.evidence = gain;
+      found.push_back(suspect);
+    }
+  }
+  for (std::size_t place = 0; place < cells_.size(); ++place) {
+    if (!own_[place].known) continue;
+    if (const auto suspect = judgeCell(place)) found.push_back(*suspect);
+    if (const auto suspect = judgeMotion(place)) found.push_back(*suspect);
+  }
+  std::ranges::sort(found, std::greater<>(), &AttitudeSuspect::evidence);
+  return found;
+}
+
+std::vector<std::size_t> AttitudeSearch::placesOf(const AttitudeSuspect& suspect) const {
+  if (suspect.kind == AttitudeSuspect::Kind::Cell || suspect.kind == AttitudeSuspect::Kind::Moved)
+    return {placeOf(suspect.cell)};
+  if (suspect.kind == AttitudeSuspect::Kind::Swapped) return {placeOf(suspect.cell), placeOf(suspect.other)};
+  const GraphLink& link = skin_.graph().links()[suspect.link];
+  return {placeOf(link.source), placeOf(link.target)};
+}
+
+void AttitudeSearch::explain(const AttitudeSuspect& suspect) {
+  switch (suspect.kind) {
+    case AttitudeSuspect::Kind::Link:
+      for (Joint& joint : joints_) joint.open = joint.open && joint.link != suspect.link;
+      break;
+    case AttitudeSuspect::Kind::Swapped:
+      std::swap(own_[placeOf(suspect.cell)], own_[placeOf(suspect.other)]);
+      break;
+    case AttitudeSuspect::Kind::Cell:
+    case AttitudeSuspect::Kind::Moved:
+      own_[placeOf(suspect.cell)].known = false;
+      break;
+    case AttitudeSuspect::Kind::Patch:
+      break;
+  }
+}
+
+std::vector<AttitudeSuspect> AttitudeSearch::suspects() {
+  if (std::ranges::none_of(joints_, [this](const Joint& joint) { return tested(joint); })) return {};
+  if (const auto patch = judgePatch()) return {*patch};
+  shape_ = fitShape(false);
+  std::vector<AttitudeSuspect> named;
+  for (;;) {
+    // What is beside a clearer fault may be its work and waits for the next round.
+    std::vector<bool> waits(own_.size(), false);
+    const std::size_t before = named.size();
+    for (const AttitudeSuspect& suspect : candidates()) {
+      const std::vector<std::size_t> places = placesOf(suspect);
+      if (std::ranges::any_of(places, [&](std::size_t place) { return waits[place]; })) continue;
+      for (const std::size_t place : places) {
+        waits[place] = true;
+        for (const std::size_t k : at_[place]) waits[joints_[k].source] = waits[joints_[k].target] = true;
+      }
+      named.push_back(suspect);
+      explain(suspect);
+    }
+    if (named.size() == before) return named;
+  }
+}
+
+}  // namespace hexoderm

@@ -1,0 +1,141 @@
+#pragma once
+
+#include "hexoderm/reconstruction/accelerometer/rigidity.h"
+#include "hexoderm/reconstruction/links/skin_links.h"
+
+#include <Eigen/Core>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace hexoderm {
+
+/// The specific forces of one pose on a patch, in its frame.
+struct PatchForce {
+  std::size_t pose = 0;  ///< of the snapshot
+  Eigen::Vector3d at_origin_o = Eigen::Vector3d::Zero();
+  Eigen::Vector3d swing_o = Eigen::Vector3d::Zero();  ///< force(x) = at_origin + swing x x
+};
+
+/// What does not fit about a patch's attitudes, as far as readings and links together show it.
+struct AttitudeSuspect {
+  enum class Kind {
+    Link,     ///< turned further than a skin link can be
+    Cell,     ///< its readings belong to another attitude, and its links agree on which
+    Swapped,  ///< two neighbours fit with each other's readings
+    Moved,    ///< turned against the others between two poses
+    Patch,    ///< the links' twists belong to no surface: axes or ports of all cells are not as the cell model has them
+  };
+  Kind kind{};
+  std::size_t cell = 0;   ///< Cell, Swapped, Moved
+  std::size_t other = 0;  ///< Swapped
+  std::size_t link = 0;   ///< Link
+  FindingCode
+      angle{};  ///< Link: the angle that is furthest off, as ImplausibleBend, ImplausibleTwist or ImplausibleYaw
+  double angle_rad = 0;   ///< Link: that angle; Cell, Moved: the turn; Patch: the mean twist
+  std::size_t pose = 0;   ///< Moved: of the snapshot, the first after the turn
+  double lowest_rad = 0;  ///< Link: what the angle may be in this patch
+  double highest_rad = 0;
+  double evidence = 0;  ///< logarithm of the likelihood ratio, less the cost of what it leaves free
+};
+
+/// Compares the attitude that each cell's own readings show with what its links allow.
+///
+/// Own attitudes R_c come from the readings and the patch's forces alone, errors of the sensors granted (findAttitude);
+/// C_c is their covariance. What a cell's neighbours say about its attitude runs along the links (belief propagation:
+/// exact in trees, and cut short after a few links, lest it come back in loops). A link's angles are those of R_c^T
+/// R_n. In the elastomer's mould neighbours' angles belong to a surface: with the shape operator S (symmetric, the same
+/// for the patch), a link in the direction u bends by u^T S u and twists by -(z x u)^T S u; what is left scatters with
+/// deviations that start as the cell model's and follow what the patch shows (bend and twist; yaw never falls below the
+/// model's). Real skins that lie irregularly get wide limits in this way, and regular ones narrow limits.
+///
+/// A link's angles are compared with that scatter and what both sides say about its cells; a cell's misfit with all its
+/// links is a chi-squared with three degrees of freedom, and so is what is gained if it may have turned between two
+/// poses; the swap of two neighbours' readings is a likelihood ratio. The limits follow from the number of tests and
+/// from how many patches there may be to a false alarm, were all deviations exactly the stated ones. The patch as a
+/// whole is tested by the part of S that no surface has, its antisymmetric one: a constant twist.
+class AttitudeSearch {
+ public:
+  /// `cells`: of the patch, ascending. `placements`: per entry of `cells`, where the search for its own attitude
+  /// starts. `forces_are_rough`: they are of sensors as they read, and are estimated again with the sensors' errors.
+  AttitudeSearch(const SkinLinks& skin, std::span<const std::size_t> cells, std::vector<PatchForce> forces,
+                 std::span<const SE3> placements, bool forces_are_rough);
+
+  /// The most probable faults, the clearest first; what one explains isn't reported again.
+  [[nodiscard]] std::vector<AttitudeSuspect> suspects();
+
+ private:
+  struct Own {
+    bool known = false;
+    Eigen::Matrix3d R_o_u = Eigen::Matrix3d::Identity();   ///< where it is not known, the estimate's
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< cell frame
+    std::vector<CellReading> readings;
+    std::vector<Eigen::Vector3d> f_o;  ///< per reading
+    std::vector<std::size_t> poses;    ///< per reading
+    AccelerometerFit sensor;
+  };
+  /// What is known of the error e of a cell's own attitude, R_true = R exp(e): information and information times mean.
+  struct Belief {
+    Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d weighted = Eigen::Vector3d::Zero();
+    [[nodiscard]] Eigen::Matrix3d covariance() const;
+    void operator+=(const Belief& other);
+  };
+  /// A link between two cells with readings; cells by their place in the patch.
+  struct Joint {
+    std::size_t link = 0;  ///< of the graph
+    std::size_t source = 0;
+    std::size_t target = 0;
+    Eigen::Matrix3d R_nom = Eigen::Matrix3d::Identity();
+    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< twist, bend, yaw in the source's frame
+    double heading_rad = 0;                              ///< of the link in the sheet laid flat
+    bool open = true;                                    ///< not explained yet
+    Belief to_source;                                    ///< what the target's side says about the source
+    Belief to_target;
+  };
+  struct Shape {
+    Eigen::Vector4d parameters = Eigen::Vector4d::Zero();  ///< S_xx, S_yy, S_xy, antisymmetric part
+    double antisymmetric_sigma = 0;
+  };
+
+  [[nodiscard]] std::size_t placeOf(std::size_t cell) const;
+  void findOwnAttitudes(std::span<const PatchForce> forces, std::span<const SE3> placements);
+  void refine(std::vector<PatchForce>& forces) const;
+  [[nodiscard]] std::vector<double> headings() const;
+  [[nodiscard]] double strictness() const;
+  void findJoints();
+  [[nodiscard]] Shape fitShape(bool with_antisymmetric);
+  [[nodiscard]] Eigen::Vector3d anglesOf(const Joint& joint, const Own& source, const Own& target) const;
+  [[nodiscard]] Belief ownBelief(std::size_t place) const;
+  [[nodiscard]] Belief beliefBeside(std::size_t place, const Joint* but) const;
+  [[nodiscard]] Belief along(const Joint& joint, bool to_source) const;
+  void passBeliefs();
+  [[nodiscard]] Eigen::Matrix3d measured(const Joint& joint, const Own& source, const Own& target) const;
+  [[nodiscard]] Eigen::Vector3d expectedOf(const Joint& joint) const;
+  [[nodiscard]] Eigen::Matrix3d scatter() const;
+  [[nodiscard]] double squaredMisfit(const Joint& joint, const Own& source, const Own& target) const;
+  [[nodiscard]] std::optional<AttitudeSuspect> judgePatch();
+  [[nodiscard]] std::vector<AttitudeSuspect> candidates();
+  [[nodiscard]] std::optional<AttitudeSuspect> judgeLink(const Joint& joint) const;
+  [[nodiscard]] std::optional<AttitudeSuspect> judgeCell(std::size_t place) const;
+  [[nodiscard]] std::optional<AttitudeSuspect> judgeMotion(std::size_t place) const;
+  [[nodiscard]] double yawLimit() const;
+  [[nodiscard]] double otherLimit() const;
+  [[nodiscard]] Eigen::Matrix3d ownScatter(std::size_t place) const;
+  [[nodiscard]] double gainOfSwap(const Joint& joint) const;
+  [[nodiscard]] double pairMisfit(const Joint& joint, const Own& source, const Own& target) const;
+  /// Places in the patch of the cells that a suspicion is about.
+  [[nodiscard]] std::vector<std::size_t> placesOf(const AttitudeSuspect& suspect) const;
+  void explain(const AttitudeSuspect& suspect);
+  [[nodiscard]] bool tested(const Joint& joint) const;
+
+  const SkinLinks& skin_;
+  std::vector<std::size_t> cells_;  ///< of the graph
+  std::vector<Own> own_;            ///< per cell of the patch
+  std::vector<Joint> joints_;
+  std::vector<std::vector<std::size_t>> at_;  ///< per cell of the patch, indices into joints_
+  Shape shape_;
+  Eigen::Vector3d sigma_ = Eigen::Vector3d::Zero();  ///< scatter of twist, bend and yaw beyond the shape
+};
+
+}  // namespace hexoderm

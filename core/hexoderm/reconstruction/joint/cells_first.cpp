@@ -1,0 +1,238 @@
+#include "hexoderm/reconstruction/joint/cells_first.h"
+
+#include "hexoderm/reconstruction/sparse/block_cholesky.h"
+
+#include <Eigen/Cholesky>
+#include <map>
+#include <mutex>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+/// The block of the sparse matrix that a link adds to: two links may join the same two cells.
+struct CouplePlan {
+  std::vector<BlockCholesky::Couple> couples;
+  struct Place {
+    std::size_t couple = 0;
+    bool transposed = false;
+  };
+  std::vector<Place> of_link;
+
+  explicit CouplePlan(const JointProblem& problem) {
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> known;
+    for (const JointLink& link : problem.links) {
+      const auto key = std::minmax(link.c, link.n);
+      const auto [place, is_new] = known.emplace(key, couples.size());
+      if (is_new) couples.push_back({key.first, key.second});
+      of_link.push_back({place->second, link.c != key.first});
+    }
+  }
+};
+
+/// The sparse block of the cells with its dense border: A x + E y = a, E^T x + F y = f.
+class BorderedFactor {
+ public:
+  explicit BorderedFactor(const JointProblem& problem) : plan_(problem), factor_(problem.cellCount(), plan_.couples) {}
+
+  /// With the diagonal raised by `damping` times itself.
+  bool factorize(const NormalEquations& equations, double damping) {
+    std::vector<Matrix6d> diagonal = equations.cells;
+    if (damping > 0) {
+      for (Matrix6d& block : diagonal) block.diagonal() *= 1 + damping;
+    }
+    std::vector<Matrix6d> couples(plan_.couples.size(), Matrix6d::Zero());
+    for (std::size_t k = 0; k < equations.links.size(); ++k) {
+      const CouplePlan::Place place = plan_.of_link[k];
+      if (place.transposed) {
+        couples[place.couple] += equations.links[k].transpose();
+      } else {
+        couples[place.couple] += equations.links[k];
+      }
+    }
+    if (!factor_.factorize(diagonal, couples)) return false;
+    lower_border_ = equations.border_cells;
+    factor_.solveLower(lower_border_);
+    Eigen::MatrixXd schur = equations.border;
+    schur.diagonal() *= 1 + damping;
+    if (schur.size() == 0) return true;  // neither a pose nor a gap share to estimate
+    schur.selfadjointView<Eigen::Lower>().rankUpdate(lower_border_.transpose(), -1);
+    schur_.compute(schur);
+    return schur_.info() == Eigen::Success;
+  }
+
+  /// The step that takes the gradient away.
+  void solve(const NormalEquations& equations, Eigen::VectorXd& cells, Eigen::VectorXd& border) const {
+    Eigen::MatrixXd right = -equations.gradient_cells;
+    factor_.solveLower(right);
+    border = -equations.gradient_border - lower_border_.transpose() * right.col(0);
+    if (border.size() > 0) schur_.solveInPlace(border);
+    right.col(0) -= lower_border_ * border;
+    factor_.solveUpper(right);
+    cells = right.col(0);
+  }
+
+  /// A^-1 E S^-T, with S S^T = F - E^T A^-1 E: the border's part of the cells' covariance is its outer product.
+  [[nodiscard]] Eigen::MatrixXd borderRoot() const {
+    Eigen::MatrixXd root = lower_border_;
+    if (root.cols() == 0) return root;
+    schur_.matrixU().solveInPlace<Eigen::OnTheRight>(root);
+    factor_.solveUpper(root);
+    return root;
+  }
+
+  [[nodiscard]] const CouplePlan& plan() const { return plan_; }
+  [[nodiscard]] const BlockCholesky& cells() const { return factor_; }
+  [[nodiscard]] const Eigen::LLT<Eigen::MatrixXd>& schur() const { return schur_; }
+
+ private:
+  CouplePlan plan_;
+  BlockCholesky factor_;
+  Eigen::MatrixXd lower_border_;  // L^-1 E, with L L^T = A
+  Eigen::LLT<Eigen::MatrixXd> schur_;
+};
+
+class CellsFirstInverse : public JointInverse {
+ public:
+  CellsFirstInverse(const JointProblem& problem, std::unique_ptr<const BorderedFactor> factor)
+      : origin_(problem.origin),
+        layout_(problem),
+        estimates_gap_share_(problem.gap.sigma.has_value()),
+        link_ends_(problem.links.size()),
+        factor_(std::move(factor)) {
+    for (std::size_t k = 0; k < link_ends_.size(); ++k) link_ends_[k] = {problem.links[k].c, problem.links[k].n};
+  }
+
+  [[nodiscard]] const Matrix6d& cell(std::size_t cell) const override { return parts().cells[cell]; }
+  [[nodiscard]] const Matrix6d& link(std::size_t link) const override { return parts().links[link]; }
+
+  [[nodiscard]] Matrix6d between(std::size_t a, std::size_t b) const override {
+    if (a == origin_ || b == origin_) return Matrix6d::Zero();
+    Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(6 * factor_->cells().size()), 6);
+    unit.middleRows<6>(static_cast<Eigen::Index>(6 * b)).setIdentity();
+    factor_->cells().solve(unit);
+    return unit.middleRows<6>(static_cast<Eigen::Index>(6 * a)) + borderPart(parts().border_root, a, b);
+  }
+
+  [[nodiscard]] Eigen::Matrix3d force(std::size_t pose) const override {
+    const Eigen::Index at = layout_.force(pose);
+    return border().block<3, 3>(at, at);
+  }
+
+  [[nodiscard]] Eigen::Matrix3d acceleration(std::size_t pose) const override {
+    const Eigen::Index at = layout_.acceleration(pose);
+    return border().block<3, 3>(at, at);
+  }
+
+  [[nodiscard]] double gapShareVariance() const override {
+    return estimates_gap_share_ ? border()(layout_.gapShare(), layout_.gapShare()) : 0;
+  }
+
+ private:
+  struct Parts {
+    Eigen::MatrixXd border_root;
+    std::vector<Matrix6d> cells;
+    std::vector<Matrix6d> links;
+  };
+
+  static Matrix6d borderPart(const Eigen::MatrixXd& border_root, std::size_t a, std::size_t b) {
+    return border_root.middleRows<6>(static_cast<Eigen::Index>(6 * a)) *
+           border_root.middleRows<6>(static_cast<Eigen::Index>(6 * b)).transpose();
+  }
+
+  /// Computed when somebody asks: of several solutions in a row only the last one's cells are looked at.
+  const Eigen::MatrixXd& border() const {
+    std::call_once(border_computed_, [this] {
+      if (layout_.size() > 0)
+        border_ = factor_->schur().solve(Eigen::MatrixXd::Identity(layout_.size(), layout_.size()));
+    });
+    return border_;
+  }
+  const Parts& parts() const {
+    std::call_once(computed_, [this] { parts_ = compute(); });
+    return parts_;
+  }
+
+  [[nodiscard]] Parts compute() const {
+    Parts parts;
+    parts.border_root = factor_->borderRoot();
+    const BlockCholesky::SelectedInverse inverse = factor_->cells().selectedInverse();
+    parts.cells.assign(factor_->cells().size(), Matrix6d::Zero());
+    for (std::size_t cell = 0; cell < parts.cells.size(); ++cell) {
+      if (cell == origin_) continue;
+      const Matrix6d sum = inverse.diagonal[cell] + borderPart(parts.border_root, cell, cell);
+      parts.cells[cell] = (sum + sum.transpose()) / 2;
+    }
+    parts.links.assign(link_ends_.size(), Matrix6d::Zero());
+    for (std::size_t k = 0; k < link_ends_.size(); ++k) {
+      const auto& [c, n] = link_ends_[k];
+      if (c == origin_ || n == origin_) continue;
+      const CouplePlan::Place place = factor_->plan().of_link[k];
+      parts.links[k] = borderPart(parts.border_root, c, n);
+      if (place.transposed) {
+        parts.links[k] += inverse.couples[place.couple].transpose();
+      } else {
+        parts.links[k] += inverse.couples[place.couple];
+      }
+    }
+    return parts;
+  }
+
+  std::size_t origin_;
+  BorderLayout layout_;
+  bool estimates_gap_share_;
+  std::vector<std::pair<std::size_t, std::size_t>> link_ends_;
+  std::unique_ptr<const BorderedFactor> factor_;
+  mutable std::once_flag computed_;
+  mutable Parts parts_;
+  mutable std::once_flag border_computed_;
+  mutable Eigen::MatrixXd border_;
+};
+
+class CellsFirst : public JointSystem {
+ public:
+  explicit CellsFirst(const JointProblem& problem)
+      : problem_(problem), factor_(std::make_unique<BorderedFactor>(problem)) {}
+
+  double linearize(const JointState& candidate) override {
+    hexoderm::linearize(problem_, candidate, next_);
+    return next_.cost;
+  }
+  void accept() override { std::swap(equations_, next_); }
+  bool factorize(double damping) override { return factor_->factorize(equations_, damping); }
+  double step(Eigen::VectorXd& cells, Eigen::VectorXd& border) const override {
+    factor_->solve(equations_, cells, border);
+    return -(equations_.gradient_cells.dot(cells) + equations_.gradient_border.dot(border)) / 2;
+  }
+  std::unique_ptr<const JointInverse> inverse() override {
+    return std::make_unique<CellsFirstInverse>(problem_, std::move(factor_));
+  }
+
+ private:
+  const JointProblem& problem_;
+  std::unique_ptr<BorderedFactor> factor_;
+  NormalEquations equations_;
+  NormalEquations next_;
+};
+
+}  // namespace
+
+std::unique_ptr<JointSystem> makeCellsFirst(const JointProblem& problem) {
+  return std::make_unique<CellsFirst>(problem);
+}
+
+std::unique_ptr<const JointInverse> invertCellsFirst(const JointProblem& problem, const NormalEquations& equations) {
+  auto factor = std::make_unique<BorderedFactor>(problem);
+  factorizeWithLeastDamping([&](double damping) { return factor->factorize(equations, damping); });
+  return std::make_unique<CellsFirstInverse>(problem, std::move(factor));
+}
+
+double workOfCellsFirst(const JointProblem& problem) {
+  // Twelve errors of a sensor and six unknowns of a cell take their products from the dense border, which is then
+  // factorised; the sparse part is small beside it.
+  const auto border = static_cast<double>(BorderLayout(problem).size());
+  const auto cells = static_cast<double>(problem.cellCount());
+  return 9 * cells * border * border + border * border * border / 6;
+}
+
+}  // namespace hexoderm

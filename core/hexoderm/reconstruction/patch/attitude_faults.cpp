@@ -1,0 +1,142 @@
+#include "hexoderm/reconstruction/patch/attitude_faults.h"
+
+#include "hexoderm/reconstruction/faults/attitude_search.h"
+#include "hexoderm/reconstruction/faults/link_plausibility.h"
+#include "hexoderm/reconstruction/faults/suspects.h"
+#include "hexoderm/util/units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace hexoderm {
+namespace {
+
+/// Per cell of the patch.
+std::vector<SE3> placementsOf(const PatchSolver& patch) {
+  std::vector<SE3> placements;
+  const JointRefinement* joint = patch.joint();
+  for (std::size_t place = 0; place < patch.cells().size(); ++place) {
+    placements.push_back(joint != nullptr ? joint->placementOf(patch.cells()[place])
+                                          : patch.treePlacements()[place].T_o_u);
+  }
+  return placements;
+}
+
+/// The forces on a patch: of the joint estimate, or what its cells read on the average.
+std::vector<PatchForce> forcesOn(const SkinLinks& skin, const PatchSolver& patch, std::span<const SE3> placements) {
+  std::vector<PatchForce> forces;
+  if (const JointRefinement* joint = patch.joint()) {
+    const JointState& state = joint->solution().state;
+    for (std::size_t k = 0; k < joint->poses().size(); ++k) {
+      const Eigen::Vector3d swing = state.acceleration_o[k] / kStandardGravity;
+      forces.push_back({joint->poses()[k], state.force_o[k] - swing.cross(state.middle_o), swing});
+    }
+    return forces;
+  }
+  for (const std::size_t pose : skin.table().enabledPoses()) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (std::size_t place = 0; place < placements.size(); ++place) {
+      const GravityTable::Entry& entry = skin.table().at(patch.cells()[place], pose);
+      if (entry.usable) sum += placements[place].R * entry.mean_g.normalized();
+    }
+    constexpr double kNoDirection = 1e-6;
+    if (sum.norm() > kNoDirection) forces.push_back({pose, sum.normalized()});
+  }
+  return forces;
+}
+
+class Isolation {
+ public:
+  Isolation(SkinLinks& skin, std::vector<Finding>& findings) : skin_(skin), findings_(findings) {}
+
+  bool isolate(const PatchSolver& patch) {
+    if (patch.cells().size() < 2) return false;
+    const std::vector<SE3> placements = placementsOf(patch);
+    AttitudeSearch search(skin_, patch.cells(), forcesOn(skin_, patch, placements), placements,
+                          patch.joint() == nullptr);
+    bool changed = false;
+    for (const AttitudeSuspect& suspect : search.suspects()) changed = takeOut(patch, suspect) || changed;
+    for (const auto& [code, links] : links_) skin_.mute(links, code);
+    links_.clear();
+    return changed;
+  }
+
+ private:
+  [[nodiscard]] CellId id(std::size_t cell) const { return skin_.graph().cells()[cell].id; }
+
+  [[nodiscard]] Finding describeContradiction(const PatchSolver& patch, double twist_rad) const {
+    std::vector<CellId> cells;
+    for (const std::size_t cell : patch.cells()) cells.push_back(id(cell));
+    return makeFinding(
+        FindingCode::ContradictsModel,
+        message(
+            "All links of the patch of cell {} are twisted one way, by {} degrees on the average, as on no surface: "
+            "the axes of the accelerometers or the numbers of the ports are not as in the cell model {}.",
+            id(patch.origin()), Number{toDegrees(twist_rad), 0}, skin_.model().name),
+        std::move(cells));
+  }
+
+  bool takeOut(const PatchSolver& patch, const AttitudeSuspect& suspect) {
+    switch (suspect.kind) {
+      case AttitudeSuspect::Kind::Patch:
+        addOnce(findings_, describeContradiction(patch, suspect.angle_rad));
+        return false;
+      case AttitudeSuspect::Kind::Link: {
+        const GraphLink& link = skin_.graph().links()[suspect.link];
+        findings_.push_back(describeUnexpectedAngle(suspect.angle, skin_.graph().sourceEnd(link),
+                                                    skin_.graph().targetEnd(link), suspect.angle_rad,
+                                                    suspect.lowest_rad, suspect.highest_rad));
+        links_[suspect.angle].push_back(suspect.link);
+        return true;
+      }
+      case AttitudeSuspect::Kind::Swapped:
+        findings_.push_back(
+            makeFinding(FindingCode::SwappedReadings,
+                        message("The cells {} and {} fit into the skin with each other's readings, and not with their "
+                                "own: their cables or IDs are probably swapped. Both are placed through their links.",
+                                id(suspect.cell), id(suspect.other)),
+                        {id(suspect.cell), id(suspect.other)}));
+        skin_.dropCell(suspect.cell);
+        skin_.dropCell(suspect.other);
+        return true;
+      case AttitudeSuspect::Kind::Cell:
+      case AttitudeSuspect::Kind::Moved:
+        break;
+    }
+    if (hasTooFewPoses(skin_.table(), suspect.cell)) {
+      addOnce(findings_, describeSuspiciousSensor(skin_.graph(), skin_.table(), suspect.cell));
+      return false;
+    }
+    if (suspect.kind == AttitudeSuspect::Kind::Moved) {
+      findings_.push_back(
+          describeMovedCell(skin_.graph(), skin_.snapshot(), suspect.cell, suspect.pose, suspect.angle_rad));
+      skin_.dropCell(suspect.cell);
+      return true;
+    }
+    findings_.push_back(
+        makeFinding(FindingCode::TurnedSensor,
+                    message("Cell {} reads as if it were turned by {} degrees against its neighbours: it is mounted "
+                            "otherwise, or its axes are not as in the cell model. It is placed through its links.",
+                            id(suspect.cell), Number{toDegrees(suspect.angle_rad), 0}),
+                    {id(suspect.cell)}));
+    skin_.dropCell(suspect.cell);
+    return true;
+  }
+
+  SkinLinks& skin_;
+  std::vector<Finding>& findings_;
+  std::map<FindingCode, std::vector<std::size_t>> links_;  // to be muted
+};
+
+}  // namespace
+
+bool isolateAttitudes(SkinLinks& skin, std::span<const PatchSolver> patches, std::vector<Finding>& findings) {
+  Isolation isolation(skin, findings);
+  bool changed = false;
+  for (const PatchSolver& patch : patches) changed = isolation.isolate(patch) || changed;
+  return changed;
+}
+
+}  // namespace hexoderm

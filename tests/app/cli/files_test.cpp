@@ -1,0 +1,265 @@
+// Where the program's input comes from and where its output goes: pipes, links, devices, and files that nobody should
+// trust.
+
+#include "hexoderm/util/file.h"
+
+#include "tests/app/cli/cli_program.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
+
+#include <algorithm>
+#include <fstream>
+
+namespace hexoderm {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class CliFiles : public Cli {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(run("simulate --poses 3 --seed 4 -o arm.session.json").exit_code, 0);
+    ASSERT_EQ(run("simulate --poses 3 --seed 4 -o arm.hexo").exit_code, 0);
+    ASSERT_EQ(run("solve arm.session.json -o arm.calibration.json").exit_code, 0);
+  }
+
+  void put(const std::string& name, std::string_view content) const {
+    std::ofstream(path(name), std::ios::binary) << content;
+  }
+
+  /// Names of everything in the folder, hidden things too; without what this test's own runs print to.
+  [[nodiscard]] std::vector<std::string> names() const {
+    std::vector<std::string> found;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
+      if (entry.path().filename() != "stderr.txt") found.push_back(entry.path().filename().string());
+    }
+    std::ranges::sort(found);
+    return found;
+  }
+};
+
+void expectOneLine(const Outcome& outcome, int exit_code) {
+  EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
+  EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+  EXPECT_LE(outcome.err.size(), 2100U);
+  EXPECT_THAT(outcome.err, Not(HasSubstr(".hexoderm-"))) << "a temporary file's name";
+  const bool is_plain = std::ranges::all_of(
+      outcome.err, [](char c) { return c == '\n' || (static_cast<unsigned char>(c) >= 0x20 && c != '\x7f'); });
+  EXPECT_TRUE(is_plain) << "a control character";
+}
+
+TEST_F(CliFiles, DashIsStandardOutput) {
+  EXPECT_EQ(run("simulate --poses 3 --seed 4 -o -").out, readFile(path("arm.session.json")));
+  const Outcome solve = run("solve arm.session.json -o -");
+  EXPECT_EQ(solve.exit_code, 0);
+  EXPECT_EQ(solve.out, readFile(path("arm.calibration.json")));
+  EXPECT_THAT(solve.err, AllOf(HasSubstr("Verdict: "), HasSubstr("standard output")));
+  EXPECT_EQ(run("solve arm.session.json --quiet -o -").err, "");
+  EXPECT_EQ(run("convert arm.hexo -o -").out, readFile(path("arm.session.json")));
+  ASSERT_EQ(run("convert arm.calibration.json -o again.calibration.json").exit_code, 0);
+  EXPECT_EQ(run("convert arm.calibration.json -o -").out, readFile(path("again.calibration.json")));
+  for (const std::string format : {"dot", "ply", "stl", "vtp", "urdf"}) {
+    EXPECT_EQ(run("export arm.calibration.json --to " + format + " -o arm." + format).exit_code, 0);
+    EXPECT_EQ(run("export arm.calibration.json --to " + format + " -o -").out, readFile(path("arm." + format)));
+  }
+  EXPECT_FALSE(exists("-"));
+}
+
+TEST_F(CliFiles, DashIsRefusedWhereStandardOutputCannotBe) {
+  const Outcome tables = run("export arm.calibration.json --to csv -o -");
+  expectOneLine(tables, 2);
+  EXPECT_THAT(tables.err, HasSubstr("folder of several files"));
+  const Outcome capture = run("capture --source sim:x17 -o -");
+  expectOneLine(capture, 2);
+  EXPECT_THAT(capture.err, HasSubstr("*.hexo"));
+  expectOneLine(run("solve arm.session.json --json -o -"), 2);
+  expectOneLine(run("solve arm.session.json -o - >/dev/full"), 5);
+}
+
+TEST_F(CliFiles, PipesAreReadWhereverFilesAre) {
+  for (const std::string input : {"arm.session.json", "arm.hexo"}) {
+    const Outcome solve = run("solve /dev/stdin -o piped.calibration.json", "cat " + input + " | ");
+    EXPECT_EQ(solve.exit_code, 0) << input << solve.err;
+    const auto piped = nlohmann::json::parse(readFile(path("piped.calibration.json")));
+    const auto plain = nlohmann::json::parse(readFile(path("arm.calibration.json")));
+    EXPECT_EQ(piped.at("patches"), plain.at("patches")) << input;
+    EXPECT_EQ(run("convert /dev/stdin -o -", "cat " + input + " | ").out, readFile(path("arm.session.json")));
+  }
+  EXPECT_THAT(run("inspect /dev/stdin", "cat arm.calibration.json | ").out, HasSubstr("calibration of cell model"));
+  EXPECT_EQ(run("export /dev/stdin --to stl -o arm.stl", "cat arm.calibration.json | ").exit_code, 0);
+  EXPECT_EQ(run("evaluate arm.calibration.json --against /dev/stdin", "cat arm.session.json | ").exit_code, 0);
+  const std::string tum = HEXODERM_TEST_DATA "/two_patches.tum.xml";
+  EXPECT_THAT(run("inspect /dev/stdin", "cat '" + tum + "' | ").out, HasSubstr("calibration of cell model"));
+  EXPECT_EQ(run("convert /dev/stdin -o tum.session.json", "cat '" + tum + "' | ").exit_code, 0);
+  const auto session = nlohmann::json::parse(readFile(path("arm.session.json")));
+  put("model.json", readFile(HEXODERM_TEST_DATA "/../../resources/cell_models/hex-bma150.json"));
+  const Outcome modelled = run("simulate --seed 4 --poses 3 --cell-model /dev/stdin -o -", "cat model.json | ");
+  EXPECT_EQ(modelled.exit_code, 0) << modelled.err;
+  EXPECT_EQ(nlohmann::json::parse(modelled.out).at("poses"), session.at("poses"));
+}
+
+TEST_F(CliFiles, ARecordingIsPlayedFromAPipe) {
+  ASSERT_EQ(run("capture --source sim:x17 --auto --poses 2 --record arm.skinrec -o first.hexo").exit_code, 0);
+  const Outcome played = run("capture --source replay:/dev/stdin --poses 2 -o played.hexo", "cat arm.skinrec | ");
+  EXPECT_THAT(played.out, HasSubstr("2 poses of 17 cells")) << played.err;
+  expectOneLine(run("capture --source replay:/dev/zero -o none.hexo"), 3);
+  const Outcome opened = run("inspect /dev/stdin", "cat arm.skinrec | ");
+  expectOneLine(opened, 3);
+  EXPECT_THAT(opened.err, HasSubstr("is a recording"));
+}
+
+TEST_F(CliFiles, InputWithoutAnEndIsReadToALimit) {
+  for (const std::string command : {"solve /dev/zero", "inspect /dev/zero", "convert /dev/zero -o x.session.json",
+                                    "simulate --cell-model /dev/zero -o x.session.json"}) {
+    const Outcome outcome = run(command);
+    expectOneLine(outcome, 3);
+    EXPECT_THAT(outcome.err, HasSubstr("/dev/zero: is too large or does not end: at most 256 MB are read")) << command;
+  }
+  std::filesystem::resize_file(path("arm.calibration.json"), 1'000'000'000);  // a hole: it takes no disk
+  const Outcome large = run("inspect arm.calibration.json");
+  expectOneLine(large, 3);
+  EXPECT_THAT(large.err, HasSubstr("at most 256 MB are read"));
+}
+
+TEST_F(CliFiles, HostileFilesEndWithOneLine) {
+  const std::string head = R"({"format": "hexoderm-session", "version": 1, "cell_model": "hex-bma150", )";
+  const std::string control = R"(\u001b[2J\u0007\u009b31m\r\n)";
+  const std::vector<std::pair<std::string, std::string>> hostile = {
+      {head + R"("cells": -1, "poses": []})", "cells: expected an array, found -1"},
+      {head + R"("cells": [], "cells": [], "poses": []})", "cells: is there twice"},
+      {head + R"("cells": [{"id": 1, "ports": [], "id": 2}], "poses": []})", "cells[0].id: is there twice"},
+      {head + R"("cells": [], "poses": )" + std::string(100'000, '['), "nested too deeply"},
+      {head + R"("cells": [{"id": 1e400, "ports": []}], "poses": []})", "cells[0].id: expected a finite number"},
+      {head + R"("cells": [{"id": 1, "ports": []}], "poses": [{"id": 1, "samples": [{"cell": 1, "mean_g": [0, 0, 1],
+        "cov_g2": [1e-6, 2e-6, 0, 1e-6, 0, 1e-6]}]}]})",
+       "poses[0].samples[0].cov_g2: expected a covariance"},
+      {R"({"format": ")" + control + R"("})", "\\u001b[2J\\u0007\\u009b31m\\r\\n"},
+      {R"({"format": ")" + std::string(1'000'000, 'x') + R"("})", "..."},
+      {"{\"" + std::string(1'000'000, 'k') + "\": ?}", "not JSON"},
+      {R"({"format": "hexoderm-session", "version": 1, "cell_model": ")" + control + R"("})", "cell_model: expected"},
+      {"<" + std::string(1'000'000, 'x') + "/>", "SkinConfig"},
+  };
+  for (const auto& [content, complaint] : hostile) {
+    put("hostile.json", content);
+    const Outcome outcome = run("solve hostile.json -o out.calibration.json");
+    expectOneLine(outcome, 3);
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("hostile.json: "), HasSubstr(complaint)));
+    EXPECT_FALSE(exists("out.calibration.json"));
+  }
+  const Outcome named = run("inspect \"$(printf 'no\\033[31m\\nfile')\"");
+  expectOneLine(named, 3);
+  EXPECT_THAT(named.err, HasSubstr("no\\u001b[31m\\nfile"));
+  EXPECT_THAT(run("inspect \"$(printf '\\033[31m')\" too many").err, Not(HasSubstr("\x1b")));
+}
+
+TEST_F(CliFiles, NamesInFilesReachTheTerminalWithoutWhatSteersIt) {
+  auto session = nlohmann::json::parse(readFile(path("arm.session.json")));
+  const std::string name =
+      "\x1b]0;title\x07\n\xc2\x9b"
+      "2J\x7f";
+  session["description"] = name;
+  session.erase("description_message");
+  session["poses"][0]["label"] = name;
+  session["poses"][0].erase("label_message");
+  for (auto& cell : session["cells"]) cell["body_part"] = name + cell["id"].dump();  // findings name the parts
+  put("named.session.json", session.dump());
+  ASSERT_NE(run("solve named.session.json -o named.calibration.json").exit_code, 3);
+  for (const std::string command :
+       {"solve named.session.json", "inspect named.session.json", "inspect named.session.json --json",
+        "solve named.session.json --json", "inspect named.calibration.json"}) {
+    const Outcome outcome = run(command);
+    ASSERT_NE(outcome.out, "") << command;
+    for (const std::string control : {"\x1b", "\x07", "\xc2\x9b", "\x7f"}) {
+      EXPECT_THAT(outcome.out, Not(HasSubstr(control))) << command;
+    }
+    EXPECT_TRUE(!command.ends_with("--json") || nlohmann::json::accept(outcome.out)) << command;
+  }
+  const auto json = nlohmann::json::parse(run("inspect named.session.json --json").out);
+  EXPECT_EQ(json.at("poses").at(0).at("label"), name) << "JSON says the same";
+}
+
+TEST_F(CliFiles, OutputsAreWrittenIntoWhatIsNoFile) {
+  ASSERT_EQ(::mkfifo(path("fifo").c_str(), 0600), 0);
+  const Outcome solve = run("solve arm.session.json --quiet -o fifo >/dev/null; wait", "{ timeout 60 cat fifo & } && ");
+  EXPECT_EQ(solve.out, readFile(path("arm.calibration.json"))) << solve.err;
+  EXPECT_TRUE(std::filesystem::is_fifo(path("fifo")));
+  const Outcome exported =
+      run("export arm.calibration.json --to stl -o fifo >/dev/null; wait", "{ timeout 60 cat fifo & } && ");
+  EXPECT_EQ(exported.out, run("export arm.calibration.json --to stl -o -").out);
+  EXPECT_TRUE(std::filesystem::is_fifo(path("fifo")));
+  if (::mknod(path("null").c_str(), S_IFCHR | 0666, makedev(1, 3)) == 0) {
+    EXPECT_EQ(run("solve arm.session.json -o null").exit_code, 0);
+    EXPECT_TRUE(std::filesystem::is_character_file(path("null")));
+  }
+  expectOneLine(run("solve arm.session.json -o /dev/full"), 5);
+}
+
+TEST_F(CliFiles, OutputsThatCannotBeAreOneLineAndFive) {
+  std::filesystem::create_symlink("loop", path("loop"));
+  std::filesystem::create_symlink("gone", path("dangling"));
+  const std::vector<std::string> before = names();
+  const std::string long_name(256, 'n');
+  for (const std::string& output : {std::string("loop"), std::string("dangling"), std::string("loop/x"), long_name,
+                                    std::string("nowhere/x"), std::string("arm.hexo/x"), std::string(".")}) {
+    expectOneLine(run("solve arm.session.json -o " + output), 5);
+    expectOneLine(run("export arm.calibration.json --to urdf -o " + output), 5);
+  }
+  for (const std::string& output :
+       {std::string("loop"), long_name, std::string("nowhere/x"), std::string("arm.hexo")}) {
+    expectOneLine(run("export arm.calibration.json --to csv -o " + output), 5);
+  }
+  for (const std::string& output : {std::string("loop/x"), long_name, std::string("nowhere/x")}) {
+    expectOneLine(run("simulate -o " + output + ".hexo"), 5);
+    expectOneLine(run("simulate -o " + output + ".session.json"), 5);
+    expectOneLine(run("capture --source sim:x17 -o " + output + ".hexo"), 5);
+  }
+  EXPECT_EQ(names(), before);
+}
+
+TEST_F(CliFiles, AFolderWithoutAccessIsOneLineAndFive) {
+  std::filesystem::create_directory(path("closed"));
+  std::filesystem::permissions(path("closed"), std::filesystem::perms(0700));
+  std::filesystem::permissions(folder_.path(), std::filesystem::perms(0755));
+  std::string as_nobody;
+  if (::geteuid() == 0) {
+    as_nobody = "setpriv --reuid=65534 --regid=65534 --clear-groups ";
+    if (run("--version", as_nobody).exit_code != 0) GTEST_SKIP() << "another user can't run the program here";
+  } else {
+    std::filesystem::permissions(path("closed"), std::filesystem::perms(0));
+  }
+  expectOneLine(run("solve arm.session.json -o closed/x.json", as_nobody), 5);
+  expectOneLine(run("simulate -o closed/x.session.json", as_nobody), 5);
+  expectOneLine(run("simulate -o closed/x.hexo", as_nobody), 5);
+  expectOneLine(run("capture --source sim:x17 -o closed/x.hexo", as_nobody), 5);
+  expectOneLine(run("export arm.calibration.json --to ply -o closed/x.ply", as_nobody), 5);
+  expectOneLine(run("export arm.calibration.json --to csv -o closed/x", as_nobody), 5);
+  expectOneLine(run("inspect closed/x.json", as_nobody), 3);
+}
+
+TEST_F(CliFiles, ALinkIsWrittenThrough) {
+  put("target.json", "old");
+  std::filesystem::permissions(path("target.json"), std::filesystem::perms(0640));
+  std::filesystem::create_symlink("target.json", path("link.json"));
+  EXPECT_EQ(run("solve arm.session.json -o link.json").exit_code, 0);
+  EXPECT_TRUE(std::filesystem::is_symlink(path("link.json")));
+  EXPECT_EQ(readFile(path("target.json")), readFile(path("arm.calibration.json")));
+  EXPECT_EQ(std::filesystem::status(path("target.json")).permissions(), std::filesystem::perms(0640));
+}
+
+TEST_F(CliFiles, WordsInTablesAreNoFormulas) {
+  auto session = nlohmann::json::parse(readFile(path("arm.session.json")));
+  for (auto& cell : session["cells"]) cell["body_part"] = "=cmd|' /C calc'!A1";
+  put("formula.session.json", session.dump());
+  ASSERT_NE(run("solve formula.session.json -o formula.calibration.json").exit_code, 3);
+  ASSERT_EQ(run("export formula.calibration.json --to csv -o tables").exit_code, 0);
+  EXPECT_THAT(readFile(path("tables/cells.csv")), AllOf(HasSubstr(",'=cmd|"), Not(HasSubstr(",=cmd|"))));
+}
+
+}  // namespace
+}  // namespace hexoderm

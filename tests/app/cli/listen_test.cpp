@@ -1,0 +1,261 @@
+// hexoderm-cli listen, and what capture says of devices that do something wrong, in the real programs.
+
+#include "tests/app/cli/cli_program.h"
+#include "tests/app/cli/wrong_devices.h"
+#include "tests/app/emulator/emulator_program.h"
+
+#include <gmock/gmock.h>
+#include <algorithm>
+
+namespace hexoderm {
+namespace {
+
+using nlohmann::json;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+class CliListen : public Cli {
+ protected:
+  /// The bytes of a device on standard input.
+  Outcome listen(const std::string& bytes, const std::string& options) const {
+    writeFileAtomically(path("device"), bytes);
+    return run("listen stdin --for 20 " + options, "cat device | ");
+  }
+};
+
+const json* findOffence(const json& report, OffenceKind kind) {
+  for (const json& offence : report.at("offences")) {
+    if (offence.at("kind") == offenceName(kind)) return &offence;
+  }
+  return nullptr;
+}
+
+bool isPrintable(const std::string& text) {
+  return std::ranges::all_of(text, [](unsigned char c) { return c == '\n' || (c >= 0x20 && c != 0x7F); });
+}
+
+void expectNothingWrong(const Outcome& outcome) {
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  const json report = json::parse(outcome.out);
+  EXPECT_THAT(report.at("offences"), IsEmpty()) << outcome.out;
+  EXPECT_EQ(report.at("ready"), true);
+  EXPECT_EQ(report.at("obstacle"), "");
+}
+
+TEST_F(CliListen, ADeviceThatIsRightHasNoOffence) {
+  const Outcome outcome = listen(Device::right().lines(), "--json");
+  expectNothingWrong(outcome);
+  const json report = json::parse(outcome.out);
+  EXPECT_EQ(report.at("device"), "three cells");
+  EXPECT_EQ(report.at("links").at("agreed"), 2);
+  EXPECT_EQ(report.at("links").at("one_sided"), 0);
+  EXPECT_EQ(report.at("frames"), 300);
+  EXPECT_EQ(report.at("lost_samples"), 0);
+  EXPECT_NEAR(report.at("rate_hz").at("median").get<double>(), 100, 1e-6);
+  EXPECT_NEAR(report.at("norm_g").at("median").get<double>(), 1, 0.01);
+  EXPECT_NEAR(report.at("noise_mg").at("median").get<double>(), 4, 0.4);
+  ASSERT_EQ(report.at("cells").size(), 3U);
+  EXPECT_EQ(report.at("cells").at(1).at("readings"), 300);
+}
+
+TEST_F(CliListen, ADeviceIsRightInEveryDialectAndKindOfReading) {
+  expectNothingWrong(listen(Device::right().frames(), "--json"));
+
+  Device in_lsb = Device::right();
+  in_lsb.eachSamples([](json& s) {
+    s["raw_lsb"] = json::array();
+    for (const json& value : s["acceleration_g"]) s["raw_lsb"].push_back(std::lround(value.get<double>() * 256));
+    s.erase("acceleration_g");
+  });
+  expectNothingWrong(listen(in_lsb.lines(), "--json"));
+
+  Device of_means = Device::right();
+  of_means.eachSamples([](json& s) {
+    s["mean_g"] = s["acceleration_g"];
+    s["variance_g2"] = std::vector<double>(9, 1.6e-5);
+    s["count"] = {10, 10, 10};
+    s.erase("acceleration_g");
+  });
+  const Outcome outcome = listen(of_means.lines(), "--json");
+  expectNothingWrong(outcome);
+  EXPECT_NEAR(json::parse(outcome.out).at("noise_mg").at("median").get<double>(), 4, 0.01);
+
+  Device without_numbers = Device::right();
+  without_numbers.hello.erase("rate_hz");
+  without_numbers.eachSamples([](json& s) { s.erase("sequence"); });
+  expectNothingWrong(listen(without_numbers.lines(), "--json"));
+}
+
+class EveryWrongDevice : public CliListen, public ::testing::WithParamInterface<std::size_t> {};
+
+TEST_P(EveryWrongDevice, IsToldWhatIsWrong) {
+  const WrongDevice& wrong = wrongDevices()[GetParam()];
+  SCOPED_TRACE(wrong.name);
+  Device device = Device::right();
+  wrong.spoil(device);
+  const Outcome outcome = listen(device.lines(), "--json");
+  EXPECT_EQ(outcome.exit_code, wrong.is_ready ? 0 : 1) << outcome.out << outcome.err;
+  const json report = json::parse(outcome.out);
+  const json* offence = findOffence(report, wrong.kind);
+  ASSERT_NE(offence, nullptr) << outcome.out;
+  EXPECT_THAT(offence->at("reason").get<std::string>(), HasSubstr(wrong.words));
+  EXPECT_GE(offence->at("count").get<int>(), 1);
+  EXPECT_LE(offence->at("message_begins").get<std::string>().size(), 83U);
+  EXPECT_EQ(report.at("obstacle").get<std::string>().empty(), wrong.is_ready);
+  // Said live on standard error, which is no terminal here, each kind once.
+  const std::string said = "(" + std::string(offenceName(wrong.kind)) + "): ";
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr(said), HasSubstr(wrong.words)));
+  EXPECT_EQ(outcome.err.find(said), outcome.err.rfind(said)) << outcome.err;
+  EXPECT_TRUE(isPrintable(outcome.err)) << outcome.err;
+  EXPECT_TRUE(isPrintable(outcome.out)) << outcome.out;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EveryWrongDevice, ::testing::Range(std::size_t{0}, wrongDevices().size()));
+
+TEST_F(CliListen, TheTableHasEveryKindOfOffence) {
+  for (const OffenceKind kind : offenceKinds()) {
+    EXPECT_TRUE(std::ranges::find(wrongDevices(), kind, &WrongDevice::kind) != wrongDevices().end())
+        << offenceName(kind);
+  }
+}
+
+TEST_F(CliListen, TheReportIsReadableAndCountsEveryOffence) {
+  Device device = Device::right();
+  device.scale(9.80665);
+  device.eachSamples([](json& s) { s["cells"][2] = 4; });
+  const Outcome outcome = listen(device.lines(), "");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("three cells: 3 cells of model hex-bma150"), HasSubstr("Links: 2 that both"),
+                                 HasSubstr("Rate of a cell: 100.0 Hz"), HasSubstr("Norm of the readings: 9.8"),
+                                 HasSubstr("Noise of a cell: "), HasSubstr("Silent: cell 3")));
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("unknown-cell (300): samples.cells[2]: the topology has no cell 4"),
+                                 HasSubstr("A calibration could not begin. samples.acceleration_g: "),
+                                 HasSubstr("are these m/s2?")));
+}
+
+TEST_F(CliListen, ALostConnectionIsNoReportAndWrongUsageIsSaid) {
+  EXPECT_EQ(run("listen nowhere").exit_code, 2);
+  EXPECT_EQ(run("listen sim:x17 --for 0").exit_code, 2);
+  // Nobody listens at port 1.
+  const Outcome refused = run("listen tcp://127.0.0.1:1 --for 0.5");
+  EXPECT_EQ(refused.exit_code, 4);
+  EXPECT_THAT(refused.err, HasSubstr("tcp://127.0.0.1:1"));
+  const Outcome empty = run("listen stdin --for 5", "true | ");
+  EXPECT_EQ(empty.exit_code, 1);
+  EXPECT_THAT(empty.out, HasSubstr("The device has not described itself."));
+}
+
+TEST_F(CliListen, ASimulatedSkinIsRightToo) { expectNothingWrong(run("listen sim:x17 --for 1 --json")); }
+
+TEST_F(CliListen, ItsHelpHasAnExampleThatWorks) {
+  const Outcome help = run("listen --help");
+  EXPECT_THAT(help.out, AllOf(HasSubstr("--for"), HasSubstr("Exit code 0"), HasSubstr("hexoderm-cli listen sim:x17")));
+}
+
+TEST_F(CliListen, CtrlCEndsItWithItsReport) {
+  const Emulator emulator({"--tcp", "0", "--patch", "ring8"});
+  const Outcome outcome = run("listen " + emulator.address + " --for 600 --json",
+                              "interrupt() { \"$@\" & sleep 3; kill -s INT $!; wait $!; }; interrupt ");
+  expectNothingWrong(outcome);
+  EXPECT_GT(json::parse(outcome.out).at("frames"), 0);
+}
+
+class EmulatorOnAWire : public CliListen, public ::testing::WithParamInterface<std::vector<std::string>> {};
+
+TEST_P(EmulatorOnAWire, IsRight) {
+  std::vector<std::string> arguments = {"--patch", "ring8", "--rate", "250"};
+  arguments.insert(arguments.end(), GetParam().begin(), GetParam().end());
+  const Emulator emulator(arguments);
+  const Outcome outcome = run("listen '" + emulator.address + "' --for 3 --json");
+  expectNothingWrong(outcome);
+  const json report = json::parse(outcome.out);
+  EXPECT_EQ(report.at("cells").size(), 8U);
+  EXPECT_NEAR(report.at("norm_g").at("median").get<double>(), 1, 0.2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Wires, EmulatorOnAWire,
+                         ::testing::Values(std::vector<std::string>{"--tcp", "0"},
+                                           std::vector<std::string>{"--tcp", "0", "--json"},
+                                           std::vector<std::string>{"--udp", "0"}, std::vector<std::string>{"--pty"}));
+
+TEST_F(CliListen, AnEmulatorWithABrokenPortIsToldWhichLinkIsOneSided) {
+  const Emulator emulator({"--tcp", "0", "--patch", "sheet:3x3"});
+  expectNothingWrong(run("listen " + emulator.address + " --for 1 --json"));  // it has explored once
+  ASSERT_THAT(emulator.type("break deaf 5 1"), Not(IsEmpty()));
+  ASSERT_THAT(emulator.type("explore"), Not(IsEmpty()));
+  const Outcome outcome = run("listen " + emulator.address + " --for 2 --json");
+  const json report = json::parse(outcome.out);
+  const json* offence = findOffence(report, OffenceKind::OneSidedLink);
+  ASSERT_NE(offence, nullptr) << outcome.out << outcome.err;
+  EXPECT_THAT(offence->at("reason").get<std::string>(), HasSubstr("link 9 port 4 - 5 port 1"));
+}
+
+// ---- capture
+
+TEST_F(CliListen, CaptureSaysTheFirstOffenceOfEachKindAndCounts) {
+  Device device = Device::right();
+  device.scale(9.80665);
+  writeFileAtomically(path("device"), device.lines());
+  const Outcome outcome = run("capture --source stdin --json -o a.hexo", "cat device | ");
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("(acceleration-unit): "), HasSubstr("are these m/s2?")));
+  const json report = json::parse(outcome.out);
+  ASSERT_NE(findOffence(report, OffenceKind::AccelerationUnit), nullptr) << outcome.out;
+}
+
+TEST_F(CliListen, CaptureOfADeviceThatNeverDescribesItselfSaysWhy) {
+  writeFileAtomically(path("device"), "12.5;0.1;0.2;0.9\n\x1b[31m\n");
+  const Outcome outcome = run("capture --source stdin --json -o a.hexo", "cat device | ");
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("(not-json): "), HasSubstr("the message begins: 12.5;0.1"),
+                                 HasSubstr("ended before a skin described itself. character 5 is not JSON")));
+  EXPECT_TRUE(isPrintable(outcome.err));
+  const json report = json::parse(outcome.out);
+  const json* offence = findOffence(report, OffenceKind::NotJson);
+  ASSERT_NE(offence, nullptr);
+  EXPECT_EQ(offence->at("count"), 2);
+}
+
+TEST_F(CliListen, CaptureNoticesAnotherCellModel) {
+  Device device = Device::right();
+  for (const WrongDevice& wrong : wrongDevices()) {
+    if (wrong.kind == OffenceKind::CellModelChanged) wrong.spoil(device);
+  }
+  writeFileAtomically(path("device"), device.lines());
+  const Outcome outcome = run("capture --source stdin -o a.hexo", "cat device | ");
+  EXPECT_THAT(outcome.err, AllOf(HasSubstr("changed its cell model from hex-bma150 to other"),
+                                 HasSubstr("The device says that it has another cell model; poses stay.")));
+}
+
+TEST_F(CliListen, SessionFilesInAnotherUnitAreRefusedWithThePlace) {
+  ASSERT_EQ(run("simulate --poses 3 -o arm.session.json").exit_code, 0);
+  for (const auto& [factor, words] :
+       std::vector<std::pair<double, std::string>>{{9.80665, "are these m/s2?"}, {1000, "are these mg?"}}) {
+    json session = json::parse(readFile(path("arm.session.json")));
+    for (json& pose : session["poses"]) {
+      for (json& sample : pose["samples"]) {
+        for (json& value : sample["mean_g"]) value = value.get<double>() * factor;
+      }
+    }
+    writeFileAtomically(path("wrong.session.json"), session.dump());
+    const Outcome outcome = run("solve wrong.session.json -o out.calibration.json");
+    EXPECT_EQ(outcome.exit_code, 3);
+    EXPECT_THAT(outcome.err, AllOf(HasSubstr("wrong.session.json: poses[0].samples[0].mean_g: "), HasSubstr(words)));
+  }
+  EXPECT_EQ(run("inspect arm.session.json").exit_code, 0);
+}
+
+TEST_F(CliListen, ARecordingInAnotherUnitIsToldWhenItIsPlayed) {
+  Device device = Device::right();
+  device.scale(9.80665);
+  writeFileAtomically(path("device"), device.lines());
+  run("capture --source stdin --record arm.skinrec -o a.hexo", "cat device | ");
+  const Outcome outcome = run("listen 'replay:arm.skinrec?speed=max' --json");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(findOffence(json::parse(outcome.out), OffenceKind::AccelerationUnit), nullptr) << outcome.out;
+}
+
+}  // namespace
+}  // namespace hexoderm

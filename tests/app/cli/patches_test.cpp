@@ -1,0 +1,139 @@
+// A skin of which a cell has fallen off: every command says that the patches are not placed against each other, and no
+// export puts them at one place.
+
+#include "hexoderm/io/calibration_json.h"
+
+#include "tests/app/cli/cli_program.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+
+namespace hexoderm {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+class CliPatches : public Cli {
+ protected:
+  /// Sets the only link of a cell aside, and solves.
+  void SetUp() override {
+    ASSERT_EQ(run("simulate --poses 4 --seed 4 -o arm.session.json").exit_code, 0);
+    auto session = nlohmann::json::parse(readFile(path("arm.session.json")));
+    const auto joins = [](const nlohmann::json& port) { return port["cell"] != 0; };
+    for (const auto& cell : session["cells"]) {
+      if (std::ranges::count_if(cell["ports"], joins) != 1) continue;
+      const auto& port = *std::ranges::find_if(cell["ports"], joins);
+      if (fallen_ != 0) {
+        free_end_ = std::to_string(cell["id"].get<int>()) + (port["port"] == 1 ? ":2" : ":1");
+        break;
+      }
+      fallen_ = cell["id"].get<std::uint32_t>();
+      session["muted_links"] = {{{"source", cell["id"]},
+                                 {"source_port", port["port"]},
+                                 {"target", port["cell"]},
+                                 {"target_port", port["cell_port"]},
+                                 {"why", "it came off"}}};
+    }
+    ASSERT_NE(fallen_, 0U);
+    writeFileAtomically(path("arm.session.json"), session.dump());
+    const Outcome solve = run("solve arm.session.json -o arm.calibration.json");
+    ASSERT_THAT(solve.out, HasSubstr("2 patches")) << solve.err;
+    const auto calibration = readCalibrationJson(path("arm.calibration.json"));
+    origin_ = largestPatch(*calibration)->origin.value();
+  }
+
+  [[nodiscard]] std::string exported(const std::string& format, const std::string& options = "") const {
+    const Outcome outcome = run("export arm.calibration.json --to " + format + " " + options + " -o -");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.out;
+  }
+
+  std::uint32_t fallen_ = 0;
+  std::uint32_t origin_ = 0;
+  std::string free_end_;  ///< a free port of the largest patch, as --loop has it
+};
+
+TEST_F(CliPatches, AFileOfOneFrameHoldsTheLargestPatchAndTheRestIsNamed) {
+  const std::string left_out = "Not in the file: the patch of cell " + std::to_string(fallen_) + " (1 cell)";
+  for (const std::string format : {"ply", "stl", "vtp", "urdf"}) {
+    const std::string command = "export arm.calibration.json --to " + format;
+    const Outcome plain = run(command + " -o arm." + format);
+    EXPECT_EQ(plain.exit_code, 0) << format;
+    EXPECT_THAT(plain.err, AllOf(HasSubstr(left_out), HasSubstr("--patch CELL"))) << format;
+    EXPECT_EQ(std::ranges::count(plain.err, '\n'), 1) << plain.err;
+    EXPECT_THAT(run(command + " -o -").err, HasSubstr(left_out)) << "on standard output too";
+    EXPECT_THAT(run(command + " --quiet -o arm." + format).err, IsEmpty());
+
+    const Outcome json = run(command + " --json -o arm." + format);
+    EXPECT_THAT(json.err, Not(HasSubstr("Not in the file")));
+    const auto patches = nlohmann::json::parse(json.out).at("left_out");
+    ASSERT_EQ(patches.size(), 1U);
+    EXPECT_EQ(patches[0].at("origin"), fallen_);
+    EXPECT_THAT(patches[0].at("cells").get<std::vector<std::uint32_t>>(), ElementsAre(fallen_));
+    EXPECT_EQ(exported(format), exported(format, "--patch " + std::to_string(origin_))) << format;
+  }
+  EXPECT_THAT(exported("urdf"), Not(HasSubstr("\"skin_cell" + std::to_string(fallen_) + "\"")));
+  EXPECT_THAT(exported("ply"), HasSubstr("element vertex " + std::to_string(16 * 12)));
+}
+
+TEST_F(CliPatches, APatchIsExportedByAnyOfItsCells) {
+  const std::string fallen = std::to_string(fallen_);
+  EXPECT_THAT(
+      exported("urdf", "--patch " + fallen),
+      AllOf(HasSubstr("\"skin_cell" + fallen + "\""), Not(HasSubstr("\"skin_cell" + std::to_string(origin_) + "\""))));
+  EXPECT_THAT(exported("ply", "--patch " + fallen), HasSubstr("in the frame of cell " + fallen));
+  EXPECT_THAT(exported("dot", "--patch " + fallen), Not(HasSubstr("->")));
+  const Outcome outcome = run("export arm.calibration.json --to ply --patch " + fallen + " --json -o arm.ply");
+  const auto left_out = nlohmann::json::parse(outcome.out).at("left_out");
+  ASSERT_EQ(left_out.size(), 1U);
+  EXPECT_EQ(left_out[0].at("cells").size(), 16U);
+  const Outcome nowhere = run("export arm.calibration.json --to ply --patch 999 -o nowhere.ply");
+  EXPECT_EQ(nowhere.exit_code, 2);
+  EXPECT_THAT(nowhere.err, HasSubstr("no patch holds a cell 999"));
+  EXPECT_FALSE(exists("nowhere.ply"));
+}
+
+TEST_F(CliPatches, AllPatchesGoWhereTheirFramesAreKeptApart) {
+  const Outcome tables = run("export arm.calibration.json --to csv --json -o tables");
+  EXPECT_THAT(nlohmann::json::parse(tables.out).at("left_out"), IsEmpty());
+  const std::string cells = readFile(path("tables/cells.csv"));
+  EXPECT_EQ(std::ranges::count(cells, '\n'), 1 + 17);
+  EXPECT_THAT(cells, HasSubstr("," + std::to_string(fallen_) + "," + std::to_string(fallen_) + ","));
+  EXPECT_EQ(run("export arm.calibration.json --to csv -o again").err, "");
+  EXPECT_THAT(exported("vtp", "--all-patches"), HasSubstr("NumberOfPolys=\"" + std::to_string(17 * 8) + "\""));
+  EXPECT_THAT(exported("vtp"), HasSubstr("NumberOfPolys=\"" + std::to_string(16 * 8) + "\""));
+  for (const std::string format : {"ply", "stl", "urdf"}) {
+    const Outcome refused = run("export arm.calibration.json --to " + format + " --all-patches -o all." + format);
+    EXPECT_EQ(refused.exit_code, 2) << format;
+    EXPECT_THAT(refused.err, HasSubstr("one frame"));
+    EXPECT_FALSE(exists("all." + format));
+  }
+  EXPECT_EQ(run("export arm.calibration.json --to vtp --patch 1 --all-patches -o a.vtp").exit_code, 2);
+}
+
+TEST_F(CliPatches, EvaluateGivesFiguresOfEachPatchByItselfAndNoneBetweenThem) {
+  const Outcome evaluate = run("evaluate arm.calibration.json --fit cylinder --against arm.session.json");
+  EXPECT_EQ(evaluate.exit_code, 0) << evaluate.err;
+  EXPECT_THAT(evaluate.out, AllOf(HasSubstr("How the patches lie to each other is not known"),
+                                  HasSubstr("cylinder through 16 cell centres"), HasSubstr("points are needed"),
+                                  HasSubstr("cell " + std::to_string(fallen_) + " alone")));
+  const auto json = nlohmann::json::parse(run("evaluate arm.calibration.json --fit cylinder --json").out);
+  ASSERT_EQ(json.at("fits").size(), 2U);
+  const auto fitted = [](const nlohmann::json& fit) { return fit.contains("radius_mm"); };
+  EXPECT_EQ(std::ranges::count_if(json.at("fits"), fitted), 1);
+  EXPECT_TRUE(std::ranges::any_of(json.at("fits"), [](const auto& fit) { return fit.contains("why_not"); }));
+  const Outcome loop = run("evaluate arm.calibration.json --loop " + std::to_string(fallen_) + ":1," + free_end_);
+  EXPECT_EQ(loop.exit_code, 2);
+  EXPECT_THAT(loop.err, HasSubstr("lie in different patches"));
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,206 @@
+// Whatever a session holds, everything that is said of its result agrees: verdict, findings, advice, directions, exit
+// code and file. The rules are the table "What agrees with what" in core/hexoderm/reconstruction/README.md.
+
+#include "hexoderm/io/calibration_json.h"
+#include "hexoderm/reconstruction/advice/assess.h"
+#include "hexoderm/reconstruction/advice/pose_coverage.h"
+#include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/session/simulated_session.h"
+
+#include "tests/support/matchers.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <set>
+#include <string>
+#include <thread>
+
+namespace hexoderm {
+namespace {
+
+using ::testing::HasSubstr;
+
+class RandomSession {
+ public:
+  explicit RandomSession(std::uint64_t seed) : random_(seed) {}
+
+  Session draw() {
+    SimulatedSkinOptions options;
+    options.patch = std::vector<std::string>{"x17", "x17", "ring8", "ring8:closed", "sheet:3x4", "sheet:2x6"}[pick(6)];
+    if (options.patch == "x17" && pick(2) == 0) options.surface = "plane";
+    options.seed = random_();
+    options.hand_held = pick(3) > 0;
+    const std::size_t cells = options.patch == "x17" ? 17 : options.patch.starts_with("ring") ? 8 : 12;
+    for (std::size_t k = pick(4) == 0 ? 1 + pick(3) : 0; k > 0; --k) {
+      options.faults.push_back({static_cast<SkinFault>(pick(8)), CellId(static_cast<std::uint32_t>(1 + pick(cells)))});
+    }
+    SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+    Session session = simulateSession(skin, pick(8), 10 + pick(200));
+    muteLinks(session, skin.neighbors());
+    for (std::size_t pose = 0; pose < session.poses().size(); ++pose) {
+      if (pick(8) == 0) session.setPoseDisabled(pose, true);
+      if (pick(4) == 0) loseReadings(session, pose);
+    }
+    return session;
+  }
+
+ private:
+  std::size_t pick(std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(random_); }
+
+  /// None, some or all of them.
+  void muteLinks(Session& session, const NeighborList& neighbors) {
+    const std::size_t one_in = std::vector<std::size_t>{0, 0, 0, 8, 3, 1}[pick(6)];
+    if (one_in == 0) return;
+    for (const CellReport& cell : neighbors) {
+      for (const NeighborReport& link : cell.neighbors) {
+        if (link.cell.value() <= cell.id.value() || !link.cell_port || pick(one_in) != 0) continue;
+        session.setLinkMuted({cell.id, link.port}, {link.cell, *link.cell_port}, true);
+      }
+    }
+  }
+
+  void loseReadings(Session& session, std::size_t index) {
+    SessionPose pose = session.poses()[index];
+    PoseCapture capture = *pose.capture;
+    std::erase_if(capture.samples, [this](const GravitySample&) { return pick(4) == 0; });
+    pose.capture = std::make_shared<const PoseCapture>(std::move(capture));
+    session.removePose(index);
+    session.addPose(pose, index);
+  }
+
+  std::mt19937_64 random_;
+};
+
+bool hasFindingOf(const Reconstruction& r, FindingCode code) {
+  return std::ranges::find(r.findings, code, &Finding::code) != r.findings.end();
+}
+
+std::size_t usableReadings(const Reconstruction& r, const Session& session, CellId cell) {
+  std::size_t count = 0;
+  for (const PoseSummary& pose : r.poses) {
+    const auto taken =
+        std::ranges::find_if(session.poses(), [&](const SessionPose& other) { return other.capture->id == pose.pose; });
+    count += static_cast<std::size_t>(std::ranges::count(taken->capture->samples, cell, &GravitySample::cell));
+  }
+  return count;
+}
+
+void expectAgreement(const Session& session, const Reconstruction& r) {
+  const Assessment& a = r.assessment;
+  const std::string reason = a.reason.english();
+  ASSERT_THAT(r, IsFinite());
+  ASSERT_FALSE(reason.empty());
+  ASSERT_FALSE(a.next_action.empty());
+
+  // The level and what limits it.
+  const bool good = a.level == VerdictLevel::Good;
+  EXPECT_EQ(good, a.limit == Limit::Nothing);
+  if (good) {
+    EXPECT_LE(*a.orientation_95_rad, kGoodOrientation_rad);
+    EXPECT_LE(*a.position_95_m, kGoodPosition_m);
+    EXPECT_EQ(r.patches.size(), 1);
+    EXPECT_EQ(worstFinding(r), nullptr);
+    EXPECT_EQ(a.remedy, Remedy::Nothing);
+  }
+  if (r.cellCount() > 1 && std::ranges::any_of(r.poses, &PoseSummary::enabled)) {
+    std::size_t measured = 0;
+    std::size_t alone = 0;
+    for (const PatchReconstruction& patch : r.patches) {
+      measured +=
+          static_cast<std::size_t>(std::ranges::count(patch.cells, PlacedBy::Samples, &CellPlacement::placed_by));
+      if (patch.cells.size() == 1) ++alone;
+    }
+    EXPECT_EQ(a.level == VerdictLevel::Failed, 2 * alone > r.cellCount() || 2 * measured < r.cellCount()) << reason;
+  }
+  if (!a.isUsable()) {
+    EXPECT_NE(a.remedy, Remedy::Nothing) << "what is of no use is not to be exported";
+  }
+  if (a.level != VerdictLevel::Failed && r.patches.size() > 1) {
+    EXPECT_THAT(reason, HasSubstr(std::to_string(r.patches.size()) + " patches"));
+  }
+  if (a.level != VerdictLevel::Failed) {
+    Uncertainty95 worst;
+    for (const PatchReconstruction& patch : r.patches) {
+      const Uncertainty95 of_patch = worstUncertainty(patch);
+      worst.position_m = std::max(worst.position_m, of_patch.position_m);
+      worst.orientation_rad = std::max(worst.orientation_rad, of_patch.orientation_rad);
+    }
+    EXPECT_EQ(*a.position_95_m, worst.position_m);
+    EXPECT_EQ(*a.orientation_95_rad, worst.orientation_rad);
+  }
+
+  // Advice and directions.
+  EXPECT_EQ(hasFindingOf(r, FindingCode::TooFewDirections),
+            a.level == VerdictLevel::NotEnough && a.limit == Limit::Directions);
+  const PoseCoverage coverage = coverageOf(r);
+  if (coverage.missing) {
+    EXPECT_EQ(a.remedy, Remedy::TakePose) << "a direction is missing, and enough were taken";
+  }
+  std::vector<Eigen::Vector3d> seen;
+  for (const GravityDirection& gravity : largestPatch(r)->gravity) seen.push_back(gravity.g_o);
+  const std::optional<NextPose> next = describeNextPose(adviseNextPose(*r.model, seen), r);
+  ASSERT_TRUE(next);
+  EXPECT_EQ(next->worthwhile, a.wantsPose());
+
+  // Readings that lack.
+  EXPECT_EQ(a.remedy == Remedy::RetakePoses, a.limit == Limit::Readings);
+  EXPECT_EQ(a.remedy == Remedy::RetakePoses, !a.retake.empty());
+  EXPECT_EQ(a.limit == Limit::Readings, !a.limiting_cells.empty());
+  for (const PoseId pose : a.retake) {
+    const auto summary = std::ranges::find(r.poses, pose, &PoseSummary::pose);
+    ASSERT_NE(summary, r.poses.end());
+    EXPECT_TRUE(summary->enabled);
+    EXPECT_LT(summary->cells_measured, r.cellCount());
+  }
+  for (const CellId cell : a.limiting_cells) {
+    EXPECT_EQ(r.find(cell).cell->placed_by, PlacedBy::Samples);
+    EXPECT_GT(usableReadings(r, session, cell), 0);
+  }
+
+  // The origin measures, where any cell of its patch does.
+  for (const PatchReconstruction& patch : r.patches) {
+    const bool any =
+        std::ranges::any_of(patch.cells, [](const CellPlacement& cell) { return cell.placed_by == PlacedBy::Samples; });
+    EXPECT_EQ(patch.findCell(patch.origin)->placed_by == PlacedBy::Samples, any);
+  }
+
+  // The file says the same.
+  const auto reread = parseCalibrationJson(calibrationToJson(r), "test");
+  EXPECT_EQ(reread->assessment.level, a.level);
+  EXPECT_EQ(reread->assessment.limit, a.limit);
+  EXPECT_EQ(reread->assessment.remedy, a.remedy);
+  EXPECT_EQ(reread->assessment.retake, a.retake);
+  EXPECT_EQ(reread->assessment.limiting_cells, a.limiting_cells);
+  EXPECT_EQ(reread->assessment.reason.english(), reason);
+  EXPECT_EQ(reread->assessment.next_action.english(), a.next_action.english());
+}
+
+TEST(Agreement, OfAllThatIsSaidInFiveThousandRandomSessions) {
+  constexpr std::uint64_t kSessions = 5000;
+  std::array<std::size_t, 4> levels{};
+  std::array<std::size_t, 4> remedies{};
+  std::array<std::size_t, 8> limits{};
+  for (std::uint64_t seed = 1; seed <= kSessions && !HasFailure(); ++seed) {
+    SCOPED_TRACE("session " + std::to_string(seed));
+    const Session session = RandomSession(seed).draw();
+    SolverOptions options;
+    if (seed % 5 == 0) options.solver = Solver::Tree;
+    const auto result = reconstruct(*session.snapshot(), options);
+    ASSERT_NO_FATAL_FAILURE(expectAgreement(session, *result)) << result->assessment.reason;
+    if (HasFailure()) ADD_FAILURE() << result->assessment.reason << " | " << result->assessment.next_action;
+    ++levels.at(static_cast<std::size_t>(result->assessment.level));
+    ++remedies.at(static_cast<std::size_t>(result->assessment.remedy));
+    ++limits.at(static_cast<std::size_t>(result->assessment.limit));
+  }
+  for (const std::size_t count : levels) EXPECT_GT(count, 20) << "every level was drawn";
+  for (const std::size_t count : remedies) EXPECT_GT(count, 20) << "every remedy was drawn";
+  for (std::size_t k = 0; k < limits.size(); ++k) {
+    EXPECT_GT(limits[k], 5) << limitName(static_cast<Limit>(k)) << " was drawn";
+  }
+}
+
+}  // namespace
+}  // namespace hexoderm

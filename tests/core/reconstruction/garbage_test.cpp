@@ -1,0 +1,174 @@
+// Sessions that make no sense, in part or as a whole, are named, and healthy ones are not. Simulated.
+
+#include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/session/simulated_session.h"
+#include "tests/support/matchers.h"
+
+#include <algorithm>
+#include <set>
+
+namespace hexoderm {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::UnorderedElementsAre;
+
+constexpr std::uint64_t kSeeds = 6;
+
+struct Skin {
+  std::string patch = "x17";
+  std::string surface = {};
+  std::vector<CellFault> faults = {};
+  std::vector<WholeSkinFault> whole = {};
+  LinkLaw law = LinkLaw::Bend;
+};
+
+std::shared_ptr<const Reconstruction> solved(const Skin& skin, std::uint64_t seed, std::size_t poses,
+                                             const SolverOptions& solver = {}) {
+  SimulatedSkinOptions options;
+  options.patch = skin.patch;
+  options.surface = skin.surface;
+  options.faults = skin.faults;
+  options.whole_skin_faults = skin.whole;
+  options.link_law = skin.law;
+  options.reglued_before = poses - 1;
+  options.seed = seed;
+  SimulatedSkin simulated(builtInCellModel("hex-bma150"), options);
+  return reconstruct(*simulateSession(simulated, poses).snapshot(), solver);
+}
+
+/// Cells that findings above an information are about.
+std::set<CellId> namedCells(const Reconstruction& result) {
+  std::set<CellId> cells;
+  for (const Finding& finding : result.findings) {
+    if (finding.severity != Severity::Info) cells.insert(finding.cells.begin(), finding.cells.end());
+  }
+  return cells;
+}
+
+const Finding* findingOf(const Reconstruction& result, FindingCode code) {
+  const auto found = std::ranges::find(result.findings, code, &Finding::code);
+  return found == result.findings.end() ? nullptr : &*found;
+}
+
+TEST(Garbage, ACellThatEchoesItsNeighbourIsNamedWithIt) {
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    for (const std::size_t poses : {2U, 4U}) {
+      const auto result = solved({.faults = {{SkinFault::Echo, CellId(3)}}}, seed, poses);
+      const Finding* finding = findingOf(*result, FindingCode::IdenticalReadings);
+      ASSERT_NE(finding, nullptr) << "seed " << seed;
+      EXPECT_THAT(finding->cells, Contains(CellId(3)));
+      EXPECT_EQ(finding->cells.size(), 2U);
+      EXPECT_EQ(result->find(CellId(3)).cell->placed_by, PlacedBy::Links);
+      EXPECT_NE(result->assessment.level, VerdictLevel::Good);
+    }
+  }
+}
+
+TEST(Garbage, CellsThatAllSendTheSameAreNoSkin) {
+  const auto result = solved({.whole = {WholeSkinFault::Identical}}, 1, 4);
+  ASSERT_NE(findingOf(*result, FindingCode::IdenticalReadings), nullptr);
+  EXPECT_EQ(findingOf(*result, FindingCode::IdenticalReadings)->cells.size(), 17U);
+  EXPECT_EQ(result->assessment.level, VerdictLevel::Failed);
+  EXPECT_THAT(*result, IsFinite());
+}
+
+TEST(Garbage, ReadingsOfAnIdealFlatSkinAreTheSameAndNoFault) {
+  SimulatedSkinOptions options = SimulatedSkinOptions::ideal();
+  options.patch = "sheet:3x3";
+  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+  EXPECT_THAT(namedCells(*reconstruct(*simulateSession(skin, 3).snapshot())), ::testing::IsEmpty());
+}
+
+TEST(Garbage, SwappedNeighboursAreNamed) {
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    for (const std::size_t poses : {2U, 3U, 6U}) {
+      const auto result = solved({.faults = {{SkinFault::Swapped, CellId(3)}}}, seed, poses);
+      const Finding* finding = findingOf(*result, FindingCode::SwappedReadings);
+      ASSERT_NE(finding, nullptr) << "seed " << seed << ", " << poses << " poses";
+      EXPECT_THAT(finding->cells, UnorderedElementsAre(CellId(3), ::testing::AnyOf(CellId(2), CellId(4))));
+      EXPECT_NE(result->assessment.level, VerdictLevel::Good);
+    }
+  }
+}
+
+TEST(Garbage, ASensorTurnedInTheSurfaceIsNamedInTheMiddleAndAtALeaf) {
+  for (const CellId cell : {CellId(3), CellId(17)}) {
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+      const auto result = solved({.faults = {{SkinFault::Yawed, cell}}}, seed, 3);
+      EXPECT_THAT(namedCells(*result), Contains(cell)) << "seed " << seed;
+      EXPECT_NE(result->assessment.level, VerdictLevel::Good);
+    }
+  }
+}
+
+TEST(Garbage, ALeafThatIsGluedAnewBeforeTheLastPoseIsNamed) {
+  std::size_t found = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const auto result = solved({.faults = {{SkinFault::Reglued, CellId(17)}}}, seed, 6);
+    if (namedCells(*result).contains(CellId(17)) && result->assessment.level != VerdictLevel::Good) ++found;
+  }
+  EXPECT_GE(found, 18U) << "an axis along gravity does not show";
+}
+
+TEST(Garbage, AxesAndPortsThatAreNotTheModelsAreNamed) {
+  for (const WholeSkinFault fault :
+       {WholeSkinFault::AxesSwapped, WholeSkinFault::AxesPermuted, WholeSkinFault::PortsRotated}) {
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+      const auto result = solved({.whole = {fault}}, seed, 3);
+      EXPECT_NE(result->assessment.level, VerdictLevel::Good)
+          << "fault " << static_cast<int>(fault) << ", seed " << seed;
+      EXPECT_GE(namedCells(*result).size(), 2U);
+    }
+  }
+  EXPECT_NE(findingOf(*solved({.whole = {WholeSkinFault::AxesSwapped}}, 1, 3), FindingCode::ContradictsModel), nullptr);
+  EXPECT_NE(findingOf(*solved({.whole = {WholeSkinFault::PortsRotated}}, 1, 3), FindingCode::ContradictsModel),
+            nullptr);
+}
+
+TEST(Garbage, NoiseAndWrongPortsLeaveNothingToUse) {
+  for (const WholeSkinFault fault : {WholeSkinFault::PortOffset, WholeSkinFault::Shuffled, WholeSkinFault::Random}) {
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+      const auto result = solved({.whole = {fault}}, seed, 3);
+      EXPECT_EQ(result->assessment.level, VerdictLevel::Failed)
+          << "fault " << static_cast<int>(fault) << ", seed " << seed;
+      EXPECT_THAT(*result, IsFinite());
+    }
+  }
+}
+
+TEST(Garbage, TheTreeFindsItToo) {
+  SolverOptions tree;
+  tree.solver = Solver::Tree;
+  const auto swapped = solved({.faults = {{SkinFault::Swapped, CellId(3)}}}, 1, 4, tree);
+  EXPECT_THAT(namedCells(*swapped), Contains(CellId(3)));
+  const auto yawed = solved({.faults = {{SkinFault::Yawed, CellId(3)}}}, 1, 4, tree);
+  EXPECT_THAT(namedCells(*yawed), Contains(CellId(3)));
+  EXPECT_NE(findingOf(*solved({.whole = {WholeSkinFault::AxesSwapped}}, 1, 4, tree), FindingCode::ContradictsModel),
+            nullptr);
+}
+
+/// The rates are `hexoderm-cli reproduce --only detection`'s to measure.
+TEST(Garbage, HealthySkinsHaveNone) {
+  const std::vector<Skin> skins = {{},
+                                   {.surface = "sphere:r=0.1"},
+                                   {.patch = "ring8"},
+                                   {.patch = "sheet:5x5"},
+                                   {.patch = "sheet:5x5", .surface = "cylinder:r=0.08"},
+                                   {.patch = "sheet:5x5", .surface = "torus:R=0.2,r=0.1"},
+                                   {.patch = "sheet:4x5", .surface = "cone:r=0.06,angle=0.3", .law = LinkLaw::Surface}};
+  for (const Skin& skin : skins) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      for (const std::size_t poses : {2U, 3U, 4U}) {
+        const auto result = solved(skin, seed, poses);
+        EXPECT_THAT(namedCells(*result), ::testing::IsEmpty())
+            << skin.patch << " on " << skin.surface << ", seed " << seed << ", " << poses << " poses";
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hexoderm

@@ -1,0 +1,63 @@
+// Memory of large sessions, and that there is a result at all: skins that have fallen apart into thousands of patches,
+// and thousands of poses.
+
+#include "hexoderm/device/simulation/simulated_skin.h"
+#include "hexoderm/reconstruction/reconstructor.h"
+#include "hexoderm/session/simulated_session.h"
+#include "tests/support/matchers.h"
+#include "tests/support/peak_memory.h"
+#include "tests/support/unlinked_cells.h"
+
+#include <gmock/gmock.h>
+
+namespace hexoderm {
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kMemoryIsMeasured = false;
+#else
+constexpr bool kMemoryIsMeasured = true;
+#endif
+
+double memoryToSolve_MB(const Session& session) {
+  const auto snapshot = session.snapshot();
+  const double before = test::peakMemory_MB([] {});
+  return test::peakMemory_MB([&] { static_cast<void>(reconstruct(*snapshot)); }) - before;
+}
+
+Session manyPoses(std::size_t poses) {
+  SimulatedSkin skin(builtInCellModel("hex-bma150"), {});
+  return simulateSession(skin, poses, 2);
+}
+
+/// Twice as much of something takes twice the memory; what grows with the square would take four times as much.
+constexpr double kLinear = 2.6;
+
+TEST(Size, MemoryGrowsLinearlyWithThePatches) {
+  if (!kMemoryIsMeasured) GTEST_SKIP() << "a sanitizer keeps memory";
+  const double half = memoryToSolve_MB(unlinkedCells(2000, 3));
+  const double whole = memoryToSolve_MB(unlinkedCells(4000, 3));
+  EXPECT_LT(whole, kLinear * half) << half << " MB and " << whole << " MB";
+}
+
+TEST(Size, MemoryGrowsLinearlyWithThePoses) {
+  if (!kMemoryIsMeasured) GTEST_SKIP() << "a sanitizer keeps memory";
+  const double half = memoryToSolve_MB(manyPoses(500));
+  const double whole = memoryToSolve_MB(manyPoses(1000));
+  EXPECT_LT(whole, kLinear * half) << half << " MB and " << whole << " MB";
+}
+
+TEST(Size, EveryOneOfTwentyThousandUnlinkedCellsIsItsOwnPatch) {
+#ifdef NDEBUG
+  constexpr std::uint32_t kCells = 20'000;
+#else
+  constexpr std::uint32_t kCells = 2'000;
+#endif
+  const auto result = reconstruct(*unlinkedCells(kCells, 3).snapshot());
+  EXPECT_EQ(result->patches.size(), kCells);
+  EXPECT_EQ(result->layout.cells.size(), kCells);
+  EXPECT_THAT(*result, IsFinite());
+}
+
+}  // namespace
+}  // namespace hexoderm

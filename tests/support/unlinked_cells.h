@@ -1,0 +1,30 @@
+#pragma once
+
+#include "hexoderm/session/session.h"
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+
+namespace hexoderm {
+
+/// A session of cells that report no neighbours, each of which reads every pose exactly. From no simulator.
+inline Session unlinkedCells(std::uint32_t count, std::size_t poses) {
+  CellModel model = builtInCellModel("hex-bma150");
+  model.interface_id = CellId(std::numeric_limits<std::uint32_t>::max());
+  NeighborList cells;
+  for (std::uint32_t id = 1; id <= count; ++id) cells.push_back({CellId(id), "", {}});
+  Session session(model, cells);
+  for (std::size_t pose = 0; pose < poses; ++pose) {
+    auto capture = std::make_shared<PoseCapture>();
+    capture->id = session.nextPoseId();
+    const Eigen::Vector3d up_u = Eigen::Vector3d::Unit(static_cast<Eigen::Index>(pose % 3));
+    for (std::uint32_t id = 1; id <= count; ++id) {
+      capture->samples.push_back({CellId(id), up_u, Eigen::Matrix3d::Zero(), 100});
+    }
+    session.addPose({capture, false});
+  }
+  return session;
+}
+
+}  // namespace hexoderm
