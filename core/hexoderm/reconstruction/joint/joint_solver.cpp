@@ -20,6 +20,12 @@ std::unique_ptr<JointSystem> makeSystem(const JointProblem& problem, std::option
 JointOrder cheaperOrder(const JointProblem& problem) {
   // Forces of poses can be taken out one by one; an angular acceleration ties a pose to where its cells are.
   if (problem.accelerations) return JointOrder::CellsFirst;
+  // Nor is there anything to be had from them where no cell but the origin has readings.
+  bool any = false;
+  for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) {
+    any = any || (cell != problem.origin && !problem.readings[cell].empty());
+  }
+  if (!any) return JointOrder::CellsFirst;
   return workOfPosesFirst(problem) < workOfCellsFirst(problem) ? JointOrder::PosesFirst : JointOrder::CellsFirst;
 }
 

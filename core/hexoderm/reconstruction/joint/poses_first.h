@@ -7,7 +7,8 @@
 namespace hexoderm {
 
 /// The forces of the poses are eliminated first, one by one, then the sensors and cells, as dense matrices: for skins
-/// of a few hundred cells in any number of poses. The problem must outlive it and must not have accelerations.
+/// of a few hundred cells in any number of poses. The problem must outlive it, must not have accelerations, and
+/// must have readings of a cell besides the origin.
 ///
 /// A cell's reading in pose p depends on its own unknowns through t_c, its twelve derivatives by offset and gain; a
 /// turn of the cell is a change of its gain. With r = (1, v) and G = d residual / d force, both of one cell and pose,
