@@ -168,6 +168,7 @@ TEST(SensorStatistics, TheModelIsTheSessionsWithOtherSigmasAndReadsBack) {
 }
 
 TEST(SensorStatistics, ALargeSkinIsLookedAtInPart) {
+  if (kFewSeeds) GTEST_SKIP() << "takes minutes in a slow build, and the same code as the others";
   const CellModel model = builtInCellModel("hex-bma150");
   const auto statistics =
       estimateSensorStatistics(Snapshots{simulate(model, model, {.patch = "sheet:10x10", .poses = 4})});

@@ -371,9 +371,11 @@ TEST_P(SkinFaults, HundredCellsWithAThousandPosesWork) {
 
 TEST_P(SkinFaults, HundredThousandCellsWithSixPosesWork) {
   // A flat sheet of rhombic lattice: 250 rows of 400 cells, all links 1-4 and 2-3.
-  const bool fewer = kSlowBuild && GetParam() == Solver::Global;
-  const std::uint32_t rows = fewer ? 12 : 250;
-  const std::uint32_t columns = fewer ? 20 : 400;
+  const bool global = GetParam() == Solver::Global;
+  const std::uint32_t slow_rows = global ? 12 : 50;
+  const std::uint32_t slow_columns = global ? 20 : 100;
+  const std::uint32_t rows = kSlowBuild ? slow_rows : 250;
+  const std::uint32_t columns = kSlowBuild ? slow_columns : 400;
   CellModel model = builtInCellModel("hex-bma150");
   model.interface_id = CellId(rows * columns + 1);
   NeighborList neighbors;
