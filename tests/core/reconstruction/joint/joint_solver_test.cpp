@@ -516,9 +516,9 @@ TEST(JointOrder, OptimumAndCovarianceAreTheSameInBothOrders) {
 }
 
 TEST(JointOrder, FollowsTheSizes) {
-  const auto orderOf = [](std::size_t cells, std::size_t poses, bool accelerations) {
+  const auto orderOf = [](std::size_t cells, std::size_t poses, bool accelerations, std::size_t readings = 1) {
     JointProblem problem;
-    problem.readings.resize(cells);
+    problem.readings.assign(cells, std::vector<CellReading>(readings));
     problem.poses = poses;
     problem.gap = kFitGap;
     problem.accelerations = accelerations;
@@ -529,6 +529,8 @@ TEST(JointOrder, FollowsTheSizes) {
   EXPECT_EQ(orderOf(17, 3000, false), JointOrder::PosesFirst);
   EXPECT_EQ(orderOf(100, 1000, false), JointOrder::PosesFirst);
   EXPECT_EQ(orderOf(17, 3000, true), JointOrder::CellsFirst) << "accelerations tie poses to places";
+  EXPECT_EQ(orderOf(17, 3000, false, 0), JointOrder::CellsFirst) << "there is nothing to eliminate";
+  EXPECT_EQ(orderOf(1, 3000, false), JointOrder::CellsFirst) << "the origin does not move";
 }
 
 TEST(JointOrder, WorkGrowsLinearlyWithThePoses) {
