@@ -30,7 +30,7 @@ rm -rf "$home"
 mkdir -p "$home/runtime"
 chmod 700 "$home/runtime"
 test_environment=(XDG_CONFIG_HOME="$home/config" XDG_DATA_HOME="$home/data" XDG_RUNTIME_DIR="$home/runtime"
-  UBSAN_OPTIONS=print_stacktrace=1 TSAN_OPTIONS=halt_on_error=1)
+  UBSAN_OPTIONS=print_stacktrace=1)
 
 passed=0
 failed=0

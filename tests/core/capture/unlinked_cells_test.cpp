@@ -18,7 +18,7 @@ namespace hexoderm {
 namespace {
 
 constexpr std::uint32_t kCells = 20'000;
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr long kMostMemory_KiB = 2L << 20U;
 #else
 constexpr long kMostMemory_KiB = 256L << 10U;
