@@ -101,9 +101,12 @@ void ScreenshotTour::visitDialogs() {
                               name == QStringLiteral("actionAbout") || name == QStringLiteral("actionGuide");
     if (!opens_dialog || name.isEmpty() || !action->isEnabled()) continue;
     action->trigger();
-    settle();
-    QWidget* dialog = openDialog(window_);
-    if (dialog == nullptr) continue;
+    // Dialogs are shown some turns of the event loop later, on a busy computer long after.
+    QWidget* dialog = nullptr;
+    if (!waitUntil([&] { return (dialog = openDialog(window_)) != nullptr; })) {
+      problems_ << QStringLiteral("%1 opens no dialog").arg(withoutMnemonic(action->text()));
+      continue;
+    }
     const bool is_for_files = dialog->inherits("QFileDialog");
     if (!is_for_files || !std::exchange(has_shown_files, true)) stop(*dialog, name);
     dialog->close();

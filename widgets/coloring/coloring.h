@@ -11,7 +11,8 @@
 
 namespace hexoderm {
 
-// What the colours of the graph and of the 3D view stand for. The colours themselves are in widgets/style.
+// What the colours of the graph and of the 3D view stand for. The colours themselves are in widgets/style,
+// those of the quality of links in core's quality_colors.cpp.
 
 /// The meaning of the colours in the graph and in the 3D view, in the order of their menus.
 enum class Coloring {

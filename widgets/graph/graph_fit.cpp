@@ -38,6 +38,12 @@ GraphCamera fittedInto(const QRectF& room, const GraphScene& scene, QSize view) 
   return fitted;
 }
 
+/// Where the caption of a patch with these bounds may stand; its text can be wider than a small patch.
+QRectF captionArea(const QRectF& patch, double height_px) {
+  constexpr double kWidest = 12;  // of its heights
+  return {patch.left(), patch.top() - height_px, std::max(patch.width(), kWidest * height_px), height_px};
+}
+
 /// A place at the top where the button covers no cell and no caption: on the left, else on the right, else in the
 /// middle.
 std::optional<QPoint> freePlaceFor(QSize button, const GraphScene& scene, const GraphCamera& camera,
@@ -47,10 +53,15 @@ std::optional<QPoint> freePlaceFor(QSize button, const GraphScene& scene, const 
   const int right = view_width - button.width() - kButtonEdge_px;
   for (const int x : {kButtonEdge_px, right, (view_width - button.width()) / 2}) {
     const QPoint place(x, kButtonEdge_px);
-    const QRectF covered = QRectF(place, button).adjusted(-reach, -reach, reach, reach + caption_height_px);
-    const bool is_covering = std::ranges::any_of(
-        scene.cells(), [&](const GraphScene::Cell& cell) { return covered.contains(camera.toScreen(cell.center)); });
-    if (!is_covering) return place;
+    const QRectF covered(place, button);
+    const QRectF near = covered.adjusted(-reach, -reach, reach, reach);
+    const bool covers_a_cell = std::ranges::any_of(
+        scene.cells(), [&](const GraphScene::Cell& cell) { return near.contains(camera.toScreen(cell.center)); });
+    const bool covers_a_caption =
+        caption_height_px > 0 && std::ranges::any_of(scene.patches(), [&](const GraphScene::Patch& patch) {
+          return covered.intersects(captionArea(camera.toScreen(patch.bounds), caption_height_px));
+        });
+    if (!covers_a_cell && !covers_a_caption) return place;
   }
   return std::nullopt;
 }

@@ -70,7 +70,6 @@ const StillnessOptions& validated(const StillnessOptions& options) {
   return options;
 }
 
-/// A limit: one decimal, and none where it says nothing.
 /// With one decimal, or none where it would be a zero.
 Number limitInWords(double value) { return {value, formatFixed(value, 1).ends_with(".0") ? 0 : 1}; }
 

@@ -5,15 +5,13 @@
 #include "hexoderm/reconstruction/advice/assess.h"
 #include "hexoderm/reconstruction/advice/pose_coverage.h"
 #include "hexoderm/reconstruction/reconstructor.h"
-#include "hexoderm/session/simulated_session.h"
-
 #include "tests/support/matchers.h"
+#include "tests/support/random_session.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
 #include <set>
 #include <string>
 #include <thread>
@@ -22,57 +20,6 @@ namespace hexoderm {
 namespace {
 
 using ::testing::HasSubstr;
-
-class RandomSession {
- public:
-  explicit RandomSession(std::uint64_t seed) : random_(seed) {}
-
-  Session draw() {
-    SimulatedSkinOptions options;
-    options.patch = std::vector<std::string>{"x17", "x17", "ring8", "ring8:closed", "sheet:3x4", "sheet:2x6"}[pick(6)];
-    if (options.patch == "x17" && pick(2) == 0) options.surface = "plane";
-    options.seed = random_();
-    options.hand_held = pick(3) > 0;
-    const std::size_t cells = options.patch == "x17" ? 17 : options.patch.starts_with("ring") ? 8 : 12;
-    for (std::size_t k = pick(4) == 0 ? 1 + pick(3) : 0; k > 0; --k) {
-      options.faults.push_back({static_cast<SkinFault>(pick(8)), CellId(static_cast<std::uint32_t>(1 + pick(cells)))});
-    }
-    SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-    Session session = simulateSession(skin, pick(8), 10 + pick(200));
-    muteLinks(session, skin.neighbors());
-    for (std::size_t pose = 0; pose < session.poses().size(); ++pose) {
-      if (pick(8) == 0) session.setPoseDisabled(pose, true);
-      if (pick(4) == 0) loseReadings(session, pose);
-    }
-    return session;
-  }
-
- private:
-  std::size_t pick(std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(random_); }
-
-  /// None, some or all of them.
-  void muteLinks(Session& session, const NeighborList& neighbors) {
-    const std::size_t one_in = std::vector<std::size_t>{0, 0, 0, 8, 3, 1}[pick(6)];
-    if (one_in == 0) return;
-    for (const CellReport& cell : neighbors) {
-      for (const NeighborReport& link : cell.neighbors) {
-        if (link.cell.value() <= cell.id.value() || !link.cell_port || pick(one_in) != 0) continue;
-        session.setLinkMuted({cell.id, link.port}, {link.cell, *link.cell_port}, true);
-      }
-    }
-  }
-
-  void loseReadings(Session& session, std::size_t index) {
-    SessionPose pose = session.poses()[index];
-    PoseCapture capture = *pose.capture;
-    std::erase_if(capture.samples, [this](const GravitySample&) { return pick(4) == 0; });
-    pose.capture = std::make_shared<const PoseCapture>(std::move(capture));
-    session.removePose(index);
-    session.addPose(pose, index);
-  }
-
-  std::mt19937_64 random_;
-};
 
 bool hasFindingOf(const Reconstruction& r, FindingCode code) {
   return std::ranges::find(r.findings, code, &Finding::code) != r.findings.end();
@@ -190,7 +137,7 @@ TEST(Agreement, OfAllThatIsSaidInFiveThousandRandomSessions) {
   std::array<std::size_t, 8> limits{};
   for (std::uint64_t seed = 1; seed <= kSessions && !HasFailure(); ++seed) {
     SCOPED_TRACE("session " + std::to_string(seed));
-    const Session session = RandomSession(seed).draw();
+    const Session session = test::RandomSession(seed).draw();
     SolverOptions options;
     if (seed % 5 == 0) options.solver = Solver::Tree;
     const auto result = reconstruct(*session.snapshot(), options);
