@@ -437,8 +437,9 @@ void VerifyPanel::showFailure(VerifyCheck check, const QString& message) {
   }
 }
 
-std::array<CsvActions*, 4> VerifyPanel::csvActions() const {
-  return {hold_out_->csvActions(), loop_->csvActions(), surface_->csvActions(), comparison_->csvActions()};
+std::array<CsvActions*, 5> VerifyPanel::csvActions() const {
+  return {hold_out_->csvActions(), loop_->csvActions(), surface_->csvActions(), caliper_->csvActions(),
+          comparison_->csvActions()};
 }
 
 void VerifyPanel::requestSurface() {

@@ -49,7 +49,7 @@ class VerifyPanel : public QWidget {
   void showFailure(VerifyCheck check, const QString& message);
 
   /// For the actions on its tables.
-  [[nodiscard]] std::array<CsvActions*, 4> csvActions() const;
+  [[nodiscard]] std::array<CsvActions*, 5> csvActions() const;
 
  signals:
   void holdOutRequested(hexoderm::PoseId pose);
