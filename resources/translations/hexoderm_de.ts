@@ -309,8 +309,20 @@
         <translation>Das Teil ist ruhig. Die Automatik ist aus</translation>
     </message>
     <message>
-        <source>The directions seen are enough: another one would hardly help.</source>
-        <translation>Die gesehenen Richtungen genügen: Eine weitere würde kaum helfen.</translation>
+        <source>There are enough poses: the result is good.</source>
+        <translation>Es sind genug Posen: Das Ergebnis ist gut.</translation>
+    </message>
+    <message>
+        <source>Why: at the worst cell the error is below %1° and %2 mm.</source>
+        <translation>Warum: An der schlechtesten Zelle liegt der Fehler unter %1° und %2 mm.</translation>
+    </message>
+    <message>
+        <source>With another pose the error would fall to about %1 % of what it is now.</source>
+        <translation>Mit einer weiteren Pose fiele der Fehler auf etwa %1 % des jetzigen.</translation>
+    </message>
+    <message>
+        <source>The directions seen are enough.</source>
+        <translation>Die gesehenen Richtungen genügen.</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 #include "widgets/capture/capture_words.h"
 
+#include "hexoderm/reconstruction/advice/assess.h"
 #include "hexoderm/util/units.h"
 #include "widgets/style/palette.h"
 #include "widgets/words/formatting.h"
@@ -50,7 +51,10 @@ double roundedTurn_deg(const PartTurn& turn) {
 
 QString nextPoseInWords(const NextPose& next) {
   if (next.gain == PoseGain::First) return CaptureWords::tr("Hold the part still, any way up.");
-  if (!next.worthwhile) return CaptureWords::tr("There are enough poses. Another one would hardly help.");
+  if (!next.worthwhile) {
+    return next.is_good ? CaptureWords::tr("There are enough poses: the result is good.")
+                        : CaptureWords::tr("There are enough poses. Another one would hardly help.");
+  }
   switch (next.target.facing) {
     case Facing::Ceiling:
       return CaptureWords::tr("Turn the part so that cell %1 faces the ceiling.").arg(name(next.target.cell));
@@ -77,7 +81,12 @@ QString turnAngleInWords(const NextPose& next) {
 }
 
 QString gainInWords(const NextPose& next) {
-  if (!next.worthwhile) return CaptureWords::tr("Why: the error that is left does not come from too few directions.");
+  if (!next.worthwhile) {
+    return next.is_good ? CaptureWords::tr("Why: at the worst cell the error is below %1° and %2 mm.")
+                              .arg(figureInWords(toDegrees(kGoodOrientation_rad), 0),
+                                   figureInWords(kGoodPosition_m / kMillimetre, 0))
+                        : CaptureWords::tr("Why: the error that is left does not come from too few directions.");
+  }
   switch (next.gain) {
     case PoseGain::First:
       return CaptureWords::tr(
@@ -99,12 +108,15 @@ QString gainInWords(const NextPose& next) {
 }
 
 QString sigmaInWords(const NextPose& next) {
-  if (!next.isWanted()) return {};
+  const bool could_be_better = next.gain != PoseGain::First && next.is_good;
+  if (!next.isWanted() && !could_be_better) return {};
   // A share, because the verdict states the worst cell's error and this is that of an edge.
   const double share = next.sigma_now_rad > 0 ? next.sigma_then_rad / next.sigma_now_rad : 1;
   if (share > 0.95) return CaptureWords::tr("Another pose would hardly make it better.");
-  return CaptureWords::tr("With this pose the error falls to about %1 % of what it is now.")
-      .arg(figureInWords(std::max(1.0, std::round(100 * share)), 0));
+  const QString sentence =
+      next.isWanted() ? CaptureWords::tr("With this pose the error falls to about %1 % of what it is now.")
+                      : CaptureWords::tr("With another pose the error would fall to about %1 % of what it is now.");
+  return sentence.arg(figureInWords(std::max(1.0, std::round(100 * share)), 0));
 }
 
 QString missingInWords(const PoseCoverage& coverage, const std::optional<Eigen::Vector3d>& next_up_o) {
@@ -113,7 +125,7 @@ QString missingInWords(const PoseCoverage& coverage, const std::optional<Eigen::
     return coverage.quality == EdgeQuality::Over
                ? CaptureWords::tr("No direction is missing: all three values reach %1.")
                      .arg(figureInWords(coverage.threshold, 2))
-               : CaptureWords::tr("The directions seen are enough: another one would hardly help.");
+               : CaptureWords::tr("The directions seen are enough.");
   }
   const MissingDirection& missing = *coverage.missing;
   if (missing.which == 1) return CaptureWords::tr("No pose yet: any direction will do.");

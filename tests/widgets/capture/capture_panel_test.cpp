@@ -114,6 +114,19 @@ TEST_F(CapturePanelTest, SaysWhenThePartIsThereAndWhenThereIsEnough) {
   next.worthwhile = false;
   panel.setAdvice(next);
   EXPECT_TRUE(text("captureWhat").contains(QStringLiteral("enough poses")));
+  EXPECT_EQ(text("captureSigma"), QString());
+}
+
+TEST_F(CapturePanelTest, DoesNotSayThatAPoseWouldHardlyHelpWhereTheResultIsMerelyGoodEnough) {
+  panel.setSource(streaming());
+  NextPose next = nextPose();
+  next.worthwhile = false;
+  next.is_good = true;
+  panel.setAdvice(next);
+  EXPECT_EQ(text("captureWhat"), QStringLiteral("There are enough poses: the result is good."));
+  EXPECT_EQ(text("captureWhy"), QStringLiteral("Why: at the worst cell the error is below 2° and 3 mm."));
+  EXPECT_EQ(text("captureSigma"),
+            QStringLiteral("With another pose the error would fall to about 14\u00a0% of what it is now."));
 }
 
 TEST_F(CapturePanelTest, NamesCellValueAndLimitOfWhatIsAwaited) {

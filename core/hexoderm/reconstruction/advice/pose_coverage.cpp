@@ -235,6 +235,7 @@ std::optional<NextPose> describeNextPose(const PoseAdvice& advice, const Reconst
     if (opposite != patch->gravity.end()) next.opposite_of = opposite->pose;
   }
   next.worthwhile = reconstruction.assessment.wantsPose();
+  next.is_good = reconstruction.assessment.level == VerdictLevel::Good;
   return next;
 }
 

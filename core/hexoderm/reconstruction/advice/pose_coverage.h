@@ -119,6 +119,7 @@ struct NextPose {
   double sigma_now_rad = 0;           ///< see PoseAdvice
   double sigma_then_rad = 0;
   bool worthwhile = true;  ///< Assessment::wantsPose()
+  bool is_good = false;    ///< the result is good as it is, though a pose may make it better still
 
   /// Whether the pose is needed: it is neither the first, which may be any, nor beyond the ones that are enough.
   [[nodiscard]] bool isWanted() const { return gain != PoseGain::First && worthwhile; }
