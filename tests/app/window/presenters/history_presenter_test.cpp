@@ -61,6 +61,8 @@ TEST_F(HistoryPresenterTest, RemembersRecentFilesAcrossStarts) {
 }
 
 TEST_F(HistoryPresenterTest, RecentFilesWithLongNamesLeaveTheStepsAsNarrowAsTheyAre) {
+  window_->openFile(writeSession(pathTo("arm.hexo"), 2));
+  ASSERT_TRUE(waitForPoses(2));
   const int narrow = find<QWidget>("stepsDock")->width();
   const QString file = writeSession(pathTo("left-forearm-of-the-second-robot-after-repair.hexo"), 2);
   window_->openFile(file);
