@@ -66,8 +66,8 @@ TEST_F(ViewCommandsTest, StepsAboveGiveWayToOneThatDoesNotFitBelowThemUntilSomeb
 
   panel->verticalScrollBar()->setValue(0);
   const int height = panel->height();
-  window_->resize(1280, high - 40);
-  ASSERT_TRUE(waitUntil([&] { return panel->height() < height; }));
+  window_->resize(1280, window_->height() + 30);
+  ASSERT_TRUE(waitUntil([&] { return panel->height() > height; }));
   QCoreApplication::processEvents();
   EXPECT_EQ(panel->verticalScrollBar()->value(), 0);
   panel->openStep(0);
