@@ -20,7 +20,6 @@ namespace {
 constexpr std::size_t kMostRows = 1'000'000;
 constexpr std::size_t kMostColumns = 10'000;
 constexpr std::size_t kMostNumbers = 20'000'000;  // rows times columns, of 50 bytes each in memory
-constexpr double kMostJointPosition = 1e6;
 
 std::string_view withoutBlanks(std::string_view text) {
   constexpr std::string_view kBlanks = " \t\r";
@@ -35,21 +34,21 @@ struct ColumnUnit {
   double factor;  ///< to rad, m or s
   enum class Of { Angle, Length, Time } of;
 };
-constexpr std::array<ColumnUnit, 11> kUnits = {{{"rad", 1, ColumnUnit::Of::Angle},
-                                                {"radians", 1, ColumnUnit::Of::Angle},
-                                                {"deg", kDegree, ColumnUnit::Of::Angle},
-                                                {"degrees", kDegree, ColumnUnit::Of::Angle},
-                                                {"°", kDegree, ColumnUnit::Of::Angle},
-                                                {"m", 1, ColumnUnit::Of::Length},
-                                                {"mm", kMillimetre, ColumnUnit::Of::Length},
-                                                {"s", 1, ColumnUnit::Of::Time},
-                                                {"ms", 1e-3, ColumnUnit::Of::Time},
-                                                {"us", 1e-6, ColumnUnit::Of::Time},
-                                                {"ns", 1e-9, ColumnUnit::Of::Time}}};
+constexpr std::array<ColumnUnit, 11> kColumnUnits = {{{"rad", 1, ColumnUnit::Of::Angle},
+                                                      {"radians", 1, ColumnUnit::Of::Angle},
+                                                      {"deg", kDegree, ColumnUnit::Of::Angle},
+                                                      {"degrees", kDegree, ColumnUnit::Of::Angle},
+                                                      {"°", kDegree, ColumnUnit::Of::Angle},
+                                                      {"m", 1, ColumnUnit::Of::Length},
+                                                      {"mm", kMillimetre, ColumnUnit::Of::Length},
+                                                      {"s", 1, ColumnUnit::Of::Time},
+                                                      {"ms", 1e-3, ColumnUnit::Of::Time},
+                                                      {"us", 1e-6, ColumnUnit::Of::Time},
+                                                      {"ns", 1e-9, ColumnUnit::Of::Time}}};
 
 const ColumnUnit* unitNamed(std::string_view name) {
-  const auto found = std::ranges::find(kUnits, name, &ColumnUnit::name);
-  return found == kUnits.end() ? nullptr : &*found;
+  const auto found = std::ranges::find(kColumnUnits, name, &ColumnUnit::name);
+  return found == kColumnUnits.end() ? nullptr : &*found;
 }
 
 /// A column's title taken apart: "elbow[deg]", "elbow (deg)", "elbow_deg".

@@ -28,7 +28,6 @@ namespace {
 
 /// No robot is larger.
 constexpr double kFarthestJoint_m = 1000;
-constexpr double kMostPosition = 1e6;
 
 KDL::Vector toKdl(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 KDL::Frame toKdl(const SE3& T) {
@@ -161,7 +160,7 @@ class UrdfConverter {
     } else if (const auto* sphere = dynamic_cast<const urdf::Sphere*>(&geometry)) {
       result.shape = SphereShape{lengthOf(sphere->radius, "radius")};
     } else if (const auto* mesh = dynamic_cast<const urdf::Mesh*>(&geometry)) {
-      MeshShape shape{mesh->filename, vectorOf(mesh->scale, kMostPosition, badScale())};
+      MeshShape shape{mesh->filename, vectorOf(mesh->scale, kMostJointPosition, badScale())};
       if ((shape.scale.array() == 0).any()) fail(badScale());
       result.shape = std::move(shape);
     } else {
@@ -181,14 +180,14 @@ class UrdfConverter {
     result.type = typeOf(joint, notes);
     if (result.type == JointType::Fixed) return result;
 
-    result.axis = vectorOf(joint.axis, kMostPosition, message("expected an axis of three finite numbers"));
+    result.axis = vectorOf(joint.axis, kMostJointPosition, message("expected an axis of three finite numbers"));
     if (result.axis.norm() < 1e-6) fail(message("expected an axis, but its length is 0"));
     result.axis.normalize();
     if (joint.limits && result.type != JointType::Continuous) {
       result.limits = JointLimits{joint.limits->lower, joint.limits->upper};
       const bool in_order = result.limits->lower <= result.limits->upper;  // false for NaN
-      if (!in_order || std::abs(result.limits->lower) > kMostPosition ||
-          std::abs(result.limits->upper) > kMostPosition) {
+      if (!in_order || std::abs(result.limits->lower) > kMostJointPosition ||
+          std::abs(result.limits->upper) > kMostJointPosition) {
         fail(message("expected limits of which the lower is not above the upper"));
       }
     }
@@ -222,7 +221,7 @@ class UrdfConverter {
     if (joint == joint_index_.end()) {
       fail(message("mimics joint {}, which is not among the robot's joints", mimic.joint_name));
     }
-    if (!(std::abs(mimic.multiplier) <= kMostPosition && std::abs(mimic.offset) <= kMostPosition)) {
+    if (!(std::abs(mimic.multiplier) <= kMostJointPosition && std::abs(mimic.offset) <= kMostJointPosition)) {
       fail(message("expected a multiplier and an offset that are finite"));
     }
     return {joint->second, mimic.multiplier, mimic.offset};
@@ -449,13 +448,8 @@ std::size_t RobotModel::jointNamed(std::string_view name) const {
 }
 
 std::vector<SE3> RobotModel::forward(const JointAngles& angles) const {
-  for (const auto& [name, position] : angles.positions) {
-    static_cast<void>(jointNamed(name));
-    if (!(std::abs(position) <= kMostPosition)) {
-      throw InvalidArgument(
-          message("Joint {}: expected a finite position, at most {}", name, Number{kMostPosition, 0}));
-    }
-  }
+  angles.validate();
+  for (const auto& [name, position] : angles.positions) static_cast<void>(jointNamed(name));
   std::vector<SE3> T_w_l(links().size());
   for (const std::size_t joint : state_->parents_first) {
     const SE3 T_parent_child = fromKdl(state_->segments[joint].pose(state_->positionOf(joint, angles)));
@@ -472,6 +466,13 @@ std::vector<std::size_t> RobotModel::freeJointsTo(std::size_t link) const {
     if (joints()[joint].isFree()) result.insert(joint);
   }
   return {result.begin(), result.end()};
+}
+
+std::size_t RobotModel::partOf(std::size_t link) const {
+  while (links().at(link).joint && joints()[*links()[link].joint].type == JointType::Fixed) {
+    link = joints()[*links()[link].joint].parent;
+  }
+  return link;
 }
 
 std::vector<std::string> RobotModel::freeJointNames() const {

@@ -125,8 +125,10 @@ class RobotModel {
   [[nodiscard]] std::vector<SE3> forward(const JointAngles& angles) const;
 
   /// The free joints on which T_w_l depends, ascending; a mimicking joint counts as the one it follows.
-  /// Links with the same ones are rigidly fixed to each other if no joint between them moves.
   [[nodiscard]] std::vector<std::size_t> freeJointsTo(std::size_t link) const;
+  /// Links that are fixed to each other, by fixed joints alone, are one rigid part: the one of them nearest to the
+  /// root.
+  [[nodiscard]] std::size_t partOf(std::size_t link) const;
   /// Names of the free joints, in the order of joints().
   [[nodiscard]] std::vector<std::string> freeJointNames() const;
 
