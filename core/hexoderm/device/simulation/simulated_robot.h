@@ -61,7 +61,7 @@ struct MountedPatch {
 struct SimulatedRobotPose {
   JointAngles reported;     ///< of all free joints: what encoders say
   JointAngles true_angles;  ///< reported + zero offsets
-  Eigen::Vector3d up_w;     ///< unit; in a hand that of the middle of the hold
+  Eigen::Vector3d up_w;     ///< unit; in a hand, where the hold begins
   std::vector<SE3> T_w_l;   ///< by the true angles, of every link of the robot
 };
 
