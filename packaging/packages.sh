@@ -14,10 +14,12 @@ core_packages=(
   libfmt-dev
   libgmock-dev
   libgtest-dev
+  liborocos-kdl-dev
   libprotobuf-dev
   libpugixml-dev
   libsqlite3-dev
   libssl-dev
+  liburdfdom-dev
   nlohmann-json3-dev
   protobuf-compiler
   python3 # kill tests and an example sender
