@@ -10,7 +10,6 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
-#include <set>
 
 namespace hexoderm::cli {
 namespace {
@@ -47,8 +46,8 @@ PatchOnLink placementFrom(const std::string& text, const Reconstruction& reconst
 
   PatchOnLink place;
   const std::size_t at = text.find('@');
-  const PatchReconstruction* patch = options.patch ? reconstruction.find(*options.patch).patch
-                                                   : largestPatch(reconstruction);
+  const PatchReconstruction* patch =
+      options.patch ? reconstruction.find(*options.patch).patch : largestPatch(reconstruction);
   if (at < colon) {
     const CellId cell(parseUnsigned(text.substr(0, at), "--place"));
     patch = reconstruction.find(cell).patch;
@@ -68,12 +67,16 @@ std::vector<ExportFormat> formatsFrom(const std::string& text) {
   return formats;
 }
 
-/// What the files will not hold, each said once.
+void addOnce(std::vector<std::string>& sentences, const std::string& sentence) {
+  if (std::ranges::find(sentences, sentence) == sentences.end()) sentences.push_back(sentence);
+}
+
+/// What the formats can't hold.
 std::vector<std::string> notCarried(const std::vector<ExportFormat>& formats) {
   std::vector<std::string> sentences;
   for (const ExportFormat format : formats) {
     const std::string sentence = exportFormatDescription(format).not_carried.english();
-    if (!sentence.empty() && std::ranges::find(sentences, sentence) == sentences.end()) sentences.push_back(sentence);
+    if (!sentence.empty()) addOnce(sentences, sentence);
   }
   return sentences;
 }
@@ -90,13 +93,12 @@ int run(ExportCommandOptions command, bool one_patch, const Common& common) {
   ExportOptions& options = command.options;
   for (const ExportOptionDescription& option : exportOptions()) option.set(options, command.values.at(option.name));
   if (one_patch) options.patch = CellId(command.patch_of_cell);
-  options.validate();
+  for (const ExportFormat format : formats) options.validateFor(format);
   const Output output(command.output, common);
   const bool is_folder = formats.size() > 1 || formats.front() == ExportFormat::Csv;
   if (output.isStandard() && is_folder) {
-    throw InvalidArgument(
-        "-o -: " + std::string(formats.size() > 1 ? "an export in several formats" : "csv") +
-        " is a folder of several files, which standard output can't be: give a folder");
+    throw InvalidArgument("-o -: " + std::string(formats.size() > 1 ? "an export in several formats" : "csv") +
+                          " is a folder of several files, which standard output can't be: give a folder");
   }
   const auto calibration = openCalibration(command.input);
   for (const std::string& text : command.placements) {
@@ -105,41 +107,42 @@ int run(ExportCommandOptions command, bool one_patch, const Common& common) {
   if (is_folder) options.inputs = inputFile(command.input);
 
   std::vector<PatchLeftOut> left_out;
-  std::set<std::string> said;
+  std::vector<std::string> remarks;
   for (const ExportFormat format : formats) {
     const std::vector<PatchLeftOut> of_format = patchesLeftOut(*calibration, format, options);
     if (of_format.empty()) continue;
-    const std::string words = leftOutInWords(of_format).english();
-    if (!said.insert(words).second) continue;
-    common.note(words + (of_format.front().not_on_link
-                             ? " --place says where a patch is."
-                             : " --patch CELL writes the patch of a cell to a file of its own."));
+    addOnce(remarks,
+            leftOutInWords(of_format).english() +
+                (of_format.front().not_on_link ? " --place says where a patch is."
+                                               : " --patch CELL writes the patch of a cell to a file of its own."));
     for (const PatchLeftOut& patch : of_format) {
       if (std::ranges::find(left_out, patch.patch, &PatchLeftOut::patch) == left_out.end()) left_out.push_back(patch);
     }
   }
   const std::vector<std::string> not_carried = notCarried(formats);
-  for (const std::string& sentence : not_carried) common.note(sentence);
+  for (const std::string& sentence : not_carried) addOnce(remarks, sentence);
+  const auto sayWhatIsMissing = [&] {
+    for (const std::string& remark : remarks) common.note(remark);
+  };
 
   common.progress("Writing " + output.inWords() + " ...");
   if (output.isStandard()) {
     output.write(exportBytes(*calibration, formats.front(), options, output.inWords()));
     common.endProgress();
+    sayWhatIsMissing();
     return kDone;
   }
-  const auto files = formats.size() > 1
-                         ? exportBundle(*calibration, formats, command.output, options)
-                         : exportReconstruction(*calibration, formats.front(), command.output, options);
+  const auto files = formats.size() > 1 ? exportBundle(*calibration, formats, command.output, options)
+                                        : exportReconstruction(*calibration, formats.front(), command.output, options);
   common.endProgress();
   if (common.json) {
     auto names = nlohmann::ordered_json::array();
     for (const auto& file : files) names.push_back(file.string());
-    printJson({{"format", command.formats},
-               {"files", names},
-               {"left_out", toJson(left_out)},
-               {"not_carried", not_carried}});
+    printJson(
+        {{"format", command.formats}, {"files", names}, {"left_out", toJson(left_out)}, {"not_carried", not_carried}});
   } else {
     for (const auto& file : files) std::cout << "Written and read back: " << forTerminal(file.string()) << '\n';
+    sayWhatIsMissing();
   }
   return kDone;
 }
@@ -173,20 +176,23 @@ void addExport(CLI::App& app, Common& common) {
   std::string formats;
   for (const ExportFormatDescription& format : exportFormats()) {
     formats += "\n  " + std::string(format.name) + ": " + format.summary.english();
+    if (!format.not_carried.empty()) formats += ". " + format.not_carried.english();
   }
   command->add_option("calibration", options->input, "Calibration (*.calibration.json, or TUM XML)")->required();
   command
-      ->add_option("--to", options->formats,
-                   "Format, or several with commas between for a folder with all of them and a manifest.json:" + formats)
+      ->add_option(
+          "--to", options->formats,
+          "Format, or several with commas between for a folder with all of them and a manifest.json:" + formats)
       ->required();
   command
       ->add_option("-o,--output", options->output,
                    "File to write; for csv and for several formats a folder; - is standard output")
       ->required();
   addFormatOptions(*command, options);
-  command->add_option("--place", options->placements,
-                      "[CELL@]LINK:x,y,z,roll,pitch,yaw: where the patch of a cell is on a link of the robot, in metres and "
-                      "radians as the origin of a URDF joint; once for each patch");
+  command->add_option(
+      "--place", options->placements,
+      "[CELL@]LINK:x,y,z,roll,pitch,yaw: where the patch of a cell is on a link of the robot, in metres and "
+      "radians as the origin of a URDF joint; once for each patch");
   command->add_option("--in-link", options->options.in_link,
                       "Write coordinates in the frame of this link, of the patches that are placed on it");
   CLI::Option* patch = command->add_option("--patch", options->patch_of_cell,

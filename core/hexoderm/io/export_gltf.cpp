@@ -63,7 +63,8 @@ void appendFloats(std::string& bytes, const std::vector<Eigen::Vector3f>& vector
 
 Json bounds(const std::vector<Eigen::Vector3f>& points, bool largest) {
   Eigen::Vector3f bound = points.front();
-  for (const Eigen::Vector3f& point : points) bound = largest ? bound.cwiseMax(point).eval() : bound.cwiseMin(point).eval();
+  for (const Eigen::Vector3f& point : points)
+    bound = largest ? bound.cwiseMax(point).eval() : bound.cwiseMin(point).eval();
   return {bound.x(), bound.y(), bound.z()};
 }
 
@@ -169,7 +170,8 @@ std::string gltfBytes(const Reconstruction& reconstruction, const std::string& f
       Json sensors = Json::array();
       for (std::size_t k = 0; k < cell.sensors.size(); ++k) {
         sensors.push_back(nodes.size());
-        Json sensor = node(cellNode(cell.cell) + "_sensor_" + std::to_string(k + 1), T_u_o * rigid(cell.sensors[k].T_o_s));
+        Json sensor =
+            node(cellNode(cell.cell) + "_sensor_" + std::to_string(k + 1), T_u_o * rigid(cell.sensors[k].T_o_s));
         sensor["extras"] = {{"sensor", cell.sensors[k].name}, {"type", cell.sensors[k].type}};
         nodes.push_back(sensor);
       }
@@ -181,13 +183,14 @@ std::string gltfBytes(const Reconstruction& reconstruction, const std::string& f
   document["meshes"] = meshes;
   document["materials"] = materials;
   const auto vertices = triangles.points.size();
-  document["accessors"] = Json::array({{{"bufferView", 0},
-                                        {"componentType", kFloat},
-                                        {"count", vertices},
-                                        {"type", "VEC3"},
-                                        {"min", bounds(triangles.points, false)},
-                                        {"max", bounds(triangles.points, true)}},
-                                       {{"bufferView", 1}, {"componentType", kFloat}, {"count", vertices}, {"type", "VEC3"}}});
+  document["accessors"] =
+      Json::array({{{"bufferView", 0},
+                    {"componentType", kFloat},
+                    {"count", vertices},
+                    {"type", "VEC3"},
+                    {"min", bounds(triangles.points, false)},
+                    {"max", bounds(triangles.points, true)}},
+                   {{"bufferView", 1}, {"componentType", kFloat}, {"count", vertices}, {"type", "VEC3"}}});
   const auto view = [](std::size_t offset, std::size_t length) {
     return Json{{"buffer", 0}, {"byteOffset", offset}, {"byteLength", length}, {"target", kArrayBuffer}};
   };

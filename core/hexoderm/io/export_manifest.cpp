@@ -113,13 +113,14 @@ ManifestJson inputsJson(const Reconstruction& reconstruction, const ExportOption
 
 std::string manifestText(const Reconstruction& reconstruction, std::span<const ManifestFile> files,
                          const ExportOptions& options) {
-  ManifestJson json = {{"format", "hexoderm-manifest"},
-                       {"version", 1},
-                       {"program", "Hexoderm " HEXODERM_VERSION},
-                       {"units", {{"length", "m"}, {"angle", "rad"}}},
-                       {"conventions",
-                        "x_frame = R x_cell + t_m, R row-major; cov_t_r is the upper triangle of the covariance, position "
-                        "in the frame, then rotation, its error right-multiplied in the cell's frame"}};
+  ManifestJson json = {
+      {"format", "hexoderm-manifest"},
+      {"version", 1},
+      {"program", "Hexoderm " HEXODERM_VERSION},
+      {"units", {{"length", "m"}, {"angle", "rad"}}},
+      {"conventions",
+       "x_frame = R x_cell + t_m, R row-major; cov_t_r is the upper triangle of the covariance, position "
+       "in the frame, then rotation, its error right-multiplied in the cell's frame"}};
   json["cell_model"] = reconstruction.model->name;
   json["inputs"] = inputsJson(reconstruction, options);
   ManifestJson list = ManifestJson::array();

@@ -17,8 +17,8 @@ struct ManifestFile {
   ExportSelection selection;
 };
 
-/// manifest.json of a bundle: version of the program, units, inputs and files with their SHA-256, what each file does not
-/// hold, and for every cell in words and numbers into which frame its placement maps, with its covariance.
+/// manifest.json of a bundle: version of the program, units, inputs and files with their SHA-256, what each file does
+/// not hold, and for every cell in words and numbers into which frame its placement maps, with its covariance.
 std::string manifestText(const Reconstruction& reconstruction, std::span<const ManifestFile> files,
                          const ExportOptions& options);
 /// Throws FormatError unless the bytes are JSON that says the same as `text`.

@@ -40,8 +40,9 @@ std::uint32_t colorOfMaterial(const std::string& name) {
 std::string massComment(const SkinTree& tree) {
   std::string text = " Metres and radians.";
   for (const SkinTreePatch& patch : tree.patches) {
-    text += " " + patch.name + (patch.placed ? " is placed on " + patch.link + "."
-                                             : " is in " + patch.link + " without any offset: placing it is up to you.");
+    text += " " + patch.name +
+            (patch.placed ? " is placed on " + patch.link + "."
+                          : " is in " + patch.link + " without any offset: placing it is up to you.");
   }
   return text;
 }
@@ -143,8 +144,11 @@ std::string sdfBytes(const SkinTree& tree) {
         pugi::xml_node visual = link.append_child("visual");
         visual.append_attribute("name") = visualName(cell, k).c_str();
         appendPose(visual, patch.T_l_o * cell.T_o_u * boxes.T_u_box[k]);
-        visual.append_child("geometry").append_child("box").append_child("size").text().set(
-            vectorText(boxes.size_m).c_str());
+        visual.append_child("geometry")
+            .append_child("box")
+            .append_child("size")
+            .text()
+            .set(vectorText(boxes.size_m).c_str());
         pugi::xml_node material = visual.append_child("material");
         const std::string rgba = rgbaText(colorOfMaterial(cell.material));
         for (const char* kind : {"ambient", "diffuse"}) material.append_child(kind).text().set(rgba.c_str());
@@ -259,9 +263,9 @@ void verifyMjcf(std::string_view bytes, const SkinTree& tree, const std::string&
                    "body " + cell.name + " has another colour");
       pugi::xml_node site = next.child("site");
       for (const SkinTreeSensor& sensor : cell.sensors) {
-        requireMeant(site.attribute("name").value() == sensor.name &&
-                         near(cell.T_o_u * readMjcfPlace(site, file), sensor.T_o_s),
-                     file, "site " + sensor.name + " is missing or elsewhere");
+        requireMeant(
+            site.attribute("name").value() == sensor.name && near(cell.T_o_u * readMjcfPlace(site, file), sensor.T_o_s),
+            file, "site " + sensor.name + " is missing or elsewhere");
         site = site.next_sibling("site");
       }
       requireMeant(!site, file, "body " + cell.name + " has further sites");

@@ -5,8 +5,8 @@
 
 namespace hexoderm {
 
-/// The prisms in metres, every point in the colour of its cell's worst used link (grey: the cell has none). The selection
-/// says in which frame the reconstruction is.
+/// The prisms in metres, every point in the colour of its cell's worst used link (grey: the cell has none). The
+/// selection says in which frame the reconstruction is.
 ExportMesh plyMesh(const Reconstruction& reconstruction, const ExportSelection& selection = {});
 
 /// ASCII PLY with uchar colours and a comment that names unit and frame.

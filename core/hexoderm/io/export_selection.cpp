@@ -82,8 +82,8 @@ ExportSelection selectForExport(const Reconstruction& reconstruction, const Expo
   ExportSelection selection;
   if (!options.in_link.empty()) {
     if (holdsAllInTheirFrames(format, options)) {
-      throw InvalidArgument(located(
-          "in_link", message("{} holds each patch in a frame of its own, not in that of a link", format.name)));
+      throw InvalidArgument(
+          located("in_link", message("{} holds each patch in a frame of its own, not in that of a link", format.name)));
     }
     selection.patches = placedPatches(reconstruction, options);
     if (selection.patches.empty()) {
@@ -124,8 +124,8 @@ CellPlacement onLink(const CellPlacement& cell, const PatchOnLink& place) {
   of_patch.bottomRightCorner<3, 3>() = cell.T_o_u.R.transpose();
   Matrix6d of_cell = Matrix6d::Identity();
   of_cell.topLeftCorner<3, 3>() = place.T_l_o.R;
-  const Matrix6d covariance = of_patch * *place.cov_t_r * of_patch.transpose() +
-                              of_cell * *cell.cov_t_r * of_cell.transpose();
+  const Matrix6d covariance =
+      of_patch * *place.cov_t_r * of_patch.transpose() + of_cell * *cell.cov_t_r * of_cell.transpose();
   placed.cov_t_r = 0.5 * (covariance + covariance.transpose());
   return placed;
 }

@@ -19,7 +19,7 @@ struct MountedPatch {
 struct ExportSelection {
   std::vector<const PatchReconstruction*> patches;
   std::vector<MountedPatch> mounted;  ///< the same, for formats with links
-  std::string frame_link;             ///< of formats without links: whose frame coordinates are in; empty: each patch's own
+  std::string frame_link;  ///< of formats without links: whose frame coordinates are in; empty: each patch's own
 };
 
 /// InvalidArgument: the options and the format don't go together, or no patch is what the options ask for.

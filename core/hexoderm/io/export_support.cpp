@@ -22,7 +22,7 @@ std::unordered_map<CellId, EdgeQuality> worstUsedQuality(const Reconstruction& r
 
 std::string frameInWords(const Reconstruction& reconstruction, const ExportSelection& selection) {
   if (!selection.frame_link.empty()) return "in the frame of link " + selection.frame_link;
-  const PatchReconstruction* only = selection.patches.size() == 1       ? selection.patches.front()
+  const PatchReconstruction* only = selection.patches.size() == 1        ? selection.patches.front()
                                     : reconstruction.patches.size() == 1 ? &reconstruction.patches.front()
                                                                          : nullptr;
   if (only == nullptr) return "each patch in the frame of its origin cell";

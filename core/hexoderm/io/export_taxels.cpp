@@ -16,9 +16,7 @@ constexpr int kIcubDecimals = 9;
 constexpr double kNanometres = 1e9;
 
 /// The rows of the file: those of the cells, filled up to whole triangles, with one to spare.
-std::size_t icubRows(const TaxelMap& map) {
-  return (map.taxels.size() / kTaxelsPerTriangle + 1) * kTaxelsPerTriangle;
-}
+std::size_t icubRows(const TaxelMap& map) { return (map.taxels.size() / kTaxelsPerTriangle + 1) * kTaxelsPerTriangle; }
 
 std::string icubNumbers(const Eigen::Vector3d& v) {
   std::string text;
@@ -64,7 +62,8 @@ TaxelMap taxelMap(const CellModel& model, const std::vector<MountedPatch>& mount
 std::string icubText(const TaxelMap& map) {
   const std::size_t rows = icubRows(map);
   std::string text = "name    " + map.links.front() + "\nspatial_sampling     taxel\ntaxel2Repr ( ";
-  for (std::size_t row = 0; row < rows; ++row) text += row < map.taxels.size() ? " " + std::to_string(row) + " " : " -1 ";
+  for (std::size_t row = 0; row < rows; ++row)
+    text += row < map.taxels.size() ? " " + std::to_string(row) + " " : " -1 ";
   text += " )\n[calibration]\n";
   const Taxel none;
   for (std::size_t row = 0; row < rows; ++row) {

@@ -25,8 +25,8 @@ TaxelMap taxelMap(const CellModel& model, const std::vector<MountedPatch>& mount
 
 /// iCub taxel positions: a row "x y z nx ny nz" for each cell in order of ID, then rows of zeros, which stand for no
 /// taxel, up to whole triangles of 12, at least one, and an empty line: a reader that drops the last row, or the last
-/// line, loses no cell. Each cell is its own representative in taxel2Repr, -1 a row without. The file's `name` is that of
-/// the link.
+/// line, loses no cell. Each cell is its own representative in taxel2Repr, -1 a row without. The file's `name` is that
+/// of the link.
 std::string icubText(const TaxelMap& map);
 void verifyIcub(std::string_view bytes, const TaxelMap& map, const std::string& file);
 

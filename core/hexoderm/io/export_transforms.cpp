@@ -94,8 +94,9 @@ std::string rosLaunchText(const std::vector<SkinFrame>& frames) {
   pugi::xml_document document;
   pugi::xml_node launch = document.append_child("launch");
   launch.append_child(pugi::node_comment)
-      .set_value(" Metres; x y z qx qy qz qw parent child. A node for each frame: of many cells, one link per patch, or "
-                 "the list of transforms in YAML, starts faster. ");
+      .set_value(
+          " Metres; x y z qx qy qz qw parent child. A node for each frame: of many cells, one link per patch, or "
+          "the list of transforms in YAML, starts faster. ");
   NodeNames names;
   for (const SkinFrame& frame : frames) {
     std::string args;

@@ -126,8 +126,7 @@ void verifyTum(std::string_view bytes, const Reconstruction& reconstruction, con
       requireMeant((cell.T_root_u.t - T.t).cwiseAbs().maxCoeff() <= kTumTolerance &&
                        (cell.T_root_u.R - T.R).cwiseAbs().maxCoeff() <= kTumTolerance,
                    file, what + " is elsewhere");
-      requireMeant(cell.report.neighbors.size() == reconstruction.model->ports.size(), file,
-                   what + " has other ports");
+      requireMeant(cell.report.neighbors.size() == reconstruction.model->ports.size(), file, what + " has other ports");
       for (const NeighborReport& neighbor : cell.report.neighbors) {
         const auto expected = neighbors.find({meant.cell, neighbor.port});
         requireMeant(neighbor.cell == (expected == neighbors.end() ? CellId(0) : expected->second), file,

@@ -100,7 +100,8 @@ constexpr std::string_view kXacroNamespace = "http://www.ros.org/wiki/xacro";
 
 void appendMacro(pugi::xml_node robot, const SkinTreePatch& patch, const CellBoxes& boxes, bool link_per_cell) {
   if (patch.name.find('/') != std::string::npos) {
-    throw InvalidArgument(located("prefix", message("\"{}\" is no name for a xacro macro: leave out the /", patch.name)));
+    throw InvalidArgument(
+        located("prefix", message("\"{}\" is no name for a xacro macro: leave out the /", patch.name)));
   }
   pugi::xml_node macro = robot.append_child("xacro:macro");
   macro.append_attribute("name") = patch.name.c_str();
@@ -314,7 +315,8 @@ std::optional<std::size_t> endOfRobot(std::string_view text) {
       {{"<!--", "-->"}, {"<![CDATA[", "]]>"}, {"<?", "?>"}}};
   for (std::size_t at = text.find('<'); at != std::string_view::npos; at = text.find('<', at)) {
     const std::string_view rest = text.substr(at);
-    const auto* const skipped = std::ranges::find_if(kSkipped, [&](const auto& s) { return rest.starts_with(s.first); });
+    const auto* const skipped =
+        std::ranges::find_if(kSkipped, [&](const auto& s) { return rest.starts_with(s.first); });
     if (skipped != kSkipped.end()) {
       at = text.find(skipped->second, at);
       if (at == std::string_view::npos) break;
@@ -377,7 +379,8 @@ std::string fragment(const UrdfContent& content, const std::set<std::string>& ma
   const CellBoxes boxes = cellBoxes(content.tree);
   for (const SkinTreePatch& patch : content.tree.patches) appendPatch(document, patch, boxes, content.link_per_cell);
   std::ostringstream out;
-  for (const pugi::xml_node node : document.children()) node.print(out, "  ", pugi::format_default, pugi::encoding_utf8, 1);
+  for (const pugi::xml_node node : document.children())
+    node.print(out, "  ", pugi::format_default, pugi::encoding_utf8, 1);
   return std::move(out).str();
 }
 

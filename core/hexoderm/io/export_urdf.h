@@ -30,8 +30,8 @@ struct RobotUrdf {
 RobotUrdf readRobotUrdf(const std::filesystem::path& path);
 
 /// The robot with the skin on it: its text byte for byte, and in front of </robot> the links and joints of the skin.
-/// FormatError: the robot lacks a link that a patch is placed on, or has a link, joint or sensor of the name of one that
-/// would be added. Materials that it has already, of an earlier skin, are used.
+/// FormatError: the robot lacks a link that a patch is placed on, or has a link, joint or sensor of the name of one
+/// that would be added. Materials that it has already, of an earlier skin, are used.
 std::string robotUrdfBytes(const RobotUrdf& robot, const UrdfContent& content);
 /// As verifyUrdf(), and that nothing else differs from the robot's text.
 void verifyRobotUrdf(std::string_view bytes, const RobotUrdf& robot, const UrdfContent& content,

@@ -33,8 +33,12 @@ constexpr std::string_view kBundleStem = "skin";
 /// Built at its first use, for a message is no constant expression.
 const std::vector<ExportFormatDescription>& formats() {
   static const std::vector<ExportFormatDescription> the_formats = {
-      {ExportFormat::Csv, "csv", "", message("folder of tables: cells, sensors, links, poses, residuals"),
-       PatchesInFile::All, {}},
+      {ExportFormat::Csv,
+       "csv",
+       "",
+       message("folder of tables: cells, sensors, links, poses, residuals"),
+       PatchesInFile::All,
+       {}},
       {ExportFormat::Dot, "dot", ".dot", message("skin graph for Graphviz, with ports and quality"), PatchesInFile::All,
        message("A DOT file is a flat drawing without places and uncertainties.")},
       {ExportFormat::Ply, "ply", ".ply", message("mesh of the cells in metres, coloured by quality"),
@@ -53,8 +57,9 @@ const std::vector<ExportFormatDescription>& formats() {
        PatchesInFile::OnLinks, message("Static transforms hold no shapes and no uncertainties.")},
       {ExportFormat::TfRos2, "tf-ros2", ".launch.py", message("static transforms of all frames, a ROS 2 launch file"),
        PatchesInFile::OnLinks, message("Static transforms hold no shapes and no uncertainties.")},
-      {ExportFormat::TfYaml, "tf-yaml", ".tf.yaml", message("static transforms of all frames, TransformStamped in YAML"),
-       PatchesInFile::OnLinks, message("Static transforms hold no shapes and no uncertainties.")},
+      {ExportFormat::TfYaml, "tf-yaml", ".tf.yaml",
+       message("static transforms of all frames, TransformStamped in YAML"), PatchesInFile::OnLinks,
+       message("Static transforms hold no shapes and no uncertainties.")},
       {ExportFormat::Tum, "tum", ".tum.xml", message("SkinConfig of the TUM skin's own software"), PatchesInFile::All,
        message("A SkinConfig holds no sensors, no uncertainties, and not the port of the computer.")},
       {ExportFormat::Icub, "icub", ".icub.txt", message("taxel positions as iCub reads them, a taxel for each cell"),
@@ -174,16 +179,15 @@ ExportedFile exportedFile(const Reconstruction& reconstruction, const ExportSele
       return exported(std::move(content), std::move(bytes), verifyUrdf);
     }
     case ExportFormat::RobotUrdf: {
-      if (options.robot_urdf.empty()) {
-        throw InvalidArgument(located("robot", message("expected the URDF of the robot that gets the skin")));
-      }
       RobotUrdf robot = readRobotUrdf(options.robot_urdf);
       UrdfContent content = urdfContent(tree(), options);
       content.form = UrdfForm::Part;
       std::string bytes = robotUrdfBytes(robot, content);
-      return exported(std::move(content), std::move(bytes),
-                      [robot = std::move(robot)](const std::string& found, const UrdfContent& meant,
-                                                 const std::string& name) { verifyRobotUrdf(found, robot, meant, name); });
+      return exported(
+          std::move(content), std::move(bytes),
+          [robot = std::move(robot)](const std::string& found, const UrdfContent& meant, const std::string& name) {
+            verifyRobotUrdf(found, robot, meant, name);
+          });
     }
     case ExportFormat::TfRos1: {
       std::vector<SkinFrame> list = frames();
@@ -263,8 +267,8 @@ class Bundle {
 
   std::vector<std::filesystem::path> publish(const std::filesystem::path& folder) {
     const std::string text = manifestText(reconstruction_, listed_, options_);
-    files_.push_back({kManifestFile, text,
-                      [text](const std::string& bytes) { verifyManifest(bytes, text, kManifestFile); }});
+    files_.push_back(
+        {kManifestFile, text, [text](const std::string& bytes) { verifyManifest(bytes, text, kManifestFile); }});
     return publishFolder(folder, files_);
   }
 
@@ -301,11 +305,19 @@ void ExportOptions::validate() const {
   for (const PatchOnLink& place : placements) {
     requireName("placements", place.link);
     if (!place.T_l_o.R.allFinite() || !place.T_l_o.t.allFinite() || (place.cov_t_r && !place.cov_t_r->allFinite())) {
-      throw InvalidArgument(located("placements", message("expected finite numbers for the patch of cell {}", place.origin)));
+      throw InvalidArgument(
+          located("placements", message("expected finite numbers for the patch of cell {}", place.origin)));
     }
     if (!origins.insert(place.origin).second) {
       throw InvalidArgument(located("placements", message("the patch of cell {} is placed twice", place.origin)));
     }
+  }
+}
+
+void ExportOptions::validateFor(ExportFormat format) const {
+  validate();
+  if (format == ExportFormat::RobotUrdf && robot_urdf.empty()) {
+    throw InvalidArgument(located("robot", message("expected the URDF of the robot that gets the skin")));
   }
 }
 
@@ -353,8 +365,9 @@ Message leftOutInWords(const std::vector<PatchLeftOut>& patches) {
   const Message cells = count == 1 ? message("1 cell") : message("{} cells", count);
   if (patches.front().not_on_link) {
     if (patches.size() == 1) {
-      return message("Not in the file: the patch of cell {} ({}), because it is not placed on a link that the file holds.",
-                     origins.front(), cells);
+      return message(
+          "Not in the file: the patch of cell {} ({}), because it is not placed on a link that the file holds.",
+          origins.front(), cells);
     }
     return message("Not in the file: {} patches ({}), because they are not placed on a link that the file holds.",
                    patches.size(), cells);
@@ -376,7 +389,7 @@ Message leftOutInWords(const std::vector<PatchLeftOut>& patches) {
 std::vector<std::filesystem::path> exportReconstruction(const Reconstruction& reconstruction, ExportFormat format,
                                                         const std::filesystem::path& path,
                                                         const ExportOptions& options) {
-  options.validate();
+  options.validateFor(format);
   if (path.empty()) throw InvalidArgument(message("expected the name of a file or folder to export to"));
   if (format == ExportFormat::Csv) return exportBundle(reconstruction, std::array{format}, path, options);
   return withExported(
@@ -392,7 +405,7 @@ std::vector<std::filesystem::path> exportReconstruction(const Reconstruction& re
 std::vector<std::filesystem::path> exportBundle(const Reconstruction& reconstruction,
                                                 std::span<const ExportFormat> formats,
                                                 const std::filesystem::path& folder, const ExportOptions& options) {
-  options.validate();
+  for (const ExportFormat format : formats) options.validateFor(format);
   if (folder.empty()) throw InvalidArgument(message("expected the name of a file or folder to export to"));
   const ExportOptions with_inputs = withInputs(options, formats);
   Bundle bundle(reconstruction, with_inputs);
@@ -405,7 +418,7 @@ std::vector<std::filesystem::path> exportBundle(const Reconstruction& reconstruc
 
 std::string exportBytes(const Reconstruction& reconstruction, ExportFormat format, const ExportOptions& options,
                         const std::string& file) {
-  options.validate();
+  options.validateFor(format);
   return withExported(reconstruction, format, options,
                       [&](const Reconstruction& part, const ExportSelection& selection) {
                         requireFinite(part);

@@ -73,8 +73,9 @@ struct ExportOptions {
   std::string in_link;                  ///< coordinates in the frame of this link, of all patches that are placed on it
   std::vector<ExportInput> inputs;
 
-  /// Throws InvalidArgument naming the option.
+  /// Throw InvalidArgument naming the option; validateFor() also if an option is missing that the format needs.
   void validate() const;
+  void validateFor(ExportFormat format) const;
 };
 
 struct ExportFormatDescription {
@@ -136,8 +137,7 @@ std::vector<std::filesystem::path> exportReconstruction(const Reconstruction& re
 /// hashes, in a folder; all of them or none. Throws as exportReconstruction().
 std::vector<std::filesystem::path> exportBundle(const Reconstruction& reconstruction,
                                                 std::span<const ExportFormat> formats,
-                                                const std::filesystem::path& folder,
-                                                const ExportOptions& options = {});
+                                                const std::filesystem::path& folder, const ExportOptions& options = {});
 
 /// The bytes of a format that is one file, checked in the same way; `file` is named in errors. InvalidArgument for CSV,
 /// which is a folder of files.

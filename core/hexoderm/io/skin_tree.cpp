@@ -41,8 +41,7 @@ class Names {
   /// The name of a patch or a cell, which no link of the robot may have.
   std::string ofOwnLink(const std::string& wanted) {
     if (links_.contains(wanted)) {
-      throw InvalidArgument(
-          located("parent_link", message("\"{}\" is also the name of a link of the skin", wanted)));
+      throw InvalidArgument(located("parent_link", message("\"{}\" is also the name of a link of the skin", wanted)));
     }
     return unique(wanted);
   }
@@ -59,8 +58,8 @@ class Names {
 
 }  // namespace
 
-SkinTree skinTree(const CellModel& model, const std::vector<MountedPatch>& mounted, const Reconstruction& reconstruction,
-                  const ExportOptions& options) {
+SkinTree skinTree(const CellModel& model, const std::vector<MountedPatch>& mounted,
+                  const Reconstruction& reconstruction, const ExportOptions& options) {
   const auto quality = worstUsedQuality(reconstruction);
   SkinTree tree;
   tree.model = options.model_name;
@@ -85,8 +84,7 @@ SkinTree skinTree(const CellModel& model, const std::vector<MountedPatch>& mount
       cell.cell = placement.cell;
       cell.name = names.ofOwnLink(options.prefix + "cell" + toString(placement.cell));
       const auto found = quality.find(placement.cell);
-      cell.material =
-          kMaterialPrefix + std::string(found == quality.end() ? "no_link" : qualityName(found->second));
+      cell.material = kMaterialPrefix + std::string(found == quality.end() ? "no_link" : qualityName(found->second));
       cell.T_o_u = rigid(placement.T_o_u);
       for (const SensorPlacement& sensor : placement.sensors) {
         cell.sensors.push_back(

@@ -43,8 +43,8 @@ struct SkinTree {
 };
 
 /// Throws InvalidArgument if a link of the robot is also the name of one made here.
-SkinTree skinTree(const CellModel& model, const std::vector<MountedPatch>& mounted, const Reconstruction& reconstruction,
-                  const ExportOptions& options);
+SkinTree skinTree(const CellModel& model, const std::vector<MountedPatch>& mounted,
+                  const Reconstruction& reconstruction, const ExportOptions& options);
 
 /// A frame of the tree and where it hangs.
 struct SkinFrame {
@@ -55,8 +55,8 @@ struct SkinFrame {
 /// Patches, and with `cells` cells and sensors; parents before children.
 std::vector<SkinFrame> skinFrames(const SkinTree& tree, bool cells);
 
-/// A regular hexagonal prism as boxes: each spans two opposite sides, and the three together are the prism exactly. So a
-/// description holds the true shape of a cell without a mesh file that would have to be found.
+/// A regular hexagonal prism as boxes: each spans two opposite sides, and the three together are the prism exactly. So
+/// a description holds the true shape of a cell without a mesh file that would have to be found.
 struct CellBoxes {
   Eigen::Vector3d size_m;
   std::array<SE3, 3> T_u_box;  ///< the front face is at z = 0 of the cell
@@ -78,8 +78,8 @@ std::string vectorText(const Eigen::Vector3d& v);
 Eigen::Vector3d vectorFromText(std::string_view text, const std::string& file);
 /// The quaternion of a rotation with w >= 0.
 Eigen::Quaterniond quaternionOf(const Eigen::Matrix3d& R);
-/// The transform of x y z and roll, pitch, yaw by the definition R = Rz(yaw) Ry(pitch) Rx(roll) written out, independent
-/// of the code that made the angles.
+/// The transform of x y z and roll, pitch, yaw by the definition R = Rz(yaw) Ry(pitch) Rx(roll) written out,
+/// independent of the code that made the angles.
 SE3 transformOf(const Eigen::Vector3d& xyz, const Eigen::Vector3d& rpy_rad);
 /// Every number of both is the same to 1e-9.
 bool near(const SE3& a, const SE3& b);
