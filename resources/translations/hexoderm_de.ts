@@ -4548,7 +4548,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>Parent link</source>
-        <translation>Übergeordnetes Glied</translation>
+        <translation>Elternglied</translation>
     </message>
     <message>
         <source>Link that a patch is fixed to whose place is not known</source>
@@ -4556,11 +4556,11 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>Prefix of names</source>
-        <translation>Vorsilbe der Namen</translation>
+        <translation>Namensvorsatz</translation>
     </message>
     <message>
         <source>Prefix of the names of links, joints and frames</source>
-        <translation>Vorsilbe der Namen von Gliedern, Gelenken und Koordinatensystemen</translation>
+        <translation>Vorsatz der Namen von Gliedern, Gelenken und Koordinatensystemen</translation>
     </message>
     <message>
         <source>Links</source>
@@ -4576,7 +4576,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>One for the patch (lighter in RViz)</source>
-        <translation>Eines für das Hautstück (leichter für RViz)</translation>
+        <translation>Eines für das Hautstück (leichter in RViz)</translation>
     </message>
     <message>
         <source>Form</source>
@@ -4584,7 +4584,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>alone: loads by itself; part: to be included in a robot that has the parent link; xacro: a macro for each patch</source>
-        <translation>alone: lässt sich allein laden; part: zum Einbinden in einen Roboter, der das übergeordnete Glied hat; xacro: ein Makro je Hautstück</translation>
+        <translation>alone: lässt sich allein laden; part: zum Einbinden in einen Roboter, der das Elternglied hat; xacro: ein Makro je Hautstück</translation>
     </message>
     <message>
         <source>Loads by itself</source>
@@ -4592,7 +4592,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>Part of a robot, without the parent link</source>
-        <translation>Teil eines Roboters, ohne das übergeordnete Glied</translation>
+        <translation>Teil eines Roboters, ohne das Elternglied</translation>
     </message>
     <message>
         <source>xacro macro for each patch</source>
@@ -4632,7 +4632,7 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     </message>
     <message>
         <source>already has a {} {}: if this is an earlier skin, give the robot&apos;s own file, else choose another prefix of names</source>
-        <translation>{} {} gibt es dort schon: ist das eine frühere Haut, geben Sie die Datei des Roboters selbst an, sonst wählen Sie eine andere Vorsilbe der Namen</translation>
+        <translation>{} {} gibt es dort schon: ist das eine frühere Haut, geben Sie die Datei des Roboters selbst an, sonst wählen Sie einen anderen Namensvorsatz</translation>
     </message>
     <message>
         <source>has no link {} for the skin; perhaps {} is meant</source>

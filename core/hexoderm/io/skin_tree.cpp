@@ -173,8 +173,9 @@ SE3 transformOf(const Eigen::Vector3d& xyz, const Eigen::Vector3d& rpy_rad) {
 }
 
 bool near(const SE3& a, const SE3& b) {
+  const double size_m = std::max(1.0, b.t.cwiseAbs().maxCoeff());
   return (a.R - b.R).cwiseAbs().maxCoeff() <= kTransformTolerance &&
-         (a.t - b.t).cwiseAbs().maxCoeff() <= kTransformTolerance;
+         (a.t - b.t).cwiseAbs().maxCoeff() <= kTransformTolerance * size_m;
 }
 
 bool isLinkName(std::string_view name) {
