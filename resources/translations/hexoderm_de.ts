@@ -922,18 +922,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Zieldatei</translation>
     </message>
     <message>
-        <source>Name of the robot</source>
-        <translation>Name des Roboters</translation>
-    </message>
-    <message>
-        <source>Parent link</source>
-        <translation>Elternglied</translation>
-    </message>
-    <message>
-        <source>Prefix of names</source>
-        <translation>Namensvorsatz</translation>
-    </message>
-    <message>
         <source>Export the calibration</source>
         <translation>Kalibrierung exportieren</translation>
     </message>
@@ -962,34 +950,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Kalibrierung</translation>
     </message>
     <message>
-        <source>Unit of length</source>
-        <translation>Längeneinheit</translation>
-    </message>
-    <message>
-        <source>Millimetres</source>
-        <translation>Millimeter</translation>
-    </message>
-    <message>
-        <source>Metres</source>
-        <translation>Meter</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Einheit</translation>
-    </message>
-    <message>
-        <source>Links</source>
-        <translation>Glieder</translation>
-    </message>
-    <message>
-        <source>One for each cell</source>
-        <translation>Eines je Zelle</translation>
-    </message>
-    <message>
-        <source>Robot</source>
-        <translation>Roboter</translation>
-    </message>
-    <message>
         <source>Hexoderm&apos;s own file: everything that is known, to be opened again, compared and exported from later.</source>
         <translation>Hexoderms eigene Datei: alles, was bekannt ist, um es später zu öffnen, zu vergleichen und zu exportieren.</translation>
     </message>
@@ -1016,10 +976,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Replace</source>
         <translation>Ersetzen</translation>
-    </message>
-    <message>
-        <source>One for the patch (lighter in RViz)</source>
-        <translation>Eines für das Hautstück (leichter in RViz)</translation>
     </message>
     <message>
         <source>Patch</source>
@@ -4569,6 +4525,278 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Look for the missing link, or export patch by patch.</source>
         <translation>Nach der fehlenden Verbindung suchen oder Hautstück für Hautstück exportieren.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is none of its values</source>
+        <translation>„{}“ ist keiner der möglichen Werte</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>mm or m; STL itself has no unit</source>
+        <translation>mm oder m; STL selbst hat keine Einheit</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>URDF of the robot</source>
+        <translation>URDF des Roboters</translation>
+    </message>
+    <message>
+        <source>URDF of the robot that gets the skin</source>
+        <translation>URDF des Roboters, der die Haut bekommt</translation>
+    </message>
+    <message>
+        <source>Name of the model</source>
+        <translation>Name des Modells</translation>
+    </message>
+    <message>
+        <source>Parent link</source>
+        <translation>Elternglied</translation>
+    </message>
+    <message>
+        <source>Link that a patch is fixed to whose place is not known</source>
+        <translation>Glied, an dem ein Hautstück befestigt wird, dessen Ort nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>Prefix of names</source>
+        <translation>Namensvorsatz</translation>
+    </message>
+    <message>
+        <source>Prefix of the names of links, joints and frames</source>
+        <translation>Vorsatz der Namen von Gliedern, Gelenken und Koordinatensystemen</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Glieder</translation>
+    </message>
+    <message>
+        <source>One link or frame per cell and sensor, or one per patch</source>
+        <translation>Ein Glied oder Koordinatensystem je Zelle und Sensor, oder eines je Hautstück</translation>
+    </message>
+    <message>
+        <source>One for each cell</source>
+        <translation>Eines je Zelle</translation>
+    </message>
+    <message>
+        <source>One for the patch (lighter in RViz)</source>
+        <translation>Eines für das Hautstück (leichter in RViz)</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>alone: loads by itself; part: to be included in a robot that has the parent link; xacro: a macro for each patch</source>
+        <translation>alone: lässt sich allein laden; part: zum Einbinden in einen Roboter, der das Elternglied hat; xacro: ein Makro je Hautstück</translation>
+    </message>
+    <message>
+        <source>Loads by itself</source>
+        <translation>Lässt sich allein laden</translation>
+    </message>
+    <message>
+        <source>Part of a robot, without the parent link</source>
+        <translation>Teil eines Roboters, ohne das Elternglied</translation>
+    </message>
+    <message>
+        <source>xacro macro for each patch</source>
+        <translation>xacro-Makro je Hautstück</translation>
+    </message>
+    <message>
+        <source>no patch has cell {} as its origin</source>
+        <translation>kein Hautstück hat Zelle {} als Ursprung</translation>
+    </message>
+    <message>
+        <source>the patches are placed on {} links, and {} as asked for holds one, for how links lie to each other depends on the robot&apos;s joints: name one of them</source>
+        <translation>die Hautstücke sitzen an {} Gliedern, und {} nimmt in dieser Form nur eines auf, denn wie Glieder zueinander liegen, hängt von den Gelenken des Roboters ab: nennen Sie eines davon</translation>
+    </message>
+    <message>
+        <source>{} holds each patch in a frame of its own, not in that of a link</source>
+        <translation>{} enthält jedes Hautstück in einem eigenen Koordinatensystem, nicht in dem eines Gliedes</translation>
+    </message>
+    <message>
+        <source>no exported patch is placed on link {}</source>
+        <translation>keines der zu exportierenden Hautstücke sitzt an Glied {}</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is no name for a xacro macro: leave out the /</source>
+        <translation>„{}“ ist kein Name für ein xacro-Makro: lassen Sie den / weg</translation>
+    </message>
+    <message>
+        <source>expected each {} once, found {} again</source>
+        <translation>jedes Element {} darf nur einmal vorkommen, {} gibt es noch einmal</translation>
+    </message>
+    <message>
+        <source>the link {} hangs on two joints</source>
+        <translation>das Glied {} hängt an zwei Gelenken</translation>
+    </message>
+    <message>
+        <source>this is a xacro file, expected a URDF: run xacro first, and give the file that it makes</source>
+        <translation>das ist eine xacro-Datei, erwartet wird ein URDF: führen Sie zuerst xacro aus und geben Sie die erzeugte Datei an</translation>
+    </message>
+    <message>
+        <source>already has a {} {}: if this is an earlier skin, give the robot&apos;s own file, else choose another prefix of names</source>
+        <translation>{} {} gibt es dort schon: ist das eine frühere Haut, geben Sie die Datei des Roboters selbst an, sonst wählen Sie einen anderen Namensvorsatz</translation>
+    </message>
+    <message>
+        <source>has no link {} for the skin; perhaps {} is meant</source>
+        <translation>hat kein Glied {} für die Haut; vielleicht ist {} gemeint</translation>
+    </message>
+    <message>
+        <source>has no link {} for the skin; there are {} others</source>
+        <translation>hat kein Glied {} für die Haut; es gibt {} andere</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>Glied</translation>
+    </message>
+    <message>
+        <source>joint</source>
+        <translation>Gelenk</translation>
+    </message>
+    <message>
+        <source>sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>expected an end tag &lt;/robot&gt;, but there is none</source>
+        <translation>erwartet wird ein End-Tag &lt;/robot&gt;, es gibt aber keines</translation>
+    </message>
+    <message>
+        <source>this is not well-formed XML ({}), expected a URDF</source>
+        <translation>das ist kein wohlgeformtes XML ({}), erwartet wird ein URDF</translation>
+    </message>
+    <message>
+        <source>expected the root element robot, found {}</source>
+        <translation>erwartet wird das Wurzelelement robot, gefunden: {}</translation>
+    </message>
+    <message>
+        <source>A DOT file is a flat drawing without places and uncertainties.</source>
+        <translation>Eine DOT-Datei ist eine flache Zeichnung ohne Lagen und Unsicherheiten.</translation>
+    </message>
+    <message>
+        <source>A PLY file holds no sensors and no uncertainties.</source>
+        <translation>Eine PLY-Datei enthält keine Sensoren und keine Unsicherheiten.</translation>
+    </message>
+    <message>
+        <source>An STL file holds no IDs, colours, sensors and uncertainties.</source>
+        <translation>Eine STL-Datei enthält keine Nummern, Farben, Sensoren und Unsicherheiten.</translation>
+    </message>
+    <message>
+        <source>A VTP file holds no links between cells.</source>
+        <translation>Eine VTP-Datei enthält keine Verbindungen zwischen den Zellen.</translation>
+    </message>
+    <message>
+        <source>A URDF holds no uncertainties.</source>
+        <translation>Ein URDF enthält keine Unsicherheiten.</translation>
+    </message>
+    <message>
+        <source>the robot&apos;s own URDF, unchanged, with the skin on its links</source>
+        <translation>das URDF des Roboters selbst, unverändert, mit der Haut an seinen Gliedern</translation>
+    </message>
+    <message>
+        <source>static transforms of all frames, a ROS 1 launch file</source>
+        <translation>feste Transformationen aller Koordinatensysteme, als Launch-Datei für ROS 1</translation>
+    </message>
+    <message>
+        <source>Static transforms hold no shapes and no uncertainties.</source>
+        <translation>Feste Transformationen enthalten keine Formen und keine Unsicherheiten.</translation>
+    </message>
+    <message>
+        <source>static transforms of all frames, a ROS 2 launch file</source>
+        <translation>feste Transformationen aller Koordinatensysteme, als Launch-Datei für ROS 2</translation>
+    </message>
+    <message>
+        <source>static transforms of all frames, TransformStamped in YAML</source>
+        <translation>feste Transformationen aller Koordinatensysteme, TransformStamped in YAML</translation>
+    </message>
+    <message>
+        <source>SkinConfig of the TUM skin&apos;s own software</source>
+        <translation>SkinConfig der Software zur TUM-Haut</translation>
+    </message>
+    <message>
+        <source>A SkinConfig holds no sensors, no uncertainties, and not the port of the computer.</source>
+        <translation>Eine SkinConfig enthält keine Sensoren, keine Unsicherheiten und nicht den Anschluss des Rechners.</translation>
+    </message>
+    <message>
+        <source>taxel positions as iCub reads them, a taxel for each cell</source>
+        <translation>Taxelpositionen, wie iCub sie liest, ein Taxel je Zelle</translation>
+    </message>
+    <message>
+        <source>Taxel positions are centres and normals of the cells, without IDs, turns about the normal and uncertainties.</source>
+        <translation>Taxelpositionen sind Mittelpunkte und Normalen der Zellen, ohne Nummern, Drehungen um die Normale und Unsicherheiten.</translation>
+    </message>
+    <message>
+        <source>map of the cells for Skinware (CySkin)</source>
+        <translation>Karte der Zellen für Skinware (CySkin)</translation>
+    </message>
+    <message>
+        <source>A Skinware map holds centres and normals of the cells, without turns about the normal and uncertainties.</source>
+        <translation>Eine Skinware-Karte enthält Mittelpunkte und Normalen der Zellen, ohne Drehungen um die Normale und Unsicherheiten.</translation>
+    </message>
+    <message>
+        <source>mesh of the cells in metres, an object for each cell</source>
+        <translation>Netz der Zellen in Metern, ein Objekt je Zelle</translation>
+    </message>
+    <message>
+        <source>An OBJ file holds no sensors and no uncertainties.</source>
+        <translation>Eine OBJ-Datei enthält keine Sensoren und keine Unsicherheiten.</translation>
+    </message>
+    <message>
+        <source>scene with a node for each cell and sensor (glTF 2.0)</source>
+        <translation>Szene mit einem Knoten je Zelle und Sensor (glTF 2.0)</translation>
+    </message>
+    <message>
+        <source>A glTF scene holds no uncertainties.</source>
+        <translation>Eine glTF-Szene enthält keine Unsicherheiten.</translation>
+    </message>
+    <message>
+        <source>model for Gazebo, with a frame for each cell and sensor</source>
+        <translation>Modell für Gazebo, mit einem Koordinatensystem je Zelle und Sensor</translation>
+    </message>
+    <message>
+        <source>An SDF model holds no uncertainties; the skin&apos;s mass is not known, and 1 g stands for it.</source>
+        <translation>Ein SDF-Modell enthält keine Unsicherheiten; die Masse der Haut ist nicht bekannt, und 1 g steht dafür.</translation>
+    </message>
+    <message>
+        <source>model for MuJoCo, with a site for each sensor</source>
+        <translation>Modell für MuJoCo, mit einer Stelle („site“) je Sensor</translation>
+    </message>
+    <message>
+        <source>An MJCF model holds no uncertainties and no mass of the skin.</source>
+        <translation>Ein MJCF-Modell enthält keine Unsicherheiten und keine Masse der Haut.</translation>
+    </message>
+    <message>
+        <source>expected finite numbers for the patch of cell {}</source>
+        <translation>erwartet werden endliche Zahlen für das Hautstück der Zelle {}</translation>
+    </message>
+    <message>
+        <source>the patch of cell {} is placed twice</source>
+        <translation>das Hautstück der Zelle {} ist zweimal platziert</translation>
+    </message>
+    <message>
+        <source>expected the URDF of the robot that gets the skin</source>
+        <translation>erwartet wird das URDF des Roboters, der die Haut bekommt</translation>
+    </message>
+    <message>
+        <source>Not in the file: the patch of cell {} ({}), because it is not placed on a link that the file holds.</source>
+        <translation>Nicht in der Datei: das Hautstück der Zelle {} ({}), weil es an keinem Glied sitzt, das die Datei enthält.</translation>
+    </message>
+    <message>
+        <source>Not in the file: {} patches ({}), because they are not placed on a link that the file holds.</source>
+        <translation>Nicht in der Datei: {} Hautstücke ({}), weil sie an keinem Glied sitzen, das die Datei enthält.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is also the name of a link of the skin</source>
+        <translation>„{}“ ist auch der Name eines Gliedes der Haut</translation>
     </message>
 </context>
 <context>

@@ -34,7 +34,8 @@ TEST_F(Cli, WholeWayFromASimulatedSkinToAnExport) {
   const auto json = nlohmann::json::parse(evaluate.out);
   EXPECT_NEAR(json.at("fits").at(0).at("radius_mm").get<double>(), 50.1, 5);
   EXPECT_LT(json.at("against").at(0).at("orientation_rms_deg").get<double>(), 10);
-  for (const std::string format : {"dot", "ply", "stl", "vtp", "urdf"}) {
+  for (const std::string format : {"dot", "ply", "stl", "vtp", "urdf", "tf-ros1", "tf-ros2", "tf-yaml", "tum", "icub",
+                                   "skinware", "obj", "gltf", "sdf", "mjcf"}) {
     EXPECT_EQ(run("export arm.calibration.json --to " + format + " -o arm." + format).exit_code, 0);
     EXPECT_TRUE(exists("arm." + format));
   }

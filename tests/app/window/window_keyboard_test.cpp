@@ -221,7 +221,7 @@ void DemoByKeys::exportIt() {
   ASSERT_NO_FATAL_FAILURE(tabTo("exportPath"));
   key(Qt::Key_A, Qt::ControlModifier);
   keys(pathTo("arm.urdf"));
-  ASSERT_NO_FATAL_FAILURE(tabTo("urdfParent"));
+  ASSERT_NO_FATAL_FAILURE(tabTo("export-parent"));
   key(Qt::Key_A, Qt::ControlModifier);
   keys("elbow");
   key(Qt::Key_Return);

@@ -29,12 +29,12 @@ std::vector<std::string> column(const std::string& text, const std::string& name
   return values;
 }
 
-TEST_F(ExportCsv, WritesSixTables) {
+TEST_F(ExportCsv, WritesSixTablesAndWhatTheyAre) {
   const auto paths = exportReconstruction(makeTestReconstruction(), ExportFormat::Csv, in("out"));
   EXPECT_THAT(paths, ElementsAre(in("out/cells.csv"), in("out/sensors.csv"), in("out/links.csv"), in("out/poses.csv"),
-                                 in("out/residuals.csv"), in("out/covariances.csv")));
-  EXPECT_THAT(names(), ElementsAre("out", "out/cells.csv", "out/covariances.csv", "out/links.csv", "out/poses.csv",
-                                   "out/residuals.csv", "out/sensors.csv"));
+                                 in("out/residuals.csv"), in("out/covariances.csv"), in("out/manifest.json")));
+  EXPECT_THAT(names(), ElementsAre("out", "out/cells.csv", "out/covariances.csv", "out/links.csv", "out/manifest.json",
+                                   "out/poses.csv", "out/residuals.csv", "out/sensors.csv"));
 }
 
 TEST_F(ExportCsv, HoldsLinksAndTheirFigures) {
