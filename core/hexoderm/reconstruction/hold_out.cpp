@@ -152,7 +152,8 @@ class HoldOut {
     if (!v.allFinite() || v.norm() < kShortest_g) return std::nullopt;
     const CellJacobian J = readingJacobian(fit.gain, v.normalized());
     const CellErrors priors = priorInformation(prior_, elastomerInformation(model_, linkedPorts(*index)));
-    Eigen::Matrix3d covariance = J * errorsOfCell(priors, placing, fit.gain, joint_) * J.transpose();
+    Eigen::Matrix3d covariance =
+        J * errorsOfCell(priors, placing, fit.gain, joint_ ? CellEstimate::Joint : CellEstimate::Tree) * J.transpose();
     covariance.diagonal().array() += ownVariance(*index, left_out_);
     const Eigen::Matrix3d to_o = R_a_o.transpose() * inverse;
     return Seen{cell.cell, cell.T_o_u.t, R_a_o.transpose() * v, to_o * covariance * to_o.transpose()};

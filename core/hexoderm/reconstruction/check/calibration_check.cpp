@@ -54,8 +54,9 @@ class CalibratedCells {
     for (std::size_t k = 0; k < calibration.poses.size(); ++k) place_of_.emplace(calibration.poses[k].pose, k);
   }
 
-  /// Covariance of the errors of a cell's attitude (accelerometer axes), offset and gains.
-  [[nodiscard]] CellErrors errorsOf(const PatchReconstruction& patch, const CellPlacement& cell) const {
+  /// Covariance of the errors of a cell's attitude (accelerometer axes), offset and gains. `own_g2`: variance that the
+  /// sensor's own noise leaves in a mean reading, as today's poses show it.
+  [[nodiscard]] CellErrors errorsOf(const PatchReconstruction& patch, const CellPlacement& cell, double own_g2) const {
     const Eigen::Matrix3d R_u_a = model_.accelerometer.T_u_a.R;
     if (cell.placed_by == PlacedBy::Links) {
       CellErrors covariance =
@@ -66,19 +67,9 @@ class CalibratedCells {
       return covariance;
     }
     const CellErrors priors = priorInformation(prior_, elastomerInformation(model_, portsOf(patch, cell.cell)));
-    const std::vector<PlacingReading> readings = readingsOf(patch, cell);
-    CellErrors covariance = errorsOfCell(priors, readings, gainOf(cell), joint_);
-    if (!joint_) return covariance;
-    // The calibration holds no cross-axis sensitivity: what was estimated of it is missing as well, and has the
-    // covariance that the prior has more than the error.
-    for (int axis = 0; axis < 3; ++axis) {
-      for (int other = 0; other < 3; ++other) {
-        if (other == axis) continue;
-        const int k = 4 + 4 * axis + other;
-        covariance(k, k) = std::max(covariance(k, k), 1 / priors(k, k));
-      }
-    }
-    return covariance;
+    const std::vector<PlacingReading> readings = readingsOf(patch, cell, own_g2);
+    const CellEstimate estimate = joint_ ? CellEstimate::JointNoCrossAxis : CellEstimate::Tree;
+    return errorsOfCell(priors, readings, gainOf(cell), estimate);
   }
 
   [[nodiscard]] static Eigen::Matrix3d gainOf(const CellPlacement& cell) {
@@ -113,29 +104,20 @@ class CalibratedCells {
     return measured;
   }
 
-  /// The readings that the cell was placed by, as far as the calibration tells: their gravity and their poses' noise.
-  [[nodiscard]] std::vector<PlacingReading> readingsOf(const PatchReconstruction& patch,
-                                                       const CellPlacement& cell) const {
+  /// The readings that the cell was placed by, as far as the calibration tells: their gravity, and the variance with
+  /// which the solver weighed those of a pose, which holds more than the sensor's own noise (GravityTable).
+  [[nodiscard]] std::vector<PlacingReading> readingsOf(const PatchReconstruction& patch, const CellPlacement& cell,
+                                                       double own_g2) const {
     const Eigen::Matrix3d R_a_o = (cell.T_o_u.R * model_.accelerometer.T_u_a.R).transpose();
     const std::vector<bool> measured = measuredIn(patch, cell.cell);
     std::vector<PlacingReading> readings;
     for (const GravityDirection& gravity : patch.gravity) {
       const auto place = place_of_.find(gravity.pose);
       if (place == place_of_.end() || !measured[place->second]) continue;
-      const double noise_g2 = noiseOf(calibration_.poses[place->second]);
-      readings.push_back({R_a_o * gravity.g_o, noise_g2 + kTremorFloor_g * kTremorFloor_g, noise_g2});
+      const double noise_g = std::max(calibration_.poses[place->second].noise_g, kTremorFloor_g);
+      readings.push_back({R_a_o * gravity.g_o, noise_g * noise_g, std::min(noise_g * noise_g, own_g2)});
     }
     return readings;
-  }
-
-  /// Variance of a mean reading of a pose; what the cell model expects of the paper's number of samples where the file
-  /// does not say.
-  [[nodiscard]] double noiseOf(const PoseSummary& pose) const {
-    const Accelerometer& a = model_.accelerometer;
-    const double step_g2 = a.lsb_g * a.lsb_g / 12;
-    const double white_g2 = a.noise_g_per_sqrt_hz * a.noise_g_per_sqrt_hz * a.rate_hz / 2;
-    const double stated_g2 = pose.noise_g > 0 ? pose.noise_g * pose.noise_g : white_g2 / kDefaultSamples;
-    return std::max(stated_g2, step_g2 / kDefaultSamples);
   }
 
   const Reconstruction& calibration_;
@@ -277,7 +259,7 @@ class CalibrationChecker {
       jacobian.middleRows<3>(row) = view.drift_o * readingJacobian(gain, v.normalized());
       noise_g2.segment<3>(row).setConstant(std::max(entry.own_variance_g2, kLeast_g2));
     }
-    view.covariance_g2 = jacobian * cells_.errorsOf(patch, cell) * jacobian.transpose();
+    view.covariance_g2 = jacobian * cells_.errorsOf(patch, cell, noise_g2.mean()) * jacobian.transpose();
     view.covariance_g2.diagonal() += noise_g2;
     return view;
   }

@@ -2,8 +2,15 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <array>
 
 namespace hexoderm {
+namespace {
+
+/// The cross-axis sensitivities among the unknowns of a cell.
+constexpr std::array<int, 6> kCrossAxis = {5, 6, 8, 10, 12, 13};
+
+}  // namespace
 
 CellJacobian readingJacobian(const Eigen::Matrix3d& gain, const Eigen::Vector3d& v) {
   CellJacobian J = CellJacobian::Zero();
@@ -39,7 +46,7 @@ CellErrors priorInformation(const AccelerometerPrior& sensor, const Eigen::Matri
 }
 
 CellErrors errorsOfCell(const CellErrors& priors, std::span<const PlacingReading> readings, const Eigen::Matrix3d& gain,
-                        bool joint) {
+                        CellEstimate estimate) {
   CellErrors normal = CellErrors::Zero();
   CellErrors scattered = CellErrors::Zero();
   for (const PlacingReading& reading : readings) {
@@ -48,10 +55,17 @@ CellErrors errorsOfCell(const CellErrors& priors, std::span<const PlacingReading
     normal += share;
     scattered += reading.scatter_g2 / reading.variance_g2 * share;
   }
-  if (joint) {
-    const Eigen::LDLT<CellErrors> factor(priors + normal);
-    const CellErrors spread = factor.solve(priors + scattered);
-    return factor.solve(spread.transpose());
+  if (estimate != CellEstimate::Tree) {
+    // The error is -A^-1 L x + A^-1 J^T W n, of true unknowns x with covariance L^-1 and readings' noise n.
+    CellErrors of_noise = (priors + normal).inverse();
+    CellErrors of_truth = of_noise * priors;
+    if (estimate == CellEstimate::JointNoCrossAxis) {
+      for (const int k : kCrossAxis) {
+        of_noise.row(k).setZero();
+        of_truth.row(k) = CellErrors::Identity().row(k);
+      }
+    }
+    return of_truth * priors.ldlt().solve(of_truth.transpose()) + of_noise * scattered * of_noise.transpose();
   }
   const Eigen::Matrix3d attitude = (normal + priors).topLeftCorner<3, 3>().inverse();
   const CellErrors sensor = priors.diagonal().cwiseInverse().asDiagonal();

@@ -36,13 +36,21 @@ struct PlacingReading {
   double scatter_g2 = 0;   ///< of the sensor alone about the motion that all cells share
 };
 
-/// Covariance of the unknowns of a cell that was placed by `readings`. The joint solver weighs readings as if each had
-/// a hand's tremor to itself (GravityTable), and each scatters by its `scatter_g2` about the motion that all cells
-/// share: with the solver's information A, its priors' L and the readings' N = A - L, the errors are
-/// A^-1 (L + sum scatter N / variance) A^-1. The tree (`joint` is false) turns the cell so that its raw readings fit
-/// and takes the sensor's errors for part of gravity.
+/// What became of the estimate of a cell's unknowns.
+enum class CellEstimate {
+  Joint,             ///< attitude and sensor, by the joint solver
+  JointNoCrossAxis,  ///< the same, but the cross-axis sensitivities were dropped, as a calibration file does: 0 is left
+  Tree,              ///< attitude only, by raw readings
+};
+
+/// Covariance of the errors of an estimate of a cell's unknowns by `readings`. The joint solver weighs readings as if
+/// each had a hand's tremor to itself (GravityTable), and each scatters by its `scatter_g2` about the motion that all
+/// cells share: with the solver's information A, its priors' L and the readings' N = A - L, the errors are
+/// A^-1 (L + sum scatter N / variance) A^-1. An unknown x that was dropped errs by -x, which goes with the errors that
+/// it left in the others. The tree turns the cell so that its raw readings fit and takes the sensor's errors for part
+/// of gravity.
 CellErrors errorsOfCell(const CellErrors& priors, std::span<const PlacingReading> readings, const Eigen::Matrix3d& gain,
-                        bool joint);
+                        CellEstimate estimate);
 
 /// 1 sigma per axis, g/m, of the swing that is left when the other poses foretell one: the mean over 0.1 s of a
 /// tremor of 0.05 degrees at 4 to 12 Hz is 0.6 rad/s^2, and what it did to the others comes on top.

@@ -7,10 +7,12 @@
 namespace hexoderm {
 namespace {
 
+/// The paper's K, where a file does not say how many samples were averaged.
+constexpr double kDefaultCount = 100;
 /// Degrees of freedom with which a variance is known well enough to weigh a reading.
 constexpr double kEnoughFreedom = 20;
 
-double countOf(const GravitySample& sample) { return sample.count > 0 ? sample.count : kDefaultSamples; }
+double countOf(const GravitySample& sample) { return sample.count > 0 ? sample.count : kDefaultCount; }
 
 }  // namespace
 

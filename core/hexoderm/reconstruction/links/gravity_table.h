@@ -10,8 +10,6 @@ namespace hexoderm {
 
 /// A hand's tremor is not white: averaging does not bring a mean below this.
 inline constexpr double kTremorFloor_g = 0.003;
-/// The paper's K, where a file does not say how many samples were averaged.
-inline constexpr double kDefaultSamples = 100;
 
 /// The readings of all cells in all poses of a snapshot, laid out for the solver: cells as in the graph, poses as in
 /// the snapshot, turned into the cell frame.
