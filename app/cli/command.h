@@ -21,7 +21,7 @@ namespace hexoderm::cli {
 /// Exit codes of the program.
 enum ExitCode : int {
   kDone = 0,
-  kNotGoodEnough = 1,  ///< the verdict is not_enough or failed; the output is still written
+  kNotGoodEnough = 1,  ///< the verdict is not_enough or failed, or a check found changes; the output is still written
   kUsage = 2,
   kBadInput = 3,
   kDevice = 4,
@@ -79,6 +79,7 @@ void addCapture(CLI::App& app, Common& common);
 void addListen(CLI::App& app, Common& common);
 void addSolve(CLI::App& app, Common& common);
 void addEvaluate(CLI::App& app, Common& common);
+void addCheck(CLI::App& app, Common& common);
 void addExport(CLI::App& app, Common& common);
 void addConvert(CLI::App& app, Common& common);
 void addInspect(CLI::App& app, Common& common);

@@ -22,7 +22,7 @@ HALLS = {
                      " < io < course",
     "core/hexoderm/device": "{sample_frame, ground_truth, offence} < skin_source < diagnosis < {skinwire, simulation}"
                             " < {emulation, sources}",
-    "core/hexoderm/reconstruction": "result < {links, sparse, accelerometer} < {joint, faults, advice} < {patch, evaluation}"
+    "core/hexoderm/reconstruction": "result < {links, sparse, accelerometer} < {joint, faults, advice} < {patch, evaluation, check}"
                                     " < figures < solved_skin < reconstructor < {hold_out, reconstruction_worker,"
                                     " sensor_statistics}",
     "widgets": "style < words < {controls, coloring} < {tables, capture, graph, scene} < {verify, patch}",
