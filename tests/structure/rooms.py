@@ -18,12 +18,13 @@ import sys
 # The halls; a name such as main.cpp stands for the files with that stem at the root of the hall.
 HALLS = {
     "": "core < widgets < app < tests",
-    "core/hexoderm": "util < geometry < graph < device < capture < session < reconstruction < io < course",
+    "core/hexoderm": "util < geometry < graph < device < capture < session < reconstruction < robot < io < course",
     "core/hexoderm/device": "{sample_frame, ground_truth, offence} < skin_source < diagnosis < {skinwire, simulation}"
                             " < {emulation, sources}",
     "core/hexoderm/reconstruction": "result < {links, sparse, accelerometer} < {joint, faults, advice} < {patch, evaluation}"
                                     " < figures < solved_skin < reconstructor < {hold_out, reconstruction_worker,"
                                     " sensor_statistics}",
+    "core/hexoderm/robot": "parts",
     "widgets": "style < words < {controls, coloring} < {tables, capture, graph, scene} < {verify, patch}",
     "app": "{cli, emulator, window}",
     "app/window": "{files, toolkit} < {settings, report} < session < {guide, dialogs, log} < presenters < main_window"

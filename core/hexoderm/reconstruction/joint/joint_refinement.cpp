@@ -3,6 +3,7 @@
 #include "hexoderm/reconstruction/joint/patch_evidence.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/median.h"
+#include "hexoderm/util/units.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -69,6 +70,25 @@ class SolvedCovariance : public PlacementCovariance {
   std::vector<CellId> ids_;  // ascending
   std::vector<SE3> cells_;
   std::shared_ptr<const JointCovariance> covariance_;
+};
+
+/// The covariance of the forces of any two poses from that of the whole patch.
+class SolvedGravityCovariance : public GravityCovariance {
+ public:
+  SolvedGravityCovariance(std::shared_ptr<const JointCovariance> covariance, bool accelerations)
+      : covariance_(std::move(covariance)), accelerations_(accelerations) {}
+
+  [[nodiscard]] Eigen::Matrix3d forces(std::size_t a, std::size_t b) const override {
+    return covariance_->forces(a, b);
+  }
+  [[nodiscard]] std::optional<Eigen::Matrix3d> swing(std::size_t pose) const override {
+    if (!accelerations_) return std::nullopt;
+    return covariance_->acceleration(pose) / (kStandardGravity * kStandardGravity);
+  }
+
+ private:
+  std::shared_ptr<const JointCovariance> covariance_;
+  bool accelerations_;
 };
 
 std::vector<Matrix6d> covariancesOf(const JointProblem& problem, const JointState& state) {
@@ -342,6 +362,10 @@ std::shared_ptr<const PlacementCovariance> JointRefinement::placementCovariance(
   std::vector<CellId> ids;
   for (const std::size_t cell : cells_) ids.push_back(graph.cells()[cell].id);
   return std::make_shared<SolvedCovariance>(std::move(ids), solution_.state.cells, solution_.covariance);
+}
+
+std::shared_ptr<const GravityCovariance> JointRefinement::gravityCovariance() const {
+  return std::make_shared<SolvedGravityCovariance>(solution_.covariance, problem_->accelerations);
 }
 
 const AccelerometerFit& JointRefinement::sensorOf(std::size_t cell) const { return sensors_[localOf(cell)].fit; }

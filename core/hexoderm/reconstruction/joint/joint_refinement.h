@@ -55,6 +55,7 @@ class JointRefinement {
   [[nodiscard]] std::vector<Matrix6d> covariancesWithPose(const Eigen::Vector3d& up_o) const;
   [[nodiscard]] std::vector<Matrix6d> covariancesWithAllReadings() const;
   [[nodiscard]] std::shared_ptr<const PlacementCovariance> placementCovariance(const SkinGraph& graph) const;
+  [[nodiscard]] std::shared_ptr<const GravityCovariance> gravityCovariance() const;  ///< poses as in poses()
   [[nodiscard]] const AccelerometerFit& sensorOf(std::size_t cell) const;
   /// The readings of a cell that are used, and per reading the specific force in the accelerometer's axes.
   [[nodiscard]] std::span<const CellReading> readingsOf(std::size_t cell) const;

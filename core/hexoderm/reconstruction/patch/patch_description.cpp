@@ -150,6 +150,7 @@ PatchReconstruction describePatch(const SkinLinks& skin, const PatchSolver& patc
     result.gravity = jointGravity(skin, *joint);
     result.gap_share = GapShareEstimate{solution.state.gap_share, solution.covariance->gapShareSigma()};
     result.covariance = joint->placementCovariance(skin.graph());
+    result.gravity_covariance = joint->gravityCovariance();
   } else {
     result.gravity = treeGravity(skin, patch);
   }

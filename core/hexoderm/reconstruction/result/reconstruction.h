@@ -3,6 +3,7 @@
 #include "hexoderm/geometry/se3.h"
 #include "hexoderm/graph/cell_model.h"
 #include "hexoderm/reconstruction/result/assessment.h"
+#include "hexoderm/reconstruction/result/gravity_covariance.h"
 #include "hexoderm/reconstruction/result/placement_covariance.h"
 #include "hexoderm/reconstruction/result/solver_options.h"
 #include "hexoderm/session/session.h"
@@ -108,7 +109,9 @@ struct PatchReconstruction {
   std::vector<CellPlacement> cells;           ///< in ascending order of ID
   std::vector<LinkEstimate> links;            ///< muted links too; a link between two patches is listed with its source
   std::optional<GapShareEstimate> gap_share;  ///< set by the global solver
-  std::shared_ptr<const PlacementCovariance> covariance;  ///< null but for a fresh result of the global solver
+  // Null but for a fresh result of the global solver.
+  std::shared_ptr<const PlacementCovariance> covariance;
+  std::shared_ptr<const GravityCovariance> gravity_covariance;
 
   [[nodiscard]] const CellPlacement* findCell(CellId cell_id) const;
 };
