@@ -1,6 +1,7 @@
 #include "hexoderm/reconstruction/joint/joint_refinement.h"
 
 #include "hexoderm/reconstruction/joint/patch_evidence.h"
+#include "hexoderm/reconstruction/joint/shape_covariance.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/median.h"
 #include "hexoderm/util/units.h"
@@ -317,6 +318,14 @@ std::optional<JointRefinement::OpenLink> JointRefinement::widestOpen() const {
 SE3 JointRefinement::placementOf(std::size_t cell) const { return solution_.state.cells[localOf(cell)]; }
 const Matrix6d& JointRefinement::covarianceOf(std::size_t cell) const {
   return solution_.covariance->cell(localOf(cell));
+}
+
+std::vector<Matrix6d> JointRefinement::shapeCovariances() const {
+  const JointCovariance& covariance = *solution_.covariance;
+  std::vector<Matrix6d> cells;
+  for (std::size_t cell = 0; cell < cells_.size(); ++cell) cells.push_back(covariance.cell(cell));
+  return shapeCovariancesOf(solution_.state.cells, cells,
+                            [&](const Eigen::MatrixXd& B) { return covariance.timesCells(B); });
 }
 
 Eigen::Vector3d JointRefinement::correctedReading(std::size_t cell, const Eigen::Vector3d& mean_g) const {

@@ -72,6 +72,11 @@ struct CellPlacement {
   /// the cell frame: R_true = R exp(e)). Zero for the origin. Absent where a solver or an imported file does not state
   /// it.
   std::optional<Matrix6d> cov_t_r;
+  /// The same relative to the patch as a whole: what is left when the patch is moved as one so that the variances of
+  /// all cells' centres are least in sum (inner constraints; W. Baarda, "S-transformations and criterion matrices",
+  /// Netherlands Geodetic Commission, 1973). Does not depend on which cell is the origin, whose own covariance is not
+  /// zero here. Stated by the global solver, and by files that it was written to.
+  std::optional<Matrix6d> shape_cov_t_r;
   /// The accelerometer reads scale * force + offset along its axes, apart from cross-axis sensitivity. Estimated by the
   /// global solver for measured cells.
   std::optional<Eigen::Vector3d> accel_offset_g;
