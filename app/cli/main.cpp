@@ -51,6 +51,7 @@ int main(int argc, char** argv) {
   cli::addConvert(app, common);
   cli::addInspect(app, common);
   cli::addSensors(app, common);
+  cli::addParts(app, common);
   cli::addReproduce(app, common);
 
   try {

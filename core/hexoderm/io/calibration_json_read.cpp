@@ -176,6 +176,7 @@ CellPlacement readCell(const JsonReader& json) {
     }
   }
   if (const auto cov = json.find("cov_t_r")) cell.cov_t_r = readCovariance(*cov);
+  if (const auto cov = json.find("shape_cov_t_r")) cell.shape_cov_t_r = readCovariance(*cov);
   if (const auto sigma = json.find("sigma_t_m")) static_cast<void>(nonNegativeVector(*sigma));
   if (const auto sigma = json.find("sigma_r_rad")) static_cast<void>(nonNegativeVector(*sigma));
   if (const auto offset = json.find("accel_offset_g")) cell.accel_offset_g = offset->vector3(kMostAcceleration_g);

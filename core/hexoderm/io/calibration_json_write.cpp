@@ -88,6 +88,7 @@ Json cellJson(const CellPlacement& cell) {
     json["sigma_t_m"] = toJson(Eigen::Vector3d(sigma.head<3>()));
     json["sigma_r_rad"] = toJson(Eigen::Vector3d(sigma.tail<3>()));
   }
+  if (cell.shape_cov_t_r) json["shape_cov_t_r"] = covarianceJson(*cell.shape_cov_t_r);
   if (cell.accel_offset_g) json["accel_offset_g"] = toJson(*cell.accel_offset_g);
   if (cell.accel_scale) json["accel_scale"] = toJson(*cell.accel_scale);
   json["path"] = idsJson(cell.path);

@@ -106,7 +106,9 @@ void requireFinite(const Reconstruction& reconstruction) {
   for (const PatchReconstruction& patch : reconstruction.patches) {
     for (const CellPlacement& cell : patch.cells) {
       require(cell.T_o_u.R.allFinite() && cell.T_o_u.t.allFinite(), cell.cell, [] { return message("its placement"); });
-      require(!cell.cov_t_r || cell.cov_t_r->allFinite(), cell.cell, [] { return message("its covariance"); });
+      for (const std::optional<Matrix6d>& covariance : {cell.cov_t_r, cell.shape_cov_t_r}) {
+        require(!covariance || covariance->allFinite(), cell.cell, [] { return message("its covariance"); });
+      }
       require((!cell.accel_offset_g || cell.accel_offset_g->allFinite()) &&
                   (!cell.accel_scale || cell.accel_scale->allFinite()),
               cell.cell, [] { return message("its accelerometer's offset or scale"); });

@@ -1,8 +1,10 @@
 #include "hexoderm/reconstruction/joint/joint_refinement.h"
 
 #include "hexoderm/reconstruction/joint/patch_evidence.h"
+#include "hexoderm/reconstruction/joint/shape_covariance.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/median.h"
+#include "hexoderm/util/units.h"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -69,6 +71,25 @@ class SolvedCovariance : public PlacementCovariance {
   std::vector<CellId> ids_;  // ascending
   std::vector<SE3> cells_;
   std::shared_ptr<const JointCovariance> covariance_;
+};
+
+/// The covariance of the forces of any two poses from that of the whole patch.
+class SolvedGravityCovariance : public GravityCovariance {
+ public:
+  SolvedGravityCovariance(std::shared_ptr<const JointCovariance> covariance, bool accelerations)
+      : covariance_(std::move(covariance)), accelerations_(accelerations) {}
+
+  [[nodiscard]] Eigen::Matrix3d forces(std::size_t a, std::size_t b) const override {
+    return covariance_->forces(a, b);
+  }
+  [[nodiscard]] std::optional<Eigen::Matrix3d> swing(std::size_t pose) const override {
+    if (!accelerations_) return std::nullopt;
+    return covariance_->acceleration(pose) / (kStandardGravity * kStandardGravity);
+  }
+
+ private:
+  std::shared_ptr<const JointCovariance> covariance_;
+  bool accelerations_;
 };
 
 std::vector<Matrix6d> covariancesOf(const JointProblem& problem, const JointState& state) {
@@ -299,6 +320,14 @@ const Matrix6d& JointRefinement::covarianceOf(std::size_t cell) const {
   return solution_.covariance->cell(localOf(cell));
 }
 
+std::vector<Matrix6d> JointRefinement::shapeCovariances() const {
+  const JointCovariance& covariance = *solution_.covariance;
+  std::vector<Matrix6d> cells;
+  for (std::size_t cell = 0; cell < cells_.size(); ++cell) cells.push_back(covariance.cell(cell));
+  return shapeCovariancesOf(solution_.state.cells, cells,
+                            [&](const Eigen::MatrixXd& B) { return covariance.timesCells(B); });
+}
+
 Eigen::Vector3d JointRefinement::correctedReading(std::size_t cell, const Eigen::Vector3d& mean_g) const {
   const Eigen::Matrix3d& R_u_a = problem_->model->accelerometer.T_u_a.R;
   const AccelerometerFit& fit = sensorOf(cell);
@@ -342,6 +371,10 @@ std::shared_ptr<const PlacementCovariance> JointRefinement::placementCovariance(
   std::vector<CellId> ids;
   for (const std::size_t cell : cells_) ids.push_back(graph.cells()[cell].id);
   return std::make_shared<SolvedCovariance>(std::move(ids), solution_.state.cells, solution_.covariance);
+}
+
+std::shared_ptr<const GravityCovariance> JointRefinement::gravityCovariance() const {
+  return std::make_shared<SolvedGravityCovariance>(solution_.covariance, problem_->accelerations);
 }
 
 const AccelerometerFit& JointRefinement::sensorOf(std::size_t cell) const { return sensors_[localOf(cell)].fit; }

@@ -288,8 +288,13 @@ class PosesFirstFactor {
 
   [[nodiscard]] MatrixXd inverseOfRest() const { return rest_.solve(MatrixXd::Identity(rest_.rows(), rest_.rows())); }
 
-  /// Covariance of the force of every pose: H^-1 + H^-1 U^T C U H^-1, with C the covariance of t.
-  [[nodiscard]] std::vector<Eigen::Matrix3d> forces() const {
+  /// What the sensors' and turns' errors do to forces: the covariance C of t, C B and B^T C B.
+  struct ForceSpread {
+    MatrixXd C;
+    MatrixXd CB;
+    Eigen::Matrix<double, kShared, kShared, Eigen::DontAlign> BCB;
+  };
+  [[nodiscard]] ForceSpread forceSpread() const {
     MatrixXd across = MatrixXd::Zero(rest_.rows(), kSensor * parts());
     for (std::size_t k = 0; k < moving_.size(); ++k) {
       across.block<3, kSensor>(turnOf(moving_[k]), kSensor * static_cast<Index>(moving_[k])) =
@@ -302,38 +307,46 @@ class PosesFirstFactor {
       across.middleRows<3>(turnOf(moving_[k])) -= of_turns.middleRows<3>(static_cast<Index>(3 * k));
     }
     rest_.matrixL().solveInPlace(across);
-    MatrixXd C = MatrixXd::Zero(root.cols(), root.cols());
-    C.selfadjointView<Eigen::Lower>().rankUpdate(root.transpose());
-    C.selfadjointView<Eigen::Lower>().rankUpdate(across.transpose());
-    C.triangularView<Eigen::StrictlyUpper>() = C.transpose();
-
-    const MatrixXd CB = C * shared_;
-    const Eigen::Matrix<double, kShared, kShared> BCB = shared_.transpose() * CB;
-    std::vector<Eigen::Matrix3d> covariances;
-    std::vector<SensorByForce> D;
-    for (std::size_t pose = 0; pose < equations_->phi.size(); ++pose) {
-      const Eigen::Matrix<double, kShared, 3> phi = sharedOf(pose);
-      Eigen::Matrix3d seen = phi.transpose() * BCB * phi;
-      const std::vector<Deviation>& deviating = equations_->readings[pose].deviating;
-      D.clear();
-      for (const Deviation& deviation : deviating) D.push_back(deviationOf(deviation, pose));
-      for (std::size_t a = 0; a < deviating.size(); ++a) {
-        const SensorByForce& D_a = D[a];
-        const Index at_a = kSensor * static_cast<Index>(deviating[a].part);
-        const Eigen::Matrix3d mixed = D_a.transpose() * CB.middleRows<kSensor>(at_a) * phi;
-        seen += mixed + mixed.transpose();
-        SensorByForce CD = SensorByForce::Zero();  // row of a
-        for (std::size_t b = 0; b < deviating.size(); ++b) {
-          const Index at_b = kSensor * static_cast<Index>(deviating[b].part);
-          CD.noalias() += C.block<kSensor, kSensor>(at_a, at_b).lazyProduct(D[b]);
-        }
-        seen += D_a.transpose() * CD;
-      }
-      const Eigen::Matrix3d covariance = pose_inverse_[pose] + pose_inverse_[pose] * seen * pose_inverse_[pose];
-      covariances.emplace_back((covariance + covariance.transpose()) / 2);
-    }
-    return covariances;
+    ForceSpread spread;
+    spread.C = MatrixXd::Zero(root.cols(), root.cols());
+    spread.C.selfadjointView<Eigen::Lower>().rankUpdate(root.transpose());
+    spread.C.selfadjointView<Eigen::Lower>().rankUpdate(across.transpose());
+    spread.C.triangularView<Eigen::StrictlyUpper>() = spread.C.transpose();
+    spread.CB = spread.C * shared_;
+    spread.BCB = shared_.transpose() * spread.CB;
+    return spread;
   }
+
+  /// Cross-covariance of the forces of two poses: H_p^-1 U_p^T C U_q H_q^-1, and H_p^-1 on top where they are one.
+  /// U_p = B phi_p + D_p, D_p being that of the deviating readings.
+  [[nodiscard]] Eigen::Matrix3d forces(const ForceSpread& spread, std::size_t p, std::size_t q) const {
+    const Eigen::Matrix<double, kShared, 3> phi_p = sharedOf(p);
+    const Eigen::Matrix<double, kShared, 3> phi_q = sharedOf(q);
+    Eigen::Matrix3d seen = phi_p.transpose() * spread.BCB * phi_q;
+    const std::vector<Deviation>& deviating_p = equations_->readings[p].deviating;
+    const std::vector<Deviation>& deviating_q = equations_->readings[q].deviating;
+    std::vector<SensorByForce> D_q;
+    for (const Deviation& deviation : deviating_q) D_q.push_back(deviationOf(deviation, q));
+    for (std::size_t b = 0; b < deviating_q.size(); ++b) {
+      const Index at_b = kSensor * static_cast<Index>(deviating_q[b].part);
+      seen += phi_p.transpose() * spread.CB.middleRows<kSensor>(at_b).transpose() * D_q[b];
+    }
+    for (const Deviation& deviation : deviating_p) {
+      const SensorByForce D_p = deviationOf(deviation, p);
+      const Index at_a = kSensor * static_cast<Index>(deviation.part);
+      seen += D_p.transpose() * spread.CB.middleRows<kSensor>(at_a) * phi_q;
+      SensorByForce CD = SensorByForce::Zero();
+      for (std::size_t b = 0; b < deviating_q.size(); ++b) {
+        const Index at_b = kSensor * static_cast<Index>(deviating_q[b].part);
+        CD.noalias() += spread.C.block<kSensor, kSensor>(at_a, at_b).lazyProduct(D_q[b]);
+      }
+      seen += D_p.transpose() * CD;
+    }
+    Eigen::Matrix3d covariance = pose_inverse_[p] * seen * pose_inverse_[q];
+    if (p == q) covariance = (pose_inverse_[p] + (covariance + covariance.transpose()) / 2).eval();
+    return covariance;
+  }
+  [[nodiscard]] std::size_t poseCount() const { return equations_->phi.size(); }
 
   [[nodiscard]] std::size_t origin() const { return origin_; }
   [[nodiscard]] std::size_t cellCount() const { return cells_; }
@@ -505,7 +518,17 @@ class PosesFirstInverse : public JointInverse {
   [[nodiscard]] const Matrix6d& cell(std::size_t cell) const override { return parts().cells[cell]; }
   [[nodiscard]] const Matrix6d& link(std::size_t link) const override { return parts().links[link]; }
   [[nodiscard]] Matrix6d between(std::size_t a, std::size_t b) const override { return blockOf(parts().rest, a, b); }
+  [[nodiscard]] MatrixXd timesCells(const MatrixXd& B) const override {
+    MatrixXd from = B;
+    from.middleRows<6>(static_cast<Index>(6 * origin_)).setZero();
+    MatrixXd product = parts().rest.topLeftCorner(B.rows(), B.rows()) * from;
+    product.middleRows<6>(static_cast<Index>(6 * origin_)).setZero();
+    return product;
+  }
   [[nodiscard]] Eigen::Matrix3d force(std::size_t pose) const override { return parts().forces[pose]; }
+  [[nodiscard]] Eigen::Matrix3d forces(std::size_t a, std::size_t b) const override {
+    return factor_->forces(parts().force_spread, a, b);
+  }
   [[nodiscard]] Eigen::Matrix3d acceleration(std::size_t) const override {
     throw std::logic_error("no acceleration was estimated");
   }
@@ -519,6 +542,7 @@ class PosesFirstInverse : public JointInverse {
     MatrixXd rest;
     std::vector<Matrix6d> cells;
     std::vector<Matrix6d> links;
+    PosesFirstFactor::ForceSpread force_spread;
     std::vector<Eigen::Matrix3d> forces;
   };
 
@@ -529,10 +553,7 @@ class PosesFirstInverse : public JointInverse {
 
   /// Computed when somebody asks: of several solutions in a row only the last one's is looked at.
   const Parts& parts() const {
-    std::call_once(computed_, [this] {
-      parts_ = compute();
-      factor_.reset();
-    });
+    std::call_once(computed_, [this] { parts_ = compute(); });
     return parts_;
   }
 
@@ -544,14 +565,17 @@ class PosesFirstInverse : public JointInverse {
       parts.cells.push_back(blockOf(parts.rest, cell, cell));
     }
     for (const LinkEnds& link : factor_->links()) parts.links.push_back(blockOf(parts.rest, link.c, link.n));
-    parts.forces = factor_->forces();
+    parts.force_spread = factor_->forceSpread();
+    for (std::size_t pose = 0; pose < factor_->poseCount(); ++pose) {
+      parts.forces.push_back(factor_->forces(parts.force_spread, pose, pose));
+    }
     return parts;
   }
 
   std::size_t origin_;
   bool estimates_gap_share_;
   mutable std::once_flag computed_;
-  mutable std::unique_ptr<const PosesFirstFactor> factor_;
+  std::unique_ptr<const PosesFirstFactor> factor_;
   mutable Parts parts_;
 };
 

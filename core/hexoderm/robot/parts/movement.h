@@ -1,0 +1,25 @@
+#pragma once
+
+// Private to robot/.
+
+#include "hexoderm/robot/parts/rigid_fit.h"
+
+namespace hexoderm {
+
+/// What gravity says about whether two bodies turn against each other (the rule is in the room's README).
+struct MovementTest {
+  RigidFit fit;  ///< of the poses that both have
+  /// Logarithm of how much more probable what was seen is for one rigid body than for two with a joint between them
+  /// that turned by kTypicalTurn_rad, rms, from pose to pose: about the axis for which that says least.
+  double log_odds = 0;
+  Eigen::Vector3d hidden_axis_a = Eigen::Vector3d::UnitZ();  ///< that axis, unit, in a's frame
+  /// Turns from pose to pose, rms, that would have shown at three sigma about any axis; pi at most.
+  double noticeable_rad = 0;
+};
+
+/// Joints of robots that are posed for a calibration turn by tens of degrees.
+inline constexpr double kTypicalTurn_rad = 0.35;
+
+MovementTest testMovement(const GravitySeen& a, const GravitySeen& b);
+
+}  // namespace hexoderm
