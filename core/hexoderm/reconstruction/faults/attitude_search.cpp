@@ -1,6 +1,5 @@
 #include "hexoderm/reconstruction/faults/attitude_search.h"
 
-#include "hexoderm/util/median.h"
 #include "hexoderm/util/units.h"
 
 #include <Eigen/Cholesky>
@@ -18,8 +17,6 @@ namespace {
 constexpr double kWeightOfModel = 4;
 /// Prior deviation of a patch's curvature, as the bend of one link.
 constexpr double kCurvatureSigma = 30 * kDegree;
-/// Median of the absolute value of a normal deviate.
-constexpr double kMedianOfNormal = 0.6745;
 /// Variance of an angle of which nothing is known.
 constexpr double kUnknownVariance = kPi * kPi / 3;
 /// A free angle is a costlier explanation than none: the logarithm of how much narrower readings fix it.
@@ -39,6 +36,22 @@ double deviateExceededOnceIn(double times) {
   for (int k = 0; k < 5; ++k)
     z = std::sqrt(2 * std::log(times / (z * std::sqrt(2 * kPi))) - 2 * std::log1p(1 / (z * z)));
   return z;
+}
+
+/// What a chi-squared with two or three degrees of freedom exceeds once in `times`. Misfit::deviate() asks for more
+/// than that so far out: for two degrees and once in 5,000 for 17.7 where it is 17.0.
+double chiSquaredExceededOnceIn(double times, double degrees) {
+  const auto tail = [degrees](double x) {
+    const double of_two = std::exp(-x / 2);
+    return degrees <= 2 ? of_two : std::erfc(std::sqrt(x / 2)) + std::sqrt(2 * x / kPi) * of_two;
+  };
+  double low = 0;
+  double high = 1000;
+  while (high - low > 1e-6) {
+    const double middle = (low + high) / 2;
+    (tail(middle) > 1 / times ? low : high) = middle;
+  }
+  return high;
 }
 
 /// Rows of bend and twist of a link with the given heading for (S_xx, S_yy, S_xy, antisymmetric part).
@@ -67,9 +80,29 @@ Turns likeliestTurns(const Eigen::Vector3d& off, const Eigen::Matrix3d& covarian
 
 double headingOf(const Port& port) { return std::atan2(port.vector_m.y(), port.vector_m.x()); }
 
+constexpr double kHuberThreshold = 1.5;
 double huberWeight(double deviations) {
-  constexpr double kThreshold = 1.5;
-  return std::abs(deviations) <= kThreshold ? 1 : kThreshold / std::abs(deviations);
+  return std::abs(deviations) <= kHuberThreshold ? 1 : kHuberThreshold / std::abs(deviations);
+}
+
+/// A link as the readings show it, and how its angles (twist, bend, yaw) follow from the shape.
+struct SeenLink {
+  Eigen::Vector3d angles;
+  Eigen::Vector3d variance;  ///< of the readings
+  std::array<Eigen::Vector4d, 3> rows;
+};
+
+/// Expected square of a link's own scatter, given its angle, for scatter of the given variance. Deviations beyond the
+/// Huber threshold count as the threshold, lest a broken link hide itself and others.
+double scatterOf(const SeenLink& link, int axis, double scatter, const Eigen::Vector4d& shape,
+                 const Eigen::Matrix4d& covariance_of_shape) {
+  constexpr double kClippedSquare = 0.7785;  // mean of a squared normal deviate, clipped at 1.5
+  const Eigen::Vector4d& row = link.rows.at(static_cast<std::size_t>(axis));
+  const double whole = scatter + link.variance[axis];
+  const double off = link.angles[axis] - row.dot(shape);
+  const double clipped = std::min(off * off, kHuberThreshold * kHuberThreshold * whole) / kClippedSquare;
+  const double share = scatter / whole;
+  return share * share * (clipped + row.dot(covariance_of_shape * row)) + share * link.variance[axis];
 }
 
 }  // namespace
@@ -204,55 +237,48 @@ double AttitudeSearch::squaredMisfit(const Joint& joint, const Own& source, cons
 }
 
 /// The shape operator that fits most links, and the scatter about it.
+///
+/// The scatter's variance is found by expectation maximisation: of each link's deviation from the shape, that part
+/// counts as scatter which the errors of the readings and of the shape itself don't explain. A link that the readings
+/// show poorly says little about it in this way, and leaves it to the model.
 AttitudeSearch::Shape AttitudeSearch::fitShape(bool with_antisymmetric) {
-  constexpr int kRounds = 8;
+  constexpr int kRounds = 30;
   const CellModel& model = skin_.model();
   const Eigen::Vector3d model_sigma(model.twist_sigma_rad, model.bend_sigma_rad, model.yaw_sigma_rad);
   sigma_ = model_sigma;
   Shape shape;
-  std::vector<Eigen::Vector3d> angles;
-  std::vector<Eigen::Vector3d> variances;
-  std::vector<double> headings;
+  std::vector<SeenLink> links;
   for (const Joint& joint : joints_) {
     if (!tested(joint)) continue;
-    angles.push_back(anglesOf(joint, own_[joint.source], own_[joint.target]));
-    variances.emplace_back(measured(joint, own_[joint.source], own_[joint.target]).diagonal());
-    headings.push_back(joint.heading_rad);
+    const Own& source = own_[joint.source];
+    const Own& target = own_[joint.target];
+    links.push_back({anglesOf(joint, source, target), measured(joint, source, target).diagonal(),
+                     {twistRow(joint.heading_rad), bendRow(joint.heading_rad), Eigen::Vector4d::Zero()}});
   }
-  const auto links = static_cast<double>(angles.size());
   for (int round = 0; round < kRounds; ++round) {
     Eigen::Matrix4d normal = Eigen::Matrix4d::Identity() / (kCurvatureSigma * kCurvatureSigma);
     if (!with_antisymmetric) normal(3, 3) = 1e12;
     Eigen::Vector4d right = Eigen::Vector4d::Zero();
-    for (std::size_t k = 0; k < angles.size(); ++k) {
-      for (int axis = 0; axis < 2; ++axis) {
-        const Eigen::Vector4d row = axis == 0 ? twistRow(headings[k]) : bendRow(headings[k]);
-        const double variance = sigma_[axis] * sigma_[axis] + variances[k][axis];
-        const double off = angles[k][axis] - row.dot(shape.parameters);
+    for (const SeenLink& link : links) {
+      for (const int axis : {0, 1}) {
+        const Eigen::Vector4d& row = link.rows.at(static_cast<std::size_t>(axis));
+        const double variance = sigma_[axis] * sigma_[axis] + link.variance[axis];
+        const double off = link.angles[axis] - row.dot(shape.parameters);
         const double weight = (round == 0 ? 1 : huberWeight(off / std::sqrt(variance))) / variance;
         normal += weight * row * row.transpose();
-        right += weight * angles[k][axis] * row;
+        right += weight * link.angles[axis] * row;
       }
     }
     const Eigen::LDLT<Eigen::Matrix4d> factor(normal);
     shape.parameters = factor.solve(right);
-    shape.antisymmetric_sigma = std::sqrt(factor.solve(Eigen::Vector4d::UnitW()).w());
+    const Eigen::Matrix4d covariance = factor.solve(Eigen::Matrix4d::Identity());
+    shape.antisymmetric_sigma = std::sqrt(covariance(3, 3));
     for (int axis = 0; axis < 3; ++axis) {
-      std::vector<double> off;
-      std::vector<double> of_readings;
-      for (std::size_t k = 0; k < angles.size(); ++k) {
-        const double expected = axis == 0   ? twistRow(headings[k]).dot(shape.parameters)
-                                : axis == 1 ? bendRow(headings[k]).dot(shape.parameters)
-                                            : 0;
-        off.push_back(std::abs(angles[k][axis] - expected));
-        of_readings.push_back(variances[k][axis]);
-      }
-      const double seen = median(off) / kMedianOfNormal;
-      const double own_sq = std::max(0.0, seen * seen - median(of_readings));
-      const double model_sq = model_sigma[axis] * model_sigma[axis];
-      double both_sq = (kWeightOfModel * model_sq + links * own_sq) / (kWeightOfModel + links);
-      if (axis == 2) both_sq = std::max(both_sq, model_sq);
-      sigma_[axis] = std::sqrt(both_sq);
+      const double before = sigma_[axis] * sigma_[axis];
+      double sum = kWeightOfModel * model_sigma[axis] * model_sigma[axis];
+      for (const SeenLink& link : links) sum += scatterOf(link, axis, before, shape.parameters, covariance);
+      const double after = sum / (kWeightOfModel + static_cast<double>(links.size()));
+      sigma_[axis] = axis == 2 ? std::max(model_sigma[axis], std::sqrt(after)) : std::sqrt(after);
     }
   }
   return shape;
@@ -425,10 +451,9 @@ std::optional<AttitudeSuspect> AttitudeSearch::judgeMotion(std::size_t place) co
   const AttitudePrior attitude{R_u_a.transpose() * links.information * R_u_a, R_u_a.transpose() * links.weighted};
   const TurnBetweenPoses turn = findTurn(AccelerometerPrior(skin_.model().accelerometer), own.readings, v_g, attitude);
   const auto tests = static_cast<double>(cells_.size() * (own.readings.size() - 1));
-  if (turn.angle_rad < kLeastTurn ||
-      turn.gain.deviate() <= strictness() * deviateExceededOnceIn(kPatchesPerFalseMotion * tests)) {
-    return std::nullopt;
-  }
+  const double limit =
+      strictness() * strictness() * chiSquaredExceededOnceIn(kPatchesPerFalseMotion * tests, turn.gain.degrees);
+  if (turn.angle_rad < kLeastTurn || turn.gain.chi_squared <= limit) return std::nullopt;
   AttitudeSuspect suspect{AttitudeSuspect::Kind::Moved};
   suspect.cell = cells_[place];
   suspect.angle_rad = turn.angle_rad;
