@@ -14,9 +14,22 @@ namespace {
 constexpr LinkEnd kLink5{CellId(5), PortNumber(3)};
 constexpr LinkEnd kLink9{CellId(9), PortNumber(2)};
 
+/// The pixels about the middle that are not ground: a text's, in any font.
+int drawnPixels(const QImage& image) {
+  const QPoint center = image.rect().center();
+  const QRgb ground = image.pixel(center.x(), 2);
+  int count = 0;
+  for (int x = center.x() - 150; x <= center.x() + 150; ++x) {
+    for (int y = center.y() - 30; y <= center.y() + 30; ++y) {
+      if (image.valid(x, y) && image.pixel(x, y) != ground) ++count;
+    }
+  }
+  return count;
+}
+
 TEST_F(GraphViewTest, ShowsAHintInsteadOfNothing) {
   const QImage empty = image();
-  EXPECT_GT(countColor(empty, empty.rect().center(), 200, Colors::of(Theme::Light).text_muted), 50);
+  EXPECT_GT(drawnPixels(empty), 50);
   QTest::mouseClick(&view_, Qt::LeftButton, Qt::NoModifier, QPoint(50, 50));
   for (const int key : {Qt::Key_Left, Qt::Key_F, Qt::Key_Plus, Qt::Key_Escape}) {
     QTest::keyClick(&view_, static_cast<Qt::Key>(key));
@@ -24,7 +37,7 @@ TEST_F(GraphViewTest, ShowsAHintInsteadOfNothing) {
   wheel({100, 100}, 240);
   EXPECT_FALSE(selection_.cell());
   show(test::ResultBuilder().share());
-  EXPECT_GT(countColor(image(), empty.rect().center(), 200, Colors::of(Theme::Light).text_muted), 50);
+  EXPECT_GT(drawnPixels(image()), 50);
   show(sampleX17());
   show(nullptr);
   EXPECT_EQ(image(), empty);
