@@ -199,7 +199,7 @@ TEST(RobotModel, NamesWhatIsNoTree) {
   EXPECT_THAT(complaint(links + joint("j", "a", "c") + joint("k", "b", "c") + "</robot>"),
               saysAll("line 3", "link c", "two parents", "j", "k"));
   EXPECT_THAT(complaint(links + joint("j", "a", "c") + "</robot>"), saysAll("link b", "link a", "one root"));
-  EXPECT_THAT(complaint(links + joint("j", "aa", "c") + "</robot>"), saysAll("line 2", "parent", "joint j", "aa"));
+  EXPECT_THAT(complaint(links + joint("j", "aa", "c") + "</robot>"), saysAll("line 2", "parent", "joint j", "\"aa\""));
   EXPECT_THAT(complaint(links + joint("forearm", "a", "") + "</robot>"), saysAll("forearm", "child"));
   EXPECT_THAT(complaint(links + joint("j", "a", "b") + joint("j", "a", "c") + "</robot>"),
               saysAll("line 3", "joint j", "line 2"));
