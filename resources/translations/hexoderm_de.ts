@@ -868,6 +868,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>take link %1 back</source>
         <translation>Verbindung %1 zurücknehmen</translation>
     </message>
+    <message>
+        <source>set the joint angles of pose %1</source>
+        <translation>Gelenkwinkel von Pose %1 setzen</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::EventLog</name>

@@ -458,7 +458,9 @@ std::vector<SE3> RobotModel::forward(const JointAngles& angles) const {
   for (const auto& [name, position] : angles.positions) static_cast<void>(jointNamed(name));
   std::vector<SE3> T_w_l(links().size());
   for (const std::size_t joint : state_->parents_first) {
-    const SE3 T_parent_child = fromKdl(state_->segments[joint].pose(state_->positionOf(joint, angles)));
+    const double position = state_->positionOf(joint, angles);
+    requirePosition(joints()[joint].name, position);  // of a mimicking one it may be anything
+    const SE3 T_parent_child = fromKdl(state_->segments[joint].pose(position));
     T_w_l[joints()[joint].child] = T_w_l[joints()[joint].parent] * T_parent_child;
   }
   return T_w_l;
