@@ -244,11 +244,11 @@ TEST(RobotModel, NamesNumbersThatMakeNoRobot) {
 TEST(RobotModel, RefusesAnglesOfUnknownJointsAndThoseThatAreNoNumbers) {
   const RobotModel arm = RobotModel::read(kDemoRobot);
   EXPECT_THAT(messageOf<InvalidArgument>([&] {
-                arm.forward({{{"elbo", 1}}});
+                static_cast<void>(arm.forward({{{"elbo", 1}}}));
               }),
               saysAll("demo_arm.urdf", "elbo", "did you mean elbow?"));
   EXPECT_THAT(messageOf<InvalidArgument>([&] {
-                arm.forward({{{"elbow", std::numeric_limits<double>::quiet_NaN()}}});
+                static_cast<void>(arm.forward({{{"elbow", std::numeric_limits<double>::quiet_NaN()}}}));
               }),
               saysAll("elbow", "finite"));
   EXPECT_THAT(messageOf<InvalidArgument>([&] { static_cast<void>(arm.linkNamed("fore_arm")); }),
