@@ -880,6 +880,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>take link %1 back</source>
         <translation>Verbindung %1 zurücknehmen</translation>
     </message>
+    <message>
+        <source>set the joint angles of pose %1</source>
+        <translation>Gelenkwinkel von Pose %1 setzen</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::EventLog</name>
@@ -4797,6 +4801,398 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>&quot;{}&quot; is also the name of a link of the skin</source>
         <translation>„{}“ ist auch der Name eines Gliedes der Haut</translation>
+    </message>
+    <message>
+        <source>simulated robot: {} must not be negative</source>
+        <translation>Simulierter Roboter: {} darf nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>simulated robot: range_share must be from 0 to 1</source>
+        <translation>Simulierter Roboter: range_share muss zwischen 0 und 1 liegen</translation>
+    </message>
+    <message>
+        <source>simulated robot: expected at least one patch on a link</source>
+        <translation>Simulierter Roboter: Mindestens ein Patch auf einem Glied wird erwartet</translation>
+    </message>
+    <message>
+        <source>{} on {}</source>
+        <translation>{} auf {}</translation>
+    </message>
+    <message>
+        <source>Simulated robot {} on a fixed base: {}, seed {}</source>
+        <translation>Simulierter Roboter {} auf fester Basis: {}, Startwert {}</translation>
+    </message>
+    <message>
+        <source>Simulated robot {} in a hand: {}, seed {}</source>
+        <translation>Simulierter Roboter {} in einer Hand: {}, Startwert {}</translation>
+    </message>
+    <message>
+        <source>there is no message of type {}; expected 1 to 7</source>
+        <translation>Eine Nachricht vom Typ {} gibt es nicht; erwartet: 1 bis 7</translation>
+    </message>
+    <message>
+        <source>expected 1 to {} numbers, found {}</source>
+        <translation>1 bis {} Zahlen werden erwartet, gefunden: {}</translation>
+    </message>
+    <message>
+        <source>expected the name of a joint, found nothing</source>
+        <translation>Der Name eines Gelenks wird erwartet, gefunden wurde nichts</translation>
+    </message>
+    <message>
+        <source>expected each joint once</source>
+        <translation>Jedes Gelenk wird nur einmal erwartet</translation>
+    </message>
+    <message>
+        <source>expected finite numbers, at most {}</source>
+        <translation>Endliche Zahlen bis höchstens {} werden erwartet</translation>
+    </message>
+    <message>
+        <source>expected a number for each of {} joints that were named, found {}</source>
+        <translation>Eine Zahl für jedes der {} genannten Gelenke wird erwartet, gefunden: {}</translation>
+    </message>
+    <message>
+        <source>the body has no surface on which a patch could lie</source>
+        <translation>Der Körper hat keine Oberfläche, auf der ein Patch liegen könnte</translation>
+    </message>
+    <message>
+        <source>the patch can&apos;t be laid there: its x axis would stand upright on the body</source>
+        <translation>Dort kann der Patch nicht liegen: Seine x-Achse stünde senkrecht auf dem Körper</translation>
+    </message>
+    <message>
+        <source>the demo robot is not installed: there is no {}</source>
+        <translation>Der Demo-Roboter ist nicht installiert: Es fehlt {}</translation>
+    </message>
+    <message>
+        <source>a joint&apos;s position needs the name of the joint</source>
+        <translation>Zur Stellung eines Gelenks gehört dessen Name</translation>
+    </message>
+    <message>
+        <source>joint {}: expected a finite position, at most {}</source>
+        <translation>Gelenk {}: Eine endliche Stellung bis höchstens {} wird erwartet</translation>
+    </message>
+    <message>
+        <source>the table is too large</source>
+        <translation>Die Tabelle ist zu groß</translation>
+    </message>
+    <message>
+        <source>expected a line for each pose, but there is none</source>
+        <translation>Eine Zeile für jede Pose wird erwartet, es gibt aber keine</translation>
+    </message>
+    <message>
+        <source>column {}</source>
+        <translation>Spalte {}</translation>
+    </message>
+    <message>
+        <source>expected the unit of the angles, deg or rad, found {}</source>
+        <translation>Die Einheit der Winkel, deg oder rad, wird erwartet, gefunden: {}</translation>
+    </message>
+    <message>
+        <source>expected the unit above the line with the names of the joints</source>
+        <translation>Die Einheit wird über der Zeile mit den Namen der Gelenke erwartet</translation>
+    </message>
+    <message>
+        <source>expected fields separated by commas; a quote is not closed</source>
+        <translation>Durch Kommas getrennte Felder werden erwartet; ein Anführungszeichen ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>is empty; expected a line with the names of the joints</source>
+        <translation>ist leer; eine Zeile mit den Namen der Gelenke wird erwartet</translation>
+    </message>
+    <message>
+        <source>there are more than {} columns</source>
+        <translation>Es gibt mehr als {} Spalten</translation>
+    </message>
+    <message>
+        <source>joint {} has a column already</source>
+        <translation>Gelenk {} hat schon eine Spalte</translation>
+    </message>
+    <message>
+        <source>expected one column pose or time, this is a second one</source>
+        <translation>Eine einzige Spalte „pose“ oder „time“ wird erwartet, dies ist eine zweite</translation>
+    </message>
+    <message>
+        <source>expected a column pose (the poses&apos; numbers) or time (s since 1970, UTC)</source>
+        <translation>Eine Spalte „pose“ (Nummern der Posen) oder „time“ (s seit 1970, UTC) wird erwartet</translation>
+    </message>
+    <message>
+        <source>these joints of the robot have no column: {}</source>
+        <translation>Diese Gelenke des Roboters haben keine Spalte: {}</translation>
+    </message>
+    <message>
+        <source>{} joints of the robot have no column, {} among them</source>
+        <translation>{} Gelenke des Roboters haben keine Spalte, darunter {}</translation>
+    </message>
+    <message>
+        <source>expected one for each joint that can move (0 where it did not)</source>
+        <translation>Für jedes bewegliche Gelenk wird eine erwartet (0, wo es sich nicht bewegt hat)</translation>
+    </message>
+    <message>
+        <source>expected the name of a joint above every column</source>
+        <translation>Über jeder Spalte wird der Name eines Gelenks erwartet</translation>
+    </message>
+    <message>
+        <source>this joint of the robot is fixed and has no angle</source>
+        <translation>Dieses Gelenk des Roboters ist fest und hat keinen Winkel</translation>
+    </message>
+    <message>
+        <source>the robot {} has no joint {}</source>
+        <translation>Der Roboter {} hat kein Gelenk {}</translation>
+    </message>
+    <message>
+        <source>did you mean {}?</source>
+        <translation>Ist {} gemeint?</translation>
+    </message>
+    <message>
+        <source>expected the unit deg or rad, found {}</source>
+        <translation>Die Einheit deg oder rad wird erwartet, gefunden: {}</translation>
+    </message>
+    <message>
+        <source>expected the unit m or mm, found {}</source>
+        <translation>Die Einheit m oder mm wird erwartet, gefunden: {}</translation>
+    </message>
+    <message>
+        <source>expected the unit s, ms, us or ns, found {}</source>
+        <translation>Die Einheit s, ms, us oder ns wird erwartet, gefunden: {}</translation>
+    </message>
+    <message>
+        <source>expected the unit in the title, as in lift[m]</source>
+        <translation>Die Einheit wird im Titel erwartet, wie in lift[m]</translation>
+    </message>
+    <message>
+        <source>expected the unit in the title, as in {}[deg] or {}[rad], or a first line &quot;# unit: deg&quot;</source>
+        <translation>Die Einheit wird im Titel erwartet, wie in {}[deg] oder {}[rad], oder eine erste Zeile „# unit: deg“</translation>
+    </message>
+    <message>
+        <source>expected {} columns as in the first line, found {}</source>
+        <translation>{} Spalten wie in der ersten Zeile werden erwartet, gefunden: {}</translation>
+    </message>
+    <message>
+        <source>{} is no joint&apos;s angle</source>
+        <translation>{} ist kein Gelenkwinkel</translation>
+    </message>
+    <message>
+        <source>expected a number, but there is none</source>
+        <translation>Eine Zahl wird erwartet, es gibt aber keine</translation>
+    </message>
+    <message>
+        <source>pose {} was given already, in line {}</source>
+        <translation>Pose {} kam schon in Zeile {} vor</translation>
+    </message>
+    <message>
+        <source>expected times that ascend; {} does not</source>
+        <translation>Aufsteigende Zeiten werden erwartet; {} ist nicht größer als die vorige</translation>
+    </message>
+    <message>
+        <source>Joint {} is at {}; its limits are {} and {}.</source>
+        <translation>Gelenk {} steht bei {}; seine Grenzen sind {} und {}.</translation>
+    </message>
+    <message>
+        <source>These joint angles are probably degrees that were read as rad: {} of {} joints that turn are far beyond their limits, and as degrees none is. Joint {}, for example, has {}.</source>
+        <translation>Diese Gelenkwinkel sind wahrscheinlich Grad, die als Radiant gelesen wurden: {} von {} Drehgelenken liegen weit außerhalb ihrer Grenzen, in Grad keines. Gelenk {} zum Beispiel hat {}.</translation>
+    </message>
+    <message>
+        <source>there is no such mesh file</source>
+        <translation>Diese Netzdatei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>expected a mesh file, but this is none</source>
+        <translation>Eine Netzdatei wird erwartet, das ist aber keine</translation>
+    </message>
+    <message>
+        <source>is too large: at most {} MB of a mesh are read</source>
+        <translation>ist zu groß: Von einem Netz werden höchstens {} MB gelesen</translation>
+    </message>
+    <message>
+        <source>expected a mesh of triangles, but it has none</source>
+        <translation>Ein Netz aus Dreiecken wird erwartet, es hat aber keine</translation>
+    </message>
+    <message>
+        <source>nests its parts too deeply</source>
+        <translation>verschachtelt seine Teile zu tief</translation>
+    </message>
+    <message>
+        <source>has more than {} triangles</source>
+        <translation>hat mehr als {} Dreiecke</translation>
+    </message>
+    <message>
+        <source>point {} is not finite or farther than {} from its origin</source>
+        <translation>Punkt {} ist nicht endlich oder weiter als {} vom Ursprung entfernt</translation>
+    </message>
+    <message>
+        <source>this is no mesh that can be read: {}</source>
+        <translation>Das ist kein lesbares Netz: {}</translation>
+    </message>
+    <message>
+        <source>this is no valid URDF; urdfdom says: {}</source>
+        <translation>Das ist keine gültige URDF; urdfdom meldet: {}</translation>
+    </message>
+    <message>
+        <source>link {}</source>
+        <translation>Glied {}</translation>
+    </message>
+    <message>
+        <source>joint {}</source>
+        <translation>Gelenk {}</translation>
+    </message>
+    <message>
+        <source>expected an origin of metres, at most {}</source>
+        <translation>Ein Ursprung in Metern bis höchstens {} wird erwartet</translation>
+    </message>
+    <message>
+        <source>expected rpy of finite angles in rad</source>
+        <translation>Für rpy werden endliche Winkel in Radiant erwartet</translation>
+    </message>
+    <message>
+        <source>expected a box, cylinder, sphere or mesh</source>
+        <translation>Ein Quader, ein Zylinder, eine Kugel oder ein Netz wird erwartet</translation>
+    </message>
+    <message>
+        <source>expected a scale of three numbers, none of them 0</source>
+        <translation>Ein Maßstab aus drei Zahlen ungleich 0 wird erwartet</translation>
+    </message>
+    <message>
+        <source>expected an axis of three finite numbers</source>
+        <translation>Eine Achse aus drei endlichen Zahlen wird erwartet</translation>
+    </message>
+    <message>
+        <source>expected an axis, but its length is 0</source>
+        <translation>Eine Achse wird erwartet, ihre Länge ist aber 0</translation>
+    </message>
+    <message>
+        <source>expected limits of which the lower is not above the upper</source>
+        <translation>Grenzen werden erwartet, deren untere nicht über der oberen liegt</translation>
+    </message>
+    <message>
+        <source>Joint {} is a floating one; it is taken as fixed at its zero.</source>
+        <translation>Gelenk {} ist frei beweglich; es wird als fest in seiner Nullstellung genommen.</translation>
+    </message>
+    <message>
+        <source>Joint {} is a planar one; it is taken as fixed at its zero.</source>
+        <translation>Gelenk {} ist in einer Ebene beweglich; es wird als fest in seiner Nullstellung genommen.</translation>
+    </message>
+    <message>
+        <source>expected the type revolute, continuous, prismatic, fixed, floating or planar</source>
+        <translation>Der Typ revolute, continuous, prismatic, fixed, floating oder planar wird erwartet</translation>
+    </message>
+    <message>
+        <source>mimics joint {}, which is not among the robot&apos;s joints</source>
+        <translation>folgt Gelenk {}, das der Roboter nicht hat</translation>
+    </message>
+    <message>
+        <source>expected a multiplier and an offset that are finite</source>
+        <translation>Ein endlicher Faktor und ein endlicher Versatz werden erwartet</translation>
+    </message>
+    <message>
+        <source>mimics joints that mimic each other in a circle</source>
+        <translation>folgt Gelenken, die einander im Kreis folgen</translation>
+    </message>
+    <message>
+        <source>the mesh {} can&apos;t be found: {}</source>
+        <translation>Das Netz {} ist nicht zu finden: {}</translation>
+    </message>
+    <message>
+        <source>say which folder is the package {}, as --package {}=FOLDER</source>
+        <translation>Geben Sie den Ordner des Pakets {} an: --package {}=ORDNER</translation>
+    </message>
+    <message>
+        <source>expected package://NAME/FILE, file:///FILE or a path</source>
+        <translation>package://NAME/DATEI, file:///DATEI oder ein Pfad wird erwartet</translation>
+    </message>
+    <message>
+        <source>the robot has no link {}</source>
+        <translation>Der Roboter hat kein Glied {}</translation>
+    </message>
+    <message>
+        <source>the robot has no joint {}</source>
+        <translation>Der Roboter hat kein Gelenk {}</translation>
+    </message>
+    <message>
+        <source>The body of link {} would be {} m long: its mesh is probably in millimetres, where a URDF needs metres. With a scale of 0.001 it would be {} long.</source>
+        <translation>Der Körper von Glied {} wäre {} m lang: Sein Netz ist wahrscheinlich in Millimetern, wo eine URDF Meter braucht. Im Maßstab 0,001 wäre er {} lang.</translation>
+    </message>
+    <message>
+        <source>The body of link {} would be only {} long: its mesh is probably scaled twice. With a scale 1000 times as large it would be {} long.</source>
+        <translation>Der Körper von Glied {} wäre nur {} lang: Sein Netz ist wahrscheinlich zweimal verkleinert. In tausendfachem Maßstab wäre er {} lang.</translation>
+    </message>
+    <message>
+        <source>this is not well-formed XML ({}; truncated?), expected a URDF</source>
+        <translation>Das ist kein wohlgeformtes XML ({}; abgeschnitten?), erwartet wird eine URDF</translation>
+    </message>
+    <message>
+        <source>expected a URDF, whose root element is &lt;robot&gt;, found &lt;{}&gt;</source>
+        <translation>Eine URDF mit dem Wurzelelement &lt;robot&gt; wird erwartet, gefunden: &lt;{}&gt;</translation>
+    </message>
+    <message>
+        <source>the elements are nested too deeply for a URDF</source>
+        <translation>Die Elemente sind für eine URDF zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>{} is xacro, from which URDF is made: run xacro first, and open what it writes</source>
+        <translation>{} ist xacro, woraus URDF erst entsteht: Rufen Sie zuerst xacro auf, und öffnen Sie dessen Ausgabe</translation>
+    </message>
+    <message>
+        <source>&lt;{}&gt; has no name</source>
+        <translation>&lt;{}&gt; hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>there is a {} {} already, in line {}: expected each name once</source>
+        <translation>Ein {} {} gibt es schon in Zeile {}: Jeder Name wird nur einmal erwartet</translation>
+    </message>
+    <message>
+        <source>there are more than {} links</source>
+        <translation>Es gibt mehr als {} Glieder</translation>
+    </message>
+    <message>
+        <source>expected links, but the robot has none</source>
+        <translation>Glieder werden erwartet, der Roboter hat aber keine</translation>
+    </message>
+    <message>
+        <source>link {} has two parents, by the joints {} and {}: a URDF is a tree</source>
+        <translation>Glied {} hat durch die Gelenke {} und {} zwei Eltern: Eine URDF ist ein Baum</translation>
+    </message>
+    <message>
+        <source>no joint carries link {}, nor link {}: expected one root</source>
+        <translation>Weder Glied {} noch Glied {} hängt an einem Gelenk: Nur eine Wurzel wird erwartet</translation>
+    </message>
+    <message>
+        <source>the joints {} form a loop: a URDF is a tree, whose root no joint carries</source>
+        <translation>Die Gelenke {} bilden eine Schleife: Eine URDF ist ein Baum, dessen Wurzel an keinem Gelenk hängt</translation>
+    </message>
+    <message>
+        <source>kind: expected capture, remove, restore, disable, enable, joints, mute, unmute, skin, source, truth or options, found &quot;{}&quot;</source>
+        <translation>Art: capture, remove, restore, disable, enable, joints, mute, unmute, skin, source, truth oder options wird erwartet, gefunden: „{}“</translation>
+    </message>
+    <message>
+        <source>the name of a joint</source>
+        <translation>der Name eines Gelenks</translation>
+    </message>
+    <message>
+        <source>a position of at most {}</source>
+        <translation>eine Stellung von höchstens {}</translation>
+    </message>
+    <message>
+        <source>each joint once</source>
+        <translation>jedes Gelenk nur einmal</translation>
+    </message>
+    <message>
+        <source>expected a size above 0 and at most {} m</source>
+        <translation>Eine Größe über 0 und bis höchstens {} m wird erwartet</translation>
+    </message>
+    <message>
+        <source>expected a radius above 0 and at most {} m</source>
+        <translation>Ein Radius über 0 und bis höchstens {} m wird erwartet</translation>
+    </message>
+    <message>
+        <source>expected a length above 0 and at most {} m</source>
+        <translation>Eine Länge über 0 und bis höchstens {} m wird erwartet</translation>
+    </message>
+    <message>
+        <source>joint {} has no &lt;{} link=&quot;...&quot;&gt;</source>
+        <translation>Gelenk {} hat kein &lt;{} link=&quot;...&quot;&gt;</translation>
+    </message>
+    <message>
+        <source>joint {}: &lt;{} link=&quot;{}&quot;&gt; names none of the robot&apos;s links</source>
+        <translation>Gelenk {}: &lt;{} link=&quot;{}&quot;&gt; nennt kein Glied des Roboters</translation>
     </message>
 </context>
 <context>

@@ -154,8 +154,22 @@ def hexo():
     put("hexo", "no_database", b"R" + b"SQLite format 3\0" + bytes(84))
 
 
+def robots():
+    demo = (HERE.parent.parent / "resources/robot/demo_arm.urdf").read_bytes()
+    put("urdf", "demo_arm", demo)
+    put("urdf", "loop", demo.replace(b'<parent link="base"/>', b'<parent link="forearm"/>'))
+    put("urdf", "two_parents", demo.replace(b'<child link="hand"/>', b'<child link="shoulder"/>'))
+    put("urdf", "xacro", demo.replace(b'<link name="base">', b'<xacro:include filename="x"/><link name="base">'))
+    put("urdf", "package", demo.replace(b"meshes/", b"package://arm/meshes/"))
+    put("urdf", "mimic_circle", demo.replace(b'<mimic joint="grip"/>', b'<mimic joint="grip_other"/>'))
+    put("urdf", "not_finite", demo.replace(b'xyz="0 0 0.29"', b'xyz="0 nan 1e999"'))
+    put("joint_angles_csv", "units", b"pose,elbow[deg],wrist_rad,lift (mm)\n1,90,0.5,100\n2,-1e-3,0,0\n")
+    put("joint_angles_csv", "times", b"# unit: deg\ntime[ms];wrist;lift[m]\n1000;1;0\n2000;\"3\";0.1\n")
+
+
 skinwire()
 documents()
+robots()
 hostile_documents()
 hexo()
 if len(sys.argv) > 1:

@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -22,7 +23,7 @@ using BoxOfTriangle = std::pair<MeshBox, std::uint32_t>;
 using BoxTree = bg::index::rtree<BoxOfTriangle, bg::index::rstar<8>>;
 
 constexpr double kEdge = 40 * kDegree;
-constexpr double kStep_m = 0.001;
+constexpr double kStep_m = 0.002;
 constexpr double kCurvatureStep_m = 0.004;
 /// A triangle of less area has no direction.
 constexpr double kLeastArea_m2 = 1e-14;
@@ -126,23 +127,30 @@ void MeshSurface::State::addTriangles(const TriangleMesh& mesh) {
 }
 
 Foot MeshSurface::State::footOf(const Eigen::Vector3d& x) const {
+  constexpr unsigned kFirst = 32;
+  const MeshPoint point = toBoost(x);
   double nearest_m2 = std::numeric_limits<double>::infinity();
   Foot foot;
-  const MeshPoint point = toBoost(x);
-  // Boxes come nearest first: once a box is farther than the best triangle, so are all others.
+  std::vector<BoxOfTriangle> near;
   const auto all = static_cast<unsigned>(triangles.size());
-  for (auto found = tree.qbegin(bg::index::nearest(point, all)); found != tree.qend(); ++found) {
-    if (bg::comparable_distance(point, found->first) > nearest_m2) break;
-    const Corners& corners = triangles[found->second];
-    const Eigen::Vector3d w = nearestInTriangle(corners, x);
-    const Eigen::Vector3d position = w[0] * corners[0] + w[1] * corners[1] + w[2] * corners[2];
-    const double distance_m2 = (position - x).squaredNorm();
-    if (distance_m2 >= nearest_m2) continue;
-    nearest_m2 = distance_m2;
-    const Corners& at_corners = normals[found->second];
-    foot = {position, (w[0] * at_corners[0] + w[1] * at_corners[1] + w[2] * at_corners[2]).normalized()};
+  // The boxes that are nearest; more of them, until one is farther than the nearest triangle: then all others are, too.
+  for (unsigned count = std::min(kFirst, all);; count = std::min(4 * count, all)) {
+    near.clear();
+    tree.query(bg::index::nearest(point, count), std::back_inserter(near));
+    double farthest_m2 = 0;
+    for (const auto& [box, triangle] : near) {
+      farthest_m2 = std::max(farthest_m2, bg::comparable_distance(point, box));
+      const Corners& corners = triangles[triangle];
+      const Eigen::Vector3d w = nearestInTriangle(corners, x);
+      const Eigen::Vector3d position = w[0] * corners[0] + w[1] * corners[1] + w[2] * corners[2];
+      const double distance_m2 = (position - x).squaredNorm();
+      if (distance_m2 >= nearest_m2) continue;
+      nearest_m2 = distance_m2;
+      const Corners& at_corners = normals[triangle];
+      foot = {position, (w[0] * at_corners[0] + w[1] * at_corners[1] + w[2] * at_corners[2]).normalized()};
+    }
+    if (count == all || farthest_m2 > nearest_m2) return foot;
   }
-  return foot;
 }
 
 /// The point of the surface at height_m: the one that stands on a foot's smooth normal, which is not quite the normal

@@ -13,7 +13,7 @@ namespace hexoderm {
 /// Normals are smooth where the body is: within a triangle they go over from corner to corner, and at a corner they are
 /// the mean of the triangles that meet there, weighted by their angles, but for those that meet at more than 40
 /// degrees, which is an edge. Curvatures are those of the normals, over 4 mm to either side. Ways along the surface are
-/// followed in steps of 1 mm.
+/// followed in steps of 2 mm.
 class MeshSurface final : public Surface {
  public:
   /// `T_b_near`: the middle of a patch is laid at the surface's nearest point to its origin, with x as near to its x as

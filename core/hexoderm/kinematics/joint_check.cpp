@@ -36,7 +36,7 @@ Message beyondLimitsMessage(const RobotJoint& joint, double position, const Join
 /// The joints that turn, of which `angles` hold something other than 0.
 struct TurningJoints {
   std::size_t moved = 0;
-  std::size_t outside = 0;             ///< of them, by more than the slack
+  std::size_t outside = 0;             ///< of them, by more than their whole range
   std::size_t outside_as_degrees = 0;  ///< if all positions were degrees
   std::string example;                 ///< the first joint that was outside
   double example_position = 0;
@@ -59,7 +59,7 @@ TurningJoints turningJoints(const RobotModel& robot, std::span<const JointAngles
     }
     if (farthest == 0) continue;
     ++result.moved;
-    if (outside > kAngleSlack) {
+    if (outside > limits.upper - limits.lower + kAngleSlack) {
       if (result.outside == 0) {
         result.example = joint.name;
         result.example_position = farthest;

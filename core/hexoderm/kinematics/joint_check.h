@@ -27,8 +27,8 @@ struct BeyondLimits {
 struct JointDoubts {
   /// One for each joint that is outside its limits by more than 2 degrees or 5 mm, which calibrations of joints excuse.
   std::vector<BeyondLimits> beyond_limits;
-  /// Said where the angles make sense only as degrees: read as rad, most joints that turn are far outside their limits
-  /// (or beyond a whole turn, where they have none), and as degrees none is.
+  /// Said where the angles make sense only as degrees: read as rad, most joints that turn are outside their limits by
+  /// more than their whole range (without limits, by more than six turns), and as degrees none is outside.
   std::optional<Message> probably_degrees;
   [[nodiscard]] bool empty() const { return beyond_limits.empty() && !probably_degrees; }
 };

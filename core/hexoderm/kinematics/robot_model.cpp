@@ -143,22 +143,28 @@ class UrdfConverter {
     return T;
   }
 
-  [[nodiscard]] double lengthOf(double value, const char* what) const {
-    if (!(value > 0 && value <= kFarthestJoint_m)) {
-      fail(message("expected a {} above 0 and at most {} m", what, Number{kFarthestJoint_m, 0}));
-    }
+  [[nodiscard]] double lengthOf(double value, Message expected) const {
+    if (!(value > 0 && value <= kFarthestJoint_m)) fail(std::move(expected));
     return value;
+  }
+  [[nodiscard]] double sizeOf(double value) const {
+    return lengthOf(value, message("expected a size above 0 and at most {} m", Number{kFarthestJoint_m, 0}));
+  }
+  [[nodiscard]] double radiusOf(double value) const {
+    return lengthOf(value, message("expected a radius above 0 and at most {} m", Number{kFarthestJoint_m, 0}));
+  }
+  [[nodiscard]] double cylinderLengthOf(double value) const {
+    return lengthOf(value, message("expected a length above 0 and at most {} m", Number{kFarthestJoint_m, 0}));
   }
 
   [[nodiscard]] LinkShape shapeOf(const urdf::Geometry& geometry, const urdf::Pose& origin) const {
     LinkShape result{placementOf(origin), {}};
     if (const auto* box = dynamic_cast<const urdf::Box*>(&geometry)) {
-      result.shape =
-          BoxShape{{lengthOf(box->dim.x, "size"), lengthOf(box->dim.y, "size"), lengthOf(box->dim.z, "size")}};
+      result.shape = BoxShape{{sizeOf(box->dim.x), sizeOf(box->dim.y), sizeOf(box->dim.z)}};
     } else if (const auto* cylinder = dynamic_cast<const urdf::Cylinder*>(&geometry)) {
-      result.shape = CylinderShape{lengthOf(cylinder->radius, "radius"), lengthOf(cylinder->length, "length")};
+      result.shape = CylinderShape{radiusOf(cylinder->radius), cylinderLengthOf(cylinder->length)};
     } else if (const auto* sphere = dynamic_cast<const urdf::Sphere*>(&geometry)) {
-      result.shape = SphereShape{lengthOf(sphere->radius, "radius")};
+      result.shape = SphereShape{radiusOf(sphere->radius)};
     } else if (const auto* mesh = dynamic_cast<const urdf::Mesh*>(&geometry)) {
       MeshShape shape{mesh->filename, vectorOf(mesh->scale, kMostJointPosition, badScale())};
       if ((shape.scale.array() == 0).any()) fail(badScale());
@@ -452,7 +458,9 @@ std::vector<SE3> RobotModel::forward(const JointAngles& angles) const {
   for (const auto& [name, position] : angles.positions) static_cast<void>(jointNamed(name));
   std::vector<SE3> T_w_l(links().size());
   for (const std::size_t joint : state_->parents_first) {
-    const SE3 T_parent_child = fromKdl(state_->segments[joint].pose(state_->positionOf(joint, angles)));
+    const double position = state_->positionOf(joint, angles);
+    requirePosition(joints()[joint].name, position);  // of a mimicking one it may be anything
+    const SE3 T_parent_child = fromKdl(state_->segments[joint].pose(position));
     T_w_l[joints()[joint].child] = T_w_l[joints()[joint].parent] * T_parent_child;
   }
   return T_w_l;

@@ -109,12 +109,12 @@ class UrdfChecker {
   std::string linkOf(const JointEnds& joint, const char* end) const {
     const pugi::xml_node node = joint.node.child(end);
     const std::string name = node.attribute("link").value();
-    if (name.empty()) fail(joint.node, message("joint {} names no {} link", joint.name, end));
+    if (name.empty()) fail(joint.node, message("joint {} has no <{} link=\"...\">", joint.name, end));
     if (!result_.line_of_link.contains(name)) {
       const std::optional<std::string> meant = nearMatch(name, result_.links);
       const Message hint = meant ? message("did you mean {}?", *meant) : Message();
       fail(node,
-           inRow({message("the {} link of joint {}, {}, is not among the robot's links", end, joint.name, name), hint},
+           inRow({message("joint {}: <{} link=\"{}\"> names none of the robot's links", joint.name, end, name), hint},
                  "; "));
     }
     return name;

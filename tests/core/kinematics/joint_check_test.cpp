@@ -37,8 +37,7 @@ TEST(JointCheck, NamesTheWorstPoseOfEachJointBeyondItsLimits) {
   EXPECT_EQ(doubts.beyond_limits[0].index, 1U);
   EXPECT_EQ(doubts.beyond_limits[0].position, 2.8);
   EXPECT_THAT(doubts.beyond_limits[0].message.english(), saysAll("elbow", "160.4°", "131.8°"));
-  EXPECT_FALSE(
-      doubts.probably_degrees);  // as degrees they would be inside, but two joints of three are as they should be
+  EXPECT_FALSE(doubts.probably_degrees) << "as degrees it would be inside, but it is not far outside";
 }
 
 TEST(JointCheck, NoticesDegreesThatWereReadAsRadians) {

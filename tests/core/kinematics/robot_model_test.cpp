@@ -199,7 +199,7 @@ TEST(RobotModel, NamesWhatIsNoTree) {
   EXPECT_THAT(complaint(links + joint("j", "a", "c") + joint("k", "b", "c") + "</robot>"),
               saysAll("line 3", "link c", "two parents", "j", "k"));
   EXPECT_THAT(complaint(links + joint("j", "a", "c") + "</robot>"), saysAll("link b", "link a", "one root"));
-  EXPECT_THAT(complaint(links + joint("j", "aa", "c") + "</robot>"), saysAll("line 2", "parent", "joint j", "aa"));
+  EXPECT_THAT(complaint(links + joint("j", "aa", "c") + "</robot>"), saysAll("line 2", "parent", "joint j", "\"aa\""));
   EXPECT_THAT(complaint(links + joint("forearm", "a", "") + "</robot>"), saysAll("forearm", "child"));
   EXPECT_THAT(complaint(links + joint("j", "a", "b") + joint("j", "a", "c") + "</robot>"),
               saysAll("line 3", "joint j", "line 2"));
@@ -244,11 +244,11 @@ TEST(RobotModel, NamesNumbersThatMakeNoRobot) {
 TEST(RobotModel, RefusesAnglesOfUnknownJointsAndThoseThatAreNoNumbers) {
   const RobotModel arm = RobotModel::read(kDemoRobot);
   EXPECT_THAT(messageOf<InvalidArgument>([&] {
-                arm.forward({{{"elbo", 1}}});
+                static_cast<void>(arm.forward({{{"elbo", 1}}}));
               }),
               saysAll("demo_arm.urdf", "elbo", "did you mean elbow?"));
   EXPECT_THAT(messageOf<InvalidArgument>([&] {
-                arm.forward({{{"elbow", std::numeric_limits<double>::quiet_NaN()}}});
+                static_cast<void>(arm.forward({{{"elbow", std::numeric_limits<double>::quiet_NaN()}}}));
               }),
               saysAll("elbow", "finite"));
   EXPECT_THAT(messageOf<InvalidArgument>([&] { static_cast<void>(arm.linkNamed("fore_arm")); }),

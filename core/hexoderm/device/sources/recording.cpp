@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <mutex>
@@ -57,6 +58,8 @@ struct StreamRecorder::Impl {
 
   Impl(std::filesystem::path where, SkinListener& listener) : path(std::move(where)), next(listener) {}
 
+  std::vector<std::string> joint_names;  ///< as last written since the description
+
   void fail(const Message& why) {
     file.close();
     const std::lock_guard lock(mutex);
@@ -80,6 +83,7 @@ struct StreamRecorder::Impl {
   void writeDescription() {
     write(skinwire::helloOf(skin, 0, stream));
     for (const skinwire::Topology& part : skinwire::topologyParts(skin.neighbors, topology)) write(part);
+    joint_names.clear();
   }
 
   /// Recording must not take listening down with it.
@@ -155,6 +159,25 @@ void StreamRecorder::onDeviceStatus(const DeviceStatus& status) {
   impl_->next.onDeviceStatus(status);
   impl_->guarded([&] {
     impl_->write(skinwire::Status{status.text, status.exploring, status.samples_sent, status.samples_dropped});
+  });
+}
+
+void StreamRecorder::onJoints(const JointReport& joints) {
+  impl_->next.onJoints(joints);
+  if (joints.angles.positions.empty()) return;
+  impl_->guarded([&] {
+    skinwire::Joints message;
+    message.time_us = static_cast<std::uint64_t>(std::llround(1e6 * std::max(0.0, joints.time_s)));
+    for (const auto& [name, position] : joints.angles.positions) {
+      message.names.push_back(name);
+      message.position.push_back(position);
+    }
+    if (message.names == impl_->joint_names) {
+      message.names.clear();
+    } else {
+      impl_->joint_names = message.names;
+    }
+    impl_->write(message);
   });
 }
 
