@@ -91,7 +91,7 @@ def calibrations(program):
 
 
 def entry(kind, detail, samples=None, raw=None):
-    kinds = ["skin", "capture", "source", "truth", "remove", "restore", "disable", "enable", "options", "mute", "unmute"]
+    kinds = ["skin", "capture", "source", "truth", "remove", "restore", "disable", "enable", "options", "mute", "unmute", "joints"]
     flags = (0x10 if samples is not None else 0) | (0x20 if raw is not None else 0)
     pieces = [detail if isinstance(detail, bytes) else json.dumps(detail).encode()] + [piece for piece in (samples, raw) if piece is not None]
     return bytes([kinds.index(kind) | flags]) + b"".join(struct.pack("<H", len(piece)) + piece for piece in pieces)
@@ -101,7 +101,7 @@ def forged_database(schema):
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "forged.hexo"
         database = sqlite3.connect(path)
-        database.executescript(f"PRAGMA page_size=512; PRAGMA application_id={0x4845584F}; PRAGMA user_version=2; {schema}")
+        database.executescript(f"PRAGMA page_size=512; PRAGMA application_id={0x4845584F}; PRAGMA user_version=3; {schema}")
         database.close()
         return path.read_bytes()
 
@@ -126,6 +126,9 @@ def hexo():
         entry("restore", {"capture": 4, "place": 1}) +
         entry("mute", {"source": 1, "source_port": 2, "target": 2, "target_port": 3, "why": "cable"}) +
         entry("unmute", {"source": 1, "source_port": 2, "target": 2, "target_port": 3}) + entry("options", {"solver": "tree"}))
+    joints = [{"joint": "elbow", "position": 0.5}, {"joint": "lift", "position": -1e-3}]
+    put("hexo", "journal_joints", b"J" + skin + captures + entry("joints", {"capture": 2, "joint_angles": joints}) +
+        entry("joints", {"capture": 2, "joint_angles": []}))
     put("hexo", "journal_without_skin", b"J" + captures)
     # Journals whose digests are right, by somebody who means harm.
     twice = json.dumps({"cell_model": model, "cells": cells}).encode()[:-1] + b', "cells": []}'

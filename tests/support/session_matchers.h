@@ -26,6 +26,7 @@ bool sameBits(const A& a, const B& b) {
 inline void expectSamePose(const SessionPose& a, const SessionPose& b) {
   EXPECT_EQ(a.disabled, b.disabled);
   EXPECT_EQ(a.why_disabled, b.why_disabled);
+  EXPECT_EQ(a.joint_angles, b.joint_angles);
   EXPECT_EQ(a.capture->id, b.capture->id);
   EXPECT_EQ(a.capture->label, b.capture->label);
   EXPECT_EQ(a.capture->taken_at_ms, b.capture->taken_at_ms);
@@ -94,6 +95,7 @@ inline Session sessionWithEverything() {
     if (id == 3) b.cov_g2(2, 1) = b.cov_g2(1, 2) = -0.0;
     capture.samples = {a, b};
     session.addPose({std::make_shared<const PoseCapture>(capture), id == 2, id == 2 ? "the arm moved" : ""});
+    if (id != 1) session.setJointAngles(id - 1, {{{"elbow", id / 3.0}, {"a \"wrist\"", -1e-17}}});
   }
   session.setLinkMuted({CellId(2), PortNumber(3)}, {CellId(1), PortNumber(2)}, true, "a \"cable\"\n");
   session.setLinkMuted({CellId(7), PortNumber(1)}, {CellId(7), PortNumber(4)}, true);

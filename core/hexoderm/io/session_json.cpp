@@ -59,8 +59,9 @@ SessionPose readPose(const JsonReader& json) {
   }
   const auto disabled = json.find("disabled");
   const auto why = json.find("why_disabled");
+  const auto joints = json.find("joint_angles");
   return {std::make_shared<const PoseCapture>(std::move(capture)), disabled && disabled->boolean(),
-          why ? why->string() : std::string()};
+          why ? why->string() : std::string(), joints ? readJointAngles(*joints) : JointAngles()};
 }
 
 /// Somebody's program wrote another unit: no reading would count, and nothing would say why. Throws FormatError.
@@ -99,6 +100,7 @@ Json poseJson(const SessionPose& pose) {
   if (pose.capture->taken_at_ms) json["taken_at_ms"] = *pose.capture->taken_at_ms;
   if (pose.disabled) json["disabled"] = true;
   if (!pose.why_disabled.empty()) json["why_disabled"] = pose.why_disabled;
+  if (!pose.joint_angles.positions.empty()) json["joint_angles"] = jointAnglesJson(pose.joint_angles);
   json["samples"] = Json::array();
   for (const GravitySample& sample : pose.capture->samples) {
     Json item;

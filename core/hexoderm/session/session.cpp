@@ -40,6 +40,7 @@ void Session::addPose(SessionPose pose, std::optional<std::size_t> index) {
   if (!pose.capture) throw InvalidArgument(message("a pose must hold a capture"));
   const std::size_t at = index.value_or(poses_.size());
   if (at > poses_.size()) throw InvalidArgument(message("there is no place {} among the poses", at));
+  pose.joint_angles.validate();
   largest_pose_id_ = std::max(largest_pose_id_, pose.capture->id.value());
   poses_.insert(poses_.begin() + static_cast<std::ptrdiff_t>(at), std::move(pose));
   ++revision_;
@@ -57,6 +58,13 @@ void Session::setPoseDisabled(std::size_t index, bool disabled, std::string why)
   if (index >= poses_.size()) throw InvalidArgument(message("there is no pose at place {}", index));
   poses_[index].disabled = disabled;
   poses_[index].why_disabled = disabled ? std::move(why) : std::string();
+  ++revision_;
+}
+
+void Session::setJointAngles(std::size_t index, JointAngles angles) {
+  if (index >= poses_.size()) throw InvalidArgument(message("there is no pose at place {}", index));
+  angles.validate();
+  poses_[index].joint_angles = std::move(angles);
   ++revision_;
 }
 

@@ -4,6 +4,7 @@
 #include "hexoderm/device/ground_truth.h"
 #include "hexoderm/graph/cell_model.h"
 #include "hexoderm/graph/neighbor_list.h"
+#include "hexoderm/kinematics/joint_angles.h"
 
 #include <cstdint>
 #include <memory>
@@ -18,6 +19,7 @@ struct SessionPose {
   std::shared_ptr<const PoseCapture> capture;  ///< never null
   bool disabled = false;
   std::string why_disabled{};  ///< the operator's words; empty if none
+  JointAngles joint_angles{};  ///< where the joints of the robot stood that wears the skin; empty if not known
 };
 
 /// The origin of a session, written into every calibration made of it.
@@ -77,6 +79,9 @@ class Session {
   SessionPose removePose(std::size_t index);
   /// `why` is kept while the pose is disabled.
   void setPoseDisabled(std::size_t index, bool disabled, std::string why = {});
+  /// Where the joints of the robot stood in a pose; empty: not known. Throws InvalidArgument if there is no such index,
+  /// and for positions that JointAngles::validate() refuses.
+  void setJointAngles(std::size_t index, JointAngles angles);
   /// Sets the link between two ports, in either order, aside or takes it back; `why` is kept while it is set aside. The
   /// link need not be in the topology. Throws InvalidArgument if both ends are the same port.
   void setLinkMuted(LinkEnd a, LinkEnd b, bool muted, std::string why = {});

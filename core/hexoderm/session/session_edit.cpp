@@ -19,6 +19,7 @@ struct Apply {
   void operator()(const RemovePose& remove) const { session.removePose(remove.index); }
   void operator()(const RestorePose& restore) const { session.addPose(restore.pose, restore.index); }
   void operator()(const SetPoseDisabled& set) const { session.setPoseDisabled(set.index, set.disabled, set.why); }
+  void operator()(const SetJointAngles& set) const { session.setJointAngles(set.index, set.angles); }
   void operator()(const SetLinkMuted& set) const { session.setLinkMuted(set.a, set.b, set.muted, set.why); }
   void operator()(const SetSkin& skin) const {
     if (!skin.model) throw InvalidArgument(message("a skin must have a cell model"));
@@ -37,6 +38,9 @@ struct Invert {
   SessionEdit operator()(const SetPoseDisabled& set) const {
     const SessionPose& pose = poseAt(before, set.index);
     return SetPoseDisabled{set.index, pose.disabled, pose.why_disabled};
+  }
+  SessionEdit operator()(const SetJointAngles& set) const {
+    return SetJointAngles{set.index, poseAt(before, set.index).joint_angles};
   }
   SessionEdit operator()(const SetLinkMuted& set) const {
     const MutedLink* link = before.findMutedLink(set.a, set.b);

@@ -36,6 +36,11 @@ struct SetPoseDisabled {
   bool disabled = true;
   std::string why{};
 };
+/// Session::setJointAngles(): those read from a file, typed, or sent by the device.
+struct SetJointAngles {
+  std::size_t index = 0;
+  JointAngles angles{};
+};
 /// Session::setLinkMuted().
 struct SetLinkMuted {
   LinkEnd a;
@@ -50,7 +55,8 @@ struct SetSkin {
 };
 
 /// One edit of a session, as a value: it is applied to sessions, kept for undo and written to files.
-using SessionEdit = std::variant<AddPose, RemovePose, RestorePose, SetPoseDisabled, SetLinkMuted, SetSkin>;
+using SessionEdit =
+    std::variant<AddPose, RemovePose, RestorePose, SetPoseDisabled, SetJointAngles, SetLinkMuted, SetSkin>;
 
 /// Changes the session. Throws InvalidArgument if the edit makes no sense for it (no such pose, no capture, a link with
 /// two equal ends, no cell model); the session then is as before.

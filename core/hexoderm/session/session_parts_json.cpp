@@ -3,6 +3,7 @@
 #include "hexoderm/util/limits.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace hexoderm {
@@ -70,6 +71,26 @@ Json mutedLinkJson(const MutedLink& link) {
   json["target"] = link.target.cell.value();
   json["target_port"] = link.target.port.value();
   if (!link.why.empty()) json["why"] = link.why;
+  return json;
+}
+
+JointAngles readJointAngles(const JsonReader& json) {
+  JointAngles angles;
+  for (const JsonReader& item : json.items()) {
+    const std::string joint = item.at("joint").string();
+    if (joint.empty()) item.at("joint").fail(message("the name of a joint"));
+    const double position = item.at("position").number();
+    if (std::abs(position) > kMostJointPosition) {
+      item.at("position").fail(message("a position of at most {}", Number{kMostJointPosition, 0}));
+    }
+    if (!angles.positions.emplace(joint, position).second) item.at("joint").fail(message("each joint once"));
+  }
+  return angles;
+}
+
+Json jointAnglesJson(const JointAngles& angles) {
+  Json json = Json::array();
+  for (const auto& [joint, position] : angles.positions) json.push_back({{"joint", joint}, {"position", position}});
   return json;
 }
 

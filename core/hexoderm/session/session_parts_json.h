@@ -16,6 +16,10 @@ nlohmann::ordered_json neighborsJson(const NeighborList& neighbors);
 MutedLink readMutedLink(const JsonReader& json);
 nlohmann::ordered_json mutedLinkJson(const MutedLink& link);
 
+/// `[{"joint", "position"}]`, rad or m. Reading throws FormatError for a joint that is given twice.
+JointAngles readJointAngles(const JsonReader& json);
+nlohmann::ordered_json jointAnglesJson(const JointAngles& angles);
+
 GroundTruth readTruth(const JsonReader& json);
 nlohmann::ordered_json truthJson(const GroundTruth& truth);
 

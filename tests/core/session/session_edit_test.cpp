@@ -5,6 +5,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 namespace hexoderm {
 namespace {
 
@@ -19,6 +21,7 @@ Session threePoses() {
   Session session(builtInCellModel("hex-bma150"), {{CellId(1), "", {}}, {CellId(2), "", {}}});
   for (std::uint32_t id : {4U, 5U, 6U}) session.addPose(pose(id));
   session.setPoseDisabled(1, true, "someone leaned on the arm");
+  session.setJointAngles(2, {{{"elbow", 1.5}}});
   session.setLinkMuted(kA, kB, true, "a cable");
   return session;
 }
@@ -34,6 +37,9 @@ std::vector<SessionEdit> edits() {
           SetPoseDisabled{0, true, "too warm"},
           SetPoseDisabled{1, false, ""},
           SetPoseDisabled{1, true, "for another reason"},
+          SetJointAngles{0, {{{"elbow", 0.1}}}},
+          SetJointAngles{2, {{{"elbow", -0.1}, {"wrist", 3}}}},
+          SetJointAngles{2, {}},
           SetLinkMuted{kB, kA, false, ""},
           SetLinkMuted{kA, kB, true, "for another reason"},
           SetLinkMuted{kA, {CellId(2), PortNumber(1)}, true, "a joint"},
@@ -69,9 +75,17 @@ TEST(SessionEdit, ACaptureThatComesBackIsRestored) {
 }
 
 TEST(SessionEdit, OneThatMakesNoSenseIsRefusedAndChangesNothing) {
-  const std::vector<SessionEdit> bad = {AddPose{pose(9), 4},     AddPose{},           RemovePose{3},
-                                        RestorePose{pose(9), 4}, RestorePose{},       SetPoseDisabled{3},
-                                        SetLinkMuted{kA, kA},    SetSkin{nullptr, {}}};
+  const std::vector<SessionEdit> bad = {AddPose{pose(9), 4},
+                                        AddPose{},
+                                        RemovePose{3},
+                                        RestorePose{pose(9), 4},
+                                        RestorePose{},
+                                        SetPoseDisabled{3},
+                                        SetLinkMuted{kA, kA},
+                                        SetSkin{nullptr, {}},
+                                        SetJointAngles{3},
+                                        SetJointAngles{0, {{{"elbow", NAN}}}},
+                                        SetJointAngles{0, {{{"", 1}}}}};
   for (const SessionEdit& edit : bad) {
     SCOPED_TRACE(edit.index());
     Session session = threePoses();

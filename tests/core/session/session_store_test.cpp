@@ -211,6 +211,22 @@ TEST_F(SessionStoreTest, KeepsWhichLinksAreSetAsideAndWhy) {
   EXPECT_EQ(readSessionStore(path_).mutedLinks().size(), 1U) << "the skin may be explored anew";
 }
 
+TEST_F(SessionStoreTest, KeepsWhereTheRobotsJointsStoodThroughRemovals) {
+  SessionStore store = SessionStore::create(path_, sessionWithEverything());
+  const JointAngles angles{{{"elbow", 0.1}, {"wrist", -2}}};
+  appendOne(store, SetJointAngles{0, angles});
+  EXPECT_EQ(readSessionStore(path_).poses()[0].joint_angles, angles);
+  const SessionPose before = store.readSession().poses()[0];
+  appendOne(store, RemovePose{0});
+  appendOne(store, RestorePose{before, 0});
+  EXPECT_EQ(readSessionStore(path_).poses()[0].joint_angles, angles);
+  appendOne(store, SetJointAngles{0, {}});
+  EXPECT_TRUE(readSessionStore(path_).poses()[0].joint_angles.positions.empty());
+  EXPECT_EQ(kinds(store).back(), "joints");
+  EXPECT_THROW(appendOne(store, SetJointAngles{0, {{{"elbow", std::numeric_limits<double>::infinity()}}}}),
+               InvalidArgument);
+}
+
 TEST_F(SessionStoreTest, KeepsSourceSkinTruthAndOptionsAsLastSet) {
   SessionStore store = SessionStore::create(path_, sessionWithEverything());
   EXPECT_EQ(store.options(), "{}");

@@ -12,13 +12,6 @@
 
 namespace hexoderm {
 
-/// The specific force on a moving body at one moment, in the body's axes: an accelerometer fixed at p_b reads up_b +
-/// field_b (p_b - hand_b), g.
-struct BodyMotion {
-  Eigen::Vector3d up_b;     ///< specific force at the hand: gravity's and the tremor's
-  Eigen::Matrix3d field_b;  ///< angular and centripetal acceleration per lever arm, g/m
-};
-
 /// No hand turns a part faster than 120 degrees per second.
 inline constexpr double kFastestTurn_rad_s = 120 * kDegree;
 

@@ -103,6 +103,9 @@ struct SimulatedSkin::State {
     bool is_bent = false;
     std::size_t recording = 0;
     std::size_t tick = 0;
+    std::function<BodyMotion(double time_s)> carried{};  ///< instead of `motion`
+
+    [[nodiscard]] BodyMotion at(double time_s) const { return carried ? carried(time_s) : motion.at(time_s); }
   };
   std::optional<RobotMotion> robot;  ///< absent unless it holds the part
   std::optional<Hold> live;
@@ -116,6 +119,8 @@ struct SimulatedSkin::State {
   [[nodiscard]] double liveTime_s() const { return static_cast<double>(live->tick) / rate_hz(); }
 
   Hold hold(const Eigen::Vector3d& up_b);
+  Hold hold(const CarriedBody& body);
+  std::vector<SampleFrame> record(Hold holding, std::size_t frame_count);
   void holdLive(const Eigen::Vector3d& up_b);
   template <class Noise>
   void sense(Hold& holding, Noise& noise, SampleFrame& frame);
@@ -135,6 +140,7 @@ SimulatedSkin::State::State(CellModel cell_model, SimulatedSkinOptions skin_opti
   options.validate();
   const PatchPlan plan = planPatch(options.patch, model);
   surface_text = options.surface;
+  if (options.laid_on) options.surface = surface_text = "a body";
   if (options.surface.empty() && options.patch == "x17") options.surface = surface_text = "cylinder:r=0.0501";
   if (options.surface.empty() && plan.is_ring) {
     const double radius = closingRadius(model, plan.cell_count, options.link_law == LinkLaw::Bend);
@@ -142,7 +148,7 @@ SimulatedSkin::State::State(CellModel cell_model, SimulatedSkinOptions skin_opti
     surface_text = "cylinder:r=" + formatFixed(radius, 4);
   }
   if (options.surface.empty()) options.surface = surface_text = "plane";
-  const std::unique_ptr<Surface> surface = makeSurface(options.surface);
+  const std::shared_ptr<const Surface> surface = options.laid_on ? options.laid_on : makeSurface(options.surface);
 
   // IDs run from 1 without gaps, and none may be an interface's: a skin larger than the model's range of IDs gets a
   // wider range.
@@ -180,7 +186,8 @@ void SimulatedSkin::State::drawCells(const std::vector<SE3>& placements) {
   const Accelerometer& accelerometer = model.accelerometer;
   // All chips are of one lot.
   const Eigen::Vector3d shared_offset_g =
-      accelerometer.shared_offset_sigma_g * NormalSource(randomStream(options.seed, Stream::Lot)).nextVector();
+      accelerometer.shared_offset_sigma_g *
+      NormalSource(randomStream(options.lot_seed.value_or(options.seed), Stream::Lot)).nextVector();
   const double own_offset_sigma_g =
       std::sqrt(std::pow(accelerometer.offset_sigma_g, 2) - std::pow(accelerometer.shared_offset_sigma_g, 2));
   truth.reserve(placements.size());
@@ -288,7 +295,7 @@ void SimulatedSkin::State::sense(Hold& holding, Noise& noise, SampleFrame& frame
     return Eigen::Vector3d(output.cwiseMin(accelerometer.range_g).cwiseMax(-accelerometer.range_g));
   };
   const std::vector<SensorChain>& chains = holding.is_bent ? bent_sensors : sensors;
-  const BodyMotion body = holding.motion.at(static_cast<double>(holding.tick++) / rate_hz());
+  const BodyMotion body = holding.at(static_cast<double>(holding.tick++) / rate_hz());
   frame.samples.reserve(truth.size());
   for (std::size_t c = 0; c < truth.size(); ++c) {
     const SensorChain& sensor = chains[c];
@@ -313,17 +320,34 @@ void SimulatedSkin::State::sense(Hold& holding, Noise& noise, SampleFrame& frame
   wrong_delivery->apply(health, holding.recording, frame);
 }
 
-std::vector<SampleFrame> SimulatedSkin::record(const Eigen::Vector3d& up_b, std::size_t frame_count) {
-  State& state = *state_;
-  State::Hold holding = state.hold(up_b);
+SimulatedSkin::State::Hold SimulatedSkin::State::hold(const CarriedBody& body) {
+  const std::size_t recording = recordings++;
+  return {HandMotion(Eigen::Vector3d::UnitZ()),
+          body.hand_b,
+          randomStream(options.seed, Stream::Noise, recording),
+          !bent_sensors.empty() && recording % 2 == 1,
+          recording,
+          0,
+          body.motion};
+}
+
+std::vector<SampleFrame> SimulatedSkin::State::record(Hold holding, std::size_t frame_count) {
   NormalSource noise(holding.noise);
   std::vector<SampleFrame> frames(frame_count);
   for (std::size_t k = 0; k < frame_count; ++k) {
-    frames[k].time_s = state.clock_s + static_cast<double>(k) / state.rate_hz();
-    state.sense(holding, noise, frames[k]);
+    frames[k].time_s = clock_s + static_cast<double>(k) / rate_hz();
+    sense(holding, noise, frames[k]);
   }
-  state.clock_s += static_cast<double>(frame_count) / state.rate_hz() + kPauseBetweenRecordings_s;
+  clock_s += static_cast<double>(frame_count) / rate_hz() + kPauseBetweenRecordings_s;
   return frames;
+}
+
+std::vector<SampleFrame> SimulatedSkin::record(const Eigen::Vector3d& up_b, std::size_t frame_count) {
+  return state_->record(state_->hold(up_b), frame_count);
+}
+
+std::vector<SampleFrame> SimulatedSkin::record(const CarriedBody& body, std::size_t frame_count) {
+  return state_->record(state_->hold(body), frame_count);
 }
 
 void SimulatedSkin::turnTo(const Eigen::Vector3d& up_b) {

@@ -3,11 +3,13 @@
 #include "hexoderm/device/ground_truth.h"
 #include "hexoderm/device/sample_frame.h"
 #include "hexoderm/geometry/se3.h"
+#include "hexoderm/geometry/surface.h"
 #include "hexoderm/graph/cell_model.h"
 #include "hexoderm/graph/neighbor_list.h"
 #include "hexoderm/util/message.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -82,8 +84,12 @@ struct SimulatedSkinOptions {
   std::string patch = "x17";  ///< x17 | ringN | ringN:closed | sheet:ROWSxCOLS
   std::string surface;        ///< plane | cylinder:r=M | sphere:r=M | cone:r=M,angle=RAD | torus:R=M,r=M
                               ///< empty: x17 on cylinder r=0.0501, rings on the cup that closes them, else a plane
+  /// Where it is given, the surface itself instead of its description.
+  std::shared_ptr<const Surface> laid_on{};
   LinkLaw link_law = LinkLaw::Bend;
   std::uint64_t seed = 1;
+  /// Chips of one lot share a part of their offsets, which is drawn from this; absent: from the seed.
+  std::optional<std::uint64_t> lot_seed{};
   double position_jitter_m = 0.0002;      ///< 1 sigma, along the surface and normal to it
   double yaw_jitter_rad = 0;              ///< set by the constructor to 1 degree
   double tilt_jitter_rad = 0;             ///< 0.5 degrees
@@ -113,6 +119,19 @@ struct SimulatedSkinOptions {
   /// shaken by 8 to 35 mg rms an axis (noise with a correlation time of 40 ms), and a single joint about the body's x
   /// axis. Directions that the joint does not reach are replaced by the nearest one that it does (SimulatedSkin::up).
   static SimulatedSkinOptions robot();
+};
+
+/// The specific force on a moving body at one moment, in the body's axes: an accelerometer fixed at p_b reads up_b +
+/// field_b (p_b - hand_b), g.
+struct BodyMotion {
+  Eigen::Vector3d up_b;     ///< specific force at the hand: gravity's and the tremor's
+  Eigen::Matrix3d field_b;  ///< angular and centripetal acceleration per lever arm, g/m
+};
+
+/// A skin's body that something else holds and moves, a robot for example.
+struct CarriedBody {
+  std::function<BodyMotion(double time_s)> motion;  ///< since the hold began
+  Eigen::Vector3d hand_b = Eigen::Vector3d::Zero();
 };
 
 struct TrueCell {
@@ -146,7 +165,7 @@ class SimulatedSkin {
 
   /// The given model, but with interface_id raised if the skin has more cells than IDs below it.
   [[nodiscard]] const CellModel& model() const;
-  /// The given options, with the default surface filled in.
+  /// The given options, with the default surface's description filled in.
   [[nodiscard]] const SimulatedSkinOptions& options() const;
   [[nodiscard]] const NeighborList& neighbors() const;
   [[nodiscard]] const std::vector<TrueCell>& truth() const;
@@ -167,6 +186,9 @@ class SimulatedSkin {
   /// Each call draws new hand motion from the seed and the number of calls made so far. Readings are in the cell frame.
   /// Throws InvalidArgument if `up_b` is zero or not finite.
   std::vector<SampleFrame> record(const Eigen::Vector3d& up_b, std::size_t frame_count = 100);
+
+  /// The same of a body that something else holds and moves, without a hand or joint of the skin's own.
+  std::vector<SampleFrame> record(const CarriedBody& body, std::size_t frame_count = 100);
 
   /// Live: begins to turn the part from where it is until `up_b` points up, and to hold it there as record() does.
   /// Before the first call it lies on a table with +z up, as cells with no motion of their own see it. A robot turns it

@@ -1,0 +1,27 @@
+#include "hexoderm/kinematics/demo_robot.h"
+
+#include "hexoderm/util/error.h"
+
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace hexoderm {
+
+std::filesystem::path demoRobotFile() {
+  const std::filesystem::path name = std::filesystem::path("robot") / "demo_arm.urdf";
+  std::vector<std::filesystem::path> places;
+  std::error_code error;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (!error) places.push_back(program.parent_path().parent_path() / "share" / "hexoderm" / name);
+  places.push_back(std::filesystem::path(HEXODERM_INSTALLED_DATA) / name);
+  places.push_back(std::filesystem::path(HEXODERM_SOURCE_DATA) / name);
+  std::vector<std::string> looked_at;
+  for (const std::filesystem::path& place : places) {
+    if (std::filesystem::exists(place, error)) return place;
+    looked_at.push_back(place.string());
+  }
+  throw StorageError(message("the demo robot is not installed: there is no {}", looked_at));
+}
+
+}  // namespace hexoderm
