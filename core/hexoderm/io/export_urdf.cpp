@@ -13,6 +13,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace hexoderm {
@@ -333,7 +334,7 @@ std::optional<std::size_t> endOfRobot(std::string_view text) {
 }
 
 void requireFits(const RobotUrdf& robot, const ReadUrdf& found, const UrdfContent& content) {
-  for (const SkinTreePatch& patch : content.tree.patches) robot.model.linkNamed(patch.link);
+  for (const SkinTreePatch& patch : content.tree.patches) std::ignore = robot.model.linkNamed(patch.link);  // throws
   const auto requireFree = [&](const SkinFrame& frame, bool is_link) {
     if (is_link && robot.model.findLink(frame.name)) failTaken(robot, message("link"), frame.name);
     if (is_link && robot.model.findJoint(frame.name + "_joint")) {
