@@ -135,7 +135,10 @@ std::string gltfBytes(const Reconstruction& reconstruction, const std::string& f
   appendFloats(binary, triangles.normals);
 
   Json document = {{"asset", {{"version", "2.0"}, {"generator", "Hexoderm"}}}, {"scene", 0}};
-  document["scenes"] = Json::array({{{"nodes", {0}}}});
+  Json root_nodes = Json::array();
+  root_nodes.push_back(0);
+  document["scenes"] = Json::array();
+  document["scenes"].push_back({{"nodes", root_nodes}});
   const auto material_list = skinMaterials();
   Json materials = Json::array();
   Json meshes = Json::array();
@@ -195,7 +198,8 @@ std::string gltfBytes(const Reconstruction& reconstruction, const std::string& f
     return Json{{"buffer", 0}, {"byteOffset", offset}, {"byteLength", length}, {"target", kArrayBuffer}};
   };
   document["bufferViews"] = Json::array({view(0, normals_at), view(normals_at, binary.size() - normals_at)});
-  document["buffers"] = Json::array({{{"byteLength", binary.size()}}});
+  document["buffers"] = Json::array();
+  document["buffers"].push_back({{"byteLength", binary.size()}});
 
   std::string chunks;
   appendChunk(chunks, 0x4E4F534A, document.dump(-1, ' ', false, Json::error_handler_t::replace), ' ');  // "JSON"
