@@ -92,7 +92,7 @@ double linear(std::uint32_t byte) {
   return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
 }
 
-SE3 transformOf(const aiMatrix4x4& m) {
+SE3 fromAssimp(const aiMatrix4x4& m) {
   SE3 T;
   T.R << m.a1, m.a2, m.a3, m.b1, m.b2, m.b3, m.c1, m.c2, m.c3;
   T.t << m.a4, m.b4, m.c4;
@@ -101,7 +101,7 @@ SE3 transformOf(const aiMatrix4x4& m) {
 
 /// The place of every node below one, by its name.
 void collect(const aiNode& at, const SE3& T_parent, std::map<std::string, std::vector<SE3>>& places) {
-  const SE3 T = T_parent * transformOf(at.mTransformation);
+  const SE3 T = T_parent * fromAssimp(at.mTransformation);
   places[at.mName.C_Str()].push_back(T);
   for (unsigned k = 0; k < at.mNumChildren; ++k) collect(*at.mChildren[k], T, places);
 }
