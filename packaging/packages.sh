@@ -23,11 +23,10 @@ core_packages=(
   nlohmann-json3-dev
   protobuf-compiler
   python3 # kill tests and an example sender
-  python3-yaml # reads exports back in tests, as do the next five
+  python3-yaml # reads exports back in tests, as do the next four
   assimp-utils
   libmujoco-dev
   libsdformat-dev
-  liburdfdom-dev
   liburdfdom-tools
   zlib1g-dev # named in the CMake files of libassimp-dev, which does not bring it
 )

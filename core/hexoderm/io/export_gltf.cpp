@@ -92,7 +92,7 @@ double linear(std::uint32_t byte) {
   return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
 }
 
-SE3 transformOf(const aiMatrix4x4& m) {
+SE3 fromAssimp(const aiMatrix4x4& m) {
   SE3 T;
   T.R << m.a1, m.a2, m.a3, m.b1, m.b2, m.b3, m.c1, m.c2, m.c3;
   T.t << m.a4, m.b4, m.c4;
@@ -101,7 +101,7 @@ SE3 transformOf(const aiMatrix4x4& m) {
 
 /// The place of every node below one, by its name.
 void collect(const aiNode& at, const SE3& T_parent, std::map<std::string, std::vector<SE3>>& places) {
-  const SE3 T = T_parent * transformOf(at.mTransformation);
+  const SE3 T = T_parent * fromAssimp(at.mTransformation);
   places[at.mName.C_Str()].push_back(T);
   for (unsigned k = 0; k < at.mNumChildren; ++k) collect(*at.mChildren[k], T, places);
 }
@@ -135,7 +135,10 @@ std::string gltfBytes(const Reconstruction& reconstruction, const std::string& f
   appendFloats(binary, triangles.normals);
 
   Json document = {{"asset", {{"version", "2.0"}, {"generator", "Hexoderm"}}}, {"scene", 0}};
-  document["scenes"] = Json::array({{{"nodes", {0}}}});
+  Json root_nodes = Json::array();
+  root_nodes.push_back(0);
+  document["scenes"] = Json::array();
+  document["scenes"].push_back({{"nodes", root_nodes}});
   const auto material_list = skinMaterials();
   Json materials = Json::array();
   Json meshes = Json::array();
@@ -195,7 +198,8 @@ std::string gltfBytes(const Reconstruction& reconstruction, const std::string& f
     return Json{{"buffer", 0}, {"byteOffset", offset}, {"byteLength", length}, {"target", kArrayBuffer}};
   };
   document["bufferViews"] = Json::array({view(0, normals_at), view(normals_at, binary.size() - normals_at)});
-  document["buffers"] = Json::array({{{"byteLength", binary.size()}}});
+  document["buffers"] = Json::array();
+  document["buffers"].push_back({{"byteLength", binary.size()}});
 
   std::string chunks;
   appendChunk(chunks, 0x4E4F534A, document.dump(-1, ' ', false, Json::error_handler_t::replace), ' ');  // "JSON"

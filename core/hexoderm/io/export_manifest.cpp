@@ -28,7 +28,7 @@ ManifestJson lengthUnitOf(const ExportFormatDescription& format, const ExportOpt
 std::string coordinatesInWords(const Reconstruction& reconstruction, const ManifestFile& file) {
   if (!file.selection.mounted.empty()) {
     std::string words;
-    for (const MountedPatch& mount : file.selection.mounted) {
+    for (const ExportMount& mount : file.selection.mounted) {
       words += std::string(words.empty() ? "" : "; ") + "the patch of cell " + toString(mount.patch->origin) +
                (mount.placed ? " placed on link " + mount.link
                              : " joined to link " + mount.link + " without any offset, for its place is not known");

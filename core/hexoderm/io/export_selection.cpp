@@ -47,9 +47,9 @@ std::vector<const PatchReconstruction*> placedPatches(const Reconstruction& reco
   return placed;
 }
 
-void requireOneLink(const std::vector<MountedPatch>& mounted, const ExportFormatDescription& format) {
+void requireOneLink(const std::vector<ExportMount>& mounted, const ExportFormatDescription& format) {
   std::set<std::string> links;
-  for (const MountedPatch& patch : mounted) links.insert(patch.link);
+  for (const ExportMount& patch : mounted) links.insert(patch.link);
   if (links.size() <= 1) return;
   throw InvalidArgument(located(
       "in_link", message("the patches are placed on {} links, and {} as asked for holds one, for how links lie to each "
@@ -57,7 +57,7 @@ void requireOneLink(const std::vector<MountedPatch>& mounted, const ExportFormat
                          links.size(), format.name)));
 }
 
-MountedPatch mounted(const PatchReconstruction& patch, const ExportOptions& options) {
+ExportMount mounted(const PatchReconstruction& patch, const ExportOptions& options) {
   const PatchOnLink* place = placementOf(patch, options);
   if (place == nullptr) return {&patch, options.parent_link, {}, false};
   return {&patch, place->link, place->T_l_o, true};

@@ -8,7 +8,7 @@
 namespace hexoderm {
 
 /// A patch and the link that a file fixes it to.
-struct MountedPatch {
+struct ExportMount {
   const PatchReconstruction* patch = nullptr;
   std::string link;
   SE3 T_l_o;
@@ -18,7 +18,7 @@ struct MountedPatch {
 /// What of a skin goes into a file, and in which frame.
 struct ExportSelection {
   std::vector<const PatchReconstruction*> patches;
-  std::vector<MountedPatch> mounted;  ///< the same, for formats with links
+  std::vector<ExportMount> mounted;  ///< the same, for formats with links
   std::string frame_link;  ///< of formats without links: whose frame coordinates are in; empty: each patch's own
 };
 

@@ -42,10 +42,10 @@ std::vector<std::int64_t> skinwareNumbers(const Taxel& taxel, const TaxelMap& ma
 
 }  // namespace
 
-TaxelMap taxelMap(const CellModel& model, const std::vector<MountedPatch>& mounted, const ExportOptions& options) {
+TaxelMap taxelMap(const CellModel& model, const std::vector<ExportMount>& mounted, const ExportOptions& options) {
   TaxelMap map;
   map.radius_m = std::sqrt(0.75) * model.side_m;
-  for (const MountedPatch& mount : mounted) {
+  for (const ExportMount& mount : mounted) {
     auto link = std::ranges::find(map.links, mount.link);
     if (link == map.links.end()) link = map.links.insert(link, mount.link);
     const auto index = static_cast<std::size_t>(link - map.links.begin());

@@ -21,7 +21,7 @@ struct TaxelMap {
   std::vector<Taxel> taxels;
   double radius_m = 0;  ///< of the circle in a cell
 };
-TaxelMap taxelMap(const CellModel& model, const std::vector<MountedPatch>& mounted, const ExportOptions& options);
+TaxelMap taxelMap(const CellModel& model, const std::vector<ExportMount>& mounted, const ExportOptions& options);
 
 /// iCub taxel positions: a row "x y z nx ny nz" for each cell in order of ID, then rows of zeros, which stand for no
 /// taxel, up to whole triangles of 12, at least one, and an empty line: a reader that drops the last row, or the last

@@ -3,7 +3,6 @@
 #include "hexoderm/io/export_support.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
-#include "hexoderm/util/near_match.h"
 #include "hexoderm/util/text.h"
 
 #include <algorithm>
@@ -14,6 +13,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace hexoderm {
@@ -304,10 +304,6 @@ AddedCounts requireSkin(const ReadUrdf& found, const UrdfContent& content, const
 
 // The robot's own description.
 
-std::size_t lineAt(std::string_view text, std::size_t offset) {
-  return 1 + static_cast<std::size_t>(std::ranges::count(text.substr(0, offset), '\n'));
-}
-
 /// Where the last </robot> stands that is neither in a comment nor in a CDATA section or an instruction.
 std::optional<std::size_t> endOfRobot(std::string_view text) {
   std::optional<std::size_t> end;
@@ -328,36 +324,20 @@ std::optional<std::size_t> endOfRobot(std::string_view text) {
   return end;
 }
 
-void requireNoXacro(pugi::xml_node robot, const std::string& file) {
-  for (const pugi::xml_node node : robot.children()) {
-    if (std::string_view(node.name()).starts_with("xacro:")) {
-      throw FormatError(located(
-          file, message("this is a xacro file, expected a URDF: run xacro first, and give the file that it makes")));
-    }
-  }
-}
-
 /// A name of the skin that the robot has already: a second one would make the file useless.
 [[noreturn]] void failTaken(const RobotUrdf& robot, const Message& what, const std::string& name) {
-  throw FormatError(located(
-      robot.file, message("already has a {} {}: if this is an earlier skin, give the robot's own file, else choose "
-                          "another prefix of names",
-                          what, name)));
+  throw FormatError(
+      located(robot.model.file().string(),
+              message("already has a {} {}: if this is an earlier skin, give the robot's own file, else choose "
+                      "another prefix of names",
+                      what, name)));
 }
 
 void requireFits(const RobotUrdf& robot, const ReadUrdf& found, const UrdfContent& content) {
-  std::vector<std::string> links;
-  for (const auto& [name, node] : found.links) links.push_back(name);
-  for (const std::string& link : content.tree.links) {
-    if (content.tree.patches.empty() || found.links.contains(link)) continue;
-    const std::optional<std::string> near_name = nearMatch(link, links);
-    throw FormatError(located(
-        robot.file, near_name ? message("has no link {} for the skin; perhaps {} is meant", link, *near_name)
-                              : message("has no link {} for the skin; there are {} others", link, links.size())));
-  }
+  for (const SkinTreePatch& patch : content.tree.patches) std::ignore = robot.model.linkNamed(patch.link);  // throws
   const auto requireFree = [&](const SkinFrame& frame, bool is_link) {
-    if (is_link && found.links.contains(frame.name)) failTaken(robot, message("link"), frame.name);
-    if (is_link && found.joints.contains(frame.name + "_joint")) {
+    if (is_link && robot.model.findLink(frame.name)) failTaken(robot, message("link"), frame.name);
+    if (is_link && robot.model.findJoint(frame.name + "_joint")) {
       failTaken(robot, message("joint"), frame.name + "_joint");
     }
     if (!is_link && found.sensors.contains(frame.name)) failTaken(robot, message("sensor"), frame.name);
@@ -392,8 +372,9 @@ struct Insertion {
 
 Insertion insertionInto(const RobotUrdf& robot, const UrdfContent& content) {
   const std::optional<std::size_t> end = endOfRobot(robot.text);
-  if (!end) throw FormatError(located(robot.file, message("expected an end tag </robot>, but there is none")));
-  const ReadUrdf found(robot.text, robot.file);
+  if (!end)
+    throw FormatError(located(robot.model.file().string(), message("expected an end tag </robot>, but there is none")));
+  const ReadUrdf found(robot.text, robot.model.file().string());
   requireFits(robot, found, content);
   Insertion insertion{*end, fragment(content, found.materials)};
   // On lines of its own, in the manner of the file.
@@ -454,20 +435,9 @@ void verifyUrdf(std::string_view bytes, const UrdfContent& content, const std::s
 }
 
 RobotUrdf readRobotUrdf(const std::filesystem::path& path) {
-  RobotUrdf robot{readFile(path, kMostRobotBytes), path.string()};
-  pugi::xml_document document;
-  const pugi::xml_parse_result parsed = document.load_buffer(robot.text.data(), robot.text.size());
-  if (!parsed) {
-    throw FormatError(located(
-        robot.file, located(message("line {}", lineAt(robot.text, static_cast<std::size_t>(parsed.offset))),
-                            message("this is not well-formed XML ({}), expected a URDF", parsed.description()))));
-  }
-  const pugi::xml_node root = document.document_element();
-  if (std::string_view(root.name()) != "robot") {
-    throw FormatError(located(robot.file, message("expected the root element robot, found {}", root.name())));
-  }
-  requireNoXacro(root, robot.file);
-  return robot;
+  std::string text = readFile(path, kMostRobotBytes);
+  RobotModel model = RobotModel::parse(text, path);
+  return {std::move(text), std::move(model)};
 }
 
 std::string robotUrdfBytes(const RobotUrdf& robot, const UrdfContent& content) {
@@ -482,13 +452,21 @@ void verifyRobotUrdf(std::string_view bytes, const RobotUrdf& robot, const UrdfC
   requireMeant(bytes.size() >= robot.text.size() && bytes.substr(0, at) == std::string_view(robot.text).substr(0, at) &&
                    bytes.substr(bytes.size() - rest) == std::string_view(robot.text).substr(at),
                file, "the robot's own text differs");
-  const ReadUrdf before(robot.text, robot.file);
+  const ReadUrdf before(robot.text, robot.model.file().string());
   const ReadUrdf found(bytes, file);
   const AddedCounts added = requireSkin(found, content, file);
   requireMeant(found.links.size() == before.links.size() + added.links &&
                    found.joints.size() == before.joints.size() + added.links &&
                    found.sensors.size() == before.sensors.size() + added.sensors,
                file, "expected " + std::to_string(added.links) + " further links");
+
+  const RobotModel model = RobotModel::parse(bytes, file);
+  const std::vector<SE3> T_w_l = model.forward({});
+  for (const SkinFrame& frame : skinFrames(content.tree, content.link_per_cell)) {
+    const SE3 T_parent_w = T_w_l[model.linkNamed(frame.parent)].inverse();
+    requireMeant(near(T_parent_w * T_w_l[model.linkNamed(frame.name)], frame.T_parent_frame), file,
+                 "by its kinematics link " + frame.name + " is elsewhere");
+  }
 }
 
 }  // namespace hexoderm

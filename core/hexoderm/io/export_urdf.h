@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hexoderm/io/skin_tree.h"
+#include "hexoderm/kinematics/robot_model.h"
 
 #include <string>
 #include <string_view>
@@ -21,19 +22,19 @@ std::string urdfBytes(const UrdfContent& content);
 /// visual and sensor ends up, to 1e-9 (m and matrix elements). Throws FormatError.
 void verifyUrdf(std::string_view bytes, const UrdfContent& content, const std::string& file);
 
-/// The description of a robot and the name of its file.
+/// The description of a robot: its text, and what urdfdom and KDL make of it.
 struct RobotUrdf {
   std::string text;
-  std::string file;
+  RobotModel model;
 };
-/// Throws StorageError; FormatError, naming file, place and expectation, for what is no URDF or a xacro file.
+/// Throws StorageError; FormatError, naming file, place and expectation, for what is no URDF.
 RobotUrdf readRobotUrdf(const std::filesystem::path& path);
 
 /// The robot with the skin on it: its text byte for byte, and in front of </robot> the links and joints of the skin.
-/// FormatError: the robot lacks a link that a patch is placed on, or has a link, joint or sensor of the name of one
-/// that would be added. Materials that it has already, of an earlier skin, are used.
+/// InvalidArgument: the robot has no link of the name that a patch is placed on. FormatError: it has a link, joint or
+/// sensor already of the name of one that would be added. Materials that it has, of an earlier skin, are used.
 std::string robotUrdfBytes(const RobotUrdf& robot, const UrdfContent& content);
-/// As verifyUrdf(), and that nothing else differs from the robot's text.
+/// As verifyUrdf(), that nothing else differs from the robot's text, and that KDL puts every link where it is meant.
 void verifyRobotUrdf(std::string_view bytes, const RobotUrdf& robot, const UrdfContent& content,
                      const std::string& file);
 

@@ -345,7 +345,7 @@ std::vector<PatchLeftOut> patchesLeftOut(const Reconstruction& reconstruction, E
   const ExportSelection selection = selectForExport(reconstruction, exportFormatDescription(format), options);
   const std::set<const PatchReconstruction*> exported(selection.patches.begin(), selection.patches.end());
   const bool on_links = !selection.frame_link.empty() ||
-                        std::ranges::any_of(selection.mounted, [](const MountedPatch& mount) { return mount.placed; });
+                        std::ranges::any_of(selection.mounted, [](const ExportMount& mount) { return mount.placed; });
   std::vector<PatchLeftOut> left_out;
   for (const PatchReconstruction& patch : reconstruction.patches) {
     if (exported.contains(&patch) || patch.cells.empty()) continue;

@@ -58,21 +58,21 @@ class Names {
 
 }  // namespace
 
-SkinTree skinTree(const CellModel& model, const std::vector<MountedPatch>& mounted,
-                  const Reconstruction& reconstruction, const ExportOptions& options) {
+SkinTree skinTree(const CellModel& model, const std::vector<ExportMount>& mounted, const Reconstruction& reconstruction,
+                  const ExportOptions& options) {
   const auto quality = worstUsedQuality(reconstruction);
   SkinTree tree;
   tree.model = options.model_name;
   tree.side_m = model.side_m;
   tree.thickness_m = model.thickness_m;
   tree.side_angle_rad = model.side_angle_rad;
-  for (const MountedPatch& mount : mounted) {
+  for (const ExportMount& mount : mounted) {
     if (std::ranges::find(tree.links, mount.link) == tree.links.end()) tree.links.push_back(mount.link);
   }
   if (tree.links.empty()) tree.links.push_back(options.parent_link);
 
   Names names(tree.links);
-  for (const MountedPatch& mount : mounted) {
+  for (const ExportMount& mount : mounted) {
     SkinTreePatch& patch = tree.patches.emplace_back();
     patch.name = names.ofOwnLink(options.prefix + "patch" + toString(mount.patch->id));
     patch.link = mount.link;

@@ -43,8 +43,8 @@ struct SkinTree {
 };
 
 /// Throws InvalidArgument if a link of the robot is also the name of one made here.
-SkinTree skinTree(const CellModel& model, const std::vector<MountedPatch>& mounted,
-                  const Reconstruction& reconstruction, const ExportOptions& options);
+SkinTree skinTree(const CellModel& model, const std::vector<ExportMount>& mounted, const Reconstruction& reconstruction,
+                  const ExportOptions& options);
 
 /// A frame of the tree and where it hangs.
 struct SkinFrame {

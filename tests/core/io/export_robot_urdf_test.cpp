@@ -1,6 +1,8 @@
 // The robot's URDF with the skin on it, as urdfdom, check_urdf and KDL read it.
 
 #include "hexoderm/io/export_urdf.h"
+
+#include "hexoderm/kinematics/robot_model.h"
 #include "hexoderm/util/error.h"
 #include "tests/core/io/export_test_folder.h"
 #include "tests/support/hand_made_skins.h"
@@ -12,6 +14,8 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace hexoderm {
 namespace {
@@ -106,6 +110,27 @@ TEST_F(ExportRobotUrdf, IsReadByUrdfdom) {
   EXPECT_EQ(model->getLink("skin_cell12")->visual->material->name, "hexoderm_over");
 }
 
+TEST_F(ExportRobotUrdf, MovesWithTheRobotAsKdlMovesIt) {
+  const RobotModel robot = RobotModel::read(options_.robot_urdf);
+  exported();
+  const RobotModel with_skin = RobotModel::read(in("with_skin.urdf"));
+  for (const auto& [shoulder, elbow] : {std::pair(0.0, 0.0), std::pair(0.7, -1.2), std::pair(-1.9, 0.4)}) {
+    const JointAngles angles{{{"shoulder", shoulder}, {"elbow", elbow}}};
+    const std::vector<SE3> T_w_l = robot.forward(angles);
+    const std::vector<SE3> found = with_skin.forward(angles);
+    for (const RobotLink& link : robot.links()) {
+      const SE3& T = T_w_l[robot.linkNamed(link.name)];
+      EXPECT_LT((found[with_skin.linkNamed(link.name)].t - T.t).norm(), 1e-12) << "the robot itself is as it was";
+    }
+    for (const CellPlacement& cell : reconstruction_.patches[0].cells) {
+      const SE3 T = T_w_l[robot.linkNamed("forearm")] * T_forearm_7_ * cell.T_o_u;
+      const SE3& T_found = found[with_skin.linkNamed("skin_cell" + toString(cell.cell))];
+      EXPECT_LT((T_found.R - T.R).norm(), 1e-9);
+      EXPECT_LT((T_found.t - T.t).norm(), 1e-9);
+    }
+  }
+}
+
 TEST_F(ExportRobotUrdf, IsFoundGoodByCheckUrdf) {
   for (const bool link_per_cell : {true, false}) {
     options_.link_per_cell = link_per_cell;
@@ -130,16 +155,18 @@ TEST_F(ExportRobotUrdf, ASecondSkinWithAnotherPrefixUsesTheMaterialsOfTheFirst) 
 TEST_F(ExportRobotUrdf, RefusesWhatItCannotBePutOnAndKeepsTheEarlierFile) {
   const std::string earlier = exported();
   const std::map<std::string, std::string> robots = {
-      {replaced(kRobot, "forearm\"/>", "for_arm\"/>"), "has no link forearm for the skin; perhaps for_arm is meant"},
-      {replaced(kRobot, "<link name=\"base_link\"/>", "<link name=\"base_link\"/><link name=\"skin_cell3\"/>"),
+      {replaced(replaced(kRobot, "forearm\"/>", "for_arm\"/>"), "link=\"forearm\"", "link=\"for_arm\""),
+       "the robot has no link forearm"},
+      {replaced(kRobot, "<link name=\"base_link\"/>",
+                "<link name=\"base_link\"/><link name=\"skin_cell3\"/><joint name=\"j\" type=\"fixed\">"
+                "<parent link=\"base_link\"/><child link=\"skin_cell3\"/></joint>"),
        "already has a link skin_cell3"},
       {replaced(kRobot, "name=\"elbow\"", "name=\"skin_cell12_joint\""), "already has a joint skin_cell12_joint"},
-      {replaced(kRobot, "name=\"elbow\"", "name=\"shoulder\""), "expected each joint once, found shoulder again"},
-      {replaced(kRobot, "<joint name=\"elbow\"", "<jo"), "line 1"},
-      {"<sdf version=\"1.9\"/>", "expected the root element robot, found sdf"},
-      {"<robot name=\"arm\"/>", "expected an end tag </robot>"},
-      {"", "expected a URDF"},
-      {replaced(kRobot, "<link name=\"forearm\"/>", "<xacro:include filename=\"forearm.xacro\"/>"), "run xacro first"},
+      {replaced(kRobot, "<joint name=\"elbow\"", "<jo"), "line "},
+      {"<sdf version=\"1.9\"/>", "sdf"},
+      {"<robot name=\"arm\"/>", "link"},
+      {"", "URDF"},
+      {replaced(kRobot, "<link name=\"forearm\"/>", "<xacro:include filename=\"forearm.xacro\"/>"), "xacro"},
   };
   for (const auto& [robot, why] : robots) {
     write(in("robot.urdf"), robot);
