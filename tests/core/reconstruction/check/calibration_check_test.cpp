@@ -240,7 +240,7 @@ TEST(CalibrationCheck, AnotherSkinIsRefusedWithWhatDiffers) {
       if (report.cell == CellId(5)) report.cell_port = PortNumber(report.cell_port->value() == 1 ? 2 : 1);
     }
   }
-  EXPECT_THAT(complaint(rewired.session(kToday)), test::saysAll("joined otherwise", "link 4 port", "5 port 2"));
+  EXPECT_THAT(complaint(rewired.session(kToday)), test::saysAll("joined otherwise", "link 4 port 1 - 5 port 1"));
   PinJointedSkin few = skin;
   std::erase_if(few.truth, [](const auto& cell) { return cell.first > CellId(7); });
   EXPECT_THAT(complaint(few.session(kToday)), test::saysAll("10 of its 17 cells are not there"));
@@ -284,13 +284,43 @@ TEST(CalibrationCheck, WhereNoMajorityAgreesNoCellIsNamed) {
 }
 
 TEST(CalibrationCheck, ACellAloneTellsNothing) {
-  const PinJointedSkin skin({});
   const PinJointedSkin pair({{1, 1, 2, 4, 0.3, 0.02, 0.01}});
   const auto calibration = calibrated(pair);
   const CalibrationCheck result = check(*calibration, withoutReadings(pair.session(kToday), CellId(2)));
   EXPECT_EQ(cellOf(result, CellId(1)).change, CellChange::NotTold);
   EXPECT_EQ(cellOf(result, CellId(2)).change, CellChange::Broken);
   EXPECT_FALSE(result.compared);
+}
+
+TEST(CalibrationCheck, ACellThatWasPlacedByItsLinksIsCheckedAsFarAsItIsKnown) {
+  const PinJointedSkin skin = bentX17();
+  const auto calibration = reconstruct(*withoutReadings(skin.session(orthogonalUps(6)), CellId(5)).snapshot());
+  const CheckedCell silent = cellOf(check(*calibration, withoutReadings(skin.session(kToday), CellId(5))), CellId(5));
+  EXPECT_EQ(silent.change, CellChange::NotTold);
+  EXPECT_THAT(silent.words.english(), HasSubstr("as when it was calibrated"));
+  const CalibrationCheck heard = check(*calibration, skin.session(kToday));
+  EXPECT_FALSE(heard.changed);
+  EXPECT_GT(cellOf(heard, CellId(5)).noticed_turn_rad.value_or(kPi), 15 * kDegree);
+  EXPECT_LT(cellOf(heard, CellId(4)).noticed_turn_rad.value_or(kPi), 10 * kDegree);
+}
+
+TEST(CalibrationCheck, TheOrderOfPosesAndReadingsDoesNotMatter) {
+  const PinJointedSkin skin = bentX17();
+  const auto calibration = calibrated(skin);
+  const PinJointedSkin today = turned(skin, CellId(8), {0.1, 0.1, 0});
+  const CalibrationCheck one = check(*calibration, today.session(kToday));
+  Session reversed = today.session({kToday[1], kToday[0]});
+  Session shuffled(reversed.model(), reversed.neighbors());
+  for (const SessionPose& pose : reversed.poses()) {
+    PoseCapture capture = *pose.capture;
+    std::ranges::reverse(capture.samples);
+    shuffled.addPose({std::make_shared<const PoseCapture>(std::move(capture)), false});
+  }
+  const CalibrationCheck other = check(*calibration, shuffled);
+  for (std::size_t k = 0; k < one.cells.size(); ++k) {
+    EXPECT_EQ(one.cells[k].change, other.cells[k].change);
+    EXPECT_NEAR(one.cells[k].deviate, other.cells[k].deviate, 1e-6);
+  }
 }
 
 TEST(CalibrationCheck, ManyMayChangeAtOnce) {
@@ -323,10 +353,11 @@ struct Checked {
   CalibrationCheck check;
   CellId changed;
 };
-Checked simulatedCheck(std::uint64_t seed, bool reglued) {
+Checked simulatedCheck(std::uint64_t seed, bool reglued, bool hand_held = true) {
   constexpr std::size_t kPoses = 4;
   SimulatedSkinOptions options;
   options.seed = seed;
+  options.hand_held = hand_held;
   const CellId changed(static_cast<std::uint32_t>(1 + seed % 17));
   if (reglued) options.faults = {{SkinFault::Reglued, changed}};
   options.reglued_before = kPoses;
@@ -339,24 +370,43 @@ Checked simulatedCheck(std::uint64_t seed, bool reglued) {
   return {checkCalibration(*calibration, *today.snapshot()), changed};
 }
 
-// `hexoderm-cli reproduce --only check` counts hundreds.
-TEST(CalibrationCheck, SimulatedCellsThatWereRegluedAreFoundAndNoHealthyOneIsBlamed) {
-  constexpr std::uint64_t kSeeds = 30;
+/// Of skins whose cell was turned by 10 degrees.
+struct FoundTurns {
   std::size_t right = 0;
-  double squares = 0;
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-    const Checked checked = simulatedCheck(seed, true);
+  double nees = 0;  ///< mean square of the angle's error in its stated sigma
+};
+FoundTurns findTurns(std::uint64_t seeds, bool hand_held) {
+  FoundTurns found;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    const Checked checked = simulatedCheck(seed, true, hand_held);
     EXPECT_THAT(changedCells(checked.check), ElementsAre(checked.changed)) << "seed " << seed;
     const CheckedCell& cell = cellOf(checked.check, checked.changed);
     if (cell.change != CellChange::Turned) continue;
-    ++right;
-    squares += std::pow((cell.turn->angle_rad - 10 * kDegree) / cell.turn->sigma_rad, 2);
+    ++found.right;
+    found.nees += std::pow((cell.turn->angle_rad - 10 * kDegree) / cell.turn->sigma_rad, 2);
   }
-  EXPECT_GE(right, kSeeds * 3 / 4);
-  const double nees = squares / static_cast<double>(right);
-  RecordProperty("nees", std::to_string(nees));
-  EXPECT_GT(nees, 0.4);
-  EXPECT_LT(nees, 1.9);
+  found.nees /= static_cast<double>(found.right);
+  return found;
+}
+
+// `hexoderm-cli reproduce --only check` counts hundreds.
+constexpr std::uint64_t kTurnedSkins = 100;
+
+TEST(CalibrationCheck, CellsThatWereRegluedAreFoundWithTheStatedErrorAndNoHealthyOneIsBlamed) {
+  const FoundTurns found = findTurns(kTurnedSkins, false);
+  EXPECT_GE(found.right, kTurnedSkins - 3);
+  RecordProperty("nees", std::to_string(found.nees));
+  // The mean of 100 squares has a deviation of 0.14.
+  EXPECT_GT(found.nees, 0.7);
+  EXPECT_LT(found.nees, 1.5);
+}
+
+TEST(CalibrationCheck, InAHandTheyAreFoundWithLessErrorThanStated) {
+  // A sensor's noise can't be told from a tremor that all share (HoldOutResult), so it is taken for larger than it is.
+  const FoundTurns found = findTurns(kTurnedSkins, true);
+  EXPECT_GE(found.right, kTurnedSkins - 3);
+  RecordProperty("nees", std::to_string(found.nees));
+  EXPECT_LT(found.nees, 1.2);
 }
 
 TEST(CalibrationCheck, NothingIsSaidOfHealthySimulatedCells) {
