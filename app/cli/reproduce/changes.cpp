@@ -127,6 +127,8 @@ std::vector<CheckCase> checkCases() {
     cases.push_back({"offset drifted by 60 mg", Change::Drift, CellChange::Drifted, n, 2});
     cases.push_back({"healthy", Change::None, CellChange::None, n, 2});
   }
+  cases.push_back({"turned by 10 deg", Change::Turn, CellChange::Turned, 3, 2, false});
+  cases.push_back({"offset drifted by 60 mg", Change::Drift, CellChange::Drifted, 3, 2, false});
   cases.push_back({"turned by 10 deg", Change::Turn, CellChange::TurnedOrDrifted, 4, 1, false});
   cases.push_back({"turned by 10 deg", Change::Turn, CellChange::Turned, 4, 3, false});
   cases.push_back({"offset drifted by 60 mg", Change::Drift, CellChange::Drifted, 4, 3, false});

@@ -96,8 +96,9 @@ void Consensus::exclude() {
     if (*worst <= limit_) return;
     const double bad = std::max(limit_, kAsBad * *worst);
     // Where many are as bad, they may be so because of each other.
-    const bool are_few =
-        4 * std::ranges::count_if(deviates, [bad](double d) { return d > bad; }) <= std::ssize(deviates);
+    const auto bad_ones =
+        static_cast<std::size_t>(std::ranges::count_if(deviates, [bad](double d) { return d > bad; }));
+    const bool are_few = 4 * bad_ones <= size();
     for (std::size_t k = 0; k < views_.size(); ++k) {
       const bool is_worst = static_cast<std::ptrdiff_t>(k) == worst - deviates.begin();
       if (!is_worst && !(are_few && deviates[k] > bad)) continue;
