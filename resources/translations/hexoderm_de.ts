@@ -4651,10 +4651,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Alle {} Zellen sind wie kalibriert, soweit diese Posen es zeigen.</translation>
     </message>
     <message>
-        <source>Of {} of {} cells nothing can be told.</source>
-        <translation>Über {} von {} Zellen lässt sich nichts sagen.</translation>
-    </message>
-    <message>
         <source>So many cells changed that the skin should be calibrated anew.</source>
         <translation>So viele Zellen haben sich verändert, dass die Haut neu kalibriert werden sollte.</translation>
     </message>
@@ -4693,6 +4689,14 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>the calibration is of another skin: {} of its {} cells are not there today</source>
         <translation>die Kalibrierung gehört zu einer anderen Haut: {} ihrer {} Zellen sind heute nicht da</translation>
+    </message>
+    <message>
+        <source>Nothing can be told of any cell: the calibration is too uncertain.</source>
+        <translation>Über keine Zelle lässt sich etwas sagen: Die Kalibrierung ist zu unsicher.</translation>
+    </message>
+    <message>
+        <source>{} of {} cells are as calibrated, as far as these poses show; of {} nothing can be told.</source>
+        <translation>{} von {} Zellen sind wie kalibriert, soweit diese Posen es zeigen; über {} lässt sich nichts sagen.</translation>
     </message>
 </context>
 <context>

@@ -52,7 +52,7 @@ struct CalibrationCheck {
   std::vector<Message> remarks;    ///< on the poses and the links, one sentence each
   Message summary;                 ///< one sentence or a few
   bool changed = false;            ///< something is not as calibrated; which cell may not be known
-  bool compared = false;           ///< at least two cells of a patch were compared
+  bool compared = false;           ///< something could be told of a cell
 
   [[nodiscard]] std::size_t count(CellChange change) const;
 };

@@ -289,7 +289,10 @@ TEST(CalibrationCheck, ACellAloneTellsNothing) {
   const CalibrationCheck result = check(*calibration, withoutReadings(pair.session(kToday), CellId(2)));
   EXPECT_EQ(cellOf(result, CellId(1)).change, CellChange::NotTold);
   EXPECT_EQ(cellOf(result, CellId(2)).change, CellChange::Broken);
-  EXPECT_FALSE(result.compared);
+  EXPECT_THAT(result.summary.english(), HasSubstr("Not as calibrated: cell 2."));
+  Session silent = pair.session(kToday);
+  for (const CellId cell : {CellId(1), CellId(2)}) silent = withoutReadings(silent, cell);
+  EXPECT_TRUE(check(*calibration, silent).changed) << "both are dead";
 }
 
 TEST(CalibrationCheck, ACellThatWasPlacedByItsLinksIsCheckedAsFarAsItIsKnown) {
@@ -300,8 +303,21 @@ TEST(CalibrationCheck, ACellThatWasPlacedByItsLinksIsCheckedAsFarAsItIsKnown) {
   EXPECT_THAT(silent.words.english(), HasSubstr("as when it was calibrated"));
   const CalibrationCheck heard = check(*calibration, skin.session(kToday));
   EXPECT_FALSE(heard.changed);
+  EXPECT_TRUE(heard.compared);
   EXPECT_GT(cellOf(heard, CellId(5)).noticed_turn_rad.value_or(kPi), 15 * kDegree);
   EXPECT_LT(cellOf(heard, CellId(4)).noticed_turn_rad.value_or(kPi), 10 * kDegree);
+}
+
+TEST(CalibrationCheck, ACalibrationThatIsTooUncertainTellsNothingAndSaysSo) {
+  PinJointedSkin skin = bentX17();
+  skin.model.accelerometer.offset_sigma_g = 0.3;
+  SolverOptions tree;
+  tree.solver = Solver::Tree;
+  const CalibrationCheck result = check(*calibrated(skin, 2, tree), skin.session({kToday[0]}));
+  EXPECT_FALSE(result.changed);
+  EXPECT_FALSE(result.compared);
+  EXPECT_THAT(result.cells, Each(Field(&CheckedCell::change, CellChange::NotTold)));
+  EXPECT_THAT(result.summary.english(), HasSubstr("Nothing can be told of any cell"));
 }
 
 TEST(CalibrationCheck, TheOrderOfPosesAndReadingsDoesNotMatter) {
