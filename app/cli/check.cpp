@@ -135,7 +135,7 @@ void addCheck(CLI::App& app, Common& common) {
   common.addTo(*command);
   command->footer(
       "The calibration is not changed. A part that sits otherwise on the robot as a whole is no change.\n"
-      "Exit code 1: something is not as calibrated, or nothing could be compared.\n"
+      "Exit code 1: something is not as calibrated, or nothing could be told.\n"
       "Example:\n  hexoderm-cli check arm.calibration.json today.session.json\n"
       "  hexoderm-cli check arm.calibration.json --source tcp://localhost:7700 --poses 2");
   command->callback([options, &common] { common.exit_code = run(*options, common); });

@@ -5194,6 +5194,146 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>joint {}: &lt;{} link=&quot;{}&quot;&gt; names none of the robot&apos;s links</source>
         <translation>Gelenk {}: &lt;{} link=&quot;{}&quot;&gt; nennt kein Glied des Roboters</translation>
     </message>
+    <message>
+        <source>broken: it reads the same as another cell, digit for digit</source>
+        <translation>defekt: misst Ziffer für Ziffer dasselbe wie eine andere Zelle</translation>
+    </message>
+    <message>
+        <source>dead: it reads no gravity</source>
+        <translation>tot: misst keine Schwerkraft</translation>
+    </message>
+    <message>
+        <source>dead: it reads the same in all poses</source>
+        <translation>tot: misst in allen Posen dasselbe</translation>
+    </message>
+    <message>
+        <source>broken: it reads the end of its range</source>
+        <translation>defekt: misst das Ende ihres Messbereichs</translation>
+    </message>
+    <message>
+        <source>broken: one of its axes is dead</source>
+        <translation>defekt: eine ihrer Achsen ist tot</translation>
+    </message>
+    <message>
+        <source>broken: it scatters far more than the other cells</source>
+        <translation>defekt: streut weit mehr als die anderen Zellen</translation>
+    </message>
+    <message>
+        <source>can&apos;t be told: no other cell of its patch can be compared with it</source>
+        <translation>nicht zu sagen: Keine andere Zelle ihres Hautstücks lässt sich mit ihr vergleichen</translation>
+    </message>
+    <message>
+        <source>can&apos;t be told: the cells of its patch contradict each other, and no majority agrees</source>
+        <translation>nicht zu sagen: Die Zellen ihres Hautstücks widersprechen einander, und keine Mehrheit ist sich einig</translation>
+    </message>
+    <message>
+        <source>gone: it is no longer among the skin&apos;s cells</source>
+        <translation>fort: gehört nicht mehr zu den Zellen der Haut</translation>
+    </message>
+    <message>
+        <source>can&apos;t be told: it has no usable reading, as when it was calibrated</source>
+        <translation>nicht zu sagen: Sie hat keinen brauchbaren Messwert, wie schon beim Kalibrieren</translation>
+    </message>
+    <message>
+        <source>dead: it sends no reading</source>
+        <translation>tot: sendet keine Messwerte</translation>
+    </message>
+    <message>
+        <source>can&apos;t be told: its calibration is too uncertain</source>
+        <translation>nicht zu sagen: Ihre Kalibrierung ist zu unsicher</translation>
+    </message>
+    <message>
+        <source>as calibrated</source>
+        <translation>wie kalibriert</translation>
+    </message>
+    <message>
+        <source>broken: neither a turn nor a drift of its offset explains what it reads</source>
+        <translation>defekt: Weder eine Drehung noch eine Drift ihres Offsets erklärt, was sie misst</translation>
+    </message>
+    <message>
+        <source>turned by {} +- {} or more</source>
+        <translation>um {} ± {} oder mehr gedreht</translation>
+    </message>
+    <message>
+        <source>turned by {} +- {}</source>
+        <translation>um {} ± {} gedreht</translation>
+    </message>
+    <message>
+        <source>its sensor&apos;s offset drifted by {} +- {}</source>
+        <translation>der Offset ihres Sensors ist um {} ± {} gedriftet</translation>
+    </message>
+    <message>
+        <source>changed: {}, or {}; these poses can&apos;t tell which</source>
+        <translation>verändert: {}, oder {}; diese Posen können das nicht unterscheiden</translation>
+    </message>
+    <message>
+        <source>The {} of the calibration is no longer reported.</source>
+        <translation>Nicht mehr gemeldet wird, was die Kalibrierung noch hat: {}.</translation>
+    </message>
+    <message>
+        <source>Not as calibrated: {}.</source>
+        <translation>Nicht wie kalibriert: {}.</translation>
+    </message>
+    <message>
+        <source>Nothing could be compared: no two cells of a patch have a usable reading.</source>
+        <translation>Es ließ sich nichts vergleichen: Kein Hautstück hat zwei Zellen mit einem brauchbaren Messwert.</translation>
+    </message>
+    <message>
+        <source>The skin is not as calibrated, and the cells contradict each other so much that none can be named: calibrate it anew.</source>
+        <translation>Die Haut ist nicht wie kalibriert, und die Zellen widersprechen einander so sehr, dass sich keine nennen lässt: neu kalibrieren.</translation>
+    </message>
+    <message>
+        <source>All {} cells are as calibrated, as far as these poses show.</source>
+        <translation>Alle {} Zellen sind wie kalibriert, soweit diese Posen es zeigen.</translation>
+    </message>
+    <message>
+        <source>So many cells changed that the skin should be calibrated anew.</source>
+        <translation>So viele Zellen haben sich verändert, dass die Haut neu kalibriert werden sollte.</translation>
+    </message>
+    <message>
+        <source>These poses don&apos;t show every turn of a cell: take another one, with the part turned by 45° or more.</source>
+        <translation>Diese Posen zeigen nicht jede Drehung einer Zelle: eine weitere aufnehmen, mit dem Körperteil um mindestens 45° gedreht.</translation>
+    </message>
+    <message>
+        <source>the calibration was imported and does not say how its cells were measured: only one that Hexoderm made of poses can be checked</source>
+        <translation>die Kalibrierung wurde importiert und sagt nicht, wie ihre Zellen gemessen wurden: Prüfen lässt sich nur eine, die Hexoderm aus Posen berechnet hat</translation>
+    </message>
+    <message>
+        <source>there is no pose to check the calibration with: take one to three</source>
+        <translation>es gibt keine Pose, mit der sich die Kalibrierung prüfen ließe: eine bis drei aufnehmen</translation>
+    </message>
+    <message>
+        <source>the calibration is of another kind of cell: port {} of its cell model {} is not where the cell model {} has it</source>
+        <translation>die Kalibrierung gehört zu einer anderen Art von Zelle: Port {} ihres Zellmodells {} liegt nicht dort, wo das Zellmodell {} ihn hat</translation>
+    </message>
+    <message>
+        <source>the calibration is of another kind of cell: the ports or the accelerometer of its cell model {} are not those of the cell model {}</source>
+        <translation>die Kalibrierung gehört zu einer anderen Art von Zelle: Ports oder Beschleunigungssensor ihres Zellmodells {} sind nicht die des Zellmodells {}</translation>
+    </message>
+    <message>
+        <source>the calibration is of another skin: {} of today is not in it</source>
+        <translation>die Kalibrierung gehört zu einer anderen Haut: {} von heute kommt darin nicht vor</translation>
+    </message>
+    <message>
+        <source>one of the {}</source>
+        <translation>eine von {}</translation>
+    </message>
+    <message>
+        <source>the calibration is of another skin, or the cells were joined otherwise: {} is not in it</source>
+        <translation>die Kalibrierung gehört zu einer anderen Haut, oder die Zellen wurden anders verbunden: {} kommt darin nicht vor</translation>
+    </message>
+    <message>
+        <source>the calibration is of another skin: {} of its {} cells are not there today</source>
+        <translation>die Kalibrierung gehört zu einer anderen Haut: {} ihrer {} Zellen sind heute nicht da</translation>
+    </message>
+    <message>
+        <source>Nothing can be told of any cell: the calibration is too uncertain.</source>
+        <translation>Über keine Zelle lässt sich etwas sagen: Die Kalibrierung ist zu unsicher.</translation>
+    </message>
+    <message>
+        <source>{} of {} cells are as calibrated, as far as these poses show; of {} nothing can be told.</source>
+        <translation>{} von {} Zellen sind wie kalibriert, soweit diese Posen es zeigen; über {} lässt sich nichts sagen.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>

@@ -93,5 +93,24 @@ TEST(Reproduce, TextHasEveryPart) {
                     Not(HasSubstr("nan")), Not(HasSubstr("inf "))));
 }
 
+TEST(Reproduce, ChecksOfCalibrationsAreCountedWithIntervals) {
+  const std::string text = outputOf("--seeds 3 --only check");
+  EXPECT_THAT(text, AllOf(HasSubstr("turned by 10 deg"), HasSubstr("offset drifted by 60 mg"), HasSubstr("healthy"),
+                          HasSubstr("imulated")));
+  const auto json = nlohmann::json::parse(outputOf("--seeds 3 --only check --json"));
+  EXPECT_FALSE(json.contains("detection"));
+  for (const auto& row : json.at("check").at("rows")) {
+    expectFinite(row.at("blamed_per_cell"), {"percent", "low_percent", "high_percent"});
+    if (row.at("change") == "healthy") {
+      EXPECT_TRUE(row.at("found").is_null());
+      EXPECT_EQ(row.at("blamed_per_cell").at("of"), 3 * 17);
+      continue;
+    }
+    expectFinite(row.at("found"), {"percent", "low_percent", "high_percent"});
+    EXPECT_EQ(row.at("found").at("of"), 3);
+    if (!row.at("reached").is_null()) EXPECT_EQ(row.at("found").at("percent"), 100) << row;
+  }
+}
+
 }  // namespace
 }  // namespace hexoderm

@@ -192,6 +192,7 @@ class CalibrationChecker {
     }
     check_.compared = true;
     if (2 * consensus.size() <= views.size()) {
+      contradictory_ = true;
       check_.changed = true;
       for (const CellView& view : views) {
         check_.cells.push_back(notTold(
@@ -338,17 +339,23 @@ class CalibrationChecker {
     std::vector<Message> words;
     if (!changed.empty()) {
       words.push_back(message("Not as calibrated: {}.", cellsInWords(changed)));
-    } else if (!check_.compared) {
-      words.push_back(message("Nothing could be compared: no two cells of a patch have a usable reading."));
-    } else if (check_.changed && same == 0) {
+    } else if (contradictory_) {
       words.push_back(
           message("The skin is not as calibrated, and the cells contradict each other so much that none can "
                   "be named: calibrate it anew."));
+    } else if (!check_.compared) {
+      words.push_back(message("Nothing could be compared: no two cells of a patch have a usable reading."));
+    } else if (same == 0) {
+      words.push_back(message("Nothing can be told of any cell: the calibration is too uncertain."));
     } else if (not_told == 0) {
       words.push_back(message("All {} cells are as calibrated, as far as these poses show.", same));
     }
-    if (not_told > 0 && same > 0)
-      words.push_back(message("Of {} of {} cells nothing can be told.", not_told, check_.cells.size()));
+    if (same > 0 && not_told > 0) {
+      words.push_back(
+          message("{} of {} cells are as calibrated, as far as these poses show; of {} nothing can be told.", same,
+                  check_.cells.size(), not_told));
+    }
+    check_.compared = same > 0 || !changed.empty();
     if (3 * changed.size() > check_.cells.size()) {
       words.push_back(message("So many cells changed that the skin should be calibrated anew."));
     }
@@ -371,6 +378,7 @@ class CalibrationChecker {
   std::vector<Finding> ignored_;  ///< about the topology and the numbers of poses
   GravityTable table_;
   std::unordered_map<CellId, Message> broken_;
+  bool contradictory_ = false;  ///< no majority of some patch agrees
   CalibrationCheck check_;
 };
 

@@ -52,7 +52,7 @@ struct CalibrationCheck {
   std::vector<Message> remarks;    ///< on the poses and the links, one sentence each
   Message summary;                 ///< one sentence or a few
   bool changed = false;            ///< something is not as calibrated; which cell may not be known
-  bool compared = false;           ///< at least two cells of a patch were compared
+  bool compared = false;           ///< something could be told of a cell
 
   [[nodiscard]] std::size_t count(CellChange change) const;
 };
@@ -67,8 +67,9 @@ inline constexpr double kChangedFrom = 4.5;
 /// frame. All cells of a patch must see one motion of a rigid part, s = f + w x t: f is free in every pose, w little
 /// (as in HoldOutResult). Each cell is compared with what the others foretell that agree (Consensus), in all poses at
 /// once: the errors of attitude, offset and gains are those that the calibration's own poses leave (as in
-/// HoldOutResult, see errorsOfCell()), alike in all poses, and the sensor's noise comes on top. A part that was moved
-/// as a whole, or sits otherwise on the robot, is no change.
+/// HoldOutResult, see errorsOfCell()), alike in all poses, and the sensor's noise comes on top; where the cells that
+/// agree show that noise to be larger than its samples say, it is. A part that was moved as a whole, or sits otherwise
+/// on the robot, is no change.
 ///
 /// A cell that misses by more than kChangedFrom is explained by a turn (three angles) or by a drift of its sensor's
 /// offset (three numbers), whichever leaves less; the other is ruled out where it is 20 times less likely. What neither

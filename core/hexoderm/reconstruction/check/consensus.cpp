@@ -27,6 +27,7 @@ Consensus::Consensus(std::span<const CellView> views, std::size_t poses, double 
   solve();
   exclude();
   readmit();
+  findVarianceFactor();
 }
 
 std::size_t Consensus::size() const { return static_cast<std::size_t>(std::ranges::count(holds_, true)); }
@@ -78,6 +79,7 @@ ViewComparison Consensus::compare(std::size_t view_index) const {
     const Eigen::MatrixXd spread = view.covariance_g2 * factor.solve(view.covariance_g2);
     comparison.covariance_g2 = (spread + spread.transpose()) / 2;
   }
+  comparison.covariance_g2 *= variance_factor_;
   const double chi_squared = comparison.residual_g.dot(comparison.covariance_g2.llt().solve(comparison.residual_g));
   comparison.misfit = {chi_squared, static_cast<double>(comparison.residual_g.size())};
   return comparison;
@@ -90,14 +92,16 @@ void Consensus::exclude() {
     for (std::size_t k = 0; k < views_.size(); ++k) {
       if (holds_[k]) deviates[k] = compare(k).misfit.deviate();
     }
-    const double worst = std::ranges::max(deviates);
-    if (worst <= limit_) return;
-    const double out = std::max(limit_, kAsBad * worst);
-    // Where many are as bad, none is by itself.
-    const bool one_by_one =
-        4 * std::ranges::count_if(deviates, [out](double d) { return d > out; }) > std::ssize(deviates);
+    const auto worst = std::ranges::max_element(deviates);
+    if (*worst <= limit_) return;
+    const double bad = std::max(limit_, kAsBad * *worst);
+    // Where many are as bad, they may be so because of each other.
+    const auto bad_ones =
+        static_cast<std::size_t>(std::ranges::count_if(deviates, [bad](double d) { return d > bad; }));
+    const bool are_few = 4 * bad_ones <= size();
     for (std::size_t k = 0; k < views_.size(); ++k) {
-      if (!holds_[k] || (one_by_one ? deviates[k] < worst : deviates[k] <= out)) continue;
+      const bool is_worst = static_cast<std::ptrdiff_t>(k) == worst - deviates.begin();
+      if (!is_worst && !(are_few && deviates[k] > bad)) continue;
       holds_[k] = false;
       count(views_[k], -1);
     }
@@ -115,6 +119,19 @@ void Consensus::readmit() {
     count(views_[k], 1);
   }
   solve();
+}
+
+void Consensus::findVarianceFactor() {
+  constexpr std::size_t kFewestCells = 5;  // fewer say little about all
+  if (size() < kFewestCells) return;
+  Misfit all;
+  for (std::size_t k = 0; k < views_.size(); ++k) {
+    if (!holds_[k]) continue;
+    const Misfit misfit = compare(k).misfit;
+    all.chi_squared += misfit.chi_squared;
+    all.degrees += misfit.degrees;
+  }
+  if (all.degrees > 0) variance_factor_ = std::max(1.0, all.chi_squared / all.degrees);
 }
 
 }  // namespace hexoderm

@@ -40,6 +40,9 @@ struct ViewComparison {
 /// what the others of the consensus foretell. From all cells, those that fit worst beyond `limit` (a standard normal
 /// deviate) are taken out, until none is; those that agree with the rest after all come back.
 ///
+/// Noise may be larger than its samples say, where they follow each other closely (a robot's motors shake slowly): then
+/// the consensus misses by more than it should as a whole, and all covariances grow by as much. They never shrink.
+///
 /// Nothing here tells the consensus from the rest but their number: a turn of all cells is one of the part.
 class Consensus {
  public:
@@ -47,6 +50,8 @@ class Consensus {
 
   [[nodiscard]] bool holds(std::size_t view) const { return holds_[view]; }
   [[nodiscard]] std::size_t size() const;
+  /// By how much all variances are larger than stated.
+  [[nodiscard]] double varianceFactor() const { return variance_factor_; }
   /// The view beside what the consensus, without it, foretells.
   [[nodiscard]] ViewComparison compare(std::size_t view) const;
 
@@ -55,9 +60,11 @@ class Consensus {
   void solve();
   void exclude();
   void readmit();
+  void findVarianceFactor();
 
   std::span<const CellView> views_;
   double limit_;
+  double variance_factor_ = 1;
   std::vector<bool> holds_;
   Eigen::MatrixXd information_;  ///< of the motions, 6 per pose
   Eigen::VectorXd weighted_;

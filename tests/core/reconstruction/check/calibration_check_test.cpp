@@ -240,7 +240,7 @@ TEST(CalibrationCheck, AnotherSkinIsRefusedWithWhatDiffers) {
       if (report.cell == CellId(5)) report.cell_port = PortNumber(report.cell_port->value() == 1 ? 2 : 1);
     }
   }
-  EXPECT_THAT(complaint(rewired.session(kToday)), test::saysAll("joined otherwise", "link 4 port", "5 port 2"));
+  EXPECT_THAT(complaint(rewired.session(kToday)), test::saysAll("joined otherwise", "link 4 port 1 - 5 port 1"));
   PinJointedSkin few = skin;
   std::erase_if(few.truth, [](const auto& cell) { return cell.first > CellId(7); });
   EXPECT_THAT(complaint(few.session(kToday)), test::saysAll("10 of its 17 cells are not there"));
@@ -284,13 +284,59 @@ TEST(CalibrationCheck, WhereNoMajorityAgreesNoCellIsNamed) {
 }
 
 TEST(CalibrationCheck, ACellAloneTellsNothing) {
-  const PinJointedSkin skin({});
   const PinJointedSkin pair({{1, 1, 2, 4, 0.3, 0.02, 0.01}});
   const auto calibration = calibrated(pair);
   const CalibrationCheck result = check(*calibration, withoutReadings(pair.session(kToday), CellId(2)));
   EXPECT_EQ(cellOf(result, CellId(1)).change, CellChange::NotTold);
   EXPECT_EQ(cellOf(result, CellId(2)).change, CellChange::Broken);
+  EXPECT_THAT(result.summary.english(), HasSubstr("Not as calibrated: cell 2."));
+  Session silent = pair.session(kToday);
+  for (const CellId cell : {CellId(1), CellId(2)}) silent = withoutReadings(silent, cell);
+  EXPECT_TRUE(check(*calibration, silent).changed) << "both are dead";
+}
+
+TEST(CalibrationCheck, ACellThatWasPlacedByItsLinksIsCheckedAsFarAsItIsKnown) {
+  const PinJointedSkin skin = bentX17();
+  const auto calibration = reconstruct(*withoutReadings(skin.session(orthogonalUps(6)), CellId(5)).snapshot());
+  const CheckedCell silent = cellOf(check(*calibration, withoutReadings(skin.session(kToday), CellId(5))), CellId(5));
+  EXPECT_EQ(silent.change, CellChange::NotTold);
+  EXPECT_THAT(silent.words.english(), HasSubstr("as when it was calibrated"));
+  const CalibrationCheck heard = check(*calibration, skin.session(kToday));
+  EXPECT_FALSE(heard.changed);
+  EXPECT_TRUE(heard.compared);
+  EXPECT_GT(cellOf(heard, CellId(5)).noticed_turn_rad.value_or(kPi), 15 * kDegree);
+  EXPECT_LT(cellOf(heard, CellId(4)).noticed_turn_rad.value_or(kPi), 10 * kDegree);
+}
+
+TEST(CalibrationCheck, ACalibrationThatIsTooUncertainTellsNothingAndSaysSo) {
+  PinJointedSkin skin = bentX17();
+  skin.model.accelerometer.offset_sigma_g = 0.3;
+  SolverOptions tree;
+  tree.solver = Solver::Tree;
+  const CalibrationCheck result = check(*calibrated(skin, 2, tree), skin.session({kToday[0]}));
+  EXPECT_FALSE(result.changed);
   EXPECT_FALSE(result.compared);
+  EXPECT_THAT(result.cells, Each(Field(&CheckedCell::change, CellChange::NotTold)));
+  EXPECT_THAT(result.summary.english(), HasSubstr("Nothing can be told of any cell"));
+}
+
+TEST(CalibrationCheck, TheOrderOfPosesAndReadingsDoesNotMatter) {
+  const PinJointedSkin skin = bentX17();
+  const auto calibration = calibrated(skin);
+  const PinJointedSkin today = turned(skin, CellId(8), {0.1, 0.1, 0});
+  const CalibrationCheck one = check(*calibration, today.session(kToday));
+  Session reversed = today.session({kToday[1], kToday[0]});
+  Session shuffled(reversed.model(), reversed.neighbors());
+  for (const SessionPose& pose : reversed.poses()) {
+    PoseCapture capture = *pose.capture;
+    std::ranges::reverse(capture.samples);
+    shuffled.addPose({std::make_shared<const PoseCapture>(std::move(capture)), false});
+  }
+  const CalibrationCheck other = check(*calibration, shuffled);
+  for (std::size_t k = 0; k < one.cells.size(); ++k) {
+    EXPECT_EQ(one.cells[k].change, other.cells[k].change);
+    EXPECT_NEAR(one.cells[k].deviate, other.cells[k].deviate, 1e-6);
+  }
 }
 
 TEST(CalibrationCheck, ManyMayChangeAtOnce) {
@@ -323,9 +369,8 @@ struct Checked {
   CalibrationCheck check;
   CellId changed;
 };
-Checked simulatedCheck(std::uint64_t seed, bool reglued) {
+Checked simulatedCheck(std::uint64_t seed, bool reglued, SimulatedSkinOptions options = {}) {
   constexpr std::size_t kPoses = 4;
-  SimulatedSkinOptions options;
   options.seed = seed;
   const CellId changed(static_cast<std::uint32_t>(1 + seed % 17));
   if (reglued) options.faults = {{SkinFault::Reglued, changed}};
@@ -339,38 +384,66 @@ Checked simulatedCheck(std::uint64_t seed, bool reglued) {
   return {checkCalibration(*calibration, *today.snapshot()), changed};
 }
 
-// `hexoderm-cli reproduce --only check` counts hundreds.
-TEST(CalibrationCheck, SimulatedCellsThatWereRegluedAreFoundAndNoHealthyOneIsBlamed) {
-  constexpr std::uint64_t kSeeds = 30;
+/// Of skins whose cell was turned by 10 degrees.
+struct FoundTurns {
   std::size_t right = 0;
-  double squares = 0;
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-    const Checked checked = simulatedCheck(seed, true);
+  double nees = 0;  ///< mean square of the angle's error in its stated sigma
+};
+FoundTurns findTurns(std::uint64_t seeds, bool hand_held) {
+  FoundTurns found;
+  SimulatedSkinOptions options;
+  options.hand_held = hand_held;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    const Checked checked = simulatedCheck(seed, true, options);
     EXPECT_THAT(changedCells(checked.check), ElementsAre(checked.changed)) << "seed " << seed;
     const CheckedCell& cell = cellOf(checked.check, checked.changed);
     if (cell.change != CellChange::Turned) continue;
-    ++right;
-    squares += std::pow((cell.turn->angle_rad - 10 * kDegree) / cell.turn->sigma_rad, 2);
+    ++found.right;
+    found.nees += std::pow((cell.turn->angle_rad - 10 * kDegree) / cell.turn->sigma_rad, 2);
   }
-  EXPECT_GE(right, kSeeds * 3 / 4);
-  const double nees = squares / static_cast<double>(right);
-  RecordProperty("nees", std::to_string(nees));
-  EXPECT_GT(nees, 0.4);
-  EXPECT_LT(nees, 1.9);
+  found.nees /= static_cast<double>(found.right);
+  return found;
 }
 
-TEST(CalibrationCheck, NothingIsSaidOfHealthySimulatedCells) {
+// `hexoderm-cli reproduce --only check` counts hundreds.
+constexpr std::uint64_t kTurnedSkins = 100;
+
+TEST(CalibrationCheck, CellsThatWereRegluedAreFoundWithTheStatedErrorAndNoHealthyOneIsBlamed) {
+  const FoundTurns found = findTurns(kTurnedSkins, false);
+  EXPECT_GE(found.right, kTurnedSkins - 3);
+  RecordProperty("nees", std::to_string(found.nees));
+  // The mean of 100 squares has a deviation of 0.14.
+  EXPECT_GT(found.nees, 0.7);
+  EXPECT_LT(found.nees, 1.5);
+}
+
+TEST(CalibrationCheck, InAHandTheyAreFoundWithLessErrorThanStated) {
+  // A sensor's noise can't be told from a tremor that all share (HoldOutResult), so it is taken for larger than it is.
+  const FoundTurns found = findTurns(kTurnedSkins, true);
+  EXPECT_GE(found.right, kTurnedSkins - 3);
+  RecordProperty("nees", std::to_string(found.nees));
+  EXPECT_LT(found.nees, 1.2);
+}
+
+class HealthyCells : public testing::TestWithParam<bool> {};
+
+TEST_P(HealthyCells, AreNotBlamed) {
+  const SimulatedSkinOptions options = GetParam() ? SimulatedSkinOptions::robot() : SimulatedSkinOptions();
   std::size_t blamed = 0;
   std::size_t cells = 0;
-  for (std::uint64_t seed = 101; seed <= 130; ++seed) {
-    const Checked checked = simulatedCheck(seed, false);
-    cells += checked.check.cells.size();
-    blamed += changedCells(checked.check).size();
-    EXPECT_EQ(checked.check.changed, !changedCells(checked.check).empty());
+  for (std::uint64_t seed = 101; seed <= 160; ++seed) {
+    const Checked checked = simulatedCheck(seed, false, options);
+    for (const CheckedCell& cell : checked.check.cells) {
+      ++cells;
+      if (cell.change != CellChange::None && cell.change != CellChange::NotTold) ++blamed;
+    }
   }
-  EXPECT_EQ(cells, 510U);
-  EXPECT_LE(blamed, 1U);
+  EXPECT_EQ(cells, 1020U);
+  EXPECT_LE(blamed, 2U);
 }
+
+INSTANTIATE_TEST_SUITE_P(OfSimulatedSkins, HealthyCells, testing::Bool(),
+                         [](const auto& info) { return std::string(info.param ? "OnARobotThatVibrates" : "InAHand"); });
 
 }  // namespace
 }  // namespace hexoderm

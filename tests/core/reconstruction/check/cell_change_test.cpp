@@ -80,10 +80,28 @@ TEST(ConsensusOfCells, MisfitsAreChiSquaredWithThreeDegreesAPose) {
   for (std::size_t trial = 0; trial < kTrials; ++trial) {
     const std::vector<CellView> cells = views(kCells, 0.01, random);
     const Consensus consensus(cells, 2, kNeverOut);
-    for (std::size_t k = 0; k < kCells; ++k) sum += consensus.compare(k).misfit.chi_squared;
+    for (std::size_t k = 0; k < kCells; ++k) {
+      sum += consensus.varianceFactor() * consensus.compare(k).misfit.chi_squared;
+    }
   }
   // Six degrees, less what the prior of a swing grants beside none at all. Its mean errs by sqrt(12 / 1500).
   EXPECT_NEAR(sum / (kTrials * kCells), 6, 0.6);
+}
+
+TEST(ConsensusOfCells, VariancesGrowWithWhatTheConsensusShowsAndNeverShrink) {
+  std::mt19937 random(13);
+  std::vector<CellView> cells = views(60, 0.01, random);
+  const Consensus as_stated(cells, 2, kLimit);
+  EXPECT_GE(as_stated.varianceFactor(), 1);
+  EXPECT_LT(as_stated.varianceFactor(), 1.3);
+  for (CellView& cell : cells) cell.covariance_g2 /= 2;
+  const Consensus understated(cells, 2, kLimit);
+  EXPECT_NEAR(understated.varianceFactor(), 2, 0.5);
+  double chi_squared = 0;
+  for (std::size_t k = 0; k < cells.size(); ++k) chi_squared += understated.compare(k).misfit.chi_squared;
+  EXPECT_NEAR(chi_squared / 60, 6, 0.3);
+  for (CellView& cell : cells) cell.covariance_g2 *= 8;
+  EXPECT_EQ(Consensus(cells, 2, kLimit).varianceFactor(), 1);
 }
 
 TEST(ConsensusOfCells, LeavesOutTheFewThatDisagreeAndTakesBackWhatTheyMisled) {
@@ -93,6 +111,18 @@ TEST(ConsensusOfCells, LeavesOutTheFewThatDisagreeAndTakesBackWhatTheyMisled) {
   const Consensus consensus(cells, 2, kLimit);
   EXPECT_EQ(consensus.size(), 6U);
   for (const std::size_t k : {1, 4, 5}) EXPECT_FALSE(consensus.holds(k));
+}
+
+TEST(ConsensusOfCells, IsOneCellWhereNoneAgrees) {
+  std::mt19937 random(17);
+  std::vector<CellView> cells = views(8, 0.005, random);
+  std::normal_distribution<double> normal;
+  for (CellView& cell : cells) {
+    for (double& x : cell.force_o_g) x = normal(random);
+  }
+  EXPECT_LE(Consensus(cells, 2, kLimit).size(), 2U);
+  cells.resize(2);
+  EXPECT_EQ(Consensus(cells, 2, kLimit).size(), 1U);
 }
 
 TEST(CellChange, ATurnIsFoundExactlyHoweverLargeAndTheDriftRuledOut) {
