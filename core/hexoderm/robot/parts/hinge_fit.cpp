@@ -181,7 +181,7 @@ class HingeProblem {
   }
   /// Gravity is far enough from the axis in a pose for its angle to mean something.
   [[nodiscard]] bool showsAngle(std::size_t pose) const {
-    constexpr double kKnown_rad = 0.5;
+    constexpr double kKnown_rad = 0.25;
     return pose == reference_ || angleSigma(pose) < kKnown_rad;
   }
 
@@ -304,8 +304,8 @@ void judge(Hinge& hinge, bool ambiguous, double least_probable) {
   if (is_known) {
     hinge.why = message("The poses can be explained by several axes.");
   } else if (std::min(hinge.a.sigma_rad, hinge.b.sigma_rad) <= kKnownAxis_rad) {
-    hinge.why = message("The axis is known in one of the two parts only: in the other one, gravity kept its angle to it "
-                        "in all poses, or nearly so.");
+    hinge.why = message("The axis is known in one of the two parts only: in the other one, gravity came from "
+                        "nearly one direction in all poses.");
   } else {
     hinge.why = message("The poses leave open where the axis is.");
   }

@@ -80,11 +80,6 @@ Movement judge(const MovementTest& test, const Limits& limits) {
   return test.log_odds >= limits.least_log_odds ? Movement::Together : Movement::CantTell;
 }
 
-/// How a part is called in sentences: by the cell in whose frame it is stated.
-Message nameOf(const std::vector<SeeingPatch>& patches, const Group& group) {
-  return message("the part of cell {}", patches[group.members.front()].patch->origin);
-}
-
 class PartsFinder {
  public:
   PartsFinder(const Reconstruction& reconstruction, const PartsOptions& options) : options_(options) {
@@ -264,22 +259,26 @@ class PartsFinder {
     }
   }
 
+  /// A part is called by the cell in whose frame it is.
+  [[nodiscard]] CellId nameOf(std::size_t group) const {
+    return patches_[groups_[group].members.front()].patch->origin;
+  }
+
   void sayApart(std::size_t a, std::size_t b, PartRelation& relation) const {
     relation.hinge = fitHinge(groups_[a].fit.gravity, groups_[b].fit.gravity, limits_.least_probable);
-    relation.why =
-        inRow({message("{} and {} turned against each other.", nameOf(patches_, groups_[a]), nameOf(patches_, groups_[b])),
-               relation.hinge->why});
+    relation.why = inRow({message("The part of cell {} and the part of cell {} turned against each other.", nameOf(a),
+                                  nameOf(b)),
+                          relation.hinge->why});
     relation.what_would_tell = relation.hinge->what_would_tell;
   }
 
   void sayOpen(std::size_t a, std::size_t b, const MovementTest& test, PartRelation& relation) const {
-    const Message name_a = nameOf(patches_, groups_[a]);
-    const Message name_b = nameOf(patches_, groups_[b]);
     const GravitySeen& seen = groups_[a].fit.gravity;
     const CommonPoses common = commonPoses(seen, groups_[b].fit.gravity);
     if (common.in_a.size() < 2) {
-      relation.why = message("Whether {} and {} move together can't be told: fewer than two poses have readings of both.",
-                             name_a, name_b);
+      relation.why = message("Whether the part of cell {} and that of cell {} move together can't be told: fewer than two "
+                             "poses have readings of both.",
+                             nameOf(a), nameOf(b));
       relation.what_would_tell = message("Take poses in which the cells of both have readings.");
       return;
     }
@@ -288,15 +287,15 @@ class PartsFinder {
       return std::min(angle, kPi - angle) < kOnOneLine_rad;
     });
     if (hides) {
-      relation.why = message("Whether {} and {} move together can't be told: gravity came along one line in all poses, "
-                             "and a turn about that line doesn't show.",
-                             name_a, name_b);
+      relation.why = message("Whether the part of cell {} and that of cell {} move together can't be told: gravity came "
+                             "along one line in all poses, and a turn about that line doesn't show.",
+                             nameOf(a), nameOf(b));
       relation.what_would_tell = message("Take poses in which the parts are tipped over by about 90 degrees.");
       return;
     }
-    relation.why = message("Whether {} and {} move together can't be told: in all {} poses they fit one rotation, but "
-                           "a joint between them could have been moved without showing.",
-                           name_a, name_b, common.in_a.size());
+    relation.why = message("Whether the part of cell {} and that of cell {} move together can't be told: in all {} poses "
+                           "they fit one rotation, but a joint between them could have been moved without showing.",
+                           nameOf(a), nameOf(b), common.in_a.size());
     relation.what_would_tell =
         message("Take more poses: move the joint that may be between them by 30 degrees or more from pose to pose, and "
                 "tip the parts over in new directions.");

@@ -45,7 +45,7 @@ TEST(Movement, TurnsAboutTheLineOfGravityHide) {
   const MovementTest test = testMovement(draw.see(up, {}), draw.see(up, {}));
   EXPECT_LT(std::acos(std::abs(line.dot(test.hidden_axis_a))), 0.1);
   EXPECT_LT(test.log_odds, std::log(100));
-  EXPECT_GT(test.noticeable_rad, 20 * kDegree);
+  EXPECT_GT(test.noticeable_rad, 10 * kDegree);
 }
 
 // Whatever axis the joint has: with the turns that the test thinks of, two bodies are not taken for one.
