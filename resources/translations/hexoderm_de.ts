@@ -4946,6 +4946,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>joint {}: &lt;{} link=&quot;{}&quot;&gt; names none of the robot&apos;s links</source>
         <translation>Gelenk {}: &lt;{} link=&quot;{}&quot;&gt; nennt kein Glied des Roboters</translation>
     </message>
+    <message>
+        <source>urdfdom reads other links or joints in it than this program: an element or an attribute is probably malformed, or there twice</source>
+        <translation>urdfdom liest darin andere Glieder oder Gelenke als dieses Programm: Wahrscheinlich ist ein Element oder Attribut fehlerhaft oder doppelt vorhanden</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>
