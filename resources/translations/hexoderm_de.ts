@@ -5334,6 +5334,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>{} of {} cells are as calibrated, as far as these poses show; of {} nothing can be told.</source>
         <translation>{} von {} Zellen sind wie kalibriert, soweit diese Posen es zeigen; über {} lässt sich nichts sagen.</translation>
     </message>
+    <message>
+        <source>urdfdom reads other links or joints in it than this program: an element or an attribute is probably malformed, or there twice</source>
+        <translation>urdfdom liest darin andere Glieder oder Gelenke als dieses Programm: Wahrscheinlich ist ein Element oder Attribut fehlerhaft oder doppelt vorhanden</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>

@@ -86,6 +86,7 @@ class UrdfConverter {
       : model_(model), document_(document), file_(file) {
     for (std::size_t k = 0; k < document.links.size(); ++k) link_index_.emplace(document.links[k], k);
     for (std::size_t k = 0; k < document.joints.size(); ++k) joint_index_.emplace(document.joints[k], k);
+    requireSameNames();
   }
 
   std::vector<RobotLink> links() const {
@@ -122,6 +123,20 @@ class UrdfConverter {
   }
 
  private:
+  /// urdfdom reads XML with another library, which is not as strict about what is malformed.
+  void requireSameNames() const {
+    bool same = model_.links_.size() == link_index_.size() && model_.joints_.size() == joint_index_.size();
+    for (const auto& [name, link] : model_.links_) same = same && link && link_index_.contains(name);
+    for (const auto& [name, joint] : model_.joints_) {
+      same = same && joint && joint_index_.contains(name) && link_index_.contains(joint->parent_link_name) &&
+             link_index_.contains(joint->child_link_name);
+    }
+    if (same) return;
+    throw FormatError(
+        located(file_, message("urdfdom reads other links or joints in it than this program: an element or "
+                               "an attribute is probably malformed, or there twice")));
+  }
+
   [[noreturn]] void fail(Message what) const {
     throw FormatError(located(file_, located(message("line {}", line_), located(place_, std::move(what)))));
   }
