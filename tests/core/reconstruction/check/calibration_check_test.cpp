@@ -443,7 +443,7 @@ TEST_P(HealthyCells, AreNotBlamed) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OfSimulatedSkins, HealthyCells, testing::Bool(),
-                         [](const auto& info) { return std::string(info.param ? "OnARobotThatVibrates" : "InAHand"); });
+                         [](const auto& skin) { return std::string(skin.param ? "OnARobotThatVibrates" : "InAHand"); });
 
 }  // namespace
 }  // namespace hexoderm
