@@ -22,6 +22,9 @@ constexpr std::size_t kMostPosesForAccelerations = 50;
 // Error that a hand's translation leaves in a mean; on a large part, also that of its turning at the middle of a patch.
 constexpr double kForceSigma_g = 0.003;
 constexpr double kForceSigmaOfLargePart_g = 0.03;
+// A hand that holds a part with several patches is near the middle of one of them at most: its turning, by a usual
+// tremor's angular acceleration, acts at arms of 0.15 m.
+constexpr double kForceSigmaOfSeveralPatches_g = 0.01;
 
 GapShare gapShareOf(GapModel model) {
   switch (model) {
@@ -136,7 +139,9 @@ JointRefinement::JointRefinement(const CellModel& model, const SkinGraph& graph,
   }
   problem_->poses = poses_.size();
   const bool large = cells_.size() >= kCellsOfLargePart;
-  problem_->force_sigma_g = large ? kForceSigmaOfLargePart_g : kForceSigma_g;
+  const bool several = graph.patches().size() > 1;
+  problem_->force_sigma_g =
+      large ? kForceSigmaOfLargePart_g : several ? kForceSigmaOfSeveralPatches_g : kForceSigma_g;
 
   for (const std::size_t cell : cells_) {
     for (const std::size_t k : graph.linksAt(cell)) {

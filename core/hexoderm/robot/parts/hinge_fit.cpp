@@ -279,7 +279,7 @@ class HingeProblem {
 
 /// Whether another axis explains the poses about as well.
 bool isAmbiguous(const std::vector<AxisCandidate>& candidates) {
-  constexpr double kClearly = 9;
+  constexpr double kClearly = 16;
   return candidates.size() > 1 && candidates[1].chi_squared - candidates[0].chi_squared < kClearly;
 }
 

@@ -5,6 +5,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -66,7 +67,7 @@ class Turns {
 
 /// Axes all around (either sign being the same), evenly.
 std::vector<Eigen::Vector3d> axesAllAround() {
-  constexpr int kAxes = 60;
+  constexpr int kAxes = 120;
   const double golden = kPi * (3 - std::sqrt(5.0));
   std::vector<Eigen::Vector3d> axes;
   for (int k = 0; k < kAxes; ++k) {
@@ -77,11 +78,13 @@ std::vector<Eigen::Vector3d> axesAllAround() {
   return axes;
 }
 
-/// The line that the directions lie nearest to: turns about it hide best.
-Eigen::Vector3d lineOf(const std::vector<Eigen::Vector3d>& up) {
+/// Whether all directions lie along one line, either way: within 15 degrees of it.
+bool lieOnOneLine(const std::vector<Eigen::Vector3d>& up) {
+  constexpr double kOnOneLine_rad = 15 * kDegree;
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const Eigen::Vector3d& g : up) spread += g * g.transpose();
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(2);
+  const Eigen::Vector3d line = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(2);
+  return std::ranges::all_of(up, [&](const Eigen::Vector3d& g) { return line.cross(g).norm() < std::sin(kOnOneLine_rad); });
 }
 
 }  // namespace
@@ -93,18 +96,23 @@ MovementTest testMovement(const GravitySeen& a, const GravitySeen& b) {
   test.fit = fitRigid(both);
   test.noticeable_rad = kPi;
   if (both[0].size() < 2) return test;
+  test.on_one_line = lieOnOneLine(both[0].up) || lieOnOneLine(both[1].up);
   const Turns turns(both[0], both[1], test.fit.R[1]);
   std::vector<Eigen::Vector3d> axes = axesAllAround();
-  axes.push_back(lineOf(both[0].up));
-  test.log_odds = std::numeric_limits<double>::infinity();
+  double least_odds = std::numeric_limits<double>::infinity();
   double least_information = std::numeric_limits<double>::infinity();
+  std::vector<double> log_odds;
   for (const Eigen::Vector3d& axis : axes) {
     const Turns::About about = turns.about(axis);
+    log_odds.push_back(about.log_odds);
     least_information = std::min(least_information, about.information);
-    if (about.log_odds >= test.log_odds) continue;
-    test.log_odds = about.log_odds;
+    if (about.log_odds >= least_odds) continue;
+    least_odds = about.log_odds;
     test.hidden_axis_a = axis;
   }
+  double joint = 0;  // how probable a joint is against none, times the least odds, in the mean over its axis
+  for (const double odds : log_odds) joint += std::exp(least_odds - odds) / static_cast<double>(log_odds.size());
+  test.log_odds = least_odds - std::log(joint);
   constexpr double kShows = 3;
   test.noticeable_rad = std::min(kPi, kShows / std::sqrt(std::max(least_information, 1e-12)));
   return test;

@@ -13,13 +13,11 @@
 namespace hexoderm {
 namespace {
 
-/// Directions closer to a line than this are on it: a turn about it hides.
-constexpr double kOnOneLine_rad = 15 * kDegree;
-
 /// Patches with what they saw, the largest first.
 struct SeeingPatch {
   const PatchReconstruction* patch = nullptr;
   GravitySeen seen;
+  GravitySeen seen_from_joint;  ///< as `seen`, meant at a joint of its part
 };
 
 /// A pose counts as different from another one by what the patch that tells them apart best sees.
@@ -77,7 +75,7 @@ struct Limits {
 
 Movement judge(const MovementTest& test, const Limits& limits) {
   if (test.fit.misfit.probability() < limits.least_probable) return Movement::Apart;
-  return test.log_odds >= limits.least_log_odds ? Movement::Together : Movement::CantTell;
+  return !test.on_one_line && test.log_odds >= limits.least_log_odds ? Movement::Together : Movement::CantTell;
 }
 
 class PartsFinder {
@@ -86,7 +84,7 @@ class PartsFinder {
     gather(reconstruction);
     const double pairs = static_cast<double>(patches_.size() * (patches_.size() - 1)) / 2;
     limits_.least_probable = options.false_alarm / std::max(1.0, pairs);
-    limits_.least_log_odds = std::log(options.least_odds * std::max(1.0, pairs));
+    limits_.least_log_odds = std::log(options.least_odds);
   }
 
   PartsResult run() {
@@ -124,14 +122,16 @@ class PartsFinder {
       result_.not_compared.push_back(seeing.back()->id);
     }
     const std::vector<PoseId> poses = choosePoses(seeing);
-    for (const PatchReconstruction* patch : seeing) patches_.push_back({patch, seenIn(*patch, poses)});
+    for (const PatchReconstruction* patch : seeing) {
+      patches_.push_back({patch, seenIn(*patch, poses, options_.lever_m), seenIn(*patch, poses, options_.joint_lever_m)});
+    }
   }
 
   /// Of patches with hundreds of poses only those that are compared get their covariance.
   [[nodiscard]] std::vector<PoseId> choosePoses(const std::vector<const PatchReconstruction*>& seeing) const {
     std::vector<SeeingPatch> directions;
     for (const PatchReconstruction* patch : seeing) {
-      SeeingPatch& bare = directions.emplace_back(SeeingPatch{patch, {}});
+      SeeingPatch& bare = directions.emplace_back(SeeingPatch{patch, {}, {}});
       for (const GravityDirection& gravity : patch->gravity) {
         bare.seen.poses.push_back(gravity.pose);
         bare.seen.up.push_back(gravity.g_o);
@@ -140,14 +140,15 @@ class PartsFinder {
     return differentPoses(directions, posesOf(seeing), options_.most_poses);
   }
 
-  [[nodiscard]] GravitySeen seenIn(const PatchReconstruction& patch, const std::vector<PoseId>& poses) const {
+  [[nodiscard]] GravitySeen seenIn(const PatchReconstruction& patch, const std::vector<PoseId>& poses,
+                                   double lever_m) const {
     std::vector<std::size_t> used;
     for (std::size_t k = 0; k < patch.gravity.size(); ++k) {
       const PoseId pose = patch.gravity[k].pose;
       const bool is_first = std::ranges::none_of(used, [&](std::size_t u) { return patch.gravity[u].pose == pose; });
       if (is_first && std::ranges::binary_search(poses, pose)) used.push_back(k);
     }
-    return gravityOf(patch, used, options_.lever_m);
+    return gravityOf(patch, used, lever_m);
   }
 
   [[nodiscard]] Group groupOf(std::vector<std::size_t> members) const {
@@ -264,8 +265,15 @@ class PartsFinder {
     return patches_[groups_[group].members.front()].patch->origin;
   }
 
+  /// What a part sees at a joint, which is further away than its patches are from each other.
+  [[nodiscard]] GravitySeen gravityAtJoint(std::size_t group) const {
+    std::vector<GravitySeen> bodies;
+    for (const std::size_t member : groups_[group].members) bodies.push_back(patches_[member].seen_from_joint);
+    return fitRigid(bodies).gravity;
+  }
+
   void sayApart(std::size_t a, std::size_t b, PartRelation& relation) const {
-    relation.hinge = fitHinge(groups_[a].fit.gravity, groups_[b].fit.gravity, limits_.least_probable);
+    relation.hinge = fitHinge(gravityAtJoint(a), gravityAtJoint(b), limits_.least_probable);
     relation.why = inRow({message("The part of cell {} and the part of cell {} turned against each other.", nameOf(a),
                                   nameOf(b)),
                           relation.hinge->why});
@@ -273,8 +281,7 @@ class PartsFinder {
   }
 
   void sayOpen(std::size_t a, std::size_t b, const MovementTest& test, PartRelation& relation) const {
-    const GravitySeen& seen = groups_[a].fit.gravity;
-    const CommonPoses common = commonPoses(seen, groups_[b].fit.gravity);
+    const CommonPoses common = commonPoses(groups_[a].fit.gravity, groups_[b].fit.gravity);
     if (common.in_a.size() < 2) {
       relation.why = message("Whether the part of cell {} and that of cell {} move together can't be told: fewer than two "
                              "poses have readings of both.",
@@ -282,11 +289,7 @@ class PartsFinder {
       relation.what_would_tell = message("Take poses in which the cells of both have readings.");
       return;
     }
-    const bool hides = std::ranges::all_of(common.in_a, [&](std::size_t k) {
-      const double angle = angleBetween(seen.up[k], test.hidden_axis_a);
-      return std::min(angle, kPi - angle) < kOnOneLine_rad;
-    });
-    if (hides) {
+    if (test.on_one_line) {
       relation.why = message("Whether the part of cell {} and that of cell {} move together can't be told: gravity came "
                              "along one line in all poses, and a turn about that line doesn't show.",
                              nameOf(a), nameOf(b));
@@ -368,6 +371,9 @@ void PartsOptions::validate() const {
   if (!(false_alarm > 0 && false_alarm < 1)) throw InvalidArgument(message("false_alarm must be between 0 and 1"));
   if (!(least_odds >= 1) || !std::isfinite(least_odds)) throw InvalidArgument(message("least_odds must be at least 1"));
   if (!(lever_m >= 0) || !std::isfinite(lever_m)) throw InvalidArgument(message("lever_m must not be negative"));
+  if (!(joint_lever_m >= 0) || !std::isfinite(joint_lever_m)) {
+    throw InvalidArgument(message("joint_lever_m must not be negative"));
+  }
   if (most_poses < 2) throw InvalidArgument(message("most_poses must be at least 2"));
   if (most_patches < 1) throw InvalidArgument(message("most_patches must be at least 1"));
 }

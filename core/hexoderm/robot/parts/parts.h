@@ -21,10 +21,12 @@ struct PartsOptions {
   /// Probability with which any of the tests calls something apart that isn't.
   double false_alarm = 1e-3;
   /// "Together" takes so large a ratio of the probabilities of what was seen: of one rigid part, to two with a joint.
-  double least_odds = 100;
+  double least_odds = 20;
   /// How far the middle of a patch may be from that of its part, 1 sigma an axis, m. Patches that a hand turns while
   /// they are read feel another force at every place.
   double lever_m = 0.1;
+  /// The same from a joint between two parts.
+  double joint_lever_m = 0.15;
   /// Poses beyond so many are not compared; those are taken that differ most.
   std::size_t most_poses = 40;
   /// Patches beyond so many, the smallest, are not compared.

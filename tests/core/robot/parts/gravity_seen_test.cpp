@@ -62,7 +62,7 @@ double neesOfGravity(const std::string& patch, std::size_t poses, int seeds) {
     const GravitySeen seen = gravityOf(solved, all, 0);
     Eigen::VectorXd error(static_cast<Eigen::Index>(2 * poses));
     for (std::size_t k = 0; k < poses; ++k) {
-      const Eigen::Vector3d up = skins.T_body_u(solved.origin).R.transpose() * skins.ups()[k];
+      const Eigen::Vector3d up = skins.T_body_u(solved.origin).R.transpose() * skins.forceAt(k, skins.middleOf(0)).normalized();
       error.segment<2>(static_cast<Eigen::Index>(2 * k)) = acrossBasis(seen.up[k]).transpose() * up;
     }
     sum += error.dot(seen.covariance.llt().solve(error));

@@ -24,8 +24,7 @@ struct JointedSkinsOptions {
   std::uint64_t seed = 1;
   bool hand_held = true;
   double offset_sigma_g = 0.06;
-  double joint_spread_rad = 40 * kDegree;  ///< 1 sigma of the joint's angle
-  double base_spread_rad = kPi;            ///< the base is turned by up to this from where +z is up
+  double joint_range_rad = 130 * kDegree;  ///< of the joint's angle: an elbow's
   int sensor_frames = 100;
 };
 
@@ -57,9 +56,11 @@ class JointedSkins {
       }
     }
     Session session(model_, neighbors);
-    for (std::size_t pose = 0; pose < poses; ++pose) {
+    const Eigen::Matrix3d turned = anyRotation();
+    drawAngles(poses);
+    for (const Eigen::Vector3d& up : scriptedUpDirections(poses)) {
       const PoseId id = session.nextPoseId();
-      session.addPose({std::make_shared<const PoseCapture>(averageFrames(framesOfPose(), id, {}))});
+      session.addPose({std::make_shared<const PoseCapture>(averageFrames(framesOfPose(turned * up), id, {}))});
     }
     return session;
   }
@@ -74,19 +75,35 @@ class JointedSkins {
     const PatchOnBody& patch = patches_[patchOf(cell)];
     return patch.T_body_b * patch.skin.truth()[cell.value() % 1000 - 1].T_b_u;
   }
+  /// The middle of a patch's cells in the frame of its body.
+  [[nodiscard]] Eigen::Vector3d middleOf(std::size_t patch) const {
+    const std::vector<TrueCell>& cells = patches_[patch].skin.truth();
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const TrueCell& cell : cells) sum += cell.T_b_u.t / static_cast<double>(cells.size());
+    return patches_[patch].T_body_b * sum;
+  }
   /// The hinge's axis in the frame of a body.
   [[nodiscard]] Eigen::Vector3d axisIn(std::size_t body) const {
     return body == 0 ? axis_0_ : Eigen::Vector3d(T_0_1_.R.transpose() * axis_0_);
   }
   [[nodiscard]] const std::vector<double>& angles() const { return angles_; }
-  /// Gravity in body 0, per pose, at the middle of the hold.
-  [[nodiscard]] const std::vector<Eigen::Vector3d>& ups() const { return ups_; }
+  /// The specific force at a point of body 0 (in its frame) in a pose, mean over the samples, g: up and about 1 long.
+  [[nodiscard]] Eigen::Vector3d forceAt(std::size_t pose, const Eigen::Vector3d& x_0) const {
+    const Mean& mean = means_[pose];
+    return mean.up_0 + mean.field_0 * (x_0 - mean.hand_0);
+  }
 
  private:
   struct PatchOnBody {
     std::size_t body = 0;
     SE3 T_body_b;
     SimulatedSkin skin;
+  };
+
+  struct Mean {
+    Eigen::Vector3d up_0 = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d field_0 = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d hand_0 = Eigen::Vector3d::Zero();
   };
 
   double normal() { return normal_(random_); }
@@ -102,22 +119,35 @@ class JointedSkins {
     return Eigen::Quaterniond(w, x, y, normal()).normalized().toRotationMatrix();
   }
 
-  std::vector<SampleFrame> framesOfPose() {
-    const Eigen::Vector3d tip = anyDirection().cross(Eigen::Vector3d::UnitZ()).normalized();
-    const double z = 1 - (1 - std::cos(options_.base_spread_rad)) * std::uniform_real_distribution<double>(0, 1)(random_);
-    const Eigen::Vector3d up = expSO3(std::acos(z) * tip) * Eigen::Vector3d::UnitZ();
+  /// The joint is moved from pose to pose, as the instructions have it: one angle from each part of its range, in any
+  /// order.
+  void drawAngles(std::size_t poses) {
+    std::uniform_real_distribution<double> within(0, 1);
+    for (std::size_t k = 0; k < poses; ++k) {
+      const double share = (static_cast<double>(k) + within(random_)) / static_cast<double>(poses);
+      angles_.push_back(options_.joint_range_rad * (share - 0.5));
+    }
+    for (std::size_t k = poses; k > 1; --k) {
+      std::swap(angles_[k - 1], angles_[std::uniform_int_distribution<std::size_t>(0, k - 1)(random_)]);
+    }
+  }
+
+  /// Of a pose in which `up` (unit, frame of body 0) is to be up.
+  std::vector<SampleFrame> framesOfPose(const Eigen::Vector3d& up) {
     const SimulatedSkinOptions& hand = patches_.front().skin.options();
     const HandMotion motion = options_.hand_held ? HandMotion(up, hand, random_) : HandMotion(up);
     const Eigen::Vector3d hand_0 = 0.05 * Eigen::Vector3d(normal(), normal(), normal());
-    angles_.push_back(options_.joint_spread_rad * normal());
-    const SE3 T_0_1 = SE3{expSO3(angles_.back() * axis_0_), Eigen::Vector3d::Zero()} * T_0_1_;
+    const SE3 T_0_1 = SE3{expSO3(angles_[means_.size()] * axis_0_), Eigen::Vector3d::Zero()} * T_0_1_;
     std::vector<SampleFrame> frames(static_cast<std::size_t>(options_.sensor_frames));
     const Accelerometer& accelerometer = model_.accelerometer;
     const double white_g = accelerometer.noise_g_per_sqrt_hz * std::sqrt(accelerometer.rate_hz / 2);
-    ups_.push_back(motion.at(options_.sensor_frames / accelerometer.rate_hz / 2).up_b);
+    Mean& mean = means_.emplace_back();
+    mean.hand_0 = hand_0;
     for (std::size_t tick = 0; tick < frames.size(); ++tick) {
       frames[tick].time_s = static_cast<double>(tick) / accelerometer.rate_hz;
       const BodyMotion body = motion.at(frames[tick].time_s);
+      mean.up_0 += body.up_b / static_cast<double>(frames.size());
+      mean.field_0 += body.field_b / static_cast<double>(frames.size());
       for (std::size_t k = 0; k < patches_.size(); ++k) {
         const PatchOnBody& patch = patches_[k];
         const SE3 T_0_b = patch.body == 0 ? patch.T_body_b : T_0_1 * patch.T_body_b;
@@ -144,7 +174,7 @@ class JointedSkins {
   Eigen::Vector3d axis_0_;
   SE3 T_0_1_;
   std::vector<double> angles_;
-  std::vector<Eigen::Vector3d> ups_;
+  std::vector<Mean> means_;
 };
 
 }  // namespace hexoderm
