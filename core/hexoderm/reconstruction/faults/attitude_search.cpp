@@ -13,8 +13,9 @@
 namespace hexoderm {
 namespace {
 
-/// The weight of the cell model's scatter against what a patch's links show, in links.
-constexpr double kWeightOfModel = 4;
+/// The weight of the cell model's scatter of twist, bend and yaw against what a patch's links show, in links. The
+/// model's twist and bend include the part's curvature, which the shape explains, so they say little about the rest.
+constexpr std::array<double, 3> kWeightOfModel = {1, 1, 4};
 /// Prior deviation of a patch's curvature, as the bend of one link.
 constexpr double kCurvatureSigma = 30 * kDegree;
 /// Variance of an angle of which nothing is known.
@@ -117,6 +118,7 @@ AttitudeSearch::AttitudeSearch(const SkinLinks& skin, std::span<const std::size_
     refine(forces);
   }
   findOwnAttitudes(forces, placements);
+  measuring_ = static_cast<double>(std::ranges::count_if(own_, &Own::known));
   findJoints();
   sigma_ = {skin.model().twist_sigma_rad, skin.model().bend_sigma_rad, skin.model().yaw_sigma_rad};
 }
@@ -252,7 +254,8 @@ AttitudeSearch::Shape AttitudeSearch::fitShape(bool with_antisymmetric) {
     if (!tested(joint)) continue;
     const Own& source = own_[joint.source];
     const Own& target = own_[joint.target];
-    links.push_back({anglesOf(joint, source, target), measured(joint, source, target).diagonal(),
+    links.push_back({anglesOf(joint, source, target),
+                     measured(joint, source, target).diagonal(),
                      {twistRow(joint.heading_rad), bendRow(joint.heading_rad), Eigen::Vector4d::Zero()}});
   }
   for (int round = 0; round < kRounds; ++round) {
@@ -275,9 +278,10 @@ AttitudeSearch::Shape AttitudeSearch::fitShape(bool with_antisymmetric) {
     shape.antisymmetric_sigma = std::sqrt(covariance(3, 3));
     for (int axis = 0; axis < 3; ++axis) {
       const double before = sigma_[axis] * sigma_[axis];
-      double sum = kWeightOfModel * model_sigma[axis] * model_sigma[axis];
+      const double weight_of_model = kWeightOfModel.at(static_cast<std::size_t>(axis));
+      double sum = weight_of_model * model_sigma[axis] * model_sigma[axis];
       for (const SeenLink& link : links) sum += scatterOf(link, axis, before, shape.parameters, covariance);
-      const double after = sum / (kWeightOfModel + static_cast<double>(links.size()));
+      const double after = sum / (weight_of_model + static_cast<double>(links.size()));
       sigma_[axis] = axis == 2 ? std::max(model_sigma[axis], std::sqrt(after)) : std::sqrt(after);
     }
   }
@@ -448,8 +452,13 @@ std::optional<AttitudeSuspect> AttitudeSearch::judgeMotion(std::size_t place) co
   std::vector<Eigen::Vector3d> v_g;
   for (const Eigen::Vector3d& f_o : own.f_o) v_g.emplace_back(R_u_a.transpose() * own.R_o_u.transpose() * f_o);
   const Belief links = beliefBeside(place, nullptr);
-  const AttitudePrior attitude{R_u_a.transpose() * links.information * R_u_a, R_u_a.transpose() * links.weighted};
-  const TurnBetweenPoses turn = findTurn(AccelerometerPrior(skin_.model().accelerometer), own.readings, v_g, attitude);
+  const Eigen::Matrix3d of_links = links.covariance();
+  const Eigen::Matrix3d information = (of_links + ownScatter(place)).inverse();
+  const AttitudePrior attitude{R_u_a.transpose() * information * R_u_a,
+                               R_u_a.transpose() * information * of_links * links.weighted};
+  TurnBetweenPoses turn = findTurn(AccelerometerPrior(skin_.model().accelerometer), own.readings, v_g, attitude);
+  // The forces are what all cells agree on, and the cell's own share in them hides as much of its turn.
+  turn.gain.chi_squared *= measuring_ / std::max(1.0, measuring_ - 1);
   const auto tests = static_cast<double>(cells_.size() * (own.readings.size() - 1));
   const double limit =
       strictness() * strictness() * chiSquaredExceededOnceIn(kPatchesPerFalseMotion * tests, turn.gain.degrees);

@@ -46,8 +46,9 @@ struct AttitudeSuspect {
 /// exact in trees, and cut short after a few links, lest it come back in loops). A link's angles are those of R_c^T
 /// R_n. In the elastomer's mould neighbours' angles belong to a surface: with the shape operator S (symmetric, the same
 /// for the patch), a link in the direction u bends by u^T S u and twists by -(z x u)^T S u; what is left scatters with
-/// deviations that start as the cell model's and follow what the patch shows (bend and twist; yaw never falls below the
-/// model's). Real skins that lie irregularly get wide limits in this way, and regular ones narrow limits.
+/// deviations that start as the cell model's and follow what the patch shows beyond the errors of its readings (bend
+/// and twist; yaw never falls below the model's). Real skins that lie irregularly get wide limits in this way, and
+/// regular ones narrow limits.
 ///
 /// A link's angles are compared with that scatter and what both sides say about its cells; a cell's misfit with all its
 /// links is a chi-squared with three degrees of freedom, and so is what is gained if it may have turned between two
@@ -132,6 +133,7 @@ class AttitudeSearch {
   const SkinLinks& skin_;
   std::vector<std::size_t> cells_;  ///< of the graph
   std::vector<Own> own_;            ///< per cell of the patch
+  double measuring_ = 0;            ///< cells that the forces are of
   std::vector<Joint> joints_;
   std::vector<std::vector<std::size_t>> at_;  ///< per cell of the patch, indices into joints_
   Shape shape_;
