@@ -14,8 +14,8 @@ namespace hexoderm {
 /// The same for the same `up`.
 Eigen::Matrix<double, 3, 2> acrossBasis(const Eigen::Vector3d& up);
 
-/// The direction of gravity (up, unit) in P poses in the frame of one rigid body. Errors are across the directions: up +
-/// acrossBasis(up) e, and e of all poses are jointly normal.
+/// The direction of gravity (up, unit) in P poses in the frame of one rigid body. Errors are across the directions: up
+/// + acrossBasis(up) e, and e of all poses are jointly normal.
 struct GravitySeen {
   std::vector<PoseId> poses;        ///< each once
   std::vector<Eigen::Vector3d> up;  ///< per pose

@@ -286,8 +286,9 @@ bool isAmbiguous(const std::vector<AxisCandidate>& candidates) {
 void judge(Hinge& hinge, bool ambiguous, double least_probable) {
   if (hinge.freedom > 0 && hinge.probability < least_probable) {
     hinge.knowledge = HingeKnowledge::NoAxis;
-    hinge.why = message("No single axis explains how the two parts turned against each other: there is more between "
-                        "them than one revolute joint, or a part moved while a pose was taken.");
+    hinge.why = message(
+        "No single axis explains how the two parts turned against each other: there is more between "
+        "them than one revolute joint, or a part moved while a pose was taken.");
     hinge.what_would_tell = message("Move one joint only, and take at least five poses with it.");
     return;
   }
@@ -304,8 +305,9 @@ void judge(Hinge& hinge, bool ambiguous, double least_probable) {
   if (is_known) {
     hinge.why = message("The poses can be explained by several axes.");
   } else if (std::min(hinge.a.sigma_rad, hinge.b.sigma_rad) <= kKnownAxis_rad) {
-    hinge.why = message("The axis is known in one of the two parts only: in the other one, gravity came from "
-                        "nearly one direction in all poses.");
+    hinge.why = message(
+        "The axis is known in one of the two parts only: in the other one, gravity came from "
+        "nearly one direction in all poses.");
   } else {
     hinge.why = message("The poses leave open where the axis is.");
   }
@@ -332,7 +334,8 @@ Hinge fitHinge(const GravitySeen& all_a, const GravitySeen& all_b, double least_
   Hinge hinge;
   if (a.size() < kPosesForHinge) {
     hinge.a.sigma_rad = hinge.b.sigma_rad = kPi / 2;
-    hinge.why = message("An axis between two parts takes at least {} poses, and there are {}.", kPosesForHinge, a.size());
+    hinge.why =
+        message("An axis between two parts takes at least {} poses, and there are {}.", kPosesForHinge, a.size());
     hinge.what_would_tell = message("Take more poses, each with the joint turned elsewhere.");
     return hinge;
   }

@@ -15,7 +15,8 @@ namespace {
 
 using Eigen::Index;
 
-/// What is seen of turns between the two bodies, with the constant turn between them taken out: r = J w_p in every pose.
+/// What is seen of turns between the two bodies, with the constant turn between them taken out: r = J w_p in every
+/// pose.
 class Turns {
  public:
   Turns(const GravitySeen& a, const GravitySeen& b, const Eigen::Matrix3d& R_a_b) : up_a_(a.up) {
@@ -84,7 +85,8 @@ bool lieOnOneLine(const std::vector<Eigen::Vector3d>& up) {
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const Eigen::Vector3d& g : up) spread += g * g.transpose();
   const Eigen::Vector3d line = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(2);
-  return std::ranges::all_of(up, [&](const Eigen::Vector3d& g) { return line.cross(g).norm() < std::sin(kOnOneLine_rad); });
+  return std::ranges::all_of(up,
+                             [&](const Eigen::Vector3d& g) { return line.cross(g).norm() < std::sin(kOnOneLine_rad); });
 }
 
 }  // namespace

@@ -32,8 +32,8 @@ class RigidProblem {
         if (latents.back() == poses_.size()) poses_.push_back(pose);
       }
       observations_ += static_cast<Index>(2 * body.size());
-      information_.push_back(body.covariance.llt().solve(
-          Eigen::MatrixXd::Identity(body.covariance.rows(), body.covariance.cols())));
+      information_.push_back(
+          body.covariance.llt().solve(Eigen::MatrixXd::Identity(body.covariance.rows(), body.covariance.cols())));
     }
     start();
   }
@@ -55,9 +55,7 @@ class RigidProblem {
  private:
   [[nodiscard]] Index latentAt(std::size_t latent) const { return static_cast<Index>(2 * latent); }
   /// Of a body but the first.
-  [[nodiscard]] Index turnAt(std::size_t body) const {
-    return static_cast<Index>(2 * poses_.size() + 3 * (body - 1));
-  }
+  [[nodiscard]] Index turnAt(std::size_t body) const { return static_cast<Index>(2 * poses_.size() + 3 * (body - 1)); }
   [[nodiscard]] Index unknowns() const { return static_cast<Index>(2 * poses_.size() + 3 * (bodies_.size() - 1)); }
 
   /// Body by body, each turned onto what those before it saw.
@@ -123,8 +121,7 @@ class RigidProblem {
               rows.by_latent[a].transpose() * W.block<2, 2>(latentAt(a), latentAt(b)) * rows.by_latent[b];
         }
         if (body == 0) continue;
-        const Eigen::Matrix<double, 2, 3> mixed =
-            rows.by_latent[a].transpose() * W_turn.middleRows<2>(latentAt(a));
+        const Eigen::Matrix<double, 2, 3> mixed = rows.by_latent[a].transpose() * W_turn.middleRows<2>(latentAt(a));
         matrix_.block<2, 3>(at_a, turnAt(body)) += mixed;
         matrix_.block<3, 2>(turnAt(body), at_a) += mixed.transpose();
       }
