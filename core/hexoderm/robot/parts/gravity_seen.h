@@ -30,6 +30,9 @@ struct GravitySeen {
 /// axis, a patch's middle is from the point at which the body's gravity is meant.
 GravitySeen gravityOf(const PatchReconstruction& patch, std::span<const std::size_t> used, double lever_m);
 
+/// Whether all directions lie along one line, either way, within 15 degrees of it: a turn about it doesn't show.
+bool lieOnOneLine(const std::vector<Eigen::Vector3d>& up);
+
 /// The poses at these indices.
 GravitySeen onlyPoses(const GravitySeen& seen, std::span<const std::size_t> indices);
 

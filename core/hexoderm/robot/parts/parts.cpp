@@ -68,12 +68,12 @@ struct Group {
 };
 
 /// All tests of one call share its false alarms.
-struct Limits {
+struct MovementLimits {
   double least_probable = 0;
   double least_log_odds = 0;
 };
 
-Movement judge(const MovementTest& test, const Limits& limits) {
+Movement judgeMovement(const MovementTest& test, const MovementLimits& limits) {
   if (test.fit.misfit.probability() < limits.least_probable) return Movement::Apart;
   return !test.on_one_line && test.log_odds >= limits.least_log_odds ? Movement::Together : Movement::CantTell;
 }
@@ -178,7 +178,7 @@ class PartsFinder {
     for (std::size_t a = 0; a < groups_.size(); ++a) {
       for (std::size_t b = 0; b < a; ++b) {
         const MovementTest& test = tests_[a][b];
-        if (judge(test, limits_) != Movement::Together || (best != nullptr && test.log_odds <= best->log_odds))
+        if (judgeMovement(test, limits_) != Movement::Together || (best != nullptr && test.log_odds <= best->log_odds))
           continue;
         best = &test;
         first = b;
@@ -249,7 +249,7 @@ class PartsFinder {
         PartRelation& relation = result_.relations.emplace_back();
         relation.a = a;
         relation.b = b;
-        relation.movement = judge(test, limits_);
+        relation.movement = judgeMovement(test, limits_);
         relation.probability = test.fit.misfit.probability();
         relation.log10_odds = test.log_odds / std::log(10.0);
         relation.noticeable_rad = test.noticeable_rad;
@@ -324,7 +324,7 @@ class PartsFinder {
         }
         const std::size_t first = std::min(part_of[a], part_of[b]);
         const std::size_t second = std::max(part_of[a], part_of[b]);
-        pair.movement = judge(tests_[second][first], limits_);
+        pair.movement = judgeMovement(tests_[second][first], limits_);
       }
     }
   }
@@ -352,7 +352,7 @@ class PartsFinder {
   }
 
   const PartsOptions& options_;
-  Limits limits_;
+  MovementLimits limits_;
   std::vector<SeeingPatch> patches_;
   std::vector<Group> groups_;
   Tests tests_;

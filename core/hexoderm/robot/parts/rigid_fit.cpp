@@ -16,11 +16,11 @@ namespace {
 using Eigen::Index;
 
 /// Information about every turn that stands for "within a radian", so that what poses leave open stays finite.
-constexpr double kLeastInformation = 1;
+constexpr double kOpenTurnInformation = 1;
 /// A turn that is known to less is none that the fit has used up.
 constexpr double kOpenVariance_rad2 = 0.25;
-constexpr int kMostSteps = 30;
-constexpr double kSettled_rad = 1e-10;
+constexpr int kMostRigidSteps = 30;
+constexpr double kRigidSettled_rad = 1e-10;
 
 class RigidProblem {
  public:
@@ -40,12 +40,12 @@ class RigidProblem {
 
   RigidFit solve() {
     Eigen::LLT<Eigen::MatrixXd> factor;
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (int step = 0; step < kMostRigidSteps; ++step) {
       linearize();
       factor.compute(matrix_);
       const Eigen::VectorXd move = -factor.solve(gradient_);
       apply(move);
-      if (move.cwiseAbs().maxCoeff() < kSettled_rad) break;
+      if (move.cwiseAbs().maxCoeff() < kRigidSettled_rad) break;
     }
     linearize();
     factor.compute(matrix_);
@@ -128,7 +128,7 @@ class RigidProblem {
       if (body == 0) continue;
       gradient_.segment<3>(turnAt(body)) += rows.by_turn.transpose() * We;
       matrix_.block<3, 3>(turnAt(body), turnAt(body)) +=
-          rows.by_turn.transpose() * W_turn + kLeastInformation * Eigen::Matrix3d::Identity();
+          rows.by_turn.transpose() * W_turn + kOpenTurnInformation * Eigen::Matrix3d::Identity();
     }
   }
 
