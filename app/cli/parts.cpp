@@ -19,8 +19,9 @@ using Json = nlohmann::ordered_json;
 
 /// "1.2e-05", "0.43": a probability that may be tiny.
 std::string probability(double value) {
-  return value >= 0.001 ? formatFixed(value, 3) : value >= 1e-99 ? "1e" + formatFixed(std::floor(std::log10(value)), 0)
-                                                                 : "0";
+  return value >= 0.001   ? formatFixed(value, 3)
+         : value >= 1e-99 ? "1e" + formatFixed(std::floor(std::log10(value)), 0)
+                          : "0";
 }
 
 /// "2.0 deg", the worst way.
@@ -55,8 +56,9 @@ void printParts(const Reconstruction& r, const PartsResult& result) {
 
 void printPairs(const PartsResult& result) {
   if (result.pairs.empty()) return;
-  std::cout << "Pairs of patches (misfit: chi-squared / degrees of freedom; p: its probability in one part; odds: of one "
-               "part against a joint that was moved; shows: turns that would have shown about any axis):\n";
+  std::cout
+      << "Pairs of patches (misfit: chi-squared / degrees of freedom; p: its probability in one part; odds: of one "
+         "part against a joint that was moved; shows: turns that would have shown about any axis):\n";
   for (const PatchPair& pair : result.pairs) {
     std::cout << "  " << pair.a << " and " << pair.b << ": " << movementName(pair.movement) << "; " << pair.poses
               << " poses, misfit " << formatFixed(pair.chi_squared, 1) << " / " << pair.freedom << ", p "
@@ -69,9 +71,9 @@ void printHinge(const PartsResult& result, const PartRelation& relation) {
   const Hinge& hinge = *relation.hinge;
   if (hinge.knowledge != HingeKnowledge::Found) return;
   const auto frame = [&](std::size_t part) { return result.parts[part].patches.front().origin; };
-  std::cout << "    axis " << direction(hinge.a.u) << " +- " << degrees(hinge.a.sigma_rad, 1) << " in the frame of cell "
-            << frame(relation.a) << ", " << direction(hinge.b.u) << " +- " << degrees(hinge.b.sigma_rad, 1)
-            << " in that of cell " << frame(relation.b) << '\n';
+  std::cout << "    axis " << direction(hinge.a.u) << " +- " << degrees(hinge.a.sigma_rad, 1)
+            << " in the frame of cell " << frame(relation.a) << ", " << direction(hinge.b.u) << " +- "
+            << degrees(hinge.b.sigma_rad, 1) << " in that of cell " << frame(relation.b) << '\n';
   std::cout << "    turned, against pose " << *hinge.reference << ", by";
   const char* separator = " ";
   for (const HingeAngle& angle : hinge.angles) {
@@ -87,8 +89,8 @@ void printHinge(const PartsResult& result, const PartRelation& relation) {
 
 void printRelations(const PartsResult& result) {
   for (const PartRelation& relation : result.relations) {
-    std::cout << "Parts " << relation.a + 1 << " and " << relation.b + 1 << ": "
-              << forTerminal(relation.why.english()) << '\n';
+    std::cout << "Parts " << relation.a + 1 << " and " << relation.b + 1 << ": " << forTerminal(relation.why.english())
+              << '\n';
     if (relation.hinge) printHinge(result, relation);
     if (!relation.what_would_tell.empty()) {
       std::cout << "    Next: " << forTerminal(relation.what_would_tell.english()) << '\n';
@@ -126,9 +128,8 @@ Json toJson(const Reconstruction& r, const Part& part) {
                                {"sigma_deg", toDegrees(rotationSigma(patch.covariance))}});
   }
   for (const GravityDirection& gravity : part.gravity) {
-    json["gravity"].push_back({{"pose", gravity.pose.value()},
-                               {"up_part", list(gravity.g_o)},
-                               {"sigma_deg", toDegrees(gravity.sigma_rad)}});
+    json["gravity"].push_back(
+        {{"pose", gravity.pose.value()}, {"up_part", list(gravity.g_o)}, {"sigma_deg", toDegrees(gravity.sigma_rad)}});
   }
   return json;
 }
@@ -197,10 +198,9 @@ Json toJson(const Reconstruction& r, const PartsResult& result) {
 }
 
 bool tellsAll(const PartsResult& result) {
-  return !result.parts.empty() &&
-         std::ranges::none_of(result.relations, [](const PartRelation& relation) {
-           return relation.movement == Movement::CantTell;
-         });
+  return !result.parts.empty() && std::ranges::none_of(result.relations, [](const PartRelation& relation) {
+    return relation.movement == Movement::CantTell;
+  });
 }
 
 int run(const std::string& input, const Common& common) {
@@ -231,7 +231,8 @@ void addParts(CLI::App& app, Common& common) {
   command->add_option("session", *input, "Session (*.hexo or *.session.json)")->required();
   common.addTo(*command);
   command->footer(
-      "From gravity alone: where patches and hinges lie, it doesn't say. A joint that stood still in all poses can't be\n"
+      "From gravity alone: where patches and hinges lie, it doesn't say. A joint that stood still in all poses can't "
+      "be\n"
       "seen. Hinges take five poses.\n"
       "Exit code 1: of some parts the poses can't tell whether they move together.\n"
       "Example:\n  hexoderm-cli parts robot.session.json --json");

@@ -5338,6 +5338,118 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>urdfdom reads other links or joints in it than this program: an element or an attribute is probably malformed, or there twice</source>
         <translation>urdfdom liest darin andere Glieder oder Gelenke als dieses Programm: Wahrscheinlich ist ein Element oder Attribut fehlerhaft oder doppelt vorhanden</translation>
     </message>
+    <message>
+        <source>No single axis explains how the two parts turned against each other: there is more between them than one revolute joint, or a part moved while a pose was taken.</source>
+        <translation>Keine einzelne Achse erklärt, wie sich die beiden Teile gegeneinander gedreht haben: Zwischen ihnen liegt mehr als ein Drehgelenk, oder ein Teil hat sich während einer Aufnahme bewegt.</translation>
+    </message>
+    <message>
+        <source>Move one joint only, and take at least five poses with it.</source>
+        <translation>Nur ein Gelenk bewegen und damit mindestens fünf Posen aufnehmen.</translation>
+    </message>
+    <message>
+        <source>One axis explains all {} poses; it is known to {} in the one part and to {} in the other.</source>
+        <translation>Eine Achse erklärt alle {} Posen; sie ist im einen Teil auf {} genau bekannt und im anderen auf {}.</translation>
+    </message>
+    <message>
+        <source>Take another pose with the joint between them turned elsewhere and its axis pointing in a new direction.</source>
+        <translation>Eine weitere Pose aufnehmen, in der das Gelenk dazwischen anders steht und seine Achse in eine neue Richtung zeigt.</translation>
+    </message>
+    <message>
+        <source>The poses can be explained by several axes.</source>
+        <translation>Die Posen lassen sich durch mehrere Achsen erklären.</translation>
+    </message>
+    <message>
+        <source>The axis is known in one of the two parts only: in the other one, gravity came from nearly one direction in all poses.</source>
+        <translation>Die Achse ist nur in einem der beiden Teile bekannt: Im anderen kam die Schwerkraft in allen Posen etwa aus derselben Richtung.</translation>
+    </message>
+    <message>
+        <source>The poses leave open where the axis is.</source>
+        <translation>Die Posen lassen offen, wo die Achse liegt.</translation>
+    </message>
+    <message>
+        <source>An axis between two parts takes at least {} poses, and there are {}.</source>
+        <translation>Für eine Achse zwischen zwei Teilen braucht es mindestens {} Posen, vorhanden sind {}.</translation>
+    </message>
+    <message>
+        <source>Take more poses, each with the joint turned elsewhere.</source>
+        <translation>Mehr Posen aufnehmen, jede mit dem Gelenk in einer anderen Stellung.</translation>
+    </message>
+    <message>
+        <source>Which patches move together can be told of a session that was just solved by the global solver, not of a calibration file or of the tree: they don&apos;t hold how well gravity is known.</source>
+        <translation>Welche Patches sich gemeinsam bewegen, lässt sich nur für eine eben mit dem globalen Löser gelöste Sitzung sagen, nicht für eine Kalibrierungsdatei oder den Baum: Diese enthalten nicht, wie genau die Schwerkraft bekannt ist.</translation>
+    </message>
+    <message>
+        <source>The part of cell {} and the part of cell {} turned against each other.</source>
+        <translation>Der Teil mit Zelle {} und der Teil mit Zelle {} haben sich gegeneinander gedreht.</translation>
+    </message>
+    <message>
+        <source>Whether the part of cell {} and that of cell {} move together can&apos;t be told: fewer than two poses have readings of both.</source>
+        <translation>Ob sich der Teil mit Zelle {} und der mit Zelle {} gemeinsam bewegen, lässt sich nicht sagen: In weniger als zwei Posen gibt es Messwerte von beiden.</translation>
+    </message>
+    <message>
+        <source>Take poses in which the cells of both have readings.</source>
+        <translation>Posen aufnehmen, in denen die Zellen beider Teile Messwerte haben.</translation>
+    </message>
+    <message>
+        <source>Whether the part of cell {} and that of cell {} move together can&apos;t be told: gravity came along one line in all poses, and a turn about that line doesn&apos;t show.</source>
+        <translation>Ob sich der Teil mit Zelle {} und der mit Zelle {} gemeinsam bewegen, lässt sich nicht sagen: Die Schwerkraft lag in allen Posen auf einer Geraden, und eine Drehung um diese Gerade zeigt sich nicht.</translation>
+    </message>
+    <message>
+        <source>Take poses in which the parts are tipped over by about 90 degrees.</source>
+        <translation>Posen aufnehmen, in denen die Teile um etwa 90 Grad gekippt sind.</translation>
+    </message>
+    <message>
+        <source>Whether the part of cell {} and that of cell {} move together can&apos;t be told: in all {} poses they fit one rotation, but a joint between them could have been moved without showing.</source>
+        <translation>Ob sich der Teil mit Zelle {} und der mit Zelle {} gemeinsam bewegen, lässt sich nicht sagen: In allen {} Posen passt zu ihnen eine einzige Drehung, aber ein Gelenk dazwischen könnte unbemerkt bewegt worden sein.</translation>
+    </message>
+    <message>
+        <source>Take more poses: move the joint that may be between them by 30 degrees or more from pose to pose, and tip the parts over in new directions.</source>
+        <translation>Weitere Posen aufnehmen: das mögliche Gelenk dazwischen von Pose zu Pose um mindestens 30 Grad bewegen und die Teile in neue Richtungen kippen.</translation>
+    </message>
+    <message>
+        <source>No patch saw gravity: there is nothing to compare.</source>
+        <translation>Kein Patch hat die Schwerkraft gemessen: Es gibt nichts zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>There is one patch: nothing to compare it with.</source>
+        <translation>Es gibt nur einen Patch, also nichts, womit er sich vergleichen ließe.</translation>
+    </message>
+    <message>
+        <source>All {} patches move together, as far as these poses show: a joint that stood still in all of them can&apos;t be seen.</source>
+        <translation>Alle {} Patches bewegen sich gemeinsam, soweit diese Posen das zeigen: Ein Gelenk, das in allen stillstand, ist nicht zu erkennen.</translation>
+    </message>
+    <message>
+        <source>{} patches on {} parts that turned against each other.</source>
+        <translation>{} Patches auf {} Teilen, die sich gegeneinander gedreht haben.</translation>
+    </message>
+    <message>
+        <source>{} patches on up to {} parts: of {} of the {} pairs of parts these poses can&apos;t tell whether they move together.</source>
+        <translation>{} Patches auf bis zu {} Teilen: Bei {} der {} Paare von Teilen lassen diese Posen offen, ob sie sich gemeinsam bewegen.</translation>
+    </message>
+    <message>
+        <source>false_alarm must be between 0 and 1</source>
+        <translation>false_alarm muss zwischen 0 und 1 liegen</translation>
+    </message>
+    <message>
+        <source>least_odds must be at least 1</source>
+        <translation>least_odds muss mindestens 1 sein</translation>
+    </message>
+    <message>
+        <source>lever_m must not be negative</source>
+        <translation>lever_m darf nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>joint_lever_m must not be negative</source>
+        <translation>joint_lever_m darf nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>most_poses must be at least 2</source>
+        <translation>most_poses muss mindestens 2 sein</translation>
+    </message>
+    <message>
+        <source>most_patches must be at least 1</source>
+        <translation>most_patches muss mindestens 1 sein</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>

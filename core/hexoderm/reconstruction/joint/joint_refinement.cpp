@@ -140,8 +140,7 @@ JointRefinement::JointRefinement(const CellModel& model, const SkinGraph& graph,
   problem_->poses = poses_.size();
   const bool large = cells_.size() >= kCellsOfLargePart;
   const bool several = graph.patches().size() > 1;
-  problem_->force_sigma_g =
-      large ? kForceSigmaOfLargePart_g : several ? kForceSigmaOfSeveralPatches_g : kForceSigma_g;
+  problem_->force_sigma_g = large ? kForceSigmaOfLargePart_g : several ? kForceSigmaOfSeveralPatches_g : kForceSigma_g;
 
   for (const std::size_t cell : cells_) {
     for (const std::size_t k : graph.linksAt(cell)) {

@@ -64,8 +64,8 @@ std::vector<Matrix6d> shapeCovariancesOf(const std::vector<SE3>& T_o_u, const st
   std::vector<Matrix6d> shape;
   for (std::size_t cell = 0; cell < T_o_u.size(); ++cell) {
     const Matrix6d G = motionOf(T_o_u[cell], middle);
-    const Matrix6d half = own[cell] / 2 + G * motion * G.transpose() / 2 -
-                          mixed.middleRows<6>(rowsOf(cell)) * inverse * G.transpose();
+    const Matrix6d half =
+        own[cell] / 2 + G * motion * G.transpose() / 2 - mixed.middleRows<6>(rowsOf(cell)) * inverse * G.transpose();
     shape.push_back(withoutNegatives(half + half.transpose()));
   }
   return shape;

@@ -21,8 +21,6 @@ std::optional<Uncertainty95> uncertaintyBy(const std::optional<Matrix6d>& cov_t_
 
 std::optional<Uncertainty95> uncertaintyOf(const CellPlacement& cell) { return uncertaintyBy(cell.cov_t_r); }
 
-std::optional<Uncertainty95> shapeUncertaintyOf(const CellPlacement& cell) {
-  return uncertaintyBy(cell.shape_cov_t_r);
-}
+std::optional<Uncertainty95> shapeUncertaintyOf(const CellPlacement& cell) { return uncertaintyBy(cell.shape_cov_t_r); }
 
 }  // namespace hexoderm

@@ -2,7 +2,9 @@
 
 #include "hexoderm/util/units.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 
 namespace hexoderm {
@@ -66,6 +68,15 @@ GravitySeen gravityOf(const PatchReconstruction& patch, std::span<const std::siz
     }
   }
   return seen;
+}
+
+bool lieOnOneLine(const std::vector<Eigen::Vector3d>& up) {
+  constexpr double kOnOneLine_rad = 15 * kDegree;
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Eigen::Vector3d& g : up) spread += g * g.transpose();
+  const Eigen::Vector3d line = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(2);
+  return std::ranges::all_of(up,
+                             [&](const Eigen::Vector3d& g) { return line.cross(g).norm() < std::sin(kOnOneLine_rad); });
 }
 
 GravitySeen onlyPoses(const GravitySeen& seen, std::span<const std::size_t> indices) {

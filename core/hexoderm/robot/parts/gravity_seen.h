@@ -14,8 +14,8 @@ namespace hexoderm {
 /// The same for the same `up`.
 Eigen::Matrix<double, 3, 2> acrossBasis(const Eigen::Vector3d& up);
 
-/// The direction of gravity (up, unit) in P poses in the frame of one rigid body. Errors are across the directions: up +
-/// acrossBasis(up) e, and e of all poses are jointly normal.
+/// The direction of gravity (up, unit) in P poses in the frame of one rigid body. Errors are across the directions: up
+/// + acrossBasis(up) e, and e of all poses are jointly normal.
 struct GravitySeen {
   std::vector<PoseId> poses;        ///< each once
   std::vector<Eigen::Vector3d> up;  ///< per pose
@@ -29,6 +29,9 @@ struct GravitySeen {
 /// every point. Between patches whose places on the body are not known that is noise: `lever_m` is how far, 1 sigma an
 /// axis, a patch's middle is from the point at which the body's gravity is meant.
 GravitySeen gravityOf(const PatchReconstruction& patch, std::span<const std::size_t> used, double lever_m);
+
+/// Whether all directions lie along one line, either way, within 15 degrees of it: a turn about it doesn't show.
+bool lieOnOneLine(const std::vector<Eigen::Vector3d>& up);
 
 /// The poses at these indices.
 GravitySeen onlyPoses(const GravitySeen& seen, std::span<const std::size_t> indices);

@@ -90,7 +90,7 @@ class AxisSearch {
       by_b.block<1, 2>(row, pairAt(k)) = at.u_b.transpose() * acrossBasis(b_.up[k]);
     }
     Eigen::MatrixXd spread = by_a * a_.covariance * by_a.transpose() + by_b * b_.covariance * by_b.transpose();
-    spread.diagonal().array() += kLeastVariance;
+    spread.diagonal().array() += kLeastDifferenceVariance;
     const Eigen::LLT<Eigen::MatrixXd> factor(spread);
     factor.matrixL().solveInPlace(difference);
     factor.matrixL().solveInPlace(J);
@@ -98,10 +98,10 @@ class AxisSearch {
   }
 
   [[nodiscard]] AxisCandidate descend(AxisCandidate at) const {
-    constexpr int kMostSteps = 40;
+    constexpr int kMostMoves = 40;
     Linearized here = linearize(at);
     double damping = 1e-3;
-    for (int step = 0; step < kMostSteps && damping < 1e6; ++step) {
+    for (int step = 0; step < kMostMoves && damping < 1e6; ++step) {
       Eigen::Matrix4d damped = here.matrix;
       damped.diagonal().array() += damping * (here.matrix.diagonal().maxCoeff() + 1);
       const Eigen::Vector4d move = -damped.ldlt().solve(here.gradient);
@@ -121,7 +121,7 @@ class AxisSearch {
     return at;
   }
 
-  static constexpr double kLeastVariance = 1e-12;
+  static constexpr double kLeastDifferenceVariance = 1e-12;
   const GravitySeen& a_;
   const GravitySeen& b_;
 };
@@ -142,10 +142,10 @@ class HingeProblem {
   }
 
   void solve() {
-    constexpr int kMostSteps = 60;
+    constexpr int kMostMoves = 60;
     linearize(state_);
     double damping = 0;
-    for (int step = 0; step < kMostSteps && damping < 1e8; ++step) {
+    for (int step = 0; step < kMostMoves && damping < 1e8; ++step) {
       Eigen::MatrixXd damped = matrix_;
       damped.diagonal() *= 1 + damping;
       const Eigen::VectorXd move = -damped.llt().solve(gradient_);
@@ -283,11 +283,22 @@ bool isAmbiguous(const std::vector<AxisCandidate>& candidates) {
   return candidates.size() > 1 && candidates[1].chi_squared - candidates[0].chi_squared < kClearly;
 }
 
-void judge(Hinge& hinge, bool ambiguous, double least_probable) {
+/// A part that kept its direction to gravity shows the angle of the axis to it and no more. Noise makes its directions
+/// differ, and many poses of noise would look like knowledge.
+void openAlongOneLine(const GravitySeen& seen, HingeAxis& axis) {
+  if (lieOnOneLine(seen.up)) {
+    const Across across = acrossBasis(axis.u);
+    axis.covariance += across * across.transpose();  // 1 rad
+  }
+  axis.sigma_rad = largestDeviation(axis.covariance);
+}
+
+void judgeHinge(Hinge& hinge, bool ambiguous, double least_probable) {
   if (hinge.freedom > 0 && hinge.probability < least_probable) {
     hinge.knowledge = HingeKnowledge::NoAxis;
-    hinge.why = message("No single axis explains how the two parts turned against each other: there is more between "
-                        "them than one revolute joint, or a part moved while a pose was taken.");
+    hinge.why = message(
+        "No single axis explains how the two parts turned against each other: there is more between "
+        "them than one revolute joint, or a part moved while a pose was taken.");
     hinge.what_would_tell = message("Move one joint only, and take at least five poses with it.");
     return;
   }
@@ -304,8 +315,9 @@ void judge(Hinge& hinge, bool ambiguous, double least_probable) {
   if (is_known) {
     hinge.why = message("The poses can be explained by several axes.");
   } else if (std::min(hinge.a.sigma_rad, hinge.b.sigma_rad) <= kKnownAxis_rad) {
-    hinge.why = message("The axis is known in one of the two parts only: in the other one, gravity came from "
-                        "nearly one direction in all poses.");
+    hinge.why = message(
+        "The axis is known in one of the two parts only: in the other one, gravity came from "
+        "nearly one direction in all poses.");
   } else {
     hinge.why = message("The poses leave open where the axis is.");
   }
@@ -332,7 +344,8 @@ Hinge fitHinge(const GravitySeen& all_a, const GravitySeen& all_b, double least_
   Hinge hinge;
   if (a.size() < kPosesForHinge) {
     hinge.a.sigma_rad = hinge.b.sigma_rad = kPi / 2;
-    hinge.why = message("An axis between two parts takes at least {} poses, and there are {}.", kPosesForHinge, a.size());
+    hinge.why =
+        message("An axis between two parts takes at least {} poses, and there are {}.", kPosesForHinge, a.size());
     hinge.what_would_tell = message("Take more poses, each with the joint turned elsewhere.");
     return hinge;
   }
@@ -345,7 +358,8 @@ Hinge fitHinge(const GravitySeen& all_a, const GravitySeen& all_b, double least_
   hinge.a.covariance = across * problem.axisCovariance() * across.transpose();
   hinge.b.u = state.R_0.transpose() * state.u;
   hinge.b.covariance = problem.axisCovarianceB();
-  for (HingeAxis* axis : {&hinge.a, &hinge.b}) axis->sigma_rad = largestDeviation(axis->covariance);
+  openAlongOneLine(a, hinge.a);
+  openAlongOneLine(b, hinge.b);
   hinge.R_a_b = state.R_0;
   hinge.reference = a.poses[problem.reference()];
   for (std::size_t k = 0; k < a.size(); ++k) {
@@ -360,7 +374,7 @@ Hinge fitHinge(const GravitySeen& all_a, const GravitySeen& all_b, double least_
   hinge.chi_squared = misfit.chi_squared;
   hinge.freedom = misfit.freedom;
   hinge.probability = misfit.probability();
-  judge(hinge, isAmbiguous(candidates), least_probable);
+  judgeHinge(hinge, isAmbiguous(candidates), least_probable);
   return hinge;
 }
 

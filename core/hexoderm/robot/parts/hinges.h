@@ -20,9 +20,9 @@ std::string_view hingeKnowledgeName(HingeKnowledge knowledge);  ///< "found", "n
 
 /// The axis as one of the two parts sees it.
 struct HingeAxis {
-  Eigen::Vector3d u = Eigen::Vector3d::UnitZ();           ///< unit, in the part's frame
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();   ///< of u, rad^2; of rank 2, across u. About 1 rad: open
-  double sigma_rad = 0;                                   ///< of u's direction, the worst way
+  Eigen::Vector3d u = Eigen::Vector3d::UnitZ();          ///< unit, in the part's frame
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of u, rad^2; of rank 2, across u. About 1 rad: open
+  double sigma_rad = 0;                                  ///< of u's direction, the worst way
 };
 
 /// How far the joint was turned in a pose.
@@ -50,9 +50,9 @@ struct Hinge {
   std::vector<HingeAngle> angles;                       ///< per pose that both parts have
   double chi_squared = 0;
   int freedom = 0;
-  double probability = 1;  ///< of a misfit at least as large by chance
-  Message why;             ///< one sentence on what is known and what isn't
-  Message what_would_tell; ///< empty where nothing is left open
+  double probability = 1;   ///< of a misfit at least as large by chance
+  Message why;              ///< one sentence on what is known and what isn't
+  Message what_would_tell;  ///< empty where nothing is left open
 };
 
 }  // namespace hexoderm

@@ -15,10 +15,11 @@ namespace {
 
 using Eigen::Index;
 
-/// What is seen of turns between the two bodies, with the constant turn between them taken out: r = J w_p in every pose.
-class Turns {
+/// What is seen of turns between the two bodies, with the constant turn between them taken out: r = J w_p in every
+/// pose.
+class TurnsOfBodies {
  public:
-  Turns(const GravitySeen& a, const GravitySeen& b, const Eigen::Matrix3d& R_a_b) : up_a_(a.up) {
+  TurnsOfBodies(const GravitySeen& a, const GravitySeen& b, const Eigen::Matrix3d& R_a_b) : up_a_(a.up) {
     const auto rows = static_cast<Index>(2 * a.size());
     Eigen::MatrixXd turn_b = Eigen::MatrixXd::Zero(rows, rows);
     Eigen::MatrixXd common(rows, 3);
@@ -67,24 +68,15 @@ class Turns {
 
 /// Axes all around (either sign being the same), evenly.
 std::vector<Eigen::Vector3d> axesAllAround() {
-  constexpr int kAxes = 120;
+  constexpr int kAxesAround = 120;
   const double golden = kPi * (3 - std::sqrt(5.0));
   std::vector<Eigen::Vector3d> axes;
-  for (int k = 0; k < kAxes; ++k) {
-    const double z = (k + 0.5) / kAxes;
+  for (int k = 0; k < kAxesAround; ++k) {
+    const double z = (k + 0.5) / kAxesAround;
     const double s = std::sqrt(1 - z * z);
     axes.emplace_back(s * std::cos(golden * k), s * std::sin(golden * k), z);
   }
   return axes;
-}
-
-/// Whether all directions lie along one line, either way: within 15 degrees of it.
-bool lieOnOneLine(const std::vector<Eigen::Vector3d>& up) {
-  constexpr double kOnOneLine_rad = 15 * kDegree;
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const Eigen::Vector3d& g : up) spread += g * g.transpose();
-  const Eigen::Vector3d line = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(2);
-  return std::ranges::all_of(up, [&](const Eigen::Vector3d& g) { return line.cross(g).norm() < std::sin(kOnOneLine_rad); });
 }
 
 }  // namespace
@@ -97,13 +89,13 @@ MovementTest testMovement(const GravitySeen& a, const GravitySeen& b) {
   test.noticeable_rad = kPi;
   if (both[0].size() < 2) return test;
   test.on_one_line = lieOnOneLine(both[0].up) || lieOnOneLine(both[1].up);
-  const Turns turns(both[0], both[1], test.fit.R[1]);
+  const TurnsOfBodies turns(both[0], both[1], test.fit.R[1]);
   std::vector<Eigen::Vector3d> axes = axesAllAround();
   double least_odds = std::numeric_limits<double>::infinity();
   double least_information = std::numeric_limits<double>::infinity();
   std::vector<double> log_odds;
   for (const Eigen::Vector3d& axis : axes) {
-    const Turns::About about = turns.about(axis);
+    const TurnsOfBodies::About about = turns.about(axis);
     log_odds.push_back(about.log_odds);
     least_information = std::min(least_information, about.information);
     if (about.log_odds >= least_odds) continue;

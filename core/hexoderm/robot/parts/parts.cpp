@@ -68,12 +68,12 @@ struct Group {
 };
 
 /// All tests of one call share its false alarms.
-struct Limits {
+struct MovementLimits {
   double least_probable = 0;
   double least_log_odds = 0;
 };
 
-Movement judge(const MovementTest& test, const Limits& limits) {
+Movement judgeMovement(const MovementTest& test, const MovementLimits& limits) {
   if (test.fit.misfit.probability() < limits.least_probable) return Movement::Apart;
   return !test.on_one_line && test.log_odds >= limits.least_log_odds ? Movement::Together : Movement::CantTell;
 }
@@ -123,7 +123,8 @@ class PartsFinder {
     }
     const std::vector<PoseId> poses = choosePoses(seeing);
     for (const PatchReconstruction* patch : seeing) {
-      patches_.push_back({patch, seenIn(*patch, poses, options_.lever_m), seenIn(*patch, poses, options_.joint_lever_m)});
+      patches_.push_back(
+          {patch, seenIn(*patch, poses, options_.lever_m), seenIn(*patch, poses, options_.joint_lever_m)});
     }
   }
 
@@ -177,7 +178,8 @@ class PartsFinder {
     for (std::size_t a = 0; a < groups_.size(); ++a) {
       for (std::size_t b = 0; b < a; ++b) {
         const MovementTest& test = tests_[a][b];
-        if (judge(test, limits_) != Movement::Together || (best != nullptr && test.log_odds <= best->log_odds)) continue;
+        if (judgeMovement(test, limits_) != Movement::Together || (best != nullptr && test.log_odds <= best->log_odds))
+          continue;
         best = &test;
         first = b;
         second = a;
@@ -247,7 +249,7 @@ class PartsFinder {
         PartRelation& relation = result_.relations.emplace_back();
         relation.a = a;
         relation.b = b;
-        relation.movement = judge(test, limits_);
+        relation.movement = judgeMovement(test, limits_);
         relation.probability = test.fit.misfit.probability();
         relation.log10_odds = test.log_odds / std::log(10.0);
         relation.noticeable_rad = test.noticeable_rad;
@@ -274,34 +276,37 @@ class PartsFinder {
 
   void sayApart(std::size_t a, std::size_t b, PartRelation& relation) const {
     relation.hinge = fitHinge(gravityAtJoint(a), gravityAtJoint(b), limits_.least_probable);
-    relation.why = inRow({message("The part of cell {} and the part of cell {} turned against each other.", nameOf(a),
-                                  nameOf(b)),
-                          relation.hinge->why});
+    relation.why =
+        inRow({message("The part of cell {} and the part of cell {} turned against each other.", nameOf(a), nameOf(b)),
+               relation.hinge->why});
     relation.what_would_tell = relation.hinge->what_would_tell;
   }
 
   void sayOpen(std::size_t a, std::size_t b, const MovementTest& test, PartRelation& relation) const {
     const CommonPoses common = commonPoses(groups_[a].fit.gravity, groups_[b].fit.gravity);
     if (common.in_a.size() < 2) {
-      relation.why = message("Whether the part of cell {} and that of cell {} move together can't be told: fewer than two "
-                             "poses have readings of both.",
-                             nameOf(a), nameOf(b));
+      relation.why = message(
+          "Whether the part of cell {} and that of cell {} move together can't be told: fewer than two "
+          "poses have readings of both.",
+          nameOf(a), nameOf(b));
       relation.what_would_tell = message("Take poses in which the cells of both have readings.");
       return;
     }
     if (test.on_one_line) {
-      relation.why = message("Whether the part of cell {} and that of cell {} move together can't be told: gravity came "
-                             "along one line in all poses, and a turn about that line doesn't show.",
-                             nameOf(a), nameOf(b));
+      relation.why = message(
+          "Whether the part of cell {} and that of cell {} move together can't be told: gravity came "
+          "along one line in all poses, and a turn about that line doesn't show.",
+          nameOf(a), nameOf(b));
       relation.what_would_tell = message("Take poses in which the parts are tipped over by about 90 degrees.");
       return;
     }
-    relation.why = message("Whether the part of cell {} and that of cell {} move together can't be told: in all {} poses "
-                           "they fit one rotation, but a joint between them could have been moved without showing.",
-                           nameOf(a), nameOf(b), common.in_a.size());
-    relation.what_would_tell =
-        message("Take more poses: move the joint that may be between them by 30 degrees or more from pose to pose, and "
-                "tip the parts over in new directions.");
+    relation.why = message(
+        "Whether the part of cell {} and that of cell {} move together can't be told: in all {} poses "
+        "they fit one rotation, but a joint between them could have been moved without showing.",
+        nameOf(a), nameOf(b), common.in_a.size());
+    relation.what_would_tell = message(
+        "Take more poses: move the joint that may be between them by 30 degrees or more from pose to pose, and "
+        "tip the parts over in new directions.");
   }
 
   void judgePairs() {
@@ -319,7 +324,7 @@ class PartsFinder {
         }
         const std::size_t first = std::min(part_of[a], part_of[b]);
         const std::size_t second = std::max(part_of[a], part_of[b]);
-        pair.movement = judge(tests_[second][first], limits_);
+        pair.movement = judgeMovement(tests_[second][first], limits_);
       }
     }
   }
@@ -331,22 +336,23 @@ class PartsFinder {
     } else if (patches_.size() == 1) {
       result_.summary = message("There is one patch: nothing to compare it with.");
     } else if (parts == 1) {
-      result_.summary =
-          message("All {} patches move together, as far as these poses show: a joint that stood still in all of them "
-                  "can't be seen.",
-                  patches_.size());
+      result_.summary = message(
+          "All {} patches move together, as far as these poses show: a joint that stood still in all of them "
+          "can't be seen.",
+          patches_.size());
     } else {
       const auto open = std::ranges::count(result_.relations, Movement::CantTell, &PartRelation::movement);
-      result_.summary =
-          open == 0 ? message("{} patches on {} parts that turned against each other.", patches_.size(), parts)
-                    : message("{} patches on up to {} parts: of {} of the {} pairs of parts these poses can't tell "
-                              "whether they move together.",
-                              patches_.size(), parts, open, result_.relations.size());
+      result_.summary = open == 0
+                            ? message("{} patches on {} parts that turned against each other.", patches_.size(), parts)
+                            : message(
+                                  "{} patches on up to {} parts: of {} of the {} pairs of parts these poses can't tell "
+                                  "whether they move together.",
+                                  patches_.size(), parts, open, result_.relations.size());
     }
   }
 
   const PartsOptions& options_;
-  Limits limits_;
+  MovementLimits limits_;
   std::vector<SeeingPatch> patches_;
   std::vector<Group> groups_;
   Tests tests_;

@@ -94,7 +94,8 @@ struct PartsResult {
 
 /// Which patches of a skin move together, from gravity alone: g_a,p = R_a_b g_b,p in all poses for two patches of one
 /// rigid part. Groups of patches that gravity can't tell from a rigid part are parts; between parts that turned against
-/// each other the axis of one revolute joint is looked for (hinges.h). The rule is in core/hexoderm/robot/parts/README.md.
+/// each other the axis of one revolute joint is looked for (hinges.h). The rule is in
+/// core/hexoderm/robot/parts/README.md.
 ///
 /// `reconstruction`: a fresh result of the global solver. Throws InvalidArgument for another one, which does not hold
 /// the covariance of gravity.

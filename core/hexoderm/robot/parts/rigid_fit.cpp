@@ -16,11 +16,11 @@ namespace {
 using Eigen::Index;
 
 /// Information about every turn that stands for "within a radian", so that what poses leave open stays finite.
-constexpr double kLeastInformation = 1;
+constexpr double kOpenTurnInformation = 1;
 /// A turn that is known to less is none that the fit has used up.
 constexpr double kOpenVariance_rad2 = 0.25;
-constexpr int kMostSteps = 30;
-constexpr double kSettled_rad = 1e-10;
+constexpr int kMostRigidSteps = 30;
+constexpr double kRigidSettled_rad = 1e-10;
 
 class RigidProblem {
  public:
@@ -32,20 +32,20 @@ class RigidProblem {
         if (latents.back() == poses_.size()) poses_.push_back(pose);
       }
       observations_ += static_cast<Index>(2 * body.size());
-      information_.push_back(body.covariance.llt().solve(
-          Eigen::MatrixXd::Identity(body.covariance.rows(), body.covariance.cols())));
+      information_.push_back(
+          body.covariance.llt().solve(Eigen::MatrixXd::Identity(body.covariance.rows(), body.covariance.cols())));
     }
     start();
   }
 
   RigidFit solve() {
     Eigen::LLT<Eigen::MatrixXd> factor;
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (int step = 0; step < kMostRigidSteps; ++step) {
       linearize();
       factor.compute(matrix_);
       const Eigen::VectorXd move = -factor.solve(gradient_);
       apply(move);
-      if (move.cwiseAbs().maxCoeff() < kSettled_rad) break;
+      if (move.cwiseAbs().maxCoeff() < kRigidSettled_rad) break;
     }
     linearize();
     factor.compute(matrix_);
@@ -55,9 +55,7 @@ class RigidProblem {
  private:
   [[nodiscard]] Index latentAt(std::size_t latent) const { return static_cast<Index>(2 * latent); }
   /// Of a body but the first.
-  [[nodiscard]] Index turnAt(std::size_t body) const {
-    return static_cast<Index>(2 * poses_.size() + 3 * (body - 1));
-  }
+  [[nodiscard]] Index turnAt(std::size_t body) const { return static_cast<Index>(2 * poses_.size() + 3 * (body - 1)); }
   [[nodiscard]] Index unknowns() const { return static_cast<Index>(2 * poses_.size() + 3 * (bodies_.size() - 1)); }
 
   /// Body by body, each turned onto what those before it saw.
@@ -123,15 +121,14 @@ class RigidProblem {
               rows.by_latent[a].transpose() * W.block<2, 2>(latentAt(a), latentAt(b)) * rows.by_latent[b];
         }
         if (body == 0) continue;
-        const Eigen::Matrix<double, 2, 3> mixed =
-            rows.by_latent[a].transpose() * W_turn.middleRows<2>(latentAt(a));
+        const Eigen::Matrix<double, 2, 3> mixed = rows.by_latent[a].transpose() * W_turn.middleRows<2>(latentAt(a));
         matrix_.block<2, 3>(at_a, turnAt(body)) += mixed;
         matrix_.block<3, 2>(turnAt(body), at_a) += mixed.transpose();
       }
       if (body == 0) continue;
       gradient_.segment<3>(turnAt(body)) += rows.by_turn.transpose() * We;
       matrix_.block<3, 3>(turnAt(body), turnAt(body)) +=
-          rows.by_turn.transpose() * W_turn + kLeastInformation * Eigen::Matrix3d::Identity();
+          rows.by_turn.transpose() * W_turn + kOpenTurnInformation * Eigen::Matrix3d::Identity();
     }
   }
 

@@ -88,7 +88,8 @@ TEST(Forces, HaveTheSameCrossCovariancesInBothOrdersOfElimination) {
     EXPECT_EQ(poses_first.covariance->force(a), poses_first.covariance->forces(a, a));
     for (std::size_t b = 0; b < 4; ++b) {
       const Eigen::Matrix3d expected = cells_first.covariance->forces(a, b);
-      EXPECT_LE((poses_first.covariance->forces(a, b) - expected).norm(), 1e-4 * cells_first.covariance->force(a).norm())
+      EXPECT_LE((poses_first.covariance->forces(a, b) - expected).norm(),
+                1e-4 * cells_first.covariance->force(a).norm())
           << a << ", " << b;
     }
   }

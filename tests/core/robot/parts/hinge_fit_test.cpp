@@ -66,8 +66,7 @@ TEST(Hinge, ErrorsAndMisfitsAreAsLargeAsStated) {
     const double sign = hinge.a.u.dot(truth.u_a) < 0 ? -1 : 1;
     for (const HingeAngle& angle : hinge.angles) {
       if (!angle.angle_rad || angle.pose == *hinge.reference) continue;
-      const double expected =
-          sign * (truth.angle[angle.pose.value() - 1] - truth.angle[hinge.reference->value() - 1]);
+      const double expected = sign * (truth.angle[angle.pose.value() - 1] - truth.angle[hinge.reference->value() - 1]);
       const double e = std::remainder(*angle.angle_rad - expected, 2 * kPi);
       angles += e * e / (angle.sigma_rad * angle.sigma_rad);
       ++angle_count;
