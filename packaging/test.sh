@@ -41,7 +41,7 @@ run_stage() {
   case "$preset" in
     release) display=on_virtual_display ;;  # the others have no windows
     core)
-      targets=(--target hexoderm-cli hexoderm-emulator)
+      targets=(--target hexoderm-cli hexoderm-emulator hexoderm_shared)
       select=(--tests-regex '^structure\.')
       ;;
     tsan)
