@@ -46,8 +46,8 @@ nlohmann::ordered_json describe(const Reconstruction& r, const std::string& kind
     if (pose.residual_rad) entry["residual_deg"] = toDegrees(*pose.residual_rad);
     json["poses"].push_back(std::move(entry));
   }
-  json["findings"] = toJson(r.findings);
-  json["verdict"] = toJson(r.assessment);
+  json["findings"] = cli::toJson(r.findings);
+  json["verdict"] = cli::toJson(r.assessment);
   return json;
 }
 

@@ -20,7 +20,7 @@ struct ListenOptions {
   double time_s = 5;
 };
 
-constexpr const char* kLastWords = "hexoderm-cli: ended while something was held up, without a report\n";
+constexpr const char* kLastLine = "hexoderm-cli: ended while something was held up, without a report\n";
 
 /// Passes on what is heard, and keeps the newest status for the thread that waits.
 class Ear final : public SkinListener {
@@ -192,7 +192,7 @@ void print(const ListeningReport& report) {
 }
 
 int run(const ListenOptions& options, const Common& common) {
-  endOnInterrupt(kLastWords);
+  endOnInterrupt(kLastLine);
   const std::unique_ptr<SkinSource> source = openSkinSource(options.source);
   Ear ear;
   common.progress("Connecting to " + options.source + " ...");

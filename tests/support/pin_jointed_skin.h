@@ -85,6 +85,15 @@ inline PinJointedSkin bentX17() {
   return PinJointedSkin(joints);
 }
 
+/// A straight line of eight cells, bent into an open or nearly closed ring, whose free ends these are.
+inline PinJointedSkin ringOfEight(double bend_rad) {
+  std::vector<PinJoint> joints;
+  for (std::uint32_t k = 1; k < 8; ++k) joints.push_back({k, 2, k + 1, 3, bend_rad, 0, 0});
+  return PinJointedSkin(joints);
+}
+inline constexpr LinkEnd kRingFirst{CellId(1), PortNumber(3)};
+inline constexpr LinkEnd kRingLast{CellId(8), PortNumber(2)};
+
 /// Two orthogonal poses, the paper's recipe.
 inline std::vector<Eigen::Vector3d> orthogonalUps(std::size_t count) {
   const std::vector<Eigen::Vector3d> all = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {-1, 0, 0}, {0, -1, 0}};

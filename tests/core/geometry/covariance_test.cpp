@@ -62,14 +62,14 @@ TEST(Ellipsoid95, HoldsNinetyFivePercentOfThePoints) {
   const Eigen::Matrix3d A = ellipsoid95(R * sigma.cwiseAbs2().asDiagonal() * R.transpose());
   std::mt19937_64 random(5);
   std::normal_distribution<double> normal;
-  constexpr int kPoints = 20000;
+  constexpr int kDrawn = 20000;
   int inside = 0;
-  for (int k = 0; k < kPoints; ++k) {
+  for (int k = 0; k < kDrawn; ++k) {
     const Eigen::Vector3d point =
         R * sigma.cwiseProduct(Eigen::Vector3d(normal(random), normal(random), normal(random)));
     if ((A.inverse() * point).norm() <= 1) ++inside;
   }
-  EXPECT_NEAR(static_cast<double>(inside) / kPoints, 0.95, 0.006);
+  EXPECT_NEAR(static_cast<double>(inside) / kDrawn, 0.95, 0.006);
   EXPECT_NEAR(A.col(2).norm(), 2.7955 * 5e-3, 1e-6) << "the longest axis comes last";
 }
 

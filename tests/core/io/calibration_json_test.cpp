@@ -78,7 +78,7 @@ Reconstruction richCalibration() {
 
 nlohmann::json richJson() { return nlohmann::json::parse(calibrationToJson(richCalibration())); }
 
-std::string complaint(const std::string& pointer, const nlohmann::json& value) {
+std::string calibrationComplaint(const std::string& pointer, const nlohmann::json& value) {
   nlohmann::json json = richJson();
   json.at(nlohmann::json::json_pointer(pointer)) = value;
   return messageOf<FormatError>([&] { parseCalibrationJson(json.dump(), "c.json"); });
@@ -362,41 +362,59 @@ TEST(CalibrationJson, TakesAnEmptySkin) {
 }
 
 TEST(CalibrationJson, NamesTheKeyPathOfWhatIsWrong) {
-  EXPECT_THAT(complaint("/solver", "magic"), saysAll("c.json: solver: expected", "found \"magic\""));
-  EXPECT_THAT(complaint("/gap_model", "rubber"), saysAll("c.json: gap_model", "fit, arc or pivot", "rubber"));
-  EXPECT_THAT(complaint("/gap_model", 1), saysAll("c.json: gap_model: expected a"));
-  EXPECT_THAT(complaint("/solver", "tree"), saysAll("c.json: gap_model: expected \"pivot\"", "tree", "found \"arc\""));
-  EXPECT_THAT(complaint("/gap_s", "half"), saysAll("c.json: gap_s: expected a"));
-  EXPECT_THAT(complaint("/patches/0/gap_s", nlohmann::json::array()), saysAll("c.json: patches[0].gap_s: expected a"));
-  EXPECT_THAT(complaint("/patches/0/gap_s_sigma", -0.1), saysAll("patches[0].gap_s_sigma", "at least 0"));
-  EXPECT_THAT(complaint("/patches/0/cells/1/accel_offset_g", {0, 1}), saysAll("patches[0].cells[1].accel_offset_g"));
-  EXPECT_THAT(complaint("/patches/0/cells/1/accel_scale/2", "1"), saysAll("patches[0].cells[1].accel_scale[2]"));
-  EXPECT_THAT(complaint("/options/centre", "maybe"), saysAll("c.json: options.centre", "maybe"));
-  EXPECT_THAT(complaint("/patches", 1), saysAll("c.json: patches: expected an array"));
-  EXPECT_THAT(complaint("/patches/0/origin", 99), saysAll("c.json: patches[0].origin: expected a cell of this patch"));
-  EXPECT_THAT(complaint("/patches/0/cells/1/R_o_u/4", 0.5), saysAll("patches[0].cells[1].R_o_u: expected a rotation"));
-  EXPECT_THAT(complaint("/patches/0/cells/1/q_o_u_wxyz", {0, 1, 0, 0}),
+  EXPECT_THAT(calibrationComplaint("/solver", "magic"), saysAll("c.json: solver: expected", "found \"magic\""));
+  EXPECT_THAT(calibrationComplaint("/gap_model", "rubber"),
+              saysAll("c.json: gap_model", "fit, arc or pivot", "rubber"));
+  EXPECT_THAT(calibrationComplaint("/gap_model", 1), saysAll("c.json: gap_model: expected a"));
+  EXPECT_THAT(calibrationComplaint("/solver", "tree"),
+              saysAll("c.json: gap_model: expected \"pivot\"", "tree", "found \"arc\""));
+  EXPECT_THAT(calibrationComplaint("/gap_s", "half"), saysAll("c.json: gap_s: expected a"));
+  EXPECT_THAT(calibrationComplaint("/patches/0/gap_s", nlohmann::json::array()),
+              saysAll("c.json: patches[0].gap_s: expected a"));
+  EXPECT_THAT(calibrationComplaint("/patches/0/gap_s_sigma", -0.1), saysAll("patches[0].gap_s_sigma", "at least 0"));
+  EXPECT_THAT(calibrationComplaint("/patches/0/cells/1/accel_offset_g", {0, 1}),
+              saysAll("patches[0].cells[1].accel_offset_g"));
+  EXPECT_THAT(calibrationComplaint("/patches/0/cells/1/accel_scale/2", "1"),
+              saysAll("patches[0].cells[1].accel_scale[2]"));
+  EXPECT_THAT(calibrationComplaint("/options/centre", "maybe"), saysAll("c.json: options.centre", "maybe"));
+  EXPECT_THAT(calibrationComplaint("/patches", 1), saysAll("c.json: patches: expected an array"));
+  EXPECT_THAT(calibrationComplaint("/patches/0/origin", 99),
+              saysAll("c.json: patches[0].origin: expected a cell of this patch"));
+  EXPECT_THAT(calibrationComplaint("/patches/0/cells/1/R_o_u/4", 0.5),
+              saysAll("patches[0].cells[1].R_o_u: expected a rotation"));
+  EXPECT_THAT(calibrationComplaint("/patches/0/cells/1/q_o_u_wxyz", {0, 1, 0, 0}),
               saysAll("patches[0].cells[1].q_o_u_wxyz: expected the same rotation as R_o_u"));
-  EXPECT_THAT(complaint("/patches/0/cells/1/t_o_u_m", {0, 1}), saysAll("patches[0].cells[1].t_o_u_m", "array of 2"));
-  EXPECT_THAT(complaint("/patches/0/cells/1/cov_t_r", {1, 2}), saysAll("patches[0].cells[1].cov_t_r", "21"));
-  EXPECT_THAT(complaint("/patches/0/cells/1/cov_t_r/20", -1), saysAll("patches[0].cells[1].cov_t_r", "at least 0"));
-  EXPECT_THAT(complaint("/patches/0/cells/1/cov_t_r/1", 1), saysAll("patches[0].cells[1].cov_t_r", "semidefinite"));
-  EXPECT_THAT(complaint("/patches/0/cells/1/sigma_t_m/0", -1), saysAll("patches[0].cells[1].sigma_t_m"));
-  EXPECT_THAT(complaint("/patches/0/cells/1/id", 1), saysAll("patches[0].cells[1].id: expected each cell once"));
-  EXPECT_THAT(complaint("/patches/0/cells/1/id", -1), saysAll("patches[0].cells[1].id: expected a whole number"));
-  EXPECT_THAT(complaint("/patches/0/cells/1/path/0", 99), saysAll("patches[0].cells[1].path: expected cells"));
-  EXPECT_THAT(complaint("/patches/0/gravity/0/g_o", {0, 0, 2}), saysAll("patches[0].gravity[0].g_o", "unit vector"));
-  EXPECT_THAT(complaint("/patches/0/links/0/source_port", 9), saysAll("patches[0].links[0].source_port", "hex-bma150"));
-  EXPECT_THAT(complaint("/patches/0/links/0/target", 1), saysAll("patches[0].links[0].source: expected two cells"));
-  EXPECT_THAT(complaint("/patches/0/links/0/target", 99), saysAll("patches[0].links[0].target"));
-  EXPECT_THAT(complaint("/patches/0/links/0/quality", "great"), saysAll("patches[0].links[0].quality", "partially"));
-  EXPECT_THAT(complaint("/patches/0/links/1/muted_by", "mood"), saysAll("patches[0].links[1].muted_by"));
-  EXPECT_THAT(complaint("/patches/0/links/1/pose_residual_deg", {1}), saysAll("links[1].pose_residual_deg", "3 poses"));
-  EXPECT_THAT(complaint("/findings/0/code", "mood"), saysAll("findings[0].code"));
-  EXPECT_THAT(complaint("/verdict/level", "splendid"), saysAll("verdict.level"));
-  EXPECT_THAT(complaint("/verdict/position_95_mm", -1), saysAll("verdict.position_95_mm", "at least 0"));
-  EXPECT_THAT(complaint("/version", 2), saysAll("c.json: version", "version 2", "up to version 1"));
-  EXPECT_THAT(complaint("/format", "hexoderm-session"), saysAll("c.json: format"));
+  EXPECT_THAT(calibrationComplaint("/patches/0/cells/1/t_o_u_m", {0, 1}),
+              saysAll("patches[0].cells[1].t_o_u_m", "array of 2"));
+  EXPECT_THAT(calibrationComplaint("/patches/0/cells/1/cov_t_r", {1, 2}), saysAll("patches[0].cells[1].cov_t_r", "21"));
+  EXPECT_THAT(calibrationComplaint("/patches/0/cells/1/cov_t_r/20", -1),
+              saysAll("patches[0].cells[1].cov_t_r", "at least 0"));
+  EXPECT_THAT(calibrationComplaint("/patches/0/cells/1/cov_t_r/1", 1),
+              saysAll("patches[0].cells[1].cov_t_r", "semidefinite"));
+  EXPECT_THAT(calibrationComplaint("/patches/0/cells/1/sigma_t_m/0", -1), saysAll("patches[0].cells[1].sigma_t_m"));
+  EXPECT_THAT(calibrationComplaint("/patches/0/cells/1/id", 1),
+              saysAll("patches[0].cells[1].id: expected each cell once"));
+  EXPECT_THAT(calibrationComplaint("/patches/0/cells/1/id", -1),
+              saysAll("patches[0].cells[1].id: expected a whole number"));
+  EXPECT_THAT(calibrationComplaint("/patches/0/cells/1/path/0", 99),
+              saysAll("patches[0].cells[1].path: expected cells"));
+  EXPECT_THAT(calibrationComplaint("/patches/0/gravity/0/g_o", {0, 0, 2}),
+              saysAll("patches[0].gravity[0].g_o", "unit vector"));
+  EXPECT_THAT(calibrationComplaint("/patches/0/links/0/source_port", 9),
+              saysAll("patches[0].links[0].source_port", "hex-bma150"));
+  EXPECT_THAT(calibrationComplaint("/patches/0/links/0/target", 1),
+              saysAll("patches[0].links[0].source: expected two cells"));
+  EXPECT_THAT(calibrationComplaint("/patches/0/links/0/target", 99), saysAll("patches[0].links[0].target"));
+  EXPECT_THAT(calibrationComplaint("/patches/0/links/0/quality", "great"),
+              saysAll("patches[0].links[0].quality", "partially"));
+  EXPECT_THAT(calibrationComplaint("/patches/0/links/1/muted_by", "mood"), saysAll("patches[0].links[1].muted_by"));
+  EXPECT_THAT(calibrationComplaint("/patches/0/links/1/pose_residual_deg", {1}),
+              saysAll("links[1].pose_residual_deg", "3 poses"));
+  EXPECT_THAT(calibrationComplaint("/findings/0/code", "mood"), saysAll("findings[0].code"));
+  EXPECT_THAT(calibrationComplaint("/verdict/level", "splendid"), saysAll("verdict.level"));
+  EXPECT_THAT(calibrationComplaint("/verdict/position_95_mm", -1), saysAll("verdict.position_95_mm", "at least 0"));
+  EXPECT_THAT(calibrationComplaint("/version", 2), saysAll("c.json: version", "version 2", "up to version 1"));
+  EXPECT_THAT(calibrationComplaint("/format", "hexoderm-session"), saysAll("c.json: format"));
 }
 
 TEST(CalibrationJson, NamesTheKeyPathOfNumbersThatAreNotFinite) {

@@ -25,13 +25,13 @@ const std::filesystem::path kThreeCells = std::filesystem::path(HEXODERM_TEST_DA
 nlohmann::json threeCells() { return nlohmann::json::parse(readFile(kThreeCells)); }
 
 /// The reader's complaint about the file with one value replaced.
-std::string complaint(const std::string& pointer, const nlohmann::json& value) {
+std::string sessionComplaint(const std::string& pointer, const nlohmann::json& value) {
   nlohmann::json json = threeCells();
   json.at(nlohmann::json::json_pointer(pointer)) = value;
   return messageOf<FormatError>([&] { parseSessionJson(json.dump(), "s.json"); });
 }
 
-std::string complaintWithout(const std::string& parent, const std::string& key) {
+std::string sessionComplaintWithout(const std::string& parent, const std::string& key) {
   nlohmann::json json = threeCells();
   EXPECT_EQ(json.at(nlohmann::json::json_pointer(parent)).erase(key), 1U);
   return messageOf<FormatError>([&] { parseSessionJson(json.dump(), "s.json"); });
@@ -154,10 +154,11 @@ TEST(SessionJson, ReadsTimesReasonsAndTemperatures) {
   EXPECT_EQ(session.poses()[2].capture->taken_at_ms, 1'700'000'000'123);
   EXPECT_EQ(session.poses()[2].capture->samples[0].temperature_c, -40.5);
   EXPECT_FALSE(session.poses()[2].capture->samples[1].temperature_c.has_value());
-  EXPECT_THAT(complaint("/poses/1", {{"id", 1}, {"samples", nlohmann::json::array()}, {"taken_at_ms", 0.5}}),
+  EXPECT_THAT(sessionComplaint("/poses/1", {{"id", 1}, {"samples", nlohmann::json::array()}, {"taken_at_ms", 0.5}}),
               saysAll("s.json: poses[1].taken_at_ms: expected a whole number"));
-  EXPECT_THAT(complaint("/poses/1", {{"id", 1}, {"samples", nlohmann::json::array()}, {"taken_at_ms", UINT64_MAX}}),
-              saysAll("s.json: poses[1].taken_at_ms: expected a whole number"));
+  EXPECT_THAT(
+      sessionComplaint("/poses/1", {{"id", 1}, {"samples", nlohmann::json::array()}, {"taken_at_ms", UINT64_MAX}}),
+      saysAll("s.json: poses[1].taken_at_ms: expected a whole number"));
 }
 
 TEST(SessionJson, KeepsACellModelOfItsOwn) {
@@ -195,41 +196,46 @@ TEST(SessionJson, LeavesContradictionsOfTheSkinToTheGraph) {
 }
 
 TEST(SessionJson, NamesTheKeyPathOfWrongTypes) {
-  EXPECT_THAT(complaint("/cells", -1), saysAll("s.json: cells: expected an array, found -1"));
-  EXPECT_THAT(complaint("/cells", 3), saysAll("s.json: cells: expected an array, found 3"));
-  EXPECT_THAT(complaint("/cells/1", "two"), saysAll("s.json: cells[1]: expected an object", "two"));
-  EXPECT_THAT(complaint("/cells/1/id", "two"), saysAll("s.json: cells[1].id: expected a whole number"));
-  EXPECT_THAT(complaint("/cells/1/ports/0/port", 1.5), saysAll("s.json: cells[1].ports[0].port: expected a whole"));
-  EXPECT_THAT(complaint("/cells/0/body_part", 7), saysAll("s.json: cells[0].body_part: expected a text"));
-  EXPECT_THAT(complaint("/poses/1/disabled", "yes"), saysAll("s.json: poses[1].disabled: expected true or false"));
-  EXPECT_THAT(complaint("/poses/0/samples/1/mean_g/2", "1"), saysAll("s.json: poses[0].samples[1].mean_g[2]"));
-  EXPECT_THAT(complaint("/description", 1), saysAll("s.json: description: expected a text"));
-  EXPECT_THAT(complaint("/cell_model", 4), saysAll("s.json: cell_model: expected", "found 4"));
+  EXPECT_THAT(sessionComplaint("/cells", -1), saysAll("s.json: cells: expected an array, found -1"));
+  EXPECT_THAT(sessionComplaint("/cells", 3), saysAll("s.json: cells: expected an array, found 3"));
+  EXPECT_THAT(sessionComplaint("/cells/1", "two"), saysAll("s.json: cells[1]: expected an object", "two"));
+  EXPECT_THAT(sessionComplaint("/cells/1/id", "two"), saysAll("s.json: cells[1].id: expected a whole number"));
+  EXPECT_THAT(sessionComplaint("/cells/1/ports/0/port", 1.5),
+              saysAll("s.json: cells[1].ports[0].port: expected a whole"));
+  EXPECT_THAT(sessionComplaint("/cells/0/body_part", 7), saysAll("s.json: cells[0].body_part: expected a text"));
+  EXPECT_THAT(sessionComplaint("/poses/1/disabled", "yes"),
+              saysAll("s.json: poses[1].disabled: expected true or false"));
+  EXPECT_THAT(sessionComplaint("/poses/0/samples/1/mean_g/2", "1"), saysAll("s.json: poses[0].samples[1].mean_g[2]"));
+  EXPECT_THAT(sessionComplaint("/description", 1), saysAll("s.json: description: expected a text"));
+  EXPECT_THAT(sessionComplaint("/cell_model", 4), saysAll("s.json: cell_model: expected", "found 4"));
 }
 
 TEST(SessionJson, NamesTheKeyPathOfWrongLengths) {
-  EXPECT_THAT(complaint("/poses/0/samples/1/mean_g", {0, 1}), saysAll("poses[0].samples[1].mean_g", "3", "array of 2"));
-  EXPECT_THAT(complaint("/poses/0/samples/0/cov_g2", {1, 2, 3}), saysAll("poses[0].samples[0].cov_g2", "6"));
-  EXPECT_THAT(complaint("/truth/cells/0/R", {1, 0, 0}), saysAll("truth.cells[0].R", "9"));
-  EXPECT_THAT(complaint("/truth/cells/2/t_m", {1, 0, 0, 0}), saysAll("truth.cells[2].t_m", "3"));
+  EXPECT_THAT(sessionComplaint("/poses/0/samples/1/mean_g", {0, 1}),
+              saysAll("poses[0].samples[1].mean_g", "3", "array of 2"));
+  EXPECT_THAT(sessionComplaint("/poses/0/samples/0/cov_g2", {1, 2, 3}), saysAll("poses[0].samples[0].cov_g2", "6"));
+  EXPECT_THAT(sessionComplaint("/truth/cells/0/R", {1, 0, 0}), saysAll("truth.cells[0].R", "9"));
+  EXPECT_THAT(sessionComplaint("/truth/cells/2/t_m", {1, 0, 0, 0}), saysAll("truth.cells[2].t_m", "3"));
 }
 
 TEST(SessionJson, NamesTheKeyPathOfNumbersOutOfRange) {
-  EXPECT_THAT(complaint("/cells/1/id", -2), saysAll("s.json: cells[1].id", "0 to 4294967295, found -2"));
-  EXPECT_THAT(complaint("/cells/1/id", 4294967296), saysAll("s.json: cells[1].id", "found 4294967296"));
-  EXPECT_THAT(complaint("/cells/0/ports/0/cell", -1), saysAll("s.json: cells[0].ports[0].cell", "found -1"));
-  EXPECT_THAT(complaint("/cells/0/ports/0/cell_port", -1), saysAll("s.json: cells[0].ports[0].cell_port"));
-  EXPECT_THAT(complaint("/poses/0/samples/0/count", -100), saysAll("s.json: poses[0].samples[0].count", "-100"));
-  EXPECT_THAT(complaint("/poses/0/id", 4294967295), saysAll("s.json: poses[0].id", "0 to 4294967294"));
-  EXPECT_THAT(complaint("/poses/0/samples/0/cov_g2/3", -1e-9), saysAll("poses[0].samples[0].cov_g2", "at least 0"));
-  EXPECT_THAT(complaint("/truth/cells/0/R/0", 1.01), saysAll("s.json: truth.cells[0].R: expected a rotation matrix"));
-  EXPECT_THAT(complaint("/truth/cells/1/id", 1), saysAll("s.json: truth.cells[1].id: expected each cell once"));
+  EXPECT_THAT(sessionComplaint("/cells/1/id", -2), saysAll("s.json: cells[1].id", "0 to 4294967295, found -2"));
+  EXPECT_THAT(sessionComplaint("/cells/1/id", 4294967296), saysAll("s.json: cells[1].id", "found 4294967296"));
+  EXPECT_THAT(sessionComplaint("/cells/0/ports/0/cell", -1), saysAll("s.json: cells[0].ports[0].cell", "found -1"));
+  EXPECT_THAT(sessionComplaint("/cells/0/ports/0/cell_port", -1), saysAll("s.json: cells[0].ports[0].cell_port"));
+  EXPECT_THAT(sessionComplaint("/poses/0/samples/0/count", -100), saysAll("s.json: poses[0].samples[0].count", "-100"));
+  EXPECT_THAT(sessionComplaint("/poses/0/id", 4294967295), saysAll("s.json: poses[0].id", "0 to 4294967294"));
+  EXPECT_THAT(sessionComplaint("/poses/0/samples/0/cov_g2/3", -1e-9),
+              saysAll("poses[0].samples[0].cov_g2", "at least 0"));
+  EXPECT_THAT(sessionComplaint("/truth/cells/0/R/0", 1.01),
+              saysAll("s.json: truth.cells[0].R: expected a rotation matrix"));
+  EXPECT_THAT(sessionComplaint("/truth/cells/1/id", 1), saysAll("s.json: truth.cells[1].id: expected each cell once"));
 }
 
 TEST(SessionJson, NamesTheKeyPathOfCovariancesThatCanBeNone) {
-  EXPECT_THAT(complaint("/poses/0/samples/0/cov_g2", {1e-6, 2e-6, 0, 1e-6, 0, 1e-6}),
+  EXPECT_THAT(sessionComplaint("/poses/0/samples/0/cov_g2", {1e-6, 2e-6, 0, 1e-6, 0, 1e-6}),
               saysAll("s.json: poses[0].samples[0].cov_g2: expected a covariance (positive semidefinite)"));
-  EXPECT_THAT(complaint("/poses/0/samples/0/cov_g2", {1e-6, 1e-7, 0, 2e-7, 1e-6, 0, 0, 0, 1e-6}),
+  EXPECT_THAT(sessionComplaint("/poses/0/samples/0/cov_g2", {1e-6, 1e-7, 0, 2e-7, 1e-6, 0, 0, 0, 1e-6}),
               saysAll("poses[0].samples[0].cov_g2: expected an array of 6 numbers, found an array of 9"));
 }
 
@@ -252,25 +258,26 @@ TEST(SessionJson, NamesTheKeyPathOfNumbersThatAreNotFinite) {
 }
 
 TEST(SessionJson, NamesWhatIsMissing) {
-  EXPECT_THAT(complaintWithout("", "cells"), saysAll("s.json: cells: is missing"));
-  EXPECT_THAT(complaintWithout("", "poses"), saysAll("s.json: poses: is missing"));
-  EXPECT_THAT(complaintWithout("", "cell_model"), saysAll("s.json: cell_model: is missing"));
-  EXPECT_THAT(complaintWithout("/cells/2", "ports"), saysAll("s.json: cells[2].ports: is missing"));
-  EXPECT_THAT(complaintWithout("/poses/2/samples/0", "mean_g"), saysAll("poses[2].samples[0].mean_g: is missing"));
+  EXPECT_THAT(sessionComplaintWithout("", "cells"), saysAll("s.json: cells: is missing"));
+  EXPECT_THAT(sessionComplaintWithout("", "poses"), saysAll("s.json: poses: is missing"));
+  EXPECT_THAT(sessionComplaintWithout("", "cell_model"), saysAll("s.json: cell_model: is missing"));
+  EXPECT_THAT(sessionComplaintWithout("/cells/2", "ports"), saysAll("s.json: cells[2].ports: is missing"));
+  EXPECT_THAT(sessionComplaintWithout("/poses/2/samples/0", "mean_g"),
+              saysAll("poses[2].samples[0].mean_g: is missing"));
 }
 
 TEST(SessionJson, RefusesANewerVersionNamingBoth) {
-  EXPECT_THAT(complaint("/version", 2), saysAll("s.json: version", "version 2", "up to version 1"));
+  EXPECT_THAT(sessionComplaint("/version", 2), saysAll("s.json: version", "version 2", "up to version 1"));
 }
 
 TEST(SessionJson, RefusesAnotherFormat) {
-  EXPECT_THAT(complaint("/format", "hexoderm-calibration"),
+  EXPECT_THAT(sessionComplaint("/format", "hexoderm-calibration"),
               saysAll("s.json: format: expected \"hexoderm-session\", found \"hexoderm-calibration\""));
 }
 
 TEST(SessionJson, NamesCellModelsItDoesNotKnow) {
-  EXPECT_THAT(complaint("/cell_model", "oct-9"), saysAll("s.json: cell_model", "hex-bma150", "found \"oct-9\""));
-  EXPECT_THAT(complaint("/cell_model", {{"name", "x"}}), saysAll("s.json: cell_model.side_m: is missing"));
+  EXPECT_THAT(sessionComplaint("/cell_model", "oct-9"), saysAll("s.json: cell_model", "hex-bma150", "found \"oct-9\""));
+  EXPECT_THAT(sessionComplaint("/cell_model", {{"name", "x"}}), saysAll("s.json: cell_model.side_m: is missing"));
 }
 
 TEST(SessionJson, IsRefusedWhereverItIsCutOff) {

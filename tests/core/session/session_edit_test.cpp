@@ -10,7 +10,7 @@
 namespace hexoderm {
 namespace {
 
-SessionPose pose(std::uint32_t id) {
+SessionPose namedPose(std::uint32_t id) {
   return {std::make_shared<const PoseCapture>(PoseCapture{PoseId(id), message("pose {}", id), {}}), false};
 }
 
@@ -19,7 +19,7 @@ const LinkEnd kB{CellId(2), PortNumber(3)};
 
 Session threePoses() {
   Session session(builtInCellModel("hex-bma150"), {{CellId(1), "", {}}, {CellId(2), "", {}}});
-  for (std::uint32_t id : {4U, 5U, 6U}) session.addPose(pose(id));
+  for (std::uint32_t id : {4U, 5U, 6U}) session.addPose(namedPose(id));
   session.setPoseDisabled(1, true, "someone leaned on the arm");
   session.setJointAngles(2, {{{"elbow", 1.5}}});
   session.setLinkMuted(kA, kB, true, "a cable");
@@ -29,11 +29,11 @@ Session threePoses() {
 std::vector<SessionEdit> edits() {
   CellModel model = builtInCellModel("hex-bma150");
   model.name = "another";
-  return {AddPose{pose(9)},
-          AddPose{pose(9), 1},
+  return {AddPose{namedPose(9)},
+          AddPose{namedPose(9), 1},
           RemovePose{0},
           RemovePose{1},
-          RestorePose{pose(3), 2},
+          RestorePose{namedPose(3), 2},
           SetPoseDisabled{0, true, "too warm"},
           SetPoseDisabled{1, false, ""},
           SetPoseDisabled{1, true, "for another reason"},
@@ -65,8 +65,8 @@ TEST(SessionEdit, ItsInverseTakesItBackAndTheInverseOfThatDoesItAgain) {
 
 TEST(SessionEdit, ACaptureThatComesBackIsRestored) {
   Session session = threePoses();
-  const SessionEdit back = inverse(AddPose{pose(9)}, session);
-  apply(AddPose{pose(9)}, session);
+  const SessionEdit back = inverse(AddPose{namedPose(9)}, session);
+  apply(AddPose{namedPose(9)}, session);
   const SessionEdit again = inverse(back, session);
   const auto* restore = std::get_if<RestorePose>(&again);
   ASSERT_NE(restore, nullptr) << "a file has the capture already";
@@ -75,10 +75,10 @@ TEST(SessionEdit, ACaptureThatComesBackIsRestored) {
 }
 
 TEST(SessionEdit, OneThatMakesNoSenseIsRefusedAndChangesNothing) {
-  const std::vector<SessionEdit> bad = {AddPose{pose(9), 4},
+  const std::vector<SessionEdit> bad = {AddPose{namedPose(9), 4},
                                         AddPose{},
                                         RemovePose{3},
-                                        RestorePose{pose(9), 4},
+                                        RestorePose{namedPose(9), 4},
                                         RestorePose{},
                                         SetPoseDisabled{3},
                                         SetLinkMuted{kA, kA},

@@ -27,7 +27,7 @@ using test::saysAll;
 using test::sessionWithEverything;
 using test::TemporaryFolder;
 
-std::uint64_t appendOne(SessionStore& store, StoreOperation operation) { return store.append({&operation, 1}); }
+std::uint64_t appendTo(SessionStore& store, StoreOperation operation) { return store.append({&operation, 1}); }
 
 std::map<std::string, std::string> contentOf(const fs::path& folder) {
   std::map<std::string, std::string> content;
@@ -39,7 +39,7 @@ std::map<std::string, std::string> contentOf(const fs::path& folder) {
 /// index too if asked for.
 void leaveBehindAKilledWriter(const fs::path& from, const fs::path& to, std::size_t removed, bool with_index) {
   SessionStore store = SessionStore::open(from);
-  for (std::size_t i = 0; i < removed; ++i) appendOne(store, RemovePose{0});
+  for (std::size_t i = 0; i < removed; ++i) appendTo(store, RemovePose{0});
   for (const char* suffix : {"", "-wal", "-shm"}) {
     if (suffix == std::string("-shm") && !with_index) continue;
     fs::copy_file(from.string() + suffix, to.string() + suffix);
@@ -93,11 +93,11 @@ TEST_F(SharedStore, HasOneWriterAmongAllProcesses) {
                 return message.find("arm.hexo: ") != std::string::npos ? 0 : 1;
               }),
               0);
-    appendOne(store, RemovePose{0});
+    appendTo(store, RemovePose{0});
   }
   EXPECT_EQ(test::inAnotherProcess([&] {
               SessionStore store = SessionStore::open(path_);
-              appendOne(store, RemovePose{0});
+              appendTo(store, RemovePose{0});
               return 0;
             }),
             0);
@@ -113,7 +113,7 @@ class OtherWriter {
     if (child_ == 0) {
       try {
         SessionStore store = SessionStore::open(path);
-        appendOne(store, RemovePose{0});
+        appendTo(store, RemovePose{0});
         static_cast<void>(!::write(pipe_[1], "x", 1));
         while (true) ::pause();
       } catch (...) {
@@ -153,14 +153,14 @@ TEST_F(SharedStore, IsReadWhileAnotherProcessWritesAndIsFreeWhenThatIsKilled) {
   EXPECT_EQ(readSessionStore(path_).poses().size(), 2U);
   SessionStore store = SessionStore::open(path_);
   EXPECT_EQ(store.readSession().poses().size(), 2U);
-  appendOne(store, RemovePose{0});
+  appendTo(store, RemovePose{0});
   EXPECT_EQ(readSessionStore(path_).poses().size(), 1U);
 }
 
 TEST_F(SharedStore, AReaderKeepsTheStateItBeganWith) {
   SessionStore store = SessionStore::open(path_);
   const SessionStore reader = SessionStore::openReadOnly(path_);
-  appendOne(store, RemovePose{0});
+  appendTo(store, RemovePose{0});
   store.tidy();
   EXPECT_EQ(reader.readSession().poses().size(), 3U);
   EXPECT_EQ(readSessionStore(path_).poses().size(), 2U);
@@ -175,7 +175,7 @@ TEST_F(SharedStore, AWriterWaitsForAReaderThatHasNoJournalToReadThrough) {
 
 TEST_F(SharedStore, IsNotWrittenThroughAReader) {
   SessionStore reader = SessionStore::openReadOnly(path_);
-  EXPECT_THAT(messageOf<StorageError>([&] { appendOne(reader, RemovePose{0}); }),
+  EXPECT_THAT(messageOf<StorageError>([&] { appendTo(reader, RemovePose{0}); }),
               saysAll("arm.hexo", "reading only", "save"));
 }
 
@@ -276,8 +276,8 @@ TEST_F(SharedStore, ADiskThatRefusesLeavesTheEarlierStateAndTheCallCanBeRepeated
   const std::uint64_t revision = store.revision();
   {
     const test::NoFileGrows full;
-    EXPECT_THAT(messageOf<StorageError>([&] { appendOne(store, RemovePose{0}); }), saysAll("arm.hexo", "try again"));
-    EXPECT_THROW(appendOne(store, RemovePose{0}), StorageError);
+    EXPECT_THAT(messageOf<StorageError>([&] { appendTo(store, RemovePose{0}); }), saysAll("arm.hexo", "try again"));
+    EXPECT_THROW(appendTo(store, RemovePose{0}), StorageError);
     EXPECT_EQ(store.revision(), revision);
     expectSameSession(store.readSession(), before);
     const fs::path other = folder_.path() / "new.hexo";
@@ -285,7 +285,7 @@ TEST_F(SharedStore, ADiskThatRefusesLeavesTheEarlierStateAndTheCallCanBeRepeated
     EXPECT_FALSE(fs::exists(other));
   }
   expectSameSession(readSessionStore(path_), before);
-  EXPECT_EQ(appendOne(store, RemovePose{0}), revision + 1);
+  EXPECT_EQ(appendTo(store, RemovePose{0}), revision + 1);
   EXPECT_EQ(readSessionStore(path_).poses().size(), 2U);
 }
 
@@ -300,7 +300,7 @@ int fillTheDisk(const fs::path& folder) {
   std::string message;
   while (message.empty()) {
     try {
-      appendOne(store, AddPose{{capture}});
+      appendTo(store, AddPose{{capture}});
       store.tidy();
     } catch (const StorageError& error) {
       message = error.what();
@@ -313,7 +313,7 @@ int fillTheDisk(const fs::path& folder) {
   const std::size_t poses = store.readSession().poses().size();
   if (poses < 5) return 2;
   try {
-    appendOne(store, AddPose{{capture}});
+    appendTo(store, AddPose{{capture}});
     return 3;
   } catch (const StorageError&) {
   }
@@ -325,7 +325,7 @@ int fillTheDisk(const fs::path& folder) {
   if (fs::exists(folder / "copy.hexo")) return 5;
   if (readSessionStore(file).poses().size() != poses) return 6;
   fs::remove(ballast);
-  appendOne(store, AddPose{{capture}});
+  appendTo(store, AddPose{{capture}});
   if (readSessionStore(file).poses().size() != poses + 1) return 7;
   store = SessionStore(SessionStore::openReadOnly(file));
   return SessionStore::open(file).readSession().poses().size() == poses + 1 ? 0 : 8;

@@ -136,8 +136,8 @@ TEST(Error, CarriesItsMessage) {
   const FormatError error(located("a.json", message("is missing")));
   EXPECT_STREQ(error.what(), "a.json: is missing");
   EXPECT_EQ(error.message(), located("a.json", message("is missing")));
-  EXPECT_EQ(messageOf(error), error.message());
-  EXPECT_EQ(messageOf(std::bad_alloc()), Message::verbatim(std::bad_alloc().what()));
+  EXPECT_EQ(hexoderm::messageOf(error), error.message());
+  EXPECT_EQ(hexoderm::messageOf(std::bad_alloc()), Message::verbatim(std::bad_alloc().what()));
   EXPECT_EQ(InvalidArgument("foreign {}").message(), Message::verbatim("foreign {}"));
 }
 

@@ -14,19 +14,19 @@ namespace {
 
 QApplication& application() { return *qobject_cast<QApplication*>(QCoreApplication::instance()); }
 
-struct Message {
+struct CatalogEntry {
   QString context;
   QString source;
   QString translation;
   bool is_unfinished = false;
 };
 
-std::vector<Message> messagesOf(const QString& language) {
+std::vector<CatalogEntry> messagesOf(const QString& language) {
   QFile file(QStringLiteral(HEXODERM_TRANSLATIONS "/hexoderm_%1.ts").arg(language));
   EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << file.fileName().toStdString();
-  std::vector<Message> messages;
+  std::vector<CatalogEntry> messages;
   QXmlStreamReader xml(&file);
-  Message message;
+  CatalogEntry message;
   while (!xml.atEnd()) {
     if (xml.readNext() != QXmlStreamReader::StartElement) continue;
     if (xml.name() == QLatin1String("name")) message.context = xml.readElementText();
@@ -51,9 +51,9 @@ QStringList placeholdersOf(const QString& text) {
 }
 
 TEST(Translation, TheShippedGermanIsComplete) {
-  const std::vector<Message> messages = messagesOf(QStringLiteral("de"));
+  const std::vector<CatalogEntry> messages = messagesOf(QStringLiteral("de"));
   EXPECT_GT(messages.size(), 300U);
-  for (const Message& message : messages) {
+  for (const CatalogEntry& message : messages) {
     const std::string text = message.context.toStdString() + ": " + message.source.toStdString();
     EXPECT_FALSE(message.is_unfinished) << text;
     EXPECT_FALSE(message.translation.isEmpty()) << text;
@@ -68,7 +68,7 @@ TEST(Translation, TheShippedGermanIsComplete) {
 class MissingTexts : public QTranslator {
  public:
   MissingTexts() {
-    for (const Message& message : messagesOf(QStringLiteral("de")))
+    for (const CatalogEntry& message : messagesOf(QStringLiteral("de")))
       known_.insert(keyOf(message.context, message.source));
   }
   bool isEmpty() const override { return false; }

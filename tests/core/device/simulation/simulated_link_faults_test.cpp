@@ -4,6 +4,7 @@
 #include "hexoderm/graph/skin_graph.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
+#include "tests/core/device/simulation/standard_skin.h"
 
 #include <gtest/gtest.h>
 #include <Eigen/LU>
@@ -12,9 +13,6 @@
 
 namespace hexoderm {
 namespace {
-
-const CellModel kModel = builtInCellModel("hex-bma150");
-const Eigen::Vector3d kUp = Eigen::Vector3d::UnitZ();
 
 LinkFault fault(LinkFaultKind kind, unsigned cell, unsigned port) { return {kind, {CellId(cell), PortNumber(port)}}; }
 

@@ -4,6 +4,7 @@
 #include "hexoderm/device/simulation/simulated_skin.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
+#include "tests/core/device/simulation/standard_skin.h"
 
 #include <gtest/gtest.h>
 #include <array>
@@ -12,8 +13,6 @@
 namespace hexoderm {
 namespace {
 
-const CellModel kModel = builtInCellModel("hex-bma150");
-const Eigen::Vector3d kUp = Eigen::Vector3d::UnitZ();
 const double kWhite_g = kModel.accelerometer.noise_g_per_sqrt_hz * std::sqrt(500.0);
 
 SimulatedSkinOptions withFault(SkinFault kind, unsigned cell) {
@@ -141,7 +140,7 @@ TEST(SimulatedReadings, ComeAtTheModelsRateOnARunningClock) {
 }
 
 /// The direction that pointed up while frames were recorded, as the cells of a skin without sensor errors saw it.
-Eigen::Vector3d upSeen(const SimulatedSkin& skin, const std::vector<SampleFrame>& frames) {
+Eigen::Vector3d meanUpSeen(const SimulatedSkin& skin, const std::vector<SampleFrame>& frames) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const SampleFrame& frame : frames) {
     for (std::size_t k = 0; k < frame.samples.size(); ++k) {
@@ -173,7 +172,7 @@ TEST(SimulatedHand, MissesTheAskedOrientationByAFewDegrees) {
   skin.record(kUp, 1);
   double sum = 0;
   const int count = 500;
-  for (int k = 0; k < count; ++k) sum += std::pow(angleBetween(upSeen(skin, skin.record(kUp, 1)), kUp), 2);
+  for (int k = 0; k < count; ++k) sum += std::pow(angleBetween(meanUpSeen(skin, skin.record(kUp, 1)), kUp), 2);
   // Two horizontal axes of 3 degrees each.
   EXPECT_NEAR(toDegrees(std::sqrt(sum / count)), 3 * std::sqrt(2.0), 0.45);
 }
@@ -188,7 +187,7 @@ TEST(SimulatedHand, Drifts) {
   double largest = 0;
   for (int k = 0; k < 30; ++k) {
     const std::vector<SampleFrame> frames = skin.record(kUp, 1001);
-    const double moved = toDegrees(angleBetween(upSeen(skin, {frames.front()}), upSeen(skin, {frames.back()})));
+    const double moved = toDegrees(angleBetween(meanUpSeen(skin, {frames.front()}), meanUpSeen(skin, {frames.back()})));
     EXPECT_LT(moved, 0.501);  // drift about the vertical does not show
     largest = std::max(largest, moved);
   }
@@ -205,7 +204,7 @@ TEST(SimulatedHand, HeldForLongIsStillTheSamePose) {
   const std::vector<SampleFrame> half_a_minute = skin.record(kUp, 30'000);
   double largest = 0;
   for (std::size_t k = 0; k < half_a_minute.size(); k += 100) {
-    largest = std::max(largest, toDegrees(angleBetween(upSeen(skin, {half_a_minute[k]}), kUp)));
+    largest = std::max(largest, toDegrees(angleBetween(meanUpSeen(skin, {half_a_minute[k]}), kUp)));
   }
   EXPECT_GT(largest, 0.7);
   EXPECT_LT(largest, 1.501) << "drift that never comes back would be 15 degrees";

@@ -6,6 +6,7 @@
 #include "hexoderm/graph/skin_graph.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/units.h"
+#include "tests/core/device/simulation/standard_skin.h"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -14,7 +15,6 @@
 namespace hexoderm {
 namespace {
 
-const CellModel kModel = builtInCellModel("hex-bma150");
 const double kReach = kModel.reach_m();
 
 SimulatedSkinOptions ideal(const std::string& patch, const std::string& surface = "", LinkLaw law = LinkLaw::Bend) {

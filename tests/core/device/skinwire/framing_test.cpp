@@ -12,7 +12,7 @@ namespace {
 
 constexpr Framing kFramings[] = {Framing::Length, Framing::Cobs, Framing::Lines};
 
-Bytes bytesOf(std::string_view text) { return {text.begin(), text.end()}; }
+Bytes asBytes(std::string_view text) { return {text.begin(), text.end()}; }
 
 void append(Bytes& stream, const Bytes& more) { stream.insert(stream.end(), more.begin(), more.end()); }
 
@@ -144,7 +144,7 @@ TEST(FrameDecoder, FindsTheNextSerialFrameAfterGarbage) {
 
 TEST(FrameDecoder, GoesOnAtTheNextLineAfterABrokenOne) {
   FrameDecoder decoder(Framing::Lines);
-  Bytes stream = bytesOf("{\"hello\": oops}\n\n   \r\nwhat is this\n");
+  Bytes stream = asBytes("{\"hello\": oops}\n\n   \r\nwhat is this\n");
   append(stream, encodeFrame(Framing::Lines, helloMessage()));
   const Outcome outcome = decodeAll(decoder, stream, 5);
   EXPECT_EQ(outcome.messages, std::vector<Message>{helloMessage()});
@@ -206,7 +206,7 @@ TEST(FrameDecoder, NamesWhatWouldWaitForEver) {
   const std::string line = encodeLine(helloMessage());
   const auto complaintOf = [](std::optional<Framing> framing, const std::string& text) {
     FrameDecoder decoder(framing);
-    Outcome outcome = decodeAll(decoder, bytesOf(text), 7);
+    Outcome outcome = decodeAll(decoder, asBytes(text), 7);
     return decoder.complaintOfWaiting();
   };
   EXPECT_FALSE(complaintOf(std::nullopt, line)) << "the rest may come";

@@ -13,9 +13,9 @@
 namespace hexoderm {
 namespace {
 
-class Draw {
+class NormalDraw {
  public:
-  explicit Draw(unsigned seed) : engine_(seed) {}
+  explicit NormalDraw(unsigned seed) : engine_(seed) {}
   double normal() { return normal_(engine_); }
   Eigen::VectorXd vector(Eigen::Index size) {
     return Eigen::VectorXd::NullaryExpr(size, [this] { return normal(); });
@@ -39,7 +39,8 @@ Accelerometer accelerometer(double offset_g, double shared_g, double scale, doub
 }
 
 /// Errors of so many sensors of one lot.
-Eigen::VectorXd drawErrors(const Accelerometer& sigmas, std::size_t sensors, const Eigen::Vector3d& lot_g, Draw& draw) {
+Eigen::VectorXd drawErrors(const Accelerometer& sigmas, std::size_t sensors, const Eigen::Vector3d& lot_g,
+                           NormalDraw& draw) {
   Accelerometer own = sigmas;
   own.offset_sigma_g = std::sqrt(std::pow(sigmas.offset_sigma_g, 2) - std::pow(sigmas.shared_offset_sigma_g, 2));
   const Eigen::VectorXd prior = priorVariances(own, sensors);
@@ -48,21 +49,21 @@ Eigen::VectorXd drawErrors(const Accelerometer& sigmas, std::size_t sensors, con
   return errors;
 }
 
-SensorEvidence seen(const Eigen::MatrixXd& information, const Eigen::VectorXd& errors, Draw& draw) {
+SensorEvidence seen(const Eigen::MatrixXd& information, const Eigen::VectorXd& errors, NormalDraw& draw) {
   const Eigen::LLT<Eigen::MatrixXd> factor(information);
   const Eigen::VectorXd noise = factor.matrixL() * draw.vector(errors.size());
   return {information, information * errors + noise};
 }
 
 /// As of readings of which each says something about several errors of neighbouring sensors, of 3 mg each.
-Eigen::MatrixXd mixedInformation(Eigen::Index parameters, Draw& draw) {
+Eigen::MatrixXd mixedInformation(Eigen::Index parameters, NormalDraw& draw) {
   const Eigen::MatrixXd rows =
       draw.matrix(2 * parameters, parameters) / std::sqrt(2.0 * static_cast<double>(parameters));
   return (rows.transpose() * rows + 0.01 * Eigen::MatrixXd::Identity(parameters, parameters)) / std::pow(0.003, 2);
 }
 
 TEST(SensorEvidence, WeighingIsTheInverseOfTheErrorsCovariance) {
-  Draw draw(1);
+  NormalDraw draw(1);
   const Eigen::MatrixXd M = mixedInformation(24, draw);
   const SensorEvidence evidence{M, draw.vector(24)};
   const Eigen::VectorXd prior = priorVariances(accelerometer(0.06, 0, 0.02, 0.005), 2);
@@ -73,7 +74,7 @@ TEST(SensorEvidence, WeighingIsTheInverseOfTheErrorsCovariance) {
 }
 
 TEST(SensorEvidence, NoPriorLeavesTheInformationAndNoReadingLeavesNothing) {
-  Draw draw(2);
+  NormalDraw draw(2);
   const SensorEvidence evidence{mixedInformation(12, draw), draw.vector(12)};
   const WeighedEvidence weighed = weigh(evidence, Eigen::VectorXd::Zero(12));
   EXPECT_EQ(weighed.precision, evidence.information);
@@ -119,7 +120,7 @@ TEST(SensorEvidence, ReadingsOfACellSayWhatASmallTurnDoesNotExplain) {
 }
 
 TEST(SensorSigmas, OfErrorsThatAreKnownExactlyAreTheirSpread) {
-  Draw draw(3);
+  NormalDraw draw(3);
   constexpr std::size_t kSensors = 20;
   const Eigen::VectorXd x = drawErrors(accelerometer(0.05, 0.03, 0.02, 0.006), kSensors, {0.02, -0.035, 0.03}, draw);
   const Eigen::MatrixXd exact = 1e10 * Eigen::MatrixXd::Identity(x.size(), x.size());
@@ -155,7 +156,7 @@ TEST(SensorSigmas, OfErrorsThatAreKnownExactlyAreTheirSpread) {
 }
 
 TEST(SensorSigmas, AreWhereExpectationMaximisationSettles) {
-  Draw draw(4);
+  NormalDraw draw(4);
   const Accelerometer truth = accelerometer(0.03, 0.02, 0.01, 0.008);
   const Eigen::VectorXd x = drawErrors(truth, 8, {0.03, -0.02, 0.01}, draw);
   const SensorEvidence evidence = seen(mixedInformation(x.size(), draw), x, draw);
@@ -204,7 +205,7 @@ TEST(SensorSigmas, WithoutInformationStayTheModelsAndSaySo) {
 }
 
 TEST(SensorSigmas, ErrorsBelowWhatReadingsShowAreBounded) {
-  Draw draw(5);
+  NormalDraw draw(5);
   const Eigen::VectorXd x = Eigen::VectorXd::Zero(120);
   const SensorEvidence evidence = seen(mixedInformation(120, draw), x, draw);
   const Accelerometer model = accelerometer(0.06, 0, 0.02, 0.02);
@@ -219,7 +220,7 @@ TEST(SensorSigmas, ErrorsBelowWhatReadingsShowAreBounded) {
 TEST(SensorSigmas, LieWithinTheirRangesAsOftenAsStated) {
   constexpr int kTrials = 200;
   const Accelerometer truth = accelerometer(0.03, 0, 0.01, 0.008);
-  Draw draw(6);
+  NormalDraw draw(6);
   int within = 0;
   int measured = 0;
   for (int trial = 0; trial < kTrials; ++trial) {
@@ -247,7 +248,7 @@ TEST(SensorSigmas, LieWithinTheirRangesAsOftenAsStated) {
 TEST(SensorSigmas, ALotsOffsetIsFoundOverSeveralSkins) {
   const Accelerometer truth = accelerometer(0.012, 0.008, 0.001, 0.0005);
   const Eigen::Vector3d lot_g(0.008, -0.01, 0.006);
-  Draw draw(7);
+  NormalDraw draw(7);
   std::vector<SensorEvidence> evidence;
   for (int skin = 0; skin < 3; ++skin) {
     const Eigen::VectorXd x = drawErrors(truth, 10, lot_g, draw);

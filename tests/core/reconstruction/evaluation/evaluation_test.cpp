@@ -13,13 +13,6 @@ namespace {
 
 using ::testing::SizeIs;
 
-/// A straight line of eight cells, bent into an open or nearly closed ring.
-PinJointedSkin ring(double bend_rad) {
-  std::vector<PinJoint> joints;
-  for (std::uint32_t k = 1; k < 8; ++k) joints.push_back({k, 2, k + 1, 3, bend_rad, 0, 0});
-  return PinJointedSkin(joints);
-}
-
 /// By the tree solver, which gives such skins back exactly: what is tested here is the evaluation.
 std::shared_ptr<const Reconstruction> solved(const PinJointedSkin& skin, std::size_t poses = 3) {
   SolverOptions options;
@@ -33,11 +26,8 @@ GroundTruth truthOf(const PinJointedSkin& skin) {
   return truth;
 }
 
-constexpr LinkEnd kFirst{CellId(1), PortNumber(3)};
-constexpr LinkEnd kLast{CellId(8), PortNumber(2)};
-
 TEST(Evaluation, CylinderThroughARingHasTheRingsRadius) {
-  const PinJointedSkin skin = ring(45 * kDegree);
+  const PinJointedSkin skin = ringOfEight(45 * kDegree);
   const auto result = solved(skin);
   // Centres of a regular octagon of pin-jointed cells lie on a circle of apothem radius e / tan(22.5 degrees). A ring
   // alone is flat and has no cylinder axis of its own, so a second ring's worth of points comes from X17.
@@ -126,17 +116,17 @@ TEST(Evaluation, ASurfaceOfTooFewCellsIsRefusedAndSaysWhy) {
 }
 
 TEST(Evaluation, LoopOfAClosedRingIsClosed) {
-  const PinJointedSkin skin = ring(45 * kDegree);
-  const LoopEvaluation loop = evaluateLoop(*solved(skin), kFirst, kLast);
+  const PinJointedSkin skin = ringOfEight(45 * kDegree);
+  const LoopEvaluation loop = evaluateLoop(*solved(skin), kRingFirst, kRingLast);
   EXPECT_NEAR(loop.length_m, 0, 1e-9);
   // The paper: 16 port vectors accumulate to 222.28 mm.
   EXPECT_NEAR(loop.loop_length_m, 0.22228, 1e-5);
 }
 
 TEST(Evaluation, LoopOfAnOpenRingIsItsGap) {
-  const PinJointedSkin skin = ring(44 * kDegree);
-  const LoopEvaluation loop = evaluateLoop(*solved(skin), kFirst, kLast);
-  const double expected = trueLoopGap(skin.model, truthOf(skin), kFirst, kLast);
+  const PinJointedSkin skin = ringOfEight(44 * kDegree);
+  const LoopEvaluation loop = evaluateLoop(*solved(skin), kRingFirst, kRingLast);
+  const double expected = trueLoopGap(skin.model, truthOf(skin), kRingFirst, kRingLast);
   EXPECT_GT(expected, 0.001);
   EXPECT_NEAR(loop.length_m, expected, 1e-9);
   EXPECT_NEAR(loop.percent, 100 * expected / loop.loop_length_m, 1e-9);
@@ -144,11 +134,11 @@ TEST(Evaluation, LoopOfAnOpenRingIsItsGap) {
 }
 
 TEST(Evaluation, LoopRefusesWhatIsNoFreePort) {
-  const auto result = solved(ring(44 * kDegree));
-  EXPECT_THROW(evaluateLoop(*result, {CellId(9), PortNumber(2)}, kLast), InvalidArgument);
-  EXPECT_THROW(evaluateLoop(*result, {CellId(1), PortNumber(5)}, kLast), InvalidArgument);
-  EXPECT_THROW(evaluateLoop(*result, {CellId(1), PortNumber(2)}, kLast), InvalidArgument) << "joined to cell 2";
-  EXPECT_THROW(evaluateLoop(*result, kLast, kLast), InvalidArgument);
+  const auto result = solved(ringOfEight(44 * kDegree));
+  EXPECT_THROW(evaluateLoop(*result, {CellId(9), PortNumber(2)}, kRingLast), InvalidArgument);
+  EXPECT_THROW(evaluateLoop(*result, {CellId(1), PortNumber(5)}, kRingLast), InvalidArgument);
+  EXPECT_THROW(evaluateLoop(*result, {CellId(1), PortNumber(2)}, kRingLast), InvalidArgument) << "joined to cell 2";
+  EXPECT_THROW(evaluateLoop(*result, kRingLast, kRingLast), InvalidArgument);
 }
 
 TEST(Evaluation, ComparisonIgnoresTheFramesAndSeesTheDifference) {

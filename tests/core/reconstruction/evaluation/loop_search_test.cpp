@@ -16,16 +16,7 @@ namespace {
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-constexpr LinkEnd kFirst{CellId(1), PortNumber(3)};
-constexpr LinkEnd kLast{CellId(8), PortNumber(2)};
-
-PinJointedSkin ring(double bend_rad) {
-  std::vector<PinJoint> joints;
-  for (std::uint32_t k = 1; k < 8; ++k) joints.push_back({k, 2, k + 1, 3, bend_rad, 0, 0});
-  return PinJointedSkin(joints);
-}
-
-std::shared_ptr<const Reconstruction> solved(const PinJointedSkin& skin, Solver solver = Solver::Tree) {
+std::shared_ptr<const Reconstruction> solvedBy(const PinJointedSkin& skin, Solver solver = Solver::Tree) {
   SolverOptions options;
   options.solver = solver;
   options.gap_model = GapModel::Pivot;
@@ -40,14 +31,14 @@ std::shared_ptr<const Reconstruction> simulated(const std::string& patch) {
 }
 
 TEST(LoopSearch, FindsTheTwoPortsOfAnOpenRingWithTheirGap) {
-  const auto result = solved(ring(44 * kDegree));
+  const auto result = solvedBy(ringOfEight(44 * kDegree));
   const std::vector<FoundLoop> loops = findLoops(*result);
   ASSERT_THAT(loops, SizeIs(1));
-  const LoopEvaluation expected = evaluateLoop(*result, kFirst, kLast);
+  const LoopEvaluation expected = evaluateLoop(*result, kRingFirst, kRingLast);
   EXPECT_FALSE(loops[0].closed);
   EXPECT_THAT(loops[0].cells, SizeIs(8));
-  EXPECT_EQ(loops[0].closure.first, kFirst);
-  EXPECT_EQ(loops[0].closure.second, kLast);
+  EXPECT_EQ(loops[0].closure.first, kRingFirst);
+  EXPECT_EQ(loops[0].closure.second, kRingLast);
   EXPECT_LT((loops[0].closure.gap_m - expected.gap_m).norm(), 1e-12);
   EXPECT_NEAR(loops[0].closure.length_m, expected.length_m, 1e-12);
   EXPECT_NEAR(loops[0].closure.loop_length_m, expected.loop_length_m, 1e-12);
@@ -55,21 +46,21 @@ TEST(LoopSearch, FindsTheTwoPortsOfAnOpenRingWithTheirGap) {
 }
 
 TEST(LoopSearch, PortsBeyondTheLargestGapDoNotFaceEachOther) {
-  const auto result = solved(ring(42 * kDegree));
-  const double gap = evaluateLoop(*result, kFirst, kLast).length_m;
+  const auto result = solvedBy(ringOfEight(42 * kDegree));
+  const double gap = evaluateLoop(*result, kRingFirst, kRingLast).length_m;
   LoopSearchOptions options;
   options.max_gap_m = 1.01 * gap;
   EXPECT_THAT(findLoops(*result, options), SizeIs(1));
   options.max_gap_m = 0.99 * gap;
   EXPECT_THAT(findLoops(*result, options), IsEmpty());
-  EXPECT_THAT(findLoops(*solved(ring(20 * kDegree))), IsEmpty()) << "ends far apart are no loop";
+  EXPECT_THAT(findLoops(*solvedBy(ringOfEight(20 * kDegree))), IsEmpty()) << "ends far apart are no loop";
 }
 
 TEST(LoopSearch, AClosedRingIsOneLoopThatCloses) {
   for (const Solver solver : {Solver::Tree, Solver::Global}) {
-    PinJointedSkin skin = ring(45 * kDegree);
-    skin.connect(kFirst, kLast);
-    const std::vector<FoundLoop> loops = findLoops(*solved(skin, solver));
+    PinJointedSkin skin = ringOfEight(45 * kDegree);
+    skin.connect(kRingFirst, kRingLast);
+    const std::vector<FoundLoop> loops = findLoops(*solvedBy(skin, solver));
     ASSERT_THAT(loops, SizeIs(1));
     EXPECT_TRUE(loops[0].closed);
     EXPECT_THAT(loops[0].cells, SizeIs(8));
@@ -80,17 +71,17 @@ TEST(LoopSearch, AClosedRingIsOneLoopThatCloses) {
 
 TEST(LoopSearch, AClosedLoopsGapIsThatOfItsOrientationsWhicheverWayPositionsWereSolved) {
   // Orientations of a ring that is not quite one; only its links say that it is closed.
-  PinJointedSkin skin = ring(44 * kDegree);
-  const auto open = findLoops(*solved(skin));
-  skin.connect(kFirst, kLast);
-  const auto closed = findLoops(*solved(skin));
+  PinJointedSkin skin = ringOfEight(44 * kDegree);
+  const auto open = findLoops(*solvedBy(skin));
+  skin.connect(kRingFirst, kRingLast);
+  const auto closed = findLoops(*solvedBy(skin));
   ASSERT_THAT(closed, SizeIs(1));
   EXPECT_TRUE(closed[0].closed);
   EXPECT_NEAR(closed[0].closure.length_m, open.at(0).closure.length_m, 1e-9);
 }
 
 TEST(LoopSearch, ATreeHasNoLoop) {
-  EXPECT_THAT(findLoops(*solved(bentX17())), IsEmpty());
+  EXPECT_THAT(findLoops(*solvedBy(bentX17())), IsEmpty());
   EXPECT_THAT(findLoops(*simulated("x17")), IsEmpty());
   EXPECT_THAT(findLoops(Reconstruction()), IsEmpty());
 }

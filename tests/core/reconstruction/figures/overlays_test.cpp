@@ -6,13 +6,13 @@
 namespace hexoderm {
 namespace {
 
-const SE3 kElsewhere{expSO3({0.4, -1.1, 0.7}), {0.3, -0.2, 0.5}};
+const SE3 kBody{expSO3({0.4, -1.1, 0.7}), {0.3, -0.2, 0.5}};
 
 /// The demo's own placements, as a body frame elsewhere sees them.
 GroundTruth truthOf(const Reconstruction& reconstruction) {
   GroundTruth truth;
   for (const PatchReconstruction& patch : reconstruction.patches) {
-    for (const CellPlacement& cell : patch.cells) truth.cells.push_back({cell.cell, kElsewhere * cell.T_o_u});
+    for (const CellPlacement& cell : patch.cells) truth.cells.push_back({cell.cell, kBody * cell.T_o_u});
   }
   return truth;
 }
@@ -49,7 +49,7 @@ TEST(AlignedTruth, IsMovedPatchByPatch) {
   second.first_id = 101;
   const Reconstruction two = demoPatches({DemoOptions(), second});
   GroundTruth truth = truthOf(two);
-  for (std::size_t k = 17; k < 34; ++k) truth.cells[k].T_b_u = kElsewhere * truth.cells[k].T_b_u;
+  for (std::size_t k = 17; k < 34; ++k) truth.cells[k].T_b_u = kBody * truth.cells[k].T_b_u;
   const std::vector<AlignedCell> aligned = alignTruth(two, truth);
   ASSERT_EQ(aligned.size(), 34U);
   EXPECT_EQ(aligned[20].patch, 1U);
@@ -62,7 +62,7 @@ TEST(CellShifts, LeadFromTheReferenceToTheCell) {
   const Reconstruction now = demoReconstruction();
   Reconstruction before = now;
   before.patches[0].cells[5].T_o_u.t += Eigen::Vector3d(0.001, 0.002, -0.003);
-  for (CellPlacement& cell : before.patches[0].cells) cell.T_o_u = kElsewhere * cell.T_o_u;
+  for (CellPlacement& cell : before.patches[0].cells) cell.T_o_u = kBody * cell.T_o_u;
   const std::vector<Comparison> comparisons = compareToReconstruction(now, before);
   const std::vector<CellShift> shifts = shiftsOf(now, comparisons);
   ASSERT_EQ(shifts.size(), 17U);

@@ -15,7 +15,7 @@ namespace {
 
 const GapShare kGaps[] = {kPivotGap, kArcGap, kFitGap};
 
-SimulatedSkinOptions skin(const std::string& patch, const std::string& surface = {}) {
+SimulatedSkinOptions smallSkin(const std::string& patch, const std::string& surface = {}) {
   SimulatedSkinOptions options;
   options.patch = patch;
   options.surface = surface;
@@ -82,7 +82,7 @@ std::size_t countBeyondThreshold(const JointProblem& problem, const JointState& 
 TEST(JointCost, GradientIsThatOfTheCostWithQuadraticLosses) {
   for (const GapShare& gap : kGaps) {
     for (const bool accelerations : {false, true}) {
-      JointCase example = simulatedCase(skin("x17"), 3, gap);
+      JointCase example = simulatedCase(smallSkin("x17"), 3, gap);
       example.problem.accelerations = accelerations;
       example.problem.loss.threshold = std::numeric_limits<double>::infinity();
       for (std::uint64_t seed = 1; seed <= 3; ++seed) {
@@ -97,7 +97,7 @@ TEST(JointCost, GradientIsThatOfTheCostWithQuadraticLosses) {
 TEST(JointCost, GradientIsThatOfTheCostWithRobustLosses) {
   for (const GapShare& gap : kGaps) {
     for (const bool accelerations : {false, true}) {
-      JointCase example = simulatedCase(skin("ring8:closed"), 4, gap);
+      JointCase example = simulatedCase(smallSkin("ring8:closed"), 4, gap);
       example.problem.accelerations = accelerations;
       for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         const JointState state = perturbed(example.problem, example.truth, 0.15, 0.003, seed);
@@ -123,7 +123,7 @@ TEST(JointCost, GradientIsRightWhereLinksAreStraight) {
 }
 
 TEST(JointCost, GradientIsRightWithATurnedAccelerometerAndMissingReadings) {
-  JointCase example = simulatedCase(skin("x17"), 4, kFitGap);
+  JointCase example = simulatedCase(smallSkin("x17"), 4, kFitGap);
   CellModel model = *example.model;
   model.accelerometer.T_u_a.R = expSO3({0.4, -0.3, 1.1});
   example.problem.model = &model;
@@ -137,7 +137,7 @@ TEST(JointCost, MatrixIsPositiveSemiDefiniteAnywhere) {
   for (const char* patch : {"x17", "ring8:closed", "sheet:3x3"}) {
     for (const GapShare& gap : kGaps) {
       for (const std::size_t poses : {0U, 1U, 2U, 4U}) {
-        JointCase example = simulatedCase(skin(patch), poses, gap);
+        JointCase example = simulatedCase(smallSkin(patch), poses, gap);
         for (const bool accelerations : {false, true}) {
           example.problem.accelerations = accelerations;
           for (const double away : {0.0, 0.1, 1.0}) {
@@ -220,7 +220,7 @@ TEST(JointCost, MatrixIsTheHessianOfABentSkinWithoutElastomer) {
 
 TEST(JointCost, RenumberedCellsAndLinksCostTheSame) {
   for (const GapShare& gap : kGaps) {
-    JointCase example = simulatedCase(skin("sheet:4x4", "cylinder:r=0.06"), 3, gap);
+    JointCase example = simulatedCase(smallSkin("sheet:4x4", "cylinder:r=0.06"), 3, gap);
     example.problem.accelerations = true;
     const JointState state = perturbed(example.problem, example.truth, 0.1, 0.002, 11);
     std::vector<std::size_t> place(example.problem.cellCount());
@@ -248,7 +248,7 @@ TEST(JointCost, RenumberedCellsAndLinksCostTheSame) {
 
 TEST(JointCost, ReversedLinksCostTheSame) {
   for (const GapShare& gap : kGaps) {
-    const JointCase example = simulatedCase(skin("sheet:4x4", "cylinder:r=0.06"), 2, gap);
+    const JointCase example = simulatedCase(smallSkin("sheet:4x4", "cylinder:r=0.06"), 2, gap);
     const JointState state = perturbed(example.problem, example.truth, 0.2, 0.002, 12);
     JointProblem reversed = example.problem;
     for (JointLink& link : reversed.links) {
@@ -269,7 +269,7 @@ TEST(JointCost, ReversedLinksCostTheSame) {
 
 TEST(JointCost, AFrameOfAnotherChoiceCostsTheSame) {
   for (const GapShare& gap : kGaps) {
-    JointCase example = simulatedCase(skin("x17"), 3, gap);
+    JointCase example = simulatedCase(smallSkin("x17"), 3, gap);
     example.problem.accelerations = true;
     const JointState state = perturbed(example.problem, example.truth, 0.1, 0.002, 13);
     const SE3 turn{expSO3({0.5, -1.2, 0.7}), {0.3, -0.1, 0.2}};

@@ -5,6 +5,7 @@
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/reconstruction/result/uncertainty.h"
 #include "tests/core/reconstruction/joint/joint_case.h"
+#include "tests/support/few_seeds.h"
 
 #include <gmock/gmock.h>
 
@@ -15,11 +16,7 @@
 namespace hexoderm {
 namespace {
 
-#ifdef NDEBUG
-constexpr bool kFewSeeds = false;
-#else
-constexpr bool kFewSeeds = true;
-#endif
+using test::kFewSeeds;
 
 Eigen::Index rowsOf(std::size_t cell) { return static_cast<Eigen::Index>(6 * cell); }
 

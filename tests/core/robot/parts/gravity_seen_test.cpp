@@ -3,6 +3,7 @@
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "tests/core/robot/parts/gravity_draw.h"
 #include "tests/core/robot/parts/jointed_skins.h"
+#include "tests/support/few_seeds.h"
 
 #include <gmock/gmock.h>
 
@@ -15,11 +16,7 @@
 namespace hexoderm {
 namespace {
 
-#ifdef NDEBUG
-constexpr bool kFewSeeds = false;
-#else
-constexpr bool kFewSeeds = true;
-#endif
+using test::kFewSeeds;
 
 TEST(GravitySeen, ErrorsHaveTwoComponentsAcrossTheDirection) {
   GravityDraw draw(1);

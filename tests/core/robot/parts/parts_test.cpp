@@ -4,6 +4,7 @@
 #include "hexoderm/robot/parts/gravity_seen.h"
 #include "hexoderm/util/error.h"
 #include "tests/core/robot/parts/jointed_skins.h"
+#include "tests/support/few_seeds.h"
 
 #include <gmock/gmock.h>
 
@@ -14,12 +15,7 @@
 namespace hexoderm {
 namespace {
 
-// Debug and sanitizer builds take a few seeds only: there the code is watched, not the figures.
-#ifdef NDEBUG
-constexpr bool kFewSeeds = false;
-#else
-constexpr bool kFewSeeds = true;
-#endif
+using test::kFewSeeds;
 
 double medianOf(std::vector<double> values) {
   std::ranges::sort(values);
