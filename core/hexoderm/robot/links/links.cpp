@@ -88,7 +88,10 @@ class LinksFinder {
     }
     const UsableAngles usable = usableAngles(posesOf(seeing));
     result_.poses = differentPoses(seeing, usable.poses, options_.most_poses);
-    for (const PoseId pose : result_.poses) compared_angles_.push_back(angles_.at(pose));
+    for (const PoseId pose : result_.poses) {
+      compared_angles_.push_back(angles_.at(pose));
+      T_w_l_.push_back(robot_.forward(compared_angles_.back()));
+    }
     addDoubts();
     for (const PatchReconstruction& patch : reconstruction.patches) {
       GravitySeen seen;
@@ -210,8 +213,22 @@ class LinksFinder {
       const auto fit = std::ranges::count_if(compared.groups, &TestedGroup::fits);
       if (compared.chosen || fit != 1 || compared.seen.size() < 2) continue;
       const TestedGroup& only = *std::ranges::find_if(compared.groups, &TestedGroup::fits);
-      if (only.links.size() == 1) compared.link = only.links.front().link;
+      const std::size_t first = only.links.front().link;
+      const bool is_one = std::ranges::all_of(
+          only.links, [&](const TestedLink& tested) { return turnAsOne(gravity, first, tested.link); });
+      if (is_one) compared.link = first;
     }
+  }
+
+  /// Whether two links are turned by the same joints, so that they see the same: they are fixed to each other, or
+  /// slide.
+  [[nodiscard]] bool turnAsOne(const LinkGravity& gravity, std::size_t a, std::size_t b) const {
+    if (gravity.jointsTo(a) != gravity.jointsTo(b)) return false;
+    const Eigen::Matrix3d R_a_b = T_w_l_.front()[a].R.transpose() * T_w_l_.front()[b].R;
+    return std::ranges::all_of(T_w_l_, [&](const std::vector<SE3>& T_w_l) {
+      constexpr double kRounding_rad = 1e-6;
+      return rotationAngle(T_w_l[a].R.transpose() * T_w_l[b].R * R_a_b.transpose()) < kRounding_rad;
+    });
   }
 
   // --- all patches together
@@ -282,7 +299,6 @@ class LinksFinder {
 
   void describeAll() {
     const LinkGravity gravity(robot_, compared_angles_, up_w_);
-    const std::vector<SE3> T_w_l = robot_.forward(compared_angles_.front());
     for (const Compared& compared : patches_) {
       PatchLinks& patch = result_.patches.emplace_back();
       patch.patch = compared.patch->id;
@@ -291,10 +307,10 @@ class LinksFinder {
       patch.chosen = compared.chosen;
       patch.placed = compared.turn;
       for (const TestedGroup& group : compared.groups) {
-        if (group.fits) patch.candidates.push_back(candidateOf(compared, group, gravity, T_w_l));
+        if (group.fits) patch.candidates.push_back(candidateOf(compared, group, gravity));
       }
       if (patch.candidates.empty() || contradictsChoice(compared)) {
-        patch.nearest = candidateOf(compared, compared.groups.front(), gravity, T_w_l);
+        patch.nearest = candidateOf(compared, compared.groups.front(), gravity);
       }
       addOdds(compared, patch);
       findOpenAxis(patch);
@@ -315,19 +331,19 @@ class LinksFinder {
   }
 
   [[nodiscard]] LinkCandidate candidateOf(const Compared& compared, const TestedGroup& group,
-                                          const LinkGravity& gravity, const std::vector<SE3>& T_w_l) const {
+                                          const LinkGravity& gravity) const {
     LinkCandidate candidate;
     const GravityMisfit& misfit = group.links[group.best].turn.misfit;
     candidate.chi_squared = misfit.chi_squared;
     candidate.freedom = misfit.freedom;
     candidate.probability = misfit.probability();
     for (const TestedLink& tested : group.links) {
-      PatchTurn turn = turnOnPart(compared, tested.link, gravity, T_w_l);
+      PatchTurn turn = turnOnPart(compared, tested.link, gravity);
       const Eigen::Matrix3d R_part_o = turn.R_l_o;
       for (std::size_t link = 0; link < robot_.links().size(); ++link) {
         if (robot_.partOf(link) != tested.link) continue;
         turn.link = robot_.links()[link].name;
-        turn.R_l_o = T_w_l[link].R.transpose() * T_w_l[tested.link].R * R_part_o;
+        turn.R_l_o = T_w_l_.front()[link].R.transpose() * T_w_l_.front()[tested.link].R * R_part_o;
         candidate.links.push_back(turn);
       }
     }
@@ -344,12 +360,11 @@ class LinksFinder {
     std::ranges::sort(links, {}, steps);
   }
 
-  /// As all patches together have it, if the patch is placed on this part.
-  [[nodiscard]] PatchTurn turnOnPart(const Compared& compared, std::size_t part, const LinkGravity& gravity,
-                                     const std::vector<SE3>& T_w_l) const {
-    if (compared.turn && robot_.partOf(*compared.link) == part) {
+  /// As all patches together have it, if the patch is placed on this part, or one that sees the same.
+  [[nodiscard]] PatchTurn turnOnPart(const Compared& compared, std::size_t part, const LinkGravity& gravity) const {
+    if (compared.turn && turnAsOne(gravity, part, *compared.link)) {
       PatchTurn turn = *compared.turn;
-      turn.R_l_o = T_w_l[part].R.transpose() * T_w_l[*compared.link].R * turn.R_l_o;
+      turn.R_l_o = T_w_l_.front()[part].R.transpose() * T_w_l_.front()[*compared.link].R * turn.R_l_o;
       return turn;
     }
     const LinkTurn turn = turnOn(compared.seen, gravity, part, priors());
@@ -549,6 +564,7 @@ class LinksFinder {
   const std::map<PoseId, JointAngles>& angles_;
   Eigen::Vector3d up_w_;
   std::vector<JointAngles> compared_angles_;  // by place in LinksResult::poses
+  std::vector<std::vector<SE3>> T_w_l_;       // by place and link, as the joints report
   LinkTest test_;
   std::vector<Compared> patches_;
   std::optional<LinkGravity> fitted_;

@@ -70,7 +70,7 @@ struct PatchLinks {
   /// Where none fits, or the operator chose one that doesn't: the candidate that comes nearest.
   std::optional<LinkCandidate> nearest;
   /// The link that the patch is taken to be on: the operator's choice; or the only candidate, if its links are fixed to
-  /// each other (the first of them). Absent where it is open, or none fits.
+  /// each other or slide (the first of them). Absent where it is open, or none fits.
   std::optional<PatchTurn> placed;
   bool chosen = false;  ///< by the operator
   /// Where a turn is left open: the axis about which it is, unit, in the link's frame.
