@@ -460,8 +460,8 @@ class LinksFinder {
       return message("The patch of cell {} is on link {}: no other link fits.", patch.origin, first.links.front().link);
     }
     return jointsBetween(first).empty()
-               ? message("The patch of cell {} is on one of these links, which are fixed to each other: {}.",
-                         patch.origin, namesOf(first))
+               ? message("The patch of cell {} is on one of these links, which turn as one: {}.", patch.origin,
+                         namesOf(first))
                : message("The patch of cell {} is on one of these links, which these poses can't tell apart: {}.",
                          patch.origin, namesOf(first));
   }
