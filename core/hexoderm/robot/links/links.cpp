@@ -416,13 +416,22 @@ class LinksFinder {
     if (patch.open_axis_l) {
       why.push_back(message(
           "How it is turned there about one axis is not determined: gravity came along one line in all poses."));
-      const std::string& link = patch.placed ? patch.placed->link : patch.candidates.front().links.front().link;
-      next.push_back(robot_.freeJointsTo(robot_.linkNamed(link)).empty()
-                         ? message("No joint moves link {}: only tipping the whole robot over would show it.", link)
-                         : message("Take poses in which link {} is tipped over by about 90 degrees.", link));
+      if (patch.placed || isOnePart(patch)) next.push_back(sayWhatTellsTurn(patch));
     }
     patch.why = inRow(std::move(why));
     patch.what_would_tell = inRow(std::move(next));
+  }
+
+  /// Whether one candidate is left, whose links turn as one.
+  [[nodiscard]] bool isOnePart(const PatchLinks& patch) const {
+    return patch.candidates.size() == 1 && jointsBetween(patch.candidates.front()).empty();
+  }
+
+  [[nodiscard]] Message sayWhatTellsTurn(const PatchLinks& patch) const {
+    const std::string& link = patch.placed ? patch.placed->link : patch.candidates.front().links.front().link;
+    return robot_.freeJointsTo(robot_.linkNamed(link)).empty()
+               ? message("No joint moves link {}: only tipping the whole robot over would show it.", link)
+               : message("Take poses in which link {} is tipped over by about 90 degrees.", link);
   }
 
   [[nodiscard]] Message sayLink(const Compared& compared, const PatchLinks& patch) const {

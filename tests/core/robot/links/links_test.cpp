@@ -257,7 +257,12 @@ TEST(Links, OnTheBaseTheTurnAboutTheVerticalStaysOpen) {
   ASSERT_TRUE(patch.open_axis_l.has_value());
   EXPECT_LT(angleBetween(patch.open_axis_l->cwiseAbs(), Eigen::Vector3d::UnitZ()), 5 * kDegree);
   EXPECT_THAT(patch.why.english(), HasSubstr("about one axis is not determined"));
-  EXPECT_THAT(patch.what_would_tell.english(), HasSubstr("No joint moves link base"));
+  EXPECT_THAT(patch.what_would_tell.english(), HasSubstr("with their axes level: j1"));
+  LinksOptions put;
+  put.test_lever_m = 0;
+  put.chosen[patch.origin] = "base";
+  EXPECT_THAT(DrawnArm(options).find(put).patches.front().what_would_tell.english(),
+              HasSubstr("No joint moves link base"));
 }
 
 // The joints hardly move: gravity comes from one direction, and nothing tells links apart.
