@@ -522,7 +522,14 @@ class LinksFinder {
     for (const Compared* compared : largest) without_link.push_back(&compared->test_seen);
     if (!without_link.empty()) {
       const std::optional<Message> why = explain(without_link, {robot_, compared_angles_, result_.poses, up_w_, test_});
-      if (why) result_.findings.push_back(*why);
+      if (why) {
+        result_.findings.push_back(*why);
+      } else if (without_link.size() == patches_.size()) {
+        result_.findings.push_back(
+            message("No patch fits any link: perhaps the robot's base did not stand still in all poses, or joint "
+                    "angles and URDF "
+                    "are those of another robot."));
+      }
     }
     if (result_.robot) addFindingsOf(*result_.robot);
   }

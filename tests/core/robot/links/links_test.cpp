@@ -356,6 +356,32 @@ TEST(Links, APoseWithTheAnglesOfAnotherOneIsNamed) {
   EXPECT_THAT(findingsOf(arm.find()), Contains(HasSubstr("Pose 3 doesn't go with the others")));
 }
 
+TEST(Links, ABaseThatHangsOrMovedIsSaid) {
+  DrawnArmOptions options;
+  options.poses = 8;
+  const DrawnArm arm(options);
+  LinksOptions hanging;
+  hanging.test_lever_m = 0;
+  hanging.up_w = -Eigen::Vector3d::UnitZ();
+  EXPECT_THAT(findingsOf(arm.find(hanging)), Contains(HasSubstr("the patches fit with +z of its frame upwards")));
+
+  DrawnArm moved(options);
+  GravityDraw draw(5);
+  const std::vector<Eigen::Vector3d> up = draw.directions(8);  // of a base in a hand
+  for (std::size_t k = 0; k < options.links.size(); ++k) {
+    std::vector<Eigen::Vector3d> seen;
+    std::size_t pose = 0;
+    for (const auto& [id, angles] : moved.angles) {
+      const SE3 T_w_l = moved.robot.forward(angles)[moved.robot.linkNamed(options.links[k])];
+      seen.emplace_back((T_w_l.R * moved.R_l_o[k]).transpose() * up[pose++]);
+    }
+    moved.reconstruction.patches[k] = patchThatSaw(draw.see(seen, {}), static_cast<std::uint32_t>(k));
+  }
+  const LinksResult result = moved.find();
+  for (const PatchLinks& patch : result.patches) EXPECT_TRUE(patch.candidates.empty()) << patch.why;
+  EXPECT_THAT(findingsOf(result), Contains(HasSubstr("perhaps the robot's base did not stand still")));
+}
+
 TEST(Links, PosesAndLinksWithoutAnglesAreLeftOut) {
   DrawnArmOptions options;
   options.poses = 8;
