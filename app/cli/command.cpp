@@ -1,6 +1,7 @@
 #include "app/cli/command.h"
 
 #include "hexoderm/device/sources/open_source.h"
+#include "hexoderm/kinematics/demo_robot.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
@@ -77,6 +78,20 @@ std::shared_ptr<const Reconstruction> openCalibration(const std::string& path, c
   OpenedFile opened = openInput(path, cell_model);
   if (auto* calibration = std::get_if<std::shared_ptr<const Reconstruction>>(&opened)) return std::move(*calibration);
   throw BadInput(path + ": this is a session, expected a calibration; \"hexoderm-cli solve\" makes one of it");
+}
+
+RobotModel openRobot(const std::string& robot, const std::vector<std::string>& packages) {
+  PackageFolders folders;
+  for (const std::string& package : packages) {
+    const std::size_t equals = package.find('=');
+    if (equals == 0 || equals == std::string::npos || equals + 1 == package.size()) {
+      throw InvalidArgument("--package: expected NAME=FOLDER, found \"" + package + "\"");
+    }
+    folders[package.substr(0, equals)] = package.substr(equals + 1);
+  }
+  return asInput([&] {
+    return RobotModel::read(robot == kDemoRobot ? demoRobotFile() : std::filesystem::path(robot), std::move(folders));
+  });
 }
 
 int exitCodeOf(const Assessment& verdict) { return verdict.isUsable() ? kDone : kNotGoodEnough; }

@@ -2,6 +2,7 @@
 
 #include "hexoderm/device/offence.h"
 #include "hexoderm/io/open_file.h"
+#include "hexoderm/kinematics/robot_model.h"
 #include "hexoderm/reconstruction/result/reconstruction.h"
 #include "hexoderm/session/session.h"
 #include "hexoderm/util/error.h"
@@ -15,6 +16,7 @@
 #include <streambuf>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace hexoderm::cli {
 
@@ -85,6 +87,7 @@ void addConvert(CLI::App& app, Common& common);
 void addInspect(CLI::App& app, Common& common);
 void addSensors(CLI::App& app, Common& common);
 void addParts(CLI::App& app, Common& common);
+void addLinks(CLI::App& app, Common& common);
 void addReproduce(CLI::App& app, Common& common);
 
 /// Says every offence of a device once, as soon as it is known.
@@ -118,6 +121,11 @@ Session openSession(const std::string& path);
 BadInput noSession(const std::string& path);
 std::shared_ptr<const Reconstruction> openCalibration(const std::string& path,
                                                       const std::string& cell_model = "hex-bma150");
+
+/// As `--robot`: the made-up arm that comes with the program.
+inline constexpr std::string_view kDemoRobot = "demo";
+/// Reads a URDF, or kDemoRobot; `packages`: NAME=FOLDER, as `--package`.
+RobotModel openRobot(const std::string& robot, const std::vector<std::string>& packages);
 
 int exitCodeOf(const Assessment& verdict);
 

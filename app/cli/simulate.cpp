@@ -6,7 +6,6 @@
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/io/robot_truth_json.h"
 #include "hexoderm/io/session_json.h"
-#include "hexoderm/kinematics/demo_robot.h"
 #include "hexoderm/session/session_joint_angles.h"
 #include "hexoderm/session/simulated_session.h"
 #include "hexoderm/util/file.h"
@@ -36,7 +35,6 @@ struct SimulateOptions {
   std::string output;
 };
 
-constexpr std::string_view kDemoRobot = "demo";
 constexpr const char* kMountSyntax = "LINK:X,Y,Z or LINK:X,Y,Z,ROLL,PITCH,YAW";
 
 template <class Kinds>
@@ -95,18 +93,6 @@ PatchMount mountOf(const std::string& text, const SimulateOptions& options) {
   return mount;
 }
 
-PackageFolders packageFolders(const std::vector<std::string>& texts) {
-  PackageFolders folders;
-  for (const std::string& text : texts) {
-    const std::size_t equals = text.find('=');
-    if (equals == 0 || equals == std::string::npos || equals + 1 == text.size()) {
-      throw InvalidArgument("--package: expected NAME=FOLDER, found \"" + text + "\"");
-    }
-    folders[text.substr(0, equals)] = text.substr(equals + 1);
-  }
-  return folders;
-}
-
 SimulatedRobot makeRobot(CellModel model, const SimulateOptions& options) {
   const bool is_demo = options.robot == kDemoRobot;
   SimulatedRobotOptions robot = options.ideal ? SimulatedRobotOptions::ideal() : SimulatedRobotOptions();
@@ -120,10 +106,7 @@ SimulatedRobot makeRobot(CellModel model, const SimulateOptions& options) {
       throw InvalidArgument("--robot: say with --mount " + std::string(kMountSyntax) + " where the patches are");
     robot.mounts = demoMounts();
   }
-  const RobotModel urdf = asInput([&] {
-    return RobotModel::read(is_demo ? demoRobotFile() : std::filesystem::path(options.robot),
-                            packageFolders(options.packages));
-  });
+  const RobotModel urdf = openRobot(options.robot, options.packages);
   return asInput([&] { return SimulatedRobot(std::move(model), urdf, robot); });
 }
 

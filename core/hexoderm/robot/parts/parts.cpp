@@ -1,6 +1,7 @@
 #include "hexoderm/robot/parts/parts.h"
 
 #include "hexoderm/geometry/covariance.h"
+#include "hexoderm/robot/parts/compared_poses.h"
 #include "hexoderm/robot/parts/hinge_fit.h"
 #include "hexoderm/robot/parts/movement.h"
 #include "hexoderm/util/error.h"
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace hexoderm {
 namespace {
@@ -19,47 +19,6 @@ struct SeeingPatch {
   GravitySeen seen;
   GravitySeen seen_from_joint;  ///< as `seen`, meant at a joint of its part
 };
-
-/// A pose counts as different from another one by what the patch that tells them apart best sees.
-double differenceOf(const std::vector<SeeingPatch>& patches, PoseId a, PoseId b) {
-  double largest = 0;
-  for (const SeeingPatch& patch : patches) {
-    const auto place = [&](PoseId pose) { return std::ranges::find(patch.seen.poses, pose); };
-    const auto at_a = place(a);
-    const auto at_b = place(b);
-    if (at_a == patch.seen.poses.end() || at_b == patch.seen.poses.end()) continue;
-    largest = std::max(largest, angleBetween(patch.seen.up[static_cast<std::size_t>(at_a - patch.seen.poses.begin())],
-                                             patch.seen.up[static_cast<std::size_t>(at_b - patch.seen.poses.begin())]));
-  }
-  return largest;
-}
-
-/// As many poses as the options allow, each the one that differs most from those taken before.
-std::vector<PoseId> differentPoses(const std::vector<SeeingPatch>& patches, const std::vector<PoseId>& all,
-                                   std::size_t most) {
-  if (all.size() <= most) return all;
-  std::vector<PoseId> chosen = {all.front()};
-  std::vector<double> nearest(all.size(), std::numeric_limits<double>::infinity());
-  while (chosen.size() < most) {
-    for (std::size_t k = 0; k < all.size(); ++k) {
-      nearest[k] = std::min(nearest[k], differenceOf(patches, all[k], chosen.back()));
-    }
-    chosen.push_back(all[static_cast<std::size_t>(std::ranges::max_element(nearest) - nearest.begin())]);
-  }
-  std::ranges::sort(chosen);
-  return chosen;
-}
-
-/// The poses that any patch saw.
-std::vector<PoseId> posesOf(const std::vector<const PatchReconstruction*>& patches) {
-  std::vector<PoseId> poses;
-  for (const PatchReconstruction* patch : patches) {
-    for (const GravityDirection& gravity : patch->gravity) poses.push_back(gravity.pose);
-  }
-  std::ranges::sort(poses);
-  poses.erase(std::ranges::unique(poses).begin(), poses.end());
-  return poses;
-}
 
 /// A part while it grows: patches as indices, and what they see together in the first one's frame.
 struct Group {
@@ -121,35 +80,12 @@ class PartsFinder {
     for (; seeing.size() > options_.most_patches; seeing.pop_back()) {
       result_.not_compared.push_back(seeing.back()->id);
     }
-    const std::vector<PoseId> poses = choosePoses(seeing);
+    // Of patches with hundreds of poses only those that are compared get their covariance.
+    const std::vector<PoseId> poses = differentPoses(seeing, posesOf(seeing), options_.most_poses);
     for (const PatchReconstruction* patch : seeing) {
       patches_.push_back(
-          {patch, seenIn(*patch, poses, options_.lever_m), seenIn(*patch, poses, options_.joint_lever_m)});
+          {patch, gravityIn(*patch, poses, options_.lever_m), gravityIn(*patch, poses, options_.joint_lever_m)});
     }
-  }
-
-  /// Of patches with hundreds of poses only those that are compared get their covariance.
-  [[nodiscard]] std::vector<PoseId> choosePoses(const std::vector<const PatchReconstruction*>& seeing) const {
-    std::vector<SeeingPatch> directions;
-    for (const PatchReconstruction* patch : seeing) {
-      SeeingPatch& bare = directions.emplace_back(SeeingPatch{patch, {}, {}});
-      for (const GravityDirection& gravity : patch->gravity) {
-        bare.seen.poses.push_back(gravity.pose);
-        bare.seen.up.push_back(gravity.g_o);
-      }
-    }
-    return differentPoses(directions, posesOf(seeing), options_.most_poses);
-  }
-
-  [[nodiscard]] GravitySeen seenIn(const PatchReconstruction& patch, const std::vector<PoseId>& poses,
-                                   double lever_m) const {
-    std::vector<std::size_t> used;
-    for (std::size_t k = 0; k < patch.gravity.size(); ++k) {
-      const PoseId pose = patch.gravity[k].pose;
-      const bool is_first = std::ranges::none_of(used, [&](std::size_t u) { return patch.gravity[u].pose == pose; });
-      if (is_first && std::ranges::binary_search(poses, pose)) used.push_back(k);
-    }
-    return gravityOf(patch, used, lever_m);
   }
 
   [[nodiscard]] Group groupOf(std::vector<std::size_t> members) const {

@@ -15,10 +15,6 @@ namespace {
 
 using Eigen::Index;
 
-/// Information about every turn that stands for "within a radian", so that what poses leave open stays finite.
-constexpr double kOpenTurnInformation = 1;
-/// A turn that is known to less is none that the fit has used up.
-constexpr double kOpenVariance_rad2 = 0.25;
 constexpr int kMostRigidSteps = 30;
 constexpr double kRigidSettled_rad = 1e-10;
 

@@ -10,6 +10,11 @@
 
 namespace hexoderm {
 
+/// Information about every turn that stands for "within a radian", so that what poses leave open stays finite.
+inline constexpr double kOpenTurnInformation = 1;
+/// A turn that is known to less is none that a fit has used up.
+inline constexpr double kOpenVariance_rad2 = 0.25;
+
 /// How well a model of several bodies explains the gravity that they saw.
 struct GravityMisfit {
   double chi_squared = 0;
