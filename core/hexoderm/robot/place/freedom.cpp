@@ -68,7 +68,7 @@ bool isBackwards(const Eigen::Vector3d& axis) {
 }
 
 /// `direction`: shift of the patch's middle and turn times its radius, of unit length.
-FreeDirection describe(Vector6 direction, const Eigen::Vector3d& middle, double radius_m) {
+FreeDirection freeDirectionOf(Vector6 direction, const Eigen::Vector3d& middle, double radius_m) {
   const bool slides = direction.tail<3>().norm() <= kNoTurn;
   if (isBackwards(slides ? direction.head<3>() : direction.tail<3>())) direction = -direction;
   FreeDirection free;
@@ -128,6 +128,22 @@ Eigen::VectorXd ofAllPatches(const Eigen::MatrixXd& P, Eigen::Index at, const Ve
   return (P.middleCols<6>(at) * own.ldlt().solve(direction)).normalized();
 }
 
+void follow(const FitProblem& problem, const FitState& from, const Eigen::VectorXd& along, double most_chi_squared,
+            std::size_t patch, FreeDirection& free) {
+  const Valley there = followValley(problem, from, along, most_chi_squared, patch);
+  free.forward_m = there.length_m;
+  free.forward_rad = there.turn_rad;
+  free.all_the_way = there.all_the_way;
+  if (!there.all_the_way) {
+    const Valley back = followValley(problem, from, -along, most_chi_squared, patch);
+    free.backward_m = back.length_m;
+    free.backward_rad = back.turn_rad;
+    for (auto state = back.states.rbegin(); state != back.states.rend(); ++state) free.way.push_back((*state)[patch]);
+  }
+  free.way.push_back(from[patch]);
+  for (const FitState& state : there.states) free.way.push_back(state[patch]);
+}
+
 }  // namespace
 
 Message axisInWords(const Eigen::Vector3d& axis) {
@@ -159,22 +175,14 @@ std::vector<FreeDirection> freeDirections(const FitProblem& problem, const FitSo
   for (const SE3& T_o_u : patch.T_o_u) normal += solution.state[p].R * T_o_u.R.col(2);
   std::vector<FreeDirection> directions;
   for (const Vector6& direction : slidesAndTurns(solver.eigenvectors().rightCols(6 - sure), normal.normalized())) {
-    FreeDirection free = describe(direction, middle, patch.radius_m);
+    FreeDirection free = freeDirectionOf(direction, middle, patch.radius_m);
     Vector6 forwards;
     forwards << free.shift_m + free.turn_rad.cross(middle), free.turn_rad * patch.radius_m;
     const Eigen::Matrix<double, 6, 6> own = with.block<6, 6>(at, at);
     free.sigma_m = std::sqrt(forwards.dot(own * forwards));
     free.held_by_rotation = free.sigma_m <= free_m;
     if (!free.held_by_rotation) {
-      const Eigen::VectorXd along = ofAllPatches(with, at, forwards);
-      const Valley there = followValley(problem, solution.state, along, most_chi_squared, p);
-      free.forward_m = there.length_m;
-      free.forward_rad = there.turn_rad;
-      free.all_the_way = there.all_the_way;
-      const Valley back =
-          there.all_the_way ? there : followValley(problem, solution.state, -along, most_chi_squared, p);
-      free.backward_m = back.length_m;
-      free.backward_rad = back.turn_rad;
+      follow(problem, solution.state, ofAllPatches(with, at, forwards), most_chi_squared, p, free);
     }
     free.words = inWords(free, middle, patch.radius_m);
     directions.push_back(std::move(free));

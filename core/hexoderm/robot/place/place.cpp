@@ -12,13 +12,14 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace hexoderm {
 namespace {
 
 constexpr double kSampleSpacing_m = 0.010;
-constexpr std::size_t kMostCells = 150;
+constexpr std::size_t kMostPlacedCells = 150;
 
 // --- what was given
 
@@ -27,15 +28,27 @@ void requirePositive(double value, const Message& what) {
 }
 
 /// Which patch and which of its cells a cell is.
-struct CellIndex {
+struct CellAt {
   std::size_t patch = 0;
   std::size_t cell = 0;
 };
 
-CellIndex indexOf(const std::map<CellId, CellIndex>& cells, CellId cell) {
+CellAt indexOf(const std::map<CellId, CellAt>& cells, CellId cell) {
   const auto found = cells.find(cell);
   if (found == cells.end()) throw InvalidArgument(message("none of the patches to place holds a cell {}", cell));
   return found->second;
+}
+
+/// isCovariance() of any size.
+bool isJointCovariance(const Eigen::MatrixXd& C) {
+  constexpr double kRounding = 1e-9;
+  if (!C.allFinite()) return false;
+  const double largest = C.diagonal().maxCoeff();
+  if (!(largest > 0)) return C.isZero(0);
+  if (!(C - C.transpose()).isZero(kRounding * largest)) return false;
+  Eigen::MatrixXd raised = C;
+  raised.diagonal().array() += kRounding * largest;
+  return raised.llt().info() == Eigen::Success;
 }
 
 Eigen::MatrixXd covarianceOf(const PatchToPlace& patch) {
@@ -46,7 +59,7 @@ Eigen::MatrixXd covarianceOf(const PatchToPlace& patch) {
   }
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   Eigen::MatrixXd C = Eigen::Map<const RowMajor>(patch.covariance.data(), size, size);
-  if (!isCovariance(C)) {
+  if (!isJointCovariance(C)) {
     throw InvalidArgument(
         message("the covariance of the patch of cell {} is none: it must be symmetric and positive "
                 "semidefinite",
@@ -183,7 +196,7 @@ class Placement {
     problem_.normal_sigma_rad = options_.normal_sigma_rad;
     for (const PatchToPlace& patch : task_.patches) {
       for (std::size_t k = 0; k < patch.cells.size(); ++k) {
-        if (!cells_.try_emplace(patch.cells[k], CellIndex{problem_.patches.size(), k}).second) {
+        if (!cells_.try_emplace(patch.cells[k], CellAt{problem_.patches.size(), k}).second) {
           throw InvalidArgument(message("cell {} is there twice", patch.cells[k]));
         }
       }
@@ -193,7 +206,7 @@ class Placement {
 
   void takePoints() {
     for (const KnownPoint& point : task_.points) {
-      const CellIndex at = indexOf(cells_, point.cell);
+      const CellAt at = indexOf(cells_, point.cell);
       requirePositive(point.sigma_m, message("the sigma of the point of cell {}", point.cell));
       if (!point.x_l.allFinite()) throw InvalidArgument(message("the point of cell {} is not finite", point.cell));
       problem_.points.push_back({at.patch, at.cell, point.x_l, point.sigma_m});
@@ -202,8 +215,8 @@ class Placement {
 
   void takeDistances() {
     for (const KnownDistance& distance : task_.distances) {
-      const CellIndex a = indexOf(cells_, distance.a);
-      const CellIndex b = indexOf(cells_, distance.b);
+      const CellAt a = indexOf(cells_, distance.a);
+      const CellAt b = indexOf(cells_, distance.b);
       if (a.patch == b.patch) {
         throw InvalidArgument(message("cells {} and {} are of one patch: their distance says nothing of its place",
                                       distance.a, distance.b));
@@ -321,7 +334,7 @@ class Placement {
   TriangleMesh surface_;
   std::optional<MeshFeet> feet_;
   double link_size_m_ = 1;
-  std::map<CellId, CellIndex> cells_;
+  std::map<CellId, CellAt> cells_;
   FitProblem problem_;
   std::vector<Message> remarks_;
 };
@@ -332,7 +345,7 @@ std::vector<std::size_t> chosenCells(const PatchReconstruction& patch) {
   std::size_t origin = 0;
   while (origin + 1 < patch.cells.size() && patch.cells[origin].cell != patch.origin) ++origin;
   std::vector<double> away(patch.cells.size(), std::numeric_limits<double>::infinity());
-  for (std::size_t next = origin; chosen.size() < std::min(kMostCells, patch.cells.size());) {
+  for (std::size_t next = origin; chosen.size() < std::min(kMostPlacedCells, patch.cells.size());) {
     chosen.push_back(next);
     for (std::size_t k = 0; k < away.size(); ++k) {
       away[k] = std::min(away[k], (patch.cells[k].T_o_u.t - patch.cells[next].T_o_u.t).norm());

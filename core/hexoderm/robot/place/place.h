@@ -96,6 +96,9 @@ struct FreeDirection {
   double forward_rad = 0;
   double backward_rad = 0;
   bool all_the_way = false;  ///< round and round
+  /// Places of the patch, T_l_o, from as far back as it fits to as far forward, every 4 mm or less; empty where the
+  /// rotation holds it.
+  std::vector<SE3> way;
   Message words;
 };
 

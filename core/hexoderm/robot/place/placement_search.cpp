@@ -469,6 +469,7 @@ Valley followValley(const FitProblem& problem, const FitState& from, const Eigen
     valley.length_m += last_m;
     valley.turn_rad += rotationAngle(at[patch].R.transpose() * next.state[patch].R);
     before = std::exchange(at, next.state);
+    valley.states.push_back(at);
     if (valley.turn_rad > kPi && distanceBetween(coarse, from, at) < 2 * kValleyStep_m) {
       valley.all_the_way = true;
       break;

@@ -38,6 +38,7 @@ struct Valley {
   double length_m = 0;  ///< way of the cells, rms
   double turn_rad = 0;
   bool all_the_way = false;
+  std::vector<FitState> states;  ///< one after the other, without the first
 };
 /// Along `direction` (unit, in the unknowns) until it no longer fits; `most_chi_squared` is the limit. The turn is that
 /// of one patch.
