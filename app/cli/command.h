@@ -85,6 +85,7 @@ void addConvert(CLI::App& app, Common& common);
 void addInspect(CLI::App& app, Common& common);
 void addSensors(CLI::App& app, Common& common);
 void addParts(CLI::App& app, Common& common);
+void addPlace(CLI::App& app, Common& common);
 void addReproduce(CLI::App& app, Common& common);
 
 /// Says every offence of a device once, as soon as it is known.

@@ -52,6 +52,7 @@ int main(int argc, char** argv) {
   cli::addInspect(app, common);
   cli::addSensors(app, common);
   cli::addParts(app, common);
+  cli::addPlace(app, common);
   cli::addReproduce(app, common);
 
   try {
