@@ -2,6 +2,7 @@
 
 #include "hexoderm/device/offence.h"
 #include "hexoderm/io/open_file.h"
+#include "hexoderm/kinematics/robot_model.h"
 #include "hexoderm/reconstruction/result/reconstruction.h"
 #include "hexoderm/session/session.h"
 #include "hexoderm/util/error.h"
@@ -119,6 +120,9 @@ Session openSession(const std::string& path);
 BadInput noSession(const std::string& path);
 std::shared_ptr<const Reconstruction> openCalibration(const std::string& path,
                                                       const std::string& cell_model = "hex-bma150");
+
+/// "NAME=FOLDER" of --package.
+PackageFolders packageFolders(const std::vector<std::string>& texts);
 
 int exitCodeOf(const Assessment& verdict);
 

@@ -128,18 +128,6 @@ void addRotation(const Reconstruction& r, const std::string& text, PlaceTask& ta
   patch->rotation = rotation;
 }
 
-PackageFolders packageFolders(const std::vector<std::string>& texts) {
-  PackageFolders folders;
-  for (const std::string& text : texts) {
-    const std::size_t equals = text.find('=');
-    if (equals == 0 || equals == std::string::npos || equals + 1 == text.size()) {
-      refuse("--package", "NAME=FOLDER", text);
-    }
-    folders[text.substr(0, equals)] = text.substr(equals + 1);
-  }
-  return folders;
-}
-
 /// The link's body, and a remark where its size is that of no link.
 TriangleMesh surfaceOf(const PlaceCommandOptions& options, const RobotModel& robot, std::size_t link,
                        const Common& common) {

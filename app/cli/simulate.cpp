@@ -95,18 +95,6 @@ PatchMount mountOf(const std::string& text, const SimulateOptions& options) {
   return mount;
 }
 
-PackageFolders packageFolders(const std::vector<std::string>& texts) {
-  PackageFolders folders;
-  for (const std::string& text : texts) {
-    const std::size_t equals = text.find('=');
-    if (equals == 0 || equals == std::string::npos || equals + 1 == text.size()) {
-      throw InvalidArgument("--package: expected NAME=FOLDER, found \"" + text + "\"");
-    }
-    folders[text.substr(0, equals)] = text.substr(equals + 1);
-  }
-  return folders;
-}
-
 SimulatedRobot makeRobot(CellModel model, const SimulateOptions& options) {
   const bool is_demo = options.robot == kDemoRobot;
   SimulatedRobotOptions robot = options.ideal ? SimulatedRobotOptions::ideal() : SimulatedRobotOptions();
