@@ -34,8 +34,8 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "hexoderm-cli " HEXODERM_VERSION);
   app.require_subcommand(1);
   app.footer(
-      "Exit codes: 0 done; 1 the verdict is not_enough or failed (the output is still written), or a check found "
-      "changes;\n"
+      "Exit codes: 0 done; 1 the verdict is not_enough or failed (the output is still written), check found changes,\n"
+      "or parts can't tell;\n"
       "2 usage; 3 bad input; 4 device; 5 storage.\n\n"
       "A first calibration, of a simulated skin:\n"
       "  hexoderm-cli simulate --poses 3 -o arm.session.json\n"

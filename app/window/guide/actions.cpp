@@ -228,7 +228,9 @@ void WindowActions::refreshCapture(const SessionController& controller, const QS
   }
   allow(robot, no_more);
   if (no_robot.isEmpty() && !controller.poseGuide().nextPose()) no_robot = tr("The next pose is being worked out");
-  allow(turn, no_robot.isEmpty() ? not_wanted : no_robot);
+  // Where there are enough poses, whoever wants a better result still can turn to another one.
+  const bool are_enough = controller.enabledPoses() > 0 && !controller.poseGuide().wantsMorePoses();
+  allow(turn, no_robot.isEmpty() && !are_enough ? not_wanted : no_robot);
   automatic->setChecked(controller.liveSession().isAutomatic());
   allow(automatic, live ? QString() : tr("No skin is connected"));
   allow(disconnect_skin, controller.liveSession().source().isRunning() ? QString() : tr("No skin is connected"));

@@ -209,7 +209,7 @@ TEST_F(MainWindowTest, FourKeysLeadFromTheStartToAnExportedCalibrationWithinAMin
   ASSERT_TRUE(waitForMessage("Exported to ")) << message().toStdString();
 }
 
-TEST_F(MainWindowTest, NoTurnIsAskedForBeforeTheFirstPoseNorWhenThereAreEnough) {
+TEST_F(MainWindowTest, NoTurnIsAskedForBeforeTheFirstPoseAndNoneIsSkippedWhenThereAreEnough) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(0));
   ASSERT_TRUE(waitUntil([this] { return controller().poseGuide().nextPose().has_value(); }));
   const auto isAsked = [this] { return action("actionTurn")->isEnabled() && action("actionSkipPose")->isEnabled(); };
@@ -225,10 +225,11 @@ TEST_F(MainWindowTest, NoTurnIsAskedForBeforeTheFirstPoseNorWhenThereAreEnough) 
   ASSERT_TRUE(waitUntil([this] { return !controller().poseGuide().isRobotOn(); })) << message().toStdString();
   ASSERT_TRUE(waitUntilIdle());
   ASSERT_TRUE(waitUntil([&] { return !isAsked(); }));
-  for (const char* name : {"actionTurn", "actionSkipPose"}) {
-    EXPECT_FALSE(action(name)->isEnabled()) << name;
-    EXPECT_TRUE(action(name)->toolTip().contains("enough poses")) << action(name)->toolTip().toStdString();
-  }
+  EXPECT_FALSE(action("actionSkipPose")->isEnabled());
+  EXPECT_TRUE(action("actionSkipPose")->toolTip().contains("enough poses"))
+      << action("actionSkipPose")->toolTip().toStdString();
+  EXPECT_TRUE(waitUntil([this] { return action("actionTurn")->isEnabled(); }))
+      << "for a result that is better than good";
 }
 
 TEST_F(MainWindowTest, ASkippedPoseIsNotAdvisedAgain) {

@@ -133,6 +133,7 @@ void DemoByKeys::capturePoses() {
   ASSERT_GE(posesShown(), 3U);
   // One more than the result asks for, so that one can be held out later.
   const std::size_t enough = posesShown();
+  ASSERT_TRUE(waitUntil([this] { return action("actionTurn")->isEnabled(); }));
   key(Qt::Key_T);
   ASSERT_TRUE(waitForPoses(enough + 1)) << text("captureWait").toStdString();
   ASSERT_NO_FATAL_FAILURE(tabTo("captureAutomatic"));

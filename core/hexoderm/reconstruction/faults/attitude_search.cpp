@@ -102,6 +102,7 @@ double scatterOf(const SeenLink& link, int axis, double scatter, const Eigen::Ve
   const double whole = scatter + link.variance[axis];
   const double off = link.angles[axis] - row.dot(shape);
   const double clipped = std::min(off * off, kHuberThreshold * kHuberThreshold * whole) / kClippedSquare;
+  if (!(whole > 0)) return 0;
   const double share = scatter / whole;
   return share * share * (clipped + row.dot(covariance_of_shape * row)) + share * link.variance[axis];
 }
@@ -462,7 +463,7 @@ std::optional<AttitudeSuspect> AttitudeSearch::judgeMotion(std::size_t place) co
   const auto tests = static_cast<double>(cells_.size() * (own.readings.size() - 1));
   const double limit =
       strictness() * strictness() * chiSquaredExceededOnceIn(kPatchesPerFalseMotion * tests, turn.gain.degrees);
-  if (turn.angle_rad < kLeastTurn || turn.gain.chi_squared <= limit) return std::nullopt;
+  if (!(turn.angle_rad >= kLeastTurn && turn.gain.chi_squared > limit)) return std::nullopt;
   AttitudeSuspect suspect{AttitudeSuspect::Kind::Moved};
   suspect.cell = cells_[place];
   suspect.angle_rad = turn.angle_rad;
@@ -559,6 +560,15 @@ void AttitudeSearch::explain(const AttitudeSuspect& suspect) {
   }
 }
 
+namespace {
+
+/// Both say the same of the same cells or of the same link.
+bool isOfTheSame(const AttitudeSuspect& a, const AttitudeSuspect& b) {
+  return a.kind == b.kind && a.cell == b.cell && a.other == b.other && a.link == b.link;
+}
+
+}  // namespace
+
 std::vector<AttitudeSuspect> AttitudeSearch::suspects() {
   if (std::ranges::none_of(joints_, [this](const Joint& joint) { return tested(joint); })) return {};
   if (const auto patch = judgePatch()) return {*patch};
@@ -571,6 +581,9 @@ std::vector<AttitudeSuspect> AttitudeSearch::suspects() {
     for (const AttitudeSuspect& suspect : candidates()) {
       const std::vector<std::size_t> places = placesOf(suspect);
       if (std::ranges::any_of(places, [&](std::size_t place) { return waits[place]; })) continue;
+      // With absurd sigmas a swap can seem to gain both ways.
+      if (std::ranges::any_of(named, [&](const AttitudeSuspect& other) { return isOfTheSame(other, suspect); }))
+        continue;
       for (const std::size_t place : places) {
         waits[place] = true;
         for (const std::size_t k : at_[place]) waits[joints_[k].source] = waits[joints_[k].target] = true;
