@@ -250,6 +250,29 @@ Eigen::VectorXd residualsAt(const FitProblem& problem, const FitState& state) {
   return r;
 }
 
+Eigen::MatrixXd informationAt(const FitProblem& problem, const FitEquations& equations, bool with_rotation) {
+  std::vector<Eigen::Index> rows;
+  for (Eigen::Index i = 0; i < equations.r.size(); ++i) {
+    if (with_rotation || equations.kind[static_cast<std::size_t>(i)] != FitEquations::Kind::Rotation) rows.push_back(i);
+  }
+  const Eigen::MatrixXd J = equations.J(rows, Eigen::all);
+  const Eigen::MatrixXd S = equations.S(rows, rows);
+  Eigen::MatrixXd information = J.transpose() * S.llt().solve(J);
+  for (std::size_t p = 0; p < problem.patches.size(); ++p) {
+    const auto at = static_cast<Eigen::Index>(6 * p);
+    const double half_turn_m = kPi * problem.patches[p].radius_m;
+    information.diagonal().segment<3>(at).array() += 1 / (problem.link_size_m * problem.link_size_m);
+    information.diagonal().segment<3>(at + 3).array() += 1 / (half_turn_m * half_turn_m);
+  }
+  return information;
+}
+
+Eigen::MatrixXd inverseOf(const Eigen::MatrixXd& information) {
+  const Eigen::MatrixXd inverse =
+      information.llt().solve(Eigen::MatrixXd::Identity(information.rows(), information.cols()));
+  return 0.5 * (inverse + inverse.transpose());
+}
+
 }  // namespace
 
 FitProblem onlyCells(const FitProblem& problem, const std::vector<std::vector<std::size_t>>& cells) {
@@ -416,28 +439,18 @@ FitSolution refine(const FitProblem& problem, const FitState& start, int steps, 
   return {std::move(state), chi_squared};
 }
 
+FitExtent noExtent(const FitProblem& problem) {
+  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(problem.unknowns(), problem.unknowns());
+  return {none, none};
+}
+
 Eigen::MatrixXd covarianceAt(const FitProblem& problem, const FitEquations& equations, bool with_rotation) {
-  std::vector<Eigen::Index> rows;
-  for (Eigen::Index i = 0; i < equations.r.size(); ++i) {
-    if (with_rotation || equations.kind[static_cast<std::size_t>(i)] != FitEquations::Kind::Rotation) rows.push_back(i);
-  }
-  const Eigen::MatrixXd J = equations.J(rows, Eigen::all);
-  const Eigen::MatrixXd S = equations.S(rows, rows);
-  Eigen::MatrixXd information = J.transpose() * S.llt().solve(J);
-  for (std::size_t p = 0; p < problem.patches.size(); ++p) {
-    const auto at = static_cast<Eigen::Index>(6 * p);
-    const double half_turn_m = kPi * problem.patches[p].radius_m;
-    information.diagonal().segment<3>(at).array() += 1 / (problem.link_size_m * problem.link_size_m);
-    information.diagonal().segment<3>(at + 3).array() += 1 / (half_turn_m * half_turn_m);
-  }
-  const Eigen::MatrixXd covariance =
-      information.llt().solve(Eigen::MatrixXd::Identity(information.rows(), information.cols()));
-  return 0.5 * (covariance + covariance.transpose());
+  return inverseOf(informationAt(problem, equations, with_rotation));
 }
 
 std::vector<CellOnLink> cellsOnLink(const FitProblem& problem, const FitState& state, const FitEquations& equations,
-                                    std::size_t p) {
-  const Eigen::MatrixXd P = covarianceAt(problem, equations);
+                                    const FitExtent& extent, std::size_t p) {
+  const Eigen::MatrixXd P = inverseOf(informationAt(problem, equations, true) + extent.information);
   // The place's error is -P J^T S^-1 (H d + noise), so that it goes with the errors d of the cells.
   const Eigen::MatrixXd with_cells = -P * equations.J.transpose() * equations.S.llt().solve(equations.HC);
   Eigen::Index first = 0;
@@ -459,9 +472,9 @@ std::vector<CellOnLink> cellsOnLink(const FitProblem& problem, const FitState& s
     const auto column = static_cast<Eigen::Index>(6 * k);
     const Eigen::Matrix<double, 6, 6> mixed =
         by_motion * with_cells.block<6, 6>(at, first + column) * by_cell.transpose();
-    const Eigen::Matrix<double, 6, 6> covariance = by_motion * P.block<6, 6>(at, at) * by_motion.transpose() + mixed +
-                                                   mixed.transpose() +
-                                                   by_cell * patch.C.block<6, 6>(column, column) * by_cell.transpose();
+    const Eigen::Matrix<double, 6, 6> covariance =
+        by_motion * (P + extent.covariance).block<6, 6>(at, at) * by_motion.transpose() + mixed + mixed.transpose() +
+        by_cell * patch.C.block<6, 6>(column, column) * by_cell.transpose();
     cell.cov_t_r = 0.5 * (covariance + covariance.transpose());
     if (problem.feet != nullptr) {
       const Eigen::Vector3d back = cell.T_l_u * Eigen::Vector3d(0, 0, -problem.back_m);

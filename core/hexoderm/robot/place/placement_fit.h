@@ -88,13 +88,20 @@ struct FitSolution {
 /// not empty: no step goes along it.
 FitSolution refine(const FitProblem& problem, const FitState& start, int steps, const Eigen::VectorXd& along = {});
 
+/// What is known of the unknowns beside the equations about one place: from how far one can go from it.
+struct FitExtent {
+  Eigen::MatrixXd information;  ///< where it ends sooner than the equations say
+  Eigen::MatrixXd covariance;   ///< where it goes on farther
+};
+FitExtent noExtent(const FitProblem& problem);
+
 /// Covariance of the unknowns at a solution; what nothing determines is as uncertain as the link is large, or half a
 /// turn. `with_rotation` false: as if nothing were known of the rotations.
 Eigen::MatrixXd covarianceAt(const FitProblem& problem, const FitEquations& equations, bool with_rotation = true);
 
 /// Cells in the link's frame with covariances of shape and place together.
 std::vector<CellOnLink> cellsOnLink(const FitProblem& problem, const FitState& state, const FitEquations& equations,
-                                    std::size_t patch);
+                                    const FitExtent& extent, std::size_t patch);
 
 /// How badly a state fits, for choosing where to begin.
 double roughMisfit(const FitProblem& problem, const FitState& state);
