@@ -250,6 +250,19 @@ Eigen::VectorXd residualsAt(const FitProblem& problem, const FitState& state) {
   return r;
 }
 
+/// The projection onto what is neither `along` nor so flat that a step there is nothing but rounding and facets.
+Eigen::MatrixXd acrossBoth(const Eigen::MatrixXd& A, const Eigen::VectorXd& along) {
+  constexpr double kFlat_m = 0.01;
+  Eigen::MatrixXd across = Eigen::MatrixXd::Identity(A.rows(), A.rows()) - along * along.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(across * A * across);
+  across.setZero();
+  for (Eigen::Index k = 0; k < A.rows(); ++k) {
+    if (solver.eigenvalues()[k] * kFlat_m * kFlat_m < 1) continue;
+    across += solver.eigenvectors().col(k) * solver.eigenvectors().col(k).transpose();
+  }
+  return across;
+}
+
 Eigen::MatrixXd informationAt(const FitProblem& problem, const FitEquations& equations, bool with_rotation) {
   std::vector<Eigen::Index> rows;
   for (Eigen::Index i = 0; i < equations.r.size(); ++i) {
@@ -404,8 +417,8 @@ FitSolution refine(const FitProblem& problem, const FitState& start, int steps, 
     Eigen::VectorXd g = equations.J.transpose() * S.solve(equations.r);
     const double scale = A.trace() / static_cast<double>(A.rows());
     if (along.size() > 0) {
-      const Eigen::MatrixXd across = Eigen::MatrixXd::Identity(A.rows(), A.rows()) - along * along.transpose();
-      A = across * A * across + scale * along * along.transpose();
+      const Eigen::MatrixXd across = acrossBoth(A, along);
+      A = across * A * across + scale * (Eigen::MatrixXd::Identity(A.rows(), A.rows()) - across);
       g = across * g;
     }
     bool better = false;

@@ -85,7 +85,7 @@ struct FitSolution {
   double chi_squared = 0;
 };
 /// Levenberg and Marquardt's method from `start`, at most so many steps. `along` (unit, in the unknowns), where it is
-/// not empty: no step goes along it.
+/// not empty: no step goes along it, nor where chi-squared changes by less than 1 over 10 mm.
 FitSolution refine(const FitProblem& problem, const FitState& start, int steps, const Eigen::VectorXd& along = {});
 
 /// What is known of the unknowns beside the equations about one place: from how far one can go from it.
