@@ -58,7 +58,7 @@ TEST(Reproduce, PlacesOnEveryLinkAreCounted) {
   const auto& rows = json.at("place").at("rows");
   ASSERT_EQ(rows.size(), 3 * 2 + 1);
   for (const auto& row : rows) {
-    EXPECT_EQ(row.at("among").at("whole"), 1) << row;
+    EXPECT_EQ(row.at("among").at("of"), 1) << row;
     expectFinite(row, {"candidates_mean", "error_median_mm", "error_95_mm", "nees"});
   }
 }
