@@ -23,6 +23,11 @@ add_compile_options(-fno-math-errno)
 if(HEXODERM_SANITIZE)
   add_compile_options(-fsanitize=${HEXODERM_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${HEXODERM_SANITIZE})
+  if(HEXODERM_SANITIZE MATCHES "address" AND HEXODERM_SANITIZE MATCHES "undefined")
+    # The address sanitizer ends at a null pointer, and beyond an object, by itself; asking at every access takes a quarter
+    # of the time to compile.
+    add_compile_options(-fno-sanitize=null,object-size)
+  endif()
   if(HEXODERM_SANITIZE MATCHES "thread")
     # The thread sanitizer knows no fences. Asio's queues are guarded by mutexes, which it knows.
     add_compile_definitions(BOOST_ASIO_DISABLE_FENCED_BLOCK)

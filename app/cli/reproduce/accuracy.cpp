@@ -38,7 +38,7 @@ struct Methods {
   std::optional<double> chained_gap_mm;
 };
 
-struct Row {
+struct AccuracyRow {
   std::string figure;
   std::string unit;
   LinkLaw law{};
@@ -140,7 +140,7 @@ class AccuracyTable {
  public:
   explicit AccuracyTable(const Trials& trials) : trials_(trials) {}
 
-  std::vector<Row> run() {
+  std::vector<AccuracyRow> run() {
     orientations();
     for (const LinkLaw law : {LinkLaw::Bend, LinkLaw::Surface}) {
       addCase("X17", {.patch = "x17", .surface = kCylinder, .law = law, .poses = 3},
@@ -204,7 +204,8 @@ class AccuracyTable {
         });
     const auto add = [&](const Line& line, const auto& of_papers, const auto& of_matching, const auto& of_other,
                          const auto& of_fit) {
-      Row row{.figure = name + ": " + line.figure, .unit = line.unit, .law = skin_case.law, .poses = skin_case.poses};
+      AccuracyRow row{
+          .figure = name + ": " + line.figure, .unit = line.unit, .law = skin_case.law, .poses = skin_case.poses};
       row.skins = results.size();
       row.papers = medianOf(results, of_papers, row.skins);
       row.matching = medianOf(results, of_matching, row.skins);
@@ -241,7 +242,7 @@ class AccuracyTable {
   }
 
   const Trials& trials_;
-  std::vector<Row> rows_;
+  std::vector<AccuracyRow> rows_;
 };
 
 /// Rms of (d) over skins, by hand. Yaw leads the chain sideways and tilt out of the surface, by a pitch per cell askew
@@ -255,14 +256,14 @@ double jitterBound_m() {
                    2 * 3 * jitter.position_jitter_m * jitter.position_jitter_m);
 }
 
-void print(const std::vector<Row>& rows, std::size_t seeds) {
+void print(const std::vector<AccuracyRow>& rows, std::size_t seeds) {
   std::cout
       << "Accuracy on simulated skins, offsets of 60 mg, hand-held: medians over " << seeds << " skins.\n"
       << "Paper: --solver tree --centre off, no link judged. The others: the global solver with the gap model that\n"
       << "the simulator's link law obeys, with the other one, and with fit (default). Bars: for the matching model\n"
       << "and for fit. Bound: Cramer-Rao, rms, from an earlier study, not computed here; medians may lie below.\n\n";
   TextTable table({"figure", "law", "poses", "paper", "match", "other", "fit", "unit", "bars", "bound", "reached"});
-  for (const Row& row : rows) {
+  for (const AccuracyRow& row : rows) {
     const int decimals = row.bar_matching == row.bar_fit && row.bar_fit ? 3 : 2;
     table.add({row.figure, std::string(lawName(row.law)), std::to_string(row.poses), numberOrDash(row.papers),
                numberOrDash(row.matching, decimals), numberOrDash(row.other, decimals), numberOrDash(row.fit, decimals),
@@ -286,11 +287,11 @@ void print(const std::vector<Row>& rows, std::size_t seeds) {
 }  // namespace
 
 nlohmann::ordered_json tabulateAccuracy(const Trials& trials, bool prints) {
-  const std::vector<Row> rows = AccuracyTable(trials).run();
+  const std::vector<AccuracyRow> rows = AccuracyTable(trials).run();
   if (prints) print(rows, trials.seeds());
   nlohmann::ordered_json json = {{"jitter_bound_rms_mm", toMillimetres(jitterBound_m())},
                                  {"rows", nlohmann::ordered_json::array()}};
-  for (const Row& row : rows) {
+  for (const AccuracyRow& row : rows) {
     nlohmann::ordered_json entry = {{"figure", row.figure},
                                     {"unit", row.unit},
                                     {"link_law", lawName(row.law)},

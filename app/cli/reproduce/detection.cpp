@@ -32,7 +32,7 @@ struct Count {
   std::size_t false_cells = 0;
 };
 
-struct Row {
+struct DetectionRow {
   Case what;
   Count count;
   [[nodiscard]] static double percent(std::size_t part, std::size_t whole) {
@@ -57,9 +57,9 @@ std::pair<LinkEnd, LinkEnd> outwardLink(const NeighborList& neighbors, CellId ce
   return ends;
 }
 
-using Pair = std::pair<CellId, CellId>;
+using CellPair = std::pair<CellId, CellId>;
 
-Count judge(const Case& what, const std::optional<Pair>& bad_link, bool is_leaf, const Reconstruction& result) {
+Count judge(const Case& what, const std::optional<CellPair>& bad_link, bool is_leaf, const Reconstruction& result) {
   Count count{.sessions = 1};
   bool link_named = false;
   for (const PatchReconstruction& patch : result.patches) {
@@ -89,10 +89,10 @@ Count judge(const Case& what, const std::optional<Pair>& bad_link, bool is_leaf,
   return count;
 }
 
-Row runRow(const Trials& trials, const Case& what, std::size_t sessions) {
+DetectionRow runRow(const Trials& trials, const Case& what, std::size_t sessions) {
   const auto results = trials.run(what.name, sessions, [&](std::size_t seed) {
     SkinCase skin_case = {.patch = "x17", .surface = "cylinder:r=0.0501", .poses = what.poses};
-    std::optional<Pair> bad_link;
+    std::optional<CellPair> bad_link;
     bool is_leaf = false;
     if (what.cell.value() != 0) {
       const SimulatedSkin healthy = makeSkin(skin_case, seed);
@@ -102,12 +102,12 @@ Row runRow(const Trials& trials, const Case& what, std::size_t sessions) {
       if (what.link) skin_case.link_faults.push_back({*what.link, end});
       if (what.sensor) skin_case.faults.push_back({*what.sensor, what.cell});
       // A leaf's broken sensor excuses its link.
-      if (what.link || is_leaf) bad_link = Pair(end.cell, other.cell);
+      if (what.link || is_leaf) bad_link = CellPair(end.cell, other.cell);
     }
     SimulatedSkin skin = makeSkin(skin_case, seed);
     return judge(what, bad_link, is_leaf, *reconstruct(*measure(skin, skin_case).snapshot(), globalSolver()));
   });
-  Row row{what, {}};
+  DetectionRow row{what, {}};
   for (const Count& count : results) {
     row.count.sessions += count.sessions;
     row.count.found += count.found;
@@ -150,7 +150,7 @@ std::string barInWords(const Case& what) {
 
 nlohmann::ordered_json countDetections(const Trials& trials, bool prints) {
   const std::size_t sessions = trials.seeds() < kFullRun ? trials.seeds() : std::max(trials.seeds(), kFullSessions);
-  std::vector<Row> rows;
+  std::vector<DetectionRow> rows;
   for (const Case& what : cases()) rows.push_back(runRow(trials, what, sessions));
   if (prints) {
     std::cout
@@ -158,7 +158,7 @@ nlohmann::ordered_json countDetections(const Trials& trials, bool prints) {
         << " sessions per row.\n"
         << "Found: named as what it is; at a leaf, cell or link. False: sound links muted, sound cells blamed.\n\n";
     TextTable table({"fault", "poses", "found", "false, per link", "false, per cell", "bars", "reached"});
-    for (const Row& row : rows) {
+    for (const DetectionRow& row : rows) {
       table.add({row.what.name, std::to_string(row.what.poses),
                  row.healthy() ? "-" : formatFixed(row.found(), 1) + " %", formatFixed(row.falseLinks(), 3) + " %",
                  formatFixed(row.falseCells(), 3) + " %", barInWords(row.what),
@@ -167,7 +167,7 @@ nlohmann::ordered_json countDetections(const Trials& trials, bool prints) {
     table.print();
   }
   nlohmann::ordered_json json = {{"sessions", sessions}, {"rows", nlohmann::ordered_json::array()}};
-  for (const Row& row : rows) {
+  for (const DetectionRow& row : rows) {
     nlohmann::ordered_json entry = {{"fault", row.what.name},
                                     {"poses", row.what.poses},
                                     {"found_percent", nullptr},

@@ -11,11 +11,11 @@ namespace hexoderm::cli {
 namespace {
 
 constexpr std::array kOffsetSigmas_mg = {20.0, 60.0, 100.0};
-constexpr double kRadius_m = 0.0501;
-constexpr std::size_t kPoses = 2;
+constexpr double kPapersRadius_m = 0.0501;
+constexpr std::size_t kPapersPoses = 2;
 
 /// One figure of the paper, measured over all seeds.
-struct Row {
+struct PaperRow {
   std::string figure;
   std::string unit;
   double offset_sigma_mg = 0;
@@ -24,18 +24,18 @@ struct Row {
   std::vector<double> global;
 };
 
-struct Pair {
+struct TwoFigures {
   std::optional<double> first;
   std::optional<double> second;
 };
 struct BothMethods {
-  Pair papers_method;
-  Pair global;
+  TwoFigures papers_method;
+  TwoFigures global;
 };
 
 template <class Evaluate>
-void addRows(const Trials& trials, const std::string& what, const SkinCase& skin_case, Row first, Row second,
-             const Evaluate& evaluate, std::vector<Row>& rows) {
+void addRows(const Trials& trials, const std::string& what, const SkinCase& skin_case, PaperRow first, PaperRow second,
+             const Evaluate& evaluate, std::vector<PaperRow>& rows) {
   const auto results = trials.run(what, trials.seeds(), [&](std::size_t seed) {
     SimulatedSkin skin = makeSkin(skin_case, seed);
     const auto snapshot = measure(skin, skin_case).snapshot();
@@ -57,14 +57,14 @@ void addRows(const Trials& trials, const std::string& what, const SkinCase& skin
 }
 
 /// Paper III.1: X17 on an aluminium cylinder.
-Pair evaluateShape(const SimulatedSkin& /*skin*/, const Reconstruction& result) {
-  const auto surface = fitCylinder(result, kRadius_m);
+TwoFigures evaluateShape(const SimulatedSkin& /*skin*/, const Reconstruction& result) {
+  const auto surface = fitCylinder(result, kPapersRadius_m);
   if (!surface) return {};
   return {toMillimetres(*surface->delta_m), toMillimetres(*surface->epsilon_m)};
 }
 
 /// Paper III.2: a line of eight cells around a cup, the gap between its two free ends.
-Pair evaluateGap(const SimulatedSkin& skin, const Reconstruction& result) {
+TwoFigures evaluateGap(const SimulatedSkin& skin, const Reconstruction& result) {
   const auto loop = measureLoop(skin, result);
   if (!loop) return {};
   return {toMillimetres(loop->length_m), loop->percent};
@@ -85,33 +85,34 @@ nlohmann::ordered_json toJson(const std::vector<double>& values) {
 }  // namespace
 
 nlohmann::ordered_json reproducePaper(const Trials& trials, bool prints) {
-  std::vector<Row> rows;
+  std::vector<PaperRow> rows;
   for (const double sigma : kOffsetSigmas_mg) {
     addRows(trials, "X17, " + formatFixed(sigma, 0) + " mg",
-            {.patch = "x17", .surface = "cylinder:r=0.0501", .poses = kPoses, .offset_sigma_mg = sigma},
+            {.patch = "x17", .surface = "cylinder:r=0.0501", .poses = kPapersPoses, .offset_sigma_mg = sigma},
             {"X17 on r = 50.1 mm: Delta, eq. (20)", "mm", 0, -0.30, {}, {}},
             {"X17 on r = 50.1 mm: eps, eq. (21)", "mm", 0, 1.62, {}, {}}, evaluateShape, rows);
   }
   for (const double sigma : kOffsetSigmas_mg) {
     addRows(trials, "ring of 8, " + formatFixed(sigma, 0) + " mg",
-            {.patch = "ring8", .surface = "", .poses = kPoses, .offset_sigma_mg = sigma},
+            {.patch = "ring8", .surface = "", .poses = kPapersPoses, .offset_sigma_mg = sigma},
             {"ring of 8: loop gap", "mm", 0, 10.46, {}, {}},
             {"ring of 8: loop gap, share of loop", "%", 0, 4.71, {}, {}}, evaluateGap, rows);
   }
   if (prints) {
-    std::cout << "The paper's two experiments, simulated: " << trials.seeds() << " skins and hands per row, " << kPoses
+    std::cout << "The paper's two experiments, simulated: " << trials.seeds() << " skins and hands per row, "
+              << kPapersPoses
               << " poses.\nMedian (5 % to 95 %). The paper's figures are one trial each, of real skins.\n"
               << "The simulated cup closes the ring but for what the cells lie beside their places.\n"
               << "Paper's method: --solver tree --centre off, no link judged. Ours: the global solver, defaults.\n\n";
     TextTable table({"figure", "offsets", "paper", "paper's method", "global solver", ""});
-    for (const Row& row : rows) {
+    for (const PaperRow& row : rows) {
       table.add({row.figure, formatFixed(row.offset_sigma_mg, 0) + " mg", formatFixed(row.paper, 2),
                  spread(row.papers_method), spread(row.global), row.unit});
     }
     table.print();
   }
-  nlohmann::ordered_json json = {{"poses", kPoses}, {"rows", nlohmann::ordered_json::array()}};
-  for (const Row& row : rows) {
+  nlohmann::ordered_json json = {{"poses", kPapersPoses}, {"rows", nlohmann::ordered_json::array()}};
+  for (const PaperRow& row : rows) {
     json["rows"].push_back({{"figure", row.figure},
                             {"unit", row.unit},
                             {"offset_sigma_mg", row.offset_sigma_mg},

@@ -28,7 +28,7 @@ struct Nees {
   double orientation = 0;
 };
 
-struct Row {
+struct UncertaintyRow {
   SkinCase skin;
   double prior_mg = 0;  ///< the solver's prior for the offsets' sigma
   std::size_t skins = 0;
@@ -70,18 +70,18 @@ Session withPrior(const Session& session, double prior_mg) {
 /// Settling 100 cells on a torus takes the simulator long.
 std::size_t skinsOf(const SkinCase& skin_case, const Trials& trials) {
   if (!skin_case.surface.starts_with("torus")) return trials.seeds();
-  constexpr std::size_t kMost = 60;
-  return std::clamp<std::size_t>(trials.seeds() * 3 / 10, 1, kMost);
+  constexpr std::size_t kMostSkins = 60;
+  return std::clamp<std::size_t>(trials.seeds() * 3 / 10, 1, kMostSkins);
 }
 
-Row runRow(const Trials& trials, const SkinCase& skin_case, double prior_mg, Band band) {
+UncertaintyRow runRow(const Trials& trials, const SkinCase& skin_case, double prior_mg, Band band) {
   const auto results =
       trials.run("uncertainty of " + skin_case.patch, skinsOf(skin_case, trials), [&](std::size_t seed) {
         SimulatedSkin skin = makeSkin(skin_case, seed);
         const Session session = measure(skin, skin_case);
         return neesOf(*reconstruct(*withPrior(session, prior_mg).snapshot(), globalSolver()), *session.truth());
       });
-  Row row{skin_case, prior_mg, 0, {}, band};
+  UncertaintyRow row{skin_case, prior_mg, 0, {}, band};
   std::vector<double> position;
   std::vector<double> orientation;
   for (const auto& nees : results) {
@@ -98,7 +98,7 @@ std::string nameOf(const SkinCase& skin_case) {
   return skin_case.surface.empty() ? skin_case.patch : skin_case.patch + " on " + skin_case.surface;
 }
 
-std::string inWords(const Row& row) {
+std::string inWords(const UncertaintyRow& row) {
   return formatFixed(row.nees.position, 2) + " / " + formatFixed(row.nees.orientation, 2) +
          (row.reached() ? "" : " NO");
 }
@@ -106,7 +106,7 @@ std::string inWords(const Row& row) {
 std::string inWords(Band band) { return formatFixed(band.low, 1) + " to " + formatFixed(band.high, 1); }
 
 /// Rows come in groups of kPoses.size(): one skin measured in that many ways.
-void print(const std::vector<Row>& rows, const std::vector<Row>& wrong_prior, std::size_t seeds) {
+void print(const std::vector<UncertaintyRow>& rows, const std::vector<UncertaintyRow>& wrong_prior, std::size_t seeds) {
   std::cout << "Stated uncertainty on simulated skins, global solver, fit: mean over " << seeds << " skins of the\n"
             << "normalised estimation error squared, position / orientation. 1 is honest, less is too cautious, more\n"
             << "claims too much. NO marks what is outside its bar.";
@@ -128,16 +128,16 @@ void print(const std::vector<Row>& rows, const std::vector<Row>& wrong_prior, st
   table.print();
   std::cout << "\nThe offsets' sigma in the cell model is wrong (bar " << inWords(kWrongPrior) << "):\n";
   TextTable wrong({"skin", "law", "offsets", "cell model", "poses", "nees"});
-  for (const Row& row : wrong_prior) {
+  for (const UncertaintyRow& row : wrong_prior) {
     wrong.add({nameOf(row.skin), std::string(lawName(row.skin.law)), formatFixed(row.skin.offset_sigma_mg, 0) + " mg",
                formatFixed(row.prior_mg, 0) + " mg", std::to_string(row.skin.poses), inWords(row)});
   }
   wrong.print();
 }
 
-nlohmann::ordered_json toJson(const std::vector<Row>& rows) {
+nlohmann::ordered_json toJson(const std::vector<UncertaintyRow>& rows) {
   auto array = nlohmann::ordered_json::array();
-  for (const Row& row : rows) {
+  for (const UncertaintyRow& row : rows) {
     array.push_back({{"skin", nameOf(row.skin)},
                      {"link_law", lawName(row.skin.law)},
                      {"poses", row.skin.poses},
@@ -157,8 +157,8 @@ nlohmann::ordered_json toJson(const std::vector<Row>& rows) {
 nlohmann::ordered_json checkUncertainty(const Trials& trials, bool prints) {
   const std::vector<std::pair<std::string, std::string>> patches = {
       {"x17", "cylinder:r=0.0501"}, {"ring8", ""}, {"ring8:closed", ""}, {"sheet:10x10", "torus:R=0.2,r=0.1"}};
-  std::vector<Row> rows;
-  std::vector<Row> wrong_prior;
+  std::vector<UncertaintyRow> rows;
+  std::vector<UncertaintyRow> wrong_prior;
   for (const auto& [patch, surface] : patches) {
     for (const LinkLaw law : {LinkLaw::Bend, LinkLaw::Surface}) {
       for (const double offset : {20.0, 60.0}) {
