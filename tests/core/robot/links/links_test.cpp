@@ -120,7 +120,7 @@ void tally(const DrawnArm& arm, const DrawnArmOptions& options, const LinksResul
   ++sum.tilts;
 }
 
-double medianOf(std::vector<double> values) {
+double medianAngleOf(std::vector<double> values) {
   std::ranges::sort(values);
   return values.empty() ? 0 : values[values.size() / 2];
 }
@@ -130,8 +130,8 @@ void record(const std::string& name, const Tally& sum) {
       name, "right " + std::to_string(sum.right) + ", among " + std::to_string(sum.among) + " of " +
                 std::to_string(sum.patches) + ", wrong alone " + std::to_string(sum.wrong_alone) + ", NEES " +
                 std::to_string(sum.nees / sum.turns) + ", error, median " +
-                std::to_string(toDegrees(medianOf(sum.errors_rad))) + " deg, stated " +
-                std::to_string(toDegrees(medianOf(sum.stated_rad))) + ", zeros " + std::to_string(sum.zeros) +
+                std::to_string(toDegrees(medianAngleOf(sum.errors_rad))) + " deg, stated " +
+                std::to_string(toDegrees(medianAngleOf(sum.stated_rad))) + ", zeros " + std::to_string(sum.zeros) +
                 ", NEES " + std::to_string(sum.zero_nees / sum.zeros) + ", tilt NEES " +
                 std::to_string(sum.tilt_nees / sum.tilts));
 }
@@ -160,7 +160,7 @@ TEST(Links, AreRightAndStateHowWellTheyKnow) {
     if (kSeeds < 100) continue;
     EXPECT_GT(sum.nees / sum.turns, 0.7);
     EXPECT_LT(sum.nees / sum.turns, 1.5);
-    EXPECT_LE(medianOf(sum.errors_rad), 1.2 * medianOf(sum.stated_rad));
+    EXPECT_LE(medianAngleOf(sum.errors_rad), 1.2 * medianAngleOf(sum.stated_rad));
     EXPECT_GT(sum.zeros, 0);
     EXPECT_LT(sum.zero_nees / sum.zeros, 1.5);
     EXPECT_LT(sum.tilt_nees / sum.tilts, 1.5);
