@@ -14,7 +14,7 @@
 namespace hexoderm::cli {
 namespace {
 
-constexpr double kBarFound = 95;    ///< percent
+constexpr double kBarNoticed = 95;  ///< percent
 constexpr double kBarBlamed = 0.2;  ///< percent of healthy cells
 constexpr double kDrift_g = 0.060;
 
@@ -38,7 +38,7 @@ struct ChangeRow {
   Share alarms;                  ///< checks in which a healthy cell is blamed
   std::vector<double> deviates;  ///< of the turn's angle about the true 10 degrees, in its stated sigmas
   [[nodiscard]] bool reached() const {
-    return blamed.percent() <= kBarBlamed && (what.change == Change::None || found.percent() >= kBarFound);
+    return blamed.percent() <= kBarBlamed && (what.change == Change::None || found.percent() >= kBarNoticed);
   }
 };
 
@@ -176,7 +176,7 @@ nlohmann::ordered_json countChanges(const Trials& trials, bool prints) {
         << "Found: the cell is named as changed. Right: as what it is; in one pose that is \"turned or drifted\".\n"
         << "Either: as turned or drifted, which the poses can't tell. Blamed: healthy cells named as changed.\n"
         << "Error / stated: rms error of the angle in its stated deviations. With 95 % intervals. Bars, of two poses\n"
-        << "and a calibration by four or more: found >= " << formatFixed(kBarFound, 0)
+        << "and a calibration by four or more: found >= " << formatFixed(kBarNoticed, 0)
         << " %, blamed <= " << formatFixed(kBarBlamed, 1) << " %.\n\n";
     TextTable table({"change", "calibrated by", "checked by", "found", "right", "either", "blamed, per cell",
                      "error / stated", "reached"});
