@@ -80,15 +80,20 @@ std::shared_ptr<const Reconstruction> openCalibration(const std::string& path, c
   throw BadInput(path + ": this is a session, expected a calibration; \"hexoderm-cli solve\" makes one of it");
 }
 
-RobotModel openRobot(const std::string& robot, const std::vector<std::string>& packages) {
+PackageFolders packageFolders(const std::vector<std::string>& texts) {
   PackageFolders folders;
-  for (const std::string& package : packages) {
-    const std::size_t equals = package.find('=');
-    if (equals == 0 || equals == std::string::npos || equals + 1 == package.size()) {
-      throw InvalidArgument("--package: expected NAME=FOLDER, found \"" + package + "\"");
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    if (equals == 0 || equals == std::string::npos || equals + 1 == text.size()) {
+      throw InvalidArgument("--package: expected NAME=FOLDER, found \"" + text + "\"");
     }
-    folders[package.substr(0, equals)] = package.substr(equals + 1);
+    folders[text.substr(0, equals)] = text.substr(equals + 1);
   }
+  return folders;
+}
+
+RobotModel openRobot(const std::string& robot, const std::vector<std::string>& packages) {
+  PackageFolders folders = packageFolders(packages);
   return asInput([&] {
     return RobotModel::read(robot == kDemoRobot ? demoRobotFile() : std::filesystem::path(robot), std::move(folders));
   });

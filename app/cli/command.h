@@ -88,6 +88,7 @@ void addInspect(CLI::App& app, Common& common);
 void addSensors(CLI::App& app, Common& common);
 void addParts(CLI::App& app, Common& common);
 void addLinks(CLI::App& app, Common& common);
+void addPlace(CLI::App& app, Common& common);
 void addReproduce(CLI::App& app, Common& common);
 
 /// Says every offence of a device once, as soon as it is known.
@@ -122,6 +123,8 @@ BadInput noSession(const std::string& path);
 std::shared_ptr<const Reconstruction> openCalibration(const std::string& path,
                                                       const std::string& cell_model = "hex-bma150");
 
+/// "NAME=FOLDER" of --package.
+PackageFolders packageFolders(const std::vector<std::string>& texts);
 /// As `--robot`: the made-up arm that comes with the program.
 inline constexpr std::string_view kDemoRobot = "demo";
 /// Reads a URDF, or kDemoRobot; `packages`: NAME=FOLDER, as `--package`.

@@ -1,6 +1,7 @@
 #include "app/cli/command.h"
 
 #include "hexoderm/io/exporter.h"
+#include "hexoderm/io/placements_json.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/sha256.h"
 #include "hexoderm/util/text.h"
@@ -20,6 +21,7 @@ struct ExportCommandOptions {
   std::string output;
   std::map<std::string_view, std::string> values;  ///< of exportOptions(), by name
   std::vector<std::string> placements;
+  std::string placements_file;
   std::uint32_t patch_of_cell = 0;
   ExportOptions options;
 };
@@ -59,6 +61,18 @@ PatchOnLink placementFrom(const std::string& text, const Reconstruction& reconst
   place.link = text.substr(name, colon - name);
   place.T_l_o = {rotationFromRpy({values[3], values[4], values[5]}), {values[0], values[1], values[2]}};
   return place;
+}
+
+/// The placements of a file that `hexoderm-cli place` wrote, all of which the calibration has to hold.
+std::vector<PatchOnLink> placementsOf(const Reconstruction& reconstruction, const std::string& file) {
+  std::vector<PatchOnLink> placements = asInput([&] { return readPlacementsJson(file); });
+  for (const PatchOnLink& place : placements) {
+    const auto is_it = [&](const PatchReconstruction& patch) { return patch.origin == place.origin; };
+    if (std::ranges::none_of(reconstruction.patches, is_it)) {
+      throw BadInput(file + ": cell " + toString(place.origin) + " is the origin of no patch of the calibration");
+    }
+  }
+  return placements;
 }
 
 std::vector<ExportFormat> formatsFrom(const std::string& text) {
@@ -101,6 +115,9 @@ int run(ExportCommandOptions command, bool one_patch, const Common& common) {
                           " is a folder of several files, which standard output can't be: give a folder");
   }
   const auto calibration = openCalibration(command.input);
+  if (!command.placements_file.empty()) {
+    options.placements = placementsOf(*calibration, command.placements_file);
+  }
   for (const std::string& text : command.placements) {
     options.placements.push_back(placementFrom(text, *calibration, options));
   }
@@ -113,7 +130,7 @@ int run(ExportCommandOptions command, bool one_patch, const Common& common) {
     if (of_format.empty()) continue;
     addOnce(remarks,
             leftOutInWords(of_format).english() +
-                (of_format.front().not_on_link ? " --place says where a patch is."
+                (of_format.front().not_on_link ? " --place or --placements says where a patch is."
                                                : " --patch CELL writes the patch of a cell to a file of its own."));
     for (const PatchLeftOut& patch : of_format) {
       if (std::ranges::find(left_out, patch.patch, &PatchLeftOut::patch) == left_out.end()) left_out.push_back(patch);
@@ -193,6 +210,8 @@ void addExport(CLI::App& app, Common& common) {
       "--place", options->placements,
       "[CELL@]LINK:x,y,z,roll,pitch,yaw: where the patch of a cell is on a link of the robot, in metres and "
       "radians as the origin of a URDF joint; once for each patch");
+  command->add_option("--placements", options->placements_file,
+                      "File of hexoderm-cli place, which says where patches are on links of the robot");
   command->add_option("--in-link", options->options.in_link,
                       "Write coordinates in the frame of this link, of the patches that are placed on it");
   CLI::Option* patch = command->add_option("--patch", options->patch_of_cell,

@@ -53,6 +53,7 @@ int main(int argc, char** argv) {
   cli::addSensors(app, common);
   cli::addParts(app, common);
   cli::addLinks(app, common);
+  cli::addPlace(app, common);
   cli::addReproduce(app, common);
 
   try {

@@ -20,5 +20,7 @@ nlohmann::ordered_json countDetections(const Trials& trials, bool prints);
 nlohmann::ordered_json countGarbage(const Trials& trials, bool prints);
 /// How often `check` finds what changed since a calibration, and blames healthy cells.
 nlohmann::ordered_json countChanges(const Trials& trials, bool prints);
+/// How often the true place on a link is found by the link's surface, and how far off.
+nlohmann::ordered_json placeOnLinks(const Trials& trials, bool prints);
 
 }  // namespace hexoderm::cli

@@ -1,176 +1,57 @@
 #include "hexoderm/geometry/mesh_surface.h"
 
+#include "hexoderm/geometry/mesh_feet.h"
 #include "hexoderm/util/error.h"
-#include "hexoderm/util/units.h"
-
-#include <boost/geometry.hpp>
-#include <boost/geometry/index/rtree.hpp>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <limits>
-#include <vector>
 
 namespace hexoderm {
 namespace {
 
-namespace bg = boost::geometry;
-using MeshPoint = bg::model::point<double, 3, bg::cs::cartesian>;
-using MeshBox = bg::model::box<MeshPoint>;
-using BoxOfTriangle = std::pair<MeshBox, std::uint32_t>;
-using BoxTree = bg::index::rtree<BoxOfTriangle, bg::index::rstar<8>>;
-
-constexpr double kEdge = 40 * kDegree;
 constexpr double kStep_m = 0.002;
 constexpr double kCurvatureStep_m = 0.004;
-/// A triangle of less area has no direction.
-constexpr double kLeastArea_m2 = 1e-14;
-
-MeshPoint toBoost(const Eigen::Vector3d& x) { return {x.x(), x.y(), x.z()}; }
-
-using Corners = std::array<Eigen::Vector3d, 3>;
-
-/// Barycentric coordinates of the point of a triangle that is nearest to x (Ericson, Real-Time Collision Detection,
-/// 5.1.5).
-Eigen::Vector3d nearestInTriangle(const Corners& corners, const Eigen::Vector3d& x) {
-  const Eigen::Vector3d ab = corners[1] - corners[0];
-  const Eigen::Vector3d ac = corners[2] - corners[0];
-  const Eigen::Vector3d ax = x - corners[0];
-  const double d1 = ab.dot(ax);
-  const double d2 = ac.dot(ax);
-  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
-  const Eigen::Vector3d bx = x - corners[1];
-  const double d3 = ab.dot(bx);
-  const double d4 = ac.dot(bx);
-  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
-  const Eigen::Vector3d cx = x - corners[2];
-  const double d5 = ab.dot(cx);
-  const double d6 = ac.dot(cx);
-  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-    const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-    return {0, 1 - w, w};
-  }
-  const double sum = va + vb + vc;
-  return {va / sum, vb / sum, vc / sum};
-}
-
-/// The point of the mesh that is nearest to another one, and the smooth normal there.
-struct Foot {
-  Eigen::Vector3d position;
-  Eigen::Vector3d normal;
-};
 
 /// `direction` made a unit tangent.
 Eigen::Vector3d tangent(const Eigen::Vector3d& direction, const Eigen::Vector3d& normal) {
   return (direction - direction.dot(normal) * normal).normalized();
 }
 
+/// A point of the surface, and the normal there.
+struct OnSurface {
+  Eigen::Vector3d position;
+  Eigen::Vector3d normal;
+};
+
 }  // namespace
 
 struct MeshSurface::State {
-  std::vector<Corners> triangles;
-  std::vector<Corners> normals;  ///< at the corners of each
-  BoxTree tree;
+  explicit State(const TriangleMesh& mesh) : feet(mesh) {}
+  MeshFeet feet;
   double height_m = 0;
   SE3 middle;
 
-  void addTriangles(const TriangleMesh& mesh);
-  [[nodiscard]] Foot footOf(const Eigen::Vector3d& x) const;
-  [[nodiscard]] Foot onSurface(const Eigen::Vector3d& x) const;
+  [[nodiscard]] OnSurface onSurface(const Eigen::Vector3d& x) const;
 };
-
-void MeshSurface::State::addTriangles(const TriangleMesh& mesh) {
-  struct Meeting {
-    Eigen::Vector3d normal;
-    double angle_rad;
-  };
-  std::vector<std::vector<Meeting>> meeting(mesh.points.size());
-  std::vector<Eigen::Vector3d> face_normals;
-  std::vector<std::array<std::uint32_t, 3>> kept;
-  for (const auto& triangle : mesh.triangles) {
-    const Corners corners{mesh.points.at(triangle[0]), mesh.points.at(triangle[1]), mesh.points.at(triangle[2])};
-    const Eigen::Vector3d area = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-    if (!(area.norm() > kLeastArea_m2)) continue;
-    triangles.push_back(corners);
-    face_normals.push_back(area.normalized());
-    kept.push_back(triangle);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double angle = angleBetween(corners[(k + 1) % 3] - corners[k], corners[(k + 2) % 3] - corners[k]);
-      meeting[triangle[k]].push_back({face_normals.back(), angle});
-    }
-  }
-  const double cos_edge = std::cos(kEdge);
-  std::vector<BoxOfTriangle> boxes;
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    Corners& at_corners = normals.emplace_back();
-    for (std::size_t k = 0; k < 3; ++k) {
-      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-      for (const Meeting& other : meeting[kept[t][k]]) {
-        if (other.normal.dot(face_normals[t]) >= cos_edge) sum += other.angle_rad * other.normal;
-      }
-      at_corners[k] = sum.normalized();
-    }
-    const Corners& corners = triangles[t];
-    boxes.emplace_back(MeshBox(toBoost(corners[0].cwiseMin(corners[1]).cwiseMin(corners[2])),
-                               toBoost(corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]))),
-                       static_cast<std::uint32_t>(t));
-  }
-  tree = BoxTree(boxes);
-}
-
-Foot MeshSurface::State::footOf(const Eigen::Vector3d& x) const {
-  constexpr unsigned kFirst = 32;
-  const MeshPoint point = toBoost(x);
-  double nearest_m2 = std::numeric_limits<double>::infinity();
-  Foot foot;
-  std::vector<BoxOfTriangle> near;
-  const auto all = static_cast<unsigned>(triangles.size());
-  // The boxes that are nearest; more of them, until one is farther than the nearest triangle: then all others are, too.
-  for (unsigned count = std::min(kFirst, all);; count = std::min(4 * count, all)) {
-    near.clear();
-    tree.query(bg::index::nearest(point, count), std::back_inserter(near));
-    double farthest_m2 = 0;
-    for (const auto& [box, triangle] : near) {
-      farthest_m2 = std::max(farthest_m2, bg::comparable_distance(point, box));
-      const Corners& corners = triangles[triangle];
-      const Eigen::Vector3d w = nearestInTriangle(corners, x);
-      const Eigen::Vector3d position = w[0] * corners[0] + w[1] * corners[1] + w[2] * corners[2];
-      const double distance_m2 = (position - x).squaredNorm();
-      if (distance_m2 >= nearest_m2) continue;
-      nearest_m2 = distance_m2;
-      const Corners& at_corners = normals[triangle];
-      foot = {position, (w[0] * at_corners[0] + w[1] * at_corners[1] + w[2] * at_corners[2]).normalized()};
-    }
-    if (count == all || farthest_m2 > nearest_m2) return foot;
-  }
-}
 
 /// The point of the surface at height_m: the one that stands on a foot's smooth normal, which is not quite the normal
 /// of the foot's triangle. A few steps find the foot whose point is nearest to x.
-Foot MeshSurface::State::onSurface(const Eigen::Vector3d& x) const {
+OnSurface MeshSurface::State::onSurface(const Eigen::Vector3d& x) const {
   constexpr int kSteps = 4;
-  Foot foot = footOf(x);
+  MeshFoot foot = feet.footOf(x);
   if (height_m > 0) {
-    for (int k = 0; k < kSteps; ++k) foot = footOf(x - height_m * foot.normal);
+    for (int k = 0; k < kSteps; ++k) foot = feet.footOf(x - height_m * foot.normal);
   }
   return {foot.position + height_m * foot.normal, foot.normal};
 }
 
 MeshSurface::MeshSurface(TriangleMesh mesh, const SE3& T_b_near, double height_m) {
   if (!(height_m >= 0 && std::isfinite(height_m))) throw InvalidArgument("expected a height of 0 or more");
-  auto state = std::make_unique<State>();
+  auto state = std::make_unique<State>(mesh);
   state->height_m = height_m;
-  state->addTriangles(mesh);
-  if (state->triangles.empty()) throw InvalidArgument(message("the body has no surface on which a patch could lie"));
-  const Foot foot = state->onSurface(T_b_near.t);
+  if (state->feet.empty()) throw InvalidArgument(message("the body has no surface on which a patch could lie"));
+  const OnSurface foot = state->onSurface(T_b_near.t);
   const Eigen::Vector3d x = T_b_near.R.col(0);
   if (!(x.cross(foot.normal).norm() > 1e-3)) {
     throw InvalidArgument(message("the patch can't be laid there: its x axis would stand upright on the body"));
@@ -207,9 +88,9 @@ GeodesicPoint MeshSurface::walk(const Eigen::Vector3d& from, const Eigen::Vector
   GeodesicPoint at{from, tangent(direction, normal(from))};
   for (int k = 0; k < steps; ++k) {
     // The middle of the step has the direction of its chord, to second order.
-    const Foot half = state_->onSurface(at.position + step_m / 2 * at.direction);
+    const OnSurface half = state_->onSurface(at.position + step_m / 2 * at.direction);
     const Eigen::Vector3d along = tangent(at.direction, half.normal);
-    const Foot end = state_->onSurface(at.position + step_m * along);
+    const OnSurface end = state_->onSurface(at.position + step_m * along);
     at = {end.position, tangent(along, end.normal)};
   }
   return at;

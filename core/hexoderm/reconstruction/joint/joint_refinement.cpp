@@ -64,6 +64,12 @@ class SolvedCovariance : public PlacementCovariance {
            mixed.transpose();
   }
 
+  [[nodiscard]] Matrix6d together(CellId a, CellId b) const override {
+    const std::size_t at_a = indexOf(a);
+    const std::size_t at_b = indexOf(b);
+    return at_a == at_b ? covariance_->cell(at_a) : covariance_->between(at_a, at_b);
+  }
+
  private:
   [[nodiscard]] std::size_t indexOf(CellId id) const {
     const auto found = std::ranges::lower_bound(ids_, id);
