@@ -25,7 +25,7 @@ HALLS = {
     "core/hexoderm/reconstruction": "result < {links, sparse, accelerometer} < {joint, faults, advice} < {patch, evaluation, check}"
                                     " < figures < solved_skin < reconstructor < {hold_out, reconstruction_worker,"
                                     " sensor_statistics}",
-    "core/hexoderm/robot": "patch_on_link < parts < links < place",
+    "core/hexoderm/robot": "parts < links < place",
     "widgets": "style < words < {controls, coloring} < {tables, capture, graph, scene} < {verify, patch}",
     "app": "{cli, emulator, window}",
     "app/window": "{files, toolkit} < {settings, report} < session < {guide, dialogs, log} < presenters < main_window"
