@@ -107,11 +107,12 @@ void makeNarrow(QComboBox* box) {
 PlacePanel::PlacePanel(Selection* selection, QWidget* parent)
     : QWidget(parent),
       selection_(selection),
-      robot_(new VerifySection(tr("Robot"), tr("Which robot wears the skin?"), QStringLiteral("placeRobot"), selection)),
+      robot_(
+          new VerifySection(tr("Robot"), tr("Which robot wears the skin?"), QStringLiteral("placeRobot"), selection)),
       joints_(new VerifySection(tr("Joint angles"), tr("How did it stand in each pose?"), QStringLiteral("placeJoints"),
                                 selection)),
-      patch_(new VerifySection(tr("Patch"), tr("Which patch is to be placed?"), QStringLiteral("placePatch"),
-                               selection)),
+      patch_(
+          new VerifySection(tr("Patch"), tr("Which patch is to be placed?"), QStringLiteral("placePatch"), selection)),
       link_(new VerifySection(tr("Link"), tr("Which link saw the same gravity?"), QStringLiteral("placeLink"),
                               selection)),
       known_(new VerifySection(tr("What is known"), tr("What says where on the link it lies?"),
@@ -182,7 +183,8 @@ void PlacePanel::buildRobot() {
   QHBoxLayout* pose = joints_->addRow();
   pose->addWidget(buddyLabel(pose_, tr("Drawn in")));
   pose->addWidget(pose_, 1);
-  connect(pose_, qOverload<int>(&QComboBox::activated), this, [this] { emit poseChosen(pose_->currentData().toUInt()); });
+  connect(pose_, qOverload<int>(&QComboBox::activated), this,
+          [this] { emit poseChosen(pose_->currentData().toUInt()); });
 }
 
 void PlacePanel::buildPatch() {
@@ -210,9 +212,8 @@ void PlacePanel::buildLink() {
   QHBoxLayout* row = link_->addRow();
   row->addWidget(buddyLabel(other_link_, tr("On link")));
   row->addWidget(other_link_, 1);
-  connect(other_link_, qOverload<int>(&QComboBox::activated), this, [this] {
-    if (other_link_->currentIndex() > 0) emit linkChosen(other_link_->currentText());
-  });
+  connect(other_link_, qOverload<int>(&QComboBox::activated), this,
+          [this] { emit linkChosen(other_link_->currentIndex() > 0 ? other_link_->currentText() : QString()); });
 }
 
 void PlacePanel::buildKnown() {
@@ -368,12 +369,17 @@ void PlacePanel::showKnown() {
   by_surface_->setChecked(stand_.known.by_surface && stand_.has_surface);
   const bool has_link = !stand_.link.isEmpty();
   const bool says_nothing = known.isEmpty() && !by_surface_->isChecked();
-  known_->setSentence(
-      {Tone::Caution, has_link && says_nothing
-                          ? tr("Nothing says where on the link the patch lies: use the surface, or add a point.")
-                      : has_link && !stand_.has_surface
-                          ? tr("Nothing describes the surface of this link; points and distances can say where it lies.")
-                          : QString()});
+  if (!stand_.known_fault.isEmpty()) {
+    known_->setSentence({Tone::Bad, stand_.known_fault});
+  } else if (has_link && says_nothing) {
+    known_->setSentence(
+        {Tone::Caution, tr("Nothing says where on the link the patch lies: use the surface, or add a point.")});
+  } else if (has_link && !stand_.has_surface) {
+    known_->setSentence({Tone::Neutral, tr("Nothing describes the surface of this link; points and distances can say "
+                                           "where the patch lies.")});
+  } else {
+    known_->setSentence({});
+  }
 }
 
 void PlacePanel::refreshControls() {
@@ -384,7 +390,7 @@ void PlacePanel::refreshControls() {
   choose_robot_->setToolTip(can ? tr("The robot's description; a file can also be dropped onto the window")
                                 : stand_.why_not);
   package_->setEnabled(has_robot);
-  remove_robot_->setEnabled(has_robot);
+  remove_robot_->setEnabled(can && stand_.names_robot);
   choose_joints_->setEnabled(has_robot);
   choose_joints_->setToolTip(has_robot ? tr("A line for each pose, a column for each joint, with its unit")
                                        : tr("Choose the robot first: its joints have the names of the columns"));

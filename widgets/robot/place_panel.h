@@ -32,7 +32,8 @@ struct PlaceStand {
   QString why_not;  ///< why nothing can be placed, one sentence; empty: it can
 
   bool has_robot = false;
-  VerifySentence robot;  ///< which one, and what is doubtful about it
+  bool names_robot = false;  ///< the session does, also where its file can't be read
+  VerifySentence robot;      ///< which one, and what is doubtful about it
   VerifySentence joints;
 
   std::vector<Choice> poses;
@@ -47,6 +48,7 @@ struct PlaceStand {
 
   bool has_surface = false;  ///< of that link
   PatchPlacement known;
+  QString known_fault;  ///< what was wrong about the last point or distance
 
   QStringList places;
   int place = -1;  ///< the row of the chosen one; -1: none is, or it is not among them

@@ -11,6 +11,7 @@
 #include "widgets/controls/step_panel.h"
 #include "widgets/graph/graph_view.h"
 #include "widgets/patch/patch_view.h"
+#include "widgets/robot/robot_view.h"
 #include "widgets/verify/residual_view.h"
 
 #include <QFrame>
@@ -50,6 +51,8 @@ Panels::Panels(const Views& views, QWidget* parent) : QMainWindow(parent) {
   views.coverage->setEmptyHint(tr("No poses yet."));
   coverage_ = new CardDock(tr("Directions seen"), QStringLiteral("coverageDock"), views.coverage, this);
   swap_ = std::make_unique<ViewSwap>(*views.patch, *views.graph, *graph_);
+  // In their order from below.
+  connect(swap_.get(), &ViewSwap::swapped, views.robot, &QWidget::raise);
   connect(swap_.get(), &ViewSwap::swapped, views.welcome, &QWidget::raise);
   details_ = makeDetails(views);
   arrange();
@@ -69,6 +72,8 @@ QWidget* Panels::makeCentre(const Views& views) {
   auto* stack_layout = new QGridLayout(stack);
   stack_layout->setContentsMargins(0, 0, 0, 0);
   stack_layout->addWidget(place, 0, 0);
+  stack_layout->addWidget(views.robot, 0, 0);
+  views.robot->hide();
   stack_layout->addWidget(views.welcome, 0, 0);
   views.welcome->raise();
   auto* card = new QFrame;

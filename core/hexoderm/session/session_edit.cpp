@@ -65,7 +65,8 @@ struct Invert {
 }  // namespace
 
 bool isAboutRobot(const SessionEdit& edit) {
-  return std::holds_alternative<SetRobot>(edit) || std::holds_alternative<SetPatchPlacement>(edit);
+  return std::holds_alternative<SetRobot>(edit) || std::holds_alternative<SetPatchPlacement>(edit) ||
+         std::holds_alternative<SetJointAngles>(edit);
 }
 
 void apply(const SessionEdit& edit, Session& session) { std::visit(Apply{session}, edit); }

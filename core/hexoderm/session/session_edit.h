@@ -66,7 +66,7 @@ struct SetSkin {
 using SessionEdit = std::variant<AddPose, RemovePose, RestorePose, SetPoseDisabled, SetJointAngles, SetLinkMuted,
                                  SetRobot, SetPatchPlacement, SetSkin>;
 
-/// Whether the edit is about the robot alone: what was reconstructed of the skin stays as it is.
+/// Whether the edit is about the robot alone, with its joint angles: what was reconstructed of the skin stays as it is.
 bool isAboutRobot(const SessionEdit& edit);
 
 /// Changes the session. Throws InvalidArgument if the edit makes no sense for it (no such pose, no capture, a link with
