@@ -3578,10 +3578,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>ein Objekt</translation>
     </message>
     <message>
-        <source>kind: expected capture, remove, restore, disable, enable, mute, unmute, skin, source, truth or options, found &quot;{}&quot;</source>
-        <translation>kind: erwartet ist capture, remove, restore, disable, enable, mute, unmute, skin, source, truth oder options, gefunden wurde „{}“</translation>
-    </message>
-    <message>
         <source>a skin must have a cell model</source>
         <translation>eine Haut muss ein Zellmodell haben</translation>
     </message>
@@ -4049,10 +4045,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>{} has no field with the number {}</source>
         <translation>{} hat kein Feld mit der Nummer {}</translation>
-    </message>
-    <message>
-        <source>there is no message of type {}; expected 1 to 6</source>
-        <translation>es gibt keine Nachricht vom Typ {}; erwartet wird 1 bis 6</translation>
     </message>
     <message>
         <source>a message can&apos;t be sent: {}</source>
@@ -4643,20 +4635,8 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>das Glied {} hängt an zwei Gelenken</translation>
     </message>
     <message>
-        <source>this is a xacro file, expected a URDF: run xacro first, and give the file that it makes</source>
-        <translation>das ist eine xacro-Datei, erwartet wird ein URDF: führen Sie zuerst xacro aus und geben Sie die erzeugte Datei an</translation>
-    </message>
-    <message>
         <source>already has a {} {}: if this is an earlier skin, give the robot&apos;s own file, else choose another prefix of names</source>
         <translation>{} {} gibt es dort schon: ist das eine frühere Haut, geben Sie die Datei des Roboters selbst an, sonst wählen Sie einen anderen Namensvorsatz</translation>
-    </message>
-    <message>
-        <source>has no link {} for the skin; perhaps {} is meant</source>
-        <translation>hat kein Glied {} für die Haut; vielleicht ist {} gemeint</translation>
-    </message>
-    <message>
-        <source>has no link {} for the skin; there are {} others</source>
-        <translation>hat kein Glied {} für die Haut; es gibt {} andere</translation>
     </message>
     <message>
         <source>link</source>
@@ -4673,14 +4653,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>expected an end tag &lt;/robot&gt;, but there is none</source>
         <translation>erwartet wird ein End-Tag &lt;/robot&gt;, es gibt aber keines</translation>
-    </message>
-    <message>
-        <source>this is not well-formed XML ({}), expected a URDF</source>
-        <translation>das ist kein wohlgeformtes XML ({}), erwartet wird ein URDF</translation>
-    </message>
-    <message>
-        <source>expected the root element robot, found {}</source>
-        <translation>erwartet wird das Wurzelelement robot, gefunden: {}</translation>
     </message>
     <message>
         <source>A DOT file is a flat drawing without places and uncertainties.</source>
@@ -5449,6 +5421,158 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>most_patches must be at least 1</source>
         <translation>most_patches muss mindestens 1 sein</translation>
+    </message>
+    <message>
+        <source>The joint angles are probably degrees that were read as rad: as degrees they fit what the patches see, as rad they don&apos;t.</source>
+        <translation>Die Gelenkwinkel sind wahrscheinlich Grad, die als rad gelesen wurden: Als Grad passen sie zu dem, was die Hautstücke sehen, als rad nicht.</translation>
+    </message>
+    <message>
+        <source>The joint angles are probably rad that were read as degrees: as rad they fit what the patches see, as degrees they don&apos;t.</source>
+        <translation>Die Gelenkwinkel sind wahrscheinlich rad, die als Grad gelesen wurden: Als rad passen sie zu dem, was die Hautstücke sehen, als Grad nicht.</translation>
+    </message>
+    <message>
+        <source>Pose {} doesn&apos;t go with the others: without it every patch fits a link. Its joint angles are probably those of another moment.</source>
+        <translation>Pose {} passt nicht zu den anderen: Ohne sie passt jedes Hautstück auf ein Glied. Ihre Gelenkwinkel sind wahrscheinlich die eines anderen Augenblicks.</translation>
+    </message>
+    <message>
+        <source>Joint {} seems to count its angle the other way round: with its sign turned the angles fit what the patches see.</source>
+        <translation>Gelenk {} scheint seinen Winkel andersherum zu zählen: Mit umgekehrtem Vorzeichen passen die Winkel zu dem, was die Hautstücke sehen.</translation>
+    </message>
+    <message>
+        <source>One of the joints {} seems to count its angle the other way round: with its sign turned the angles fit what the patches see.</source>
+        <translation>Eines der Gelenke {} scheint seinen Winkel andersherum zu zählen: Mit umgekehrtem Vorzeichen passen die Winkel zu dem, was die Hautstücke sehen.</translation>
+    </message>
+    <message>
+        <source>The zero of joint {} seems to be off by about {}: if so much is added to its angle, the angles fit what the patches see.</source>
+        <translation>Der Nullpunkt von Gelenk {} scheint um etwa {} verschoben zu sein: Wird so viel zu seinem Winkel addiert, passen die Winkel zu dem, was die Hautstücke sehen.</translation>
+    </message>
+    <message>
+        <source>On which link a patch is can be told of a session that was just solved by the global solver, not of a calibration file or of the tree: they don&apos;t hold how well gravity is known.</source>
+        <translation>Auf welchem Glied ein Hautstück sitzt, lässt sich nur von einer Sitzung sagen, die der globale Löser gerade gelöst hat, nicht von einer Kalibrierdatei oder vom Baum: Sie enthalten nicht, wie genau die Schwerkraft bekannt ist.</translation>
+    </message>
+    <message>
+        <source>No joint angles are known of these poses, which are not compared: {}.</source>
+        <translation>Von diesen Posen sind keine Gelenkwinkel bekannt; sie werden nicht verglichen: {}.</translation>
+    </message>
+    <message>
+        <source>The angles of these joints are not known, and links beyond them are not compared: {}.</source>
+        <translation>Die Winkel dieser Gelenke sind nicht bekannt, und Glieder jenseits von ihnen werden nicht verglichen: {}.</translation>
+    </message>
+    <message>
+        <source>Pose {} is not compared, because it lacks the angles of these joints: {}.</source>
+        <translation>Pose {} wird nicht verglichen, weil ihr die Winkel dieser Gelenke fehlen: {}.</translation>
+    </message>
+    <message>
+        <source>There is no cell {} to put on link {}.</source>
+        <translation>Es gibt keine Zelle {}, die auf Glied {} gesetzt werden könnte.</translation>
+    </message>
+    <message>
+        <source>Cell {} can&apos;t be put on link {}: the angle of a joint that carries it is not known.</source>
+        <translation>Zelle {} kann nicht auf Glied {} gesetzt werden: Der Winkel eines Gelenks, das es trägt, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>The patch of cell {} can&apos;t be on two links, {} and {}.</source>
+        <translation>Das Hautstück von Zelle {} kann nicht auf zwei Gliedern sitzen, {} und {}.</translation>
+    </message>
+    <message>
+        <source>How it is turned there about one axis is not determined: gravity came along one line in all poses.</source>
+        <translation>Wie es dort um eine Achse gedreht ist, ist nicht bestimmt: Die Schwerkraft kam in allen Posen entlang einer Linie.</translation>
+    </message>
+    <message>
+        <source>No joint moves link {}: only tipping the whole robot over would show it.</source>
+        <translation>Kein Gelenk bewegt Glied {}: Nur wenn der ganze Roboter gekippt würde, zeigte es sich.</translation>
+    </message>
+    <message>
+        <source>Take poses in which link {} is tipped over by about 90 degrees.</source>
+        <translation>Nehmen Sie Posen auf, in denen Glied {} um etwa 90 Grad gekippt ist.</translation>
+    </message>
+    <message>
+        <source>The patch of cell {} was put on link {}, which doesn&apos;t fit: what the patch saw of gravity is not what that link would see.</source>
+        <translation>Das Hautstück von Zelle {} wurde auf Glied {} gesetzt, das nicht passt: Was das Hautstück von der Schwerkraft sah, ist nicht, was dieses Glied sähe.</translation>
+    </message>
+    <message>
+        <source>The patch of cell {} was put on link {}, the only one that fits.</source>
+        <translation>Das Hautstück von Zelle {} wurde auf Glied {} gesetzt, das einzige, das passt.</translation>
+    </message>
+    <message>
+        <source>The patch of cell {} was put on link {}, which fits.</source>
+        <translation>Das Hautstück von Zelle {} wurde auf Glied {} gesetzt, das passt.</translation>
+    </message>
+    <message>
+        <source>The patch of cell {} fits no link: link {} comes nearest, with a chi-squared of {} at {} degrees of freedom.</source>
+        <translation>Das Hautstück von Zelle {} passt auf kein Glied: Am nächsten kommt Glied {}, mit einem Chi-Quadrat von {} bei {} Freiheitsgraden.</translation>
+    </message>
+    <message>
+        <source>On which link the patch of cell {} is can&apos;t be told from one pose, which any link fits.</source>
+        <translation>Auf welchem Glied das Hautstück von Zelle {} sitzt, lässt sich aus einer einzigen Pose nicht sagen: Zu ihr passt jedes Glied.</translation>
+    </message>
+    <message>
+        <source>The patch of cell {} fits several links, the best first: {}.</source>
+        <translation>Das Hautstück von Zelle {} passt auf mehrere Glieder, das beste zuerst: {}.</translation>
+    </message>
+    <message>
+        <source>The patch of cell {} is on link {}: no other link fits.</source>
+        <translation>Das Hautstück von Zelle {} sitzt auf Glied {}: Kein anderes Glied passt.</translation>
+    </message>
+    <message>
+        <source>The patch of cell {} is on one of these links, which turn as one: {}.</source>
+        <translation>Das Hautstück von Zelle {} sitzt auf einem dieser Glieder, die sich nur gemeinsam drehen: {}.</translation>
+    </message>
+    <message>
+        <source>The patch of cell {} is on one of these links, which these poses can&apos;t tell apart: {}.</source>
+        <translation>Das Hautstück von Zelle {} sitzt auf einem dieser Glieder, die sich durch diese Posen nicht unterscheiden lassen: {}.</translation>
+    </message>
+    <message>
+        <source>Take more poses, in which the joints that carry these links stand in other angles and the links in new directions.</source>
+        <translation>Nehmen Sie weitere Posen auf, in denen die Gelenke, die diese Glieder tragen, in anderen Winkeln stehen und die Glieder in neuen Richtungen.</translation>
+    </message>
+    <message>
+        <source>Move these joints by 30 degrees or more from pose to pose, with their axes level: {}.</source>
+        <translation>Bewegen Sie diese Gelenke von Pose zu Pose um 30 Grad oder mehr, mit waagerechten Achsen: {}.</translation>
+    </message>
+    <message>
+        <source>The zero of joint {} seems to be off: {} has to be added to the angle that it reports (1 sigma: {}).</source>
+        <translation>Der Nullpunkt von Gelenk {} scheint verschoben zu sein: Zu dem Winkel, den es meldet, ist {} zu addieren (1 Sigma: {}).</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s base seems to be tilted by {} (1 sigma: {}).</source>
+        <translation>Die Basis des Roboters scheint um {} geneigt zu sein (1 Sigma: {}).</translation>
+    </message>
+    <message>
+        <source>Taken together, the patches fit the joint angles badly: a chi-squared of {} at {} degrees of freedom.</source>
+        <translation>Zusammengenommen passen die Hautstücke schlecht zu den Gelenkwinkeln: ein Chi-Quadrat von {} bei {} Freiheitsgraden.</translation>
+    </message>
+    <message>
+        <source>No pose has joint angles: on which links the patches are can&apos;t be told.</source>
+        <translation>Keine Pose hat Gelenkwinkel: Auf welchen Gliedern die Hautstücke sitzen, lässt sich nicht sagen.</translation>
+    </message>
+    <message>
+        <source>No pose has both readings and the angles of the joints: on which links the patches are can&apos;t be told.</source>
+        <translation>Keine Pose hat sowohl Messwerte als auch die Winkel der Gelenke: Auf welchen Gliedern die Hautstücke sitzen, lässt sich nicht sagen.</translation>
+    </message>
+    <message>
+        <source>Each of {} patches is on a link that is known.</source>
+        <translation>Von jedem der {} Hautstücke ist bekannt, auf welchem Glied es sitzt.</translation>
+    </message>
+    <message>
+        <source>Of {} patches {} are on a link that is known; of {} these poses leave open which it is, and {} fit none.</source>
+        <translation>Von {} Hautstücken ist bei {} das Glied bekannt; bei {} lassen diese Posen offen, welches es ist, und {} passen auf keines.</translation>
+    </message>
+    <message>
+        <source>up_w must be a direction</source>
+        <translation>up_w muss eine Richtung sein</translation>
+    </message>
+    <message>
+        <source>zero_sigma_rad must be above 0 and at most pi</source>
+        <translation>zero_sigma_rad muss größer als 0 und höchstens pi sein</translation>
+    </message>
+    <message>
+        <source>tilt_sigma_rad must be from 0 to pi</source>
+        <translation>tilt_sigma_rad muss zwischen 0 und pi liegen</translation>
+    </message>
+    <message>
+        <source>test_lever_m must not be negative</source>
+        <translation>test_lever_m darf nicht negativ sein</translation>
     </message>
 </context>
 <context>

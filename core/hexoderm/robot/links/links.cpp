@@ -65,7 +65,8 @@ class LinksFinder {
   /// A patch that is compared.
   struct Compared {
     const PatchReconstruction* patch = nullptr;
-    SeenByPatch seen;
+    SeenByPatch seen;       ///< for the estimate
+    SeenByPatch test_seen;  ///< for the test of links
     std::vector<TestedGroup> groups{};
     std::optional<std::size_t> link{};  ///< on which it is placed
     bool chosen = false;
@@ -105,7 +106,8 @@ class LinksFinder {
         places.push_back(
             static_cast<std::size_t>(std::ranges::lower_bound(result_.poses, pose) - result_.poses.begin()));
       }
-      patches_.push_back({&patch, SeenByPatch(std::move(seen), std::move(places))});
+      GravitySeen test_seen = gravityIn(patch, result_.poses, options_.test_lever_m);
+      patches_.push_back({&patch, SeenByPatch(std::move(seen), places), SeenByPatch(std::move(test_seen), places)});
     }
     test_.priors = {options_.joint_zeros ? kPriorsInTest * options_.zero_sigma_rad : 0,
                     kPriorsInTest * options_.tilt_sigma_rad};
@@ -209,7 +211,7 @@ class LinksFinder {
   void testAll() {
     const LinkGravity gravity(robot_, compared_angles_, up_w_);
     for (Compared& compared : patches_) {
-      compared.groups = testLinks(compared.seen, robot_, gravity, test_);
+      compared.groups = testLinks(compared.test_seen, robot_, gravity, test_);
       const auto fit = std::ranges::count_if(compared.groups, &TestedGroup::fits);
       if (compared.chosen || fit != 1 || compared.seen.size() < 2) continue;
       const TestedGroup& only = *std::ranges::find_if(compared.groups, &TestedGroup::fits);
@@ -265,9 +267,9 @@ class LinksFinder {
       JointZero& zero = estimate.zeros.emplace_back();
       const auto at = zero_at + static_cast<Eigen::Index>(j);
       zero.joint = robot_.joints()[fit.joints[j]].name;
+      if (!options_.joint_zeros) continue;
       zero.zero_rad = fit.zeros[j];
       zero.prior_sigma_rad = fit.zero_sigma_rad;
-      if (!options_.joint_zeros) continue;
       zero.sigma_rad = std::sqrt(std::max(0.0, fit.covariance(at, at)));
       zero.shown = fit.covariance(at, at) < kShownShare * fit.zero_sigma_rad * fit.zero_sigma_rad;
     }
@@ -508,7 +510,7 @@ class LinksFinder {
     }
     std::ranges::stable_sort(
         largest, [](const Compared* a, const Compared* b) { return a->patch->cells.size() > b->patch->cells.size(); });
-    for (const Compared* compared : largest) without_link.push_back(&compared->seen);
+    for (const Compared* compared : largest) without_link.push_back(&compared->test_seen);
     if (!without_link.empty()) {
       const std::optional<Message> why = explain(without_link, {robot_, compared_angles_, result_.poses, up_w_, test_});
       if (why) result_.findings.push_back(*why);
@@ -584,6 +586,9 @@ void LinksOptions::validate() const {
   }
   if (!isSigma(tilt_sigma_rad)) throw InvalidArgument(message("tilt_sigma_rad must be from 0 to pi"));
   if (!(lever_m >= 0) || !std::isfinite(lever_m)) throw InvalidArgument(message("lever_m must not be negative"));
+  if (!(test_lever_m >= 0) || !std::isfinite(test_lever_m)) {
+    throw InvalidArgument(message("test_lever_m must not be negative"));
+  }
   if (most_poses < 2) throw InvalidArgument(message("most_poses must be at least 2"));
 }
 

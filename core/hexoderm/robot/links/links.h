@@ -24,8 +24,11 @@ struct LinksOptions {
   /// Of the base's tilt against up_w, 1 sigma about each level axis: 1 degree. 0: exact.
   double tilt_sigma_rad = 0;
   /// How far the middle of a patch may be from the point about which the robot trembles, 1 sigma an axis, m: a body
-  /// that is turned while it is sampled feels another force at every place.
-  double lever_m = 0.1;
+  /// that is turned while it is sampled feels another force at every place. 0: the robot holds still, or what shakes it
+  /// averages out.
+  double lever_m = 0;
+  /// The same where links are tested, which should not fail by a robot that sways.
+  double test_lever_m = 0.1;
   /// Poses beyond so many are not compared; those are taken that differ most.
   std::size_t most_poses = 40;
   /// The operator's choice: the link of the patch that a cell belongs to.

@@ -17,7 +17,7 @@ constexpr double kRobotSettled_rad = 1e-10;
 constexpr int kMostScales = 50;
 constexpr double kScaleSettled = 1e-3;
 /// Degrees of freedom of Student's t of the zeros, and of the tilt: the fewer, the easier are large ones believed.
-constexpr double kScaleFreedom = 2;
+constexpr double kScaleFreedom = 1;
 
 /// The scale of the variances of normal unknowns with a variance of `prior` each, from their estimates: one step of
 /// expectation and maximisation. Never below 1.

@@ -38,7 +38,7 @@ struct RobotFit {
 };
 
 /// Maximum likelihood. How large the zeros of this robot are is not taken from the prior alone: all of them share a
-/// scale (Student's t with two degrees of freedom, so that a robot with zeros of 2 degrees is improbable but not
+/// scale (Student's t with one degree of freedom, so that a robot with zeros of 2 degrees is improbable but not
 /// impossible), which is estimated by expectation and maximisation and never below the prior; the base's tilt likewise.
 RobotFit fitRobot(std::span<const PatchOnKnownLink> patches, const RobotModel& robot,
                   std::span<const JointAngles> angles, const Eigen::Vector3d& up_w, const RobotPriors& priors);

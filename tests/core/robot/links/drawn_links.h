@@ -123,7 +123,7 @@ struct DrawnArm {
   }
   [[nodiscard]] LinksResult find() const {
     LinksOptions options;
-    options.lever_m = 0;  // what the patches see is drawn without it
+    options.test_lever_m = 0;  // what the patches see is drawn without it
     return find(options);
   }
 };

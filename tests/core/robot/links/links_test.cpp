@@ -203,7 +203,7 @@ TEST(Links, ALargeZeroIsSaid) {
   EXPECT_TRUE(zero->shown);
   EXPECT_NEAR(zero->zero_rad, 3 * kDegree, 3 * zero->sigma_rad);
   LinksOptions exact;
-  exact.lever_m = 0;
+  exact.test_lever_m = 0;
   exact.joint_zeros = false;
   for (const JointZero& none : arm.find(exact).robot.value_or(RobotEstimate()).zeros) EXPECT_EQ(none.zero_rad, 0);
 }
@@ -230,7 +230,7 @@ TEST(Links, WithAJointBetweenThatNeverMovedAreOneCandidate) {
   DrawnArm still(options);
   for (auto& [pose, angles] : still.angles) angles.positions["j6"] = 0.4;
   LinksOptions find;
-  find.lever_m = 0;
+  find.test_lever_m = 0;
   const LinksResult result = still.find(find);
   const PatchLinks& patch = result.patches.front();
   ASSERT_EQ(patch.candidates.size(), 1U) << patch.why;
@@ -293,7 +293,7 @@ TEST(Links, APatchOnNoLinkIsOnNone) {
   EXPECT_EQ(result.robot->patches.size(), 1U);
 
   LinksOptions by_hand;
-  by_hand.lever_m = 0;
+  by_hand.test_lever_m = 0;
   by_hand.chosen[lost.origin] = "l5";
   const LinksResult forced = arm.find(by_hand);
   ASSERT_TRUE(forced.patches[1].placed.has_value()) << "the operator's word counts";
@@ -390,7 +390,8 @@ TEST(Links, BadInputIsRefusedInWords) {
   for (const auto& spoil : std::vector<std::function<void(LinksOptions&)>>{
            [](LinksOptions& o) { o.up_w.setZero(); }, [](LinksOptions& o) { o.false_alarm = 0; },
            [](LinksOptions& o) { o.zero_sigma_rad = -1; }, [](LinksOptions& o) { o.tilt_sigma_rad = -1; },
-           [](LinksOptions& o) { o.lever_m = -1; }, [](LinksOptions& o) { o.most_poses = 1; }}) {
+           [](LinksOptions& o) { o.lever_m = -1; }, [](LinksOptions& o) { o.test_lever_m = -1; },
+           [](LinksOptions& o) { o.most_poses = 1; }}) {
     LinksOptions spoiled;
     spoil(spoiled);
     EXPECT_THROW(spoiled.validate(), InvalidArgument);
@@ -464,7 +465,7 @@ TEST(Links, DoNotDependOnNamesAndOrderOfTheFile) {
   const DrawnArm arm(options);
   const RobotModel renamed = RobotModel::parse(renamedArm(), "renamed.urdf");
   LinksOptions find;
-  find.lever_m = 0;
+  find.test_lever_m = 0;
   const LinksResult before = arm.find(find);
   const LinksResult after = findLinks(arm.reconstruction, renamed, arm.angles, find);
   for (std::size_t k = 0; k < before.patches.size(); ++k) {
@@ -483,7 +484,7 @@ TEST(Links, TheBaseMayStandOtherwise) {
   const std::string first = "<origin xyz=\"0 0 0.3\"/>";
   hung.replace(hung.find(first), first.size(), "<origin xyz=\"0 0 0.3\" rpy=\"3.141592653589793 0 0\"/>");
   LinksOptions find;
-  find.lever_m = 0;
+  find.test_lever_m = 0;
   const LinksResult standing = arm.find(find);
   find.up_w = -2 * Eigen::Vector3d::UnitZ();
   const LinksResult hanging = findLinks(arm.reconstruction, RobotModel::parse(hung, "hung.urdf"), arm.angles, find);

@@ -47,12 +47,13 @@ inline SimulatedRobot simulatedArm(std::uint64_t seed, const SimulatedLinksOptio
 
 struct LinksTally {
   int patches = 0;
-  int alone = 0;                  ///< on the right link, or on links that turn with it, and no other candidate
-  int equivalent = 0;             ///< the right link is in the only candidate, with others that can't be told from it
-  int among = 0;                  ///< the right link is in one of several candidates
-  int wrong = 0;                  ///< candidates without the right link
-  int none = 0;                   ///< no candidate
-  std::vector<double> turn_nees;  ///< of the turns on the right links, each by 3
+  int alone = 0;       ///< on the right link, or on links that turn with it, and no other candidate
+  int equivalent = 0;  ///< the right link is in the only candidate, with others that can't be told from it
+  int among = 0;       ///< the right link is in one of several candidates
+  int wrong = 0;       ///< candidates without the right link
+  int none = 0;        ///< no candidate
+  std::map<std::string, std::vector<double>> nees_on;  ///< turn_nees by link
+  std::vector<double> turn_nees;                       ///< of the turns on the right links, each by 3
   std::vector<double> errors_rad;
   std::vector<double> stated_rad;
   std::vector<double> zero_nees;  ///< of the zeros that are shown
@@ -95,6 +96,7 @@ struct LinksTally {
       if (right == nullptr) return;
       const Eigen::Vector3d e = logSO3(right->R_l_o.transpose() * truth);
       turn_nees.push_back(e.dot(right->covariance.llt().solve(e)) / 3);
+      nees_on[patch.link].push_back(turn_nees.back());
       errors_rad.push_back(e.norm());
       stated_rad.push_back(std::sqrt(right->covariance.trace()));
     }
@@ -139,6 +141,9 @@ inline double meanSigmaOf(const std::vector<double>& values) {
 }
 
 inline std::string inWords(const LinksTally& tally) {
+  std::string by_link;
+  for (const auto& [link, nees] : tally.nees_on) by_link += ", " + link + " " + std::to_string(meanOf(nees));
+
   const auto mean = [](const std::vector<double>& values) {
     return std::to_string(meanOf(values)) + " +- " + std::to_string(1.96 * meanSigmaOf(values)) + " of " +
            std::to_string(values.size());
@@ -147,10 +152,11 @@ inline std::string inWords(const LinksTally& tally) {
          std::to_string(tally.equivalent) + ", among several " + std::to_string(tally.among) + ", wrong " +
          std::to_string(tally.wrong) + ", none " + std::to_string(tally.none) + "; turn error, median " +
          std::to_string(toDegrees(medianOf(tally.errors_rad))) + " deg, stated " +
-         std::to_string(toDegrees(medianOf(tally.stated_rad))) + ", NEES " + mean(tally.turn_nees) + "; zeros NEES " +
-         mean(tally.zero_nees) + ", error, median " + std::to_string(toDegrees(medianOf(tally.zero_errors_rad))) +
-         " deg, all zeros NEES " + mean(tally.all_zero_nees) + "; tilt NEES " + mean(tally.tilt_nees) +
-         "; chi-squared per freedom " + mean(tally.chi_per_freedom);
+         std::to_string(toDegrees(medianOf(tally.stated_rad))) + ", NEES " + mean(tally.turn_nees) + by_link +
+         "; zeros NEES " + mean(tally.zero_nees) + ", error, median " +
+         std::to_string(toDegrees(medianOf(tally.zero_errors_rad))) + " deg, all zeros NEES " +
+         mean(tally.all_zero_nees) + "; tilt NEES " + mean(tally.tilt_nees) + "; chi-squared per freedom " +
+         mean(tally.chi_per_freedom);
 }
 
 }  // namespace hexoderm
