@@ -5574,6 +5574,194 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>test_lever_m must not be negative</source>
         <translation>test_lever_m darf nicht negativ sein</translation>
     </message>
+    <message>
+        <source>the name of a link</source>
+        <translation>der Name eines Glieds</translation>
+    </message>
+    <message>
+        <source>each patch once; that of cell {} is there twice</source>
+        <translation>jedes Hautstück einmal; das von Zelle {} steht zweimal da</translation>
+    </message>
+    <message>
+        <source>slide along {}</source>
+        <translation>verschoben werden, längs {}</translation>
+    </message>
+    <message>
+        <source>slide and turn at once, as a screw about {}</source>
+        <translation>zugleich verschoben und gedreht werden, wie eine Schraube längs {}</translation>
+    </message>
+    <message>
+        <source>turn on the spot, about {}</source>
+        <translation>auf der Stelle gedreht werden, um eine Achse längs {}</translation>
+    </message>
+    <message>
+        <source>turn around an axis along {}, {} from its middle</source>
+        <translation>um eine Achse längs {} gedreht werden, {} von seiner Mitte entfernt</translation>
+    </message>
+    <message>
+        <source>Nothing but its known rotation keeps it from being free to {}: to {} (1 sigma).</source>
+        <translation>Nur seine bekannte Drehung legt fest, wie weit es kann: {}; auf {} (1 Sigma).</translation>
+    </message>
+    <message>
+        <source>It is free to {}, all the way round.</source>
+        <translation>Es kann frei {}, ganz herum.</translation>
+    </message>
+    <message>
+        <source>It is free to {}, by {} one way and {} the other.</source>
+        <translation>Es kann frei {}, um {} in der einen und {} in der anderen Richtung.</translation>
+    </message>
+    <message>
+        <source>It is free to {}, by {} forwards and {} backwards.</source>
+        <translation>Es kann frei {}, um {} vorwärts und {} rückwärts.</translation>
+    </message>
+    <message>
+        <source>the link&apos;s {} axis</source>
+        <translation>der {}-Achse des Glieds</translation>
+    </message>
+    <message>
+        <source>the direction ({}, {}, {}) of the link</source>
+        <translation>der Richtung ({}, {}, {}) des Glieds</translation>
+    </message>
+    <message>
+        <source>none of the patches to place holds a cell {}</source>
+        <translation>keines der Hautstücke, deren Lage gesucht ist, enthält eine Zelle {}</translation>
+    </message>
+    <message>
+        <source>the patch of cell {} needs a covariance of {} x {}, found {} numbers</source>
+        <translation>das Hautstück von Zelle {} braucht eine Kovarianz von {} x {}, gefunden wurden {} Zahlen</translation>
+    </message>
+    <message>
+        <source>the covariance of the patch of cell {} is none: it must be symmetric and positive semidefinite</source>
+        <translation>die Kovarianz des Hautstücks von Zelle {} ist keine: sie muss symmetrisch und positiv semidefinit sein</translation>
+    </message>
+    <message>
+        <source>the patch of cell {} must hold that cell, and a placement of every cell</source>
+        <translation>das Hautstück von Zelle {} muss diese Zelle enthalten, und von jeder Zelle die Lage</translation>
+    </message>
+    <message>
+        <source>the rotation of the patch of cell {} must be a rotation with a positive definite covariance</source>
+        <translation>die Drehung des Hautstücks von Zelle {} muss eine Drehung mit positiv definiter Kovarianz sein</translation>
+    </message>
+    <message>
+        <source>a placement in the patch of cell {} is not finite</source>
+        <translation>eine Lage im Hautstück von Zelle {} ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>there is no patch to place</source>
+        <translation>es gibt kein Hautstück, dessen Lage zu suchen wäre</translation>
+    </message>
+    <message>
+        <source>nothing says where on the link the patch lies: it takes the link&apos;s surface, or points, or distances to another patch</source>
+        <translation>nichts sagt, wo am Glied das Hautstück liegt: es braucht die Oberfläche des Glieds, oder Punkte, oder Abstände zu einem anderen Hautstück</translation>
+    </message>
+    <message>
+        <source>the cells&apos; thickness must be 0 or more</source>
+        <translation>die Dicke der Zellen muss mindestens 0 sein</translation>
+    </message>
+    <message>
+        <source>How certain the cells of the patch of cell {} are is not stated; 2 mm and 3° were taken for each.</source>
+        <translation>Wie sicher die Zellen des Hautstücks von Zelle {} sind, ist nicht angegeben; für jede wurden 2 mm und 3° angenommen.</translation>
+    </message>
+    <message>
+        <source>{} places fit; the best {} are given.</source>
+        <translation>{} Lagen passen; die besten {} sind angegeben.</translation>
+    </message>
+    <message>
+        <source>the mesh of link {} holds points that are not finite</source>
+        <translation>das Netz von Glied {} enthält Punkte, die nicht endlich sind</translation>
+    </message>
+    <message>
+        <source>The mesh of link {} is inside out: its triangles are clockwise as seen from outside, and the volume inside is negative. It was taken the other way round.</source>
+        <translation>Das Netz von Glied {} ist umgestülpt: seine Dreiecke laufen von außen gesehen im Uhrzeigersinn, und das Volumen darin ist negativ. Es wurde andersherum genommen.</translation>
+    </message>
+    <message>
+        <source>the mesh of link {} has no triangle with an area, on which a patch could lie</source>
+        <translation>das Netz von Glied {} hat kein Dreieck mit einer Fläche, auf der ein Hautstück liegen könnte</translation>
+    </message>
+    <message>
+        <source>cell {} is there twice</source>
+        <translation>Zelle {} kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>the sigma of the point of cell {}</source>
+        <translation>das Sigma des Punkts von Zelle {}</translation>
+    </message>
+    <message>
+        <source>the point of cell {} is not finite</source>
+        <translation>der Punkt von Zelle {} ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>cells {} and {} are of one patch: their distance says nothing of its place</source>
+        <translation>die Zellen {} und {} gehören zu einem Hautstück: ihr Abstand sagt nichts über dessen Lage</translation>
+    </message>
+    <message>
+        <source>the distance between cells {} and {}</source>
+        <translation>der Abstand zwischen den Zellen {} und {}</translation>
+    </message>
+    <message>
+        <source>the sigma of the distance between cells {} and {}</source>
+        <translation>das Sigma des Abstands zwischen den Zellen {} und {}</translation>
+    </message>
+    <message>
+        <source>The patch of cell {} is larger than link {}: {} from cell to cell, where the link&apos;s box measures {} from corner to corner. It belongs on another link, or the mesh is not in metres.</source>
+        <translation>Das Hautstück von Zelle {} ist größer als Glied {}: {} von Zelle zu Zelle, während der Kasten um das Glied {} von Ecke zu Ecke misst. Es gehört an ein anderes Glied, oder das Netz ist nicht in Metern.</translation>
+    </message>
+    <message>
+        <source>The patch of cell {}</source>
+        <translation>Das Hautstück von Zelle {}</translation>
+    </message>
+    <message>
+        <source>The patches of cells {}</source>
+        <translation>Die Hautstücke der Zellen {}</translation>
+    </message>
+    <message>
+        <source>{}: nowhere on link {} does the surface face as it would have to. Is it the right link, and is the rotation right?</source>
+        <translation>{}: nirgends an Glied {} zeigt die Oberfläche dorthin, wohin sie müsste. Ist es das richtige Glied, und stimmt die Drehung?</translation>
+    </message>
+    <message>
+        <source>{}: no place on link {} fits. At the best one the misfit is {} rms, chi-squared {} with {} degrees of freedom. Is it the right link, are all lengths in metres, and do the cells lie on the surface that the mesh describes?</source>
+        <translation>{}: keine Lage an Glied {} passt. Die beste weicht um {} ab (quadratisches Mittel), Chi-Quadrat {} bei {} Freiheitsgraden. Ist es das richtige Glied, sind alle Längen in Metern, und liegen die Zellen auf der Oberfläche, die das Netz beschreibt?</translation>
+    </message>
+    <message>
+        <source>{}: {} places on link {} fit. A point whose place on the link is known would tell them apart.</source>
+        <translation>{}: {} Lagen an Glied {} passen. Ein Punkt, dessen Ort am Glied bekannt ist, würde sie unterscheiden.</translation>
+    </message>
+    <message>
+        <source>{}: one place on link {} fits, certain to {} (95 %, the worst cell).</source>
+        <translation>{}: eine Lage an Glied {} passt, auf {} sicher (95 %, die schlechteste Zelle).</translation>
+    </message>
+    <message>
+        <source>{}: one place on link {} fits, but not all of it is determined.</source>
+        <translation>{}: eine Lage an Glied {} passt, aber sie ist nicht ganz bestimmt.</translation>
+    </message>
+    <message>
+        <source>Cell {}&apos;s patch: {}</source>
+        <translation>Hautstück von Zelle {}: {}</translation>
+    </message>
+    <message>
+        <source>the sigma of the surface</source>
+        <translation>das Sigma der Oberfläche</translation>
+    </message>
+    <message>
+        <source>the sigma of the normals</source>
+        <translation>das Sigma der Normalen</translation>
+    </message>
+    <message>
+        <source>the length beyond which a direction is free</source>
+        <translation>die Länge, ab der eine Richtung frei ist</translation>
+    </message>
+    <message>
+        <source>the gap must be 0 or more</source>
+        <translation>der Spalt muss mindestens 0 sein</translation>
+    </message>
+    <message>
+        <source>the probability of a false alarm must be between 0 and 1</source>
+        <translation>die Wahrscheinlichkeit eines Fehlalarms muss zwischen 0 und 1 liegen</translation>
+    </message>
+    <message>
+        <source>there must be room for at least one candidate</source>
+        <translation>es muss Platz für mindestens einen Kandidaten sein</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>

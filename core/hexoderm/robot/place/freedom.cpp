@@ -122,26 +122,44 @@ Message inWords(const FreeDirection& free, const Eigen::Vector3d& middle, double
                  Millimetres{free.backward_m, 0});
 }
 
-/// The motion of all patches that goes with one of a patch, unit.
-Eigen::VectorXd ofAllPatches(const Eigen::MatrixXd& P, Eigen::Index at, const Vector6& direction) {
-  const Eigen::Matrix<double, 6, 6> own = P.block<6, 6>(at, at);
-  return (P.middleCols<6>(at) * own.ldlt().solve(direction)).normalized();
-}
-
-void follow(const FitProblem& problem, const FitState& from, const Eigen::VectorXd& along, double most_chi_squared,
-            std::size_t patch, FreeDirection& free) {
+/// Follows a direction both ways. Returns the mean square of the motion within two deviations of the misfit, as if all
+/// places there were as probable.
+double follow(const FitProblem& problem, const FitState& from, const Eigen::VectorXd& along, double most_chi_squared,
+              std::size_t patch, FreeDirection& free) {
   const Valley there = followValley(problem, from, along, most_chi_squared, patch);
-  free.forward_m = there.length_m;
+  const Valley back = there.all_the_way ? Valley{} : followValley(problem, from, -along, most_chi_squared, patch);
+  free.forward_m = there.reach_m;
   free.forward_rad = there.turn_rad;
+  free.backward_m = back.reach_m;
+  free.backward_rad = back.turn_rad;
   free.all_the_way = there.all_the_way;
-  if (!there.all_the_way) {
-    const Valley back = followValley(problem, from, -along, most_chi_squared, patch);
-    free.backward_m = back.length_m;
-    free.backward_rad = back.turn_rad;
-    for (auto state = back.states.rbegin(); state != back.states.rend(); ++state) free.way.push_back((*state)[patch]);
-  }
+  for (auto state = back.states.rbegin(); state != back.states.rend(); ++state) free.way.push_back((*state)[patch]);
   free.way.push_back(from[patch]);
   for (const FitState& state : there.states) free.way.push_back(state[patch]);
+  const double f = there.near_reach_m;
+  const double b = back.near_reach_m;
+  return (f * f - f * b + b * b) / 3;
+}
+
+/// A direction of a patch that may be open.
+struct PossiblyOpen {
+  Vector6 direction;
+  bool is_weak = false;  ///< it is open only if following it says so
+};
+std::vector<PossiblyOpen> possiblyOpen(const Eigen::MatrixXd& P, double free_m, const Eigen::Vector3d& normal) {
+  constexpr double kWeak = 0.25;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(P);
+  std::vector<PossiblyOpen> directions;
+  Eigen::Index sure = 0;
+  while (sure < 6 && solver.eigenvalues()[sure] <= free_m * free_m) ++sure;
+  for (const Vector6& direction : slidesAndTurns(solver.eigenvectors().rightCols(6 - sure), normal)) {
+    directions.push_back({direction, false});
+  }
+  for (Eigen::Index k = 0; k < sure; ++k) {
+    if (solver.eigenvalues()[k] <= std::pow(kWeak * free_m, 2)) continue;
+    directions.push_back({solver.eigenvectors().col(k), true});
+  }
+  return directions;
 }
 
 }  // namespace
@@ -161,28 +179,34 @@ Message axisInWords(const Eigen::Vector3d& axis) {
 
 std::vector<FreeDirection> freeDirections(const FitProblem& problem, const FitSolution& solution,
                                           const FitEquations& equations, std::size_t p, double free_m,
-                                          double most_chi_squared) {
+                                          double most_chi_squared, FitExtent& extent) {
   const FitPatch& patch = problem.patches[p];
   const auto at = static_cast<Eigen::Index>(6 * p);
   const Eigen::MatrixXd without = covarianceAt(problem, equations, false);
   const Eigen::MatrixXd with = covarianceAt(problem, equations);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(without.block<6, 6>(at, at));
-  Eigen::Index sure = 0;
-  while (sure < 6 && solver.eigenvalues()[sure] <= free_m * free_m) ++sure;
-
   const Eigen::Vector3d middle = solution.state[p] * patch.middle_o;
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   for (const SE3& T_o_u : patch.T_o_u) normal += solution.state[p].R * T_o_u.R.col(2);
+
   std::vector<FreeDirection> directions;
-  for (const Vector6& direction : slidesAndTurns(solver.eigenvectors().rightCols(6 - sure), normal.normalized())) {
-    FreeDirection free = freeDirectionOf(direction, middle, patch.radius_m);
-    Vector6 forwards;
-    forwards << free.shift_m + free.turn_rad.cross(middle), free.turn_rad * patch.radius_m;
-    const Eigen::Matrix<double, 6, 6> own = with.block<6, 6>(at, at);
-    free.sigma_m = std::sqrt(forwards.dot(own * forwards));
-    free.held_by_rotation = free.sigma_m <= free_m;
+  for (const PossiblyOpen& open : possiblyOpen(without.block<6, 6>(at, at), free_m, normal.normalized())) {
+    FreeDirection free = freeDirectionOf(open.direction, middle, patch.radius_m);
+    Eigen::VectorXd forwards = Eigen::VectorXd::Zero(problem.unknowns());
+    forwards.segment<3>(at) = free.shift_m + free.turn_rad.cross(middle);
+    forwards.segment<3>(at + 3) = free.turn_rad * patch.radius_m;
+    const Eigen::VectorXd together = with * forwards;  // how the other patches go with it
+    const double variance_m2 = forwards.dot(together);
+    free.sigma_m = std::sqrt(variance_m2);
+    free.held_by_rotation = !open.is_weak && free.sigma_m <= free_m;
     if (!free.held_by_rotation) {
-      follow(problem, solution.state, ofAllPatches(with, at, forwards), most_chi_squared, p, free);
+      const double square_m2 = follow(problem, solution.state, together.normalized(), most_chi_squared, p, free);
+      if (open.is_weak && square_m2 <= free_m * free_m) continue;
+      if (square_m2 > variance_m2) {
+        extent.covariance += (square_m2 - variance_m2) / (variance_m2 * variance_m2) * together * together.transpose();
+      } else if (!free.all_the_way && square_m2 > 0) {
+        extent.information += (1 / square_m2 - 1 / variance_m2) * forwards * forwards.transpose();
+      }
+      if (!free.all_the_way && square_m2 > 0) free.sigma_m = std::sqrt(square_m2);
     }
     free.words = inWords(free, middle, patch.radius_m);
     directions.push_back(std::move(free));

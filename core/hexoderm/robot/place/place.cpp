@@ -250,17 +250,19 @@ class Placement {
         boost::math::complement(boost::math::chi_squared(candidate.freedom), std::max(0.0, place.chi_squared)));
     candidate.rms_m = rmsOf(equations);
     candidate.fits = place.chi_squared <= most_absolute;
+    FitExtent extent = noExtent(problem_);
+    for (std::size_t p = 0; p < problem_.patches.size(); ++p) {
+      PlacedPatch& placed = candidate.patches.emplace_back();
+      if (!candidate.fits) continue;
+      placed.free = freeDirections(problem_, place, equations, p, options_.free_m, most, extent);
+    }
     for (std::size_t p = 0; p < problem_.patches.size(); ++p) {
       const PatchToPlace& given = task_.patches[p];
-      PlacedPatch placed;
+      PlacedPatch& placed = candidate.patches[p];
       placed.place = {given.origin, task_.link, place.state[p], std::nullopt};
-      placed.cells = cellsOnLink(problem_, place.state, equations, p);
+      placed.cells = cellsOnLink(problem_, place.state, equations, extent, p);
       for (std::size_t k = 0; k < placed.cells.size(); ++k) placed.cells[k].cell = given.cells[k];
       placed.place.cov_t_r = placed.cells[problem_.patches[p].origin].cov_t_r;
-      if (candidate.fits) {
-        placed.free = freeDirections(problem_, place, equations, p, options_.free_m, most);
-      }
-      candidate.patches.push_back(std::move(placed));
     }
     return candidate;
   }

@@ -250,6 +250,42 @@ Eigen::VectorXd residualsAt(const FitProblem& problem, const FitState& state) {
   return r;
 }
 
+/// The projection onto what is neither `along` nor so flat that a step there is nothing but rounding and facets.
+Eigen::MatrixXd acrossBoth(const Eigen::MatrixXd& A, const Eigen::VectorXd& along) {
+  constexpr double kFlat_m = 0.01;
+  Eigen::MatrixXd across = Eigen::MatrixXd::Identity(A.rows(), A.rows()) - along * along.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(across * A * across);
+  across.setZero();
+  for (Eigen::Index k = 0; k < A.rows(); ++k) {
+    if (solver.eigenvalues()[k] * kFlat_m * kFlat_m < 1) continue;
+    across += solver.eigenvectors().col(k) * solver.eigenvectors().col(k).transpose();
+  }
+  return across;
+}
+
+Eigen::MatrixXd informationAt(const FitProblem& problem, const FitEquations& equations, bool with_rotation) {
+  std::vector<Eigen::Index> rows;
+  for (Eigen::Index i = 0; i < equations.r.size(); ++i) {
+    if (with_rotation || equations.kind[static_cast<std::size_t>(i)] != FitEquations::Kind::Rotation) rows.push_back(i);
+  }
+  const Eigen::MatrixXd J = equations.J(rows, Eigen::all);
+  const Eigen::MatrixXd S = equations.S(rows, rows);
+  Eigen::MatrixXd information = J.transpose() * S.llt().solve(J);
+  for (std::size_t p = 0; p < problem.patches.size(); ++p) {
+    const auto at = static_cast<Eigen::Index>(6 * p);
+    const double half_turn_m = kPi * problem.patches[p].radius_m;
+    information.diagonal().segment<3>(at).array() += 1 / (problem.link_size_m * problem.link_size_m);
+    information.diagonal().segment<3>(at + 3).array() += 1 / (half_turn_m * half_turn_m);
+  }
+  return information;
+}
+
+Eigen::MatrixXd inverseOf(const Eigen::MatrixXd& information) {
+  const Eigen::MatrixXd inverse =
+      information.llt().solve(Eigen::MatrixXd::Identity(information.rows(), information.cols()));
+  return 0.5 * (inverse + inverse.transpose());
+}
+
 }  // namespace
 
 FitProblem onlyCells(const FitProblem& problem, const std::vector<std::vector<std::size_t>>& cells) {
@@ -381,8 +417,8 @@ FitSolution refine(const FitProblem& problem, const FitState& start, int steps, 
     Eigen::VectorXd g = equations.J.transpose() * S.solve(equations.r);
     const double scale = A.trace() / static_cast<double>(A.rows());
     if (along.size() > 0) {
-      const Eigen::MatrixXd across = Eigen::MatrixXd::Identity(A.rows(), A.rows()) - along * along.transpose();
-      A = across * A * across + scale * along * along.transpose();
+      const Eigen::MatrixXd across = acrossBoth(A, along);
+      A = across * A * across + scale * (Eigen::MatrixXd::Identity(A.rows(), A.rows()) - across);
       g = across * g;
     }
     bool better = false;
@@ -416,28 +452,18 @@ FitSolution refine(const FitProblem& problem, const FitState& start, int steps, 
   return {std::move(state), chi_squared};
 }
 
+FitExtent noExtent(const FitProblem& problem) {
+  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(problem.unknowns(), problem.unknowns());
+  return {none, none};
+}
+
 Eigen::MatrixXd covarianceAt(const FitProblem& problem, const FitEquations& equations, bool with_rotation) {
-  std::vector<Eigen::Index> rows;
-  for (Eigen::Index i = 0; i < equations.r.size(); ++i) {
-    if (with_rotation || equations.kind[static_cast<std::size_t>(i)] != FitEquations::Kind::Rotation) rows.push_back(i);
-  }
-  const Eigen::MatrixXd J = equations.J(rows, Eigen::all);
-  const Eigen::MatrixXd S = equations.S(rows, rows);
-  Eigen::MatrixXd information = J.transpose() * S.llt().solve(J);
-  for (std::size_t p = 0; p < problem.patches.size(); ++p) {
-    const auto at = static_cast<Eigen::Index>(6 * p);
-    const double half_turn_m = kPi * problem.patches[p].radius_m;
-    information.diagonal().segment<3>(at).array() += 1 / (problem.link_size_m * problem.link_size_m);
-    information.diagonal().segment<3>(at + 3).array() += 1 / (half_turn_m * half_turn_m);
-  }
-  const Eigen::MatrixXd covariance =
-      information.llt().solve(Eigen::MatrixXd::Identity(information.rows(), information.cols()));
-  return 0.5 * (covariance + covariance.transpose());
+  return inverseOf(informationAt(problem, equations, with_rotation));
 }
 
 std::vector<CellOnLink> cellsOnLink(const FitProblem& problem, const FitState& state, const FitEquations& equations,
-                                    std::size_t p) {
-  const Eigen::MatrixXd P = covarianceAt(problem, equations);
+                                    const FitExtent& extent, std::size_t p) {
+  const Eigen::MatrixXd P = inverseOf(informationAt(problem, equations, true) + extent.information);
   // The place's error is -P J^T S^-1 (H d + noise), so that it goes with the errors d of the cells.
   const Eigen::MatrixXd with_cells = -P * equations.J.transpose() * equations.S.llt().solve(equations.HC);
   Eigen::Index first = 0;
@@ -459,9 +485,9 @@ std::vector<CellOnLink> cellsOnLink(const FitProblem& problem, const FitState& s
     const auto column = static_cast<Eigen::Index>(6 * k);
     const Eigen::Matrix<double, 6, 6> mixed =
         by_motion * with_cells.block<6, 6>(at, first + column) * by_cell.transpose();
-    const Eigen::Matrix<double, 6, 6> covariance = by_motion * P.block<6, 6>(at, at) * by_motion.transpose() + mixed +
-                                                   mixed.transpose() +
-                                                   by_cell * patch.C.block<6, 6>(column, column) * by_cell.transpose();
+    const Eigen::Matrix<double, 6, 6> covariance =
+        by_motion * (P + extent.covariance).block<6, 6>(at, at) * by_motion.transpose() + mixed + mixed.transpose() +
+        by_cell * patch.C.block<6, 6>(column, column) * by_cell.transpose();
     cell.cov_t_r = 0.5 * (covariance + covariance.transpose());
     if (problem.feet != nullptr) {
       const Eigen::Vector3d back = cell.T_l_u * Eigen::Vector3d(0, 0, -problem.back_m);

@@ -85,8 +85,15 @@ struct FitSolution {
   double chi_squared = 0;
 };
 /// Levenberg and Marquardt's method from `start`, at most so many steps. `along` (unit, in the unknowns), where it is
-/// not empty: no step goes along it.
+/// not empty: no step goes along it, nor where chi-squared changes by less than 1 over 10 mm.
 FitSolution refine(const FitProblem& problem, const FitState& start, int steps, const Eigen::VectorXd& along = {});
+
+/// What is known of the unknowns beside the equations about one place: from how far one can go from it.
+struct FitExtent {
+  Eigen::MatrixXd information;  ///< where it ends sooner than the equations say
+  Eigen::MatrixXd covariance;   ///< where it goes on farther
+};
+FitExtent noExtent(const FitProblem& problem);
 
 /// Covariance of the unknowns at a solution; what nothing determines is as uncertain as the link is large, or half a
 /// turn. `with_rotation` false: as if nothing were known of the rotations.
@@ -94,7 +101,7 @@ Eigen::MatrixXd covarianceAt(const FitProblem& problem, const FitEquations& equa
 
 /// Cells in the link's frame with covariances of shape and place together.
 std::vector<CellOnLink> cellsOnLink(const FitProblem& problem, const FitState& state, const FitEquations& equations,
-                                    std::size_t patch);
+                                    const FitExtent& extent, std::size_t patch);
 
 /// How badly a state fits, for choosing where to begin.
 double roughMisfit(const FitProblem& problem, const FitState& state);

@@ -445,31 +445,38 @@ Valley followValley(const FitProblem& problem, const FitState& from, const Eigen
                     double most_chi_squared, std::size_t patch) {
   constexpr int kMostSteps = 400;
   constexpr int kRefinements = 3;
+  constexpr double kTwoDeviations = 4;
   constexpr double kShortest_m = kValleyStep_m / 8;
   const double farthest_m = 3 * problem.link_size_m;
   const FitProblem coarse = coarseProblem(problem);
-  const double margin = refine(coarse, from, 0).chi_squared - refine(problem, from, 0).chi_squared;
+  const double begun = refine(coarse, from, 0).chi_squared;
+  const double most = most_chi_squared + begun - refine(problem, from, 0).chi_squared;
   Valley valley;
   FitState before = from;
   FitState at = from;
   double stride_m = kValleyStep_m;
   double last_m = 0;
-  for (int k = 0; k < kMostSteps && valley.length_m < farthest_m && stride_m >= kShortest_m; ++k) {
+  double gone_m = 0;
+  bool is_near = true;
+  for (int k = 0; k < kMostSteps && gone_m < farthest_m && stride_m >= kShortest_m; ++k) {
     // On as the last step went, as seen from the link.
     const FitState ahead =
         last_m > 0 ? wayFrom(before, at, 1 + stride_m / last_m) : moved(coarse, at, stride_m * direction);
     const Eigen::VectorXd way = stepBetween(coarse, at, ahead);
     const FitSolution next = refine(coarse, ahead, kRefinements, way.normalized());
-    if (next.chi_squared > most_chi_squared + margin) {
+    if (next.chi_squared > most) {
       stride_m /= 2;
       continue;
     }
     last_m = distanceBetween(coarse, at, next.state);
     if (last_m < 0.1 * stride_m) break;
-    valley.length_m += last_m;
+    gone_m += last_m;
     valley.turn_rad += rotationAngle(at[patch].R.transpose() * next.state[patch].R);
     before = std::exchange(at, next.state);
     valley.states.push_back(at);
+    valley.reach_m = std::max(valley.reach_m, distanceBetween(coarse, from, at));
+    is_near = is_near && next.chi_squared < begun + kTwoDeviations;
+    if (is_near) valley.near_reach_m = valley.reach_m;
     if (valley.turn_rad > kPi && distanceBetween(coarse, from, at) < 2 * kValleyStep_m) {
       valley.all_the_way = true;
       break;

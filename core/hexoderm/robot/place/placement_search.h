@@ -35,7 +35,8 @@ std::vector<FitSolution> findPlaces(const FitProblem& problem, const std::vector
 
 /// How far one can go from a solution.
 struct Valley {
-  double length_m = 0;  ///< way of the cells, rms
+  double reach_m = 0;       ///< of the cells, rms, from where they were
+  double near_reach_m = 0;  ///< as far as chi-squared grows by 4: where errors are normal, two deviations
   double turn_rad = 0;
   bool all_the_way = false;
   std::vector<FitState> states;  ///< one after the other, without the first
