@@ -56,10 +56,10 @@ std::vector<LinkChoice> linkChoices(const PatchLinks& patch) {
 }
 
 VerifySentence linkInWords(const PatchLinks& patch) {
-  const Tone tone = patch.nearest                                           ? Tone::Bad
-                    : patch.placed && patch.what_would_tell.empty()         ? Tone::Good
-                    : patch.candidates.empty()                              ? Tone::Bad
-                                                                            : Tone::Caution;
+  const Tone tone = patch.nearest                                   ? Tone::Bad
+                    : patch.placed && patch.what_would_tell.empty() ? Tone::Good
+                    : patch.candidates.empty()                      ? Tone::Bad
+                                                                    : Tone::Caution;
   return {tone, QStringList({words(patch.why), words(patch.what_would_tell)}).join(QLatin1Char(' ')).trimmed()};
 }
 
@@ -92,7 +92,10 @@ VerifySentence placesInWords(const PlaceResult& result, std::size_t row) {
   for (const Message& remark : result.remarks) lines << words(remark);
   if (row < result.candidates.size()) {
     for (const PlacedPatch& patch : result.candidates[row].patches) {
-      for (const FreeDirection& free : patch.free) lines << words(free.words);
+      for (const FreeDirection& free : patch.free) {
+        // The summary of a single place that is open says these itself.
+        if (free.held_by_rotation || result.verdict != PlaceVerdict::Open) lines << words(free.words);
+      }
     }
   }
   sentence.text = lines.join(QLatin1Char('\n'));
