@@ -5762,6 +5762,14 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>there must be room for at least one candidate</source>
         <translation>es muss Platz für mindestens einen Kandidaten sein</translation>
     </message>
+    <message>
+        <source>The robot&apos;s base seems to stand otherwise than was said: the patches fit with {} of its frame upwards.</source>
+        <translation>Die Basis des Roboters scheint anders zu stehen als angegeben: Die Hautstücke passen, wenn {} ihres Koordinatensystems nach oben zeigt.</translation>
+    </message>
+    <message>
+        <source>No patch fits any link: perhaps the robot&apos;s base did not stand still in all poses, or joint angles and URDF are those of another robot.</source>
+        <translation>Kein Hautstück passt auf irgendein Glied: Vielleicht stand die Basis des Roboters nicht in allen Posen still, oder Gelenkwinkel und URDF sind die eines anderen Roboters.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>

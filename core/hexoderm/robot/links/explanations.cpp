@@ -31,8 +31,8 @@ class Explainer {
   }
 
   std::optional<Message> explain() const {
-    for (const auto& kind :
-         {&Explainer::otherUnit, &Explainer::onePose, &Explainer::otherSign, &Explainer::otherZero}) {
+    for (const auto& kind : {&Explainer::otherUnit, &Explainer::otherUp, &Explainer::onePose, &Explainer::otherSign,
+                             &Explainer::otherZero}) {
       if (std::optional<Message> words = std::invoke(kind, *this)) return words;
     }
     return std::nullopt;
@@ -55,7 +55,10 @@ class Explainer {
   [[nodiscard]] std::optional<double> evidenceOf(const std::vector<SeenByPatch>& patches,
                                                  const std::vector<JointAngles>& angles,
                                                  const std::vector<std::size_t>& links) const {
-    const LinkGravity gravity(compared_.robot, angles, compared_.up_w);
+    return evidenceOf(patches, LinkGravity(compared_.robot, angles, compared_.up_w), links);
+  }
+  [[nodiscard]] std::optional<double> evidenceOf(const std::vector<SeenByPatch>& patches, const LinkGravity& gravity,
+                                                 const std::vector<std::size_t>& links) const {
     double sum = 0;
     for (const SeenByPatch& patch : patches) {
       std::optional<double> best;
@@ -94,6 +97,25 @@ class Explainer {
           "degrees they don't.");
     }
     return std::nullopt;
+  }
+
+  /// The base lies on its side or hangs.
+  [[nodiscard]] std::optional<Message> otherUp() const {
+    std::optional<double> best;
+    std::string name;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      for (const double sign : {1.0, -1.0}) {
+        const Eigen::Vector3d up_w = sign * Eigen::Vector3d::Unit(axis);
+        const auto evidence =
+            evidenceOf(all(), LinkGravity(compared_.robot, compared_.angles, up_w), compared_.test.parts);
+        if (!evidence || (best && *evidence <= *best)) continue;
+        best = evidence;
+        name = std::string(sign > 0 ? "+" : "-") + "xyz"[axis];
+      }
+    }
+    if (!best) return std::nullopt;
+    return message(
+        "The robot's base seems to stand otherwise than was said: the patches fit with {} of its frame upwards.", name);
   }
 
   [[nodiscard]] std::optional<Message> onePose() const {

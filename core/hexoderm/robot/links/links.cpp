@@ -416,13 +416,22 @@ class LinksFinder {
     if (patch.open_axis_l) {
       why.push_back(message(
           "How it is turned there about one axis is not determined: gravity came along one line in all poses."));
-      const std::string& link = patch.placed ? patch.placed->link : patch.candidates.front().links.front().link;
-      next.push_back(robot_.freeJointsTo(robot_.linkNamed(link)).empty()
-                         ? message("No joint moves link {}: only tipping the whole robot over would show it.", link)
-                         : message("Take poses in which link {} is tipped over by about 90 degrees.", link));
+      if (patch.placed || isOnePart(patch)) next.push_back(sayWhatTellsTurn(patch));
     }
     patch.why = inRow(std::move(why));
     patch.what_would_tell = inRow(std::move(next));
+  }
+
+  /// Whether one candidate is left, whose links turn as one.
+  [[nodiscard]] bool isOnePart(const PatchLinks& patch) const {
+    return patch.candidates.size() == 1 && jointsBetween(patch.candidates.front()).empty();
+  }
+
+  [[nodiscard]] Message sayWhatTellsTurn(const PatchLinks& patch) const {
+    const std::string& link = patch.placed ? patch.placed->link : patch.candidates.front().links.front().link;
+    return robot_.freeJointsTo(robot_.linkNamed(link)).empty()
+               ? message("No joint moves link {}: only tipping the whole robot over would show it.", link)
+               : message("Take poses in which link {} is tipped over by about 90 degrees.", link);
   }
 
   [[nodiscard]] Message sayLink(const Compared& compared, const PatchLinks& patch) const {
@@ -513,7 +522,14 @@ class LinksFinder {
     for (const Compared* compared : largest) without_link.push_back(&compared->test_seen);
     if (!without_link.empty()) {
       const std::optional<Message> why = explain(without_link, {robot_, compared_angles_, result_.poses, up_w_, test_});
-      if (why) result_.findings.push_back(*why);
+      if (why) {
+        result_.findings.push_back(*why);
+      } else if (without_link.size() == patches_.size()) {
+        result_.findings.push_back(
+            message("No patch fits any link: perhaps the robot's base did not stand still in all poses, or joint "
+                    "angles and URDF "
+                    "are those of another robot."));
+      }
     }
     if (result_.robot) addFindingsOf(*result_.robot);
   }

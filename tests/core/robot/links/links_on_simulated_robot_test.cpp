@@ -22,8 +22,9 @@ LinksTally tallyOf(const SimulatedLinksOptions& options, const std::string& name
   return tally;
 }
 
-// On a robot that holds still the solver states gravity with more uncertainty than it has: it reckons with a hand.
-// Sensors of 60 mg, joints off by 0.5 degrees and a base tilted by 1 degree (1 sigma each), three patches.
+// On a robot that holds still gravity is stated with more uncertainty than it has, most likely because the solver
+// allows for a hand. Sensors of 60 mg, joints off by 0.5 degrees and a base tilted by 1 degree (1 sigma each), three
+// patches.
 TEST(LinksOnSimulatedRobot, AreRightAndStateHowWellTheyKnow) {
   struct Case {
     std::string name;

@@ -120,7 +120,7 @@ void tally(const DrawnArm& arm, const DrawnArmOptions& options, const LinksResul
   ++sum.tilts;
 }
 
-double medianOf(std::vector<double> values) {
+double medianAngleOf(std::vector<double> values) {
   std::ranges::sort(values);
   return values.empty() ? 0 : values[values.size() / 2];
 }
@@ -130,8 +130,8 @@ void record(const std::string& name, const Tally& sum) {
       name, "right " + std::to_string(sum.right) + ", among " + std::to_string(sum.among) + " of " +
                 std::to_string(sum.patches) + ", wrong alone " + std::to_string(sum.wrong_alone) + ", NEES " +
                 std::to_string(sum.nees / sum.turns) + ", error, median " +
-                std::to_string(toDegrees(medianOf(sum.errors_rad))) + " deg, stated " +
-                std::to_string(toDegrees(medianOf(sum.stated_rad))) + ", zeros " + std::to_string(sum.zeros) +
+                std::to_string(toDegrees(medianAngleOf(sum.errors_rad))) + " deg, stated " +
+                std::to_string(toDegrees(medianAngleOf(sum.stated_rad))) + ", zeros " + std::to_string(sum.zeros) +
                 ", NEES " + std::to_string(sum.zero_nees / sum.zeros) + ", tilt NEES " +
                 std::to_string(sum.tilt_nees / sum.tilts));
 }
@@ -160,7 +160,7 @@ TEST(Links, AreRightAndStateHowWellTheyKnow) {
     if (kSeeds < 100) continue;
     EXPECT_GT(sum.nees / sum.turns, 0.7);
     EXPECT_LT(sum.nees / sum.turns, 1.5);
-    EXPECT_LE(medianOf(sum.errors_rad), 1.2 * medianOf(sum.stated_rad));
+    EXPECT_LE(medianAngleOf(sum.errors_rad), 1.2 * medianAngleOf(sum.stated_rad));
     EXPECT_GT(sum.zeros, 0);
     EXPECT_LT(sum.zero_nees / sum.zeros, 1.5);
     EXPECT_LT(sum.tilt_nees / sum.tilts, 1.5);
@@ -257,7 +257,12 @@ TEST(Links, OnTheBaseTheTurnAboutTheVerticalStaysOpen) {
   ASSERT_TRUE(patch.open_axis_l.has_value());
   EXPECT_LT(angleBetween(patch.open_axis_l->cwiseAbs(), Eigen::Vector3d::UnitZ()), 5 * kDegree);
   EXPECT_THAT(patch.why.english(), HasSubstr("about one axis is not determined"));
-  EXPECT_THAT(patch.what_would_tell.english(), HasSubstr("No joint moves link base"));
+  EXPECT_THAT(patch.what_would_tell.english(), HasSubstr("with their axes level: j1"));
+  LinksOptions put;
+  put.test_lever_m = 0;
+  put.chosen[patch.origin] = "base";
+  EXPECT_THAT(DrawnArm(options).find(put).patches.front().what_would_tell.english(),
+              HasSubstr("No joint moves link base"));
 }
 
 // The joints hardly move: gravity comes from one direction, and nothing tells links apart.
@@ -349,6 +354,32 @@ TEST(Links, APoseWithTheAnglesOfAnotherOneIsNamed) {
   arm.angles[PoseId(3)].positions["j2"] += 1;
   arm.angles[PoseId(3)].positions["j4"] -= 1;
   EXPECT_THAT(findingsOf(arm.find()), Contains(HasSubstr("Pose 3 doesn't go with the others")));
+}
+
+TEST(Links, ABaseThatHangsOrMovedIsSaid) {
+  DrawnArmOptions options;
+  options.poses = 8;
+  const DrawnArm arm(options);
+  LinksOptions hanging;
+  hanging.test_lever_m = 0;
+  hanging.up_w = -Eigen::Vector3d::UnitZ();
+  EXPECT_THAT(findingsOf(arm.find(hanging)), Contains(HasSubstr("the patches fit with +z of its frame upwards")));
+
+  DrawnArm moved(options);
+  GravityDraw draw(5);
+  const std::vector<Eigen::Vector3d> up = draw.directions(8);  // of a base in a hand
+  for (std::size_t k = 0; k < options.links.size(); ++k) {
+    std::vector<Eigen::Vector3d> seen;
+    std::size_t pose = 0;
+    for (const auto& [id, angles] : moved.angles) {
+      const SE3 T_w_l = moved.robot.forward(angles)[moved.robot.linkNamed(options.links[k])];
+      seen.emplace_back((T_w_l.R * moved.R_l_o[k]).transpose() * up[pose++]);
+    }
+    moved.reconstruction.patches[k] = patchThatSaw(draw.see(seen, {}), static_cast<std::uint32_t>(k));
+  }
+  const LinksResult result = moved.find();
+  for (const PatchLinks& patch : result.patches) EXPECT_TRUE(patch.candidates.empty()) << patch.why;
+  EXPECT_THAT(findingsOf(result), Contains(HasSubstr("perhaps the robot's base did not stand still")));
 }
 
 TEST(Links, PosesAndLinksWithoutAnglesAreLeftOut) {
