@@ -305,8 +305,8 @@ int run(const PlaceCommandOptions& options, const Common& common) {
     for (std::size_t k = 0; k < result.candidates.size(); ++k) printCandidate(result.candidates[k], k + 1);
   }
   if (output) {
-    if (result.candidates.empty()) {
-      common.note(output->inWords() + " is not written: there is no place");
+    if (result.candidates.empty() || !result.candidates.front().fits) {
+      common.note(output->inWords() + " is not written: no place fits");
     } else {
       std::vector<PatchOnLink> placements;
       for (const PlacedPatch& patch : result.candidates.front().patches) placements.push_back(patch.place);

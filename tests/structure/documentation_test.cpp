@@ -166,6 +166,7 @@ Reconstruction fullCalibration() {
   result.poses.at(0).label = message("Pose {}", 1);
   PatchReconstruction& patch = result.patches.at(0);
   patch.gap_share = {0.5, 0.1};
+  patch.cells.at(0).shape_cov_t_r = Matrix6d::Identity();
   patch.cells.at(0).accel_offset_g = Eigen::Vector3d::Zero();
   patch.cells.at(0).accel_scale = Eigen::Vector3d::Ones();
   result.findings = {makeFinding(FindingCode::LeftOut, message("Cell {}", 3), {CellId(3)})};
@@ -224,7 +225,7 @@ Session fullSession() {
   sample.count = 1;
   sample.temperature_c = 20;
   pose.samples = {sample};
-  session.addPose({std::make_shared<const PoseCapture>(pose), true, "bumped", JointAngles{{{"elbow", 1}}}});
+  session.addPose({std::make_shared<const PoseCapture>(pose), true, "bumped", {{{"elbow", 0.5}}}});
   session.setLinkMuted({CellId(1), PortNumber(1)}, {CellId(2), PortNumber(3)}, true, "a cable");
   session.setTruth({"body", {{CellId(1), {}}}});
   session.setRobot(RobotDescription{"arm.urdf", "00", {{"arm", "/arm"}}});

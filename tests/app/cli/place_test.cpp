@@ -84,13 +84,21 @@ TEST_F(CliPlace, RefusesWhatMakesNoSense) {
     EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
     return outcome.err;
   };
-  EXPECT_THAT(says("--link fourarm", 2), HasSubstr("forearm"));
+  EXPECT_THAT(says("--link fourarm", 2), HasSubstr("has no link fourarm"));
   EXPECT_THAT(says("--link forearm --point 1:0,0", 2), HasSubstr("--point: expected CELL:x,y,z[:sigma]"));
   EXPECT_THAT(says("--link forearm --point 99:0,0,0", 2), HasSubstr("no patch holds a cell 99"));
   EXPECT_THAT(says("--link forearm --rotation 1,2", 2),
               HasSubstr("--rotation: expected [CELL@]roll,pitch,yaw[:sigma]"));
   EXPECT_THAT(says("--link forearm --distance 1:2:0.1", 2), HasSubstr("cells 1 and 2 are of one patch"));
   EXPECT_THAT(says("--link forearm --no-surface", 2), HasSubstr("nothing says where on the link the patch lies"));
+}
+
+TEST_F(CliPlace, WritesNoPlaceThatDoesNotFit) {
+  const Outcome outcome =
+      run("place arm.calibration.json --robot demo --link upper_arm -o placements.json" + rotation());
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("no place on link upper_arm fits"), HasSubstr("Place 1 (does not fit)")));
+  EXPECT_FALSE(exists("placements.json"));
 }
 
 TEST_F(CliPlace, SaysThatThePatchIsLargerThanTheLink) {

@@ -53,6 +53,16 @@ TEST(Reproduce, PrintsThePapersFiguresBesideOurs) {
   }
 }
 
+TEST(Reproduce, PlacesOnEveryLinkAreCounted) {
+  const auto json = nlohmann::json::parse(outputOf("--seeds 1 --only place --json"));
+  const auto& rows = json.at("place").at("rows");
+  ASSERT_EQ(rows.size(), 3 * 2 + 1);
+  for (const auto& row : rows) {
+    EXPECT_EQ(row.at("among").at("of"), 1) << row;
+    expectFinite(row, {"candidates_mean", "error_median_mm", "error_95_mm", "nees"});
+  }
+}
+
 TEST(Reproduce, AccuracyTableIsWholeAndTheGlobalSolverBeatsThePapersMethod) {
   const auto json = nlohmann::json::parse(outputOf("--seeds 2 --only accuracy --json"));
   const auto& rows = json.at("accuracy").at("rows");

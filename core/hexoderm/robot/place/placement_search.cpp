@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::size_t kCoarseCells = 20;        ///< with so many of a patch places are looked for
 constexpr std::size_t kMostSamples = 4000;      ///< of a surface
+constexpr std::size_t kMostTries = 25000;       ///< laid on the surface, to see how they fit
 constexpr std::size_t kMostStarts = 250;        ///< that are refined
 constexpr std::size_t kMostMinima = 80;         ///< that are refined to the end
 constexpr std::size_t kMostOfPatch = 8;         ///< minima of a patch that are combined with those of others
@@ -141,8 +142,12 @@ std::vector<FitState> startsOnSurface(const FitProblem& problem, const std::vect
   const FitPatch& patch = problem.patches.front();
   const SE3& middle = patch.T_o_u[middleCell(patch)];
   const Eigen::Vector3d back_o = middle * Eigen::Vector3d(0, 0, -problem.back_m);
+  // Where any turn is possible there are so many starts that fewer points have to do.
+  const std::size_t per_sample = isSure(patch.rotation) ? 1 : static_cast<std::size_t>(2 * kPi / kYawStep_rad);
+  const std::size_t stride = 1 + samples.size() * per_sample / kMostTries;
   std::vector<FitState> starts;
-  for (const SurfaceSample& sample : samples) {
+  for (std::size_t k = 0; k < samples.size(); k += stride) {
+    const SurfaceSample& sample = samples[k];
     for (const Eigen::Matrix3d& R : turnsOnto(sample.normal, middle.R.col(2), patch.rotation)) {
       starts.push_back({SE3{R, sample.x - R * back_o}});
     }

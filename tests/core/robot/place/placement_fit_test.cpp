@@ -145,7 +145,8 @@ double neesOfCells(bool joint) {
     problem.patches = {patch};
     const FitSolution solution = refine(problem, {truth}, 20);
     for (const std::size_t k : {0U, 4U}) {
-      const CellOnLink cell = cellsOnLink(problem, solution.state, equationsAt(problem, solution.state), noExtent(problem), 0)[k];
+      const CellOnLink cell =
+          cellsOnLink(problem, solution.state, equationsAt(problem, solution.state), noExtent(problem), 0)[k];
       Eigen::Matrix<double, 6, 1> e;
       e << T_l_u[k].t - cell.T_l_u.t, logSO3(cell.T_l_u.R.transpose() * T_l_u[k].R);
       const Eigen::Matrix<double, 6, 6> C = cell.cov_t_r;
