@@ -202,7 +202,7 @@ void PlacePresenter::connectEdits() {
     if (of == nullptr) return;
     PatchPlacement placement = decided(*of);
     placement.by_surface = by_surface;
-    decide({placement}, tr("use the surface of the link"));
+    decide({placement}, by_surface ? tr("use the surface of the link") : tr("do without the surface of the link"));
   });
   connect(panel, &PlacePanel::pointRemoved, this, [this](int index) {
     const PatchReconstruction* of = patch();

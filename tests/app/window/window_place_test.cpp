@@ -324,6 +324,7 @@ TEST_F(WindowPlaceTest, AnotherLinkCanBeChosenAndIsSaidNotToFit) {
   const std::string right = stand().link.toStdString();
   auto* box = inPanel<QComboBox>("placeOtherLink");
   box->setFocus();
+  QTest::keyClick(box, Qt::Key_Home);
   const QString wrong = right == "forearm" ? "upper_arm" : "forearm";
   for (int k = 0; k < box->count() && box->currentText() != wrong; ++k) QTest::keyClick(box, Qt::Key_Down);
   QTest::keyClick(box, Qt::Key_Return);
