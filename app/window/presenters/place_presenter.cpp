@@ -363,6 +363,7 @@ void PlacePresenter::findLinks() {
   }
   if (links_question_ == question) return;
   links_question_ = question;
+  links_fault_.clear();
   LinksOptions options;
   options.chosen = question.chosen;
   placing_.findLinks(solved_, robot_, known, options);
