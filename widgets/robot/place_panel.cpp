@@ -27,14 +27,14 @@ constexpr int kMostRowsInList = 6;
 constexpr double kMostLength_mm = 1e5;
 
 template <class Widget>
-Widget* named(Widget* widget, const char* object_name, const QString& accessible_name) {
+Widget* namedField(Widget* widget, const char* object_name, const QString& accessible_name) {
   widget->setObjectName(QLatin1String(object_name));
   widget->setAccessibleName(accessible_name);
   return widget;
 }
 
 QDoubleSpinBox* lengthField(const char* object_name, const QString& accessible_name, double least_mm) {
-  auto* field = named(new QDoubleSpinBox, object_name, accessible_name);
+  auto* field = namedField(new QDoubleSpinBox, object_name, accessible_name);
   field->setRange(least_mm, kMostLength_mm);
   field->setDecimals(1);
   field->setSuffix(PlacePanel::tr(" mm"));
@@ -44,7 +44,7 @@ QDoubleSpinBox* lengthField(const char* object_name, const QString& accessible_n
 }
 
 QSpinBox* cellField(const char* object_name, const QString& accessible_name) {
-  auto* field = named(new QSpinBox, object_name, accessible_name);
+  auto* field = namedField(new QSpinBox, object_name, accessible_name);
   field->setRange(1, std::numeric_limits<int>::max());
   field->setGroupSeparatorShown(false);
   field->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
@@ -57,8 +57,8 @@ QLabel* buddyLabel(QWidget* field, const QString& text) {
   return label;
 }
 
-QListWidget* listOf(const char* object_name, const QString& accessible_name) {
-  auto* list = named(new QListWidget, object_name, accessible_name);
+QListWidget* choiceList(const char* object_name, const QString& accessible_name) {
+  auto* list = namedField(new QListWidget, object_name, accessible_name);
   list->setWordWrap(true);
   list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list->setTabKeyNavigation(false);
@@ -67,7 +67,7 @@ QListWidget* listOf(const char* object_name, const QString& accessible_name) {
 }
 
 /// Rows stay as they are, with the one that is picked, where the texts are the same.
-void fill(QListWidget* list, const QStringList& texts) {
+void fillChoices(QListWidget* list, const QStringList& texts) {
   bool same = list->count() == texts.size();
   for (int row = 0; same && row < texts.size(); ++row) same = list->item(row)->text() == texts[row];
   list->setVisible(!texts.isEmpty());
@@ -83,7 +83,7 @@ void fill(QListWidget* list, const QStringList& texts) {
   list->setFixedHeight(height + 4);
 }
 
-void fill(QComboBox* box, const std::vector<PlaceStand::Choice>& choices, quint32 current) {
+void fillChoices(QComboBox* box, const std::vector<PlaceStand::Choice>& choices, quint32 current) {
   const QSignalBlocker blocker(box);
   bool same = box->count() == static_cast<int>(choices.size());
   for (int k = 0; same && k < box->count(); ++k) {
@@ -157,11 +157,11 @@ VerifySection* PlacePanel::section(PlaceWork work) const {
 }
 
 void PlacePanel::buildRobot() {
-  choose_robot_ = named(new QPushButton(tr("Choose URDF…")), "placeChooseRobot", tr("Choose the robot's URDF"));
-  package_ = named(new QPushButton(tr("Package folder…")), "placePackage",
-                   tr("Say in which folder a package of the robot is"));
+  choose_robot_ = namedField(new QPushButton(tr("Choose URDF…")), "placeChooseRobot", tr("Choose the robot's URDF"));
+  package_ = namedField(new QPushButton(tr("Package folder…")), "placePackage",
+                        tr("Say in which folder a package of the robot is"));
   package_->setToolTip(tr("Where a URDF says package://NAME/…: the folder called NAME"));
-  remove_robot_ = named(new QPushButton(tr("Remove")), "placeRemoveRobot", tr("Remove the robot"));
+  remove_robot_ = namedField(new QPushButton(tr("Remove")), "placeRemoveRobot", tr("Remove the robot"));
   QHBoxLayout* row = robot_->addRow();
   row->addWidget(choose_robot_);
   row->addWidget(remove_robot_);
@@ -173,12 +173,13 @@ void PlacePanel::buildRobot() {
   connect(package_, &QPushButton::clicked, this, &PlacePanel::packageWanted);
   connect(remove_robot_, &QPushButton::clicked, this, &PlacePanel::robotRemoved);
 
-  choose_joints_ = named(new QPushButton(tr("Choose CSV…")), "placeChooseJoints", tr("Choose a table of joint angles"));
+  choose_joints_ =
+      namedField(new QPushButton(tr("Choose CSV…")), "placeChooseJoints", tr("Choose a table of joint angles"));
   QHBoxLayout* joints = joints_->addRow();
   joints->addWidget(choose_joints_);
   joints->addStretch();
   connect(choose_joints_, &QPushButton::clicked, this, &PlacePanel::jointsWanted);
-  pose_ = named(new QComboBox, "placePose", tr("Pose in which the robot is drawn"));
+  pose_ = namedField(new QComboBox, "placePose", tr("Pose in which the robot is drawn"));
   makeNarrow(pose_);
   QHBoxLayout* pose = joints_->addRow();
   pose->addWidget(buddyLabel(pose_, tr("Drawn in")));
@@ -188,7 +189,7 @@ void PlacePanel::buildRobot() {
 }
 
 void PlacePanel::buildPatch() {
-  patch_list_ = named(new QComboBox, "placePatchList", tr("Patch that is placed"));
+  patch_list_ = namedField(new QComboBox, "placePatchList", tr("Patch that is placed"));
   makeNarrow(patch_list_);
   patch_->addRow()->addWidget(patch_list_, 1);
   connect(patch_list_, qOverload<int>(&QComboBox::activated), this,
@@ -196,7 +197,7 @@ void PlacePanel::buildPatch() {
 }
 
 void PlacePanel::buildLink() {
-  links_ = listOf("placeLinks", tr("Links that the patch may be on"));
+  links_ = choiceList("placeLinks", tr("Links that the patch may be on"));
   links_->setToolTip(tr("Return or a click puts the patch on a link"));
   link_->addRow()->addWidget(links_, 1);
   const auto choose = [this](QListWidgetItem* item) {
@@ -207,7 +208,7 @@ void PlacePanel::buildLink() {
   };
   connect(links_, &QListWidget::itemClicked, this, choose);
   connect(links_, &QListWidget::itemActivated, this, choose);
-  other_link_ = named(new QComboBox, "placeOtherLink", tr("Any link of the robot"));
+  other_link_ = namedField(new QComboBox, "placeOtherLink", tr("Any link of the robot"));
   makeNarrow(other_link_);
   QHBoxLayout* row = link_->addRow();
   row->addWidget(buddyLabel(other_link_, tr("On link")));
@@ -221,9 +222,10 @@ void PlacePanel::buildKnown() {
   by_surface_->setObjectName(QStringLiteral("placeBySurface"));
   known_->addRow()->addWidget(by_surface_);
   connect(by_surface_, &QCheckBox::clicked, this, &PlacePanel::surfaceChosen);
-  known_list_ = listOf("placeKnownList", tr("Known points and distances"));
+  known_list_ = choiceList("placeKnownList", tr("Known points and distances"));
   known_->addRow()->addWidget(known_list_, 1);
-  remove_known_ = named(new QPushButton(tr("Remove")), "placeRemoveKnown", tr("Remove the picked point or distance"));
+  remove_known_ =
+      namedField(new QPushButton(tr("Remove")), "placeRemoveKnown", tr("Remove the picked point or distance"));
   QHBoxLayout* row = known_->addRow();
   row->addWidget(remove_known_);
   row->addStretch();
@@ -249,10 +251,10 @@ void PlacePanel::buildPoint() {
                lengthField("placePointZ", tr("z of the point in the link's frame"), -kMostLength_mm)};
   point_sigma_mm_ = lengthField("placePointSigma", tr("Uncertainty of the point, 1 sigma"), 0.1);
   point_sigma_mm_->setValue(1);
-  pick_ = named(new QPushButton(tr("Pick in 3D")), "placePick", tr("Pick the point on the robot"));
+  pick_ = namedField(new QPushButton(tr("Pick in 3D")), "placePick", tr("Pick the point on the robot"));
   pick_->setCheckable(true);
   pick_->setToolTip(tr("The next click on the robot fills in x, y and z"));
-  add_point_ = named(new QPushButton(tr("Add point")), "placeAddPoint", tr("Add the known point"));
+  add_point_ = namedField(new QPushButton(tr("Add point")), "placeAddPoint", tr("Add the known point"));
   auto* grid = new QGridLayout;
   grid->setColumnStretch(1, 1);
   grid->setColumnStretch(3, 1);
@@ -291,7 +293,7 @@ void PlacePanel::buildDistance() {
   letTypingReplaceSpecialText(distance_mm_);
   distance_sigma_mm_ = lengthField("placeDistanceSigma", tr("Uncertainty of the distance, 1 sigma"), 0.1);
   distance_sigma_mm_->setValue(1);
-  add_distance_ = named(new QPushButton(tr("Add distance")), "placeAddDistance", tr("Add the measured distance"));
+  add_distance_ = namedField(new QPushButton(tr("Add distance")), "placeAddDistance", tr("Add the measured distance"));
   auto* grid = new QGridLayout;
   grid->setColumnStretch(1, 1);
   grid->setColumnStretch(3, 1);
@@ -316,12 +318,13 @@ void PlacePanel::buildDistance() {
 }
 
 void PlacePanel::buildPlaces() {
-  place_list_ = listOf("placePlaceList", tr("Places that fit, the best first"));
+  place_list_ = choiceList("placePlaceList", tr("Places that fit, the best first"));
   place_list_->setToolTip(tr("Pointing at a place shows it; Return or a click takes it"));
   place_list_->setMouseTracking(true);
   place_list_->viewport()->installEventFilter(this);
   places_->addRow()->addWidget(place_list_, 1);
-  remove_place_ = named(new QPushButton(tr("Take away")), "placeRemovePlace", tr("Take the patch away from its place"));
+  remove_place_ =
+      namedField(new QPushButton(tr("Take away")), "placeRemovePlace", tr("Take the patch away from its place"));
   QHBoxLayout* row = places_->addRow();
   row->addWidget(remove_place_);
   row->addStretch();
@@ -346,17 +349,17 @@ void PlacePanel::setStand(const PlaceStand& stand) {
   joints_->setSentence(stand.joints);
   link_->setSentence(stand.link_says);
   places_->setSentence(stand.place_says);
-  fill(pose_, stand.poses, stand.pose);
-  fill(patch_list_, stand.patches, stand.patch);
+  fillChoices(pose_, stand.poses, stand.pose);
+  fillChoices(patch_list_, stand.patches, stand.patch);
   QStringList links;
   for (const LinkChoice& choice : stand.links) {
     links << (choice.link == stand.link ? QStringLiteral("✓ ") + choice.text : choice.text);
   }
-  fill(links_, links);
-  fill(place_list_, stand.places);
+  fillChoices(links_, links);
+  fillChoices(place_list_, stand.places);
   std::vector<PlaceStand::Choice> all{{0, tr("open")}};
   for (const QString& link : stand.other_links) all.push_back({static_cast<quint32>(all.size()), link});
-  fill(other_link_, all, static_cast<quint32>(stand.other_links.indexOf(stand.link) + 1));
+  fillChoices(other_link_, all, static_cast<quint32>(stand.other_links.indexOf(stand.link) + 1));
   showKnown();
   refreshControls();
 }
@@ -365,7 +368,7 @@ void PlacePanel::showKnown() {
   QStringList known;
   for (const KnownPoint& point : stand_.known.points) known << pointInWords(point);
   for (const KnownDistance& distance : stand_.known.distances) known << distanceInWords(distance);
-  fill(known_list_, known);
+  fillChoices(known_list_, known);
   by_surface_->setChecked(stand_.known.by_surface && stand_.has_surface);
   const bool has_link = !stand_.link.isEmpty();
   const bool says_nothing = known.isEmpty() && !by_surface_->isChecked();

@@ -83,7 +83,7 @@ void addPrism(const CellModel& model, const SE3& T_w_u, const Rgb& color, PolyDa
 }
 
 /// Middle and mean normal of a patch, in its frame.
-std::pair<Eigen::Vector3d, Eigen::Vector3d> middleOf(const PatchReconstruction& patch) {
+std::pair<Eigen::Vector3d, Eigen::Vector3d> middleAndNormal(const PatchReconstruction& patch) {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   for (const CellPlacement& cell : patch.cells) {
@@ -96,8 +96,9 @@ std::pair<Eigen::Vector3d, Eigen::Vector3d> middleOf(const PatchReconstruction& 
 }
 
 /// Where the patch's middle goes along a free direction, in the link's frame.
-std::vector<Eigen::Vector3d> wayOf(const PatchReconstruction& patch, const RobotPicture::Free& free, double side_m) {
-  const auto [middle_o, normal_o] = middleOf(patch);
+std::vector<Eigen::Vector3d> wayOfMiddle(const PatchReconstruction& patch, const RobotPicture::Free& free,
+                                         double side_m) {
+  const auto [middle_o, normal_o] = middleAndNormal(patch);
   const Eigen::Vector3d above_o = middle_o + kAboveSkin * side_m * normal_o;
   std::vector<Eigen::Vector3d> way;
   for (const SE3& T_l_o : free.direction.way) way.push_back(T_l_o * above_o);
@@ -277,7 +278,7 @@ void RobotScene::Parts::makeMarks() {
   const double side_m = picture.skin->model->side_m;
   for (const RobotPicture::Free& free : picture.free) {
     if (!isDrawn(free.of)) continue;
-    const std::vector<Eigen::Vector3d> way = wayOf(picture.skin->patches[free.of.patch], free, side_m);
+    const std::vector<Eigen::Vector3d> way = wayOfMiddle(picture.skin->patches[free.of.patch], free, side_m);
     if (way.size() < 2) continue;
     const SE3& T_w_l = picture.T_w_l[free.of.link];
     addMark(tubeAlong(way, kArrowRadius * side_m), T_w_l, colors.difference);

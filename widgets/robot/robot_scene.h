@@ -43,9 +43,9 @@ struct RobotPicture {
   std::vector<Point> points;  ///< known ones
 };
 
-/// A robot in 3D without Qt: the bodies of its links, the cells of the patches on it with their IDs, arrows along the ways
-/// in which they can still be moved, known points. VTK draws it into the render window that it is attached to, and only
-/// when that window renders. The base's z points up.
+/// A robot in 3D without Qt: the bodies of its links, the cells of the patches on it with their IDs, arrows along the
+/// ways in which they can still be moved, known points. VTK draws it into the render window that it is attached to, and
+/// only when that window renders. The base's z points up.
 class RobotScene {
  public:
   RobotScene();

@@ -40,8 +40,9 @@ void RobotView::build() {
   layout->setContentsMargins(kFrame, kFrame, kFrame, kFrame);
   const OpenGlInfo opengl = queryOpenGl();
   if (!opengl.usable) {
-    parts_->hint = new QLabel(tr("The 3D view needs OpenGL 3.2, which is not available here. Links, places and points can "
-                                 "still be chosen in the lists."));
+    parts_->hint =
+        new QLabel(tr("The 3D view needs OpenGL 3.2, which is not available here. Links, places and points can "
+                      "still be chosen in the lists."));
     parts_->hint->setWordWrap(true);
     parts_->hint->setAlignment(Qt::AlignCenter);
     parts_->hint->setMargin(24);
@@ -107,8 +108,7 @@ void RobotView::fit() {
 
 void RobotView::pickAt(const QPoint& position) {
   const double ratio = parts_->canvas->devicePixelRatioF();
-  const auto picked =
-      parts_->scene->pick(ratio * position.x(), ratio * (parts_->canvas->height() - 1 - position.y()));
+  const auto picked = parts_->scene->pick(ratio * position.x(), ratio * (parts_->canvas->height() - 1 - position.y()));
   if (picked) emit pointPicked(picked->link, picked->x_l);
 }
 

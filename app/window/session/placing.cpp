@@ -29,7 +29,7 @@ TriangleMesh bodyOrFinding(const RobotModel& robot, std::size_t link, std::vecto
   }
 }
 
-std::shared_ptr<const LoadedRobot> load(const RobotDescription& description, const std::stop_token& stop) {
+std::shared_ptr<const LoadedRobot> loadRobot(const RobotDescription& description, const std::stop_token& stop) {
   PackageFolders folders;
   for (const auto& [name, folder] : description.packages) folders[name] = folder;
   RobotModel model = RobotModel::read(description.urdf, std::move(folders));
@@ -57,7 +57,7 @@ Placing::Placing(QObject* parent) : QObject(parent), worker_(kKinds) {}
 
 void Placing::readRobot(const RobotDescription& description) {
   request(PlaceWork::Robot, [this, description](const std::stop_token& stop) -> Announcement {
-    return [this, robot = load(description, stop)] { emit robotRead(robot); };
+    return [this, robot = loadRobot(description, stop)] { emit robotRead(robot); };
   });
 }
 

@@ -17,7 +17,7 @@ bool isRotation(const Eigen::Matrix3d& R) {
   return isWithin(R.transpose() * R - Eigen::Matrix3d::Identity(), kOrthogonal) && R.determinant() > 0;
 }
 
-bool isSigma(double sigma_m) { return sigma_m > 0 && sigma_m <= kMostLength_m; }
+bool isSigmaOfLength(double sigma_m) { return sigma_m > 0 && sigma_m <= kMostLength_m; }
 
 }  // namespace
 
@@ -30,14 +30,14 @@ void RobotDescription::validate() const {
 
 void PatchPlacement::validate() const {
   for (const KnownPoint& point : points) {
-    if (!isWithin(point.x_l, kMostLength_m) || !isSigma(point.sigma_m)) {
+    if (!isWithin(point.x_l, kMostLength_m) || !isSigmaOfLength(point.sigma_m)) {
       failPlacement(origin, message("expected a point within {} m and a sigma above 0 for cell {}",
                                     Number{kMostLength_m, 0}, point.cell));
     }
   }
   for (const KnownDistance& distance : distances) {
     const bool is_length = distance.distance_m > 0 && distance.distance_m <= kMostLength_m;
-    if (distance.a == distance.b || !is_length || !isSigma(distance.sigma_m)) {
+    if (distance.a == distance.b || !is_length || !isSigmaOfLength(distance.sigma_m)) {
       failPlacement(origin, message("expected a distance above 0 between two cells, and a sigma above 0, for cell {}",
                                     distance.a));
     }

@@ -225,7 +225,7 @@ TEST_F(WindowPlaceTest, TheSameByTheKeyboard) {
   ASSERT_TRUE(waitForWork());
   ASSERT_EQ(stand().patches.size(), 2U);
   for (std::size_t k = 0; k < 2; ++k) {
-    ASSERT_NO_FATAL_FAILURE(tabTo("placePatchList"));
+    ASSERT_NO_FATAL_FAILURE(tabTo("placePatchList", k == 0 ? Qt::Key_Tab : Qt::Key_Backtab));
     key(k == 0 ? Qt::Key_Home : Qt::Key_End);
     ASSERT_TRUE(waitForWork());
     const CellId origin(stand().patch);
@@ -233,12 +233,14 @@ TEST_F(WindowPlaceTest, TheSameByTheKeyboard) {
     const MountedPatch& patch = mounted(origin);
     for (const CellId cell : {patch.cells.front(), patch.cells.back()}) {
       const Eigen::Vector3d x_mm = trueCell(cell).t / kMillimetre;
-      const auto type = [this](const char* field, const QString& text) {
-        ASSERT_NO_FATAL_FAILURE(tabTo(field));
+      const auto type = [this](const char* field, const QString& text, int code = Qt::Key_Tab) {
+        ASSERT_NO_FATAL_FAILURE(tabTo(field, code));
         key(Qt::Key_A, Qt::ControlModifier);
         keys(text);
       };
-      ASSERT_NO_FATAL_FAILURE(type("placePointCell", QString::number(cell.value())));
+      // For the second point, back from the button.
+      const int to_cell = cell == patch.cells.front() ? Qt::Key_Tab : Qt::Key_Backtab;
+      ASSERT_NO_FATAL_FAILURE(type("placePointCell", QString::number(cell.value()), to_cell));
       ASSERT_NO_FATAL_FAILURE(type("placePointX", QString::number(x_mm.x(), 'f', 1)));
       ASSERT_NO_FATAL_FAILURE(type("placePointY", QString::number(x_mm.y(), 'f', 1)));
       ASSERT_NO_FATAL_FAILURE(type("placePointZ", QString::number(x_mm.z(), 'f', 1)));
