@@ -96,7 +96,7 @@ struct MainWindow::Presenters {
         picked({*views.steps, *views.graph, *views.tables.link_view, *views.messages}, window.controller_,
                window.actions_, window.selection_, review),
         verify({window, *views.verify_panel, *views.patch}, window.controller_, verification, files),
-        place({window, *views.steps, *views.place_panel, *views.robot}, window.controller_, placing),
+        place({window, *views.steps, *views.place_panel, *views.robot, panels.middle()}, window.controller_, placing),
         guide({*views.banner, *views.steps, *views.check_list}, window.controller_, window.actions_),
         status({window, *views.session_name, *views.status, panels.graph(), panels.poses(), *views.detail_tabs},
                window.controller_),

@@ -63,15 +63,15 @@ Panels::~Panels() = default;
 QWidget* Panels::makeCentre(const Views& views) {
   views.patch->setAccessibleName(tr("The patch in three dimensions"));
   views.patch->setMinimumSize(320, 240);
-  auto* place = new QWidget;
-  auto* place_layout = new QVBoxLayout(place);
+  middle_ = new QWidget;
+  auto* place_layout = new QVBoxLayout(middle_);
   place_layout->setContentsMargins(0, 0, 0, 0);
   place_layout->addWidget(views.patch);
   // One above the other, so that the 3D view gets its graphics ready while nobody waits for it.
   auto* stack = new QWidget;
   auto* stack_layout = new QGridLayout(stack);
   stack_layout->setContentsMargins(0, 0, 0, 0);
-  stack_layout->addWidget(place, 0, 0);
+  stack_layout->addWidget(middle_, 0, 0);
   stack_layout->addWidget(views.robot, 0, 0);
   views.robot->hide();
   stack_layout->addWidget(views.welcome, 0, 0);

@@ -697,8 +697,8 @@ void PlacePresenter::showRobot() {
       robot_ && (open == static_cast<int>(GuideStep::Place) || (placed && open == static_cast<int>(GuideStep::Export)));
   if (shown == views_.robot.isVisibleTo(views_.robot.parentWidget())) return;
   views_.robot.setVisible(shown);
-  if (shown) views_.robot.raise();
-  emit robotShown(shown);
+  // Beneath, it would take the keyboard and not be seen.
+  views_.middle.setVisible(!shown);
 }
 
 // --- decisions

@@ -30,6 +30,7 @@ class PlacePresenter : public QObject {
     StepPanel& steps;
     PlacePanel& panel;
     RobotView& robot;
+    QWidget& middle;  ///< whose place the robot takes
   };
   /// All outlive the presenter.
   PlacePresenter(const Views& views, SessionController& controller, Placing& placing);
@@ -40,10 +41,6 @@ class PlacePresenter : public QObject {
   /// A URDF or a table of joint angles that was dropped onto the window; false: it is neither, or nothing can be
   /// placed.
   bool takeFile(const QString& path);
-
- signals:
-  /// The robot is shown in the middle, or it is no longer.
-  void robotShown(bool shown);
 
  private:
   /// What links were looked for with.
