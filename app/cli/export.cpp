@@ -2,6 +2,7 @@
 
 #include "hexoderm/io/exporter.h"
 #include "hexoderm/io/placements_json.h"
+#include "hexoderm/reconstruction/result/patch_placements.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/sha256.h"
 #include "hexoderm/util/text.h"
@@ -121,6 +122,7 @@ int run(ExportCommandOptions command, bool one_patch, const Common& common) {
   for (const std::string& text : command.placements) {
     options.placements.push_back(placementFrom(text, *calibration, options));
   }
+  if (options.placements.empty()) options.placements = placedPatches(*calibration);
   if (is_folder) options.inputs = inputFile(command.input);
 
   std::vector<PatchLeftOut> left_out;

@@ -2,7 +2,6 @@
 
 #include "hexoderm/geometry/covariance.h"
 #include "hexoderm/io/placements_json.h"
-#include "hexoderm/kinematics/demo_robot.h"
 #include "hexoderm/kinematics/robot_model.h"
 #include "hexoderm/reconstruction/reconstructor.h"
 #include "hexoderm/util/text.h"
@@ -287,10 +286,7 @@ int run(const PlaceCommandOptions& options, const Common& common) {
   if (!options.output.empty()) output.emplace(options.output, common);
   const auto r = solved(options.input, common);
   PlaceTask task = taskFrom(options, *r);
-  const RobotModel robot = asInput([&] {
-    return RobotModel::read(options.robot == "demo" ? demoRobotFile() : std::filesystem::path(options.robot),
-                            packageFolders(options.packages));
-  });
+  const RobotModel robot = openRobot(options.robot, options.packages);
   const std::size_t link = robot.linkNamed(options.link);
   if (!options.no_surface) task.surface = surfaceOf(options, robot, link, common);
   PlaceOptions place_options;

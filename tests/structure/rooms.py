@@ -25,8 +25,8 @@ HALLS = {
     "core/hexoderm/reconstruction": "result < {links, sparse, accelerometer} < {joint, faults, advice} < {patch, evaluation, check}"
                                     " < figures < solved_skin < reconstructor < {hold_out, reconstruction_worker,"
                                     " sensor_statistics}",
-    "core/hexoderm/robot": "patch_on_link < parts < links < place",
-    "widgets": "style < words < {controls, coloring} < {tables, capture, graph, scene} < {verify, patch}",
+    "core/hexoderm/robot": "parts < links < place",
+    "widgets": "style < words < {controls, coloring} < {tables, capture, graph, scene} < {verify, patch} < robot",
     "app": "{cli, emulator, window}",
     "app/window": "{files, toolkit} < {settings, report} < session < {guide, dialogs, log} < presenters < main_window"
                   " < main",

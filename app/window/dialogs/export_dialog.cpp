@@ -1,7 +1,9 @@
 #include "app/window/dialogs/export_dialog.h"
 
+#include "app/window/files/session_paths.h"
 #include "app/window/toolkit/deferred_dialog.h"
 #include "app/window/toolkit/file_dialog.h"
+#include "hexoderm/reconstruction/result/patch_placements.h"
 #include "hexoderm/util/error.h"
 #include "widgets/words/words.h"
 
@@ -25,6 +27,9 @@
 
 namespace hexoderm {
 namespace {
+
+/// In the list of patches, besides their origin cells.
+constexpr uint kAllPlaced = 0;
 
 const QString kCalibrationExtension = QStringLiteral(".calibration.json");
 
@@ -54,6 +59,10 @@ ExportDialog::ExportDialog(std::shared_ptr<const Reconstruction> reconstruction,
       patch_(new QComboBox(this)),
       note_(new QLabel(this)) {
   setObjectName(QStringLiteral("exportDialog"));
+  if (reconstruction_) {
+    options_.placements = placedPatches(*reconstruction_);
+    if (reconstruction_->robot) options_.robot_urdf = toPath(QString::fromStdString(reconstruction_->robot->urdf));
+  }
   setWindowTitle(tr("Export the calibration"));
   setModal(true);
 
@@ -211,6 +220,9 @@ void ExportDialog::offerPatches() {
     const PatchReconstruction* largest = largestPatch(*reconstruction_);
     std::ranges::stable_partition(patches, [largest](const auto* patch) { return patch == largest; });
   }
+  const bool has_links =
+      format && (format->patches == PatchesInFile::OnLinks || format->patches == PatchesInFile::OnALink);
+  if (has_links && !options_.placements.empty()) patch_->addItem(tr("All that are placed on the robot"), kAllPlaced);
   const auto offerAll = [this] { patch_->addItem(tr("All, each in its own frame")); };
   if (format && format->patches == PatchesInFile::All) offerAll();
   for (const PatchReconstruction* patch : patches) {
@@ -308,7 +320,7 @@ ExportRequest ExportDialog::request() const {
   if (patch_->count() > 0) {
     const QVariant origin = patch_->currentData();
     request.options.all_patches = !origin.isValid();
-    if (origin.isValid()) request.options.patch = CellId(origin.toUInt());
+    if (origin.isValid() && origin.toUInt() != kAllPlaced) request.options.patch = CellId(origin.toUInt());
   }
   return request;
 }

@@ -2,6 +2,7 @@
 
 #include "hexoderm/geometry/covariance.h"
 #include "hexoderm/graph/cell_model_json.h"
+#include "hexoderm/session/session_parts_json.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/limits.h"
@@ -262,6 +263,19 @@ Assessment readVerdict(const JsonReader& json) {
   return verdict;
 }
 
+/// Placements, each of a patch by its origin cell.
+std::vector<PatchPlacement> readOrigins(const JsonReader& json, const Reconstruction& result) {
+  std::vector<PatchPlacement> placements = readPlacements(json);
+  const std::vector<JsonReader> items = json.items();
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    const PatchReconstruction* patch = result.find(placements[k].origin).patch;
+    if (patch == nullptr || patch->origin != placements[k].origin) {
+      items[k].at("origin_cell").fail(message("the origin cell of a patch"));
+    }
+  }
+  return placements;
+}
+
 /// Reads the patches and sees to it that what views and exporters look up is there.
 class PatchReader {
  public:
@@ -356,6 +370,8 @@ std::shared_ptr<const Reconstruction> parseCalibrationJson(std::string_view text
   }
   for (const JsonReader& finding : json.at("findings").items()) result.findings.push_back(readFinding(finding));
   result.assessment = readVerdict(json.at("verdict"));
+  if (const auto robot = json.find("robot")) result.robot = readRobot(*robot);
+  if (const auto placements = json.find("placements")) result.placements = readOrigins(*placements, result);
   result.layout = computeFlatLayout(*result.model, result.patches);
   return std::make_shared<const Reconstruction>(std::move(result));
 }

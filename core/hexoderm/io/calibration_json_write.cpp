@@ -1,6 +1,7 @@
 #include "hexoderm/io/calibration_json.h"
 
 #include "hexoderm/graph/cell_model_json.h"
+#include "hexoderm/session/session_parts_json.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/message_json.h"
 #include "hexoderm/util/units.h"
@@ -196,6 +197,8 @@ std::string calibrationToJson(const Reconstruction& reconstruction) {
   json["findings"] = Json::array();
   for (const Finding& finding : reconstruction.findings) json["findings"].push_back(findingJson(finding));
   json["verdict"] = verdictJson(reconstruction.assessment);
+  if (reconstruction.robot) json["robot"] = robotJson(reconstruction.robot);
+  if (!reconstruction.placements.empty()) json["placements"] = placementsJson(reconstruction.placements);
   return dumpReadable(json);
 }
 

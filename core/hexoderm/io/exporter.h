@@ -1,7 +1,7 @@
 #pragma once
 
 #include "hexoderm/reconstruction/result/reconstruction.h"
-#include "hexoderm/robot/patch_on_link.h"
+#include "hexoderm/session/patch_on_link.h"
 
 #include <filesystem>
 #include <optional>

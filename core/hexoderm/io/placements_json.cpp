@@ -1,47 +1,27 @@
 #include "hexoderm/io/placements_json.h"
 
-#include "hexoderm/geometry/covariance.h"
+#include "hexoderm/session/session_parts_json.h"
 #include "hexoderm/util/error.h"
 #include "hexoderm/util/file.h"
 #include "hexoderm/util/json_reader.h"
-#include "hexoderm/util/limits.h"
 
 #include <set>
 
 namespace hexoderm {
 namespace {
 
-nlohmann::ordered_json placementJson(const PatchOnLink& place) {
-  nlohmann::ordered_json json = {{"origin_cell", place.origin.value()},
-                                 {"link", place.link},
-                                 {"R", toJson(place.T_l_o.R)},
-                                 {"t_m", toJson(place.T_l_o.t)}};
-  if (!place.cov_t_r) return json;
-  json["cov_t_r"] = nlohmann::ordered_json::array();
-  for (Eigen::Index row = 0; row < 6; ++row) {
-    for (Eigen::Index column = row; column < 6; ++column) json["cov_t_r"].push_back((*place.cov_t_r)(row, column));
-  }
+nlohmann::ordered_json placeJson(const PatchOnLink& place) {
+  nlohmann::ordered_json json = {{"origin_cell", place.origin.value()}, {"link", place.link}};
+  writePlace(place, json);
   return json;
 }
 
-PatchOnLink placementFromJson(const JsonReader& json) {
+PatchOnLink placeFromJson(const JsonReader& json) {
   PatchOnLink place;
   place.origin = CellId(json.at("origin_cell").unsignedInteger(1));
   place.link = json.at("link").string();
   if (place.link.empty()) json.at("link").fail(message("the name of a link"));
-  place.T_l_o = {json.at("R").rotation(), json.at("t_m").vector3(kMostLength_m)};
-  const auto cov = json.find("cov_t_r");
-  if (!cov) return place;
-  const std::vector<double> values = cov->numbers(21);
-  Matrix6d cov_t_r;
-  std::size_t next = 0;
-  for (Eigen::Index row = 0; row < 6; ++row) {
-    for (Eigen::Index column = row; column < 6; ++column) {
-      cov_t_r(row, column) = cov_t_r(column, row) = values[next++];
-    }
-  }
-  if (!isCovariance(cov_t_r)) cov->fail(message("a covariance (positive semidefinite)"));
-  place.cov_t_r = cov_t_r;
+  readPlace(json, place);
   return place;
 }
 
@@ -50,7 +30,7 @@ PatchOnLink placementFromJson(const JsonReader& json) {
 std::string placementsToJson(const std::vector<PatchOnLink>& placements) {
   nlohmann::ordered_json json = {
       {"format", kPlacementsFormat}, {"version", kPlacementsVersion}, {"placements", nlohmann::ordered_json::array()}};
-  for (const PatchOnLink& place : placements) json["placements"].push_back(placementJson(place));
+  for (const PatchOnLink& place : placements) json["placements"].push_back(placeJson(place));
   return dumpReadable(json);
 }
 
@@ -61,7 +41,7 @@ std::vector<PatchOnLink> placementsFromJson(std::string_view text, const std::st
   std::vector<PatchOnLink> placements;
   std::set<CellId> origins;
   for (const JsonReader& item : json.at("placements").items()) {
-    placements.push_back(placementFromJson(item));
+    placements.push_back(placeFromJson(item));
     if (!origins.insert(placements.back().origin).second) {
       item.at("origin_cell").fail(message("each patch once; that of cell {} is there twice", placements.back().origin));
     }

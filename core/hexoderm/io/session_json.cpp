@@ -136,6 +136,10 @@ Session parseSessionJson(std::string_view text, const std::string& file) {
       session.setLinkMuted(link.source, link.target, true, link.why);
     }
   }
+  if (const auto robot = json.find("robot")) session.setRobot(readRobot(*robot));
+  if (const auto placements = json.find("placements")) {
+    for (PatchPlacement& placement : readPlacements(*placements)) session.setPlacement(std::move(placement));
+  }
   if (const auto truth = json.find("truth")) session.setTruth(readTruth(*truth));
   return session;
 }
@@ -155,6 +159,8 @@ std::string sessionToJson(const Session& session) {
     json["muted_links"] = Json::array();
     for (const MutedLink& link : session.mutedLinks()) json["muted_links"].push_back(mutedLinkJson(link));
   }
+  if (session.robot()) json["robot"] = robotJson(session.robot());
+  if (!session.placements().empty()) json["placements"] = placementsJson(session.placements());
   if (session.truth()) json["truth"] = truthJson(*session.truth());
   return dumpReadable(json);
 }

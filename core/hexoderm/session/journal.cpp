@@ -142,7 +142,7 @@ void JournalState::apply(const JournalEntry& entry, const std::string& where) {
     options_ = entry.detail;
   } else {
     throw FormatError(located(where, message("kind: expected capture, remove, restore, disable, enable, joints, mute, "
-                                             "unmute, skin, source, truth or options, found \"{}\"",
+                                             "unmute, robot, placement, skin, source, truth or options, found \"{}\"",
                                              entry.kind.substr(0, 40))));
   }
 }
@@ -175,6 +175,8 @@ std::optional<SessionEdit> JournalState::editIn(const JournalEntry& entry, const
     return SetPoseDisabled{placeOf(captureOf(json)), kind == "disable", why ? why->string() : std::string()};
   }
   if (kind == "joints") return SetJointAngles{placeOf(captureOf(json)), readJointAngles(json.at("joint_angles"))};
+  if (kind == "robot") return SetRobot{readRobot(json)};
+  if (kind == "placement") return SetPatchPlacement{readPlacement(json)};
   if (kind == "mute" || kind == "unmute") {
     MutedLink link = readMutedLink(json);
     return SetLinkMuted{link.source, link.target, kind == "mute", std::move(link.why)};
@@ -265,6 +267,14 @@ nlohmann::ordered_json JournalState::sayEdit(const SessionEdit& edit, const std:
     entry.kind = mute->muted ? "mute" : "unmute";
     detail = mutedLinkJson(
         {std::min(mute->a, mute->b), std::max(mute->a, mute->b), mute->muted ? mute->why : std::string()});
+  } else if (const auto* robot = std::get_if<SetRobot>(&edit)) {
+    entry.kind = "robot";
+    if (robot->robot) robot->robot->validate();
+    detail = robotJson(robot->robot);
+  } else if (const auto* placed = std::get_if<SetPatchPlacement>(&edit)) {
+    entry.kind = "placement";
+    placed->placement.validate();
+    detail = placementJson(placed->placement);
   } else if (const auto* skin = std::get_if<SetSkin>(&edit)) {
     if (!skin->model) throw InvalidArgument(message("a skin must have a cell model"));
     entry.kind = "skin";

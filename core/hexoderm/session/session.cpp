@@ -85,9 +85,28 @@ void Session::setLinkMuted(LinkEnd a, LinkEnd b, bool muted, std::string why) {
   ++revision_;
 }
 
+const PatchPlacement* Session::findPlacement(CellId origin) const {
+  const auto found = std::ranges::lower_bound(placements_, origin, {}, &PatchPlacement::origin);
+  return found != placements_.end() && found->origin == origin ? &*found : nullptr;
+}
+
+void Session::setRobot(std::optional<RobotDescription> robot) {
+  if (robot) robot->validate();
+  robot_ = std::move(robot);
+  ++revision_;
+}
+
+void Session::setPlacement(PatchPlacement placement) {
+  placement.validate();
+  const auto [first, last] = std::ranges::equal_range(placements_, placement.origin, {}, &PatchPlacement::origin);
+  const auto place = placements_.erase(first, last);
+  if (!placement.isEmpty()) placements_.insert(place, std::move(placement));
+  ++revision_;
+}
+
 std::shared_ptr<const SessionSnapshot> Session::snapshot() const {
   return std::make_shared<const SessionSnapshot>(
-      SessionSnapshot{revision_, model_, neighbors_, poses_, source_, truth_, muted_links_});
+      SessionSnapshot{revision_, model_, neighbors_, poses_, source_, truth_, muted_links_, robot_, placements_});
 }
 
 }  // namespace hexoderm

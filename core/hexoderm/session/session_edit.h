@@ -48,6 +48,14 @@ struct SetLinkMuted {
   bool muted = true;
   std::string why{};
 };
+/// Session::setRobot(): whose description was chosen.
+struct SetRobot {
+  std::optional<RobotDescription> robot{};
+};
+/// Session::setPlacement(): what is decided about the place of a patch on the robot.
+struct SetPatchPlacement {
+  PatchPlacement placement{};
+};
 /// Session::setSkin(): cell model and topology as reported anew. Poses, and links that were set aside, stay.
 struct SetSkin {
   std::shared_ptr<const CellModel> model;  ///< never null
@@ -55,8 +63,11 @@ struct SetSkin {
 };
 
 /// One edit of a session, as a value: it is applied to sessions, kept for undo and written to files.
-using SessionEdit =
-    std::variant<AddPose, RemovePose, RestorePose, SetPoseDisabled, SetJointAngles, SetLinkMuted, SetSkin>;
+using SessionEdit = std::variant<AddPose, RemovePose, RestorePose, SetPoseDisabled, SetJointAngles, SetLinkMuted,
+                                 SetRobot, SetPatchPlacement, SetSkin>;
+
+/// Whether the edit is about the robot alone, with its joint angles: what was reconstructed of the skin stays as it is.
+bool isAboutRobot(const SessionEdit& edit);
 
 /// Changes the session. Throws InvalidArgument if the edit makes no sense for it (no such pose, no capture, a link with
 /// two equal ends, no cell model); the session then is as before.

@@ -38,7 +38,10 @@ constexpr const char* kVersion2 = "";
 // Likewise entries of the kind "joints".
 constexpr const char* kVersion3 = "";
 
-constexpr std::array kMigrations = {kVersion1, kVersion2, kVersion3};
+// And of the kinds "robot" and "placement".
+constexpr const char* kVersion4 = "";
+
+constexpr std::array kMigrations = {kVersion1, kVersion2, kVersion3, kVersion4};
 
 /// Reading a schema of a few entries takes a few hundred; a database can be made so that it takes for ever.
 constexpr int kMostWorkOnSchema = 1'000'000;

@@ -1,6 +1,7 @@
 // `hexoderm-cli place`: where on a link a patch lies, and what export makes of it.
 
 #include "hexoderm/geometry/se3.h"
+#include "hexoderm/util/file.h"
 #include "hexoderm/util/text.h"
 #include "hexoderm/util/units.h"
 #include "tests/app/cli/cli_program.h"
@@ -64,6 +65,23 @@ TEST_F(CliPlace, PlacesAPatchThatExportPutsOnTheLink) {
   const Outcome exported = run("export arm.calibration.json --to urdf --placements placements.json -o arm.urdf");
   EXPECT_EQ(exported.exit_code, 0) << exported.err;
   EXPECT_THAT(readFile(path("arm.urdf")), HasSubstr("\"forearm\""));
+}
+
+TEST_F(CliPlace, ExportTakesThePlacesThatTheCalibrationHolds) {
+  auto session = nlohmann::json::parse(readFile(path("arm.session.json")));
+  nlohmann::json place = {{"R", nlohmann::json::array()}, {"t_m", nlohmann::json::array()}};
+  for (Eigen::Index k = 0; k < 9; ++k) place["R"].push_back(T_l_o_.R(k / 3, k % 3));
+  for (Eigen::Index k = 0; k < 3; ++k) place["t_m"].push_back(T_l_o_.t[k]);
+  session["placements"] =
+      nlohmann::json::array({{{"origin_cell", origin_}, {"link", "forearm"}, {"by_surface", true}, {"place", place}}});
+  writeFileAtomically(path("placed.session.json"), session.dump());
+  EXPECT_EQ(run("solve placed.session.json -o placed.calibration.json").exit_code, 0);
+  const Outcome exported = run("export placed.calibration.json --to urdf -o placed.urdf");
+  EXPECT_EQ(exported.exit_code, 0) << exported.err;
+  EXPECT_THAT(readFile(path("placed.urdf")), HasSubstr("\"forearm\""));
+  // What is said on the command line counts instead.
+  EXPECT_EQ(run("export placed.calibration.json --to urdf --place hand:0,0,0.1,0,0,0 -o hand.urdf").exit_code, 0);
+  EXPECT_THAT(readFile(path("hand.urdf")), AllOf(HasSubstr("\"hand\""), testing::Not(HasSubstr("\"forearm\""))));
 }
 
 TEST_F(CliPlace, PrintsEveryCellInTheFrameOfTheLinkAsJson) {

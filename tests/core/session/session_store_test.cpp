@@ -227,6 +227,31 @@ TEST_F(SessionStoreTest, KeepsWhereTheRobotsJointsStoodThroughRemovals) {
                InvalidArgument);
 }
 
+TEST_F(SessionStoreTest, KeepsTheRobotAndWherePatchesAreOnIt) {
+  SessionStore store = SessionStore::create(path_, Session(builtInCellModel("hex-bma150"), {}));
+  const RobotDescription robot{"/home/arm.urdf", "00ff", {{"arm", "/opt/arm"}}};
+  appendOne(store, SetRobot{robot});
+  PatchPlacement placement = test::placementWithEverything(CellId(3));
+  appendOne(store, SetPatchPlacement{placement});
+  EXPECT_EQ(readSessionStore(path_).robot(), robot);
+  ASSERT_EQ(readSessionStore(path_).placements().size(), 1U);
+  test::expectSamePlacement(readSessionStore(path_).placements()[0], placement);
+  placement.place.reset();
+  placement.link = "hand";
+  appendOne(store, SetPatchPlacement{placement});
+  ASSERT_EQ(readSessionStore(path_).placements().size(), 1U) << "the last one of a patch counts";
+  test::expectSamePlacement(readSessionStore(path_).placements()[0], placement);
+  PatchPlacement nothing;
+  nothing.origin = CellId(3);
+  appendOne(store, SetPatchPlacement{nothing});
+  appendOne(store, SetRobot{});
+  EXPECT_TRUE(readSessionStore(path_).placements().empty());
+  EXPECT_FALSE(readSessionStore(path_).robot());
+  EXPECT_THAT(kinds(store), ElementsAre("skin", "source", "robot", "placement", "placement", "placement", "robot"));
+  placement.points[0].sigma_m = 0;
+  EXPECT_THROW(appendOne(store, SetPatchPlacement{placement}), InvalidArgument);
+}
+
 TEST_F(SessionStoreTest, KeepsSourceSkinTruthAndOptionsAsLastSet) {
   SessionStore store = SessionStore::create(path_, sessionWithEverything());
   EXPECT_EQ(store.options(), "{}");

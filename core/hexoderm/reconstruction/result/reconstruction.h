@@ -164,6 +164,8 @@ struct Reconstruction {
   Assessment assessment;
   FlatLayout layout;
   double solve_seconds = 0;
+  std::optional<RobotDescription> robot;   ///< that wears the skin, where it was said
+  std::vector<PatchPlacement> placements;  ///< on the robot, at most one for each patch, by its origin cell
 
   [[nodiscard]] std::size_t cellCount() const;
   [[nodiscard]] std::size_t linkCount() const;

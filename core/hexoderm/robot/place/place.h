@@ -2,7 +2,7 @@
 
 #include "hexoderm/geometry/triangle_mesh.h"
 #include "hexoderm/reconstruction/result/reconstruction.h"
-#include "hexoderm/robot/patch_on_link.h"
+#include "hexoderm/session/patch_on_link.h"
 #include "hexoderm/util/message.h"
 
 #include <optional>
@@ -35,20 +35,6 @@ struct PatchToPlace {
 /// it; of a file relative to the patch as a whole, cell by cell; where none is stated, 2 mm and 3 degrees for each
 /// cell. Of patches of more than 150 cells, 150 all over the patch.
 PatchToPlace patchToPlace(const PatchReconstruction& patch);
-
-/// The centre of a cell's front face is at a point of the link.
-struct KnownPoint {
-  CellId cell;
-  Eigen::Vector3d x_l = Eigen::Vector3d::Zero();  ///< m
-  double sigma_m = 0.001;                         ///< an axis
-};
-/// The centres of the front faces of two cells of different patches are so far apart.
-struct KnownDistance {
-  CellId a;
-  CellId b;
-  double distance_m = 0;
-  double sigma_m = 0.001;
-};
 
 /// What is known of where patches are on one link. At least one of surface, points and distances.
 struct PlaceTask {
