@@ -884,6 +884,18 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>set the joint angles of pose %1</source>
         <translation>Gelenkwinkel von Pose %1 setzen</translation>
     </message>
+    <message>
+        <source>choose the robot</source>
+        <translation>Roboter wählen</translation>
+    </message>
+    <message>
+        <source>remove the robot</source>
+        <translation>Roboter entfernen</translation>
+    </message>
+    <message>
+        <source>place the patch of cell %1</source>
+        <translation>Hautstück von Zelle %1 einordnen</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::EventLog</name>
@@ -1000,6 +1012,10 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>Patch of cell %1, %2 cells</source>
         <translation>Hautstück der Zelle %1, %2 Zellen</translation>
+    </message>
+    <message>
+        <source>All that are placed on the robot</source>
+        <translation>Alle, die am Roboter eingeordnet sind</translation>
     </message>
 </context>
 <context>
@@ -1466,6 +1482,30 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>The placements of %1 cells are being worked out…</source>
         <translation>Die Lagen der %1 Zellen werden berechnet…</translation>
+    </message>
+    <message>
+        <source>%1 of %2 patches placed</source>
+        <translation>%1 von %2 Hautstücken eingeordnet</translation>
+    </message>
+    <message>
+        <source>Place on the robot</source>
+        <translation>Am Roboter einordnen</translation>
+    </message>
+    <message>
+        <source>A calibration is open: it holds the result, not the poses.</source>
+        <translation>Eine Kalibrierung ist geöffnet: Sie enthält das Ergebnis, nicht die Posen.</translation>
+    </message>
+    <message>
+        <source>There is a result to place.</source>
+        <translation>Es gibt ein Ergebnis, das sich einordnen lässt.</translation>
+    </message>
+    <message>
+        <source>Say where on the robot each patch is.</source>
+        <translation>Angeben, wo am Roboter jedes Hautstück ist.</translation>
+    </message>
+    <message>
+        <source>With the robot&apos;s description and its joint angles, gravity tells which link a patch is on and how it is turned there; the link&apos;s surface, or known points, tell where. Files for robots need it.</source>
+        <translation>Mit der Beschreibung des Roboters und seinen Gelenkwinkeln verrät die Schwerkraft, auf welchem Glied ein Hautstück liegt und wie es dort gedreht ist; die Oberfläche des Glieds oder bekannte Punkte sagen, wo. Dateien für Roboter brauchen das.</translation>
     </message>
 </context>
 <context>
@@ -5131,10 +5171,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Die Gelenke {} bilden eine Schleife: Eine URDF ist ein Baum, dessen Wurzel an keinem Gelenk hängt</translation>
     </message>
     <message>
-        <source>kind: expected capture, remove, restore, disable, enable, joints, mute, unmute, skin, source, truth or options, found &quot;{}&quot;</source>
-        <translation>Art: capture, remove, restore, disable, enable, joints, mute, unmute, skin, source, truth oder options wird erwartet, gefunden: „{}“</translation>
-    </message>
-    <message>
         <source>the name of a joint</source>
         <translation>der Name eines Gelenks</translation>
     </message>
@@ -5579,8 +5615,6 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <translation>Die Basis des Roboters scheint anders zu stehen als angegeben: Die Hautstücke passen, wenn {} ihres Koordinatensystems nach oben zeigt.</translation>
     </message>
     <message>
-        <source>No patch fits any link: perhaps the robot&apos;s base did not stand still in all poses, or joint angles and URDF are those of another robot.</source>
-        <translation>Kein Hautstück passt auf irgendein Glied: Vielleicht stand die Basis des Roboters nicht in allen Posen still, oder Gelenkwinkel und URDF sind die eines anderen Roboters.</translation>
         <source>the name of a link</source>
         <translation>der Name eines Glieds</translation>
     </message>
@@ -5767,6 +5801,66 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
     <message>
         <source>there must be room for at least one candidate</source>
         <translation>es muss Platz für mindestens einen Kandidaten sein</translation>
+    </message>
+    <message>
+        <source>the origin cell of a patch</source>
+        <translation>die Ursprungszelle eines Hautstücks</translation>
+    </message>
+    <message>
+        <source>No patch fits any link: perhaps the robot&apos;s base did not stand still in all poses, or joint angles and URDF are those of another robot.</source>
+        <translation>Kein Hautstück passt auf irgendein Glied: Vielleicht stand die Basis des Roboters nicht in allen Posen still, oder Gelenkwinkel und URDF sind die eines anderen Roboters.</translation>
+    </message>
+    <message>
+        <source>kind: expected capture, remove, restore, disable, enable, joints, mute, unmute, robot, placement, skin, source, truth or options, found &quot;{}&quot;</source>
+        <translation>kind: erwartet capture, remove, restore, disable, enable, joints, mute, unmute, robot, placement, skin, source, truth oder options, gefunden „{}“</translation>
+    </message>
+    <message>
+        <source>the patch of cell {}</source>
+        <translation>das Hautstück von Zelle {}</translation>
+    </message>
+    <message>
+        <source>the description of a robot needs a file</source>
+        <translation>die Beschreibung eines Roboters braucht eine Datei</translation>
+    </message>
+    <message>
+        <source>a package has a name and a folder</source>
+        <translation>ein Paket hat einen Namen und einen Ordner</translation>
+    </message>
+    <message>
+        <source>expected a point within {} m and a sigma above 0 for cell {}</source>
+        <translation>erwartet einen Punkt innerhalb von {} m und ein Sigma über 0 für Zelle {}</translation>
+    </message>
+    <message>
+        <source>expected a distance above 0 between two cells, and a sigma above 0, for cell {}</source>
+        <translation>erwartet einen Abstand über 0 zwischen zwei Zellen und ein Sigma über 0 für Zelle {}</translation>
+    </message>
+    <message>
+        <source>expected a place of this patch on its link</source>
+        <translation>erwartet einen Platz dieses Hautstücks auf seinem Glied</translation>
+    </message>
+    <message>
+        <source>expected a rotation and a translation within {} m</source>
+        <translation>erwartet eine Drehung und eine Verschiebung innerhalb von {} m</translation>
+    </message>
+    <message>
+        <source>expected a covariance (positive semidefinite)</source>
+        <translation>erwartet eine Kovarianz (positiv semidefinit)</translation>
+    </message>
+    <message>
+        <source>the name of a file</source>
+        <translation>der Name einer Datei</translation>
+    </message>
+    <message>
+        <source>a name and a folder</source>
+        <translation>ein Name und ein Ordner</translation>
+    </message>
+    <message>
+        <source>each package once</source>
+        <translation>jedes Paket einmal</translation>
+    </message>
+    <message>
+        <source>a placement that makes sense ({})</source>
+        <translation>eine sinnvolle Einordnung ({})</translation>
     </message>
 </context>
 <context>
@@ -6251,6 +6345,462 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Documents (*.pdf);;Pages for the browser (*.html)</source>
         <translation>Dokumente (*.pdf);;Seiten für den Browser (*.html)</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PlaceOnRobot</name>
+    <message>
+        <source>%1 · can&apos;t be told from %2</source>
+        <translation>%1 · nicht von %2 zu unterscheiden</translation>
+    </message>
+    <message>
+        <source>%1 · fits: misfit %2, usual is %3</source>
+        <translation>%1 · passt: Abweichung %2, üblich ist %3</translation>
+    </message>
+    <message>
+        <source>%1 · does not fit: misfit %2, usual is %3</source>
+        <translation>%1 · passt nicht: Abweichung %2, üblich ist %3</translation>
+    </message>
+    <message>
+        <source>%1 · misfit %2</source>
+        <translation>%1 · Abweichung %2</translation>
+    </message>
+    <message>
+        <source>does not fit</source>
+        <translation>passt nicht</translation>
+    </message>
+    <message>
+        <source>can be moved</source>
+        <translation>verschiebbar</translation>
+    </message>
+    <message>
+        <source>Cell %1 at (%2, %3, %4) mm ± %5 mm</source>
+        <translation>Zelle %1 bei (%2; %3; %4) mm ± %5 mm</translation>
+    </message>
+    <message>
+        <source>Cell %1 to cell %2: %3 mm ± %4 mm</source>
+        <translation>Zelle %1 bis Zelle %2: %3 mm ± %4 mm</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PlacePanel</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Roboter</translation>
+    </message>
+    <message>
+        <source>Which robot wears the skin?</source>
+        <translation>Welcher Roboter trägt die Haut?</translation>
+    </message>
+    <message>
+        <source>Joint angles</source>
+        <translation>Gelenkwinkel</translation>
+    </message>
+    <message>
+        <source>How did it stand in each pose?</source>
+        <translation>Wie stand er in jeder Pose?</translation>
+    </message>
+    <message>
+        <source>Patch</source>
+        <translation>Hautstück</translation>
+    </message>
+    <message>
+        <source>Which patch is to be placed?</source>
+        <translation>Welches Hautstück soll eingeordnet werden?</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Glied</translation>
+    </message>
+    <message>
+        <source>Which link saw the same gravity?</source>
+        <translation>Welches Glied hat dieselbe Schwerkraft gesehen?</translation>
+    </message>
+    <message>
+        <source>What is known</source>
+        <translation>Was bekannt ist</translation>
+    </message>
+    <message>
+        <source>What says where on the link it lies?</source>
+        <translation>Was sagt, wo auf dem Glied es liegt?</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Platz</translation>
+    </message>
+    <message>
+        <source>Where on the link can it lie?</source>
+        <translation>Wo auf dem Glied kann es liegen?</translation>
+    </message>
+    <message>
+        <source>Choose URDF…</source>
+        <translation>URDF wählen…</translation>
+    </message>
+    <message>
+        <source>Choose the robot&apos;s URDF</source>
+        <translation>Das URDF des Roboters wählen</translation>
+    </message>
+    <message>
+        <source>Package folder…</source>
+        <translation>Paketordner…</translation>
+    </message>
+    <message>
+        <source>Say in which folder a package of the robot is</source>
+        <translation>Angeben, in welchem Ordner ein Paket des Roboters liegt</translation>
+    </message>
+    <message>
+        <source>Where a URDF says package://NAME/…: the folder called NAME</source>
+        <translation>Wo ein URDF package://NAME/… sagt: der Ordner namens NAME</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the robot</source>
+        <translation>Den Roboter entfernen</translation>
+    </message>
+    <message>
+        <source>Choose CSV…</source>
+        <translation>CSV wählen…</translation>
+    </message>
+    <message>
+        <source>Choose a table of joint angles</source>
+        <translation>Eine Tabelle mit Gelenkwinkeln wählen</translation>
+    </message>
+    <message>
+        <source>Pose in which the robot is drawn</source>
+        <translation>Pose, in der der Roboter gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Drawn in</source>
+        <translation>Gezeichnet in</translation>
+    </message>
+    <message>
+        <source>Patch that is placed</source>
+        <translation>Hautstück, das eingeordnet wird</translation>
+    </message>
+    <message>
+        <source>Links that the patch may be on</source>
+        <translation>Glieder, auf denen das Hautstück liegen kann</translation>
+    </message>
+    <message>
+        <source>Return or a click puts the patch on a link</source>
+        <translation>Die Eingabetaste oder ein Klick legt das Hautstück auf ein Glied</translation>
+    </message>
+    <message>
+        <source>Any link of the robot</source>
+        <translation>Jedes Glied des Roboters</translation>
+    </message>
+    <message>
+        <source>On link</source>
+        <translation>Auf Glied</translation>
+    </message>
+    <message>
+        <source>Its back lies on the link&apos;s surface</source>
+        <translation>Die Rückseite liegt auf der Oberfläche des Glieds</translation>
+    </message>
+    <message>
+        <source>Known points and distances</source>
+        <translation>Bekannte Punkte und Abstände</translation>
+    </message>
+    <message>
+        <source>Remove the picked point or distance</source>
+        <translation>Den gewählten Punkt oder Abstand entfernen</translation>
+    </message>
+    <message>
+        <source>Cell at the known point</source>
+        <translation>Zelle am bekannten Punkt</translation>
+    </message>
+    <message>
+        <source>x of the point in the link&apos;s frame</source>
+        <translation>x des Punkts im Koordinatensystem des Glieds</translation>
+    </message>
+    <message>
+        <source>y of the point in the link&apos;s frame</source>
+        <translation>y des Punkts im Koordinatensystem des Glieds</translation>
+    </message>
+    <message>
+        <source>z of the point in the link&apos;s frame</source>
+        <translation>z des Punkts im Koordinatensystem des Glieds</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the point, 1 sigma</source>
+        <translation>Unsicherheit des Punkts, 1 Sigma</translation>
+    </message>
+    <message>
+        <source>Pick in 3D</source>
+        <translation>In 3D wählen</translation>
+    </message>
+    <message>
+        <source>Pick the point on the robot</source>
+        <translation>Den Punkt am Roboter wählen</translation>
+    </message>
+    <message>
+        <source>The next click on the robot fills in x, y and z</source>
+        <translation>Der nächste Klick auf den Roboter füllt x, y und z aus</translation>
+    </message>
+    <message>
+        <source>Add point</source>
+        <translation>Punkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add the known point</source>
+        <translation>Den bekannten Punkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Cell</source>
+        <translation>Zelle</translation>
+    </message>
+    <message>
+        <source>±</source>
+        <translation>±</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>Cell of this patch</source>
+        <translation>Zelle dieses Hautstücks</translation>
+    </message>
+    <message>
+        <source>Cell of another patch on the same link</source>
+        <translation>Zelle eines anderen Hautstücks auf demselben Glied</translation>
+    </message>
+    <message>
+        <source>Measured distance of the two cells</source>
+        <translation>Gemessener Abstand der beiden Zellen</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the distance, 1 sigma</source>
+        <translation>Unsicherheit des Abstands, 1 Sigma</translation>
+    </message>
+    <message>
+        <source>Add distance</source>
+        <translation>Abstand hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add the measured distance</source>
+        <translation>Den gemessenen Abstand hinzufügen</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>is</source>
+        <translation>ist</translation>
+    </message>
+    <message>
+        <source>Places that fit, the best first</source>
+        <translation>Plätze, die passen, der beste zuerst</translation>
+    </message>
+    <message>
+        <source>Pointing at a place shows it; Return or a click takes it</source>
+        <translation>Zeigen auf einen Platz führt ihn vor; die Eingabetaste oder ein Klick übernimmt ihn</translation>
+    </message>
+    <message>
+        <source>Take away</source>
+        <translation>Wegnehmen</translation>
+    </message>
+    <message>
+        <source>Take the patch away from its place</source>
+        <translation>Das Hautstück von seinem Platz wegnehmen</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>offen</translation>
+    </message>
+    <message>
+        <source>Nothing says where on the link the patch lies: use the surface, or add a point.</source>
+        <translation>Nichts sagt, wo auf dem Glied das Hautstück liegt: die Oberfläche verwenden oder einen Punkt hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Nothing describes the surface of this link; points and distances can say where the patch lies.</source>
+        <translation>Nichts beschreibt die Oberfläche dieses Glieds; Punkte und Abstände können sagen, wo das Hautstück liegt.</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s description; a file can also be dropped onto the window</source>
+        <translation>Die Beschreibung des Roboters; eine Datei lässt sich auch auf das Fenster ziehen</translation>
+    </message>
+    <message>
+        <source>A line for each pose, a column for each joint, with its unit</source>
+        <translation>Eine Zeile für jede Pose, eine Spalte für jedes Gelenk, mit ihrer Einheit</translation>
+    </message>
+    <message>
+        <source>Choose the robot first: its joints have the names of the columns</source>
+        <translation>Zuerst den Roboter wählen: Seine Gelenke geben den Spalten ihre Namen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::PlacePresenter</name>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>This point is on link %1, and the patch on %2: pick a point of that link.</source>
+        <translation>Dieser Punkt liegt auf Glied %1 und das Hautstück auf %2: einen Punkt dieses Glieds wählen.</translation>
+    </message>
+    <message>
+        <source>%1 has no line for any pose of this session.</source>
+        <translation>%1 hat für keine Pose dieser Sitzung eine Zeile.</translation>
+    </message>
+    <message>
+        <source>read the joint angles of %1</source>
+        <translation>Gelenkwinkel aus %1 lesen</translation>
+    </message>
+    <message>
+        <source>use the surface of the link</source>
+        <translation>Oberfläche des Glieds verwenden</translation>
+    </message>
+    <message>
+        <source>do without the surface of the link</source>
+        <translation>auf die Oberfläche des Glieds verzichten</translation>
+    </message>
+    <message>
+        <source>remove a known point</source>
+        <translation>bekannten Punkt entfernen</translation>
+    </message>
+    <message>
+        <source>remove a measured distance</source>
+        <translation>gemessenen Abstand entfernen</translation>
+    </message>
+    <message>
+        <source>take the patch away</source>
+        <translation>Hautstück wegnehmen</translation>
+    </message>
+    <message>
+        <source>Choose the robot&apos;s URDF</source>
+        <translation>Das URDF des Roboters wählen</translation>
+    </message>
+    <message>
+        <source>Robots (*.urdf *.xml);;All files (*)</source>
+        <translation>Roboter (*.urdf *.xml);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>The folder of a package</source>
+        <translation>Der Ordner eines Pakets</translation>
+    </message>
+    <message>
+        <source>Choose a table of joint angles</source>
+        <translation>Eine Tabelle mit Gelenkwinkeln wählen</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv *.tsv *.txt);;All files (*)</source>
+        <translation>Tabellen (*.csv *.tsv *.txt);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Choose the robot first: its joints have the names of the columns.</source>
+        <translation>Zuerst den Roboter wählen: Seine Gelenke geben den Spalten ihre Namen.</translation>
+    </message>
+    <message>
+        <source>Of a patch this large only some cells are placed, and %1 known points are of others: give points of other cells.</source>
+        <translation>Von einem so großen Hautstück werden nur einige Zellen eingeordnet, und %1 bekannte Punkte gehören zu anderen: Punkte anderer Zellen angeben.</translation>
+    </message>
+    <message>
+        <source>There is no skin yet.</source>
+        <translation>Noch gibt es keine Haut.</translation>
+    </message>
+    <message>
+        <source>A calibration is open: it holds the result, not the poses.</source>
+        <translation>Eine Kalibrierung ist geöffnet: Sie enthält das Ergebnis, nicht die Posen.</translation>
+    </message>
+    <message>
+        <source>%1, %2 links, from %3.</source>
+        <translation>%1, %2 Glieder, aus %3.</translation>
+    </message>
+    <message>
+        <source>Not chosen yet.</source>
+        <translation>Noch nicht gewählt.</translation>
+    </message>
+    <message>
+        <source>No pose has joint angles, so that no link can be told. A link can be chosen all the same.</source>
+        <translation>Keine Pose hat Gelenkwinkel, so dass sich kein Glied bestimmen lässt. Ein Glied lässt sich trotzdem wählen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 poses have joint angles.</source>
+        <translation>%1 von %2 Posen haben Gelenkwinkel.</translation>
+    </message>
+    <message>
+        <source>This patch saw gravity in no pose that has joint angles.</source>
+        <translation>Dieses Hautstück hat in keiner Pose mit Gelenkwinkeln Schwerkraft gesehen.</translation>
+    </message>
+    <message>
+        <source>Pose %1</source>
+        <translation>Pose %1</translation>
+    </message>
+    <message>
+        <source>All joints at 0</source>
+        <translation>Alle Gelenke auf 0</translation>
+    </message>
+    <message>
+        <source>Cell %1 alone</source>
+        <translation>Zelle %1 allein</translation>
+    </message>
+    <message>
+        <source>Patch of cell %1, %2 cells</source>
+        <translation>Hautstück der Zelle %1, %2 Zellen</translation>
+    </message>
+    <message>
+        <source>The robot has no link %1, on which the patch was placed: choose another one, or the robot that it belongs to.</source>
+        <translation>Der Roboter hat kein Glied %1, auf dem das Hautstück eingeordnet wurde: ein anderes wählen, oder den Roboter, zu dem es gehört.</translation>
+    </message>
+    <message>
+        <source>leave the link open</source>
+        <translation>Glied offenlassen</translation>
+    </message>
+    <message>
+        <source>put the patch on link %1</source>
+        <translation>Hautstück auf Glied %1 legen</translation>
+    </message>
+    <message>
+        <source>Cell %1 is none of this patch.</source>
+        <translation>Zelle %1 gehört nicht zu diesem Hautstück.</translation>
+    </message>
+    <message>
+        <source>add a known point</source>
+        <translation>bekannten Punkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Cell %1 is of no other patch: inside a patch, distances are known.</source>
+        <translation>Zelle %1 gehört zu keinem anderen Hautstück: Innerhalb eines Hautstücks sind Abstände bekannt.</translation>
+    </message>
+    <message>
+        <source>The patch of cell %1 is not on link %2: its distance depends on the joints.</source>
+        <translation>Das Hautstück von Zelle %1 liegt nicht auf Glied %2: Sein Abstand hängt von den Gelenken ab.</translation>
+    </message>
+    <message>
+        <source>add a measured distance</source>
+        <translation>gemessenen Abstand hinzufügen</translation>
+    </message>
+    <message>
+        <source>place the patch</source>
+        <translation>Hautstück einordnen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::Placing</name>
+    <message>
+        <source>The file has changed since the robot was chosen: look whether the places still hold.</source>
+        <translation>Die Datei hat sich geändert, seit der Roboter gewählt wurde: nachsehen, ob die Plätze noch stimmen.</translation>
     </message>
 </context>
 <context>
@@ -7188,6 +7738,17 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     </message>
 </context>
 <context>
+    <name>hexoderm::RobotView</name>
+    <message>
+        <source>The robot in three dimensions</source>
+        <translation>Der Roboter in drei Dimensionen</translation>
+    </message>
+    <message>
+        <source>The 3D view needs OpenGL 3.2, which is not available here. Links, places and points can still be chosen in the lists.</source>
+        <translation>Die 3D-Ansicht braucht OpenGL 3.2, das hier nicht verfügbar ist. Glieder, Plätze und Punkte lassen sich trotzdem in den Listen wählen.</translation>
+    </message>
+</context>
+<context>
     <name>hexoderm::SessionFile</name>
     <message>
         <source>%1 is open already.</source>
@@ -7212,6 +7773,14 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Until it is saved, this session is kept in memory only. %1</source>
         <translation>Bis sie gespeichert ist, liegt diese Sitzung nur im Speicher. %1</translation>
+    </message>
+    <message>
+        <source>Simulating a robot</source>
+        <translation>Ein Roboter wird simuliert</translation>
+    </message>
+    <message>
+        <source>Simulated robot</source>
+        <translation>Simulierter Roboter</translation>
     </message>
 </context>
 <context>
@@ -8487,6 +9056,14 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Correct the address…</source>
         <translation>Adresse berichtigen…</translation>
+    </message>
+    <message>
+        <source>Try it with a simulated &amp;robot</source>
+        <translation>Mit einem simulierten &amp;Roboter ausprobieren</translation>
+    </message>
+    <message>
+        <source>A forearm with two patches and an elbow: a session to place on its robot</source>
+        <translation>Ein Unterarm mit zwei Hautstücken und einem Ellbogen: eine Sitzung, die am Roboter einzuordnen ist</translation>
     </message>
 </context>
 <context>
