@@ -231,13 +231,13 @@ void PlacePanel::buildKnown() {
   row->addStretch();
   connect(known_list_, &QListWidget::currentRowChanged, this, &PlacePanel::refreshControls);
   connect(remove_known_, &QPushButton::clicked, this, [this] {
-    const int row = known_list_->currentRow();
+    const int picked = known_list_->currentRow();
     const int points = static_cast<int>(stand_.known.points.size());
-    if (row < 0) return;
-    if (row < points) {
-      emit pointRemoved(row);
+    if (picked < 0) return;
+    if (picked < points) {
+      emit pointRemoved(picked);
     } else {
-      emit distanceRemoved(row - points);
+      emit distanceRemoved(picked - points);
     }
   });
   buildPoint();
