@@ -380,7 +380,7 @@ VerifyFigures oldCalibrationFigures(const CalibrationCheck& check, const Reconst
        VerifyTexts::tr("The drift of its sensor's offset that explains best what the cell reads"), 0, false},
       degreeColumn(VerifyTexts::tr("Noticed from °"),
                    VerifyTexts::tr("A turn by so much, about whatever axis, would be found in these poses with 95 %; "
-                                   "none: a turn about some axis would not be"))};
+                                   "no figure: a turn about some axis would not be"))};
   std::vector<const CheckedCell*> cells;
   for (const CheckedCell& cell : check.cells) cells.push_back(&cell);
   std::ranges::stable_sort(cells, {}, [](const CheckedCell* cell) { return rankInList(*cell); });
