@@ -70,6 +70,7 @@ Json toJson(const CalibrationCheck& check, const CheckOptions& options) {
                {"changed", check.changed},
                {"compared", check.compared},
                {"summary", check.summary.english()},
+               {"advice", check.advice.english()},
                {"remarks", Json::array()},
                {"cells", Json::array()}};
   for (const PoseId pose : check.poses) json["poses"].push_back(pose.value());
@@ -91,6 +92,7 @@ void print(const CalibrationCheck& check) {
   }
   for (const Message& remark : check.remarks) std::cout << forTerminal(remark.english()) << '\n';
   std::cout << forTerminal(check.summary.english()) << '\n';
+  if (!check.advice.empty()) std::cout << forTerminal(check.advice.english()) << '\n';
 }
 
 int run(const CheckOptions& options, const Common& common) {

@@ -40,11 +40,13 @@ TEST_F(CliCheck, NamesWhatChangedAndEndsWithOne) {
   const Outcome text = run("check arm.calibration.json today.session.json");
   EXPECT_EQ(text.exit_code, 1);
   EXPECT_THAT(text.out, AllOf(HasSubstr("turned by "), HasSubstr("dead: it reads no gravity"),
-                              HasSubstr("Not as calibrated: cells 5 and 7.")));
+                              HasSubstr("Not as calibrated: cells 5 and 7."), HasSubstr("came loose"),
+                              HasSubstr("Check the sensor, plug and cable")));
   const Outcome outcome = run("check arm.calibration.json today.session.json --json");
   EXPECT_EQ(outcome.exit_code, 1);
   const auto json = nlohmann::json::parse(outcome.out);
   EXPECT_EQ(json.at("changed"), true);
+  EXPECT_THAT(json.at("advice").get<std::string>(), HasSubstr("came loose"));
   ASSERT_EQ(json.at("cells").size(), 17);
   const auto& turned = json.at("cells").at(4);
   EXPECT_EQ(turned.at("cell"), 5);

@@ -265,7 +265,7 @@ class CalibrationChecker {
     return view;
   }
 
-  [[nodiscard]] static CheckedCell judge(const CellView& view, const ViewComparison& comparison) {
+  [[nodiscard]] CheckedCell judge(const CellView& view, const ViewComparison& comparison) {
     CheckedCell checked;
     checked.cell = view.cell;
     checked.poses = view.poses.size();
@@ -283,12 +283,13 @@ class CalibrationChecker {
     return checked;
   }
 
-  static void explain(const CellView& view, const ViewComparison& comparison, CheckedCell& checked) {
+  void explain(const CellView& view, const ViewComparison& comparison, CheckedCell& checked) {
     const TurnFit turn = fitTurn(comparison);
     const DriftFit drift = fitDrift(view, comparison);
     if (std::min(turn.left.deviate(), drift.left.deviate()) > kChangedFrom) {
       checked.change = CellChange::Broken;
       checked.words = message("broken: neither a turn nor a drift of its offset explains what it reads");
+      changed_meanwhile_ = changed_meanwhile_ || view.poses.size() > 1;
       return;
     }
     const double turn_leaves_more = turn.left.chi_squared - drift.left.chi_squared;
@@ -356,9 +357,8 @@ class CalibrationChecker {
                   check_.cells.size(), not_told));
     }
     check_.compared = same > 0 || !changed.empty();
-    if (3 * changed.size() > check_.cells.size()) {
-      words.push_back(message("So many cells changed that the skin should be calibrated anew."));
-    }
+    const bool too_many = 3 * changed.size() > check_.cells.size();
+    if (too_many) words.push_back(message("So many cells changed that the skin should be calibrated anew."));
     const bool is_blind = std::ranges::any_of(check_.cells, [](const CheckedCell& cell) {
       return cell.change == CellChange::None && !cell.noticed_turn_rad;
     });
@@ -368,6 +368,49 @@ class CalibrationChecker {
                   "or more."));
     }
     check_.summary = inRow(std::move(words));
+    if (!check_.changed) {
+      check_.advice = adviceWhereNothingChanged(is_blind || not_told > 0);
+    } else if (!too_many && !(contradictory_ && changed.empty())) {  // else the summary says what to do
+      check_.advice = adviceOnChanges(is_blind);
+    }
+  }
+
+  [[nodiscard]] Message adviceWhereNothingChanged(bool with_gaps) const {
+    if (!check_.compared) {
+      return message("See that the cells send readings, and that the calibration was made of three poses or more.");
+    }
+    return with_gaps ? message("As far as it could be compared, the calibration still holds.")
+                     : message("The calibration still holds: it can be used as before.");
+  }
+
+  [[nodiscard]] Message adviceOnChanges(bool is_blind) const {
+    const bool is_either = check_.count(CellChange::TurnedOrDrifted) > 0;
+    std::vector<Message> words;
+    if (is_either || check_.count(CellChange::Turned) > 0) {
+      words.push_back(
+          message("A cell that turned came loose or was fixed anew: see that it sits firmly, then calibrate anew."));
+    }
+    if (is_either || check_.count(CellChange::Drifted) > 0) {
+      words.push_back(
+          message("A cell whose offset drifted is still where it was; its readings are off by that much until the skin "
+                  "is calibrated anew."));
+    }
+    // Where the poses are blind, the summary asks for another one.
+    if (is_either && !is_blind) {
+      words.push_back(message("Another pose, with the part turned by 45° or more, tells a turn from a drift."));
+    }
+    if (check_.count(CellChange::Broken) > 0) {
+      words.push_back(message("Check the sensor, plug and cable of a cell that is dead, broken or gone."));
+    }
+    if (changed_meanwhile_) {
+      words.push_back(
+          message("What neither a turn nor a drift explains may have happened between these poses: compare only those "
+                  "that were taken since."));
+    }
+    if (!missing_.links.empty()) {
+      words.push_back(message("See that the cells are still joined where a link is no longer reported."));
+    }
+    return inRow(std::move(words));
   }
 
   const Reconstruction& calibration_;
@@ -378,7 +421,8 @@ class CalibrationChecker {
   std::vector<Finding> ignored_;  ///< about the topology and the numbers of poses
   GravityTable table_;
   std::unordered_map<CellId, Message> broken_;
-  bool contradictory_ = false;  ///< no majority of some patch agrees
+  bool contradictory_ = false;      ///< no majority of some patch agrees
+  bool changed_meanwhile_ = false;  ///< as far as can be told, a cell may have changed between the poses
   CalibrationCheck check_;
 };
 

@@ -51,6 +51,7 @@ struct CalibrationCheck {
   std::vector<CheckedCell> cells;  ///< all of the calibration, in ascending order
   std::vector<Message> remarks;    ///< on the poses and the links, one sentence each
   Message summary;                 ///< one sentence or a few
+  Message advice;                  ///< what to do about it, in one sentence or a few
   bool changed = false;            ///< something is not as calibrated; which cell may not be known
   bool compared = false;           ///< something could be told of a cell
 

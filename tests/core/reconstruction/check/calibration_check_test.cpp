@@ -99,6 +99,7 @@ TEST(CalibrationCheck, ExactReadingsOfTheSameSkinAreAsCalibratedHoweverThePartIs
   EXPECT_FALSE(result.changed);
   EXPECT_TRUE(result.compared);
   EXPECT_EQ(result.summary.english(), "All 17 cells are as calibrated, as far as these poses show.");
+  EXPECT_EQ(result.advice.english(), "The calibration still holds: it can be used as before.");
   // All cells turned alike: the part sits otherwise on the robot.
   const Eigen::Matrix3d R = expSO3({0.4, 1.2, -0.7});
   EXPECT_THAT(changedCells(check(*calibrated(skin), skin.session({R * kToday[0], R * kToday[1]}))), IsEmpty());
@@ -119,6 +120,8 @@ TEST(CalibrationCheck, ATurnedCellIsNamedWithItsAngle) {
   EXPECT_LT(cell.turn->sigma_rad, 1.5 * kDegree);
   EXPECT_THAT(cell.words.english(), HasSubstr("turned by 10.0° +- "));
   EXPECT_EQ(result.summary.english(), "Not as calibrated: cell 8.");
+  EXPECT_EQ(result.advice.english(),
+            "A cell that turned came loose or was fixed anew: see that it sits firmly, then calibrate anew.");
 }
 
 TEST(CalibrationCheck, TheOriginIsACellLikeAnyOther) {
@@ -145,7 +148,9 @@ TEST(CalibrationCheck, ADriftOfAnOffsetIsToldFromATurnWhereThePosesAllowIt) {
   EXPECT_THAT(cell.words.english(), HasSubstr("its sensor's offset drifted by 60 mg"));
   // Across gravity in both poses it is what a turn by 4.9 degrees reads.
   const Eigen::Vector3d across = R_o_u.transpose() * (0.06 * kToday[0].cross(kToday[1]).normalized());
-  const CheckedCell either = cellOf(check(*calibrated(skin), drifted(across)), CellId(5));
+  const CalibrationCheck with_either = check(*calibrated(skin), drifted(across));
+  EXPECT_THAT(with_either.advice.english(), HasSubstr("Another pose, with the part turned by 45° or more"));
+  const CheckedCell either = cellOf(with_either, CellId(5));
   EXPECT_EQ(either.change, CellChange::TurnedOrDrifted);
   ASSERT_TRUE(either.turn && either.drift);
   EXPECT_NEAR(either.drift->offset_g.norm(), 0.06, 0.003);
@@ -161,12 +166,16 @@ TEST(CalibrationCheck, OnePoseShowsSomeChangesAndSaysWhatItDoesNotShow) {
   const CalibrationCheck same = check(*calibrated(skin), skin.session(up));
   EXPECT_FALSE(same.changed);
   EXPECT_THAT(same.summary.english(), HasSubstr("don't show every turn"));
+  EXPECT_EQ(same.advice.english(), "As far as it could be compared, the calibration still holds.");
   EXPECT_THAT(same.cells, Each(Field(&CheckedCell::noticed_turn_rad, std::optional<double>())));
   const Eigen::Vector3d about_gravity = R_u_o * up[0];
   EXPECT_FALSE(check(*calibrated(skin), turned(skin, CellId(4), 0.5 * about_gravity).session(up)).changed);
   const Eigen::Vector3d across = R_u_o * up[0].unitOrthogonal();
   const CalibrationCheck tilted = check(*calibrated(skin), turned(skin, CellId(4), 10 * kDegree * across).session(up));
   EXPECT_THAT(changedCells(tilted), ElementsAre(CellId(4)));
+  EXPECT_THAT(tilted.advice.english(),
+              AllOf(HasSubstr("came loose"), HasSubstr("offset drifted"), Not(HasSubstr("Another pose"))))
+      << "the summary asks for it";
   const CheckedCell& cell = cellOf(tilted, CellId(4));
   EXPECT_EQ(cell.change, CellChange::TurnedOrDrifted) << "one reading is as well explained by an offset";
   ASSERT_TRUE(cell.turn);
@@ -184,6 +193,7 @@ TEST(CalibrationCheck, ASensorThatReadsNoGravityIsBroken) {
     EXPECT_THAT(changedCells(result), ElementsAre(CellId(3)));
     EXPECT_EQ(cellOf(result, CellId(3)).change, CellChange::Broken);
     EXPECT_TRUE(result.changed);
+    EXPECT_THAT(result.advice.english(), HasSubstr("Check the sensor, plug and cable"));
     return cellOf(result, CellId(3)).words.english();
   };
   const auto reading = [&](const auto& read) {
@@ -222,6 +232,7 @@ TEST(CalibrationCheck, ACellThatIsGoneIsNamedAndALinkThatIsGoneToo) {
   EXPECT_TRUE(without_link.changed);
   ASSERT_THAT(without_link.remarks, SizeIs(1));
   EXPECT_THAT(without_link.remarks.front().english(), HasSubstr("4 port"));
+  EXPECT_EQ(without_link.advice.english(), "See that the cells are still joined where a link is no longer reported.");
 }
 
 TEST(CalibrationCheck, AnotherSkinIsRefusedWithWhatDiffers) {
@@ -272,6 +283,7 @@ TEST(CalibrationCheck, WhereNoMajorityAgreesNoCellIsNamed) {
   EXPECT_TRUE(result.changed);
   EXPECT_THAT(result.cells, Each(Field(&CheckedCell::change, CellChange::NotTold)));
   EXPECT_THAT(result.summary.english(), HasSubstr("contradict each other"));
+  EXPECT_TRUE(result.advice.empty()) << "the summary says what to do";
 
   PinJointedSkin skin = bentX17();
   const auto whole = calibrated(skin);
@@ -318,6 +330,28 @@ TEST(CalibrationCheck, ACalibrationThatIsTooUncertainTellsNothingAndSaysSo) {
   EXPECT_FALSE(result.compared);
   EXPECT_THAT(result.cells, Each(Field(&CheckedCell::change, CellChange::NotTold)));
   EXPECT_THAT(result.summary.english(), HasSubstr("Nothing can be told of any cell"));
+  EXPECT_THAT(result.advice.english(), HasSubstr("three poses or more"));
+}
+
+TEST(CalibrationCheck, ACellThatTurnedBetweenThePosesIsNamedAndTheLaterPosesTellHow) {
+  const PinJointedSkin skin = bentX17();
+  const auto calibration = calibrated(skin);
+  const Session before = skin.session(orthogonalUps(4));
+  const Session after = turned(skin, CellId(8), 20 * kDegree * Eigen::Vector3d(1, 2, -1).normalized()).session(kToday);
+  Session all(before.model(), before.neighbors());
+  for (const Session* part : {&before, &after}) {
+    for (const SessionPose& pose : part->poses()) {
+      PoseCapture capture = *pose.capture;
+      capture.id = all.nextPoseId();
+      all.addPose({std::make_shared<const PoseCapture>(std::move(capture)), false});
+    }
+  }
+  const CalibrationCheck mixed = check(*calibration, all);
+  EXPECT_THAT(changedCells(mixed), ElementsAre(CellId(8)));
+  EXPECT_EQ(cellOf(mixed, CellId(8)).change, CellChange::Broken);
+  EXPECT_THAT(mixed.advice.english(), HasSubstr("compare only those that were taken since"));
+  for (std::size_t k = 0; k < 4; ++k) all.setPoseDisabled(k, true);
+  EXPECT_EQ(cellOf(check(*calibration, all), CellId(8)).change, CellChange::Turned);
 }
 
 TEST(CalibrationCheck, TheOrderOfPosesAndReadingsDoesNotMatter) {
@@ -349,6 +383,7 @@ TEST(CalibrationCheck, ManyMayChangeAtOnce) {
   const CalibrationCheck result = check(*calibration, skin.session(kToday));
   EXPECT_EQ(changedCells(result), changed);
   EXPECT_THAT(result.summary.english(), HasSubstr("should be calibrated anew"));
+  EXPECT_TRUE(result.advice.empty()) << "the summary says what to do";
 }
 
 TEST(CalibrationCheck, ACalibrationByTheTreeHoldsNoOffsetsAndShowsLess) {
