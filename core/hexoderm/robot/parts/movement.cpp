@@ -19,7 +19,9 @@ using Eigen::Index;
 /// pose.
 class TurnsOfBodies {
  public:
-  TurnsOfBodies(const GravitySeen& a, const GravitySeen& b, const Eigen::Matrix3d& R_a_b) : up_a_(a.up) {
+  /// `stretch`: of the covariances.
+  TurnsOfBodies(const GravitySeen& a, const GravitySeen& b, const Eigen::Matrix3d& R_a_b, double stretch)
+      : up_a_(a.up) {
     const auto rows = static_cast<Index>(2 * a.size());
     Eigen::MatrixXd turn_b = Eigen::MatrixXd::Zero(rows, rows);
     Eigen::MatrixXd common(rows, 3);
@@ -32,7 +34,7 @@ class TurnsOfBodies {
       common.middleRows<2>(at) = -across * skew(a.up[k]);
     }
     // How the bodies are turned against each other all the time is not known: to within a radian.
-    Eigen::MatrixXd S = a.covariance + turn_b * b.covariance * turn_b.transpose();
+    Eigen::MatrixXd S = stretch * (a.covariance + turn_b * b.covariance * turn_b.transpose());
     S.noalias() += common * common.transpose();
     factor_.compute(S);
     factor_.matrixL().solveInPlace(residual_);
@@ -89,7 +91,11 @@ MovementTest testMovement(const GravitySeen& a, const GravitySeen& b) {
   test.noticeable_rad = kPi;
   if (both[0].size() < 2) return test;
   test.on_one_line = lieOnOneLine(both[0].up) || lieOnOneLine(both[1].up);
-  const TurnsOfBodies turns(both[0], both[1], test.fit.R[1]);
+  // Swings that bring about more than a usual hand's speak for no joint that turned by tens of degrees: noise counts as
+  // large as one rigid body would show it.
+  const GravityMisfit& misfit = test.fit.misfit;
+  const double stretch = misfit.freedom > 0 ? std::max(1.0, misfit.chi_squared / misfit.freedom) : 1;
+  const TurnsOfBodies turns(both[0], both[1], test.fit.R[1], stretch);
   std::vector<Eigen::Vector3d> axes = axesAllAround();
   double least_odds = std::numeric_limits<double>::infinity();
   double least_information = std::numeric_limits<double>::infinity();

@@ -17,7 +17,6 @@ namespace {
 struct SeeingPatch {
   const PatchReconstruction* patch = nullptr;
   GravitySeen seen;
-  GravitySeen seen_from_joint;  ///< as `seen`, meant at a joint of its part
 };
 
 /// A part while it grows: patches as indices, and what they see together in the first one's frame.
@@ -52,6 +51,7 @@ class PartsFinder {
     describePairs();
     while (mergeBest()) {
     }
+    settleSwings();
     describeParts();
     describeRelations();
     judgePairs();
@@ -81,10 +81,9 @@ class PartsFinder {
       result_.not_compared.push_back(seeing.back()->id);
     }
     // Of patches with hundreds of poses only those that are compared get their covariance.
-    const std::vector<PoseId> poses = differentPoses(seeing, posesOf(seeing), options_.most_poses);
+    poses_ = differentPoses(seeing, posesOf(seeing), options_.most_poses);
     for (const PatchReconstruction* patch : seeing) {
-      patches_.push_back(
-          {patch, gravityIn(*patch, poses, options_.lever_m), gravityIn(*patch, poses, options_.joint_lever_m)});
+      patches_.push_back({patch, gravityIn(*patch, poses_, options_.lever_m)});
     }
   }
 
@@ -92,6 +91,43 @@ class PartsFinder {
     std::vector<GravitySeen> bodies;
     for (const std::size_t member : members) bodies.push_back(patches_[member].seen);
     return {std::move(members), fitRigid(bodies)};
+  }
+
+  /// The patches of a group, each so far away from the point at which gravity is meant.
+  [[nodiscard]] RigidFit fitWithLever(const Group& group, double lever_m) const {
+    std::vector<GravitySeen> bodies;
+    for (const std::size_t member : group.members) {
+      bodies.push_back(gravityIn(*patches_[member].patch, poses_, lever_m));
+    }
+    return fitRigid(bodies);
+  }
+
+  /// Whether patches move together was asked as if a usual hand had swung them. How much a swing really did between
+  /// patches shows where several are on one part: of shares of the usual variance, each as probable beforehand, the
+  /// mean by what the parts saw. With it the parts are fitted again; without such parts it stays the usual one.
+  void settleSwings() {
+    constexpr int kHalvings = 7;
+    std::vector<double> log_evidence(kHalvings, 0);
+    bool any = false;
+    for (const Group& group : groups_) {
+      if (group.members.size() < 2) continue;
+      any = true;
+      for (int k = 0; k < kHalvings; ++k) {
+        log_evidence[static_cast<std::size_t>(k)] +=
+            fitWithLever(group, options_.lever_m * std::pow(0.5, k / 2.0)).log_evidence;
+      }
+    }
+    if (!any) return;
+    const double most = *std::ranges::max_element(log_evidence);
+    double sum = 0;
+    double weights = 0;
+    for (int k = 0; k < kHalvings; ++k) {
+      const double weight = std::exp(log_evidence[static_cast<std::size_t>(k)] - most);
+      sum += weight * std::pow(0.5, k);
+      weights += weight;
+    }
+    swing_share_ = sum / weights;
+    for (Group& group : groups_) group.fit = fitWithLever(group, options_.lever_m * std::sqrt(swing_share_));
   }
 
   using Tests = std::vector<std::vector<MovementTest>>;  // [a][b] for b < a
@@ -205,9 +241,7 @@ class PartsFinder {
 
   /// What a part sees at a joint, which is further away than its patches are from each other.
   [[nodiscard]] GravitySeen gravityAtJoint(std::size_t group) const {
-    std::vector<GravitySeen> bodies;
-    for (const std::size_t member : groups_[group].members) bodies.push_back(patches_[member].seen_from_joint);
-    return fitRigid(bodies).gravity;
+    return fitWithLever(groups_[group], options_.joint_lever_m * std::sqrt(swing_share_)).gravity;
   }
 
   void sayApart(std::size_t a, std::size_t b, PartRelation& relation) const {
@@ -289,9 +323,11 @@ class PartsFinder {
 
   const PartsOptions& options_;
   MovementLimits limits_;
+  std::vector<PoseId> poses_;  ///< that are compared
   std::vector<SeeingPatch> patches_;
   std::vector<Group> groups_;
   Tests tests_;
+  double swing_share_ = 1;  ///< of the variance that a usual hand's swings bring about between patches
   PartsResult result_;
 };
 

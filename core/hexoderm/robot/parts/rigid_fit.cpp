@@ -28,8 +28,9 @@ class RigidProblem {
         if (latents.back() == poses_.size()) poses_.push_back(pose);
       }
       observations_ += static_cast<Index>(2 * body.size());
-      information_.push_back(
-          body.covariance.llt().solve(Eigen::MatrixXd::Identity(body.covariance.rows(), body.covariance.cols())));
+      const Eigen::LLT<Eigen::MatrixXd> factor(body.covariance);
+      information_.push_back(factor.solve(Eigen::MatrixXd::Identity(body.covariance.rows(), body.covariance.cols())));
+      log_spread_ += factor.matrixLLT().diagonal().array().log().sum();
     }
     start();
   }
@@ -45,7 +46,9 @@ class RigidProblem {
     }
     linearize();
     factor.compute(matrix_);
-    return describe(factor.solve(Eigen::MatrixXd::Identity(matrix_.rows(), matrix_.cols())));
+    RigidFit fit = describe(factor.solve(Eigen::MatrixXd::Identity(matrix_.rows(), matrix_.cols())));
+    fit.log_evidence = -chi_squared_ / 2 - log_spread_ - factor.matrixLLT().diagonal().array().log().sum();
+    return fit;
   }
 
  private:
@@ -161,6 +164,7 @@ class RigidProblem {
   std::vector<PoseId> poses_;
   std::vector<Eigen::MatrixXd> information_;
   Index observations_ = 0;
+  double log_spread_ = 0;  // of the covariances: half the logarithms of their determinants
   std::vector<Eigen::Vector3d> g_;
   std::vector<Eigen::Matrix3d> R_;
   Eigen::MatrixXd matrix_;

@@ -31,6 +31,9 @@ struct RigidFit {
   /// the poses leave open has a sigma of about 1 rad.
   Eigen::MatrixXd covariance;
   GravityMisfit misfit;
+  /// Logarithm of how probable what the bodies saw is, all directions and turns being as probable beforehand; of use
+  /// for comparing covariances of the same bodies.
+  double log_evidence = 0;
   GravitySeen gravity;  ///< in the first body's frame, in every pose in which any body saw it
 };
 

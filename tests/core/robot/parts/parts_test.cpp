@@ -122,21 +122,19 @@ TEST(Parts, FourPatchesOnTwoBodiesAreGrouped) {
     std::string name;
     bool hand_held;
     std::size_t poses;
-    double least_right;
-    double least_nees;
   };
   const int seeds = kFewSeeds ? 2 : 100;
-  for (const Case& c : {Case{"hand, 4 poses", true, 4, 0.95, 0.4}, Case{"hand, 8 poses", true, 8, 0.99, 0.6},
-                        Case{"still, 4 poses", false, 4, 0.99, 0.3}, Case{"still, 8 poses", false, 8, 0.99, 0.5}}) {
+  for (const Case& c : {Case{"hand, 4 poses", true, 4}, Case{"hand, 8 poses", true, 8},
+                        Case{"still, 4 poses", false, 4}, Case{"still, 8 poses", false, 8}}) {
     JointedSkinsOptions options;
     options.hand_held = c.hand_held;
     const Outcome outcome = outcomeOf(options, c.poses, seeds);
     record(c.name, outcome, seeds);
     EXPECT_EQ(outcome.wrong_together, 0) << c.name;
     if (kFewSeeds) continue;
-    EXPECT_GE(outcome.right, c.least_right * seeds) << c.name;
+    EXPECT_GE(outcome.right, 0.99 * seeds) << c.name;
     EXPECT_LE(medianOf(outcome.errors_rad), 1.2 * medianOf(outcome.stated_rad)) << c.name;
-    EXPECT_GE(outcome.nees, c.least_nees) << c.name;
+    EXPECT_GE(outcome.nees, 0.7) << c.name;
     EXPECT_LE(outcome.nees, 1.5) << c.name;
     if (c.poses < 8) continue;
     EXPECT_GE(outcome.hinges, 0.95 * seeds) << c.name;
