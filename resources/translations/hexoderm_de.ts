@@ -5862,6 +5862,42 @@ Die Werte sagen, wie gut die Posen die Drehung der Zellen in drei Achsen festhal
         <source>a placement that makes sense ({})</source>
         <translation>eine sinnvolle Einordnung ({})</translation>
     </message>
+    <message>
+        <source>See that the cells send readings, and that the calibration was made of three poses or more.</source>
+        <translation>Prüfen, ob die Zellen Messwerte senden und ob die Kalibrierung aus mindestens drei Posen stammt.</translation>
+    </message>
+    <message>
+        <source>As far as it could be compared, the calibration still holds.</source>
+        <translation>Soweit sie sich vergleichen ließ, gilt die Kalibrierung noch.</translation>
+    </message>
+    <message>
+        <source>The calibration still holds: it can be used as before.</source>
+        <translation>Die Kalibrierung gilt noch und lässt sich weiter verwenden.</translation>
+    </message>
+    <message>
+        <source>A cell that turned came loose or was fixed anew: see that it sits firmly, then calibrate anew.</source>
+        <translation>Eine gedrehte Zelle hat sich gelöst oder wurde neu befestigt: dafür sorgen, dass sie fest sitzt, dann neu kalibrieren.</translation>
+    </message>
+    <message>
+        <source>A cell whose offset drifted is still where it was; its readings are off by that much until the skin is calibrated anew.</source>
+        <translation>Eine Zelle, deren Offset gedriftet ist, sitzt noch, wo sie war; ihre Messwerte sind um so viel falsch, bis die Haut neu kalibriert ist.</translation>
+    </message>
+    <message>
+        <source>Another pose, with the part turned by 45° or more, tells a turn from a drift.</source>
+        <translation>Eine weitere Pose, mit dem Körperteil um mindestens 45° gedreht, unterscheidet eine Drehung von einer Drift.</translation>
+    </message>
+    <message>
+        <source>Check the sensor, plug and cable of a cell that is dead, broken or gone.</source>
+        <translation>Bei einer Zelle, die tot, defekt oder verschwunden ist, Sensor, Stecker und Kabel prüfen.</translation>
+    </message>
+    <message>
+        <source>What neither a turn nor a drift explains may have happened between these poses: compare only those that were taken since.</source>
+        <translation>Was weder eine Drehung noch eine Drift erklärt, kann zwischen diesen Posen geschehen sein: nur mit denen vergleichen, die danach aufgenommen wurden.</translation>
+    </message>
+    <message>
+        <source>See that the cells are still joined where a link is no longer reported.</source>
+        <translation>Prüfen, ob die Zellen noch verbunden sind, wo eine Verbindung nicht mehr gemeldet wird.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>
@@ -8283,6 +8319,38 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <source>It contradicts the result. Check the size of the cells in the cell model, the numbering of the ports and the axes of the sensors; with fewer than three poses, take more. %1</source>
         <translation>Es widerspricht dem Ergebnis. Die Größe der Zellen im Zellmodell, die Nummern der Ports und die Achsen der Sensoren prüfen; bei weniger als drei Posen weitere aufnehmen. %1</translation>
     </message>
+    <message>
+        <source>Compared with %1: %2.</source>
+        <translation>Verglichen mit %1: %2.</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>What became of the cell, with 1 sigma</source>
+        <translation>Was aus der Zelle geworden ist, mit 1 Sigma</translation>
+    </message>
+    <message>
+        <source>The turn that explains best what the cell reads</source>
+        <translation>Die Drehung, die am besten erklärt, was die Zelle misst</translation>
+    </message>
+    <message>
+        <source>Drift mg</source>
+        <translation>Drift mg</translation>
+    </message>
+    <message>
+        <source>The drift of its sensor&apos;s offset that explains best what the cell reads</source>
+        <translation>Die Drift des Offsets ihres Sensors, die am besten erklärt, was die Zelle misst</translation>
+    </message>
+    <message>
+        <source>Noticed from °</source>
+        <translation>Fällt auf ab °</translation>
+    </message>
+    <message>
+        <source>A turn by so much, about whatever axis, would be found in these poses with 95 %; no figure: a turn about some axis would not be</source>
+        <translation>Eine Drehung um so viel, um welche Achse auch immer, würde in diesen Posen mit 95 % gefunden; keine Zahl: um irgendeine Achse nicht</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::VerifyPanel</name>
@@ -8470,6 +8538,50 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <source>Cells far apart, across the bend, tell most</source>
         <translation>Weit entfernte Zellen, über die Biegung hinweg, sagen am meisten</translation>
     </message>
+    <message>
+        <source>Old calibration</source>
+        <translation>Alte Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Does it still hold? Compared with poses of today, cell by cell.</source>
+        <translation>Gilt sie noch? Zelle für Zelle mit Posen von heute verglichen.</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Choose the file of the old calibration</source>
+        <translation>Datei der alten Kalibrierung wählen</translation>
+    </message>
+    <message>
+        <source>Remove the old calibration</source>
+        <translation>Alte Kalibrierung entfernen</translation>
+    </message>
+    <message>
+        <source>Poses that the old calibration is compared with</source>
+        <translation>Posen, mit denen die alte Kalibrierung verglichen wird</translation>
+    </message>
+    <message>
+        <source>The newest pose</source>
+        <translation>Die neueste Pose</translation>
+    </message>
+    <message>
+        <source>The newest %1 poses</source>
+        <translation>Die neuesten %1 Posen</translation>
+    </message>
+    <message>
+        <source>All poses</source>
+        <translation>Alle Posen</translation>
+    </message>
+    <message>
+        <source>A calibration file holds no readings: open a session with the poses of today.</source>
+        <translation>Eine Kalibrierdatei enthält keine Messwerte: eine Sitzung mit den Posen von heute öffnen.</translation>
+    </message>
+    <message>
+        <source>Choose those that were taken since the calibration; disabled ones don&apos;t count</source>
+        <translation>Die wählen, die seit der Kalibrierung aufgenommen wurden; nicht benutzte zählen nicht</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::VerifyPresenter</name>
@@ -8480,6 +8592,14 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Calibrations and sessions (*.calibration.json *.hexo *.session.json *.xml)</source>
         <translation>Kalibrierungen und Sitzungen (*.calibration.json *.hexo *.session.json *.xml)</translation>
+    </message>
+    <message>
+        <source>Check an old calibration</source>
+        <translation>Eine alte Kalibrierung prüfen</translation>
+    </message>
+    <message>
+        <source>Calibrations and sessions (*.calibration.json *.hexo *.session.json)</source>
+        <translation>Kalibrierungen und Sitzungen (*.calibration.json *.hexo *.session.json)</translation>
     </message>
 </context>
 <context>
