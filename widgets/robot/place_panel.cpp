@@ -3,6 +3,7 @@
 #include "hexoderm/util/units.h"
 #include "widgets/controls/selection.h"
 #include "widgets/controls/typed_values.h"
+#include "widgets/tables/joint_table_view.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -10,9 +11,11 @@
 #include <QEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QHeaderView>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QVBoxLayout>
@@ -121,6 +124,7 @@ PlacePanel::PlacePanel(Selection* selection, QWidget* parent)
                                 selection)) {
   setObjectName(QStringLiteral("placePanel"));
   buildRobot();
+  buildJoints();
   buildPatch();
   buildLink();
   buildKnown();
@@ -172,13 +176,22 @@ void PlacePanel::buildRobot() {
   connect(choose_robot_, &QPushButton::clicked, this, &PlacePanel::robotWanted);
   connect(package_, &QPushButton::clicked, this, &PlacePanel::packageWanted);
   connect(remove_robot_, &QPushButton::clicked, this, &PlacePanel::robotRemoved);
+}
 
+void PlacePanel::buildJoints() {
   choose_joints_ =
       namedField(new QPushButton(tr("Choose CSV…")), "placeChooseJoints", tr("Choose a table of joint angles"));
   QHBoxLayout* joints = joints_->addRow();
   joints->addWidget(choose_joints_);
   joints->addStretch();
   connect(choose_joints_, &QPushButton::clicked, this, &PlacePanel::jointsWanted);
+  joint_table_ = new JointTable(this);
+  joint_view_ = namedField(new JointTableView(joint_table_), "placeJointTable", tr("Joint angles of the poses"));
+  joint_view_->setToolTip(
+      tr("Type angles, or paste a block of them from a spreadsheet; an empty cell is an angle that is not known"));
+  joints_->addRow()->addWidget(joint_view_, 1);
+  connect(joint_table_, &JointTable::typed, this, &PlacePanel::anglesTyped);
+  connect(joint_table_, &JointTable::refused, this, &PlacePanel::anglesRefused);
   pose_ = namedField(new QComboBox, "placePose", tr("Pose in which the robot is drawn"));
   makeNarrow(pose_);
   QHBoxLayout* pose = joints_->addRow();
@@ -360,8 +373,19 @@ void PlacePanel::setStand(const PlaceStand& stand) {
   std::vector<PlaceStand::Choice> all{{0, tr("open")}};
   for (const QString& link : stand.other_links) all.push_back({static_cast<quint32>(all.size()), link});
   fillChoices(other_link_, all, static_cast<quint32>(stand.other_links.indexOf(stand.link) + 1));
+  showSheet();
   showKnown();
   refreshControls();
+}
+
+void PlacePanel::showSheet() {
+  joint_table_->setSheet(stand_.sheet);
+  const int rows = joint_table_->rowCount();
+  joint_view_->setVisible(rows > 0 && joint_table_->columnCount() > 0);
+  const int shown = std::min(rows, kMostRowsInList);
+  joint_view_->setFixedHeight(joint_view_->horizontalHeader()->sizeHint().height() +
+                              shown * joint_view_->verticalHeader()->defaultSectionSize() +
+                              joint_view_->horizontalScrollBar()->sizeHint().height() + 2 * joint_view_->frameWidth());
 }
 
 void PlacePanel::showKnown() {

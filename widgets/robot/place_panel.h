@@ -2,6 +2,7 @@
 
 #include "hexoderm/session/patch_on_link.h"
 #include "widgets/robot/place_words.h"
+#include "widgets/tables/joint_table.h"
 #include "widgets/verify/verify_section.h"
 
 #include <QStringList>
@@ -19,6 +20,8 @@ class QSpinBox;
 
 namespace hexoderm {
 
+class JointTableView;
+
 /// Work for the step that may take a while.
 enum class PlaceWork { Robot, Joints, Links, Places };
 
@@ -35,6 +38,7 @@ struct PlaceStand {
   bool names_robot = false;  ///< the session does, also where its file can't be read
   VerifySentence robot;      ///< which one, and what is doubtful about it
   VerifySentence joints;
+  JointSheet sheet;  ///< of the robot's joints in the session's poses
 
   std::vector<Choice> poses;
   quint32 pose = 0;  ///< in which the robot is drawn
@@ -78,6 +82,9 @@ class PlacePanel : public QWidget {
   void packageWanted();
   void robotRemoved();
   void jointsWanted();
+  void anglesTyped(const std::vector<hexoderm::TypedAngle>& angles);
+  /// Why joint angles that were typed are not taken, one sentence.
+  void anglesRefused(const QString& why);
   void cancelRequested(hexoderm::PlaceWork work);
   void poseChosen(quint32 pose);
   void patchChosen(quint32 origin);
@@ -98,6 +105,7 @@ class PlacePanel : public QWidget {
 
  private:
   void buildRobot();
+  void buildJoints();
   void buildPatch();
   void buildLink();
   void buildKnown();
@@ -105,6 +113,7 @@ class PlacePanel : public QWidget {
   void buildDistance();
   void buildPlaces();
   [[nodiscard]] VerifySection* section(PlaceWork work) const;
+  void showSheet();
   void showKnown();
   void refreshControls();
 
@@ -120,6 +129,8 @@ class PlacePanel : public QWidget {
   QPushButton* package_;
   QPushButton* remove_robot_;
   QPushButton* choose_joints_;
+  JointTable* joint_table_;
+  JointTableView* joint_view_;
   QComboBox* pose_;
   QComboBox* patch_list_;
   QListWidget* links_;

@@ -89,6 +89,11 @@ void PlacePresenter::connectPanel() {
   connect(panel, &PlacePanel::robotWanted, this, &PlacePresenter::askForRobot);
   connect(panel, &PlacePanel::packageWanted, this, &PlacePresenter::askForPackage);
   connect(panel, &PlacePanel::jointsWanted, this, &PlacePresenter::askForJoints);
+  connect(panel, &PlacePanel::anglesTyped, this, &PlacePresenter::setAngles);
+  connect(panel, &PlacePanel::anglesRefused, this, [this](const QString& why) {
+    joints_fault_ = why;
+    showStand();
+  });
   connect(panel, &PlacePanel::cancelRequested, this, [this](PlaceWork work) {
     placing_.cancel(work);
     if (work == PlaceWork::Robot) picked_.reset();
@@ -283,6 +288,27 @@ void PlacePresenter::readJoints(const QString& path) {
   placing_.readJoints(path, robot_, *controller_.session());
 }
 
+void PlacePresenter::setAngles(const std::vector<TypedAngle>& angles) {
+  if (!controller_.session()) return;
+  joints_fault_.clear();
+  const std::vector<SessionPose>& poses = controller_.session()->poses();
+  std::map<std::size_t, JointAngles> of_poses;
+  for (const TypedAngle& angle : angles) {
+    if (angle.row >= poses.size()) continue;
+    JointAngles& of_pose = of_poses.try_emplace(angle.row, poses[angle.row].joint_angles).first->second;
+    if (angle.position) {
+      of_pose.positions[angle.joint] = *angle.position;
+    } else {
+      of_pose.positions.erase(angle.joint);
+    }
+  }
+  std::vector<SessionEdit> edits;
+  for (auto& [index, of_pose] : of_poses) edits.emplace_back(SetJointAngles{index, std::move(of_pose)});
+  if (edits.empty()) return;
+  controller_.perform(edits, edits.size() > 1 ? tr("set joint angles of %1 poses").arg(edits.size()) : QString());
+  refresh();
+}
+
 bool PlacePresenter::takeFile(const QString& path) {
   const QString ending = endingOf(path);
   const bool is_robot = ending == QStringLiteral("urdf");
@@ -463,6 +489,18 @@ JointAngles PlacePresenter::shownAngles() const {
   return known.empty() ? JointAngles() : known.begin()->second;
 }
 
+JointSheet PlacePresenter::sheet() const {
+  JointSheet sheet;
+  if (!robot_ || !controller_.session()) return sheet;
+  for (const RobotJoint& joint : robot_->model.joints()) {
+    if (joint.isFree()) sheet.joints.push_back(joint);
+  }
+  for (const SessionPose& pose : controller_.session()->poses()) {
+    sheet.rows.push_back({pose.capture->id, pose.joint_angles});
+  }
+  return sheet;
+}
+
 std::vector<const PatchReconstruction*> PlacePresenter::placedWith(const PatchReconstruction& patch) const {
   std::vector<const PatchReconstruction*> patches{&patch};
   const std::string link = linkOf(patch);
@@ -616,6 +654,7 @@ void PlacePresenter::showStand() {
   stand.names_robot = asked_.has_value();
   stand.robot = robotInWords();
   stand.joints = jointsInWords();
+  stand.sheet = sheet();
   if (solved_) addChoices(stand);
   if (const PatchReconstruction* of = patch(); of != nullptr && robot_) {
     if (const PatchLinks* links = linksOf(*of)) stand.links = linkChoices(*links);

@@ -68,6 +68,7 @@ class PlacePresenter : public QObject {
   void askForJoints();
   void pickRobot(const RobotDescription& description);
   void readJoints(const QString& path);
+  void setAngles(const std::vector<TypedAngle>& angles);
 
   void followRobot();
   void findLinks();
@@ -86,6 +87,7 @@ class PlacePresenter : public QObject {
   [[nodiscard]] std::string linkOf(const PatchReconstruction& patch) const;
   [[nodiscard]] std::map<PoseId, JointAngles> angles() const;
   [[nodiscard]] JointAngles shownAngles() const;
+  [[nodiscard]] JointSheet sheet() const;
   /// The patches that are placed together with one, because distances join them: itself first.
   [[nodiscard]] std::vector<const PatchReconstruction*> placedWith(const PatchReconstruction& patch) const;
   [[nodiscard]] std::optional<PlaceTask> taskFor(const PatchReconstruction& patch) const;

@@ -16,7 +16,9 @@
 #include "widgets/controls/step_panel.h"
 #include "widgets/robot/place_panel.h"
 #include "widgets/robot/robot_view.h"
+#include "widgets/tables/joint_table_view.h"
 
+#include <QClipboard>
 #include <QDoubleSpinBox>
 #include <QListWidget>
 #include <QMimeData>
@@ -319,6 +321,62 @@ TEST_F(WindowPlaceTest, EveryDecisionCanBeUndoneAndIsKept) {
   EXPECT_TRUE(stand().has_robot);
   ASSERT_EQ(placedPatches(*controller().reconstruction()).size(), 1U);
   EXPECT_EQ(placedPatches(*controller().reconstruction())[0].T_l_o.t, before.T_l_o.t);
+}
+
+TEST_F(WindowPlaceTest, AnglesAreTypedAndPastedIntoTheTableOfPoses) {
+  ASSERT_NO_FATAL_FAILURE(openSession());
+  ASSERT_NO_FATAL_FAILURE(chooseRobot(HEXODERM_DEMO_ROBOT));
+  auto* table = inPanel<JointTableView>("placeJointTable");
+  window_->findChild<StepPanel*>()->ensureWidgetVisible(table);
+  const std::vector<RobotJoint> joints = stand().sheet.joints;
+  ASSERT_EQ(joints.size(), robot_->robot().freeJointNames().size());
+  ASSERT_EQ(table->model()->rowCount(), 8);
+  // One by the keyboard.
+  const auto column = std::ranges::find(joints, "elbow", &RobotJoint::name) - joints.begin();
+  table->setFocus();
+  table->setCurrentIndex(table->model()->index(0, static_cast<int>(column)));
+  keys(QStringLiteral("200"));
+  key(Qt::Key_Return);
+  const auto elbow = [this](std::size_t pose) -> std::optional<double> {
+    const auto& positions = controller().session()->poses()[pose].joint_angles.positions;
+    const auto found = positions.find("elbow");
+    return found == positions.end() ? std::nullopt : std::optional(found->second);
+  };
+  ASSERT_TRUE(elbow(0));
+  EXPECT_DOUBLE_EQ(*elbow(0), 200 * kDegree);
+  EXPECT_EQ(stand().joints.tone, Tone::Caution);
+  EXPECT_THAT(stand().joints.text.toStdString(), AllOf(HasSubstr("1 of 8 poses"), HasSubstr("its limits are")));
+  EXPECT_EQ(table->currentIndex().row(), 1);
+  keys(QStringLiteral("1-2"));
+  key(Qt::Key_Return);
+  EXPECT_THAT(stand().joints.text.toStdString(), HasSubstr("\"1-2\" is no number"));
+  EXPECT_FALSE(elbow(1));
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(waitUntil([&] { return !elbow(0); }));
+
+  // All of them from a spreadsheet, in one step.
+  QString block;
+  for (const JointAnglesRow& row : angles_.rows) {
+    QStringList line;
+    for (const RobotJoint& joint : joints) {
+      const double position = row.angles.positions.at(joint.name);
+      line << QString::number(joint.type == JointType::Prismatic ? toMillimetres(position) : toDegrees(position), 'g',
+                              17);
+    }
+    block += line.join('\t') + '\n';
+  }
+  QApplication::clipboard()->setText(block);
+  table->setFocus();
+  table->setCurrentIndex(table->model()->index(0, 0));
+  const int steps = controller().undoStack()->count();
+  key(Qt::Key_V, Qt::ControlModifier);
+  ASSERT_TRUE(waitForWork());
+  EXPECT_EQ(controller().undoStack()->index(), steps);  // in place of the one that was undone
+  EXPECT_THAT(stand().joints.text.toStdString(), HasSubstr("8 of 8 poses"));
+  EXPECT_EQ(stand().link.toStdString(), mounted(CellId(stand().patch)).link) << "as with the angles of a file";
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(waitUntil([&] { return controller().session()->poses()[7].joint_angles.positions.empty(); }));
+  EXPECT_TRUE(waitUntil([&] { return controller().session()->poses()[0].joint_angles.positions.empty(); }));
 }
 
 TEST_F(WindowPlaceTest, AnotherLinkCanBeChosenAndIsSaidNotToFit) {
